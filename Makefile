@@ -1,0 +1,100 @@
+# dioptre: a ray tracer to teach with. `make run` opens the box, `make test` tests everything.
+
+VERSION   := 0.1.0
+PREFIX    ?= /usr/local
+BUILD     ?= build
+CC        ?= cc
+CXX       ?= c++
+OBJCOPY   ?= objcopy
+OPTIMIZE  ?= -O3 -g
+SANITIZE  ?=
+
+# --- flags ---------------------------------------------------------------------------------------
+WARNINGS  := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion -Wmissing-prototypes -Werror
+# The same bits on every machine and at every width: no contraction, no fast-math (doc/tour.md).
+ARITHMETIC := -ffp-contract=off -fno-math-errno -fno-trapping-math
+CPPFLAGS  := -Iinclude -Isrc -DDIOPTRE_VERSION='"$(VERSION)"' -D_GNU_SOURCE
+CFLAGS    = -std=gnu11 $(OPTIMIZE) $(WARNINGS) $(ARITHMETIC) -fPIC -pthread $(SANITIZERS)
+CXXFLAGS  = -std=c++17 $(OPTIMIZE) -Wall -Wextra -Wpedantic -Wshadow -Werror -fPIC -fvisibility=hidden $(SANITIZERS)
+SANITIZERS := $(if $(SANITIZE),-fsanitize=$(SANITIZE) -fno-omit-frame-pointer -fno-sanitize-recover=all)
+PKG_CFLAGS = $(shell pkg-config --cflags $(1) 2>/dev/null)
+PKG_LIBS   = $(shell pkg-config --libs $(1) 2>/dev/null)
+
+# --- engines: the objects of src/trace at one number type and width ------------------------------
+FLAGS_f32x8  := -DREAL_BITS=32  -DLANES=8 -mavx2
+FLAGS_f32x4  := -DREAL_BITS=32  -DLANES=4
+FLAGS_f32x1  := -DREAL_BITS=32  -DLANES=1
+FLAGS_f64x4  := -DREAL_BITS=64  -DLANES=4 -mavx2
+FLAGS_f64x1  := -DREAL_BITS=64  -DLANES=1
+FLAGS_f128x1 := -DREAL_BITS=128 -DLANES=1
+ifneq ($(shell uname -m),x86_64)
+FLAGS_f32x8  := -DREAL_BITS=32  -DLANES=8
+FLAGS_f64x4  := -DREAL_BITS=64  -DLANES=4
+endif
+ENGINES := f32x8 f32x4 f32x1 f64x4 f64x1 f128x1
+
+# --- sources -------------------------------------------------------------------------------------
+TRACE_SOURCES := $(wildcard src/trace/*.c src/trace/shapes/*.c)
+ROOM_SOURCES  := $(wildcard src/scene/*.c src/render/*.c src/script/*.c src/assets/*.c src/view/*.c)
+CLI_SOURCES   := $(wildcard src/cli/*.c)
+OBJ           := $(BUILD)/obj
+ENGINE_OBJECTS := $(ENGINES:%=$(OBJ)/engine-%.o)
+ROOM_OBJECTS  := $(ROOM_SOURCES:%.c=$(OBJ)/%.o) $(ENGINE_OBJECTS)
+CLI_OBJECTS   := $(CLI_SOURCES:%.c=$(OBJ)/%.o)
+TEST_SOURCES  := $(wildcard tests/test_*.c)
+TESTS         := $(TEST_SOURCES:tests/%.c=$(BUILD)/tests/%)
+PROGRAM       := $(BUILD)/dioptre
+MODULE        := $(BUILD)/dioptre-images.so
+LIBRARIES     = $(call PKG_LIBS,sdl2 SDL2_ttf lua5.4) -ldl -lm -pthread
+
+.DEFAULT_GOAL := all
+.DELETE_ON_ERROR:
+.PHONY: all
+all: $(PROGRAM) $(MODULE)
+
+$(PROGRAM): $(CLI_OBJECTS) $(ROOM_OBJECTS)
+	$(CC) $(CFLAGS) -o $@ $^ $(LIBRARIES)
+
+$(MODULE): src/assets/images_module.cpp src/assets/images_module.h Makefile
+	@mkdir -p $(@D)
+	$(CXX) $(CPPFLAGS) $(CXXFLAGS) $(call PKG_CFLAGS,OpenImageIO) -shared -o $@ $< $(call PKG_LIBS,OpenImageIO)
+
+$(OBJ)/%.o: %.c Makefile
+	@mkdir -p $(@D)
+	$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,sdl2 SDL2_ttf lua5.4) -MMD -MP -c -o $@ $<
+
+# One relocatable object an engine, with one symbol: everything else in it becomes local.
+define ENGINE_RULES
+$(OBJ)/$(1)/%.o: src/trace/%.c Makefile
+	@mkdir -p $$(@D)
+	$$(CC) $$(CPPFLAGS) $$(CFLAGS) -Wno-psabi $$(FLAGS_$(1)) -DENGINE=engine_$(1) -DENGINE_NAME='"$(1)"' -MMD -MP -c -o $$@ $$<
+$(OBJ)/engine-$(1).o: $(TRACE_SOURCES:src/trace/%.c=$(OBJ)/$(1)/%.o)
+	$$(LD) -r -o $$@.all $$^
+	$$(OBJCOPY) --keep-global-symbol=engine_$(1) $$@.all $$@
+	@rm -f $$@.all
+endef
+$(foreach engine,$(ENGINES),$(eval $(call ENGINE_RULES,$(engine))))
+
+-include $(shell find $(OBJ) -name '*.d' 2>/dev/null)
+
+# --- other builds --------------------------------------------------------------------------------
+.PHONY: asan tsan clang
+asan:
+	@$(MAKE) --no-print-directory BUILD=build/asan OPTIMIZE='-O1 -g' SANITIZE=address,undefined all
+tsan:
+	@$(MAKE) --no-print-directory BUILD=build/tsan OPTIMIZE='-O1 -g' SANITIZE=thread all
+clang:
+	@$(MAKE) --no-print-directory BUILD=build/clang CC=clang CXX=clang++ all
+
+# --- tests ---------------------------------------------------------------------------------------
+$(BUILD)/tests/%: tests/%.c tests/testing.h $(ROOM_OBJECTS)
+	@mkdir -p $(@D)
+	$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,cmocka sdl2) -Itests -o $@ $< $(ROOM_OBJECTS) $(LIBRARIES) $(call PKG_LIBS,cmocka)
+
+.PHONY: tests
+tests: $(TESTS)
+
+# --- the rest ------------------------------------------------------------------------------------
+.PHONY: clean
+clean:
+	rm -rf build

@@ -1,0 +1,170 @@
+/**
+ * @file
+ * @brief An engine: the whole tracer at one precision and one width.
+ *
+ * All engines come from the same source, `src/trace/`. Each is an object of this class; nothing
+ * else of it can be seen from outside.
+ */
+#ifndef DIOPTRE_ENGINE_H
+#define DIOPTRE_ENGINE_H
+
+#include "dioptre/scene.h"
+
+#include <stdint.h>
+
+#if defined(__SIZEOF_FLOAT128__)
+/** The widest number there is: what errors are measured with. */
+__extension__ typedef __float128 Quadruple;
+#else
+/** The widest number there is: what errors are measured with (quad on ARM and RISC-V). */
+typedef long double Quadruple;
+#endif
+
+/** Where rays that leave a surface start. */
+typedef enum {
+    OFFSET_NONE,  /**< At the very point: shows the black points of report C. */
+    OFFSET_FIXED, /**< One constant away from it, as in the reports. */
+    OFFSET_BOUND  /**< As far as that hit's rounding error can reach: the default. */
+} OffsetStrategy;
+
+/** What a tracer is told besides the scene. */
+typedef struct TraceSettings {
+    int depth;             /**< How often a ray may be mirrored. */
+    OffsetStrategy offset; /**< Where secondary rays start. */
+    double epsilon;        /**< For #OFFSET_FIXED: how far away, scene units. */
+} TraceSettings;
+
+/** A rectangle of pixels, all of them or every n-th, to be traced with one ray each. */
+typedef struct PixelGrid {
+    int x;       /**< First column, from the left. */
+    int y;       /**< First row, from the top. */
+    int columns; /**< How many columns of rays, at least 1. */
+    int rows;    /**< How many rows of rays, at least 1. */
+    int stride;  /**< Pixels from one ray to the next, both ways, at least 1. */
+    int sample;  /**< Which of a pixel's samples; 0 is its centre. */
+} PixelGrid;
+
+/** How many rays were traced. */
+typedef struct RayCounts {
+    uint64_t camera; /**< From the camera. */
+    uint64_t mirror; /**< Mirrored. */
+    uint64_t shadow; /**< To a light. */
+} RayCounts;
+
+/** A ray as a question to an engine from outside. */
+typedef struct RayQuery {
+    double origin[3];    /**< Where it starts; rounded to the engine's number type. */
+    double direction[3]; /**< Which way, of any length but 0; rounded likewise. */
+} RayQuery;
+
+/** What an engine answers. */
+typedef struct RayAnswer {
+    int shape;           /**< Place of the nearest shape in the scene, or -1: nothing. */
+    bool blocked;        /**< What `is_blocking` said, with the limit at infinity. */
+    Quadruple distance;  /**< In lengths of the direction. */
+    Quadruple point[3];  /**< Where. */
+    Quadruple normal[3]; /**< The surface's unit normal there, outwards. */
+    Quadruple error;     /**< Bound on how far the point can be off the surface. */
+} RayAnswer;
+
+/** The tracer for one scene; what is in it, only its engine knows. */
+typedef struct Tracer Tracer;
+
+/** The tracer at one precision and width. */
+typedef struct Engine {
+    const char *name;  /**< Such as `f32x8`: type, bits and lanes. */
+    int lanes;         /**< Rays at once. */
+    int mantissa_bits; /**< Of its number type, the leading 1 included: 24, 53, 113. */
+
+    /** The keywords of its shape classes, ended by NULL; the same in every engine. */
+    const Keyword *const *shape_keywords;
+
+    /**
+     * Makes the tracer for a scene, with only what this scene needs.
+     * @param scene     The scene; read during this call only.
+     * @param settings  Depth and offset.
+     * @param[out] error  What is wrong.
+     * @return The tracer, to be given back with #release; NULL without memory.
+     */
+    Tracer *(*prepare)(const Scene *scene, const TraceSettings *settings, Error *error);
+
+    /**
+     * Takes camera, lights and picture size anew from a scene whose shapes are the same.
+     * @param tracer  The tracer.
+     * @param scene   The scene, with as many lights as before.
+     * @param width   Pixels of the whole picture.
+     * @param height  Pixels of the whole picture.
+     */
+    void (*look)(Tracer *tracer, const Scene *scene, int width, int height);
+
+    /**
+     * Traces one ray for each point of a grid of pixels. Any number of threads may trace at once.
+     * @param tracer       The tracer, after #look.
+     * @param grid         Which pixels.
+     * @param[out] rgb     Linear colour of each, 3 numbers, row by row.
+     * @param[in,out] counts  The rays traced are added to this.
+     */
+    void (*trace)(const Tracer *tracer, const PixelGrid *grid, double *rgb, RayCounts *counts);
+
+    /**
+     * Only finds the nearest hit of each pixel's ray: no shading, no other rays.
+     * @param tracer         The tracer, after #look.
+     * @param grid           Which pixels.
+     * @param[out] shapes    The shape met, or -1, row by row.
+     * @param[out] distances How far, or infinity, row by row.
+     */
+    void (*cast)(const Tracer *tracer, const PixelGrid *grid, int *shapes, double *distances);
+
+    /**
+     * Finds the nearest hit of any rays: no shading, no other rays.
+     * @param tracer         The tracer.
+     * @param count          How many.
+     * @param queries        The rays.
+     * @param[out] shapes    The shape that each meets, or -1.
+     * @param[out] distances How far, in lengths of its direction, or infinity.
+     */
+    void (*nearest)(const Tracer *tracer, size_t count, const RayQuery *queries, int *shapes,
+                    double *distances);
+
+    /**
+     * Answers any rays in full, with every bit of the engine's numbers: for tests and probes.
+     * @param tracer        The tracer.
+     * @param count         How many.
+     * @param queries       The rays.
+     * @param[out] answers  As many answers.
+     */
+    void (*intersect)(const Tracer *tracer, size_t count, const RayQuery *queries,
+                      RayAnswer *answers);
+
+    /**
+     * Finds where a box holds all bounded shapes.
+     * @param tracer     The tracer.
+     * @param[out] low   Its lowest corner.
+     * @param[out] high  Its highest; lower than the lowest where no shape is bounded.
+     */
+    void (*bounds)(const Tracer *tracer, Vector3 *low, Vector3 *high);
+
+    /** Gives a tracer back. @param tracer The tracer, or NULL. */
+    void (*release)(Tracer *tracer);
+} Engine;
+
+/**
+ * @return The engines that this program was built with, the preferred first; ended by NULL.
+ */
+const Engine *const *engine_list(void);
+
+/**
+ * @return Whether this machine's processor can run an engine.
+ * @param engine  The engine.
+ */
+bool engine_is_supported(const Engine *engine);
+
+/**
+ * Finds an engine.
+ * @param name        Its name, or `auto` for the first of #engine_list that the processor can run.
+ * @param[out] error  Which names there are, or what the processor lacks.
+ * @return The engine, or NULL.
+ */
+const Engine *engine_find(const char *name, Error *error);
+
+#endif

@@ -1,0 +1,84 @@
+/**
+ * @file
+ * @brief Pictures: linear sums of samples, and the 8-bit picture that comes of them.
+ */
+#ifndef DIOPTRE_PICTURE_H
+#define DIOPTRE_PICTURE_H
+
+#include "dioptre/scene.h"
+
+#include <stdint.h>
+
+/** A finished picture, as in a file or on a screen. */
+typedef struct Picture {
+    int width;       /**< Pixels. */
+    int height;      /**< Pixels. */
+    uint8_t *pixels; /**< Red, green, blue of each pixel, row by row from the top; owned. */
+} Picture;
+
+/**
+ * Makes a black picture.
+ * @param[out] picture  The picture; give it back with #picture_release.
+ * @param width         Pixels, at least 1.
+ * @param height        Pixels, at least 1.
+ * @param[out] error    What is wrong.
+ * @return false without memory; the picture is then empty.
+ */
+bool picture_init(Picture *picture, int width, int height, Error *error);
+
+/** Gives a picture's pixels back and empties it. @param picture The picture. */
+void picture_release(Picture *picture);
+
+/** The exact curve from linear light to 8 bits, as tables. Made by #encoder_init. */
+typedef struct Encoder {
+    float threshold[257]; /**< Smallest light that is shown as 0, 1, ... 255; then infinity. */
+    uint8_t cell[4097];   /**< Number shown at the lower end of each 4096th of the light. */
+} Encoder;
+
+/**
+ * Makes the tables of an encoding.
+ * @param[out] encoder  The tables.
+ * @param encoding      Which curve.
+ */
+void encoder_init(Encoder *encoder, Encoding encoding);
+
+/**
+ * Encodes linear light: rounded to the nearest of 256 steps of the encoded scale, exactly.
+ * @param encoder  The tables.
+ * @param light    Any number; below 0 and NaN give 0, above 1 gives 255.
+ * @return 0 to 255.
+ */
+static inline uint8_t encoder_encode(const Encoder *encoder, float light) {
+    float inside = light > 0 ? (light < 1 ? light : 1) : 0;
+    unsigned code = encoder->cell[(unsigned)(inside * 4096)];
+    return (uint8_t)(code + (inside >= encoder->threshold[code + 1]));
+}
+
+/**
+ * @return The linear light that an 8-bit step stands for: the middle of what is shown so.
+ * @param encoding  Which curve.
+ * @param step      0 to 255.
+ */
+double encoding_decode(Encoding encoding, uint8_t step);
+
+/** How two pictures of the same size differ. */
+typedef struct Comparison {
+    int width;        /**< Pixels. */
+    int height;       /**< Pixels. */
+    int worst_step;   /**< Largest difference of a channel, in 8-bit steps. */
+    double share_off; /**< Share of pixels with a channel off by more than one step. */
+    double rmse;      /**< Root of the mean square difference, of linear light (sRGB decoded). */
+    double psnr;      /**< Peak signal to noise, decibels, of the 8-bit steps; infinite if equal. */
+} Comparison;
+
+/**
+ * Compares two pictures.
+ * @param a             A picture.
+ * @param b             Another, of the same size.
+ * @param[out] map      NULL, or an empty picture of that size for the steps that each pixel is off:
+ *                      black where equal, then bright with the largest difference of a channel.
+ * @return How they differ.
+ */
+Comparison picture_compare(const Picture *a, const Picture *b, Picture *map);
+
+#endif

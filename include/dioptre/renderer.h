@@ -1,0 +1,122 @@
+/**
+ * @file
+ * @brief How a picture comes about: threads, blocks, passes.
+ *
+ * A renderer owns worker threads and a tracer. It draws in passes, coarse blocks first where that
+ * is wanted, then every pixel, then sample after sample. It draws either at once (#renderer_draw)
+ * or in the background (#renderer_start), with the same bits in the end.
+ */
+#ifndef DIOPTRE_RENDERER_H
+#define DIOPTRE_RENDERER_H
+
+#include "dioptre/engine.h"
+#include "dioptre/picture.h"
+
+#include <stdatomic.h>
+
+/** Largest number of threads that may be asked for. */
+enum { THREADS_MAXIMUM = 1024 };
+
+/** What is asked of a renderer besides the scene. */
+typedef struct RenderSettings {
+    const Engine *engine; /**< Which engine. */
+    int threads;          /**< Worker threads, 1 to #THREADS_MAXIMUM. */
+    int width;            /**< Pixels. */
+    int height;           /**< Pixels. */
+    int samples;          /**< Rays a pixel. */
+    int encoding;         /**< An #Encoding. */
+    TraceSettings trace;  /**< Depth and offset. */
+} RenderSettings;
+
+/** How a drawing went. */
+typedef struct RenderReport {
+    double seconds;   /**< Wall-clock time. */
+    RayCounts rays;   /**< Rays traced. */
+    int stride;       /**< Pixels a block of the newest pass: 8, 4, 2 or 1. */
+    int samples;      /**< Samples a pixel that are in the picture. */
+    double share;     /**< Share of all the work that is done, 0 to 1. */
+    bool is_finished; /**< Whether this is the last pass. */
+} RenderReport;
+
+/** A renderer; its inside is its own. */
+typedef struct Renderer Renderer;
+
+/** Told when a pass has ended, from a thread of the renderer. @param context The listener's own. */
+typedef void (*RenderListener)(void *context);
+
+/**
+ * @return Settings as the scene asks for them, with the preferred engine and a thread a core.
+ * @param scene  The scene.
+ */
+RenderSettings render_settings_default(const Scene *scene);
+
+/** @return The processors that this process may use, at least 1. */
+int render_processors(void);
+
+/**
+ * Makes a renderer for a scene.
+ * @param scene       The scene; read during this call only.
+ * @param settings    What is asked for.
+ * @param[out] error  What is wrong.
+ * @return The renderer, to be given back with #renderer_destroy; NULL if anything is wrong.
+ */
+Renderer *renderer_create(const Scene *scene, const RenderSettings *settings, Error *error);
+
+/** Stops whatever is drawn and gives a renderer back. @param renderer The renderer, or NULL. */
+void renderer_destroy(Renderer *renderer);
+
+/**
+ * Draws the whole picture and waits for it.
+ * @param renderer       The renderer, with nothing drawn in the background.
+ * @param stop           Looked at often: the drawing ends early once it is true. May be NULL.
+ * @param[out] picture   An empty picture of the settings' size for the result, or NULL: only timed.
+ *                       What is not drawn stays black.
+ * @return How it went; RenderReport.is_finished is false when it was stopped.
+ */
+RenderReport renderer_draw(Renderer *renderer, const atomic_bool *stop, Picture *picture);
+
+/**
+ * Share of the work that is done, for a progress line.
+ * @param renderer  A renderer, perhaps drawing in another thread.
+ * @return 0 to 1.
+ */
+double renderer_progress(const Renderer *renderer);
+
+/**
+ * Begins, or begins again, to draw in the background, and returns at once.
+ * @param renderer  The renderer.
+ * @param scene     Camera and lights are taken from it, before this returns; same shapes as before.
+ * @param width     Pixels of the picture from now on.
+ * @param height    Pixels of the picture from now on.
+ * @param listener  Told after each pass, from another thread; may be NULL.
+ * @param context   Handed to the listener.
+ * @param[out] error  What is wrong.
+ * @return false without memory.
+ */
+bool renderer_start(Renderer *renderer, const Scene *scene, int width, int height,
+                    RenderListener listener, void *context, Error *error);
+
+/** Stops drawing in the background and waits until it has stopped. @param renderer The renderer. */
+void renderer_stop(Renderer *renderer);
+
+/**
+ * Takes the newest finished pass of a drawing in the background.
+ * @param renderer       The renderer.
+ * @param[out] report    How it stands.
+ * @param[out] bgrx      Where the pixels go: blue, green, red and an unused byte each; NULL:
+ * nowhere.
+ * @param pitch          Bytes from a row to the next.
+ * @return false while there is no finished pass since #renderer_start: nothing is written then.
+ */
+bool renderer_take(Renderer *renderer, RenderReport *report, uint8_t *bgrx, int pitch);
+
+/**
+ * Times what `dioptre bench --rays primary` and `--rays random` ask for: nearest hits alone.
+ * @param renderer  The renderer, with nothing drawn in the background.
+ * @param random    false: a camera ray a pixel; true: as many rays with origins uniform in the
+ *                  scene's bounds and directions uniform, from a fixed seed.
+ * @return Time and rays.
+ */
+RenderReport renderer_cast(Renderer *renderer, bool random);
+
+#endif

@@ -1,0 +1,124 @@
+/**
+ * @file
+ * @brief A scene: what is to be drawn, as plain data in double precision.
+ *
+ * A scene lives in one block of memory of its own, which one call gives back. The block is shared
+ * with child processes, so that a scene file can be run in a child, safely away from the program,
+ * and what it made is there when the child has ended.
+ */
+#ifndef DIOPTRE_SCENE_H
+#define DIOPTRE_SCENE_H
+
+#include "dioptre/camera.h"
+#include "dioptre/light.h"
+#include "dioptre/material.h"
+#include "dioptre/parameter.h"
+
+/** Largest width and height of a picture, in pixels. */
+enum { IMAGE_SIZE_MAXIMUM = 16384 };
+/** Largest number of rays a pixel. */
+enum { SAMPLES_MAXIMUM = 65536 };
+/** Largest number of times that a ray may be mirrored: a guard for the stack. */
+enum { DEPTH_MAXIMUM = 256 };
+
+/** How linear light becomes the numbers of a picture file. */
+typedef enum {
+    ENCODING_SRGB,  /**< The exact sRGB curve. */
+    ENCODING_LINEAR /**< Left as it is. */
+} Encoding;
+
+/** Size and quality of the picture that a scene asks for. Filled through #image_keyword. */
+typedef struct Image {
+    int width;    /**< Pixels, 1 to #IMAGE_SIZE_MAXIMUM. */
+    int height;   /**< Pixels, 1 to #IMAGE_SIZE_MAXIMUM. */
+    int encoding; /**< An #Encoding. */
+    int samples;  /**< Rays a pixel, 1 to #SAMPLES_MAXIMUM. */
+    int depth;    /**< How often a ray may be mirrored, 0 to #DEPTH_MAXIMUM. */
+} Image;
+
+/** The scene language's `image`. */
+extern const Keyword image_keyword;
+
+/** What a ray that meets nothing sees. Filled through #sky_keyword. */
+typedef struct Sky {
+    Color color;   /**< One colour all around, when `color` was given. */
+    Color horizon; /**< Colour at the horizon and below it. */
+    Color zenith;  /**< Colour straight up; between the two by the sine of the height. */
+} Sky;
+
+/** The scene language's `sky`. */
+extern const Keyword sky_keyword;
+
+/** One shape of a scene: which kind, with what parameters and which material. */
+typedef struct SceneShape {
+    size_t kind;            /**< Place in the engines' list of shape classes. */
+    const void *parameters; /**< The class's own parameter struct; owned by the scene. */
+    size_t material;        /**< Place in #Scene.materials. */
+} SceneShape;
+
+/** A whole scene. The arrays are owned by the scene. */
+typedef struct Scene {
+    Camera camera;         /**< From where it is seen. */
+    bool has_camera;       /**< Whether a camera was given; a scene needs one. */
+    Image image;           /**< The picture that it asks for. */
+    Color ambient;         /**< Light from everywhere. */
+    Sky sky;               /**< What is behind everything. */
+    Light *lights;         /**< The lamps. */
+    size_t light_count;    /**< How many. */
+    Material *materials;   /**< The surfaces; the first is the matt white of shapes without one. */
+    size_t material_count; /**< How many, at least 1. */
+    SceneShape *shapes;    /**< What stands in it. */
+    size_t shape_count;    /**< How many. */
+} Scene;
+
+/**
+ * Makes an empty scene: no shape, no light, a black sky, one matt white material, no camera.
+ * @param[out] error  What is wrong.
+ * @return The scene, to be given back with #scene_destroy; NULL without memory.
+ */
+Scene *scene_create(Error *error);
+
+/** Gives a scene back. @param scene The scene, or NULL. */
+void scene_destroy(Scene *scene);
+
+/**
+ * Adds a lamp.
+ * @param[in,out] scene  The scene.
+ * @param light          The lamp; copied.
+ * @param[out] error     What is wrong.
+ * @return false when the scene's memory is full.
+ */
+bool scene_add_light(Scene *scene, const Light *light, Error *error);
+
+/**
+ * Adds a material; its place is #Scene.material_count - 1 afterwards.
+ * @param[in,out] scene  The scene.
+ * @param material       The material; copied.
+ * @param[out] error     What is wrong.
+ * @return false when the scene's memory is full.
+ */
+bool scene_add_material(Scene *scene, const Material *material, Error *error);
+
+/**
+ * Adds a shape.
+ * @param[in,out] scene  The scene.
+ * @param kind           Its place in the engines' list of shape classes.
+ * @param keyword        The keyword of that class.
+ * @param parameters     Its parameter struct, finished; copied.
+ * @param material       Place of its material.
+ * @param[out] error     What is wrong.
+ * @return false when the scene's memory is full.
+ */
+bool scene_add_shape(Scene *scene, size_t kind, const Keyword *keyword, const void *parameters,
+                     size_t material, Error *error);
+
+/** @return Whether any shape of a scene mirrors. @param scene A scene. */
+bool scene_has_mirrors(const Scene *scene);
+
+/** @return Whether any shape of a scene has highlights. @param scene A scene. */
+bool scene_has_highlights(const Scene *scene);
+
+/** Size of the block that holds a scene: reserved, but only used as far as it is filled. */
+#define SCENE_MEMORY ((size_t)1 << 30)
+
+#endif

@@ -1,0 +1,35 @@
+/**
+ * @file
+ * @brief Scene files: Lua 5.4 in a sandbox, run in a child process.
+ */
+#ifndef DIOPTRE_SCRIPT_H
+#define DIOPTRE_SCRIPT_H
+
+#include "dioptre/scene.h"
+
+/** Seconds that a scene file may run, inside library calls too. */
+#define SCRIPT_SECONDS 10.0
+
+/** Bytes that a scene file's own data may take. */
+#define SCRIPT_MEMORY ((size_t)256 << 20)
+
+/** What to load, and how. */
+typedef struct ScriptRequest {
+    const char *path;     /**< The scene file; `-` reads standard input. */
+    const char *base_dir; /**< Where the files lie that it names; NULL: beside the scene file. */
+    double time;          /**< The scene's `t`, seconds. */
+    double seconds;       /**< How long it may run; #SCRIPT_SECONDS. */
+    size_t memory;        /**< How many bytes its data may take; #SCRIPT_MEMORY. */
+    const Keyword *const *shape_keywords; /**< The shapes it can name, ended by NULL. */
+} ScriptRequest;
+
+/**
+ * Runs a scene file.
+ * @param request     What to load.
+ * @param[out] error  `FILE:LINE: what is wrong`, with #STATUS_SCENE.
+ * @return The scene, with a camera, to be given back with #scene_destroy; NULL if anything is
+ *         wrong.
+ */
+Scene *script_load(const ScriptRequest *request, Error *error);
+
+#endif

@@ -1,0 +1,35 @@
+/**
+ * @file
+ * @brief The window.
+ */
+#ifndef DIOPTRE_VIEW_H
+#define DIOPTRE_VIEW_H
+
+#include "dioptre/renderer.h"
+
+/** How the window is opened. */
+typedef struct ViewSettings {
+    RenderSettings render;    /**< Engine, threads, size, samples, depth, offset. */
+    bool keys_by_letter;      /**< The light's keys by their letters, not by their places. */
+    const char *name;         /**< Name of the scene: in the title and of the snapshots. */
+    const char *snapshot_dir; /**< Folder for the snapshots. */
+    double launched;          /**< Seconds on the monotonic clock when the program started. */
+    bool is_timed;            /**< Whether first picture and latencies are said when it closes. */
+} ViewSettings;
+
+/**
+ * @return Whether a window can be opened here at all.
+ */
+bool view_is_possible(void);
+
+/**
+ * Shows a scene in a window until it is closed.
+ * @param scene       The scene; its camera and lights are moved.
+ * @param settings    How.
+ * @param stop        The window closes once this is true. May be NULL.
+ * @param[out] error  What is wrong: no display, or the display went away.
+ * @return What the program should end with.
+ */
+Status view_run(Scene *scene, const ViewSettings *settings, const atomic_bool *stop, Error *error);
+
+#endif

@@ -1,0 +1,64 @@
+/**
+ * @file
+ * @brief What the commands share.
+ */
+#include "cli/commands.h"
+#include "dioptre/script.h"
+
+#include <signal.h>
+#include <stdio.h>
+
+/** Set by the signal handler; a signal handler can reach nothing else. */
+static atomic_bool is_interrupted;
+
+Scene *command_scene(const Options *options, Error *error) {
+    ScriptRequest request = {.path = options->arguments[0],
+                             .base_dir = options->base_dir,
+                             .time = options->time,
+                             .seconds = SCRIPT_SECONDS,
+                             .memory = SCRIPT_MEMORY,
+                             .shape_keywords = engine_list()[0]->shape_keywords};
+    return script_load(&request, error);
+}
+
+RenderSettings command_settings(const Options *options, const Scene *scene) {
+    RenderSettings settings = render_settings_default(scene);
+    settings.engine = options->engine ? options->engine : settings.engine;
+    settings.threads = options->threads ? options->threads : settings.threads;
+    settings.width = options->width ? options->width : settings.width;
+    settings.height = options->height ? options->height : settings.height;
+    settings.samples = options->samples ? options->samples : settings.samples;
+    TraceSettings *trace = &settings.trace;
+    trace->depth = options->depth >= 0 ? options->depth : trace->depth;
+    trace->offset = options->offset >= 0 ? (OffsetStrategy)options->offset : trace->offset;
+    trace->epsilon = options->epsilon >= 0 ? options->epsilon : trace->epsilon;
+    return settings;
+}
+
+void json_print_string(const char *text) {
+    putchar('"');
+    for (const unsigned char *c = (const unsigned char *)text; *c; c++) {
+        if (*c == '"' || *c == '\\') {
+            printf("\\%c", *c);
+        } else if (*c < ' ') {
+            printf("\\u%04x", *c);
+        } else {
+            putchar(*c);
+        }
+    }
+    putchar('"');
+}
+
+/** Notes that the program should stop. @param number The signal. */
+static void on_signal(int number) {
+    (void)number;
+    atomic_store(&is_interrupted, true);
+}
+
+const atomic_bool *interrupt_flag(void) {
+    struct sigaction action = {.sa_handler = on_signal};
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+    return &is_interrupted;
+}

@@ -1,0 +1,151 @@
+/**
+ * @file
+ * @brief `dioptre info`: what a scene uses, and what the tracer leaves out for it.
+ */
+#include "cli/commands.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/** Most kinds of shape that are counted apart. */
+enum { KINDS_MAXIMUM = 64 };
+
+/** What is said of a scene. */
+typedef struct Info {
+    size_t kinds[KINDS_MAXIMUM]; /**< Shapes of each class. */
+    size_t mirrors;              /**< Shapes that mirror. */
+    size_t highlights;           /**< Shapes with highlights. */
+    bool has_gradient;           /**< Whether the sky has two colours. */
+} Info;
+
+/** @return What a scene uses. @param scene The scene. */
+static Info info_of(const Scene *scene) {
+    const Sky *sky = &scene->sky;
+    Info info = {.has_gradient = memcmp(&sky->horizon, &sky->zenith, sizeof sky->zenith) != 0};
+    for (size_t i = 0; i < scene->shape_count; i++) {
+        const Material *material = &scene->materials[scene->shapes[i].material];
+        info.kinds[scene->shapes[i].kind]++;
+        info.mirrors += material_is_mirror(material);
+        info.highlights += material->specular > 0;
+    }
+    return info;
+}
+
+/** @return Why an engine was taken, for people. @param options The command line.
+ *  @param engine The engine. */
+static const char *engine_reason(const Options *options, const Engine *engine) {
+    if (options->engine) {
+        return "asked for";
+    }
+    return engine == engine_list()[0] ? "the fastest, and this processor has AVX2"
+                                      : "the fastest that this processor can run";
+}
+
+/** @return A strategy's name. @param offset The strategy. */
+static const char *offset_name(OffsetStrategy offset) {
+    static const char *const names[] = {"none", "fixed", "bound"};
+    return names[offset];
+}
+
+/**
+ * Names what the tracer leaves out for a scene.
+ * @param scene  The scene.
+ * @param info   What it uses.
+ * @param left   Room for the names.
+ * @return How many.
+ */
+static int info_left_out(const Scene *scene, const Info *info, const char *left[4]) {
+    int count = 0;
+    if (info->mirrors == 0) {
+        left[count++] = "recursion";
+    }
+    if (info->highlights == 0) {
+        left[count++] = "highlights";
+    }
+    if (scene->light_count == 0) {
+        left[count++] = "shadows";
+    }
+    if (!info->has_gradient) {
+        left[count++] = "sky gradient";
+    }
+    return count;
+}
+
+/** Prints it for programs. @param scene The scene. @param info What it uses.
+ *  @param settings How it would be drawn. @param options The command line. */
+static void info_print_json(const Scene *scene, const Info *info, const RenderSettings *settings,
+                            const Options *options) {
+    const char *left[4];
+    int left_count = info_left_out(scene, info, left);
+    printf("{\"scene\": ");
+    json_print_string(options->arguments[0]);
+    printf(", \"shapes\": {");
+    const Keyword *const *keywords = settings->engine->shape_keywords;
+    const char *comma = "";
+    for (size_t kind = 0; keywords[kind]; kind++) {
+        if (info->kinds[kind]) {
+            printf("%s\"%s\": %zu", comma, keywords[kind]->name, info->kinds[kind]);
+            comma = ", ";
+        }
+    }
+    printf("}, \"shape_count\": %zu, \"lights\": %zu, \"materials\": %zu, \"mirrors\": %zu, "
+           "\"highlights\": %zu, \"width\": %d, \"height\": %d, \"samples\": %d, \"depth\": %d, "
+           "\"engine\": \"%s\", \"engine_reason\": \"%s\", \"threads\": %d, \"offset\": \"%s\", "
+           "\"left_out\": [",
+           scene->shape_count, scene->light_count, scene->material_count - 1, info->mirrors,
+           info->highlights, settings->width, settings->height, settings->samples,
+           settings->trace.depth, settings->engine->name, engine_reason(options, settings->engine),
+           settings->threads, offset_name(settings->trace.offset));
+    for (int i = 0; i < left_count; i++) {
+        printf("%s\"%s\"", i ? ", " : "", left[i]);
+    }
+    printf("]}\n");
+}
+
+/** Prints it for people. @param scene The scene. @param info What it uses.
+ *  @param settings How it would be drawn. @param options The command line. */
+static void info_print(const Scene *scene, const Info *info, const RenderSettings *settings,
+                       const Options *options) {
+    const Keyword *const *keywords = settings->engine->shape_keywords;
+    printf("shapes     %zu:", scene->shape_count);
+    for (size_t kind = 0; keywords[kind]; kind++) {
+        if (info->kinds[kind]) {
+            printf(" %zu %s", info->kinds[kind], keywords[kind]->name);
+        }
+    }
+    printf("\nlights     %zu\nmaterials  %zu\n", scene->light_count, scene->material_count - 1);
+    printf("mirrors    %zu shapes, depth %d\n", info->mirrors,
+           info->mirrors ? settings->trace.depth : 0);
+    printf("picture    %d x %d, %d ray%s a pixel\n", settings->width, settings->height,
+           settings->samples, settings->samples == 1 ? "" : "s");
+    printf("engine     %s: %s\n", settings->engine->name, engine_reason(options, settings->engine));
+    printf("offset     %s\n", offset_name(settings->trace.offset));
+    const char *left[4];
+    int left_count = info_left_out(scene, info, left);
+    printf("left out   ");
+    for (int i = 0; i < left_count; i++) {
+        printf("%s%s", i ? ", " : "", left[i]);
+    }
+    printf("%s\n", left_count ? "" : "nothing");
+}
+
+/** Tells about a scene. See #Command.run. @param options The command line.
+ *  @param[out] error What is wrong. @return The exit status. */
+static int info_run(const Options *options, Error *error) {
+    Scene *scene = command_scene(options, error);
+    if (scene) {
+        Info info = info_of(scene);
+        RenderSettings settings = command_settings(options, scene);
+        options->json ? info_print_json(scene, &info, &settings, options)
+                      : info_print(scene, &info, &settings, options);
+        scene_destroy(scene);
+    }
+    return (int)error->status;
+}
+
+const Command info_command = {.name = "info",
+                              .usage = "SCENE",
+                              .help = "says what a scene uses and what the tracer leaves out",
+                              .accepts = "sADtjEOXBJq",
+                              .arguments = 1,
+                              .run = info_run};

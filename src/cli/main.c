@@ -1,0 +1,107 @@
+/**
+ * @file
+ * @brief The program: finds the command and runs it.
+ */
+#include "cli/commands.h"
+
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+
+/** All commands, ended by NULL. */
+static const Command *const commands[] = {&view_command,    &render_command, &info_command,
+                                          &compare_command, &bench_command,  NULL};
+
+/** Prints the help of the program. */
+static void print_help(void) {
+    printf("dioptre: a ray tracer to teach with\n\nusage: dioptre COMMAND ...\n"
+           "       dioptre SCENE     the same as dioptre view SCENE\n\n");
+    for (const Command *const *command = commands; *command; command++) {
+        printf("  %-8s %-14s %s\n", (*command)->name, (*command)->usage, (*command)->help);
+    }
+    printf("\n`dioptre COMMAND --help` names the options. `-` as SCENE reads standard input.\n");
+}
+
+/** Prints the help of a command. @param command The command. */
+static void print_command_help(const Command *command) {
+    printf("usage: dioptre %s %s\n%s\n\n", command->name, command->usage, command->help);
+    options_print(command);
+}
+
+/** @return The command of a name, or NULL. @param name The name. */
+static const Command *find_command(const char *name) {
+    for (const Command *const *command = commands; *command; command++) {
+        if (strcmp(name, (*command)->name) == 0) {
+            return *command;
+        }
+    }
+    return NULL;
+}
+
+/** Says what went wrong; a scene's errors begin with its file. @param error It. */
+static void print_error(const Error *error) {
+    if (error->message[0]) {
+        const char *who = error->status == STATUS_SCENE ? "" : "dioptre: ";
+        fprintf(stderr, "%s%s\n", who, error->message);
+    }
+}
+
+/** Runs a command whose options were read. @param command It. @param options Its options.
+ *  @param[out] error What is wrong. @return The exit status. */
+static int run_command(const Command *command, const Options *options, Error *error) {
+    if (options->argument_count != command->arguments) {
+        error_set(error, STATUS_USAGE, "usage: dioptre %s %s (--help says more)", command->name,
+                  command->usage);
+        return STATUS_USAGE;
+    }
+    int status = command->run(options, error);
+    // What was printed must have got out: a full disk behind a redirection is an error too.
+    if (fflush(stdout) != 0 && status == STATUS_DONE) {
+        error_set(error, STATUS_FAILED, "cannot write to standard output");
+        return STATUS_FAILED;
+    }
+    return status;
+}
+
+/** Does what a command line says. @param argc Number of words. @param argv The words.
+ *  @param[out] error What is wrong. @return The exit status. */
+static int run(int argc, char **argv, Error *error) {
+    const Command *command = argc > 1 ? find_command(argv[1]) : NULL;
+    // A first word that is neither a command nor an option is a scene to view.
+    bool is_scene = !command && argc > 1 && (argv[1][0] != '-' || argv[1][1] == 0);
+    int skip = command ? 1 : 0;
+    Options options;
+    if (is_scene) {
+        command = &view_command;
+    }
+    if (!options_parse(command, argc - skip, argv + skip, &options, error)) {
+        return STATUS_USAGE;
+    }
+    if (options.version) {
+        printf("dioptre %s\n", DIOPTRE_VERSION);
+        return STATUS_DONE;
+    }
+    if (options.help) {
+        command ? print_command_help(command) : print_help();
+        return STATUS_DONE;
+    }
+    if (!command) {
+        return error_set(error, STATUS_USAGE, "which command? (--help names them)"), STATUS_USAGE;
+    }
+    return run_command(command, &options, error);
+}
+
+/**
+ * The program.
+ * @param argc  Number of words on the command line.
+ * @param argv  The words.
+ * @return The exit status, see #Status.
+ */
+int main(int argc, char **argv) {
+    Error error = {0};
+    // Without this, writing to a pipe whose reader has gone would kill the program unheard.
+    signal(SIGPIPE, SIG_IGN);
+    int status = run(argc, argv, &error);
+    print_error(&error);
+    return status;
+}

@@ -1,0 +1,324 @@
+/**
+ * @file
+ * @brief The command line.
+ */
+#include "cli/options.h"
+
+#include <errno.h>
+#include <getopt.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/** One option. Its key is its short letter, or a capital letter that is not offered as one. */
+typedef struct OptionRow {
+    char key;          /**< What #Command.accepts names it by. */
+    bool is_short;     /**< Whether the key is a short option, too. */
+    const char *name;  /**< The long name. */
+    const char *value; /**< What its value is called in the help; NULL: it takes none. */
+    const char *help;  /**< What it does. */
+} OptionRow;
+
+/** All options of all commands. */
+static const OptionRow option_rows[] = {
+    {'o', true, "output", "FILE", "write the picture there; the ending names the format"},
+    {'s', true, "size", "WxH", "size of the picture, pixels"},
+    {'A', false, "samples", "N", "rays a pixel"},
+    {'D', false, "depth", "N", "how often a ray may be mirrored"},
+    {'t', true, "time", "SECONDS", "the scene's t"},
+    {'j', true, "threads", "N", "worker threads (default: all cores)"},
+    {'E', false, "engine", "NAME", "auto, f32x8, f32x4, f32x1, f64x4, f64x1 or f128x1"},
+    {'O', false, "offset", "WAY", "none, fixed or bound: how rays leave a surface"},
+    {'X', false, "epsilon", "LENGTH", "for --offset fixed, scene units"},
+    {'B', false, "base-dir", "DIR", "where the files lie that the scene names"},
+    {'F', false, "frames", "N", "pictures to time (default: 10)"},
+    {'R', false, "rays", "KIND", "image, primary or random"},
+    {'T', false, "threshold", "STEPS",
+     "largest difference that still counts as alike (default: 0)"},
+    {'M', false, "map", "FILE", "write a picture of the differences"},
+    {'K', false, "keys", "WAY", "places or letters: what the light's keys are bound to"},
+    {'L', false, "timing", NULL, "say at the end how long pictures took to come"},
+    {'J', false, "json", NULL, "print one JSON object a line"},
+    {'P', false, "progress", "WAY", "auto, json or none"},
+    {'q', true, "quiet", NULL, "say nothing but errors"},
+    {'h', true, "help", NULL, "print this"},
+    {'V', true, "version", NULL, "print the version"},
+};
+
+/** How many options there are. */
+enum { OPTION_COUNT = sizeof option_rows / sizeof *option_rows };
+
+/** @return Whether a command takes an option. @param command The command, or NULL.
+ *  @param key The option's key. */
+static bool command_accepts(const Command *command, int key) {
+    return strchr("hV", key) || (command && strchr(command->accepts, key));
+}
+
+/**
+ * Reads a whole number.
+ * @param name        The option's name.
+ * @param text        What was said.
+ * @param minimum     Smallest.
+ * @param maximum     Largest.
+ * @param[out] value  The number.
+ * @param[out] error  What is wrong.
+ * @return Whether it is one, in range.
+ */
+static bool read_integer(const char *name, const char *text, int minimum, int maximum, int *value,
+                         Error *error) {
+    char *end = NULL;
+    errno = 0;
+    long number = strtol(text, &end, 10);
+    if (errno || end == text || *end || number < minimum || number > maximum) {
+        return error_set(error, STATUS_USAGE, "--%s takes a whole number from %d to %d, not '%s'",
+                         name, minimum, maximum, text);
+    }
+    *value = (int)number;
+    return true;
+}
+
+/**
+ * Reads a number.
+ * @param name        The option's name.
+ * @param text        What was said.
+ * @param minimum     Smallest.
+ * @param[out] value  The number.
+ * @param[out] error  What is wrong.
+ * @return Whether it is one, finite and in range.
+ */
+static bool read_number(const char *name, const char *text, double minimum, double *value,
+                        Error *error) {
+    char *end = NULL;
+    double number = strtod(text, &end);
+    if (end == text || *end || !isfinite(number) || number < minimum) {
+        return error_set(error, STATUS_USAGE, "--%s takes a number%s, not '%s'", name,
+                         minimum >= 0 ? ", at least 0" : "", text);
+    }
+    *value = number;
+    return true;
+}
+
+/**
+ * Reads a size.
+ * @param text          What was said: two whole numbers with an x between them.
+ * @param[out] options  Gets width and height.
+ * @param[out] error    What is wrong.
+ * @return Whether it is a size that can be drawn.
+ */
+static bool read_size(const char *text, Options *options, Error *error) {
+    char *end = NULL;
+    long width = strtol(text, &end, 10);
+    long height = 0;
+    bool is_pair = end != text && (*end == 'x' || *end == 'X');
+    if (is_pair) {
+        const char *second = end + 1;
+        height = strtol(second, &end, 10);
+        is_pair = end != second && !*end;
+    }
+    if (!is_pair || width < 1 || height < 1 || width > IMAGE_SIZE_MAXIMUM ||
+        height > IMAGE_SIZE_MAXIMUM) {
+        return error_set(error, STATUS_USAGE,
+                         "--size takes WxH with both from 1 to %d, such as 800x600, not '%s'",
+                         IMAGE_SIZE_MAXIMUM, text);
+    }
+    options->width = (int)width;
+    options->height = (int)height;
+    return true;
+}
+
+/**
+ * Reads one of a few words.
+ * @param name        The option's name.
+ * @param text        What was said.
+ * @param words       The words, ended by NULL.
+ * @param[out] place  Which.
+ * @param[out] error  What is wrong.
+ * @return Whether it is one of them.
+ */
+static bool read_word(const char *name, const char *text, const char *const *words, int *place,
+                      Error *error) {
+    char known[128] = "";
+    for (int i = 0; words[i]; i++) {
+        if (strcmp(text, words[i]) == 0) {
+            *place = i;
+            return true;
+        }
+        const char *glue = i == 0 ? "" : words[i + 1] ? ", " : " or ";
+        strncat(known, glue, sizeof known - strlen(known) - 1);
+        strncat(known, words[i], sizeof known - strlen(known) - 1);
+    }
+    return error_set(error, STATUS_USAGE, "--%s takes %s, not '%s'", name, known, text);
+}
+
+/** Takes an option whose value is a word. @param row The option. @param text Its value.
+ *  @param[out] options Gets it. @param[out] error What is wrong. @return Whether it is good. */
+static bool take_word(const OptionRow *row, const char *text, Options *options, Error *error) {
+    static const char *const offsets[] = {"none", "fixed", "bound", NULL};
+    static const char *const rays[] = {"image", "primary", "random", NULL};
+    static const char *const styles[] = {"auto", "json", "none", NULL};
+    static const char *const keys[] = {"places", "letters", NULL};
+    int place = 0;
+    switch (row->key) {
+    case 'O':
+        return read_word(row->name, text, offsets, &options->offset, error);
+    case 'R':
+        if (!read_word(row->name, text, rays, &place, error)) {
+            return false;
+        }
+        options->rays = (BenchRays)place;
+        return true;
+    case 'P':
+        if (!read_word(row->name, text, styles, &place, error)) {
+            return false;
+        }
+        options->progress = (ProgressStyle)place;
+        return true;
+    default:
+        if (!read_word(row->name, text, keys, &place, error)) {
+            return false;
+        }
+        options->by_letter = place == 1;
+        return true;
+    }
+}
+
+/** Takes an option that has a value. @param row The option. @param text Its value.
+ *  @param[out] options Gets it. @param[out] error What is wrong. @return Whether it is good. */
+static bool take_value(const OptionRow *row, const char *text, Options *options, Error *error) {
+    switch (row->key) {
+    case 'o':
+        options->output = text;
+        return true;
+    case 'B':
+        options->base_dir = text;
+        return true;
+    case 'M':
+        options->map = text;
+        return true;
+    case 's':
+        return read_size(text, options, error);
+    case 'A':
+        return read_integer(row->name, text, 1, SAMPLES_MAXIMUM, &options->samples, error);
+    case 'D':
+        return read_integer(row->name, text, 0, DEPTH_MAXIMUM, &options->depth, error);
+    case 'j':
+        return read_integer(row->name, text, 1, THREADS_MAXIMUM, &options->threads, error);
+    case 'F':
+        return read_integer(row->name, text, 1, INT_MAX, &options->frames, error);
+    case 'T':
+        return read_integer(row->name, text, 0, UINT8_MAX, &options->threshold, error);
+    case 't':
+        return read_number(row->name, text, -HUGE_VAL, &options->time, error);
+    case 'X':
+        return read_number(row->name, text, 0, &options->epsilon, error);
+    case 'E':
+        options->engine = engine_find(text, error);
+        return options->engine != NULL;
+    default:
+        return take_word(row, text, options, error);
+    }
+}
+
+/** Takes an option that has no value. @param key Its key. @param[out] options Gets it. */
+static void take_flag(char key, Options *options) {
+    options->json = options->json || key == 'J';
+    options->timing = options->timing || key == 'L';
+    options->quiet = options->quiet || key == 'q';
+    options->help = options->help || key == 'h';
+    options->version = options->version || key == 'V';
+}
+
+/** Tables as getopt_long wants them. */
+typedef struct GetoptTables {
+    char letters[2 * OPTION_COUNT + 2];    /**< Short options; first a colon: it prints nothing. */
+    struct option names[OPTION_COUNT + 1]; /**< Long options. */
+} GetoptTables;
+
+/** @return The tables of all options. */
+static GetoptTables getopt_tables(void) {
+    GetoptTables tables = {.letters = ":"};
+    char *letter = tables.letters + 1;
+    for (int i = 0; i < OPTION_COUNT; i++) {
+        const OptionRow *row = &option_rows[i];
+        tables.names[i] = (struct option){row->name, row->value ? required_argument : no_argument,
+                                          NULL, row->key};
+        if (row->is_short) {
+            *letter++ = row->key;
+            if (row->value) {
+                *letter++ = ':';
+            }
+        }
+    }
+    return tables;
+}
+
+/** @return The option with a key, or NULL. @param key The key. */
+static const OptionRow *option_row(int key) {
+    for (int i = 0; i < OPTION_COUNT; i++) {
+        if (option_rows[i].key == key) {
+            return &option_rows[i];
+        }
+    }
+    return NULL;
+}
+
+/**
+ * Takes one option as getopt_long found it.
+ * @param command       The command, or NULL.
+ * @param key           What getopt_long returned.
+ * @param word          The word that it came from.
+ * @param[out] options  Gets it.
+ * @param[out] error    What is wrong.
+ * @return Whether it is good.
+ */
+static bool take_option(const Command *command, int key, const char *word, Options *options,
+                        Error *error) {
+    const OptionRow *row = key == '?' || key == ':' ? NULL : option_row(key);
+    if (key == ':') {
+        return error_set(error, STATUS_USAGE, "%s needs a value", word);
+    }
+    if (!row) {
+        return error_set(error, STATUS_USAGE, "there is no option %s", word);
+    }
+    if (!command_accepts(command, key)) {
+        return error_set(error, STATUS_USAGE, "%s does not take --%s",
+                         command ? command->name : "dioptre", row->name);
+    }
+    if (row->value) {
+        return take_value(row, optarg, options, error);
+    }
+    take_flag(row->key, options);
+    return true;
+}
+
+bool options_parse(const Command *command, int argc, char **argv, Options *options, Error *error) {
+    GetoptTables tables = getopt_tables();
+    *options = (Options){.depth = -1, .offset = -1, .epsilon = -1};
+    optind = 1;
+    int key = 0;
+    while ((key = getopt_long(argc, argv, tables.letters, tables.names, NULL)) != -1) {
+        if (!take_option(command, key, argv[optind - 1], options, error)) {
+            return false;
+        }
+    }
+    for (int i = optind; i < argc; i++, options->argument_count++) {
+        if (options->argument_count == ARGUMENTS_MAXIMUM) {
+            return error_set(error, STATUS_USAGE, "too many arguments: '%s'", argv[i]);
+        }
+        options->arguments[options->argument_count] = argv[i];
+    }
+    return true;
+}
+
+void options_print(const Command *command) {
+    for (int i = 0; i < OPTION_COUNT; i++) {
+        const OptionRow *row = &option_rows[i];
+        if (command_accepts(command, row->key)) {
+            char name[64];
+            snprintf(name, sizeof name, "--%s %s", row->name, row->value ? row->value : "");
+            printf("  %c%c %-22s %s\n", row->is_short ? '-' : ' ', row->is_short ? row->key : ' ',
+                   name, row->help);
+        }
+    }
+}

@@ -1,0 +1,100 @@
+/**
+ * @file
+ * @brief Progress on standard error, with an estimate.
+ */
+#include "cli/commands.h"
+
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+#include <unistd.h>
+
+/** Nanoseconds from one line to the next: five a second are smooth enough to read. */
+#define PROGRESS_NANOSECONDS 200000000L
+
+struct Progress {
+    const Renderer *renderer; /**< Whose progress. */
+    bool is_json;             /**< JSON lines, not one line for people. */
+    bool is_over;             /**< Whether to end. */
+    pthread_mutex_t mutex;    /**< Guards #is_over. */
+    pthread_cond_t is_told;   /**< Told when it is over. */
+    pthread_t thread;         /**< Who tells. */
+    struct timespec start;    /**< When it began. */
+};
+
+/** @return Seconds since the start. @param progress The progress. */
+static double progress_seconds(const Progress *progress) {
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)(now.tv_sec - progress->start.tv_sec) +
+           1e-9 * (double)(now.tv_nsec - progress->start.tv_nsec);
+}
+
+/** Tells once. @param progress The progress. */
+static void progress_tell(const Progress *progress) {
+    double share = renderer_progress(progress->renderer), seconds = progress_seconds(progress);
+    double left = share > 0 ? seconds / share - seconds : 0;
+    if (progress->is_json) {
+        fprintf(stderr, "{\"share\": %.4f, \"seconds\": %.2f, \"seconds_left\": %.2f}\n", share,
+                seconds, left);
+    } else {
+        fprintf(stderr, "\r%3.0f %%, %.0f s left \033[K", 100 * share, left);
+    }
+    fflush(stderr);
+}
+
+/** Tells until it is over. @param argument The progress. @return NULL */
+static void *progress_main(void *argument) {
+    Progress *progress = argument;
+    pthread_mutex_lock(&progress->mutex);
+    while (!progress->is_over) {
+        struct timespec until;
+        clock_gettime(CLOCK_REALTIME, &until);
+        until.tv_nsec += PROGRESS_NANOSECONDS;
+        until.tv_sec += until.tv_nsec / 1000000000L;
+        until.tv_nsec %= 1000000000L;
+        pthread_cond_timedwait(&progress->is_told, &progress->mutex, &until);
+        if (!progress->is_over) {
+            progress_tell(progress);
+        }
+    }
+    pthread_mutex_unlock(&progress->mutex);
+    return NULL;
+}
+
+Progress *progress_begin(const Renderer *renderer, const Options *options) {
+    bool is_wanted = options->progress == PROGRESS_JSON ||
+                     (options->progress == PROGRESS_AUTO && isatty(STDERR_FILENO));
+    Progress *progress = is_wanted && !options->quiet ? calloc(1, sizeof *progress) : NULL;
+    if (!progress) {
+        return NULL;
+    }
+    progress->renderer = renderer;
+    progress->is_json = options->progress == PROGRESS_JSON;
+    clock_gettime(CLOCK_MONOTONIC, &progress->start);
+    pthread_mutex_init(&progress->mutex, NULL);
+    pthread_cond_init(&progress->is_told, NULL);
+    if (pthread_create(&progress->thread, NULL, progress_main, progress) != 0) {
+        free(progress);
+        return NULL;
+    }
+    return progress;
+}
+
+void progress_end(Progress *progress) {
+    if (!progress) {
+        return;
+    }
+    pthread_mutex_lock(&progress->mutex);
+    progress->is_over = true;
+    pthread_cond_signal(&progress->is_told);
+    pthread_mutex_unlock(&progress->mutex);
+    pthread_join(progress->thread, NULL);
+    if (progress->is_json) {
+        progress_tell(progress);
+    } else {
+        fputs("\r\033[K", stderr);
+    }
+    free(progress);
+}

@@ -1,0 +1,92 @@
+/**
+ * @file
+ * @brief The renderer: settings, life, and drawing at once.
+ */
+#include "render/renderer.h"
+
+#include <sched.h>
+#include <stdlib.h>
+
+int render_processors(void) {
+    cpu_set_t set;
+    if (sched_getaffinity(0, sizeof set, &set) != 0) {
+        return 1;
+    }
+    int count = CPU_COUNT(&set);
+    return count < 1 ? 1 : count > THREADS_MAXIMUM ? THREADS_MAXIMUM : count;
+}
+
+RenderSettings render_settings_default(const Scene *scene) {
+    /** Scene units: the size of report C's constant. */
+    const double report_epsilon = 1e-4;
+    return (RenderSettings){
+        .engine = engine_find("auto", NULL),
+        .threads = render_processors(),
+        .width = scene->image.width,
+        .height = scene->image.height,
+        .samples = scene->image.samples,
+        .encoding = scene->image.encoding,
+        .trace = {scene->image.depth, OFFSET_BOUND, report_epsilon},
+    };
+}
+
+Renderer *renderer_create(const Scene *scene, const RenderSettings *settings, Error *error) {
+    Renderer *renderer = calloc(1, sizeof *renderer);
+    if (!renderer) {
+        error_set(error, STATUS_FAILED, "no memory for a renderer");
+        return NULL;
+    }
+    renderer->settings = *settings;
+    background_init(&renderer->background);
+    encoder_init(&renderer->encoder, (Encoding)settings->encoding);
+    renderer->tracer = settings->engine->prepare(scene, &settings->trace, error);
+    renderer->workers = renderer->tracer ? workers_create(settings->threads, error) : NULL;
+    if (!renderer->workers) {
+        renderer_destroy(renderer);
+        return NULL;
+    }
+    settings->engine->look(renderer->tracer, scene, settings->width, settings->height);
+    return renderer;
+}
+
+void renderer_destroy(Renderer *renderer) {
+    if (renderer) {
+        background_release(&renderer->background);
+        workers_destroy(renderer->workers);
+        renderer->settings.engine->release(renderer->tracer);
+        free(renderer);
+    }
+}
+
+Drawing renderer_drawing(Renderer *renderer, int width, int height, const atomic_bool *stop) {
+    return (Drawing){.engine = renderer->settings.engine,
+                     .tracer = renderer->tracer,
+                     .encoder = &renderer->encoder,
+                     .width = width,
+                     .height = height,
+                     .stop = stop,
+                     .done = &renderer->done};
+}
+
+RenderReport renderer_draw(Renderer *renderer, const atomic_bool *stop, Picture *picture) {
+    const RenderSettings *settings = &renderer->settings;
+    double start = clock_seconds();
+    Drawing drawing = renderer_drawing(renderer, settings->width, settings->height, stop);
+    drawing.picture = picture;
+    drawing.pass = (Pass){.stride = 1, .first = 0, .last = settings->samples - 1};
+    size_t pixels = (size_t)settings->width * (size_t)settings->height;
+    atomic_store(&renderer->done, 0);
+    atomic_store(&renderer->all, pixels * (size_t)settings->samples);
+    bool is_finished = drawing_pass(&drawing, renderer->workers);
+    return (RenderReport){.seconds = clock_seconds() - start,
+                          .rays = drawing_rays(&drawing),
+                          .stride = 1,
+                          .samples = settings->samples,
+                          .share = renderer_progress(renderer),
+                          .is_finished = is_finished};
+}
+
+double renderer_progress(const Renderer *renderer) {
+    size_t all = atomic_load(&renderer->all);
+    return all ? (double)atomic_load(&renderer->done) / (double)all : 0;
+}

@@ -1,0 +1,59 @@
+/**
+ * @file
+ * @brief The inside of a renderer, shared by its parts: at once, in the background, hits alone.
+ */
+#ifndef DIOPTRE_RENDER_RENDERER_H
+#define DIOPTRE_RENDER_RENDERER_H
+
+#include "render/drawing.h"
+
+#include <pthread.h>
+
+/** What the thread in the background is told, and tells. */
+typedef struct Background {
+    pthread_t thread;        /**< The thread; runs while #is_running. */
+    bool is_running;         /**< Whether the thread was started. */
+    pthread_mutex_t mutex;   /**< Guards all below but the back picture and the sums. */
+    pthread_cond_t is_told;  /**< Told when something is asked for. */
+    pthread_cond_t is_idle;  /**< Told when the thread has stopped drawing. */
+    bool is_wanted;          /**< Whether a picture is asked for. */
+    bool is_drawing;         /**< Whether the thread draws. */
+    bool is_over;            /**< Whether the thread should end. */
+    atomic_bool stop;        /**< Whether the drawing should stop. */
+    int width;               /**< Pixels of the picture asked for. */
+    int height;              /**< Pixels of the picture asked for. */
+    RenderListener listener; /**< Told after each pass; may be NULL. */
+    void *context;           /**< Handed to it. */
+    double *sums;            /**< Sums of the samples, 3 numbers a pixel; owned. */
+    Picture back;            /**< The pass that is being drawn. */
+    Picture front;           /**< The newest finished pass. */
+    bool has_front;          /**< Whether there is one since the start. */
+    RenderReport report;     /**< How the front picture stands. */
+} Background;
+
+struct Renderer {
+    RenderSettings settings; /**< What was asked for. */
+    Tracer *tracer;          /**< The engine's tracer; owned. */
+    Workers *workers;        /**< The threads; owned. */
+    Encoder encoder;         /**< From light to 8 bits. */
+    atomic_size_t done;      /**< Rays of pixels that are done. */
+    atomic_size_t all;       /**< Rays of pixels that there are to do. */
+    Background background;   /**< Drawing in the background. */
+};
+
+/** Makes the background part ready; no thread yet. @param background It. */
+void background_init(Background *background);
+
+/** Ends the background part. @param background It. */
+void background_release(Background *background);
+
+/**
+ * @return A drawing of a renderer, without pass.
+ * @param renderer  The renderer.
+ * @param width     Pixels.
+ * @param height    Pixels.
+ * @param stop      See #Drawing.stop.
+ */
+Drawing renderer_drawing(Renderer *renderer, int width, int height, const atomic_bool *stop);
+
+#endif

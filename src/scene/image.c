@@ -1,0 +1,55 @@
+/**
+ * @file
+ * @brief The picture that a scene asks for.
+ */
+#include "dioptre/scene.h"
+
+/** Words of `encoding`, in the order of #Encoding. */
+static const char *const encoding_words[] = {"srgb", "linear", NULL};
+
+/** Fields of `image`. */
+static const Parameter image_parameters[] = {{.name = "width",
+                                              .type = PARAMETER_INTEGER,
+                                              .offset = offsetof(Image, width),
+                                              .minimum = 1,
+                                              .maximum = IMAGE_SIZE_MAXIMUM,
+                                              .unit = "pixels",
+                                              .help = "width of the picture"},
+                                             {.name = "height",
+                                              .type = PARAMETER_INTEGER,
+                                              .offset = offsetof(Image, height),
+                                              .minimum = 1,
+                                              .maximum = IMAGE_SIZE_MAXIMUM,
+                                              .unit = "pixels",
+                                              .help = "height of the picture"},
+                                             {.name = "encoding",
+                                              .type = PARAMETER_WORD,
+                                              .offset = offsetof(Image, encoding),
+                                              .words = encoding_words,
+                                              .unit = "word",
+                                              .help = "curve from light to numbers"},
+                                             {.name = "samples",
+                                              .type = PARAMETER_INTEGER,
+                                              .offset = offsetof(Image, samples),
+                                              .minimum = 1,
+                                              .maximum = SAMPLES_MAXIMUM,
+                                              .unit = "rays a pixel",
+                                              .help = "more make edges smooth"},
+                                             {.name = "depth",
+                                              .type = PARAMETER_INTEGER,
+                                              .offset = offsetof(Image, depth),
+                                              .minimum = 0,
+                                              .maximum = DEPTH_MAXIMUM,
+                                              .unit = "times",
+                                              .help = "how often a ray may be mirrored"},
+                                             {0}};
+
+/** 800 by 600, one ray a pixel, mirrored up to eight times. */
+static const Image image_defaults = {
+    .width = 800, .height = 600, .encoding = ENCODING_SRGB, .samples = 1, .depth = 8};
+
+const Keyword image_keyword = {.name = "image",
+                               .help = "size and quality of the picture",
+                               .parameters = image_parameters,
+                               .size = sizeof(Image),
+                               .defaults = &image_defaults};

@@ -1,0 +1,27 @@
+/**
+ * @file
+ * @brief Parameter tables.
+ */
+#include "dioptre/parameter.h"
+
+bool parameter_check(const Parameter *parameter, double value, Error *error) {
+    if (!isfinite(value)) {
+        return error_set(error, STATUS_SCENE, "%s must be a finite number", parameter->name);
+    }
+    bool is_low =
+        parameter->above_minimum ? value <= parameter->minimum : value < parameter->minimum;
+    if (is_low || value > parameter->maximum) {
+        return error_set(error, STATUS_SCENE, "%s must be %s %g and at most %g, not %g",
+                         parameter->name, parameter->above_minimum ? "above" : "at least",
+                         parameter->minimum, parameter->maximum, value);
+    }
+    return true;
+}
+
+size_t parameter_count(const Parameter *table) {
+    size_t count = 0;
+    while (table[count].name) {
+        count++;
+    }
+    return count;
+}

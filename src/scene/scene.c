@@ -1,0 +1,146 @@
+/**
+ * @file
+ * @brief The scene and the one block of memory that it lives in.
+ */
+#include "dioptre/scene.h"
+
+#include <stdalign.h>
+#include <string.h>
+#include <sys/mman.h>
+
+/** A scene at the head of its block, with what is handed out of it piece by piece. */
+typedef struct Block {
+    Scene scene;           /**< What the callers see; first, so that its address is the block's. */
+    size_t used;           /**< Bytes handed out, this header included. */
+    size_t light_capacity; /**< Lamps that fit before the array must grow. */
+    size_t material_capacity; /**< Materials that fit. */
+    size_t shape_capacity;    /**< Shapes that fit. */
+} Block;
+
+/**
+ * Hands out memory of a scene's block; it is given back with the block only.
+ * @param block       The block.
+ * @param size        Bytes.
+ * @param[out] error  What is wrong.
+ * @return The memory, zero and aligned for any type; NULL when the block is full.
+ */
+static void *block_allocate(Block *block, size_t size, Error *error) {
+    size_t start = (block->used + alignof(max_align_t) - 1) & ~(alignof(max_align_t) - 1);
+    if (size > SCENE_MEMORY - start) {
+        error_set(error, STATUS_SCENE, "the scene has too many things in it (%zu MiB of them)",
+                  SCENE_MEMORY >> 20);
+        return NULL;
+    }
+    block->used = start + size;
+    return (char *)block + start;
+}
+
+/**
+ * Finds room for one more item in an array of the block, which doubles when it is full.
+ * @param block           The block.
+ * @param[in,out] array   Address of the array.
+ * @param[in,out] capacity  Items that fit.
+ * @param count           Items that are in it.
+ * @param size            Bytes an item.
+ * @param[out] error      What is wrong.
+ * @return Where the item goes; NULL when the block is full.
+ */
+static void *block_append(Block *block, void **array, size_t *capacity, size_t count, size_t size,
+                          Error *error) {
+    /** Items of a new array: enough for most scenes. */
+    const size_t first_capacity = 16;
+    if (count == *capacity) {
+        size_t wanted = count ? 2 * count : first_capacity;
+        void *larger = block_allocate(block, wanted * size, error);
+        if (!larger) {
+            return NULL;
+        }
+        if (count) {
+            memcpy(larger, *array, count * size);
+        }
+        *array = larger;
+        *capacity = wanted;
+    }
+    return (char *)*array + count * size;
+}
+
+Scene *scene_create(Error *error) {
+    Block *block = mmap(NULL, SCENE_MEMORY, PROT_READ | PROT_WRITE,
+                        MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (block == MAP_FAILED) {
+        error_set(error, STATUS_FAILED, "no memory for a scene");
+        return NULL;
+    }
+    block->used = sizeof *block;
+    block->scene.image = *(const Image *)image_keyword.defaults;
+    block->scene.sky = *(const Sky *)sky_keyword.defaults;
+    scene_add_material(&block->scene, material_keyword.defaults, error);
+    return &block->scene;
+}
+
+void scene_destroy(Scene *scene) {
+    if (scene) {
+        munmap(scene, SCENE_MEMORY);
+    }
+}
+
+bool scene_add_light(Scene *scene, const Light *light, Error *error) {
+    Block *block = (Block *)scene;
+    void *array = scene->lights;
+    Light *place = block_append(block, &array, &block->light_capacity, scene->light_count,
+                                sizeof *light, error);
+    if (place) {
+        *place = *light;
+        scene->lights = array;
+        scene->light_count++;
+    }
+    return place != NULL;
+}
+
+bool scene_add_material(Scene *scene, const Material *material, Error *error) {
+    Block *block = (Block *)scene;
+    void *array = scene->materials;
+    Material *place = block_append(block, &array, &block->material_capacity, scene->material_count,
+                                   sizeof *material, error);
+    if (place) {
+        *place = *material;
+        scene->materials = array;
+        scene->material_count++;
+    }
+    return place != NULL;
+}
+
+bool scene_add_shape(Scene *scene, size_t kind, const Keyword *keyword, const void *parameters,
+                     size_t material, Error *error) {
+    Block *block = (Block *)scene;
+    void *array = scene->shapes;
+    void *copy = block_allocate(block, keyword->size, error);
+    SceneShape *place = copy ? block_append(block, &array, &block->shape_capacity,
+                                            scene->shape_count, sizeof *place, error)
+                             : NULL;
+    if (place) {
+        memcpy(copy, parameters, keyword->size);
+        *place = (SceneShape){.kind = kind, .parameters = copy, .material = material};
+        scene->shapes = array;
+        scene->shape_count++;
+    }
+    return place != NULL;
+}
+
+bool scene_has_mirrors(const Scene *scene) {
+    for (size_t i = 0; i < scene->shape_count; i++) {
+        if (material_is_mirror(&scene->materials[scene->shapes[i].material])) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool scene_has_highlights(const Scene *scene) {
+    for (size_t i = 0; i < scene->shape_count; i++) {
+        if (scene->materials[scene->shapes[i].material].specular > 0) {
+            return true;
+        }
+    }
+    return false;
+}

@@ -1,0 +1,267 @@
+/**
+ * @file
+ * @brief The engine: the tracer of this number type and width as an object.
+ */
+#include "trace/tracer.h"
+
+#include <stdlib.h>
+
+/** @return The sky in the engine's number type. @param sky The sky. */
+static Backdrop backdrop_of(const Sky *sky) {
+    Color rise = {sky->zenith.red - sky->horizon.red, sky->zenith.green - sky->horizon.green,
+                  sky->zenith.blue - sky->horizon.blue};
+    bool is_gradient = rise.red != 0 || rise.green != 0 || rise.blue != 0;
+    return (Backdrop){light3_of(scalar3_of(sky->horizon)), light3_of(scalar3_of(rise)),
+                      is_gradient};
+}
+
+/** Gives a tracer back. See #Engine.release. @param tracer The tracer, or NULL. */
+static void engine_release(Tracer *tracer) {
+    if (tracer) {
+        shape_list_release(&tracer->list);
+        free(tracer->surfaces);
+        free(tracer->lamps);
+        free(tracer);
+    }
+}
+
+/** @return Memory for things that hold vectors, zero. @param size Bytes. */
+static void *vector_allocate(size_t size) {
+    /** Bytes: the widest vector of any engine. */
+    const size_t alignment = 64;
+    return aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+}
+
+/** Takes camera, lights and size anew. See #Engine.look.
+ *  @param tracer The tracer. @param scene The scene. @param width Pixels. @param height Pixels. */
+static void engine_look(Tracer *tracer, const Scene *scene, int width, int height) {
+    tracer->eye = eye_of(&scene->camera, width, height);
+    for (size_t i = 0; i < tracer->lamp_count; i++) {
+        tracer->lamps[i] = lamp_of(&scene->lights[i]);
+    }
+}
+
+/** @return A tracer whose shapes are there, without camera; NULL without memory.
+ *  @param scene The scene. @param settings Depth and offset. @param[out] error What is wrong. */
+static Tracer *tracer_create(const Scene *scene, const TraceSettings *settings, Error *error) {
+    Tracer *tracer = vector_allocate(sizeof *tracer);
+    if (!tracer) {
+        error_set(error, STATUS_FAILED, "no memory for a tracer");
+        return NULL;
+    }
+    *tracer = (Tracer){.backdrop = backdrop_of(&scene->sky),
+                       .lamp_count = scene->light_count,
+                       .depth = scene_has_mirrors(scene) ? settings->depth : 0,
+                       .shines = scene_has_highlights(scene),
+                       .departure = {settings->offset, (scalar)settings->epsilon}};
+    tracer->lamps = vector_allocate((scene->light_count + 1) * sizeof(Lamp));
+    tracer->surfaces = vector_allocate(scene->material_count * sizeof(Surface));
+    if (!tracer->lamps || !tracer->surfaces || !shape_list_init(&tracer->list, scene, error)) {
+        error_set(error, STATUS_FAILED, "no memory for the scene");
+        engine_release(tracer);
+        return NULL;
+    }
+    return tracer;
+}
+
+/** @return A tracer for a scene. See #Engine.prepare.
+ *  @param scene The scene. @param settings Depth and offset. @param[out] error What is wrong. */
+static Tracer *engine_prepare(const Scene *scene, const TraceSettings *settings, Error *error) {
+    Tracer *tracer = tracer_create(scene, settings, error);
+    if (tracer) {
+        for (size_t i = 0; i < scene->material_count; i++) {
+            tracer->surfaces[i] = surface_of(&scene->materials[i], scene->ambient);
+        }
+        engine_look(tracer, scene, scene->image.width, scene->image.height);
+    }
+    return tracer;
+}
+
+/**
+ * Writes the colours of a packet where they belong.
+ * @param colors  The colours.
+ * @param grid    The grid.
+ * @param column  The packet's first column.
+ * @param row     The packet's first row.
+ * @param[out] rgb  The colours of the whole grid.
+ */
+static void colors_write(const Light3 *colors, const PixelGrid *grid, int column, int row,
+                         double *rgb) {
+    for (int i = 0; i < PACKET_RAYS; i++) {
+        int c = column + i % PACKET_COLUMNS, r = row + i / PACKET_COLUMNS;
+        if (c < grid->columns && r < grid->rows) {
+            const Light3 *color = &colors[i / LANES];
+            double *pixel = rgb + 3 * ((size_t)r * (size_t)grid->columns + (size_t)c);
+            pixel[0] = (double)real_lane(color->red, i % LANES);
+            pixel[1] = (double)real_lane(color->green, i % LANES);
+            pixel[2] = (double)real_lane(color->blue, i % LANES);
+        }
+    }
+}
+
+/** Traces a grid of pixels. See #Engine.trace. @param tracer The tracer. @param grid The pixels.
+ *  @param[out] rgb Their colours. @param[in,out] counts The rays traced. */
+static void engine_trace(const Tracer *tracer, const PixelGrid *grid, double *rgb,
+                         RayCounts *counts) {
+    real weight[PACKET_VECTORS];
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        weight[v] = real_of(1);
+    }
+    for (int row = 0; row < grid->rows; row += PACKET_ROWS) {
+        for (int column = 0; column < grid->columns; column += PACKET_COLUMNS) {
+            Packet packet;
+            Light3 colors[PACKET_VECTORS];
+            eye_aim(&tracer->eye, grid, column, row, &packet);
+            tracer_follow(tracer, &packet, weight, tracer->depth, colors, counts);
+            colors_write(colors, grid, column, row, rgb);
+        }
+    }
+    counts->camera += (uint64_t)grid->columns * (uint64_t)grid->rows;
+}
+
+/** Finds the nearest hits of a grid of pixels. See #Engine.cast. @param tracer The tracer.
+ *  @param grid The pixels. @param[out] shapes What they meet. @param[out] distances How far. */
+static void engine_cast(const Tracer *tracer, const PixelGrid *grid, int *shapes,
+                        double *distances) {
+    for (int row = 0; row < grid->rows; row += PACKET_ROWS) {
+        for (int column = 0; column < grid->columns; column += PACKET_COLUMNS) {
+            Packet packet;
+            Hit hits[PACKET_VECTORS];
+            eye_aim(&tracer->eye, grid, column, row, &packet);
+            shape_list_nearest(&tracer->list, &packet, hits);
+            for (int i = 0; i < PACKET_RAYS; i++) {
+                int c = column + i % PACKET_COLUMNS, r = row + i / PACKET_COLUMNS;
+                if (c < grid->columns && r < grid->rows) {
+                    size_t place = (size_t)r * (size_t)grid->columns + (size_t)c;
+                    shapes[place] = integer_lane(hits[i / LANES].shape, i % LANES);
+                    distances[place] = (double)real_lane(hits[i / LANES].distance, i % LANES);
+                }
+            }
+        }
+    }
+}
+
+/**
+ * Makes a packet of rays from outside.
+ * @param queries  The rays.
+ * @param count    How many, at most #PACKET_RAYS.
+ * @param[out] packet  The packet.
+ */
+static void queries_pack(const RayQuery *queries, size_t count, Packet *packet) {
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        Vector origin = {real_of(0), real_of(0), real_of(0)},
+               direction = {real_of(0), real_of(0), real_of(1)};
+        mask active = mask_of(false);
+        for (int i = 0; i < LANES && (size_t)(v * LANES + i) < count; i++) {
+            const RayQuery *query = &queries[v * LANES + i];
+            real_set_lane(&origin.x, i, (scalar)query->origin[0]);
+            real_set_lane(&origin.y, i, (scalar)query->origin[1]);
+            real_set_lane(&origin.z, i, (scalar)query->origin[2]);
+            real_set_lane(&direction.x, i, (scalar)query->direction[0]);
+            real_set_lane(&direction.y, i, (scalar)query->direction[1]);
+            real_set_lane(&direction.z, i, (scalar)query->direction[2]);
+            mask_set_lane(&active, i, true);
+        }
+        packet->rays[v] = ray_of(origin, direction);
+        packet->active[v] = active;
+        packet->limit[v] = real_of(INFINITE);
+    }
+}
+
+/** @return How many of the rays from `done` on fill the next packet. @param count All rays.
+ *  @param done Those already traced. */
+static size_t packet_fill(size_t count, size_t done) {
+    return count - done < PACKET_RAYS ? count - done : PACKET_RAYS;
+}
+
+/** Finds the nearest hits of any rays. See #Engine.nearest. @param tracer The tracer.
+ *  @param count How many. @param queries The rays. @param[out] shapes What they meet.
+ *  @param[out] distances How far. */
+static void engine_nearest(const Tracer *tracer, size_t count, const RayQuery *queries, int *shapes,
+                           double *distances) {
+    for (size_t done = 0; done < count; done += PACKET_RAYS) {
+        Packet packet;
+        Hit hits[PACKET_VECTORS];
+        size_t fill = packet_fill(count, done);
+        queries_pack(queries + done, fill, &packet);
+        shape_list_nearest(&tracer->list, &packet, hits);
+        for (size_t i = 0; i < fill; i++) {
+            shapes[done + i] = integer_lane(hits[i / LANES].shape, (int)(i % LANES));
+            distances[done + i] = (double)real_lane(hits[i / LANES].distance, (int)(i % LANES));
+        }
+    }
+}
+
+/** @return One lane, exactly, in the widest type. @param x Numbers. @param i The lane. */
+INLINE Quadruple widest_lane(real x, int i) {
+    return (Quadruple)real_lane(x, i);
+}
+
+/**
+ * @return One lane of a hit, as an answer.
+ * @param hit      The hit.
+ * @param blocked  Which lanes `is_blocking` called blocked.
+ * @param i        The lane.
+ */
+static RayAnswer answer_of(const Hit *hit, mask blocked, int i) {
+    const Vector *p = &hit->point, *n = &hit->normal;
+    return (RayAnswer){.shape = integer_lane(hit->shape, i),
+                       .blocked = mask_lane(blocked, i),
+                       .distance = widest_lane(hit->distance, i),
+                       .point = {widest_lane(p->x, i), widest_lane(p->y, i), widest_lane(p->z, i)},
+                       .normal = {widest_lane(n->x, i), widest_lane(n->y, i), widest_lane(n->z, i)},
+                       .error = widest_lane(hit->error, i)};
+}
+
+/** Answers any rays in full. See #Engine.intersect. @param tracer The tracer. @param count How
+ * many.
+ *  @param queries The rays. @param[out] answers The answers. */
+static void engine_intersect(const Tracer *tracer, size_t count, const RayQuery *queries,
+                             RayAnswer *answers) {
+    for (size_t done = 0; done < count; done += PACKET_RAYS) {
+        Packet packet;
+        Hit hits[PACKET_VECTORS];
+        mask blocked[PACKET_VECTORS];
+        size_t fill = packet_fill(count, done);
+        queries_pack(queries + done, fill, &packet);
+        shape_list_nearest(&tracer->list, &packet, hits);
+        shape_list_blocked(&tracer->list, &packet, blocked);
+        for (size_t i = 0; i < fill; i++) {
+            answers[done + i] = answer_of(&hits[i / LANES], blocked[i / LANES], (int)(i % LANES));
+        }
+    }
+}
+
+/** Finds the box of all bounded shapes. See #Engine.bounds. @param tracer The tracer.
+ *  @param[out] low Its lowest corner. @param[out] high Its highest. */
+static void engine_bounds(const Tracer *tracer, Vector3 *low, Vector3 *high) {
+    double l[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, h[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    for (size_t i = 0; i < tracer->list.count; i++) {
+        const Shape *shape = tracer->list.shapes[i];
+        Bounds bounds = shape->class->bounds(shape);
+        for (int axis = 0; axis < 3 && bounds.high[0] < INFINITE; axis++) {
+            l[axis] = fmin(l[axis], (double)bounds.low[axis]);
+            h[axis] = fmax(h[axis], (double)bounds.high[axis]);
+        }
+    }
+    *low = (Vector3){l[0], l[1], l[2]};
+    *high = (Vector3){h[0], h[1], h[2]};
+}
+
+/** This engine. */
+extern const Engine ENGINE;
+
+const Engine ENGINE = {
+    .name = ENGINE_NAME,
+    .lanes = LANES,
+    .mantissa_bits = MANTISSA_BITS,
+    .shape_keywords = shape_keywords,
+    .prepare = engine_prepare,
+    .look = engine_look,
+    .trace = engine_trace,
+    .cast = engine_cast,
+    .nearest = engine_nearest,
+    .intersect = engine_intersect,
+    .bounds = engine_bounds,
+    .release = engine_release,
+};

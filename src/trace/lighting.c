@@ -1,0 +1,115 @@
+/**
+ * @file
+ * @brief Light and shadow.
+ */
+#include "trace/lighting.h"
+
+/** What one lamp would give to the points of a packet, were nothing in the way. */
+typedef struct Shine {
+    Packet shadow;                         /**< The rays to the lamp; active where it may shine. */
+    Vector to_lamp[PACKET_VECTORS];        /**< Unit directions to it. */
+    real cosine[PACKET_VECTORS];           /**< n . l, above 0 where active. */
+    real distance_squared[PACKET_VECTORS]; /**< To it, squared. */
+} Shine;
+
+Lamp lamp_of(const Light *light) {
+    Scalar3 color = scalar3_of(light->color);
+    return (Lamp){.position = vector_of(light->position),
+                  .light = light3_scale(light3_of(color), real_of((scalar)light->intensity)),
+                  .is_inverse_square = light->falloff == FALLOFF_INVERSE_SQUARE};
+}
+
+/**
+ * Aims shadow rays at a lamp, from the points that it could light: a surface turned away from the
+ * lamp stands in its own light.
+ * @param lamp       The lamp.
+ * @param departure  Where the rays start.
+ * @param met        The points.
+ * @param[out] shine  What the lamp would give.
+ */
+static void shine_aim(const Lamp *lamp, const Departure *departure, const Encounter *met,
+                      Shine *shine) {
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        const Hit *hit = &met->hits[v];
+        Vector path = vector_subtract(lamp->position, hit->point);
+        real distance_squared = vector_dot(path, path);
+        Vector to_lamp = vector_scale(path, 1 / real_sqrt(distance_squared));
+        real cosine = vector_dot(met->facing[v], to_lamp);
+        // The ray ends at the lamp itself: its parameter runs from 0 to 1.
+        Vector origin = departure_origin(departure, hit, to_lamp);
+        shine->shadow.rays[v] = ray_of(origin, vector_subtract(lamp->position, origin));
+        shine->shadow.limit[v] = real_of(1);
+        shine->shadow.active[v] = met->met[v] & (cosine > 0);
+        shine->to_lamp[v] = to_lamp;
+        shine->cosine[v] = cosine;
+        shine->distance_squared[v] = distance_squared;
+    }
+}
+
+/**
+ * @return max(0, r . v)^shininess, Phong's highlight, where r is the lamp's light mirrored.
+ * @param met      The points.
+ * @param v        Which vector of them.
+ * @param to_lamp  Unit directions to the lamp.
+ * @param cosine   n . l
+ */
+static real highlight(const Encounter *met, int v, Vector to_lamp, real cosine) {
+    Vector mirrored = vector_subtract(vector_scale(met->facing[v], 2 * cosine), to_lamp);
+    real along = real_max(-vector_dot(mirrored, met->incoming[v]), real_of(0));
+    return surface_power(real_min(along, real_of(1)), met->surfaces[v].shininess);
+}
+
+/**
+ * Adds what one lamp gives to the points that it reaches.
+ * @param lamp     The lamp.
+ * @param shine    What it would give.
+ * @param blocked  Where something is in the way.
+ * @param shines   Whether highlights are wanted.
+ * @param met      The points.
+ * @param[in,out] lighting  The sums.
+ */
+static void shine_add(const Lamp *lamp, const Shine *shine, const mask *blocked, bool shines,
+                      const Encounter *met, Lighting *lighting) {
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        mask reached = shine->shadow.active[v] & mask_not(blocked[v]);
+        if (!any(reached)) {
+            continue;
+        }
+        real zero = real_of(0), share = real_of(1);
+        if (lamp->is_inverse_square) {
+            share = 1 / shine->distance_squared[v];
+        }
+        share = real_select(reached, share, zero);
+        Light3 matt = light3_scale(lamp->light, share * shine->cosine[v]);
+        lighting->matt[v] =
+            light3_add(lighting->matt[v], light3_select(reached, matt, (Light3){zero, zero, zero}));
+        if (shines && any(reached & (light3_largest(met->surfaces[v].highlight) > zero))) {
+            real bright = share * highlight(met, v, shine->to_lamp[v], shine->cosine[v]);
+            Light3 light = light3_scale(lamp->light, bright);
+            lighting->highlight[v] = light3_add(
+                lighting->highlight[v], light3_select(reached, light, (Light3){zero, zero, zero}));
+        }
+    }
+}
+
+uint64_t lighting_gather(const ShapeList *list, const Lamp *lamps, size_t lamp_count,
+                         const Departure *departure, bool shines, const Encounter *met,
+                         Lighting *lighting) {
+    uint64_t rays = 0;
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        Light3 dark = {real_of(0), real_of(0), real_of(0)};
+        lighting->matt[v] = lighting->highlight[v] = dark;
+    }
+    for (size_t i = 0; i < lamp_count; i++) {
+        Shine shine;
+        mask blocked[PACKET_VECTORS];
+        shine_aim(&lamps[i], departure, met, &shine);
+        unsigned count = packet_count(&shine.shadow);
+        if (count > 0) {
+            shape_list_blocked(list, &shine.shadow, blocked);
+            shine_add(&lamps[i], &shine, blocked, shines, met, lighting);
+            rays += count;
+        }
+    }
+    return rays;
+}

@@ -1,0 +1,71 @@
+/**
+ * @file
+ * @brief Packets: rays of neighbouring pixels that travel together.
+ *
+ * Rays that start together meet the same few shapes. A packet is tested against a shape's box once,
+ * by intervals, before any of its rays is; what it cannot meet is dropped for all of them. The test
+ * uses the same operations as a ray against a slab and rounds outwards, so it never drops a shape
+ * that a ray of the packet would have hit: it changes the time, not one bit of the picture.
+ */
+#ifndef DIOPTRE_TRACE_PACKET_H
+#define DIOPTRE_TRACE_PACKET_H
+
+#include "trace/shape.h"
+
+#if LANES > 1
+/** Pixels a packet, across: a vector of eight is one row. */
+#define PACKET_COLUMNS 8
+/** Pixels a packet, down: 8 by 8 rays share the cost of the intervals best (research/bvh.md). */
+#define PACKET_ROWS 8
+#else
+/** An engine of one lane is the textbook tracer, the baseline of every chart: ray by ray. */
+#define PACKET_COLUMNS 1
+/** See #PACKET_COLUMNS. */
+#define PACKET_ROWS 1
+#endif
+/** Rays a packet. */
+#define PACKET_RAYS (PACKET_COLUMNS * PACKET_ROWS)
+/** Vectors a packet. */
+#define PACKET_VECTORS (PACKET_RAYS / LANES)
+
+/** Rays that travel together. */
+typedef struct Packet {
+    Ray rays[PACKET_VECTORS];    /**< The rays. */
+    mask active[PACKET_VECTORS]; /**< Those that are there at all. */
+    real limit[PACKET_VECTORS];  /**< How far each goes. */
+} Packet;
+
+/** Boxes of LANES shapes side by side, so that one test answers for all of them. */
+typedef struct BoundsBlock {
+    real low[3];  /**< Lowest coordinates along x, y and z. */
+    real high[3]; /**< Highest coordinates. */
+} BoundsBlock;
+
+/** The intervals that all active rays of a packet lie in, along one axis. */
+typedef struct Span {
+    scalar origin_low;   /**< Lowest origin. */
+    scalar origin_high;  /**< Highest origin. */
+    scalar inverse_low;  /**< Lowest 1 / direction. */
+    scalar inverse_high; /**< Highest 1 / direction. */
+} Span;
+
+/** What is known of all rays of a packet at once. */
+typedef struct Spans {
+    Span axis[3]; /**< Along x, y and z. */
+    scalar limit; /**< How far the farthest goes. */
+} Spans;
+
+/** @return How many rays of a packet are active. @param packet The packet. */
+unsigned packet_count(const Packet *packet);
+
+/** @return The intervals of a packet with at least one active ray. @param packet The packet. */
+Spans packet_spans(const Packet *packet);
+
+/**
+ * @return The boxes that some ray within the spans may meet; set where that cannot be excluded.
+ * @param spans   The spans.
+ * @param bounds  The boxes.
+ */
+mask spans_may_meet(const Spans *spans, const BoundsBlock *bounds);
+
+#endif

@@ -1,0 +1,367 @@
+/**
+ * @file
+ * @brief The number type of an engine: `real`, its masks, and the few functions that C's operators
+ *        do not give.
+ *
+ * Everything in `src/trace/` is written over the types of this file and compiled once an engine,
+ * with REAL_BITS (32, 64, 128) and LANES (1, 4, 8) on the command line.
+ *
+ *   scalar   one number: float, double or quad
+ *   real     LANES of them, side by side; + - * / < <= work lane by lane
+ *   mask     LANES answers to a comparison; & and | work on them
+ *   wide     as many numbers of the next better precision, where float alone would fail
+ *
+ * With one lane `real` is a plain number and `mask` an int that is 0 or 1, so the compiler sees
+ * textbook code. With more, both are vectors of GCC and Clang. Lane i of a wide engine has the very
+ * bits of the narrow one: the operations are the same, in the same order, none is contracted, and
+ * what no lane needs changes no lane.
+ */
+#ifndef DIOPTRE_TRACE_REAL_H
+#define DIOPTRE_TRACE_REAL_H
+
+#include "dioptre/engine.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#if defined(__AVX__) || defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+/* --- the scalar ------------------------------------------------------------------------------ */
+
+#if REAL_BITS == 32
+/** One number of the engine. */
+typedef float scalar;
+/** One number of the next better precision. */
+typedef double wide_scalar;
+/** An integer as large as a #scalar. */
+typedef int32_t lane_integer;
+/** Half an ulp of 1: the largest relative error of one rounding. */
+#define ROUNDOFF 0x1p-24f
+#elif REAL_BITS == 64
+/** One number of the engine. */
+typedef double scalar;
+/** One number of the next better precision: double has none that is fast. */
+typedef double wide_scalar;
+/** An integer as large as a #scalar. */
+typedef int64_t lane_integer;
+/** Half an ulp of 1: the largest relative error of one rounding. */
+#define ROUNDOFF 0x1p-53
+#else
+/** One number of the engine. */
+typedef Quadruple scalar;
+/** One number of the next better precision: quad has none. */
+typedef Quadruple wide_scalar;
+/** An integer; quad engines have one lane only. */
+typedef int lane_integer;
+/** Half an ulp of 1: the largest relative error of one rounding. */
+#define ROUNDOFF ((Quadruple)0x1p-113L)
+#endif
+
+/** Larger than every distance. */
+#define INFINITE ((scalar)__builtin_inf())
+
+/** Bits of the number that the engine computes with, the leading 1 included. */
+#define MANTISSA_BITS (REAL_BITS == 32 ? 24 : REAL_BITS == 64 ? 53 : 113)
+
+/* --- LANES of them --------------------------------------------------------------------------- */
+
+#if LANES > 1
+/** LANES numbers. */
+typedef scalar real __attribute__((vector_size(LANES * sizeof(scalar))));
+/** LANES answers to a comparison: 0 or all bits set. */
+typedef lane_integer mask __attribute__((vector_size(LANES * sizeof(scalar))));
+/** LANES numbers of the next better precision. */
+typedef wide_scalar wide __attribute__((vector_size(LANES * sizeof(wide_scalar))));
+/** LANES answers to a comparison of #wide numbers. */
+typedef int64_t wide_mask __attribute__((vector_size(LANES * sizeof(int64_t))));
+#else
+typedef scalar real;
+typedef int mask;
+typedef wide_scalar wide;
+typedef int wide_mask;
+#endif
+
+/** LANES integers, such as the places of shapes. */
+typedef mask integer;
+
+/** A function that is part of its callers: vectors then stay in registers. */
+#define INLINE static inline __attribute__((always_inline))
+
+/* --- lanes in and out ------------------------------------------------------------------------ */
+
+/** @return One lane. @param x LANES numbers. @param i Which, 0 to LANES - 1. */
+INLINE scalar real_lane(real x, int i) {
+#if LANES > 1
+    return x[i];
+#else
+    (void)i;
+    return x;
+#endif
+}
+
+/** Sets one lane. @param[in,out] x LANES numbers. @param i Which. @param value Its new value. */
+INLINE void real_set_lane(real *x, int i, scalar value) {
+#if LANES > 1
+    (*x)[i] = value;
+#else
+    (void)i;
+    *x = value;
+#endif
+}
+
+/** @return One lane. @param x LANES integers. @param i Which, 0 to LANES - 1. */
+INLINE int integer_lane(integer x, int i) {
+#if LANES > 1
+    return (int)x[i];
+#else
+    (void)i;
+    return x;
+#endif
+}
+
+/** @return Whether a lane is set. @param m A mask. @param i Which lane. */
+INLINE bool mask_lane(mask m, int i) {
+    return integer_lane(m, i) != 0;
+}
+
+/** Sets one lane. @param[in,out] m A mask. @param i Which. @param value Its new value. */
+INLINE void mask_set_lane(mask *m, int i, bool value) {
+#if LANES > 1
+    (*m)[i] = value ? -1 : 0;
+#else
+    (void)i;
+    *m = value;
+#endif
+}
+
+/** @return The same number in all lanes. @param x The number. */
+INLINE real real_of(scalar x) {
+    real r = {0};
+    for (int i = 0; i < LANES; i++) {
+        real_set_lane(&r, i, x);
+    }
+    return r;
+}
+
+/** @return The same number in all lanes. @param x The number. */
+INLINE wide wide_of(wide_scalar x) {
+#if LANES > 1
+    wide r = {0};
+    for (int i = 0; i < LANES; i++) {
+        r[i] = x;
+    }
+    return r;
+#else
+    return x;
+#endif
+}
+
+/** @return The same integer in all lanes. @param x The integer. */
+INLINE integer integer_of(int x) {
+#if LANES > 1
+    integer r = {0};
+    for (int i = 0; i < LANES; i++) {
+        r[i] = x;
+    }
+    return r;
+#else
+    return x;
+#endif
+}
+
+/* --- from one precision to the other --------------------------------------------------------- */
+
+/** @return The same numbers, exactly. @param x LANES numbers. */
+INLINE wide widen(real x) {
+#if LANES > 1
+    return __builtin_convertvector(x, wide);
+#else
+    return (wide)x;
+#endif
+}
+
+/** @return The nearest numbers of the engine's type. @param x LANES better numbers. */
+INLINE real narrow(wide x) {
+#if LANES > 1
+    return __builtin_convertvector(x, real);
+#else
+    return (real)x;
+#endif
+}
+
+/** @return The same answers. @param m A mask of better numbers. */
+INLINE mask narrow_mask(wide_mask m) {
+#if LANES > 1
+    return __builtin_convertvector(m, mask);
+#else
+    return m;
+#endif
+}
+
+/* --- masks ----------------------------------------------------------------------------------- */
+
+/** @return All lanes set, or none. @param value Which of the two. */
+INLINE mask mask_of(bool value) {
+#if LANES > 1
+    return integer_of(value ? -1 : 0);
+#else
+    return value;
+#endif
+}
+
+/** @return The opposite answers. @param m A mask. */
+INLINE mask mask_not(mask m) {
+#if LANES > 1
+    return ~m;
+#else
+    return !m;
+#endif
+}
+
+/** @return Bit i set where lane i is. @param m A mask. */
+INLINE unsigned mask_bits(mask m) {
+#if LANES == 8 && defined(__AVX__)
+    return (unsigned)_mm256_movemask_ps((__m256)m);
+#elif LANES == 4 && REAL_BITS == 64 && defined(__AVX__)
+    return (unsigned)_mm256_movemask_pd((__m256d)m);
+#elif LANES == 4 && REAL_BITS == 32 && defined(__SSE2__)
+    return (unsigned)_mm_movemask_ps((__m128)m);
+#else
+    unsigned bits = 0;
+    for (int i = 0; i < LANES; i++) {
+        bits |= (unsigned)mask_lane(m, i) << i;
+    }
+    return bits;
+#endif
+}
+
+/** @return Whether any lane is set. @param m A mask. */
+INLINE bool any(mask m) {
+    return mask_bits(m) != 0;
+}
+
+/** @return How many lanes are set. @param m A mask. */
+INLINE unsigned mask_count(mask m) {
+    return (unsigned)__builtin_popcount(mask_bits(m));
+}
+
+/** @return The first lane that is set. @param m A mask with at least one. */
+INLINE int mask_first(mask m) {
+    return __builtin_ctz(mask_bits(m));
+}
+
+/* --- choosing -------------------------------------------------------------------------------- */
+
+/* Where a processor has one instruction for it, that is named here, and nowhere else. The smaller
+   and larger are `a < b ? a : b` and `a > b ? a : b` to the bit, as the instructions define them.
+ */
+#if LANES == 8 && defined(__AVX__)
+#define LANES_SELECT(m, a, b) (real) _mm256_blendv_ps((__m256)(b), (__m256)(a), (__m256)(m))
+#define LANES_MIN(a, b) (real) _mm256_min_ps((__m256)(a), (__m256)(b))
+#define LANES_MAX(a, b) (real) _mm256_max_ps((__m256)(a), (__m256)(b))
+#elif LANES == 4 && REAL_BITS == 64 && defined(__AVX__)
+#define LANES_SELECT(m, a, b) (real) _mm256_blendv_pd((__m256d)(b), (__m256d)(a), (__m256d)(m))
+#define LANES_MIN(a, b) (real) _mm256_min_pd((__m256d)(a), (__m256d)(b))
+#define LANES_MAX(a, b) (real) _mm256_max_pd((__m256d)(a), (__m256d)(b))
+#elif LANES == 4 && REAL_BITS == 32 && defined(__SSE2__)
+#define LANES_SELECT(m, a, b) (real)(((m) & (mask)(a)) | (~(m) & (mask)(b)))
+#define LANES_MIN(a, b) (real) _mm_min_ps((__m128)(a), (__m128)(b))
+#define LANES_MAX(a, b) (real) _mm_max_ps((__m128)(a), (__m128)(b))
+#elif LANES > 1
+#define LANES_SELECT(m, a, b) (real)(((m) & (mask)(a)) | (~(m) & (mask)(b)))
+#define LANES_MIN(a, b) real_select((a) < (b), a, b)
+#define LANES_MAX(a, b) real_select((a) > (b), a, b)
+#else
+#define LANES_SELECT(m, a, b) ((m) ? (a) : (b))
+#define LANES_MIN(a, b) ((a) < (b) ? (a) : (b))
+#define LANES_MAX(a, b) ((a) > (b) ? (a) : (b))
+#endif
+
+/** @return a where the mask is set, b elsewhere. @param m A mask. @param a Numbers. @param b
+ * Others. */
+INLINE real real_select(mask m, real a, real b) {
+    return LANES_SELECT(m, a, b);
+}
+
+/** @return a where the mask is set, b elsewhere. @param m A mask. @param a Integers. @param b
+ * Others. */
+INLINE integer integer_select(mask m, integer a, integer b) {
+#if LANES > 1
+    return (m & a) | (~m & b);
+#else
+    return m ? a : b;
+#endif
+}
+
+/** @return a where the mask is set, b elsewhere. @param m A mask. @param a Numbers. @param b
+ * Others. */
+INLINE wide wide_select(wide_mask m, wide a, wide b) {
+#if LANES > 1
+    return (wide)((m & (wide_mask)a) | (~m & (wide_mask)b));
+#else
+    return m ? a : b;
+#endif
+}
+
+/** @return The smaller; b where they cannot be compared. @param a Numbers. @param b Others. */
+INLINE real real_min(real a, real b) {
+    return LANES_MIN(a, b);
+}
+
+/** @return The larger; b where they cannot be compared. @param a Numbers. @param b Others. */
+INLINE real real_max(real a, real b) {
+    return LANES_MAX(a, b);
+}
+
+/** @return The absolute value. @param x Numbers. */
+INLINE real real_abs(real x) {
+    return real_max(x, -x);
+}
+
+/* --- square roots, correctly rounded --------------------------------------------------------- */
+
+#if REAL_BITS == 128
+#if defined(__SIZEOF_FLOAT128__)
+/** Square root of a quad, from the C library. @return The root. @param x At least 0. */
+extern Quadruple sqrtf128(Quadruple x);
+/** The square root of one number. */
+#define SCALAR_SQRT sqrtf128
+#else
+#define SCALAR_SQRT sqrtl
+#endif
+#define WIDE_SQRT SCALAR_SQRT
+#elif REAL_BITS == 64
+#define SCALAR_SQRT __builtin_sqrt
+#define WIDE_SQRT __builtin_sqrt
+#else
+/** The square root of one number. */
+#define SCALAR_SQRT __builtin_sqrtf
+/** The square root of one better number. */
+#define WIDE_SQRT __builtin_sqrt
+#endif
+
+/** @return The square roots. @param x Numbers; NaN where they are negative. */
+INLINE real real_sqrt(real x) {
+    real r = {0};
+    for (int i = 0; i < LANES; i++) {
+        real_set_lane(&r, i, SCALAR_SQRT(real_lane(x, i)));
+    }
+    return r;
+}
+
+/** @return The square roots. @param x Better numbers; NaN where they are negative. */
+INLINE wide wide_sqrt(wide x) {
+#if LANES > 1
+    wide r = {0};
+    for (int i = 0; i < LANES; i++) {
+        r[i] = WIDE_SQRT(x[i]);
+    }
+    return r;
+#else
+    return WIDE_SQRT(x);
+#endif
+}
+
+#endif

@@ -1,0 +1,86 @@
+/**
+ * @file
+ * @brief Shapes: the abstract class and its vtable.
+ *
+ * A new shape is one file in `shapes/` that ends in a #ShapeClass, one line in `shapes/registry.c`,
+ * one row in the contract test and one scene.
+ */
+#ifndef DIOPTRE_TRACE_SHAPE_H
+#define DIOPTRE_TRACE_SHAPE_H
+
+#include "trace/ray.h"
+
+typedef struct Shape Shape;
+
+/** A box along the axes that holds a shape, rounded outwards; infinite where the shape is. */
+typedef struct Bounds {
+    scalar low[3];  /**< Lowest coordinates. */
+    scalar high[3]; /**< Highest coordinates. */
+} Bounds;
+
+/** What every shape can do: the vtable. */
+typedef struct ShapeClass {
+    Keyword keyword; /**< Base: its name, fields and checks in the scene language. */
+    size_t size;     /**< Bytes of an object of the class, a multiple of its alignment. */
+
+    /**
+     * Makes an object out of what the scene file said. The base is already filled.
+     * @param self        Memory of #size bytes.
+     * @param parameters  The struct that #keyword describes, finished.
+     */
+    void (*init)(Shape *self, const void *parameters);
+
+    /**
+     * Finds where LANES rays meet the shape.
+     * @param self      The shape.
+     * @param ray       The rays.
+     * @param active    The lanes that count; others are neither read nor written.
+     * @param[in,out] hit  The nearest hit so far, replaced in the lanes where this one is nearer.
+     * @return The lanes that were replaced.
+     */
+    mask (*is_hit)(const Shape *self, const Ray *ray, mask active, Hit *hit);
+
+    /**
+     * Says whether the shape is anywhere on the way.
+     * @param self    The shape.
+     * @param ray     The rays.
+     * @param active  The lanes that count.
+     * @param limit   How far the way goes; what lies there or beyond does not block.
+     * @return The lanes that are blocked.
+     */
+    mask (*is_blocking)(const Shape *self, const Ray *ray, mask active, real limit);
+
+    /** @return A box that holds the shape, rounded outwards. @param self The shape. */
+    Bounds (*bounds)(const Shape *self);
+} ShapeClass;
+
+/** What all shapes have. Every class embeds it first. */
+struct Shape {
+    const ShapeClass *class; /**< What it is. */
+    int place;               /**< Its place in the scene; the lower one wins a tie. */
+    int material;            /**< Place of its material in the scene. */
+};
+
+/**
+ * The registry: the keyword of each shape class, ended by NULL. The class is found by the keyword,
+ * which it embeds first.
+ */
+extern const Keyword *const shape_keywords[];
+
+/** @return A shape class. @param kind Its place in #shape_keywords. */
+static inline const ShapeClass *shape_class(size_t kind) {
+    return (const ShapeClass *)shape_keywords[kind];
+}
+
+/**
+ * @return A box around two corners, rounded outwards far enough that no rounding of an
+ *         intersection can find a point outside.
+ * @param low   Lowest coordinates.
+ * @param high  Highest coordinates.
+ */
+Bounds bounds_around(Vector3 low, Vector3 high);
+
+/** @return A box that holds everything. */
+Bounds bounds_infinite(void);
+
+#endif

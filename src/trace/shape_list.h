@@ -1,0 +1,46 @@
+/**
+ * @file
+ * @brief The shapes of a scene, as a list: what a packet of rays meets first, and what blocks it.
+ */
+#ifndef DIOPTRE_TRACE_SHAPE_LIST_H
+#define DIOPTRE_TRACE_SHAPE_LIST_H
+
+#include "trace/packet.h"
+
+/** All shapes of a scene. */
+typedef struct ShapeList {
+    Shape **shapes;      /**< The shapes, in the scene's order; owned, in one piece of memory. */
+    BoundsBlock *bounds; /**< Their boxes, LANES a block; owned. */
+    void *memory;        /**< What the shapes lie in; owned. */
+    size_t count;        /**< How many. */
+} ShapeList;
+
+/**
+ * Makes the shapes of a scene.
+ * @param[out] list   The list; give it back with #shape_list_release.
+ * @param scene       The scene.
+ * @param[out] error  What is wrong.
+ * @return false without memory; the list is then empty.
+ */
+bool shape_list_init(ShapeList *list, const Scene *scene, Error *error);
+
+/** Gives the shapes back. @param list The list. */
+void shape_list_release(ShapeList *list);
+
+/**
+ * Finds what the rays of a packet meet first.
+ * @param list    The shapes.
+ * @param packet  The rays, at least one active.
+ * @param[out] hits  One for each vector of rays.
+ */
+void shape_list_nearest(const ShapeList *list, const Packet *packet, Hit *hits);
+
+/**
+ * Finds which rays of a packet are blocked before their limit.
+ * @param list    The shapes.
+ * @param packet  The rays, at least one active.
+ * @param[out] blocked  One mask for each vector of rays.
+ */
+void shape_list_blocked(const ShapeList *list, const Packet *packet, mask *blocked);
+
+#endif

@@ -1,0 +1,204 @@
+/**
+ * @file
+ * @brief Box along the axes.
+ *
+ * One convex solid, not six quads: where the ray is between the planes of all three pairs at once
+ * (Kay and Kajiya's slabs), so that no ray slips through an edge and none is counted twice. A
+ * direction along an axis gives infinite or NaN distances, and every comparison drops the NaN; the
+ * far side is moved out by the rounding of three operations (Ize, *Robust BVH Ray Traversal*, JCGT
+ * 2013).
+ */
+#include "trace/shapes/registry.h"
+
+/** Half ulps of the coordinates that a point can be off the box. */
+#define BOX_ERROR 8
+
+/** Relative slack of the far side: twice gamma 3, the error bound of three roundings. */
+#define BOX_SLACK (1 + 2 * (3 * ROUNDOFF / (1 - 3 * ROUNDOFF)))
+
+/** What a scene file says of a box. */
+typedef struct BoxParameters {
+    Vector3 min; /**< Lowest corner. */
+    Vector3 max; /**< Highest corner. */
+} BoxParameters;
+
+/** A box. @extends Shape */
+typedef struct Box {
+    Shape base;     /**< What all shapes have. */
+    scalar low[3];  /**< Lowest coordinates. */
+    scalar high[3]; /**< Highest coordinates. */
+} Box;
+
+/** Where LANES rays enter and leave a box. */
+typedef struct Slabs {
+    real near;         /**< Where they are between all pairs of planes. */
+    real far;          /**< Where they no longer are. */
+    integer near_axis; /**< The axis whose pair they enter last. */
+    integer far_axis;  /**< The axis whose pair they leave first. */
+} Slabs;
+
+/** Fields of `box`. */
+static const Parameter box_parameters[] = {{.name = "min",
+                                            .type = PARAMETER_VECTOR,
+                                            .offset = offsetof(BoxParameters, min),
+                                            .minimum = -LENGTH_MAXIMUM,
+                                            .maximum = LENGTH_MAXIMUM,
+                                            .unit = "scene units",
+                                            .help = "its lowest corner"},
+                                           {.name = "max",
+                                            .type = PARAMETER_VECTOR,
+                                            .offset = offsetof(BoxParameters, max),
+                                            .minimum = -LENGTH_MAXIMUM,
+                                            .maximum = LENGTH_MAXIMUM,
+                                            .unit = "scene units",
+                                            .help = "its highest corner"},
+                                           {0}};
+
+/** A cube of side 1. */
+static const BoxParameters box_defaults = {.max = {1, 1, 1}};
+
+/**
+ * Refuses boxes without volume. See #Keyword.finish.
+ * @param[in,out] values  A #BoxParameters.
+ * @param given           Not looked at.
+ * @param[out] error      What is wrong.
+ * @return Whether the box has a volume.
+ */
+static bool box_finish(void *values, uint64_t given, Error *error) {
+    (void)given;
+    const BoxParameters *p = values;
+    return (p->min.x < p->max.x && p->min.y < p->max.y && p->min.z < p->max.z) ||
+           error_set(error, STATUS_SCENE, "box needs min below max in x, y and z");
+}
+
+/** Makes a box. @param self The box. @param parameters A #BoxParameters. */
+static void box_init(Shape *self, const void *parameters) {
+    Box *box = (Box *)self;
+    const BoxParameters *p = parameters;
+    const double low[3] = {p->min.x, p->min.y, p->min.z}, high[3] = {p->max.x, p->max.y, p->max.z};
+    for (int axis = 0; axis < 3; axis++) {
+        box->low[axis] = (scalar)low[axis];
+        box->high[axis] = (scalar)high[axis];
+    }
+}
+
+/**
+ * Narrows an interval to the part of the rays between one pair of planes.
+ * @param[in,out] slabs  The interval.
+ * @param axis     0, 1 or 2 for x, y or z.
+ * @param low      The lower plane.
+ * @param high     The higher plane.
+ * @param origin   Where the rays start, along the axis.
+ * @param inverse  1 / direction, along the axis.
+ */
+INLINE void slabs_clip(Slabs *slabs, int axis, scalar low, scalar high, real origin, real inverse) {
+    mask is_downwards = inverse < 0;
+    real enter = (real_select(is_downwards, real_of(high), real_of(low)) - origin) * inverse;
+    real leave = (real_select(is_downwards, real_of(low), real_of(high)) - origin) * inverse;
+    mask is_later = enter > slabs->near, is_earlier = leave < slabs->far;
+    slabs->near = real_select(is_later, enter, slabs->near);
+    slabs->near_axis = integer_select(is_later, integer_of(axis), slabs->near_axis);
+    slabs->far = real_select(is_earlier, leave, slabs->far);
+    slabs->far_axis = integer_select(is_earlier, integer_of(axis), slabs->far_axis);
+}
+
+/**
+ * Finds where rays enter and leave a box.
+ * @param box         The box.
+ * @param ray         The rays.
+ * @param active      The lanes that count.
+ * @param[out] slabs  Where.
+ * @return The lanes whose line meets the box.
+ */
+INLINE mask box_slabs(const Box *box, const Ray *ray, mask active, Slabs *slabs) {
+    const scalar *low = box->low, *high = box->high;
+    *slabs = (Slabs){real_of(-INFINITE), real_of(INFINITE), integer_of(0), integer_of(0)};
+    slabs_clip(slabs, 0, low[0], high[0], ray->origin.x, ray->inverse.x);
+    slabs_clip(slabs, 1, low[1], high[1], ray->origin.y, ray->inverse.y);
+    slabs_clip(slabs, 2, low[2], high[2], ray->origin.z, ray->inverse.z);
+    return active & (slabs->far > 0) & (slabs->near <= slabs->far * BOX_SLACK);
+}
+
+/**
+ * Puts a point on the face that it was found on: that coordinate is the face's, exactly, and the
+ * normal is the one of the face.
+ * @param[in,out] found  The hit; its distance and point are filled.
+ * @param box       The box.
+ * @param face      The axis of the face.
+ * @param is_high   Whether it is the face with the highest coordinate.
+ */
+INLINE void box_put_on_face(Hit *found, const Box *box, integer face, mask is_high) {
+    real *point[3] = {&found->point.x, &found->point.y, &found->point.z};
+    real *normal[3] = {&found->normal.x, &found->normal.y, &found->normal.z};
+    real sign = real_select(is_high, real_of(1), real_of(-1));
+    for (int axis = 0; axis < 3; axis++) {
+        mask here = face == integer_of(axis);
+        real low = real_of(box->low[axis]), high = real_of(box->high[axis]);
+        real inside = real_min(real_max(*point[axis], low), high);
+        *point[axis] = real_select(here, real_select(is_high, high, low), inside);
+        *normal[axis] = real_select(here, sign, real_of(0));
+    }
+}
+
+/** @return Whether rays go up along an axis. @param ray The rays. @param axis The axis, a lane. */
+INLINE mask box_goes_up(const Ray *ray, integer axis) {
+    mask x = axis == integer_of(0), y = axis == integer_of(1);
+    return (x & (ray->inverse.x > 0)) | (y & (ray->inverse.y > 0)) |
+           (mask_not(x | y) & (ray->inverse.z > 0));
+}
+
+/** @return The lanes where the box is nearer. See #ShapeClass.is_hit.
+ *  @param self The box. @param ray The rays. @param active The lanes. @param[in,out] hit The hit.
+ */
+static mask box_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
+    const Box *box = (const Box *)self;
+    Slabs slabs;
+    mask crosses = box_slabs(box, ray, active, &slabs);
+    mask is_outside = slabs.near > 0;
+    real distance = real_select(is_outside, slabs.near, slabs.far);
+    mask nearer = hit_is_nearer(hit, crosses, distance, self->place);
+    if (!any(nearer)) {
+        return nearer;
+    }
+    // Entering upwards or leaving downwards, a ray is on the low face of the axis.
+    integer face = integer_select(is_outside, slabs.near_axis, slabs.far_axis);
+    mask goes_up = box_goes_up(ray, face);
+    mask is_high = (is_outside & mask_not(goes_up)) | (mask_not(is_outside) & goes_up);
+    Hit found = hit_nothing(distance);
+    found.point = vector_add(ray->origin, vector_scale(ray->direction, distance));
+    box_put_on_face(&found, box, face, is_high);
+    found.error = BOX_ERROR * ROUNDOFF * vector_largest(found.point);
+    found.shape = integer_of(self->place);
+    hit_take(hit, nearer, &found);
+    return nearer;
+}
+
+/** @return The lanes where the box is on the way. See #ShapeClass.is_blocking.
+ *  @param self The box. @param ray The rays. @param active The lanes. @param limit The way's end.
+ */
+static mask box_is_blocking(const Shape *self, const Ray *ray, mask active, real limit) {
+    Slabs slabs;
+    mask crosses = box_slabs((const Box *)self, ray, active, &slabs);
+    return crosses & (real_select(slabs.near > 0, slabs.near, slabs.far) < limit);
+}
+
+/** @return The box around a box. @param self The box. */
+static Bounds box_bounds(const Shape *self) {
+    const scalar *low = ((const Box *)self)->low, *high = ((const Box *)self)->high;
+    return bounds_around((Vector3){(double)low[0], (double)low[1], (double)low[2]},
+                         (Vector3){(double)high[0], (double)high[1], (double)high[2]});
+}
+
+const ShapeClass box_class = {
+    .keyword = {.name = "box",
+                .help = "a box along the axes",
+                .parameters = box_parameters,
+                .size = sizeof(BoxParameters),
+                .defaults = &box_defaults,
+                .finish = box_finish},
+    .size = sizeof(Box),
+    .init = box_init,
+    .is_hit = box_is_hit,
+    .is_blocking = box_is_blocking,
+    .bounds = box_bounds,
+};

@@ -1,0 +1,57 @@
+/**
+ * @file
+ * @brief What flat shapes share: where a ray crosses their plane.
+ */
+#ifndef DIOPTRE_TRACE_SHAPES_FLAT_H
+#define DIOPTRE_TRACE_SHAPES_FLAT_H
+
+#include "trace/shape.h"
+
+/** Half ulps of the coordinates that a point can be off its plane. */
+#define FLAT_ERROR 8
+
+/** A plane: the points p with normal . (p - anchor) = 0. */
+typedef struct Flat {
+    WidePoint anchor; /**< A point of it. */
+    WidePoint normal; /**< Its unit normal. */
+    scalar reach;     /**< Largest coordinate of the anchor: what its rounding errors scale with. */
+} Flat;
+
+/** @return A plane. @param anchor A point of it. @param normal Its normal, not zero. */
+static inline Flat flat_of(Vector3 anchor, Vector3 normal) {
+    double reach = fmax(fabs(anchor.x), fmax(fabs(anchor.y), fabs(anchor.z)));
+    return (Flat){wide_point_of(anchor), wide_point_of(vector3_normalize(normal)), (scalar)reach};
+}
+
+/**
+ * @return The t at which rays cross a plane: infinite or NaN where they run along it. The height
+ *         above the plane is taken relative to the origin and in the wide precision: in float it
+ *         would be wrong by an ulp of the distance to the anchor (research: 7.5e-2 at 1e6 away).
+ * @param flat  The plane.
+ * @param ray   The rays.
+ */
+INLINE wide flat_distance(const Flat *flat, const Ray *ray) {
+    WideVector normal = wide_vector_of(flat->normal);
+    WideVector to_anchor = wide_subtract(wide_vector_of(flat->anchor), vector_widen(ray->origin));
+    return wide_dot(normal, to_anchor) / wide_dot(normal, vector_widen(ray->direction));
+}
+
+/**
+ * @return Where rays cross a plane: the point of the ray, put back on the plane.
+ * @param flat      The plane.
+ * @param ray       The rays.
+ * @param distance  What #flat_distance said.
+ * @param place     The shape's place in the scene.
+ */
+INLINE Hit flat_hit(const Flat *flat, const Ray *ray, wide distance, int place) {
+    WideVector normal = wide_vector_of(flat->normal);
+    WideVector point =
+        wide_add_scaled(vector_widen(ray->origin), vector_widen(ray->direction), distance);
+    wide height = wide_dot(normal, wide_subtract(point, wide_vector_of(flat->anchor)));
+    Vector rounded = vector_narrow(wide_add_scaled(point, normal, -height));
+    real reach = vector_largest(rounded) + real_of(flat->reach);
+    return (Hit){narrow(distance), rounded, vector_narrow(normal), FLAT_ERROR * ROUNDOFF * reach,
+                 integer_of(place)};
+}
+
+#endif

@@ -1,0 +1,85 @@
+/**
+ * @file
+ * @brief Plane without end.
+ */
+#include "trace/shapes/flat.h"
+#include "trace/shapes/registry.h"
+
+/** What a scene file says of a plane. */
+typedef struct PlaneParameters {
+    Vector3 point;  /**< A point of it. */
+    Vector3 normal; /**< Its normal, of any length. */
+} PlaneParameters;
+
+/** A plane. @extends Shape */
+typedef struct Plane {
+    Shape base; /**< What all shapes have. */
+    Flat flat;  /**< The plane itself. */
+} Plane;
+
+/** Fields of `plane`. */
+static const Parameter plane_parameters[] = {{.name = "point",
+                                              .type = PARAMETER_VECTOR,
+                                              .offset = offsetof(PlaneParameters, point),
+                                              .minimum = -LENGTH_MAXIMUM,
+                                              .maximum = LENGTH_MAXIMUM,
+                                              .unit = "scene units",
+                                              .help = "a point of it"},
+                                             {.name = "normal",
+                                              .type = PARAMETER_DIRECTION,
+                                              .offset = offsetof(PlaneParameters, normal),
+                                              .minimum = -LENGTH_MAXIMUM,
+                                              .maximum = LENGTH_MAXIMUM,
+                                              .unit = "any length",
+                                              .help = "its normal"},
+                                             {0}};
+
+/** The floor. */
+static const PlaneParameters plane_defaults = {.normal = {0, 1, 0}};
+
+/** Makes a plane. @param self The plane. @param parameters A #PlaneParameters. */
+static void plane_init(Shape *self, const void *parameters) {
+    const PlaneParameters *p = parameters;
+    ((Plane *)self)->flat = flat_of(p->point, p->normal);
+}
+
+/** @return The lanes where the plane is nearer. See #ShapeClass.is_hit.
+ *  @param self The plane. @param ray The rays. @param active The lanes. @param[in,out] hit The hit.
+ */
+static mask plane_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
+    const Flat *flat = &((const Plane *)self)->flat;
+    wide distance = flat_distance(flat, ray);
+    mask nearer = hit_is_nearer(hit, active, narrow(distance), self->place);
+    if (any(nearer)) {
+        Hit found = flat_hit(flat, ray, distance, self->place);
+        hit_take(hit, nearer, &found);
+    }
+    return nearer;
+}
+
+/** @return The lanes where the plane is on the way. See #ShapeClass.is_blocking.
+ *  @param self The plane. @param ray The rays. @param active The lanes. @param limit The way's end.
+ */
+static mask plane_is_blocking(const Shape *self, const Ray *ray, mask active, real limit) {
+    real distance = narrow(flat_distance(&((const Plane *)self)->flat, ray));
+    return active & (distance > 0) & (distance < limit);
+}
+
+/** @return A box without end. @param self The plane. */
+static Bounds plane_bounds(const Shape *self) {
+    (void)self;
+    return bounds_infinite();
+}
+
+const ShapeClass plane_class = {
+    .keyword = {.name = "plane",
+                .help = "a plane without end",
+                .parameters = plane_parameters,
+                .size = sizeof(PlaneParameters),
+                .defaults = &plane_defaults},
+    .size = sizeof(Plane),
+    .init = plane_init,
+    .is_hit = plane_is_hit,
+    .is_blocking = plane_is_blocking,
+    .bounds = plane_bounds,
+};

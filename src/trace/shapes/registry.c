@@ -1,0 +1,9 @@
+/**
+ * @file
+ * @brief The registry: one line a shape class.
+ */
+#include "trace/shapes/registry.h"
+
+const Keyword *const shape_keywords[] = {
+    &sphere_class.keyword, &plane_class.keyword, &quad_class.keyword, &box_class.keyword, NULL,
+};

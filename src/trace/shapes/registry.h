@@ -1,0 +1,15 @@
+/**
+ * @file
+ * @brief The shape classes there are.
+ */
+#ifndef DIOPTRE_TRACE_SHAPES_REGISTRY_H
+#define DIOPTRE_TRACE_SHAPES_REGISTRY_H
+
+#include "trace/shape.h"
+
+extern const ShapeClass sphere_class; /**< `sphere` */
+extern const ShapeClass plane_class;  /**< `plane`: without end */
+extern const ShapeClass quad_class;   /**< `quad`: a parallelogram */
+extern const ShapeClass box_class;    /**< `box`: along the axes */
+
+#endif

@@ -1,0 +1,117 @@
+/**
+ * @file
+ * @brief Watertight polygons: on which side of each edge a ray passes.
+ *
+ * The corners are moved so that the ray starts at zero, and sheared so that it runs along one axis;
+ * on which side of an edge it passes is then the sign of a product of two plane vectors. Two
+ * polygons that share an edge compute the same products of it, with opposite sign, so a ray between
+ * them meets at least one (Woop, Benthin, Wald, *Watertight Ray/Triangle Intersection*, JCGT 2013).
+ * Contraction to fused multiply-add would break this: the program is built without.
+ */
+#ifndef DIOPTRE_TRACE_SHAPES_SHEAR_H
+#define DIOPTRE_TRACE_SHAPES_SHEAR_H
+
+#include "trace/ray.h"
+
+/** A corner in the engine's number type. */
+typedef struct Corner {
+    scalar x; /**< To the right. */
+    scalar y; /**< Up. */
+    scalar z; /**< Towards the viewer. */
+} Corner;
+
+/** A corner as LANES rays see it: how far beside the ray it lies. */
+typedef struct Offset {
+    real u; /**< Beside the ray, along the first of the other two axes. */
+    real v; /**< Beside the ray, along the second. */
+} Offset;
+
+/** @return A corner. @param v A point of the scene. */
+static inline Corner corner_of(Vector3 v) {
+    return (Corner){(scalar)v.x, (scalar)v.y, (scalar)v.z};
+}
+
+/**
+ * @return How far beside the rays a corner lies, for rays that run mainly along z.
+ * @param corner  The corner.
+ * @param ray     The rays.
+ */
+INLINE Offset shear_along_z(Corner corner, const Ray *ray) {
+    real depth = (real_of(corner.z) - ray->origin.z) * ray->inverse.z;
+    return (Offset){(real_of(corner.x) - ray->origin.x) - ray->direction.x * depth,
+                    (real_of(corner.y) - ray->origin.y) - ray->direction.y * depth};
+}
+
+/**
+ * @return The rays with their axes renamed in a circle, so that a given axis becomes z.
+ * @param ray   The rays.
+ * @param axis  0, 1 or 2 for x, y or z.
+ */
+INLINE Ray shear_turn_ray(const Ray *ray, int axis) {
+    Vector o = ray->origin, d = ray->direction, i = ray->inverse;
+    if (axis == 0) {
+        return (Ray){{o.y, o.z, o.x}, {d.y, d.z, d.x}, {i.y, i.z, i.x}};
+    }
+    if (axis == 1) {
+        return (Ray){{o.z, o.x, o.y}, {d.z, d.x, d.y}, {i.z, i.x, i.y}};
+    }
+    return *ray;
+}
+
+/**
+ * @return A corner with its axes renamed as #shear_turn_ray does.
+ * @param c     The corner.
+ * @param axis  0, 1 or 2 for x, y or z.
+ */
+INLINE Corner shear_turn_corner(Corner c, int axis) {
+    if (axis == 0) {
+        return (Corner){c.y, c.z, c.x};
+    }
+    return axis == 1 ? (Corner){c.z, c.x, c.y} : c;
+}
+
+/**
+ * @return The lanes whose ray passes inside a convex polygon or through its edge, for rays that run
+ *         mainly along one axis. The line counts, forwards and backwards.
+ * @param corners  The corners, in turn.
+ * @param count    How many, 3 or 4.
+ * @param ray      The rays.
+ * @param axis     The axis.
+ */
+INLINE mask shear_is_inside_along(const Corner *corners, int count, const Ray *ray, int axis) {
+    Ray turned = shear_turn_ray(ray, axis);
+    Offset first = shear_along_z(shear_turn_corner(corners[0], axis), &turned), from = first;
+    mask is_left = mask_of(true), is_right = mask_of(true);
+    for (int i = 1; i <= count; i++) {
+        Offset to = i < count ? shear_along_z(shear_turn_corner(corners[i], axis), &turned) : first;
+        real side = from.u * to.v - from.v * to.u;
+        is_left &= side >= 0;
+        is_right &= side <= 0;
+        from = to;
+    }
+    return is_left | is_right;
+}
+
+/**
+ * @return The lanes whose ray's line passes inside a convex polygon or through its edge.
+ * @param corners  The corners, in turn.
+ * @param count    How many, 3 or 4.
+ * @param ray      The rays.
+ * @param active   The lanes that count.
+ */
+INLINE mask shear_is_inside(const Corner *corners, int count, const Ray *ray, mask active) {
+    real x = real_abs(ray->direction.x), y = real_abs(ray->direction.y);
+    real z = real_abs(ray->direction.z);
+    mask mainly_z = (z >= x) & (z >= y), mainly_x = mask_not(mainly_z) & (x >= y);
+    mask along[3] = {mainly_x, mask_not(mainly_x | mainly_z), mainly_z};
+    mask inside = mask_of(false);
+    for (int axis = 0; axis < 3; axis++) {
+        mask lanes = active & along[axis];
+        if (any(lanes)) {
+            inside |= lanes & shear_is_inside_along(corners, count, ray, axis);
+        }
+    }
+    return inside;
+}
+
+#endif

@@ -1,0 +1,168 @@
+/**
+ * @file
+ * @brief Sphere.
+ *
+ * The ray's nearest point to the centre first, by projection, then half the chord; all relative to
+ * the origin of the ray and in the wide precision, because no formula in float alone can see the
+ * ground from a sphere of 100 km (Haines, Günther, Akenine-Möller, *Precision Improvements for
+ * Ray/Sphere Intersection*, Ray Tracing Gems 7). The root farther from zero comes by addition, the
+ * other by the product of the roots, so that neither cancels.
+ */
+#include "trace/shapes/registry.h"
+
+/** Half ulps of the coordinates, and of the radius, that a point can be off the sphere. */
+#define SPHERE_ERROR 8
+
+/** What a scene file says of a sphere. */
+typedef struct SphereParameters {
+    Vector3 center; /**< Its centre. */
+    double radius;  /**< Its radius, scene units. */
+} SphereParameters;
+
+/** A sphere. @extends Shape */
+typedef struct Sphere {
+    Shape base;         /**< What all shapes have. */
+    WidePoint center;   /**< Its centre. */
+    wide_scalar radius; /**< Its radius. */
+} Sphere;
+
+/** Where LANES rays cross a sphere. */
+typedef struct Chord {
+    WideVector to_center; /**< From the origins to the centre. */
+    WideVector direction; /**< The rays' directions. */
+    wide near;            /**< The smaller root. */
+    wide far;             /**< The larger root. */
+} Chord;
+
+/** Fields of `sphere`. */
+static const Parameter sphere_parameters[] = {{.name = "center",
+                                               .type = PARAMETER_VECTOR,
+                                               .offset = offsetof(SphereParameters, center),
+                                               .minimum = -LENGTH_MAXIMUM,
+                                               .maximum = LENGTH_MAXIMUM,
+                                               .unit = "scene units",
+                                               .help = "its centre"},
+                                              {.name = "radius",
+                                               .type = PARAMETER_NUMBER,
+                                               .offset = offsetof(SphereParameters, radius),
+                                               .minimum = LENGTH_MINIMUM,
+                                               .maximum = LENGTH_MAXIMUM,
+                                               .unit = "scene units",
+                                               .help = "its radius"},
+                                              {0}};
+
+/** A sphere of radius 1 at the origin. */
+static const SphereParameters sphere_defaults = {.radius = 1};
+
+/** Makes a sphere. @param self The sphere. @param parameters A #SphereParameters. */
+static void sphere_init(Shape *self, const void *parameters) {
+    Sphere *sphere = (Sphere *)self;
+    const SphereParameters *p = parameters;
+    sphere->center = wide_point_of(p->center);
+    sphere->radius = (wide_scalar)p->radius;
+}
+
+/**
+ * Solves |origin + t direction - center| = radius.
+ * @param sphere      The sphere.
+ * @param ray         The rays.
+ * @param active      The lanes that count.
+ * @param[out] chord  The roots; NaN in lanes that miss.
+ * @return The lanes whose line, forwards or backwards, meets the sphere.
+ */
+INLINE mask sphere_chord(const Sphere *sphere, const Ray *ray, mask active, Chord *chord) {
+    // The point of the line that is nearest to the centre.
+    WideVector direction = vector_widen(ray->direction);
+    WideVector to_center = wide_subtract(wide_vector_of(sphere->center), vector_widen(ray->origin));
+    wide length_squared = wide_dot(direction, direction);
+    wide middle = wide_dot(to_center, direction) / length_squared;
+    WideVector away = wide_add_scaled(to_center, direction, -middle);
+
+    // Half the chord, from the right triangle of radius and distance.
+    wide radius_squared = wide_of(sphere->radius * sphere->radius);
+    wide half_squared = radius_squared - wide_dot(away, away);
+    mask crosses = active & narrow_mask(half_squared >= 0);
+    if (!any(crosses)) {
+        return crosses;
+    }
+    wide half = wide_sqrt(half_squared / length_squared);
+
+    // The root farther from zero by a sum, the other by the product of the two.
+    wide_mask is_ahead = middle > 0;
+    wide sum = middle + wide_select(is_ahead, half, -half);
+    wide product = (wide_dot(to_center, to_center) - radius_squared) / length_squared;
+    wide quotient = product / sum;
+    chord->near = wide_select(is_ahead, quotient, sum);
+    chord->far = wide_select(is_ahead, sum, quotient);
+    chord->to_center = to_center;
+    chord->direction = direction;
+    return crosses;
+}
+
+/** @return The lanes where the nearest root ahead counts. See #ShapeClass.is_hit.
+ *  @param self The sphere. @param ray The rays. @param active The lanes. @param[in,out] hit The
+ * hit.
+ */
+static mask sphere_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
+    const Sphere *sphere = (const Sphere *)self;
+    Chord chord;
+    mask crosses = sphere_chord(sphere, ray, active, &chord);
+    if (!any(crosses)) {
+        return crosses;
+    }
+    wide root = wide_select(chord.near > 0, chord.near, chord.far);
+    real distance = narrow(root);
+    mask nearer = hit_is_nearer(hit, crosses, distance, self->place);
+    if (!any(nearer)) {
+        return nearer;
+    }
+
+    // The point is put back on the sphere: its direction from the centre, one radius long.
+    WideVector zero = {wide_of(0), wide_of(0), wide_of(0)};
+    WideVector arm = wide_subtract(wide_add_scaled(zero, chord.direction, root), chord.to_center);
+    wide shrink = 1 / wide_sqrt(wide_dot(arm, arm));
+    WideVector normal = wide_add_scaled(zero, arm, shrink);
+    WideVector center = wide_vector_of(sphere->center);
+    Vector point = vector_narrow(wide_add_scaled(center, normal, wide_of(sphere->radius)));
+    real reach = vector_largest(point) + real_of((scalar)sphere->radius);
+    Hit found = {distance, point, vector_narrow(normal), SPHERE_ERROR * ROUNDOFF * reach,
+                 integer_of(self->place)};
+    hit_take(hit, nearer, &found);
+    return nearer;
+}
+
+/** @return The lanes where a root lies on the way. See #ShapeClass.is_blocking.
+ *  @param self The sphere. @param ray The rays. @param active The lanes. @param limit The way's
+ * end.
+ */
+static mask sphere_is_blocking(const Shape *self, const Ray *ray, mask active, real limit) {
+    Chord chord;
+    mask crosses = sphere_chord((const Sphere *)self, ray, active, &chord);
+    if (!any(crosses)) {
+        return crosses;
+    }
+    real distance = narrow(wide_select(chord.near > 0, chord.near, chord.far));
+    return crosses & (distance > 0) & (distance < limit);
+}
+
+/** @return The box around a sphere. @param self The sphere. */
+static Bounds sphere_bounds(const Shape *self) {
+    const Sphere *sphere = (const Sphere *)self;
+    Vector3 center = {(double)sphere->center.x, (double)sphere->center.y, (double)sphere->center.z};
+    double r = (double)sphere->radius;
+    return bounds_around(vector3_subtract(center, (Vector3){r, r, r}),
+                         vector3_add(center, (Vector3){r, r, r}));
+}
+
+const ShapeClass sphere_class = {
+    .keyword = {.name = "sphere",
+                .help = "a ball",
+                .parameters = sphere_parameters,
+                .size = sizeof(SphereParameters),
+                .defaults = &sphere_defaults},
+    .size = sizeof(Sphere),
+    .init = sphere_init,
+    .is_hit = sphere_is_hit,
+    .is_blocking = sphere_is_blocking,
+    .bounds = sphere_bounds,
+};

@@ -1,0 +1,54 @@
+/**
+ * @file
+ * @brief Surfaces: materials in the engine's number type, and what they do with light.
+ */
+#ifndef DIOPTRE_TRACE_SURFACE_H
+#define DIOPTRE_TRACE_SURFACE_H
+
+#include "trace/ray.h"
+
+/** A material. What is not mirrored is left to the body: its weights hold the factor 1 - R. */
+typedef struct Surface {
+    Scalar3 emission;  /**< Light of its own. */
+    Scalar3 body;      /**< (1 - R) times the colour. */
+    Scalar3 highlight; /**< (1 - R) times the weight of highlights. */
+    Scalar3 mirror;    /**< R: the share that is mirrored. */
+    Scalar3 ambient;   /**< Light from everywhere, weighted. */
+    scalar diffuse;    /**< Weight of the lights' matt shine. */
+    scalar shininess;  /**< Exponent of highlights. */
+} Surface;
+
+/** The materials that LANES rays have met. */
+typedef struct Surfaces {
+    Light3 emission;  /**< See #Surface. */
+    Light3 body;      /**< See #Surface. */
+    Light3 highlight; /**< See #Surface. */
+    Light3 mirror;    /**< See #Surface. */
+    Light3 ambient;   /**< See #Surface. */
+    real diffuse;     /**< See #Surface. */
+    real shininess;   /**< See #Surface. */
+} Surfaces;
+
+/** @return A material in the engine's number type. @param material It. @param ambient The scene's.
+ */
+Surface surface_of(const Material *material, Color ambient);
+
+/**
+ * @return What LANES rays have met.
+ * @param surfaces   All materials.
+ * @param materials  The place of the material in each lane.
+ * @param active     The lanes that count; the others get any material.
+ */
+Surfaces surfaces_gather(const Surface *surfaces, integer materials, mask active);
+
+/**
+ * @return base to the power of exponent: by squares for the whole part of the exponent and square
+ *         roots for the rest, so only correctly rounded operations are used and every machine gets
+ *         the same bits (a C library's pow may differ). The error is about `exponent` half ulps,
+ *         no more than one rounding of the base would cause.
+ * @param base      0 to 1.
+ * @param exponent  At least 0.
+ */
+real surface_power(real base, real exponent);
+
+#endif

@@ -1,0 +1,44 @@
+/**
+ * @file
+ * @brief The tracer: from a packet of rays to its colours.
+ */
+#ifndef DIOPTRE_TRACE_TRACER_H
+#define DIOPTRE_TRACE_TRACER_H
+
+#include "trace/eye.h"
+#include "trace/lighting.h"
+
+/** The sky in the engine's number type. */
+typedef struct Backdrop {
+    Light3 horizon;   /**< At the horizon and below. */
+    Light3 rise;      /**< What the zenith has more than the horizon. */
+    bool is_gradient; /**< Whether the two differ; otherwise the direction is not looked at. */
+} Backdrop;
+
+/** The tracer of one scene at one precision and width. */
+struct Tracer {
+    ShapeList list;      /**< The shapes. */
+    Surface *surfaces;   /**< The materials; owned. */
+    Lamp *lamps;         /**< The lamps; owned. */
+    size_t lamp_count;   /**< How many. */
+    Eye eye;             /**< The camera. */
+    Backdrop backdrop;   /**< The sky. */
+    Departure departure; /**< How rays leave surfaces. */
+    int depth;           /**< How often a ray may be mirrored; 0 where nothing mirrors. */
+    bool shines;         /**< Whether any surface has highlights. */
+};
+
+/**
+ * Finds the colours that a packet of rays brings back.
+ * @param tracer  The tracer.
+ * @param packet  The rays, of unit direction, at least one active.
+ * @param weight  For each vector of rays: the largest share with which a primary of its colour
+ *                enters the picture.
+ * @param depth   How often the rays may still be mirrored.
+ * @param[out] colors  A colour for each vector of rays.
+ * @param[in,out] counts  Mirrored and shadow rays are added to this.
+ */
+void tracer_follow(const Tracer *tracer, const Packet *packet, const real *weight, int depth,
+                   Light3 *colors, RayCounts *counts);
+
+#endif

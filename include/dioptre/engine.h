@@ -53,9 +53,15 @@ typedef struct RayCounts {
 
 /** A ray as a question to an engine from outside. */
 typedef struct RayQuery {
+    Quadruple origin[3];    /**< Where it starts; rounded to the engine's number type. */
+    Quadruple direction[3]; /**< Which way, of any length but 0; rounded likewise. */
+} RayQuery;
+
+/** A ray as a question in bulk, where only the answer's speed counts. */
+typedef struct PlainRay {
     double origin[3];    /**< Where it starts; rounded to the engine's number type. */
     double direction[3]; /**< Which way, of any length but 0; rounded likewise. */
-} RayQuery;
+} PlainRay;
 
 /** What an engine answers. */
 typedef struct RayAnswer {
@@ -119,11 +125,11 @@ typedef struct Engine {
      * Finds the nearest hit of any rays: no shading, no other rays.
      * @param tracer         The tracer.
      * @param count          How many.
-     * @param queries        The rays.
+     * @param rays           The rays.
      * @param[out] shapes    The shape that each meets, or -1.
      * @param[out] distances How far, in lengths of its direction, or infinity.
      */
-    void (*nearest)(const Tracer *tracer, size_t count, const RayQuery *queries, int *shapes,
+    void (*nearest)(const Tracer *tracer, size_t count, const PlainRay *rays, int *shapes,
                     double *distances);
 
     /**

@@ -52,8 +52,18 @@ static inline Vector3 vector3_cross(Vector3 a, Vector3 b) {
 }
 
 /**
- * @return The length of v. Divided by its largest component first, so that neither a very long
- *         nor a very short vector overflows on the way.
+ * @return v with its largest component between 1/2 and 1, by a power of two: the same direction, to
+ *         the bit, but squares of it neither overflow nor vanish.
+ * @param v A finite vector that is not zero.
+ */
+static inline Vector3 vector3_scaled(Vector3 v) {
+    int exponent;
+    frexp(fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z))), &exponent);
+    return (Vector3){ldexp(v.x, -exponent), ldexp(v.y, -exponent), ldexp(v.z, -exponent)};
+}
+
+/**
+ * @return The length of v; neither a very long nor a very short vector overflows on the way.
  * @param v Any finite vector.
  */
 static inline double vector3_length(Vector3 v) {

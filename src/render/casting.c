@@ -15,7 +15,7 @@
 /** What the threads share. */
 typedef struct Casting {
     const Renderer *renderer; /**< The renderer. */
-    const RayQuery *queries;  /**< Random rays; NULL: the camera's. */
+    const PlainRay *rays;  /**< Random rays; NULL: the camera's. */
     size_t count;             /**< How many rays in all. */
 } Casting;
 
@@ -38,7 +38,7 @@ static void cast_some(void *context, size_t index) {
     size_t first = index * CASTING_RAYS, left = casting->count - first;
     casting->renderer->settings.engine->nearest(casting->renderer->tracer,
                                                 left < CASTING_RAYS ? left : CASTING_RAYS,
-                                                casting->queries + first, shapes, distances);
+                                                casting->rays + first, shapes, distances);
 }
 
 /**
@@ -55,10 +55,10 @@ static double random_uniform(uint64_t *state) {
 
 /** @return A ray from anywhere in a box to anywhere. @param[in,out] state The generator.
  *  @param low The box. @param high The box. */
-static RayQuery random_ray(uint64_t *state, Vector3 low, Vector3 high) {
+static PlainRay random_ray(uint64_t *state, Vector3 low, Vector3 high) {
     double height = 2 * random_uniform(state) - 1, angle = 2 * M_PI * random_uniform(state);
     double across = sqrt(1 - height * height);
-    RayQuery ray = {.direction = {across * cos(angle), height, across * sin(angle)}};
+    PlainRay ray = {.direction = {across * cos(angle), height, across * sin(angle)}};
     ray.origin[0] = low.x + (high.x - low.x) * random_uniform(state);
     ray.origin[1] = low.y + (high.y - low.y) * random_uniform(state);
     ray.origin[2] = low.z + (high.z - low.z) * random_uniform(state);
@@ -67,13 +67,13 @@ static RayQuery random_ray(uint64_t *state, Vector3 low, Vector3 high) {
 
 /** @return Random rays, to be freed; NULL without memory. @param renderer The renderer.
  *  @param count How many. */
-static RayQuery *random_rays(const Renderer *renderer, size_t count) {
+static PlainRay *random_rays(const Renderer *renderer, size_t count) {
     Vector3 low, high;
     renderer->settings.engine->bounds(renderer->tracer, &low, &high);
     if (!(low.x <= high.x)) {
         low = high = (Vector3){0, 0, 0};
     }
-    RayQuery *rays = malloc(count * sizeof *rays);
+    PlainRay *rays = malloc(count * sizeof *rays);
     uint64_t state = CASTING_SEED;
     for (size_t i = 0; rays && i < count; i++) {
         rays[i] = random_ray(&state, low, high);
@@ -84,7 +84,7 @@ static RayQuery *random_rays(const Renderer *renderer, size_t count) {
 RenderReport renderer_cast(Renderer *renderer, bool random) {
     const RenderSettings *settings = &renderer->settings;
     size_t count = (size_t)settings->width * (size_t)settings->height;
-    RayQuery *rays = random ? random_rays(renderer, count) : NULL;
+    PlainRay *rays = random ? random_rays(renderer, count) : NULL;
     if (random && !rays) {
         return (RenderReport){0};
     }

@@ -142,30 +142,69 @@ static void engine_cast(const Tracer *tracer, const PixelGrid *grid, int *shapes
 }
 
 /**
- * Makes a packet of rays from outside.
- * @param queries  The rays.
- * @param count    How many, at most #PACKET_RAYS.
+ * Begins a packet of rays from outside: none is active yet.
  * @param[out] packet  The packet.
  */
-static void queries_pack(const RayQuery *queries, size_t count, Packet *packet) {
+static void packet_clear(Packet *packet) {
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        Vector origin = {real_of(0), real_of(0), real_of(0)},
-               direction = {real_of(0), real_of(0), real_of(1)};
-        mask active = mask_of(false);
-        for (int i = 0; i < LANES && (size_t)(v * LANES + i) < count; i++) {
-            const RayQuery *query = &queries[v * LANES + i];
-            real_set_lane(&origin.x, i, (scalar)query->origin[0]);
-            real_set_lane(&origin.y, i, (scalar)query->origin[1]);
-            real_set_lane(&origin.z, i, (scalar)query->origin[2]);
-            real_set_lane(&direction.x, i, (scalar)query->direction[0]);
-            real_set_lane(&direction.y, i, (scalar)query->direction[1]);
-            real_set_lane(&direction.z, i, (scalar)query->direction[2]);
-            mask_set_lane(&active, i, true);
-        }
-        packet->rays[v] = ray_of(origin, direction);
-        packet->active[v] = active;
+        Vector zero = {real_of(0), real_of(0), real_of(0)};
+        packet->rays[v] = (Ray){zero, zero, zero};
+        packet->active[v] = mask_of(false);
         packet->limit[v] = real_of(INFINITE);
     }
+}
+
+/**
+ * Puts a ray into a packet; #packet_close makes it whole.
+ * @param[in,out] packet  The packet.
+ * @param i          Its place, 0 to #PACKET_RAYS - 1.
+ * @param origin     Where it starts, in the engine's numbers.
+ * @param direction  Which way, in the engine's numbers.
+ */
+INLINE void packet_put(Packet *packet, size_t i, const scalar origin[3],
+                       const scalar direction[3]) {
+    Ray *ray = &packet->rays[i / LANES];
+    int lane = (int)(i % LANES);
+    real_set_lane(&ray->origin.x, lane, origin[0]);
+    real_set_lane(&ray->origin.y, lane, origin[1]);
+    real_set_lane(&ray->origin.z, lane, origin[2]);
+    real_set_lane(&ray->direction.x, lane, direction[0]);
+    real_set_lane(&ray->direction.y, lane, direction[1]);
+    real_set_lane(&ray->direction.z, lane, direction[2]);
+    mask_set_lane(&packet->active[i / LANES], lane, true);
+}
+
+/** Works out what follows from the rays that were put in. @param[in,out] packet The packet. */
+static void packet_close(Packet *packet) {
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        packet->rays[v] = ray_of(packet->rays[v].origin, packet->rays[v].direction);
+    }
+}
+
+/** Makes a packet of plain rays. @param rays The rays. @param count How many, at most
+ *  #PACKET_RAYS. @param[out] packet The packet. */
+static void plain_pack(const PlainRay *rays, size_t count, Packet *packet) {
+    packet_clear(packet);
+    for (size_t i = 0; i < count; i++) {
+        const double *o = rays[i].origin, *d = rays[i].direction;
+        const scalar origin[3] = {(scalar)o[0], (scalar)o[1], (scalar)o[2]};
+        const scalar direction[3] = {(scalar)d[0], (scalar)d[1], (scalar)d[2]};
+        packet_put(packet, i, origin, direction);
+    }
+    packet_close(packet);
+}
+
+/** Makes a packet of rays asked in full. @param queries The rays. @param count How many, at most
+ *  #PACKET_RAYS. @param[out] packet The packet. */
+static void queries_pack(const RayQuery *queries, size_t count, Packet *packet) {
+    packet_clear(packet);
+    for (size_t i = 0; i < count; i++) {
+        const Quadruple *o = queries[i].origin, *d = queries[i].direction;
+        const scalar origin[3] = {(scalar)o[0], (scalar)o[1], (scalar)o[2]};
+        const scalar direction[3] = {(scalar)d[0], (scalar)d[1], (scalar)d[2]};
+        packet_put(packet, i, origin, direction);
+    }
+    packet_close(packet);
 }
 
 /** @return How many of the rays from `done` on fill the next packet. @param count All rays.
@@ -175,15 +214,15 @@ static size_t packet_fill(size_t count, size_t done) {
 }
 
 /** Finds the nearest hits of any rays. See #Engine.nearest. @param tracer The tracer.
- *  @param count How many. @param queries The rays. @param[out] shapes What they meet.
+ *  @param count How many. @param rays The rays. @param[out] shapes What they meet.
  *  @param[out] distances How far. */
-static void engine_nearest(const Tracer *tracer, size_t count, const RayQuery *queries, int *shapes,
+static void engine_nearest(const Tracer *tracer, size_t count, const PlainRay *rays, int *shapes,
                            double *distances) {
     for (size_t done = 0; done < count; done += PACKET_RAYS) {
         Packet packet;
         Hit hits[PACKET_VECTORS];
         size_t fill = packet_fill(count, done);
-        queries_pack(queries + done, fill, &packet);
+        plain_pack(rays + done, fill, &packet);
         shape_list_nearest(&tracer->list, &packet, hits);
         for (size_t i = 0; i < fill; i++) {
             shapes[done + i] = integer_lane(hits[i / LANES].shape, (int)(i % LANES));

@@ -122,6 +122,17 @@ INLINE wide wide_dot(WideVector a, WideVector b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
+/** @return a x b, one of each. @param a A direction. @param b Another. */
+static inline WidePoint wide_point_cross(WidePoint a, WidePoint b) {
+    return (WidePoint){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/** @return v with length 1. @param v A direction, not zero. */
+static inline WidePoint wide_point_normalize(WidePoint v) {
+    wide_scalar length = (wide_scalar)WIDE_SQRT(v.x * v.x + v.y * v.y + v.z * v.z);
+    return (WidePoint){v.x / length, v.y / length, v.z / length};
+}
+
 /* --- light ------------------------------------------------------------------------------------ */
 
 /** @return A colour in the engine's number type. @param c A colour of the scene. */

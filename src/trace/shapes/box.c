@@ -103,6 +103,17 @@ INLINE void slabs_clip(Slabs *slabs, int axis, scalar low, scalar high, real ori
 }
 
 /**
+ * @return The lanes whose ray has no NaN. Slabs drop NaN of their own making, on purpose, and with
+ *         it one that came in.
+ * @param ray  The rays.
+ */
+INLINE mask ray_is_number(const Ray *ray) {
+    real sum = (ray->origin.x + ray->origin.y + ray->origin.z) +
+               (ray->direction.x + ray->direction.y + ray->direction.z);
+    return sum == sum;
+}
+
+/**
  * Finds where rays enter and leave a box.
  * @param box         The box.
  * @param ray         The rays.
@@ -116,7 +127,7 @@ INLINE mask box_slabs(const Box *box, const Ray *ray, mask active, Slabs *slabs)
     slabs_clip(slabs, 0, low[0], high[0], ray->origin.x, ray->inverse.x);
     slabs_clip(slabs, 1, low[1], high[1], ray->origin.y, ray->inverse.y);
     slabs_clip(slabs, 2, low[2], high[2], ray->origin.z, ray->inverse.z);
-    return active & (slabs->far > 0) & (slabs->near <= slabs->far * BOX_SLACK);
+    return active & ray_is_number(ray) & (slabs->far > 0) & (slabs->near <= slabs->far * BOX_SLACK);
 }
 
 /**

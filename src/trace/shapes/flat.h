@@ -17,10 +17,10 @@ typedef struct Flat {
     scalar reach;     /**< Largest coordinate of the anchor: what its rounding errors scale with. */
 } Flat;
 
-/** @return A plane. @param anchor A point of it. @param normal Its normal, not zero. */
-static inline Flat flat_of(Vector3 anchor, Vector3 normal) {
+/** @return A plane. @param anchor A point of it. @param normal Its normal, about one long. */
+static inline Flat flat_of(Vector3 anchor, WidePoint normal) {
     double reach = fmax(fabs(anchor.x), fmax(fabs(anchor.y), fabs(anchor.z)));
-    return (Flat){wide_point_of(anchor), wide_point_of(vector3_normalize(normal)), (scalar)reach};
+    return (Flat){wide_point_of(anchor), wide_point_normalize(normal), (scalar)reach};
 }
 
 /**

@@ -40,7 +40,7 @@ static const PlaneParameters plane_defaults = {.normal = {0, 1, 0}};
 /** Makes a plane. @param self The plane. @param parameters A #PlaneParameters. */
 static void plane_init(Shape *self, const void *parameters) {
     const PlaneParameters *p = parameters;
-    ((Plane *)self)->flat = flat_of(p->point, p->normal);
+    ((Plane *)self)->flat = flat_of(p->point, wide_point_of(vector3_scaled(p->normal)));
 }
 
 /** @return The lanes where the plane is nearer. See #ShapeClass.is_hit.

@@ -72,8 +72,8 @@ static void quad_init(Shape *self, const void *parameters) {
     Quad *quad = (Quad *)self;
     const QuadParameters *p = parameters;
     Vector3 next = vector3_add(p->corner, p->u), last = vector3_add(p->corner, p->v);
-    quad->flat =
-        flat_of(p->corner, vector3_cross(vector3_normalize(p->u), vector3_normalize(p->v)));
+    WidePoint u = wide_point_of(vector3_scaled(p->u)), v = wide_point_of(vector3_scaled(p->v));
+    quad->flat = flat_of(p->corner, wide_point_cross(u, v));
     quad->corners[0] = corner_of(p->corner);
     quad->corners[1] = corner_of(next);
     quad->corners[2] = corner_of(vector3_add(next, p->v));

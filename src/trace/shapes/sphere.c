@@ -28,8 +28,9 @@ typedef struct Sphere {
 
 /** Where LANES rays cross a sphere. */
 typedef struct Chord {
-    WideVector to_center; /**< From the origins to the centre. */
+    WideVector away;      /**< From the chord's middle to the centre. */
     WideVector direction; /**< The rays' directions. */
+    wide half;            /**< Half the chord, in lengths of the direction. */
     wide near;            /**< The smaller root. */
     wide far;             /**< The larger root. */
 } Chord;
@@ -94,7 +95,8 @@ INLINE mask sphere_chord(const Sphere *sphere, const Ray *ray, mask active, Chor
     wide quotient = product / sum;
     chord->near = wide_select(is_ahead, quotient, sum);
     chord->far = wide_select(is_ahead, sum, quotient);
-    chord->to_center = to_center;
+    chord->away = away;
+    chord->half = half;
     chord->direction = direction;
     return crosses;
 }
@@ -110,16 +112,19 @@ static mask sphere_is_hit(const Shape *self, const Ray *ray, mask active, Hit *h
     if (!any(crosses)) {
         return crosses;
     }
-    wide root = wide_select(chord.near > 0, chord.near, chord.far);
+    wide_mask is_outside = chord.near > 0;
+    wide root = wide_select(is_outside, chord.near, chord.far);
     real distance = narrow(root);
     mask nearer = hit_is_nearer(hit, crosses, distance, self->place);
     if (!any(nearer)) {
         return nearer;
     }
 
-    // The point is put back on the sphere: its direction from the centre, one radius long.
+    // From the centre to the point: never a difference of large numbers, and never zero.
     WideVector zero = {wide_of(0), wide_of(0), wide_of(0)};
-    WideVector arm = wide_subtract(wide_add_scaled(zero, chord.direction, root), chord.to_center);
+    wide half = wide_select(is_outside, -chord.half, chord.half);
+    WideVector arm = wide_subtract(wide_add_scaled(zero, chord.direction, half), chord.away);
+    // The point is put back on the sphere: one radius long in the direction of the arm.
     wide shrink = 1 / wide_sqrt(wide_dot(arm, arm));
     WideVector normal = wide_add_scaled(zero, arm, shrink);
     WideVector center = wide_vector_of(sphere->center);

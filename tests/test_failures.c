@@ -1,0 +1,417 @@
+/**
+ * @file
+ * @brief Every method in the regime where such methods fail (doc/tour.md names them): far spheres
+ * and the ground seen from a sphere's surface, edges and corners between quads, rays that just
+ *        touch a box, grazing planes, surfaces that coincide.
+ */
+#include "testing.h"
+
+#include <stdlib.h>
+
+/** As the scene language says a sphere. */
+typedef struct SphereParameters {
+    Vector3 center; /**< Centre. */
+    double radius;  /**< Radius. */
+} SphereParameters;
+
+/** As the scene language says a plane. */
+typedef struct PlaneParameters {
+    Vector3 point;  /**< A point. */
+    Vector3 normal; /**< Its normal. */
+} PlaneParameters;
+
+/** As the scene language says a quad. */
+typedef struct QuadParameters {
+    Vector3 corner; /**< A corner. */
+    Vector3 u;      /**< To the next. */
+    Vector3 v;      /**< To the other next. */
+} QuadParameters;
+
+/** As the scene language says a box. */
+typedef struct BoxParameters {
+    Vector3 low;  /**< Lowest corner. */
+    Vector3 high; /**< Highest corner. */
+} BoxParameters;
+
+/** Rays that a packet of questions holds. */
+enum { BATCH = 4096 };
+
+/** @return An empty scene with a camera. */
+static Scene *empty_scene(void) {
+    Error error = {0};
+    Scene *scene = scene_create(&error);
+    assert_non_null(scene);
+    scene->camera = *(const Camera *)camera_keyword.defaults;
+    return scene;
+}
+
+/** Adds a shape. @param scene The scene. @param name The shape's keyword. @param parameters It. */
+static void add(Scene *scene, const char *name, const void *parameters) {
+    const Keyword *const *keywords = engine_list()[0]->shape_keywords;
+    size_t kind = 0;
+    while (strcmp(keywords[kind]->name, name) != 0) {
+        kind++;
+    }
+    Error error = {0};
+    assert_true(scene_add_shape(scene, kind, keywords[kind], parameters, 0, &error));
+}
+
+/** @return A tracer. @param engine The engine. @param scene The scene. */
+static Tracer *prepare(const Engine *engine, const Scene *scene) {
+    Error error = {0};
+    TraceSettings settings = {.offset = OFFSET_BOUND};
+    Tracer *tracer = engine->prepare(scene, &settings, &error);
+    assert_non_null(tracer);
+    return tracer;
+}
+
+/** A test of one engine. @param engine The engine. */
+typedef void (*EngineTest)(const Engine *engine);
+
+/** Runs a test in every engine that this machine can run. @param test The test. */
+static void in_every_engine(EngineTest test) {
+    for (const Engine *const *engine = engine_list(); *engine; engine++) {
+        if (engine_is_supported(*engine)) {
+            test(*engine);
+        }
+    }
+}
+
+/** @return How many rays to ask: the reference engine is a hundred times slower. @param engine It.
+ *  @param count For the others. */
+static long scaled(const Engine *engine, long count) {
+    return engine->mantissa_bits > 64 ? count / 100 : count;
+}
+
+/** @return A ray from one point towards another. @param from Where. @param to Where to. */
+static RayQuery ray_towards(Vector3 from, Vector3 to) {
+    return (RayQuery){{from.x, from.y, from.z}, {to.x - from.x, to.y - from.y, to.z - from.z}};
+}
+
+/* --- spheres --------------------------------------------------------------------------------- */
+
+/** @return Distance to a sphere at the origin, in quad. @param ray The ray. @param radius Its
+ * radius.
+ */
+static Quadruple sphere_distance(const RayQuery *ray, Quadruple radius) {
+    Quadruple a = 0, b = 0, c = -radius * radius;
+    for (int i = 0; i < 3; i++) {
+        a += ray->direction[i] * ray->direction[i];
+        b += ray->origin[i] * ray->direction[i];
+        c += ray->origin[i] * ray->origin[i];
+    }
+    Quadruple root = quad_sqrt(b * b - a * c);
+    Quadruple sum = b < 0 ? -b + root : -b - root;
+    return b < 0 ? c / sum : sum / a;
+}
+
+/** The ground: a sphere of radius 100 to 1e6, seen from 1 above it, where every formula in float
+ *  alone is wrong by 1e-3 (numerics.md, finding 2). @param engine The engine. */
+static void ground_sphere(const Engine *engine) {
+    uint64_t state = 1;
+    for (double radius = 1e2; radius <= 1e6; radius *= 10) {
+        Scene *scene = empty_scene();
+        SphereParameters ground = {{0, 0, 0}, radius};
+        add(scene, "sphere", &ground);
+        Tracer *tracer = prepare(engine, scene);
+        double worst = 0, height = radius + 1;
+        for (int n = 0; n < 2000; n++) {
+            double azimuth = 2 * M_PI * random_share(&state), down = -0.05 - random_share(&state);
+            RayQuery ray = {{(float)(0.6 * height), (float)(0.8 * height), 0},
+                            {(float)(0.6 * down - 0.8 * cos(azimuth)),
+                             (float)(0.8 * down + 0.6 * cos(azimuth)), (float)sin(azimuth)}};
+            RayAnswer answer;
+            engine->intersect(tracer, 1, &ray, &answer);
+            Quadruple truth = sphere_distance(&ray, radius);
+            if (answer.shape == 0 && truth > 0) {
+                worst = fmax(worst, (double)(quad_abs(answer.distance - truth) / truth));
+            }
+        }
+        assert_at_most(worst, engine->mantissa_bits == 24 ? 6.0e-8 : 1e-9,
+                       "ground of radius %g in %s", radius, engine->name);
+        engine->release(tracer);
+        scene_destroy(scene);
+    }
+}
+
+/** A sphere 1e3 to 1e6 radii away: none missed, none met that is not there, 0.1 % beside the rim.
+ *  @param engine The engine. */
+static void far_sphere(const Engine *engine) {
+    uint64_t state = 2;
+    for (double away = 1e3; away <= 1e6; away *= 10) {
+        Scene *scene = empty_scene();
+        SphereParameters ball = {{0, 0, 0}, 1};
+        add(scene, "sphere", &ball);
+        Tracer *tracer = prepare(engine, scene);
+        int wrong = 0;
+        for (int n = 0; n < 4000; n++) {
+            // Aimed with a direction that float holds exactly: 1 away along z, then beside it.
+            double rim = n % 2 ? 0.999 : 1.001, angle = 2 * M_PI * random_share(&state);
+            RayQuery ray = {{(float)(rim * cos(angle)), (float)(rim * sin(angle)), away},
+                            {0, 0, -1}};
+            Quadruple beside = ray.origin[0] * ray.origin[0] + ray.origin[1] * ray.origin[1];
+            RayAnswer answer;
+            engine->intersect(tracer, 1, &ray, &answer);
+            wrong += (answer.shape == 0) != (beside <= 1);
+        }
+        assert_at_most(wrong, 0, "sphere %g radii away in %s, wrong of 4000", away, engine->name);
+        engine->release(tracer);
+        scene_destroy(scene);
+    }
+}
+
+/* --- quads ----------------------------------------------------------------------------------- */
+
+/** @return A room of six quads, moved and not square. */
+static Scene *quad_room(void) {
+    Scene *scene = empty_scene();
+    Vector3 a = {-1.25, 0.5, 3.75}, x = {2.5, 0.25, 0.5}, y = {-0.375, 3.125, 0.25},
+            z = {0.125, -0.5, 2.25};
+    Vector3 far = vector3_add(a, vector3_add(x, vector3_add(y, z)));
+    Vector3 minus_x = vector3_scale(x, -1), minus_y = vector3_scale(y, -1),
+            minus_z = vector3_scale(z, -1);
+    QuadParameters walls[] = {{a, x, y},
+                              {a, y, z},
+                              {a, z, x},
+                              {far, minus_x, minus_y},
+                              {far, minus_y, minus_z},
+                              {far, minus_z, minus_x}};
+    for (size_t i = 0; i < sizeof walls / sizeof *walls; i++) {
+        add(scene, "quad", &walls[i]);
+    }
+    return scene;
+}
+
+/** @return A corner of that room, 0 to 7. @param which Which. */
+static Vector3 room_corner(unsigned which) {
+    Vector3 p = {-1.25, 0.5, 3.75};
+    p = which & 1 ? vector3_add(p, (Vector3){2.5, 0.25, 0.5}) : p;
+    p = which & 2 ? vector3_add(p, (Vector3){-0.375, 3.125, 0.25}) : p;
+    return which & 4 ? vector3_add(p, (Vector3){0.125, -0.5, 2.25}) : p;
+}
+
+/** @return A target: a corner of the room, or a point of one of its edges.
+ *  @param[in,out] state A generator. @param at_corner Which of the two. */
+static Vector3 room_target(uint64_t *state, bool at_corner) {
+    unsigned corner = (unsigned)(8 * random_share(state));
+    Vector3 from = room_corner(corner);
+    if (at_corner) {
+        return from;
+    }
+    unsigned axis = (unsigned)(3 * random_share(state));
+    Vector3 to = room_corner(corner ^ (1u << axis));
+    return vector3_add(from, vector3_scale(vector3_subtract(to, from), random_share(state)));
+}
+
+/** From inside the closed room, rays aimed at its edges and corners: not one gets out. A million of
+ *  each (a hundredth in quad). @param engine The engine. */
+static void watertight_quads(const Engine *engine) {
+    Scene *scene = quad_room();
+    Tracer *tracer = prepare(engine, scene);
+    RayQuery *rays = calloc(BATCH, sizeof *rays);
+    RayAnswer *answers = calloc(BATCH, sizeof *answers);
+    uint64_t state = 3;
+    for (int at_corner = 0; at_corner < 2; at_corner++) {
+        long leaks = 0, count = scaled(engine, 1000000);
+        for (long done = 0; done < count; done += BATCH) {
+            for (int i = 0; i < BATCH; i++) {
+                Vector3 eye = {random_float(&state, -0.5, 0.5), random_float(&state, 1.5, 2.5),
+                               random_float(&state, 4.75, 5.75)};
+                rays[i] = ray_towards(eye, room_target(&state, at_corner));
+            }
+            engine->intersect(tracer, BATCH, rays, answers);
+            for (int i = 0; i < BATCH; i++) {
+                leaks += answers[i].shape < 0 || !answers[i].blocked;
+            }
+        }
+        assert_at_most(leaks, 0, "leaks at %s in %s of %ld", at_corner ? "corners" : "edges",
+                       engine->name, count);
+    }
+    free(rays);
+    free(answers);
+    engine->release(tracer);
+    scene_destroy(scene);
+}
+
+/** Two quads in one plane: the first is seen everywhere, no speckles. @param engine The engine. */
+static void coincident_quads(const Engine *engine) {
+    Scene *scene = empty_scene();
+    QuadParameters first = {{-1, -1, -3}, {2, 0, 0}, {0, 2, 0}};
+    QuadParameters second = {{2, 2, -3}, {-4, 0, 0}, {0, -4, 0}};
+    add(scene, "quad", &first);
+    add(scene, "quad", &second);
+    Tracer *tracer = prepare(engine, scene);
+    uint64_t state = 4;
+    for (int n = 0; n < 20000; n++) {
+        Vector3 eye = {random_float(&state, -3, 3), random_float(&state, -3, 3), 0};
+        Vector3 aim = {random_float(&state, -0.99, 0.99), random_float(&state, -0.99, 0.99), -3};
+        RayQuery ray = ray_towards(eye, aim);
+        RayAnswer answer;
+        engine->intersect(tracer, 1, &ray, &answer);
+        assert_int_equal(answer.shape, 0);
+    }
+    engine->release(tracer);
+    scene_destroy(scene);
+}
+
+/* --- planes ---------------------------------------------------------------------------------- */
+
+/** A floor whose point lies a million away, seen at 30 to 0.001 degrees from 1 above: the distance
+ * is right to some ulps over the sine of the angle. @param engine The engine. */
+static void grazing_plane(const Engine *engine) {
+    Scene *scene = empty_scene();
+    PlaneParameters floor = {{1e6, -1, -1e6}, {0, 1, 0}};
+    add(scene, "plane", &floor);
+    Tracer *tracer = prepare(engine, scene);
+    for (double degrees = 30; degrees > 0.0005; degrees /= 10) {
+        double sine = (double)(float)sin(degrees * M_PI / 180);
+        RayQuery ray = {{0, 0, 0}, {0, -sine, -1}};
+        RayAnswer answer;
+        engine->intersect(tracer, 1, &ray, &answer);
+        assert_int_equal(answer.shape, 0);
+        Quadruple truth = 1 / (Quadruple)sine;
+        assert_at_most(quad_abs(answer.distance - truth) / truth / roundoff(engine), 4,
+                       "floor at %g degrees in %s, half ulps", degrees, engine->name);
+    }
+    RayQuery level = {{0, 0, 0}, {0.5, 0, -1}}, in_plane = {{0, -1, 0}, {0.5, 0, -1}};
+    RayAnswer answer;
+    engine->intersect(tracer, 1, &level, &answer);
+    assert_int_equal(answer.shape, -1);
+    engine->intersect(tracer, 1, &in_plane, &answer);
+    assert_int_equal(answer.shape, -1);
+    engine->release(tracer);
+    scene_destroy(scene);
+}
+
+/* --- boxes ----------------------------------------------------------------------------------- */
+
+/** Rays that truly touch a box, at corners, along edges and in the planes of its faces, with every
+ *  sign of zero: none is missed. @param engine The engine. */
+static void touching_box(const Engine *engine) {
+    Scene *scene = empty_scene();
+    BoxParameters box = {{-1, -1, -1}, {1, 1, 1}};
+    add(scene, "box", &box);
+    Tracer *tracer = prepare(engine, scene);
+    uint64_t state = 5;
+    long missed = 0, count = scaled(engine, 200000);
+    for (long n = 0; n < count; n++) {
+        // A point of the surface with one to three coordinates on their planes, and a way to it
+        // that float holds exactly: quarters, and parallel to some axes.
+        double point[3], step[3];
+        for (int i = 0; i < 3; i++) {
+            point[i] = random_share(&state) < 0.6 ? (random_share(&state) < 0.5 ? -1 : 1)
+                                                  : 0.25 * (int)(8 * random_share(&state)) - 1;
+            step[i] = random_share(&state) < 0.4 ? (random_share(&state) < 0.5 ? 0.0 : -0.0)
+                                                 : 0.25 * (int)(17 * random_share(&state)) - 2;
+        }
+        bool is_on = fabs(point[0]) == 1 || fabs(point[1]) == 1 || fabs(point[2]) == 1;
+        bool is_way = step[0] != 0 || step[1] != 0 || step[2] != 0;
+        if (is_on && is_way) {
+            RayQuery ray = {
+                {point[0] - 4 * step[0], point[1] - 4 * step[1], point[2] - 4 * step[2]},
+                {step[0], step[1], step[2]}};
+            RayAnswer answer;
+            engine->intersect(tracer, 1, &ray, &answer);
+            missed += answer.shape != 0 || !answer.blocked;
+        }
+    }
+    assert_at_most(missed, 0, "touching rays missed in %s of %ld", engine->name, count);
+    engine->release(tracer);
+    scene_destroy(scene);
+}
+
+/* --- packets --------------------------------------------------------------------------------- */
+
+/** A hundred shapes of all kinds, packets and single rays: the intervals of a packet drop nothing,
+ *  axis-parallel rays included. @param engine The engine. */
+static void packets_drop_nothing(const Engine *engine) {
+    Scene *scene = empty_scene();
+    uint64_t state = 6;
+    for (int i = 0; i < 50; i++) {
+        Vector3 p = {random_float(&state, -4, 4), random_float(&state, -4, 4),
+                     random_float(&state, -4, 4)};
+        SphereParameters ball = {p, random_float(&state, 0.1, 0.6)};
+        BoxParameters box = {{-p.x, p.y, p.z}, {0.5 - p.x, 0.25 + p.y, 0.75 + p.z}};
+        QuadParameters sheet = {{p.y, p.z, p.x}, {0.5, 0, 0}, {0, 0.25, 0.5}};
+        add(scene, "sphere", &ball);
+        add(scene, i % 2 ? "box" : "quad", i % 2 ? (void *)&box : (void *)&sheet);
+    }
+    Tracer *tracer = prepare(engine, scene);
+    enum { TOGETHER = 64 };
+    RayQuery rays[TOGETHER];
+    RayAnswer together[TOGETHER], alone;
+    for (long n = 0; n < scaled(engine, 5000) + 50; n++) {
+        Vector3 eye = {random_float(&state, -6, 6), random_float(&state, -6, 6), 8};
+        Vector3 aim = {random_float(&state, -4, 4), random_float(&state, -4, 4), 0};
+        double spread = n % 3 ? 0.1 : 0;
+        for (int i = 0; i < TOGETHER; i++) {
+            Vector3 to = {aim.x + spread * (i % 8), aim.y + spread * (i / 8), aim.z};
+            rays[i] = n % 5 ? ray_towards(eye, to)
+                            : (RayQuery){{to.x, to.y, 8}, {i % 2 ? 0.0 : -0.0, 0, -1}};
+        }
+        engine->intersect(tracer, TOGETHER, rays, together);
+        for (int i = 0; i < TOGETHER; i += 7) {
+            engine->intersect(tracer, 1, &rays[i], &alone);
+            assert_int_equal(together[i].shape, alone.shape);
+            assert_int_equal(together[i].blocked, alone.blocked);
+            assert_memory_equal(&together[i].distance, &alone.distance, sizeof alone.distance);
+        }
+    }
+    engine->release(tracer);
+    scene_destroy(scene);
+}
+
+/* --- cmocka ---------------------------------------------------------------------------------- */
+
+/** @param state Not used. */
+static void test_ground_sphere(void **state) {
+    (void)state;
+    in_every_engine(ground_sphere);
+}
+
+/** @param state Not used. */
+static void test_far_sphere(void **state) {
+    (void)state;
+    in_every_engine(far_sphere);
+}
+
+/** @param state Not used. */
+static void test_watertight_quads(void **state) {
+    (void)state;
+    in_every_engine(watertight_quads);
+}
+
+/** @param state Not used. */
+static void test_coincident_quads(void **state) {
+    (void)state;
+    in_every_engine(coincident_quads);
+}
+
+/** @param state Not used. */
+static void test_grazing_plane(void **state) {
+    (void)state;
+    in_every_engine(grazing_plane);
+}
+
+/** @param state Not used. */
+static void test_touching_box(void **state) {
+    (void)state;
+    in_every_engine(touching_box);
+}
+
+/** @param state Not used. */
+static void test_packets(void **state) {
+    (void)state;
+    in_every_engine(packets_drop_nothing);
+}
+
+/** Runs the tests. @return 0 if all pass. */
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_ground_sphere),    cmocka_unit_test(test_far_sphere),
+        cmocka_unit_test(test_watertight_quads), cmocka_unit_test(test_coincident_quads),
+        cmocka_unit_test(test_grazing_plane),    cmocka_unit_test(test_touching_box),
+        cmocka_unit_test(test_packets),
+    };
+    return cmocka_run_group_tests_name("failures", tests, NULL, NULL);
+}

@@ -77,6 +77,31 @@ $(foreach engine,$(ENGINES),$(eval $(call ENGINE_RULES,$(engine))))
 
 -include $(shell find $(OBJ) -name '*.d' 2>/dev/null)
 
+# --- packages: what a bare Debian 12 with gcc and make lacks --------------------------------------
+RUN_PACKAGES  := g++ pkg-config libsdl2-dev libsdl2-ttf-dev liblua5.4-dev libopenimageio-dev fonts-dejavu-core
+TEST_PACKAGES := libcmocka-dev clang libclang-rt-14-dev xvfb xauth xdotool x11-xkb-utils xkb-data \
+                 imagemagick qemu-user doxygen graphviz
+PEER_PACKAGES := povray tachyon
+LINT_PACKAGES := clang-format clang-tidy cppcheck
+
+.PHONY: packages test-packages
+packages:
+	@.ci/packages $(RUN_PACKAGES)
+test-packages:
+	@.ci/packages $(RUN_PACKAGES) $(TEST_PACKAGES)
+
+# --- run -----------------------------------------------------------------------------------------
+# pkg-config may come with the packages only: what needs its answers runs in a make of its own.
+.PHONY: run
+run: packages
+	@$(MAKE) --no-print-directory all
+	@if [ -n "$$DISPLAY$$WAYLAND_DISPLAY" ]; then \
+	    exec $(PROGRAM) view scenes/box.lua; \
+	else \
+	    $(PROGRAM) render scenes/box.lua -o box.bmp && \
+	    echo "There is no display: the box is in box.bmp."; \
+	fi
+
 # --- other builds --------------------------------------------------------------------------------
 .PHONY: asan tsan clang
 asan:
@@ -89,10 +114,60 @@ clang:
 # --- tests ---------------------------------------------------------------------------------------
 $(BUILD)/tests/%: tests/%.c tests/testing.h $(ROOM_OBJECTS)
 	@mkdir -p $(@D)
-	$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,cmocka sdl2) -Itests -o $@ $< $(ROOM_OBJECTS) $(LIBRARIES) $(call PKG_LIBS,cmocka)
+	$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,cmocka sdl2 lua5.4) -Itests -o $@ $< $(ROOM_OBJECTS) $(LIBRARIES) $(call PKG_LIBS,cmocka)
 
-.PHONY: tests
+.PHONY: test tests unit-tests
+test: test-packages
+	@$(MAKE) --no-print-directory -j2 all tests
+	@$(MAKE) --no-print-directory -j2 asan
+	@$(MAKE) --no-print-directory -j2 BUILD=build/asan OPTIMIZE='-O1 -g' SANITIZE=address,undefined tests
+	@$(MAKE) --no-print-directory -j2 clang
+	@tests/run.sh
+
 tests: $(TESTS)
+
+# --- measuring -----------------------------------------------------------------------------------
+.PHONY: bench peers
+bench: packages
+	@$(MAKE) --no-print-directory all
+	@tests/bench.sh
+peers: packages
+	@.ci/packages $(PEER_PACKAGES)
+	@$(MAKE) --no-print-directory all
+	@BUILD=$(BUILD) tests/peers/run.sh
+
+# --- documentation -------------------------------------------------------------------------------
+.PHONY: doc
+doc: $(BUILD)/doc/uml.svg
+	@doxygen Doxyfile
+	@echo "build/doc/html/index.html"
+
+$(BUILD)/doc/uml.svg: doc/uml.dot
+	@mkdir -p $(@D)
+	dot -Tsvg -o $@ $<
+
+# --- style ---------------------------------------------------------------------------------------
+C_FILES := $(shell find include src tests -name '*.[ch]' -o -name '*.cpp')
+.PHONY: format lint
+format:
+	clang-format -i $(C_FILES)
+lint:
+	@.ci/packages $(LINT_PACKAGES)
+	clang-format --dry-run -Werror $(C_FILES)
+	cppcheck --quiet --error-exitcode=1 --std=c11 --enable=warning,portability --inline-suppr \
+	    --suppress=missingIncludeSystem -Iinclude -Isrc -DREAL_BITS=32 -DLANES=1 \
+	    -DENGINE=engine -DENGINE_NAME='"f32x1"' src
+	@tests/style.sh
+
+# --- installing ----------------------------------------------------------------------------------
+.PHONY: install
+install: all
+	install -D -m 755 $(PROGRAM) $(DESTDIR)$(PREFIX)/bin/dioptre
+	install -D -m 755 $(MODULE) $(DESTDIR)$(PREFIX)/lib/dioptre/dioptre-images.so
+	install -D -m 644 doc/dioptre.1 $(DESTDIR)$(PREFIX)/share/man/man1/dioptre.1
+	for scene in scenes/*.lua; do \
+	    install -D -m 644 $$scene $(DESTDIR)$(PREFIX)/share/dioptre/$$scene || exit 1; \
+	done
 
 # --- the rest ------------------------------------------------------------------------------------
 .PHONY: clean

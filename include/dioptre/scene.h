@@ -118,7 +118,10 @@ bool scene_has_mirrors(const Scene *scene);
 /** @return Whether any shape of a scene has highlights. @param scene A scene. */
 bool scene_has_highlights(const Scene *scene);
 
-/** Size of the block that holds a scene: reserved, but only used as far as it is filled. */
-#define SCENE_MEMORY ((size_t)1 << 30)
+/**
+ * Bytes of the block that holds a scene: reserved, but only used as far as it is filled. A million
+ * spheres fit; a scene file that runs away does not fill the machine.
+ */
+#define SCENE_MEMORY ((size_t)256 << 20)
 
 #endif

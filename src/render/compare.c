@@ -16,7 +16,7 @@ enum { CHANNELS = 3 };
 /** What is added up over all pixels. */
 typedef struct Sums {
     int worst_step;        /**< Largest difference of a channel, in steps. */
-    size_t pixels_off;     /**< Pixels that are off by more than #STEPS_ALLOWED. */
+    size_t pixels_off;     /**< Pixels that are off by more than `STEPS_ALLOWED`. */
     uint64_t step_squares; /**< Sum of the squares of the differences, in steps. */
     double light_squares;  /**< Sum of the squares of the differences, in linear light. */
     double light[256];     /**< The linear light of each step. */

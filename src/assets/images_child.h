@@ -1,0 +1,27 @@
+/**
+ * @file
+ * @brief Reads pictures in a child process, out of harm's way.
+ *
+ * The libraries behind the picture module were written for files from friends: a damaged or
+ * malicious one can make them read and write beyond their memory (the JPEG reader of OpenImageIO
+ * 2.4 does so for `bad-iptc.jpg` of its own test files) or never come to an end. What happens in a
+ * child stays there.
+ */
+#ifndef ASSETS_IMAGES_CHILD_H
+#define ASSETS_IMAGES_CHILD_H
+
+#include "assets/images.h"
+
+/**
+ * Reads a picture as #images_read does, but in a child process.
+ * @param module        The module.
+ * @param format        The format, as OpenImageIO names it.
+ * @param path          The file.
+ * @param[out] picture  The picture; give it back with #picture_release.
+ * @param[out] error    What is wrong (#STATUS_SCENE; #STATUS_FAILED without memory or process).
+ * @return Whether it was read; otherwise the picture is empty.
+ */
+bool images_child_read(const ImagesModule *module, const char *format, const char *path,
+                       Picture *picture, Error *error);
+
+#endif

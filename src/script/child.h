@@ -1,0 +1,28 @@
+/**
+ * @file
+ * @brief Work in a child process, with a deadline that nothing can get round.
+ */
+#ifndef SCRIPT_CHILD_H
+#define SCRIPT_CHILD_H
+
+/** How work in a child ended. */
+typedef enum {
+    CHILD_ENDED,    /**< By itself. */
+    CHILD_LATE,     /**< Killed at the deadline. */
+    CHILD_CRASHED,  /**< By a signal. */
+    CHILD_UNSTARTED /**< There was no child: no memory, or too many processes. */
+} ChildEnd;
+
+/**
+ * Does work in a child process, and waits for it. What the child writes is lost with it, but for
+ * what it writes to memory that is shared. The child dies with this process, and is always reaped.
+ * Safe in several threads at once.
+ * @param work           The work.
+ * @param[in,out] context  Handed to the work.
+ * @param seconds        How long it may take, by the clock on the wall.
+ * @param[out] detail    The signal after #CHILD_CRASHED, errno after #CHILD_UNSTARTED, else 0.
+ * @return How it ended.
+ */
+ChildEnd child_run(void (*work)(void *context), void *context, double seconds, int *detail);
+
+#endif

@@ -1,0 +1,21 @@
+/**
+ * @file
+ * @brief The part of Lua that a scene file may use.
+ */
+#ifndef SCRIPT_LIBRARY_H
+#define SCRIPT_LIBRARY_H
+
+#include <lua.h>
+
+/** Most that a scene may print, bytes; then a last line says so. */
+enum { LIBRARY_PRINT_MAXIMUM = 65536 };
+
+/**
+ * Gives a state its global words: `math`, `string`, `table`, `utf8`, and the base functions that
+ * read nothing. Random numbers start from a fixed seed, `pairs` has a fixed order, and a word that
+ * is not there raises an error with the nearest one that is.
+ * @param L  The state.
+ */
+void library_open(lua_State *L);
+
+#endif

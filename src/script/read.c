@@ -1,0 +1,287 @@
+/**
+ * @file
+ * @brief From a Lua table to a C struct, by a parameter table.
+ */
+#include "script/read.h"
+
+#include "script/hex_color.h"
+#include "script/suggest.h"
+
+#include <lauxlib.h>
+#include <string.h>
+
+const char *read_describe(lua_State *L, int index) {
+    const char *name = luaL_typename(L, index);
+    if (lua_isnoneornil(L, index)) {
+        return lua_pushstring(L, "nothing");
+    }
+    // Things of the scene carry the name of their keyword.
+    if (lua_isuserdata(L, index) && luaL_getmetafield(L, index, "__name") == LUA_TSTRING) {
+        name = lua_tostring(L, -1);
+    }
+    return lua_pushfstring(L, "%s %s", strchr("aeiou", name[0]) ? "an" : "a", name);
+}
+
+/**
+ * Raises the error that a value is of a wrong type.
+ * @param L       The state.
+ * @param index   Where the value is.
+ * @param row     What it should be.
+ * @param wanted  The same in words.
+ */
+static void raise_type(lua_State *L, int index, const Parameter *row, const char *wanted) {
+    luaL_error(L, "%s must be %s, not %s", row->name, wanted, read_describe(L, index));
+}
+
+/**
+ * @return A number, finite and in range; raises an error about any other.
+ * @param L      The state.
+ * @param index  Where it is; a number.
+ * @param row    What it should be.
+ */
+static double read_checked(lua_State *L, int index, const Parameter *row) {
+    Error error = {0};
+    double value = lua_tonumber(L, index);
+    if (!parameter_check(row, value, &error)) {
+        luaL_error(L, "%s", error.message);
+    }
+    return value;
+}
+
+/**
+ * Reads `{a, b, c}`.
+ * @param L            The state.
+ * @param index        Where it is; a table.
+ * @param row          What it should be.
+ * @param wanted       The same in words.
+ * @param[out] triple  The numbers, each in range.
+ */
+static void read_triple(lua_State *L, int index, const Parameter *row, const char *wanted,
+                        double triple[3]) {
+    lua_Integer count = 0;
+    lua_pushnil(L);
+    while (lua_next(L, index)) {
+        lua_pop(L, 1);
+        count++;
+    }
+    for (int i = 0; i < 3; i++) {
+        if (lua_geti(L, index, i + 1) == LUA_TNIL || count > 3) {
+            luaL_error(L, "%s must be %s; there are %I things between the braces", row->name,
+                       wanted, (LUAI_UACINT)count);
+        }
+        if (lua_type(L, -1) != LUA_TNUMBER) {
+            luaL_error(L, "%s must be %s; number %d of them is %s", row->name, wanted, i + 1,
+                       read_describe(L, lua_gettop(L)));
+        }
+        triple[i] = read_checked(L, -1, row);
+        lua_pop(L, 1);
+    }
+}
+
+/** Reads a `double`. See #Reader. @param L See there. @param index See there.
+ *  @param row See there. @param[out] field See there. */
+static void read_number(lua_State *L, int index, const Parameter *row, void *field) {
+    if (lua_type(L, index) != LUA_TNUMBER) {
+        raise_type(L, index, row, "a number");
+    }
+    *(double *)field = read_checked(L, index, row);
+}
+
+/** Reads an `int`. See #Reader. @param L See there. @param index See there.
+ *  @param row See there. @param[out] field See there. */
+static void read_integer(lua_State *L, int index, const Parameter *row, void *field) {
+    double value;
+    read_number(L, index, row, &value);
+    if (value != floor(value)) {
+        luaL_error(L, "%s must be a whole number, not %f", row->name, value);
+    }
+    *(int *)field = (int)value;
+}
+
+/** Reads a `bool`. See #Reader. @param L See there. @param index See there.
+ *  @param row See there. @param[out] field See there. */
+static void read_boolean(lua_State *L, int index, const Parameter *row, void *field) {
+    if (!lua_isboolean(L, index)) {
+        raise_type(L, index, row, "true or false");
+    }
+    *(bool *)field = lua_toboolean(L, index);
+}
+
+/**
+ * Puts the words of a row on the stack, for an error: `` `none` or `inverse_square` ``.
+ * @param L      The state.
+ * @param words  The words, ended by NULL; at least one.
+ * @return The text, valid while it is on the stack.
+ */
+static const char *list_words(lua_State *L, const char *const *words) {
+    luaL_Buffer list;
+    luaL_buffinit(L, &list);
+    for (size_t i = 0; words[i]; i++) {
+        const char *link = i == 0 ? "" : words[i + 1] ? ", " : " or ";
+        luaL_addstring(&list, link);
+        luaL_addchar(&list, '`');
+        luaL_addstring(&list, words[i]);
+        luaL_addchar(&list, '`');
+    }
+    luaL_pushresult(&list);
+    return lua_tostring(L, -1);
+}
+
+/** Reads a word as its place. See #Reader. @param L See there. @param index See there.
+ *  @param row See there. @param[out] field See there. */
+static void read_word(lua_State *L, int index, const Parameter *row, void *field) {
+    if (lua_type(L, index) != LUA_TSTRING) {
+        raise_type(L, index, row, list_words(L, row->words));
+    }
+    Suggestion suggestion = {.wanted = lua_tostring(L, index)};
+    for (int i = 0; row->words[i]; i++) {
+        if (strcmp(row->words[i], suggestion.wanted) == 0) {
+            *(int *)field = i;
+            return;
+        }
+        suggest_try(&suggestion, row->words[i]);
+    }
+    char hint[SUGGEST_HINT_SIZE];
+    luaL_error(L, "%s must be %s, not `%s`%s", row->name, list_words(L, row->words),
+               suggestion.wanted, suggest_hint(&suggestion, hint));
+}
+
+/** Reads a `Vector3`. See #Reader. @param L See there. @param index See there.
+ *  @param row See there. @param[out] field See there. */
+static void read_vector(lua_State *L, int index, const Parameter *row, void *field) {
+    static const char wanted[] = "three numbers {x, y, z}";
+    double part[3];
+    if (!lua_istable(L, index)) {
+        raise_type(L, index, row, wanted);
+    }
+    read_triple(L, index, row, wanted, part);
+    *(Vector3 *)field = (Vector3){part[0], part[1], part[2]};
+}
+
+/** Reads a `Vector3` that is not zero. See #Reader. @param L See there. @param index See there.
+ *  @param row See there. @param[out] field See there. */
+static void read_direction(lua_State *L, int index, const Parameter *row, void *field) {
+    Vector3 direction;
+    read_vector(L, index, row, &direction);
+    if (!(vector3_length(direction) > 0)) {
+        luaL_error(L, "%s must not be zero: it says a direction", row->name);
+    }
+    *(Vector3 *)field = direction;
+}
+
+/**
+ * Reads a colour given as text.
+ * @param L      The state.
+ * @param index  Where it is; a string.
+ * @param row    What it should be.
+ * @return The colour, in range.
+ */
+static Color read_hex_color(lua_State *L, int index, const Parameter *row) {
+    size_t length;
+    const char *text = lua_tolstring(L, index, &length);
+    Color color = {0};
+    if (!hex_color_read(text, length, &color)) {
+        luaL_error(L, "%s must be a colour such as \"#ff8000\", not \"%s\"", row->name, text);
+    }
+    const double parts[] = {color.red, color.green, color.blue};
+    for (int i = 0; i < 3; i++) {
+        lua_pushnumber(L, parts[i]);
+        read_checked(L, -1, row);
+        lua_pop(L, 1);
+    }
+    return color;
+}
+
+/** Reads a `Color`. See #Reader. @param L See there. @param index See there.
+ *  @param row See there. @param[out] field See there. */
+static void read_color(lua_State *L, int index, const Parameter *row, void *field) {
+    static const char wanted[] = "a colour ({red, green, blue}, one number, or \"#rrggbb\")";
+    double part[3];
+    int type = lua_type(L, index);
+    if (type == LUA_TSTRING) {
+        *(Color *)field = read_hex_color(L, index, row);
+    } else if (type == LUA_TNUMBER) {
+        double grey = read_checked(L, index, row);
+        *(Color *)field = (Color){grey, grey, grey};
+    } else if (type == LUA_TTABLE) {
+        read_triple(L, index, row, wanted, part);
+        *(Color *)field = (Color){part[0], part[1], part[2]};
+    } else {
+        raise_type(L, index, row, wanted);
+    }
+}
+
+/** How a value of a type is read: #read_value of one type. */
+typedef void Reader(lua_State *L, int index, const Parameter *row, void *field);
+
+void read_value(lua_State *L, int index, const Parameter *row, void *field) {
+    static Reader *const readers[] = {
+        [PARAMETER_NUMBER] = read_number,   [PARAMETER_INTEGER] = read_integer,
+        [PARAMETER_BOOLEAN] = read_boolean, [PARAMETER_WORD] = read_word,
+        [PARAMETER_VECTOR] = read_vector,   [PARAMETER_DIRECTION] = read_direction,
+        [PARAMETER_COLOR] = read_color};
+    readers[row->type](L, index, row, field);
+}
+
+/**
+ * Says whether a keyword has a field.
+ * @param keyword  The keyword.
+ * @param extra    A field that it has beyond its table; NULL: none.
+ * @param[in,out] suggestion  The field; where it is none of these, the nearest is noted.
+ * @return Whether it has.
+ */
+static bool has_field(const Keyword *keyword, const char *extra, Suggestion *suggestion) {
+    for (const Parameter *row = keyword->parameters; row->name; row++) {
+        if (strcmp(row->name, suggestion->wanted) == 0) {
+            return true;
+        }
+        suggest_try(suggestion, row->name);
+    }
+    if (extra) {
+        suggest_try(suggestion, extra);
+    }
+    return extra && strcmp(extra, suggestion->wanted) == 0;
+}
+
+/**
+ * Raises an error about the first name in a keyword's table that it has no field for.
+ * @param L        The state; the table is the first argument.
+ * @param keyword  The keyword.
+ * @param extra    A field that it has beyond its table; NULL: none.
+ */
+static void check_names(lua_State *L, const Keyword *keyword, const char *extra) {
+    lua_pushnil(L);
+    while (lua_next(L, 1)) {
+        lua_pop(L, 1);
+        if (lua_type(L, -1) != LUA_TSTRING) {
+            luaL_error(L, "%s takes fields with names, such as `%s = ...`; one has none",
+                       keyword->name, keyword->parameters->name);
+        }
+        char hint[SUGGEST_HINT_SIZE];
+        Suggestion suggestion = {.wanted = lua_tostring(L, -1)};
+        if (!has_field(keyword, extra, &suggestion)) {
+            luaL_error(L, "%s has no field `%s`%s", keyword->name, suggestion.wanted,
+                       suggest_hint(&suggestion, hint));
+        }
+    }
+}
+
+void *read_fields(lua_State *L, const Keyword *keyword, const char *extra, uint64_t *given) {
+    if (lua_gettop(L) != 1 || !lua_istable(L, 1)) {
+        luaL_error(L, "%s takes its fields in braces: %s { ... }", keyword->name, keyword->name);
+    }
+    check_names(L, keyword, extra);
+    char *values = lua_newuserdatauv(L, keyword->size, 0);
+    const int top = lua_gettop(L);
+    memcpy(values, keyword->defaults, keyword->size);
+    *given = 0;
+    for (int i = 0; keyword->parameters[i].name; i++) {
+        const Parameter *row = &keyword->parameters[i];
+        if (lua_getfield(L, 1, row->name) != LUA_TNIL) {
+            read_value(L, top + 1, row, values + row->offset);
+            *given |= (uint64_t)1 << i;
+        }
+        lua_settop(L, top);
+    }
+    return values;
+}

@@ -1,0 +1,41 @@
+/**
+ * @file
+ * @brief From a Lua table to a C struct, by a parameter table.
+ */
+#ifndef SCRIPT_READ_H
+#define SCRIPT_READ_H
+
+#include "dioptre/parameter.h"
+
+#include <lua.h>
+
+/**
+ * Reads the table that a keyword was called with. Raises an error about a field that the keyword
+ * does not have, is of a wrong type or out of range.
+ * @param L           The state; the table is the only argument.
+ * @param keyword     Whose table it is.
+ * @param extra       A field that the caller reads by itself; NULL: none.
+ * @param[out] given  Bit i is set where row i of the keyword's table was given.
+ * @return The keyword's struct: its defaults, and over them what was given. It lies on the stack
+ *         as second, and is Lua's, so that an error leaves nothing behind.
+ */
+void *read_fields(lua_State *L, const Keyword *keyword, const char *extra, uint64_t *given);
+
+/**
+ * Reads one value. Raises an error about a wrong type or a wrong range.
+ * @param L           The state.
+ * @param index       Where the value is, from the bottom of the stack.
+ * @param row         What it should be.
+ * @param[out] field  The C value, of the type that the row says.
+ */
+void read_value(lua_State *L, int index, const Parameter *row, void *field);
+
+/**
+ * Says what a value is, for an error about it: `a string`, `a table`, `a sphere`.
+ * @param L      The state; the answer is left on top.
+ * @param index  Where the value is, from the bottom of the stack.
+ * @return The answer, valid while it is on the stack.
+ */
+const char *read_describe(lua_State *L, int index);
+
+#endif

@@ -1,0 +1,92 @@
+/**
+ * @file
+ * @brief What the child does.
+ */
+#include "script/run.h"
+
+#include "script/include.h"
+#include "script/keywords.h"
+#include "script/library.h"
+#include "script/sandbox.h"
+
+#include <lauxlib.h>
+#include <locale.h>
+#include <stdio.h>
+#include <string.h>
+
+/**
+ * Does all that may raise an error: sets the state up and runs the text. See lua_CFunction.
+ * @param L  The state.
+ * @return 0: no results.
+ */
+static int run_text(lua_State *L) {
+    Run *run = sandbox_of(L)->context;
+    library_open(L);
+    keywords_open(L);
+    include_open(L);
+    lua_pushnumber(L, run->request->time);
+    lua_setglobal(L, "t");
+    sandbox_watch(L);
+    Source text = *run->source;
+    sandbox_load(L, &text, run->request->path);
+    lua_call(L, 0, 0);
+    if (!run->scene->has_camera) {
+        return luaL_error(L, "there is no camera in the scene; "
+                             "try camera { position = {0, 0, 5}, look_at = {0, 0, 0} }");
+    }
+    return 0;
+}
+
+/**
+ * Writes an error that nothing caught into the report. Takes no memory of the state, since that
+ * may be what the error is about. See lua_pcall.
+ * @param L  The state, with the error on its stack.
+ * @return 1: the error.
+ */
+static int report_error(lua_State *L) {
+    Report *report = sandbox_of(L)->report;
+    char words[ERROR_MESSAGE_SIZE];
+    size_t length;
+    const char *text = words;
+    if (lua_type(L, 1) == LUA_TSTRING) {
+        text = lua_tolstring(L, 1, &length);
+    } else {
+        length = (size_t)snprintf(words, sizeof words, "error was called with a %s, not with words",
+                                  luaL_typename(L, 1));
+    }
+    Location location = sandbox_location(L);
+    size_t start = report_read_location(report, text, &location);
+    report_fail(report, location, text + start, length - start);
+    return 1;
+}
+
+/**
+ * Sees that a report tells what a run came to.
+ * @param sandbox  The sandbox of the run.
+ * @param status   What lua_pcall gave.
+ */
+static void conclude(const Sandbox *sandbox, int status) {
+    Report *report = sandbox->report;
+    char words[ERROR_MESSAGE_SIZE] = "too many errors at once";
+    if (status == LUA_ERRMEM) {
+        sandbox_describe_refusal(sandbox, words, sizeof words);
+        report_fail(report, sandbox->refused, words, strlen(words));
+    } else if (status != LUA_OK && report->error.status == STATUS_DONE) {
+        report_fail(report, report->location, words, strlen(words));
+    }
+}
+
+void run_scene(Run *run) {
+    Sandbox sandbox = {.report = run->report, .context = run, .memory = run->request->memory};
+    int status = LUA_ERRMEM;
+    // The same scene, whatever language the user's system speaks.
+    setlocale(LC_ALL, "C");
+    if (sandbox_init(&sandbox)) {
+        lua_State *L = sandbox.lua;
+        lua_pushcfunction(L, report_error);
+        lua_pushcfunction(L, run_text);
+        status = lua_pcall(L, 0, 0, 1);
+    }
+    conclude(&sandbox, status);
+    run->report->is_done = true;
+}

@@ -1,0 +1,125 @@
+/**
+ * @file
+ * @brief Scene files, from the path to the finished scene.
+ */
+#include "dioptre/script.h"
+
+#include "script/child.h"
+#include "script/report.h"
+#include "script/run.h"
+#include "script/source.h"
+#include "script/text.h"
+
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+
+/**
+ * Does in the child what a child is for.
+ * @param context  A #Run.
+ */
+static void work(void *context) {
+    run_scene(context);
+}
+
+/**
+ * Reports that a scene was stopped, at the line where it was seen last.
+ * @param run    What was run.
+ * @param words  Why.
+ */
+static void stop(const Run *run, const char *words) {
+    report_fail(run->report, run->report->location, words, strlen(words));
+}
+
+/**
+ * Reports why a child has left no report of its own.
+ * @param run     What it was to run.
+ * @param end     How it ended.
+ * @param detail  The signal or the errno.
+ */
+static void explain(const Run *run, ChildEnd end, int detail) {
+    char words[ERROR_MESSAGE_SIZE];
+    if (end == CHILD_UNSTARTED) {
+        error_set(&run->report->error, STATUS_FAILED, "no process to run a scene in: %s",
+                  strerror(detail));
+    } else if (end == CHILD_LATE) {
+        snprintf(words, sizeof words, "the scene ran for more than %g s", run->request->seconds);
+        stop(run, words);
+    } else if (end == CHILD_CRASHED && detail == SIGINT) {
+        error_set(&run->report->error, STATUS_INTERRUPTED, "interrupted");
+    } else {
+        snprintf(words, sizeof words, "the process that ran the scene died (%s)",
+                 detail ? strsignal(detail) : "nobody knows why");
+        stop(run, words);
+    }
+}
+
+/**
+ * Runs a scene in a child, and sees that there is an error unless it was run to its end.
+ * @param run         What to run.
+ * @param[out] error  What is wrong.
+ * @return Whether the scene is complete.
+ */
+static bool run_in_child(Run *run, Error *error) {
+    int detail;
+    Report *report = run->report;
+    ChildEnd end = child_run(work, run, run->request->seconds, &detail);
+    if (!report->is_done) {
+        explain(run, end, detail);
+    }
+    bool is_good = report->error.status == STATUS_DONE;
+    if (!is_good && error) {
+        *error = report->error;
+    }
+    return is_good;
+}
+
+/**
+ * Makes the scene that a text describes.
+ * @param request     What to load.
+ * @param source      The text.
+ * @param[out] error  What is wrong.
+ * @return The scene; NULL if anything is wrong.
+ */
+static Scene *load_text(const ScriptRequest *request, const Source *source, Error *error) {
+    Scene *scene = scene_create(error);
+    Report *report = scene ? report_create(request->path, error) : NULL;
+    Run run = {.request = request, .source = source, .scene = scene, .report = report};
+    if (!report || !run_in_child(&run, error)) {
+        scene_destroy(scene);
+        scene = NULL;
+    }
+    report_destroy(report);
+    return scene;
+}
+
+/**
+ * Reads the scene file.
+ * @param path         The path.
+ * @param[out] source  The text; to be released.
+ * @param[out] error   What is wrong.
+ * @return Whether it is text.
+ */
+static bool read_text(const char *path, Source *source, Error *error) {
+    char shown[TEXT_PATH_SIZE];
+    text_clean_path(shown, path);
+    if (!source_read(source, path, error)) {
+        return error_prefix(error, "%s: ", shown);
+    }
+    int line;
+    if (!source_check_text(source, &line, error)) {
+        source_release(source);
+        return error_prefix(error, "%s:%d: ", shown, line);
+    }
+    return true;
+}
+
+Scene *script_load(const ScriptRequest *request, Error *error) {
+    Source source;
+    if (!read_text(request->path, &source, error)) {
+        return NULL;
+    }
+    Scene *scene = load_text(request, &source, error);
+    source_release(&source);
+    return scene;
+}

@@ -1,0 +1,41 @@
+/**
+ * @file
+ * @brief What a key can ask the window for.
+ */
+#ifndef DIOPTRE_VIEW_ACTION_H
+#define DIOPTRE_VIEW_ACTION_H
+
+#include <stdbool.h>
+
+/** What a key asks for. The moves come first: they last as long as their key is held. */
+typedef enum Action {
+    ACTION_LIGHT_RIGHT,    /**< The light to the right of the picture. */
+    ACTION_LIGHT_LEFT,     /**< The light to the left. */
+    ACTION_LIGHT_UP,       /**< The light up in the picture. */
+    ACTION_LIGHT_DOWN,     /**< The light down. */
+    ACTION_LIGHT_AWAY,     /**< The light away from the viewer. */
+    ACTION_LIGHT_NEARER,   /**< The light towards the viewer. */
+    ACTION_CAMERA_RIGHT,   /**< The camera to the right. */
+    ACTION_CAMERA_LEFT,    /**< The camera to the left. */
+    ACTION_CAMERA_UP,      /**< The camera up. */
+    ACTION_CAMERA_DOWN,    /**< The camera down. */
+    ACTION_CAMERA_FORWARD, /**< The camera ahead. */
+    ACTION_CAMERA_BACK,    /**< The camera back. */
+    ACTION_SNAPSHOT,       /**< The picture on screen into a file. */
+    ACTION_HOME,           /**< Back to the scene's own view. */
+    ACTION_NEXT_LIGHT,     /**< The light keys move the next light. */
+    ACTION_HELP,           /**< The help opens or closes. */
+    ACTION_FULL_SCREEN,    /**< The whole screen, or a window again. */
+    ACTION_LEAVE,          /**< The window closes. */
+    ACTION_NONE            /**< Nothing: a key without a meaning. */
+} Action;
+
+/** How many of the actions are moves: those before #ACTION_SNAPSHOT. */
+enum { ACTION_MOVE_COUNT = ACTION_SNAPSHOT };
+
+/** @return Whether an action is a move. @param action The action. */
+static inline bool action_is_move(Action action) {
+    return action < ACTION_SNAPSHOT;
+}
+
+#endif

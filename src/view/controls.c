@@ -1,0 +1,210 @@
+/**
+ * @file
+ * @brief What keys, mouse and window do to the view.
+ */
+#include "view/controls.h"
+
+#include "view/keymap.h"
+
+/** Factor for the speed of a move while Shift is held. */
+static const double FAST = 4;
+/** Factor for the speed of a move while Ctrl is held: pixel by pixel. */
+static const double FINE = 0.25;
+/** Factor for the width of the field of view with each notch of the wheel away from the user. */
+static const double ZOOM_A_NOTCH = 0.9;
+/** Modifiers that make a key one of the window manager's, not ours. */
+static const int FOREIGN_MODIFIERS = KMOD_LALT | KMOD_GUI;
+
+/**
+ * @return When an event came, seconds on #stage_clock; it may have waited in the queue.
+ * @param timestamp  SDL's time of the event, milliseconds.
+ */
+static double event_time(Uint32 timestamp) {
+    return stage_clock() - (double)(SDL_GetTicks() - timestamp) / 1000;
+}
+
+/** @return Factor for the speed of moves. @param modifiers SDL's modifier keys that are held. */
+static double speed(int modifiers) {
+    return (modifiers & KMOD_SHIFT ? FAST : 1) * (modifiers & KMOD_CTRL ? FINE : 1);
+}
+
+/** Puts the scene's own view back. @param[in,out] view The view. */
+static void go_home(View *view) {
+    pose_restore(&view->home, view->scene);
+    view->light = 0;
+    view_changed(view);
+}
+
+/** The light keys move the next light from now on. @param[in,out] view The view. */
+static void select_next_light(View *view) {
+    size_t count = view->scene->light_count;
+    view->light = count > 0 ? (view->light + 1) % count : 0;
+    view_note(view, count > 1 ? "" : count == 1 ? "there is one light" : "there is no light");
+}
+
+/** Opens or closes the help. @param[in,out] view The view. */
+static void toggle_help(View *view) {
+    if (!help_toggle(&view->stage.help)) {
+        view_note(view, "no font found: the help is on standard output");
+    }
+    stage_present(&view->stage);
+}
+
+/**
+ * Asks for a snapshot. It is of the finished picture: of the view as it is when that is there.
+ * @param[in,out] view  The view.
+ */
+static void ask_for_snapshot(View *view) {
+    view->wants_snapshot = true;
+    view_note(view, "the snapshot waits for the last pass");
+}
+
+/**
+ * Begins to move something.
+ * @param[in,out] view  The view.
+ * @param action        What, a move.
+ * @param time          When the key went down, seconds.
+ */
+static void begin_move(View *view, Action action, double time) {
+    motion_press(&view->motion, action, time);
+    latency_key(&view->stage.latency, time);
+    view->next_step = 0;
+}
+
+/**
+ * Does what a key asks for.
+ * @param[in,out] view  The view.
+ * @param action        What it asks for, not a move.
+ */
+static void act(View *view, Action action) {
+    switch (action) {
+    case ACTION_SNAPSHOT:
+        ask_for_snapshot(view);
+        break;
+    case ACTION_HOME:
+        go_home(view);
+        break;
+    case ACTION_NEXT_LIGHT:
+        select_next_light(view);
+        break;
+    case ACTION_HELP:
+        toggle_help(view);
+        break;
+    case ACTION_FULL_SCREEN:
+        display_toggle_full_screen(&view->stage.display);
+        break;
+    case ACTION_LEAVE:
+        view->is_over = true;
+        break;
+    default:
+        break;
+    }
+}
+
+/** A key went down or up. @param[in,out] view The view. @param key The event. */
+static void on_key(View *view, const SDL_KeyboardEvent *key) {
+    double time = event_time(key->timestamp);
+    Action action = keymap_action(key->keysym, view->settings->keys_by_letter);
+    motion_set_speed(&view->motion, speed(key->keysym.mod), time);
+    if (key->type == SDL_KEYUP && action_is_move(action)) {
+        motion_release(&view->motion, action, time);
+    }
+    if (key->type == SDL_KEYUP || key->repeat || (key->keysym.mod & FOREIGN_MODIFIERS)) {
+        return;
+    }
+    if (action_is_move(action)) {
+        begin_move(view, action, time);
+    } else {
+        act(view, action);
+    }
+}
+
+/**
+ * The mouse was dragged: the camera turns the way it goes, by the angle that it crosses.
+ * @param[in,out] view  The view.
+ * @param mouse         The event.
+ */
+static void on_drag(View *view, const SDL_MouseMotionEvent *mouse) {
+    if (mouse->state & SDL_BUTTON_LMASK) {
+        int width = 1;
+        SDL_GetWindowSize(view->stage.display.window, &width, NULL);
+        double degrees = view->scene->camera.fov / SDL_max(1, width);
+        camera_turn(&view->scene->camera, view->home.vertical, mouse->xrel * degrees,
+                    -mouse->yrel * degrees);
+        view_changed(view);
+    }
+}
+
+/** The wheel was turned: away from the user comes closer. @param[in,out] view The view.
+ *  @param wheel The event. */
+static void on_wheel(View *view, const SDL_MouseWheelEvent *wheel) {
+    camera_zoom(&view->scene->camera, pow(ZOOM_A_NOTCH, (double)wheel->preciseY));
+    view_changed(view);
+}
+
+/** Something happened to the window. @param[in,out] view The view. @param window The event. */
+static void on_window(View *view, const SDL_WindowEvent *window) {
+    stage_on_visibility(&view->stage);
+    switch (window->event) {
+    case SDL_WINDOWEVENT_SIZE_CHANGED:
+        stage_on_resize(&view->stage);
+        break;
+    case SDL_WINDOWEVENT_EXPOSED:
+        stage_present(&view->stage);
+        break;
+    case SDL_WINDOWEVENT_FOCUS_LOST:
+    case SDL_WINDOWEVENT_HIDDEN:
+        motion_release_all(&view->motion, event_time(window->timestamp));
+        break;
+    default:
+        break;
+    }
+}
+
+/** The keyboard has another layout. @param[in,out] view The view. @param time Now, seconds. */
+static void on_keymap(View *view, double time) {
+    motion_release_all(&view->motion, time);
+    help_forget(&view->stage.help);
+    stage_present(&view->stage);
+}
+
+/** One of our own events came. @param[in,out] view The view. @param type SDL's number for it. */
+static void on_own_event(View *view, Uint32 type) {
+    if (type == view->first_event + EVENT_PASS) {
+        stage_on_pass(&view->stage);
+    } else if (type == view->first_event + EVENT_INTERRUPT) {
+        view->is_over = true;
+        view->status = STATUS_INTERRUPTED;
+    }
+}
+
+void controls_handle(View *view, const SDL_Event *event) {
+    switch (event->type) {
+    case SDL_KEYDOWN:
+    case SDL_KEYUP:
+        on_key(view, &event->key);
+        break;
+    case SDL_MOUSEMOTION:
+        on_drag(view, &event->motion);
+        break;
+    case SDL_MOUSEWHEEL:
+        on_wheel(view, &event->wheel);
+        break;
+    case SDL_WINDOWEVENT:
+        on_window(view, &event->window);
+        break;
+    case SDL_KEYMAPCHANGED:
+        on_keymap(view, event_time(event->common.timestamp));
+        break;
+    case SDL_RENDER_TARGETS_RESET:
+    case SDL_RENDER_DEVICE_RESET:
+        stage_on_loss(&view->stage);
+        break;
+    case SDL_QUIT:
+        view->is_over = true;
+        break;
+    default:
+        on_own_event(view, event->type);
+        break;
+    }
+}

@@ -1,0 +1,71 @@
+/**
+ * @file
+ * @brief The window on the screen: opening it, its size, getting a picture into it.
+ */
+#ifndef DIOPTRE_VIEW_DISPLAY_H
+#define DIOPTRE_VIEW_DISPLAY_H
+
+#include "dioptre/error.h"
+
+#include <SDL.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+/** A window with the newest picture. Starts as `{0}`: closed. */
+typedef struct Display {
+    SDL_Window *window;     /**< The window; owned. */
+    SDL_Renderer *renderer; /**< What draws in it; owned. */
+    SDL_Texture *texture;   /**< The picture, or NULL while there is none; owned. */
+    int width;              /**< Pixels of the texture. */
+    int height;             /**< Pixels of the texture. */
+} Display;
+
+/**
+ * Opens a window, no larger than the screen has room for.
+ * @param[out] display  The window; give it back with #display_close.
+ * @param title         Its title, UTF-8.
+ * @param width         Width wanted, in the screen's units.
+ * @param height        Height wanted.
+ * @param[out] error    What is wrong.
+ * @return Whether it is open.
+ */
+bool display_open(Display *display, const char *title, int width, int height, Error *error);
+
+/** Closes a window. @param[in,out] display The window, open or not. */
+void display_close(Display *display);
+
+/**
+ * Finds how many pixels the window really has, which on a HiDPI screen are more than its units.
+ * @param display      The window.
+ * @param[out] width   Pixels, at least 1 and at most #IMAGE_SIZE_MAXIMUM.
+ * @param[out] height  Pixels, likewise.
+ */
+void display_size(const Display *display, int *width, int *height);
+
+/**
+ * Gives access to the pixels of the window's picture, until #display_unlock.
+ * @param[in,out] display  The window.
+ * @param width            Pixels that the picture shall have; it is made anew if it has others.
+ * @param height           Pixels that it shall have.
+ * @param[out] pitch       Bytes from a row to the next.
+ * @return Where to write blue, green, red and an unused byte for each pixel; NULL if that failed.
+ */
+uint8_t *display_lock(Display *display, int width, int height, int *pitch);
+
+/** Ends the access to the pixels. @param[in,out] display The window. */
+void display_unlock(Display *display);
+
+/**
+ * Shows the picture, stretched if the window has another size, and something over it.
+ * @param[in,out] display  The window.
+ * @param overlay          What goes over the picture, in the middle; NULL: nothing.
+ */
+void display_present(Display *display, SDL_Texture *overlay);
+
+/** Forgets the picture: the graphics card lost it. @param[in,out] display The window. */
+void display_forget(Display *display);
+
+/** Changes between the whole screen and a window. @param[in,out] display The window. */
+void display_toggle_full_screen(Display *display);
+
+#endif

@@ -1,0 +1,186 @@
+/**
+ * @file
+ * @brief Drawing the help: as large as the window has room for, up to what the last row can read.
+ */
+#include "view/help_panel.h"
+
+#include "view/keymap.h"
+
+#include <SDL_ttf.h>
+#include <unistd.h>
+
+/** The help takes at most a line's height of the window's height divided by this. */
+static const int LINES_A_WINDOW = 28;
+/** Smallest size of letters that is tried, pixels: below it they are only dots. */
+static const int SIZE_MINIMUM = 5;
+/** Size of letters below which no window of a sensible size goes, pixels. */
+static const int SIZE_READABLE = 12;
+
+/** Colour of the words. */
+static const SDL_Color WORDS = {240, 240, 240, SDL_ALPHA_OPAQUE};
+/** Colour of the keys: apart from the words by hue and by lightness. */
+static const SDL_Color KEYS = {255, 205, 90, SDL_ALPHA_OPAQUE};
+/** Colour of the headings. */
+static const SDL_Color HEADINGS = {150, 200, 255, SDL_ALPHA_OPAQUE};
+/** Colour of the panel: dark, and the picture can be guessed behind it. */
+static const SDL_Color PANEL = {15, 18, 28, 215};
+
+/** Fonts that have the letters and arrows, in the places where systems keep them. */
+static const char *const fonts[] = {
+    "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+    "/usr/share/fonts/TTF/DejaVuSans.ttf",
+    "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
+    "/usr/share/fonts/dejavu/DejaVuSans.ttf",
+    "/usr/local/share/fonts/dejavu/DejaVuSans.ttf",
+    "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf",
+    "/usr/share/fonts/truetype/liberation2/LiberationSans-Regular.ttf",
+    "/usr/share/fonts/liberation-sans/LiberationSans-Regular.ttf",
+    "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
+};
+
+/** The help laid out in letters of one size. All lengths are pixels. */
+typedef struct Layout {
+    HelpRow rows[HELP_ROWS_MAXIMUM]; /**< What is said. */
+    size_t count;                    /**< How many rows. */
+    TTF_Font *font;                  /**< The letters; owned. */
+    int line;                        /**< Height of a row. */
+    int margin;                      /**< Empty border, and gap between the columns. */
+    int keys_width;                  /**< Width of the column of keys. */
+    int words_width;                 /**< Width of the column of words. */
+} Layout;
+
+/** @return Path of a font that is there, or NULL. */
+static const char *find_font(void) {
+    for (size_t i = 0; i < sizeof fonts / sizeof fonts[0]; i++) {
+        if (access(fonts[i], R_OK) == 0) {
+            return fonts[i];
+        }
+    }
+    return NULL;
+}
+
+/** @return Width of a text, pixels. @param font Its letters. @param text UTF-8. */
+static int text_width(TTF_Font *font, const char *text) {
+    int width = 0;
+    TTF_SizeUTF8(font, text, &width, NULL);
+    return width;
+}
+
+/** Opens a font. @return It, to be closed with #close_font; NULL if there is none. */
+static TTF_Font *open_font(void) {
+    const char *path = find_font();
+    if (!path || TTF_Init() != 0) {
+        return NULL;
+    }
+    TTF_Font *font = TTF_OpenFont(path, SIZE_READABLE);
+    if (!font) {
+        TTF_Quit();
+    }
+    return font;
+}
+
+/** Closes a font. @param font A font of #open_font. */
+static void close_font(TTF_Font *font) {
+    TTF_CloseFont(font);
+    TTF_Quit();
+}
+
+/**
+ * Lays the rows out in letters of one size.
+ * @param[in,out] layout  The rows and the font; the lengths are set.
+ * @param size            Size of the letters, pixels.
+ */
+static void lay_out(Layout *layout, int size) {
+    TTF_SetFontSize(layout->font, size);
+    layout->line = TTF_FontLineSkip(layout->font);
+    layout->margin = size;
+    layout->keys_width = layout->words_width = 0;
+    for (size_t i = 0; i < layout->count; i++) {
+        const HelpRow *row = &layout->rows[i];
+        int keys = text_width(layout->font, row->keys);
+        int words = row->is_heading ? 0 : text_width(layout->font, row->text);
+        layout->keys_width = SDL_max(layout->keys_width, keys);
+        layout->words_width = SDL_max(layout->words_width, words);
+    }
+}
+
+/** @return Width of the panel. @param layout The layout. */
+static int panel_width(const Layout *layout) {
+    return layout->keys_width + layout->words_width + 3 * layout->margin;
+}
+
+/** @return Height of the panel. @param layout The layout. */
+static int panel_height(const Layout *layout) {
+    return layout->line * (int)layout->count + layout->margin;
+}
+
+/**
+ * Lays the rows out in the largest letters that fit a window.
+ * @param[in,out] layout  The rows and the font; the lengths are set.
+ * @param width           Pixels of the window.
+ * @param height          Pixels of the window.
+ */
+static void lay_out_to_fit(Layout *layout, int width, int height) {
+    int size = SDL_max(SIZE_READABLE, height / LINES_A_WINDOW);
+    lay_out(layout, size);
+    while (size > SIZE_MINIMUM && (panel_width(layout) > width || panel_height(layout) > height)) {
+        lay_out(layout, --size);
+    }
+}
+
+/**
+ * Writes a text on the panel.
+ * @param panel  The panel.
+ * @param font   The letters.
+ * @param text   UTF-8; nothing is written for an empty one.
+ * @param color  Their colour.
+ * @param x      Left end, pixels.
+ * @param y      Upper end, pixels.
+ */
+static void write_text(SDL_Surface *panel, TTF_Font *font, const char *text, SDL_Color color, int x,
+                       int y) {
+    SDL_Surface *words = text[0] != '\0' ? TTF_RenderUTF8_Blended(font, text, color) : NULL;
+    if (words) {
+        SDL_Rect place = {.x = x, .y = y};
+        SDL_BlitSurface(words, NULL, panel, &place);
+        SDL_FreeSurface(words);
+    }
+}
+
+/** @return The panel with all rows, or NULL without memory. @param layout The layout. */
+static SDL_Surface *draw_panel(const Layout *layout) {
+    SDL_Surface *panel = SDL_CreateRGBSurfaceWithFormat(
+        0, panel_width(layout), panel_height(layout), 32, SDL_PIXELFORMAT_ARGB8888);
+    if (!panel) {
+        return NULL;
+    }
+    SDL_FillRect(panel, NULL, SDL_MapRGBA(panel->format, PANEL.r, PANEL.g, PANEL.b, PANEL.a));
+    for (size_t i = 0; i < layout->count; i++) {
+        const HelpRow *row = &layout->rows[i];
+        int y = layout->margin / 2 + layout->line * (int)i;
+        int words_x = layout->keys_width + 2 * layout->margin;
+        write_text(panel, layout->font, row->keys, KEYS, layout->margin, y);
+        if (row->is_heading) {
+            write_text(panel, layout->font, row->text, HEADINGS, layout->margin, y);
+        } else {
+            write_text(panel, layout->font, row->text, WORDS, words_x, y);
+        }
+    }
+    return panel;
+}
+
+bool help_panel_is_possible(void) {
+    return find_font() != NULL;
+}
+
+SDL_Surface *help_panel_draw(bool by_letter, int width, int height) {
+    Layout layout = {.font = open_font()};
+    if (!layout.font) {
+        return NULL;
+    }
+    layout.count = keymap_help(by_letter, layout.rows);
+    lay_out_to_fit(&layout, width, height);
+    SDL_Surface *panel = draw_panel(&layout);
+    close_font(layout.font);
+    return panel;
+}

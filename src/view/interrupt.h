@@ -1,0 +1,43 @@
+/**
+ * @file
+ * @brief Ctrl-C, and its kin, as an event of the window.
+ *
+ * A signal handler may not call SDL, and a flag that it sets is not looked at by a loop that
+ * sleeps. So a thread of its own waits for the signals, and sleeps too until one comes.
+ */
+#ifndef DIOPTRE_VIEW_INTERRUPT_H
+#define DIOPTRE_VIEW_INTERRUPT_H
+
+#include <pthread.h>
+#include <signal.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+/** The signals that ask the program to end, and the thread that waits for them. */
+typedef struct Interrupt {
+    sigset_t
+        signals; /**< SIGINT, SIGTERM and SIGHUP, but those that the program was told to ignore. */
+    sigset_t before;  /**< The signals that were blocked before #interrupt_block. */
+    uint32_t event;   /**< SDL event that the first signal becomes. */
+    pthread_t thread; /**< The thread that waits. */
+    bool is_watched;  /**< Whether the thread runs. */
+} Interrupt;
+
+/**
+ * Keeps the signals from this thread and all that it starts from now on.
+ * @param[out] interrupt  The signals; give them back with #interrupt_release.
+ */
+void interrupt_block(Interrupt *interrupt);
+
+/**
+ * Starts to wait: the first signal becomes an SDL event, the second ends the program at once.
+ * @param[in,out] interrupt  The signals, blocked.
+ * @param event              Type of the SDL event, with SDL up.
+ * @return false if no thread could be started; the signals are then let through again.
+ */
+bool interrupt_watch(Interrupt *interrupt, uint32_t event);
+
+/** Stops waiting and lets the signals through again. @param[in,out] interrupt The signals. */
+void interrupt_release(Interrupt *interrupt);
+
+#endif

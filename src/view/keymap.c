@@ -1,0 +1,111 @@
+/**
+ * @file
+ * @brief Which key asks for what.
+ *
+ * The light's keys stand at fixed places: those of the letters z s q d e w on an AZERTY keyboard,
+ * wherever the letters are on the keyboard in use. SDL names places by the US keyboard. All other
+ * keys go by what is printed on them.
+ */
+#include "view/keymap.h"
+
+#include <string.h>
+
+/** One key, or one other thing that the help tells of. */
+typedef struct Binding {
+    Action action;      /**< What it asks for. */
+    SDL_Scancode place; /**< Its place, where it goes by that; otherwise 0, SDL's "unknown". */
+    SDL_Keycode letter; /**< Its letter or name; 0: not a key, only a row of the help. */
+    const char *label;  /**< What to call it in the help; NULL: as SDL does. */
+    const char *group;  /**< The help's heading that it stands under. */
+    const char *help;   /**< What it does. Neighbours with the same words share a row. */
+} Binding;
+
+/** Headings of the help. */
+static const char LIGHT[] = "Light", CAMERA[] = "Camera", PROGRAM[] = "Program";
+
+/** All keys, in the help's order. */
+static const Binding bindings[] = {
+    {ACTION_LIGHT_UP, SDL_SCANCODE_W, SDLK_z, NULL, LIGHT, "up, down"},
+    {ACTION_LIGHT_DOWN, SDL_SCANCODE_S, SDLK_s, NULL, LIGHT, "up, down"},
+    {ACTION_LIGHT_LEFT, SDL_SCANCODE_A, SDLK_q, NULL, LIGHT, "left, right"},
+    {ACTION_LIGHT_RIGHT, SDL_SCANCODE_D, SDLK_d, NULL, LIGHT, "left, right"},
+    {ACTION_LIGHT_AWAY, SDL_SCANCODE_E, SDLK_e, NULL, LIGHT, "away from you, nearer"},
+    {ACTION_LIGHT_NEARER, SDL_SCANCODE_Z, SDLK_w, NULL, LIGHT, "away from you, nearer"},
+    {ACTION_NEXT_LIGHT, 0, SDLK_TAB, NULL, LIGHT, "next light"},
+    {ACTION_CAMERA_UP, 0, SDLK_UP, "↑", CAMERA, "up, down"},
+    {ACTION_CAMERA_DOWN, 0, SDLK_DOWN, "↓", CAMERA, "up, down"},
+    {ACTION_CAMERA_LEFT, 0, SDLK_LEFT, "←", CAMERA, "left, right"},
+    {ACTION_CAMERA_RIGHT, 0, SDLK_RIGHT, "→", CAMERA, "left, right"},
+    {ACTION_CAMERA_FORWARD, 0, SDLK_PAGEUP, "Page Up", CAMERA, "forward, back"},
+    {ACTION_CAMERA_BACK, 0, SDLK_PAGEDOWN, "Page Down", CAMERA, "forward, back"},
+    {ACTION_NONE, 0, 0, "Mouse drag", CAMERA, "look around"},
+    {ACTION_NONE, 0, 0, "Wheel", CAMERA, "field of view"},
+    {ACTION_NONE, 0, 0, "Shift", PROGRAM, "with a move: fast, fine"},
+    {ACTION_NONE, 0, 0, "Ctrl", PROGRAM, "with a move: fast, fine"},
+    {ACTION_HOME, 0, SDLK_HOME, NULL, PROGRAM, "the scene's own view"},
+    {ACTION_SNAPSHOT, 0, SDLK_p, NULL, PROGRAM, "snapshot"},
+    {ACTION_SNAPSHOT, 0, SDLK_F12, NULL, PROGRAM, "snapshot"},
+    {ACTION_HELP, 0, SDLK_F1, NULL, PROGRAM, "this help"},
+    {ACTION_HELP, 0, SDLK_h, NULL, PROGRAM, "this help"},
+    {ACTION_FULL_SCREEN, 0, SDLK_F11, NULL, PROGRAM, "full screen"},
+    {ACTION_LEAVE, 0, SDLK_ESCAPE, "Esc", PROGRAM, "leave"},
+};
+
+/** How many there are. */
+enum { BINDING_COUNT = sizeof bindings / sizeof bindings[0] };
+
+Action keymap_action(SDL_Keysym key, bool by_letter) {
+    for (size_t i = 0; i < BINDING_COUNT; i++) {
+        const Binding *binding = &bindings[i];
+        bool by_place = binding->place != 0 && !by_letter;
+        if (by_place ? key.scancode == binding->place
+                     : binding->letter != 0 && key.sym == binding->letter) {
+            return binding->action;
+        }
+    }
+    return ACTION_NONE;
+}
+
+/**
+ * @return What is printed on a key of the keyboard in use.
+ * @param binding    The key.
+ * @param by_letter  Whether the light's keys go by their letters.
+ */
+static const char *binding_label(const Binding *binding, bool by_letter) {
+    if (binding->label) {
+        return binding->label;
+    }
+    if (binding->place == 0 || by_letter) {
+        return SDL_GetKeyName(binding->letter);
+    }
+    const char *printed = SDL_GetKeyName(SDL_GetKeyFromScancode(binding->place));
+    return printed[0] != '\0' ? printed : SDL_GetScancodeName(binding->place);
+}
+
+/**
+ * Adds one key to the names in a row.
+ * @param[in,out] row  The row.
+ * @param label        The key's name.
+ */
+static void add_label(HelpRow *row, const char *label) {
+    size_t used = strlen(row->keys);
+    SDL_snprintf(row->keys + used, sizeof row->keys - used, "%s%s", used > 0 ? "  " : "", label);
+}
+
+size_t keymap_help(bool by_letter, HelpRow rows[HELP_ROWS_MAXIMUM]) {
+    size_t count = 0;
+    const Binding *before = NULL;
+    for (const Binding *binding = bindings; binding < bindings + BINDING_COUNT; binding++) {
+        bool is_new_group = !before || before->group != binding->group;
+        if (is_new_group && count < HELP_ROWS_MAXIMUM) {
+            rows[count++] = (HelpRow){.is_heading = true, .text = binding->group};
+        }
+        bool is_new_row = is_new_group || strcmp(before->help, binding->help) != 0;
+        if (is_new_row && count < HELP_ROWS_MAXIMUM) {
+            rows[count++] = (HelpRow){.text = binding->help};
+        }
+        add_label(&rows[count - 1], binding_label(binding, by_letter));
+        before = binding;
+    }
+    return count;
+}

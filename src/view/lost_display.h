@@ -1,0 +1,15 @@
+/**
+ * @file
+ * @brief What happens when the display goes away while the window is open.
+ */
+#ifndef DIOPTRE_VIEW_LOST_DISPLAY_H
+#define DIOPTRE_VIEW_LOST_DISPLAY_H
+
+/**
+ * Makes the program end with words of its own, and status 1, when the X server vanishes. Does
+ * nothing where SDL uses another display system, which tells by an event. Call it with SDL's video
+ * up.
+ */
+void lost_display_prepare(void);
+
+#endif

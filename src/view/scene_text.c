@@ -1,0 +1,85 @@
+/**
+ * @file
+ * @brief A view as text of the scene language, by the same tables that it is read with.
+ */
+#include "view/scene_text.h"
+
+#include <string.h>
+
+/** Prints a field's three numbers. @param values They. @param file Where to. */
+static void print_three(const double values[3], FILE *file) {
+    fprintf(file, "{%.17g, %.17g, %.17g}", values[0], values[1], values[2]);
+}
+
+/**
+ * Prints a field's value.
+ * @param row    Its row of the table.
+ * @param value  Where it lies.
+ * @param file   Where to.
+ */
+static void print_value(const Parameter *row, const void *value, FILE *file) {
+    switch (row->type) {
+    case PARAMETER_NUMBER:
+        fprintf(file, "%.17g", *(const double *)value);
+        break;
+    case PARAMETER_INTEGER:
+        fprintf(file, "%d", *(const int *)value);
+        break;
+    case PARAMETER_BOOLEAN:
+        fputs(*(const bool *)value ? "true" : "false", file);
+        break;
+    case PARAMETER_WORD:
+        fprintf(file, "\"%s\"", row->words[*(const int *)value]);
+        break;
+    case PARAMETER_VECTOR:
+    case PARAMETER_DIRECTION:
+    case PARAMETER_COLOR:
+        print_three(value, file);
+        break;
+    }
+}
+
+/**
+ * Says whether a field is left out of the text.
+ * @param name     Its name.
+ * @param skipped  Names that are left out, ended by NULL.
+ * @return Whether it is one of them.
+ */
+static bool is_skipped(const char *name, const char *const *skipped) {
+    while (*skipped && strcmp(name, *skipped) != 0) {
+        skipped++;
+    }
+    return *skipped != NULL;
+}
+
+/**
+ * Prints a keyword with its fields.
+ * @param keyword  The keyword.
+ * @param values   Its struct.
+ * @param skipped  Names of fields that are left out, ended by NULL.
+ * @param file     Where to.
+ */
+static void print_keyword(const Keyword *keyword, const void *values, const char *const *skipped,
+                          FILE *file) {
+    const char *separator = " { ";
+    fputs(keyword->name, file);
+    for (const Parameter *row = keyword->parameters; row->name; row++) {
+        if (!is_skipped(row->name, skipped)) {
+            fprintf(file, "%s%s = ", separator, row->name);
+            print_value(row, (const char *)values + row->offset, file);
+            separator = ", ";
+        }
+    }
+    fputs(" }", file);
+}
+
+void scene_text_print(const Scene *scene, FILE *file) {
+    /* The camera's direction and up say it all; the other ways to say it would contradict them. */
+    static const char *const other_ways[] = {"look_at", "pan", "tilt", NULL};
+    static const char *const none[] = {NULL};
+    print_keyword(&camera_keyword, &scene->camera, other_ways, file);
+    for (size_t i = 0; i < scene->light_count; i++) {
+        fputs("  ", file);
+        print_keyword(&light_keyword, &scene->lights[i], none, file);
+    }
+}

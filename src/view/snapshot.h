@@ -1,0 +1,35 @@
+/**
+ * @file
+ * @brief Snapshots: the picture on screen into a file of its own.
+ */
+#ifndef DIOPTRE_VIEW_SNAPSHOT_H
+#define DIOPTRE_VIEW_SNAPSHOT_H
+
+#include "dioptre/picture.h"
+
+/** Longest path of a snapshot, bytes with the final zero. */
+enum { SNAPSHOT_PATH_SIZE = 4096 };
+
+/** Highest number of a snapshot: a guard against looking for a free one for ever. */
+enum { SNAPSHOT_NUMBER_MAXIMUM = 999999 };
+
+/**
+ * Writes a picture as NAME-0001.bmp, with the first number that is free, never over another file.
+ * @param folder      Folder for it.
+ * @param name        First part of its name.
+ * @param picture     The picture.
+ * @param[out] path   The path that it got.
+ * @param[out] error  What is wrong.
+ * @return Whether it is there, all of it.
+ */
+bool snapshot_write(const char *folder, const char *name, const Picture *picture,
+                    char path[SNAPSHOT_PATH_SIZE], Error *error);
+
+/**
+ * Turns what a screen shows into a picture.
+ * @param bgrx          Blue, green, red and an unused byte for each pixel, row by row, no gaps.
+ * @param[out] picture  A picture of that size, made already; its pixels are written.
+ */
+void snapshot_convert(const uint8_t *bgrx, Picture *picture);
+
+#endif

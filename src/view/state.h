@@ -1,0 +1,53 @@
+/**
+ * @file
+ * @brief All that an open window knows.
+ */
+#ifndef DIOPTRE_VIEW_STATE_H
+#define DIOPTRE_VIEW_STATE_H
+
+#include "dioptre/view.h"
+#include "view/motion.h"
+#include "view/pose.h"
+#include "view/stage.h"
+
+/** Longest note in the title, bytes with the final zero; a longer one is cut. */
+enum { NOTE_SIZE = 256 };
+
+/** SDL event types of the window's own. */
+typedef enum {
+    EVENT_PASS,      /**< A pass has ended. */
+    EVENT_INTERRUPT, /**< A signal asks the program to end. */
+    EVENT_COUNT      /**< How many there are. */
+} EventKind;
+
+/** An open window. */
+typedef struct View {
+    const ViewSettings *settings; /**< How it was opened. */
+    Scene *scene;                 /**< What it shows; camera and lights are moved. */
+    Pose home;                    /**< The scene's own view. */
+    Stage stage;                  /**< The way from the scene to the screen. */
+    Motion motion;                /**< The keys that are held. */
+    size_t light;                 /**< Place of the light that the keys move. */
+    double next_step;             /**< When held keys move things again, seconds. */
+    bool wants_snapshot;          /**< Whether a snapshot waits for the last pass. */
+    char note[NOTE_SIZE];         /**< What the title says besides how the drawing stands. */
+    double title_due;             /**< When the title may change again, seconds. */
+    Uint32 first_event;           /**< SDL's number for #EVENT_PASS; the others follow. */
+    bool is_over;                 /**< Whether the window is to be closed. */
+    Status status;                /**< What the program should end with. */
+} View;
+
+/**
+ * Puts a note into the title, until the next change of the view.
+ * @param[in,out] view  The view.
+ * @param format        The note, as for printf; empty: none.
+ */
+void view_note(View *view, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/**
+ * The view has changed: it is drawn anew.
+ * @param[in,out] view  The view.
+ */
+void view_changed(View *view);
+
+#endif

@@ -1,0 +1,31 @@
+/**
+ * @file
+ * @brief The window's title: how the drawing stands.
+ */
+#ifndef DIOPTRE_VIEW_TITLE_H
+#define DIOPTRE_VIEW_TITLE_H
+
+#include "dioptre/renderer.h"
+
+/** Longest title, bytes with the final zero; a longer one is cut. */
+enum { TITLE_SIZE = 512 };
+
+/** What the title tells of. */
+typedef struct TitleFacts {
+    const char *name;           /**< Name of the scene. */
+    int width;                  /**< Pixels of the picture. */
+    int height;                 /**< Pixels of the picture. */
+    const RenderReport *report; /**< How the drawing stands; NULL before the first pass. */
+    size_t light;               /**< Place of the light that the keys move. */
+    size_t light_count;         /**< How many lights there are. */
+    const char *note;           /**< What else is to be said; empty: nothing. */
+} TitleFacts;
+
+/**
+ * Writes the title.
+ * @param facts       What it tells of.
+ * @param[out] title  The title, UTF-8.
+ */
+void title_write(const TitleFacts *facts, char title[TITLE_SIZE]);
+
+#endif

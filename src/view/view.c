@@ -1,0 +1,242 @@
+/**
+ * @file
+ * @brief The window: opening it, its event loop, closing it.
+ *
+ * The loop sleeps until an event comes. A pass of the picture is an event too, and so is Ctrl-C,
+ * so nothing is ever polled for; only held keys make it wake up by itself, once a frame.
+ */
+#include "dioptre/view.h"
+
+#include "dioptre/image_file.h"
+#include "view/controls.h"
+#include "view/interrupt.h"
+#include "view/lost_display.h"
+#include "view/scene_text.h"
+#include "view/snapshot.h"
+#include "view/state.h"
+#include "view/title.h"
+
+#include <locale.h>
+#include <stdarg.h>
+
+/** Seconds from one move of held keys to the next: a frame of a common screen. */
+static const double STEP = 0.016;
+/** Seconds that a title stands at least while a picture is drawn, so that it can be read. */
+static const double TITLE_SECONDS = 0.25;
+
+void view_note(View *view, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(view->note, sizeof view->note, format, arguments);
+    va_end(arguments);
+    view->title_due = 0;
+}
+
+void view_changed(View *view) {
+    view->stage.is_changed = true;
+    if (!view->wants_snapshot) {
+        view->note[0] = '\0';
+    }
+}
+
+/** Says on standard error and in the title what went wrong. @param[in,out] view The view.
+ *  @param error What went wrong. */
+static void report_error(View *view, const Error *error) {
+    fprintf(stderr, "dioptre: %s\n", error->message);
+    view_note(view, "%.*s", NOTE_SIZE - 1, error->message);
+}
+
+/** Moves things as far as the keys were held. @param[in,out] view The view. @param now Seconds. */
+static void move_by_keys(View *view, double now) {
+    if (now < view->next_step || !stage_is_ready(&view->stage) ||
+        !motion_is_active(&view->motion)) {
+        return;
+    }
+    Movement light, camera;
+    motion_take(&view->motion, now, &light, &camera);
+    bool is_light_moved = movement_is_any(light) && view->light < view->scene->light_count;
+    if (is_light_moved || movement_is_any(camera)) {
+        pose_move(view->scene, view->light, light, camera);
+        view_changed(view);
+    } else {
+        latency_forget(&view->stage.latency);
+    }
+    view->next_step = now + STEP;
+}
+
+/**
+ * Writes the finished picture into a file, and its view to standard output.
+ * @param[in,out] view  The view, with the picture finished.
+ * @param[out] error    What is wrong.
+ * @return Whether it is done.
+ */
+static bool save_snapshot(View *view, Error *error) {
+    Picture picture = {0};
+    char path[SNAPSHOT_PATH_SIZE];
+    bool is_saved =
+        stage_copy(&view->stage, &picture, error) &&
+        snapshot_write(view->settings->snapshot_dir, view->settings->name, &picture, path, error);
+    picture_release(&picture);
+    if (is_saved) {
+        scene_text_print(view->scene, stdout);
+        printf("  -- %s\n", path);
+        fflush(stdout);
+        view_note(view, "saved %s", path);
+    }
+    return is_saved;
+}
+
+/** Takes a snapshot if one is wanted and the picture is finished. @param[in,out] view The view. */
+static void snapshot_if_wanted(View *view) {
+    if (view->wants_snapshot && stage_is_finished(&view->stage)) {
+        Error error = {0};
+        view->wants_snapshot = false;
+        if (!save_snapshot(view, &error)) {
+            report_error(view, &error);
+        }
+    }
+}
+
+/** Brings the title up to date. @param[in,out] view The view. @param now Now, seconds. */
+static void update_title(View *view, double now) {
+    const Stage *stage = &view->stage;
+    if (now < view->title_due && !stage_is_finished(stage)) {
+        return;
+    }
+    TitleFacts facts = {.name = view->settings->name,
+                        .width = stage->width,
+                        .height = stage->height,
+                        .report = stage->first_shown > 0 ? &stage->report : NULL,
+                        .light = view->light,
+                        .light_count = view->scene->light_count,
+                        .note = view->note};
+    char title[TITLE_SIZE];
+    title_write(&facts, title);
+    SDL_SetWindowTitle(stage->display.window, title);
+    view->title_due = now + TITLE_SECONDS;
+}
+
+/**
+ * Sleeps until there is something to do.
+ * @param view        The view.
+ * @param now         Now, seconds.
+ * @param[out] event  The event that came.
+ * @return Whether one came.
+ */
+static bool wait_for_event(const View *view, double now, SDL_Event *event) {
+    double delay = stage_delay(&view->stage, now);
+    if (motion_is_active(&view->motion) && stage_is_ready(&view->stage)) {
+        delay = fmin(delay, fmax(0, view->next_step - now));
+    }
+    if (isinf(delay)) {
+        return SDL_WaitEvent(event);
+    }
+    return SDL_WaitEventTimeout(event, (int)ceil(delay * 1000));
+}
+
+/** Does one round: moves, draws, shows, and sleeps. @param[in,out] view The view. */
+static void do_round(View *view) {
+    Error error = {0};
+    move_by_keys(view, stage_clock());
+    if (!stage_update(&view->stage, view->scene, stage_clock(), &error)) {
+        report_error(view, &error);
+    }
+    snapshot_if_wanted(view);
+    update_title(view, stage_clock());
+    SDL_Event event;
+    bool is_event = wait_for_event(view, stage_clock(), &event);
+    while (is_event && !view->is_over) {
+        controls_handle(view, &event);
+        is_event = SDL_PollEvent(&event);
+    }
+}
+
+/** Prints what was measured, as one line of JSON. @param[in,out] view The view. */
+static void print_timing(View *view) {
+    LatencySummary waits = latency_summary(&view->stage.latency);
+    double first = view->stage.first_shown - view->settings->launched;
+    printf("{\"first_picture_ms\": %.1f, \"keys\": %zu, \"key_to_picture_ms_median\": %.1f, "
+           "\"key_to_picture_ms_worst\": %.1f}\n",
+           first * 1e3, waits.count, waits.median * 1e3, waits.worst * 1e3);
+    fflush(stdout);
+}
+
+/**
+ * Opens the window, lives its life and closes it.
+ * @param[in,out] view       The view, with SDL up.
+ * @param stop               The window closes once this is true; may be NULL.
+ * @param[in,out] interrupt  The signals, blocked.
+ * @param[out] error         What is wrong.
+ * @return What the program should end with.
+ */
+static Status live(View *view, const atomic_bool *stop, Interrupt *interrupt, Error *error) {
+    const ViewSettings *settings = view->settings;
+    view->first_event = SDL_RegisterEvents(EVENT_COUNT);
+    interrupt_watch(interrupt, view->first_event + EVENT_INTERRUPT);
+    if (!pose_save(&view->home, view->scene, error) ||
+        !stage_open(&view->stage, view->scene, &settings->render, settings->name,
+                    view->first_event + EVENT_PASS, error)) {
+        return error->status;
+    }
+    while (!view->is_over) {
+        do_round(view);
+        if (stop && atomic_load(stop)) {
+            view->is_over = true;
+            view->status = STATUS_INTERRUPTED;
+        }
+    }
+    if (view->wants_snapshot) {
+        fprintf(stderr, "dioptre: no snapshot: the picture was not finished\n");
+    }
+    if (settings->is_timed) {
+        print_timing(view);
+    }
+    return view->status;
+}
+
+/**
+ * Starts SDL's video.
+ * @param[out] error  What is wrong.
+ * @return Whether a window can be opened.
+ */
+static bool start_video(Error *error) {
+    SDL_SetHint(SDL_HINT_APP_NAME, "dioptre");
+    /* Xlib turns titles from UTF-8 by the locale; in the plain "C" one it fails at their signs. */
+    setlocale(LC_CTYPE, "C.UTF-8");
+    /* Ctrl-C is ours, see interrupt.h. */
+    SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
+    /* A window among others, not a game: the screen may sleep, the compositor stays on. */
+    SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
+    SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
+    if (SDL_Init(SDL_INIT_VIDEO) != 0) {
+        return error_set(error, STATUS_FAILED,
+                         "no display to open a window on (%s); `dioptre render` draws without one",
+                         SDL_GetError());
+    }
+    /* Keys are keys here: no input method should swallow or compose them. */
+    SDL_StopTextInput();
+    lost_display_prepare();
+    return true;
+}
+
+bool view_is_possible(void) {
+    bool is_possible = start_video(NULL);
+    SDL_Quit();
+    return is_possible;
+}
+
+Status view_run(Scene *scene, const ViewSettings *settings, const atomic_bool *stop, Error *error) {
+    View view = {.settings = settings, .scene = scene, .motion = {.speed = 1}};
+    view.stage.help.by_letter = settings->keys_by_letter;
+    Status status = STATUS_FAILED;
+    Interrupt interrupt;
+    interrupt_block(&interrupt);
+    if (start_video(error)) {
+        status = live(&view, stop, &interrupt, error);
+        stage_close(&view.stage);
+    }
+    interrupt_release(&interrupt);
+    SDL_Quit();
+    pose_release(&view.home);
+    return status;
+}

@@ -1,0 +1,66 @@
+#!/bin/sh
+# Bad input from outside: broken scenes, full disks, interruptions. Run with the sanitizer build, each
+# within a limit of time and memory.
+. "$(dirname "$0")/check.sh"
+dioptre=$PWD/build/asan/dioptre
+limited() { timeout 20 "$@"; }
+
+# scene TEXT: a scene file of this text.
+scene() { printf '%b' "$1" >"$work/s.lua"; }
+# bad LINE WORDS NAME: rendering that scene must fail on this line, with these words.
+bad() {
+    expect 3 "^$work/s.lua:$1: .*$2" "$3" limited "$dioptre" render "$work/s.lua" -o "$work/o.bmp" -s 8x8
+    [ -e "$work/o.bmp" ] && fail "$3 wrote a picture"
+}
+
+scene ''; bad 1 'camera' 'empty scene'
+scene 'this is not Lua'; bad 1 'syntax' 'not Lua'
+scene '\033Lua...'; bad 1 '' 'bytecode'
+scene 'camera {}\nspere {}'; bad 2 'sphere' 'unknown word, with the nearest'
+scene 'camera {}\nsphere { radus = 1 }'; bad 2 'radius' 'unknown field, with the nearest'
+scene 'camera {}\nsphere { radius = -1 }'; bad 2 'radius must be' 'out of range'
+scene 'camera {}\nsphere { radius = 0/0 }'; bad 2 'finite' 'not a number'
+scene 'camera {}\nsphere { radius = "big" }'; bad 2 'number' 'wrong type'
+scene 'camera {}\nbox { min = {1, 0, 0}, max = {0, 1, 1} }'; bad 2 'min below max' 'box inside out'
+scene 'camera {}\nquad { u = {1, 0, 0}, v = {2, 0, 0} }'; bad 2 'no area' 'quad without area'
+scene 'camera { look_at = {0, 0, 0} }'; bad 1 'own position' 'camera that looks at itself'
+scene 'camera { fov = 180 }'; bad 1 'fov must be' 'field of view of 180 degrees'
+scene 'camera { position = {0, 0, 1e300} }'; bad 1 'position must be' 'camera too far away'
+scene 'camera {}\nimage { width = 20000, height = 20000 }'; bad 2 'width must be' 'picture too large'
+scene 'camera {}\nimage { width = 0 }'; bad 2 'width must be' 'picture without width'
+scene 'camera {}\nwhile true do end'; bad 2 '10 s' 'endless loop'
+scene 'camera {}\nlocal s = string.rep("x", 1e9)'; bad 2 'memory|256' 'a gigabyte in one call'
+scene 'camera {}\nerror({})'; bad 2 '' 'an error that is no text'
+expect 3 'No such file' 'missing scene' "$dioptre" render "$work/none.lua" -o "$work/o.bmp"
+expect 3 'directory' 'a folder as scene' "$dioptre" render "$work" -o "$work/o.bmp"
+
+scene 'camera { direction = {0, -1, 0} }\nsphere { center = {0, -3, 0} }\nlight { position = {0, 0, 0} }'
+expect 0 '' 'straight down' "$dioptre" render "$work/s.lua" -o "$work/down.bmp" -s 9x9
+scene 'camera {}'
+expect 0 '' 'an empty world' "$dioptre" render "$work/s.lua" -o "$work/empty.bmp" -s 9x9
+
+# Output that cannot be written: the old picture stays, nothing half-written is left.
+scene 'camera {}\nsky { color = 1 }'
+cp "$work/down.bmp" "$work/old.bmp"
+cp "$work/down.bmp" "$work/kept.bmp"
+(ulimit -f 8; trap '' XFSZ; exec "$dioptre" render "$work/s.lua" -o "$work/old.bmp" -s 400x300) 2>"$work/err"
+[ $? = 1 ] && ok 'full disk: status 1' || fail "full disk: status, $(cat "$work/err")"
+holds "$work/err" 'old.bmp' 'full disk: says which file'
+same "$work/old.bmp" "$work/kept.bmp" 'full disk: the old picture is whole'
+[ "$(find "$work" -name 'old.bmp*' | wc -l)" = 1 ] && ok 'full disk: nothing left over' || fail 'full disk: something is left over'
+expect 1 'none/o.bmp' 'no such folder' "$dioptre" render "$work/s.lua" -o "$work/none/o.bmp"
+expect 2 'bmp' 'unknown ending' "$dioptre" render "$work/s.lua" -o "$work/o.xyz"
+expect 1 'standard output' 'full disk behind standard output' sh -c "exec $dioptre info $work/s.lua >/dev/full"
+
+# SIGINT: what is finished is kept, status 130. The picture is large enough to be caught at.
+scene 'camera { position = {0, 0, 6} }\nimage { width = 1600, height = 1200, samples = 64 }\nlight {}\nsphere {}'
+"$dioptre" render "$work/s.lua" -o "$work/cut.bmp" -j 1 --progress none 2>"$work/err" &
+pid=$!
+sleep 1.5
+kill -INT $pid
+wait $pid
+[ $? = 130 ] && ok 'SIGINT: status 130' || fail "SIGINT: status: $(cat "$work/err")"
+holds "$work/err" 'interrupted: .*cut.bmp has [0-9]+ %' 'SIGINT: says how much there is'
+[ "$(wc -c <"$work/cut.bmp")" = $((1600 * 1200 * 3 + 54)) ] && ok 'SIGINT: the picture is kept' || fail 'SIGINT: the picture is kept'
+expect 1 'no display' 'no display' env -u DISPLAY -u WAYLAND_DISPLAY SDL_VIDEODRIVER= "$dioptre" view "$work/s.lua"
+finish

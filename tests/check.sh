@@ -1,0 +1,45 @@
+# Shared by the test scripts: counts checks, compares statuses and words. Sourced, not run.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+BUILD=${BUILD:-build}
+dioptre=$PWD/${DIOPTRE:-$BUILD/dioptre}
+work=$(mktemp -d)
+trap 'chmod -R u+w "$work" 2>/dev/null; rm -rf "$work"' EXIT
+failures=0
+
+# ok NAME / fail NAME: one line a check.
+ok() { echo "ok $1"; }
+fail() {
+    echo "not ok $1"
+    failures=$((failures + 1))
+}
+
+# expect STATUS WORDS NAME COMMAND...: runs a command; its exit status must be STATUS and its errors
+# must hold WORDS (a pattern of grep -E; empty: there must be none).
+expect() {
+    status=$1 words=$2 name=$3
+    shift 3
+    "$@" >"$work/out" 2>"$work/err" </dev/null
+    got=$?
+    if [ "$got" != "$status" ]; then
+        fail "$name: status $got, not $status: $(head -3 "$work/err")"
+    elif [ -z "$words" ] && [ -s "$work/err" ]; then
+        fail "$name: unexpected words: $(head -3 "$work/err")"
+    elif [ -n "$words" ] && ! grep -qE "$words" "$work/err"; then
+        fail "$name: no '$words' in: $(head -3 "$work/err")"
+    else
+        ok "$name"
+    fi
+}
+
+# holds FILE WORDS NAME: a file must hold a pattern.
+holds() {
+    if grep -qE "$2" "$1"; then ok "$3"; else fail "$3: no '$2' in $(head -3 "$1")"; fi
+}
+
+# same A B NAME: two files must be the same, byte for byte.
+same() {
+    if cmp -s "$1" "$2"; then ok "$3"; else fail "$3: $1 and $2 differ"; fi
+}
+
+finish() { [ "$failures" = 0 ]; }

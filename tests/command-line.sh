@@ -1,0 +1,66 @@
+#!/bin/sh
+# The command line, as a script uses it: statuses, outputs, JSON, standard input.
+. "$(dirname "$0")/check.sh"
+box=scenes/box.lua
+
+expect 0 '' 'help' "$dioptre" --help
+holds "$work/out" 'render' 'help names the commands'
+for command in view render info compare bench; do
+    expect 0 '' "help of $command" "$dioptre" "$command" -h
+    holds "$work/out" "^usage: dioptre $command" "help of $command says how it is used"
+done
+expect 0 '' 'version' "$dioptre" -V
+holds "$work/out" '^dioptre [0-9]+\.[0-9]+' 'version has a number'
+expect 2 'which command' 'no command' "$dioptre"
+expect 2 'no option' 'unknown option' "$dioptre" render "$box" --nonsense
+expect 2 'does not take' 'option of another command' "$dioptre" render "$box" -o x.bmp --json
+expect 2 'needs -o' 'render without output' "$dioptre" render "$box"
+expect 2 'usage' 'render without scene' "$dioptre" render -o x.bmp
+expect 2 'too many' 'too many arguments' "$dioptre" compare a b c
+expect 2 'auto' 'unknown engine' "$dioptre" info "$box" --engine f16
+expect 2 'none, fixed or bound' 'unknown offset' "$dioptre" info "$box" --offset some
+for size in 0x0 0x10 10x0 800 800x 800x600x1 -1x5 20000x20000 99999999999x1 800,600; do
+    expect 2 'size takes WxH' "size $size" "$dioptre" render "$box" -o "$work/x.bmp" -s "$size"
+done
+for option in '--samples 0' '--samples x' '--depth -1' '-j 0' '-j 1.5' '--epsilon -1' '--epsilon nan' \
+    '-t inf' '--progress loud'; do
+    # shellcheck disable=SC2086 # an option and its value
+    expect 2 'takes' "bad $option" "$dioptre" render "$box" -o "$work/x.bmp" $option
+done
+[ ! -e "$work/x.bmp" ] && ok 'wrong usage writes nothing' || fail 'wrong usage writes nothing'
+
+expect 0 '' 'render bmp' "$dioptre" render "$box" -o "$work/a.bmp" -s 160x120
+expect 0 '' 'render again' "$dioptre" render "$box" -o "$work/b.bmp" --size=160x120 -j 1
+same "$work/a.bmp" "$work/b.bmp" 'the same picture twice, byte for byte'
+expect 0 '' 'render png' "$dioptre" render "$box" -o "$work/a.png" -s 160x120
+expect 0 '' 'compare equal' "$dioptre" compare "$work/a.bmp" "$work/a.png" --json
+holds "$work/out" '"worst_step": 0, "share_off": 0, "rmse": 0, "psnr": null' 'compare finds them equal'
+"$dioptre" render - -o "$work/c.bmp" -s 160x120 <"$box"
+same "$work/a.bmp" "$work/c.bmp" 'a scene from standard input'
+expect 0 '' 'one pixel' "$dioptre" render "$box" -o "$work/p.bmp" -s 1x1
+expect 0 '' 'render with one sample' "$dioptre" render "$box" -o "$work/one.bmp" -s 160x120 --samples 1
+expect 1 '' 'compare different' "$dioptre" compare "$work/a.bmp" "$work/one.bmp" --map "$work/map.bmp"
+[ -s "$work/map.bmp" ] && ok 'compare writes the map' || fail 'compare writes the map'
+expect 0 '' 'compare within a threshold' "$dioptre" compare "$work/a.bmp" "$work/one.bmp" --threshold 255
+expect 3 'sizes differ' 'compare sizes' "$dioptre" compare "$work/a.bmp" "$work/p.bmp"
+expect 4 'No such file' 'compare a missing file' "$dioptre" compare "$work/a.bmp" "$work/none.bmp"
+expect 4 'readme|ending|README' 'compare what is no picture' "$dioptre" compare "$work/a.bmp" README.md
+
+expect 0 '' 'info' "$dioptre" info "$box"
+holds "$work/out" '6 quad' 'info counts shapes'
+expect 0 '' 'info json' "$dioptre" info "$box" --json --engine f64x1
+holds "$work/out" '"engine": "f64x1".*"left_out": \[' 'info json names engine and what is left out'
+expect 0 '' 'bench json' "$dioptre" bench "$box" --json -s 80x60 --frames 3 --samples 1
+holds "$work/out" '^\{"scene": "scenes/box.lua", "engine": "[a-z0-9]+", "threads": [0-9]+, "width": 80, "height": 60, "frames": 3, "ms_min": [0-9.e-]+, "ms_median": [0-9.e-]+, "rays": [0-9]+, "mrays_per_s": [0-9.e+]+\}$' 'bench json has its names'
+for rays in primary random; do
+    expect 0 '' "bench --rays $rays" "$dioptre" bench "$box" --json -s 80x60 --frames 2 --rays $rays
+    holds "$work/out" '"rays": 4800,' "bench --rays $rays traces a ray a pixel"
+done
+expect 0 '"share"' 'progress as json' "$dioptre" render "$box" -o "$work/j.bmp" --progress json -s 80x60
+expect 0 '' 'progress is only for terminals' "$dioptre" render "$box" -o "$work/q.bmp" -s 80x60
+for offset in none fixed bound; do
+    expect 0 '' "offset $offset" "$dioptre" render "$box" -o "$work/$offset.bmp" -s 160x120 --offset $offset
+done
+same "$work/a.bmp" "$work/bound.bmp" 'bound is the default offset'
+cmp -s "$work/none.bmp" "$work/bound.bmp" && fail 'no offset shows acne' || ok 'no offset shows acne'
+finish

@@ -1,0 +1,31 @@
+#!/bin/sh
+# Engines as a person meets them: all draw the box, and the program runs on a processor without AVX2.
+. "$(dirname "$0")/check.sh"
+box=scenes/box.lua
+
+draw() { "$dioptre" render "$box" -o "$work/$1.bmp" -s 96x72 --samples 2 --engine "$1"; }
+if grep -q avx2 /proc/cpuinfo; then
+    for engine in f32x8 f32x4 f32x1 f64x4 f64x1 f128x1; do
+        draw $engine && ok "$engine draws the box" || fail "$engine draws the box"
+    done
+    same "$work/f32x8.bmp" "$work/f32x1.bmp" 'f32x8 gives the bits of f32x1'
+    same "$work/f64x4.bmp" "$work/f64x1.bmp" 'f64x4 gives the bits of f64x1'
+    "$dioptre" compare "$work/f32x8.bmp" "$work/f128x1.bmp" --json >"$work/out"
+    holds "$work/out" '"share_off": (0,|0\.00[0-4]|[0-9.]+e-)' 'float is within a step of quad but at edges'
+else
+    echo 'skipped: this processor has no AVX2'
+fi
+
+# A processor of 2008, emulated.
+old="qemu-x86_64 -cpu core2duo $dioptre"
+draw f32x4
+expect 0 '' 'without AVX2: info' $old info "$box"
+holds "$work/out" 'f32x4' 'without AVX2: f32x4 is taken'
+expect 0 '' 'without AVX2: render' $old render "$box" -o "$work/old.bmp" -s 96x72 --samples 2
+same "$work/old.bmp" "$work/f32x4.bmp" 'without AVX2: the same bits'
+expect 2 'AVX2' 'without AVX2: f32x8 is refused' $old info "$box" --engine f32x8
+
+# One program, two compilers: the same bits.
+build/clang/dioptre render "$box" -o "$work/clang.bmp" -s 96x72 --samples 2 --engine f32x4
+same "$work/clang.bmp" "$work/f32x4.bmp" 'gcc and clang give the same bits'
+finish

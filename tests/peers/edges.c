@@ -1,0 +1,125 @@
+/**
+ * @file
+ * @brief Tells where two pictures differ: how many of the pixels that are off lie on edges.
+ *
+ * Two exact ray tracers agree everywhere but where a pixel's one ray passes an edge so closely that
+ * rounding decides on which side. So every pixel that is off should have an edge beside it.
+ *
+ * Usage: `edges OURS.bmp THEIRS.bmp`; prints the pixels, those off, and those off and on no edge.
+ */
+#include "assets/bmp.h"
+
+#include <stdlib.h>
+
+/** Steps that a channel may be off: two roundings of the same light. */
+enum { STEPS_ALLOWED = 1 };
+/** Steps between neighbours that make an edge: shading alone makes far fewer from pixel to pixel.
+ */
+enum { EDGE_STEPS = 4 };
+/** Bytes of a pixel. */
+enum { CHANNELS = 3 };
+
+/** What is counted. */
+typedef struct Counts {
+    long pixels;    /**< All pixels. */
+    long off;       /**< Those off by more than `STEPS_ALLOWED` in a channel. */
+    long elsewhere; /**< Those off that have no edge beside them. */
+} Counts;
+
+/** @return The channels of a pixel. @param picture The picture. @param x Column. @param y Row. */
+static const uint8_t *pixel_at(const Picture *picture, int x, int y) {
+    return picture->pixels + ((size_t)y * (size_t)picture->width + (size_t)x) * CHANNELS;
+}
+
+/** @return The largest difference of a channel, steps. @param a A pixel. @param b Another. */
+static int difference(const uint8_t *a, const uint8_t *b) {
+    int largest = 0;
+    for (int channel = 0; channel < CHANNELS; channel++) {
+        int steps = abs(a[channel] - b[channel]);
+        largest = steps > largest ? steps : largest;
+    }
+    return largest;
+}
+
+/**
+ * Says whether an edge passes beside a pixel: whether its neighbours differ from each other. The
+ * pixel itself is left out, or a single wrong one would make its own edge.
+ * @param picture  The picture.
+ * @param x        Column.
+ * @param y        Row.
+ * @return Whether one does.
+ */
+static bool is_on_edge(const Picture *picture, int x, int y) {
+    uint8_t low[CHANNELS] = {UINT8_MAX, UINT8_MAX, UINT8_MAX};
+    uint8_t high[CHANNELS] = {0};
+    for (int place = 0; place < 9; place++) {
+        int column = x + place % 3 - 1;
+        int row = y + place / 3 - 1;
+        bool is_inside =
+            row >= 0 && row < picture->height && column >= 0 && column < picture->width;
+        if (!is_inside || (column == x && row == y)) {
+            continue;
+        }
+        const uint8_t *pixel = pixel_at(picture, column, row);
+        for (int channel = 0; channel < CHANNELS; channel++) {
+            low[channel] = pixel[channel] < low[channel] ? pixel[channel] : low[channel];
+            high[channel] = pixel[channel] > high[channel] ? pixel[channel] : high[channel];
+        }
+    }
+    return difference(low, high) > EDGE_STEPS;
+}
+
+/** @return The counts over all pixels. @param ours Our picture. @param theirs A peer's. */
+static Counts count(const Picture *ours, const Picture *theirs) {
+    Counts counts = {.pixels = (long)ours->width * ours->height};
+    for (int y = 0; y < ours->height; y++) {
+        for (int x = 0; x < ours->width; x++) {
+            if (difference(pixel_at(ours, x, y), pixel_at(theirs, x, y)) > STEPS_ALLOWED) {
+                counts.off++;
+                counts.elsewhere += !is_on_edge(ours, x, y);
+            }
+        }
+    }
+    return counts;
+}
+
+/**
+ * Reads a BMP file, or ends the program.
+ * @param path  The file.
+ * @return The picture.
+ */
+static Picture read_or_exit(const char *path) {
+    Error error = {0};
+    Picture picture = {0};
+    FILE *stream = fopen(path, "rb");
+    if (!stream || !bmp_read(stream, &picture, &error)) {
+        fprintf(stderr, "edges: cannot read %s: %s\n", path, error.message);
+        exit(EXIT_FAILURE);
+    }
+    fclose(stream);
+    return picture;
+}
+
+/**
+ * Compares two files.
+ * @param count_of_arguments  3.
+ * @param arguments           The program, our picture, the peer's.
+ * @return 0, or 1 when they cannot be compared.
+ */
+int main(int count_of_arguments, char **arguments) {
+    if (count_of_arguments != 3) {
+        fprintf(stderr, "usage: edges OURS.bmp THEIRS.bmp\n");
+        return EXIT_FAILURE;
+    }
+    Picture ours = read_or_exit(arguments[1]);
+    Picture theirs = read_or_exit(arguments[2]);
+    if (ours.width != theirs.width || ours.height != theirs.height) {
+        fprintf(stderr, "edges: the pictures are not of the same size\n");
+        return EXIT_FAILURE;
+    }
+    Counts counts = count(&ours, &theirs);
+    printf("%ld %ld %ld\n", counts.pixels, counts.off, counts.elsewhere);
+    picture_release(&ours);
+    picture_release(&theirs);
+    return EXIT_SUCCESS;
+}

@@ -1,0 +1,1 @@
+return material { color = {1, 0, 0} }

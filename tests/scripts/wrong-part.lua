@@ -1,0 +1,2 @@
+camera {}
+include "parts/wrong.lua"

@@ -1,0 +1,407 @@
+/**
+ * @file
+ * @brief Pictures: the same bits whatever the threads, the lanes, the passes, the scale.
+ */
+#include "dioptre/renderer.h"
+#include "dioptre/script.h"
+#include "testing.h"
+
+#include <stdlib.h>
+#include <time.h>
+
+/** Size of the test pictures: not a multiple of any block. */
+enum { WIDTH = 203, HEIGHT = 157 };
+
+/** @return A scene of this project, run. @param path Its file. */
+static Scene *load(const char *path) {
+    Error error = {0};
+    ScriptRequest request = {.path = path,
+                             .seconds = SCRIPT_SECONDS,
+                             .memory = SCRIPT_MEMORY,
+                             .shape_keywords = engine_list()[0]->shape_keywords};
+    Scene *scene = script_load(&request, &error);
+    if (!scene) {
+        fail_msg("%s", error.message);
+    }
+    return scene;
+}
+
+/** @return Settings for a small picture. @param scene The scene. @param engine The engine's name.
+ *  @param threads Threads. */
+static RenderSettings small_settings(const Scene *scene, const char *engine, int threads) {
+    Error error = {0};
+    RenderSettings settings = render_settings_default(scene);
+    settings.engine = engine_find(engine, &error);
+    assert_non_null(settings.engine);
+    settings.threads = threads;
+    settings.width = WIDTH;
+    settings.height = HEIGHT;
+    return settings;
+}
+
+/** @return A renderer. @param scene The scene. @param settings What is asked for. */
+static Renderer *create(const Scene *scene, const RenderSettings *settings) {
+    Error error = {0};
+    Renderer *renderer = renderer_create(scene, settings, &error);
+    if (!renderer) {
+        fail_msg("%s", error.message);
+    }
+    return renderer;
+}
+
+/** @return A picture drawn at once. @param scene The scene. @param settings What is asked for. */
+static Picture draw(const Scene *scene, const RenderSettings *settings) {
+    Error error = {0};
+    Picture picture;
+    assert_true(picture_init(&picture, settings->width, settings->height, &error));
+    Renderer *renderer = create(scene, settings);
+    RenderReport report = renderer_draw(renderer, NULL, &picture);
+    assert_true(report.is_finished);
+    renderer_destroy(renderer);
+    return picture;
+}
+
+/** Fails unless two pictures are the same, and gives the second back. @param a One.
+ *  @param b The other. */
+static void assert_same(const Picture *a, Picture b) {
+    Comparison comparison = picture_compare(a, &b, NULL);
+    assert_int_equal(comparison.worst_step, 0);
+    assert_memory_equal(a->pixels, b.pixels, 3 * (size_t)a->width * (size_t)a->height);
+    picture_release(&b);
+}
+
+/** 1, 2, 3 and 8 threads draw the same picture. @param state Not used. */
+static void test_threads(void **state) {
+    (void)state;
+    Scene *scene = load("scenes/box.lua");
+    RenderSettings settings = small_settings(scene, "auto", 1);
+    settings.samples = 3;
+    Picture one = draw(scene, &settings);
+    for (int threads = 2; threads <= 8; threads += threads == 3 ? 5 : 1) {
+        settings.threads = threads;
+        assert_same(&one, draw(scene, &settings));
+    }
+    picture_release(&one);
+    scene_destroy(scene);
+}
+
+/** Eight lanes, four and one draw the same picture, of every scene. @param state Not used. */
+static void test_lanes(void **state) {
+    (void)state;
+    static const char *const scenes[] = {"scenes/box.lua", "scenes/figure-08.lua",
+                                         "scenes/figure-09.lua", "scenes/facing-mirrors.lua"};
+    static const char *const engines[] = {"f32x1", "f32x4", "f32x8", "f64x1", "f64x4"};
+    for (size_t s = 0; s < sizeof scenes / sizeof *scenes; s++) {
+        Scene *scene = load(scenes[s]);
+        Picture narrow = {0};
+        for (size_t e = 0; e < sizeof engines / sizeof *engines; e++) {
+            Error error;
+            if (!engine_find(engines[e], &error)) {
+                continue;
+            }
+            RenderSettings settings = small_settings(scene, engines[e], 2);
+            if (strstr(engines[e], "x1")) {
+                picture_release(&narrow);
+                narrow = draw(scene, &settings);
+            } else {
+                assert_same(&narrow, draw(scene, &settings));
+            }
+        }
+        picture_release(&narrow);
+        scene_destroy(scene);
+    }
+}
+
+/** @return A point moved away from the origin. @param v The point. @param factor How many times. */
+static Vector3 grown(Vector3 v, double factor) { return vector3_scale(v, factor); }
+
+/** Makes a whole scene larger. Shape parameters hold nothing but lengths and points here.
+ *  @param scene The scene. @param factor How many times. */
+static void scale_scene(Scene *scene, double factor) {
+    scene->camera.position = grown(scene->camera.position, factor);
+    for (size_t i = 0; i < scene->light_count; i++) {
+        Light *light = &scene->lights[i];
+        light->position = grown(light->position, factor);
+        light->intensity *= light->falloff == FALLOFF_INVERSE_SQUARE ? factor * factor : 1;
+    }
+    const Keyword *const *keywords = engine_list()[0]->shape_keywords;
+    for (size_t i = 0; i < scene->shape_count; i++) {
+        const Keyword *keyword = keywords[scene->shapes[i].kind];
+        char *values = (char *)(uintptr_t)scene->shapes[i].parameters;
+        for (const Parameter *row = keyword->parameters; row->name; row++) {
+            double *numbers = (double *)(void *)(values + row->offset);
+            int count = row->type == PARAMETER_NUMBER ? 1 : 3;
+            for (int n = 0; n < count && strcmp(row->name, "normal") != 0; n++) {
+                numbers[n] *= factor;
+            }
+        }
+    }
+}
+
+/** A scene a power of two larger or smaller is bitwise the same picture: nothing in it is absolute.
+ *  @param state Not used. */
+static void test_scale(void **state) {
+    (void)state;
+    static const char *const scenes[] = {"scenes/box.lua", "scenes/figure-09.lua"};
+    for (size_t s = 0; s < 2; s++) {
+        Scene *scene = load(scenes[s]);
+        RenderSettings settings = small_settings(scene, "auto", 2);
+        Picture picture = draw(scene, &settings);
+        for (int power = -20; power <= 20; power += 10) {
+            Scene *scaled = load(scenes[s]);
+            scale_scene(scaled, ldexp(1, power));
+            assert_same(&picture, draw(scaled, &settings));
+            scene_destroy(scaled);
+        }
+        picture_release(&picture);
+        scene_destroy(scene);
+    }
+}
+
+/** Draws in the background until it is finished. @param renderer The renderer. @param scene Camera.
+ *  @param[out] passes How many different passes were seen. @return The picture. */
+static Picture draw_in_background(Renderer *renderer, const Scene *scene, int *passes) {
+    Error error = {0};
+    RenderReport report = {0};
+    const struct timespec pause = {.tv_nsec = 200000};
+    uint8_t *bgrx = calloc(4, (size_t)WIDTH * HEIGHT);
+    assert_true(renderer_start(renderer, scene, WIDTH, HEIGHT, NULL, NULL, &error));
+    int last_stride = 0, last_samples = 0;
+    *passes = 0;
+    while (!report.is_finished) {
+        if (renderer_take(renderer, &report, bgrx, 4 * WIDTH) &&
+            (report.stride != last_stride || report.samples != last_samples)) {
+            last_stride = report.stride;
+            last_samples = report.samples;
+            ++*passes;
+        }
+        nanosleep(&pause, NULL);
+    }
+    Picture picture;
+    assert_true(picture_init(&picture, WIDTH, HEIGHT, &error));
+    for (size_t i = 0; i < (size_t)WIDTH * HEIGHT; i++) {
+        for (size_t c = 0; c < 3; c++) {
+            picture.pixels[3 * i + c] = bgrx[4 * i + 2 - c];
+        }
+    }
+    free(bgrx);
+    return picture;
+}
+
+/** What passes in the background end in is what is drawn at once, bit for bit; also after it was
+ *  stopped half-way, and after the camera has gone away and come back. @param state Not used. */
+static void test_background(void **state) {
+    (void)state;
+    Scene *scene = load("scenes/box.lua");
+    RenderSettings settings = small_settings(scene, "auto", 2);
+    settings.samples = 5;
+    Picture at_once = draw(scene, &settings);
+    Renderer *renderer = create(scene, &settings);
+    int passes = 0;
+    assert_same(&at_once, draw_in_background(renderer, scene, &passes));
+    assert_true(passes >= 1);
+
+    Camera home = scene->camera;
+    camera_move(&scene->camera, 0.5, 0.25, 1);
+    Picture moved = draw_in_background(renderer, scene, &passes);
+    Comparison comparison = picture_compare(&at_once, &moved, NULL);
+    assert_true(comparison.worst_step > 20);
+    picture_release(&moved);
+    for (int i = 0; i < 20; i++) {
+        Error error;
+        assert_true(renderer_start(renderer, scene, WIDTH, HEIGHT, NULL, NULL, &error));
+    }
+    scene->camera = home;
+    assert_same(&at_once, draw_in_background(renderer, scene, &passes));
+    renderer_destroy(renderer);
+    picture_release(&at_once);
+    scene_destroy(scene);
+}
+
+/** A drawing that is stopped says so and keeps what is finished. @param state Not used. */
+static void test_stop(void **state) {
+    (void)state;
+    Scene *scene = load("scenes/box.lua");
+    RenderSettings settings = small_settings(scene, "auto", 2);
+    Renderer *renderer = create(scene, &settings);
+    atomic_bool stop = true;
+    RenderReport report = renderer_draw(renderer, &stop, NULL);
+    assert_false(report.is_finished);
+    assert_true(report.share < 1);
+    renderer_destroy(renderer);
+    scene_destroy(scene);
+}
+
+/** Pictures of one pixel, one row and one column. @param state Not used. */
+static void test_small_sizes(void **state) {
+    (void)state;
+    static const int sizes[][2] = {{1, 1}, {1, 9}, {9, 1}, {8, 4}, {65, 17}};
+    Scene *scene = load("scenes/box.lua");
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        RenderSettings settings = small_settings(scene, "f32x1", 1);
+        settings.width = sizes[i][0];
+        settings.height = sizes[i][1];
+        Picture narrow = draw(scene, &settings);
+        settings.engine = engine_find("auto", NULL);
+        assert_same(&narrow, draw(scene, &settings));
+        picture_release(&narrow);
+    }
+    scene_destroy(scene);
+}
+
+/** The camera's rays mirror each other, bit for bit: a scene that is the same on both sides gives a
+ *  picture that is. @param state Not used. */
+static void test_symmetry(void **state) {
+    (void)state;
+    Error error = {0};
+    Scene *scene = scene_create(&error);
+    scene->camera = *(const Camera *)camera_keyword.defaults;
+    struct {
+        Vector3 center; /**< Centre. */
+        double radius;  /**< Radius. */
+    } ball = {{0, 0, -4}, 1};
+    const Keyword *sphere = engine_list()[0]->shape_keywords[0];
+    assert_true(scene_add_shape(scene, 0, sphere, &ball, 0, &error));
+    Light light = *(const Light *)light_keyword.defaults;
+    light.position = (Vector3){0, 3, 0};
+    assert_true(scene_add_light(scene, &light, &error));
+    RenderSettings settings = small_settings(scene, "auto", 1);
+    Picture picture = draw(scene, &settings);
+    for (int y = 0; y < HEIGHT; y++) {
+        for (int x = 0; x < WIDTH; x++) {
+            const uint8_t *row = picture.pixels + 3 * y * WIDTH;
+            assert_memory_equal(row + 3 * x, row + 3 * (WIDTH - 1 - x), 3);
+        }
+    }
+    picture_release(&picture);
+    scene_destroy(scene);
+}
+
+/** Facing mirrors: the n-th image is rho^n as bright (closed form), in every engine. One sees a
+ *  glowing wall behind itself in two mirrors; each order of it is a step darker.
+ *  @param state Not used. */
+static void test_facing_mirrors(void **state) {
+    (void)state;
+    for (const Engine *const *engine = engine_list(); *engine; engine++) {
+        if (!engine_is_supported(*engine)) {
+            continue;
+        }
+        const double share = 0.5;
+        Error error = {0};
+        Scene *scene = scene_create(&error);
+        scene->camera = *(const Camera *)camera_keyword.defaults;
+        Material mirror = *(const Material *)material_keyword.defaults;
+        mirror.reflectivity = (Color){share, share, share};
+        mirror.color = (Color){0, 0, 0};
+        mirror.emission = (Color){0.25, 0.25, 0.25};
+        assert_true(scene_add_material(scene, &mirror, &error));
+        struct {
+            Vector3 point;  /**< A point. */
+            Vector3 normal; /**< The normal. */
+        } front = {{0, 0, -1}, {0, 0, 1}}, back = {{0, 0, 1}, {0, 0, 1}};
+        const Keyword *plane = engine_list()[0]->shape_keywords[1];
+        assert_true(scene_add_shape(scene, 1, plane, &front, 1, &error));
+        assert_true(scene_add_shape(scene, 1, plane, &back, 1, &error));
+        for (int depth = 0; depth < 12; depth++) {
+            TraceSettings trace = {.depth = depth, .offset = OFFSET_BOUND};
+            Tracer *tracer = (*engine)->prepare(scene, &trace, &error);
+            (*engine)->look(tracer, scene, 1, 1);
+            PixelGrid grid = {.columns = 1, .rows = 1, .stride = 1};
+            RayCounts counts = {0};
+            double rgb[3];
+            (*engine)->trace(tracer, &grid, rgb, &counts);
+            // 0.25 (1 + rho + ... + rho^depth); every term is exact in binary.
+            double truth = 0.25 * (1 - pow(share, depth + 1)) / (1 - share);
+            assert_at_most(fabs(rgb[0] - truth), 0, "depth %d in %s", depth, (*engine)->name);
+            assert_int_equal((int)counts.mirror, depth);
+            (*engine)->release(tracer);
+        }
+        scene_destroy(scene);
+    }
+}
+
+/** Point lights add, weaken with the square of the distance and with the cosine, to a few ulps of
+ *  the closed form, from 1e-6 to 1e6 away (rows A3, A5, A6). @param state Not used. */
+static void test_irradiance(void **state) {
+    (void)state;
+    for (const Engine *const *engine = engine_list(); *engine; engine++) {
+        for (double away = 1e-6; away <= 1e6 && engine_is_supported(*engine); away *= 100) {
+            Error error = {0};
+            Scene *scene = scene_create(&error);
+            scene->camera = *(const Camera *)camera_keyword.defaults;
+            struct {
+                Vector3 point;  /**< A point. */
+                Vector3 normal; /**< The normal. */
+            } wall = {{0, 0, -away}, {0, 0, 1}};
+            const Keyword *plane = engine_list()[0]->shape_keywords[1];
+            assert_true(scene_add_shape(scene, 1, plane, &wall, 0, &error));
+            for (int i = 0; i < 2; i++) {
+                Light light = {.position = {i ? away : -away, 0, 0},
+                               .color = {1, 0.5, 0.25},
+                               .intensity = away * away,
+                               .falloff = FALLOFF_INVERSE_SQUARE};
+                assert_true(scene_add_light(scene, &light, &error));
+            }
+            TraceSettings trace = {.offset = OFFSET_BOUND};
+            Tracer *tracer = (*engine)->prepare(scene, &trace, &error);
+            (*engine)->look(tracer, scene, 1, 1);
+            PixelGrid grid = {.columns = 1, .rows = 1, .stride = 1};
+            RayCounts counts = {0};
+            double rgb[3];
+            (*engine)->trace(tracer, &grid, rgb, &counts);
+            // Two lamps at 45 degrees, sqrt(2) away: 2 * cos 45 / 2.
+            double u = (*engine)->mantissa_bits == 24 ? 0x1p-24 : 0x1p-52;
+            for (int c = 0; c < 3; c++) {
+                assert_at_most(fabs(rgb[c] - ldexp(sqrt(0.5), -c)), 16 * u, "light %g away in %s",
+                               away, (*engine)->name);
+            }
+            assert_int_equal((int)counts.shadow, 2);
+            (*engine)->release(tracer);
+            scene_destroy(scene);
+        }
+    }
+}
+
+/** No offset shows the black points of report C, the default shows none: a lit ball without
+ *  neighbours, seen from its lamp, has no dark pixel. @param state Not used. */
+static void test_acne(void **state) {
+    (void)state;
+    Error error = {0};
+    Scene *scene = scene_create(&error);
+    scene->camera = *(const Camera *)camera_keyword.defaults;
+    struct {
+        Vector3 center; /**< Centre. */
+        double radius;  /**< Radius. */
+    } ball = {{0.3, 0.1, -40.7}, 3.3};
+    assert_true(scene_add_shape(scene, 0, engine_list()[0]->shape_keywords[0], &ball, 0, &error));
+    Light light = {.position = {0, 0, 0}, .color = {1, 1, 1}, .intensity = 1};
+    assert_true(scene_add_light(scene, &light, &error));
+    int dark[2] = {0, 0};
+    for (int offset = OFFSET_NONE; offset <= OFFSET_BOUND; offset += OFFSET_BOUND) {
+        RenderSettings settings = small_settings(scene, "auto", 1);
+        settings.trace.offset = (OffsetStrategy)offset;
+        Picture picture = draw(scene, &settings);
+        // The middle of the picture is all ball, lit head-on.
+        for (int y = HEIGHT / 2 - 8; y < HEIGHT / 2 + 8; y++) {
+            for (int x = WIDTH / 2 - 8; x < WIDTH / 2 + 8; x++) {
+                dark[offset / OFFSET_BOUND] += picture.pixels[3 * (y * WIDTH + x)] < 128;
+            }
+        }
+        picture_release(&picture);
+    }
+    assert_true(dark[0] > 10);
+    assert_int_equal(dark[1], 0);
+    scene_destroy(scene);
+}
+
+/** Runs the tests. @return 0 if all pass. */
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_threads),     cmocka_unit_test(test_lanes),
+        cmocka_unit_test(test_scale),       cmocka_unit_test(test_background),
+        cmocka_unit_test(test_stop),        cmocka_unit_test(test_small_sizes),
+        cmocka_unit_test(test_symmetry),    cmocka_unit_test(test_facing_mirrors),
+        cmocka_unit_test(test_irradiance),  cmocka_unit_test(test_acne),
+    };
+    return cmocka_run_group_tests_name("render", tests, NULL, NULL);
+}

@@ -107,7 +107,7 @@ typedef struct Engine {
      * Traces one ray for each point of a grid of pixels. Any number of threads may trace at once.
      * @param tracer       The tracer, after #look.
      * @param grid         Which pixels.
-     * @param[out] rgb     Linear colour of each, 3 numbers, row by row.
+     * @param[out] rgb     Linear colours: the red of all rays, row by row, then green, then blue.
      * @param[in,out] counts  The rays traced are added to this.
      */
     void (*trace)(const Tracer *tracer, const PixelGrid *grid, double *rgb, RayCounts *counts);

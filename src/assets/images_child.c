@@ -13,7 +13,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/** Seconds that reading a picture may take: the largest PNG takes about ten. */
+/** Seconds that reading a picture may take: the largest take some. */
 enum { SECONDS_MAXIMUM = 60 };
 /** Bytes a pixel in a #Picture. */
 enum { CHANNELS = 3 };
@@ -108,6 +108,22 @@ static _Noreturn void serve(const ImagesModule *module, const char *format, cons
 }
 
 /**
+ * Receives what the child answers first. A child that a file has got hold of may answer anything.
+ * @param pipe        Where it comes from.
+ * @param[out] reply  The answer.
+ * @return Whether it came and makes sense.
+ */
+static bool receive_reply(int pipe, Reply *reply) {
+    if (!receive_bytes(pipe, reply, sizeof *reply)) {
+        return false;
+    }
+    reply->error.message[ERROR_MESSAGE_SIZE - 1] = '\0';
+    bool has_size = reply->width >= 1 && reply->width <= IMAGE_SIZE_MAXIMUM && reply->height >= 1 &&
+                    reply->height <= IMAGE_SIZE_MAXIMUM;
+    return has_size || reply->error.status != STATUS_DONE;
+}
+
+/**
  * Receives the child's answer.
  * @param pipe          Where it comes from.
  * @param[out] picture  The picture.
@@ -116,7 +132,7 @@ static _Noreturn void serve(const ImagesModule *module, const char *format, cons
  */
 static bool receive(int pipe, Picture *picture, Error *error) {
     Reply reply;
-    bool is_answered = receive_bytes(pipe, &reply, sizeof reply);
+    bool is_answered = receive_reply(pipe, &reply);
     if (is_answered && reply.error.status != STATUS_DONE) {
         return error_set(error, reply.error.status, "%s", reply.error.message);
     }

@@ -50,32 +50,39 @@ static PixelGrid block_grid(const PixelGrid *block, int stride) {
 }
 
 /**
- * Copies the sums of a block from or to the whole picture's.
+ * Copies the sums of a block from or to the whole picture's, plane by plane.
  * @param drawing  The drawing.
  * @param block    The block's pixels.
  * @param numbers  The block's sums.
  * @param is_load  true: from the picture; false: to it.
  */
 static void block_sums(Drawing *drawing, const PixelGrid *block, double *numbers, bool is_load) {
-    size_t row_numbers = 3 * (size_t)block->columns;
-    for (int row = 0; row < block->rows; row++) {
-        size_t pixel = (size_t)(block->y + row) * (size_t)drawing->width + (size_t)block->x;
-        double *whole = drawing->sums + 3 * pixel, *part = numbers + (size_t)row * row_numbers;
-        memcpy(is_load ? part : whole, is_load ? whole : part, row_numbers * sizeof *part);
+    size_t pixels = (size_t)drawing->width * (size_t)drawing->height;
+    size_t columns = (size_t)block->columns;
+    for (size_t row = 0; row < 3 * (size_t)block->rows; row++, numbers += columns) {
+        size_t plane = row / (size_t)block->rows, y = row % (size_t)block->rows + (size_t)block->y;
+        double *whole =
+            drawing->sums + plane * pixels + y * (size_t)drawing->width + (size_t)block->x;
+        memcpy(is_load ? numbers : whole, is_load ? whole : numbers, columns * sizeof *numbers);
     }
 }
 
 /**
  * Encodes a row of rays.
  * @param drawing  The drawing.
- * @param sums     Sums of the samples.
+ * @param sums     Sums of the samples: the reds of the row.
+ * @param plane    How much farther the greens are, and then the blues.
  * @param columns  How many rays.
  * @param[out] rgb Their encoded colours.
  */
-static void row_encode(const Drawing *drawing, const double *sums, int columns, uint8_t *rgb) {
+static void row_encode(const Drawing *drawing, const double *sums, size_t plane, int columns,
+                       uint8_t *rgb) {
     double share = 1.0 / (drawing->pass.last + 1);
-    for (int i = 0; i < 3 * columns; i++) {
-        rgb[i] = encoder_encode(drawing->encoder, (float)(sums[i] * share));
+    for (int i = 0; i < columns; i++) {
+        for (size_t primary = 0; primary < 3; primary++) {
+            float light = (float)(sums[primary * plane + (size_t)i] * share);
+            rgb[3 * (size_t)i + primary] = encoder_encode(drawing->encoder, light);
+        }
     }
 }
 
@@ -84,28 +91,28 @@ static void row_encode(const Drawing *drawing, const double *sums, int columns, 
  * @param drawing  The drawing.
  * @param block    The block's pixels.
  * @param grid     The block's rays.
- * @param sums     Sums of the samples of each ray.
+ * @param sums     Sum of the samples of each ray.
  */
 static void block_encode(const Drawing *drawing, const PixelGrid *block, const PixelGrid *grid,
                          const double *sums) {
     uint8_t cells[3 * BLOCK_COLUMNS];
+    size_t plane = (size_t)grid->columns * (size_t)grid->rows;
     for (int row = 0; row < block->rows; row++) {
         size_t first = (size_t)(block->y + row) * (size_t)drawing->width + (size_t)block->x;
         uint8_t *pixels = drawing->picture->pixels + 3 * first;
-        const double *row_sums = sums + 3 * (size_t)(row / grid->stride) * (size_t)grid->columns;
+        const double *row_sums = sums + (size_t)(row / grid->stride) * (size_t)grid->columns;
         if (grid->stride == 1) {
-            row_encode(drawing, row_sums, grid->columns, pixels);
+            row_encode(drawing, row_sums, plane, grid->columns, pixels);
             continue;
         }
-        row_encode(drawing, row_sums, grid->columns, cells);
+        row_encode(drawing, row_sums, plane, grid->columns, cells);
         for (int column = 0; column < block->columns; column++) {
             memcpy(pixels + 3 * column, cells + 3 * (column / grid->stride), 3);
         }
     }
 }
 
-/** Adds up samples. @param[in,out] sums The sums. @param sample One sample. @param rays How many.
- */
+/** Adds up samples. @param[in,out] sums The sums. @param sample One sample. @param rays How many. */
 static void block_add(double *sums, const double *sample, size_t rays) {
     for (size_t i = 0; i < 3 * rays; i++) {
         sums[i] += sample[i];

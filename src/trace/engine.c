@@ -78,6 +78,24 @@ static Tracer *engine_prepare(const Scene *scene, const TraceSettings *settings,
 }
 
 /**
+ * Writes one primary of a vector of rays.
+ * @param[out] place  Where the first goes.
+ * @param light  The primary.
+ * @param count  How many lanes are within the grid, at most LANES.
+ */
+INLINE void lanes_write(double *place, real light, int count) {
+    if (count == LANES) {
+        for (int i = 0; i < LANES; i++) {
+            place[i] = (double)real_lane(light, i);
+        }
+        return;
+    }
+    for (int i = 0; i < count; i++) {
+        place[i] = (double)real_lane(light, i);
+    }
+}
+
+/**
  * Writes the colours of a packet where they belong.
  * @param colors  The colours.
  * @param grid    The grid.
@@ -87,14 +105,15 @@ static Tracer *engine_prepare(const Scene *scene, const TraceSettings *settings,
  */
 static void colors_write(const Light3 *colors, const PixelGrid *grid, int column, int row,
                          double *rgb) {
-    for (int i = 0; i < PACKET_RAYS; i++) {
-        int c = column + i % PACKET_COLUMNS, r = row + i / PACKET_COLUMNS;
-        if (c < grid->columns && r < grid->rows) {
-            const Light3 *color = &colors[i / LANES];
-            double *pixel = rgb + 3 * ((size_t)r * (size_t)grid->columns + (size_t)c);
-            pixel[0] = (double)real_lane(color->red, i % LANES);
-            pixel[1] = (double)real_lane(color->green, i % LANES);
-            pixel[2] = (double)real_lane(color->blue, i % LANES);
+    size_t plane = (size_t)grid->columns * (size_t)grid->rows;
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        int c = column + v * LANES % PACKET_COLUMNS, r = row + v * LANES / PACKET_COLUMNS;
+        int count = grid->columns - c < LANES ? grid->columns - c : LANES;
+        if (r < grid->rows) {
+            double *place = rgb + (size_t)r * (size_t)grid->columns + (size_t)c;
+            lanes_write(place, colors[v].red, count);
+            lanes_write(place + plane, colors[v].green, count);
+            lanes_write(place + 2 * plane, colors[v].blue, count);
         }
     }
 }

@@ -16,6 +16,7 @@
  * Quasirandom Sequences*, 2018). In integers: the same on every machine.
  */
 #define SAMPLE_STEP_X 0xC13FA9A9u
+/** See #SAMPLE_STEP_X. */
 #define SAMPLE_STEP_Y 0x91E10DA5u
 /** Half of 2^32: sample 0 is the centre of the pixel. */
 #define SAMPLE_CENTER 0x80000000u

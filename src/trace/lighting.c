@@ -52,11 +52,35 @@ static void shine_aim(const Lamp *lamp, const Departure *departure, const Encoun
  * @param v        Which vector of them.
  * @param to_lamp  Unit directions to the lamp.
  * @param cosine   n . l
+ * @param shininess  The exponent.
  */
-static real highlight(const Encounter *met, int v, Vector to_lamp, real cosine) {
+INLINE real highlight(const Encounter *met, int v, Vector to_lamp, real cosine,
+                      real shininess) {
     Vector mirrored = vector_subtract(vector_scale(met->facing[v], 2 * cosine), to_lamp);
-    real along = real_max(-vector_dot(mirrored, met->incoming[v]), real_of(0));
-    return surface_power(real_min(along, real_of(1)), met->surfaces[v].shininess);
+    real along = real_max(-vector_dot(mirrored, met->packet->rays[v].direction), real_of(0));
+    return surface_power(real_min(along, real_of(1)), shininess);
+}
+
+/**
+ * Adds one lamp's highlights, where the surface has any.
+ * @param lamp     The lamp.
+ * @param shine    What it would give.
+ * @param v        Which vector of points.
+ * @param reached  The points that it reaches.
+ * @param share    What is left of its light at that distance.
+ * @param met      The points.
+ * @param[in,out] lighting  The sums.
+ */
+static void highlight_add(const Lamp *lamp, const Shine *shine, int v, mask reached, real share,
+                          const Encounter *met, Lighting *lighting) {
+    Surfaces surfaces = surfaces_gather(met->surfaces, met->materials[v], reached);
+    mask shiny = reached & (light3_largest(surfaces.highlight) > real_of(0));
+    if (any(shiny)) {
+        real bright = highlight(met, v, shine->to_lamp[v], shine->cosine[v], surfaces.shininess);
+        bright = real_select(shiny, share * bright, real_of(0));
+        lighting->highlight[v] =
+            light3_add(lighting->highlight[v], light3_scale(lamp->light, bright));
+    }
 }
 
 /**
@@ -75,19 +99,11 @@ static void shine_add(const Lamp *lamp, const Shine *shine, const mask *blocked,
         if (!any(reached)) {
             continue;
         }
-        real zero = real_of(0), share = real_of(1);
-        if (lamp->is_inverse_square) {
-            share = 1 / shine->distance_squared[v];
-        }
-        share = real_select(reached, share, zero);
-        Light3 matt = light3_scale(lamp->light, share * shine->cosine[v]);
-        lighting->matt[v] =
-            light3_add(lighting->matt[v], light3_select(reached, matt, (Light3){zero, zero, zero}));
-        if (shines && any(reached & (light3_largest(met->surfaces[v].highlight) > zero))) {
-            real bright = share * highlight(met, v, shine->to_lamp[v], shine->cosine[v]);
-            Light3 light = light3_scale(lamp->light, bright);
-            lighting->highlight[v] = light3_add(
-                lighting->highlight[v], light3_select(reached, light, (Light3){zero, zero, zero}));
+        real share = lamp->is_inverse_square ? 1 / shine->distance_squared[v] : real_of(1);
+        real bright = real_select(reached, share * shine->cosine[v], real_of(0));
+        lighting->matt[v] = light3_add(lighting->matt[v], light3_scale(lamp->light, bright));
+        if (shines) {
+            highlight_add(lamp, shine, v, reached, share, met, lighting);
         }
     }
 }

@@ -23,11 +23,12 @@ typedef struct Departure {
 
 /** The points that a packet of rays has met. */
 typedef struct Encounter {
+    const Surface *surfaces;           /**< All materials of the scene. */
+    const Packet *packet;              /**< The rays, of unit direction. */
     Hit hits[PACKET_VECTORS];          /**< Where. */
     mask met[PACKET_VECTORS];          /**< Which rays met anything. */
-    Surfaces surfaces[PACKET_VECTORS]; /**< What. */
+    integer materials[PACKET_VECTORS]; /**< Place of the material that each met. */
     Vector facing[PACKET_VECTORS];     /**< The normals, turned to where the rays come from. */
-    Vector incoming[PACKET_VECTORS];   /**< The unit directions in which the rays came. */
 } Encounter;
 
 /** What the lamps give, before the surfaces weigh it. */
@@ -41,8 +42,8 @@ Lamp lamp_of(const Light *light);
 
 /**
  * @return Where rays that leave a surface start: moved along the normal, to the side that they
- *         travel to (research/numerics.md, finding 5), and none, a fixed length or the hit's own
- *         error bound far.
+ *         travel to, by nothing, a fixed length or the hit's own error bound (doc/tour.md, "Leaving
+ *         a surface").
  * @param departure  How far.
  * @param hit        The surface.
  * @param direction  Which way they leave.

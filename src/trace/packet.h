@@ -15,7 +15,7 @@
 #if LANES > 1
 /** Pixels a packet, across: a vector of eight is one row. */
 #define PACKET_COLUMNS 8
-/** Pixels a packet, down: 8 by 8 rays share the cost of the intervals best (research/bvh.md). */
+/** Pixels a packet, down: 8 by 8 rays share the cost of the intervals best. */
 #define PACKET_ROWS 8
 #else
 /** An engine of one lane is the textbook tracer, the baseline of every chart: ray by ray. */

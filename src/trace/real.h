@@ -258,8 +258,11 @@ INLINE int mask_first(mask m) {
    and larger are `a < b ? a : b` and `a > b ? a : b` to the bit, as the instructions define them.
  */
 #if LANES == 8 && defined(__AVX__)
+/** a where the mask m is set, b elsewhere. */
 #define LANES_SELECT(m, a, b) (real) _mm256_blendv_ps((__m256)(b), (__m256)(a), (__m256)(m))
+/** The smaller; b where they cannot be compared. */
 #define LANES_MIN(a, b) (real) _mm256_min_ps((__m256)(a), (__m256)(b))
+/** The larger; b where they cannot be compared. */
 #define LANES_MAX(a, b) (real) _mm256_max_ps((__m256)(a), (__m256)(b))
 #elif LANES == 4 && REAL_BITS == 64 && defined(__AVX__)
 #define LANES_SELECT(m, a, b) (real) _mm256_blendv_pd((__m256d)(b), (__m256d)(a), (__m256d)(m))

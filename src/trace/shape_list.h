@@ -32,6 +32,7 @@ void shape_list_release(ShapeList *list);
  * @param list    The shapes.
  * @param packet  The rays, at least one active.
  * @param[out] hits  One for each vector of rays.
+ * @callgraph
  */
 void shape_list_nearest(const ShapeList *list, const Packet *packet, Hit *hits);
 

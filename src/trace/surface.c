@@ -30,44 +30,6 @@ Surface surface_of(const Material *material, Color ambient) {
                      .shininess = (scalar)material->shininess};
 }
 
-/** @return A material in all lanes. @param s The material. */
-INLINE Surfaces surfaces_of(const Surface *s) {
-    return (Surfaces){.emission = light3_of(s->emission),
-                      .body = light3_of(s->body),
-                      .highlight = light3_of(s->highlight),
-                      .mirror = light3_of(s->mirror),
-                      .ambient = light3_of(s->ambient),
-                      .diffuse = real_of(s->diffuse),
-                      .shininess = real_of(s->shininess)};
-}
-
-/** @return a where the mask is set, b elsewhere. @param m A mask. @param a Some. @param b Others.
- */
-INLINE Surfaces surfaces_select(mask m, const Surfaces *a, const Surfaces *b) {
-    return (Surfaces){.emission = light3_select(m, a->emission, b->emission),
-                      .body = light3_select(m, a->body, b->body),
-                      .highlight = light3_select(m, a->highlight, b->highlight),
-                      .mirror = light3_select(m, a->mirror, b->mirror),
-                      .ambient = light3_select(m, a->ambient, b->ambient),
-                      .diffuse = real_select(m, a->diffuse, b->diffuse),
-                      .shininess = real_select(m, a->shininess, b->shininess)};
-}
-
-Surfaces surfaces_gather(const Surface *surfaces, integer materials, mask active) {
-    int first = any(active) ? integer_lane(materials, mask_first(active)) : 0;
-    Surfaces gathered = surfaces_of(&surfaces[first]);
-    active &= mask_not(materials == integer_of(first));
-    // One more turn for each different material: mostly none, for neighbours meet the same thing.
-    while (any(active)) {
-        int material = integer_lane(materials, mask_first(active));
-        mask same = active & (materials == integer_of(material));
-        Surfaces one = surfaces_of(&surfaces[material]);
-        gathered = surfaces_select(same, &one, &gathered);
-        active &= mask_not(same);
-    }
-    return gathered;
-}
-
 /**
  * @return The whole part.
  * @param x  0 to 2^31.

@@ -6,7 +6,7 @@
 
 /**
  * Weight below which a ray cannot change the picture: half a step of 8 bits, 1 / 510, at the dark
- * end of the sRGB curve, where the slope is 12.92 (research/numerics.md, section 4).
+ * end of the sRGB curve, where the slope is 12.92.
  */
 #define WEIGHT_CUTOFF ((scalar)1.5e-4)
 
@@ -22,7 +22,7 @@ static Light3 backdrop_color(const Backdrop *sky, Vector direction) {
 
 /** @return The place of the material in each lane. @param list The shapes. @param hit What was met.
  *  @param met The lanes that met anything. */
-static integer materials_of(const ShapeList *list, const Hit *hit, mask met) {
+INLINE integer materials_of(const ShapeList *list, const Hit *hit, mask met) {
     integer materials = integer_of(0);
     while (any(met)) {
         int shape = integer_lane(hit->shape, mask_first(met));
@@ -42,17 +42,16 @@ static integer materials_of(const ShapeList *list, const Hit *hit, mask met) {
  */
 static bool encounter_find(const Tracer *tracer, const Packet *packet, Encounter *met) {
     bool is_any = false;
+    met->surfaces = tracer->surfaces;
+    met->packet = packet;
     shape_list_nearest(&tracer->list, packet, met->hits);
     for (int v = 0; v < PACKET_VECTORS; v++) {
         const Hit *hit = &met->hits[v];
-        Vector incoming = packet->rays[v].direction;
         met->met[v] = packet->active[v] & (hit->shape >= integer_of(0));
-        met->incoming[v] = incoming;
-        mask is_inside = vector_dot(incoming, hit->normal) > 0;
+        mask is_inside = vector_dot(packet->rays[v].direction, hit->normal) > 0;
         met->facing[v] =
             vector_select(is_inside, vector_scale(hit->normal, real_of(-1)), hit->normal);
-        integer materials = materials_of(&tracer->list, hit, met->met[v]);
-        met->surfaces[v] = surfaces_gather(tracer->surfaces, materials, met->met[v]);
+        met->materials[v] = materials_of(&tracer->list, hit, met->met[v]);
         is_any = is_any || any(met->met[v]);
     }
     return is_any;
@@ -82,12 +81,13 @@ INLINE Light3 body_color(const Surfaces *surface, Light3 matt, Light3 highlight)
 static unsigned mirror_rays(const Tracer *tracer, const Encounter *met, const real *weight,
                             Packet *mirrored, real *weights) {
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        Vector in = met->incoming[v], normal = met->facing[v];
+        Vector in = met->packet->rays[v].direction, normal = met->facing[v];
         real along = vector_dot(in, normal);
         // Made one long again each time: else the length drifts by an ulp or two a mirror.
         Vector out = vector_normalize(vector_subtract(in, vector_scale(normal, 2 * along)));
         Vector origin = departure_origin(&tracer->departure, &met->hits[v], out);
-        weights[v] = weight[v] * light3_largest(met->surfaces[v].mirror);
+        Light3 mirror = surfaces_gather(met->surfaces, met->materials[v], met->met[v]).mirror;
+        weights[v] = weight[v] * light3_largest(mirror);
         mirrored->rays[v] = ray_of(origin, out);
         mirrored->limit[v] = real_of(INFINITE);
         mirrored->active[v] = met->met[v] & (weights[v] >= WEIGHT_CUTOFF);
@@ -116,7 +116,8 @@ static void mirrors_add(const Tracer *tracer, const Encounter *met, const real *
     Light3 seen[PACKET_VECTORS];
     tracer_follow(tracer, &mirrored, weights, depth - 1, seen, counts);
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        Light3 share = light3_multiply(met->surfaces[v].mirror, seen[v]);
+        Light3 mirror = surfaces_gather(met->surfaces, met->materials[v], met->met[v]).mirror;
+        Light3 share = light3_multiply(mirror, seen[v]);
         colors[v] = light3_select(mirrored.active[v], light3_add(colors[v], share), colors[v]);
     }
 }
@@ -135,7 +136,8 @@ void tracer_follow(const Tracer *tracer, const Packet *packet, const real *weigh
     counts->shadow += lighting_gather(&tracer->list, tracer->lamps, tracer->lamp_count,
                                       &tracer->departure, tracer->shines, &met, &lighting);
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        Light3 body = body_color(&met.surfaces[v], lighting.matt[v], lighting.highlight[v]);
+        Surfaces surfaces = surfaces_gather(met.surfaces, met.materials[v], met.met[v]);
+        Light3 body = body_color(&surfaces, lighting.matt[v], lighting.highlight[v]);
         colors[v] = light3_select(met.met[v], body, colors[v]);
     }
     if (depth > 0) {

@@ -59,6 +59,11 @@ INLINE WideVector wide_vector_of(WidePoint p) {
     return (WideVector){wide_of(p.x), wide_of(p.y), wide_of(p.z)};
 }
 
+/** @return The same point in all lanes, rounded. @param p A point. */
+INLINE Vector vector_of_point(WidePoint p) {
+    return (Vector){real_of((scalar)p.x), real_of((scalar)p.y), real_of((scalar)p.z)};
+}
+
 /** @return The same numbers, exactly. @param v Vectors. */
 INLINE WideVector vector_widen(Vector v) {
     return (WideVector){widen(v.x), widen(v.y), widen(v.z)};

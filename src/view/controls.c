@@ -147,7 +147,9 @@ static void on_window(View *view, const SDL_WindowEvent *window) {
     stage_on_visibility(&view->stage);
     switch (window->event) {
     case SDL_WINDOWEVENT_SIZE_CHANGED:
-        stage_on_resize(&view->stage);
+        if (stage_on_resize(&view->stage)) {
+            view_changed(view);
+        }
         break;
     case SDL_WINDOWEVENT_EXPOSED:
         stage_present(&view->stage);

@@ -109,9 +109,20 @@ static int panel_width(const Layout *layout) {
     return layout->keys_width + layout->words_width + 3 * layout->margin;
 }
 
+/** @return Where a row begins, counted from the panel's upper end. A heading stands off what is
+ *          before it. @param layout The layout. @param index Which row; the number of rows: where
+ *          the next would begin. */
+static int row_top(const Layout *layout, size_t index) {
+    int top = layout->line * (int)index;
+    for (size_t i = 0; i <= index && i < layout->count; i++) {
+        top += layout->rows[i].is_heading ? layout->margin / 2 : 0;
+    }
+    return top;
+}
+
 /** @return Height of the panel. @param layout The layout. */
 static int panel_height(const Layout *layout) {
-    return layout->line * (int)layout->count + layout->margin;
+    return row_top(layout, layout->count) + layout->margin / 2;
 }
 
 /**
@@ -157,7 +168,7 @@ static SDL_Surface *draw_panel(const Layout *layout) {
     SDL_FillRect(panel, NULL, SDL_MapRGBA(panel->format, PANEL.r, PANEL.g, PANEL.b, PANEL.a));
     for (size_t i = 0; i < layout->count; i++) {
         const HelpRow *row = &layout->rows[i];
-        int y = layout->margin / 2 + layout->line * (int)i;
+        int y = row_top(layout, i);
         int words_x = layout->keys_width + 2 * layout->margin;
         write_text(panel, layout->font, row->keys, KEYS, layout->margin, y);
         if (row->is_heading) {

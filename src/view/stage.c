@@ -68,14 +68,16 @@ void stage_on_visibility(Stage *stage) {
     }
 }
 
-void stage_on_resize(Stage *stage) {
+bool stage_on_resize(Stage *stage) {
     int width, height;
     display_size(&stage->display, &width, &height);
-    if (width != stage->width || height != stage->height) {
+    bool is_other = width != stage->width || height != stage->height;
+    if (is_other) {
         help_forget(&stage->help);
         stage->is_changed = true;
     }
     stage_present(stage);
+    return is_other;
 }
 
 void stage_on_loss(Stage *stage) {

@@ -57,8 +57,12 @@ void stage_on_pass(Stage *stage);
 /** Takes note that the window may be hidden, or not any more. @param[in,out] stage The stage. */
 void stage_on_visibility(Stage *stage);
 
-/** Takes note that the window has another size. @param[in,out] stage The stage. */
-void stage_on_resize(Stage *stage);
+/**
+ * Takes note that the window may have another size; what there is is stretched meanwhile.
+ * @param[in,out] stage  The stage.
+ * @return Whether it has, and the picture is to be drawn anew.
+ */
+bool stage_on_resize(Stage *stage);
 
 /** Takes note that the graphics card lost its pictures. @param[in,out] stage The stage. */
 void stage_on_loss(Stage *stage);

@@ -7,7 +7,6 @@
  */
 #include "dioptre/view.h"
 
-#include "dioptre/image_file.h"
 #include "view/controls.h"
 #include "view/interrupt.h"
 #include "view/lost_display.h"
@@ -18,6 +17,7 @@
 
 #include <locale.h>
 #include <stdarg.h>
+#include <string.h>
 
 /** Seconds from one move of held keys to the next: a frame of a common screen. */
 static const double STEP = 0.016;
@@ -86,9 +86,11 @@ static bool save_snapshot(View *view, Error *error) {
     return is_saved;
 }
 
-/** Takes a snapshot if one is wanted and the picture is finished. @param[in,out] view The view. */
+/** Takes a snapshot if one is wanted and the picture is finished, with nothing on the move.
+ *  @param[in,out] view The view. */
 static void snapshot_if_wanted(View *view) {
-    if (view->wants_snapshot && stage_is_finished(&view->stage)) {
+    bool is_at_rest = stage_is_finished(&view->stage) && !motion_is_active(&view->motion);
+    if (view->wants_snapshot && is_at_rest) {
         Error error = {0};
         view->wants_snapshot = false;
         if (!save_snapshot(view, &error)) {
@@ -195,6 +197,24 @@ static Status live(View *view, const atomic_bool *stop, Interrupt *interrupt, Er
 }
 
 /**
+ * @return Whether SDL has a screen that somebody can see. Without one it takes a driver that shows
+ *         nothing; that is only right for who asked for it by `SDL_VIDEODRIVER`.
+ */
+static bool has_screen(void) {
+    static const char *const blind[] = {"offscreen", "dummy", "evdev"};
+    const char *driver = SDL_GetCurrentVideoDriver();
+    const char *display = SDL_getenv("DISPLAY");
+    for (size_t i = 0; i < sizeof blind / sizeof blind[0]; i++) {
+        if (strcmp(driver, blind[i]) == 0 && !SDL_GetHint(SDL_HINT_VIDEODRIVER)) {
+            SDL_SetError("DISPLAY is %s%s", display ? "not to be opened: " : "not set",
+                         display ? display : "");
+            return false;
+        }
+    }
+    return true;
+}
+
+/**
  * Starts SDL's video.
  * @param[out] error  What is wrong.
  * @return Whether a window can be opened.
@@ -208,7 +228,7 @@ static bool start_video(Error *error) {
     /* A window among others, not a game: the screen may sleep, the compositor stays on. */
     SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
     SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
-    if (SDL_Init(SDL_INIT_VIDEO) != 0) {
+    if (SDL_Init(SDL_INIT_VIDEO) != 0 || !has_screen()) {
         return error_set(error, STATUS_FAILED,
                          "no display to open a window on (%s); `dioptre render` draws without one",
                          SDL_GetError());

@@ -127,8 +127,8 @@ draw_pictures() {
 }
 
 report_difference() {
-    # It ends with 1 where the pictures are not alike, which is what is to be found out here.
-    "$BUILD/dioptre" compare --json "$work/ours.bmp" "$work/povray.bmp" >"$work/compare.json" || true
+    # 1: the pictures are not alike, which is what is to be found out here.
+    "$BUILD/dioptre" compare --json "$work/ours.bmp" "$work/povray.bmp" >"$work/compare.json" || [ $? -eq 1 ]
     ${CC:-cc} -std=gnu11 -O2 -Iinclude -Isrc -D_GNU_SOURCE -o "$work/edges" tests/peers/edges.c \
         src/assets/bmp.c src/render/picture.c src/scene/error.c
     "$work/edges" "$work/ours.bmp" "$work/povray.bmp" >"$work/edges.txt"

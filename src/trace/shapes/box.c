@@ -158,7 +158,7 @@ INLINE mask box_goes_up(const Ray *ray, integer axis) {
            (mask_not(x | y) & (ray->inverse.z > 0));
 }
 
-/** @return The lanes where the box is nearer. See #ShapeClass.is_hit.
+/** @return The lanes where the box is nearer. See #ShapeClass.is_hit. @callgraph
  *  @param self The box. @param ray The rays. @param active The lanes. @param[in,out] hit The hit.
  */
 static mask box_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {

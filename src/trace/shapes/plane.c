@@ -43,13 +43,13 @@ static void plane_init(Shape *self, const void *parameters) {
     ((Plane *)self)->flat = flat_of(p->point, wide_point_of(vector3_scaled(p->normal)));
 }
 
-/** @return The lanes where the plane is nearer. See #ShapeClass.is_hit.
+/** @return The lanes where the plane is nearer. See #ShapeClass.is_hit. @callgraph
  *  @param self The plane. @param ray The rays. @param active The lanes. @param[in,out] hit The hit.
  */
 static mask plane_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
     const Flat *flat = &((const Plane *)self)->flat;
-    wide distance = flat_distance(flat, ray);
-    mask nearer = hit_is_nearer(hit, active, narrow(distance), self->place);
+    real distance = flat_distance(flat, ray);
+    mask nearer = hit_is_nearer(hit, active, distance, self->place);
     if (any(nearer)) {
         Hit found = flat_hit(flat, ray, distance, self->place);
         hit_take(hit, nearer, &found);
@@ -61,7 +61,7 @@ static mask plane_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hi
  *  @param self The plane. @param ray The rays. @param active The lanes. @param limit The way's end.
  */
 static mask plane_is_blocking(const Shape *self, const Ray *ray, mask active, real limit) {
-    real distance = narrow(flat_distance(&((const Plane *)self)->flat, ray));
+    real distance = flat_distance(&((const Plane *)self)->flat, ray);
     return active & (distance > 0) & (distance < limit);
 }
 

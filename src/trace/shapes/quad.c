@@ -80,7 +80,7 @@ static void quad_init(Shape *self, const void *parameters) {
     quad->corners[3] = corner_of(last);
 }
 
-/** @return The lanes where the quad is nearer. See #ShapeClass.is_hit.
+/** @return The lanes where the quad is nearer. See #ShapeClass.is_hit. @callgraph
  *  @param self The quad. @param ray The rays. @param active The lanes. @param[in,out] hit The hit.
  */
 static mask quad_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
@@ -89,8 +89,8 @@ static mask quad_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit
     if (!any(inside)) {
         return inside;
     }
-    wide distance = flat_distance(&quad->flat, ray);
-    mask nearer = hit_is_nearer(hit, inside, narrow(distance), self->place);
+    real distance = flat_distance(&quad->flat, ray);
+    mask nearer = hit_is_nearer(hit, inside, distance, self->place);
     if (any(nearer)) {
         Hit found = flat_hit(&quad->flat, ray, distance, self->place);
         hit_take(hit, nearer, &found);
@@ -107,7 +107,7 @@ static mask quad_is_blocking(const Shape *self, const Ray *ray, mask active, rea
     if (!any(inside)) {
         return inside;
     }
-    real distance = narrow(flat_distance(&quad->flat, ray));
+    real distance = flat_distance(&quad->flat, ray);
     return inside & (distance > 0) & (distance < limit);
 }
 

@@ -28,11 +28,10 @@ typedef struct Sphere {
 
 /** Where LANES rays cross a sphere. */
 typedef struct Chord {
-    WideVector away;      /**< From the chord's middle to the centre. */
-    WideVector direction; /**< The rays' directions. */
-    wide half;            /**< Half the chord, in lengths of the direction. */
-    wide near;            /**< The smaller root. */
-    wide far;             /**< The larger root. */
+    Vector away; /**< From the chord's middle to the centre. */
+    real half;   /**< Half the chord, in lengths of the direction. */
+    real near;   /**< The smaller root. */
+    real far;    /**< The larger root. */
 } Chord;
 
 /** Fields of `sphere`. */
@@ -75,8 +74,8 @@ INLINE mask sphere_chord(const Sphere *sphere, const Ray *ray, mask active, Chor
     // The point of the line that is nearest to the centre.
     WideVector direction = vector_widen(ray->direction);
     WideVector to_center = wide_subtract(wide_vector_of(sphere->center), vector_widen(ray->origin));
-    wide length_squared = wide_dot(direction, direction);
-    wide middle = wide_dot(to_center, direction) / length_squared;
+    wide per_length_squared = 1 / wide_dot(direction, direction);
+    wide middle = wide_dot(to_center, direction) * per_length_squared;
     WideVector away = wide_add_scaled(to_center, direction, -middle);
 
     // Half the chord, from the right triangle of radius and distance.
@@ -86,24 +85,24 @@ INLINE mask sphere_chord(const Sphere *sphere, const Ray *ray, mask active, Chor
     if (!any(crosses)) {
         return crosses;
     }
-    wide half = wide_sqrt(half_squared / length_squared);
+    real half = real_sqrt(narrow(half_squared * per_length_squared));
 
-    // The root farther from zero by a sum, the other by the product of the two.
-    wide_mask is_ahead = middle > 0;
-    wide sum = middle + wide_select(is_ahead, half, -half);
-    wide product = (wide_dot(to_center, to_center) - radius_squared) / length_squared;
-    wide quotient = product / sum;
-    chord->near = wide_select(is_ahead, quotient, sum);
-    chord->far = wide_select(is_ahead, sum, quotient);
-    chord->away = away;
+    // The root farther from zero by a sum, the other by the product of the two. The differences are
+    // done: what follows rounds a little and cancels nothing, so the engine's own numbers will do.
+    real to_middle = narrow(middle);
+    mask is_ahead = to_middle > 0;
+    real sum = to_middle + real_select(is_ahead, half, -half);
+    wide power = wide_dot(to_center, to_center) - radius_squared;
+    real quotient = narrow(power * per_length_squared) / sum;
+    chord->near = real_select(is_ahead, quotient, sum);
+    chord->far = real_select(is_ahead, sum, quotient);
+    chord->away = vector_narrow(away);
     chord->half = half;
-    chord->direction = direction;
     return crosses;
 }
 
-/** @return The lanes where the nearest root ahead counts. See #ShapeClass.is_hit.
- *  @param self The sphere. @param ray The rays. @param active The lanes. @param[in,out] hit The
- * hit.
+/** @return The lanes where the nearest root ahead counts. See #ShapeClass.is_hit. @callgraph
+ *  @param self The sphere. @param ray The rays. @param active The lanes. @param[in,out] hit The hit.
  */
 static mask sphere_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
     const Sphere *sphere = (const Sphere *)self;
@@ -112,33 +111,29 @@ static mask sphere_is_hit(const Shape *self, const Ray *ray, mask active, Hit *h
     if (!any(crosses)) {
         return crosses;
     }
-    wide_mask is_outside = chord.near > 0;
-    wide root = wide_select(is_outside, chord.near, chord.far);
-    real distance = narrow(root);
+    mask is_outside = chord.near > 0;
+    real distance = real_select(is_outside, chord.near, chord.far);
     mask nearer = hit_is_nearer(hit, crosses, distance, self->place);
     if (!any(nearer)) {
         return nearer;
     }
 
     // From the centre to the point: never a difference of large numbers, and never zero.
-    WideVector zero = {wide_of(0), wide_of(0), wide_of(0)};
-    wide half = wide_select(is_outside, -chord.half, chord.half);
-    WideVector arm = wide_subtract(wide_add_scaled(zero, chord.direction, half), chord.away);
+    real half = real_select(is_outside, -chord.half, chord.half);
+    Vector arm = vector_subtract(vector_scale(ray->direction, half), chord.away);
     // The point is put back on the sphere: one radius long in the direction of the arm.
-    wide shrink = 1 / wide_sqrt(wide_dot(arm, arm));
-    WideVector normal = wide_add_scaled(zero, arm, shrink);
-    WideVector center = wide_vector_of(sphere->center);
-    Vector point = vector_narrow(wide_add_scaled(center, normal, wide_of(sphere->radius)));
-    real reach = vector_largest(point) + real_of((scalar)sphere->radius);
-    Hit found = {distance, point, vector_narrow(normal), SPHERE_ERROR * ROUNDOFF * reach,
+    Vector normal = vector_normalize(arm);
+    real radius = real_of((scalar)sphere->radius);
+    Vector point = vector_add(vector_of_point(sphere->center), vector_scale(normal, radius));
+    Hit found = {distance, point, normal,
+                 SPHERE_ERROR * ROUNDOFF * (vector_largest(point) + radius),
                  integer_of(self->place)};
     hit_take(hit, nearer, &found);
     return nearer;
 }
 
 /** @return The lanes where a root lies on the way. See #ShapeClass.is_blocking.
- *  @param self The sphere. @param ray The rays. @param active The lanes. @param limit The way's
- * end.
+ *  @param self The sphere. @param ray The rays. @param active The lanes. @param limit The way's end.
  */
 static mask sphere_is_blocking(const Shape *self, const Ray *ray, mask active, real limit) {
     Chord chord;
@@ -146,7 +141,7 @@ static mask sphere_is_blocking(const Shape *self, const Ray *ray, mask active, r
     if (!any(crosses)) {
         return crosses;
     }
-    real distance = narrow(wide_select(chord.near > 0, chord.near, chord.far));
+    real distance = real_select(chord.near > 0, chord.near, chord.far);
     return crosses & (distance > 0) & (distance < limit);
 }
 

@@ -1,0 +1,141 @@
+#!/bin/sh
+# The documentation is whole and true: Doxygen finds nothing undocumented, and would; the class
+# picture, the scene reference, the manual page and the references say what the source says.
+. "$(dirname "$0")/check.sh"
+unset MAKEFLAGS MAKELEVEL MFLAGS
+
+# agree A B NAME: two lists must be the same; says what only one of them has.
+agree() {
+    if diff "$1" "$2" >"$work/diff"; then ok "$3"; else fail "$3: $(cat "$work/diff")"; fi
+}
+
+# --- make doc, in a copy -------------------------------------------------------------------------
+mkdir -p "$work/tree/tests"
+cp -r .ci include src doc README.md Makefile Doxyfile "$work/tree"
+html=$work/tree/build/doc/html
+if make -C "$work/tree" doc >"$work/log" 2>&1; then
+    ok 'make doc finds nothing undocumented'
+else
+    fail "make doc: $(grep -E 'error|warning' "$work/log" | head -20)"
+fi
+[ -s "$html/index.html" ] && ok 'there is a first page' || fail 'there is no first page'
+[ -s "$work/tree/build/doc/uml.svg" ] && ok 'there is the class picture' || fail 'there is no class picture'
+missing=$(grep -rL '@file' include src --include='*.[ch]' --include='*.cpp')
+[ -z "$missing" ] && ok 'every file says what it is' || fail "files without @file: $missing"
+
+# The classes that say they extend Shape, as Doxygen draws them and as doc/uml.dot does.
+classes=$(find src/trace -name '*.c' -exec sed -nE '/@extends Shape/ { n; s/^typedef struct (\w+) \{.*/\1/p }' {} +)
+for class in Sphere Plane Quad Box; do
+    echo "$classes" | grep -qx $class && ok "$class says that it extends Shape" || fail "$class does not extend Shape"
+done
+for class in Shape $classes; do
+    holds "$html/structShape__inherit__graph.svg" ">$class<" "Doxygen draws $class"
+    holds doc/uml.dot "^ *$class +\[label" "doc/uml.dot has $class"
+done
+for function in sphere_is_hit plane_is_hit quad_is_hit box_is_hit shape_list_nearest; do
+    grep -lqE ">$function<" "$html"/*_cgraph.svg 2>/dev/null && ok "there is the call graph of $function" ||
+        fail "there is no call graph of $function"
+done
+for class in $(sed -nE 's/^ *([A-Z][A-Za-z0-9]*) +\[label.*/\1/p' doc/uml.dot); do
+    grep -rqE "struct $class \{" include src && ok "the class $class of the picture is a struct" ||
+        fail "$class of doc/uml.dot is no struct of the source"
+done
+
+# What must not pass, all of it in one go: it is each line of the log that counts.
+cat >>"$work/tree/src/render/picture.c" <<'END'
+static int quite_undocumented(int value) { return value; }
+/** Says nothing of its parameter. @return It. */
+static int half_documented(int value) { return value; }
+/** @return It. @param other Not there. */
+static int wrongly_documented(int value) { return value; }
+/** Says nothing of what it returns. @param value It. */
+static int silent(int value) { return value; }
+END
+echo 'static int in_a_silent_file(int value) { return value; }' >"$work/tree/src/render/silent.c"
+echo 'HAVE_DOT = NO' >>"$work/tree/Doxyfile"
+if make -C "$work/tree" doc >"$work/log" 2>&1; then fail 'make doc passes undocumented functions'; else ok 'make doc fails on them'; fi
+for words in 'quite_undocumented\(int value\).* is not documented' 'parameters of member half_documented are not documented' \
+    "argument 'other' of command @param is not found" 'return type of member silent is not documented' \
+    'in_a_silent_file\(int value\).* is not documented'; do
+    holds "$work/log" "$words" "make doc says: $words"
+done
+
+# --- the scene reference -------------------------------------------------------------------------
+objects="$BUILD/obj/src/scene/*.o $BUILD/obj/engine-f32x1.o"
+# shellcheck disable=SC2086 # a list of files
+if ${CC:-cc} -std=gnu11 -Iinclude -o "$work/print_keywords" tests/print_keywords.c $objects -lm 2>"$work/err"; then
+    "$work/print_keywords" >"$work/tables"
+    sed -n '/^<!-- table: /,/^<!-- end -->$/p' doc/scene-reference.md >"$work/documented"
+    agree "$work/documented" "$work/tables" 'doc/scene-reference.md has the keywords as they are'
+else
+    fail "print_keywords: $(head -3 "$work/err")"
+fi
+# `ambient` has no table: its range is in its errors.
+for value in -1 1e16; do
+    printf 'camera {}\nambient(%s)' "$value" >"$work/s.lua"
+    expect 3 'ambient must be at least 0 and at most 1e\+15' "ambient($value)" "$dioptre" info "$work/s.lua"
+done
+tr '\n' ' ' <doc/scene-reference.md >"$work/out"
+holds "$work/out" 'each part from 0 to 1e\+15' 'doc/scene-reference.md has the range of ambient'
+
+# --- the manual page -----------------------------------------------------------------------------
+if command -v groff >/dev/null; then
+    groff -man -ww -Tutf8 doc/dioptre.1 >/dev/null 2>"$work/err"
+    [ ! -s "$work/err" ] && ok 'groff has nothing to say of the manual page' || fail "groff: $(cat "$work/err")"
+fi
+version=$(sed -n 's/^VERSION *:= *//p' Makefile)
+holds doc/dioptre.1 "^\.TH DIOPTRE 1 .*\"dioptre $version\"" 'the manual page is of this version'
+
+# Options: `--name=VALUE` or `-x --name`, then the commands that take it, in the order of the manual.
+keys=$(sed -nE "s/^    \{'(.)', (true|false), \"([a-z-]+)\".*/\1 \2 \3/p" src/cli/options.c)
+echo "$keys" | while read -r key is_short name; do
+    takers=
+    for command in view render info compare bench; do
+        sed -n 's/.*\.accepts = "\(.*\)",/\1/p' src/cli/$command.c | grep -q "$key" && takers="$takers $command"
+    done
+    [ "$is_short" = true ] && printf '%s ' "-$key"
+    echo "--$name:$takers"
+done | sort >"$work/options"
+awk '/^\.SH/ { in_options = $2 == "OPTIONS" }
+    !in_options { next }
+    /^\.TP/ { if (name) print name ":" takers; name = ""; takers = ""; getline
+        line = $0; gsub(/\\-/, "-", line)
+        while (match(line, /--?[a-zA-Z][a-z-]*/)) {
+            name = name (name ? " " : "") substr(line, RSTART, RLENGTH); line = substr(line, RSTART + RLENGTH) } }
+    /^Taken by / { takers = $0; sub(/^Taken by/, "", takers); gsub(/[,.]/, "", takers) }
+    END { print name ":" takers }' doc/dioptre.1 >"$work/manual"
+sort -o "$work/manual" "$work/manual"
+agree "$work/manual" "$work/options" 'the manual page has the options, and who takes them'
+for command in view render info compare bench; do
+    "$dioptre" $command --help | sed -nE 's/^ +(-. )?(--[a-z-]+).*/\2/p' | sort >"$work/a"
+    grep -E "(:| )$command( |\$)|--help|--version" "$work/manual" | grep -oE -- '--[a-z-]+' | sort >"$work/b"
+    agree "$work/b" "$work/a" "dioptre $command --help has the same options"
+done
+
+# --- references and the tour ---------------------------------------------------------------------
+sed -nE 's/^\| [A-Z][A-Za-z]+ [0-9-]+ \| ([^:]*):.*\| (`src.*) \|$/\1|\2/p' doc/references.md >"$work/papers"
+[ "$(wc -l <"$work/papers")" -ge 9 ] && ok 'doc/references.md has its papers' || fail 'papers are not found in doc/references.md'
+while IFS='|' read -r authors files; do
+    author=$(echo "$authors" | sed 's/,.*//; s/.* //')
+    [ "$author" = Commission ] && author=IEC
+    for file in $(echo "$files" | tr -d '`,'); do
+        holds "$file" "$author" "$file cites $author"
+    done
+done <"$work/papers"
+# The other way round: a title in the source, which may go over two lines, stands in the references.
+find src include -name '*.[ch]' -exec cat {} + | sed -E 's/^ \* ?//' | tr '\n' ' ' | tr -s ' ' |
+    grep -oE '\([^()]{3,80}, \*[A-Z][^*]{10,90}\*,' | sed -E 's/.*, \*(.*)\*,/\1/' | sort -u >"$work/titles"
+while read -r title; do
+    holds doc/references.md "$title" "doc/references.md has: $title"
+done <"$work/titles"
+rows=$(grep -rhoE '\b[Rr]ows? [A-D][0-9]+[^).:;]*' src include scenes | grep -oE '\b[A-D][0-9]+' | sort -u)
+for row in $rows; do
+    holds doc/references.md "^\| $row \|" "doc/references.md has the row $row"
+done
+for name in $(grep -ohE '`[a-z_0-9]+\(\)`' doc/tour.md | tr -d '`()' | sort -u); do
+    grep -rqE "\b$name\)?\(" src include || fail "$name() of doc/tour.md is not in the source"
+done
+ok 'the functions of doc/tour.md were looked up'
+grep -rnE 'numerics\.md|bvh\.md|research/|/work/' README.md doc src include scenes >"$work/out"
+[ ! -s "$work/out" ] && ok 'nothing refers to what is not here' || fail "dangling: $(cat "$work/out")"
+finish

@@ -1,0 +1,85 @@
+/**
+ * @file
+ * @brief Prints the keywords of the scene language as the tables of doc/scene-reference.md.
+ *
+ * Not a test by itself: tests/documentation.sh compares what this prints with the document. Whoever
+ * adds a keyword pastes its table from here.
+ */
+#include "dioptre/engine.h"
+
+#include <stdio.h>
+
+/** Any engine: the keywords of the shapes are the same in all. */
+extern const Engine engine_f32x1;
+
+/** @return What a field of a type takes, for people. @param row The field. */
+static const char *type_name(const Parameter *row) {
+    static const char *const names[] = {[PARAMETER_NUMBER] = "number",
+                                        [PARAMETER_INTEGER] = "whole number",
+                                        [PARAMETER_BOOLEAN] = "`true` or `false`",
+                                        [PARAMETER_WORD] = "word",
+                                        [PARAMETER_VECTOR] = "`{x, y, z}`",
+                                        [PARAMETER_DIRECTION] = "`{x, y, z}`, not zero",
+                                        [PARAMETER_COLOR] = "colour"};
+    return names[row->type];
+}
+
+/** Prints which values a field takes. @param row The field. */
+static void print_range(const Parameter *row) {
+    if (row->type == PARAMETER_WORD) {
+        for (int i = 0; row->words[i]; i++) {
+            printf("%s`\"%s\"`", i ? ", " : "", row->words[i]);
+        }
+    } else if (row->type != PARAMETER_BOOLEAN) {
+        printf("%s%.15g to %.15g", row->above_minimum ? "above " : "", row->minimum, row->maximum);
+    }
+}
+
+/** Prints the value of a field. @param row The field. @param values The struct that it lies in. */
+static void print_value(const Parameter *row, const void *values) {
+    const void *field = (const char *)values + row->offset;
+    const double *part = field;
+    switch (row->type) {
+    case PARAMETER_NUMBER:
+        printf("%.15g", *part);
+        break;
+    case PARAMETER_INTEGER:
+        printf("%d", *(const int *)field);
+        break;
+    case PARAMETER_BOOLEAN:
+        printf("`%s`", *(const bool *)field ? "true" : "false");
+        break;
+    case PARAMETER_WORD:
+        printf("`\"%s\"`", row->words[*(const int *)field]);
+        break;
+    default:
+        printf("`{%.15g, %.15g, %.15g}`", part[0], part[1], part[2]);
+    }
+}
+
+/** Prints the table of a keyword. @param keyword The keyword. */
+static void print_keyword(const Keyword *keyword) {
+    printf("<!-- table: %s -->\n`%s`: %s.\n\n", keyword->name, keyword->name, keyword->help);
+    printf("| field | takes | unit | range | default | meaning |\n|---|---|---|---|---|---|\n");
+    for (const Parameter *row = keyword->parameters; row->name; row++) {
+        printf("| `%s` | %s | %s | ", row->name, type_name(row), row->unit);
+        print_range(row);
+        printf(" | ");
+        print_value(row, keyword->defaults);
+        printf(" | %s |\n", row->help);
+    }
+    printf("<!-- end -->\n");
+}
+
+/** Prints all keywords. @return 0 */
+int main(void) {
+    const Keyword *const common[] = {&camera_keyword, &image_keyword,    &light_keyword,
+                                     &sky_keyword,    &material_keyword, NULL};
+    for (const Keyword *const *keyword = common; *keyword; keyword++) {
+        print_keyword(*keyword);
+    }
+    for (const Keyword *const *keyword = engine_f32x1.shape_keywords; *keyword; keyword++) {
+        print_keyword(*keyword);
+    }
+    return 0;
+}

@@ -138,7 +138,9 @@ peers: packages
 
 # --- documentation -------------------------------------------------------------------------------
 .PHONY: doc
-doc: $(BUILD)/doc/uml.svg
+doc:
+	@.ci/packages doxygen graphviz
+	@$(MAKE) --no-print-directory $(BUILD)/doc/uml.svg
 	@doxygen Doxyfile
 	@echo "build/doc/html/index.html"
 

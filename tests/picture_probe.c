@@ -17,7 +17,7 @@ typedef struct ColorRange {
 
 /** The colours that can be asked for, as they are in the box. */
 static const ColorRange ranges[] = {
-    {.name = "yellow", .low = {200, 150, 0}, .high = {255, 255, 90}}, /* the leaning panel */
+    {.name = "yellow", .low = {200, 150, 0}, .high = {255, 255, 90}},   /* the leaning panel */
     {.name = "white", .low = {225, 190, 190}, .high = {255, 255, 255}}, /* the highlight */
 };
 

@@ -16,7 +16,7 @@ enum { RAYS = 20000 };
 /** Rays that leave a surface. */
 enum { LEAVING_RAYS = 1000 };
 
-/** Margin below which a ray grazes: for a sphere, 0.98 radii beside the centre (numerics.md). */
+/** Margin below which a ray grazes: for a sphere, 0.98 radii beside the centre (doc/tour.md). */
 #define GRAZING 0.04
 
 /** A point or direction in quad precision. */
@@ -420,11 +420,12 @@ static void case_near(const Subject *subject, Worst *worst) {
     ask_random(subject, 0.5, 2, worst);
     bool is_float = subject->engine->mantissa_bits == 24;
     const char *name = subject->engine->name, *shape = subject->row->keyword;
-    // Float computes the distance in double and rounds once; the others have nothing better.
-    double t_bound = strcmp(shape, "box") == 0 ? 8 : is_float ? 1.01 : 64;
+    // Float takes its differences in double and rounds a few times after; the others have nothing
+    // better, and their error grows with the distance to the shape.
+    double t_bound = strcmp(shape, "box") == 0 ? 8 : is_float ? 4 : 64;
     assert_at_most(worst->t, t_bound, "%s in %s, distance, half ulps", shape, name);
     assert_at_most(worst->point, 8, "%s in %s, point, half ulps", shape, name);
-    assert_at_most(worst->normal, is_float ? 2 : 32, "%s in %s, normal, half ulps", shape, name);
+    assert_at_most(worst->normal, is_float ? 6 : 32, "%s in %s, normal, half ulps", shape, name);
     assert_at_most(worst->bound, 1, "%s in %s, point against its own bound", shape, name);
 }
 

@@ -20,8 +20,12 @@ typedef struct Binding {
     const char *help;   /**< What it does. Neighbours with the same words share a row. */
 } Binding;
 
-/** Headings of the help. */
-static const char LIGHT[] = "Light", CAMERA[] = "Camera", PROGRAM[] = "Program";
+/** Heading of the help: the lights. */
+static const char LIGHT[] = "Light";
+/** Heading of the help: the camera. */
+static const char CAMERA[] = "Camera";
+/** Heading of the help: everything else. */
+static const char PROGRAM[] = "Program";
 
 /** All keys, in the help's order. */
 static const Binding bindings[] = {

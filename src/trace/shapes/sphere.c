@@ -85,15 +85,15 @@ INLINE mask sphere_chord(const Sphere *sphere, const Ray *ray, mask active, Chor
     if (!any(crosses)) {
         return crosses;
     }
-    real half = real_sqrt(narrow(half_squared * per_length_squared));
+    real half = narrow(wide_sqrt(half_squared * per_length_squared));
 
-    // The root farther from zero by a sum, the other by the product of the two. The differences are
-    // done: what follows rounds a little and cancels nothing, so the engine's own numbers will do.
+    // The root farther from zero by a sum, the other by the product of the two. The squares stay in
+    // the wide precision: those of a very long direction would vanish in float.
     real to_middle = narrow(middle);
     mask is_ahead = to_middle > 0;
     real sum = to_middle + real_select(is_ahead, half, -half);
     wide power = wide_dot(to_center, to_center) - radius_squared;
-    real quotient = narrow(power * per_length_squared) / sum;
+    real quotient = narrow(power * per_length_squared / widen(sum));
     chord->near = real_select(is_ahead, quotient, sum);
     chord->far = real_select(is_ahead, sum, quotient);
     chord->away = vector_narrow(away);

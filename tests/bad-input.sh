@@ -32,7 +32,7 @@ scene 'camera {}\nwhile true do end'; bad 2 '10 s' 'endless loop'
 scene 'camera {}\nlocal s = string.rep("x", 1e9)'; bad 2 'memory|256' 'a gigabyte in one call'
 scene 'camera {}\nerror({})'; bad 2 '' 'an error that is no text'
 expect 3 'No such file' 'missing scene' "$dioptre" render "$work/none.lua" -o "$work/o.bmp"
-expect 3 'directory' 'a folder as scene' "$dioptre" render "$work" -o "$work/o.bmp"
+expect 3 'folder' 'a folder as scene' "$dioptre" render "$work" -o "$work/o.bmp"
 
 scene 'camera { direction = {0, -1, 0} }\nsphere { center = {0, -3, 0} }\nlight { position = {0, 0, 0} }'
 expect 0 '' 'straight down' "$dioptre" render "$work/s.lua" -o "$work/down.bmp" -s 9x9

@@ -12,12 +12,13 @@
 static atomic_bool is_interrupted;
 
 Scene *command_scene(const Options *options, Error *error) {
+    // The keywords of an engine that this processor can run: their checks are its code.
     ScriptRequest request = {.path = options->arguments[0],
                              .base_dir = options->base_dir,
                              .time = options->time,
                              .seconds = SCRIPT_SECONDS,
                              .memory = SCRIPT_MEMORY,
-                             .shape_keywords = engine_list()[0]->shape_keywords};
+                             .shape_keywords = engine_find("auto", NULL)->shape_keywords};
     return script_load(&request, error);
 }
 

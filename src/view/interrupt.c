@@ -9,6 +9,9 @@
 #include <SDL.h>
 #include <unistd.h>
 
+/** Sent to the waiting thread, and to nobody else, to end it. By default it does nothing. */
+enum { WAKE = SIGURG };
+
 /**
  * Adds a signal to those waited for, unless the program was started with it ignored, as `nohup`
  * and shell scripts in the background do.
@@ -28,23 +31,35 @@ void interrupt_block(Interrupt *interrupt) {
     add_unless_ignored(&interrupt->signals, SIGINT);
     add_unless_ignored(&interrupt->signals, SIGTERM);
     add_unless_ignored(&interrupt->signals, SIGHUP);
+    sigaddset(&interrupt->signals, WAKE);
     pthread_sigmask(SIG_BLOCK, &interrupt->signals, &interrupt->before);
 }
 
+/** @return The next signal that comes; #WAKE: the thread should end. @param interrupt The signals.
+ */
+static int next_signal(Interrupt *interrupt) {
+    int number = 0;
+    while (sigwait(&interrupt->signals, &number) != 0 ||
+           (number == WAKE && !atomic_load(&interrupt->is_over))) {
+    }
+    return number;
+}
+
 /**
- * Waits for signals, as a thread. Runs until cancelled in #interrupt_release.
+ * Waits for signals, as a thread.
  * @param context  The #Interrupt.
- * @return Never.
+ * @return NULL
  */
 static void *watch(void *context) {
-    const Interrupt *interrupt = context;
-    int number;
-    while (sigwait(&interrupt->signals, &number) != 0) {
+    Interrupt *interrupt = context;
+    if (next_signal(interrupt) == WAKE) {
+        return NULL;
     }
     SDL_Event event = {.type = interrupt->event};
     SDL_PushEvent(&event);
     /* Who asks twice does not want to wait for anything. */
-    while (sigwait(&interrupt->signals, &number) != 0) {
+    if (next_signal(interrupt) == WAKE) {
+        return NULL;
     }
     _exit(STATUS_INTERRUPTED);
 }
@@ -60,7 +75,8 @@ bool interrupt_watch(Interrupt *interrupt, uint32_t event) {
 
 void interrupt_release(Interrupt *interrupt) {
     if (interrupt->is_watched) {
-        pthread_cancel(interrupt->thread);
+        atomic_store(&interrupt->is_over, true);
+        pthread_kill(interrupt->thread, WAKE);
         pthread_join(interrupt->thread, NULL);
         interrupt->is_watched = false;
     }

@@ -10,17 +10,18 @@
 
 #include <pthread.h>
 #include <signal.h>
+#include <stdatomic.h>
 #include <stdbool.h>
 #include <stdint.h>
 
 /** The signals that ask the program to end, and the thread that waits for them. */
 typedef struct Interrupt {
-    sigset_t
-        signals; /**< SIGINT, SIGTERM and SIGHUP, but those that the program was told to ignore. */
+    sigset_t signals; /**< Those that ask the program to end, unless it was told to ignore them. */
     sigset_t before;  /**< The signals that were blocked before #interrupt_block. */
     uint32_t event;   /**< SDL event that the first signal becomes. */
     pthread_t thread; /**< The thread that waits. */
     bool is_watched;  /**< Whether the thread runs. */
+    atomic_bool is_over; /**< Whether it should end. */
 } Interrupt;
 
 /**

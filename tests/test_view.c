@@ -1,0 +1,462 @@
+/**
+ * @file
+ * @brief Tests of the window's parts that need no screen: keys, movement, snapshots, words.
+ *        The window itself is tested by tests/window.sh.
+ */
+#include "testing.h"
+
+#include "dioptre/image_file.h"
+#include "dioptre/view.h"
+#include "view/help_panel.h"
+#include "view/keymap.h"
+#include "view/latency.h"
+#include "view/motion.h"
+#include "view/pose.h"
+#include "view/scene_text.h"
+#include "view/snapshot.h"
+#include "view/title.h"
+
+#include <stdlib.h>
+#include <unistd.h>
+
+/** How far a sum of a few times may be off, seconds. */
+static const double TIME_ROUNDING = 1e-12;
+
+/** Fails unless two numbers are equal up to rounding. @param a One. @param b The other. */
+static void assert_near(double a, double b) {
+    assert_at_most(fabs(a - b), TIME_ROUNDING, "%g should be %g", a, b);
+}
+
+/** @return What the camera is moved by up to a time. @param motion The keys. @param time Seconds.
+ */
+static Movement take_camera(Motion *motion, double time) {
+    Movement light, camera;
+    motion_take(motion, time, &light, &camera);
+    assert_false(movement_is_any(light));
+    return camera;
+}
+
+/** A tap moves by a 60th of a second, however short it is. @param state Unused. */
+static void test_motion_tap(void **state) {
+    (void)state;
+    Motion motion = {.speed = 1};
+    assert_false(motion_is_active(&motion));
+    motion_press(&motion, ACTION_CAMERA_UP, 5);
+    motion_release(&motion, ACTION_CAMERA_UP, 5.001);
+    assert_true(motion_is_active(&motion));
+    assert_near(take_camera(&motion, 5.002).up, MOTION_TAP);
+    assert_false(motion_is_active(&motion));
+    assert_false(movement_is_any(take_camera(&motion, 6)));
+}
+
+/** A key moves by the time that it was held, whenever one looks. @param state Unused. */
+static void test_motion_held(void **state) {
+    (void)state;
+    Motion motion = {.speed = 1};
+    motion_press(&motion, ACTION_CAMERA_LEFT, 5);
+    double way = take_camera(&motion, 5).right;
+    assert_near(way, -MOTION_TAP);
+    for (double time = 5.01; time < 5.5; time += 0.0137) {
+        motion_press(&motion, ACTION_CAMERA_LEFT, time); /* the keyboard repeats it */
+        way += take_camera(&motion, time).right;
+        assert_true(motion_is_active(&motion));
+    }
+    motion_release(&motion, ACTION_CAMERA_LEFT, 5.5);
+    way += take_camera(&motion, 9).right;
+    assert_near(way, -0.5);
+}
+
+/** Opposite keys cancel; others add up. @param state Unused. */
+static void test_motion_opposite(void **state) {
+    (void)state;
+    Motion motion = {.speed = 1};
+    motion_press(&motion, ACTION_CAMERA_LEFT, 0.1);
+    motion_press(&motion, ACTION_CAMERA_RIGHT, 0.1);
+    motion_press(&motion, ACTION_CAMERA_FORWARD, 0.2);
+    Movement way = take_camera(&motion, 1.3);
+    assert_true(way.right == 0);
+    assert_near(way.forward, 1.1);
+}
+
+/** Shift and Ctrl count from when they are held. @param state Unused. */
+static void test_motion_speed(void **state) {
+    (void)state;
+    Motion motion = {.speed = 1};
+    motion_press(&motion, ACTION_CAMERA_BACK, 1);
+    motion_set_speed(&motion, 4, 2);
+    motion_set_speed(&motion, 1, 2.5);
+    assert_near(take_camera(&motion, 3).forward, -(1 + 0.5 * 4 + 0.5));
+    motion_set_speed(&motion, 0.25, 3);
+    motion_release_all(&motion, 3);
+    motion_press(&motion, ACTION_CAMERA_BACK, 4);
+    motion_release_all(&motion, 4);
+    assert_near(take_camera(&motion, 5).forward, -MOTION_TAP / 4);
+}
+
+/** Light and camera move each by its own keys. @param state Unused. */
+static void test_motion_two(void **state) {
+    (void)state;
+    Motion motion = {.speed = 1};
+    Movement light, camera;
+    motion_press(&motion, ACTION_LIGHT_AWAY, 0);
+    motion_press(&motion, ACTION_CAMERA_DOWN, 0);
+    motion_take(&motion, 2, &light, &camera);
+    assert_near(light.forward, 2);
+    assert_near(camera.up, -2);
+    assert_true(light.up == 0 && light.right == 0 && camera.forward == 0);
+}
+
+/** @return What a key asks for. @param place Its place. @param letter Its letter. @param by_letter
+ *  How the light's keys go. */
+static Action key(SDL_Scancode place, SDL_Keycode letter, bool by_letter) {
+    return keymap_action((SDL_Keysym){.scancode = place, .sym = letter}, by_letter);
+}
+
+/** The light's keys are places, or letters; never both. @param state Unused. */
+static void test_keymap_light(void **state) {
+    (void)state;
+    /* The keys of an AZERTY keyboard: the same either way. */
+    for (int by_letter = 0; by_letter < 2; by_letter++) {
+        assert_int_equal(key(SDL_SCANCODE_W, SDLK_z, by_letter), ACTION_LIGHT_UP);
+        assert_int_equal(key(SDL_SCANCODE_S, SDLK_s, by_letter), ACTION_LIGHT_DOWN);
+        assert_int_equal(key(SDL_SCANCODE_A, SDLK_q, by_letter), ACTION_LIGHT_LEFT);
+        assert_int_equal(key(SDL_SCANCODE_D, SDLK_d, by_letter), ACTION_LIGHT_RIGHT);
+        assert_int_equal(key(SDL_SCANCODE_E, SDLK_e, by_letter), ACTION_LIGHT_AWAY);
+        assert_int_equal(key(SDL_SCANCODE_Z, SDLK_w, by_letter), ACTION_LIGHT_NEARER);
+    }
+    /* The keys of a QWERTY keyboard. */
+    assert_int_equal(key(SDL_SCANCODE_W, SDLK_w, false), ACTION_LIGHT_UP);
+    assert_int_equal(key(SDL_SCANCODE_W, SDLK_w, true), ACTION_LIGHT_NEARER);
+    assert_int_equal(key(SDL_SCANCODE_Z, SDLK_z, false), ACTION_LIGHT_NEARER);
+    assert_int_equal(key(SDL_SCANCODE_Z, SDLK_z, true), ACTION_LIGHT_UP);
+    assert_int_equal(key(SDL_SCANCODE_Q, SDLK_q, false), ACTION_NONE);
+    assert_int_equal(key(SDL_SCANCODE_A, SDLK_a, true), ACTION_NONE);
+    /* The P of a Dvorak keyboard is at the place of R, its O at that of S. */
+    assert_int_equal(key(SDL_SCANCODE_R, SDLK_p, false), ACTION_SNAPSHOT);
+    assert_int_equal(key(SDL_SCANCODE_S, SDLK_o, false), ACTION_LIGHT_DOWN);
+}
+
+/** The other keys go by what is printed on them. @param state Unused. */
+static void test_keymap_others(void **state) {
+    (void)state;
+    static const struct {
+        SDL_Keycode key;
+        Action action;
+    } rows[] = {{SDLK_UP, ACTION_CAMERA_UP},
+                {SDLK_DOWN, ACTION_CAMERA_DOWN},
+                {SDLK_LEFT, ACTION_CAMERA_LEFT},
+                {SDLK_RIGHT, ACTION_CAMERA_RIGHT},
+                {SDLK_PAGEUP, ACTION_CAMERA_FORWARD},
+                {SDLK_PAGEDOWN, ACTION_CAMERA_BACK},
+                {SDLK_p, ACTION_SNAPSHOT},
+                {SDLK_F12, ACTION_SNAPSHOT},
+                {SDLK_HOME, ACTION_HOME},
+                {SDLK_TAB, ACTION_NEXT_LIGHT},
+                {SDLK_F1, ACTION_HELP},
+                {SDLK_h, ACTION_HELP},
+                {SDLK_F11, ACTION_FULL_SCREEN},
+                {SDLK_ESCAPE, ACTION_LEAVE},
+                {SDLK_SPACE, ACTION_NONE},
+                {0, ACTION_NONE}};
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        assert_int_equal(key(SDL_SCANCODE_UNKNOWN, rows[i].key, false), rows[i].action);
+        assert_int_equal(key(SDL_SCANCODE_UNKNOWN, rows[i].key, true), rows[i].action);
+    }
+}
+
+/** @return The keys that the help names for something. @param rows The help. @param count Its rows.
+ *  @param text What they do. */
+static const char *help_keys(const HelpRow *rows, size_t count, const char *text) {
+    for (size_t i = 0; i < count; i++) {
+        if (strcmp(rows[i].text, text) == 0) {
+            return rows[i].keys;
+        }
+    }
+    fail_msg("the help does not tell of: %s", text);
+    return "";
+}
+
+/** The help names the keys as they are printed on a US keyboard, SDL's own. @param state Unused. */
+static void test_keymap_help(void **state) {
+    (void)state;
+    HelpRow rows[HELP_ROWS_MAXIMUM];
+    size_t count = keymap_help(false, rows);
+    assert_string_equal(rows[0].text, "Light");
+    assert_true(rows[0].is_heading);
+    assert_string_equal(rows[1].keys, "W  S");
+    assert_string_equal(help_keys(rows, count, "away from you, nearer"), "E  Z");
+    assert_string_equal(help_keys(rows, count, "forward, back"), "Page Up  Page Down");
+    assert_string_equal(help_keys(rows, count, "snapshot"), "P  F12");
+    assert_string_equal(help_keys(rows, count, "leave"), "Esc");
+    count = keymap_help(true, rows);
+    assert_string_equal(rows[1].keys, "Z  S");
+    assert_string_equal(help_keys(rows, count, "away from you, nearer"), "E  W");
+}
+
+/** The help fits windows down to 320x240, and is drawn in any. @param state Unused. */
+static void test_help_panel(void **state) {
+    (void)state;
+    static const int sizes[][2] = {{800, 600}, {320, 240}, {3840, 2160}, {200, 2000}, {1, 1}};
+    if (!help_panel_is_possible()) {
+        skip();
+    }
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        SDL_Surface *panel = help_panel_draw(false, sizes[i][0], sizes[i][1]);
+        assert_non_null(panel);
+        if (sizes[i][0] > 1) {
+            assert_in_range(panel->w, 100, sizes[i][0]);
+            assert_in_range(panel->h, 100, sizes[i][1]);
+        }
+        SDL_FreeSurface(panel);
+    }
+}
+
+/** Median and worst of the waits, and what does not count. @param state Unused. */
+static void test_latency(void **state) {
+    (void)state;
+    Latency latency = {0};
+    assert_int_equal(latency_summary(&latency).count, 0);
+    latency_shown(&latency, 1);
+    for (int i = 1; i <= 300; i++) {
+        latency_key(&latency, 10 * i);
+        latency_drawing(&latency);
+        latency_key(&latency, 10 * i + 5); /* came too late for this drawing */
+        latency_shown(&latency, 10 * i + (i <= 200 ? 0.25 : 0.5));
+        latency_forget(&latency);
+    }
+    LatencySummary summary = latency_summary(&latency);
+    assert_int_equal(summary.count, 300);
+    assert_near(summary.median, 0.25);
+    assert_near(summary.worst, 0.5);
+    latency_release(&latency);
+}
+
+/** An even number of waits has its median between two; many at once are no harm. @param state
+ *  Unused. */
+static void test_latency_many(void **state) {
+    (void)state;
+    Latency latency = {0};
+    for (int i = 0; i < 2 * LATENCY_WAITING_MAXIMUM; i++) {
+        latency_key(&latency, i);
+    }
+    latency_drawing(&latency);
+    latency_shown(&latency, LATENCY_WAITING_MAXIMUM);
+    LatencySummary summary = latency_summary(&latency);
+    assert_int_equal(summary.count, LATENCY_WAITING_MAXIMUM);
+    assert_near(summary.median, (LATENCY_WAITING_MAXIMUM + 1) / 2.0);
+    assert_near(summary.worst, LATENCY_WAITING_MAXIMUM);
+    latency_release(&latency);
+}
+
+/** @return Whether there is a file. @param folder Its folder. @param name Its name. */
+static bool is_there(const char *folder, const char *name) {
+    char path[SNAPSHOT_PATH_SIZE];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    return access(path, F_OK) == 0;
+}
+
+/** Removes a file of a folder. @param folder The folder. @param name Its name. */
+static void drop(const char *folder, const char *name) {
+    char path[SNAPSHOT_PATH_SIZE];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    assert_int_equal(unlink(path), 0);
+}
+
+/** Snapshots get the next free number, be it taken by a broken link. @param state Unused. */
+static void test_snapshot_numbers(void **state) {
+    (void)state;
+    char folder[] = "/tmp/dioptre-view-XXXXXX";
+    assert_non_null(mkdtemp(folder));
+    char path[SNAPSHOT_PATH_SIZE], link[64];
+    snprintf(link, sizeof link, "%s/box-0002.bmp", folder);
+    assert_int_equal(symlink("/nowhere/at/all", link), 0);
+    Picture picture = {0};
+    Error error = {0};
+    assert_true(picture_init(&picture, 3, 2, &error));
+    assert_true(snapshot_write(folder, "box", &picture, path, &error));
+    assert_true(snapshot_write(folder, "box", &picture, path, &error));
+    assert_true(is_there(folder, "box-0001.bmp") && is_there(folder, "box-0003.bmp"));
+    assert_non_null(strstr(path, "/box-0003.bmp"));
+    drop(folder, "box-0001.bmp");
+    drop(folder, "box-0002.bmp");
+    drop(folder, "box-0003.bmp");
+    assert_int_equal(rmdir(folder), 0);
+    assert_false(snapshot_write(folder, "box", &picture, path, &error));
+    assert_int_equal(error.status, STATUS_FAILED);
+    picture_release(&picture);
+}
+
+/** A folder's name that leaves no room for a file's is told. @param state Unused. */
+static void test_snapshot_long_path(void **state) {
+    (void)state;
+    char path[SNAPSHOT_PATH_SIZE], folder[SNAPSHOT_PATH_SIZE];
+    memset(folder, 'x', sizeof folder);
+    folder[sizeof folder - 1] = '\0';
+    Picture picture = {0};
+    Error error = {0};
+    assert_false(snapshot_write(folder, "box", &picture, path, &error));
+    assert_non_null(strstr(error.message, "too long"));
+}
+
+/** The bytes of a screen become those of a picture. @param state Unused. */
+static void test_snapshot_convert(void **state) {
+    (void)state;
+    static const uint8_t bgrx[] = {1, 2, 3, 255, 4, 5, 6, 255};
+    static const uint8_t rgb[] = {3, 2, 1, 6, 5, 4};
+    Picture picture = {0};
+    assert_true(picture_init(&picture, 2, 1, NULL));
+    snapshot_convert(bgrx, &picture);
+    assert_memory_equal(picture.pixels, rgb, sizeof rgb);
+    picture_release(&picture);
+}
+
+/** @return A scene with a camera at the origin that looks along +x, and one light. */
+static Scene *make_scene(void) {
+    Scene *scene = scene_create(NULL);
+    assert_non_null(scene);
+    scene->camera = (Camera){.direction = {1, 0, 0}, .up = {0, 1, 0}, .fov = 60, .focus = 10};
+    scene->has_camera = true;
+    Light light = *(const Light *)light_keyword.defaults;
+    assert_true(scene_add_light(scene, &light, NULL));
+    return scene;
+}
+
+/** Fails unless a point is where it should be. @param point It. @param x Where. @param y Where.
+ *  @param z Where. */
+static void assert_point(Vector3 point, double x, double y, double z) {
+    assert_near(point.x, x);
+    assert_near(point.y, y);
+    assert_near(point.z, z);
+}
+
+/** Things move along the axes of the picture, and go home again. @param state Unused. */
+static void test_pose(void **state) {
+    (void)state;
+    Scene *scene = make_scene();
+    Pose home;
+    assert_true(pose_save(&home, scene, NULL));
+    assert_point(home.vertical, 0, 1, 0);
+    pose_move(scene, 0, (Movement){.right = 1, .up = 2, .forward = 3}, (Movement){.right = 2});
+    assert_point(scene->lights[0].position, 15, 1.9 + 10, 5);
+    assert_point(scene->camera.position, 0, 0, 10);
+    pose_move(scene, 7, (Movement){.up = 1}, (Movement){.up = 1, .forward = -1});
+    assert_point(scene->lights[0].position, 15, 1.9 + 10, 5);
+    assert_point(scene->camera.position, -5, 5, 10);
+    pose_restore(&home, scene);
+    assert_point(scene->lights[0].position, 0, 1.9, 0);
+    assert_point(scene->camera.position, 0, 0, 0);
+    pose_release(&home);
+    scene_destroy(scene);
+}
+
+/** Which way is up is told from the camera, unless it looks steeply. @param state Unused. */
+static void test_pose_vertical(void **state) {
+    (void)state;
+    static const Vector3 rows[][3] = {/* direction, up, vertical */
+                                      {{0.6, -0.64, 0.48}, {0.5, 0.768, 0.4}, {0, 1, 0}},
+                                      {{0, -1, 0}, {0, 0, -1}, {0, 1, 0}},
+                                      {{1, 0, 0}, {0, 0, 1}, {0, 0, 1}},
+                                      {{1, 0, 0}, {0, -1, 0}, {0, -1, 0}},
+                                      {{0, 0, 1}, {-1, 0, 0}, {-1, 0, 0}}};
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        Scene *scene = make_scene();
+        scene->camera.direction = rows[i][0];
+        scene->camera.up = rows[i][1];
+        Pose pose;
+        assert_true(pose_save(&pose, scene, NULL));
+        assert_point(pose.vertical, rows[i][2].x, rows[i][2].y, rows[i][2].z);
+        pose_release(&pose);
+        scene_destroy(scene);
+    }
+}
+
+/** Camera and lights are printed as the scene language writes them. @param state Unused. */
+static void test_scene_text(void **state) {
+    (void)state;
+    Scene *scene = make_scene();
+    scene->camera.position = (Vector3){0.1, -2, 1e-30};
+    char text[1024] = "";
+    FILE *file = fmemopen(text, sizeof text, "w");
+    assert_non_null(file);
+    scene_text_print(scene, file);
+    fclose(file);
+    scene_destroy(scene);
+    assert_string_equal(
+        text, "camera { position = {0.10000000000000001, -2, 1.0000000000000001e-30}, "
+              "direction = {1, 0, 0}, up = {0, 1, 0}, fov = 60 }  "
+              "light { position = {0, 1.8999999999999999, 0}, color = {1, 1, 1}, intensity = 1, "
+              "falloff = \"none\" }");
+}
+
+/** The title says how the drawing stands. @param state Unused. */
+static void test_title(void **state) {
+    (void)state;
+    RenderReport report = {.seconds = 0.0123,
+                           .rays = {.camera = 500000, .mirror = 45500, .shadow = 500000},
+                           .stride = 1,
+                           .samples = 6};
+    TitleFacts facts = {.name = "box", .width = 800, .height = 600, .note = "", .light_count = 1};
+    char title[TITLE_SIZE];
+    title_write(&facts, title);
+    assert_string_equal(title, "box — 800×600");
+    facts.report = &report;
+    title_write(&facts, title);
+    assert_string_equal(title, "box — 800×600, pass 1 px, 6 samples, 12.3 ms, 85 Mrays/s");
+    report.is_finished = true;
+    facts.light_count = 3;
+    facts.light = 1;
+    facts.note = "saved x.bmp";
+    title_write(&facts, title);
+    assert_string_equal(title, "box — 800×600, pass 1 px, 6 samples, 12.3 ms, 85 Mrays/s, finished"
+                               " — light 2 of 3 — saved x.bmp");
+    char name[2 * TITLE_SIZE];
+    memset(name, 'n', sizeof name);
+    name[sizeof name - 1] = '\0';
+    facts.name = name;
+    title_write(&facts, title);
+    assert_int_equal(strlen(title), TITLE_SIZE - 1);
+}
+
+/** A window opens on a screen that nobody sees, and closes when asked. @param state Unused. */
+static void test_window(void **state) {
+    (void)state;
+    setenv("SDL_VIDEODRIVER", "dummy", 1);
+    assert_true(view_is_possible());
+    Scene *scene = make_scene();
+    ViewSettings settings = {
+        .render = render_settings_default(scene), .name = "test", .snapshot_dir = "/nowhere"};
+    atomic_bool stop = true;
+    Error error = {0};
+    assert_int_equal(view_run(scene, &settings, &stop, &error), STATUS_INTERRUPTED);
+    setenv("SDL_VIDEODRIVER", "no such driver", 1);
+    assert_false(view_is_possible());
+    assert_int_equal(view_run(scene, &settings, &stop, &error), STATUS_FAILED);
+    assert_non_null(strstr(error.message, "no display to open a window on"));
+    scene_destroy(scene);
+}
+
+/** Runs the tests. @return How many failed. */
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_motion_tap),
+        cmocka_unit_test(test_motion_held),
+        cmocka_unit_test(test_motion_opposite),
+        cmocka_unit_test(test_motion_speed),
+        cmocka_unit_test(test_motion_two),
+        cmocka_unit_test(test_keymap_light),
+        cmocka_unit_test(test_keymap_others),
+        cmocka_unit_test(test_keymap_help),
+        cmocka_unit_test(test_help_panel),
+        cmocka_unit_test(test_latency),
+        cmocka_unit_test(test_latency_many),
+        cmocka_unit_test(test_snapshot_numbers),
+        cmocka_unit_test(test_snapshot_long_path),
+        cmocka_unit_test(test_snapshot_convert),
+        cmocka_unit_test(test_pose),
+        cmocka_unit_test(test_pose_vertical),
+        cmocka_unit_test(test_scene_text),
+        cmocka_unit_test(test_title),
+        cmocka_unit_test(test_window),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

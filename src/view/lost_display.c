@@ -21,6 +21,12 @@ typedef int (*LostHandler)(void *display);
 /** Xlib's XSetIOErrorHandler: sets the handler, returns the one before. */
 typedef LostHandler (*SetLostHandler)(LostHandler handler);
 
+/** Told by Xlib that one request failed. The arguments are Xlib's `Display` and `XErrorEvent`. */
+typedef int (*RequestHandler)(void *display, void *event);
+
+/** Xlib's XSetErrorHandler: sets the handler, returns the one before. */
+typedef RequestHandler (*SetRequestHandler)(RequestHandler handler);
+
 /**
  * Says that the display is gone and ends the program. Pictures are written beside their place and
  * renamed, so none is left half done; what was printed is kept.
@@ -36,16 +42,43 @@ static int end_program(void *display) {
     _exit(STATUS_FAILED);
 }
 
+/**
+ * Passes over a failed request. Xlib's own handler would end the program, although nothing is lost:
+ * a message to a window that has just been closed, as when full screen is left and the program
+ * after it.
+ * @param display  Xlib's display.
+ * @param event    What failed.
+ * @return Anything; Xlib does not look.
+ */
+static int pass_over(void *display, void *event) {
+    (void)display;
+    (void)event;
+    return 0;
+}
+
+/**
+ * Finds a function of Xlib. C has no cast from an object's address to a function's; POSIX says that
+ * they are alike.
+ * @param library        The open library.
+ * @param name           The function.
+ * @param[out] function  Its address, of `size` bytes; zero where there is none.
+ * @param size           Bytes of a function's address.
+ */
+static void find_function(void *library, const char *name, void *function, size_t size) {
+    void *address = dlsym(library, name);
+    memcpy(function, &address, size);
+}
+
 void lost_display_prepare(void) {
     void *library = dlopen("libX11.so.6", RTLD_LAZY | RTLD_NOLOAD);
     if (library) {
-        SetLostHandler set_handler;
-        /* C has no cast from an object's address to a function's; POSIX says that they are alike.
-         */
-        void *address = dlsym(library, "XSetIOErrorHandler");
-        memcpy(&set_handler, &address, sizeof set_handler);
-        if (set_handler) {
-            set_handler(end_program);
+        SetLostHandler set_lost = NULL;
+        SetRequestHandler set_request = NULL;
+        find_function(library, "XSetIOErrorHandler", &set_lost, sizeof set_lost);
+        find_function(library, "XSetErrorHandler", &set_request, sizeof set_request);
+        if (set_lost && set_request) {
+            set_lost(end_program);
+            set_request(pass_over);
         }
         dlclose(library);
     }

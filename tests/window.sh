@@ -293,7 +293,11 @@ same "$shot" "$work/render.bmp" 'a snapshot waits for the last pass'
 leave
 
 # --- how fast ------------------------------------------------------------------------------------
-# Other programs may be in the way: the best of three tries counts.
+# Other programs may be in the way: the best of three tries counts. The program measures from its
+# first line; what it takes to get there, libraries and all, is what --version takes.
+began=${EPOCHREALTIME/[.,]/}
+for _ in {1..10}; do "$dioptre" --version >/dev/null; done
+loading=$(((${EPOCHREALTIME/[.,]/} - began) / 10000))
 for _ in 1 2 3; do
     open "$box" -j 2 --timing
     shown finished
@@ -302,13 +306,13 @@ for _ in 1 2 3; do
     wait "$pid"
     pid=0
     timing=$(tail -1 "$work/log")
-    echo "# $timing"
+    echo "# $timing and $loading ms to load the program"
     read -r start keys median < <(tr -d '{,}' <<<"$timing" | awk '{ print $2, $4, $6 }')
-    awk "BEGIN { exit !($start <= 150 && $keys == 100 && $median <= 16) }" && break
+    awk "BEGIN { exit !($start + $loading <= 150 && $keys == 100 && $median <= 16) }" && break
 done
 [ "$keys" = 100 ] && ok 'all keys are counted' || fail "$keys keys were counted, not 100"
 awk "BEGIN { exit !($median <= 16) }" && ok 'key to picture: at most 16 ms' || fail "it takes $median ms"
-awk "BEGIN { exit !($start <= 150) }" && ok 'first picture: at most 150 ms' || fail "it takes $start ms"
+awk "BEGIN { exit !($start + $loading <= 150) }" && ok 'exec to first picture: at most 150 ms' || fail "it takes $start ms"
 
 # --- with a window manager -----------------------------------------------------------------------
 if command -v openbox >/dev/null; then

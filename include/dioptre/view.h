@@ -23,12 +23,16 @@ typedef struct ViewSettings {
 bool view_is_possible(void);
 
 /**
- * Shows a scene in a window until it is closed.
+ * Shows a scene in a window until it is closed. Meanwhile SIGINT, SIGTERM and SIGHUP, unless they
+ * were ignored before, close it, and a second one ends the program at once.
  * @param scene       The scene; its camera and lights are moved.
  * @param settings    How.
- * @param stop        The window closes once this is true. May be NULL.
+ * @param stop        The window closes once this is true, as soon as it wakes for any event. May be
+ *                    NULL.
  * @param[out] error  What is wrong: no display, or the display went away.
- * @return What the program should end with.
+ * @return What the program should end with: #STATUS_DONE, #STATUS_INTERRUPTED by a signal or by
+ *         `stop`, or #STATUS_FAILED. When an X server vanishes it does not return: the program ends
+ *         with words and #STATUS_FAILED.
  */
 Status view_run(Scene *scene, const ViewSettings *settings, const atomic_bool *stop, Error *error);
 

@@ -8,6 +8,10 @@
 #include "view/keymap.h"
 
 #include <stdio.h>
+#include <string.h>
+
+/** Letters that the column of keys is wide on standard output: the longest row and a little. */
+static const int KEYS_WIDTH = 22;
 
 /** Prints the help. @param by_letter Whether the light's keys go by their letters. */
 static void print_help(bool by_letter) {
@@ -17,7 +21,9 @@ static void print_help(bool by_letter) {
         if (rows[i].is_heading) {
             printf("%s\n", rows[i].text);
         } else {
-            printf("  %-22s %s\n", rows[i].keys, rows[i].text);
+            /* printf counts bytes; an arrow has three. */
+            size_t extra = strlen(rows[i].keys) - SDL_utf8strlen(rows[i].keys);
+            printf("  %-*s %s\n", KEYS_WIDTH + (int)extra, rows[i].keys, rows[i].text);
         }
     }
     fflush(stdout);

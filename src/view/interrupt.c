@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 /** Sent to the waiting thread, and to nobody else, to end it. By default it does nothing. */
-enum { WAKE = SIGURG };
+static const int WAKE = SIGURG;
 
 /**
  * Adds a signal to those waited for, unless the program was started with it ignored, as `nohup`

@@ -9,13 +9,12 @@
 
 #include "view/controls.h"
 #include "view/interrupt.h"
-#include "view/lost_display.h"
 #include "view/scene_text.h"
 #include "view/snapshot.h"
 #include "view/state.h"
 #include "view/title.h"
+#include "view/video.h"
 
-#include <locale.h>
 #include <stdarg.h>
 #include <string.h>
 
@@ -60,6 +59,9 @@ static void move_by_keys(View *view, double now) {
         view_changed(view);
     } else {
         latency_forget(&view->stage.latency);
+        if (movement_is_any(light)) {
+            view_note(view, "there is no light to move");
+        }
     }
     view->next_step = now + STEP;
 }
@@ -114,7 +116,9 @@ static void update_title(View *view, double now) {
                         .note = view->note};
     char title[TITLE_SIZE];
     title_write(&facts, title);
-    SDL_SetWindowTitle(stage->display.window, title);
+    if (strcmp(title, SDL_GetWindowTitle(stage->display.window)) != 0) {
+        SDL_SetWindowTitle(stage->display.window, title);
+    }
     view->title_due = now + TITLE_SECONDS;
 }
 
@@ -196,51 +200,8 @@ static Status live(View *view, const atomic_bool *stop, Interrupt *interrupt, Er
     return view->status;
 }
 
-/**
- * @return Whether SDL has a screen that somebody can see. Without one it takes a driver that shows
- *         nothing; that is only right for who asked for it by `SDL_VIDEODRIVER`.
- */
-static bool has_screen(void) {
-    static const char *const blind[] = {"offscreen", "dummy", "evdev"};
-    const char *driver = SDL_GetCurrentVideoDriver();
-    const char *display = SDL_getenv("DISPLAY");
-    for (size_t i = 0; i < sizeof blind / sizeof blind[0]; i++) {
-        if (strcmp(driver, blind[i]) == 0 && !SDL_GetHint(SDL_HINT_VIDEODRIVER)) {
-            SDL_SetError("DISPLAY is %s%s", display ? "not to be opened: " : "not set",
-                         display ? display : "");
-            return false;
-        }
-    }
-    return true;
-}
-
-/**
- * Starts SDL's video.
- * @param[out] error  What is wrong.
- * @return Whether a window can be opened.
- */
-static bool start_video(Error *error) {
-    SDL_SetHint(SDL_HINT_APP_NAME, "dioptre");
-    /* Xlib turns titles from UTF-8 by the locale; in the plain "C" one it fails at their signs. */
-    setlocale(LC_CTYPE, "C.UTF-8");
-    /* Ctrl-C is ours, see interrupt.h. */
-    SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
-    /* A window among others, not a game: the screen may sleep, the compositor stays on. */
-    SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
-    SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
-    if (SDL_Init(SDL_INIT_VIDEO) != 0 || !has_screen()) {
-        return error_set(error, STATUS_FAILED,
-                         "no display to open a window on (%s); `dioptre render` draws without one",
-                         SDL_GetError());
-    }
-    /* Keys are keys here: no input method should swallow or compose them. */
-    SDL_StopTextInput();
-    lost_display_prepare();
-    return true;
-}
-
 bool view_is_possible(void) {
-    bool is_possible = start_video(NULL);
+    bool is_possible = video_start(NULL);
     SDL_Quit();
     return is_possible;
 }
@@ -251,7 +212,7 @@ Status view_run(Scene *scene, const ViewSettings *settings, const atomic_bool *s
     Status status = STATUS_FAILED;
     Interrupt interrupt;
     interrupt_block(&interrupt);
-    if (start_video(error)) {
+    if (video_start(error)) {
         status = live(&view, stop, &interrupt, error);
         stage_close(&view.stage);
     }

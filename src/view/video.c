@@ -1,0 +1,49 @@
+/**
+ * @file
+ * @brief SDL's video, set up for a window among others.
+ */
+#include "view/video.h"
+
+#include "view/lost_display.h"
+
+#include <SDL.h>
+#include <locale.h>
+#include <string.h>
+
+/**
+ * @return Whether SDL has a screen that somebody can see. Without one it takes a driver that shows
+ *         nothing; that is only right for who asked for it by `SDL_VIDEODRIVER`.
+ */
+static bool has_screen(void) {
+    static const char *const blind[] = {"offscreen", "dummy", "evdev"};
+    const char *driver = SDL_GetCurrentVideoDriver();
+    const char *display = SDL_getenv("DISPLAY");
+    for (size_t i = 0; i < sizeof blind / sizeof blind[0]; i++) {
+        if (strcmp(driver, blind[i]) == 0 && !SDL_GetHint(SDL_HINT_VIDEODRIVER)) {
+            SDL_SetError("DISPLAY is %s%s", display ? "not to be opened: " : "not set",
+                         display ? display : "");
+            return false;
+        }
+    }
+    return true;
+}
+
+bool video_start(Error *error) {
+    SDL_SetHint(SDL_HINT_APP_NAME, "dioptre");
+    /* Xlib turns titles from UTF-8 by the locale; in the plain "C" one it fails at their signs. */
+    setlocale(LC_CTYPE, "C.UTF-8");
+    /* Ctrl-C is ours, see interrupt.h. */
+    SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
+    /* A window among others, not a game: the screen may sleep, the compositor stays on. */
+    SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
+    SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
+    if (SDL_Init(SDL_INIT_VIDEO) != 0 || !has_screen()) {
+        return error_set(error, STATUS_FAILED,
+                         "no display to open a window on (%s); `dioptre render` draws without one",
+                         SDL_GetError());
+    }
+    /* Keys are keys here: no input method should swallow or compose them. */
+    SDL_StopTextInput();
+    lost_display_prepare();
+    return true;
+}

@@ -62,5 +62,7 @@ wait $pid
 [ $? = 130 ] && ok 'SIGINT: status 130' || fail "SIGINT: status: $(cat "$work/err")"
 holds "$work/err" 'interrupted: .*cut.bmp has [0-9]+ %' 'SIGINT: says how much there is'
 [ "$(wc -c <"$work/cut.bmp")" = $((1600 * 1200 * 3 + 54)) ] && ok 'SIGINT: the picture is kept' || fail 'SIGINT: the picture is kept'
-expect 1 'no display' 'no display' env -u DISPLAY -u WAYLAND_DISPLAY SDL_VIDEODRIVER= "$dioptre" view "$work/s.lua"
+without_display() { env -u DISPLAY -u WAYLAND_DISPLAY "$@" timeout 20 "$dioptre" view "$work/s.lua"; }
+expect 1 'no display' 'no display' without_display -u SDL_VIDEODRIVER
+expect 1 'no display' 'no display, and an empty name of a driver' without_display SDL_VIDEODRIVER=
 finish

@@ -18,8 +18,10 @@ static bool has_screen(void) {
     static const char *const blind[] = {"offscreen", "dummy", "evdev"};
     const char *driver = SDL_GetCurrentVideoDriver();
     const char *display = SDL_getenv("DISPLAY");
+    const char *asked = SDL_GetHint(SDL_HINT_VIDEODRIVER);
+    bool is_asked = asked && *asked;
     for (size_t i = 0; i < sizeof blind / sizeof blind[0]; i++) {
-        if (strcmp(driver, blind[i]) == 0 && !SDL_GetHint(SDL_HINT_VIDEODRIVER)) {
+        if (strcmp(driver, blind[i]) == 0 && !is_asked) {
             SDL_SetError("DISPLAY is %s%s", display ? "not to be opened: " : "not set",
                          display ? display : "");
             return false;

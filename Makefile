@@ -21,6 +21,7 @@ PKG_CFLAGS = $(shell pkg-config --cflags $(1) 2>/dev/null)
 PKG_LIBS   = $(shell pkg-config --libs $(1) 2>/dev/null)
 
 # --- engines: the objects of src/trace at one number type and width ------------------------------
+FLAGS_f32x16 := -DREAL_BITS=32  -DLANES=16 -mavx512vl -mavx512dq -mprefer-vector-width=512
 FLAGS_f32x8  := -DREAL_BITS=32  -DLANES=8 -mavx2
 FLAGS_f32x4  := -DREAL_BITS=32  -DLANES=4
 FLAGS_f32x1  := -DREAL_BITS=32  -DLANES=1
@@ -28,10 +29,11 @@ FLAGS_f64x4  := -DREAL_BITS=64  -DLANES=4 -mavx2
 FLAGS_f64x1  := -DREAL_BITS=64  -DLANES=1
 FLAGS_f128x1 := -DREAL_BITS=128 -DLANES=1
 ifneq ($(shell uname -m),x86_64)
+FLAGS_f32x16 := -DREAL_BITS=32  -DLANES=16
 FLAGS_f32x8  := -DREAL_BITS=32  -DLANES=8
 FLAGS_f64x4  := -DREAL_BITS=64  -DLANES=4
 endif
-ENGINES := f32x8 f32x4 f32x1 f64x4 f64x1 f128x1
+ENGINES := f32x16 f32x8 f32x4 f32x1 f64x4 f64x1 f128x1
 
 # --- sources -------------------------------------------------------------------------------------
 TRACE_SOURCES := $(wildcard src/trace/*.c src/trace/shapes/*.c)

@@ -14,6 +14,7 @@ measure() { # ENGINE THREADS FRAMES
 }
 round=0
 while [ $round -lt $rounds ]; do
+    ! grep -q avx512dq /proc/cpuinfo || measure f32x16 1 30
     measure f32x8 1 30
     measure f32x8 2 30
     measure f32x4 1 20

@@ -9,6 +9,12 @@ if grep -q avx2 /proc/cpuinfo; then
         draw $engine && ok "$engine draws the box" || fail "$engine draws the box"
     done
     same "$work/f32x8.bmp" "$work/f32x1.bmp" 'f32x8 gives the bits of f32x1'
+    if grep -q avx512dq /proc/cpuinfo; then
+        draw f32x16 && ok 'f32x16 draws the box' || fail 'f32x16 draws the box'
+        same "$work/f32x16.bmp" "$work/f32x1.bmp" 'f32x16 gives the bits of f32x1'
+    else
+        echo 'skipped f32x16: this processor has no AVX-512'
+    fi
     same "$work/f64x4.bmp" "$work/f64x1.bmp" 'f64x4 gives the bits of f64x1'
     "$dioptre" compare "$work/f32x8.bmp" "$work/f128x1.bmp" --json >"$work/out"
     holds "$work/out" '"share_off": (0,|0\.00[0-4]|[0-9.]+e-)' 'float is within a step of quad but at edges'
@@ -24,6 +30,7 @@ holds "$work/out" 'f32x4' 'without AVX2: f32x4 is taken'
 expect 0 '' 'without AVX2: render' $old render "$box" -o "$work/old.bmp" -s 96x72 --samples 2
 same "$work/old.bmp" "$work/f32x4.bmp" 'without AVX2: the same bits'
 expect 2 'AVX2' 'without AVX2: f32x8 is refused' $old info "$box" --engine f32x8
+expect 2 'AVX-512' 'without AVX-512: f32x16 is refused' $old info "$box" --engine f32x16
 
 # One program, two compilers: the same bits.
 build/clang/dioptre render "$box" -o "$work/clang.bmp" -s 96x72 --samples 2 --engine f32x4

@@ -296,19 +296,19 @@ static void touching_box(const Engine *engine) {
     long missed = 0, count = scaled(engine, 200000);
     for (long n = 0; n < count; n++) {
         // A point of the surface with one to three coordinates on their planes, and a way to it
-        // that float holds exactly: quarters, and parallel to some axes.
+        // that float holds exactly, but not its inverse: 64ths, and parallel to some axes.
         double point[3], step[3];
         for (int i = 0; i < 3; i++) {
             point[i] = random_share(&state) < 0.6 ? (random_share(&state) < 0.5 ? -1 : 1)
                                                   : 0.25 * (int)(8 * random_share(&state)) - 1;
             step[i] = random_share(&state) < 0.4 ? (random_share(&state) < 0.5 ? 0.0 : -0.0)
-                                                 : 0.25 * (int)(17 * random_share(&state)) - 2;
+                                                 : (int)(257 * random_share(&state)) / 64.0 - 2;
         }
         bool is_on = fabs(point[0]) == 1 || fabs(point[1]) == 1 || fabs(point[2]) == 1;
         bool is_way = step[0] != 0 || step[1] != 0 || step[2] != 0;
         if (is_on && is_way) {
             RayQuery ray = {
-                {point[0] - 4 * step[0], point[1] - 4 * step[1], point[2] - 4 * step[2]},
+                {point[0] - 3 * step[0], point[1] - 3 * step[1], point[2] - 3 * step[2]},
                 {step[0], step[1], step[2]}};
             RayAnswer answer;
             engine->intersect(tracer, 1, &ray, &answer);

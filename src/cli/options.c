@@ -28,7 +28,7 @@ static const OptionRow option_rows[] = {
     {'D', false, "depth", "N", "how often a ray may be mirrored"},
     {'t', true, "time", "SECONDS", "the scene's t"},
     {'j', true, "threads", "N", "worker threads (default: all cores)"},
-    {'E', false, "engine", "NAME", "auto, f32x8, f32x4, f32x1, f64x4, f64x1 or f128x1"},
+    {'E', false, "engine", "NAME", "auto, f32x16, f32x8, f32x4, f32x1, f64x4, f64x1 or f128x1"},
     {'O', false, "offset", "WAY", "none, fixed or bound: how rays leave a surface"},
     {'X', false, "epsilon", "LENGTH", "for --offset fixed, scene units"},
     {'B', false, "base-dir", "DIR", "where the files lie that the scene names"},

@@ -7,7 +7,6 @@
 /** What one lamp would give to the points of a packet, were nothing in the way. */
 typedef struct Shine {
     Packet shadow;                         /**< The rays to the lamp; active where it may shine. */
-    Vector to_lamp[PACKET_VECTORS];        /**< Unit directions to it. */
     real cosine[PACKET_VECTORS];           /**< n . l, above 0 where active. */
     real distance_squared[PACKET_VECTORS]; /**< To it, squared. */
 } Shine;
@@ -33,14 +32,12 @@ static void shine_aim(const Lamp *lamp, const Departure *departure, const Encoun
         const Hit *hit = &met->hits[v];
         Vector path = vector_subtract(lamp->position, hit->point);
         real distance_squared = vector_dot(path, path);
-        Vector to_lamp = vector_scale(path, 1 / real_sqrt(distance_squared));
-        real cosine = vector_dot(met->facing[v], to_lamp);
+        real cosine = vector_dot(met->facing[v], path) / real_sqrt(distance_squared);
         // The ray ends at the lamp itself: its parameter runs from 0 to 1.
-        Vector origin = departure_origin(departure, hit, to_lamp);
+        Vector origin = departure_origin(departure, hit, path);
         shine->shadow.rays[v] = ray_of(origin, vector_subtract(lamp->position, origin));
         shine->shadow.limit[v] = real_of(1);
         shine->shadow.active[v] = met->met[v] & (cosine > 0);
-        shine->to_lamp[v] = to_lamp;
         shine->cosine[v] = cosine;
         shine->distance_squared[v] = distance_squared;
     }
@@ -73,10 +70,12 @@ INLINE real highlight(const Encounter *met, int v, Vector to_lamp, real cosine,
  */
 static void highlight_add(const Lamp *lamp, const Shine *shine, int v, mask reached, real share,
                           const Encounter *met, Lighting *lighting) {
-    Surfaces surfaces = surfaces_gather(met->surfaces, met->materials[v], reached);
+    Surfaces surfaces = surfaces_gather(met->surfaces, &met->materials[v], reached);
     mask shiny = reached & (light3_largest(surfaces.highlight) > real_of(0));
     if (any(shiny)) {
-        real bright = highlight(met, v, shine->to_lamp[v], shine->cosine[v], surfaces.shininess);
+        Vector path = vector_subtract(lamp->position, met->hits[v].point);
+        Vector to_lamp = vector_scale(path, 1 / real_sqrt(shine->distance_squared[v]));
+        real bright = highlight(met, v, to_lamp, shine->cosine[v], surfaces.shininess);
         bright = real_select(shiny, share * bright, real_of(0));
         lighting->highlight[v] =
             light3_add(lighting->highlight[v], light3_scale(lamp->light, bright));

@@ -23,12 +23,12 @@ typedef struct Departure {
 
 /** The points that a packet of rays has met. */
 typedef struct Encounter {
-    const Surface *surfaces;           /**< All materials of the scene. */
-    const Packet *packet;              /**< The rays, of unit direction. */
-    Hit hits[PACKET_VECTORS];          /**< Where. */
-    mask met[PACKET_VECTORS];          /**< Which rays met anything. */
-    integer materials[PACKET_VECTORS]; /**< Place of the material that each met. */
-    Vector facing[PACKET_VECTORS];     /**< The normals, turned to where the rays come from. */
+    const Surface *surfaces;             /**< All materials of the scene. */
+    const Packet *packet;                /**< The rays, of unit direction. */
+    Hit hits[PACKET_VECTORS];            /**< Where. */
+    mask met[PACKET_VECTORS];            /**< Which rays met anything. */
+    Materials materials[PACKET_VECTORS]; /**< What they met is made of. */
+    Vector facing[PACKET_VECTORS];       /**< The normals, turned to where the rays come from. */
 } Encounter;
 
 /** What the lamps give, before the surfaces weigh it. */

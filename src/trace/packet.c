@@ -5,10 +5,10 @@
 #include "trace/packet.h"
 
 /**
- * Relative slack of the far side: eight roundings more than the three of a slab's distance, for the
+ * Relative slack of either side: eight roundings more than the three of a slab's distance, for the
  * shapes that find their distance by other formulas than a slab.
  */
-#define SPAN_SLACK (1 + 22 * ROUNDOFF)
+#define SPAN_SLACK (22 * ROUNDOFF)
 
 unsigned packet_count(const Packet *packet) {
     unsigned count = 0;
@@ -20,7 +20,12 @@ unsigned packet_count(const Packet *packet) {
 
 /** @return The smallest lane, found by halves. @param x Numbers. */
 INLINE scalar lowest_lane(real x) {
-#if LANES == 8
+#if LANES == 16
+    x = real_min(x, __builtin_shufflevector(x, x, 8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4, 5, 6, 7));
+    x = real_min(x, __builtin_shufflevector(x, x, 4, 5, 6, 7, 0, 1, 2, 3, 12, 13, 14, 15, 8, 9, 10, 11));
+    x = real_min(x, __builtin_shufflevector(x, x, 2, 3, 0, 1, 6, 7, 4, 5, 10, 11, 8, 9, 14, 15, 12, 13));
+    x = real_min(x, __builtin_shufflevector(x, x, 1, 0, 3, 2, 5, 4, 7, 6, 9, 8, 11, 10, 13, 12, 15, 14));
+#elif LANES == 8
     x = real_min(x, __builtin_shufflevector(x, x, 4, 5, 6, 7, 0, 1, 2, 3));
     x = real_min(x, __builtin_shufflevector(x, x, 2, 3, 0, 1, 6, 7, 4, 5));
     x = real_min(x, __builtin_shufflevector(x, x, 1, 0, 3, 2, 5, 4, 7, 6));
@@ -45,28 +50,48 @@ INLINE real coordinate(const Vector *v, int axis) {
     return axis == 0 ? v->x : axis == 1 ? v->y : v->z;
 }
 
+/** The intervals that the rays of each lane lie in, along one axis. */
+typedef struct LaneSpans {
+    real origin_low;   /**< Lowest origins. */
+    real origin_high;  /**< Highest origins. */
+    real inverse_low;  /**< Lowest 1 / direction. */
+    real inverse_high; /**< Highest 1 / direction. */
+} LaneSpans;
+
+/** Widens intervals by one ray a lane. @param[in,out] s The intervals.
+ *  @param origin Where the rays start, along the axis. @param inverse 1 / direction. */
+INLINE void spans_add(LaneSpans *s, real origin, real inverse) {
+    s->origin_low = real_min(origin, s->origin_low);
+    s->origin_high = real_max(origin, s->origin_high);
+    s->inverse_low = real_min(inverse, s->inverse_low);
+    s->inverse_high = real_max(inverse, s->inverse_high);
+}
+
 /** @return The intervals along one axis. @param packet The packet. @param axis The axis. */
 INLINE Span packet_span(const Packet *packet, int axis) {
-    real most = real_of(INFINITE), least = real_of(-INFINITE);
-    real origin_low = most, origin_high = least, inverse_low = most, inverse_high = least;
+    const real most = real_of(INFINITE), least = real_of(-INFINITE);
+    LaneSpans s = {most, least, most, least};
     for (int v = 0; v < PACKET_VECTORS; v++) {
         mask active = packet->active[v];
+        unsigned bits = mask_bits(active);
         real origin = coordinate(&packet->rays[v].origin, axis);
         real inverse = coordinate(&packet->rays[v].inverse, axis);
-        origin_low = real_min(real_select(active, origin, most), origin_low);
-        origin_high = real_max(real_select(active, origin, least), origin_high);
-        inverse_low = real_min(real_select(active, inverse, most), inverse_low);
-        inverse_high = real_max(real_select(active, inverse, least), inverse_high);
+        if (bits == ALL_LANES) {
+            spans_add(&s, origin, inverse);
+        } else if (bits != 0) {
+            int first = mask_first(active);
+            spans_add(&s, real_select(active, origin, real_of(real_lane(origin, first))),
+                      real_select(active, inverse, real_of(real_lane(inverse, first))));
+        }
     }
-    return (Span){lowest_lane(origin_low), highest_lane(origin_high), lowest_lane(inverse_low),
-                  highest_lane(inverse_high)};
+    return (Span){lowest_lane(s.origin_low), highest_lane(s.origin_high),
+                  lowest_lane(s.inverse_low), highest_lane(s.inverse_high)};
 }
 
 Spans packet_spans(const Packet *packet) {
     real limit = real_of(0);
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        mask is_farther = packet->active[v] & (packet->limit[v] > limit);
-        limit = real_select(is_farther, packet->limit[v], limit);
+        limit = real_max(real_select(packet->active[v], packet->limit[v], real_of(0)), limit);
     }
     return (Spans){{packet_span(packet, 0), packet_span(packet, 1), packet_span(packet, 2)},
                    highest_lane(limit)};
@@ -95,7 +120,7 @@ static Span span_mirrored(const Span *span) {
     return (Span){-span->origin_high, -span->origin_low, -span->inverse_high, -span->inverse_low};
 }
 
-mask spans_may_meet(const Spans *spans, const BoundsBlock *bounds) {
+mask spans_may_meet(const Spans *spans, const BoundsBlock *bounds, real *nearest) {
     real near = real_of(0), far = real_of(spans->limit);
     for (int axis = 0; axis < 3; axis++) {
         const Span *span = &spans->axis[axis];
@@ -106,5 +131,6 @@ mask spans_may_meet(const Spans *spans, const BoundsBlock *bounds) {
             clip_upwards(&near, &far, &mirrored, -bounds->high[axis], -bounds->low[axis]);
         }
     }
-    return near <= far * SPAN_SLACK;
+    *nearest = near * (1 - SPAN_SLACK);
+    return near <= far * (1 + SPAN_SLACK);
 }

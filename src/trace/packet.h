@@ -13,8 +13,8 @@
 #include "trace/shape.h"
 
 #if LANES > 1
-/** Pixels a packet, across: a vector of eight is one row. */
-#define PACKET_COLUMNS 8
+/** Pixels a packet, across: a vector is a row, or half of one. */
+#define PACKET_COLUMNS (LANES > 8 ? LANES : 8)
 /** Pixels a packet, down: 8 by 8 rays share the cost of the intervals best. */
 #define PACKET_ROWS 8
 #else
@@ -63,9 +63,10 @@ Spans packet_spans(const Packet *packet);
 
 /**
  * @return The boxes that some ray within the spans may meet; set where that cannot be excluded.
- * @param spans   The spans.
- * @param bounds  The boxes.
+ * @param spans      The spans.
+ * @param bounds     The boxes.
+ * @param[out] nearest  For each box: no ray meets anything in it nearer than this.
  */
-mask spans_may_meet(const Spans *spans, const BoundsBlock *bounds);
+mask spans_may_meet(const Spans *spans, const BoundsBlock *bounds, real *nearest);
 
 #endif

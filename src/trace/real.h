@@ -4,7 +4,7 @@
  *        do not give.
  *
  * Everything in `src/trace/` is written over the types of this file and compiled once an engine,
- * with REAL_BITS (32, 64, 128) and LANES (1, 4, 8) on the command line.
+ * with REAL_BITS (32, 64, 128) and LANES (1, 4, 8, 16) on the command line.
  *
  *   scalar   one number: float, double or quad
  *   real     LANES of them, side by side; + - * / < <= work lane by lane
@@ -136,39 +136,22 @@ INLINE void mask_set_lane(mask *m, int i, bool value) {
 #endif
 }
 
+/* The compiler spreads one number over all lanes of a vector that it is combined with. Less zero is
+   that number, -0 and NaN too, and costs nothing. */
+
 /** @return The same number in all lanes. @param x The number. */
 INLINE real real_of(scalar x) {
-    real r = {0};
-    for (int i = 0; i < LANES; i++) {
-        real_set_lane(&r, i, x);
-    }
-    return r;
+    return x - (real){0};
 }
 
 /** @return The same number in all lanes. @param x The number. */
 INLINE wide wide_of(wide_scalar x) {
-#if LANES > 1
-    wide r = {0};
-    for (int i = 0; i < LANES; i++) {
-        r[i] = x;
-    }
-    return r;
-#else
-    return x;
-#endif
+    return x - (wide){0};
 }
 
 /** @return The same integer in all lanes. @param x The integer. */
 INLINE integer integer_of(int x) {
-#if LANES > 1
-    integer r = {0};
-    for (int i = 0; i < LANES; i++) {
-        r[i] = x;
-    }
-    return r;
-#else
-    return x;
-#endif
+    return x - (integer){0};
 }
 
 /* --- from one precision to the other --------------------------------------------------------- */
@@ -222,7 +205,9 @@ INLINE mask mask_not(mask m) {
 
 /** @return Bit i set where lane i is. @param m A mask. */
 INLINE unsigned mask_bits(mask m) {
-#if LANES == 8 && defined(__AVX__)
+#if LANES == 16 && defined(__AVX512DQ__)
+    return _mm512_movepi32_mask((__m512i)m);
+#elif LANES == 8 && defined(__AVX__)
     return (unsigned)_mm256_movemask_ps((__m256)m);
 #elif LANES == 4 && REAL_BITS == 64 && defined(__AVX__)
     return (unsigned)_mm256_movemask_pd((__m256d)m);
@@ -236,6 +221,9 @@ INLINE unsigned mask_bits(mask m) {
     return bits;
 #endif
 }
+
+/** What #mask_bits gives where every lane is set. */
+#define ALL_LANES ((1u << LANES) - 1)
 
 /** @return Whether any lane is set. @param m A mask. */
 INLINE bool any(mask m) {
@@ -257,7 +245,14 @@ INLINE int mask_first(mask m) {
 /* Where a processor has one instruction for it, that is named here, and nowhere else. The smaller
    and larger are `a < b ? a : b` and `a > b ? a : b` to the bit, as the instructions define them.
  */
-#if LANES == 8 && defined(__AVX__)
+#if LANES == 16 && defined(__AVX512DQ__)
+/** a where the mask m is set, b elsewhere: one instruction, too. */
+#define LANES_SELECT(m, a, b) (real)(((m) & (mask)(a)) | (~(m) & (mask)(b)))
+/** The smaller; b where they cannot be compared. */
+#define LANES_MIN(a, b) (real) _mm512_min_ps((__m512)(a), (__m512)(b))
+/** The larger; b where they cannot be compared. */
+#define LANES_MAX(a, b) (real) _mm512_max_ps((__m512)(a), (__m512)(b))
+#elif LANES == 8 && defined(__AVX__)
 /** a where the mask m is set, b elsewhere. */
 #define LANES_SELECT(m, a, b) (real) _mm256_blendv_ps((__m256)(b), (__m256)(a), (__m256)(m))
 /** The smaller; b where they cannot be compared. */
@@ -292,7 +287,7 @@ INLINE real real_select(mask m, real a, real b) {
  * Others. */
 INLINE integer integer_select(mask m, integer a, integer b) {
 #if LANES > 1
-    return (m & a) | (~m & b);
+    return (integer)real_select(m, (real)a, (real)b);
 #else
     return m ? a : b;
 #endif
@@ -320,7 +315,11 @@ INLINE real real_max(real a, real b) {
 
 /** @return The absolute value. @param x Numbers. */
 INLINE real real_abs(real x) {
-    return real_max(x, -x);
+#if LANES > 1
+    return (real)((mask)x & (REAL_BITS == 32 ? INT32_MAX : INT64_MAX));
+#else
+    return x < 0 ? -x : x + 0;
+#endif
 }
 
 /* --- square roots, correctly rounded --------------------------------------------------------- */

@@ -89,31 +89,54 @@ void shape_list_release(ShapeList *list) {
     *list = (ShapeList){0};
 }
 
+/** The shapes of a block that a packet may meet. */
+typedef struct Candidates {
+    unsigned left; /**< Bit i set: shape i of the block is still to be asked. */
+    real near;     /**< For each shape of the block: it is nowhere met nearer than this. */
+} Candidates;
+
 /**
- * Names the shapes of a block that a packet may meet. A packet of one ray asks every shape itself.
+ * @return The shapes of a block that a packet may meet. A packet of one ray asks every shape itself.
  * @param list   The shapes.
  * @param spans  What is known of the packet.
  * @param block  Which block of boxes.
- * @return Bit i set: shape block * LANES + i may be met.
  */
-static unsigned block_candidates(const ShapeList *list, const Spans *spans, size_t block) {
+static Candidates block_candidates(const ShapeList *list, const Spans *spans, size_t block) {
     if (LANES == 1) {
-        return 1;
+        return (Candidates){1, real_of(0)};
     }
+    Candidates candidates;
     size_t left = list->count - block * LANES;
-    unsigned there = left < LANES ? (1u << left) - 1 : (1u << LANES) - 1;
-    return mask_bits(spans_may_meet(spans, &list->bounds[block])) & there;
+    unsigned there = left < LANES ? (1u << left) - 1 : ALL_LANES;
+    mask may_meet = spans_may_meet(spans, &list->bounds[block], &candidates.near);
+    candidates.left = mask_bits(may_meet) & there;
+    return candidates;
+}
+
+/** Takes the nearest of the candidates out of them, so that what it hides need not be asked.
+ *  @param[in,out] candidates At least one. @return Its place in the block. */
+static int candidates_take(Candidates *candidates) {
+    int best = __builtin_ctz(candidates->left);
+    for (unsigned left = candidates->left; left; left &= left - 1) {
+        int other = __builtin_ctz(left);
+        bool is_nearer = real_lane(candidates->near, other) < real_lane(candidates->near, best);
+        best = is_nearer ? other : best;
+    }
+    candidates->left &= ~(1u << best);
+    return best;
 }
 
 /**
- * Asks one shape about every ray of a packet.
+ * Asks one shape about the rays of a packet that have met nothing nearer.
  * @param shape   The shape.
+ * @param near    It is nowhere met nearer than this.
  * @param packet  The rays.
  * @param[in,out] hits  What they have met so far.
  */
-static void shape_nearest(const Shape *shape, const Packet *packet, Hit *hits) {
+static void shape_nearest(const Shape *shape, scalar near, const Packet *packet, Hit *hits) {
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        if (LANES == 1 || any(packet->active[v])) {
+        mask open = packet->active[v] & (hits[v].distance >= real_of(near));
+        if (LANES == 1 || any(open)) {
             shape->class->is_hit(shape, &packet->rays[v], packet->active[v], &hits[v]);
         }
     }
@@ -141,10 +164,11 @@ void shape_list_nearest(const ShapeList *list, const Packet *packet, Hit *hits) 
         hits[v] = hit_nothing(packet->limit[v]);
     }
     for (size_t block = 0; block < bounds_blocks(list->count); block++) {
-        unsigned candidates = block_candidates(list, &spans, block);
-        for (; candidates; candidates &= candidates - 1) {
-            size_t place = block * LANES + (size_t)__builtin_ctz(candidates);
-            shape_nearest(list->shapes[place], packet, hits);
+        Candidates candidates = block_candidates(list, &spans, block);
+        while (candidates.left) {
+            int lane = candidates_take(&candidates);
+            const Shape *shape = list->shapes[block * LANES + (size_t)lane];
+            shape_nearest(shape, real_lane(candidates.near, lane), packet, hits);
         }
     }
 }
@@ -155,9 +179,9 @@ void shape_list_blocked(const ShapeList *list, const Packet *packet, mask *block
         blocked[v] = mask_of(false);
     }
     for (size_t block = 0; block < bounds_blocks(list->count); block++) {
-        unsigned candidates = block_candidates(list, &spans, block);
-        for (; candidates; candidates &= candidates - 1) {
-            size_t place = block * LANES + (size_t)__builtin_ctz(candidates);
+        unsigned left = block_candidates(list, &spans, block).left;
+        for (; left; left &= left - 1) {
+            size_t place = block * LANES + (size_t)__builtin_ctz(left);
             shape_blocked(list->shapes[place], packet, blocked);
         }
     }

@@ -56,24 +56,30 @@ INLINE Surfaces surfaces_select(mask m, const Surfaces *a, const Surfaces *b) {
                       .shininess = real_select(m, a->shininess, b->shininess)};
 }
 
+/** Places of the materials that LANES rays have met: mostly one, for neighbours meet the same. */
+typedef struct Materials {
+    integer places; /**< Place of each lane's material. */
+    int first;      /**< Place of one of them. */
+    mask others;    /**< The lanes that met something and not this one. */
+} Materials;
+
 /**
  * @return What LANES rays have met. Part of its callers, so that each reads only the members that it
  *         uses.
  * @param surfaces   All materials.
- * @param materials  The place of the material in each lane.
+ * @param materials  The materials met.
  * @param active     The lanes that count; the others get any material.
  */
-INLINE Surfaces surfaces_gather(const Surface *surfaces, integer materials, mask active) {
-    int first = any(active) ? integer_lane(materials, mask_first(active)) : 0;
-    Surfaces gathered = surfaces_of(&surfaces[first]);
-    active &= mask_not(materials == integer_of(first));
-    // One more turn for each different material: mostly none, for neighbours meet the same thing.
-    while (any(active)) {
-        int material = integer_lane(materials, mask_first(active));
-        mask same = active & (materials == integer_of(material));
+INLINE Surfaces surfaces_gather(const Surface *surfaces, const Materials *materials, mask active) {
+    Surfaces gathered = surfaces_of(&surfaces[materials->first]);
+    mask left = active & materials->others;
+    // One more turn for each different material.
+    while (any(left)) {
+        int material = integer_lane(materials->places, mask_first(left));
+        mask same = left & (materials->places == integer_of(material));
         Surfaces one = surfaces_of(&surfaces[material]);
         gathered = surfaces_select(same, &one, &gathered);
-        active &= mask_not(same);
+        left &= mask_not(same);
     }
     return gathered;
 }

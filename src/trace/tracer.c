@@ -20,15 +20,21 @@ static Light3 backdrop_color(const Backdrop *sky, Vector direction) {
     return light3_add(sky->horizon, light3_scale(sky->rise, height));
 }
 
-/** @return The place of the material in each lane. @param list The shapes. @param hit What was met.
+/** @return The materials in each lane. @param list The shapes. @param hit What was met.
  *  @param met The lanes that met anything. */
-INLINE integer materials_of(const ShapeList *list, const Hit *hit, mask met) {
-    integer materials = integer_of(0);
-    while (any(met)) {
-        int shape = integer_lane(hit->shape, mask_first(met));
-        mask same = met & (hit->shape == integer_of(shape));
-        materials = integer_select(same, integer_of(list->shapes[shape]->material), materials);
-        met &= mask_not(same);
+INLINE Materials materials_of(const ShapeList *list, const Hit *hit, mask met) {
+    if (!any(met)) {
+        return (Materials){0};
+    }
+    int shape = integer_lane(hit->shape, mask_first(met)), first = list->shapes[shape]->material;
+    Materials materials = {integer_of(first), first, met & (hit->shape != integer_of(shape))};
+    mask left = materials.others;
+    while (any(left)) {
+        shape = integer_lane(hit->shape, mask_first(left));
+        mask same = left & (hit->shape == integer_of(shape));
+        integer material = integer_of(list->shapes[shape]->material);
+        materials.places = integer_select(same, material, materials.places);
+        left &= mask_not(same);
     }
     return materials;
 }
@@ -81,16 +87,19 @@ INLINE Light3 body_color(const Surfaces *surface, Light3 matt, Light3 highlight)
 static unsigned mirror_rays(const Tracer *tracer, const Encounter *met, const real *weight,
                             Packet *mirrored, real *weights) {
     for (int v = 0; v < PACKET_VECTORS; v++) {
+        Light3 mirror = surfaces_gather(met->surfaces, &met->materials[v], met->met[v]).mirror;
+        weights[v] = weight[v] * light3_largest(mirror);
+        mirrored->active[v] = met->met[v] & (weights[v] >= WEIGHT_CUTOFF);
+        if (!any(mirrored->active[v])) {
+            continue;
+        }
         Vector in = met->packet->rays[v].direction, normal = met->facing[v];
         real along = vector_dot(in, normal);
         // Made one long again each time: else the length drifts by an ulp or two a mirror.
         Vector out = vector_normalize(vector_subtract(in, vector_scale(normal, 2 * along)));
         Vector origin = departure_origin(&tracer->departure, &met->hits[v], out);
-        Light3 mirror = surfaces_gather(met->surfaces, met->materials[v], met->met[v]).mirror;
-        weights[v] = weight[v] * light3_largest(mirror);
         mirrored->rays[v] = ray_of(origin, out);
         mirrored->limit[v] = real_of(INFINITE);
-        mirrored->active[v] = met->met[v] & (weights[v] >= WEIGHT_CUTOFF);
     }
     return packet_count(mirrored);
 }
@@ -116,7 +125,7 @@ static void mirrors_add(const Tracer *tracer, const Encounter *met, const real *
     Light3 seen[PACKET_VECTORS];
     tracer_follow(tracer, &mirrored, weights, depth - 1, seen, counts);
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        Light3 mirror = surfaces_gather(met->surfaces, met->materials[v], met->met[v]).mirror;
+        Light3 mirror = surfaces_gather(met->surfaces, &met->materials[v], met->met[v]).mirror;
         Light3 share = light3_multiply(mirror, seen[v]);
         colors[v] = light3_select(mirrored.active[v], light3_add(colors[v], share), colors[v]);
     }
@@ -127,7 +136,9 @@ void tracer_follow(const Tracer *tracer, const Packet *packet, const real *weigh
     Encounter met;
     bool is_any = encounter_find(tracer, packet, &met);
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        colors[v] = backdrop_color(&tracer->backdrop, packet->rays[v].direction);
+        if (any(mask_not(met.met[v]))) {
+            colors[v] = backdrop_color(&tracer->backdrop, packet->rays[v].direction);
+        }
     }
     if (!is_any) {
         return;
@@ -136,7 +147,7 @@ void tracer_follow(const Tracer *tracer, const Packet *packet, const real *weigh
     counts->shadow += lighting_gather(&tracer->list, tracer->lamps, tracer->lamp_count,
                                       &tracer->departure, tracer->shines, &met, &lighting);
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        Surfaces surfaces = surfaces_gather(met.surfaces, met.materials[v], met.met[v]);
+        Surfaces surfaces = surfaces_gather(met.surfaces, &met.materials[v], met.met[v]);
         Light3 body = body_color(&surfaces, lighting.matt[v], lighting.highlight[v]);
         colors[v] = light3_select(met.met[v], body, colors[v]);
     }

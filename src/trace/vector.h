@@ -28,6 +28,13 @@ typedef struct WidePoint {
     wide_scalar z; /**< Towards the viewer. */
 } WidePoint;
 
+/** One point or direction in the engine's numbers. */
+typedef struct Point {
+    scalar x; /**< To the right. */
+    scalar y; /**< Up. */
+    scalar z; /**< Towards the viewer. */
+} Point;
+
 /** LANES amounts of linear light. */
 typedef struct Light3 {
     real red;   /**< Red. */
@@ -59,9 +66,14 @@ INLINE WideVector wide_vector_of(WidePoint p) {
     return (WideVector){wide_of(p.x), wide_of(p.y), wide_of(p.z)};
 }
 
-/** @return The same point in all lanes, rounded. @param p A point. */
-INLINE Vector vector_of_point(WidePoint p) {
-    return (Vector){real_of((scalar)p.x), real_of((scalar)p.y), real_of((scalar)p.z)};
+/** @return A point, rounded. @param p A better one. */
+INLINE Point point_narrow(WidePoint p) {
+    return (Point){(scalar)p.x, (scalar)p.y, (scalar)p.z};
+}
+
+/** @return The same point in all lanes. @param p A point. */
+INLINE Vector vector_of_point(Point p) {
+    return (Vector){real_of(p.x), real_of(p.y), real_of(p.z)};
 }
 
 /** @return The same numbers, exactly. @param v Vectors. */

@@ -12,15 +12,18 @@
 
 /** A plane: the points p with normal . (p - anchor) = 0. */
 typedef struct Flat {
-    WidePoint anchor; /**< A point of it. */
-    WidePoint normal; /**< Its unit normal. */
-    scalar reach;     /**< Largest coordinate of the anchor: what its rounding errors scale with. */
+    WidePoint wide_anchor; /**< A point of it. */
+    WidePoint wide_normal; /**< Its unit normal. */
+    Point anchor;          /**< The point, rounded. */
+    Point normal;          /**< The normal, rounded. */
+    scalar reach; /**< Largest coordinate of the anchor: what its rounding errors scale with. */
 } Flat;
 
 /** @return A plane. @param anchor A point of it. @param normal Its normal, about one long. */
 static inline Flat flat_of(Vector3 anchor, WidePoint normal) {
     double reach = fmax(fabs(anchor.x), fmax(fabs(anchor.y), fabs(anchor.z)));
-    return (Flat){wide_point_of(anchor), wide_point_normalize(normal), (scalar)reach};
+    WidePoint point = wide_point_of(anchor), unit = wide_point_normalize(normal);
+    return (Flat){point, unit, point_narrow(point), point_narrow(unit), (scalar)reach};
 }
 
 /**
@@ -31,8 +34,8 @@ static inline Flat flat_of(Vector3 anchor, WidePoint normal) {
  * @param ray   The rays.
  */
 INLINE real flat_distance(const Flat *flat, const Ray *ray) {
-    WideVector normal = wide_vector_of(flat->normal);
-    WideVector to_anchor = wide_subtract(wide_vector_of(flat->anchor), vector_widen(ray->origin));
+    WideVector normal = wide_vector_of(flat->wide_normal);
+    WideVector to_anchor = wide_subtract(wide_vector_of(flat->wide_anchor), vector_widen(ray->origin));
     real height = narrow(wide_dot(normal, to_anchor));
     return height / narrow(wide_dot(normal, vector_widen(ray->direction)));
 }

@@ -113,15 +113,16 @@ static mask quad_is_blocking(const Shape *self, const Ray *ray, mask active, rea
 
 /** @return The box around a quad. @param self The quad. */
 static Bounds quad_bounds(const Shape *self) {
-    const Corner *c = ((const Quad *)self)->corners;
-    Vector3 low = {(double)c->x, (double)c->y, (double)c->z}, high = low;
-    for (int i = 1; i < QUAD_CORNERS; i++) {
-        low = (Vector3){fmin(low.x, (double)c[i].x), fmin(low.y, (double)c[i].y),
-                        fmin(low.z, (double)c[i].z)};
-        high = (Vector3){fmax(high.x, (double)c[i].x), fmax(high.y, (double)c[i].y),
-                         fmax(high.z, (double)c[i].z)};
+    const Corner *corners = ((const Quad *)self)->corners;
+    double low[3], high[3];
+    for (int axis = 0; axis < 3; axis++) {
+        low[axis] = high[axis] = (double)corners[0].at[axis];
+        for (int i = 1; i < QUAD_CORNERS; i++) {
+            low[axis] = fmin(low[axis], (double)corners[i].at[axis]);
+            high[axis] = fmax(high[axis], (double)corners[i].at[axis]);
+        }
     }
-    return bounds_around(low, high);
+    return bounds_around((Vector3){low[0], low[1], low[2]}, (Vector3){high[0], high[1], high[2]});
 }
 
 const ShapeClass quad_class = {

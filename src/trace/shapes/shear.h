@@ -15,9 +15,7 @@
 
 /** A corner in the engine's number type. */
 typedef struct Corner {
-    scalar x; /**< To the right. */
-    scalar y; /**< Up. */
-    scalar z; /**< Towards the viewer. */
+    scalar at[3]; /**< Along x, y and z. */
 } Corner;
 
 /** A corner as LANES rays see it: how far beside the ray it lies. */
@@ -28,18 +26,7 @@ typedef struct Offset {
 
 /** @return A corner. @param v A point of the scene. */
 static inline Corner corner_of(Vector3 v) {
-    return (Corner){(scalar)v.x, (scalar)v.y, (scalar)v.z};
-}
-
-/**
- * @return How far beside the rays a corner lies, for rays that run mainly along z.
- * @param corner  The corner.
- * @param ray     The rays.
- */
-INLINE Offset shear_along_z(Corner corner, const Ray *ray) {
-    real depth = (real_of(corner.z) - ray->origin.z) * ray->inverse.z;
-    return (Offset){(real_of(corner.x) - ray->origin.x) - ray->direction.x * depth,
-                    (real_of(corner.y) - ray->origin.y) - ray->direction.y * depth};
+    return (Corner){{(scalar)v.x, (scalar)v.y, (scalar)v.z}};
 }
 
 /**
@@ -47,7 +34,7 @@ INLINE Offset shear_along_z(Corner corner, const Ray *ray) {
  * @param ray   The rays.
  * @param axis  0, 1 or 2 for x, y or z.
  */
-INLINE Ray shear_turn_ray(const Ray *ray, int axis) {
+INLINE Ray shear_turn(const Ray *ray, int axis) {
     Vector o = ray->origin, d = ray->direction, i = ray->inverse;
     if (axis == 0) {
         return (Ray){{o.y, o.z, o.x}, {d.y, d.z, d.x}, {i.y, i.z, i.x}};
@@ -59,15 +46,16 @@ INLINE Ray shear_turn_ray(const Ray *ray, int axis) {
 }
 
 /**
- * @return A corner with its axes renamed as #shear_turn_ray does.
- * @param c     The corner.
- * @param axis  0, 1 or 2 for x, y or z.
+ * @return How far beside the rays a corner lies.
+ * @param corner  The corner.
+ * @param turned  The rays, turned so that they run mainly along z.
+ * @param axis    The axis that z was.
  */
-INLINE Corner shear_turn_corner(Corner c, int axis) {
-    if (axis == 0) {
-        return (Corner){c.y, c.z, c.x};
-    }
-    return axis == 1 ? (Corner){c.z, c.x, c.y} : c;
+INLINE Offset shear_offset(const Corner *corner, const Ray *turned, int axis) {
+    real x = real_of(corner->at[(axis + 1) % 3]), y = real_of(corner->at[(axis + 2) % 3]);
+    real depth = (real_of(corner->at[axis]) - turned->origin.z) * turned->inverse.z;
+    return (Offset){(x - turned->origin.x) - turned->direction.x * depth,
+                    (y - turned->origin.y) - turned->direction.y * depth};
 }
 
 /**
@@ -79,11 +67,11 @@ INLINE Corner shear_turn_corner(Corner c, int axis) {
  * @param axis     The axis.
  */
 INLINE mask shear_is_inside_along(const Corner *corners, int count, const Ray *ray, int axis) {
-    Ray turned = shear_turn_ray(ray, axis);
-    Offset first = shear_along_z(shear_turn_corner(corners[0], axis), &turned), from = first;
+    Ray turned = shear_turn(ray, axis);
+    Offset first = shear_offset(&corners[0], &turned, axis), from = first;
     mask is_left = mask_of(true), is_right = mask_of(true);
     for (int i = 1; i <= count; i++) {
-        Offset to = i < count ? shear_along_z(shear_turn_corner(corners[i], axis), &turned) : first;
+        Offset to = i < count ? shear_offset(&corners[i], &turned, axis) : first;
         real side = from.u * to.v - from.v * to.u;
         is_left &= side >= 0;
         is_right &= side <= 0;
@@ -102,14 +90,18 @@ INLINE mask shear_is_inside_along(const Corner *corners, int count, const Ray *r
 INLINE mask shear_is_inside(const Corner *corners, int count, const Ray *ray, mask active) {
     real x = real_abs(ray->direction.x), y = real_abs(ray->direction.y);
     real z = real_abs(ray->direction.z);
-    mask mainly_z = (z >= x) & (z >= y), mainly_x = mask_not(mainly_z) & (x >= y);
-    mask along[3] = {mainly_x, mask_not(mainly_x | mainly_z), mainly_z};
+    mask mainly_z = active & (z >= x) & (z >= y);
+    mask mainly_x = active & mask_not(mainly_z) & (x >= y);
+    mask mainly_y = active & mask_not(mainly_x | mainly_z);
     mask inside = mask_of(false);
-    for (int axis = 0; axis < 3; axis++) {
-        mask lanes = active & along[axis];
-        if (any(lanes)) {
-            inside |= lanes & shear_is_inside_along(corners, count, ray, axis);
-        }
+    if (any(mainly_x)) {
+        inside = mainly_x & shear_is_inside_along(corners, count, ray, 0);
+    }
+    if (any(mainly_y)) {
+        inside |= mainly_y & shear_is_inside_along(corners, count, ray, 1);
+    }
+    if (any(mainly_z)) {
+        inside |= mainly_z & shear_is_inside_along(corners, count, ray, 2);
     }
     return inside;
 }

@@ -124,7 +124,7 @@ static mask sphere_is_hit(const Shape *self, const Ray *ray, mask active, Hit *h
     // The point is put back on the sphere: one radius long in the direction of the arm.
     Vector normal = vector_normalize(arm);
     real radius = real_of((scalar)sphere->radius);
-    Vector point = vector_add(vector_of_point(sphere->center), vector_scale(normal, radius));
+    Vector point = vector_add(vector_of_point(point_narrow(sphere->center)), vector_scale(normal, radius));
     Hit found = {distance, point, normal,
                  SPHERE_ERROR * ROUNDOFF * (vector_largest(point) + radius),
                  integer_of(self->place)};

@@ -85,7 +85,8 @@ static void test_threads(void **state) {
     scene_destroy(scene);
 }
 
-/** Sixteen lanes, eight, four and one draw the same picture, of every scene. @param state Not used. */
+/** Sixteen lanes, eight, four and one draw the same picture, of every scene. @param state Not used.
+ */
 static void test_lanes(void **state) {
     (void)state;
     static const char *const scenes[] = {"scenes/box.lua", "scenes/figure-08.lua",
@@ -113,7 +114,9 @@ static void test_lanes(void **state) {
 }
 
 /** @return A point moved away from the origin. @param v The point. @param factor How many times. */
-static Vector3 grown(Vector3 v, double factor) { return vector3_scale(v, factor); }
+static Vector3 grown(Vector3 v, double factor) {
+    return vector3_scale(v, factor);
+}
 
 /** Makes a whole scene larger. Shape parameters hold nothing but lengths and points here.
  *  @param scene The scene. @param factor How many times. */
@@ -397,11 +400,11 @@ static void test_acne(void **state) {
 /** Runs the tests. @return 0 if all pass. */
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_threads),     cmocka_unit_test(test_lanes),
-        cmocka_unit_test(test_scale),       cmocka_unit_test(test_background),
-        cmocka_unit_test(test_stop),        cmocka_unit_test(test_small_sizes),
-        cmocka_unit_test(test_symmetry),    cmocka_unit_test(test_facing_mirrors),
-        cmocka_unit_test(test_irradiance),  cmocka_unit_test(test_acne),
+        cmocka_unit_test(test_threads),    cmocka_unit_test(test_lanes),
+        cmocka_unit_test(test_scale),      cmocka_unit_test(test_background),
+        cmocka_unit_test(test_stop),       cmocka_unit_test(test_small_sizes),
+        cmocka_unit_test(test_symmetry),   cmocka_unit_test(test_facing_mirrors),
+        cmocka_unit_test(test_irradiance), cmocka_unit_test(test_acne),
     };
     return cmocka_run_group_tests_name("render", tests, NULL, NULL);
 }

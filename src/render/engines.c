@@ -16,8 +16,9 @@ extern const Engine engine_f64x1;  /**< Double, one ray after the other. */
 extern const Engine engine_f128x1; /**< Quad: the reference. */
 
 const Engine *const *engine_list(void) {
-    static const Engine *const engines[] = {&engine_f32x8, &engine_f32x16, &engine_f32x4, &engine_f32x1,
-                                            &engine_f64x4, &engine_f64x1,  &engine_f128x1, NULL};
+    static const Engine *const engines[] = {
+        &engine_f32x8, &engine_f32x16, &engine_f32x4,  &engine_f32x1,
+        &engine_f64x4, &engine_f64x1,  &engine_f128x1, NULL};
     return engines;
 }
 
@@ -30,8 +31,7 @@ static const char *engine_lacks(const Engine *engine) {
     if (is_avx2 && !__builtin_cpu_supports("avx2")) {
         return "AVX2";
     }
-    if (is_avx512 &&
-        !(__builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))) {
+    if (is_avx512 && !(__builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))) {
         return "AVX-512";
     }
 #else

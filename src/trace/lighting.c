@@ -51,8 +51,7 @@ static void shine_aim(const Lamp *lamp, const Departure *departure, const Encoun
  * @param cosine   n . l
  * @param shininess  The exponent.
  */
-INLINE real highlight(const Encounter *met, int v, Vector to_lamp, real cosine,
-                      real shininess) {
+INLINE real highlight(const Encounter *met, int v, Vector to_lamp, real cosine, real shininess) {
     Vector mirrored = vector_subtract(vector_scale(met->facing[v], 2 * cosine), to_lamp);
     real along = real_max(-vector_dot(mirrored, met->packet->rays[v].direction), real_of(0));
     return surface_power(real_min(along, real_of(1)), shininess);

@@ -96,7 +96,8 @@ typedef struct Candidates {
 } Candidates;
 
 /**
- * @return The shapes of a block that a packet may meet. A packet of one ray asks every shape itself.
+ * @return The shapes of a block that a packet may meet. A packet of one ray asks every shape
+ * itself.
  * @param list   The shapes.
  * @param spans  What is known of the packet.
  * @param block  Which block of boxes.

@@ -64,8 +64,8 @@ typedef struct Materials {
 } Materials;
 
 /**
- * @return What LANES rays have met. Part of its callers, so that each reads only the members that it
- *         uses.
+ * @return What LANES rays have met. Part of its callers, so that each reads only the members that
+ * it uses.
  * @param surfaces   All materials.
  * @param materials  The materials met.
  * @param active     The lanes that count; the others get any material.

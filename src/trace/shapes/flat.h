@@ -35,7 +35,8 @@ static inline Flat flat_of(Vector3 anchor, WidePoint normal) {
  */
 INLINE real flat_distance(const Flat *flat, const Ray *ray) {
     WideVector normal = wide_vector_of(flat->wide_normal);
-    WideVector to_anchor = wide_subtract(wide_vector_of(flat->wide_anchor), vector_widen(ray->origin));
+    WideVector to_anchor =
+        wide_subtract(wide_vector_of(flat->wide_anchor), vector_widen(ray->origin));
     real height = narrow(wide_dot(normal, to_anchor));
     return height / narrow(wide_dot(normal, vector_widen(ray->direction)));
 }

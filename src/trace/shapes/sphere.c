@@ -102,7 +102,8 @@ INLINE mask sphere_chord(const Sphere *sphere, const Ray *ray, mask active, Chor
 }
 
 /** @return The lanes where the nearest root ahead counts. See #ShapeClass.is_hit. @callgraph
- *  @param self The sphere. @param ray The rays. @param active The lanes. @param[in,out] hit The hit.
+ *  @param self The sphere. @param ray The rays. @param active The lanes. @param[in,out] hit The
+ * hit.
  */
 static mask sphere_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
     const Sphere *sphere = (const Sphere *)self;
@@ -124,7 +125,8 @@ static mask sphere_is_hit(const Shape *self, const Ray *ray, mask active, Hit *h
     // The point is put back on the sphere: one radius long in the direction of the arm.
     Vector normal = vector_normalize(arm);
     real radius = real_of((scalar)sphere->radius);
-    Vector point = vector_add(vector_of_point(point_narrow(sphere->center)), vector_scale(normal, radius));
+    Vector point =
+        vector_add(vector_of_point(point_narrow(sphere->center)), vector_scale(normal, radius));
     Hit found = {distance, point, normal,
                  SPHERE_ERROR * ROUNDOFF * (vector_largest(point) + radius),
                  integer_of(self->place)};
@@ -133,7 +135,8 @@ static mask sphere_is_hit(const Shape *self, const Ray *ray, mask active, Hit *h
 }
 
 /** @return The lanes where a root lies on the way. See #ShapeClass.is_blocking.
- *  @param self The sphere. @param ray The rays. @param active The lanes. @param limit The way's end.
+ *  @param self The sphere. @param ray The rays. @param active The lanes. @param limit The way's
+ * end.
  */
 static mask sphere_is_blocking(const Shape *self, const Ray *ray, mask active, real limit) {
     Chord chord;

@@ -113,16 +113,7 @@ static mask quad_is_blocking(const Shape *self, const Ray *ray, mask active, rea
 
 /** @return The box around a quad. @param self The quad. */
 static Bounds quad_bounds(const Shape *self) {
-    const Corner *corners = ((const Quad *)self)->corners;
-    double low[3], high[3];
-    for (int axis = 0; axis < 3; axis++) {
-        low[axis] = high[axis] = (double)corners[0].at[axis];
-        for (int i = 1; i < QUAD_CORNERS; i++) {
-            low[axis] = fmin(low[axis], (double)corners[i].at[axis]);
-            high[axis] = fmax(high[axis], (double)corners[i].at[axis]);
-        }
-    }
-    return bounds_around((Vector3){low[0], low[1], low[2]}, (Vector3){high[0], high[1], high[2]});
+    return corners_bounds(((const Quad *)self)->corners, QUAD_CORNERS);
 }
 
 const ShapeClass quad_class = {

@@ -11,7 +11,7 @@
 #ifndef DIOPTRE_TRACE_SHAPES_SHEAR_H
 #define DIOPTRE_TRACE_SHAPES_SHEAR_H
 
-#include "trace/ray.h"
+#include "trace/shape.h"
 
 /** A corner in the engine's number type. */
 typedef struct Corner {
@@ -27,6 +27,20 @@ typedef struct Offset {
 /** @return A corner. @param v A point of the scene. */
 static inline Corner corner_of(Vector3 v) {
     return (Corner){{(scalar)v.x, (scalar)v.y, (scalar)v.z}};
+}
+
+/** @return The box around corners. @param corners The corners. @param count How many. */
+static inline Bounds corners_bounds(const Corner *corners, int count) {
+    Corner low = corners[0], high = corners[0];
+    for (int i = 1; i < count; i++) {
+        for (int axis = 0; axis < 3; axis++) {
+            scalar at = corners[i].at[axis];
+            low.at[axis] = at < low.at[axis] ? at : low.at[axis];
+            high.at[axis] = at > high.at[axis] ? at : high.at[axis];
+        }
+    }
+    return bounds_around((Vector3){(double)low.at[0], (double)low.at[1], (double)low.at[2]},
+                         (Vector3){(double)high.at[0], (double)high.at[1], (double)high.at[2]});
 }
 
 /**

@@ -54,13 +54,6 @@ static inline uint8_t encoder_encode(const Encoder *encoder, float light) {
     return (uint8_t)(code + (inside >= encoder->threshold[code + 1]));
 }
 
-/**
- * @return The linear light that an 8-bit step stands for: the middle of what is shown so.
- * @param encoding  Which curve.
- * @param step      0 to 255.
- */
-double encoding_decode(Encoding encoding, uint8_t step);
-
 /** How two pictures of the same size differ. */
 typedef struct Comparison {
     int width;        /**< Pixels. */

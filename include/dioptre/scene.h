@@ -10,6 +10,7 @@
 #define DIOPTRE_SCENE_H
 
 #include "dioptre/camera.h"
+#include "dioptre/encoding.h"
 #include "dioptre/light.h"
 #include "dioptre/material.h"
 #include "dioptre/parameter.h"
@@ -20,12 +21,6 @@ enum { IMAGE_SIZE_MAXIMUM = 16384 };
 enum { SAMPLES_MAXIMUM = 65536 };
 /** Largest number of times that a ray may be mirrored: a guard for the stack. */
 enum { DEPTH_MAXIMUM = 256 };
-
-/** How linear light becomes the numbers of a picture file. */
-typedef enum {
-    ENCODING_SRGB,  /**< The exact sRGB curve. */
-    ENCODING_LINEAR /**< Left as it is. */
-} Encoding;
 
 /** Size and quality of the picture that a scene asks for. Filled through #image_keyword. */
 typedef struct Image {

@@ -78,7 +78,7 @@ static Comparison conclude(const Sums *sums, int width, int height) {
 Comparison picture_compare(const Picture *a, const Picture *b, Picture *map) {
     Sums sums = {0};
     for (int step = 0; step <= UINT8_MAX; step++) {
-        sums.light[step] = encoding_decode(ENCODING_SRGB, (uint8_t)step);
+        sums.light[step] = encoding_decode(ENCODING_SRGB, step);
     }
     size_t bytes = (size_t)a->width * (size_t)a->height * CHANNELS;
     for (size_t i = 0; i < bytes; i += CHANNELS) {

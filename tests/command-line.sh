@@ -35,6 +35,14 @@ same "$work/a.bmp" "$work/b.bmp" 'the same picture twice, byte for byte'
 expect 0 '' 'render png' "$dioptre" render "$box" -o "$work/a.png" -s 160x120
 expect 0 '' 'compare equal' "$dioptre" compare "$work/a.bmp" "$work/a.png" --json
 holds "$work/out" '"worst_step": 0, "share_off": 0, "rmse": 0, "psnr": null' 'compare finds them equal'
+# Half the light: step 188 of sRGB, 128 of a linear picture; a file of linear light holds the same.
+echo 'camera {} sky { color = 0.5 }' >"$work/srgb.lua"
+echo 'camera {} sky { color = 0.5 } image { encoding = "linear" }' >"$work/linear.lua"
+for scene in srgb linear; do
+    expect 0 '' "render $scene exr" "$dioptre" render "$work/$scene.lua" -o "$work/$scene.exr" -s 4x3
+done
+expect 0 '' 'linear light is the same by either encoding' \
+    "$dioptre" compare "$work/srgb.exr" "$work/linear.exr" --threshold 1
 "$dioptre" render - -o "$work/c.bmp" -s 160x120 <"$box"
 same "$work/a.bmp" "$work/c.bmp" 'a scene from standard input'
 expect 0 '' 'one pixel' "$dioptre" render "$box" -o "$work/p.bmp" -s 1x1

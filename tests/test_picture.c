@@ -686,6 +686,27 @@ static void test_module_round_trip(void **state) {
     assert_int_equal(count_files(state), MODULE_FORMATS);
 }
 
+/** Formats of linear light hold the light that a picture stands for, whatever its own encoding.
+ *  @param state The fixture. */
+static void test_module_linear_light(void **state) {
+    need_module();
+    static const char *const names[] = {"a.exr", "a.hdr"};
+    Encoder srgb;
+    encoder_init(&srgb, ENCODING_SRGB);
+    for (int i = 0; i < 2 * ENCODINGS; i++) {
+        const char *path = path_of(state, names[i / ENCODINGS]);
+        Encoding encoding = encodings[i % ENCODINGS];
+        uint8_t grey[] = {64, 64, 64};
+        Picture picture = {.width = 1, .height = 1, .pixels = grey, .encoding = encoding}, again;
+        assert_true(image_file_write(path, &picture, NULL));
+        assert_true(image_file_read(path, &again, NULL));
+        int wanted = encoder_encode(&srgb, (float)encoding_decode(encoding, grey[0]));
+        assert_int_equal(again.encoding, ENCODING_SRGB);
+        assert_in_range(again.pixels[0], wanted - 1, wanted + 1); // Radiance rounds to 8 bits.
+        picture_release(&again);
+    }
+}
+
 /** The same picture gives the same bytes, whenever it is written. @param state The fixture. */
 static void test_module_same_bytes(void **state) {
     need_module();
@@ -759,6 +780,7 @@ int main(void) {
         cmocka_unit_test(test_module_crashes),
         cmocka_unit_test_setup_teardown(test_module_is_missing, enter_folder, leave_folder),
         cmocka_unit_test_setup_teardown(test_module_round_trip, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(test_module_linear_light, enter_folder, leave_folder),
         cmocka_unit_test_setup_teardown(test_module_same_bytes, enter_folder, leave_folder),
         cmocka_unit_test_setup_teardown(test_module_full_disk, enter_folder, leave_folder),
         cmocka_unit_test_setup_teardown(test_module_hostile, enter_folder, leave_folder),

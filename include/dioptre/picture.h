@@ -11,13 +11,14 @@
 
 /** A finished picture, as in a file or on a screen. */
 typedef struct Picture {
-    int width;       /**< Pixels. */
-    int height;      /**< Pixels. */
-    uint8_t *pixels; /**< Red, green, blue of each pixel, row by row from the top; owned. */
+    int width;         /**< Pixels. */
+    int height;        /**< Pixels. */
+    uint8_t *pixels;   /**< Red, green, blue of each pixel, row by row from the top; owned. */
+    Encoding encoding; /**< Which light the pixels stand for; formats of linear light need it. */
 } Picture;
 
 /**
- * Makes a black picture.
+ * Makes a black picture; its encoding is #ENCODING_SRGB.
  * @param[out] picture  The picture; give it back with #picture_release.
  * @param width         Pixels, at least 1.
  * @param height        Pixels, at least 1.

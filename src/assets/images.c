@@ -129,7 +129,7 @@ static bool encode(const ImagesModule *module, const char *format, bool is_linea
                    const Picture *picture, ImagesFile *file, Error *error) {
     float light[256];
     for (int step = 0; step <= UINT8_MAX; step++) {
-        light[step] = (float)encoding_decode(ENCODING_SRGB, step);
+        light[step] = (float)encoding_decode(picture->encoding, step);
     }
     ImagesSource source = {
         .width = picture->width,

@@ -29,7 +29,7 @@ const ImagesModule *images_load_from(const char *folder, Error *error);
 
 /**
  * Writes a picture in a format of the module. Where that holds linear light (OpenEXR, Radiance),
- * the picture is taken for sRGB and decoded.
+ * the picture is decoded, by the curve of its own encoding.
  * @param module      The module.
  * @param format      The format, as OpenImageIO names it.
  * @param is_linear   Whether it holds linear light.

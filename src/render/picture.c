@@ -16,7 +16,8 @@ bool picture_init(Picture *picture, int width, int height, Error *error) {
         return error_set(error, STATUS_FAILED, "no memory for a picture of %d x %d pixels", width,
                          height);
     }
-    *picture = (Picture){.width = width, .height = height, .pixels = pixels};
+    *picture =
+        (Picture){.width = width, .height = height, .pixels = pixels, .encoding = ENCODING_SRGB};
     return true;
 }
 

@@ -77,6 +77,9 @@ RenderReport renderer_draw(Renderer *renderer, const atomic_bool *stop, Picture 
     size_t pixels = (size_t)settings->width * (size_t)settings->height;
     atomic_store(&renderer->done, 0);
     atomic_store(&renderer->all, pixels * (size_t)settings->samples);
+    if (picture) {
+        picture->encoding = (Encoding)settings->encoding;
+    }
     bool is_finished = drawing_pass(&drawing, renderer->workers);
     return (RenderReport){.seconds = clock_seconds() - start,
                           .rays = drawing_rays(&drawing),

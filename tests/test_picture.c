@@ -632,6 +632,20 @@ static ImagesReader *open_and_crash(const char *path, const char *format, Images
     abort();
 }
 
+/**
+ * Stands for a module that Ctrl-C stops.
+ * @param path     Unused.
+ * @param format   Unused.
+ * @param header   Unused.
+ * @param message  Unused.
+ * @return Nothing: it does not return.
+ */
+static ImagesReader *open_and_interrupt(const char *path, const char *format, ImagesHeader *header,
+                                        ImagesMessage *message) {
+    raise(SIGINT);
+    return open_and_crash(path, format, header, message);
+}
+
 /** A file that makes the libraries crash does not bring the program down. @param state Unused. */
 static void test_module_crashes(void **state) {
     (void)state;
@@ -642,6 +656,16 @@ static void test_module_crashes(void **state) {
     assert_null(picture.pixels);
     assert_int_equal(error.status, STATUS_SCENE);
     assert_non_null(strstr(error.message, "crash"));
+}
+
+/** Ctrl-C while a picture is read says so and blames no file. @param state Unused. */
+static void test_module_interrupted(void **state) {
+    (void)state;
+    static const ImagesModule module = {.open = open_and_interrupt};
+    Picture picture;
+    Error error = {0};
+    assert_false(images_child_read(&module, "png", "a.png", &picture, &error));
+    assert_int_equal(error.status, STATUS_INTERRUPTED);
 }
 
 /**
@@ -778,6 +802,7 @@ int main(void) {
     };
     const struct CMUnitTest module_tests[] = {
         cmocka_unit_test(test_module_crashes),
+        cmocka_unit_test(test_module_interrupted),
         cmocka_unit_test_setup_teardown(test_module_is_missing, enter_folder, leave_folder),
         cmocka_unit_test_setup_teardown(test_module_round_trip, enter_folder, leave_folder),
         cmocka_unit_test_setup_teardown(test_module_linear_light, enter_folder, leave_folder),

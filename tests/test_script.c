@@ -10,7 +10,7 @@
 #include <cmocka.h>
 
 #include "dioptre/script.h"
-#include "script/child.h"
+#include "assets/child.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -4,19 +4,27 @@
  */
 #include "assets/images_child.h"
 
+#include "assets/child.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <string.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 /** Seconds that reading a picture may take: the largest take some. */
 enum { SECONDS_MAXIMUM = 60 };
 /** Bytes a pixel in a #Picture. */
 enum { CHANNELS = 3 };
+
+/** What a child is asked. */
+typedef struct Question {
+    const ImagesModule *module; /**< The module. */
+    const char *format;         /**< The format. */
+    const char *path;           /**< The file. */
+    FILE *answer;               /**< A file in memory that both share. */
+} Question;
 
 /** What the child answers first; the pixels follow if all is well. */
 typedef struct Reply {
@@ -31,55 +39,20 @@ static size_t pixels_size(const Picture *picture) {
 }
 
 /**
- * Sends bytes through a pipe.
- * @param pipe   Its end to be written to.
- * @param bytes  The bytes.
- * @param size   How many.
- * @return Whether all were sent.
+ * Opens a file in memory. A pipe would have to be emptied while the child still writes.
+ * @return The file, to be closed; NULL with errno set.
  */
-static bool send_bytes(int pipe, const void *bytes, size_t size) {
-    const char *next = bytes;
-    while (size > 0) {
-        ssize_t sent = write(pipe, next, size);
-        if (sent <= 0) {
-            return false;
-        }
-        next += sent;
-        size -= (size_t)sent;
+static FILE *open_memory(void) {
+    int file = memfd_create("picture", MFD_CLOEXEC);
+    FILE *stream = file >= 0 ? fdopen(file, "w+") : NULL;
+    if (file >= 0 && !stream) {
+        close(file);
     }
-    return true;
+    return stream;
 }
 
-/**
- * Receives bytes through a pipe.
- * @param pipe        Its end to be read from.
- * @param[out] bytes  The bytes.
- * @param size        How many.
- * @return Whether all came.
- */
-static bool receive_bytes(int pipe, void *bytes, size_t size) {
-    char *next = bytes;
-    while (size > 0) {
-        ssize_t received = read(pipe, next, size);
-        if (received < 0 && errno == EINTR) {
-            continue;
-        }
-        if (received <= 0) {
-            return false;
-        }
-        next += received;
-        size -= (size_t)received;
-    }
-    return true;
-}
-
-/** Makes this process a child that lives for so long only, dies with its parent, and is silent. */
-static void withdraw(void) {
-    struct rlimit nothing = {.rlim_cur = 0, .rlim_max = 0};
-    setrlimit(RLIMIT_CORE, &nothing);
-    signal(SIGALRM, SIG_DFL);
-    alarm(SECONDS_MAXIMUM);
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
+/** Keeps what the libraries say of a file away from the program's own words. */
+static void fall_silent(void) {
     int silence = open("/dev/null", O_WRONLY | O_CLOEXEC);
     if (silence >= 0) {
         dup2(silence, STDERR_FILENO);
@@ -87,34 +60,33 @@ static void withdraw(void) {
 }
 
 /**
- * Is the child: reads the picture, sends it and ends.
- * @param module  The module.
- * @param format  The format.
- * @param path    The file.
- * @param pipe    Where the answer goes.
+ * Is the child: reads the picture and writes the answer.
+ * @param context  A #Question.
  */
-static _Noreturn void serve(const ImagesModule *module, const char *format, const char *path,
-                            int pipe) {
+static void answer(void *context) {
+    const Question *question = context;
     Reply reply = {0};
     Picture picture;
-    withdraw();
-    images_read(module, format, path, &picture, &reply.error);
+    fall_silent();
+    images_read(question->module, question->format, question->path, &picture, &reply.error);
     reply.width = picture.width;
     reply.height = picture.height;
-    if (send_bytes(pipe, &reply, sizeof reply)) {
-        send_bytes(pipe, picture.pixels, pixels_size(&picture));
+    fwrite(&reply, sizeof reply, 1, question->answer);
+    if (picture.pixels) {
+        fwrite(picture.pixels, 1, pixels_size(&picture), question->answer);
     }
-    _exit(0); // The parent counts the bytes that came.
+    fflush(question->answer); // Whether all of it arrives, the parent sees by its length.
+    picture_release(&picture);
 }
 
 /**
- * Receives what the child answers first. A child that a file has got hold of may answer anything.
- * @param pipe        Where it comes from.
- * @param[out] reply  The answer.
- * @return Whether it came and makes sense.
+ * Reads what the child answers first. A child that a file has got hold of may answer anything.
+ * @param file        The answer, from its start.
+ * @param[out] reply  Its beginning.
+ * @return Whether it is there and makes sense.
  */
-static bool receive_reply(int pipe, Reply *reply) {
-    if (!receive_bytes(pipe, reply, sizeof *reply)) {
+static bool read_reply(FILE *file, Reply *reply) {
+    if (fread(reply, sizeof *reply, 1, file) != 1) {
         return false;
     }
     reply->error.message[ERROR_MESSAGE_SIZE - 1] = '\0';
@@ -124,22 +96,23 @@ static bool receive_reply(int pipe, Reply *reply) {
 }
 
 /**
- * Receives the child's answer.
- * @param pipe          Where it comes from.
+ * Reads the child's answer.
+ * @param file          The answer, from its start.
  * @param[out] picture  The picture.
  * @param[out] error    What is wrong.
- * @return Whether all of the picture came; otherwise it is empty.
+ * @return Whether all of the picture is there; otherwise it is empty.
  */
-static bool receive(int pipe, Picture *picture, Error *error) {
+static bool read_answer(FILE *file, Picture *picture, Error *error) {
     Reply reply;
-    bool is_answered = receive_reply(pipe, &reply);
+    bool is_answered = read_reply(file, &reply);
     if (is_answered && reply.error.status != STATUS_DONE) {
         return error_set(error, reply.error.status, "%s", reply.error.message);
     }
     if (is_answered && !picture_init(picture, reply.width, reply.height, error)) {
         return false;
     }
-    if (!is_answered || !receive_bytes(pipe, picture->pixels, pixels_size(picture))) {
+    size_t size = pixels_size(picture);
+    if (!is_answered || fread(picture->pixels, 1, size, file) != size) {
         picture_release(picture);
         return error_set(error, STATUS_SCENE, "it makes the libraries that read it crash");
     }
@@ -147,36 +120,40 @@ static bool receive(int pipe, Picture *picture, Error *error) {
 }
 
 /**
- * Waits for the child to end.
- * @param child       The child.
- * @param[out] error  Said here if it took too long; otherwise untouched.
+ * Looks whether a child that has ended was kept from answering; a crash is seen by its answer.
+ * @param end         How it ended.
+ * @param detail      The signal or the errno.
+ * @param[out] error  What kept it.
+ * @return Whether its answer is worth reading.
  */
-static void wait_for(pid_t child, Error *error) {
-    int end = 0;
-    while (waitpid(child, &end, 0) < 0 && errno == EINTR) {
+static bool could_answer(ChildEnd end, int detail, Error *error) {
+    if (end == CHILD_UNSTARTED) {
+        return error_set(error, STATUS_FAILED, "%s", strerror(detail));
     }
-    if (WIFSIGNALED(end) && WTERMSIG(end) == SIGALRM) {
-        error_set(error, STATUS_SCENE, "it takes more than %d seconds", SECONDS_MAXIMUM);
+    if (end == CHILD_LATE) {
+        return error_set(error, STATUS_SCENE, "it takes more than %d seconds", SECONDS_MAXIMUM);
     }
+    if (end == CHILD_CRASHED && detail == SIGINT) {
+        return error_set(error, STATUS_INTERRUPTED, "interrupted");
+    }
+    if (end == CHILD_CRASHED && detail == SIGXFSZ) { // A limit of the user's, files in memory too.
+        return error_set(error, STATUS_FAILED, "%s", strerror(EFBIG));
+    }
+    return true;
 }
 
 bool images_child_read(const ImagesModule *module, const char *format, const char *path,
                        Picture *picture, Error *error) {
     *picture = (Picture){0};
-    int pipe[2];
-    if (pipe2(pipe, O_CLOEXEC) != 0) {
+    Question question = {.module = module, .format = format, .path = path};
+    question.answer = open_memory();
+    if (!question.answer) {
         return error_set(error, STATUS_FAILED, "%s", strerror(errno));
     }
-    pid_t child = fork();
-    if (child == 0) {
-        serve(module, format, path, pipe[1]);
-    }
-    close(pipe[1]);
-    bool is_read = child > 0 ? receive(pipe[0], picture, error)
-                             : error_set(error, STATUS_FAILED, "%s", strerror(errno));
-    close(pipe[0]);
-    if (child > 0) {
-        wait_for(child, error);
-    }
+    int detail;
+    ChildEnd end = child_run(answer, &question, SECONDS_MAXIMUM, &detail);
+    rewind(question.answer);
+    bool is_read = could_answer(end, detail, error) && read_answer(question.answer, picture, error);
+    fclose(question.answer);
     return is_read;
 }

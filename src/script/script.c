@@ -4,7 +4,7 @@
  */
 #include "dioptre/script.h"
 
-#include "script/child.h"
+#include "assets/child.h"
 #include "script/report.h"
 #include "script/run.h"
 #include "script/source.h"

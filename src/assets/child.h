@@ -1,9 +1,12 @@
 /**
  * @file
  * @brief Work in a child process, with a deadline that nothing can get round.
+ *
+ * Files of strangers are read in children: scenes, and pictures. It lies in this room because both
+ * readers may look here, while src/scene, the other room that both see, knows of no processes.
  */
-#ifndef SCRIPT_CHILD_H
-#define SCRIPT_CHILD_H
+#ifndef ASSETS_CHILD_H
+#define ASSETS_CHILD_H
 
 /** How work in a child ended. */
 typedef enum {

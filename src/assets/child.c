@@ -2,7 +2,7 @@
  * @file
  * @brief Work in a child process, with a deadline that nothing can get round.
  */
-#include "script/child.h"
+#include "assets/child.h"
 
 #include <errno.h>
 #include <fcntl.h>

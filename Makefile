@@ -19,6 +19,9 @@ CXXFLAGS  = -std=c++17 $(OPTIMIZE) -Wall -Wextra -Wpedantic -Wshadow -Werror -fP
 SANITIZERS := $(if $(SANITIZE),-fsanitize=$(SANITIZE) -fno-omit-frame-pointer -fno-sanitize-recover=all)
 PKG_CFLAGS = $(shell pkg-config --cflags $(1) 2>/dev/null)
 PKG_LIBS   = $(shell pkg-config --libs $(1) 2>/dev/null)
+# $(call NEED,LIBRARY,PACKAGE): stops with the package's name and not with a compiler's error.
+NEED = @pkg-config --exists $(1) 2>/dev/null || { \
+    echo "$(1) is missing: sudo apt-get install pkg-config $(2), or make run, which does that" >&2; exit 1; }
 
 # --- engines: the objects of src/trace at one number type and width ------------------------------
 FLAGS_f32x16 := -DREAL_BITS=32  -DLANES=16 -mavx512vl -mavx512dq -mprefer-vector-width=512
@@ -58,10 +61,17 @@ $(PROGRAM): $(CLI_OBJECTS) $(ROOM_OBJECTS)
 	$(CC) $(CFLAGS) -o $@ $^ $(LIBRARIES)
 
 $(MODULE): src/assets/images_module.cpp src/assets/images_module.h Makefile
+	$(call NEED,OpenImageIO,libopenimageio-dev)
 	@mkdir -p $(@D)
 	$(CXX) $(CPPFLAGS) $(CXXFLAGS) $(call PKG_CFLAGS,OpenImageIO) -shared -o $@ $< $(call PKG_LIBS,OpenImageIO)
 
-$(OBJ)/%.o: %.c Makefile
+.PHONY: libraries
+libraries:
+	$(call NEED,sdl2,libsdl2-dev)
+	$(call NEED,SDL2_ttf,libsdl2-ttf-dev)
+	$(call NEED,lua5.4,liblua5.4-dev)
+
+$(OBJ)/%.o: %.c Makefile | libraries
 	@mkdir -p $(@D)
 	$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,sdl2 SDL2_ttf lua5.4) -MMD -MP -c -o $@ $<
 
@@ -114,7 +124,7 @@ clang:
 	@$(MAKE) --no-print-directory BUILD=build/clang CC=clang CXX=clang++ all
 
 # --- tests ---------------------------------------------------------------------------------------
-$(BUILD)/tests/%: tests/%.c tests/testing.h $(ROOM_OBJECTS)
+$(BUILD)/tests/%: tests/%.c $(wildcard tests/*.h) $(ROOM_OBJECTS)
 	@mkdir -p $(@D)
 	$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,cmocka sdl2 lua5.4) -Itests -o $@ $< $(ROOM_OBJECTS) $(LIBRARIES) $(call PKG_LIBS,cmocka)
 

@@ -71,4 +71,12 @@ for offset in none fixed bound; do
 done
 same "$work/a.bmp" "$work/bound.bmp" 'bound is the default offset'
 cmp -s "$work/none.bmp" "$work/bound.bmp" && fail 'no offset shows acne' || ok 'no offset shows acne'
+
+# without PACKAGE LIBRARY TARGET: make says what to install, where no library is to be found.
+without() {
+    expect 2 "^$2 is missing: .*$1" "make without $1" \
+        env PKG_CONFIG_LIBDIR="$work" PKG_CONFIG_PATH= make BUILD="$work/build" "$work/build/$3"
+}
+without libsdl2-dev sdl2 dioptre
+without libopenimageio-dev OpenImageIO dioptre-images.so
 finish

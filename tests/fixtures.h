@@ -1,0 +1,98 @@
+/**
+ * @file
+ * @brief What tests of files share: a folder of their own, small files, pictures.
+ */
+#ifndef DIOPTRE_FIXTURES_H
+#define DIOPTRE_FIXTURES_H
+
+#include "testing.h"
+
+#include "dioptre/picture.h"
+
+#include <ftw.h>
+#include <limits.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+
+/** Where tests work: a folder that is empty at first and gone at the end. */
+typedef struct Fixture {
+    char folder[64];     /**< The folder. */
+    char path[PATH_MAX]; /**< The newest path made by #path_of. */
+} Fixture;
+
+/**
+ * Makes the folder of a test or a group of tests.
+ * @param[out] state  The fixture.
+ * @return 0 if it was made.
+ */
+static inline int enter_folder(void **state) {
+    Fixture *fixture = calloc(1, sizeof *fixture);
+    *state = fixture;
+    if (!fixture) {
+        return -1;
+    }
+    strcpy(fixture->folder, "/tmp/dioptre-test-XXXXXX");
+    return mkdtemp(fixture->folder) ? 0 : -1;
+}
+
+/**
+ * Removes one file or folder, for nftw.
+ * @param path  The file.
+ * @param info  Unused.
+ * @param type  Unused.
+ * @param walk  Unused.
+ * @return 0 if it was removed.
+ */
+static inline int remove_one(const char *path, const struct stat *info, int type,
+                             struct FTW *walk) {
+    (void)info;
+    (void)type;
+    (void)walk;
+    return remove(path);
+}
+
+/** Removes the folder with all that is in it. @param state The fixture. @return 0 if it was
+ * removed. */
+static inline int leave_folder(void **state) {
+    Fixture *fixture = *state;
+    int failed = nftw(fixture->folder, remove_one, 8, FTW_DEPTH | FTW_PHYS);
+    free(fixture);
+    return failed;
+}
+
+/**
+ * Makes the path of a file in the folder.
+ * @param state  The fixture.
+ * @param name   The file's name.
+ * @return The path, until the next is made; owned by the fixture.
+ */
+static inline const char *path_of(void **state, const char *name) {
+    Fixture *fixture = *state;
+    snprintf(fixture->path, sizeof fixture->path, "%s/%s", fixture->folder, name);
+    return fixture->path;
+}
+
+/** Writes a small file. @param path The file. @param bytes Its bytes. @param size How many. */
+static inline void store(const char *path, const void *bytes, size_t size) {
+    FILE *stream = fopen(path, "wb");
+    assert_non_null(stream);
+    assert_int_equal(fwrite(bytes, 1, size, stream), size);
+    assert_int_equal(fclose(stream), 0);
+}
+
+/**
+ * Makes a picture in which every byte is another.
+ * @param width   Pixels.
+ * @param height  Pixels.
+ * @return The picture.
+ */
+static inline Picture make_picture(int width, int height) {
+    Picture picture;
+    assert_true(picture_init(&picture, width, height, NULL));
+    for (int i = 0; i < width * height * 3; i++) {
+        picture.pixels[i] = (uint8_t)(i * 37 + i / 256);
+    }
+    return picture;
+}
+
+#endif

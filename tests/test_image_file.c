@@ -1,0 +1,578 @@
+/**
+ * @file
+ * @brief Tests of picture files: BMP, where files go, and the picture module.
+ */
+#include "fixtures.h"
+
+#include "assets/images_child.h"
+#include "dioptre/image_file.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+/** Bytes of a small file that a test takes apart. */
+enum { SMALL_FILE_SIZE = 4096 };
+
+// --- helpers -------------------------------------------------------------------------------------
+
+/**
+ * Reads a small file.
+ * @param path        The file.
+ * @param[out] bytes  Its bytes.
+ * @return How many.
+ */
+static size_t load(const char *path, uint8_t bytes[SMALL_FILE_SIZE]) {
+    FILE *stream = fopen(path, "rb");
+    assert_non_null(stream);
+    size_t size = fread(bytes, 1, SMALL_FILE_SIZE, stream);
+    fclose(stream);
+    return size;
+}
+
+/**
+ * Counts what is in the folder, so that forgotten temporary files are seen.
+ * @param state  The fixture.
+ * @return How many files.
+ */
+static int count_files(void **state) {
+    Fixture *fixture = *state;
+    DIR *folder = opendir(fixture->folder);
+    assert_non_null(folder);
+    int count = -2; // Itself and its parent.
+    while (readdir(folder)) {
+        count++;
+    }
+    closedir(folder);
+    return count;
+}
+
+/**
+ * Writes a picture, reads it again and compares.
+ * @param path    The file.
+ * @param width   Pixels.
+ * @param height  Pixels.
+ * @return Largest difference of a channel, steps.
+ */
+static int round_trip(const char *path, int width, int height) {
+    Error error = {0};
+    Picture picture = make_picture(width, height);
+    Picture again;
+    if (!image_file_write(path, &picture, &error) || !image_file_read(path, &again, &error)) {
+        fail_msg("%s", error.message);
+    }
+    assert_int_equal(again.width, width);
+    assert_int_equal(again.height, height);
+    int worst = picture_compare(&picture, &again, NULL).worst_step;
+    picture_release(&picture);
+    picture_release(&again);
+    return worst;
+}
+
+// --- BMP -----------------------------------------------------------------------------------------
+
+/** Pictures of all row paddings come back the same. @param state The fixture. */
+static void test_bmp_round_trip(void **state) {
+    for (int width = 1; width <= 9; width++) {
+        assert_int_equal(round_trip(path_of(state, "a.bmp"), width, 10 - width), 0);
+        assert_int_equal(round_trip(path_of(state, "UPPER.BMP"), width, width), 0);
+    }
+    assert_int_equal(round_trip(path_of(state, "wide.bmp"), IMAGE_SIZE_MAXIMUM, 1), 0);
+    assert_int_equal(round_trip(path_of(state, "high.bmp"), 1, IMAGE_SIZE_MAXIMUM), 0);
+    assert_int_equal(count_files(state), 4);
+}
+
+/** The bytes of a file are those of the format. @param state The fixture. */
+static void test_bmp_bytes(void **state) {
+    static const uint8_t expected[] = {
+        'B', 'M', 62, 0, 0, 0, 0, 0, 0, 0, 54, 0, 0,
+        0,                                   // Size of the file, start of the pixels.
+        40, 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, // Size of the header, width, height.
+        1, 0, 24, 0, 0, 0, 0, 0, 8, 0, 0, 0, // Planes, bits, packing, size of the
+                                             // rows.
+        0x13, 0x0B, 0, 0, 0x13, 0x0B, 0, 0,  // Pixels a metre.
+        0, 0, 0, 0, 0, 0, 0, 0,              // No colour table.
+        6, 5, 4, 0, 3, 2, 1, 0,              // The lower row first; blue, green, red.
+    };
+    uint8_t pixels[] = {1, 2, 3, 4, 5, 6};
+    Picture picture = {.width = 1, .height = 2, .pixels = pixels};
+    uint8_t bytes[SMALL_FILE_SIZE];
+    assert_true(image_file_write(path_of(state, "a.bmp"), &picture, NULL));
+    assert_int_equal(load(path_of(state, "a.bmp"), bytes), sizeof expected);
+    assert_memory_equal(bytes, expected, sizeof expected);
+}
+
+/** The other kinds of BMP are read: 32 bits, masks, top row first. @param state The fixture. */
+static void test_bmp_kinds(void **state) {
+    uint8_t bytes[78] = {
+        'B', 'M', 78, 0, 0, 0,    0,    0,    0,    0, 66, 0,  0, 0, 40, 0, 0,
+        0,   1,   0,  0, 0, 0xFE, 0xFF, 0xFF, 0xFF, 1, 0,  32, 0, 3, 0,  0, 0,
+    };
+    bytes[56] = bytes[59] = bytes[62] = 0xFF; // The masks.
+    memcpy(bytes + 66, "\3\2\1x\6\5\4x", 8);
+    static const uint8_t expected[] = {1, 2, 3, 4, 5, 6};
+    Picture picture;
+    store(path_of(state, "a.bmp"), bytes, sizeof bytes);
+    assert_true(image_file_read(path_of(state, "a.bmp"), &picture, NULL));
+    assert_int_equal(picture.width, 1);
+    assert_int_equal(picture.height, 2);
+    assert_memory_equal(picture.pixels, expected, sizeof expected);
+    picture_release(&picture);
+}
+
+/** Asserts that a file is refused with a message. @param path The file. */
+static void assert_refused(const char *path) {
+    Error error = {0};
+    Picture picture;
+    if (image_file_read(path, &picture, &error)) {
+        fail_msg("%s was read", path);
+    }
+    assert_null(picture.pixels);
+    assert_int_equal(error.status, STATUS_SCENE);
+    assert_non_null(strstr(error.message, path));
+    assert_true(strlen(error.message) > strlen("cannot read '': ") + strlen(path));
+}
+
+/** Headers that lie are refused. @param state The fixture. */
+static void test_bmp_hostile(void **state) {
+    static const struct {
+        size_t at;      /**< Where the header is changed. */
+        int32_t number; /**< The 4 bytes that are put there. */
+    } lies[] = {
+        {0, 0},          {10, 53},        {10, 55},          {10, -1},
+        {10, INT32_MAX}, {14, 0},         {14, 12},          {14, 39},
+        {18, 0},         {18, -1},        {18, 16385},       {18, INT32_MAX},
+        {18, INT32_MIN}, {22, 0},         {22, 5},           {22, -5},
+        {22, 16385},     {22, INT32_MAX}, {22, INT32_MIN},   {22, INT32_MIN + 1},
+        {26, 24 << 16},  {26, 1},         {26, 8 << 16 | 1}, {26, 32 << 16 | 1},
+        {26, -1},        {30, 1},         {30, 3},           {30, -1},
+    };
+    uint8_t bytes[SMALL_FILE_SIZE];
+    const char *path = path_of(state, "a.bmp");
+    assert_int_equal(round_trip(path, 4, 4), 0);
+    size_t size = load(path, bytes);
+    for (size_t i = 0; i < sizeof lies / sizeof *lies; i++) {
+        uint8_t lie[SMALL_FILE_SIZE];
+        memcpy(lie, bytes, size);
+        memcpy(lie + lies[i].at, &lies[i].number, sizeof lies[i].number);
+        store(path, lie, size);
+        assert_refused(path);
+    }
+}
+
+/** A file that ends anywhere before its end is refused. @param state The fixture. */
+static void test_bmp_cut_off(void **state) {
+    uint8_t bytes[SMALL_FILE_SIZE];
+    const char *path = path_of(state, "a.bmp");
+    assert_int_equal(round_trip(path, 3, 3), 0);
+    size_t size = load(path, bytes);
+    for (size_t cut = 0; cut < size; cut++) {
+        store(path, bytes, cut);
+        assert_refused(path);
+    }
+}
+
+/** What is no picture file at all is refused at once. @param state The fixture. */
+static void test_read_what_is_no_file(void **state) {
+    assert_refused(path_of(state, "missing.bmp"));
+    assert_int_equal(mkdir(path_of(state, "folder.bmp"), 0777), 0);
+    assert_refused(path_of(state, "folder.bmp"));
+    assert_int_equal(mkfifo(path_of(state, "fifo.bmp"), 0666), 0);
+    assert_refused(path_of(state, "fifo.bmp"));
+    assert_refused(path_of(state, "a.gif"));
+    assert_refused(path_of(state, "no-ending"));
+}
+
+// --- where files go ------------------------------------------------------------------------------
+
+/**
+ * Asserts that a picture cannot be written, that this is said before and after, and that nothing
+ * is left of it.
+ * @param state   The fixture.
+ * @param path    The file.
+ * @param status  What it should lead to.
+ * @param words   What the message should say.
+ */
+static void assert_not_written(void **state, const char *path, Status status, const char *words) {
+    int files = count_files(state);
+    Picture picture = make_picture(20, 20);
+    Error error = {0};
+    assert_false(image_file_check(path, &error));
+    assert_int_equal(error.status, status);
+    assert_non_null(strstr(error.message, words));
+    error = (Error){0};
+    assert_false(image_file_write(path, &picture, &error));
+    assert_int_equal(error.status, status);
+    assert_non_null(strstr(error.message, words));
+    picture_release(&picture);
+    assert_int_equal(count_files(state), files);
+}
+
+/** Asserts that a picture can be written. @param path The file. */
+static void assert_written(const char *path) {
+    Picture picture = make_picture(20, 20);
+    Error error = {0};
+    if (!image_file_check(path, &error) || !image_file_write(path, &picture, &error)) {
+        fail_msg("%s", error.message);
+    }
+    picture_release(&picture);
+}
+
+/** Names without a known ending are refused, and the known ones listed. @param state The fixture.
+ */
+static void test_endings(void **state) {
+    assert_not_written(state, path_of(state, "a.gif"), STATUS_USAGE, "png, exr");
+    assert_not_written(state, path_of(state, "bmp"), STATUS_USAGE, ".bmp");
+    assert_not_written(state, path_of(state, "a.bmp/b"), STATUS_USAGE, ".bmp");
+}
+
+/** A new file has the user's permissions, a replaced one its own. @param state The fixture. */
+static void test_permissions(void **state) {
+    const char *path = path_of(state, "a.bmp");
+    struct stat found;
+    mode_t old = umask(027);
+    assert_written(path);
+    umask(old);
+    assert_int_equal(stat(path, &found), 0);
+    assert_int_equal(found.st_mode & 0777, 0640);
+    assert_int_equal(chmod(path, 0606), 0);
+    assert_written(path);
+    assert_int_equal(stat(path, &found), 0);
+    assert_int_equal(found.st_mode & 0777, 0606);
+    assert_int_equal(count_files(state), 1);
+}
+
+/** Who may not write does not, and is told so. @param state The fixture. */
+static void test_no_permission(void **state) {
+    Fixture *fixture = *state;
+    const uid_t nobody = 65534;
+    uid_t me = geteuid();
+    assert_int_equal(chmod(fixture->folder, 0555), 0);
+    assert_int_equal(me == 0 ? seteuid(nobody) : 0, 0);
+    assert_not_written(state, path_of(state, "a.bmp"), STATUS_FAILED, strerror(EACCES));
+    assert_int_equal(me == 0 ? seteuid(me) : 0, 0);
+    assert_int_equal(chmod(fixture->folder, 0777), 0);
+    store(path_of(state, "a.bmp"), "old", 3);
+    assert_int_equal(chmod(path_of(state, "a.bmp"), 0444), 0);
+    assert_int_equal(me == 0 ? seteuid(nobody) : 0, 0);
+    assert_not_written(state, path_of(state, "a.bmp"), STATUS_FAILED, strerror(EACCES));
+    assert_int_equal(me == 0 ? seteuid(me) : 0, 0);
+}
+
+/** Folders that are not there, and folders in the file's place. @param state The fixture. */
+static void test_wrong_places(void **state) {
+    char name[400];
+    memset(name, 'x', sizeof name);
+    strcpy(name + sizeof name - 5, ".bmp");
+    assert_not_written(state, path_of(state, "none/a.bmp"), STATUS_FAILED, strerror(ENOENT));
+    assert_int_equal(mkdir(path_of(state, "folder.bmp"), 0777), 0);
+    assert_not_written(state, path_of(state, "folder.bmp"), STATUS_FAILED, strerror(EISDIR));
+    assert_not_written(state, path_of(state, name), STATUS_FAILED, strerror(ENAMETOOLONG));
+    assert_written(path_of(state, name + sizeof name - 255)); // 254 bytes: as long as can be.
+}
+
+/** A symbolic link stays, and what it points to is replaced. @param state The fixture. */
+static void test_links(void **state) {
+    struct stat found;
+    assert_int_equal(mkdir(path_of(state, "folder"), 0777), 0);
+    assert_int_equal(symlink("folder/a.bmp", path_of(state, "link.bmp")), 0);
+    assert_int_equal(symlink("link.bmp", path_of(state, "second.bmp")), 0);
+    assert_written(path_of(state, "second.bmp")); // Points to nothing yet.
+    assert_written(path_of(state, "second.bmp"));
+    assert_int_equal(lstat(path_of(state, "link.bmp"), &found), 0);
+    assert_true(S_ISLNK(found.st_mode));
+    assert_int_equal(lstat(path_of(state, "folder/a.bmp"), &found), 0);
+    assert_true(S_ISREG(found.st_mode));
+    assert_int_equal(symlink("ring.bmp", path_of(state, "ring.bmp")), 0);
+    assert_not_written(state, path_of(state, "ring.bmp"), STATUS_FAILED, strerror(ELOOP));
+    assert_int_equal(count_files(state), 4);
+}
+
+/** Devices and FIFOs are written to, not replaced. @param state The fixture. */
+static void test_devices(void **state) {
+    struct stat found;
+    assert_written("/dev/null");
+    assert_int_equal(stat("/dev/null", &found), 0);
+    assert_true(S_ISCHR(found.st_mode));
+    const char *path = path_of(state, "fifo.bmp");
+    assert_int_equal(mkfifo(path, 0666), 0);
+    int reader = open(path, O_RDONLY | O_NONBLOCK);
+    uint8_t bytes[SMALL_FILE_SIZE];
+    assert_written(path);
+    assert_int_equal(read(reader, bytes, sizeof bytes), 54 + 20 * 20 * 3);
+    assert_memory_equal(bytes, "BM", 2);
+    close(reader);
+    assert_int_equal(lstat(path, &found), 0);
+    assert_true(S_ISFIFO(found.st_mode));
+    Picture picture = make_picture(20, 20);
+    Error error = {0};
+    assert_false(image_file_write("/dev/full", &picture, &error));
+    assert_non_null(strstr(error.message, strerror(ENOSPC)));
+    picture_release(&picture);
+}
+
+/** What is there already is never written over. @param state The fixture. */
+static void test_never_over(void **state) {
+    Picture picture = make_picture(3, 2);
+    Error error = {0};
+    bool exists = true;
+    assert_true(image_file_write_new(path_of(state, "a.bmp"), &picture, &exists, &error));
+    assert_false(exists);
+    assert_false(image_file_write_new(path_of(state, "a.bmp"), &picture, &exists, &error));
+    assert_true(exists);
+    assert_non_null(strstr(error.message, strerror(EEXIST)));
+    assert_int_equal(symlink("nothing", path_of(state, "b.bmp")), 0);
+    assert_false(image_file_write_new(path_of(state, "b.bmp"), &picture, &exists, &error));
+    assert_true(exists);
+    assert_false(image_file_write_new(path_of(state, "no/c.bmp"), &picture, &exists, &error));
+    assert_false(exists);
+    assert_int_equal(count_files(state), 2);
+    picture_release(&picture);
+}
+
+/**
+ * Asserts that a disk that fills up is seen, and that the old file stays.
+ * @param state  The fixture.
+ * @param name   Name of the file.
+ */
+static void assert_full_disk_is_seen(void **state, const char *name) {
+    const char *path = path_of(state, name);
+    Picture picture = make_picture(200, 200);
+    Error error = {0};
+    struct rlimit limit;
+    assert_written(path); // The old file; opens the module too.
+    struct stat old;
+    assert_int_equal(stat(path, &old), 0);
+    assert_int_equal(getrlimit(RLIMIT_FSIZE, &limit), 0);
+    struct rlimit small = {.rlim_cur = 1000, .rlim_max = limit.rlim_max};
+    signal(SIGXFSZ, SIG_IGN);
+    assert_int_equal(setrlimit(RLIMIT_FSIZE, &small), 0);
+    bool is_written = image_file_write(path, &picture, &error);
+    assert_int_equal(setrlimit(RLIMIT_FSIZE, &limit), 0);
+    assert_false(is_written);
+    assert_int_equal(error.status, STATUS_FAILED);
+    assert_non_null(strstr(error.message, strerror(EFBIG)));
+    struct stat now;
+    assert_int_equal(stat(path, &now), 0);
+    assert_int_equal(now.st_ino, old.st_ino);
+    assert_int_equal(now.st_size, old.st_size);
+    picture_release(&picture);
+}
+
+/** A full disk is seen, and harms nothing. @param state The fixture. */
+static void test_full_disk(void **state) {
+    assert_full_disk_is_seen(state, "a.bmp");
+    assert_int_equal(count_files(state), 1);
+}
+
+// --- the picture module --------------------------------------------------------------------------
+
+/** A module that is not there, or is none, is missed in words. @param state The fixture. */
+static void test_module_is_missing(void **state) {
+    Fixture *fixture = *state;
+    Error error = {0};
+    assert_null(images_load_from(fixture->folder, &error));
+    assert_int_equal(error.status, STATUS_FAILED);
+    assert_non_null(strstr(error.message, "libopenimageio-dev"));
+    assert_non_null(strstr(error.message, ".bmp"));
+    store(path_of(state, "dioptre-images.so"), "no library", 10);
+    assert_null(images_load_from(fixture->folder, &error));
+    assert_non_null(strstr(error.message, "libopenimageio2.4"));
+    assert_non_null(strstr(error.message, ".bmp"));
+}
+
+/**
+ * Stands for a module that a file brings down.
+ * @param path     Unused.
+ * @param format   Unused.
+ * @param header   Unused.
+ * @param message  Unused.
+ * @return Nothing: it does not return.
+ */
+static ImagesReader *open_and_crash(const char *path, const char *format, ImagesHeader *header,
+                                    ImagesMessage *message) {
+    (void)path;
+    (void)format;
+    (void)header;
+    (void)message;
+    abort();
+}
+
+/**
+ * Stands for a module that Ctrl-C stops.
+ * @param path     Unused.
+ * @param format   Unused.
+ * @param header   Unused.
+ * @param message  Unused.
+ * @return Nothing: it does not return.
+ */
+static ImagesReader *open_and_interrupt(const char *path, const char *format, ImagesHeader *header,
+                                        ImagesMessage *message) {
+    raise(SIGINT);
+    return open_and_crash(path, format, header, message);
+}
+
+/** A file that makes the libraries crash does not bring the program down. @param state Unused. */
+static void test_module_crashes(void **state) {
+    (void)state;
+    static const ImagesModule module = {.open = open_and_crash};
+    Picture picture;
+    Error error = {0};
+    assert_false(images_child_read(&module, "png", "a.png", &picture, &error));
+    assert_null(picture.pixels);
+    assert_int_equal(error.status, STATUS_SCENE);
+    assert_non_null(strstr(error.message, "crash"));
+}
+
+/** Ctrl-C while a picture is read says so and blames no file. @param state Unused. */
+static void test_module_interrupted(void **state) {
+    (void)state;
+    static const ImagesModule module = {.open = open_and_interrupt};
+    Picture picture;
+    Error error = {0};
+    assert_false(images_child_read(&module, "png", "a.png", &picture, &error));
+    assert_int_equal(error.status, STATUS_INTERRUPTED);
+}
+
+/**
+ * Makes the module findable for this test, which lies one folder below the program. The tests of
+ * the module are skipped where it was not built.
+ */
+static void need_module(void) {
+    char link[PATH_MAX];
+    ssize_t length = readlink("/proc/self/exe", link, sizeof link - 1);
+    assert_true(length > 0);
+    link[length] = '\0';
+    char *name = strrchr(link, '/') + 1;
+    snprintf(name, sizeof link - (size_t)(name - link), "dioptre-images.so");
+    if (symlink("../dioptre-images.so", link) != 0 && errno != EEXIST) {
+        fail_msg("%s: %s", link, strerror(errno));
+    }
+    Error error = {0};
+    if (!images_load(&error)) {
+        print_message("%s\n", error.message);
+        skip();
+    }
+}
+
+/** The formats of the module: name of a file, and how far a picture may be off when read back. */
+static const struct {
+    const char *name; /**< Name of the file. */
+    int steps;        /**< Largest difference of a channel. */
+} module_formats[] = {
+    {"a.png", 0}, {"a.tif", 0}, {"a.TIFF", 0}, {"a.exr", 0}, {"a.hdr", 20}, {"a.jpg", 80},
+};
+/** How many there are. */
+enum { MODULE_FORMATS = sizeof module_formats / sizeof *module_formats };
+
+/** Pictures come back as they were, as far as the format keeps them. @param state The fixture. */
+static void test_module_round_trip(void **state) {
+    need_module();
+    for (int i = 0; i < MODULE_FORMATS; i++) {
+        const char *path = path_of(state, module_formats[i].name);
+        assert_in_range(round_trip(path, 37, 101), 0, module_formats[i].steps);
+        assert_in_range(round_trip(path, 1, 1), 0, module_formats[i].steps);
+    }
+    assert_int_equal(count_files(state), MODULE_FORMATS);
+}
+
+/** Formats of linear light hold the light that a picture stands for, whatever its own encoding.
+ *  @param state The fixture. */
+static void test_module_linear_light(void **state) {
+    need_module();
+    static const char *const names[] = {"a.exr", "a.hdr"};
+    Encoder srgb;
+    encoder_init(&srgb, ENCODING_SRGB);
+    for (int i = 0; i < 4; i++) {
+        const char *path = path_of(state, names[i / 2]);
+        Encoding encoding = i % 2 ? ENCODING_LINEAR : ENCODING_SRGB;
+        uint8_t grey[] = {64, 64, 64};
+        Picture picture = {.width = 1, .height = 1, .pixels = grey, .encoding = encoding}, again;
+        assert_true(image_file_write(path, &picture, NULL));
+        assert_true(image_file_read(path, &again, NULL));
+        int wanted = encoder_encode(&srgb, (float)encoding_decode(encoding, grey[0]));
+        assert_int_equal(again.encoding, ENCODING_SRGB);
+        assert_in_range(again.pixels[0], wanted - 1, wanted + 1); // Radiance rounds to 8 bits.
+        picture_release(&again);
+    }
+}
+
+/** The same picture gives the same bytes, whenever it is written. @param state The fixture. */
+static void test_module_same_bytes(void **state) {
+    need_module();
+    uint8_t first[MODULE_FORMATS][SMALL_FILE_SIZE];
+    size_t size[MODULE_FORMATS];
+    for (int i = 0; i < MODULE_FORMATS; i++) {
+        round_trip(path_of(state, module_formats[i].name), 10, 10);
+        size[i] = load(path_of(state, module_formats[i].name), first[i]);
+    }
+    sleep(1); // The clock of a date in a file goes by seconds.
+    for (int i = 0; i < MODULE_FORMATS; i++) {
+        uint8_t again[SMALL_FILE_SIZE];
+        round_trip(path_of(state, module_formats[i].name), 10, 10);
+        assert_int_equal(load(path_of(state, module_formats[i].name), again), size[i]);
+        assert_memory_equal(again, first[i], size[i]);
+    }
+}
+
+/** A full disk is seen with every format. @param state The fixture. */
+static void test_module_full_disk(void **state) {
+    need_module();
+    for (int i = 0; i < MODULE_FORMATS; i++) {
+        assert_full_disk_is_seen(state, module_formats[i].name);
+    }
+    assert_int_equal(count_files(state), MODULE_FORMATS);
+}
+
+/** A file of another format than its name says, or cut off, is refused. @param state The fixture.
+ */
+static void test_module_hostile(void **state) {
+    need_module();
+    uint8_t bytes[SMALL_FILE_SIZE];
+    for (int i = 0; i < MODULE_FORMATS; i++) {
+        const char *path = path_of(state, module_formats[i].name);
+        round_trip(path, 16, 16);
+        size_t size = load(path, bytes);
+        store(path, bytes, size / 8);
+        assert_refused(path);
+        store(path, "BM is no picture of this kind", 29);
+        assert_refused(path);
+        store(path, "", 0);
+        assert_refused(path);
+    }
+}
+
+/** Runs the tests. @return How many failed. */
+int main(void) {
+    const struct CMUnitTest file_tests[] = {
+        cmocka_unit_test_setup_teardown(test_bmp_round_trip, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(test_bmp_bytes, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(test_bmp_kinds, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(test_bmp_hostile, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(test_bmp_cut_off, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(test_read_what_is_no_file, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(test_endings, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(test_permissions, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(test_no_permission, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(test_wrong_places, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(test_links, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(test_devices, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(test_never_over, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(test_full_disk, enter_folder, leave_folder),
+    };
+    const struct CMUnitTest module_tests[] = {
+        cmocka_unit_test(test_module_crashes),
+        cmocka_unit_test(test_module_interrupted),
+        cmocka_unit_test_setup_teardown(test_module_is_missing, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(test_module_round_trip, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(test_module_linear_light, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(test_module_same_bytes, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(test_module_full_disk, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(test_module_hostile, enter_folder, leave_folder),
+    };
+    return cmocka_run_group_tests(file_tests, NULL, NULL) +
+           cmocka_run_group_tests(module_tests, NULL, NULL);
+}

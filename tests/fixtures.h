@@ -51,8 +51,7 @@ static inline int remove_one(const char *path, const struct stat *info, int type
     return remove(path);
 }
 
-/** Removes the folder with all that is in it. @param state The fixture. @return 0 if it was
- * removed. */
+/** Removes the folder with all that is in it. @param state The fixture. @return 0 if it is gone. */
 static inline int leave_folder(void **state) {
     Fixture *fixture = *state;
     int failed = nftw(fixture->folder, remove_one, 8, FTW_DEPTH | FTW_PHYS);

@@ -1,206 +1,10 @@
 /**
  * @file
- * @brief Tests of scene files: what they can say, what is said of wrong ones, what they cannot do.
+ * @brief Tests of scene files: what they can say, and what is said of wrong ones.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
-#include "dioptre/script.h"
-#include "assets/child.h"
-
-#include <errno.h>
-#include <fcntl.h>
-#include <limits.h>
-#include <signal.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <sys/stat.h>
-#include <sys/time.h>
-#include <sys/wait.h>
-#include <time.h>
-#include <unistd.h>
-
-/** Number of items of an array. */
-#define COUNT(array) (sizeof(array) / sizeof *(array))
-
-/** Where the scene files of these tests lie, from the top of the sources. */
-#define SCRIPTS "tests/scripts/"
-
-// --- a shape of our own, so that these tests do not hang on the tracer --------------------------
-
-/** A shape with a field of every type. */
-typedef struct Ball {
-    Vector3 center;  /**< A vector. */
-    double radius;   /**< A number, above 0. */
-    Vector3 axis;    /**< A direction. */
-    Color tint;      /**< A colour, 0 to 1. */
-    int rings;       /**< A whole number, 0 to 9. */
-    bool is_hollow;  /**< A boolean. */
-    int finish;      /**< A word. */
-    double diameter; /**< Worked out from the radius. */
-} Ball;
-
-/** Words of the field `finish`. */
-static const char *const finish_words[] = {"matt", "satin", "glossy", NULL};
-
-/** Fields of the shape; the first is row 0. */
-static const Parameter ball_parameters[] = {
-    {.name = "center",
-     .type = PARAMETER_VECTOR,
-     .offset = offsetof(Ball, center),
-     .minimum = -LENGTH_MAXIMUM,
-     .maximum = LENGTH_MAXIMUM},
-    {.name = "radius",
-     .type = PARAMETER_NUMBER,
-     .offset = offsetof(Ball, radius),
-     .maximum = LENGTH_MAXIMUM,
-     .above_minimum = true},
-    {.name = "axis",
-     .type = PARAMETER_DIRECTION,
-     .offset = offsetof(Ball, axis),
-     .minimum = -LENGTH_MAXIMUM,
-     .maximum = LENGTH_MAXIMUM},
-    {.name = "tint", .type = PARAMETER_COLOR, .offset = offsetof(Ball, tint), .maximum = 1},
-    {.name = "rings", .type = PARAMETER_INTEGER, .offset = offsetof(Ball, rings), .maximum = 9},
-    {.name = "hollow", .type = PARAMETER_BOOLEAN, .offset = offsetof(Ball, is_hollow)},
-    {.name = "finish",
-     .type = PARAMETER_WORD,
-     .offset = offsetof(Ball, finish),
-     .words = finish_words},
-    {0}};
-
-/** A ball as it is when nothing is said. */
-static const Ball ball_defaults = {.radius = 1, .axis = {0, 1, 0}, .tint = {1, 1, 1}};
-
-/** Bits of the rows that were given: hollow and rings. */
-enum { GIVEN_RINGS = 1 << 4, GIVEN_HOLLOW = 1 << 5 };
-
-/** Works the diameter out; rings do not go with hollow. See #Keyword.finish. @param values A #Ball.
- *  @param given See there. @param error See there. @return See there. */
-static bool ball_finish(void *values, uint64_t given, Error *error) {
-    Ball *ball = values;
-    ball->diameter = 2 * ball->radius;
-    if ((given & GIVEN_RINGS) && (given & GIVEN_HOLLOW)) {
-        return error_set(error, STATUS_SCENE, "sphere takes rings or hollow, not both");
-    }
-    return true;
-}
-
-/** A shape that these tests call sphere. */
-static const Keyword ball_keyword = {.name = "sphere",
-                                     .parameters = ball_parameters,
-                                     .size = sizeof(Ball),
-                                     .defaults = &ball_defaults,
-                                     .finish = ball_finish};
-/** Another, to tell kinds apart. */
-static const Keyword other_keyword = {.name = "plane",
-                                      .parameters = ball_parameters,
-                                      .size = sizeof(Ball),
-                                      .defaults = &ball_defaults};
-/** What the scenes of these tests can name. */
-static const Keyword *const shapes[] = {&other_keyword, &ball_keyword, NULL};
+#include "scene_files.h"
 
 // --- helpers -------------------------------------------------------------------------------------
-
-/** What the tests share: a folder that is empty at first and gone at the end. */
-typedef struct Bench {
-    char folder[64]; /**< The folder. */
-    char path[128];  /**< A scene file in it. */
-} Bench;
-
-/** Makes the folder. @param state Becomes a #Bench. @return 0 when it is there. */
-static int set_up(void **state) {
-    Bench *bench = calloc(1, sizeof *bench);
-    snprintf(bench->folder, sizeof bench->folder, "/tmp/dioptre-script-XXXXXX");
-    bool is_made = mkdtemp(bench->folder) != NULL;
-    snprintf(bench->path, sizeof bench->path, "%s/scene.lua", bench->folder);
-    *state = bench;
-    return is_made ? 0 : -1;
-}
-
-/** Removes the folder with all that is in it. @param state A #Bench. @return 0 when it is gone. */
-static int tear_down(void **state) {
-    Bench *bench = *state;
-    char command[128];
-    snprintf(command, sizeof command, "rm -rf '%s'", bench->folder);
-    int status = system(command);
-    free(bench);
-    return status;
-}
-
-/** Writes a file. @param path Where. @param text What. @param length Bytes of it. */
-static void write_bytes(const char *path, const char *text, size_t length) {
-    FILE *file = fopen(path, "wb");
-    assert_non_null(file);
-    assert_int_equal(fwrite(text, 1, length, file), length);
-    assert_int_equal(fclose(file), 0);
-}
-
-/** Writes a text file. @param path Where. @param text What. */
-static void write_file(const char *path, const char *text) {
-    write_bytes(path, text, strlen(text));
-}
-
-/** @return What to ask for, with limits that are wide enough. @param path The scene file. */
-static ScriptRequest request_for(const char *path) {
-    return (ScriptRequest){
-        .path = path, .seconds = SCRIPT_SECONDS, .memory = SCRIPT_MEMORY, .shape_keywords = shapes};
-}
-
-/** @return The scene of a text, which must be good. @param bench Where. @param text The text. */
-static Scene *load_good(const Bench *bench, const char *text) {
-    Error error = {0};
-    write_file(bench->path, text);
-    ScriptRequest request = request_for(bench->path);
-    Scene *scene = script_load(&request, &error);
-    if (!scene) {
-        fail_msg("%s\n%s", text, error.message);
-    }
-    assert_int_equal(error.status, STATUS_DONE);
-    return scene;
-}
-
-/**
- * Checks that a scene is refused.
- * @param request  What to load.
- * @param place    How the message must begin.
- * @param words    What must be in it.
- */
-static void assert_refused(const ScriptRequest *request, const char *place, const char *words) {
-    Error error = {0};
-    Scene *scene = script_load(request, &error);
-    if (scene || error.status != STATUS_SCENE ||
-        strncmp(error.message, place, strlen(place)) != 0 || !strstr(error.message, words)) {
-        fail_msg("wanted: %s%s\ngot: (%d) %s", place, words, error.status,
-                 scene ? "a scene" : error.message);
-    }
-}
-
-/**
- * Checks that a text is refused.
- * @param bench    Where to put it.
- * @param text     The text.
- * @param line     The line that must be named.
- * @param words    What must be said.
- * @param limits   Its seconds and memory count; NULL: wide enough.
- */
-static void assert_text_refused(const Bench *bench, const char *text, int line, const char *words,
-                                const ScriptRequest *limits) {
-    char place[160];
-    ScriptRequest request = request_for(bench->path);
-    if (limits) {
-        request.seconds = limits->seconds;
-        request.memory = limits->memory;
-    }
-    write_file(bench->path, text);
-    snprintf(place, sizeof place, "%s:%d: ", bench->path, line);
-    assert_refused(&request, place, words);
-}
 
 /** @return The parameters of a ball of a scene. @param scene The scene. @param i Which shape. */
 static const Ball *ball_of(const Scene *scene, size_t i) {
@@ -213,14 +17,9 @@ static void assert_vector(Vector3 v, double x, double y, double z) {
     assert_true(v.x == x && v.y == y && v.z == z);
 }
 
-/** Checks a colour. @param c The colour. @param r Wanted. @param g Wanted. @param b Wanted. */
-static void assert_color(Color c, double r, double g, double b) {
-    assert_true(c.red == r && c.green == g && c.blue == b);
-}
-
 // --- what scenes can say -------------------------------------------------------------------------
 
-/** An empty scene with a camera has every default. @param state A #Bench. */
+/** An empty scene with a camera has every default. @param state The fixture. */
 static void test_defaults(void **state) {
     Scene *scene = load_good(*state, "camera {}");
     assert_true(scene->has_camera);
@@ -233,7 +32,7 @@ static void test_defaults(void **state) {
     scene_destroy(scene);
 }
 
-/** Every keyword fills its struct. @param state A #Bench. */
+/** Every keyword fills its struct. @param state The fixture. */
 static void test_keywords(void **state) {
     Scene *scene = load_good(
         *state, "camera { position = {0, 0, 6.5}, look_at = {0, 0, 0}, fov = 50 }\n"
@@ -260,7 +59,7 @@ static void test_keywords(void **state) {
     scene_destroy(scene);
 }
 
-/** A field of every type arrives; finish works on it. @param state A #Bench. */
+/** A field of every type arrives; finish works on it. @param state The fixture. */
 static void test_field_types(void **state) {
     Scene *scene =
         load_good(*state, "camera {}\n"
@@ -282,7 +81,7 @@ static void test_field_types(void **state) {
     scene_destroy(scene);
 }
 
-/** Materials are handed on by what they return. @param state A #Bench. */
+/** Materials are handed on by what they return. @param state The fixture. */
 static void test_materials(void **state) {
     Scene *scene = load_good(
         *state, "camera {}\n"
@@ -308,7 +107,7 @@ typedef struct ColorCase {
     Color wanted;     /**< Its ambient light. */
 } ColorCase;
 
-/** Colours may be written in three ways; the last call counts. @param state A #Bench. */
+/** Colours may be written in three ways; the last call counts. @param state The fixture. */
 static void test_colors(void **state) {
     static const ColorCase cases[] = {
         {"camera {} ambient { 0.15, 0.25, 0.5 }", {0.15, 0.25, 0.5}},
@@ -329,7 +128,7 @@ static void test_colors(void **state) {
     }
 }
 
-/** Camera, image and sky are replaced by a later call. @param state A #Bench. */
+/** Camera, image and sky are replaced by a later call. @param state The fixture. */
 static void test_later_calls_replace(void **state) {
     Scene *scene = load_good(*state, "camera { fov = 20 } image { width = 5 } sky { color = 1 }\n"
                                      "camera { fov = 30 } image { depth = 2 } sky {}\n");
@@ -340,11 +139,11 @@ static void test_later_calls_replace(void **state) {
     scene_destroy(scene);
 }
 
-/** A scene knows the time. @param state A #Bench. */
+/** A scene knows the time. @param state The fixture. */
 static void test_time(void **state) {
-    const Bench *bench = *state;
-    write_file(bench->path, "camera {} sphere { center = {t, 0, 0} }");
-    ScriptRequest request = request_for(bench->path);
+    const Fixture *fixture = *state;
+    store_text(fixture->path, "camera {} sphere { center = {t, 0, 0} }");
+    ScriptRequest request = request_for(fixture->path);
     request.time = 2.5;
     Scene *scene = script_load(&request, NULL);
     assert_non_null(scene);
@@ -352,7 +151,7 @@ static void test_time(void **state) {
     scene_destroy(scene);
 }
 
-/** Fields may be inherited, as Lua does it. @param state A #Bench. */
+/** Fields may be inherited, as Lua does it. @param state The fixture. */
 static void test_inherited_fields(void **state) {
     Scene *scene = load_good(*state, "camera {}\n"
                                      "local big = { __index = { radius = 7 } }\n"
@@ -362,7 +161,7 @@ static void test_inherited_fields(void **state) {
     scene_destroy(scene);
 }
 
-/** Random numbers and the order of tables are the same on every run. @param state A #Bench. */
+/** Random numbers and the order of tables are the same on every run. @param state The fixture. */
 static void test_determinism(void **state) {
     Scene *scene = load_good(
         *state, "camera {}\n"
@@ -382,7 +181,7 @@ static void test_determinism(void **state) {
     scene_destroy(scene);
 }
 
-/** Marks before the text do not move its lines. @param state A #Bench. */
+/** Marks before the text do not move its lines. @param state The fixture. */
 static void test_marks_before_the_text(void **state) {
     const char *text = "\xEF\xBB\xBF#!/usr/bin/env dioptre\ncamera {}\n";
     scene_destroy(load_good(*state, text));
@@ -391,22 +190,7 @@ static void test_marks_before_the_text(void **state) {
 
 // --- what is said of wrong scenes ----------------------------------------------------------------
 
-/** A wrong scene. */
-typedef struct WrongCase {
-    const char *text;  /**< The scene. */
-    int line;          /**< The line that is to blame. */
-    const char *words; /**< What must be said. */
-} WrongCase;
-
-/** Each wrong text is refused with its line and the right words. @param state A #Bench.
- *  @param cases The texts. @param count How many. */
-static void assert_all_refused(void **state, const WrongCase *cases, size_t count) {
-    for (size_t i = 0; i < count; i++) {
-        assert_text_refused(*state, cases[i].text, cases[i].line, cases[i].words, NULL);
-    }
-}
-
-/** Words and fields that are not there. @param state A #Bench. */
+/** Words and fields that are not there. @param state The fixture. */
 static void test_unknown_words(void **state) {
     static const WrongCase cases[] = {
         {"camera {}\n\nspere { radius = 1 }", 3, "unknown word `spere`; did you mean `sphere`?"},
@@ -429,7 +213,7 @@ static void test_unknown_words(void **state) {
     assert_all_refused(state, cases, COUNT(cases));
 }
 
-/** Values of a wrong type. @param state A #Bench. */
+/** Values of a wrong type. @param state The fixture. */
 static void test_wrong_types(void **state) {
     static const WrongCase cases[] = {
         {"sphere { radius = 'x' }", 1, "radius must be a number, not a string"},
@@ -464,7 +248,8 @@ static void test_wrong_types(void **state) {
     assert_all_refused(state, cases, COUNT(cases));
 }
 
-/** Values that are out of range, or no numbers, or do not fit together. @param state A #Bench. */
+/** Values that are out of range, or no numbers, or do not fit together. @param state The fixture.
+ */
 static void test_wrong_values(void **state) {
     static const WrongCase cases[] = {
         {"sphere { radius = 0 }", 1, "radius must be above 0"},
@@ -493,7 +278,7 @@ static void test_wrong_values(void **state) {
     assert_all_refused(state, cases, COUNT(cases));
 }
 
-/** Errors of Lua itself, at the innermost line of the scene. @param state A #Bench. */
+/** Errors of Lua itself, at the innermost line of the scene. @param state The fixture. */
 static void test_lua_errors(void **state) {
     static const WrongCase cases[] = {
         {"camera {\n  fov = = 2\n}", 2, "unexpected symbol near '='"},
@@ -540,375 +325,16 @@ static void test_lua_errors(void **state) {
     assert_all_refused(state, cases, COUNT(cases));
 }
 
-/** What would be a way out is not there. @param state A #Bench. */
-static void test_ways_out(void **state) {
-    static const char *const words[] = {
-        "io",        "os",         "debug",    "package",     "require",
-        "load",      "loadstring", "loadfile", "dofile",      "collectgarbage",
-        "coroutine", "warn",       "_G",       "string.dump", "('x').dump"};
-    for (size_t i = 0; i < COUNT(words); i++) {
-        char text[64];
-        snprintf(text, sizeof text, "camera {}\nlocal x = %s", words[i]);
-        assert_text_refused(*state, text, 2, "unknown word `", NULL);
-    }
-}
-
-/** Messages cannot play with a terminal, nor are they without end. @param state A #Bench. */
-static void test_messages_are_clean(void **state) {
-    const Bench *bench = *state;
-    assert_text_refused(bench, "error('a\\27[31mb\\0c\\rd\\155e\\194\\155f\\127')", 1,
-                        "a\\27[31mb\\0c\\13d\\155e\\194\\155f\\127", NULL);
-    assert_text_refused(bench, "error('d\xC3\xA9j\xC3\xA0 vu \xE2\x82\xAC\\xff')", 1,
-                        "d\xC3\xA9j\xC3\xA0 vu \xE2\x82\xAC\\255", NULL);
-    assert_text_refused(bench, "error(('\\1y'):rep(1e6))", 1, "\\1y\\1y\\1y", NULL);
-    assert_text_refused(bench, "error('100%s %n')", 1, "100%s %n", NULL);
-}
-
-// --- limits --------------------------------------------------------------------------------------
-
-/** A scene that asks for too much. */
-typedef struct GreedyCase {
-    const char *text;  /**< The scene. */
-    int line;          /**< The line that is to blame. */
-    const char *words; /**< What must be said. */
-} GreedyCase;
-
-/** @return Seconds on a clock that nobody sets. */
-static double clock_seconds(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
-/** Nothing runs past its time: not a loop, nor a call of a library. @param state A #Bench. */
-static void test_time_limit(void **state) {
-    static const GreedyCase cases[] = {
-        {"camera {}\nwhile true do\nend", 2, "the scene ran for more than 0.2 s"},
-        {"\nlocal function f()\n  while true do pcall(error) end\nend\npcall(f)", 3, "0.2 s"},
-        {"while true do\n  pcall(string.rep, 'x', 1e12)\nend", 2, "0.2 s"},
-        {"\n\nlocal x = ('a'):rep(60):find(('a*'):rep(60) .. 'b')", 3, "0.2 s"},
-        {"local x = ('a'):rep(60)\nx = x:gsub(('a*'):rep(60) .. 'b', '')", 2, "0.2 s"},
-        {"\nlocal x = ('a'):rep(60000):find(('a-'):rep(100) .. 'b')", 2, "0.2 s"},
-        {"\ntable.move({}, 1, math.maxinteger - 1, 2)", 2, "0.2 s"},
-        {"\nselect('#', table.concat(setmetatable({}, { __len = function() return 1e15 end,\n"
-         "  __index = function() return '' end })))",
-         3, "0.2 s"},
-    };
-    for (size_t i = 0; i < COUNT(cases); i++) {
-        double start = clock_seconds();
-        assert_text_refused(*state, cases[i].text, cases[i].line, cases[i].words,
-                            &(ScriptRequest){.seconds = 0.2, .memory = SCRIPT_MEMORY});
-        double taken = clock_seconds() - start;
-        assert_true(taken > 0.19 && taken < 1.5);
-    }
-}
-
-/** No scene takes more memory than it may. @param state A #Bench. */
-static void test_memory_limit(void **state) {
-    static const char words[] = "the scene needs more than 4 MiB of memory";
-    static const GreedyCase cases[] = {
-        {"camera {}\nlocal x = ('x'):rep(1 << 30)", 2, words},
-        {"local x = 'x'\nwhile true do\n  x = x .. x\nend", 3, words},
-        {"local list = {}\nwhile true do\n  list[#list + 1] = {}\nend", 3, words},
-        {"for i = 1, 1e9 do\n  rawset(_ENV, i, i)\nend", 2, words},
-        {"local x = ('x'):rep(1500000)\nlocal y = x .. x", 2, words},
-        {"local function f()\n  return 1 + f()\nend\nf()", 2, words},
-    };
-    for (size_t i = 0; i < COUNT(cases); i++) {
-        assert_text_refused(*state, cases[i].text, cases[i].line, cases[i].words,
-                            &(ScriptRequest){.seconds = SCRIPT_SECONDS, .memory = 4 << 20});
-    }
-    assert_text_refused(*state, "camera {}", 1, "needs more than 0.000976562 MiB",
-                        &(ScriptRequest){.seconds = SCRIPT_SECONDS, .memory = 1024});
-    assert_text_refused(*state, "camera {}", 1, "needs more than 0.0078125 MiB",
-                        &(ScriptRequest){.seconds = SCRIPT_SECONDS, .memory = 8192});
-}
-
-/** A scene that asks for too much, but takes no for an answer, is good. @param state A #Bench. */
-static void test_refused_memory_can_be_caught(void **state) {
-    Scene *scene = load_good(*state, "camera {}\nassert(not pcall(string.rep, 'x', 1e10))");
-    scene_destroy(scene);
-}
-
-/** Text goes to standard error, clean, up to a limit. @param state A #Bench. */
-static void test_print(void **state) {
-    const Bench *bench = *state;
-    char path[128], got[256] = "";
-    snprintf(path, sizeof path, "%s/printed", bench->folder);
-    int kept = dup(STDERR_FILENO), file = open(path, O_RDWR | O_CREAT | O_TRUNC, 0600);
-    dup2(file, STDERR_FILENO);
-    Scene *scene = load_good(bench, "camera {} print('one', 2, nil, '\\27[2J')\n"
-                                    "for i = 1, 1e5 do print(('y'):rep(99)) end");
-    dup2(kept, STDERR_FILENO);
-    scene_destroy(scene);
-    off_t size = lseek(file, 0, SEEK_END);
-    assert_true(size > 65000 && size < 67000);
-    assert_true(pread(file, got, sizeof got - 1, 0) > 0);
-    assert_int_equal(strncmp(got, "one\t2\tnil\t\\27[2J\nyyy", 20), 0);
-    assert_true(pread(file, got, 50, size - 50) == 50);
-    assert_non_null(strstr(got, "printed more"));
-    close(file);
-    close(kept);
-}
-
-// --- files ---------------------------------------------------------------------------------------
-
-/** A scene may be made of files in its folder. @param state Not used. */
-static void test_include(void **state) {
-    (void)state;
-    ScriptRequest request = request_for(SCRIPTS "room.lua");
-    Error error = {0};
-    Scene *scene = script_load(&request, &error);
-    assert_string_equal(error.message, "");
-    assert_non_null(scene);
-    assert_int_equal(scene->shape_count, 3);
-    assert_int_equal(scene->shapes[2].material, 1);
-    assert_color(scene->materials[1].color, 1, 0, 0);
-    scene_destroy(scene);
-}
-
-/** An error is told in the file that it is in; a ring of files ends. @param state Not used. */
-static void test_wrong_includes(void **state) {
-    (void)state;
-    ScriptRequest request = request_for(SCRIPTS "wrong-part.lua");
-    assert_refused(&request, SCRIPTS "parts/wrong.lua:2: ", "radius must be");
-    request = request_for(SCRIPTS "ring.lua");
-    assert_refused(&request, SCRIPTS "ring.lua:3: ", "more than 32 deep");
-}
-
-/** No file outside the folder can be included, and nothing but text. @param state A #Bench. */
-static void test_include_stays_inside(void **state) {
-    const Bench *bench = *state;
-    char path[192], outside[192], text[256];
-    snprintf(outside, sizeof outside, "%s-outside.lua", bench->folder);
-    write_file(outside, "ambient(1)");
-    snprintf(path, sizeof path, "%s/link.lua", bench->folder);
-    assert_int_equal(symlink(outside, path), 0);
-    snprintf(path, sizeof path, "%s/fifo.lua", bench->folder);
-    assert_int_equal(mkfifo(path, 0600), 0);
-    snprintf(path, sizeof path, "%s/compiled.lua", bench->folder);
-    write_file(path, "\x1BLua");
-    snprintf(text, sizeof text, "\ninclude '../%s'", strrchr(outside, '/') + 1);
-    assert_text_refused(bench, text, 2, "it lies outside the scene's folder", NULL);
-    snprintf(text, sizeof text, "\ninclude '%s'", outside);
-    assert_text_refused(bench, text, 2, "from the scene file", NULL);
-    static const WrongCase cases[] = {
-        {"\ninclude 'link.lua'", 2, "cannot include `link.lua`: it lies outside"},
-        {"\ninclude '/etc/passwd'", 2, "from the scene file"},
-        {"\ninclude 'none.lua'", 2, "cannot include `none.lua`: No such file or directory"},
-        {"\ninclude '.'", 2, "it lies outside the scene's folder"},
-        {"\ninclude ''", 2, "it lies outside the scene's folder"},
-        {"\ninclude 'fifo.lua'", 2, "not a regular file"},
-        {"\ninclude 'compiled.lua'", 2, "compiled Lua"},
-        {"\ninclude 'a\\0b'", 2, "zero byte"},
-        {"\ninclude {}", 2, "bad argument #1 to 'include'"},
-        {"\ninclude(('x'):rep(1e5))", 2, "cannot include"},
-    };
-    assert_all_refused(state, cases, COUNT(cases));
-    unlink(outside);
-}
-
-/** Includes that fail in pcall do not count as depth. @param state A #Bench. */
-static void test_include_depth_is_given_back(void **state) {
-    const Bench *bench = *state;
-    char path[128];
-    snprintf(path, sizeof path, "%s/broken.lua", bench->folder);
-    write_file(path, "error('broken')");
-    Scene *scene = load_good(bench, "camera {}\nfor i = 1, 99 do pcall(include, 'broken.lua') end\n"
-                                    "assert(not pcall(include, 'broken.lua'))");
-    scene_destroy(scene);
-}
-
-/** What is no scene file is refused, and nothing waits. @param state A #Bench. */
-static void test_no_scene_files(void **state) {
-    const Bench *bench = *state;
-    ScriptRequest request = request_for("no/such/file.lua");
-    assert_refused(&request, "no/such/file.lua: ", "No such file or directory");
-    request.path = bench->folder;
-    assert_refused(&request, bench->folder, ": this is a folder");
-    request.path = "/dev/zero";
-    assert_refused(&request, "/dev/zero: ", "not a regular file");
-    char path[128];
-    snprintf(path, sizeof path, "%s/fifo", bench->folder);
-    assert_int_equal(mkfifo(path, 0600), 0);
-    request.path = path;
-    assert_refused(&request, path, ": not a regular file");
-    assert_text_refused(bench, "\x1BLuaS\n\n", 1, "compiled Lua", NULL);
-    request.path = bench->path;
-    write_bytes(bench->path, "camera {}\n\nx = '\0'", 18);
-    char place[160];
-    snprintf(place, sizeof place, "%s:3: ", bench->path);
-    assert_refused(&request, place, "not text");
-    assert_int_equal(truncate(bench->path, 17 << 20), 0);
-    assert_refused(&request, bench->path, ": longer than 16 MiB");
-    if (geteuid() != 0 && chmod(bench->path, 0) == 0) {
-        assert_refused(&request, bench->path, ": Permission denied");
-        chmod(bench->path, 0600);
-    }
-}
-
-/** The whole path is told, although Lua cuts names at 60. @param state A #Bench. */
-static void test_long_paths(void **state) {
-    static const char *const texts[] = {"\nsphere { radius = -1 }", "\n= 1", "\nlocal x = nil + 1",
-                                        "\ninclude 'part.lua'"};
-    const Bench *bench = *state;
-    char folder[400], path[420], part[420], place[430];
-    snprintf(folder, sizeof folder, "%s/%0*d", bench->folder, 200, 0);
-    assert_int_equal(mkdir(folder, 0700), 0);
-    snprintf(path, sizeof path, "%s/s.lua", folder);
-    snprintf(part, sizeof part, "%s/part.lua", folder);
-    write_file(part, "\nsphere { radius = -1 }");
-    for (size_t i = 0; i < COUNT(texts); i++) {
-        write_file(path, texts[i]);
-        ScriptRequest request = request_for(path);
-        snprintf(place, sizeof place, "%s:2: ", i == 3 ? part : path);
-        assert_refused(&request, place, "");
-    }
-}
-
-/** A path that would leave no room for words is told by its end. @param state A #Bench. */
-static void test_endless_paths(void **state) {
-    (void)state;
-    char path[1500];
-    memset(path, 'x', sizeof path);
-    path[sizeof path - 1] = '\0';
-    ScriptRequest request = request_for(path);
-    assert_refused(&request, "...xxx", "xxx: File name too long");
-}
-
-/** A scene may come from standard input. @param state A #Bench. */
-static void test_standard_input(void **state) {
-    const Bench *bench = *state;
-    write_file(bench->path, "camera {} include 'parts/balls.lua'\nballs(2, nil)\nballs(1, 2)");
-    int kept = dup(STDIN_FILENO), file = open(bench->path, O_RDONLY);
-    dup2(file, STDIN_FILENO);
-    ScriptRequest request = request_for("-");
-    request.base_dir = SCRIPTS;
-    assert_refused(&request, SCRIPTS "/parts/balls.lua:3: ", "material must be");
-    lseek(STDIN_FILENO, 0, SEEK_SET);
-    request.base_dir = NULL;
-    assert_refused(&request, "-:1: ", "cannot include `parts/balls.lua`");
-    dup2(kept, STDIN_FILENO);
-    close(kept);
-    close(file);
-}
-
-// --- processes -----------------------------------------------------------------------------------
-
-/** Does nothing. @param signal Not used. */
-static void ignore_alarm(int signal) {
-    (void)signal;
-}
-
-/** Signals do not end the wait, and no child is left behind. @param state A #Bench. */
-static void test_signals_while_waiting(void **state) {
-    struct sigaction before, act = {.sa_handler = ignore_alarm};
-    const struct itimerval fast = {{0, 10000}, {0, 10000}}, off = {{0, 0}, {0, 0}};
-    sigaction(SIGALRM, &act, &before);
-    setitimer(ITIMER_REAL, &fast, NULL);
-    assert_text_refused(*state, "while true do end", 1, "0.2 s",
-                        &(ScriptRequest){.seconds = 0.2, .memory = SCRIPT_MEMORY});
-    setitimer(ITIMER_REAL, &off, NULL);
-    sigaction(SIGALRM, &before, NULL);
-    assert_int_equal(waitpid(-1, NULL, WNOHANG), -1);
-    assert_int_equal(errno, ECHILD);
-}
-
-/** A program that wants no news of its children loads scenes as well. @param state A #Bench. */
-static void test_children_reaped_by_the_system(void **state) {
-    struct sigaction before, act = {.sa_handler = SIG_IGN};
-    sigaction(SIGCHLD, &act, &before);
-    scene_destroy(load_good(*state, "camera {}"));
-    assert_text_refused(*state, "while true do end", 1, "0.1 s",
-                        &(ScriptRequest){.seconds = 0.1, .memory = SCRIPT_MEMORY});
-    sigaction(SIGCHLD, &before, NULL);
-}
-
-/** Work that dies of a signal. @param context The signal's number. */
-static void die(void *context) {
-    raise(*(int *)context);
-}
-
-/** Work that takes for ever. @param context Not used. */
-static void sleep_for_ever(void *context) {
-    (void)context;
-    for (;;) {
-        pause();
-    }
-}
-
-/** How a child ended is told. @param state Not used. */
-static void test_child_ends(void **state) {
-    (void)state;
-    int detail, signals[] = {SIGINT, SIGKILL, SIGTERM, SIGCHLD};
-    for (size_t i = 0; i < 3; i++) {
-        assert_int_equal(child_run(die, &signals[i], 10, &detail), CHILD_CRASHED);
-        assert_int_equal(detail, signals[i]);
-    }
-    assert_int_equal(child_run(die, &signals[3], 10, &detail), CHILD_ENDED);
-    assert_int_equal(detail, 0);
-    assert_int_equal(child_run(sleep_for_ever, NULL, 0.05, &detail), CHILD_LATE);
-    assert_int_equal(child_run(sleep_for_ever, NULL, -1, &detail), CHILD_LATE);
-}
-
-/** A child does not outlive the program. @param state Not used. */
-static void test_child_dies_with_its_parent(void **state) {
-    (void)state;
-    int ends[2], detail;
-    char byte;
-    assert_int_equal(pipe(ends), 0);
-    pid_t parent = fork();
-    if (parent == 0) {
-        close(ends[0]);
-        child_run(sleep_for_ever, NULL, 60, &detail);
-        _exit(0);
-    }
-    close(ends[1]);
-    usleep(100000);
-    kill(parent, SIGKILL);
-    waitpid(parent, NULL, 0);
-    // Both held the other end; it is closed when both are dead.
-    alarm(10);
-    assert_int_equal(read(ends[0], &byte, 1), 0);
-    alarm(0);
-    close(ends[0]);
-}
-
 /** @return 0 if all is well. */
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_defaults),
-        cmocka_unit_test(test_keywords),
-        cmocka_unit_test(test_field_types),
-        cmocka_unit_test(test_materials),
-        cmocka_unit_test(test_colors),
-        cmocka_unit_test(test_later_calls_replace),
-        cmocka_unit_test(test_time),
-        cmocka_unit_test(test_inherited_fields),
-        cmocka_unit_test(test_determinism),
-        cmocka_unit_test(test_marks_before_the_text),
-        cmocka_unit_test(test_unknown_words),
-        cmocka_unit_test(test_wrong_types),
-        cmocka_unit_test(test_wrong_values),
-        cmocka_unit_test(test_lua_errors),
-        cmocka_unit_test(test_ways_out),
-        cmocka_unit_test(test_messages_are_clean),
-        cmocka_unit_test(test_time_limit),
-        cmocka_unit_test(test_memory_limit),
-        cmocka_unit_test(test_refused_memory_can_be_caught),
-        cmocka_unit_test(test_print),
-        cmocka_unit_test(test_include),
-        cmocka_unit_test(test_wrong_includes),
-        cmocka_unit_test(test_include_stays_inside),
-        cmocka_unit_test(test_include_depth_is_given_back),
-        cmocka_unit_test(test_no_scene_files),
-        cmocka_unit_test(test_long_paths),
-        cmocka_unit_test(test_endless_paths),
-        cmocka_unit_test(test_standard_input),
-        cmocka_unit_test(test_signals_while_waiting),
-        cmocka_unit_test(test_children_reaped_by_the_system),
-        cmocka_unit_test(test_child_ends),
-        cmocka_unit_test(test_child_dies_with_its_parent),
+        cmocka_unit_test(test_defaults),      cmocka_unit_test(test_keywords),
+        cmocka_unit_test(test_field_types),   cmocka_unit_test(test_materials),
+        cmocka_unit_test(test_colors),        cmocka_unit_test(test_later_calls_replace),
+        cmocka_unit_test(test_time),          cmocka_unit_test(test_inherited_fields),
+        cmocka_unit_test(test_determinism),   cmocka_unit_test(test_marks_before_the_text),
+        cmocka_unit_test(test_unknown_words), cmocka_unit_test(test_wrong_types),
+        cmocka_unit_test(test_wrong_values),  cmocka_unit_test(test_lua_errors),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests_name("script", tests, enter_scene_folder, leave_folder);
 }

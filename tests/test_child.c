@@ -1,0 +1,70 @@
+/**
+ * @file
+ * @brief Tests of work in child processes.
+ */
+#include "testing.h"
+
+#include "assets/child.h"
+
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+/** Work that dies of a signal. @param context The signal's number. */
+static void die(void *context) {
+    raise(*(int *)context);
+}
+
+/** Work that takes for ever. @param context Not used. */
+static void sleep_for_ever(void *context) {
+    (void)context;
+    for (;;) {
+        pause();
+    }
+}
+
+/** How a child ended is told. @param state Not used. */
+static void test_child_ends(void **state) {
+    (void)state;
+    int detail, signals[] = {SIGINT, SIGKILL, SIGTERM, SIGCHLD};
+    for (size_t i = 0; i < 3; i++) {
+        assert_int_equal(child_run(die, &signals[i], 10, &detail), CHILD_CRASHED);
+        assert_int_equal(detail, signals[i]);
+    }
+    assert_int_equal(child_run(die, &signals[3], 10, &detail), CHILD_ENDED);
+    assert_int_equal(detail, 0);
+    assert_int_equal(child_run(sleep_for_ever, NULL, 0.05, &detail), CHILD_LATE);
+    assert_int_equal(child_run(sleep_for_ever, NULL, -1, &detail), CHILD_LATE);
+}
+
+/** A child does not outlive the program. @param state Not used. */
+static void test_child_dies_with_its_parent(void **state) {
+    (void)state;
+    int ends[2], detail;
+    char byte;
+    assert_int_equal(pipe(ends), 0);
+    pid_t parent = fork();
+    if (parent == 0) {
+        close(ends[0]);
+        child_run(sleep_for_ever, NULL, 60, &detail);
+        _exit(0);
+    }
+    close(ends[1]);
+    usleep(100000);
+    kill(parent, SIGKILL);
+    waitpid(parent, NULL, 0);
+    // Both held the other end; it is closed when both are dead.
+    alarm(10);
+    assert_int_equal(read(ends[0], &byte, 1), 0);
+    alarm(0);
+    close(ends[0]);
+}
+
+/** @return 0 if all is well. */
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_child_ends),
+        cmocka_unit_test(test_child_dies_with_its_parent),
+    };
+    return cmocka_run_group_tests_name("child", tests, NULL, NULL);
+}

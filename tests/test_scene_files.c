@@ -1,0 +1,167 @@
+/**
+ * @file
+ * @brief Tests of where scenes come from: files, files that they include, standard input.
+ */
+#include "scene_files.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+/** Where the scene files of these tests lie, from the top of the sources. */
+#define SCRIPTS "tests/scripts/"
+
+/** A scene may be made of files in its folder. @param state Not used. */
+static void test_include(void **state) {
+    (void)state;
+    ScriptRequest request = request_for(SCRIPTS "room.lua");
+    Error error = {0};
+    Scene *scene = script_load(&request, &error);
+    assert_string_equal(error.message, "");
+    assert_non_null(scene);
+    assert_int_equal(scene->shape_count, 3);
+    assert_int_equal(scene->shapes[2].material, 1);
+    assert_color(scene->materials[1].color, 1, 0, 0);
+    scene_destroy(scene);
+}
+
+/** An error is told in the file that it is in; a ring of files ends. @param state Not used. */
+static void test_wrong_includes(void **state) {
+    (void)state;
+    ScriptRequest request = request_for(SCRIPTS "wrong-part.lua");
+    assert_refused(&request, SCRIPTS "parts/wrong.lua:2: ", "radius must be");
+    request = request_for(SCRIPTS "ring.lua");
+    assert_refused(&request, SCRIPTS "ring.lua:3: ", "more than 32 deep");
+}
+
+/** No file outside the folder can be included, and nothing but text. @param state The fixture. */
+static void test_include_stays_inside(void **state) {
+    const Fixture *fixture = *state;
+    char path[192], outside[192], text[256];
+    snprintf(outside, sizeof outside, "%s-outside.lua", fixture->folder);
+    store_text(outside, "ambient(1)");
+    snprintf(path, sizeof path, "%s/link.lua", fixture->folder);
+    assert_int_equal(symlink(outside, path), 0);
+    snprintf(path, sizeof path, "%s/fifo.lua", fixture->folder);
+    assert_int_equal(mkfifo(path, 0600), 0);
+    snprintf(path, sizeof path, "%s/compiled.lua", fixture->folder);
+    store_text(path, "\x1BLua");
+    snprintf(text, sizeof text, "\ninclude '../%s'", strrchr(outside, '/') + 1);
+    assert_text_refused(fixture, text, 2, "it lies outside the scene's folder", NULL);
+    snprintf(text, sizeof text, "\ninclude '%s'", outside);
+    assert_text_refused(fixture, text, 2, "from the scene file", NULL);
+    static const WrongCase cases[] = {
+        {"\ninclude 'link.lua'", 2, "cannot include `link.lua`: it lies outside"},
+        {"\ninclude '/etc/passwd'", 2, "from the scene file"},
+        {"\ninclude 'none.lua'", 2, "cannot include `none.lua`: No such file or directory"},
+        {"\ninclude '.'", 2, "it lies outside the scene's folder"},
+        {"\ninclude ''", 2, "it lies outside the scene's folder"},
+        {"\ninclude 'fifo.lua'", 2, "not a regular file"},
+        {"\ninclude 'compiled.lua'", 2, "compiled Lua"},
+        {"\ninclude 'a\\0b'", 2, "zero byte"},
+        {"\ninclude {}", 2, "bad argument #1 to 'include'"},
+        {"\ninclude(('x'):rep(1e5))", 2, "cannot include"},
+    };
+    assert_all_refused(state, cases, COUNT(cases));
+    unlink(outside);
+}
+
+/** Includes that fail in pcall do not count as depth. @param state The fixture. */
+static void test_include_depth_is_given_back(void **state) {
+    const Fixture *fixture = *state;
+    char path[128];
+    snprintf(path, sizeof path, "%s/broken.lua", fixture->folder);
+    store_text(path, "error('broken')");
+    Scene *scene =
+        load_good(fixture, "camera {}\nfor i = 1, 99 do pcall(include, 'broken.lua') end\n"
+                           "assert(not pcall(include, 'broken.lua'))");
+    scene_destroy(scene);
+}
+
+/** What is no scene file is refused, and nothing waits. @param state The fixture. */
+static void test_no_scene_files(void **state) {
+    const Fixture *fixture = *state;
+    ScriptRequest request = request_for("no/such/file.lua");
+    assert_refused(&request, "no/such/file.lua: ", "No such file or directory");
+    request.path = fixture->folder;
+    assert_refused(&request, fixture->folder, ": this is a folder");
+    request.path = "/dev/zero";
+    assert_refused(&request, "/dev/zero: ", "not a regular file");
+    char path[128];
+    snprintf(path, sizeof path, "%s/fifo", fixture->folder);
+    assert_int_equal(mkfifo(path, 0600), 0);
+    request.path = path;
+    assert_refused(&request, path, ": not a regular file");
+    assert_text_refused(fixture, "\x1BLuaS\n\n", 1, "compiled Lua", NULL);
+    request.path = fixture->path;
+    store(fixture->path, "camera {}\n\nx = '\0'", 18);
+    char place[PATH_MAX + 32];
+    snprintf(place, sizeof place, "%s:3: ", fixture->path);
+    assert_refused(&request, place, "not text");
+    assert_int_equal(truncate(fixture->path, 17 << 20), 0);
+    assert_refused(&request, fixture->path, ": longer than 16 MiB");
+    if (geteuid() != 0 && chmod(fixture->path, 0) == 0) {
+        assert_refused(&request, fixture->path, ": Permission denied");
+        chmod(fixture->path, 0600);
+    }
+}
+
+/** The whole path is told, although Lua cuts names at 60. @param state The fixture. */
+static void test_long_paths(void **state) {
+    static const char *const texts[] = {"\nsphere { radius = -1 }", "\n= 1", "\nlocal x = nil + 1",
+                                        "\ninclude 'part.lua'"};
+    const Fixture *fixture = *state;
+    char folder[400], path[420], part[420], place[430];
+    snprintf(folder, sizeof folder, "%s/%0*d", fixture->folder, 200, 0);
+    assert_int_equal(mkdir(folder, 0700), 0);
+    snprintf(path, sizeof path, "%s/s.lua", folder);
+    snprintf(part, sizeof part, "%s/part.lua", folder);
+    store_text(part, "\nsphere { radius = -1 }");
+    for (size_t i = 0; i < COUNT(texts); i++) {
+        store_text(path, texts[i]);
+        ScriptRequest request = request_for(path);
+        snprintf(place, sizeof place, "%s:2: ", i == 3 ? part : path);
+        assert_refused(&request, place, "");
+    }
+}
+
+/** A path that would leave no room for words is told by its end. @param state The fixture. */
+static void test_endless_paths(void **state) {
+    (void)state;
+    char path[1500];
+    memset(path, 'x', sizeof path);
+    path[sizeof path - 1] = '\0';
+    ScriptRequest request = request_for(path);
+    assert_refused(&request, "...xxx", "xxx: File name too long");
+}
+
+/** A scene may come from standard input. @param state The fixture. */
+static void test_standard_input(void **state) {
+    const Fixture *fixture = *state;
+    store_text(fixture->path, "camera {} include 'parts/balls.lua'\nballs(2, nil)\nballs(1, 2)");
+    int kept = dup(STDIN_FILENO), file = open(fixture->path, O_RDONLY);
+    dup2(file, STDIN_FILENO);
+    ScriptRequest request = request_for("-");
+    request.base_dir = SCRIPTS;
+    assert_refused(&request, SCRIPTS "/parts/balls.lua:3: ", "material must be");
+    lseek(STDIN_FILENO, 0, SEEK_SET);
+    request.base_dir = NULL;
+    assert_refused(&request, "-:1: ", "cannot include `parts/balls.lua`");
+    dup2(kept, STDIN_FILENO);
+    close(kept);
+    close(file);
+}
+
+/** @return 0 if all is well. */
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_include),
+        cmocka_unit_test(test_wrong_includes),
+        cmocka_unit_test(test_include_stays_inside),
+        cmocka_unit_test(test_include_depth_is_given_back),
+        cmocka_unit_test(test_no_scene_files),
+        cmocka_unit_test(test_long_paths),
+        cmocka_unit_test(test_endless_paths),
+        cmocka_unit_test(test_standard_input),
+    };
+    return cmocka_run_group_tests_name("scene_files", tests, enter_scene_folder, leave_folder);
+}

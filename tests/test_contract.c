@@ -269,27 +269,11 @@ typedef struct Worst {
 /** What was found, for the table at the end. */
 static Worst worsts[ROW_COUNT][8];
 
-/** @return The place of a row's class in the registry. @param row The row. */
-static size_t kind_of(const Row *row) {
-    const Keyword *const *keywords = engine_list()[0]->shape_keywords;
-    size_t kind = 0;
-    while (keywords[kind] && strcmp(keywords[kind]->name, row->keyword) != 0) {
-        kind++;
-    }
-    assert_non_null(keywords[kind]);
-    return kind;
-}
-
-/** @return A tracer with one shape. @param engine The engine. @param kind The shape's class.
- *  @param parameters The shape. */
-static Tracer *tracer_with(const Engine *engine, size_t kind, const void *parameters) {
-    Error error = {0};
-    Scene *scene = scene_create(&error);
-    scene->camera = *(const Camera *)camera_keyword.defaults;
-    assert_true(scene_add_shape(scene, kind, engine->shape_keywords[kind], parameters, 0, &error));
-    TraceSettings settings = {.offset = OFFSET_BOUND};
-    Tracer *tracer = engine->prepare(scene, &settings, &error);
-    assert_non_null(tracer);
+/** @return A tracer with one shape. @param engine The engine. @param row The shape. */
+static Tracer *tracer_with(const Engine *engine, const Row *row) {
+    Scene *scene = empty_scene();
+    add_shape(scene, row->keyword, row->parameters);
+    Tracer *tracer = prepare(engine, scene);
     scene_destroy(scene);
     return tracer;
 }
@@ -300,11 +284,10 @@ typedef void (*Case)(const Subject *subject, Worst *worst);
 /** Runs a case for every row in every engine. @param run The case. */
 static void for_all(Case run) {
     for (size_t r = 0; r < ROW_COUNT; r++) {
-        size_t kind = kind_of(&rows[r]);
         for (size_t e = 0; engine_list()[e]; e++) {
             const Engine *engine = engine_list()[e];
             if (engine_is_supported(engine)) {
-                Subject subject = {&rows[r], engine, tracer_with(engine, kind, rows[r].parameters)};
+                Subject subject = {&rows[r], engine, tracer_with(engine, &rows[r])};
                 run(&subject, &worsts[r][e]);
                 engine->release(subject.tracer);
             }
@@ -601,7 +584,7 @@ static void case_lanes(const Subject *subject, Worst *unused) {
                                     : subject->engine->mantissa_bits == 53 ? "f64x1"
                                                                            : "f128x1",
                                     &error);
-    Tracer *tracer = tracer_with(one, kind_of(subject->row), subject->row->parameters);
+    Tracer *tracer = tracer_with(one, subject->row);
     uint64_t state = 5;
     RayQuery rays[101];
     RayAnswer a[101], b[101];

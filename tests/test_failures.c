@@ -8,18 +8,6 @@
 
 #include <stdlib.h>
 
-/** As the scene language says a sphere. */
-typedef struct SphereParameters {
-    Vector3 center; /**< Centre. */
-    double radius;  /**< Radius. */
-} SphereParameters;
-
-/** As the scene language says a plane. */
-typedef struct PlaneParameters {
-    Vector3 point;  /**< A point. */
-    Vector3 normal; /**< Its normal. */
-} PlaneParameters;
-
 /** As the scene language says a quad. */
 typedef struct QuadParameters {
     Vector3 corner; /**< A corner. */
@@ -35,47 +23,6 @@ typedef struct BoxParameters {
 
 /** Rays that a packet of questions holds. */
 enum { BATCH = 4096 };
-
-/** @return An empty scene with a camera. */
-static Scene *empty_scene(void) {
-    Error error = {0};
-    Scene *scene = scene_create(&error);
-    assert_non_null(scene);
-    scene->camera = *(const Camera *)camera_keyword.defaults;
-    return scene;
-}
-
-/** Adds a shape. @param scene The scene. @param name The shape's keyword. @param parameters It. */
-static void add(Scene *scene, const char *name, const void *parameters) {
-    const Keyword *const *keywords = engine_list()[0]->shape_keywords;
-    size_t kind = 0;
-    while (strcmp(keywords[kind]->name, name) != 0) {
-        kind++;
-    }
-    Error error = {0};
-    assert_true(scene_add_shape(scene, kind, keywords[kind], parameters, 0, &error));
-}
-
-/** @return A tracer. @param engine The engine. @param scene The scene. */
-static Tracer *prepare(const Engine *engine, const Scene *scene) {
-    Error error = {0};
-    TraceSettings settings = {.offset = OFFSET_BOUND};
-    Tracer *tracer = engine->prepare(scene, &settings, &error);
-    assert_non_null(tracer);
-    return tracer;
-}
-
-/** A test of one engine. @param engine The engine. */
-typedef void (*EngineTest)(const Engine *engine);
-
-/** Runs a test in every engine that this machine can run. @param test The test. */
-static void in_every_engine(EngineTest test) {
-    for (const Engine *const *engine = engine_list(); *engine; engine++) {
-        if (engine_is_supported(*engine)) {
-            test(*engine);
-        }
-    }
-}
 
 /** @return How many rays to ask: the reference engine is a hundred times slower. @param engine It.
  *  @param count For the others. */
@@ -112,7 +59,7 @@ static void ground_sphere(const Engine *engine) {
     for (double radius = 1e2; radius <= 1e6; radius *= 10) {
         Scene *scene = empty_scene();
         SphereParameters ground = {{0, 0, 0}, radius};
-        add(scene, "sphere", &ground);
+        add_shape(scene, "sphere", &ground);
         Tracer *tracer = prepare(engine, scene);
         double worst = 0, height = radius + 1;
         for (int n = 0; n < 2000; n++) {
@@ -141,7 +88,7 @@ static void far_sphere(const Engine *engine) {
     for (double away = 1e3; away <= 1e6; away *= 10) {
         Scene *scene = empty_scene();
         SphereParameters ball = {{0, 0, 0}, 1};
-        add(scene, "sphere", &ball);
+        add_shape(scene, "sphere", &ball);
         Tracer *tracer = prepare(engine, scene);
         int wrong = 0;
         for (int n = 0; n < 4000; n++) {
@@ -177,7 +124,7 @@ static Scene *quad_room(void) {
                               {far, minus_y, minus_z},
                               {far, minus_z, minus_x}};
     for (size_t i = 0; i < sizeof walls / sizeof *walls; i++) {
-        add(scene, "quad", &walls[i]);
+        add_shape(scene, "quad", &walls[i]);
     }
     return scene;
 }
@@ -238,8 +185,8 @@ static void coincident_quads(const Engine *engine) {
     Scene *scene = empty_scene();
     QuadParameters first = {{-1, -1, -3}, {2, 0, 0}, {0, 2, 0}};
     QuadParameters second = {{2, 2, -3}, {-4, 0, 0}, {0, -4, 0}};
-    add(scene, "quad", &first);
-    add(scene, "quad", &second);
+    add_shape(scene, "quad", &first);
+    add_shape(scene, "quad", &second);
     Tracer *tracer = prepare(engine, scene);
     uint64_t state = 4;
     for (int n = 0; n < 20000; n++) {
@@ -261,7 +208,7 @@ static void coincident_quads(const Engine *engine) {
 static void grazing_plane(const Engine *engine) {
     Scene *scene = empty_scene();
     PlaneParameters floor = {{1e6, -1, -1e6}, {0, 1, 0}};
-    add(scene, "plane", &floor);
+    add_shape(scene, "plane", &floor);
     Tracer *tracer = prepare(engine, scene);
     for (double degrees = 30; degrees > 0.0005; degrees /= 10) {
         double sine = (double)(float)sin(degrees * M_PI / 180);
@@ -290,7 +237,7 @@ static void grazing_plane(const Engine *engine) {
 static void touching_box(const Engine *engine) {
     Scene *scene = empty_scene();
     BoxParameters box = {{-1, -1, -1}, {1, 1, 1}};
-    add(scene, "box", &box);
+    add_shape(scene, "box", &box);
     Tracer *tracer = prepare(engine, scene);
     uint64_t state = 5;
     long missed = 0, count = scaled(engine, 200000);
@@ -333,8 +280,8 @@ static void packets_drop_nothing(const Engine *engine) {
         SphereParameters ball = {p, random_float(&state, 0.1, 0.6)};
         BoxParameters box = {{-p.x, p.y, p.z}, {0.5 - p.x, 0.25 + p.y, 0.75 + p.z}};
         QuadParameters sheet = {{p.y, p.z, p.x}, {0.5, 0, 0}, {0, 0.25, 0.5}};
-        add(scene, "sphere", &ball);
-        add(scene, i % 2 ? "box" : "quad", i % 2 ? (void *)&box : (void *)&sheet);
+        add_shape(scene, "sphere", &ball);
+        add_shape(scene, i % 2 ? "box" : "quad", i % 2 ? (void *)&box : (void *)&sheet);
     }
     Tracer *tracer = prepare(engine, scene);
     enum { TOGETHER = 64 };

@@ -257,14 +257,9 @@ static void test_small_sizes(void **state) {
 static void test_symmetry(void **state) {
     (void)state;
     Error error = {0};
-    Scene *scene = scene_create(&error);
-    scene->camera = *(const Camera *)camera_keyword.defaults;
-    struct {
-        Vector3 center; /**< Centre. */
-        double radius;  /**< Radius. */
-    } ball = {{0, 0, -4}, 1};
-    const Keyword *sphere = engine_list()[0]->shape_keywords[0];
-    assert_true(scene_add_shape(scene, 0, sphere, &ball, 0, &error));
+    Scene *scene = empty_scene();
+    SphereParameters ball = {{0, 0, -4}, 1};
+    add_shape(scene, "sphere", &ball);
     Light light = *(const Light *)light_keyword.defaults;
     light.position = (Vector3){0, 3, 0};
     assert_true(scene_add_light(scene, &light, &error));
@@ -280,89 +275,77 @@ static void test_symmetry(void **state) {
     scene_destroy(scene);
 }
 
-/** Facing mirrors: the n-th image is rho^n as bright (closed form), in every engine. One sees a
- *  glowing wall behind itself in two mirrors; each order of it is a step darker.
- *  @param state Not used. */
+/** Facing mirrors: the n-th image is rho^n as bright (closed form). One sees a glowing wall behind
+ *  itself in two mirrors; each order of it is a step darker. @param engine The engine. */
+static void facing_mirrors(const Engine *engine) {
+    const double share = 0.5;
+    Error error = {0};
+    Scene *scene = empty_scene();
+    Material mirror = *(const Material *)material_keyword.defaults;
+    mirror.reflectivity = (Color){share, share, share};
+    mirror.color = (Color){0, 0, 0};
+    mirror.emission = (Color){0.25, 0.25, 0.25};
+    assert_true(scene_add_material(scene, &mirror, &error));
+    PlaneParameters front = {{0, 0, -1}, {0, 0, 1}}, back = {{0, 0, 1}, {0, 0, 1}};
+    add_shape(scene, "plane", &front);
+    add_shape(scene, "plane", &back);
+    for (int depth = 0; depth < 12; depth++) {
+        double rgb[3];
+        scene->image.depth = depth;
+        RayCounts counts = trace_pixel(engine, scene, rgb);
+        // 0.25 (1 + rho + ... + rho^depth); every term is exact in binary.
+        double truth = 0.25 * (1 - pow(share, depth + 1)) / (1 - share);
+        assert_at_most(fabs(rgb[0] - truth), 0, "depth %d in %s", depth, engine->name);
+        assert_int_equal((int)counts.mirror, depth);
+    }
+    scene_destroy(scene);
+}
+
+/** @param state Not used. */
 static void test_facing_mirrors(void **state) {
     (void)state;
-    for (const Engine *const *engine = engine_list(); *engine; engine++) {
-        if (!engine_is_supported(*engine)) {
-            continue;
+    in_every_engine(facing_mirrors);
+}
+
+/** @return A wall with two lamps at 45 degrees above the point that the camera looks at.
+ *  @param away How far the wall is from the camera and from the lamps' feet. */
+static Scene *wall_with_lamps(double away) {
+    Error error = {0};
+    Scene *scene = empty_scene();
+    PlaneParameters wall = {{0, 0, -away}, {0, 0, 1}};
+    add_shape(scene, "plane", &wall);
+    for (int i = 0; i < 2; i++) {
+        Light light = {.position = {i ? away : -away, 0, 0},
+                       .color = {1, 0.5, 0.25},
+                       .intensity = away * away,
+                       .falloff = FALLOFF_INVERSE_SQUARE};
+        assert_true(scene_add_light(scene, &light, &error));
+    }
+    return scene;
+}
+
+/** Point lights add, weaken with the square of the distance and with the cosine, to a few ulps of
+ *  the closed form, from 1e-6 to 1e6 away (rows A3, A5, A6). @param engine The engine. */
+static void irradiance(const Engine *engine) {
+    for (double away = 1e-6; away <= 1e6; away *= 100) {
+        double rgb[3];
+        Scene *scene = wall_with_lamps(away);
+        RayCounts counts = trace_pixel(engine, scene, rgb);
+        // Two lamps at 45 degrees, sqrt(2) away: 2 * cos 45 / 2.
+        double u = engine->mantissa_bits == 24 ? 0x1p-24 : 0x1p-52;
+        for (int c = 0; c < 3; c++) {
+            assert_at_most(fabs(rgb[c] - ldexp(sqrt(0.5), -c)), 16 * u, "light %g away in %s", away,
+                           engine->name);
         }
-        const double share = 0.5;
-        Error error = {0};
-        Scene *scene = scene_create(&error);
-        scene->camera = *(const Camera *)camera_keyword.defaults;
-        Material mirror = *(const Material *)material_keyword.defaults;
-        mirror.reflectivity = (Color){share, share, share};
-        mirror.color = (Color){0, 0, 0};
-        mirror.emission = (Color){0.25, 0.25, 0.25};
-        assert_true(scene_add_material(scene, &mirror, &error));
-        struct {
-            Vector3 point;  /**< A point. */
-            Vector3 normal; /**< The normal. */
-        } front = {{0, 0, -1}, {0, 0, 1}}, back = {{0, 0, 1}, {0, 0, 1}};
-        const Keyword *plane = engine_list()[0]->shape_keywords[1];
-        assert_true(scene_add_shape(scene, 1, plane, &front, 1, &error));
-        assert_true(scene_add_shape(scene, 1, plane, &back, 1, &error));
-        for (int depth = 0; depth < 12; depth++) {
-            TraceSettings trace = {.depth = depth, .offset = OFFSET_BOUND};
-            Tracer *tracer = (*engine)->prepare(scene, &trace, &error);
-            (*engine)->look(tracer, scene, 1, 1);
-            PixelGrid grid = {.columns = 1, .rows = 1, .stride = 1};
-            RayCounts counts = {0};
-            double rgb[3];
-            (*engine)->trace(tracer, &grid, rgb, &counts);
-            // 0.25 (1 + rho + ... + rho^depth); every term is exact in binary.
-            double truth = 0.25 * (1 - pow(share, depth + 1)) / (1 - share);
-            assert_at_most(fabs(rgb[0] - truth), 0, "depth %d in %s", depth, (*engine)->name);
-            assert_int_equal((int)counts.mirror, depth);
-            (*engine)->release(tracer);
-        }
+        assert_int_equal((int)counts.shadow, 2);
         scene_destroy(scene);
     }
 }
 
-/** Point lights add, weaken with the square of the distance and with the cosine, to a few ulps of
- *  the closed form, from 1e-6 to 1e6 away (rows A3, A5, A6). @param state Not used. */
+/** @param state Not used. */
 static void test_irradiance(void **state) {
     (void)state;
-    for (const Engine *const *engine = engine_list(); *engine; engine++) {
-        for (double away = 1e-6; away <= 1e6 && engine_is_supported(*engine); away *= 100) {
-            Error error = {0};
-            Scene *scene = scene_create(&error);
-            scene->camera = *(const Camera *)camera_keyword.defaults;
-            struct {
-                Vector3 point;  /**< A point. */
-                Vector3 normal; /**< The normal. */
-            } wall = {{0, 0, -away}, {0, 0, 1}};
-            const Keyword *plane = engine_list()[0]->shape_keywords[1];
-            assert_true(scene_add_shape(scene, 1, plane, &wall, 0, &error));
-            for (int i = 0; i < 2; i++) {
-                Light light = {.position = {i ? away : -away, 0, 0},
-                               .color = {1, 0.5, 0.25},
-                               .intensity = away * away,
-                               .falloff = FALLOFF_INVERSE_SQUARE};
-                assert_true(scene_add_light(scene, &light, &error));
-            }
-            TraceSettings trace = {.offset = OFFSET_BOUND};
-            Tracer *tracer = (*engine)->prepare(scene, &trace, &error);
-            (*engine)->look(tracer, scene, 1, 1);
-            PixelGrid grid = {.columns = 1, .rows = 1, .stride = 1};
-            RayCounts counts = {0};
-            double rgb[3];
-            (*engine)->trace(tracer, &grid, rgb, &counts);
-            // Two lamps at 45 degrees, sqrt(2) away: 2 * cos 45 / 2.
-            double u = (*engine)->mantissa_bits == 24 ? 0x1p-24 : 0x1p-52;
-            for (int c = 0; c < 3; c++) {
-                assert_at_most(fabs(rgb[c] - ldexp(sqrt(0.5), -c)), 16 * u, "light %g away in %s",
-                               away, (*engine)->name);
-            }
-            assert_int_equal((int)counts.shadow, 2);
-            (*engine)->release(tracer);
-            scene_destroy(scene);
-        }
-    }
+    in_every_engine(irradiance);
 }
 
 /** No offset shows the black points of report C, the default shows none: a lit ball without
@@ -370,13 +353,9 @@ static void test_irradiance(void **state) {
 static void test_acne(void **state) {
     (void)state;
     Error error = {0};
-    Scene *scene = scene_create(&error);
-    scene->camera = *(const Camera *)camera_keyword.defaults;
-    struct {
-        Vector3 center; /**< Centre. */
-        double radius;  /**< Radius. */
-    } ball = {{0.3, 0.1, -40.7}, 3.3};
-    assert_true(scene_add_shape(scene, 0, engine_list()[0]->shape_keywords[0], &ball, 0, &error));
+    Scene *scene = empty_scene();
+    SphereParameters ball = {{0.3, 0.1, -40.7}, 3.3};
+    add_shape(scene, "sphere", &ball);
     Light light = {.position = {0, 0, 0}, .color = {1, 1, 1}, .intensity = 1};
     assert_true(scene_add_light(scene, &light, &error));
     int dark[2] = {0, 0};

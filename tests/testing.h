@@ -1,6 +1,7 @@
 /**
  * @file
- * @brief What the tests share: assertions that say what was measured, random numbers, ulps.
+ * @brief What the tests share: assertions that say what was measured, random numbers, ulps, small
+ *        scenes.
  */
 #ifndef DIOPTRE_TESTING_H
 #define DIOPTRE_TESTING_H
@@ -63,6 +64,75 @@ static inline Quadruple roundoff(const Engine *engine) {
         u /= 2;
     }
     return u;
+}
+
+/** As the scene language says a sphere. */
+typedef struct SphereParameters {
+    Vector3 center; /**< Centre. */
+    double radius;  /**< Radius. */
+} SphereParameters;
+
+/** As the scene language says a plane. */
+typedef struct PlaneParameters {
+    Vector3 point;  /**< A point. */
+    Vector3 normal; /**< Its normal. */
+} PlaneParameters;
+
+/** @return An empty scene with a camera at the origin that looks along -z; to be given back. */
+static inline Scene *empty_scene(void) {
+    Error error = {0};
+    Scene *scene = scene_create(&error);
+    assert_non_null(scene);
+    scene->camera = *(const Camera *)camera_keyword.defaults;
+    return scene;
+}
+
+/** Adds a shape of the newest material. @param scene The scene. @param name The shape's keyword.
+ *  @param parameters As the scene language says it. */
+static inline void add_shape(Scene *scene, const char *name, const void *parameters) {
+    const Keyword *const *keywords = engine_list()[0]->shape_keywords;
+    size_t kind = 0;
+    while (keywords[kind] && strcmp(keywords[kind]->name, name) != 0) {
+        kind++;
+    }
+    assert_non_null(keywords[kind]);
+    Error error = {0};
+    size_t material = scene->material_count - 1;
+    assert_true(scene_add_shape(scene, kind, keywords[kind], parameters, material, &error));
+}
+
+/** @return A tracer as deep as the scene's picture, to be given back. @param engine The engine.
+ *  @param scene The scene. */
+static inline Tracer *prepare(const Engine *engine, const Scene *scene) {
+    Error error = {0};
+    TraceSettings settings = {.depth = scene->image.depth, .offset = OFFSET_BOUND};
+    Tracer *tracer = engine->prepare(scene, &settings, &error);
+    assert_non_null(tracer);
+    return tracer;
+}
+
+/** Traces the one pixel of a picture of one. @param engine The engine. @param scene The scene.
+ *  @param[out] rgb Its linear light. @return The rays that it took. */
+static inline RayCounts trace_pixel(const Engine *engine, const Scene *scene, double rgb[3]) {
+    PixelGrid grid = {.columns = 1, .rows = 1, .stride = 1};
+    RayCounts counts = {0};
+    Tracer *tracer = prepare(engine, scene);
+    engine->look(tracer, scene, 1, 1);
+    engine->trace(tracer, &grid, rgb, &counts);
+    engine->release(tracer);
+    return counts;
+}
+
+/** A test of one engine. @param engine The engine. */
+typedef void (*EngineTest)(const Engine *engine);
+
+/** Runs a test in every engine that this machine can run. @param test The test. */
+static inline void in_every_engine(EngineTest test) {
+    for (const Engine *const *engine = engine_list(); *engine; engine++) {
+        if (engine_is_supported(*engine)) {
+            test(*engine);
+        }
+    }
 }
 
 #endif

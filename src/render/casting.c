@@ -15,7 +15,7 @@
 /** What the threads share. */
 typedef struct Casting {
     const Renderer *renderer; /**< The renderer. */
-    const PlainRay *rays;  /**< Random rays; NULL: the camera's. */
+    const PlainRay *rays;     /**< Random rays; NULL: the camera's. */
     size_t count;             /**< How many rays in all. */
 } Casting;
 

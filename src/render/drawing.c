@@ -112,7 +112,8 @@ static void block_encode(const Drawing *drawing, const PixelGrid *block, const P
     }
 }
 
-/** Adds up samples. @param[in,out] sums The sums. @param sample One sample. @param rays How many. */
+/** Adds up samples. @param[in,out] sums The sums. @param sample One sample. @param rays How many.
+ */
 static void block_add(double *sums, const double *sample, size_t rays) {
     for (size_t i = 0; i < 3 * rays; i++) {
         sums[i] += sample[i];

@@ -111,7 +111,7 @@ bool atomic_file_open(AtomicFile *file, const char *path, AtomicMode mode, Error
 }
 
 bool atomic_file_check(const char *path, Error *error) {
-    Place place;
+    Place place = {.mode = 0};
     bool can_be_written =
         place_find(&place, path) && (place_is_direct(&place) || place_has_folder(&place));
     return can_be_written || fail(error);

@@ -72,7 +72,7 @@ static const ImageFormat *format_by_ending(const char *path) {
  */
 static const ImageFormat *format_to_write(const char *path, Error *error) {
     const ImageFormat *format = format_by_ending(path);
-    Place place;
+    Place place = {.mode = 0};
     if (!format && place_find(&place, path) && place_is_direct(&place)) {
         return &formats[0];
     }

@@ -27,7 +27,8 @@ typedef struct Block {
 static void *block_allocate(Block *block, size_t size, Error *error) {
     size_t start = (block->used + alignof(max_align_t) - 1) & ~(alignof(max_align_t) - 1);
     if (size > SCENE_MEMORY - start) {
-        error_set(error, STATUS_SCENE, "the scene has more shapes, lights and materials than %zu MiB hold",
+        error_set(error, STATUS_SCENE,
+                  "the scene has more shapes, lights and materials than %zu MiB hold",
                   SCENE_MEMORY >> 20);
         return NULL;
     }

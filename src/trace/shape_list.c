@@ -160,7 +160,10 @@ static void shape_blocked(const Shape *shape, const Packet *packet, mask *blocke
 }
 
 void shape_list_nearest(const ShapeList *list, const Packet *packet, Hit *hits) {
-    Spans spans = LANES == 1 ? (Spans){0} : packet_spans(packet);
+    Spans spans = {0};
+    if (LANES > 1) {
+        spans = packet_spans(packet);
+    }
     for (int v = 0; v < PACKET_VECTORS; v++) {
         hits[v] = hit_nothing(packet->limit[v]);
     }
@@ -175,7 +178,10 @@ void shape_list_nearest(const ShapeList *list, const Packet *packet, Hit *hits) 
 }
 
 void shape_list_blocked(const ShapeList *list, const Packet *packet, mask *blocked) {
-    Spans spans = LANES == 1 ? (Spans){0} : packet_spans(packet);
+    Spans spans = {0};
+    if (LANES > 1) {
+        spans = packet_spans(packet);
+    }
     for (int v = 0; v < PACKET_VECTORS; v++) {
         blocked[v] = mask_of(false);
     }

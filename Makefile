@@ -40,7 +40,8 @@ ENGINES := f32x16 f32x8 f32x4 f32x1 f64x4 f64x1 f128x1
 
 # --- sources -------------------------------------------------------------------------------------
 TRACE_SOURCES := $(wildcard src/trace/*.c src/trace/shapes/*.c)
-ROOM_SOURCES  := $(wildcard src/scene/*.c src/render/*.c src/script/*.c src/assets/*.c src/view/*.c)
+MODULE_SOURCES := $(wildcard src/assets/*_module.c)
+ROOM_SOURCES  := $(filter-out $(MODULE_SOURCES),$(wildcard src/scene/*.c src/render/*.c src/script/*.c src/assets/*.c src/view/*.c))
 CLI_SOURCES   := $(wildcard src/cli/*.c)
 OBJ           := $(BUILD)/obj
 ENGINE_OBJECTS := $(ENGINES:%=$(OBJ)/engine-%.o)
@@ -49,21 +50,28 @@ CLI_OBJECTS   := $(CLI_SOURCES:%.c=$(OBJ)/%.o)
 TEST_SOURCES  := $(wildcard tests/test_*.c)
 TESTS         := $(TEST_SOURCES:tests/%.c=$(BUILD)/tests/%)
 PROGRAM       := $(BUILD)/dioptre
-MODULE        := $(BUILD)/dioptre-images.so
+IMAGES_MODULE := $(BUILD)/dioptre-images.so
+MESHES_MODULE := $(BUILD)/dioptre-meshes.so
+MODULES       := $(IMAGES_MODULE) $(MESHES_MODULE)
 LIBRARIES     = $(call PKG_LIBS,sdl2 SDL2_ttf lua5.4) -ldl -lm -pthread
 
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 .PHONY: all
-all: $(PROGRAM) $(MODULE)
+all: $(PROGRAM) $(MODULES)
 
 $(PROGRAM): $(CLI_OBJECTS) $(ROOM_OBJECTS)
 	$(CC) $(CFLAGS) -o $@ $^ $(LIBRARIES)
 
-$(MODULE): src/assets/images_module.cpp src/assets/images_module.h Makefile
+$(IMAGES_MODULE): src/assets/images_module.cpp src/assets/images_module.h Makefile
 	$(call NEED,OpenImageIO,libopenimageio-dev)
 	@mkdir -p $(@D)
 	$(CXX) $(CPPFLAGS) $(CXXFLAGS) $(call PKG_CFLAGS,OpenImageIO) -shared -o $@ $< $(call PKG_LIBS,OpenImageIO)
+
+$(MESHES_MODULE): src/assets/meshes_module.c src/assets/meshes_module.h Makefile
+	$(call NEED,assimp,libassimp-dev)
+	@mkdir -p $(@D)
+	$(CC) $(CPPFLAGS) $(CFLAGS) -fvisibility=hidden $(call PKG_CFLAGS,assimp) -shared -o $@ $< $(call PKG_LIBS,assimp)
 
 .PHONY: libraries
 libraries:
@@ -90,7 +98,7 @@ $(foreach engine,$(ENGINES),$(eval $(call ENGINE_RULES,$(engine))))
 -include $(shell find $(OBJ) -name '*.d' 2>/dev/null)
 
 # --- packages: what a bare Debian 12 with gcc and make lacks --------------------------------------
-RUN_PACKAGES  := g++ pkg-config libsdl2-dev libsdl2-ttf-dev liblua5.4-dev libopenimageio-dev fonts-dejavu-core
+RUN_PACKAGES  := g++ pkg-config libsdl2-dev libsdl2-ttf-dev liblua5.4-dev libopenimageio-dev libassimp-dev fonts-dejavu-core
 TEST_PACKAGES := libcmocka-dev clang libclang-rt-14-dev xvfb xauth xdotool x11-xkb-utils xkb-data \
                  imagemagick openbox qemu-user doxygen graphviz
 PEER_PACKAGES := povray tachyon
@@ -177,7 +185,9 @@ lint:
 .PHONY: install
 install: all
 	install -D -m 755 $(PROGRAM) $(DESTDIR)$(PREFIX)/bin/dioptre
-	install -D -m 755 $(MODULE) $(DESTDIR)$(PREFIX)/lib/dioptre/dioptre-images.so
+	for module in $(MODULES); do \
+	    install -D -m 755 $$module $(DESTDIR)$(PREFIX)/lib/dioptre/$${module##*/} || exit 1; \
+	done
 	install -D -m 644 doc/dioptre.1 $(DESTDIR)$(PREFIX)/share/man/man1/dioptre.1
 	for scene in scenes/*.lua; do \
 	    install -D -m 644 $$scene $(DESTDIR)$(PREFIX)/share/dioptre/$$scene || exit 1; \

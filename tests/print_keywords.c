@@ -20,7 +20,8 @@ static const char *type_name(const Parameter *row) {
                                         [PARAMETER_WORD] = "word",
                                         [PARAMETER_VECTOR] = "`{x, y, z}`",
                                         [PARAMETER_DIRECTION] = "`{x, y, z}`, not zero",
-                                        [PARAMETER_COLOR] = "colour"};
+                                        [PARAMETER_COLOR] = "colour",
+                                        [PARAMETER_MESH] = "name of a model file"};
     return names[row->type];
 }
 
@@ -30,7 +31,7 @@ static void print_range(const Parameter *row) {
         for (int i = 0; row->words[i]; i++) {
             printf("%s`\"%s\"`", i ? ", " : "", row->words[i]);
         }
-    } else if (row->type != PARAMETER_BOOLEAN) {
+    } else if (row->type != PARAMETER_BOOLEAN && row->type != PARAMETER_MESH) {
         printf("%s%.15g to %.15g", row->above_minimum ? "above " : "", row->minimum, row->maximum);
     }
 }
@@ -51,6 +52,9 @@ static void print_value(const Parameter *row, const void *values) {
         break;
     case PARAMETER_WORD:
         printf("`\"%s\"`", row->words[*(const int *)field]);
+        break;
+    case PARAMETER_MESH:
+        printf("none: it must be given");
         break;
     default:
         printf("`{%.15g, %.15g, %.15g}`", part[0], part[1], part[2]);

@@ -24,7 +24,9 @@ typedef enum {
     PARAMETER_WORD,      /**< `int`: the place of the word in #Parameter.words */
     PARAMETER_VECTOR,    /**< `Vector3`, any */
     PARAMETER_DIRECTION, /**< `Vector3`, not zero */
-    PARAMETER_COLOR      /**< `Color`: `{r, g, b}`, one number for grey, or `"#rrggbb"` in sRGB */
+    PARAMETER_COLOR,     /**< `Color`: `{r, g, b}`, one number for grey, or `"#rrggbb"` in sRGB */
+    PARAMETER_MESH       /**< `size_t`: the place in #Scene.meshes of the model file that is named.
+                              It has no default: #Keyword.finish sees whether it was given */
 } ParameterType;
 
 /** One field of a keyword: a row of a parameter table. A table ends with a row without a name. */

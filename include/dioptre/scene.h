@@ -13,6 +13,7 @@
 #include "dioptre/encoding.h"
 #include "dioptre/light.h"
 #include "dioptre/material.h"
+#include "dioptre/mesh.h"
 #include "dioptre/parameter.h"
 
 /** Largest width and height of a picture, in pixels. */
@@ -51,6 +52,15 @@ typedef struct SceneShape {
     size_t material;        /**< Place in #Scene.materials. */
 } SceneShape;
 
+/** A model file that a scene names; once, however often it is named. */
+typedef struct SceneMesh {
+    const char *path;  /**< Where it is, absolute and without links. */
+    const char *name;  /**< As the scene names it. */
+    const char *where; /**< `FILE:LINE` where it is named first: errors about it begin so. */
+    Mesh *mesh;        /**< What is in it; owned by the scene. NULL until it is read, which is after
+                            the scene file has run. */
+} SceneMesh;
+
 /** A whole scene. The arrays are owned by the scene. */
 typedef struct Scene {
     Camera camera;         /**< From where it is seen. */
@@ -64,6 +74,8 @@ typedef struct Scene {
     size_t material_count; /**< How many, at least 1. */
     SceneShape *shapes;    /**< What stands in it. */
     size_t shape_count;    /**< How many. */
+    SceneMesh *meshes;     /**< The models that the shapes name. */
+    size_t mesh_count;     /**< How many. */
 } Scene;
 
 /**
@@ -106,6 +118,16 @@ bool scene_add_material(Scene *scene, const Material *material, Error *error);
  */
 bool scene_add_shape(Scene *scene, size_t kind, const Keyword *keyword, const void *parameters,
                      size_t material, Error *error);
+
+/**
+ * Adds a model file, unless it is there already.
+ * @param[in,out] scene  The scene.
+ * @param model          The file, without a mesh; its words are copied.
+ * @param[out] place     Its place in #Scene.meshes.
+ * @param[out] error     What is wrong.
+ * @return false when the scene's memory is full.
+ */
+bool scene_add_mesh(Scene *scene, const SceneMesh *model, size_t *place, Error *error);
 
 /** @return Whether any shape of a scene mirrors. @param scene A scene. */
 bool scene_has_mirrors(const Scene *scene);

@@ -21,10 +21,11 @@ typedef struct ScriptRequest {
     double seconds;       /**< How long it may run; #SCRIPT_SECONDS. */
     size_t memory;        /**< How many bytes its data may take; #SCRIPT_MEMORY. */
     const Keyword *const *shape_keywords; /**< The shapes it can name, ended by NULL. */
+    const MeshProgress *progress; /**< Told how far its model files are read; NULL: nobody is. */
 } ScriptRequest;
 
 /**
- * Runs a scene file.
+ * Runs a scene file, and reads the model files that it names.
  * @param request     What to load.
  * @param[out] error  `FILE:LINE: what is wrong`, with #STATUS_SCENE.
  * @return The scene, with a camera, to be given back with #scene_destroy; NULL if anything is

@@ -91,25 +91,52 @@ static int milliseconds_until(double deadline) {
 
 /**
  * Sleeps until a pipe is closed at its other end.
- * @param pipe      The end to read from.
- * @param deadline  Until when, on #clock_seconds.
- * @return Whether it was closed in time.
+ * @param pipe   The end to read from.
+ * @param until  Until when, on #clock_seconds.
+ * @param[out] is_closed  Whether it was closed in time.
+ * @return false where there is no sense in sleeping on: it is closed, or cannot be watched.
  */
-static bool wait_for_close(int pipe, double deadline) {
+static bool wait_for_close(int pipe, double until, bool *is_closed) {
     struct pollfd watched = {.fd = pipe, .events = POLLIN};
+    *is_closed = false;
     for (;;) {
-        int left = milliseconds_until(deadline);
-        int ready = poll(&watched, 1, left);
+        int ready = poll(&watched, 1, milliseconds_until(until));
         if (ready > 0) {
-            return true;
-        }
-        if (ready == 0 && milliseconds_until(deadline) == 0) {
+            *is_closed = true;
             return false;
+        }
+        if (ready == 0 && milliseconds_until(until) == 0) {
+            return true;
         }
         if (ready < 0 && errno != EINTR) {
             return false;
         }
     }
+}
+
+/**
+ * Sleeps until a pipe is closed at its other end, and tells a watcher now and then.
+ * @param pipe      The end to read from.
+ * @param start     When the child was started, on #clock_seconds.
+ * @param deadline  Until when, on #clock_seconds.
+ * @param watcher   Who is told; NULL: nobody.
+ * @return Whether it was closed in time.
+ */
+static bool watch(int pipe, double start, double deadline, const ChildWatcher *watcher) {
+    /** Seconds from one telling to the next: five a second are smooth enough to read. */
+    const double pause = 0.2;
+    bool is_closed;
+    double until;
+    do {
+        until = watcher ? fmin(deadline, clock_seconds() + pause) : deadline;
+        if (!wait_for_close(pipe, until, &is_closed)) {
+            return is_closed;
+        }
+        if (watcher) {
+            watcher->tell(watcher->context, clock_seconds() - start);
+        }
+    } while (until < deadline);
+    return false;
 }
 
 /**
@@ -137,7 +164,12 @@ static ChildEnd reap(pid_t child, bool is_late, int *detail) {
 }
 
 ChildEnd child_run(void (*work)(void *context), void *context, double seconds, int *detail) {
-    double deadline = clock_seconds() + seconds;
+    return child_run_watched(work, context, seconds, NULL, detail);
+}
+
+ChildEnd child_run_watched(void (*work)(void *context), void *context, double seconds,
+                           const ChildWatcher *watcher, int *detail) {
+    double started = clock_seconds(), deadline = started + seconds;
     // The child holds the writing end for as long as it lives, and never writes.
     int ends[2];
     *detail = 0;
@@ -152,7 +184,7 @@ ChildEnd child_run(void (*work)(void *context), void *context, double seconds, i
     if (child < 0) {
         *detail = reason;
     } else {
-        end = reap(child, !wait_for_close(ends[0], deadline), detail);
+        end = reap(child, !watch(ends[0], started, deadline, watcher), detail);
     }
     close(ends[0]);
     return end;

@@ -28,4 +28,23 @@ typedef enum {
  */
 ChildEnd child_run(void (*work)(void *context), void *context, double seconds, int *detail);
 
+/** Somebody who is told, while a child works, that it still does. */
+typedef struct ChildWatcher {
+    void (*tell)(void *context, double seconds); /**< Told the seconds since the start. */
+    void *context;                               /**< Handed to it. */
+} ChildWatcher;
+
+/**
+ * Does work in a child process as #child_run does, and tells somebody about five times a second
+ * that it goes on.
+ * @param work           The work.
+ * @param[in,out] context  Handed to the work.
+ * @param seconds        How long it may take, by the clock on the wall.
+ * @param watcher        Who is told, in this process and thread; NULL: nobody.
+ * @param[out] detail    The signal after #CHILD_CRASHED, errno after #CHILD_UNSTARTED, else 0.
+ * @return How it ended.
+ */
+ChildEnd child_run_watched(void (*work)(void *context), void *context, double seconds,
+                           const ChildWatcher *watcher, int *detail);
+
 #endif

@@ -4,22 +4,24 @@
  */
 #include "assets/images.h"
 
-#include <dlfcn.h>
+#include "assets/module.h"
+
 #include <errno.h>
-#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
-
-/** File name of the module. */
-#define MODULE_FILE "dioptre-images.so"
-/** Where the module is installed, seen from the folder of the program. */
-#define INSTALLED_FOLDER "../lib/dioptre"
-/** What still works without the module. */
-#define BMP_WORKS "names that end in .bmp work without it"
 
 /** Bytes a pixel in a #Picture. */
 enum { CHANNELS = 3 };
+
+/** The picture module. */
+static const Module images_module = {.file = "dioptre-images.so",
+                                     .symbol = IMAGES_MODULE_SYMBOL,
+                                     .version = IMAGES_MODULE_VERSION,
+                                     .purpose = "all formats but BMP",
+                                     .library = "OpenImageIO",
+                                     .to_build = "libopenimageio-dev",
+                                     .to_run = "libopenimageio2.4",
+                                     .without = "; names that end in .bmp work without it"};
 
 /**
  * Forgets what the user's environment would have OpenImageIO load or do: whoever sends a scene to
@@ -30,89 +32,14 @@ static void forget_environment(void) {
     unsetenv("OPENIMAGEIO_OPTIONS");
 }
 
-/**
- * Finds the module's one symbol.
- * @param handle      The open module.
- * @param[out] error  What is wrong.
- * @return The module; NULL when it is not of this program's version.
- */
-static const ImagesModule *find_symbol(void *handle, Error *error) {
-    const ImagesModule *module = dlsym(handle, IMAGES_MODULE_SYMBOL);
-    if (!module || module->version != IMAGES_MODULE_VERSION) {
-        error_set(error, STATUS_FAILED,
-                  "%s is of another version of this program: run make again; " BMP_WORKS,
-                  MODULE_FILE);
-        return NULL;
-    }
-    return module;
-}
-
-/**
- * Says whether the module is in a folder.
- * @param folder  The folder.
- * @return Whether it is, and can be read.
- */
-static bool has_module(const char *folder) {
-    char path[PATH_MAX];
-    return snprintf(path, sizeof path, "%s/%s", folder, MODULE_FILE) < PATH_MAX &&
-           access(path, R_OK) == 0;
-}
-
 const ImagesModule *images_load_from(const char *folder, Error *error) {
-    if (!has_module(folder)) {
-        error_set(error, STATUS_FAILED,
-                  "all formats but BMP need the module %s, which is not in %s: install "
-                  "libopenimageio-dev and run make; " BMP_WORKS,
-                  MODULE_FILE, folder);
-        return NULL;
-    }
-    char path[PATH_MAX];
-    snprintf(path, sizeof path, "%s/%s", folder, MODULE_FILE);
     forget_environment();
-    void *handle = dlopen(path, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-    if (!handle) {
-        error_set(error, STATUS_FAILED,
-                  "all formats but BMP need OpenImageIO, which cannot be loaded (%s): install "
-                  "libopenimageio2.4; " BMP_WORKS,
-                  dlerror());
-        return NULL;
-    }
-    const ImagesModule *module = find_symbol(handle, error);
-    dlclose(handle); // It stays loaded all the same: RTLD_NODELETE.
-    return module;
-}
-
-/**
- * Finds the folder of the program.
- * @param[out] folder  The folder, without a slash at its end.
- * @return false when it cannot be found or its name is too long.
- */
-static bool find_program_folder(char folder[PATH_MAX]) {
-    ssize_t length = readlink("/proc/self/exe", folder, PATH_MAX - 1);
-    if (length < 0) {
-        return false;
-    }
-    folder[length] = '\0';
-    char *slash = strrchr(folder, '/');
-    if (!slash) {
-        return false;
-    }
-    *slash = '\0';
-    return true;
+    return module_open_from(&images_module, folder, error);
 }
 
 const ImagesModule *images_load(Error *error) {
-    char beside[PATH_MAX];
-    char installed[PATH_MAX + sizeof INSTALLED_FOLDER];
-    if (!find_program_folder(beside)) {
-        error_set(error, STATUS_FAILED,
-                  "the program's own folder, where %s should be, cannot be found; " BMP_WORKS,
-                  MODULE_FILE);
-        return NULL;
-    }
-    snprintf(installed, sizeof installed, "%s/" INSTALLED_FOLDER, beside);
-    bool is_installed = !has_module(beside) && has_module(installed);
-    return images_load_from(is_installed ? installed : beside, error);
+    forget_environment();
+    return module_open(&images_module, error);
 }
 
 /**

@@ -11,9 +11,8 @@
 #include <stdio.h>
 
 /**
- * Opens the picture module, which takes some tenths of a second the first time and nothing after.
- * It is looked for beside the program, then in `../lib/dioptre` seen from there. It stays open
- * until the program ends: libraries of its kind are not made to be taken away again.
+ * Opens the picture module as #module_open does, which takes some tenths of a second the first time
+ * and nothing after.
  * @param[out] error  What is missing and what to install (#STATUS_FAILED).
  * @return The module, or NULL.
  */

@@ -15,6 +15,7 @@ typedef struct Block {
     size_t light_capacity; /**< Lamps that fit before the array must grow. */
     size_t material_capacity; /**< Materials that fit. */
     size_t shape_capacity;    /**< Shapes that fit. */
+    size_t mesh_capacity;     /**< Models that fit. */
 } Block;
 
 /**
@@ -81,6 +82,9 @@ Scene *scene_create(Error *error) {
 
 void scene_destroy(Scene *scene) {
     if (scene) {
+        for (size_t i = 0; i < scene->mesh_count; i++) {
+            mesh_destroy(scene->meshes[i].mesh);
+        }
         munmap(scene, SCENE_MEMORY);
     }
 }
@@ -126,6 +130,52 @@ bool scene_add_shape(Scene *scene, size_t kind, const Keyword *keyword, const vo
         scene->shape_count++;
     }
     return place != NULL;
+}
+
+/**
+ * Copies words into a scene.
+ * @param block       Its block.
+ * @param words       The words.
+ * @param[out] error  What is wrong.
+ * @return The copy, owned by the scene; NULL when the block is full.
+ */
+static const char *copy_words(Block *block, const char *words, Error *error) {
+    size_t size = strlen(words) + 1;
+    char *copy = block_allocate(block, size, error);
+    return copy ? memcpy(copy, words, size) : NULL;
+}
+
+/**
+ * Copies a model file into a scene.
+ * @param block       Its block.
+ * @param model       The file.
+ * @param[out] copy   Where to.
+ * @param[out] error  What is wrong.
+ * @return false when the block is full.
+ */
+static bool copy_model(Block *block, const SceneMesh *model, SceneMesh *copy, Error *error) {
+    *copy = (SceneMesh){.path = copy_words(block, model->path, error),
+                        .name = copy_words(block, model->name, error),
+                        .where = copy_words(block, model->where, error)};
+    return copy->path && copy->name && copy->where;
+}
+
+bool scene_add_mesh(Scene *scene, const SceneMesh *model, size_t *place, Error *error) {
+    Block *block = (Block *)scene;
+    for (*place = 0; *place < scene->mesh_count; (*place)++) {
+        if (strcmp(scene->meshes[*place].path, model->path) == 0) {
+            return true;
+        }
+    }
+    void *array = scene->meshes;
+    SceneMesh *added =
+        block_append(block, &array, &block->mesh_capacity, scene->mesh_count, sizeof *added, error);
+    if (!added || !copy_model(block, model, added, error)) {
+        return false;
+    }
+    scene->meshes = array;
+    scene->mesh_count++;
+    return true;
 }
 
 bool scene_has_mirrors(const Scene *scene) {

@@ -4,72 +4,14 @@
  */
 #include "script/include.h"
 
+#include "script/file.h"
 #include "script/run.h"
 #include "script/sandbox.h"
 
-#include <errno.h>
 #include <lauxlib.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 static int call_include(lua_State *L);
-
-/**
- * Finds the folder that a scene's files lie in.
- * @param request      What was asked for.
- * @param[out] folder  The folder, as the user knows it, with a slash at its end; empty for the
- *                     folder that the program runs in.
- */
-static void find_folder(const ScriptRequest *request, char folder[PATH_MAX]) {
-    if (request->base_dir) {
-        snprintf(folder, PATH_MAX, "%s/", request->base_dir);
-        return;
-    }
-    const char *slash = strrchr(request->path, '/');
-    int length = slash ? (int)(slash + 1 - request->path) : 0;
-    snprintf(folder, PATH_MAX, "%.*s", length, request->path);
-}
-
-/**
- * Says whether a path lies below a folder.
- * @param folder  The folder, real.
- * @param path    The path, real.
- * @return Whether it does.
- */
-static bool is_below(const char *folder, const char *path) {
-    size_t length = strlen(folder);
-    if (strcmp(folder, "/") == 0) {
-        return true;
-    }
-    return strncmp(folder, path, length) == 0 && path[length] == '/';
-}
-
-/**
- * Finds a file to include; symbolic links are followed, and count by where they lead.
- * @param request     What was asked for.
- * @param name        The file's name, from the folder that the scene's files lie in.
- * @param[out] shown  Its path as the user knows it.
- * @param[out] real   Its path without links.
- * @param[out] error  What is wrong.
- * @return false if there is none, or it lies outside.
- */
-static bool find_file(const ScriptRequest *request, const char *name, char shown[PATH_MAX],
-                      char real[PATH_MAX], Error *error) {
-    char folder[PATH_MAX], real_folder[PATH_MAX];
-    find_folder(request, folder);
-    bool is_short = snprintf(shown, PATH_MAX, "%s%s", folder, name) < PATH_MAX;
-    if (!is_short || name[0] == '/') {
-        return error_set(error, STATUS_SCENE, "its name must say where it is from the scene file");
-    }
-    if (!realpath(folder[0] ? folder : ".", real_folder) || !realpath(shown, real)) {
-        return error_set(error, STATUS_SCENE, "%s", strerror(errno));
-    }
-    if (!is_below(real_folder, real)) {
-        return error_set(error, STATUS_SCENE, "it lies outside the scene's folder");
-    }
-    return true;
-}
 
 /**
  * Reads a file to include.
@@ -83,7 +25,7 @@ static bool find_file(const ScriptRequest *request, const char *name, char shown
 static bool read_file(const ScriptRequest *request, const char *name, Source *source,
                       char shown[PATH_MAX], Error *error) {
     char real[PATH_MAX];
-    if (!find_file(request, name, shown, real, error) || !source_read(source, real, error)) {
+    if (!file_find(request, name, shown, real, error) || !source_read(source, real, error)) {
         return false;
     }
     if (!source_check_text(source, NULL, error)) {

@@ -4,8 +4,13 @@
  */
 #include "script/read.h"
 
+#include "assets/mesh_file.h"
+#include "script/file.h"
 #include "script/hex_color.h"
+#include "script/run.h"
+#include "script/sandbox.h"
 #include "script/suggest.h"
+#include "script/text.h"
 
 #include <lauxlib.h>
 #include <string.h>
@@ -211,6 +216,46 @@ static void read_color(lua_State *L, int index, const Parameter *row, void *fiel
     }
 }
 
+/**
+ * Notes a model file in the scene, unless it is there already.
+ * @param L            The state.
+ * @param name         The file's name.
+ * @param real         Where it is.
+ * @param[out] place   Its place in the scene.
+ * @param[out] error   What is wrong.
+ * @return false when the scene is full.
+ */
+static bool note_model(lua_State *L, const char *name, const char *real, size_t *place,
+                       Error *error) {
+    const Sandbox *sandbox = sandbox_of(L);
+    const Run *run = sandbox->context;
+    char where[TEXT_PATH_SIZE + sizeof ":-2147483648"];
+    report_describe(sandbox->report, sandbox_location(L), where, sizeof where);
+    SceneMesh model = {.path = real, .name = name, .where = where};
+    return scene_add_mesh(run->scene, &model, place, error);
+}
+
+/** Reads the name of a model file as its place in the scene. See #Reader. @param L See there.
+ *  @param index See there. @param row See there. @param[out] field See there. */
+static void read_mesh(lua_State *L, int index, const Parameter *row, void *field) {
+    const Run *run = sandbox_of(L)->context;
+    char shown[PATH_MAX], real[PATH_MAX];
+    size_t length;
+    Error error = {0};
+    if (lua_type(L, index) != LUA_TSTRING) {
+        raise_type(L, index, row, "the name of a model file");
+    }
+    const char *name = lua_tolstring(L, index, &length);
+    if (length != strlen(name)) {
+        luaL_error(L, "%s must not have a zero byte in its name", row->name);
+    }
+    bool is_fine = file_find(run->request, name, shown, real, &error) &&
+                   mesh_file_check(real, &error) && note_model(L, name, real, field, &error);
+    if (!is_fine) {
+        luaL_error(L, "%s: %s", name, error.message);
+    }
+}
+
 /** How a value of a type is read: #read_value of one type. */
 typedef void Reader(lua_State *L, int index, const Parameter *row, void *field);
 
@@ -219,7 +264,7 @@ void read_value(lua_State *L, int index, const Parameter *row, void *field) {
         [PARAMETER_NUMBER] = read_number,   [PARAMETER_INTEGER] = read_integer,
         [PARAMETER_BOOLEAN] = read_boolean, [PARAMETER_WORD] = read_word,
         [PARAMETER_VECTOR] = read_vector,   [PARAMETER_DIRECTION] = read_direction,
-        [PARAMETER_COLOR] = read_color};
+        [PARAMETER_COLOR] = read_color,     [PARAMETER_MESH] = read_mesh};
     readers[row->type](L, index, row, field);
 }
 

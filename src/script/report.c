@@ -106,9 +106,15 @@ size_t report_read_location(const Report *report, const char *text, Location *lo
     return 0;
 }
 
-void report_fail(Report *report, Location location, const char *text, size_t length) {
-    char path[TEXT_PATH_SIZE], words[ERROR_MESSAGE_SIZE];
+void report_describe(const Report *report, Location location, char *words, size_t size) {
+    char path[TEXT_PATH_SIZE];
     text_clean_path(path, report->files[location.file].path);
+    snprintf(words, size, "%s:%d", path, location.line);
+}
+
+void report_fail(Report *report, Location location, const char *text, size_t length) {
+    char where[ERROR_MESSAGE_SIZE], words[ERROR_MESSAGE_SIZE];
+    report_describe(report, location, where, sizeof where);
     text_clean(words, sizeof words, text, length);
-    error_set(&report->error, STATUS_SCENE, "%s:%d: %s", path, location.line, words);
+    error_set(&report->error, STATUS_SCENE, "%s: %s", where, words);
 }

@@ -80,6 +80,15 @@ int report_find_file(const Report *report, const char *name);
 size_t report_read_location(const Report *report, const char *text, Location *location);
 
 /**
+ * Says a place in words, as `FILE:LINE`, safe to show.
+ * @param report      The report.
+ * @param location    The place.
+ * @param[out] words  The words.
+ * @param size        Bytes that fit.
+ */
+void report_describe(const Report *report, Location location, char *words, size_t size);
+
+/**
  * Writes down what went wrong, as `FILE:LINE: text`.
  * @param[in,out] report  The report.
  * @param location        Where.

@@ -5,6 +5,7 @@
 #include "dioptre/script.h"
 
 #include "assets/child.h"
+#include "assets/mesh_file.h"
 #include "script/report.h"
 #include "script/run.h"
 #include "script/source.h"
@@ -75,6 +76,39 @@ static bool run_in_child(Run *run, Error *error) {
 }
 
 /**
+ * Says in an error which file it is about. A library's words may hold anything that is in the file.
+ * @param model          The file.
+ * @param[in,out] error  What is wrong with it; may be NULL.
+ * @return false, always.
+ */
+static bool blame(const SceneMesh *model, Error *error) {
+    char name[TEXT_PATH_SIZE], words[ERROR_MESSAGE_SIZE];
+    if (error) {
+        text_clean_path(name, model->name);
+        text_clean(words, sizeof words, error->message, strlen(error->message));
+        error_set(error, error->status, "%s: %s: %s", model->where, name, words);
+    }
+    return false;
+}
+
+/**
+ * Reads the model files that a scene names.
+ * @param[in,out] scene  The scene.
+ * @param progress       Who is told how far it is; NULL: nobody.
+ * @param[out] error     What is wrong, with the line that names the file.
+ * @return Whether all were read.
+ */
+static bool read_models(Scene *scene, const MeshProgress *progress, Error *error) {
+    for (size_t i = 0; i < scene->mesh_count; i++) {
+        SceneMesh *model = &scene->meshes[i];
+        if (!mesh_file_read(model->path, progress, &model->mesh, error)) {
+            return blame(model, error);
+        }
+    }
+    return true;
+}
+
+/**
  * Makes the scene that a text describes.
  * @param request     What to load.
  * @param source      The text.
@@ -85,7 +119,7 @@ static Scene *load_text(const ScriptRequest *request, const Source *source, Erro
     Scene *scene = scene_create(error);
     Report *report = scene ? report_create(request->path, error) : NULL;
     Run run = {.request = request, .source = source, .scene = scene, .report = report};
-    if (!report || !run_in_child(&run, error)) {
+    if (!report || !run_in_child(&run, error) || !read_models(scene, request->progress, error)) {
         scene_destroy(scene);
         scene = NULL;
     }

@@ -36,6 +36,8 @@ static void print_value(const Parameter *row, const void *value, FILE *file) {
     case PARAMETER_COLOR:
         print_three(value, file);
         break;
+    case PARAMETER_MESH: // Neither a camera nor a light has one.
+        break;
     }
 }
 

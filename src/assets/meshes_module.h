@@ -1,0 +1,81 @@
+/**
+ * @file
+ * @brief What the model module `dioptre-meshes.so` offers: triangles out of model files.
+ *
+ * The library behind it is assimp. tinyobjloader was measured beside it, on the Stanford dragon of
+ * 871,414 triangles and on 39 legal but awkward files:
+ *
+ * | | dragon | memory | legal files read wrongly |
+ * |---|---|---|---|
+ * | assimp 5.2.5 | 0.33 s | 218 MB | 1 of 39: numbers that begin with a point (put right here) |
+ * | tinyobjloader 2.0 rc 10 | 0.29 s | 168 MB | 3 of 39: two concave polygons lose 20 of 64 and 6
+ * of 14 triangles without a word, lines that go on after a backslash are not read |
+ *
+ * What it offers more (PLY, STL, glTF) decides. It holds coordinates in float; tinyobjloader could
+ * give doubles.
+ *
+ * The module is opened in a child process only. No file but the model's own is opened, whatever
+ * materials it names: the module gets bytes, not paths.
+ */
+#ifndef ASSETS_MESHES_MODULE_H
+#define ASSETS_MESHES_MODULE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/** Counts the changes of this header: program and module must be of the same count. */
+enum { MESHES_MODULE_VERSION = 1 };
+/** Longest message, in bytes with its final zero. */
+enum { MESHES_MESSAGE_SIZE = 512 };
+
+/** A whole model file in memory. */
+typedef struct MeshesSource {
+    const char *ending; /**< The format, as the ending of the file's name says it: `obj`, ... */
+    const char *bytes;  /**< Its bytes. */
+    size_t size;        /**< How many. */
+} MeshesSource;
+
+/** One corner of a triangle. */
+typedef struct MeshesCorner {
+    double position[3]; /**< Where it is; any numbers. */
+    double normal[3];   /**< Its normal, of any length, zero too. */
+    double uv[2];       /**< Its place on a picture; any numbers. */
+    bool has_normal;    /**< Whether there is a normal. */
+    bool has_uv;        /**< Whether there is a (u, v). */
+} MeshesCorner;
+
+/** Who takes the triangles. */
+typedef struct MeshesSink {
+    void *context; /**< Handed to the two functions. */
+    /** Takes a triangle; false: no more is wanted. */
+    bool (*add)(void *context, const MeshesCorner corners[3]);
+    /** Is told how much is done, 0 to 1. */
+    void (*tell)(void *context, double share);
+} MeshesSink;
+
+/** What went otherwise than it should. */
+typedef struct MeshesReport {
+    size_t uncut;                      /**< Triangles missing of polygons that cannot be cut. */
+    char message[MESHES_MESSAGE_SIZE]; /**< What is wrong, in words, without the file's name. */
+} MeshesReport;
+
+/** The module: its one function. */
+typedef struct MeshesModule {
+    int version; /**< #MESHES_MODULE_VERSION as the module was built with. */
+
+    /**
+     * Reads a model and hands its triangles over, polygons cut into triangles, points and lines
+     * left out, in the order of the file.
+     * @param source       The file.
+     * @param sink         Who takes the triangles.
+     * @param[out] report  What went otherwise than it should.
+     * @return Whether all were handed over; if not, there is a message unless the sink wanted no
+     *         more.
+     */
+    bool (*read)(const MeshesSource *source, const MeshesSink *sink, MeshesReport *report);
+} MeshesModule;
+
+/** Name under which the module offers its one #MeshesModule. */
+#define MESHES_MODULE_SYMBOL "dioptre_meshes_module"
+
+#endif

@@ -66,7 +66,7 @@ static void bench_print(const Bench *bench, const RenderSettings *settings,
     double mrays = (double)bench->rays / (1e3 * bench->ms_median);
     if (options->json) {
         printf("{\"scene\": ");
-        json_print_string(options->arguments[0]);
+        json_print_string(options->arguments[0], stdout);
         printf(", \"engine\": \"%s\", \"threads\": %d, \"width\": %d, \"height\": %d, "
                "\"frames\": %d, \"ms_min\": %.6g, \"ms_median\": %.6g, \"rays\": %llu, "
                "\"mrays_per_s\": %.6g}\n",

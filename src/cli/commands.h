@@ -8,6 +8,8 @@
 #include "cli/options.h"
 #include "dioptre/scene.h"
 
+#include <stdio.h>
+
 extern const Command view_command;    /**< `view` */
 extern const Command render_command;  /**< `render` */
 extern const Command info_command;    /**< `info` */
@@ -31,14 +33,38 @@ RenderSettings command_settings(const Options *options, const Scene *scene);
 
 /**
  * Prints a text as a JSON string, quotes included.
- * @param text  The text; bytes that are not printable ASCII are kept or escaped.
+ * @param text    The text; bytes that are not printable ASCII are kept or escaped.
+ * @param stream  Where to.
  */
-void json_print_string(const char *text);
+void json_print_string(const char *text, FILE *stream);
+
+/**
+ * Prints a text for people, without what could move the cursor.
+ * @param text    The text; control characters become `?`.
+ * @param stream  Where to.
+ */
+void print_clean(const char *text, FILE *stream);
 
 /**
  * @return A flag that becomes true at SIGINT or SIGTERM from now on.
  */
 const atomic_bool *interrupt_flag(void);
+
+/** What is kept to tell how far models are read. */
+typedef struct ModelsProgress {
+    MeshProgress teller; /**< Who tells. */
+    bool is_json;        /**< JSON lines, not one line for people. */
+    bool is_shown;       /**< Whether there is a line to be cleared. */
+} ModelsProgress;
+
+/**
+ * Prepares to tell on standard error how far models are read: those that take more than half a
+ * second.
+ * @param[out] models  What is kept; must stay where it is.
+ * @param options      Whether and how.
+ * @return Who tells, owned by \p models; NULL where nothing is to be told.
+ */
+const MeshProgress *models_progress(ModelsProgress *models, const Options *options);
 
 /** A thread that tells how far a renderer is. */
 typedef struct Progress Progress;

@@ -5,20 +5,22 @@
 #include "cli/commands.h"
 #include "dioptre/script.h"
 
+#include <ctype.h>
 #include <signal.h>
-#include <stdio.h>
 
 /** Set by the signal handler; a signal handler can reach nothing else. */
 static atomic_bool is_interrupted;
 
 Scene *command_scene(const Options *options, Error *error) {
+    ModelsProgress models;
     // The keywords of an engine that this processor can run: their checks are its code.
     ScriptRequest request = {.path = options->arguments[0],
                              .base_dir = options->base_dir,
                              .time = options->time,
                              .seconds = SCRIPT_SECONDS,
                              .memory = SCRIPT_MEMORY,
-                             .shape_keywords = engine_find("auto", NULL)->shape_keywords};
+                             .shape_keywords = engine_find("auto", NULL)->shape_keywords,
+                             .progress = models_progress(&models, options)};
     return script_load(&request, error);
 }
 
@@ -36,18 +38,24 @@ RenderSettings command_settings(const Options *options, const Scene *scene) {
     return settings;
 }
 
-void json_print_string(const char *text) {
-    putchar('"');
+void json_print_string(const char *text, FILE *stream) {
+    fputc('"', stream);
     for (const unsigned char *c = (const unsigned char *)text; *c; c++) {
         if (*c == '"' || *c == '\\') {
-            printf("\\%c", *c);
+            fprintf(stream, "\\%c", *c);
         } else if (*c < ' ') {
-            printf("\\u%04x", *c);
+            fprintf(stream, "\\u%04x", *c);
         } else {
-            putchar(*c);
+            fputc(*c, stream);
         }
     }
-    putchar('"');
+    fputc('"', stream);
+}
+
+void print_clean(const char *text, FILE *stream) {
+    for (const char *c = text; *c; c++) {
+        fputc(iscntrl((unsigned char)*c) ? '?' : *c, stream);
+    }
 }
 
 /** Notes that the program should stop. @param number The signal. */

@@ -71,6 +71,54 @@ static int info_left_out(const Scene *scene, const Info *info, const char *left[
     return count;
 }
 
+/** Prints the models for programs. @param scene The scene. */
+static void info_print_meshes_json(const Scene *scene) {
+    printf(", \"meshes\": [");
+    for (size_t i = 0; i < scene->mesh_count; i++) {
+        const Mesh *mesh = scene->meshes[i].mesh;
+        const MeshRepairs *repairs = &mesh->repairs;
+        printf("%s{\"file\": ", i ? ", " : "");
+        json_print_string(scene->meshes[i].name, stdout);
+        printf(", \"triangles\": %zu, \"positions\": %zu, \"normals\": %zu, \"uvs\": %zu, "
+               "\"degenerate\": %zu, \"uncut\": %zu, \"lost_normals\": %zu, \"lost_uvs\": %zu}",
+               mesh->triangle_count, mesh->position_count, mesh->normal_count, mesh->uv_count,
+               repairs->degenerate, repairs->uncut, repairs->lost_normals, repairs->lost_uvs);
+    }
+    printf("]");
+}
+
+/** Prints what was put right in a model, for people. @param repairs It. */
+static void info_print_repairs(const MeshRepairs *repairs) {
+    const struct {
+        size_t count;      /**< How many. */
+        const char *words; /**< Of what. */
+    } all[] = {
+        {repairs->degenerate, "without area left out"},
+        {repairs->uncut, "missing of polygons that cannot be cut"},
+        {repairs->lost_normals, "corners got their triangle's normal"},
+        {repairs->lost_uvs, "corners got (u, v) 0, 0"},
+    };
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+        if (all[i].count > 0) {
+            printf("; %zu %s", all[i].count, all[i].words);
+        }
+    }
+}
+
+/** Prints the models for people, a line each. @param scene The scene. */
+static void info_print_meshes(const Scene *scene) {
+    for (size_t i = 0; i < scene->mesh_count; i++) {
+        const Mesh *mesh = scene->meshes[i].mesh;
+        printf("model      ");
+        print_clean(scene->meshes[i].name, stdout);
+        printf(": %zu triangle%s, %zu positions%s%s", mesh->triangle_count,
+               mesh->triangle_count == 1 ? "" : "s", mesh->position_count,
+               mesh->normal_count ? ", normals" : "", mesh->uv_count ? ", (u, v)" : "");
+        info_print_repairs(&mesh->repairs);
+        putchar('\n');
+    }
+}
+
 /** Prints it for programs. @param scene The scene. @param info What it uses.
  *  @param settings How it would be drawn. @param options The command line. */
 static void info_print_json(const Scene *scene, const Info *info, const RenderSettings *settings,
@@ -78,7 +126,7 @@ static void info_print_json(const Scene *scene, const Info *info, const RenderSe
     const char *left[4];
     int left_count = info_left_out(scene, info, left);
     printf("{\"scene\": ");
-    json_print_string(options->arguments[0]);
+    json_print_string(options->arguments[0], stdout);
     printf(", \"shapes\": {");
     const Keyword *const *keywords = settings->engine->shape_keywords;
     const char *comma = "";
@@ -99,7 +147,9 @@ static void info_print_json(const Scene *scene, const Info *info, const RenderSe
     for (int i = 0; i < left_count; i++) {
         printf("%s\"%s\"", i ? ", " : "", left[i]);
     }
-    printf("]}\n");
+    putchar(']');
+    info_print_meshes_json(scene);
+    puts("}");
 }
 
 /** Prints it for people. @param scene The scene. @param info What it uses.
@@ -113,7 +163,9 @@ static void info_print(const Scene *scene, const Info *info, const RenderSetting
             printf(" %zu %s", info->kinds[kind], keywords[kind]->name);
         }
     }
-    printf("\nlights     %zu\nmaterials  %zu\n", scene->light_count, scene->material_count - 1);
+    putchar('\n');
+    info_print_meshes(scene);
+    printf("lights     %zu\nmaterials  %zu\n", scene->light_count, scene->material_count - 1);
     printf("mirrors    %zu shapes, depth %d\n", info->mirrors,
            info->mirrors ? settings->trace.depth : 0);
     printf("picture    %d x %d, %d ray%s a pixel\n", settings->width, settings->height,

@@ -63,10 +63,62 @@ static void *progress_main(void *argument) {
     return NULL;
 }
 
+/** @return Whether progress is to be told. @param options Whether and how. */
+static bool is_wanted(const Options *options) {
+    bool is_read = options->progress == PROGRESS_JSON ||
+                   (options->progress == PROGRESS_AUTO && isatty(STDERR_FILENO));
+    return is_read && !options->quiet;
+}
+
+/**
+ * Tells how far a model file is read, if that takes long enough to be felt. See MeshProgress::tell.
+ * @param context  The progress.
+ * @param name     The file.
+ * @param share    How much is done.
+ * @param seconds  Since the start.
+ */
+static void models_tell(void *context, const char *name, double share, double seconds) {
+    /** Seconds after which people want to know. */
+    const double patience = 0.5;
+    ModelsProgress *models = context;
+    double left = share > 0 ? seconds / share - seconds : 0;
+    if (seconds < patience) {
+        return;
+    }
+    if (models->is_json) {
+        fputs("{\"model\": ", stderr);
+        json_print_string(name, stderr);
+        fprintf(stderr, ", \"share\": %.4f, \"seconds\": %.2f, \"seconds_left\": %.2f}\n", share,
+                seconds, left);
+    } else {
+        fputc('\r', stderr);
+        print_clean(name, stderr);
+        fprintf(stderr, ": %3.0f %%, %.0f s left \033[K", 100 * share, left);
+    }
+    models->is_shown = true;
+    fflush(stderr);
+}
+
+/** Clears the line, if there is one. See MeshProgress::end. @param context The progress. */
+static void models_end(void *context) {
+    ModelsProgress *models = context;
+    if (models->is_shown && !models->is_json) {
+        fputs("\r\033[K", stderr);
+        fflush(stderr);
+    }
+    models->is_shown = false;
+}
+
+const MeshProgress *models_progress(ModelsProgress *models, const Options *options) {
+    *models = (ModelsProgress){
+        .teller = {.tell = models_tell, .end = models_end, .context = models},
+        .is_json = options->progress == PROGRESS_JSON,
+    };
+    return is_wanted(options) ? &models->teller : NULL;
+}
+
 Progress *progress_begin(const Renderer *renderer, const Options *options) {
-    bool is_wanted = options->progress == PROGRESS_JSON ||
-                     (options->progress == PROGRESS_AUTO && isatty(STDERR_FILENO));
-    Progress *progress = is_wanted && !options->quiet ? calloc(1, sizeof *progress) : NULL;
+    Progress *progress = is_wanted(options) ? calloc(1, sizeof *progress) : NULL;
     if (!progress) {
         return NULL;
     }

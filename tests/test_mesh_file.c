@@ -1,0 +1,587 @@
+/**
+ * @file
+ * @brief Tests of meshes: what is read of model files, what is put right, what is refused.
+ */
+#include "modules.h"
+
+#include "assets/mesh_file.h"
+#include "assets/pool.h"
+#include "dioptre/parameter.h"
+
+#include <float.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <time.h>
+
+/** Number of items of an array. */
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+/** Where models for tests lie, from the top of the sources. */
+#define MODELS "tests/meshes/"
+
+/** Corners of a cube of edge 2 around the origin. */
+#define CUBE_CORNERS                                                                               \
+    "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
+/** The cube, of quads that are seen from outside. */
+#define CUBE CUBE_CORNERS "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 1 5 8 4\n"
+/** Three corners, enough for one triangle. */
+#define THREE "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
+/** What a PLY of three corners begins with. */
+#define PLY_HEAD                                                                                   \
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"                \
+    "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+
+// --- helpers -------------------------------------------------------------------------------------
+
+/** A folder of a test: empty at first, gone at the end. */
+typedef struct Fixture {
+    char folder[64]; /**< The folder. */
+    char path[160];  /**< A file in it. */
+} Fixture;
+
+/** Makes the folder. @param state Becomes a #Fixture. @return 0 when it is there. */
+static int set_up(void **state) {
+    Fixture *fixture = calloc(1, sizeof *fixture);
+    modules_link("dioptre-meshes.so");
+    snprintf(fixture->folder, sizeof fixture->folder, "/tmp/dioptre-mesh-XXXXXX");
+    *state = fixture;
+    return mkdtemp(fixture->folder) ? 0 : -1;
+}
+
+/** Removes the folder with all that is in it. @param state A #Fixture. @return 0 when it is gone.
+ */
+static int tear_down(void **state) {
+    Fixture *fixture = *state;
+    char command[128];
+    snprintf(command, sizeof command, "rm -rf '%s'", fixture->folder);
+    int status = system(command);
+    free(fixture);
+    return status;
+}
+
+/** @return The path of a file in the folder. @param state A #Fixture. @param name The file. */
+static const char *path_of(void **state, const char *name) {
+    Fixture *fixture = *state;
+    snprintf(fixture->path, sizeof fixture->path, "%s/%s", fixture->folder, name);
+    return fixture->path;
+}
+
+/** Writes a file. @param path Where. @param bytes What. @param size Bytes of it. */
+static void store(const char *path, const void *bytes, size_t size) {
+    FILE *file = fopen(path, "wb");
+    assert_non_null(file);
+    assert_int_equal(fwrite(bytes, 1, size, file), size);
+    assert_int_equal(fclose(file), 0);
+}
+
+/** @return The mesh of a file, which must be good and pass all checks. @param path The file. */
+static Mesh *read_good(const char *path) {
+    Mesh *mesh;
+    Error error = {0};
+    if (!mesh_file_read(path, NULL, &mesh, &error)) {
+        fail_msg("%s: %s", path, error.message);
+    }
+    assert_true(mesh_check(mesh, &error));
+    assert_int_equal(mesh->normal_count > 0, mesh->triangle_normals != NULL);
+    assert_int_equal(mesh->uv_count > 0, mesh->triangle_uvs != NULL);
+    return mesh;
+}
+
+/** @return The mesh of a text. @param state A #Fixture. @param text An OBJ file. */
+static Mesh *read_text(void **state, const char *text) {
+    const char *path = path_of(state, "model.obj");
+    store(path, text, strlen(text));
+    return read_good(path);
+}
+
+/** Checks that a file is refused. @param path The file. @param words What must be said. */
+static void assert_refused(const char *path, const char *words) {
+    Mesh *mesh = (Mesh *)&mesh;
+    Error error = {0};
+    bool is_read = mesh_file_read(path, NULL, &mesh, &error);
+    if (is_read || mesh || error.status != STATUS_SCENE || !strstr(error.message, words)) {
+        fail_msg("%s: wanted: %s, got: (%d) %s", path, words, error.status, error.message);
+    }
+}
+
+/** Checks that a text is refused. @param state A #Fixture. @param name Its file.
+ *  @param text The text. @param words What must be said. */
+static void assert_text_refused(void **state, const char *name, const char *text,
+                                const char *words) {
+    const char *path = path_of(state, name);
+    store(path, text, strlen(text));
+    assert_refused(path, words);
+}
+
+/** @return Twice the area of a triangle, as a vector. @param mesh The mesh. @param i Which. */
+static Vector3 area_of(const Mesh *mesh, size_t i) {
+    const uint32_t *at = mesh->triangles[i].at;
+    const Vector3 *p = mesh->positions;
+    return vector3_cross(vector3_subtract(p[at[1]], p[at[0]]),
+                         vector3_subtract(p[at[2]], p[at[0]]));
+}
+
+/** @return The area of a mesh. @param mesh The mesh. */
+static double area_of_all(const Mesh *mesh) {
+    double sum = 0;
+    for (size_t i = 0; i < mesh->triangle_count; i++) {
+        sum += vector3_length(area_of(mesh, i)) / 2;
+    }
+    return sum;
+}
+
+/** @return The volume of a closed mesh. @param mesh The mesh. */
+static double volume_of(const Mesh *mesh) {
+    double sum = 0;
+    for (size_t i = 0; i < mesh->triangle_count; i++) {
+        sum += vector3_dot(mesh->positions[mesh->triangles[i].at[0]], area_of(mesh, i)) / 6;
+    }
+    return sum;
+}
+
+// --- what is read --------------------------------------------------------------------------------
+
+/** What each text must give. */
+static const struct {
+    const char *text;  /**< An OBJ file. */
+    size_t positions;  /**< Places. */
+    size_t triangles;  /**< Triangles. */
+    size_t normals;    /**< Normals. */
+    size_t uvs;        /**< (u, v). */
+    size_t degenerate; /**< Triangles left out. */
+    size_t lost;       /**< Corners that lack a normal. */
+} texts[] = {
+    {THREE "f 1 2 3\n", 3, 1, 0, 0, 0, 0},
+    {CUBE, 8, 12, 0, 0, 0, 0},
+    {THREE "f 1 2 3", 3, 1, 0, 0, 0, 0},
+    {THREE "f -3 -2 -1\n", 3, 1, 0, 0, 0, 0},
+    // Points, lines and names of materials are left out.
+    {"mtllib ../none.mtl\n" THREE "usemtl none\np 1\nl 1 2\nf 1 2 3\n", 3, 1, 0, 0, 0, 0},
+    // Triangles without area: a corner twice, corners in line, two corners at one place.
+    {THREE "v 2 0 0\nv 1 0 0\nf 1 2 3\nf 1 1 2\nf 1 2 4\nf 2 5 3\n", 3, 1, 0, 0, 3, 0},
+    // The same place twice is one position, and so is -0.
+    {THREE "v -0 0 0\nv 1 0 0\nv 0 -1 0\nf 1 2 3\nf 4 6 5\n", 4, 2, 0, 0, 0, 0},
+    // Normals: of any length, missing, zero.
+    {THREE "vn 0 0 9\nf 1//1 2//1 3//1\n", 3, 1, 1, 0, 0, 0},
+    {THREE "vn 0 0 1\nvn 0 0 0\nf 1//1 2//2 3//1\n", 3, 1, 1, 0, 0, 1},
+    {THREE "vn 0 0 0\nf 1//1 2//1 3//1\n", 3, 1, 0, 0, 0, 3},
+    {THREE "vt 0 0\nvt 1 0.5 7\nf 1/1 2/2 3/1\n", 3, 1, 0, 2, 0, 0},
+    // Numbers that begin with their decimal point; coordinates as large as they may be.
+    {"v .5 -.5 +.5\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", 3, 1, 0, 0, 0, 0},
+    {"v 1e14 0 0\nv 0 1e14 0\nv 0 0 -1e14\nf 1 2 3\n", 3, 1, 0, 0, 0, 0},
+    // A concave quad, and a concave polygon.
+    {"v 0 0 0\nv 2 2 0\nv 0 1 0\nv -2 2 0\nf 1 2 3 4\n", 4, 2, 0, 0, 0, 0},
+    {"v 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 0 4 0\nf 1 2 3 4 5\n", 5, 3, 0, 0, 0, 0},
+};
+
+/** Texts give what they must. @param state A #Fixture. */
+static void test_texts(void **state) {
+    for (size_t i = 0; i < COUNT(texts); i++) {
+        Mesh *mesh = read_text(state, texts[i].text);
+        bool is_right = mesh->position_count == texts[i].positions &&
+                        mesh->triangle_count == texts[i].triangles &&
+                        mesh->normal_count == texts[i].normals && mesh->uv_count == texts[i].uvs &&
+                        mesh->repairs.degenerate == texts[i].degenerate &&
+                        mesh->repairs.lost_normals == texts[i].lost;
+        if (!is_right) {
+            fail_msg("%s: %zu positions, %zu triangles, %zu normals, %zu uvs, %zu without area, "
+                     "%zu without normal",
+                     texts[i].text, mesh->position_count, mesh->triangle_count, mesh->normal_count,
+                     mesh->uv_count, mesh->repairs.degenerate, mesh->repairs.lost_normals);
+        }
+        mesh_destroy(mesh);
+    }
+}
+
+/** Coordinates and orientation are the file's; the library holds them in float. @param state A
+ *  #Fixture. */
+static void test_numbers(void **state) {
+    Mesh *mesh = read_text(state, "v .1 -.25 3e-5\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const uint32_t *at = mesh->triangles[0].at;
+    Vector3 p = mesh->positions[at[0]];
+    assert_at_most(fabs(p.x - 0.1), 0.1 * (double)FLT_EPSILON, "x");
+    assert_true(p.y == -0.25);
+    assert_at_most(fabs(p.z - 3e-5), 3e-5 * (double)FLT_EPSILON, "z");
+    assert_true(mesh->positions[at[1]].x == 1 && mesh->positions[at[2]].y == 1);
+    mesh_destroy(mesh);
+    mesh = read_text(state, CUBE);
+    assert_true(volume_of(mesh) == 8 && area_of_all(mesh) == 24);
+    mesh_destroy(mesh);
+}
+
+/** Polygons are cut without gap or overlap, concave ones too. @param state A #Fixture. */
+static void test_concave(void **state) {
+    Mesh *mesh = read_text(state, "v 0 0 0\nv 2 2 0\nv 0 1 0\nv -2 2 0\nf 1 2 3 4\n");
+    assert_at_most(fabs(area_of_all(mesh) - 2), 1e-12, "area of an arrowhead");
+    mesh_destroy(mesh);
+    mesh = read_text(state, "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 0 4 0\nf 1 2 3 4 5\n");
+    assert_at_most(fabs(area_of_all(mesh) - 10), 1e-12, "area of a notched square");
+    mesh_destroy(mesh);
+}
+
+/** Corners keep the normal and the (u, v) that the file gives them; who has none gets his
+ *  triangle's. @param state A #Fixture. */
+static void test_corners(void **state) {
+    Mesh *mesh = read_text(state, THREE "vn 0 3 4\nvn 0 0 0\nvt 0.25 0.75\nvt 2 -1\n"
+                                        "f 1/1/1 2/2/2 3/1/1\n");
+    const uint32_t *n = mesh->triangle_normals[0].at, *t = mesh->triangle_uvs[0].at;
+    assert_true(mesh->normals[n[0]].y == 0.6 && mesh->normals[n[0]].z == 0.8);
+    assert_true(mesh->normals[n[1]].z == 1 && n[2] == n[0]);
+    assert_true(mesh->uvs[t[0]].u == 0.25 && mesh->uvs[t[0]].v == 0.75);
+    assert_true(mesh->uvs[t[1]].u == 2 && mesh->uvs[t[1]].v == -1 && t[2] == t[0]);
+    mesh_destroy(mesh);
+}
+
+/** Awkward but legal files give the triangles that they should. @param state Unused. */
+static void test_awkward(void **state) {
+    (void)state;
+    static const struct {
+        const char *path; /**< The file. */
+        size_t triangles; /**< How many triangles. */
+        size_t lost;      /**< Corners without normal. */
+    } files[] = {{MODELS "hand-bad-normals.obj", 3, 3},
+                 {MODELS "hand-bom-cube.obj", 12, 0},
+                 {MODELS "hand-continuation.obj", 4, 0},
+                 {MODELS "hand-crlf-cube.obj", 12, 0},
+                 {MODELS "hand-groups-smoothing.obj", 4, 0},
+                 {MODELS "hand-mixed-refs.obj", 6, 12},
+                 {MODELS "hand-negative.obj", 4, 0},
+                 {MODELS "hand-nonplanar-ngon.obj", 7, 0},
+                 {MODELS "obj-hand-mtllib-traversal.obj", 1, 0}};
+    for (size_t i = 0; i < COUNT(files); i++) {
+        Mesh *mesh = read_good(files[i].path);
+        if (mesh->triangle_count != files[i].triangles ||
+            mesh->repairs.lost_normals != files[i].lost) {
+            fail_msg("%s: %zu triangles, %zu corners without normal", files[i].path,
+                     mesh->triangle_count, mesh->repairs.lost_normals);
+        }
+        mesh_destroy(mesh);
+    }
+}
+
+/** PLY, STL and glTF are read too. @param state A #Fixture. */
+static void test_formats(void **state) {
+    static const char *const files[][2] = {
+        {"a.ply", PLY_HEAD "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
+        {"a.STL", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                  "vertex 0 1 0\nendloop\nendfacet\nendsolid a\n"},
+        // A triangle of floats in base 64, that a node moves by (5, 0, 0).
+        {"a.gltf",
+         "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],"
+         "\"nodes\":[{\"mesh\":0,\"translation\":[5,0,0]}],"
+         "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
+         "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\","
+         "\"min\":[0,0,0],\"max\":[1,1,0]}],"
+         "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],"
+         "\"buffers\":[{\"byteLength\":36,\"uri\":\"data:application/octet-stream;base64,"
+         "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA\"}]}"},
+    };
+    for (size_t i = 0; i < COUNT(files); i++) {
+        const char *path = path_of(state, files[i][0]);
+        store(path, files[i][1], strlen(files[i][1]));
+        Mesh *mesh = read_good(path);
+        assert_int_equal(mesh->triangle_count, 1);
+        assert_true(mesh->positions[mesh->triangles[0].at[1]].x == (i == 2 ? 6 : 1));
+        assert_true(area_of(mesh, 0).z == 1);
+        mesh_destroy(mesh);
+    }
+}
+
+/** @return An edge's number, the same both ways. @param a One end. @param b The other. */
+static uint64_t edge_of(uint32_t a, uint32_t b) {
+    return a < b ? (uint64_t)a << 32 | b : (uint64_t)b << 32 | a;
+}
+
+/** @return Order of two edges, for qsort. @param a One. @param b The other. */
+static int compare_edges(const void *a, const void *b) {
+    uint64_t x = *(const uint64_t *)a, y = *(const uint64_t *)b;
+    return (x > y) - (x < y);
+}
+
+/** A closed model stays closed: each edge belongs to two triangles. @param state Unused. */
+static void test_closed(void **state) {
+    (void)state;
+    Mesh *mesh = read_good("scenes/models/spot.obj");
+    assert_int_equal(mesh->triangle_count, 5856);
+    assert_int_equal(mesh->position_count, 2930);
+    assert_int_equal(mesh->uv_count, 3225);
+    size_t count = 3 * mesh->triangle_count;
+    uint64_t *edges = calloc(count, sizeof *edges);
+    for (size_t i = 0; i < count; i++) {
+        const uint32_t *at = mesh->triangles[i / 3].at;
+        edges[i] = edge_of(at[i % 3], at[(i + 1) % 3]);
+    }
+    qsort(edges, count, sizeof *edges, compare_edges);
+    for (size_t i = 0; i < count; i += 2) {
+        assert_true(edges[i] == edges[i + 1] && (i == 0 || edges[i] != edges[i - 1]));
+    }
+    free(edges);
+    mesh_destroy(mesh);
+    mesh = read_good("scenes/models/teapot.obj");
+    assert_int_equal(mesh->triangle_count + mesh->repairs.degenerate, 6320);
+    mesh_destroy(mesh);
+}
+
+// --- smooth normals ------------------------------------------------------------------------------
+
+/** A cube's smooth normals point away from its middle, however its sides are cut. @param state A
+ *  #Fixture. */
+static void test_smooth_cube(void **state) {
+    Mesh *mesh = read_text(state, CUBE);
+    Vector3 normals[8];
+    mesh_smooth_normals(mesh, normals);
+    for (size_t i = 0; i < mesh->position_count; i++) {
+        Vector3 wanted = vector3_scale(mesh->positions[i], 1 / sqrt(3));
+        assert_at_most(vector3_length(vector3_subtract(normals[i], wanted)), 4e-16, "corner %zu",
+                       i);
+    }
+    mesh_destroy(mesh);
+}
+
+/** @return A mesh of triangles. @param positions Its positions. @param position_count How many.
+ *  @param triangles Its triangles. @param triangle_count How many. */
+static Mesh *mesh_of(const Vector3 *positions, size_t position_count, const MeshTriangle *triangles,
+                     size_t triangle_count) {
+    Error error = {0};
+    const Mesh counts = {.position_count = position_count, .triangle_count = triangle_count};
+    Mesh *mesh = mesh_create(&counts, &error);
+    assert_non_null(mesh);
+    memcpy(mesh->positions, positions, position_count * sizeof *positions);
+    memcpy(mesh->triangles, triangles, triangle_count * sizeof *triangles);
+    return mesh;
+}
+
+/** Where a mean makes no sense there is a unit normal all the same. @param state Unused. */
+static void test_smooth_extremes(void **state) {
+    (void)state;
+    const double scales[] = {1, 1e15, 1e-15};
+    for (size_t i = 0; i < COUNT(scales); i++) {
+        double s = scales[i];
+        // Both sides of a sheet, a triangle without area, and a position that nobody uses.
+        const Vector3 positions[] = {{0, 0, 0}, {s, 0, 0}, {0, s, 0}, {2 * s, 0, 0}, {s, s, s}};
+        const MeshTriangle triangles[] = {{{0, 1, 2}}, {{0, 2, 1}}, {{0, 1, 3}}};
+        Mesh *mesh = mesh_of(positions, 5, triangles, 3);
+        Vector3 normals[5];
+        mesh_smooth_normals(mesh, normals);
+        for (size_t k = 0; k < 5; k++) {
+            assert_at_most(fabs(vector3_length(normals[k]) - 1), 1e-15, "length %zu", k);
+        }
+        assert_true(normals[0].z == 1 && normals[4].y == 1);
+        mesh_destroy(mesh);
+    }
+}
+
+// --- checks --------------------------------------------------------------------------------------
+
+/** What a mesh must not be is found. @param state Unused. */
+static void test_check(void **state) {
+    (void)state;
+    const Vector3 good[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const MeshTriangle whole = {{0, 1, 2}}, beyond = {{0, 1, 3}};
+    const double numbers[] = {NAN, INFINITY, -INFINITY, 2 * LENGTH_MAXIMUM};
+    Error error = {0};
+    Mesh *mesh = mesh_of(good, 3, &whole, 1);
+    assert_true(mesh_check(mesh, &error));
+    for (size_t i = 0; i < COUNT(numbers); i++) {
+        mesh->positions[1].y = numbers[i];
+        assert_false(mesh_check(mesh, NULL));
+    }
+    mesh_destroy(mesh);
+    mesh = mesh_of(good, 3, &beyond, 1);
+    assert_false(mesh_check(mesh, &error));
+    assert_int_equal(error.status, STATUS_SCENE);
+    mesh_destroy(mesh);
+    const Mesh counts = {
+        .position_count = 3, .normal_count = 1, .uv_count = 1, .triangle_count = 1};
+    mesh = mesh_create(&counts, &error);
+    mesh->normals[0].x = 1;
+    assert_true(mesh_check(mesh, NULL));
+    mesh->normals[0].x = 0.99;
+    assert_false(mesh_check(mesh, NULL));
+    mesh->normals[0].x = 1;
+    mesh->uvs[0].v = NAN;
+    assert_false(mesh_check(mesh, NULL));
+    mesh->uvs[0].v = 0;
+    mesh->triangle_uvs[0].at[2] = 1;
+    assert_false(mesh_check(mesh, NULL));
+    mesh_destroy(mesh);
+}
+
+/** A pool knows its points again, after it has grown too. @param state Unused. */
+static void test_pool(void **state) {
+    (void)state;
+    Pool pool = {.width = 2};
+    uint32_t place;
+    for (int round = 0; round < 2; round++) {
+        for (uint32_t i = 0; i < 100000; i++) {
+            const double point[] = {(double)(i % 317), -(double)(i / 317)};
+            assert_true(pool_add(&pool, point, &place));
+            assert_int_equal(place, i);
+        }
+    }
+    assert_int_equal(pool.count, 100000);
+    pool_release(&pool);
+}
+
+// --- what is refused -----------------------------------------------------------------------------
+
+/** Broken texts are refused with a reason. @param state A #Fixture. */
+static void test_refused_texts(void **state) {
+    static const char *const broken[][3] = {
+        {"a.obj", "", "small"},
+        {"a.obj", "# nothing but a comment here\n", "no triangle"},
+        {"a.obj", THREE "p 1\nl 1 2 3\n", "no triangle"},
+        {"a.obj", THREE "f 1 2 2\nf 3 3 3\n", "no triangle in it that has an area"},
+        {"a.obj", THREE "f 1 2 4\n", "out of range"},
+        {"a.obj", THREE "f 1 2 0\n", "index"},
+        {"a.obj", THREE "f 1 2 -4\n", "index"},
+        {"a.obj", THREE "f 1 2 99999999999999999999\n", "out of range"},
+        {"a.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "finite"},
+        {"a.obj", "v inf 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "finite"},
+        {"a.obj", "v 1e16 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "at most 1e+15"},
+        {"a.ply", PLY_HEAD "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "not there"},
+        {"a.ply", PLY_HEAD "0 0 0\n1 0 0\n0 nan 0\n3 0 1 2\n", "finite"},
+        {"a.ply", "no ply at all", ""},
+        {"a.stl", "no stl at all", ""},
+        {"a.glb", "no glb at all", ""},
+        {"a.gltf", "{}", ""},
+        {"a.txt", CUBE, "must end in .obj"},
+        {"obj", CUBE, "must end in .obj"},
+    };
+    for (size_t i = 0; i < COUNT(broken); i++) {
+        assert_text_refused(state, broken[i][0], broken[i][1], broken[i][2]);
+    }
+}
+
+/** Hostile files are refused with a reason, soon. @param state Unused. */
+static void test_hostile(void **state) {
+    (void)state;
+    static const char *const files[][2] = {
+        {MODELS "obj-hand-huge-index.obj", "out of range"},
+        {MODELS "obj-hand-garbage.obj", "no triangle"},
+        {MODELS "obj-hand-short-v.obj", "number"},
+        {MODELS "ply-hand-huge-count.ply", ""},
+        {MODELS "ply-hand-index-out-of-range.ply", "not there"},
+        {MODELS "ply-hand-nan.ply", "finite"},
+    };
+    time_t start = time(NULL);
+    for (size_t i = 0; i < COUNT(files); i++) {
+        assert_refused(files[i][0], files[i][1]);
+    }
+    assert_at_most(time(NULL) - start, 10, "seconds");
+}
+
+/** A model that makes the library crash does not bring the program down: a binary PLY that ends
+ *  before its faces do. @param state A #Fixture. */
+static void test_crash(void **state) {
+    static const char head[] =
+        "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\n"
+        "property float y\nproperty float z\nelement face 9\n"
+        "property list uchar int vertex_indices\nend_header\n";
+    char bytes[sizeof head - 1 + 36 + 7];
+    memset(bytes, 0, sizeof bytes);
+    memcpy(bytes, head, sizeof head - 1);
+    bytes[sizeof head - 1 + 36] = 3;
+    store(path_of(state, "a.ply"), bytes, sizeof bytes);
+    assert_refused(path_of(state, "a.ply"), "");
+}
+
+/** What is no regular file is refused and not waited for. @param state A #Fixture. */
+static void test_kinds(void **state) {
+    assert_refused(path_of(state, "none.obj"), strerror(ENOENT));
+    assert_int_equal(mkdir(path_of(state, "folder.obj"), 0700), 0);
+    assert_refused(path_of(state, "folder.obj"), "folder");
+    assert_int_equal(mkfifo(path_of(state, "pipe.obj"), 0600), 0);
+    assert_refused(path_of(state, "pipe.obj"), "pipe");
+    assert_int_equal(symlink("/dev/zero", path_of(state, "device.obj")), 0);
+    assert_refused(path_of(state, "device.obj"), "device");
+}
+
+/** Files that a model names are not opened: this one would keep the program waiting. @param state A
+ *  #Fixture. */
+static void test_materials_are_not_opened(void **state) {
+    assert_int_equal(mkfifo(path_of(state, "model.mtl"), 0600), 0);
+    time_t start = time(NULL);
+    mesh_destroy(read_text(state, "mtllib model.mtl\n" THREE "usemtl a\nf 1 2 3\n"));
+    assert_at_most(time(NULL) - start, 2, "seconds");
+}
+
+/** How a file is told on, and what is done to it meanwhile. */
+typedef struct Meddler {
+    const char *path;   /**< The file. */
+    const char *mode;   /**< How it is opened to be changed: `ab`, `wb`; NULL: not at all. */
+    const char *text;   /**< What is written. */
+    int told;           /**< How often it was told. */
+    int ended;          /**< How often it was told that it is over. */
+    double worst_share; /**< A share outside of 0 to 1, if there was one. */
+} Meddler;
+
+/** Changes the file when it has just been opened. See MeshProgress::tell. @param context A
+ * #Meddler.
+ *  @param name The file. @param share How much is done. @param seconds Since the start. */
+static void meddle(void *context, const char *name, double share, double seconds) {
+    Meddler *meddler = context;
+    assert_string_equal(name, "model.obj");
+    if (!(share >= 0 && share <= 1) || (meddler->told == 0 && seconds > 0)) {
+        meddler->worst_share = share;
+    }
+    if (meddler->told++ == 0 && meddler->mode) {
+        // Longer than the clock of a file system needs for a tick.
+        nanosleep(&(struct timespec){.tv_nsec = 20000000}, NULL);
+        FILE *file = fopen(meddler->path, meddler->mode);
+        fputs(meddler->text, file);
+        fclose(file);
+    }
+}
+
+/** Notes that it is over. See MeshProgress::end. @param context A #Meddler. */
+static void note_end(void *context) {
+    ((Meddler *)context)->ended++;
+}
+
+/** A file that changes while it is read is refused; one that does not is told on. @param state A
+ *  #Fixture. */
+static void test_changes(void **state) {
+    const char *path = path_of(state, "model.obj");
+    const struct {
+        const char *mode, *text, *words;
+    } changes[] = {{NULL, NULL, NULL},
+                   {"ab", "f 3 2 1\n", "changed"},
+                   {"wb", "v 0 0 0\n", "shorter"},
+                   {"wb", CUBE, "changed"}};
+    for (size_t i = 0; i < COUNT(changes); i++) {
+        Meddler meddler = {.path = path, .mode = changes[i].mode, .text = changes[i].text};
+        const MeshProgress progress = {.tell = meddle, .end = note_end, .context = &meddler};
+        Mesh *mesh;
+        Error error = {0};
+        store(path, CUBE, strlen(CUBE));
+        bool is_read = mesh_file_read(path, &progress, &mesh, &error);
+        assert_int_equal(is_read, changes[i].mode == NULL);
+        assert_true(is_read || strstr(error.message, changes[i].words));
+        assert_true(meddler.told >= 1 && meddler.ended == 1 && meddler.worst_share == 0);
+        mesh_destroy(mesh);
+    }
+}
+
+/** Runs the tests. @return How many failed. */
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(test_texts, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_numbers, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_concave, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_corners, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_awkward, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_formats, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_closed, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_smooth_cube, set_up, tear_down),
+        cmocka_unit_test(test_smooth_extremes),
+        cmocka_unit_test(test_check),
+        cmocka_unit_test(test_pool),
+        cmocka_unit_test_setup_teardown(test_refused_texts, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_hostile, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_crash, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_kinds, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_materials_are_not_opened, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_changes, set_up, tear_down),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

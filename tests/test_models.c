@@ -1,0 +1,281 @@
+/**
+ * @file
+ * @brief Tests of models in scene files: how they are named, found, read once, and blamed.
+ */
+#include "modules.h"
+
+#include "dioptre/script.h"
+
+#include <stdlib.h>
+#include <sys/stat.h>
+
+/** A triangle. */
+#define TRIANGLE "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+
+// --- a shape of our own, so that these tests do not hang on the tracer ---------------------------
+
+/** A shape that is a model. */
+typedef struct Statue {
+    size_t file;  /**< The model. */
+    double scale; /**< A number. */
+} Statue;
+
+/** Fields of the shape. */
+static const Parameter statue_parameters[] = {
+    {.name = "file", .type = PARAMETER_MESH, .offset = offsetof(Statue, file)},
+    {.name = "scale", .type = PARAMETER_NUMBER, .offset = offsetof(Statue, scale), .maximum = 9},
+    {0}};
+
+/** A statue as it is when nothing is said. */
+static const Statue statue_defaults = {.scale = 1};
+
+/** Wants a file. See #Keyword.finish. @param values Not used. @param given See there. @param error
+ *  See there. @return See there. */
+static bool statue_finish(void *values, uint64_t given, Error *error) {
+    (void)values;
+    return (given & 1) || error_set(error, STATUS_SCENE, "statue needs a file");
+}
+
+/** The shape. */
+static const Keyword statue_keyword = {.name = "statue",
+                                       .parameters = statue_parameters,
+                                       .size = sizeof(Statue),
+                                       .defaults = &statue_defaults,
+                                       .finish = statue_finish};
+/** What the scenes of these tests can name. */
+static const Keyword *const shapes[] = {&statue_keyword, NULL};
+
+// --- helpers -------------------------------------------------------------------------------------
+
+/** A folder with a scene's folder in it: empty at first, gone at the end. */
+typedef struct Fixture {
+    char folder[64]; /**< The folder. */
+    char scene[128]; /**< The scene file, in `scene/` there. */
+    char path[192];  /**< Any file. */
+} Fixture;
+
+/** Makes the folders. @param state Becomes a #Fixture. @return 0 when they are there. */
+static int set_up(void **state) {
+    Fixture *fixture = calloc(1, sizeof *fixture);
+    modules_link("dioptre-meshes.so");
+    snprintf(fixture->folder, sizeof fixture->folder, "/tmp/dioptre-models-XXXXXX");
+    *state = fixture;
+    if (!mkdtemp(fixture->folder)) {
+        return -1;
+    }
+    snprintf(fixture->scene, sizeof fixture->scene, "%s/scene", fixture->folder);
+    int status = mkdir(fixture->scene, 0700);
+    snprintf(fixture->scene, sizeof fixture->scene, "%s/scene/scene.lua", fixture->folder);
+    return status;
+}
+
+/** Removes the folder with all that is in it. @param state A #Fixture. @return 0 when it is gone.
+ */
+static int tear_down(void **state) {
+    Fixture *fixture = *state;
+    char command[128];
+    snprintf(command, sizeof command, "rm -rf '%s'", fixture->folder);
+    int status = system(command);
+    free(fixture);
+    return status;
+}
+
+/** @return The path of a file. @param state A #Fixture. @param name Its name from the scene's
+ *  folder. */
+static const char *path_of(void **state, const char *name) {
+    Fixture *fixture = *state;
+    snprintf(fixture->path, sizeof fixture->path, "%s/scene/%s", fixture->folder, name);
+    return fixture->path;
+}
+
+/** Writes a text file. @param path Where. @param text What. */
+static void store(const char *path, const char *text) {
+    FILE *file = fopen(path, "wb");
+    assert_non_null(file);
+    fputs(text, file);
+    assert_int_equal(fclose(file), 0);
+}
+
+/** Loads a scene. @param state A #Fixture. @param text Its text. @param progress Who is told.
+ *  @param[out] error What is wrong. @return The scene, or NULL. */
+static Scene *load(void **state, const char *text, const MeshProgress *progress, Error *error) {
+    Fixture *fixture = *state;
+    store(fixture->scene, text);
+    const ScriptRequest request = {.path = fixture->scene,
+                                   .seconds = SCRIPT_SECONDS,
+                                   .memory = SCRIPT_MEMORY,
+                                   .shape_keywords = shapes,
+                                   .progress = progress};
+    return script_load(&request, error);
+}
+
+/** @return A scene that must be good. @param state A #Fixture. @param text Its text. */
+static Scene *load_good(void **state, const char *text) {
+    Error error = {0};
+    Scene *scene = load(state, text, NULL, &error);
+    if (!scene) {
+        fail_msg("%s", error.message);
+    }
+    return scene;
+}
+
+/** Checks that a scene is refused. @param state A #Fixture. @param text Its text. @param line The
+ *  line that must be blamed. @param words What must follow it. */
+static void assert_refused(void **state, const char *text, int line, const char *words) {
+    const Fixture *fixture = *state;
+    Error error = {0};
+    char wanted[256];
+    snprintf(wanted, sizeof wanted, "%s:%d: %s", fixture->scene, line, words);
+    Scene *scene = load(state, text, NULL, &error);
+    if (scene || error.status != STATUS_SCENE ||
+        strncmp(error.message, wanted, strlen(wanted)) != 0) {
+        fail_msg("wanted: %s\ngot: (%d) %s", wanted, error.status,
+                 scene ? "a scene" : error.message);
+    }
+}
+
+/** @return The parameters of a shape. @param scene The scene. @param i Which. */
+static const Statue *statue_of(const Scene *scene, size_t i) {
+    return scene->shapes[i].parameters;
+}
+
+// --- tests ---------------------------------------------------------------------------------------
+
+/** A model is found beside the scene file, in a folder below it, and in a file that is included;
+ *  named twice in different ways, it is read once. @param state A #Fixture. */
+static void test_once(void **state) {
+    mkdir(path_of(state, "models"), 0700);
+    store(path_of(state, "a.obj"), TRIANGLE);
+    store(path_of(state, "models/b.obj"), TRIANGLE "f 3 2 1\n");
+    assert_int_equal(symlink("a.obj", path_of(state, "c.obj")), 0);
+    store(path_of(state, "part.lua"), "\nstatue { file = 'models/../a.obj' }");
+    Scene *scene = load_good(state, "camera {}\nstatue { file = 'a.obj', scale = 2 }\n"
+                                    "statue { file = 'models/b.obj' }\ninclude 'part.lua'\n"
+                                    "statue { file = 'c.obj' }");
+    const Fixture *fixture = *state;
+    char where[160], real[PATH_MAX];
+    snprintf(where, sizeof where, "%s:2", fixture->scene);
+    assert_non_null(realpath(path_of(state, "a.obj"), real));
+    assert_int_equal(scene->mesh_count, 2);
+    assert_string_equal(scene->meshes[0].where, where);
+    assert_string_equal(scene->meshes[0].name, "a.obj");
+    assert_string_equal(scene->meshes[0].path, real);
+    assert_string_equal(scene->meshes[1].name, "models/b.obj");
+    assert_int_equal(scene->meshes[0].mesh->triangle_count, 1);
+    assert_int_equal(scene->meshes[1].mesh->triangle_count, 2);
+    const size_t places[] = {0, 1, 0, 0};
+    for (size_t i = 0; i < 4; i++) {
+        assert_int_equal(statue_of(scene, i)->file, places[i]);
+    }
+    assert_true(statue_of(scene, 0)->scale == 2);
+    scene_destroy(scene);
+}
+
+/** Many models find room. @param state A #Fixture. */
+static void test_many(void **state) {
+    for (int i = 1; i <= 40; i++) {
+        char name[32];
+        snprintf(name, sizeof name, "m%d.obj", i);
+        store(path_of(state, name), TRIANGLE);
+    }
+    Scene *scene = load_good(state, "camera {}\nfor i = 1, 40 do\n"
+                                    "  statue { file = 'm' .. i .. '.obj' }\nend");
+    assert_int_equal(scene->mesh_count, 40);
+    for (size_t i = 0; i < 40; i++) {
+        assert_int_equal(statue_of(scene, i)->file, i);
+        assert_int_equal(scene->meshes[i].mesh->triangle_count, 1);
+    }
+    scene_destroy(scene);
+}
+
+/** What cannot be a model is refused where it is named. @param state A #Fixture. */
+static void test_refused_names(void **state) {
+    const Fixture *fixture = *state;
+    char outside[128], text[256];
+    snprintf(outside, sizeof outside, "%s/outside.obj", fixture->folder);
+    store(outside, TRIANGLE);
+    mkdir(path_of(state, "folder.obj"), 0700);
+    mkfifo(path_of(state, "pipe.obj"), 0600);
+    store(path_of(state, "model.txt"), TRIANGLE);
+    assert_int_equal(symlink("../outside.obj", path_of(state, "link.obj")), 0);
+    assert_int_equal(symlink("/dev/zero", path_of(state, "zero.obj")), 0);
+    const char *const names[][2] = {
+        {"none.obj", "none.obj: No such file"},
+        {"folder.obj", "folder.obj: this is a folder"},
+        {"pipe.obj", "pipe.obj: this is a pipe"},
+        {"model.txt", "model.txt: a model's name must end in .obj"},
+        {"../outside.obj", "../outside.obj: it lies outside the scene's folder"},
+        {"link.obj", "link.obj: it lies outside the scene's folder"},
+        {"zero.obj", "zero.obj: it lies outside the scene's folder"},
+        {"/etc/passwd", "/etc/passwd: its name must say where it is from the scene file"},
+        {"a\\0.obj", "file must not have a zero byte"},
+        {"", ": it lies outside the scene's folder"},
+    };
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        snprintf(text, sizeof text, "camera {}\n\nstatue { file = '%s' }", names[i][0]);
+        assert_refused(state, text, 3, names[i][1]);
+    }
+    assert_refused(state, "camera {}\nstatue { file = 7 }", 2, "file must be the name of a model");
+    assert_refused(state, "camera {}\nstatue {}", 2, "statue needs a file");
+}
+
+/** What is wrong inside a model is blamed on the line that names it first. @param state A #Fixture.
+ */
+static void test_refused_models(void **state) {
+    store(path_of(state, "good.obj"), TRIANGLE);
+    store(path_of(state, "empty.obj"), "v 0 0 0\nv 1 0 0\np 1\n");
+    store(path_of(state, "escape.obj"), "v 0 0 0\nv 1 0 0\nv 0 \033[31m! 0\nf 1 2 3\n");
+    assert_refused(state,
+                   "camera {}\nstatue { file = 'good.obj' }\nstatue { file = 'empty.obj' }\n"
+                   "statue { file = 'empty.obj' }",
+                   3, "empty.obj: there is no triangle in it");
+    // A library's words cannot colour the terminal.
+    assert_refused(state, "camera {}\nstatue { file = 'escape.obj' }", 2, "escape.obj: ");
+    Error error = {0};
+    assert_null(load(state, "camera {}\nstatue { file = 'escape.obj' }", NULL, &error));
+    assert_null(strchr(error.message, '\033'));
+}
+
+/** A model that a failing scene names is not read. @param state A #Fixture. */
+static void test_scene_comes_first(void **state) {
+    store(path_of(state, "empty.obj"), "p 1\n");
+    assert_refused(state, "camera {}\nstatue { file = 'empty.obj' }\nerror('of mine')", 3,
+                   "of mine");
+}
+
+/** Counts. See MeshProgress::tell. @param context How often. @param name Not used. @param share Not
+ *  used. @param seconds Not used. */
+static void count_tell(void *context, const char *name, double share, double seconds) {
+    (void)name, (void)share, (void)seconds;
+    ++*(int *)context;
+}
+
+/** Notes that it is over. See MeshProgress::end. @param context How often it was told. */
+static void check_told(void *context) {
+    assert_true(*(int *)context > 0);
+}
+
+/** Who wants to know is told. @param state A #Fixture. */
+static void test_progress(void **state) {
+    int told = 0;
+    const MeshProgress progress = {.tell = count_tell, .end = check_told, .context = &told};
+    Error error = {0};
+    store(path_of(state, "a.obj"), TRIANGLE);
+    Scene *scene = load(state, "camera {}\nstatue { file = 'a.obj' }", &progress, &error);
+    assert_non_null(scene);
+    assert_true(told > 0);
+    scene_destroy(scene);
+}
+
+/** Runs the tests. @return How many failed. */
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(test_once, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_many, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_refused_names, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_refused_models, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_scene_comes_first, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_progress, set_up, tear_down),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -96,8 +96,7 @@ bool mesh_check(const Mesh *mesh, Error *error);
 
 /**
  * Finds normals that make a mesh look smooth: at each position the mean of its triangles' normals,
- * each weighted by its angle there (G. Thuermer and C. Wuethrich, *Computing Vertex Normals from
- * Polygonal Facets*, 1998), so that it does not depend on how a flat part is cut.
+ * each weighted by its angle there, so that it does not depend on how a flat part is cut.
  * @param mesh          The mesh.
  * @param[out] normals  One unit normal a position, never NaN. Where the mean vanishes, as on the
  *                      edge of a sheet folded back on itself, it is the normal of a triangle that

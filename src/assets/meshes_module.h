@@ -2,17 +2,7 @@
  * @file
  * @brief What the model module `dioptre-meshes.so` offers: triangles out of model files.
  *
- * The library behind it is assimp. tinyobjloader was measured beside it, on the Stanford dragon of
- * 871,414 triangles and on 39 legal but awkward files:
- *
- * | | dragon | memory | legal files read wrongly |
- * |---|---|---|---|
- * | assimp 5.2.5 | 0.33 s | 218 MB | 1 of 39: numbers that begin with a point (put right here) |
- * | tinyobjloader 2.0 rc 10 | 0.29 s | 168 MB | 3 of 39: two concave polygons lose 20 of 64 and 6
- * of 14 triangles without a word, lines that go on after a backslash are not read |
- *
- * What it offers more (PLY, STL, glTF) decides. It holds coordinates in float; tinyobjloader could
- * give doubles.
+ * The library behind it is assimp; `doc/tour.md` has the figures of tinyobjloader beside it.
  *
  * The module is opened in a child process only. No file but the model's own is opened, whatever
  * materials it names: the module gets bytes, not paths.

@@ -142,8 +142,10 @@ static bool facet_find(const Mesh *mesh, const MeshTriangle *triangle, Facet *fa
 }
 
 /**
- * @return The angle of a triangle at a corner, radians; by the arc tangent, which is as good for
- *         very sharp and very blunt ones.
+ * Weighs a triangle at a corner by its angle there (Thürmer and Wüthrich, *Computing Vertex Normals
+ * from Polygonal Facets*, 1998).
+ * @return The angle, radians; by the arc tangent, which is as good for very sharp and very blunt
+ *         ones.
  * @param facet   The triangle.
  * @param corner  Which corner.
  */

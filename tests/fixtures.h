@@ -9,10 +9,12 @@
 
 #include "dioptre/picture.h"
 
+#include <errno.h>
 #include <ftw.h>
 #include <limits.h>
 #include <stdlib.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 /** Where tests work: a folder that is empty at first and gone at the end. */
 typedef struct Fixture {
@@ -77,6 +79,23 @@ static inline void store(const char *path, const void *bytes, size_t size) {
     assert_non_null(stream);
     assert_int_equal(fwrite(bytes, 1, size, stream), size);
     assert_int_equal(fclose(stream), 0);
+}
+
+/**
+ * Makes a module of the program findable for a test, which lies one folder below the program.
+ * @param file  The module's file name.
+ */
+static inline void link_module(const char *file) {
+    char link[PATH_MAX], target[PATH_MAX];
+    ssize_t length = readlink("/proc/self/exe", link, sizeof link - 1);
+    assert_true(length > 0);
+    link[length] = '\0';
+    char *name = strrchr(link, '/') + 1;
+    snprintf(name, sizeof link - (size_t)(name - link), "%s", file);
+    snprintf(target, sizeof target, "../%s", file);
+    if (symlink(target, link) != 0 && errno != EEXIST) {
+        fail_msg("%s: %s", link, strerror(errno));
+    }
 }
 
 /**

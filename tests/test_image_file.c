@@ -437,20 +437,9 @@ static void test_module_interrupted(void **state) {
     assert_int_equal(error.status, STATUS_INTERRUPTED);
 }
 
-/**
- * Makes the module findable for this test, which lies one folder below the program. The tests of
- * the module are skipped where it was not built.
- */
+/** Makes the module findable. The tests of it are skipped where it was not built. */
 static void need_module(void) {
-    char link[PATH_MAX];
-    ssize_t length = readlink("/proc/self/exe", link, sizeof link - 1);
-    assert_true(length > 0);
-    link[length] = '\0';
-    char *name = strrchr(link, '/') + 1;
-    snprintf(name, sizeof link - (size_t)(name - link), "dioptre-images.so");
-    if (symlink("../dioptre-images.so", link) != 0 && errno != EEXIST) {
-        fail_msg("%s: %s", link, strerror(errno));
-    }
+    link_module("dioptre-images.so");
     Error error = {0};
     if (!images_load(&error)) {
         print_message("%s\n", error.message);

@@ -2,15 +2,13 @@
  * @file
  * @brief Tests of meshes: what is read of model files, what is put right, what is refused.
  */
-#include "modules.h"
+#include "fixtures.h"
 
 #include "assets/mesh_file.h"
 #include "assets/pool.h"
 #include "dioptre/parameter.h"
 
 #include <float.h>
-#include <stdlib.h>
-#include <sys/stat.h>
 #include <time.h>
 
 /** Number of items of an array. */
@@ -32,45 +30,11 @@
 
 // --- helpers -------------------------------------------------------------------------------------
 
-/** A folder of a test: empty at first, gone at the end. */
-typedef struct Fixture {
-    char folder[64]; /**< The folder. */
-    char path[160];  /**< A file in it. */
-} Fixture;
-
-/** Makes the folder. @param state Becomes a #Fixture. @return 0 when it is there. */
+/** Makes a folder, and the module findable. @param state Becomes a #Fixture. @return 0 when it is
+ *  there. */
 static int set_up(void **state) {
-    Fixture *fixture = calloc(1, sizeof *fixture);
-    modules_link("dioptre-meshes.so");
-    snprintf(fixture->folder, sizeof fixture->folder, "/tmp/dioptre-mesh-XXXXXX");
-    *state = fixture;
-    return mkdtemp(fixture->folder) ? 0 : -1;
-}
-
-/** Removes the folder with all that is in it. @param state A #Fixture. @return 0 when it is gone.
- */
-static int tear_down(void **state) {
-    Fixture *fixture = *state;
-    char command[128];
-    snprintf(command, sizeof command, "rm -rf '%s'", fixture->folder);
-    int status = system(command);
-    free(fixture);
-    return status;
-}
-
-/** @return The path of a file in the folder. @param state A #Fixture. @param name The file. */
-static const char *path_of(void **state, const char *name) {
-    Fixture *fixture = *state;
-    snprintf(fixture->path, sizeof fixture->path, "%s/%s", fixture->folder, name);
-    return fixture->path;
-}
-
-/** Writes a file. @param path Where. @param bytes What. @param size Bytes of it. */
-static void store(const char *path, const void *bytes, size_t size) {
-    FILE *file = fopen(path, "wb");
-    assert_non_null(file);
-    assert_int_equal(fwrite(bytes, 1, size, file), size);
-    assert_int_equal(fclose(file), 0);
+    link_module("dioptre-meshes.so");
+    return enter_folder(state);
 }
 
 /** @return The mesh of a file, which must be good and pass all checks. @param path The file. */
@@ -565,23 +529,23 @@ static void test_changes(void **state) {
 /** Runs the tests. @return How many failed. */
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(test_texts, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_numbers, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_concave, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_corners, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_awkward, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_formats, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_closed, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_smooth_cube, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_texts, set_up, leave_folder),
+        cmocka_unit_test_setup_teardown(test_numbers, set_up, leave_folder),
+        cmocka_unit_test_setup_teardown(test_concave, set_up, leave_folder),
+        cmocka_unit_test_setup_teardown(test_corners, set_up, leave_folder),
+        cmocka_unit_test_setup_teardown(test_awkward, set_up, leave_folder),
+        cmocka_unit_test_setup_teardown(test_formats, set_up, leave_folder),
+        cmocka_unit_test_setup_teardown(test_closed, set_up, leave_folder),
+        cmocka_unit_test_setup_teardown(test_smooth_cube, set_up, leave_folder),
         cmocka_unit_test(test_smooth_extremes),
         cmocka_unit_test(test_check),
         cmocka_unit_test(test_pool),
-        cmocka_unit_test_setup_teardown(test_refused_texts, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_hostile, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_crash, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_kinds, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_materials_are_not_opened, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_changes, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_refused_texts, set_up, leave_folder),
+        cmocka_unit_test_setup_teardown(test_hostile, set_up, leave_folder),
+        cmocka_unit_test_setup_teardown(test_crash, set_up, leave_folder),
+        cmocka_unit_test_setup_teardown(test_kinds, set_up, leave_folder),
+        cmocka_unit_test_setup_teardown(test_materials_are_not_opened, set_up, leave_folder),
+        cmocka_unit_test_setup_teardown(test_changes, set_up, leave_folder),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

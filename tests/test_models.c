@@ -2,12 +2,9 @@
  * @file
  * @brief Tests of models in scene files: how they are named, found, read once, and blamed.
  */
-#include "modules.h"
+#include "fixtures.h"
 
 #include "dioptre/script.h"
-
-#include <stdlib.h>
-#include <sys/stat.h>
 
 /** A triangle. */
 #define TRIANGLE "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
@@ -47,61 +44,26 @@ static const Keyword *const shapes[] = {&statue_keyword, NULL};
 
 // --- helpers -------------------------------------------------------------------------------------
 
-/** A folder with a scene's folder in it: empty at first, gone at the end. */
-typedef struct Fixture {
-    char folder[64]; /**< The folder. */
-    char scene[128]; /**< The scene file, in `scene/` there. */
-    char path[192];  /**< Any file. */
-} Fixture;
-
-/** Makes the folders. @param state Becomes a #Fixture. @return 0 when they are there. */
+/** Makes a folder with a scene's folder in it, and the module findable. @param state Becomes a
+ *  #Fixture. @return 0 when they are there. */
 static int set_up(void **state) {
-    Fixture *fixture = calloc(1, sizeof *fixture);
-    modules_link("dioptre-meshes.so");
-    snprintf(fixture->folder, sizeof fixture->folder, "/tmp/dioptre-models-XXXXXX");
-    *state = fixture;
-    if (!mkdtemp(fixture->folder)) {
-        return -1;
-    }
-    snprintf(fixture->scene, sizeof fixture->scene, "%s/scene", fixture->folder);
-    int status = mkdir(fixture->scene, 0700);
-    snprintf(fixture->scene, sizeof fixture->scene, "%s/scene/scene.lua", fixture->folder);
-    return status;
+    link_module("dioptre-meshes.so");
+    return enter_folder(state) == 0 ? mkdir(path_of(state, "scene"), 0700) : -1;
 }
 
-/** Removes the folder with all that is in it. @param state A #Fixture. @return 0 when it is gone.
- */
-static int tear_down(void **state) {
-    Fixture *fixture = *state;
-    char command[128];
-    snprintf(command, sizeof command, "rm -rf '%s'", fixture->folder);
-    int status = system(command);
-    free(fixture);
-    return status;
-}
-
-/** @return The path of a file. @param state A #Fixture. @param name Its name from the scene's
- *  folder. */
-static const char *path_of(void **state, const char *name) {
-    Fixture *fixture = *state;
-    snprintf(fixture->path, sizeof fixture->path, "%s/scene/%s", fixture->folder, name);
-    return fixture->path;
-}
-
-/** Writes a text file. @param path Where. @param text What. */
-static void store(const char *path, const char *text) {
-    FILE *file = fopen(path, "wb");
-    assert_non_null(file);
-    fputs(text, file);
-    assert_int_equal(fclose(file), 0);
+/** Writes a file into the scene's folder. @param state A #Fixture. @param name Its name. @param
+ * text What is in it. @return Its path. */
+static const char *store_beside(void **state, const char *name, const char *text) {
+    char inside[PATH_MAX / 2];
+    snprintf(inside, sizeof inside, "scene/%s", name);
+    store(path_of(state, inside), text, strlen(text));
+    return ((Fixture *)*state)->path;
 }
 
 /** Loads a scene. @param state A #Fixture. @param text Its text. @param progress Who is told.
  *  @param[out] error What is wrong. @return The scene, or NULL. */
 static Scene *load(void **state, const char *text, const MeshProgress *progress, Error *error) {
-    Fixture *fixture = *state;
-    store(fixture->scene, text);
-    const ScriptRequest request = {.path = fixture->scene,
+    const ScriptRequest request = {.path = store_beside(state, "scene.lua", text),
                                    .seconds = SCRIPT_SECONDS,
                                    .memory = SCRIPT_MEMORY,
                                    .shape_keywords = shapes,
@@ -122,11 +84,10 @@ static Scene *load_good(void **state, const char *text) {
 /** Checks that a scene is refused. @param state A #Fixture. @param text Its text. @param line The
  *  line that must be blamed. @param words What must follow it. */
 static void assert_refused(void **state, const char *text, int line, const char *words) {
-    const Fixture *fixture = *state;
     Error error = {0};
-    char wanted[256];
-    snprintf(wanted, sizeof wanted, "%s:%d: %s", fixture->scene, line, words);
+    char wanted[PATH_MAX + 256];
     Scene *scene = load(state, text, NULL, &error);
+    snprintf(wanted, sizeof wanted, "%s:%d: %s", path_of(state, "scene/scene.lua"), line, words);
     if (scene || error.status != STATUS_SCENE ||
         strncmp(error.message, wanted, strlen(wanted)) != 0) {
         fail_msg("wanted: %s\ngot: (%d) %s", wanted, error.status,
@@ -144,18 +105,17 @@ static const Statue *statue_of(const Scene *scene, size_t i) {
 /** A model is found beside the scene file, in a folder below it, and in a file that is included;
  *  named twice in different ways, it is read once. @param state A #Fixture. */
 static void test_once(void **state) {
-    mkdir(path_of(state, "models"), 0700);
-    store(path_of(state, "a.obj"), TRIANGLE);
-    store(path_of(state, "models/b.obj"), TRIANGLE "f 3 2 1\n");
-    assert_int_equal(symlink("a.obj", path_of(state, "c.obj")), 0);
-    store(path_of(state, "part.lua"), "\nstatue { file = 'models/../a.obj' }");
+    mkdir(path_of(state, "scene/models"), 0700);
+    store_beside(state, "a.obj", TRIANGLE);
+    store_beside(state, "models/b.obj", TRIANGLE "f 3 2 1\n");
+    assert_int_equal(symlink("a.obj", path_of(state, "scene/c.obj")), 0);
+    store_beside(state, "part.lua", "\nstatue { file = 'models/../a.obj' }");
     Scene *scene = load_good(state, "camera {}\nstatue { file = 'a.obj', scale = 2 }\n"
                                     "statue { file = 'models/b.obj' }\ninclude 'part.lua'\n"
                                     "statue { file = 'c.obj' }");
-    const Fixture *fixture = *state;
-    char where[160], real[PATH_MAX];
-    snprintf(where, sizeof where, "%s:2", fixture->scene);
-    assert_non_null(realpath(path_of(state, "a.obj"), real));
+    char where[PATH_MAX + 16], real[PATH_MAX];
+    snprintf(where, sizeof where, "%s:2", path_of(state, "scene/scene.lua"));
+    assert_non_null(realpath(path_of(state, "scene/a.obj"), real));
     assert_int_equal(scene->mesh_count, 2);
     assert_string_equal(scene->meshes[0].where, where);
     assert_string_equal(scene->meshes[0].name, "a.obj");
@@ -176,7 +136,7 @@ static void test_many(void **state) {
     for (int i = 1; i <= 40; i++) {
         char name[32];
         snprintf(name, sizeof name, "m%d.obj", i);
-        store(path_of(state, name), TRIANGLE);
+        store_beside(state, name, TRIANGLE);
     }
     Scene *scene = load_good(state, "camera {}\nfor i = 1, 40 do\n"
                                     "  statue { file = 'm' .. i .. '.obj' }\nend");
@@ -190,15 +150,13 @@ static void test_many(void **state) {
 
 /** What cannot be a model is refused where it is named. @param state A #Fixture. */
 static void test_refused_names(void **state) {
-    const Fixture *fixture = *state;
-    char outside[128], text[256];
-    snprintf(outside, sizeof outside, "%s/outside.obj", fixture->folder);
-    store(outside, TRIANGLE);
-    mkdir(path_of(state, "folder.obj"), 0700);
-    mkfifo(path_of(state, "pipe.obj"), 0600);
-    store(path_of(state, "model.txt"), TRIANGLE);
-    assert_int_equal(symlink("../outside.obj", path_of(state, "link.obj")), 0);
-    assert_int_equal(symlink("/dev/zero", path_of(state, "zero.obj")), 0);
+    char text[256];
+    store_beside(state, "../outside.obj", TRIANGLE);
+    mkdir(path_of(state, "scene/folder.obj"), 0700);
+    mkfifo(path_of(state, "scene/pipe.obj"), 0600);
+    store_beside(state, "model.txt", TRIANGLE);
+    assert_int_equal(symlink("../outside.obj", path_of(state, "scene/link.obj")), 0);
+    assert_int_equal(symlink("/dev/zero", path_of(state, "scene/zero.obj")), 0);
     const char *const names[][2] = {
         {"none.obj", "none.obj: No such file"},
         {"folder.obj", "folder.obj: this is a folder"},
@@ -222,9 +180,9 @@ static void test_refused_names(void **state) {
 /** What is wrong inside a model is blamed on the line that names it first. @param state A #Fixture.
  */
 static void test_refused_models(void **state) {
-    store(path_of(state, "good.obj"), TRIANGLE);
-    store(path_of(state, "empty.obj"), "v 0 0 0\nv 1 0 0\np 1\n");
-    store(path_of(state, "escape.obj"), "v 0 0 0\nv 1 0 0\nv 0 \033[31m! 0\nf 1 2 3\n");
+    store_beside(state, "good.obj", TRIANGLE);
+    store_beside(state, "empty.obj", "v 0 0 0\nv 1 0 0\np 1\n");
+    store_beside(state, "escape.obj", "v 0 0 0\nv 1 0 0\nv 0 \033[31m! 0\nf 1 2 3\n");
     assert_refused(state,
                    "camera {}\nstatue { file = 'good.obj' }\nstatue { file = 'empty.obj' }\n"
                    "statue { file = 'empty.obj' }",
@@ -238,7 +196,7 @@ static void test_refused_models(void **state) {
 
 /** A model that a failing scene names is not read. @param state A #Fixture. */
 static void test_scene_comes_first(void **state) {
-    store(path_of(state, "empty.obj"), "p 1\n");
+    store_beside(state, "empty.obj", "p 1\n");
     assert_refused(state, "camera {}\nstatue { file = 'empty.obj' }\nerror('of mine')", 3,
                    "of mine");
 }
@@ -260,7 +218,7 @@ static void test_progress(void **state) {
     int told = 0;
     const MeshProgress progress = {.tell = count_tell, .end = check_told, .context = &told};
     Error error = {0};
-    store(path_of(state, "a.obj"), TRIANGLE);
+    store_beside(state, "a.obj", TRIANGLE);
     Scene *scene = load(state, "camera {}\nstatue { file = 'a.obj' }", &progress, &error);
     assert_non_null(scene);
     assert_true(told > 0);
@@ -270,12 +228,12 @@ static void test_progress(void **state) {
 /** Runs the tests. @return How many failed. */
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(test_once, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_many, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_refused_names, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_refused_models, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_scene_comes_first, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_progress, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_once, set_up, leave_folder),
+        cmocka_unit_test_setup_teardown(test_many, set_up, leave_folder),
+        cmocka_unit_test_setup_teardown(test_refused_names, set_up, leave_folder),
+        cmocka_unit_test_setup_teardown(test_refused_models, set_up, leave_folder),
+        cmocka_unit_test_setup_teardown(test_scene_comes_first, set_up, leave_folder),
+        cmocka_unit_test_setup_teardown(test_progress, set_up, leave_folder),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -27,11 +27,12 @@ static double clock_seconds(void) {
 
 /**
  * Undoes, in the child, what the program has arranged for its own signals: Ctrl-C ends the child
- * as it would end any other, and a closed terminal does not.
+ * as it would end any other, and a closed terminal does not. A crash is one, whoever would catch
+ * it.
  */
 static void reset_signals(void) {
-    static const int usual[] = {SIGHUP,  SIGINT,  SIGQUIT, SIGTERM,
-                                SIGALRM, SIGCHLD, SIGUSR1, SIGUSR2};
+    static const int usual[] = {SIGHUP,  SIGINT,  SIGQUIT, SIGTERM, SIGALRM, SIGCHLD, SIGUSR1,
+                                SIGUSR2, SIGSEGV, SIGBUS,  SIGFPE,  SIGILL,  SIGABRT};
     for (size_t i = 0; i < sizeof usual / sizeof *usual; i++) {
         signal(usual[i], SIG_DFL);
     }

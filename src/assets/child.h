@@ -2,8 +2,9 @@
  * @file
  * @brief Work in a child process, with a deadline that nothing can get round.
  *
- * Files of strangers are read in children: scenes, and pictures. It lies in this room because both
- * readers may look here, while src/scene, the other room that both see, knows of no processes.
+ * Files of strangers are read in children: scenes, pictures and models. It lies in this room
+ * because all readers may look here, while src/scene, the other room that all see, knows of no
+ * processes.
  */
 #ifndef ASSETS_CHILD_H
 #define ASSETS_CHILD_H

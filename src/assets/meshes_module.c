@@ -16,7 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** Longest name that assimp is given for the file: `model.` and an ending. */
+/** Bytes of the name that assimp is given for the file, such as `model.obj`. */
 enum { NAME_SIZE = 32 };
 /** How much of the whole work it is to read the file. */
 #define READING_SHARE 0.5

@@ -189,8 +189,8 @@ install: all
 	    install -D -m 755 $$module $(DESTDIR)$(PREFIX)/lib/dioptre/$${module##*/} || exit 1; \
 	done
 	install -D -m 644 doc/dioptre.1 $(DESTDIR)$(PREFIX)/share/man/man1/dioptre.1
-	for scene in scenes/*.lua; do \
-	    install -D -m 644 $$scene $(DESTDIR)$(PREFIX)/share/dioptre/$$scene || exit 1; \
+	for file in scenes/*.lua scenes/models/*; do \
+	    install -D -m 644 $$file $(DESTDIR)$(PREFIX)/share/dioptre/$$file || exit 1; \
 	done
 
 # --- the rest ------------------------------------------------------------------------------------

@@ -79,4 +79,5 @@ without() {
 }
 without libsdl2-dev sdl2 dioptre
 without libopenimageio-dev OpenImageIO dioptre-images.so
+without libassimp-dev assimp dioptre-meshes.so
 finish

@@ -28,8 +28,9 @@ typedef struct MeshRepairs {
     size_t uncut;        /**< Triangles missing of polygons that cannot be cut into triangles. */
     size_t lost_normals; /**< Corners whose normal is missing, while others have one, or has no
                               direction: their triangle's normal was put there. */
-    size_t lost_uvs;     /**< Corners whose (u, v) is missing, while others have one, or is no
-                              finite number: (0, 0) was put there. */
+    size_t lost_uvs;     /**< Corners without a (u, v) that could be used, while others have one:
+                              (0, 0) was put there. Where only some corners of one part of an OBJ
+                              lack theirs, the library has done so already, uncounted. */
 } MeshRepairs;
 
 /** A mesh: one block of memory, shared with child processes, with all its arrays in it. */

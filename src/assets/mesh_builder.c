@@ -70,7 +70,9 @@ static Vector3 area_of(Vector3 a, Vector3 b, Vector3 c) {
  */
 static bool lengthen(MeshTriangle **array, size_t capacity) {
     MeshTriangle *longer = realloc(*array, capacity * sizeof *longer);
-    *array = longer ? longer : *array;
+    if (longer) {
+        *array = longer;
+    }
     return longer != NULL;
 }
 

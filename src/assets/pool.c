@@ -61,8 +61,11 @@ static bool grow(Pool *pool) {
         return false;
     }
     double *points = realloc(pool->points, capacity * pool->width * sizeof *points);
-    pool->points = points ? points : pool->points;
-    uint32_t *slots = points ? malloc(2 * capacity * sizeof *slots) : NULL;
+    if (!points) {
+        return false;
+    }
+    pool->points = points;
+    uint32_t *slots = malloc(2 * capacity * sizeof *slots);
     if (!slots) {
         return false;
     }

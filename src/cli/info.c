@@ -93,14 +93,14 @@ static void info_print_repairs(const MeshRepairs *repairs) {
         size_t count;      /**< How many. */
         const char *words; /**< Of what. */
     } all[] = {
-        {repairs->degenerate, "without area left out"},
-        {repairs->uncut, "missing of polygons that cannot be cut"},
-        {repairs->lost_normals, "corners got their triangle's normal"},
-        {repairs->lost_uvs, "corners got (u, v) 0, 0"},
+        {repairs->degenerate, "without area, left out"},
+        {repairs->uncut, "missing, as polygons cannot be cut"},
+        {repairs->lost_normals, "corners given their triangle's normal"},
+        {repairs->lost_uvs, "corners given (0, 0) as (u, v)"},
     };
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
         if (all[i].count > 0) {
-            printf("; %zu %s", all[i].count, all[i].words);
+            printf("; %s: %zu", all[i].words, all[i].count);
         }
     }
 }

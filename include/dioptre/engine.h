@@ -27,11 +27,28 @@ typedef enum {
     OFFSET_BOUND  /**< As far as that hit's rounding error can reach: the default. */
 } OffsetStrategy;
 
+/** Who does work side by side, where there is much of it; NULL in #run: the caller, piece by piece. */
+typedef struct Crew {
+    void *workers; /**< Handed to #run. */
+    int count;     /**< How many work at once. */
+
+    /**
+     * Does pieces 0 to count - 1 of some work and waits until all are done.
+     * @param workers  See #workers.
+     * @param count    How many pieces.
+     * @param job      Does a piece.
+     * @param context  Handed to it.
+     */
+    void (*run)(void *workers, size_t count, void (*job)(void *context, size_t index),
+                void *context);
+} Crew;
+
 /** What a tracer is told besides the scene. */
 typedef struct TraceSettings {
     int depth;             /**< How often a ray may be mirrored. */
     OffsetStrategy offset; /**< Where secondary rays start. */
     double epsilon;        /**< For #OFFSET_FIXED: how far away, scene units. */
+    Crew crew;             /**< Who prepares the tracer. */
 } TraceSettings;
 
 /** A rectangle of pixels, all of them or every n-th, to be traced with one ray each. */

@@ -30,6 +30,13 @@ RenderSettings render_settings_default(const Scene *scene) {
     };
 }
 
+/** Lets workers do what a crew is asked to. See #Crew.run. @param workers The workers.
+ *  @param count Pieces. @param job Does one. @param context Handed to it. */
+static void crew_workers_run(void *workers, size_t count, void (*job)(void *, size_t),
+                             void *context) {
+    workers_run(workers, count, job, context);
+}
+
 Renderer *renderer_create(const Scene *scene, const RenderSettings *settings, Error *error) {
     Renderer *renderer = calloc(1, sizeof *renderer);
     if (!renderer) {
@@ -39,9 +46,13 @@ Renderer *renderer_create(const Scene *scene, const RenderSettings *settings, Er
     renderer->settings = *settings;
     background_init(&renderer->background);
     encoder_init(&renderer->encoder, (Encoding)settings->encoding);
-    renderer->tracer = settings->engine->prepare(scene, &settings->trace, error);
-    renderer->workers = renderer->tracer ? workers_create(settings->threads, error) : NULL;
-    if (!renderer->workers) {
+    renderer->workers = workers_create(settings->threads, error);
+    if (renderer->workers) {
+        TraceSettings trace = settings->trace;
+        trace.crew = (Crew){renderer->workers, settings->threads, crew_workers_run};
+        renderer->tracer = settings->engine->prepare(scene, &trace, error);
+    }
+    if (!renderer->tracer) {
         renderer_destroy(renderer);
         return NULL;
     }

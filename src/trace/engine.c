@@ -19,6 +19,7 @@ static Backdrop backdrop_of(const Sky *sky) {
 static void engine_release(Tracer *tracer) {
     if (tracer) {
         shape_list_release(&tracer->list);
+        models_release(&tracer->models);
         free(tracer->surfaces);
         free(tracer->lamps);
         free(tracer);
@@ -56,7 +57,9 @@ static Tracer *tracer_create(const Scene *scene, const TraceSettings *settings, 
                        .departure = {settings->offset, (scalar)settings->epsilon}};
     tracer->lamps = vector_allocate((scene->light_count + 1) * sizeof(Lamp));
     tracer->surfaces = vector_allocate(scene->material_count * sizeof(Surface));
-    if (!tracer->lamps || !tracer->surfaces || !shape_list_init(&tracer->list, scene, error)) {
+    if (!tracer->lamps || !tracer->surfaces ||
+        !models_init(&tracer->models, scene, &settings->crew, error) ||
+        !shape_list_init(&tracer->list, scene, &tracer->models, &settings->crew, error)) {
         error_set(error, STATUS_FAILED, "no memory for the scene");
         engine_release(tracer);
         return NULL;
@@ -138,6 +141,20 @@ static void engine_trace(const Tracer *tracer, const PixelGrid *grid, double *rg
     counts->camera += (uint64_t)grid->columns * (uint64_t)grid->rows;
 }
 
+/**
+ * Writes what a vector of rays has met.
+ * @param hit     What it met.
+ * @param count   How many lanes are within the grid, at most LANES.
+ * @param[out] shapes     Where the first shape goes.
+ * @param[out] distances  Where the first distance goes.
+ */
+INLINE void hits_write(const Hit *hit, int count, int *shapes, double *distances) {
+    lanes_write(distances, hit->distance, count);
+    for (int i = 0; i < count; i++) {
+        shapes[i] = integer_lane(hit->shape, i);
+    }
+}
+
 /** Finds the nearest hits of a grid of pixels. See #Engine.cast. @param tracer The tracer.
  *  @param grid The pixels. @param[out] shapes What they meet. @param[out] distances How far. */
 static void engine_cast(const Tracer *tracer, const PixelGrid *grid, int *shapes,
@@ -148,12 +165,12 @@ static void engine_cast(const Tracer *tracer, const PixelGrid *grid, int *shapes
             Hit hits[PACKET_VECTORS];
             eye_aim(&tracer->eye, grid, column, row, &packet);
             shape_list_nearest(&tracer->list, &packet, hits);
-            for (int i = 0; i < PACKET_RAYS; i++) {
-                int c = column + i % PACKET_COLUMNS, r = row + i / PACKET_COLUMNS;
-                if (c < grid->columns && r < grid->rows) {
+            for (int v = 0; v < PACKET_VECTORS; v++) {
+                int c = column + v * LANES % PACKET_COLUMNS, r = row + v * LANES / PACKET_COLUMNS;
+                int count = grid->columns - c < LANES ? grid->columns - c : LANES;
+                if (r < grid->rows) {
                     size_t place = (size_t)r * (size_t)grid->columns + (size_t)c;
-                    shapes[place] = integer_lane(hits[i / LANES].shape, i % LANES);
-                    distances[place] = (double)real_lane(hits[i / LANES].distance, i % LANES);
+                    hits_write(&hits[v], count, shapes + place, distances + place);
                 }
             }
         }

@@ -4,11 +4,7 @@
  */
 #include "trace/packet.h"
 
-/**
- * Relative slack of either side: eight roundings more than the three of a slab's distance, for the
- * shapes that find their distance by other formulas than a slab.
- */
-#define SPAN_SLACK (22 * ROUNDOFF)
+#include "trace/slab.h"
 
 unsigned packet_count(const Packet *packet) {
     unsigned count = 0;
@@ -129,12 +125,12 @@ mask spans_may_meet(const Spans *spans, const BoundsBlock *bounds, real *nearest
     for (int axis = 0; axis < 3; axis++) {
         const Span *span = &spans->axis[axis];
         if (span->inverse_low > 0) {
-            clip_upwards(&near, &far, span, bounds->low[axis], bounds->high[axis]);
+            clip_upwards(&near, &far, span, bounds->planes[axis], bounds->planes[axis + 3]);
         } else if (span->inverse_high < 0) {
             Span mirrored = span_mirrored(span);
-            clip_upwards(&near, &far, &mirrored, -bounds->high[axis], -bounds->low[axis]);
+            clip_upwards(&near, &far, &mirrored, -bounds->planes[axis + 3], -bounds->planes[axis]);
         }
     }
-    *nearest = near * (1 - SPAN_SLACK);
-    return near <= far * (1 + SPAN_SLACK);
+    *nearest = near * (1 - SLAB_SLACK);
+    return near <= far * (1 + SLAB_SLACK);
 }

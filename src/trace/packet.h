@@ -29,16 +29,15 @@
 #define PACKET_VECTORS (PACKET_RAYS / LANES)
 
 /** Rays that travel together. */
-typedef struct Packet {
+struct Packet {
     Ray rays[PACKET_VECTORS];    /**< The rays. */
     mask active[PACKET_VECTORS]; /**< Those that are there at all. */
     real limit[PACKET_VECTORS];  /**< How far each goes. */
-} Packet;
+};
 
 /** Boxes of LANES shapes side by side, so that one test answers for all of them. */
 typedef struct BoundsBlock {
-    real low[3];  /**< Lowest coordinates along x, y and z. */
-    real high[3]; /**< Highest coordinates. */
+    real planes[6]; /**< Lowest coordinates along x, y and z; then highest. */
 } BoundsBlock;
 
 /** The intervals that all active rays of a packet lie in, along one axis. */

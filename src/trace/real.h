@@ -101,6 +101,15 @@ INLINE scalar real_lane(real x, int i) {
 #endif
 }
 
+/** A number where vectors lie in memory. */
+typedef scalar stored_scalar __attribute__((may_alias));
+
+/** @return One lane of numbers that lie in memory: only that one is loaded. @param x LANES numbers.
+ *  @param i Which, 0 to LANES - 1. */
+INLINE scalar real_at(const real *x, int i) {
+    return ((const stored_scalar *)x)[i];
+}
+
 /** Sets one lane. @param[in,out] x LANES numbers. @param i Which. @param value Its new value. */
 INLINE void real_set_lane(real *x, int i, scalar value) {
 #if LANES > 1
@@ -138,6 +147,16 @@ INLINE void mask_set_lane(mask *m, int i, bool value) {
 
 /* The compiler spreads one number over all lanes of a vector that it is combined with. Less zero is
    that number, -0 and NaN too, and costs nothing. */
+
+/** Sets one lane. @param[in,out] x LANES integers. @param i Which. @param value Its new value. */
+INLINE void integer_set_lane(integer *x, int i, int value) {
+#if LANES > 1
+    (*x)[i] = value;
+#else
+    (void)i;
+    *x = value;
+#endif
+}
 
 /** @return The same number in all lanes. @param x The number. */
 INLINE real real_of(scalar x) {
@@ -224,6 +243,19 @@ INLINE unsigned mask_bits(mask m) {
 
 /** What #mask_bits gives where every lane is set. */
 #define ALL_LANES ((1u << LANES) - 1)
+
+/** @return The lanes whose bit is set. @param bits Bit i for lane i. */
+INLINE mask mask_of_bits(unsigned bits) {
+#if LANES > 1
+    mask lanes = {0};
+    for (int i = 0; i < LANES; i++) {
+        lanes[i] = 1 << i;
+    }
+    return (integer_of((int)bits) & lanes) == lanes;
+#else
+    return bits != 0;
+#endif
+}
 
 /** @return Whether any lane is set. @param m A mask. */
 INLINE bool any(mask m) {

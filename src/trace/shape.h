@@ -11,6 +11,8 @@
 #include "trace/ray.h"
 
 typedef struct Shape Shape;
+typedef struct Packet Packet;
+typedef struct Models Models;
 
 /** A box along the axes that holds a shape, rounded outwards; infinite where the shape is. */
 typedef struct Bounds {
@@ -31,6 +33,15 @@ typedef struct ShapeClass {
     void (*init)(Shape *self, const void *parameters);
 
     /**
+     * Finds the model that the shape shows, once #init has filled it. NULL: it shows none.
+     * @param self        The shape.
+     * @param models      The scene's models.
+     * @param[out] error  What is wrong.
+     * @return false without memory.
+     */
+    bool (*bind)(Shape *self, Models *models, Error *error);
+
+    /**
      * Finds where LANES rays meet the shape.
      * @param self      The shape.
      * @param ray       The rays.
@@ -49,6 +60,22 @@ typedef struct ShapeClass {
      * @return The lanes that are blocked.
      */
     mask (*is_blocking)(const Shape *self, const Ray *ray, mask active, real limit);
+
+    /**
+     * Finds where the rays of a packet meet the shape. NULL: #is_hit is asked, vector by vector.
+     * @param self    The shape.
+     * @param packet  The rays.
+     * @param[in,out] hits  What each vector has met so far.
+     */
+    void (*nearest)(const Shape *self, const Packet *packet, Hit *hits);
+
+    /**
+     * Finds which rays of a packet the shape blocks. NULL: #is_blocking is asked.
+     * @param self    The shape.
+     * @param packet  The rays.
+     * @param[in,out] blocked  Those that are blocked; they need not be asked again.
+     */
+    void (*blocked)(const Shape *self, const Packet *packet, mask *blocked);
 
     /** @return A box that holds the shape, rounded outwards. @param self The shape. */
     Bounds (*bounds)(const Shape *self);

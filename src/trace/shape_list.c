@@ -1,7 +1,8 @@
 /**
  * @file
- * @brief The shapes of a scene, as a list.
+ * @brief Making the shapes of a scene, and the tree over them where there are many.
  */
+#include "trace/model.h"
 #include "trace/shape_list.h"
 
 #include <stdlib.h>
@@ -9,6 +10,8 @@
 
 /** Alignment of shapes and boxes, bytes: that of the widest vector of numbers in any class. */
 #define SHAPE_ALIGNMENT 64
+/** Shapes from which on a tree pays (measured, doc/tour.md). */
+enum { TREE_SHAPES = 24 };
 
 /** @return Bytes from an object of a class to the next. @param class The class. */
 static size_t shape_stride(const ShapeClass *class) {
@@ -28,22 +31,14 @@ static size_t shapes_size(const Scene *scene) {
  */
 static void bounds_place(BoundsBlock *block, int i, Bounds box) {
     for (int axis = 0; axis < 3; axis++) {
-        real_set_lane(&block->low[axis], i, box.low[axis]);
-        real_set_lane(&block->high[axis], i, box.high[axis]);
+        real_set_lane(&block->planes[axis], i, box.low[axis]);
+        real_set_lane(&block->planes[axis + 3], i, box.high[axis]);
     }
 }
 
-/** @return Blocks of boxes for a number of shapes. @param count The shapes. */
-static size_t bounds_blocks(size_t count) {
-    return (count + LANES - 1) / LANES;
-}
-
-/**
- * Fills a list whose memory is there.
- * @param list   The list.
- * @param scene  The scene.
- */
-static void shapes_make(ShapeList *list, const Scene *scene) {
+/** Makes the shapes of a list whose memory is there. @param list The list. @param scene The scene.
+ *  @param models The scene's models. @param[out] error What is wrong. @return false without memory. */
+static bool shapes_make(ShapeList *list, const Scene *scene, Models *models, Error *error) {
     char *next = list->memory;
     for (size_t i = 0; i < scene->shape_count; i++) {
         const SceneShape *said = &scene->shapes[i];
@@ -52,144 +47,101 @@ static void shapes_make(ShapeList *list, const Scene *scene) {
         shape->place = (int)i;
         shape->material = (int)said->material;
         shape->class->init(shape, said->parameters);
+        if (shape->class->bind && !shape->class->bind(shape, models, error)) {
+            return false;
+        }
         list->shapes[i] = shape;
-        bounds_place(&list->bounds[i / LANES], (int)(i % LANES), shape->class->bounds(shape));
         next += shape_stride(shape->class);
     }
+    return true;
 }
 
 /** @return Memory for shapes or boxes, zero; NULL without. @param size Bytes. */
 static void *shapes_allocate(size_t size) {
     size_t whole = (size + SHAPE_ALIGNMENT - 1) / SHAPE_ALIGNMENT * SHAPE_ALIGNMENT;
-    void *memory = aligned_alloc(SHAPE_ALIGNMENT, whole);
+    void *memory = aligned_alloc(SHAPE_ALIGNMENT, whole + SHAPE_ALIGNMENT);
     return memory ? memset(memory, 0, whole) : NULL;
 }
 
-bool shape_list_init(ShapeList *list, const Scene *scene, Error *error) {
+/** @return Whether a shape can be in a tree: whether it ends. @param box Its box. */
+static bool bounds_end(const Bounds *box) {
+    bool ends = true;
+    for (int axis = 0; axis < 3; axis++) {
+        ends = ends && box->low[axis] > -INFINITE && box->high[axis] < INFINITE;
+    }
+    return ends;
+}
+
+/** What goes into a tree. */
+typedef struct Planting {
+    Bounds *boxes;    /**< The boxes of its shapes; owned. */
+    uint32_t *places; /**< Their places in the list; owned. */
+    size_t count;     /**< How many. */
+} Planting;
+
+/** Sorts the shapes of a list: those that end go to the tree. @param list The list, with room for all
+ *  of them as loose ones. @param with_tree Whether there is a tree. @param[in,out] planting What goes
+ *  into it; NULL without. */
+static void shapes_sort(ShapeList *list, Planting *planting) {
+    for (size_t i = 0; i < list->count; i++) {
+        Bounds box = list->shapes[i]->class->bounds(list->shapes[i]);
+        if (planting && bounds_end(&box)) {
+            planting->boxes[planting->count] = box;
+            planting->places[planting->count++] = (uint32_t)i;
+        } else {
+            size_t at = list->loose_count++;
+            bounds_place(&list->bounds[at / LANES], (int)(at % LANES), box);
+            list->loose[at] = list->shapes[i];
+        }
+    }
+}
+
+/** Plants a tree over the shapes that end. @param list The list, its shapes made. @param crew Who
+ *  builds it. @return false without memory. */
+static bool shapes_plant(ShapeList *list, const Crew *crew) {
+    Planting planting = {.boxes = malloc(list->count * sizeof *planting.boxes),
+                         .places = malloc(list->count * sizeof *planting.places)};
+    bool is_planted = planting.boxes && planting.places;
+    if (is_planted) {
+        shapes_sort(list, &planting);
+        is_planted = planting.count == 0 ||
+                     tree_build(&list->tree, planting.boxes, planting.count, 1, crew);
+        for (size_t i = 0; is_planted && i < list->tree.block_count; i++) {
+            list->tree.order[i] = planting.places[list->tree.order[i]];
+        }
+    }
+    free(planting.boxes);
+    free(planting.places);
+    return is_planted;
+}
+
+bool shape_list_init(ShapeList *list, const Scene *scene, Models *models, const Crew *crew,
+                     Error *error) {
     size_t count = scene->shape_count;
     *list = (ShapeList){.count = count};
-    if (count == 0) {
-        return true;
-    }
     list->memory = shapes_allocate(shapes_size(scene));
-    list->shapes = calloc(count, sizeof *list->shapes);
+    list->shapes = calloc(count + 1, sizeof *list->shapes);
+    list->loose = calloc(count + 1, sizeof *list->loose);
     list->bounds = shapes_allocate(bounds_blocks(count) * sizeof *list->bounds);
-    if (!list->memory || !list->shapes || !list->bounds) {
+    bool is_made = list->memory && list->shapes && list->loose && list->bounds &&
+                   shapes_make(list, scene, models, error);
+    if (is_made && count < TREE_SHAPES) {
+        shapes_sort(list, NULL);
+    } else {
+        is_made = is_made && shapes_plant(list, crew);
+    }
+    if (!is_made) {
         shape_list_release(list);
         return error_set(error, STATUS_FAILED, "no memory for %zu shapes", count);
     }
-    shapes_make(list, scene);
     return true;
 }
 
 void shape_list_release(ShapeList *list) {
     free(list->memory);
     free(list->shapes);
+    free(list->loose);
     free(list->bounds);
+    tree_release(&list->tree);
     *list = (ShapeList){0};
-}
-
-/** The shapes of a block that a packet may meet. */
-typedef struct Candidates {
-    unsigned left; /**< Bit i set: shape i of the block is still to be asked. */
-    real near;     /**< For each shape of the block: it is nowhere met nearer than this. */
-} Candidates;
-
-/**
- * @return The shapes of a block that a packet may meet. A packet of one ray asks every shape
- * itself.
- * @param list   The shapes.
- * @param spans  What is known of the packet.
- * @param block  Which block of boxes.
- */
-static Candidates block_candidates(const ShapeList *list, const Spans *spans, size_t block) {
-    if (LANES == 1) {
-        return (Candidates){1, real_of(0)};
-    }
-    Candidates candidates;
-    size_t left = list->count - block * LANES;
-    unsigned there = left < LANES ? (1u << left) - 1 : ALL_LANES;
-    mask may_meet = spans_may_meet(spans, &list->bounds[block], &candidates.near);
-    candidates.left = mask_bits(may_meet) & there;
-    return candidates;
-}
-
-/** Takes the nearest of the candidates out of them, so that what it hides need not be asked.
- *  @param[in,out] candidates At least one. @return Its place in the block. */
-static int candidates_take(Candidates *candidates) {
-    int best = __builtin_ctz(candidates->left);
-    for (unsigned left = candidates->left; left; left &= left - 1) {
-        int other = __builtin_ctz(left);
-        bool is_nearer = real_lane(candidates->near, other) < real_lane(candidates->near, best);
-        best = is_nearer ? other : best;
-    }
-    candidates->left &= ~(1u << best);
-    return best;
-}
-
-/**
- * Asks one shape about the rays of a packet that have met nothing nearer.
- * @param shape   The shape.
- * @param near    It is nowhere met nearer than this.
- * @param packet  The rays.
- * @param[in,out] hits  What they have met so far.
- */
-static void shape_nearest(const Shape *shape, scalar near, const Packet *packet, Hit *hits) {
-    for (int v = 0; v < PACKET_VECTORS; v++) {
-        mask open = packet->active[v] & (hits[v].distance >= real_of(near));
-        if (LANES == 1 || any(open)) {
-            shape->class->is_hit(shape, &packet->rays[v], packet->active[v], &hits[v]);
-        }
-    }
-}
-
-/**
- * Asks one shape whether it blocks the rays of a packet that are not blocked yet.
- * @param shape   The shape.
- * @param packet  The rays.
- * @param[in,out] blocked  Those that are blocked.
- */
-static void shape_blocked(const Shape *shape, const Packet *packet, mask *blocked) {
-    for (int v = 0; v < PACKET_VECTORS; v++) {
-        mask open = packet->active[v] & mask_not(blocked[v]);
-        if (any(open)) {
-            blocked[v] |=
-                shape->class->is_blocking(shape, &packet->rays[v], open, packet->limit[v]);
-        }
-    }
-}
-
-void shape_list_nearest(const ShapeList *list, const Packet *packet, Hit *hits) {
-    Spans spans = {0};
-    if (LANES > 1) {
-        spans = packet_spans(packet);
-    }
-    for (int v = 0; v < PACKET_VECTORS; v++) {
-        hits[v] = hit_nothing(packet->limit[v]);
-    }
-    for (size_t block = 0; block < bounds_blocks(list->count); block++) {
-        Candidates candidates = block_candidates(list, &spans, block);
-        while (candidates.left) {
-            int lane = candidates_take(&candidates);
-            const Shape *shape = list->shapes[block * LANES + (size_t)lane];
-            shape_nearest(shape, real_lane(candidates.near, lane), packet, hits);
-        }
-    }
-}
-
-void shape_list_blocked(const ShapeList *list, const Packet *packet, mask *blocked) {
-    Spans spans = {0};
-    if (LANES > 1) {
-        spans = packet_spans(packet);
-    }
-    for (int v = 0; v < PACKET_VECTORS; v++) {
-        blocked[v] = mask_of(false);
-    }
-    for (size_t block = 0; block < bounds_blocks(list->count); block++) {
-        unsigned left = block_candidates(list, &spans, block).left;
-        for (; left; left &= left - 1) {
-            size_t place = block * LANES + (size_t)__builtin_ctz(left);
-            shape_blocked(list->shapes[place], packet, blocked);
-        }
-    }
 }

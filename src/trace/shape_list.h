@@ -5,24 +5,35 @@
 #ifndef DIOPTRE_TRACE_SHAPE_LIST_H
 #define DIOPTRE_TRACE_SHAPE_LIST_H
 
-#include "trace/packet.h"
+#include "trace/tree.h"
 
 /** All shapes of a scene. */
 typedef struct ShapeList {
     Shape **shapes;      /**< The shapes, in the scene's order; owned, in one piece of memory. */
-    BoundsBlock *bounds; /**< Their boxes, LANES a block; owned. */
     void *memory;        /**< What the shapes lie in; owned. */
     size_t count;        /**< How many. */
+    Shape **loose;       /**< Those that are not in the tree; owned. */
+    BoundsBlock *bounds; /**< The boxes of those, LANES a block; owned. */
+    size_t loose_count;  /**< How many. */
+    Tree tree;           /**< The tree over the others, by place; without nodes where there are few. */
 } ShapeList;
+
+/** @return Blocks of boxes for a number of shapes. @param count The shapes. */
+static inline size_t bounds_blocks(size_t count) {
+    return (count + LANES - 1) / LANES;
+}
 
 /**
  * Makes the shapes of a scene.
  * @param[out] list   The list; give it back with #shape_list_release.
  * @param scene       The scene.
+ * @param models      The scene's models.
+ * @param crew        Who builds trees.
  * @param[out] error  What is wrong.
  * @return false without memory; the list is then empty.
  */
-bool shape_list_init(ShapeList *list, const Scene *scene, Error *error);
+bool shape_list_init(ShapeList *list, const Scene *scene, Models *models, const Crew *crew,
+                     Error *error);
 
 /** Gives the shapes back. @param list The list. */
 void shape_list_release(ShapeList *list);

@@ -7,6 +7,7 @@
 
 #include "trace/eye.h"
 #include "trace/lighting.h"
+#include "trace/model.h"
 
 /** The sky in the engine's number type. */
 typedef struct Backdrop {
@@ -18,6 +19,7 @@ typedef struct Backdrop {
 /** The tracer of one scene at one precision and width. */
 struct Tracer {
     ShapeList list;      /**< The shapes. */
+    Models models;       /**< The meshes that they show. */
     Surface *surfaces;   /**< The materials; owned. */
     Lamp *lamps;         /**< The lamps; owned. */
     size_t lamp_count;   /**< How many. */

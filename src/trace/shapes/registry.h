@@ -11,5 +11,6 @@ extern const ShapeClass sphere_class; /**< `sphere` */
 extern const ShapeClass plane_class;  /**< `plane`: without end */
 extern const ShapeClass quad_class;   /**< `quad`: a parallelogram */
 extern const ShapeClass box_class;    /**< `box`: along the axes */
+extern const ShapeClass mesh_class;   /**< `mesh`: from a model file */
 
 #endif

@@ -59,22 +59,53 @@ INLINE Ray shear_turn(const Ray *ray, int axis) {
     return *ray;
 }
 
-/**
- * @return How far beside the rays a corner lies.
- * @param corner  The corner.
- * @param turned  The rays, turned so that they run mainly along z.
- * @param axis    The axis that z was.
- */
-INLINE Offset shear_offset(const Corner *corner, const Ray *turned, int axis) {
-    real x = real_of(corner->at[(axis + 1) % 3]), y = real_of(corner->at[(axis + 2) % 3]);
-    real depth = (real_of(corner->at[axis]) - turned->origin.z) * turned->inverse.z;
-    return (Offset){(x - turned->origin.x) - turned->direction.x * depth,
-                    (y - turned->origin.y) - turned->direction.y * depth};
+/** @return A corner in all lanes, with its axes renamed as #shear_turn does. @param c The corner.
+ *  @param axis The axis that becomes z. */
+INLINE Vector shear_turn_corner(const Corner *c, int axis) {
+    return (Vector){real_of(c->at[(axis + 1) % 3]), real_of(c->at[(axis + 2) % 3]),
+                    real_of(c->at[axis])};
 }
 
 /**
- * @return The lanes whose ray passes inside a convex polygon or through its edge, for rays that run
- *         mainly along one axis. The line counts, forwards and backwards.
+ * @return How far beside the rays corners lie.
+ * @param corner  The corners, turned.
+ * @param turned  The rays, turned so that they run mainly along z.
+ */
+INLINE Offset shear_offset(Vector corner, const Ray *turned) {
+    real depth = (corner.z - turned->origin.z) * turned->inverse.z;
+    return (Offset){(corner.x - turned->origin.x) - turned->direction.x * depth,
+                    (corner.y - turned->origin.y) - turned->direction.y * depth};
+}
+
+/**
+ * @return On which side of an edge the rays pass: above 0 to the left, below 0 to the right, 0 on
+ *         it; twice the area between the edge and the ray.
+ * @param from  One end of the edge.
+ * @param to    The other.
+ */
+INLINE real shear_side(Offset from, Offset to) {
+    return from.u * to.v - from.v * to.u;
+}
+
+/**
+ * @return The lanes whose ray passes inside a convex polygon or through its edge. The line counts,
+ *         forwards and backwards.
+ * @param offsets  How far beside the rays the corners lie, in turn.
+ * @param count    How many, 3 or 4.
+ */
+INLINE mask shear_surrounds(const Offset *offsets, int count) {
+    mask is_left = mask_of(true), is_right = mask_of(true);
+    for (int i = 0; i < count; i++) {
+        real side = shear_side(offsets[i], offsets[(i + 1) % count]);
+        is_left &= side >= 0;
+        is_right &= side <= 0;
+    }
+    return is_left | is_right;
+}
+
+/**
+ * @return The lanes whose ray passes inside a convex polygon, for rays that run mainly along one
+ *         axis.
  * @param corners  The corners, in turn.
  * @param count    How many, 3 or 4.
  * @param ray      The rays.
@@ -82,16 +113,28 @@ INLINE Offset shear_offset(const Corner *corner, const Ray *turned, int axis) {
  */
 INLINE mask shear_is_inside_along(const Corner *corners, int count, const Ray *ray, int axis) {
     Ray turned = shear_turn(ray, axis);
-    Offset first = shear_offset(&corners[0], &turned, axis), from = first;
-    mask is_left = mask_of(true), is_right = mask_of(true);
-    for (int i = 1; i <= count; i++) {
-        Offset to = i < count ? shear_offset(&corners[i], &turned, axis) : first;
-        real side = from.u * to.v - from.v * to.u;
-        is_left &= side >= 0;
-        is_right &= side <= 0;
-        from = to;
+    Offset offsets[4];
+    for (int i = 0; i < count; i++) {
+        offsets[i] = shear_offset(shear_turn_corner(&corners[i], axis), &turned);
     }
-    return is_left | is_right;
+    return shear_surrounds(offsets, count);
+}
+
+/** Which lanes run mainly along which axis. */
+typedef struct MainAxes {
+    mask x; /**< Along x. */
+    mask y; /**< Along y. */
+    mask z; /**< Along z. */
+} MainAxes;
+
+/** @return Which lanes run mainly along which axis. @param ray The rays. @param active The lanes that
+ *  count. */
+INLINE MainAxes shear_main_axes(const Ray *ray, mask active) {
+    real x = real_abs(ray->direction.x), y = real_abs(ray->direction.y);
+    real z = real_abs(ray->direction.z);
+    mask along_z = active & (z >= x) & (z >= y);
+    mask along_x = active & mask_not(along_z) & (x >= y);
+    return (MainAxes){along_x, active & mask_not(along_x | along_z), along_z};
 }
 
 /**
@@ -102,20 +145,16 @@ INLINE mask shear_is_inside_along(const Corner *corners, int count, const Ray *r
  * @param active   The lanes that count.
  */
 INLINE mask shear_is_inside(const Corner *corners, int count, const Ray *ray, mask active) {
-    real x = real_abs(ray->direction.x), y = real_abs(ray->direction.y);
-    real z = real_abs(ray->direction.z);
-    mask mainly_z = active & (z >= x) & (z >= y);
-    mask mainly_x = active & mask_not(mainly_z) & (x >= y);
-    mask mainly_y = active & mask_not(mainly_x | mainly_z);
+    MainAxes along = shear_main_axes(ray, active);
     mask inside = mask_of(false);
-    if (any(mainly_x)) {
-        inside = mainly_x & shear_is_inside_along(corners, count, ray, 0);
+    if (any(along.x)) {
+        inside = along.x & shear_is_inside_along(corners, count, ray, 0);
     }
-    if (any(mainly_y)) {
-        inside |= mainly_y & shear_is_inside_along(corners, count, ray, 1);
+    if (any(along.y)) {
+        inside |= along.y & shear_is_inside_along(corners, count, ray, 1);
     }
-    if (any(mainly_z)) {
-        inside |= mainly_z & shear_is_inside_along(corners, count, ray, 2);
+    if (any(along.z)) {
+        inside |= along.z & shear_is_inside_along(corners, count, ray, 2);
     }
     return inside;
 }

@@ -1,0 +1,162 @@
+/**
+ * @file
+ * @brief Making models.
+ */
+#include "trace/model.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/** Bytes: the widest vector of any engine. */
+#define MODEL_ALIGNMENT 64
+
+/** @return A corner of a triangle. @param mesh The mesh. @param triangle Which triangle.
+ *  @param corner Which corner, 0 to 2. */
+static Vector3 mesh_corner(const Mesh *mesh, size_t triangle, int corner) {
+    return mesh->positions[mesh->triangles[triangle].at[corner]];
+}
+
+/** @return The box around a triangle. @param mesh The mesh. @param triangle Which triangle. */
+static Bounds triangle_bounds(const Mesh *mesh, size_t triangle) {
+    Vector3 a = mesh_corner(mesh, triangle, 0), b = mesh_corner(mesh, triangle, 1);
+    Vector3 c = mesh_corner(mesh, triangle, 2);
+    Vector3 low = {fmin(a.x, fmin(b.x, c.x)), fmin(a.y, fmin(b.y, c.y)), fmin(a.z, fmin(b.z, c.z))};
+    Vector3 high = {fmax(a.x, fmax(b.x, c.x)), fmax(a.y, fmax(b.y, c.y)), fmax(a.z, fmax(b.z, c.z))};
+    return bounds_around(low, high);
+}
+
+/** Works out the boxes of all triangles, and the one around them. @param model The model.
+ *  @param mesh The mesh. @param[out] boxes One for each triangle. */
+static void boxes_fill(Model *model, const Mesh *mesh, Bounds *boxes) {
+    model->bounds = triangle_bounds(mesh, 0);
+    for (size_t i = 0; i < mesh->triangle_count; i++) {
+        boxes[i] = triangle_bounds(mesh, i);
+        for (int axis = 0; axis < 3; axis++) {
+            scalar low = boxes[i].low[axis], high = boxes[i].high[axis];
+            model->bounds.low[axis] =
+                low < model->bounds.low[axis] ? low : model->bounds.low[axis];
+            model->bounds.high[axis] =
+                high > model->bounds.high[axis] ? high : model->bounds.high[axis];
+            model->reach = -low > model->reach ? -low : model->reach;
+            model->reach = high > model->reach ? high : model->reach;
+        }
+    }
+}
+
+/** Puts a triangle into a block. @param[in,out] block The block. @param lane Where in it.
+ *  @param mesh The mesh. @param triangle Which triangle. */
+static void block_place(TriangleBlock *block, int lane, const Mesh *mesh, uint32_t triangle) {
+    for (int corner = 0; corner < 3; corner++) {
+        Vector3 at = mesh_corner(mesh, triangle, corner);
+        real_set_lane(&block->corners[corner].x, lane, (scalar)at.x);
+        real_set_lane(&block->corners[corner].y, lane, (scalar)at.y);
+        real_set_lane(&block->corners[corner].z, lane, (scalar)at.z);
+    }
+    block->triangles[lane] = triangle;
+}
+
+/** Lays the triangles out in the order of the tree. @param model The model, with its tree.
+ *  @param mesh The mesh. @return false without memory. */
+static bool blocks_make(Model *model, const Mesh *mesh) {
+    size_t size = model->tree.block_count * sizeof *model->blocks;
+    model->blocks =
+        aligned_alloc(MODEL_ALIGNMENT, (size + MODEL_ALIGNMENT - 1) / MODEL_ALIGNMENT * MODEL_ALIGNMENT);
+    for (size_t i = 0; model->blocks && i < model->tree.block_count * LANES; i++) {
+        block_place(&model->blocks[i / LANES], (int)(i % LANES), mesh, model->tree.order[i]);
+    }
+    return model->blocks != NULL;
+}
+
+/** @return The normals to interpolate, to be freed; NULL without memory. @param mesh The mesh.
+ *  @param from_file Whether they are the file's. */
+static Point *normals_make(const Mesh *mesh, bool from_file) {
+    size_t count = from_file ? mesh->normal_count : mesh->position_count;
+    Vector3 *smooth = from_file ? NULL : malloc(count * sizeof *smooth);
+    Point *normals = malloc(count * sizeof *normals);
+    const Vector3 *source = from_file ? mesh->normals : smooth;
+    if (smooth) {
+        mesh_smooth_normals(mesh, smooth);
+    }
+    for (size_t i = 0; normals && source && i < count; i++) {
+        normals[i] = (Point){(scalar)source[i].x, (scalar)source[i].y, (scalar)source[i].z};
+    }
+    free(smooth);
+    if (!source) {
+        free(normals);
+        return NULL;
+    }
+    return normals;
+}
+
+/** Keeps what interpolating normals needs. @param model The model, with its tree. @param mesh The
+ *  mesh. @param source Where the normals come from. @return false without memory. */
+static bool normals_keep(Model *model, const Mesh *mesh, NormalSource source) {
+    if (source == NORMALS_FLAT) {
+        return true;
+    }
+    bool from_file = source == NORMALS_FILE && mesh->normal_count > 0;
+    const MeshTriangle *places = from_file ? mesh->triangle_normals : mesh->triangles;
+    size_t slots = model->tree.block_count * LANES;
+    model->normals = normals_make(mesh, from_file);
+    model->places = malloc(slots * sizeof *model->places);
+    for (size_t i = 0; model->places && i < slots; i++) {
+        model->places[i] = places[model->tree.order[i]];
+    }
+    return model->normals && model->places;
+}
+
+/** Gives a model back and empties it. @param model The model. */
+static void model_release(Model *model) {
+    tree_release(&model->tree);
+    free(model->blocks);
+    free(model->normals);
+    free(model->places);
+    *model = (Model){0};
+}
+
+/** Makes a model. @param[out] model The model. @param mesh The mesh. @param source Where its normals
+ *  come from. @param crew Who builds the tree. @param[out] error What is wrong. @return false without
+ *  memory. */
+static bool model_init(Model *model, const Mesh *mesh, NormalSource source, const Crew *crew,
+                       Error *error) {
+    *model = (Model){0};
+    Bounds *boxes = malloc(mesh->triangle_count * sizeof *boxes);
+    if (boxes) {
+        boxes_fill(model, mesh, boxes);
+    }
+    bool is_made = boxes && tree_build(&model->tree, boxes, mesh->triangle_count, LANES, crew);
+    free(boxes);
+    is_made = is_made && blocks_make(model, mesh) && normals_keep(model, mesh, source);
+    /* The blocks say it now. */
+    free(model->tree.order);
+    model->tree.order = NULL;
+    if (!is_made) {
+        model_release(model);
+        return error_set(error, STATUS_FAILED, "no memory for a tree over %zu triangles",
+                         mesh->triangle_count);
+    }
+    return true;
+}
+
+bool models_init(Models *models, const Scene *scene, const Crew *crew, Error *error) {
+    size_t count = scene->mesh_count * MODEL_KINDS;
+    *models = (Models){.count = count, .meshes = scene->meshes, .crew = crew};
+    models->all = calloc(count + 1, sizeof *models->all);
+    return models->all ||
+           error_set(error, STATUS_FAILED, "no memory for %zu models", scene->mesh_count);
+}
+
+void models_release(Models *models) {
+    for (size_t i = 0; models->all && i < models->count; i++) {
+        model_release(&models->all[i]);
+    }
+    free(models->all);
+    *models = (Models){0};
+}
+
+const Model *models_get(Models *models, size_t mesh, NormalSource source, Error *error) {
+    Model *model = &models->all[mesh * MODEL_KINDS + source];
+    bool is_there = model->blocks ||
+                    model_init(model, models->meshes[mesh].mesh, source, models->crew, error);
+    return is_there ? model : NULL;
+}

@@ -1,0 +1,87 @@
+/**
+ * @file
+ * @brief Models: the triangles of a mesh in the engine's number type, and the tree over them.
+ *
+ * A model is made once for each mesh and way of taking normals; all shapes that show it share it.
+ */
+#ifndef DIOPTRE_TRACE_MODEL_H
+#define DIOPTRE_TRACE_MODEL_H
+
+#include "dioptre/mesh.h"
+#include "trace/tree.h"
+
+/** LANES triangles side by side. */
+typedef struct TriangleBlock {
+    Vector corners[3];         /**< Their corners, in turn. */
+    uint32_t triangles[LANES]; /**< Their places in the mesh; the last is repeated to fill up. */
+} TriangleBlock;
+
+/** The triangles of a mesh. */
+typedef struct Model {
+    Tree tree;             /**< The tree over them. */
+    TriangleBlock *blocks; /**< The triangles, as the tree orders them; owned. */
+    Point *normals;        /**< Unit normals to interpolate; owned. NULL: flat. */
+    MeshTriangle *places;  /**< For each slot of the blocks, the places of its corners' normals;
+                                owned. NULL: flat. */
+    Bounds bounds;         /**< The box around all of it. */
+    scalar reach;          /**< Largest coordinate: what rounding errors scale with. */
+} Model;
+
+/** Where the normals of a model come from. */
+typedef enum {
+    NORMALS_FILE,   /**< The file's; smooth where it has none. */
+    NORMALS_SMOOTH, /**< Worked out from the triangles around each corner. */
+    NORMALS_FLAT    /**< Each triangle's own. */
+} NormalSource;
+
+/** Models that a mesh can be made into: one for each #NormalSource. */
+enum { MODEL_KINDS = 3 };
+
+/** The models of a scene, each made when a shape first asks for it. */
+struct Models {
+    Model *all;               /**< #MODEL_KINDS for each mesh of the scene; owned. */
+    size_t count;             /**< How many. */
+    const SceneMesh *meshes;  /**< The scene's meshes; while shapes are made only. */
+    const Crew *crew;         /**< Who builds trees; while shapes are made only. */
+};
+
+/**
+ * Makes room for the models of a scene.
+ * @param[out] models  The models; give them back with #models_release.
+ * @param scene        The scene.
+ * @param crew         Who builds trees.
+ * @param[out] error   What is wrong.
+ * @return false without memory.
+ */
+bool models_init(Models *models, const Scene *scene, const Crew *crew, Error *error);
+
+/** Gives models back. @param models The models. */
+void models_release(Models *models);
+
+/**
+ * @return A model, made now if nobody has asked before; NULL without memory.
+ * @param models      The models.
+ * @param mesh        Place of the mesh in the scene.
+ * @param source      Where its normals come from.
+ * @param[out] error  What is wrong.
+ */
+const Model *models_get(Models *models, size_t mesh, NormalSource source, Error *error);
+
+/**
+ * Finds where the rays of a packet meet a model.
+ * @param model   The model.
+ * @param packet  The rays.
+ * @param place   The shape's place in the scene.
+ * @param[in,out] hits  What they have met so far.
+ */
+void model_nearest(const Model *model, const Packet *packet, int place, Hit *hits);
+
+/**
+ * Finds which rays of a packet meet a model before their limit.
+ * @param model   The model.
+ * @param packet  The rays.
+ * @param[in,out] blocked  Those that are blocked; they are not asked again.
+ */
+void model_blocked(const Model *model, const Packet *packet, mask *blocked);
+
+#endif

@@ -1,0 +1,398 @@
+/**
+ * @file
+ * @brief Where rays meet the triangles of a model.
+ *
+ * Whether a ray passes inside a triangle is decided watertight, as for every polygon (shear.h); how
+ * far away, by the plane through its corners, taken in the wide precision relative to the ray's
+ * origin. A packet takes the triangles of a block one after the other; a single ray takes all of
+ * them at once. Both do the same operations in the same order.
+ */
+#include "trace/model.h"
+#include "trace/shapes/shear.h"
+
+/** Half ulps of the coordinates that a point can be off its triangle. */
+#define TRIANGLE_ERROR 8
+
+/** What the rays of a packet have met of a model. */
+typedef struct ModelHits {
+    real distances[PACKET_VECTORS]; /**< The nearest so far; at first how far rays look. */
+    integer slots[PACKET_VECTORS];  /**< Which triangle, by its place in the blocks; -1: none. */
+} ModelHits;
+
+/* --- triangles, as many as there are lanes --------------------------------------------------- */
+
+/** Three corners in each lane. */
+typedef struct Corners {
+    Vector at[3]; /**< The corners, in turn. */
+} Corners;
+
+/** @return A corner of one triangle in all lanes. @param block A block. @param i Which corner.
+ *  @param lane Which of its triangles. */
+INLINE Vector corner_of_lane(const TriangleBlock *block, int i, int lane) {
+    const Vector *at = &block->corners[i];
+    return (Vector){real_of(real_at(&at->x, lane)), real_of(real_at(&at->y, lane)),
+                    real_of(real_at(&at->z, lane))};
+}
+
+/** @return The same triangle in all lanes. @param block A block. @param lane Which of its triangles.
+ */
+INLINE Corners corners_of(const TriangleBlock *block, int lane) {
+    return (Corners){{corner_of_lane(block, 0, lane), corner_of_lane(block, 1, lane),
+                      corner_of_lane(block, 2, lane)}};
+}
+
+/** @return A vector with its axes renamed in a circle. @param v It. @param axis What becomes z. */
+INLINE Vector vector_turn(Vector v, int axis) {
+    return axis == 0   ? (Vector){v.y, v.z, v.x}
+           : axis == 1 ? (Vector){v.z, v.x, v.y}
+                       : v;
+}
+
+/** @return How far beside the rays the corners lie. @param corners Triangles. @param ray Rays.
+ *  @param axis The axis that they run mainly along. @param[out] offsets Three. */
+INLINE void corners_offsets(const Corners *corners, const Ray *ray, int axis, Offset *offsets) {
+    Ray turned = shear_turn(ray, axis);
+    for (int i = 0; i < 3; i++) {
+        offsets[i] = shear_offset(vector_turn(corners->at[i], axis), &turned);
+    }
+}
+
+/** @return The lanes whose ray passes inside its triangle or through an edge.
+ *  @param corners Triangles. @param ray Rays. @param axis The axis that they run mainly along. */
+INLINE mask corners_surround(const Corners *corners, const Ray *ray, int axis) {
+    Offset offsets[3];
+    corners_offsets(corners, ray, axis, offsets);
+    return shear_surrounds(offsets, 3);
+}
+
+/** @return Normals of the planes through triangles, of any length. @param corners Triangles. */
+INLINE WideVector corners_normal(const Corners *corners) {
+    WideVector a = vector_widen(corners->at[0]);
+    WideVector u = wide_subtract(vector_widen(corners->at[1]), a);
+    WideVector v = wide_subtract(vector_widen(corners->at[2]), a);
+    return (WideVector){u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+}
+
+/** @return How far away rays cross the planes of triangles. @param corners Triangles.
+ *  @param ray Rays. */
+INLINE real corners_distance(const Corners *corners, const Ray *ray) {
+    WideVector normal = corners_normal(corners);
+    WideVector to_corner =
+        wide_subtract(vector_widen(corners->at[0]), vector_widen(ray->origin));
+    return narrow(wide_dot(normal, to_corner) / wide_dot(normal, vector_widen(ray->direction)));
+}
+
+/* --- a packet against the triangles of a leaf ------------------------------------------------ */
+
+/** @return The lanes in which a triangle comes before what was met: nearer, or as near and earlier in
+ *  the mesh. @param model The model. @param hits What was met. @param v Which vector.
+ *  @param inside The lanes that may. @param distance The triangle's. @param slot Its place. */
+INLINE mask slot_is_nearer(const Model *model, const ModelHits *hits, int v, mask inside,
+                           real distance, size_t slot) {
+    mask nearer = inside & (distance > 0) & (distance < hits->distances[v]);
+    mask tie = inside & (distance > 0) & (distance == hits->distances[v]);
+    uint32_t triangle = model->blocks[slot / LANES].triangles[slot % LANES];
+    while (any(tie)) {
+        int lane = mask_first(tie);
+        int other = integer_lane(hits->slots[v], lane);
+        bool is_first =
+            other < 0 || triangle < model->blocks[other / LANES].triangles[other % LANES];
+        mask_set_lane(&nearer, lane, is_first);
+        mask_set_lane(&tie, lane, false);
+    }
+    return nearer;
+}
+
+/** Takes a triangle where it comes before what was met. @param model The model. @param slot The
+ *  triangle. @param ray The rays. @param inside Those that pass inside of it. @param v Which vector.
+ *  @param[in,out] hits What was met. */
+static void slot_take(const Model *model, size_t slot, const Ray *ray, mask inside, int v,
+                      ModelHits *hits) {
+    Corners corners = corners_of(&model->blocks[slot / LANES], (int)(slot % LANES));
+    real distance = corners_distance(&corners, ray);
+    mask nearer = slot_is_nearer(model, hits, v, inside, distance, slot);
+    hits->distances[v] = real_select(nearer, distance, hits->distances[v]);
+    hits->slots[v] = integer_select(nearer, integer_of((int)slot), hits->slots[v]);
+}
+
+/** Asks the triangles of a block, one by one, about the rays that run mainly along one axis.
+ *  @param model The model. @param b The block. @param ray The rays. @param axis The axis.
+ *  @param active The lanes. @param v Which vector. @param[in,out] hits What was met. */
+INLINE void block_ask_along(const Model *model, size_t b, const Ray *ray, int axis, mask active,
+                            int v, ModelHits *hits) {
+    const TriangleBlock *block = &model->blocks[b];
+    Ray turned = shear_turn(ray, axis);
+    for (int lane = 0; lane < LANES; lane++) {
+        /* What repeats only fills the block up. */
+        if (lane > 0 && block->triangles[lane] == block->triangles[lane - 1]) {
+            return;
+        }
+        Offset offsets[3];
+        for (int i = 0; i < 3; i++) {
+            offsets[i] = shear_offset(vector_turn(corner_of_lane(block, i, lane), axis), &turned);
+        }
+        mask inside = active & shear_surrounds(offsets, 3);
+        if (any(inside)) {
+            slot_take(model, b * LANES + (size_t)lane, ray, inside, v, hits);
+        }
+    }
+}
+
+/** Asks the triangles of a leaf, one by one, about a vector of rays. @param model The model.
+ *  @param first Block. @param count Blocks. @param ray The rays. @param v Which vector.
+ *  @param active The lanes. @param[in,out] hits What was met. */
+static void leaf_ask_all(const Model *model, size_t first, size_t count, const Ray *ray, int v,
+                         mask active, ModelHits *hits) {
+    MainAxes along = shear_main_axes(ray, active);
+    bool any_x = any(along.x), any_y = any(along.y), any_z = any(along.z);
+    for (size_t b = first; b < first + count; b++) {
+        if (any_x) {
+            block_ask_along(model, b, ray, 0, along.x, v, hits);
+        }
+        if (any_y) {
+            block_ask_along(model, b, ray, 1, along.y, v, hits);
+        }
+        if (any_z) {
+            block_ask_along(model, b, ray, 2, along.z, v, hits);
+        }
+    }
+}
+
+/* --- one ray against the triangles of a leaf ------------------------------------------------- */
+
+/** @return One ray in all lanes. @param ray The rays. @param lane Which of them. */
+INLINE Ray ray_spread(const Ray *ray, int lane) {
+    const Vector *o = &ray->origin, *d = &ray->direction, *i = &ray->inverse;
+    return (Ray){{real_of(real_at(&o->x, lane)), real_of(real_at(&o->y, lane)),
+                  real_of(real_at(&o->z, lane))},
+                 {real_of(real_at(&d->x, lane)), real_of(real_at(&d->y, lane)),
+                  real_of(real_at(&d->z, lane))},
+                 {real_of(real_at(&i->x, lane)), real_of(real_at(&i->y, lane)),
+                  real_of(real_at(&i->z, lane))}};
+}
+
+/** @return The triangles of a block that a ray passes inside of. @param block The block.
+ *  @param ray The ray, in all lanes. @param[out] distance How far away each is crossed. */
+INLINE mask block_meets(const TriangleBlock *block, const Ray *ray, real *distance) {
+    Corners corners = {{block->corners[0], block->corners[1], block->corners[2]}};
+    MainAxes along = shear_main_axes(ray, mask_of(true));
+    mask inside = mask_lane(along.x, 0)   ? corners_surround(&corners, ray, 0)
+                  : mask_lane(along.y, 0) ? corners_surround(&corners, ray, 1)
+                                          : corners_surround(&corners, ray, 2);
+    if (any(inside)) {
+        *distance = corners_distance(&corners, ray);
+        inside &= *distance > 0;
+    }
+    return inside;
+}
+
+/** Takes what is nearest of a block's triangles. @param model The model. @param b The block.
+ *  @param inside Its triangles that are met. @param distance How far away. @param[in,out] best The
+ *  nearest so far. @param[in,out] best_slot Its slot. */
+static void block_take(const Model *model, size_t b, unsigned inside, real distance, scalar *best,
+                       int *best_slot) {
+    for (; inside; inside &= inside - 1) {
+        int lane = __builtin_ctz(inside);
+        scalar t = real_lane(distance, lane);
+        bool is_first = *best_slot < 0 ||
+                        model->blocks[b].triangles[lane] <
+                            model->blocks[*best_slot / LANES].triangles[*best_slot % LANES];
+        if (t < *best || (t == *best && is_first)) {
+            *best = t;
+            *best_slot = (int)(b * LANES) + lane;
+        }
+    }
+}
+
+/** Asks the triangles of a leaf, side by side, about one ray. @param model The model.
+ *  @param first Block. @param count Blocks. @param rays The rays. @param v Which vector they are.
+ *  @param lane Which of them. @param[in,out] hits What was met. */
+static void leaf_ask_one(const Model *model, size_t first, size_t count, const Ray *rays, int v,
+                         int lane, ModelHits *hits) {
+    Ray ray = ray_spread(rays, lane);
+    scalar best = real_at(&hits->distances[v], lane);
+    int slot = integer_lane(hits->slots[v], lane);
+    for (size_t b = first; b < first + count; b++) {
+        real distance = real_of(0);
+        unsigned inside = mask_bits(block_meets(&model->blocks[b], &ray, &distance));
+        if (inside) {
+            block_take(model, b, inside, distance, &best, &slot);
+            real_set_lane(&hits->distances[v], lane, best);
+            integer_set_lane(&hits->slots[v], lane, slot);
+        }
+    }
+}
+
+/* --- leaves ---------------------------------------------------------------------------------- */
+
+/** @return Whether a leaf is asked ray by ray, all its triangles at once, rather than triangle by
+ *  triangle, all rays at once: whichever is less work. @param lanes How many rays. */
+INLINE bool leaf_is_for_one(int lanes) {
+    /** Rays a block for which the two are about as quick (measured): blocks are not always full. */
+    const int even = 3 * LANES / 8;
+    return lanes <= even || LANES == 1;
+}
+
+/** Asks a leaf about rays. See #TreeOwner.ask. @param items The model. @param first Block.
+ *  @param count Blocks. @param packet The rays. @param v Which vector. @param lanes Which lanes.
+ *  @param[in,out] found A #ModelHits. @return How far they still look. */
+static real model_ask(const void *items, size_t first, size_t count, const Packet *packet, int v,
+                      unsigned lanes, void *found) {
+    ModelHits *hits = found;
+    if (leaf_is_for_one(__builtin_popcount(lanes))) {
+        for (; lanes; lanes &= lanes - 1) {
+            leaf_ask_one(items, first, count, &packet->rays[v], v, __builtin_ctz(lanes), hits);
+        }
+    } else {
+        leaf_ask_all(items, first, count, &packet->rays[v], v, mask_of_bits(lanes), hits);
+    }
+    return hits->distances[v];
+}
+
+/* --- from triangles to hits ------------------------------------------------------------------ */
+
+/** @return The triangle that each lane met. @param model The model. @param slots Their slots.
+ *  @param met The lanes that met any. */
+static Corners corners_gather(const Model *model, integer slots, mask met) {
+    Corners corners = corners_of(&model->blocks[0], 0);
+    for (unsigned left = mask_bits(met); left; left &= left - 1) {
+        int lane = __builtin_ctz(left), slot = integer_lane(slots, lane);
+        const TriangleBlock *block = &model->blocks[slot / LANES];
+        for (int i = 0; i < 3; i++) {
+            const Vector *at = &block->corners[i];
+            real_set_lane(&corners.at[i].x, lane, real_at(&at->x, slot % LANES));
+            real_set_lane(&corners.at[i].y, lane, real_at(&at->y, slot % LANES));
+            real_set_lane(&corners.at[i].z, lane, real_at(&at->z, slot % LANES));
+        }
+    }
+    return corners;
+}
+
+/** @return The normals at the corners of the triangle that each lane met. @param model The model,
+ *  not flat. @param slots Their slots. @param met The lanes that met any. */
+static Corners normals_gather(const Model *model, integer slots, mask met) {
+    Vector up = {real_of(0), real_of(1), real_of(0)};
+    Corners normals = {{up, up, up}};
+    for (unsigned left = mask_bits(met); left; left &= left - 1) {
+        int lane = __builtin_ctz(left), slot = integer_lane(slots, lane);
+        for (int i = 0; i < 3; i++) {
+            const Point *normal = &model->normals[model->places[slot].at[i]];
+            real_set_lane(&normals.at[i].x, lane, normal->x);
+            real_set_lane(&normals.at[i].y, lane, normal->y);
+            real_set_lane(&normals.at[i].z, lane, normal->z);
+        }
+    }
+    return normals;
+}
+
+/** @return The share of each corner in the places where rays meet triangles: the areas between the
+ *  ray and the sides opposite. @param corners Triangles. @param ray Rays. @param met The lanes.
+ *  @param axis The axis that the rays run mainly along. */
+INLINE Vector corners_shares(const Corners *corners, const Ray *ray, int axis) {
+    Offset offsets[3];
+    corners_offsets(corners, ray, axis, offsets);
+    return (Vector){shear_side(offsets[1], offsets[2]), shear_side(offsets[2], offsets[0]),
+                    shear_side(offsets[0], offsets[1])};
+}
+
+/**
+ * @return Interpolated unit normals; the flat one where the three cancel out.
+ * @param corners  Triangles.
+ * @param normals  The normals at their corners.
+ * @param ray      The rays that meet them.
+ * @param flat     The triangles' own unit normals.
+ */
+static Vector normal_interpolate(const Corners *corners, const Corners *normals, const Ray *ray,
+                                 Vector flat) {
+    MainAxes along = shear_main_axes(ray, mask_of(true));
+    Vector shares = corners_shares(corners, ray, 2);
+    shares = vector_select(along.x, corners_shares(corners, ray, 0), shares);
+    shares = vector_select(along.y, corners_shares(corners, ray, 1), shares);
+    // The areas have one sign; what counts is how they compare.
+    Vector sum = vector_scale(normals->at[0], real_abs(shares.x));
+    sum = vector_add(sum, vector_scale(normals->at[1], real_abs(shares.y)));
+    sum = vector_add(sum, vector_scale(normals->at[2], real_abs(shares.z)));
+    real largest = vector_largest(sum);
+    Vector normal = vector_normalize(vector_scale(sum, 1 / largest));
+    mask is_good = (largest > 0) & (largest < INFINITE) &
+                   (vector_dot(normal, normal) > real_of((scalar)0.5));
+    return vector_select(is_good, normal, flat);
+}
+
+/** @return Unit normals of the planes through triangles. @param corners Triangles. */
+static Vector corners_unit_normal(const Corners *corners) {
+    WideVector n = corners_normal(corners);
+    wide scale = 1 / wide_sqrt(wide_dot(n, n));
+    return (Vector){narrow(n.x * scale), narrow(n.y * scale), narrow(n.z * scale)};
+}
+
+/**
+ * @return Where rays meet the triangles that they met: the point of the ray, put back on the plane.
+ * @param model     The model.
+ * @param ray       The rays.
+ * @param distance  How far away.
+ * @param slots     Which triangles.
+ * @param met       The lanes that met any.
+ * @param place     The shape's place in the scene.
+ */
+static Hit model_hit(const Model *model, const Ray *ray, real distance, integer slots, mask met,
+                     int place) {
+    Corners corners = corners_gather(model, slots, met);
+    Vector flat = corners_unit_normal(&corners), normal = flat;
+    Vector point = vector_add(ray->origin, vector_scale(ray->direction, distance));
+    real height = vector_dot(flat, vector_subtract(point, corners.at[0]));
+    point = vector_subtract(point, vector_scale(flat, height));
+    if (model->normals) {
+        Corners normals = normals_gather(model, slots, met);
+        normal = normal_interpolate(&corners, &normals, ray, flat);
+    }
+    real reach = vector_largest(point) + real_of(model->reach);
+    return (Hit){distance, point, normal, TRIANGLE_ERROR * ROUNDOFF * reach, integer_of(place)};
+}
+
+/* --- shadows --------------------------------------------------------------------------------- */
+
+/** Asks a leaf about shadow rays: those that meet anything look no further. See #TreeOwner.ask.
+ *  @param items The model. @param first Block. @param count Blocks. @param packet The rays.
+ *  @param v Which vector. @param lanes Which lanes. @param[in,out] found A #ModelHits.
+ *  @return How far they still look. */
+static real model_ask_shadow(const void *items, size_t first, size_t count, const Packet *packet,
+                             int v, unsigned lanes, void *found) {
+    real distance = model_ask(items, first, count, packet, v, lanes, found);
+    return real_select(distance < packet->limit[v], real_of(-1), distance);
+}
+
+/* --- all of it ------------------------------------------------------------------------------- */
+
+void model_nearest(const Model *model, const Packet *packet, int place, Hit *hits) {
+    ModelHits found;
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        found.distances[v] = hits[v].distance;
+        found.slots[v] = integer_of(-1);
+    }
+    const TreeOwner owner = {model, model_ask};
+    tree_visit(&model->tree, packet, found.distances, &owner, &found);
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        mask met = packet->active[v] & (found.slots[v] >= integer_of(0));
+        mask nearer = hit_is_nearer(&hits[v], met, found.distances[v], place);
+        if (any(nearer)) {
+            Hit hit = model_hit(model, &packet->rays[v], found.distances[v], found.slots[v],
+                                nearer, place);
+            hit_take(&hits[v], nearer, &hit);
+        }
+    }
+}
+
+void model_blocked(const Model *model, const Packet *packet, mask *blocked) {
+    ModelHits found;
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        found.distances[v] = real_select(blocked[v], real_of(-1), packet->limit[v]);
+        found.slots[v] = integer_of(-1);
+    }
+    const TreeOwner owner = {model, model_ask_shadow};
+    tree_visit(&model->tree, packet, found.distances, &owner, &found);
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        blocked[v] |= packet->active[v] & (found.slots[v] >= integer_of(0)) &
+                      (found.distances[v] < packet->limit[v]);
+    }
+}

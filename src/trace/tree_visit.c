@@ -1,0 +1,157 @@
+/**
+ * @file
+ * @brief Going through a tree with a packet of rays.
+ *
+ * The boxes of a node are first tested by intervals, for the whole packet at once; those that are
+ * left, ray by ray, for the vectors of rays that reached the node. Children wait on a stack, the
+ * nearest on top.
+ */
+#include "trace/slab.h"
+#include "trace/tree.h"
+
+/** Which rays of a packet: bit i of number v set: lane i of vector v. */
+typedef struct Lanes {
+    uint16_t of[PACKET_VECTORS]; /**< The bits. */
+} Lanes;
+
+/** A child that waits. */
+typedef struct Waiting {
+    scalar near;    /**< No ray of the packet meets anything in it nearer than this. */
+    uint32_t child; /**< A node or a leaf, see #TreeNode.children. */
+    Lanes lanes;    /**< The rays that may meet it. */
+} Waiting;
+
+/** A packet on its way through a tree. */
+typedef struct Journey {
+    const Packet *packet;        /**< The rays. */
+    Spans spans;                 /**< What is known of all of them. */
+    real limits[PACKET_VECTORS]; /**< How far each still looks. */
+    Waiting stack[TREE_STACK];   /**< What waits. */
+    int waiting;                 /**< How many. */
+} Journey;
+
+/** Puts a child where its distance belongs, above all that are farther. @param journey The journey.
+ *  @param first The stack's first entry that is of the same node. @param entry The child. */
+static void journey_push(Journey *journey, int first, Waiting entry) {
+    int i = journey->waiting++;
+    for (; i > first && journey->stack[i - 1].near < entry.near; i--) {
+        journey->stack[i] = journey->stack[i - 1];
+    }
+    journey->stack[i] = entry;
+}
+
+/** @return The box of a child. @param node The node. @param child Which. */
+INLINE Bounds child_bounds(const TreeNode *node, int child) {
+    const BoundsBlock *block = &node->bounds[child / LANES];
+    Bounds box;
+    for (int axis = 0; axis < 3; axis++) {
+        box.low[axis] = real_at(&block->planes[axis], child % LANES);
+        box.high[axis] = real_at(&block->planes[axis + 3], child % LANES);
+    }
+    return box;
+}
+
+/** Finds the rays that meet a child's box. @param journey The journey. @param box The box.
+ *  @param lanes The rays that reached the node. @param[out] meeting Those that meet the box.
+ *  @return Whether there are any. */
+static bool child_meets(const Journey *journey, const Bounds *box, const Lanes *lanes,
+                        Lanes *meeting) {
+    unsigned met = 0;
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        meeting->of[v] = 0;
+        if (lanes->of[v]) {
+            mask meets = slab_meets(&journey->packet->rays[v], box, journey->limits[v]);
+            meeting->of[v] = (uint16_t)(mask_bits(meets) & lanes->of[v]);
+            met |= meeting->of[v];
+        }
+    }
+    return met != 0;
+}
+
+/** Puts the children that rays may meet on the stack. @param journey The journey. @param node The
+ *  node. @param lanes The rays that reached it. */
+static void node_open(Journey *journey, const TreeNode *node, const Lanes *lanes) {
+    int first = journey->waiting;
+    for (int b = 0; b < NODE_VECTORS; b++) {
+        real near;
+        unsigned left = mask_bits(spans_may_meet(&journey->spans, &node->bounds[b], &near));
+        for (; left; left &= left - 1) {
+            int lane = __builtin_ctz(left), child = b * LANES + lane;
+            Waiting entry = {real_at(&near, lane), node->children[child], {{0}}};
+            Bounds box = child_bounds(node, child);
+            if (child_meets(journey, &box, lanes, &entry.lanes)) {
+                journey_push(journey, first, entry);
+            }
+        }
+    }
+}
+
+/** Drops the rays that no longer look as far as something is. @param journey The journey.
+ *  @param[in,out] entry What waits. @return Whether any is left. */
+static bool entry_is_wanted(const Journey *journey, Waiting *entry) {
+    unsigned left = 0;
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        if (entry->lanes.of[v]) {
+            unsigned looks = mask_bits(journey->limits[v] >= real_of(entry->near));
+            entry->lanes.of[v] = (uint16_t)(entry->lanes.of[v] & looks);
+            left |= entry->lanes.of[v];
+        }
+    }
+    return left != 0;
+}
+
+/** Asks the owner about a leaf. @param journey The journey. @param owner The owner.
+ *  @param leaf The leaf. @param[in,out] found The owner's. */
+static void leaf_ask(Journey *journey, const TreeOwner *owner, const Waiting *leaf, void *found) {
+    size_t first = (leaf->child & ~TREE_LEAF) >> TREE_BLOCK_BITS;
+    size_t count = leaf->child & TREE_LEAF_BLOCKS;
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        if (leaf->lanes.of[v]) {
+            journey->limits[v] = owner->ask(owner->items, first, count, journey->packet, v,
+                                            leaf->lanes.of[v], found);
+        }
+    }
+}
+
+/** @return Whether the rays of a packet go about the same way: up or down along one axis at least, and
+ *  enough of them. @param packet The packet. @param spans What is known of it. */
+static bool packet_is_coherent(const Packet *packet, const Spans *spans) {
+    /** Rays for which being together costs more than it saves (measured). */
+    const unsigned few = 3;
+    for (int axis = 0; axis < 3; axis++) {
+        if (spans->axis[axis].inverse_low > 0 || spans->axis[axis].inverse_high < 0) {
+            return packet_count(packet) > few;
+        }
+    }
+    return false;
+}
+
+void tree_visit(const Tree *tree, const Packet *packet, const real *limits, const TreeOwner *owner,
+                void *found) {
+    Journey journey;
+    journey.packet = packet;
+    if (LANES > 1) {
+        journey.spans = packet_spans(packet);
+    }
+    if (LANES == 1 || !packet_is_coherent(packet, &journey.spans)) {
+        tree_visit_singly(tree, packet, limits, owner, found);
+        return;
+    }
+    journey.stack[0] = (Waiting){0};
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        journey.limits[v] = limits[v];
+        journey.stack[0].lanes.of[v] = (uint16_t)mask_bits(packet->active[v]);
+    }
+    journey.waiting = 1;
+    while (journey.waiting > 0) {
+        Waiting entry = journey.stack[--journey.waiting];
+        if (!entry_is_wanted(&journey, &entry)) {
+            continue;
+        }
+        if (entry.child & TREE_LEAF) {
+            leaf_ask(&journey, owner, &entry, found);
+        } else {
+            node_open(&journey, &tree->nodes[entry.child], &entry.lanes);
+        }
+    }
+}

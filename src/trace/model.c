@@ -21,7 +21,8 @@ static Bounds triangle_bounds(const Mesh *mesh, size_t triangle) {
     Vector3 a = mesh_corner(mesh, triangle, 0), b = mesh_corner(mesh, triangle, 1);
     Vector3 c = mesh_corner(mesh, triangle, 2);
     Vector3 low = {fmin(a.x, fmin(b.x, c.x)), fmin(a.y, fmin(b.y, c.y)), fmin(a.z, fmin(b.z, c.z))};
-    Vector3 high = {fmax(a.x, fmax(b.x, c.x)), fmax(a.y, fmax(b.y, c.y)), fmax(a.z, fmax(b.z, c.z))};
+    Vector3 high = {fmax(a.x, fmax(b.x, c.x)), fmax(a.y, fmax(b.y, c.y)),
+                    fmax(a.z, fmax(b.z, c.z))};
     return bounds_around(low, high);
 }
 
@@ -33,8 +34,7 @@ static void boxes_fill(Model *model, const Mesh *mesh, Bounds *boxes) {
         boxes[i] = triangle_bounds(mesh, i);
         for (int axis = 0; axis < 3; axis++) {
             scalar low = boxes[i].low[axis], high = boxes[i].high[axis];
-            model->bounds.low[axis] =
-                low < model->bounds.low[axis] ? low : model->bounds.low[axis];
+            model->bounds.low[axis] = low < model->bounds.low[axis] ? low : model->bounds.low[axis];
             model->bounds.high[axis] =
                 high > model->bounds.high[axis] ? high : model->bounds.high[axis];
             model->reach = -low > model->reach ? -low : model->reach;
@@ -59,8 +59,8 @@ static void block_place(TriangleBlock *block, int lane, const Mesh *mesh, uint32
  *  @param mesh The mesh. @return false without memory. */
 static bool blocks_make(Model *model, const Mesh *mesh) {
     size_t size = model->tree.block_count * sizeof *model->blocks;
-    model->blocks =
-        aligned_alloc(MODEL_ALIGNMENT, (size + MODEL_ALIGNMENT - 1) / MODEL_ALIGNMENT * MODEL_ALIGNMENT);
+    model->blocks = aligned_alloc(MODEL_ALIGNMENT,
+                                  (size + MODEL_ALIGNMENT - 1) / MODEL_ALIGNMENT * MODEL_ALIGNMENT);
     for (size_t i = 0; model->blocks && i < model->tree.block_count * LANES; i++) {
         block_place(&model->blocks[i / LANES], (int)(i % LANES), mesh, model->tree.order[i]);
     }
@@ -114,9 +114,9 @@ static void model_release(Model *model) {
     *model = (Model){0};
 }
 
-/** Makes a model. @param[out] model The model. @param mesh The mesh. @param source Where its normals
- *  come from. @param crew Who builds the tree. @param[out] error What is wrong. @return false without
- *  memory. */
+/** Makes a model. @param[out] model The model. @param mesh The mesh. @param source Where its
+ * normals come from. @param crew Who builds the tree. @param[out] error What is wrong. @return
+ * false without memory. */
 static bool model_init(Model *model, const Mesh *mesh, NormalSource source, const Crew *crew,
                        Error *error) {
     *model = (Model){0};
@@ -156,7 +156,7 @@ void models_release(Models *models) {
 
 const Model *models_get(Models *models, size_t mesh, NormalSource source, Error *error) {
     Model *model = &models->all[mesh * MODEL_KINDS + source];
-    bool is_there = model->blocks ||
-                    model_init(model, models->meshes[mesh].mesh, source, models->crew, error);
+    bool is_there =
+        model->blocks || model_init(model, models->meshes[mesh].mesh, source, models->crew, error);
     return is_there ? model : NULL;
 }

@@ -39,10 +39,10 @@ enum { MODEL_KINDS = 3 };
 
 /** The models of a scene, each made when a shape first asks for it. */
 struct Models {
-    Model *all;               /**< #MODEL_KINDS for each mesh of the scene; owned. */
-    size_t count;             /**< How many. */
-    const SceneMesh *meshes;  /**< The scene's meshes; while shapes are made only. */
-    const Crew *crew;         /**< Who builds trees; while shapes are made only. */
+    Model *all;              /**< #MODEL_KINDS for each mesh of the scene; owned. */
+    size_t count;            /**< How many. */
+    const SceneMesh *meshes; /**< The scene's meshes; while shapes are made only. */
+    const Crew *crew;        /**< Who builds trees; while shapes are made only. */
 };
 
 /**

@@ -12,6 +12,9 @@
 
 /** Half ulps of the coordinates that a point can be off its triangle. */
 #define TRIANGLE_ERROR 8
+/** Cosine between an interpolated and a flat normal below which offsets along the first no longer
+ * grow. */
+#define LEAST_LEAN ((scalar)0.125)
 
 /** What the rays of a packet have met of a model. */
 typedef struct ModelHits {
@@ -34,7 +37,8 @@ INLINE Vector corner_of_lane(const TriangleBlock *block, int i, int lane) {
                     real_of(real_at(&at->z, lane))};
 }
 
-/** @return The same triangle in all lanes. @param block A block. @param lane Which of its triangles.
+/** @return The same triangle in all lanes. @param block A block. @param lane Which of its
+ * triangles.
  */
 INLINE Corners corners_of(const TriangleBlock *block, int lane) {
     return (Corners){{corner_of_lane(block, 0, lane), corner_of_lane(block, 1, lane),
@@ -43,9 +47,7 @@ INLINE Corners corners_of(const TriangleBlock *block, int lane) {
 
 /** @return A vector with its axes renamed in a circle. @param v It. @param axis What becomes z. */
 INLINE Vector vector_turn(Vector v, int axis) {
-    return axis == 0   ? (Vector){v.y, v.z, v.x}
-           : axis == 1 ? (Vector){v.z, v.x, v.y}
-                       : v;
+    return axis == 0 ? (Vector){v.y, v.z, v.x} : axis == 1 ? (Vector){v.z, v.x, v.y} : v;
 }
 
 /** @return How far beside the rays the corners lie. @param corners Triangles. @param ray Rays.
@@ -77,15 +79,14 @@ INLINE WideVector corners_normal(const Corners *corners) {
  *  @param ray Rays. */
 INLINE real corners_distance(const Corners *corners, const Ray *ray) {
     WideVector normal = corners_normal(corners);
-    WideVector to_corner =
-        wide_subtract(vector_widen(corners->at[0]), vector_widen(ray->origin));
+    WideVector to_corner = wide_subtract(vector_widen(corners->at[0]), vector_widen(ray->origin));
     return narrow(wide_dot(normal, to_corner) / wide_dot(normal, vector_widen(ray->direction)));
 }
 
 /* --- a packet against the triangles of a leaf ------------------------------------------------ */
 
-/** @return The lanes in which a triangle comes before what was met: nearer, or as near and earlier in
- *  the mesh. @param model The model. @param hits What was met. @param v Which vector.
+/** @return The lanes in which a triangle comes before what was met: nearer, or as near and earlier
+ * in the mesh. @param model The model. @param hits What was met. @param v Which vector.
  *  @param inside The lanes that may. @param distance The triangle's. @param slot Its place. */
 INLINE mask slot_is_nearer(const Model *model, const ModelHits *hits, int v, mask inside,
                            real distance, size_t slot) {
@@ -104,7 +105,8 @@ INLINE mask slot_is_nearer(const Model *model, const ModelHits *hits, int v, mas
 }
 
 /** Takes a triangle where it comes before what was met. @param model The model. @param slot The
- *  triangle. @param ray The rays. @param inside Those that pass inside of it. @param v Which vector.
+ *  triangle. @param ray The rays. @param inside Those that pass inside of it. @param v Which
+ * vector.
  *  @param[in,out] hits What was met. */
 static void slot_take(const Model *model, size_t slot, const Ray *ray, mask inside, int v,
                       ModelHits *hits) {
@@ -194,9 +196,9 @@ static void block_take(const Model *model, size_t b, unsigned inside, real dista
     for (; inside; inside &= inside - 1) {
         int lane = __builtin_ctz(inside);
         scalar t = real_lane(distance, lane);
-        bool is_first = *best_slot < 0 ||
-                        model->blocks[b].triangles[lane] <
-                            model->blocks[*best_slot / LANES].triangles[*best_slot % LANES];
+        bool is_first =
+            *best_slot < 0 || model->blocks[b].triangles[lane] <
+                                  model->blocks[*best_slot / LANES].triangles[*best_slot % LANES];
         if (t < *best || (t == *best && is_first)) {
             *best = t;
             *best_slot = (int)(b * LANES) + lane;
@@ -314,9 +316,28 @@ static Vector normal_interpolate(const Corners *corners, const Corners *normals,
     sum = vector_add(sum, vector_scale(normals->at[2], real_abs(shares.z)));
     real largest = vector_largest(sum);
     Vector normal = vector_normalize(vector_scale(sum, 1 / largest));
-    mask is_good = (largest > 0) & (largest < INFINITE) &
-                   (vector_dot(normal, normal) > real_of((scalar)0.5));
+    mask is_good =
+        (largest > 0) & (largest < INFINITE) & (vector_dot(normal, normal) > real_of((scalar)0.5));
     return vector_select(is_good, normal, flat);
+}
+
+/**
+ * @return Interpolated normals, bent to the side of the surface that the rays see: near the outline
+ *         of a smooth shape they can point away from a viewer whom the triangle itself faces.
+ * @param normal     Interpolated unit normals.
+ * @param flat       The triangles' own unit normals, either way round.
+ * @param direction  The rays' directions.
+ */
+static Vector normal_bend(Vector normal, Vector flat, Vector direction) {
+    /** How far beyond the ray's own plane a normal is bent: more than any rounding. */
+    const scalar beyond = (scalar)1.001;
+    // Which way round is outwards the interpolated normal says: files disagree on corners' order.
+    real along = vector_dot(normal, direction), own = vector_dot(flat, direction);
+    real outwards = real_select(vector_dot(flat, normal) < 0, -own, own);
+    mask is_astray = along * outwards < 0;
+    real share = along / vector_dot(direction, direction) * beyond;
+    Vector bent = vector_normalize(vector_subtract(normal, vector_scale(direction, share)));
+    return vector_select(is_astray & (vector_dot(bent, bent) > 0), bent, normal);
 }
 
 /** @return Unit normals of the planes through triangles. @param corners Triangles. */
@@ -342,12 +363,16 @@ static Hit model_hit(const Model *model, const Ray *ray, real distance, integer 
     Vector point = vector_add(ray->origin, vector_scale(ray->direction, distance));
     real height = vector_dot(flat, vector_subtract(point, corners.at[0]));
     point = vector_subtract(point, vector_scale(flat, height));
+    real lean = real_of(1);
     if (model->normals) {
         Corners normals = normals_gather(model, slots, met);
         normal = normal_interpolate(&corners, &normals, ray, flat);
+        lean = real_abs(vector_dot(normal, flat));
+        normal = normal_bend(normal, flat, ray->direction);
     }
     real reach = vector_largest(point) + real_of(model->reach);
-    return (Hit){distance, point, normal, TRIANGLE_ERROR * ROUNDOFF * reach, integer_of(place)};
+    real error = TRIANGLE_ERROR * ROUNDOFF * reach / real_max(lean, real_of(LEAST_LEAN));
+    return (Hit){distance, point, normal, error, integer_of(place)};
 }
 
 /* --- shadows --------------------------------------------------------------------------------- */
@@ -376,8 +401,8 @@ void model_nearest(const Model *model, const Packet *packet, int place, Hit *hit
         mask met = packet->active[v] & (found.slots[v] >= integer_of(0));
         mask nearer = hit_is_nearer(&hits[v], met, found.distances[v], place);
         if (any(nearer)) {
-            Hit hit = model_hit(model, &packet->rays[v], found.distances[v], found.slots[v],
-                                nearer, place);
+            Hit hit = model_hit(model, &packet->rays[v], found.distances[v], found.slots[v], nearer,
+                                place);
             hit_take(&hits[v], nearer, &hit);
         }
     }

@@ -2,8 +2,8 @@
  * @file
  * @brief Making the shapes of a scene, and the tree over them where there are many.
  */
-#include "trace/model.h"
 #include "trace/shape_list.h"
+#include "trace/model.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -37,7 +37,8 @@ static void bounds_place(BoundsBlock *block, int i, Bounds box) {
 }
 
 /** Makes the shapes of a list whose memory is there. @param list The list. @param scene The scene.
- *  @param models The scene's models. @param[out] error What is wrong. @return false without memory. */
+ *  @param models The scene's models. @param[out] error What is wrong. @return false without memory.
+ */
 static bool shapes_make(ShapeList *list, const Scene *scene, Models *models, Error *error) {
     char *next = list->memory;
     for (size_t i = 0; i < scene->shape_count; i++) {
@@ -79,9 +80,9 @@ typedef struct Planting {
     size_t count;     /**< How many. */
 } Planting;
 
-/** Sorts the shapes of a list: those that end go to the tree. @param list The list, with room for all
- *  of them as loose ones. @param with_tree Whether there is a tree. @param[in,out] planting What goes
- *  into it; NULL without. */
+/** Sorts the shapes of a list: those that end go to the tree. @param list The list, with room for
+ * all of them as loose ones. @param with_tree Whether there is a tree. @param[in,out] planting What
+ * goes into it; NULL without. */
 static void shapes_sort(ShapeList *list, Planting *planting) {
     for (size_t i = 0; i < list->count; i++) {
         Bounds box = list->shapes[i]->class->bounds(list->shapes[i]);
@@ -104,8 +105,8 @@ static bool shapes_plant(ShapeList *list, const Crew *crew) {
     bool is_planted = planting.boxes && planting.places;
     if (is_planted) {
         shapes_sort(list, &planting);
-        is_planted = planting.count == 0 ||
-                     tree_build(&list->tree, planting.boxes, planting.count, 1, crew);
+        is_planted =
+            planting.count == 0 || tree_build(&list->tree, planting.boxes, planting.count, 1, crew);
         for (size_t i = 0; is_planted && i < list->tree.block_count; i++) {
             list->tree.order[i] = planting.places[list->tree.order[i]];
         }

@@ -15,7 +15,7 @@ typedef struct ShapeList {
     Shape **loose;       /**< Those that are not in the tree; owned. */
     BoundsBlock *bounds; /**< The boxes of those, LANES a block; owned. */
     size_t loose_count;  /**< How many. */
-    Tree tree;           /**< The tree over the others, by place; without nodes where there are few. */
+    Tree tree; /**< The tree over the others, by place; without nodes where there are few. */
 } ShapeList;
 
 /** @return Blocks of boxes for a number of shapes. @param count The shapes. */

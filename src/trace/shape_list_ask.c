@@ -89,8 +89,8 @@ static void shape_blocked(const Shape *shape, const Packet *packet, mask *blocke
 /** Asks the shapes of a leaf about a vector of rays. See #TreeOwner.ask. @param items The list.
  *  @param first Block. @param count Blocks. @param packet The rays. @param v Which vector.
  *  @param lanes Which lanes. @param[in,out] found The hits. @return How far they still look. */
-static real leaf_nearest(const void *items, size_t first, size_t count, const Packet *packet,
-                         int v, unsigned lanes, void *found) {
+static real leaf_nearest(const void *items, size_t first, size_t count, const Packet *packet, int v,
+                         unsigned lanes, void *found) {
     const ShapeList *list = items;
     Hit *hits = found;
     mask active = mask_of_bits(lanes);
@@ -105,8 +105,8 @@ static real leaf_nearest(const void *items, size_t first, size_t count, const Pa
  *  @param items The list. @param first Block. @param count Blocks. @param packet The rays.
  *  @param v Which vector. @param lanes Which lanes. @param[in,out] found What is blocked.
  *  @return How far they still look: not at all where they are blocked. */
-static real leaf_blocked(const void *items, size_t first, size_t count, const Packet *packet,
-                         int v, unsigned lanes, void *found) {
+static real leaf_blocked(const void *items, size_t first, size_t count, const Packet *packet, int v,
+                         unsigned lanes, void *found) {
     const ShapeList *list = items;
     mask *blocked = found;
     mask active = mask_of_bits(lanes);

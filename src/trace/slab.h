@@ -13,8 +13,8 @@
 #include "trace/shape.h"
 
 /**
- * Relative slack of either side: three roundings of a slab's distance, and eight more for the shapes
- * that find their distance by other formulas (Ize, *Robust BVH Ray Traversal*, JCGT 2013).
+ * Relative slack of either side: three roundings of a slab's distance, and eight more for the
+ * shapes that find their distance by other formulas (Ize, *Robust BVH Ray Traversal*, JCGT 2013).
  */
 #define SLAB_SLACK (22 * ROUNDOFF)
 

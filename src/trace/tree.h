@@ -3,9 +3,9 @@
  * @brief The bounding volume hierarchy: which of many things a ray may meet, nearest first.
  *
  * A tree of boxes over items that are known by number: the shapes of a scene, or the triangles of a
- * mesh. Nodes are eight wide (sixteen where a vector is), so that one test answers for all children.
- * The items are laid out in leaves, in blocks of a fixed size, by #Tree.order; what an item is only
- * its owner knows, who is called for each leaf that is reached.
+ * mesh. Nodes are eight wide (sixteen where a vector is), so that one test answers for all
+ * children. The items are laid out in leaves, in blocks of a fixed size, by #Tree.order; what an
+ * item is only its owner knows, who is called for each leaf that is reached.
  *
  * The tree changes the time and not one bit of the answer: its tests round outwards, ties are left
  * to the owner, and no leaf is dropped that could hold an equal distance.
@@ -54,10 +54,10 @@ typedef struct TreeNode {
 
 /** A tree over items. */
 typedef struct Tree {
-    TreeNode *nodes;    /**< The nodes, the root first; owned. */
-    size_t node_count;  /**< How many. */
-    uint32_t *order;    /**< Items in the order of the leaves, block by block; owned. A block that is
-                             not full repeats its last item. */
+    TreeNode *nodes;   /**< The nodes, the root first; owned. */
+    size_t node_count; /**< How many. */
+    uint32_t *order;   /**< Items in the order of the leaves, block by block; owned. A block that is
+                            not full repeats its last item. */
     size_t block_count; /**< How many blocks. */
     size_t block_size;  /**< Items a block. */
 } Tree;
@@ -72,8 +72,7 @@ typedef struct Tree {
  * @param crew         Who builds.
  * @return false without memory, or with more items than a tree can hold.
  */
-bool tree_build(Tree *tree, const Bounds *boxes, size_t count, size_t block_size,
-                const Crew *crew);
+bool tree_build(Tree *tree, const Bounds *boxes, size_t count, size_t block_size, const Crew *crew);
 
 /** Gives a tree's memory back and empties it. @param tree The tree. */
 void tree_release(Tree *tree);
@@ -101,8 +100,8 @@ typedef struct TreeOwner {
 } TreeOwner;
 
 /**
- * Asks the items that the rays of a packet may meet, roughly from near to far: for all rays together
- * where they go about the same way, for each by itself where they share nothing.
+ * Asks the items that the rays of a packet may meet, roughly from near to far: for all rays
+ * together where they go about the same way, for each by itself where they share nothing.
  * @param tree     The tree.
  * @param packet   The rays.
  * @param limits   For each vector: how far rays look before anything is met.

@@ -113,9 +113,9 @@ typedef struct Binning {
 
 /** The best place to split. */
 typedef struct Choice {
-    int axis;     /**< Along which axis; -1: nowhere. */
-    int bin;      /**< The first bin of the right side. */
-    scalar cost;  /**< Area times blocks, both sides. */
+    int axis;    /**< Along which axis; -1: nowhere. */
+    int bin;     /**< The first bin of the right side. */
+    scalar cost; /**< Area times blocks, both sides. */
 } Choice;
 
 /** @return How middles fall into bins. @param middles Twice the middles of all items. */
@@ -188,8 +188,7 @@ static void axis_choose(const Builder *builder, const Bin *bins, int axis, Choic
         if (left_count == 0) {
             continue;
         }
-        scalar cost =
-            extent_area(&left) * (scalar)blocks_of(builder, left_count) + right_cost[i];
+        scalar cost = extent_area(&left) * (scalar)blocks_of(builder, left_count) + right_cost[i];
         if (cost < best->cost) {
             *best = (Choice){axis, i, cost};
         }
@@ -276,11 +275,11 @@ static size_t split_items(const Builder *builder, const Split *split, const Exte
     }
     if (choice.axis >= 0) {
         scalar area = extent_area(&split->extent);
-        bool is_leaf = blocks <= TREE_LEAF_BLOCKS &&
-                       area * (scalar)blocks <= area * NODE_COST + choice.cost;
+        bool is_leaf =
+            blocks <= TREE_LEAF_BLOCKS && area * (scalar)blocks <= area * NODE_COST + choice.cost;
         return is_leaf ? 0
-                       : references_part(builder->references + split->first, split->count,
-                                         &binning, &choice);
+                       : references_part(builder->references + split->first, split->count, &binning,
+                                         &choice);
     }
     return blocks <= TREE_LEAF_BLOCKS ? 0 : split->count / 2;
 }
@@ -308,8 +307,8 @@ static void split_build(Builder *builder, uint32_t place, int level, bool pieces
     }
     split->right = place + 2 * (uint32_t)left;
     builder->splits[place + 1] = (Split){.first = split->first, .count = (uint32_t)left};
-    builder->splits[split->right] = (Split){.first = split->first + (uint32_t)left,
-                                            .count = split->count - (uint32_t)left};
+    builder->splits[split->right] =
+        (Split){.first = split->first + (uint32_t)left, .count = split->count - (uint32_t)left};
     split_build(builder, place + 1, level + 1, pieces);
     split_build(builder, split->right, level + 1, pieces);
 }
@@ -357,7 +356,8 @@ static Family family_of(const Builder *builder, uint32_t place) {
     return family;
 }
 
-/** Counts the nodes and blocks that a part needs. @param builder The builder. @param place The part.
+/** Counts the nodes and blocks that a part needs. @param builder The builder. @param place The
+ * part.
  */
 static void wide_count(Builder *builder, uint32_t place) {
     Family family = family_of(builder, place);
@@ -448,8 +448,9 @@ static void binary_build(Builder *builder, size_t count, const Crew *crew) {
 static bool wide_build(Builder *builder) {
     Tree *tree = builder->tree;
     wide_count(builder, 0);
-    tree->nodes = aligned_alloc(NODE_ALIGNMENT, (tree->node_count * sizeof(TreeNode) +
-                                                 NODE_ALIGNMENT - 1) / NODE_ALIGNMENT * NODE_ALIGNMENT);
+    tree->nodes =
+        aligned_alloc(NODE_ALIGNMENT, (tree->node_count * sizeof(TreeNode) + NODE_ALIGNMENT - 1) /
+                                          NODE_ALIGNMENT * NODE_ALIGNMENT);
     tree->order = malloc(tree->block_count * tree->block_size * sizeof *tree->order);
     if (!tree->nodes || !tree->order || tree->block_count >= TREE_BLOCKS) {
         return false;

@@ -2,8 +2,8 @@
  * @file
  * @brief Going through a tree ray by ray, several in flight.
  *
- * Rays that share nothing wait for memory at nearly every node. So several are on their way at once,
- * each takes one step in turn, and what its next step needs is fetched while the others take
+ * Rays that share nothing wait for memory at nearly every node. So several are on their way at
+ * once, each takes one step in turn, and what its next step needs is fetched while the others take
  * theirs. A node's boxes are tested side by side against the one ray.
  */
 #include "trace/slab.h"

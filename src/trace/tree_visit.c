@@ -113,8 +113,8 @@ static void leaf_ask(Journey *journey, const TreeOwner *owner, const Waiting *le
     }
 }
 
-/** @return Whether the rays of a packet go about the same way: up or down along one axis at least, and
- *  enough of them. @param packet The packet. @param spans What is known of it. */
+/** @return Whether the rays of a packet go about the same way: up or down along one axis at least,
+ * and enough of them. @param packet The packet. @param spans What is known of it. */
 static bool packet_is_coherent(const Packet *packet, const Spans *spans) {
     /** Rays for which being together costs more than it saves (measured). */
     const unsigned few = 3;

@@ -100,7 +100,8 @@ static mask mesh_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit
     return nearer;
 }
 
-/** @return The lanes where the mesh is on the way. See #ShapeClass.is_blocking. @param self The mesh.
+/** @return The lanes where the mesh is on the way. See #ShapeClass.is_blocking. @param self The
+ * mesh.
  *  @param ray The rays. @param active The lanes. @param limit The way's end. */
 static mask mesh_is_blocking(const Shape *self, const Ray *ray, mask active, real limit) {
     Packet packet = packet_of_one(ray, active, limit);

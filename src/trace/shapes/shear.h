@@ -127,8 +127,8 @@ typedef struct MainAxes {
     mask z; /**< Along z. */
 } MainAxes;
 
-/** @return Which lanes run mainly along which axis. @param ray The rays. @param active The lanes that
- *  count. */
+/** @return Which lanes run mainly along which axis. @param ray The rays. @param active The lanes
+ * that count. */
 INLINE MainAxes shear_main_axes(const Ray *ray, mask active) {
     real x = real_abs(ray->direction.x), y = real_abs(ray->direction.y);
     real z = real_abs(ray->direction.z);

@@ -128,6 +128,15 @@ bool scene_add_shape(Scene *scene, size_t kind, const Keyword *keyword, const vo
     return place != NULL;
 }
 
+bool scene_transform_shape(Scene *scene, const Transform *transform, Error *error) {
+    Transform *copy = block_allocate((Block *)scene, sizeof *copy, error);
+    if (copy) {
+        *copy = *transform;
+        scene->shapes[scene->shape_count - 1].transform = copy;
+    }
+    return copy != NULL;
+}
+
 bool scene_has_mirrors(const Scene *scene) {
     for (size_t i = 0; i < scene->shape_count; i++) {
         if (material_is_mirror(&scene->materials[scene->shapes[i].material])) {

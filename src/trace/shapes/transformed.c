@@ -42,11 +42,12 @@ typedef struct Local {
     wide skipped; /**< How much of each was left out at its start, in lengths of the direction. */
 } Local;
 
-/** @return A matrix. @param m Its rows. */
-static Matrix matrix_of(const double m[3][3]) {
+/** @return The matrix of a transform. @param t The transform. */
+static Matrix matrix_of(const Transform *t) {
     Matrix matrix;
     for (int i = 0; i < 3; i++) {
-        matrix.row[i] = wide_point_of((Vector3){m[i][0], m[i][1], m[i][2]});
+        matrix.row[i] = (WidePoint){(wide_scalar)t->linear[i][0], (wide_scalar)t->linear[i][1],
+                                    (wide_scalar)t->linear[i][2]};
     }
     return matrix;
 }
@@ -104,7 +105,7 @@ static void transformed_init(Shape *self, const void *parameters) {
     Transformed *transformed = (Transformed *)self;
     const TransformedParameters *p = parameters;
     transformed->inner = p->inner;
-    transformed->forth = matrix_of(p->transform->linear);
+    transformed->forth = matrix_of(p->transform);
     transformed->back = matrix_inverse(transformed->forth);
     transformed->move = wide_point_of(p->transform->translate);
     transformed->reach = (scalar)vector3_largest(p->transform->translate);

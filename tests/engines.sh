@@ -2,8 +2,10 @@
 # Engines as a person meets them: all draw the box, and the program runs on a processor without AVX2.
 . "$(dirname "$0")/check.sh"
 box=scenes/box.lua
+shapes=tests/peers/shapes.lua
 
 draw() { "$dioptre" render "$box" -o "$work/$1.bmp" -s 96x72 --samples 2 --engine "$1"; }
+draw_shapes() { "$dioptre" render "$shapes" -o "$work/shapes-$1.bmp" -s 192x144 --samples 2 --engine "$1"; }
 if grep -q avx2 /proc/cpuinfo; then
     for engine in f32x8 f32x4 f32x1 f64x4 f64x1 f128x1; do
         draw $engine && ok "$engine draws the box" || fail "$engine draws the box"
@@ -16,6 +18,12 @@ if grep -q avx2 /proc/cpuinfo; then
         echo 'skipped f32x16: this processor has no AVX-512'
     fi
     same "$work/f64x4.bmp" "$work/f64x1.bmp" 'f64x4 gives the bits of f64x1'
+    # The shapes that the box lacks.
+    for engine in f32x8 f32x4 f32x1 f64x4 f64x1; do draw_shapes $engine; done
+    for engine in f32x8 f32x4; do
+        same "$work/shapes-$engine.bmp" "$work/shapes-f32x1.bmp" "$engine gives the bits of f32x1 for all shapes"
+    done
+    same "$work/shapes-f64x4.bmp" "$work/shapes-f64x1.bmp" 'f64x4 gives the bits of f64x1 for all shapes'
     "$dioptre" compare "$work/f32x8.bmp" "$work/f128x1.bmp" --json >"$work/out"
     holds "$work/out" '"share_off": (0,|0\.00[0-4]|[0-9.]+e-)' 'float is within a step of quad but at edges'
 else
@@ -35,4 +43,7 @@ expect 2 'AVX-512' 'without AVX-512: f32x16 is refused' $old info "$box" --engin
 # One program, two compilers: the same bits.
 build/clang/dioptre render "$box" -o "$work/clang.bmp" -s 96x72 --samples 2 --engine f32x4
 same "$work/clang.bmp" "$work/f32x4.bmp" 'gcc and clang give the same bits'
+build/clang/dioptre render "$shapes" -o "$work/clang.bmp" -s 192x144 --samples 2 --engine f32x4
+draw_shapes f32x4
+same "$work/clang.bmp" "$work/shapes-f32x4.bmp" 'gcc and clang give the same bits for all shapes'
 finish

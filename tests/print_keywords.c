@@ -20,6 +20,8 @@ static const char *type_name(const Parameter *row) {
                                         [PARAMETER_WORD] = "word",
                                         [PARAMETER_VECTOR] = "`{x, y, z}`",
                                         [PARAMETER_DIRECTION] = "`{x, y, z}`, not zero",
+                                        [PARAMETER_SCALE] = "number, or `{x, y, z}`; not zero",
+                                        [PARAMETER_PAIR] = "`{u, v}`",
                                         [PARAMETER_COLOR] = "colour",
                                         [PARAMETER_MESH] = "name of a model file"};
     return names[row->type];
@@ -56,6 +58,9 @@ static void print_value(const Parameter *row, const void *values) {
     case PARAMETER_MESH:
         printf("none: it must be given");
         break;
+    case PARAMETER_PAIR:
+        printf("`{%.15g, %.15g}`", part[0], part[1]);
+        break;
     default:
         printf("`{%.15g, %.15g, %.15g}`", part[0], part[1], part[2]);
     }
@@ -77,8 +82,13 @@ static void print_keyword(const Keyword *keyword) {
 
 /** Prints all keywords. @return 0 */
 int main(void) {
-    const Keyword *const common[] = {&camera_keyword, &image_keyword,    &light_keyword,
-                                     &sky_keyword,    &material_keyword, NULL};
+    const Keyword *const common[] = {&camera_keyword,
+                                     &image_keyword,
+                                     &light_keyword,
+                                     &sky_keyword,
+                                     &material_keyword,
+                                     &transform_keyword,
+                                     NULL};
     for (const Keyword *const *keyword = common; *keyword; keyword++) {
         print_keyword(*keyword);
     }

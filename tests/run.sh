@@ -18,7 +18,7 @@ check() {
     if timeout 600 "$@" >build/test.log 2>&1 </dev/null; then
         passed=$((passed + 1))
         echo "ok $name ($(($(date +%s) - start)) s)"
-        grep -E '^(worst errors|  [a-z]+ +f[0-9]+x|skipped)' build/test.log
+        grep -E '^(worst errors|  [a-z ]+ f[0-9]+x|skipped)' build/test.log
     else
         failed=$((failed + 1))
         echo "not ok $name"

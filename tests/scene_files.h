@@ -24,6 +24,7 @@ typedef struct Ball {
     bool is_hollow;  /**< A boolean. */
     int finish;      /**< A word. */
     double diameter; /**< Worked out from the radius. */
+    Pair spot;       /**< Two numbers. */
 } Ball;
 
 /** Words of the field `finish`. */
@@ -53,6 +54,7 @@ static const Parameter ball_parameters[] = {
      .type = PARAMETER_WORD,
      .offset = offsetof(Ball, finish),
      .words = finish_words},
+    {.name = "spot", .type = PARAMETER_PAIR, .offset = offsetof(Ball, spot), .maximum = 1},
     {0}};
 
 /** A ball as it is when nothing is said. */

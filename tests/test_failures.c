@@ -21,6 +21,23 @@ typedef struct BoxParameters {
     Vector3 high; /**< Highest corner. */
 } BoxParameters;
 
+/** As the scene language says a cylinder. */
+typedef struct CylinderParameters {
+    Vector3 base;  /**< Centre of one end. */
+    Vector3 top;   /**< Of the other. */
+    double radius; /**< Radius. */
+    bool capped;   /**< Whether the ends are closed. */
+} CylinderParameters;
+
+/** As the scene language says a triangle. */
+typedef struct TriangleParameters {
+    Vector3 corners[3]; /**< Corners. */
+    Vector3 normals[3]; /**< Normals there. */
+    Pair places[3];     /**< Places in a picture there. */
+    bool is_smooth;     /**< Whether the normals count. */
+    bool has_places;    /**< Whether the places do. */
+} TriangleParameters;
+
 /** Rays that a packet of questions holds. */
 enum { BATCH = 4096 };
 
@@ -267,10 +284,309 @@ static void touching_box(const Engine *engine) {
     scene_destroy(scene);
 }
 
+/* --- cylinders ------------------------------------------------------------------------------- */
+
+/** A cylinder 1e2 to 1e4 radii away: none missed, none met that is not there, 0.1 % beside its
+ *  outline. @param engine The engine. */
+static void far_cylinder(const Engine *engine) {
+    uint64_t state = 7;
+    for (double away = 1e2; away <= 1e4; away *= 10) {
+        Scene *scene = empty_scene();
+        CylinderParameters column = {{0, -64, 0}, {0, 64, 0}, 1, true};
+        add_shape(scene, "cylinder", &column);
+        Tracer *tracer = prepare(engine, scene);
+        int wrong = 0;
+        for (int n = 0; n < 4000; n++) {
+            double beside = (n % 2 ? 0.999 : 1.001) * (n % 4 < 2 ? 1 : -1);
+            double rise = random_float(&state, -16, 16);
+            RayQuery ray = {{(float)beside, rise, away}, {0, -rise / away, -1}};
+            RayAnswer answer;
+            engine->intersect(tracer, 1, &ray, &answer);
+            wrong +=
+                (answer.shape == 0) != (fabs(beside) < 1) || answer.blocked != (answer.shape == 0);
+        }
+        assert_at_most(wrong, 0, "cylinder %g radii away in %s, wrong of 4000", away, engine->name);
+        engine->release(tracer);
+        scene_destroy(scene);
+    }
+}
+
+/** Along the axis of a cylinder, exactly and 1e-4 radians beside: a capped one is met at its ends,
+ * a pipe lets through what goes through. @param engine The engine. */
+static void cylinder_along_axis(const Engine *engine) {
+    for (int capped = 0; capped < 2; capped++) {
+        Scene *scene = empty_scene();
+        CylinderParameters tube = {{0, 0, -1}, {0, 0, 1}, 1, capped};
+        add_shape(scene, "cylinder", &tube);
+        Tracer *tracer = prepare(engine, scene);
+        uint64_t state = 8;
+        for (int n = 0; n < 2000; n++) {
+            double x = random_float(&state, -1.2, 1.2), y = random_float(&state, -1.2, 1.2);
+            double lean = n % 3 ? 1e-4 : 0, off = sqrt(x * x + y * y);
+            bool starts_inside = n % 2;
+            RayQuery ray = {{x, y, starts_inside ? 0 : 3}, {(float)lean, n % 5 ? 0.0 : -0.0, -1}};
+            RayAnswer answer;
+            engine->intersect(tracer, 1, &ray, &answer);
+            if (fabs(off - 1) < 1e-3) {
+                continue;
+            }
+            assert_int_equal(answer.shape == 0, off < 1 && capped);
+            if (answer.shape == 0) {
+                assert_at_most(quad_abs(answer.distance - (starts_inside ? 1 : 2)), 4e-7,
+                               "end of a cylinder in %s", engine->name);
+            }
+        }
+        engine->release(tracer);
+        scene_destroy(scene);
+    }
+}
+
+/** From inside a capped cylinder, a million rays aimed at its rims (a hundredth in quad): not one
+ *  gets out. @param engine The engine. */
+static void watertight_rim(const Engine *engine) {
+    Scene *scene = empty_scene();
+    CylinderParameters drum = {{1, 2, 3}, {2.5, 2.75, 1.25}, 1.5, true};
+    add_shape(scene, "cylinder", &drum);
+    Tracer *tracer = prepare(engine, scene);
+    Vector3 axis = vector3_normalize(vector3_subtract(drum.top, drum.base));
+    Vector3 across = vector3_normalize(vector3_cross(axis, (Vector3){1, 0, 0}));
+    Vector3 other = vector3_cross(axis, across);
+    RayQuery *rays = calloc(BATCH, sizeof *rays);
+    RayAnswer *answers = calloc(BATCH, sizeof *answers);
+    uint64_t state = 9;
+    long leaks = 0, count = scaled(engine, 1000000);
+    for (long done = 0; done < count; done += BATCH) {
+        for (int i = 0; i < BATCH; i++) {
+            double angle = 2 * M_PI * random_share(&state);
+            Vector3 eye = {random_float(&state, 1.5, 2), random_float(&state, 2.2, 2.6),
+                           random_float(&state, 1.9, 2.4)};
+            Vector3 arm = vector3_add(vector3_scale(across, 1.5 * cos(angle)),
+                                      vector3_scale(other, 1.5 * sin(angle)));
+            rays[i] = ray_towards(eye, vector3_add(i % 2 ? drum.base : drum.top, arm));
+        }
+        engine->intersect(tracer, BATCH, rays, answers);
+        for (int i = 0; i < BATCH; i++) {
+            leaks += answers[i].shape < 0 || !answers[i].blocked;
+        }
+    }
+    assert_at_most(leaks, 0, "leaks at rims in %s of %ld", engine->name, count);
+    free(rays);
+    free(answers);
+    engine->release(tracer);
+    scene_destroy(scene);
+}
+
+/* --- triangles ------------------------------------------------------------------------------- */
+
+/** Faces of an icosahedron, each divided into four three times. */
+enum { ICOSPHERE_FACES = 20 * 4 * 4 * 4 };
+
+/** A closed mesh. */
+typedef struct Icosphere {
+    Vector3 corners[ICOSPHERE_FACES][3]; /**< Corners of each face. */
+    int count;                           /**< How many faces there are. */
+} Icosphere;
+
+/** @return A point as far from the zero as the mesh is, exact in float, the same for both faces of
+ *          an edge. @param a One end. @param b The other. */
+static Vector3 middle_of(Vector3 a, Vector3 b) {
+    Vector3 m = vector3_scale(vector3_normalize(vector3_add(a, b)), 2);
+    return (Vector3){(float)m.x, (float)m.y, (float)m.z};
+}
+
+/** Adds a face, divided. @param mesh The mesh. @param a A corner. @param b A corner.
+ *  @param c A corner. @param times How often it is divided. */
+static void add_face(Icosphere *mesh, Vector3 a, Vector3 b, Vector3 c, int times) {
+    if (times == 0) {
+        Vector3 face[3] = {a, b, c};
+        memcpy(mesh->corners[mesh->count++], face, sizeof face);
+        return;
+    }
+    Vector3 ab = middle_of(a, b), bc = middle_of(b, c), ca = middle_of(c, a);
+    add_face(mesh, a, ab, ca, times - 1);
+    add_face(mesh, ab, b, bc, times - 1);
+    add_face(mesh, ca, bc, c, times - 1);
+    add_face(mesh, ab, bc, ca, times - 1);
+}
+
+/** @return A corner of an icosahedron. @param which 0 to 11. */
+static Vector3 icosahedron_corner(int which) {
+    double golden = (which & 1 ? -1 : 1) * (1 + sqrt(5)) / 2, one = which & 2 ? -1 : 1;
+    Vector3 v = which < 4   ? (Vector3){0, one, golden}
+                : which < 8 ? (Vector3){golden, 0, one}
+                            : (Vector3){one, golden, 0};
+    return middle_of(v, v);
+}
+
+/** Makes the mesh: a face where three corners of an icosahedron are neighbours.
+ *  @param[out] mesh The mesh. */
+static void icosphere_make(Icosphere *mesh) {
+    /** Squared edge of an icosahedron of radius 2, with room: the next distance is 10.5. */
+    const double edge = 5;
+    mesh->count = 0;
+    for (int i = 0; i < 12; i++) {
+        for (int j = 0; j < i; j++) {
+            for (int k = 0; k < j; k++) {
+                Vector3 a = icosahedron_corner(i), b = icosahedron_corner(j);
+                Vector3 c = icosahedron_corner(k), ab = vector3_subtract(a, b);
+                Vector3 bc = vector3_subtract(b, c), ca = vector3_subtract(c, a);
+                if (vector3_dot(ab, ab) < edge && vector3_dot(bc, bc) < edge &&
+                    vector3_dot(ca, ca) < edge) {
+                    add_face(mesh, a, b, c, 3);
+                }
+            }
+        }
+    }
+    assert_int_equal(mesh->count, ICOSPHERE_FACES);
+}
+
+/** @return How many rays at a mesh: without packets each asks all of its triangles.
+ *  @param engine The engine. */
+static long mesh_rays(const Engine *engine) {
+    return engine->mantissa_bits > 64 ? 640 : engine->lanes == 1 ? 20032 : 1000000;
+}
+
+/** From inside a closed mesh, rays aimed at its edges and corners, 64 at one of them: not one gets
+ *  out. @param engine The engine. */
+static void watertight_triangles(const Engine *engine) {
+    enum { TOGETHER = 64 };
+    static Icosphere mesh;
+    icosphere_make(&mesh);
+    Scene *scene = empty_scene();
+    for (int i = 0; i < ICOSPHERE_FACES; i++) {
+        TriangleParameters face = {0};
+        memcpy(face.corners, mesh.corners[i], sizeof face.corners);
+        add_shape(scene, "triangle", &face);
+    }
+    Tracer *tracer = prepare(engine, scene);
+    uint64_t state = 10;
+    RayQuery rays[TOGETHER];
+    RayAnswer answers[TOGETHER];
+    for (int at_corner = 0; at_corner < 2; at_corner++) {
+        long leaks = 0, count = mesh_rays(engine);
+        for (long done = 0; done < count; done += TOGETHER) {
+            const Vector3 *face = mesh.corners[(int)(ICOSPHERE_FACES * random_share(&state))];
+            int from = (int)(3 * random_share(&state));
+            Vector3 edge = vector3_subtract(face[(from + 1) % 3], face[from]);
+            Vector3 middle = {random_float(&state, -1, 1), random_float(&state, -1, 1),
+                              random_float(&state, -1, 1)};
+            for (int i = 0; i < TOGETHER; i++) {
+                Vector3 eye = {middle.x + random_float(&state, -0.01, 0.01),
+                               middle.y + random_float(&state, -0.01, 0.01), middle.z};
+                double share = at_corner ? 0 : random_share(&state);
+                rays[i] = ray_towards(eye, vector3_add(face[from], vector3_scale(edge, share)));
+            }
+            engine->intersect(tracer, TOGETHER, rays, answers);
+            for (int i = 0; i < TOGETHER; i++) {
+                leaks += answers[i].shape < 0 || !answers[i].blocked;
+            }
+        }
+        assert_at_most(leaks, 0, "leaks at %s of triangles in %s of %ld",
+                       at_corner ? "corners" : "edges", engine->name, count);
+    }
+    engine->release(tracer);
+    scene_destroy(scene);
+}
+
+/**
+ * Holds what a sliver answered against its corners.
+ * @param engine  The engine.
+ * @param sliver  The triangle.
+ * @param ray     The ray.
+ * @param answer  The answer: a hit.
+ */
+static void check_sliver(const Engine *engine, const TriangleParameters *sliver,
+                         const RayQuery *ray, const RayAnswer *answer) {
+    const Vector3 *v = sliver->corners, n = {(double)answer->normal[0], (double)answer->normal[1],
+                                             (double)answer->normal[2]};
+    Vector3 origin = {(double)ray->origin[0], (double)ray->origin[1], (double)ray->origin[2]};
+    Vector3 d = {(double)ray->direction[0], (double)ray->direction[1], (double)ray->direction[2]};
+    double low = HUGE_VAL, high = -HUGE_VAL, slack = engine->mantissa_bits == 24 ? 1e-6 : 1e-12;
+    for (int i = 0; i < 3; i++) {
+        double depth = vector3_dot(vector3_subtract(v[i], origin), d) / vector3_dot(d, d);
+        low = fmin(low, depth);
+        high = fmax(high, depth);
+    }
+    assert_at_most(low - (double)answer->distance, slack * fabs(low), "sliver in front in %s",
+                   engine->name);
+    assert_at_most((double)answer->distance - high, slack * fabs(high), "sliver behind in %s",
+                   engine->name);
+    assert_at_most(fabs(vector3_length(n) - 1), 1e-6, "normal of a sliver in %s", engine->name);
+    assert_true(answer->error > 0);
+    // The normals of all corners look up, and so does the plane's: seen from above or from below.
+    Vector3 flat = vector3_normalize(
+        vector3_cross(vector3_subtract(v[1], v[0]), vector3_subtract(v[2], v[0])));
+    double side = vector3_dot(d, flat) * (flat.y > 0 ? 1 : -1);
+    if (fabs(side) > 1e-3 * vector3_length(d)) {
+        if ((vector3_dot(d, n) > 0) != (side > 0)) {
+            fail_msg("normal on the wrong side in %s: %g %g %g, along %g %g %g", engine->name, n.x,
+                     n.y, n.z, d.x, d.y, d.z);
+        }
+    }
+}
+
+/** One triangle, a hundred long, seen at an angle. @param engine The engine. @param aspect How many
+ *  times as long as wide. @param degrees The angle. @param[in,out] state A generator. */
+static void one_sliver(const Engine *engine, double aspect, double degrees, uint64_t *state) {
+    Scene *scene = empty_scene();
+    TriangleParameters sliver = {
+        .corners = {{1, 2, -3}, {101, 2.5, -3.25}, {51, 2.25, (float)(-3.125 - 100 / aspect)}},
+        .normals = {{0.1, 1, 0}, {-0.1, 1, 0.2}, {0, 1, -5}},
+        .is_smooth = degrees < 20};
+    const Vector3 *v = sliver.corners;
+    add_shape(scene, "triangle", &sliver);
+    Tracer *tracer = prepare(engine, scene);
+    double height = 20 * tan(degrees * M_PI / 180);
+    int met = 0;
+    for (int n = 0; n < 2000; n++) {
+        double a = random_share(state), b = (1 - a) * random_share(state);
+        Vector3 aim = vector3_add(vector3_scale(v[0], a), vector3_scale(v[1], b));
+        aim = vector3_add(aim, vector3_scale(v[2], 1 - a - b));
+        Vector3 way = {random_float(state, -20, 20), n % 2 ? height : -height, 20};
+        RayQuery ray = ray_towards(vector3_add(aim, way), aim);
+        RayAnswer answer;
+        engine->intersect(tracer, 1, &ray, &answer);
+        if (answer.shape == 0) {
+            met++;
+            check_sliver(engine, &sliver, &ray, &answer);
+        }
+    }
+    assert_true(met > 1000 || aspect > 1e4 || degrees < 1);
+    engine->release(tracer);
+    scene_destroy(scene);
+}
+
+/** Triangles as narrow as a millionth of their length, seen at 30 to 0.1 degrees: what is met lies
+ *  between their corners, and the normal is a number and on the right side. @param engine The
+ *  engine. */
+static void slivers(const Engine *engine) {
+    uint64_t state = 11;
+    for (double aspect = 1; aspect <= 1e6; aspect *= 10) {
+        for (double degrees = 30; degrees > 0.05; degrees /= 17) {
+            one_sliver(engine, aspect, degrees, &state);
+        }
+    }
+}
+
 /* --- packets --------------------------------------------------------------------------------- */
 
-/** A hundred shapes of all kinds, packets and single rays: the intervals of a packet drop nothing,
- *  axis-parallel rays included. @param engine The engine. */
+/** Adds a round shape, turned and unevenly scaled. @param scene The scene. @param i Its number.
+ *  @param[in,out] state A generator. */
+static void add_turned(Scene *scene, int i, uint64_t *state) {
+    Error error = {0};
+    CylinderParameters tube = {{0, -0.5, 0}, {0, 0.5, 0.25}, 0.375, i % 2};
+    SphereParameters ball = {{0.25, 0, 0}, 0.5};
+    Transform how = {{random_float(state, 0.2, 2), -random_float(state, 0.2, 1), 0.5},
+                     {random_float(state, 0, 360), random_float(state, 0, 360), 90 * (i % 4)},
+                     {random_float(state, -4, 4), random_float(state, -4, 4), 0},
+                     {{0}}};
+    assert_true(transform_keyword.finish(&how, 0, &error));
+    add_shape(scene, i % 3 ? "cylinder" : "sphere", i % 3 ? (void *)&tube : (void *)&ball);
+    assert_true(scene_transform_shape(scene, &how, &error));
+}
+
+/** Two hundred shapes of all kinds, packets and single rays: the intervals of a packet drop
+ * nothing, axis-parallel rays included. @param engine The engine. */
 static void packets_drop_nothing(const Engine *engine) {
     Scene *scene = empty_scene();
     uint64_t state = 6;
@@ -282,6 +598,7 @@ static void packets_drop_nothing(const Engine *engine) {
         QuadParameters sheet = {{p.y, p.z, p.x}, {0.5, 0, 0}, {0, 0.25, 0.5}};
         add_shape(scene, "sphere", &ball);
         add_shape(scene, i % 2 ? "box" : "quad", i % 2 ? (void *)&box : (void *)&sheet);
+        add_turned(scene, i, &state);
     }
     Tracer *tracer = prepare(engine, scene);
     enum { TOGETHER = 64 };
@@ -352,13 +669,51 @@ static void test_packets(void **state) {
     in_every_engine(packets_drop_nothing);
 }
 
+/** @param state Not used. */
+static void test_far_cylinder(void **state) {
+    (void)state;
+    in_every_engine(far_cylinder);
+}
+
+/** @param state Not used. */
+static void test_cylinder_along_axis(void **state) {
+    (void)state;
+    in_every_engine(cylinder_along_axis);
+}
+
+/** @param state Not used. */
+static void test_watertight_rim(void **state) {
+    (void)state;
+    in_every_engine(watertight_rim);
+}
+
+/** @param state Not used. */
+static void test_watertight_triangles(void **state) {
+    (void)state;
+    in_every_engine(watertight_triangles);
+}
+
+/** @param state Not used. */
+static void test_slivers(void **state) {
+    (void)state;
+    in_every_engine(slivers);
+}
+
 /** Runs the tests. @return 0 if all pass. */
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_ground_sphere),    cmocka_unit_test(test_far_sphere),
-        cmocka_unit_test(test_watertight_quads), cmocka_unit_test(test_coincident_quads),
-        cmocka_unit_test(test_grazing_plane),    cmocka_unit_test(test_touching_box),
+        cmocka_unit_test(test_ground_sphere),
+        cmocka_unit_test(test_far_sphere),
+        cmocka_unit_test(test_watertight_quads),
+        cmocka_unit_test(test_coincident_quads),
+        cmocka_unit_test(test_grazing_plane),
+        cmocka_unit_test(test_touching_box),
         cmocka_unit_test(test_packets),
+        cmocka_unit_test(test_far_cylinder),
+        cmocka_unit_test(test_cylinder_along_axis),
+        cmocka_unit_test(test_watertight_rim),
+        cmocka_unit_test(test_watertight_triangles),
+        cmocka_unit_test(test_slivers),
     };
     return cmocka_run_group_tests_name("failures", tests, NULL, NULL);
 }

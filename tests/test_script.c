@@ -81,6 +81,28 @@ static void test_field_types(void **state) {
     scene_destroy(scene);
 }
 
+/** Every shape can be scaled, turned and moved; one that is not carries nothing. A pair is two
+ *  numbers. @param state The fixture. */
+static void test_transforms(void **state) {
+    Scene *scene = load_good(*state, "camera {}\n"
+                                     "sphere { spot = {0.25, 1} }\n"
+                                     "sphere { scale = 2 }\n"
+                                     "plane { scale = {1, -2, 3}, rotate = {90, 0, 90},\n"
+                                     "        translate = {4, 5, 6} }\n");
+    assert_true(ball_of(scene, 0)->spot.u == 0.25 && ball_of(scene, 0)->spot.v == 1);
+    assert_null(scene->shapes[0].transform);
+    const Transform *twice = scene->shapes[1].transform, *all = scene->shapes[2].transform;
+    assert_vector(twice->scale, 2, 2, 2);
+    assert_vector(twice->translate, 0, 0, 0);
+    assert_vector(all->translate, 4, 5, 6);
+    // About x, y goes to z and z to -y; then about z, x goes to y and y to -x. Scaled before that.
+    const double linear[3][3] = {{0, 0, 3}, {1, 0, 0}, {0, -2, 0}};
+    for (int i = 0; i < 9; i++) {
+        assert_true(all->linear[i / 3][i % 3] == linear[i / 3][i % 3]);
+    }
+    scene_destroy(scene);
+}
+
 /** Materials are handed on by what they return. @param state The fixture. */
 static void test_materials(void **state) {
     Scene *scene = load_good(
@@ -203,6 +225,8 @@ static void test_unknown_words(void **state) {
          "sphere has no field `radus`; did you mean `radius`?"},
         {"sphere { cetner = {0, 0, 0} }", 1, "did you mean `center`?"},
         {"sphere { materail = 1 }", 1, "did you mean `material`?"},
+        {"sphere { transalte = {1, 1, 1} }", 1, "did you mean `translate`?"},
+        {"light { scale = 1 }", 1, "light has no field `scale`"},
         {"light { material = 1 }", 1, "light has no field `material`"},
         {"sphere { xyzzy = 1 }", 1, "sphere has no field `xyzzy`"},
         {"sphere { finish = 'glosy' }", 1,
@@ -233,6 +257,11 @@ static void test_wrong_types(void **state) {
         {"sphere { tint = '#ff000' }", 1, "not \"#ff000\""},
         {"sphere { tint = 'red' }", 1, "tint must be a colour such as \"#ff8000\""},
         {"sphere { tint = '#ff00gg' }", 1, "tint must be a colour"},
+        {"sphere { spot = {1} }", 1, "spot must be two numbers {u, v}; there are 1 things"},
+        {"sphere { spot = 1 }", 1, "spot must be two numbers {u, v}, not a number"},
+        {"sphere { scale = 'big' }", 1,
+         "scale must be one number, or three numbers {x, y, z}, not a string"},
+        {"sphere { rotate = 90 }", 1, "rotate must be three numbers {x, y, z}, not a number"},
         {"sphere { {0, 0, 0}, radius = 1 }", 1, "sphere takes fields with names"},
         {"sphere(1)", 1, "sphere takes its fields in braces"},
         {"sphere()", 1, "sphere takes its fields in braces"},
@@ -253,6 +282,10 @@ static void test_wrong_types(void **state) {
 static void test_wrong_values(void **state) {
     static const WrongCase cases[] = {
         {"sphere { radius = 0 }", 1, "radius must be above 0"},
+        {"sphere { spot = {0, 2} }", 1, "spot must be at least 0 and at most 1, not 2"},
+        {"sphere { scale = {1, -1e-7, 1} }", 1, "scale must not be nearer to zero than 1e-06"},
+        {"sphere { scale = {1, 1, 2e6} }", 1, "scale must be at least -1e+06 and at most 1e+06"},
+        {"sphere { rotate = {0, 0/0, 0} }", 1, "rotate must be a finite number"},
         {"sphere { radius = 1e16 }", 1, "radius must be"},
         {"sphere { radius = 0/0 }", 1, "radius must be a finite number"},
         {"sphere { radius = 1/0 }", 1, "radius must be a finite number"},
@@ -328,13 +361,21 @@ static void test_lua_errors(void **state) {
 /** @return 0 if all is well. */
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_defaults),      cmocka_unit_test(test_keywords),
-        cmocka_unit_test(test_field_types),   cmocka_unit_test(test_materials),
-        cmocka_unit_test(test_colors),        cmocka_unit_test(test_later_calls_replace),
-        cmocka_unit_test(test_time),          cmocka_unit_test(test_inherited_fields),
-        cmocka_unit_test(test_determinism),   cmocka_unit_test(test_marks_before_the_text),
-        cmocka_unit_test(test_unknown_words), cmocka_unit_test(test_wrong_types),
-        cmocka_unit_test(test_wrong_values),  cmocka_unit_test(test_lua_errors),
+        cmocka_unit_test(test_defaults),
+        cmocka_unit_test(test_keywords),
+        cmocka_unit_test(test_field_types),
+        cmocka_unit_test(test_transforms),
+        cmocka_unit_test(test_materials),
+        cmocka_unit_test(test_colors),
+        cmocka_unit_test(test_later_calls_replace),
+        cmocka_unit_test(test_time),
+        cmocka_unit_test(test_inherited_fields),
+        cmocka_unit_test(test_determinism),
+        cmocka_unit_test(test_marks_before_the_text),
+        cmocka_unit_test(test_unknown_words),
+        cmocka_unit_test(test_wrong_types),
+        cmocka_unit_test(test_wrong_values),
+        cmocka_unit_test(test_lua_errors),
     };
     return cmocka_run_group_tests_name("script", tests, enter_scene_folder, leave_folder);
 }

@@ -24,6 +24,8 @@ typedef enum {
     PARAMETER_WORD,      /**< `int`: the place of the word in #Parameter.words */
     PARAMETER_VECTOR,    /**< `Vector3`, any */
     PARAMETER_DIRECTION, /**< `Vector3`, not zero */
+    PARAMETER_SCALE,     /**< `Vector3`: `{x, y, z}`, or one number for all three */
+    PARAMETER_PAIR,      /**< `Pair`, any */
     PARAMETER_COLOR,     /**< `Color`: `{r, g, b}`, one number for grey, or `"#rrggbb"` in sRGB */
     PARAMETER_MESH       /**< `size_t`: the place in #Scene.meshes of the model file that is named.
                               It has no default: #Keyword.finish sees whether it was given */

@@ -15,6 +15,7 @@
 #include "dioptre/material.h"
 #include "dioptre/mesh.h"
 #include "dioptre/parameter.h"
+#include "dioptre/transform.h"
 
 /** Largest width and height of a picture, in pixels. */
 enum { IMAGE_SIZE_MAXIMUM = 16384 };
@@ -47,9 +48,11 @@ extern const Keyword sky_keyword;
 
 /** One shape of a scene: which kind, with what parameters and which material. */
 typedef struct SceneShape {
-    size_t kind;            /**< Place in the engines' list of shape classes. */
-    const void *parameters; /**< The class's own parameter struct; owned by the scene. */
-    size_t material;        /**< Place in #Scene.materials. */
+    size_t kind;                /**< Place in the engines' list of shape classes. */
+    const void *parameters;     /**< The class's own parameter struct; owned by the scene. */
+    size_t material;            /**< Place in #Scene.materials. */
+    const Transform *transform; /**< How it is stretched, turned and moved; NULL: not at all.
+                                     Owned by the scene. */
 } SceneShape;
 
 /** A model file that a scene names; once, however often it is named. */
@@ -128,6 +131,15 @@ bool scene_add_shape(Scene *scene, size_t kind, const Keyword *keyword, const vo
  * @return false when the scene's memory is full.
  */
 bool scene_add_mesh(Scene *scene, const SceneMesh *model, size_t *place, Error *error);
+
+/**
+ * Stretches, turns and moves the shape that was added last.
+ * @param[in,out] scene  The scene, with at least one shape.
+ * @param transform      How, finished; copied.
+ * @param[out] error     What is wrong.
+ * @return false when the scene's memory is full.
+ */
+bool scene_transform_shape(Scene *scene, const Transform *transform, Error *error);
 
 /** @return Whether any shape of a scene mirrors. @param scene A scene. */
 bool scene_has_mirrors(const Scene *scene);

@@ -18,6 +18,12 @@ typedef struct Vector3 {
     double z; /**< Towards the viewer. */
 } Vector3;
 
+/** A place in a picture that a surface wears. */
+typedef struct Pair {
+    double u; /**< To the right. */
+    double v; /**< Up. */
+} Pair;
+
 /** An amount of linear light for each of three primaries; 1 is the brightest that is shown. */
 typedef struct Color {
     double red;   /**< Red, linear. */
@@ -51,6 +57,21 @@ static inline Vector3 vector3_cross(Vector3 a, Vector3 b) {
     return (Vector3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+/** @return The largest absolute component. @param v A vector. */
+static inline double vector3_largest(Vector3 v) {
+    return fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
+}
+
+/** @return The smaller of each component. @param a A point. @param b Another. */
+static inline Vector3 vector3_lowest(Vector3 a, Vector3 b) {
+    return (Vector3){fmin(a.x, b.x), fmin(a.y, b.y), fmin(a.z, b.z)};
+}
+
+/** @return The larger of each component. @param a A point. @param b Another. */
+static inline Vector3 vector3_highest(Vector3 a, Vector3 b) {
+    return (Vector3){fmax(a.x, b.x), fmax(a.y, b.y), fmax(a.z, b.z)};
+}
+
 /**
  * @return v with its largest component between 1/2 and 1, by a power of two: the same direction, to
  *         the bit, but squares of it neither overflow nor vanish.
@@ -58,7 +79,7 @@ static inline Vector3 vector3_cross(Vector3 a, Vector3 b) {
  */
 static inline Vector3 vector3_scaled(Vector3 v) {
     int exponent;
-    frexp(fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z))), &exponent);
+    frexp(vector3_largest(v), &exponent);
     return (Vector3){ldexp(v.x, -exponent), ldexp(v.y, -exponent), ldexp(v.z, -exponent)};
 }
 
@@ -67,7 +88,7 @@ static inline Vector3 vector3_scaled(Vector3 v) {
  * @param v Any finite vector.
  */
 static inline double vector3_length(Vector3 v) {
-    double largest = fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
+    double largest = vector3_largest(v);
     if (!(largest > 0)) {
         return 0;
     }

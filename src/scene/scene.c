@@ -178,6 +178,15 @@ bool scene_add_mesh(Scene *scene, const SceneMesh *model, size_t *place, Error *
     return true;
 }
 
+bool scene_transform_shape(Scene *scene, const Transform *transform, Error *error) {
+    Transform *copy = block_allocate((Block *)scene, sizeof *copy, error);
+    if (copy) {
+        *copy = *transform;
+        scene->shapes[scene->shape_count - 1].transform = copy;
+    }
+    return copy != NULL;
+}
+
 bool scene_has_mirrors(const Scene *scene) {
     for (size_t i = 0; i < scene->shape_count; i++) {
         if (material_is_mirror(&scene->materials[scene->shapes[i].material])) {

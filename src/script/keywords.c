@@ -12,10 +12,11 @@
 
 /** What a call of a word has read. */
 typedef struct Call {
-    const Keyword *keyword; /**< The word. */
-    size_t kind;            /**< Which shape it is, in the engines' order; if it is one. */
-    const void *values;     /**< The keyword's struct, finished. */
-    size_t material;        /**< Place of the material that it wears; if it is a shape. */
+    const Keyword *keyword;     /**< The word. */
+    size_t kind;                /**< Which shape it is, in the engines' order; if it is one. */
+    const void *values;         /**< The keyword's struct, finished. */
+    size_t material;            /**< Place of the material that it wears; if it is a shape. */
+    const Transform *transform; /**< What becomes of it; NULL: nothing, or it is no shape. */
 } Call;
 
 /**
@@ -31,7 +32,7 @@ typedef bool Adder(Scene *scene, const Call *call, Error *error);
 typedef struct Word {
     const Keyword *keyword; /**< Its name and fields. */
     Adder *add;             /**< What becomes of them. */
-    bool is_shape;          /**< Whether it takes the field `material` too. */
+    bool is_shape;          /**< Whether it takes the fields of every shape too. */
     size_t kind;            /**< Which shape, in the engines' order. */
 } Word;
 
@@ -80,7 +81,8 @@ static bool add_material(Scene *scene, const Call *call, Error *error) {
 /** Adds a shape. See #Adder. @param scene See there. @param call The shape's parameters.
  *  @param error See there. @return See there. */
 static bool add_shape(Scene *scene, const Call *call, Error *error) {
-    return scene_add_shape(scene, call->kind, call->keyword, call->values, call->material, error);
+    return scene_add_shape(scene, call->kind, call->keyword, call->values, call->material, error) &&
+           (!call->transform || scene_transform_shape(scene, call->transform, error));
 }
 
 /** The words of every scene. */
@@ -133,23 +135,34 @@ static void push_thing(lua_State *L, const char *name, size_t material) {
 }
 
 /**
+ * Reads what every shape takes besides its own fields.
+ * @param L              The state; the table is the first argument.
+ * @param[in,out] call   What was read; a struct that it points to is Lua's, and on the stack.
+ */
+static void read_shape(lua_State *L, Call *call) {
+    uint64_t given;
+    const Transform *transform = read_fields(L, &transform_keyword, &given);
+    call->transform = given ? transform : NULL;
+    call->material = read_material(L);
+}
+
+/**
  * Reads all that a word was called with.
  * @param L     The state, with the table.
  * @param word  The word.
- * @return What was read; its struct is Lua's, and on the stack.
+ * @return What was read; its structs are Lua's, and on the stack.
  */
 static Call read_call(lua_State *L, const Word *word) {
-    const Keyword *keyword = word->keyword;
+    const Keyword *const keywords[] = {word->keyword, word->is_shape ? &transform_keyword : NULL,
+                                       NULL};
     uint64_t given;
-    Error error = {0};
-    void *values = read_fields(L, keyword, word->is_shape ? material_keyword.name : NULL, &given);
-    if (keyword->finish && !keyword->finish(values, given, &error)) {
-        luaL_error(L, "%s", error.message);
+    read_check_names(L, keywords, word->is_shape ? material_keyword.name : NULL);
+    Call call = {.keyword = word->keyword, .kind = word->kind};
+    call.values = read_fields(L, word->keyword, &given);
+    if (word->is_shape) {
+        read_shape(L, &call);
     }
-    return (Call){.keyword = keyword,
-                  .kind = word->kind,
-                  .values = values,
-                  .material = word->is_shape ? read_material(L) : 0};
+    return call;
 }
 
 /**

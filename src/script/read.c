@@ -53,32 +53,56 @@ static double read_checked(lua_State *L, int index, const Parameter *row) {
     return value;
 }
 
-/**
- * Reads `{a, b, c}`.
- * @param L            The state.
- * @param index        Where it is; a table.
- * @param row          What it should be.
- * @param wanted       The same in words.
- * @param[out] triple  The numbers, each in range.
- */
-static void read_triple(lua_State *L, int index, const Parameter *row, const char *wanted,
-                        double triple[3]) {
+/** What a list of numbers should be. */
+typedef struct ListForm {
+    int count;          /**< How many numbers. */
+    const char *wanted; /**< The same in words. */
+} ListForm;
+
+/** `{x, y, z}` */
+static const ListForm vector_form = {3, "three numbers {x, y, z}"};
+/** `{x, y, z}` or one number. */
+static const ListForm scale_form = {3, "one number, or three numbers {x, y, z}"};
+/** `{u, v}` */
+static const ListForm pair_form = {2, "two numbers {u, v}"};
+/** `{red, green, blue}` and what else makes a colour. */
+static const ListForm color_form = {3, "a colour ({red, green, blue}, one number, or \"#rrggbb\")"};
+
+/** @return How many things a table holds. @param L The state. @param index Where it is. */
+static lua_Integer count_things(lua_State *L, int index) {
     lua_Integer count = 0;
     lua_pushnil(L);
     while (lua_next(L, index)) {
         lua_pop(L, 1);
         count++;
     }
-    for (int i = 0; i < 3; i++) {
-        if (lua_geti(L, index, i + 1) == LUA_TNIL || count > 3) {
+    return count;
+}
+
+/**
+ * Reads `{a, b, c}`.
+ * @param L             The state.
+ * @param index         Where it is, of any type.
+ * @param row           What it should be.
+ * @param form          How many numbers.
+ * @param[out] numbers  The numbers, each in range.
+ */
+static void read_list(lua_State *L, int index, const Parameter *row, const ListForm *form,
+                      double *numbers) {
+    if (!lua_istable(L, index)) {
+        raise_type(L, index, row, form->wanted);
+    }
+    lua_Integer count = count_things(L, index);
+    for (int i = 0; i < form->count; i++) {
+        if (lua_geti(L, index, i + 1) == LUA_TNIL || count > form->count) {
             luaL_error(L, "%s must be %s; there are %I things between the braces", row->name,
-                       wanted, (LUAI_UACINT)count);
+                       form->wanted, (LUAI_UACINT)count);
         }
         if (lua_type(L, -1) != LUA_TNUMBER) {
-            luaL_error(L, "%s must be %s; number %d of them is %s", row->name, wanted, i + 1,
+            luaL_error(L, "%s must be %s; number %d of them is %s", row->name, form->wanted, i + 1,
                        read_describe(L, lua_gettop(L)));
         }
-        triple[i] = read_checked(L, -1, row);
+        numbers[i] = read_checked(L, -1, row);
         lua_pop(L, 1);
     }
 }
@@ -154,13 +178,29 @@ static void read_word(lua_State *L, int index, const Parameter *row, void *field
 /** Reads a `Vector3`. See #Reader. @param L See there. @param index See there.
  *  @param row See there. @param[out] field See there. */
 static void read_vector(lua_State *L, int index, const Parameter *row, void *field) {
-    static const char wanted[] = "three numbers {x, y, z}";
     double part[3];
-    if (!lua_istable(L, index)) {
-        raise_type(L, index, row, wanted);
-    }
-    read_triple(L, index, row, wanted, part);
+    read_list(L, index, row, &vector_form, part);
     *(Vector3 *)field = (Vector3){part[0], part[1], part[2]};
+}
+
+/** Reads a `Vector3` that may be one number. See #Reader. @param L See there.
+ *  @param index See there. @param row See there. @param[out] field See there. */
+static void read_scale(lua_State *L, int index, const Parameter *row, void *field) {
+    double part[3];
+    if (lua_type(L, index) == LUA_TNUMBER) {
+        part[0] = part[1] = part[2] = read_checked(L, index, row);
+    } else {
+        read_list(L, index, row, &scale_form, part);
+    }
+    *(Vector3 *)field = (Vector3){part[0], part[1], part[2]};
+}
+
+/** Reads a `Pair`. See #Reader. @param L See there. @param index See there.
+ *  @param row See there. @param[out] field See there. */
+static void read_pair(lua_State *L, int index, const Parameter *row, void *field) {
+    double part[2];
+    read_list(L, index, row, &pair_form, part);
+    *(Pair *)field = (Pair){part[0], part[1]};
 }
 
 /** Reads a `Vector3` that is not zero. See #Reader. @param L See there. @param index See there.
@@ -200,7 +240,6 @@ static Color read_hex_color(lua_State *L, int index, const Parameter *row) {
 /** Reads a `Color`. See #Reader. @param L See there. @param index See there.
  *  @param row See there. @param[out] field See there. */
 static void read_color(lua_State *L, int index, const Parameter *row, void *field) {
-    static const char wanted[] = "a colour ({red, green, blue}, one number, or \"#rrggbb\")";
     double part[3];
     int type = lua_type(L, index);
     if (type == LUA_TSTRING) {
@@ -208,11 +247,9 @@ static void read_color(lua_State *L, int index, const Parameter *row, void *fiel
     } else if (type == LUA_TNUMBER) {
         double grey = read_checked(L, index, row);
         *(Color *)field = (Color){grey, grey, grey};
-    } else if (type == LUA_TTABLE) {
-        read_triple(L, index, row, wanted, part);
-        *(Color *)field = (Color){part[0], part[1], part[2]};
     } else {
-        raise_type(L, index, row, wanted);
+        read_list(L, index, row, &color_form, part);
+        *(Color *)field = (Color){part[0], part[1], part[2]};
     }
 }
 
@@ -264,23 +301,26 @@ void read_value(lua_State *L, int index, const Parameter *row, void *field) {
         [PARAMETER_NUMBER] = read_number,   [PARAMETER_INTEGER] = read_integer,
         [PARAMETER_BOOLEAN] = read_boolean, [PARAMETER_WORD] = read_word,
         [PARAMETER_VECTOR] = read_vector,   [PARAMETER_DIRECTION] = read_direction,
+        [PARAMETER_SCALE] = read_scale,     [PARAMETER_PAIR] = read_pair,
         [PARAMETER_COLOR] = read_color,     [PARAMETER_MESH] = read_mesh};
     readers[row->type](L, index, row, field);
 }
 
 /**
- * Says whether a keyword has a field.
- * @param keyword  The keyword.
- * @param extra    A field that it has beyond its table; NULL: none.
+ * Says whether keywords have a field.
+ * @param keywords  The keywords whose fields may stand in one table, ended by NULL.
+ * @param extra     A field beyond theirs; NULL: none.
  * @param[in,out] suggestion  The field; where it is none of these, the nearest is noted.
- * @return Whether it has.
+ * @return Whether one has.
  */
-static bool has_field(const Keyword *keyword, const char *extra, Suggestion *suggestion) {
-    for (const Parameter *row = keyword->parameters; row->name; row++) {
-        if (strcmp(row->name, suggestion->wanted) == 0) {
-            return true;
+static bool has_field(const Keyword *const *keywords, const char *extra, Suggestion *suggestion) {
+    for (; *keywords; keywords++) {
+        for (const Parameter *row = (*keywords)->parameters; row->name; row++) {
+            if (strcmp(row->name, suggestion->wanted) == 0) {
+                return true;
+            }
+            suggest_try(suggestion, row->name);
         }
-        suggest_try(suggestion, row->name);
     }
     if (extra) {
         suggest_try(suggestion, extra);
@@ -288,36 +328,31 @@ static bool has_field(const Keyword *keyword, const char *extra, Suggestion *sug
     return extra && strcmp(extra, suggestion->wanted) == 0;
 }
 
-/**
- * Raises an error about the first name in a keyword's table that it has no field for.
- * @param L        The state; the table is the first argument.
- * @param keyword  The keyword.
- * @param extra    A field that it has beyond its table; NULL: none.
- */
-static void check_names(lua_State *L, const Keyword *keyword, const char *extra) {
+void read_check_names(lua_State *L, const Keyword *const *keywords, const char *extra) {
+    const char *name = keywords[0]->name;
+    if (lua_gettop(L) != 1 || !lua_istable(L, 1)) {
+        luaL_error(L, "%s takes its fields in braces: %s { ... }", name, name);
+    }
     lua_pushnil(L);
     while (lua_next(L, 1)) {
         lua_pop(L, 1);
         if (lua_type(L, -1) != LUA_TSTRING) {
-            luaL_error(L, "%s takes fields with names, such as `%s = ...`; one has none",
-                       keyword->name, keyword->parameters->name);
+            luaL_error(L, "%s takes fields with names, such as `%s = ...`; one has none", name,
+                       keywords[0]->parameters->name);
         }
         char hint[SUGGEST_HINT_SIZE];
         Suggestion suggestion = {.wanted = lua_tostring(L, -1)};
-        if (!has_field(keyword, extra, &suggestion)) {
-            luaL_error(L, "%s has no field `%s`%s", keyword->name, suggestion.wanted,
+        if (!has_field(keywords, extra, &suggestion)) {
+            luaL_error(L, "%s has no field `%s`%s", name, suggestion.wanted,
                        suggest_hint(&suggestion, hint));
         }
     }
 }
 
-void *read_fields(lua_State *L, const Keyword *keyword, const char *extra, uint64_t *given) {
-    if (lua_gettop(L) != 1 || !lua_istable(L, 1)) {
-        luaL_error(L, "%s takes its fields in braces: %s { ... }", keyword->name, keyword->name);
-    }
-    check_names(L, keyword, extra);
+void *read_fields(lua_State *L, const Keyword *keyword, uint64_t *given) {
     char *values = lua_newuserdatauv(L, keyword->size, 0);
     const int top = lua_gettop(L);
+    Error error = {0};
     memcpy(values, keyword->defaults, keyword->size);
     *given = 0;
     for (int i = 0; keyword->parameters[i].name; i++) {
@@ -327,6 +362,9 @@ void *read_fields(lua_State *L, const Keyword *keyword, const char *extra, uint6
             *given |= (uint64_t)1 << i;
         }
         lua_settop(L, top);
+    }
+    if (keyword->finish && !keyword->finish(values, *given, &error)) {
+        luaL_error(L, "%s", error.message);
     }
     return values;
 }

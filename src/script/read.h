@@ -10,16 +10,24 @@
 #include <lua.h>
 
 /**
- * Reads the table that a keyword was called with. Raises an error about a field that the keyword
- * does not have, is of a wrong type or out of range.
- * @param L           The state; the table is the only argument.
- * @param keyword     Whose table it is.
- * @param extra       A field that the caller reads by itself; NULL: none.
- * @param[out] given  Bit i is set where row i of the keyword's table was given.
- * @return The keyword's struct: its defaults, and over them what was given. It lies on the stack
- *         as second, and is Lua's, so that an error leaves nothing behind.
+ * Checks the names in the table that a keyword was called with. Raises an error about a field that
+ * none of the keywords has.
+ * @param L         The state; the table is the only argument.
+ * @param keywords  The keyword, and others whose fields may stand there too; ended by NULL.
+ * @param extra     A field that the caller reads by itself; NULL: none.
  */
-void *read_fields(lua_State *L, const Keyword *keyword, const char *extra, uint64_t *given);
+void read_check_names(lua_State *L, const Keyword *const *keywords, const char *extra);
+
+/**
+ * Reads the fields of a keyword. Raises an error about a field that is of a wrong type, out of
+ * range or does not fit the others.
+ * @param L           The state; the table is the first argument.
+ * @param keyword     Whose fields.
+ * @param[out] given  Bit i is set where row i of the keyword's table was given.
+ * @return The keyword's struct, finished: its defaults, and over them what was given. It lies on
+ *         top of the stack, and is Lua's, so that an error leaves nothing behind.
+ */
+void *read_fields(lua_State *L, const Keyword *keyword, uint64_t *given);
 
 /**
  * Reads one value. Raises an error about a wrong type or a wrong range.

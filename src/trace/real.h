@@ -222,6 +222,15 @@ INLINE mask mask_not(mask m) {
 #endif
 }
 
+/** @return The opposite answers. @param m A mask of better numbers. */
+INLINE wide_mask wide_mask_not(wide_mask m) {
+#if LANES > 1
+    return ~m;
+#else
+    return !m;
+#endif
+}
+
 /** @return Bit i set where lane i is. @param m A mask. */
 INLINE unsigned mask_bits(mask m) {
 #if LANES == 16 && defined(__AVX512DQ__)

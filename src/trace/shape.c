@@ -1,8 +1,8 @@
 /**
  * @file
- * @brief What all shapes share: boxes around them.
+ * @brief What all shapes share: how they are made, and boxes around them.
  */
-#include "trace/shape.h"
+#include "trace/shapes/transformed.h"
 
 /**
  * Roundings that may move a found point off the box of its shape, each half an ulp of the largest
@@ -10,14 +10,64 @@
  */
 #define BOUNDS_ROUNDINGS 8
 
+/** Half an ulp of 1 of the corners, which come in double. */
+#define BOUNDS_ROUNDOFF (REAL_BITS == 128 ? (scalar)0x1p-53 : ROUNDOFF)
+
+/** @return Bytes from an object of a class to the next. @param class The class. */
+static size_t class_stride(const ShapeClass *class) {
+    return (class->size + SHAPE_ALIGNMENT - 1) / SHAPE_ALIGNMENT * SHAPE_ALIGNMENT;
+}
+
+size_t shape_size(const SceneShape *said) {
+    return class_stride(shape_class(said->kind)) +
+           (said->transform ? class_stride(&transformed_class) : 0);
+}
+
+/** Makes an object. @param memory Bytes for it. @param base What all shapes have, its class too.
+ *  @param parameters What its class makes it of. @return The object. */
+static Shape *object_make(void *memory, Shape base, const void *parameters) {
+    Shape *shape = memory;
+    *shape = base;
+    shape->class->init(shape, parameters);
+    return shape;
+}
+
+Shape *shape_make(void *memory, const SceneShape *said, int place, Models *models, Error *error) {
+    const ShapeClass *class = shape_class(said->kind);
+    Shape base = {.class = class, .place = place, .material = (int)said->material};
+    void *behind = (char *)memory + (said->transform ? class_stride(&transformed_class) : 0);
+    Shape *inner = object_make(behind, base, said->parameters);
+    if (class->bind && !class->bind(inner, models, error)) {
+        return NULL;
+    }
+    if (!said->transform) {
+        return inner;
+    }
+    base.class = class->nearest ? &transformed_packets_class : &transformed_class;
+    return object_make(memory, base, &(TransformedParameters){said->transform, inner});
+}
+
 Bounds bounds_around(Vector3 low, Vector3 high) {
     const double l[3] = {low.x, low.y, low.z}, h[3] = {high.x, high.y, high.z};
     Bounds bounds;
     for (int axis = 0; axis < 3; axis++) {
         scalar reach = (scalar)fmax(fabs(l[axis]), fabs(h[axis]));
-        scalar slack = BOUNDS_ROUNDINGS * ROUNDOFF * reach;
+        scalar slack = BOUNDS_ROUNDINGS * BOUNDS_ROUNDOFF * reach;
         bounds.low[axis] = (scalar)l[axis] - slack;
         bounds.high[axis] = (scalar)h[axis] + slack;
+    }
+    return bounds;
+}
+
+Bounds bounds_slackened(Bounds bounds) {
+    scalar largest = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        largest = -bounds.low[axis] > largest ? -bounds.low[axis] : largest;
+        largest = bounds.high[axis] > largest ? bounds.high[axis] : largest;
+    }
+    for (int axis = 0; axis < 3; axis++) {
+        bounds.low[axis] -= BOUNDS_ROUNDINGS * BOUNDS_ROUNDOFF * largest;
+        bounds.high[axis] += BOUNDS_ROUNDINGS * BOUNDS_ROUNDOFF * largest;
     }
     return bounds;
 }

@@ -99,6 +99,26 @@ static inline const ShapeClass *shape_class(size_t kind) {
     return (const ShapeClass *)shape_keywords[kind];
 }
 
+/** Alignment of shapes, bytes: that of the widest vector of numbers in any class. */
+#define SHAPE_ALIGNMENT 64
+
+/** @return Bytes of the object that a shape of the scene becomes, a multiple of
+ *          #SHAPE_ALIGNMENT. @param said The shape, as the scene has it. */
+size_t shape_size(const SceneShape *said);
+
+/**
+ * Makes the object that a shape of the scene becomes; inside a Transformed one if it is
+ * transformed.
+ * @param memory  #shape_size bytes, aligned to #SHAPE_ALIGNMENT.
+ * @param said    The shape, as the scene has it.
+ * @param place   Its place in the scene.
+ * @param models  The scene's models.
+ * @param[out] error  What is wrong.
+ * @return The object; it lies in the memory and owns nothing else. NULL without memory for its
+ *         model.
+ */
+Shape *shape_make(void *memory, const SceneShape *said, int place, Models *models, Error *error);
+
 /**
  * @return A box around two corners, rounded outwards far enough that no rounding of an
  *         intersection can find a point outside.
@@ -106,6 +126,13 @@ static inline const ShapeClass *shape_class(size_t kind) {
  * @param high  Highest coordinates.
  */
 Bounds bounds_around(Vector3 low, Vector3 high);
+
+/**
+ * @return A box moved out on all sides by the roundings of its largest coordinate: for shapes whose
+ *         roundings along one axis come from the others.
+ * @param bounds  The box.
+ */
+Bounds bounds_slackened(Bounds bounds);
 
 /** @return A box that holds everything. */
 Bounds bounds_infinite(void);

@@ -8,21 +8,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** Alignment of shapes and boxes, bytes: that of the widest vector of numbers in any class. */
-#define SHAPE_ALIGNMENT 64
 /** Shapes from which on a tree pays (measured, doc/tour.md). */
 enum { TREE_SHAPES = 24 };
-
-/** @return Bytes from an object of a class to the next. @param class The class. */
-static size_t shape_stride(const ShapeClass *class) {
-    return (class->size + SHAPE_ALIGNMENT - 1) / SHAPE_ALIGNMENT * SHAPE_ALIGNMENT;
-}
 
 /** @return Bytes of all shapes of a scene. @param scene The scene. */
 static size_t shapes_size(const Scene *scene) {
     size_t size = 0;
     for (size_t i = 0; i < scene->shape_count; i++) {
-        size += shape_stride(shape_class(scene->shapes[i].kind));
+        size += shape_size(&scene->shapes[i]);
     }
     return size;
 }
@@ -42,17 +35,12 @@ static void bounds_place(BoundsBlock *block, int i, Bounds box) {
 static bool shapes_make(ShapeList *list, const Scene *scene, Models *models, Error *error) {
     char *next = list->memory;
     for (size_t i = 0; i < scene->shape_count; i++) {
-        const SceneShape *said = &scene->shapes[i];
-        Shape *shape = (Shape *)next;
-        shape->class = shape_class(said->kind);
-        shape->place = (int)i;
-        shape->material = (int)said->material;
-        shape->class->init(shape, said->parameters);
-        if (shape->class->bind && !shape->class->bind(shape, models, error)) {
+        Shape *shape = shape_make(next, &scene->shapes[i], (int)i, models, error);
+        if (!shape) {
             return false;
         }
         list->shapes[i] = shape;
-        next += shape_stride(shape->class);
+        next += shape_size(&scene->shapes[i]);
     }
     return true;
 }

@@ -61,6 +61,11 @@ INLINE WidePoint wide_point_of(Vector3 v) {
     return (WidePoint){(wide_scalar)v.x, (wide_scalar)v.y, (wide_scalar)v.z};
 }
 
+/** @return A point of the scene, rounded. @param p A better one. */
+INLINE Vector3 vector3_of(WidePoint p) {
+    return (Vector3){(double)p.x, (double)p.y, (double)p.z};
+}
+
 /** @return The same point in all lanes. @param p A point. */
 INLINE WideVector wide_vector_of(WidePoint p) {
     return (WideVector){wide_of(p.x), wide_of(p.y), wide_of(p.z)};
@@ -129,6 +134,18 @@ INLINE WideVector wide_subtract(WideVector a, WideVector b) {
     return (WideVector){a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
+/** @return v made s times as long. @param v Better vectors. @param s Factors. */
+INLINE WideVector wide_scale(WideVector v, wide s) {
+    return (WideVector){v.x * s, v.y * s, v.z * s};
+}
+
+/** @return a where the mask is set, b elsewhere. @param m A mask. @param a Better vectors.
+ *  @param b Others. */
+INLINE WideVector wide_vector_select(wide_mask m, WideVector a, WideVector b) {
+    return (WideVector){wide_select(m, a.x, b.x), wide_select(m, a.y, b.y),
+                        wide_select(m, a.z, b.z)};
+}
+
 /** @return a + s * v. @param a Better vectors. @param v Others. @param s Factors. */
 INLINE WideVector wide_add_scaled(WideVector a, WideVector v, wide s) {
     return (WideVector){a.x + v.x * s, a.y + v.y * s, a.z + v.z * s};
@@ -136,6 +153,21 @@ INLINE WideVector wide_add_scaled(WideVector a, WideVector v, wide s) {
 
 /** @return a . b, added up in the order x, y, z. @param a Better vectors. @param b Others. */
 INLINE wide wide_dot(WideVector a, WideVector b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/** @return a - b, one of each. @param a A point. @param b Another. */
+static inline WidePoint wide_point_subtract(WidePoint a, WidePoint b) {
+    return (WidePoint){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+/** @return v made s times as long. @param v A direction. @param s Any factor. */
+static inline WidePoint wide_point_scale(WidePoint v, wide_scalar s) {
+    return (WidePoint){v.x * s, v.y * s, v.z * s};
+}
+
+/** @return a . b, one of each. @param a A direction. @param b Another. */
+static inline wide_scalar wide_point_dot(WidePoint a, WidePoint b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 

@@ -6,9 +6,13 @@
 
 #include <string.h>
 
-/** Prints a field's three numbers. @param values They. @param file Where to. */
-static void print_three(const double values[3], FILE *file) {
-    fprintf(file, "{%.17g, %.17g, %.17g}", values[0], values[1], values[2]);
+/** Prints a field's numbers. @param values They. @param count How many, at least 1.
+ *  @param file Where to. */
+static void print_list(const double *values, int count, FILE *file) {
+    for (int i = 0; i < count; i++) {
+        fprintf(file, "%s%.17g", i ? ", " : "{", values[i]);
+    }
+    fputc('}', file);
 }
 
 /**
@@ -33,8 +37,12 @@ static void print_value(const Parameter *row, const void *value, FILE *file) {
         break;
     case PARAMETER_VECTOR:
     case PARAMETER_DIRECTION:
+    case PARAMETER_SCALE:
     case PARAMETER_COLOR:
-        print_three(value, file);
+        print_list(value, 3, file);
+        break;
+    case PARAMETER_PAIR:
+        print_list(value, 2, file);
         break;
     case PARAMETER_MESH: // Neither a camera nor a light has one.
         break;

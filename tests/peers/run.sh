@@ -1,6 +1,7 @@
 #!/bin/sh
-# Compares dioptre with its peers Tachyon 0.99 and POV-Ray 3.7 on scenes/box.lua: how fast each is
-# with one thread, and how far our picture is from POV-Ray's. Called by `make peers`.
+# Compares dioptre with its peers Tachyon 0.99 and POV-Ray 3.7 on scenes/box.lua, and with POV-Ray on
+# tests/peers/shapes.lua: how fast each is with one thread, and how far our picture is from POV-Ray's.
+# Called by `make peers`.
 #
 # Environment: BUILD (folder of the program; build), ROUNDS (runs of each; 5).
 # Exit status: 0 when every bar is reached; 1 when one is not, or when something is missing.
@@ -15,6 +16,7 @@ FRAMES=30 # Of ours a run: one frame is too short for the clock and the processo
 # The bars: times as fast as each peer, and the share of pixels within one step of POV-Ray's.
 TACHYON_BAR=20
 POVRAY_BAR=45
+SHAPES_BAR=20 # POV-Ray on the other shapes.
 ALIKE_BAR=0.999
 
 # Checksum of box.lua, without comments and spaces, that the peers' scenes were copied from.
@@ -69,12 +71,13 @@ if grep -q avx512dq /proc/cpuinfo; then
     BEST=f32x16
 fi
 
+# time_dioptre SCENE NAME: ours; the times go to NAME and the engine.
 time_dioptre() {
     for engine in $ENGINES; do
-        "$BUILD/dioptre" bench --json scenes/box.lua -s $SIZE --samples 1 --depth 5 -j 1 \
+        "$BUILD/dioptre" bench --json "$1" -s $SIZE --samples 1 --depth 5 -j 1 \
             --engine "$engine" --frames $FRAMES >"$work/bench.json"
-        number ms_median "$work/bench.json" >>"$work/$engine"
-        number mrays_per_s "$work/bench.json" >>"$work/$engine.mrays"
+        number ms_median "$work/bench.json" >>"$work/$2.$engine"
+        number mrays_per_s "$work/bench.json" >>"$work/$2.$engine.mrays"
     done
 }
 
@@ -87,45 +90,49 @@ time_tachyon() {
         awk '{ print 1000 * $1 }' >>"$work/tachyon"
 }
 
-# povray_box OPTION...: POV-Ray with the box, one thread, no anti-aliasing; its log is in povray.log.
-povray_box() {
-    if ! povray +Itests/peers/box.pov +W800 +H600 -A +WT1 +Q9 -D -V -P "$@" 2>"$work/povray.log"; then
+# povray_scene NAME OPTION...: POV-Ray with a scene, one thread, no anti-aliasing; its log is in povray.log.
+povray_scene() {
+    scene=$1
+    shift
+    if ! povray "+Itests/peers/$scene.pov" +W800 +H600 -A +WT1 +Q9 -D -V -P "$@" 2>"$work/povray.log"; then
         cat "$work/povray.log" >&2
         exit 1
     fi
 }
 
-# So does POV-Ray, in wall-clock time; -F: it writes no picture.
+# time_povray NAME: so does POV-Ray, in wall-clock time; -F: it writes no picture.
 time_povray() {
-    povray_box -F
+    povray_scene "$1" -F
     sed -n 's/.*Trace Time:.*(\([.0-9]*\) seconds).*/\1/p' "$work/povray.log" |
-        awk '{ print 1000 * $1 }' >>"$work/povray"
+        awk '{ print 1000 * $1 }' >>"$work/$1.povray"
 }
 
 # One after the other, round by round, so that a slow moment of the machine hits all of them.
 measure_speed() {
     round=1
     while [ "$round" -le "$ROUNDS" ]; do
-        time_dioptre
+        time_dioptre scenes/box.lua box
         time_tachyon
-        time_povray
+        time_povray box
+        time_dioptre tests/peers/shapes.lua shapes
+        time_povray shapes
         round=$((round + 1))
     done
 }
 
 report_speed() {
-    ours=$(median "$work/$BEST")
+    ours=$(median "$work/box.$BEST")
     tachyon=$(median "$work/tachyon")
-    povray=$(median "$work/povray")
+    povray=$(median "$work/box.povray")
     tachyon_ratio=$(awk "BEGIN { printf \"%.1f\", $tachyon / $ours }")
     povray_ratio=$(awk "BEGIN { printf \"%.1f\", $povray / $ours }")
     echo "scenes/box.lua, $SIZE, one ray a pixel, depth 5, one thread; medians of $ROUNDS runs"
     printf '%-16s %10s %8s\n' "" "ms a frame" "times"
     for engine in $ENGINES; do
         printf '%-16s %10.2f %8s   (%.1f Mrays/s; Tachyon %.1f, POV-Ray %.1f times as long)\n' \
-            "dioptre $engine" "$(median "$work/$engine")" "" "$(median "$work/$engine.mrays")" \
-            "$(awk "BEGIN { print $tachyon / $(median "$work/$engine") }")" \
-            "$(awk "BEGIN { print $povray / $(median "$work/$engine") }")"
+            "dioptre $engine" "$(median "$work/box.$engine")" "" "$(median "$work/box.$engine.mrays")" \
+            "$(awk "BEGIN { print $tachyon / $(median "$work/box.$engine") }")" \
+            "$(awk "BEGIN { print $povray / $(median "$work/box.$engine") }")"
     done
     printf '%-16s %10.2f %8s\n' "Tachyon" "$tachyon" "$tachyon_ratio"
     printf '%-16s %10.2f %8s\n' "POV-Ray" "$povray" "$povray_ratio"
@@ -135,10 +142,23 @@ report_speed() {
         "$povray / $ours >= $POVRAY_BAR"
 }
 
+# The other shapes, against POV-Ray only.
+report_shapes() {
+    ours=$(median "$work/shapes.$BEST")
+    povray=$(median "$work/shapes.povray")
+    ratio=$(awk "BEGIN { printf \"%.1f\", $povray / $ours }")
+    echo
+    echo "tests/peers/shapes.lua, likewise: cylinder, pipe, disk, triangle, a turned box, an egg"
+    printf '%-16s %10.2f\n' "dioptre $BEST" "$ours" "POV-Ray" "$povray"
+    bar "$BEST faster than POV-Ray" "$ratio times, at least $SHAPES_BAR" \
+        "$povray / $ours >= $SHAPES_BAR"
+}
+
+# draw_pictures SCENE NAME: ours, and POV-Ray's of its twin.
 draw_pictures() {
-    "$BUILD/dioptre" render scenes/box.lua -s $SIZE --samples 1 --depth 5 -j 1 --engine f32x8 \
+    "$BUILD/dioptre" render "$1" -s $SIZE --samples 1 --depth 5 -j 1 --engine f32x8 \
         --quiet -o "$work/ours.bmp"
-    povray_box +FB "+O$work/povray.bmp" File_Gamma=sRGB Dither=off
+    povray_scene "$2" +FB "+O$work/povray.bmp" File_Gamma=sRGB Dither=off
 }
 
 report_difference() {
@@ -162,6 +182,9 @@ need "$BUILD/dioptre" "make"
 check_scene
 measure_speed
 report_speed
-draw_pictures
+draw_pictures scenes/box.lua box
+report_difference
+report_shapes
+draw_pictures tests/peers/shapes.lua shapes
 report_difference
 exit "$failed"

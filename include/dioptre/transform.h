@@ -1,0 +1,27 @@
+/**
+ * @file
+ * @brief How a shape is stretched, turned and moved.
+ */
+#ifndef DIOPTRE_TRANSFORM_H
+#define DIOPTRE_TRANSFORM_H
+
+#include "dioptre/parameter.h"
+
+/**
+ * Nearest to zero that a scale may be, and its inverse the farthest: a length of the scene times
+ * such a factor is still far from the ends of float.
+ */
+#define SCALE_MINIMUM 1e-6
+
+/** What a scene file says of it, and the matrix that follows. Filled through #transform_keyword. */
+typedef struct Transform {
+    Vector3 scale;       /**< First it is made so many times as large; negative: mirrored. */
+    Vector3 rotate;      /**< Then turned about x, then y, then z, degrees. */
+    Vector3 translate;   /**< Then moved, scene units. */
+    double linear[3][3]; /**< Scale and rotation as a matrix, row by row; filled by the finish. */
+} Transform;
+
+/** The fields that every shape takes besides its own. */
+extern const Keyword transform_keyword;
+
+#endif

@@ -182,6 +182,16 @@ static void test_concave(void **state) {
     mesh_destroy(mesh);
 }
 
+/** What is missing of a polygon that crosses itself, and so cannot be cut, is counted. @param state
+ * A #Fixture. */
+static void test_uncut(void **state) {
+    Mesh *mesh = read_text(state, "v 0 1 0\nv 3 0 0\nv 0 0 0\nv 1 2 0\nv 1 3 0\nf 1 2 3 4 5\n" THREE
+                                  "f -3 -2 -1\n");
+    assert_int_equal(mesh->triangle_count + mesh->repairs.degenerate + mesh->repairs.uncut, 4);
+    assert_true(mesh->repairs.uncut > 0);
+    mesh_destroy(mesh);
+}
+
 /** Corners keep the normal and the (u, v) that the file gives them; who has none gets his
  *  triangle's. @param state A #Fixture. */
 static void test_corners(void **state) {
@@ -532,6 +542,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_texts, set_up, leave_folder),
         cmocka_unit_test_setup_teardown(test_numbers, set_up, leave_folder),
         cmocka_unit_test_setup_teardown(test_concave, set_up, leave_folder),
+        cmocka_unit_test_setup_teardown(test_uncut, set_up, leave_folder),
         cmocka_unit_test_setup_teardown(test_corners, set_up, leave_folder),
         cmocka_unit_test_setup_teardown(test_awkward, set_up, leave_folder),
         cmocka_unit_test_setup_teardown(test_formats, set_up, leave_folder),

@@ -182,7 +182,7 @@ static void test_refused_names(void **state) {
 static void test_refused_models(void **state) {
     store_beside(state, "good.obj", TRIANGLE);
     store_beside(state, "empty.obj", "v 0 0 0\nv 1 0 0\np 1\n");
-    store_beside(state, "escape.obj", "v 0 0 0\nv 1 0 0\nv 0 \033[31m! 0\nf 1 2 3\n");
+    store_beside(state, "escape.obj", "v 0 0 0\nv 1 0 0\nv 0 -\033[31m 0\nf 1 2 3\n");
     assert_refused(state,
                    "camera {}\nstatue { file = 'good.obj' }\nstatue { file = 'empty.obj' }\n"
                    "statue { file = 'empty.obj' }",

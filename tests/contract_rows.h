@@ -540,6 +540,9 @@ static const Row rows[] = {
      cylinder_truth,
      cylinder_touch,
      &squeeze},
+    // A box of twelve triangles, and the same leaning.
+    {"mesh", "mesh", &box_row, true, 1, {-0.125, 0.875, -1.25}, box_truth, box_touch, NULL},
+    {"leaning mesh", "mesh", &box_row, true, 1, {4, 3, -1}, box_truth, box_touch, &lean},
     {"tilted plane", "plane", &plane_row, false, 1, {0, 1, 3}, plane_truth, plane_touch, &tilt},
 };
 

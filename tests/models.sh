@@ -12,12 +12,6 @@ scene() {
     for file in "$@"; do echo "mesh { file = '$file' }" >>"$work/s.lua"; done
 }
 
-scene spot.obj
-if "$dioptre" info "$work/s.lua" 2>&1 | grep -q 'unknown word `mesh`'; then
-    echo 'skipped: the tracer has no mesh'
-    finish
-    exit
-fi
 scene spot.obj hand-mixed-refs.obj spot.obj
 expect 0 '' 'info of models' limited "$dioptre" info "$work/s.lua"
 [ "$(grep -c '^model ' "$work/out")" = 2 ] && ok 'a model is told of once' || fail "models: $(cat "$work/out")"

@@ -39,11 +39,29 @@ typedef struct Worst {
 /** What was found, for the table at the end. */
 static Worst worsts[ROW_COUNT][8];
 
+/** Adds a box as a mesh of twelve triangles. @param scene The scene. @param box The box. */
+static void add_box_mesh(Scene *scene, const BoxRow *box) {
+    static const MeshTriangle triangles[] = {
+        {{0, 2, 3}}, {{0, 3, 1}}, {{4, 5, 7}}, {{4, 7, 6}}, {{0, 1, 5}}, {{0, 5, 4}},
+        {{2, 6, 7}}, {{2, 7, 3}}, {{0, 4, 6}}, {{0, 6, 2}}, {{1, 3, 7}}, {{1, 7, 5}}};
+    enum { CORNERS = 8, TRIANGLES = sizeof triangles / sizeof *triangles };
+    Vector3 corners[CORNERS];
+    for (int i = 0; i < CORNERS; i++) {
+        corners[i] = (Vector3){i & 1 ? box->high[0] : box->low[0], i & 2 ? box->high[1] : box->low[1],
+                               i & 4 ? box->high[2] : box->low[2]};
+    }
+    add_mesh(scene, corners, CORNERS, triangles, TRIANGLES, 2);
+}
+
 /** @return A tracer with one shape. @param engine The engine. @param row The shape. */
 static Tracer *tracer_with(const Engine *engine, const Row *row) {
     Error error = {0};
     Scene *scene = empty_scene();
-    add_shape(scene, row->keyword, row->parameters);
+    if (strcmp(row->keyword, "mesh") == 0) {
+        add_box_mesh(scene, row->parameters);
+    } else {
+        add_shape(scene, row->keyword, row->parameters);
+    }
     assert_true(!row->transform || scene_transform_shape(scene, row->transform, &error));
     Tracer *tracer = prepare(engine, scene);
     scene_destroy(scene);

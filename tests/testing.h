@@ -101,6 +101,38 @@ static inline void add_shape(Scene *scene, const char *name, const void *paramet
     assert_true(scene_add_shape(scene, kind, keywords[kind], parameters, material, &error));
 }
 
+/** How the scene language says a mesh. */
+typedef struct MeshRow {
+    size_t file; /**< Place of its model in the scene. */
+    int normals; /**< 0: the file's; 1: smooth; 2: flat. */
+} MeshRow;
+
+/**
+ * Adds a mesh of its own file to a scene.
+ * @param scene           The scene.
+ * @param positions       The corners.
+ * @param position_count  How many.
+ * @param triangles       Places of corners.
+ * @param triangle_count  How many triangles.
+ * @param normals         See #MeshRow.
+ */
+static inline void add_mesh(Scene *scene, const Vector3 *positions, size_t position_count,
+                            const MeshTriangle *triangles, size_t triangle_count, int normals) {
+    Error error = {0};
+    char name[32];
+    snprintf(name, sizeof name, "%zu", scene->mesh_count);
+    SceneMesh file = {.path = name, .name = name, .where = "test:1"};
+    MeshRow row = {.normals = normals};
+    assert_true(scene_add_mesh(scene, &file, &row.file, &error));
+    Mesh counts = {.position_count = position_count, .triangle_count = triangle_count};
+    Mesh *mesh = mesh_create(&counts, &error);
+    assert_non_null(mesh);
+    memcpy(mesh->positions, positions, position_count * sizeof *positions);
+    memcpy(mesh->triangles, triangles, triangle_count * sizeof *triangles);
+    scene->meshes[row.file].mesh = mesh;
+    add_shape(scene, "mesh", &row);
+}
+
 /** @return A tracer as deep as the scene's picture, to be given back. @param engine The engine.
  *  @param scene The scene. */
 static inline Tracer *prepare(const Engine *engine, const Scene *scene) {

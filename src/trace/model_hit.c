@@ -1,33 +1,18 @@
 /**
  * @file
- * @brief Where rays meet the triangles of a model.
+ * @brief Which triangles of a model rays meet.
  *
- * Whether a ray passes inside a triangle is decided watertight, as for every polygon (shear.h); how
- * far away, by the plane through its corners, taken in the wide precision relative to the ray's
- * origin. A packet takes the triangles of a block one after the other; a single ray takes all of
- * them at once. Both do the same operations in the same order.
+ * A packet takes the triangles of a block one after the other; a single ray takes all of them at
+ * once. Both do the same operations in the same order.
  */
-#include "trace/model.h"
-#include "trace/shapes/shear.h"
-
-/** Half ulps of the coordinates that a point can be off its triangle. */
-#define TRIANGLE_ERROR 8
-/** Cosine between an interpolated and a flat normal below which offsets along the first no longer
- * grow. */
-#define LEAST_LEAN ((scalar)0.125)
+#include "trace/corners.h"
+#include "trace/model_point.h"
 
 /** What the rays of a packet have met of a model. */
 typedef struct ModelHits {
     real distances[PACKET_VECTORS]; /**< The nearest so far; at first how far rays look. */
     integer slots[PACKET_VECTORS];  /**< Which triangle, by its place in the blocks; -1: none. */
 } ModelHits;
-
-/* --- triangles, as many as there are lanes --------------------------------------------------- */
-
-/** Three corners in each lane. */
-typedef struct Corners {
-    Vector at[3]; /**< The corners, in turn. */
-} Corners;
 
 /** @return A corner of one triangle in all lanes. @param block A block. @param i Which corner.
  *  @param lane Which of its triangles. */
@@ -43,44 +28,6 @@ INLINE Vector corner_of_lane(const TriangleBlock *block, int i, int lane) {
 INLINE Corners corners_of(const TriangleBlock *block, int lane) {
     return (Corners){{corner_of_lane(block, 0, lane), corner_of_lane(block, 1, lane),
                       corner_of_lane(block, 2, lane)}};
-}
-
-/** @return A vector with its axes renamed in a circle. @param v It. @param axis What becomes z. */
-INLINE Vector vector_turn(Vector v, int axis) {
-    return axis == 0 ? (Vector){v.y, v.z, v.x} : axis == 1 ? (Vector){v.z, v.x, v.y} : v;
-}
-
-/** @return How far beside the rays the corners lie. @param corners Triangles. @param ray Rays.
- *  @param axis The axis that they run mainly along. @param[out] offsets Three. */
-INLINE void corners_offsets(const Corners *corners, const Ray *ray, int axis, Offset *offsets) {
-    Ray turned = shear_turn(ray, axis);
-    for (int i = 0; i < 3; i++) {
-        offsets[i] = shear_offset(vector_turn(corners->at[i], axis), &turned);
-    }
-}
-
-/** @return The lanes whose ray passes inside its triangle or through an edge.
- *  @param corners Triangles. @param ray Rays. @param axis The axis that they run mainly along. */
-INLINE mask corners_surround(const Corners *corners, const Ray *ray, int axis) {
-    Offset offsets[3];
-    corners_offsets(corners, ray, axis, offsets);
-    return shear_surrounds(offsets, 3);
-}
-
-/** @return Normals of the planes through triangles, of any length. @param corners Triangles. */
-INLINE WideVector corners_normal(const Corners *corners) {
-    WideVector a = vector_widen(corners->at[0]);
-    WideVector u = wide_subtract(vector_widen(corners->at[1]), a);
-    WideVector v = wide_subtract(vector_widen(corners->at[2]), a);
-    return (WideVector){u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
-}
-
-/** @return How far away rays cross the planes of triangles. @param corners Triangles.
- *  @param ray Rays. */
-INLINE real corners_distance(const Corners *corners, const Ray *ray) {
-    WideVector normal = corners_normal(corners);
-    WideVector to_corner = wide_subtract(vector_widen(corners->at[0]), vector_widen(ray->origin));
-    return narrow(wide_dot(normal, to_corner) / wide_dot(normal, vector_widen(ray->direction)));
 }
 
 /* --- a packet against the triangles of a leaf ------------------------------------------------ */
@@ -249,130 +196,6 @@ static real model_ask(const void *items, size_t first, size_t count, const Packe
         leaf_ask_all(items, first, count, &packet->rays[v], v, mask_of_bits(lanes), hits);
     }
     return hits->distances[v];
-}
-
-/* --- from triangles to hits ------------------------------------------------------------------ */
-
-/** @return The triangle that each lane met. @param model The model. @param slots Their slots.
- *  @param met The lanes that met any. */
-static Corners corners_gather(const Model *model, integer slots, mask met) {
-    Corners corners = corners_of(&model->blocks[0], 0);
-    for (unsigned left = mask_bits(met); left; left &= left - 1) {
-        int lane = __builtin_ctz(left), slot = integer_lane(slots, lane);
-        const TriangleBlock *block = &model->blocks[slot / LANES];
-        for (int i = 0; i < 3; i++) {
-            const Vector *at = &block->corners[i];
-            real_set_lane(&corners.at[i].x, lane, real_at(&at->x, slot % LANES));
-            real_set_lane(&corners.at[i].y, lane, real_at(&at->y, slot % LANES));
-            real_set_lane(&corners.at[i].z, lane, real_at(&at->z, slot % LANES));
-        }
-    }
-    return corners;
-}
-
-/** @return The normals at the corners of the triangle that each lane met. @param model The model,
- *  not flat. @param slots Their slots. @param met The lanes that met any. */
-static Corners normals_gather(const Model *model, integer slots, mask met) {
-    Vector up = {real_of(0), real_of(1), real_of(0)};
-    Corners normals = {{up, up, up}};
-    for (unsigned left = mask_bits(met); left; left &= left - 1) {
-        int lane = __builtin_ctz(left), slot = integer_lane(slots, lane);
-        for (int i = 0; i < 3; i++) {
-            const Point *normal = &model->normals[model->places[slot].at[i]];
-            real_set_lane(&normals.at[i].x, lane, normal->x);
-            real_set_lane(&normals.at[i].y, lane, normal->y);
-            real_set_lane(&normals.at[i].z, lane, normal->z);
-        }
-    }
-    return normals;
-}
-
-/** @return The share of each corner in the places where rays meet triangles: the areas between the
- *  ray and the sides opposite. @param corners Triangles. @param ray Rays. @param met The lanes.
- *  @param axis The axis that the rays run mainly along. */
-INLINE Vector corners_shares(const Corners *corners, const Ray *ray, int axis) {
-    Offset offsets[3];
-    corners_offsets(corners, ray, axis, offsets);
-    return (Vector){shear_side(offsets[1], offsets[2]), shear_side(offsets[2], offsets[0]),
-                    shear_side(offsets[0], offsets[1])};
-}
-
-/**
- * @return Interpolated unit normals; the flat one where the three cancel out.
- * @param corners  Triangles.
- * @param normals  The normals at their corners.
- * @param ray      The rays that meet them.
- * @param flat     The triangles' own unit normals.
- */
-static Vector normal_interpolate(const Corners *corners, const Corners *normals, const Ray *ray,
-                                 Vector flat) {
-    MainAxes along = shear_main_axes(ray, mask_of(true));
-    Vector shares = corners_shares(corners, ray, 2);
-    shares = vector_select(along.x, corners_shares(corners, ray, 0), shares);
-    shares = vector_select(along.y, corners_shares(corners, ray, 1), shares);
-    // The areas have one sign; what counts is how they compare.
-    Vector sum = vector_scale(normals->at[0], real_abs(shares.x));
-    sum = vector_add(sum, vector_scale(normals->at[1], real_abs(shares.y)));
-    sum = vector_add(sum, vector_scale(normals->at[2], real_abs(shares.z)));
-    real largest = vector_largest(sum);
-    Vector normal = vector_normalize(vector_scale(sum, 1 / largest));
-    mask is_good =
-        (largest > 0) & (largest < INFINITE) & (vector_dot(normal, normal) > real_of((scalar)0.5));
-    return vector_select(is_good, normal, flat);
-}
-
-/**
- * @return Interpolated normals, bent to the side of the surface that the rays see: near the outline
- *         of a smooth shape they can point away from a viewer whom the triangle itself faces.
- * @param normal     Interpolated unit normals.
- * @param flat       The triangles' own unit normals, either way round.
- * @param direction  The rays' directions.
- */
-static Vector normal_bend(Vector normal, Vector flat, Vector direction) {
-    /** How far beyond the ray's own plane a normal is bent: more than any rounding. */
-    const scalar beyond = (scalar)1.001;
-    // Which way round is outwards the interpolated normal says: files disagree on corners' order.
-    real along = vector_dot(normal, direction), own = vector_dot(flat, direction);
-    real outwards = real_select(vector_dot(flat, normal) < 0, -own, own);
-    mask is_astray = along * outwards < 0;
-    real share = along / vector_dot(direction, direction) * beyond;
-    Vector bent = vector_normalize(vector_subtract(normal, vector_scale(direction, share)));
-    return vector_select(is_astray & (vector_dot(bent, bent) > 0), bent, normal);
-}
-
-/** @return Unit normals of the planes through triangles. @param corners Triangles. */
-static Vector corners_unit_normal(const Corners *corners) {
-    WideVector n = corners_normal(corners);
-    wide scale = 1 / wide_sqrt(wide_dot(n, n));
-    return (Vector){narrow(n.x * scale), narrow(n.y * scale), narrow(n.z * scale)};
-}
-
-/**
- * @return Where rays meet the triangles that they met: the point of the ray, put back on the plane.
- * @param model     The model.
- * @param ray       The rays.
- * @param distance  How far away.
- * @param slots     Which triangles.
- * @param met       The lanes that met any.
- * @param place     The shape's place in the scene.
- */
-static Hit model_hit(const Model *model, const Ray *ray, real distance, integer slots, mask met,
-                     int place) {
-    Corners corners = corners_gather(model, slots, met);
-    Vector flat = corners_unit_normal(&corners), normal = flat;
-    Vector point = vector_add(ray->origin, vector_scale(ray->direction, distance));
-    real height = vector_dot(flat, vector_subtract(point, corners.at[0]));
-    point = vector_subtract(point, vector_scale(flat, height));
-    real lean = real_of(1);
-    if (model->normals) {
-        Corners normals = normals_gather(model, slots, met);
-        normal = normal_interpolate(&corners, &normals, ray, flat);
-        lean = real_abs(vector_dot(normal, flat));
-        normal = normal_bend(normal, flat, ray->direction);
-    }
-    real reach = vector_largest(point) + real_of(model->reach);
-    real error = TRIANGLE_ERROR * ROUNDOFF * reach / real_max(lean, real_of(LEAST_LEAN));
-    return (Hit){distance, point, normal, error, integer_of(place)};
 }
 
 /* --- shadows --------------------------------------------------------------------------------- */

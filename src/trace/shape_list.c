@@ -69,7 +69,7 @@ typedef struct Planting {
 } Planting;
 
 /** Sorts the shapes of a list: those that end go to the tree. @param list The list, with room for
- * all of them as loose ones. @param with_tree Whether there is a tree. @param[in,out] planting What
+ * all of them as loose ones. @param[in,out] planting What
  * goes into it; NULL without. */
 static void shapes_sort(ShapeList *list, Planting *planting) {
     for (size_t i = 0; i < list->count; i++) {

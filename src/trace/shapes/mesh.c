@@ -29,11 +29,13 @@ static const char *const mesh_normals[] = {"file", "smooth", "flat", NULL};
 static const Parameter mesh_parameters[] = {{.name = "file",
                                              .type = PARAMETER_MESH,
                                              .offset = offsetof(MeshParameters, file),
+                                             .unit = "file",
                                              .help = "the model file, beside the scene file"},
                                             {.name = "normals",
                                              .type = PARAMETER_WORD,
                                              .offset = offsetof(MeshParameters, normals),
                                              .words = mesh_normals,
+                                             .unit = "word",
                                              .help = "the file's, smooth where it has none; "
                                                      "smooth; or flat"},
                                             {0}};

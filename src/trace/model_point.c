@@ -1,0 +1,110 @@
+/**
+ * @file
+ * @brief From triangles to hits: where rays meet the triangles of a model, and with which normals.
+ */
+#include "trace/model_point.h"
+
+#include "trace/corners.h"
+
+/** Half ulps of the coordinates that a point can be off its triangle. */
+#define TRIANGLE_ERROR 8
+/** Cosine between an interpolated and a flat normal below which offsets along the first no longer
+ * grow. */
+#define LEAST_LEAN ((scalar)0.125)
+
+/** @return The triangle that each lane met. @param model The model. @param slots Their slots.
+ *  @param met The lanes that met any. */
+static Corners corners_gather(const Model *model, integer slots, mask met) {
+    Vector zero = {real_of(0), real_of(0), real_of(0)};
+    Corners corners = {{zero, zero, zero}};
+    for (unsigned left = mask_bits(met); left; left &= left - 1) {
+        int lane = __builtin_ctz(left), slot = integer_lane(slots, lane);
+        const TriangleBlock *block = &model->blocks[slot / LANES];
+        for (int i = 0; i < 3; i++) {
+            const Vector *at = &block->corners[i];
+            real_set_lane(&corners.at[i].x, lane, real_at(&at->x, slot % LANES));
+            real_set_lane(&corners.at[i].y, lane, real_at(&at->y, slot % LANES));
+            real_set_lane(&corners.at[i].z, lane, real_at(&at->z, slot % LANES));
+        }
+    }
+    return corners;
+}
+
+/** @return The normals at the corners of the triangle that each lane met. @param model The model,
+ *  not flat. @param slots Their slots. @param met The lanes that met any. */
+static Corners normals_gather(const Model *model, integer slots, mask met) {
+    Vector up = {real_of(0), real_of(1), real_of(0)};
+    Corners normals = {{up, up, up}};
+    for (unsigned left = mask_bits(met); left; left &= left - 1) {
+        int lane = __builtin_ctz(left), slot = integer_lane(slots, lane);
+        for (int i = 0; i < 3; i++) {
+            const Point *normal = &model->normals[model->places[slot].at[i]];
+            real_set_lane(&normals.at[i].x, lane, normal->x);
+            real_set_lane(&normals.at[i].y, lane, normal->y);
+            real_set_lane(&normals.at[i].z, lane, normal->z);
+        }
+    }
+    return normals;
+}
+
+/**
+ * @return Interpolated unit normals; the flat one where the three cancel out.
+ * @param corners  Triangles.
+ * @param normals  The normals at their corners.
+ * @param ray      The rays that meet them.
+ * @param flat     The triangles' own unit normals.
+ */
+static Vector normal_interpolate(const Corners *corners, const Corners *normals, const Ray *ray,
+                                 Vector flat) {
+    MainAxes along = shear_main_axes(ray, mask_of(true));
+    Vector shares = corners_shares(corners, ray, 2);
+    shares = vector_select(along.x, corners_shares(corners, ray, 0), shares);
+    shares = vector_select(along.y, corners_shares(corners, ray, 1), shares);
+    // The areas have one sign; what counts is how they compare.
+    Vector sum = vector_scale(normals->at[0], real_abs(shares.x));
+    sum = vector_add(sum, vector_scale(normals->at[1], real_abs(shares.y)));
+    sum = vector_add(sum, vector_scale(normals->at[2], real_abs(shares.z)));
+    real largest = vector_largest(sum);
+    Vector normal = vector_normalize(vector_scale(sum, 1 / largest));
+    mask is_good =
+        (largest > 0) & (largest < INFINITE) & (vector_dot(normal, normal) > real_of((scalar)0.5));
+    return vector_select(is_good, normal, flat);
+}
+
+/**
+ * @return Interpolated normals, bent to the side of the surface that the rays see: near the outline
+ *         of a smooth shape they can point away from a viewer whom the triangle itself faces.
+ * @param normal     Interpolated unit normals.
+ * @param flat       The triangles' own unit normals, either way round.
+ * @param direction  The rays' directions.
+ */
+static Vector normal_bend(Vector normal, Vector flat, Vector direction) {
+    /** How far beyond the ray's own plane a normal is bent: more than any rounding. */
+    const scalar beyond = (scalar)1.001;
+    // Which way round is outwards the interpolated normal says: files disagree on corners' order.
+    real along = vector_dot(normal, direction), own = vector_dot(flat, direction);
+    real outwards = real_select(vector_dot(flat, normal) < 0, -own, own);
+    mask is_astray = along * outwards < 0;
+    real share = along / vector_dot(direction, direction) * beyond;
+    Vector bent = vector_normalize(vector_subtract(normal, vector_scale(direction, share)));
+    return vector_select(is_astray & (vector_dot(bent, bent) > 0), bent, normal);
+}
+
+Hit model_hit(const Model *model, const Ray *ray, real distance, integer slots, mask met,
+              int place) {
+    Corners corners = corners_gather(model, slots, met);
+    Vector flat = corners_unit_normal(&corners), normal = flat;
+    Vector point = vector_add(ray->origin, vector_scale(ray->direction, distance));
+    real height = vector_dot(flat, vector_subtract(point, corners.at[0]));
+    point = vector_subtract(point, vector_scale(flat, height));
+    real lean = real_of(1);
+    if (model->normals) {
+        Corners normals = normals_gather(model, slots, met);
+        normal = normal_interpolate(&corners, &normals, ray, flat);
+        lean = real_abs(vector_dot(normal, flat));
+        normal = normal_bend(normal, flat, ray->direction);
+    }
+    real reach = vector_largest(point) + real_of(model->reach);
+    real error = TRIANGLE_ERROR * ROUNDOFF * reach / real_max(lean, real_of(LEAST_LEAN));
+    return (Hit){distance, point, normal, error, integer_of(place)};
+}

@@ -126,7 +126,9 @@ static bool model_init(Model *model, const Mesh *mesh, NormalSource source, cons
     }
     bool is_made = boxes && tree_build(&model->tree, boxes, mesh->triangle_count, LANES, crew);
     free(boxes);
-    is_made = is_made && blocks_make(model, mesh) && normals_keep(model, mesh, source);
+    /* A number of a block must be found with the 32 bits of a lane. */
+    is_made = is_made && model->tree.block_count <= (size_t)(INT32_MAX / BLOCK_NUMBERS) &&
+              blocks_make(model, mesh) && normals_keep(model, mesh, source);
     /* The blocks say it now. */
     free(model->tree.order);
     model->tree.order = NULL;

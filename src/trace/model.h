@@ -16,6 +16,9 @@ typedef struct TriangleBlock {
     uint32_t triangles[LANES]; /**< Their places in the mesh; the last is repeated to fill up. */
 } TriangleBlock;
 
+/** Numbers that a block takes in memory: what a slot's numbers are found by. */
+#define BLOCK_NUMBERS ((int)(sizeof(TriangleBlock) / sizeof(scalar)))
+
 /** The triangles of a mesh. */
 typedef struct Model {
     Tree tree;             /**< The tree over them. */

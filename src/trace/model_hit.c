@@ -218,7 +218,7 @@ void model_nearest(const Model *model, const Packet *packet, int place, Hit *hit
         found.distances[v] = hits[v].distance;
         found.slots[v] = integer_of(-1);
     }
-    const TreeOwner owner = {model, model_ask};
+    const TreeOwner owner = {model, model->blocks, sizeof *model->blocks, model_ask};
     tree_visit(&model->tree, packet, found.distances, &owner, &found);
     for (int v = 0; v < PACKET_VECTORS; v++) {
         mask met = packet->active[v] & (found.slots[v] >= integer_of(0));
@@ -237,7 +237,7 @@ void model_blocked(const Model *model, const Packet *packet, mask *blocked) {
         found.distances[v] = real_select(blocked[v], real_of(-1), packet->limit[v]);
         found.slots[v] = integer_of(-1);
     }
-    const TreeOwner owner = {model, model_ask_shadow};
+    const TreeOwner owner = {model, model->blocks, sizeof *model->blocks, model_ask_shadow};
     tree_visit(&model->tree, packet, found.distances, &owner, &found);
     for (int v = 0; v < PACKET_VECTORS; v++) {
         blocked[v] |= packet->active[v] & (found.slots[v] >= integer_of(0)) &

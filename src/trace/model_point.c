@@ -13,19 +13,18 @@
 #define LEAST_LEAN ((scalar)0.125)
 
 /** @return The triangle that each lane met. @param model The model. @param slots Their slots.
- *  @param met The lanes that met any. */
+ *  @param met The lanes that met any; the others get the first. */
 static Corners corners_gather(const Model *model, integer slots, mask met) {
-    Vector zero = {real_of(0), real_of(0), real_of(0)};
-    Corners corners = {{zero, zero, zero}};
-    for (unsigned left = mask_bits(met); left; left &= left - 1) {
-        int lane = __builtin_ctz(left), slot = integer_lane(slots, lane);
-        const TriangleBlock *block = &model->blocks[slot / LANES];
-        for (int i = 0; i < 3; i++) {
-            const Vector *at = &block->corners[i];
-            real_set_lane(&corners.at[i].x, lane, real_at(&at->x, slot % LANES));
-            real_set_lane(&corners.at[i].y, lane, real_at(&at->y, slot % LANES));
-            real_set_lane(&corners.at[i].z, lane, real_at(&at->z, slot % LANES));
-        }
+    slots = integer_select(met, slots, integer_of(0));
+    // A block's numbers lie in rows of #LANES: the corners' x, y and z.
+    integer lane = slots & integer_of(LANES - 1);
+    integer place = (slots - lane) * (BLOCK_NUMBERS / LANES) + lane;
+    const scalar *numbers = (const scalar *)(const void *)model->blocks;
+    Corners corners;
+    for (int i = 0; i < 3; i++) {
+        const scalar *corner = numbers + 3 * i * LANES;
+        corners.at[i] = (Vector){real_gather(corner, place), real_gather(corner + LANES, place),
+                                 real_gather(corner + 2 * LANES, place)};
     }
     return corners;
 }

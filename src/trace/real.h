@@ -363,6 +363,26 @@ INLINE real real_abs(real x) {
 #endif
 }
 
+/* --- from anywhere in memory ------------------------------------------------------------------ */
+
+/** @return A number for each lane. @param base Where numbers lie. @param places The place of each
+ *  lane's, counted from there. */
+INLINE real real_gather(const scalar *base, integer places) {
+#if LANES == 16 && defined(__AVX512DQ__)
+    return (real)_mm512_i32gather_ps((__m512i)places, base, sizeof(scalar));
+#elif LANES == 8 && defined(__AVX2__)
+    return (real)_mm256_i32gather_ps(base, (__m256i)places, sizeof(scalar));
+#elif LANES == 4 && REAL_BITS == 64 && defined(__AVX2__)
+    return (real)_mm256_i64gather_pd(base, (__m256i)places, sizeof(scalar));
+#else
+    real numbers = {0};
+    for (int i = 0; i < LANES; i++) {
+        real_set_lane(&numbers, i, base[integer_lane(places, i)]);
+    }
+    return numbers;
+#endif
+}
+
 /* --- square roots, correctly rounded --------------------------------------------------------- */
 
 #if REAL_BITS == 128

@@ -124,7 +124,7 @@ static real leaf_blocked(const void *items, size_t first, size_t count, const Pa
 /** Asks the shapes of the tree, if there is one, what rays meet. @param list The shapes.
  *  @param packet The rays. @param[in,out] hits What they have met so far. */
 static void tree_nearest(const ShapeList *list, const Packet *packet, Hit *hits) {
-    const TreeOwner owner = {list, leaf_nearest};
+    const TreeOwner owner = {.items = list, .ask = leaf_nearest};
     real limits[PACKET_VECTORS];
     if (list->tree.nodes) {
         for (int v = 0; v < PACKET_VECTORS; v++) {
@@ -137,7 +137,7 @@ static void tree_nearest(const ShapeList *list, const Packet *packet, Hit *hits)
 /** Asks the shapes of the tree, if there is one, which rays they block. @param list The shapes.
  *  @param packet The rays. @param[in,out] blocked Those that are blocked. */
 static void tree_blocked(const ShapeList *list, const Packet *packet, mask *blocked) {
-    const TreeOwner owner = {list, leaf_blocked};
+    const TreeOwner owner = {.items = list, .ask = leaf_blocked};
     real limits[PACKET_VECTORS];
     if (list->tree.nodes) {
         for (int v = 0; v < PACKET_VECTORS; v++) {

@@ -82,7 +82,9 @@ size_t tree_size(const Tree *tree);
 
 /** Whoever owns the items of a tree: asked about the leaves that rays reach. */
 typedef struct TreeOwner {
-    const void *items; /**< Handed to #ask. */
+    const void *items;  /**< Handed to #ask. */
+    const void *blocks; /**< Where the blocks lie, to be fetched before they are asked; or NULL. */
+    size_t block_bytes; /**< Bytes a block. */
 
     /**
      * Asks the items of some blocks about rays of one vector of a packet.

@@ -20,13 +20,12 @@ typedef struct Waiting {
 
 /** A ray on its way. */
 typedef struct Flight {
-    scalar origin[3];          /**< Where it starts. */
-    scalar inverse[3];         /**< 1 / direction. */
+    const Ray *rays;           /**< Its vector of the packet. */
+    int vector;                /**< Which that is. */
+    int lane;                  /**< Its lane of it. */
     size_t enter[3];           /**< Which of a node's planes it meets first, of each pair. */
     size_t leave[3];           /**< Which it meets last. */
     bool is_flying;            /**< Whether it has not come to its end. */
-    int vector;                /**< Its place in the packet. */
-    int lane;                  /**< The same. */
     scalar limit;              /**< How far it still looks. */
     int waiting;               /**< How many children wait. */
     Waiting stack[TREE_STACK]; /**< What waits, the nearest on top. */
@@ -42,18 +41,22 @@ typedef struct Field {
     int next;               /**< The next ray to fly. */
 } Field;
 
+/** Notes which of two planes a ray meets first. @param[in,out] flight The ray. @param axis The
+ * axis.
+ *  @param is_down Whether it goes down along it. */
+INLINE void flight_sort(Flight *flight, size_t axis, bool is_down) {
+    flight->enter[axis] = is_down ? axis + 3 : axis;
+    flight->leave[axis] = is_down ? axis : axis + 3;
+}
+
 /** Puts a ray of a packet at the root of the tree. @param field The field. @param[out] flight The
  *  ray. @param v Its vector. @param lane Its lane. */
 static void flight_begin(const Field *field, Flight *flight, int v, int lane) {
-    const Vector *o = &field->packet->rays[v].origin, *i = &field->packet->rays[v].inverse;
-    const real *origin[3] = {&o->x, &o->y, &o->z}, *inverse[3] = {&i->x, &i->y, &i->z};
-    for (int axis = 0; axis < 3; axis++) {
-        flight->origin[axis] = real_at(origin[axis], lane);
-        flight->inverse[axis] = real_at(inverse[axis], lane);
-        size_t low = (size_t)axis, high = (size_t)axis + 3;
-        flight->enter[axis] = flight->inverse[axis] < 0 ? high : low;
-        flight->leave[axis] = flight->inverse[axis] < 0 ? low : high;
-    }
+    const Vector *inverse = &field->packet->rays[v].inverse;
+    flight->rays = &field->packet->rays[v];
+    flight_sort(flight, 0, real_at(&inverse->x, lane) < 0);
+    flight_sort(flight, 1, real_at(&inverse->y, lane) < 0);
+    flight_sort(flight, 2, real_at(&inverse->z, lane) < 0);
     flight->vector = v;
     flight->lane = lane;
     flight->limit = real_at(&field->limits[v], lane);
@@ -84,10 +87,13 @@ static void flight_start(Field *field, Flight *flight) {
  */
 INLINE unsigned boxes_met(const Flight *flight, const BoundsBlock *block, real *near) {
     real from = real_of(0), to = real_of(flight->limit);
+    const Vector *o = &flight->rays->origin, *i = &flight->rays->inverse;
+    const real *origin[3] = {&o->x, &o->y, &o->z}, *inverse[3] = {&i->x, &i->y, &i->z};
     for (int axis = 0; axis < 3; axis++) {
         slab_narrow(&from, &to, block->planes[flight->enter[axis]],
-                    block->planes[flight->leave[axis]], real_of(flight->origin[axis]),
-                    real_of(flight->inverse[axis]));
+                    block->planes[flight->leave[axis]],
+                    real_of(real_at(origin[axis], flight->lane)),
+                    real_of(real_at(inverse[axis], flight->lane)));
     }
     *near = from * (1 - SLAB_SLACK);
     return mask_bits(*near <= to * (1 + SLAB_SLACK));
@@ -118,16 +124,27 @@ static void flight_open(Flight *flight, const TreeNode *node) {
     }
 }
 
-/** Fetches what a ray's next step needs. @param field The field. @param flight The ray. */
-INLINE void flight_fetch(const Field *field, const Flight *flight) {
+/** Fetches memory that will be needed. @param at Where. @param bytes How much. */
+INLINE void memory_fetch(const void *at, size_t bytes) {
     /** Bytes that one fetch brings. */
     enum { LINE = 64 };
-    if (flight->waiting == 0 || (flight->stack[flight->waiting - 1].child & TREE_LEAF)) {
+    for (size_t i = 0; i < bytes; i += LINE) {
+        __builtin_prefetch((const char *)at + i);
+    }
+}
+
+/** Fetches what a ray's next step needs. @param field The field. @param flight The ray. */
+INLINE void flight_fetch(const Field *field, const Flight *flight) {
+    if (flight->waiting == 0) {
         return;
     }
-    const char *node = (const char *)&field->tree->nodes[flight->stack[flight->waiting - 1].child];
-    for (size_t i = 0; i < sizeof(TreeNode); i += LINE) {
-        __builtin_prefetch(node + i);
+    uint32_t child = flight->stack[flight->waiting - 1].child;
+    const TreeOwner *owner = field->owner;
+    if (!(child & TREE_LEAF)) {
+        memory_fetch(&field->tree->nodes[child], sizeof(TreeNode));
+    } else if (owner->blocks) {
+        size_t first = (child & ~TREE_LEAF) >> TREE_BLOCK_BITS;
+        memory_fetch((const char *)owner->blocks + first * owner->block_bytes, owner->block_bytes);
     }
 }
 

@@ -24,10 +24,6 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#if defined(__AVX__) || defined(__SSE2__)
-#include <immintrin.h>
-#endif
-
 /* --- the scalar ------------------------------------------------------------------------------ */
 
 #if REAL_BITS == 32
@@ -82,6 +78,8 @@ typedef int mask;
 typedef wide_scalar wide;
 typedef int wide_mask;
 #endif
+
+#include "trace/instructions.h"
 
 /** LANES integers, such as the places of shapes. */
 typedef mask integer;
@@ -233,14 +231,8 @@ INLINE wide_mask wide_mask_not(wide_mask m) {
 
 /** @return Bit i set where lane i is. @param m A mask. */
 INLINE unsigned mask_bits(mask m) {
-#if LANES == 16 && defined(__AVX512DQ__)
-    return _mm512_movepi32_mask((__m512i)m);
-#elif LANES == 8 && defined(__AVX__)
-    return (unsigned)_mm256_movemask_ps((__m256)m);
-#elif LANES == 4 && REAL_BITS == 64 && defined(__AVX__)
-    return (unsigned)_mm256_movemask_pd((__m256d)m);
-#elif LANES == 4 && REAL_BITS == 32 && defined(__SSE2__)
-    return (unsigned)_mm_movemask_ps((__m128)m);
+#ifdef LANES_BITS
+    return LANES_BITS(m);
 #else
     unsigned bits = 0;
     for (int i = 0; i < LANES; i++) {
@@ -282,41 +274,6 @@ INLINE int mask_first(mask m) {
 }
 
 /* --- choosing -------------------------------------------------------------------------------- */
-
-/* Where a processor has one instruction for it, that is named here, and nowhere else. The smaller
-   and larger are `a < b ? a : b` and `a > b ? a : b` to the bit, as the instructions define them.
- */
-#if LANES == 16 && defined(__AVX512DQ__)
-/** a where the mask m is set, b elsewhere: one instruction, too. */
-#define LANES_SELECT(m, a, b) (real)(((m) & (mask)(a)) | (~(m) & (mask)(b)))
-/** The smaller; b where they cannot be compared. */
-#define LANES_MIN(a, b) (real) _mm512_min_ps((__m512)(a), (__m512)(b))
-/** The larger; b where they cannot be compared. */
-#define LANES_MAX(a, b) (real) _mm512_max_ps((__m512)(a), (__m512)(b))
-#elif LANES == 8 && defined(__AVX__)
-/** a where the mask m is set, b elsewhere. */
-#define LANES_SELECT(m, a, b) (real) _mm256_blendv_ps((__m256)(b), (__m256)(a), (__m256)(m))
-/** The smaller; b where they cannot be compared. */
-#define LANES_MIN(a, b) (real) _mm256_min_ps((__m256)(a), (__m256)(b))
-/** The larger; b where they cannot be compared. */
-#define LANES_MAX(a, b) (real) _mm256_max_ps((__m256)(a), (__m256)(b))
-#elif LANES == 4 && REAL_BITS == 64 && defined(__AVX__)
-#define LANES_SELECT(m, a, b) (real) _mm256_blendv_pd((__m256d)(b), (__m256d)(a), (__m256d)(m))
-#define LANES_MIN(a, b) (real) _mm256_min_pd((__m256d)(a), (__m256d)(b))
-#define LANES_MAX(a, b) (real) _mm256_max_pd((__m256d)(a), (__m256d)(b))
-#elif LANES == 4 && REAL_BITS == 32 && defined(__SSE2__)
-#define LANES_SELECT(m, a, b) (real)(((m) & (mask)(a)) | (~(m) & (mask)(b)))
-#define LANES_MIN(a, b) (real) _mm_min_ps((__m128)(a), (__m128)(b))
-#define LANES_MAX(a, b) (real) _mm_max_ps((__m128)(a), (__m128)(b))
-#elif LANES > 1
-#define LANES_SELECT(m, a, b) (real)(((m) & (mask)(a)) | (~(m) & (mask)(b)))
-#define LANES_MIN(a, b) real_select((a) < (b), a, b)
-#define LANES_MAX(a, b) real_select((a) > (b), a, b)
-#else
-#define LANES_SELECT(m, a, b) ((m) ? (a) : (b))
-#define LANES_MIN(a, b) ((a) < (b) ? (a) : (b))
-#define LANES_MAX(a, b) ((a) > (b) ? (a) : (b))
-#endif
 
 /** @return a where the mask is set, b elsewhere. @param m A mask. @param a Numbers. @param b
  * Others. */
@@ -368,12 +325,8 @@ INLINE real real_abs(real x) {
 /** @return A number for each lane. @param base Where numbers lie. @param places The place of each
  *  lane's, counted from there. */
 INLINE real real_gather(const scalar *base, integer places) {
-#if LANES == 16 && defined(__AVX512DQ__)
-    return (real)_mm512_i32gather_ps((__m512i)places, base, sizeof(scalar));
-#elif LANES == 8 && defined(__AVX2__)
-    return (real)_mm256_i32gather_ps(base, (__m256i)places, sizeof(scalar));
-#elif LANES == 4 && REAL_BITS == 64 && defined(__AVX2__)
-    return (real)_mm256_i64gather_pd(base, (__m256i)places, sizeof(scalar));
+#ifdef LANES_GATHER
+    return LANES_GATHER(base, places);
 #else
     real numbers = {0};
     for (int i = 0; i < LANES; i++) {

@@ -1,0 +1,60 @@
+/**
+ * @file
+ * @brief Processor instructions: where there is one for what a tracer needs, it is named here, and
+ *        nowhere else.
+ *
+ * The smaller and larger are `a < b ? a : b` and `a > b ? a : b` to the bit, as the instructions
+ * define them. What has no name here for an engine, real.h does lane by lane.
+ */
+#ifndef DIOPTRE_TRACE_INSTRUCTIONS_H
+#define DIOPTRE_TRACE_INSTRUCTIONS_H
+
+#if defined(__AVX__) || defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+#if LANES == 16 && defined(__AVX512DQ__)
+/** Bit i set where lane i of the mask m is. */
+#define LANES_BITS(m) (unsigned)_mm512_movepi32_mask((__m512i)(m))
+/** For each lane the number at its place. */
+#define LANES_GATHER(base, places)                                                                 \
+    (real) _mm512_i32gather_ps((__m512i)(places), base, sizeof(scalar))
+/** a where the mask m is set, b elsewhere: one instruction, too. */
+#define LANES_SELECT(m, a, b) (real)(((m) & (mask)(a)) | (~(m) & (mask)(b)))
+/** The smaller; b where they cannot be compared. */
+#define LANES_MIN(a, b) (real) _mm512_min_ps((__m512)(a), (__m512)(b))
+/** The larger; b where they cannot be compared. */
+#define LANES_MAX(a, b) (real) _mm512_max_ps((__m512)(a), (__m512)(b))
+#elif LANES == 8 && defined(__AVX2__)
+#define LANES_BITS(m) (unsigned)_mm256_movemask_ps((__m256)(m))
+#define LANES_GATHER(base, places)                                                                 \
+    (real) _mm256_i32gather_ps(base, (__m256i)(places), sizeof(scalar))
+/** a where the mask m is set, b elsewhere. */
+#define LANES_SELECT(m, a, b) (real) _mm256_blendv_ps((__m256)(b), (__m256)(a), (__m256)(m))
+/** The smaller; b where they cannot be compared. */
+#define LANES_MIN(a, b) (real) _mm256_min_ps((__m256)(a), (__m256)(b))
+/** The larger; b where they cannot be compared. */
+#define LANES_MAX(a, b) (real) _mm256_max_ps((__m256)(a), (__m256)(b))
+#elif LANES == 4 && REAL_BITS == 64 && defined(__AVX2__)
+#define LANES_BITS(m) (unsigned)_mm256_movemask_pd((__m256d)(m))
+#define LANES_GATHER(base, places)                                                                 \
+    (real) _mm256_i64gather_pd(base, (__m256i)(places), sizeof(scalar))
+#define LANES_SELECT(m, a, b) (real) _mm256_blendv_pd((__m256d)(b), (__m256d)(a), (__m256d)(m))
+#define LANES_MIN(a, b) (real) _mm256_min_pd((__m256d)(a), (__m256d)(b))
+#define LANES_MAX(a, b) (real) _mm256_max_pd((__m256d)(a), (__m256d)(b))
+#elif LANES == 4 && REAL_BITS == 32 && defined(__SSE2__)
+#define LANES_BITS(m) (unsigned)_mm_movemask_ps((__m128)(m))
+#define LANES_SELECT(m, a, b) (real)(((m) & (mask)(a)) | (~(m) & (mask)(b)))
+#define LANES_MIN(a, b) (real) _mm_min_ps((__m128)(a), (__m128)(b))
+#define LANES_MAX(a, b) (real) _mm_max_ps((__m128)(a), (__m128)(b))
+#elif LANES > 1
+#define LANES_SELECT(m, a, b) (real)(((m) & (mask)(a)) | (~(m) & (mask)(b)))
+#define LANES_MIN(a, b) real_select((a) < (b), a, b)
+#define LANES_MAX(a, b) real_select((a) > (b), a, b)
+#else
+#define LANES_SELECT(m, a, b) ((m) ? (a) : (b))
+#define LANES_MIN(a, b) ((a) < (b) ? (a) : (b))
+#define LANES_MAX(a, b) ((a) > (b) ? (a) : (b))
+#endif
+
+#endif

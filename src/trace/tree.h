@@ -113,16 +113,23 @@ typedef struct TreeOwner {
 void tree_visit(const Tree *tree, const Packet *packet, const real *limits, const TreeOwner *owner,
                 void *found);
 
+/** Which rays of a packet: bit i of number v set: lane i of vector v. */
+typedef struct Lanes {
+    uint16_t of[PACKET_VECTORS]; /**< The bits. */
+} Lanes;
+
 /**
- * As #tree_visit, always for each ray by itself: several are in flight, so that one computes while
- * another waits for memory.
+ * As #tree_visit, from a node or leaf on, for each ray by itself: several are in flight, so that
+ * one computes while another waits for memory.
  * @param tree     The tree.
+ * @param child    Where to begin, see #TreeNode.children.
+ * @param lanes    The rays that count.
  * @param packet   The rays.
- * @param limits   For each vector: how far rays look before anything is met.
+ * @param[in,out] limits  For each vector: how far rays look.
  * @param owner    Who owns the items.
  * @param[in,out] found  Handed to the owner.
  */
-void tree_visit_singly(const Tree *tree, const Packet *packet, const real *limits,
-                       const TreeOwner *owner, void *found);
+void tree_visit_singly(const Tree *tree, uint32_t child, const Lanes *lanes, const Packet *packet,
+                       real *limits, const TreeOwner *owner, void *found);
 
 #endif

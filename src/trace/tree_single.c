@@ -34,11 +34,13 @@ typedef struct Flight {
 /** What a packet of rays and a tree share while its rays fly. */
 typedef struct Field {
     const Tree *tree;       /**< The tree. */
+    uint32_t child;         /**< Where they begin. */
     const Packet *packet;   /**< The rays. */
-    const real *limits;     /**< How far they look at first. */
+    Lanes left;             /**< Those that have not flown yet. */
+    int vector;             /**< The first vector of those. */
+    real *limits;           /**< How far they look. */
     const TreeOwner *owner; /**< Who is asked. */
     void *found;            /**< The owner's. */
-    int next;               /**< The next ray to fly. */
 } Field;
 
 /** Notes which of two planes a ray meets first. @param[in,out] flight The ray. @param axis The
@@ -49,7 +51,7 @@ INLINE void flight_sort(Flight *flight, size_t axis, bool is_down) {
     flight->leave[axis] = is_down ? axis : axis + 3;
 }
 
-/** Puts a ray of a packet at the root of the tree. @param field The field. @param[out] flight The
+/** Puts a ray of a packet where the rays begin. @param field The field. @param[out] flight The
  *  ray. @param v Its vector. @param lane Its lane. */
 static void flight_begin(const Field *field, Flight *flight, int v, int lane) {
     const Vector *inverse = &field->packet->rays[v].inverse;
@@ -60,22 +62,21 @@ static void flight_begin(const Field *field, Flight *flight, int v, int lane) {
     flight->vector = v;
     flight->lane = lane;
     flight->limit = real_at(&field->limits[v], lane);
-    flight->stack[0] = (Waiting){0};
+    flight->stack[0] = (Waiting){.child = field->child};
     flight->waiting = 1;
 }
 
 /** Lets the next ray of a packet fly, if there is one. @param field The field.
  *  @param[out] flight The ray. */
 static void flight_start(Field *field, Flight *flight) {
-    flight->is_flying = false;
-    for (; field->next < PACKET_RAYS; field->next++) {
-        int v = field->next / LANES, lane = field->next % LANES;
-        if (mask_lane(field->packet->active[v], lane)) {
-            flight_begin(field, flight, v, lane);
-            flight->is_flying = true;
-            field->next++;
-            return;
-        }
+    while (field->vector < PACKET_VECTORS && field->left.of[field->vector] == 0) {
+        field->vector++;
+    }
+    flight->is_flying = field->vector < PACKET_VECTORS;
+    if (flight->is_flying) {
+        uint16_t *left = &field->left.of[field->vector];
+        flight_begin(field, flight, field->vector, __builtin_ctz(*left));
+        *left = (uint16_t)(*left & (*left - 1));
     }
 }
 
@@ -171,9 +172,9 @@ static bool flight_step(Field *field, Flight *flight) {
     return true;
 }
 
-void tree_visit_singly(const Tree *tree, const Packet *packet, const real *limits,
-                       const TreeOwner *owner, void *found) {
-    Field field = {tree, packet, limits, owner, found, 0};
+void tree_visit_singly(const Tree *tree, uint32_t child, const Lanes *lanes, const Packet *packet,
+                       real *limits, const TreeOwner *owner, void *found) {
+    Field field = {tree, child, packet, *lanes, 0, limits, owner, found};
     Flight flights[FLIGHTS], *const end = flights + FLIGHTS;
     int flying = 0;
     for (Flight *flight = flights; flight < end; flight++) {
@@ -182,6 +183,7 @@ void tree_visit_singly(const Tree *tree, const Packet *packet, const real *limit
     }
     for (Flight *flight = flights; flying > 0; flight = flight + 1 < end ? flight + 1 : flights) {
         if (flight->is_flying && !flight_step(&field, flight)) {
+            real_set_lane(&limits[flight->vector], flight->lane, flight->limit);
             flight_start(&field, flight);
             flying -= !flight->is_flying;
         }

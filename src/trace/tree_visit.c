@@ -9,10 +9,9 @@
 #include "trace/slab.h"
 #include "trace/tree.h"
 
-/** Which rays of a packet: bit i of number v set: lane i of vector v. */
-typedef struct Lanes {
-    uint16_t of[PACKET_VECTORS]; /**< The bits. */
-} Lanes;
+/** Rays that go one by one when no more than these are left: mirrored ones are a third faster so
+ *  (measured: 4, 16, 24, 40). */
+enum { FEW_RAYS = 16 };
 
 /** A child that waits. */
 typedef struct Waiting {
@@ -113,45 +112,62 @@ static void leaf_ask(Journey *journey, const TreeOwner *owner, const Waiting *le
     }
 }
 
-/** @return Whether the rays of a packet go about the same way: up or down along one axis at least,
- * and enough of them. @param packet The packet. @param spans What is known of it. */
-static bool packet_is_coherent(const Packet *packet, const Spans *spans) {
-    /** Rays for which being together costs more than it saves (measured). */
-    const unsigned few = 3;
+/** @return Whether the rays of a packet go about the same way: up or down along one axis at least.
+ *  @param spans What is known of it. */
+static bool spans_are_coherent(const Spans *spans) {
+    bool is_coherent = false;
     for (int axis = 0; axis < 3; axis++) {
-        if (spans->axis[axis].inverse_low > 0 || spans->axis[axis].inverse_high < 0) {
-            return packet_count(packet) > few;
-        }
+        const Span *span = &spans->axis[axis];
+        is_coherent = is_coherent || span->inverse_low > 0 || span->inverse_high < 0;
     }
-    return false;
+    return is_coherent;
+}
+
+/** @return How many rays. @param lanes Which. */
+static int lanes_count(const Lanes *lanes) {
+    int count = 0;
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        count += __builtin_popcount(lanes->of[v]);
+    }
+    return count;
+}
+
+/** Takes what waits on top: for all its rays together, or one by one where they are few.
+ *  @param journey The journey. @param tree The tree. @param owner The owner.
+ *  @param[in,out] found The owner's. */
+static void journey_step(Journey *journey, const Tree *tree, const TreeOwner *owner, void *found) {
+    Waiting entry = journey->stack[--journey->waiting];
+    if (!entry_is_wanted(journey, &entry)) {
+        return;
+    }
+    if (entry.child & TREE_LEAF) {
+        leaf_ask(journey, owner, &entry, found);
+    } else if (lanes_count(&entry.lanes) <= FEW_RAYS) {
+        tree_visit_singly(tree, entry.child, &entry.lanes, journey->packet, journey->limits, owner,
+                          found);
+    } else {
+        node_open(journey, &tree->nodes[entry.child], &entry.lanes);
+    }
 }
 
 void tree_visit(const Tree *tree, const Packet *packet, const real *limits, const TreeOwner *owner,
                 void *found) {
     Journey journey;
     journey.packet = packet;
-    if (LANES > 1) {
-        journey.spans = packet_spans(packet);
-    }
-    if (LANES == 1 || !packet_is_coherent(packet, &journey.spans)) {
-        tree_visit_singly(tree, packet, limits, owner, found);
-        return;
-    }
     journey.stack[0] = (Waiting){0};
     for (int v = 0; v < PACKET_VECTORS; v++) {
         journey.limits[v] = limits[v];
         journey.stack[0].lanes.of[v] = (uint16_t)mask_bits(packet->active[v]);
     }
+    if (LANES > 1) {
+        journey.spans = packet_spans(packet);
+    }
+    if (LANES == 1 || !spans_are_coherent(&journey.spans)) {
+        tree_visit_singly(tree, 0, &journey.stack[0].lanes, packet, journey.limits, owner, found);
+        return;
+    }
     journey.waiting = 1;
     while (journey.waiting > 0) {
-        Waiting entry = journey.stack[--journey.waiting];
-        if (!entry_is_wanted(&journey, &entry)) {
-            continue;
-        }
-        if (entry.child & TREE_LEAF) {
-            leaf_ask(&journey, owner, &entry, found);
-        } else {
-            node_open(&journey, &tree->nodes[entry.child], &entry.lanes);
-        }
+        journey_step(&journey, tree, owner, found);
     }
 }

@@ -1,0 +1,51 @@
+-- Spot, the cow of Keenan Crane, on a pasture with her calves.
+--
+-- Spot is 5856 triangles. They are read once and kept once, whatever the number of cows: each
+-- cow only says how large it is, which way it turns and where it stands.
+
+camera { position = {0.2, 1.5, 6.4}, look_at = {0.1, 0.85, 0}, fov = 40 }
+image { width = 800, height = 600, samples = 16 }
+
+ambient { 0.22, 0.25, 0.30 }
+light { position = {-60, 80, 70}, color = {1.00, 0.95, 0.84}, intensity = 0.85 }
+sky { horizon = "#d5e6f3", zenith = "#3f7fc4" }
+
+local function matt(color) return material { color = color } end
+
+-- Hills are large balls, of which only the tops look out of the ground.
+local grass = matt "#6f9a3c"
+plane { material = grass }
+for _, hill in ipairs { {-30, -70, 60, "#7fa94a"}, {38, -80, 60, "#6d9c46"}, {5, -120, 80, "#86b062"} } do
+  local x, z, radius, color = table.unpack(hill)
+  sphere { center = {x, 8 - radius, z}, radius = radius, material = matt(color) }
+end
+
+-- A cow: her feet are 0.737 below the middle of the model.
+local function cow(x, z, size, turn, color)
+  mesh {
+    file = "models/spot.obj", normals = "smooth", scale = size, rotate = {0, turn, 0},
+    translate = {x, 0.737 * size, z}, material = matt(color),
+  }
+end
+cow(0.0, 0.0, 1.0, 215, "#f3ece0")
+cow(1.7, 0.9, 0.5, 250, "#8a5a3a")
+cow(-1.8, 0.4, 0.5, 150, "#3b3431")
+cow(-2.6, -5, 1, 100, "#8a5a3a")
+cow(4.2, -7, 1, 300, "#f3ece0")
+
+-- A fence
+local wood = matt "#a5835c"
+for x = -14, 14, 2 do
+  cylinder { base = {x, 0, -10}, top = {x, 1.3, -10}, radius = 0.09, material = wood }
+end
+for _, y in ipairs { 0.5, 1.05 } do
+  cylinder { base = {-15, y, -10}, top = {15, y, -10}, radius = 0.05, material = wood }
+end
+
+-- Daisies, strewn as evenly as seeds in a sunflower.
+for i = 1, 400 do
+  local angle, distance = i * 2.39996, 0.55 * math.sqrt(i)
+  local x, z = distance * math.cos(angle), distance * math.sin(angle)
+  disk { center = {x, 0.05, z}, normal = {0, 1, 0.5}, radius = 0.035, material = matt "#ffffff" }
+  sphere { center = {x, 0.055, z}, radius = 0.014, material = matt "#ffd21f" }
+end

@@ -7,7 +7,7 @@ camera { position = {0.2, 1.5, 6.4}, look_at = {0.1, 0.85, 0}, fov = 40 }
 image { width = 800, height = 600, samples = 16 }
 
 ambient { 0.22, 0.25, 0.30 }
-light { position = {-60, 80, 70}, color = {1.00, 0.95, 0.84}, intensity = 0.85 }
+light { position = {-45, 75, 90}, color = {1.00, 0.95, 0.84}, intensity = 0.85 }
 sky { horizon = "#d5e6f3", zenith = "#3f7fc4" }
 
 local function matt(color) return material { color = color } end
@@ -17,8 +17,10 @@ local grass = matt "#6f9a3c"
 plane { material = grass }
 for _, hill in ipairs { {-30, -70, 60, "#7fa94a"}, {38, -80, 60, "#6d9c46"}, {5, -120, 80, "#86b062"} } do
   local x, z, radius, color = table.unpack(hill)
-  sphere { center = {x, 8 - radius, z}, radius = radius, material = matt(color) }
+  sphere { center = {x, 4.5 - radius, z}, radius = radius, material = matt(color) }
 end
+
+local eye = material { color = "#14100e", specular = 0.9, shininess = 120 }
 
 -- A cow: her feet are 0.737 below the middle of the model.
 local function cow(x, z, size, turn, color)
@@ -26,14 +28,27 @@ local function cow(x, z, size, turn, color)
     file = "models/spot.obj", normals = "smooth", scale = size, rotate = {0, turn, 0},
     translate = {x, 0.737 * size, z}, material = matt(color),
   }
+  for _, side in ipairs { -1, 1 } do   -- her eyes go where she goes
+    sphere {
+      center = {side * 0.125, 0.64, -0.455}, radius = 0.065, scale = size, rotate = {0, turn, 0},
+      translate = {x, 0.737 * size, z}, material = eye,
+    }
+  end
 end
-cow(0.0, 0.0, 1.0, 215, "#f3ece0")
-cow(1.7, 0.9, 0.5, 250, "#8a5a3a")
-cow(-1.8, 0.4, 0.5, 150, "#3b3431")
-cow(-2.6, -5, 1, 100, "#8a5a3a")
-cow(4.2, -7, 1, 300, "#f3ece0")
+cow(0.0, 0.0, 1.0, 208, "#f3ece0")
+cow(1.65, 0.9, 0.5, 120, "#8a5a3a")
+cow(-1.55, 0.5, 0.5, 230, "#3b3431")
+cow(-2.9, -5, 1, 255, "#8a5a3a")
+cow(3.3, -6.5, 1, 60, "#f3ece0")
 
--- A fence
+-- Clouds are white balls, pressed flat, with a little light of their own.
+local cloud = material { color = "#ffffff", emission = 0.25 }
+for _, puff in ipairs { {-42, 27, 8}, {-33, 28.5, 11}, {-22, 27, 7}, {20, 23, 7}, {30, 24, 10}, {39, 23, 6} } do
+  local x, y, size = table.unpack(puff)
+  sphere { scale = {size, 0.35 * size, size}, translate = {x, y, -200}, material = cloud }
+end
+
+-- The fence at the end of the pasture.
 local wood = matt "#a5835c"
 for x = -14, 14, 2 do
   cylinder { base = {x, 0, -10}, top = {x, 1.3, -10}, radius = 0.09, material = wood }

@@ -6,22 +6,22 @@
 --
 -- The report's text does not say which model its figures show. Figure 13 has the second method.
 
-camera { position = {0, 1.1, 4.6}, look_at = {0, 0.05, 0}, fov = 36 }
+camera { position = {0, 1.1, 4.6}, look_at = {0, -0.02, 0}, fov = 37 }
 image { width = 800, height = 600, samples = 16 }
 
-ambient(0.12)
-light { position = {-4, 4, 5}, color = {1.00, 0.94, 0.85}, intensity = 0.8 }
-light { position = {5, 3, 1}, color = {0.50, 0.65, 1.00}, intensity = 0.35 }
-sky { horizon = "#b9c4cf", zenith = "#46566a" }
+ambient(0.10)
+light { position = {-3, 5, 5}, color = {1.00, 0.94, 0.85}, intensity = 0.75 }
+light { position = {6, 4, 7}, color = {0.60, 0.75, 1.00}, intensity = 0.28 }
+sky { color = "#5f7386" }
 
 -- Make "flat" into "smooth", and see what changes. And what does not?
 mesh {
   file = "models/spot-low.obj", normals = "flat",
-  rotate = {0, 215, 0}, material = material { color = "#efe6d8" },
+  rotate = {0, 222, 0}, material = material { color = "#efe6d8" },
 }
 
 -- It stands on a low round stage.
 cylinder {
-  base = {0, -1, 0}, top = {0, -0.79, 0}, radius = 1.5,
-  material = material { color = "#8d99a6" },
+  base = {0, -1, 0}, top = {0, -0.756, 0}, radius = 1.2,
+  material = material { color = "#a9b4bd" },
 }

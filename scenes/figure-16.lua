@@ -16,8 +16,8 @@ local function mirror(color, share)
   return material { color = color, reflectivity = share, specular = 0.8, shininess = 200 }
 end
 
--- The floor: a plane with a chess board of quads on it.
-plane { material = mirror("#cfc8ba", 0.06) }
+-- The floor: a slab with a chess board of quads on it.
+box { min = {-5, -0.2, -5}, max = {5, 0, 5}, material = mirror("#cfc8ba", 0.06) }
 for i = -5, 4 do
   for k = -5, 4 do
     if (i + k) % 2 == 0 then
@@ -32,11 +32,11 @@ mesh {
   material = mirror("#20160a", {0.80, 0.62, 0.34}),
 }
 mesh {
-  file = "models/spot.obj", rotate = {0, 145, 0}, translate = {2.0, 0.737, 0},
+  file = "models/spot.obj", scale = 1.15, rotate = {0, 145, 0}, translate = {2.05, 0.85, -0.1},
   material = mirror({0.45, 0.06, 0.05}, 0.35),
 }
 sphere { center = {0.2, 1, -1.2}, radius = 1, material = mirror(0.02, 0.9) }
 
 for i, color in ipairs { "#e6332a", "#ffd500", "#3aaa35", "#1d71b8", "#8a3fa0" } do
-  sphere { center = {0.95 * i - 2.8, 0.3, 1.9 - 0.12 * (i - 3) ^ 2}, radius = 0.3, material = mirror(color, 0.25) }
+  sphere { center = {0.9 * i - 2.7, 0.3, 2.3 - 0.15 * (i - 3) ^ 2}, radius = 0.3, material = mirror(color, 0.25) }
 end

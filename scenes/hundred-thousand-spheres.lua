@@ -16,7 +16,7 @@ image { width = 800, height = 600, samples = 16, depth = 3 }
 ambient { 0.16, 0.17, 0.20 }
 light { position = {-90, 80, 30}, color = {1.00, 0.92, 0.80}, intensity = 0.85 }
 light { position = {80, 30, 60}, color = {0.40, 0.55, 1.00}, intensity = 0.25 }
-sky { horizon = "#e9c9a8", zenith = "#26406e" }
+sky { horizon = "#e6bd94", zenith = "#26406e" }
 
 -- Sixty-four materials, from deep water to foam.
 local water = {}
@@ -34,9 +34,10 @@ for i = 1, count do
   local wave = math.cos(0.55 * distance - 3 * t) * math.exp(-distance / 45)
   sphere {
     center = {distance * math.cos(angle), 2.4 * wave, distance * math.sin(angle)},
-    radius = 0.21, material = water[math.floor(63 * (0.5 + 0.5 * wave))],
+    radius = 0.25, material = water[math.floor(63 * (0.5 + 0.5 * wave))],
   }
 end
 
--- The drop that leaps back, and mirrors all of them.
+-- The bottom of the pond, and the drop that leaps back, and mirrors all of them.
+disk { center = {0, -2.8, 0}, radius = 79, material = material { color = "#06203f" } }
 sphere { center = {0, 9, 0}, radius = 4, material = material { color = 0.02, reflectivity = 0.92 } }

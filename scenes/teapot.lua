@@ -3,13 +3,13 @@
 -- It is 6320 triangles. All the rest of the tea table is made of shapes that you can write down: cups
 -- are cylinders, saucers are flat spheres, sugar is boxes.
 
-camera { position = {1.6, 5.2, 10.5}, look_at = {0.35, 1.15, 0}, fov = 44 }
+camera { position = {1.6, 5.4, 11}, look_at = {0.15, 1.05, 0.2}, fov = 45 }
 image { width = 800, height = 600, samples = 16, depth = 5 }
 
 ambient { 0.17, 0.17, 0.19 }
 light { position = {-7, 9, 5}, color = {1.00, 0.90, 0.76}, intensity = 0.85 }
 light { position = {8, 6, 4}, color = {0.55, 0.70, 1.00}, intensity = 0.28 }
-sky { horizon = {0.85, 0.78, 0.68}, zenith = {0.25, 0.38, 0.60} }
+sky { horizon = "#6f8791", zenith = "#f4f1ea" }   -- a dim room with a bright ceiling
 
 local function glaze(color, mirror)
   return material { color = color, specular = 0.7, shininess = 150, reflectivity = mirror }
@@ -23,14 +23,18 @@ cylinder { base = {0, -0.4, 0}, top = {0, 0, 0}, radius = 7, material = glaze("#
 mesh { file = "models/teapot.obj", rotate = {0, -20, 0}, translate = {-0.6, 0.02, -0.6}, material = blue }
 
 -- A cup at x, z: an outside, an inside, the rim between them, tea, an ear, and the saucer below.
-local function cup(x, z, turn)
+local function cup(x, z)
   sphere { scale = {1.25, 0.09, 1.25}, translate = {x, 0.08, z}, material = white }
   cylinder { base = {x, 0.15, z}, top = {x, 1.1, z}, radius = 0.70, capped = false, material = blue }
   cylinder { base = {x, 0.15, z}, top = {x, 1.1, z}, radius = 0.66, capped = false, material = white }
   disk { center = {x, 0.9, z}, radius = 0.68, material = tea }
+  cylinder {
+    base = {x + 0.88, 0.63, z - 0.08}, top = {x + 0.88, 0.63, z + 0.08}, radius = 0.3, capped = false,
+    material = blue,
+  }
 end
-cup(3.2, 2.2, 0)
-cup(-2.9, 3.0, 0)
+cup(3.1, 1.9)
+cup(-2.3, 3.0)
 
 -- Sugar, and one lump that has fallen beside the others.
 local sugar = material { color = "#fbf8f2" }

@@ -7,7 +7,8 @@ camera { position = {0.2, 1.5, 6.4}, look_at = {0.1, 0.85, 0}, fov = 40 }
 image { width = 800, height = 600, samples = 16 }
 
 ambient { 0.22, 0.25, 0.30 }
-light { position = {-45, 75, 90}, color = {1.00, 0.95, 0.84}, intensity = 0.85 }
+-- A lamp as far away as this is as good as the sun: all its shadows are parallel.
+light { position = {-450, 750, 900}, color = {1.00, 0.95, 0.84}, intensity = 0.85 }
 sky { horizon = "#d5e6f3", zenith = "#3f7fc4" }
 
 local function matt(color) return material { color = color } end

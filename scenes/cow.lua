@@ -1,4 +1,4 @@
--- Spot, the cow of Keenan Crane, on a pasture with her calves.
+-- Spot, the cow of Keenan Crane, on a pasture, with calves and neighbours.
 --
 -- Spot is 5856 triangles. They are read once and kept once, whatever the number of cows: each
 -- cow only says how large it is, which way it turns and where it stands.
@@ -16,10 +16,12 @@ local function matt(color) return material { color = color } end
 -- Hills are large balls, of which only the tops look out of the ground.
 local grass = matt "#6f9a3c"
 plane { material = grass }
-for _, hill in ipairs { {-30, -70, 60, "#7fa94a"}, {38, -80, 60, "#6d9c46"}, {5, -120, 80, "#86b062"} } do
-  local x, z, radius, color = table.unpack(hill)
+local function hill(x, z, radius, color)
   sphere { center = {x, 4.5 - radius, z}, radius = radius, material = matt(color) }
 end
+hill(-30, -70, 60, "#7fa94a")
+hill(38, -80, 60, "#6d9c46")
+hill(5, -120, 80, "#86b062")
 
 local eye = material { color = "#14100e", specular = 0.9, shininess = 120 }
 
@@ -44,10 +46,11 @@ cow(3.3, -6.5, 1, 60, "#f3ece0")
 
 -- Clouds are white balls, pressed flat, with a little light of their own.
 local cloud = material { color = "#ffffff", emission = 0.25 }
-for _, puff in ipairs { {-42, 27, 8}, {-33, 28.5, 11}, {-22, 27, 7}, {20, 23, 7}, {30, 24, 10}, {39, 23, 6} } do
-  local x, y, size = table.unpack(puff)
+local function puff(x, y, size)
   sphere { scale = {size, 0.35 * size, size}, translate = {x, y, -200}, material = cloud }
 end
+puff(-42, 27, 8) puff(-33, 28.5, 11) puff(-22, 27, 7)
+puff(20, 23, 7)  puff(30, 24, 10)    puff(39, 23, 6)
 
 -- The fence at the end of the pasture.
 local wood = matt "#a5835c"
@@ -59,9 +62,10 @@ for _, y in ipairs { 0.5, 1.05 } do
 end
 
 -- Daisies, strewn as evenly as seeds in a sunflower.
+local white, yellow = matt "#ffffff", matt "#ffd21f"
 for i = 1, 400 do
   local angle, distance = i * 2.39996, 0.55 * math.sqrt(i)
   local x, z = distance * math.cos(angle), distance * math.sin(angle)
-  disk { center = {x, 0.05, z}, normal = {0, 1, 0.5}, radius = 0.035, material = matt "#ffffff" }
-  sphere { center = {x, 0.055, z}, radius = 0.014, material = matt "#ffd21f" }
+  disk { center = {x, 0.05, z}, normal = {0, 1, 0.5}, radius = 0.035, material = white }
+  sphere { center = {x, 0.055, z}, radius = 0.014, material = yellow }
 end

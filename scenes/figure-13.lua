@@ -1,8 +1,8 @@
 -- Report A, figure 13: a model with interpolated normals; beside it figure 12, with flat ones.
 --
--- Both are the same 372 triangles. On the right each corner has a normal of its own, and
--- between the corners the normal turns little by little: n = nA + u (nB - nA) + v (nC - nA). The light
--- then shades the triangle as if it were round.
+-- Both are the same 372 triangles. On the right each corner has a normal of its own, and between
+-- the corners the normal turns little by little: n = nA + u (nB - nA) + v (nC - nA). The light then
+-- shades the triangle as if it were round.
 --
 -- The report wonders how smooth so few triangles look, and that games do it so. But only the light
 -- is deceived: look at the outline and at the shadows. They are as angular as before.

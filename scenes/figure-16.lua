@@ -1,8 +1,9 @@
 -- Report A, figure 16: mirrors between models and spheres.
 --
--- A ray that meets a mirror goes on in the mirrored direction, whatever it meets next: the teapot sees
--- itself in the ball, and in that image the ball again. The program needs to know the point and
--- the normal only, not which shape it was. (The report's text does not say what its figure shows.)
+-- A ray that meets a mirror goes on in the mirrored direction, whatever it meets next: the teapot
+-- sees itself in the ball, and in that image the ball again. The program needs to know the point
+-- and the normal only, not which shape it was. The report says neither which models its figure
+-- shows nor where they are.
 
 camera { position = {0, 2.6, 7.2}, look_at = {0, 0.85, 0}, fov = 44 }
 image { width = 800, height = 600, samples = 16, depth = 8 }
@@ -16,12 +17,13 @@ local function mirror(color, share)
   return material { color = color, reflectivity = share, specular = 0.8, shininess = 200 }
 end
 
--- The floor: a slab with a chess board of quads on it.
+-- The floor: a slab, and the dark fields of a chess board on it.
+local dark = mirror("#3b4048", 0.10)
 box { min = {-5, -0.2, -5}, max = {5, 0, 5}, material = mirror("#cfc8ba", 0.06) }
 for i = -5, 4 do
   for k = -5, 4 do
     if (i + k) % 2 == 0 then
-      quad { corner = {i, 0.001, k}, u = {1, 0, 0}, v = {0, 0, 1}, material = mirror("#3b4048", 0.10) }
+      quad { corner = {i, 0.001, k}, u = {1, 0, 0}, v = {0, 0, 1}, material = dark }
     end
   end
 end
@@ -38,5 +40,8 @@ mesh {
 sphere { center = {0.2, 1, -1.2}, radius = 1, material = mirror(0.02, 0.9) }
 
 for i, color in ipairs { "#e6332a", "#ffd500", "#3aaa35", "#1d71b8", "#8a3fa0" } do
-  sphere { center = {0.9 * i - 2.7, 0.3, 2.3 - 0.15 * (i - 3) ^ 2}, radius = 0.3, material = mirror(color, 0.25) }
+  sphere {
+    center = {0.9 * i - 2.7, 0.3, 2.3 - 0.15 * (i - 3) ^ 2}, radius = 0.3,
+    material = mirror(color, 0.25),
+  }
 end

@@ -62,8 +62,9 @@ for document in README.md doc/*.md; do
     [ -z "$missing" ] && ok "the files that $document names are there" || fail "$document names$missing"
 done
 
-# Every scene is drawn.
+# Every scene is named, and drawn.
 for scene in scenes/*.lua; do
+    holds README.md "^\|.*\`${scene##*/}\`" "README names $scene"
     expect 0 '' "$scene is drawn" "$dioptre" render "$scene" -o "$work/o.bmp" -s 80x60 --samples 1
 done
 

@@ -5,13 +5,10 @@
 #include "trace/model_point.h"
 
 #include "trace/corners.h"
+#include "trace/shapes/smooth.h"
 
 /** Half ulps of the coordinates that a point can be off its triangle. */
 #define TRIANGLE_ERROR 8
-/** Cosine between an interpolated and a flat normal below which offsets along the first no longer
- * grow. */
-#define LEAST_LEAN ((scalar)0.125)
-
 /** @return The triangle that each lane met. @param model The model. @param slots Their slots.
  *  @param met The lanes that met any; the others get the first. */
 static Corners corners_gather(const Model *model, integer slots, mask met) {
@@ -70,25 +67,6 @@ static Vector normal_interpolate(const Corners *corners, const Corners *normals,
     return vector_select(is_good, normal, flat);
 }
 
-/**
- * @return Interpolated normals, bent to the side of the surface that the rays see: near the outline
- *         of a smooth shape they can point away from a viewer whom the triangle itself faces.
- * @param normal     Interpolated unit normals.
- * @param flat       The triangles' own unit normals, either way round.
- * @param direction  The rays' directions.
- */
-static Vector normal_bend(Vector normal, Vector flat, Vector direction) {
-    /** How far beyond the ray's own plane a normal is bent: more than any rounding. */
-    const scalar beyond = (scalar)1.001;
-    // Which way round is outwards the interpolated normal says: files disagree on corners' order.
-    real along = vector_dot(normal, direction), own = vector_dot(flat, direction);
-    real outwards = real_select(vector_dot(flat, normal) < 0, -own, own);
-    mask is_astray = along * outwards < 0;
-    real share = along / vector_dot(direction, direction) * beyond;
-    Vector bent = vector_normalize(vector_subtract(normal, vector_scale(direction, share)));
-    return vector_select(is_astray & (vector_dot(bent, bent) > 0), bent, normal);
-}
-
 Hit model_hit(const Model *model, const Ray *ray, real distance, integer slots, mask met,
               int place) {
     Corners corners = corners_gather(model, slots, met);
@@ -96,14 +74,16 @@ Hit model_hit(const Model *model, const Ray *ray, real distance, integer slots, 
     Vector point = vector_add(ray->origin, vector_scale(ray->direction, distance));
     real height = vector_dot(flat, vector_subtract(point, corners.at[0]));
     point = vector_subtract(point, vector_scale(flat, height));
-    real lean = real_of(1);
+    real reach = vector_largest(point) + real_of(model->reach);
+    real error = TRIANGLE_ERROR * ROUNDOFF * reach;
     if (model->normals) {
         Corners normals = normals_gather(model, slots, met);
         normal = normal_interpolate(&corners, &normals, ray, flat);
-        lean = real_abs(vector_dot(normal, flat));
-        normal = normal_bend(normal, flat, ray->direction);
+        // Files disagree on the corners' order: which way is outwards their normals say.
+        flat = vector_select(vector_dot(flat, normal) < 0, vector_scale(flat, real_of(-1)), flat);
+        normal = normal_keep_side(normal, flat, ray->direction);
+        // Along a normal that leans, it is farther out of the plane's error.
+        error = error / vector_dot(normal, flat);
     }
-    real reach = vector_largest(point) + real_of(model->reach);
-    real error = TRIANGLE_ERROR * ROUNDOFF * reach / real_max(lean, real_of(LEAST_LEAN));
     return (Hit){distance, point, normal, error, integer_of(place)};
 }

@@ -27,7 +27,8 @@ typedef enum {
     OFFSET_BOUND  /**< As far as that hit's rounding error can reach: the default. */
 } OffsetStrategy;
 
-/** Who does work side by side, where there is much of it; NULL in #run: the caller, piece by piece. */
+/** Who does work side by side, where there is much of it; NULL in #run: the caller, piece by piece.
+ */
 typedef struct Crew {
     void *workers; /**< Handed to #run. */
     int count;     /**< How many work at once. */

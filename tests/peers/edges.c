@@ -13,8 +13,8 @@
 
 /** Steps that a channel may be off: two roundings of the same light. */
 enum { STEPS_ALLOWED = 1 };
-/** Steps between neighbours that always make an edge: shading alone makes far fewer from pixel to
- * pixel. */
+/** Steps between neighbours that make an edge: shading alone makes far fewer from pixel to pixel.
+ */
 enum { EDGE_STEPS = 4 };
 /** Bytes of a pixel. */
 enum { CHANNELS = 3 };
@@ -42,16 +42,14 @@ static int difference(const uint8_t *a, const uint8_t *b) {
 }
 
 /**
- * Says whether an edge passes beside a pixel: whether its neighbours differ from each other, at
- * least by as much as it is off, so that it may be of the other side. The pixel itself is left out,
- * or a single wrong one would make its own edge.
+ * Says whether an edge passes beside a pixel: whether its neighbours differ from each other. The
+ * pixel itself is left out, or a single wrong one would make its own edge.
  * @param picture  The picture.
  * @param x        Column.
  * @param y        Row.
- * @param off      How much it is off, steps.
  * @return Whether one does.
  */
-static bool is_on_edge(const Picture *picture, int x, int y, int off) {
+static bool is_on_edge(const Picture *picture, int x, int y) {
     uint8_t low[CHANNELS] = {UINT8_MAX, UINT8_MAX, UINT8_MAX};
     uint8_t high[CHANNELS] = {0};
     for (int place = 0; place < 9; place++) {
@@ -68,8 +66,7 @@ static bool is_on_edge(const Picture *picture, int x, int y, int off) {
             high[channel] = pixel[channel] > high[channel] ? pixel[channel] : high[channel];
         }
     }
-    int contrast = difference(low, high);
-    return contrast > EDGE_STEPS || contrast >= off;
+    return difference(low, high) > EDGE_STEPS;
 }
 
 /** @return The counts over all pixels. @param ours Our picture. @param theirs A peer's. */
@@ -77,10 +74,9 @@ static Counts count(const Picture *ours, const Picture *theirs) {
     Counts counts = {.pixels = (long)ours->width * ours->height};
     for (int y = 0; y < ours->height; y++) {
         for (int x = 0; x < ours->width; x++) {
-            int off = difference(pixel_at(ours, x, y), pixel_at(theirs, x, y));
-            if (off > STEPS_ALLOWED) {
+            if (difference(pixel_at(ours, x, y), pixel_at(theirs, x, y)) > STEPS_ALLOWED) {
                 counts.off++;
-                counts.elsewhere += !is_on_edge(ours, x, y, off);
+                counts.elsewhere += !is_on_edge(ours, x, y);
             }
         }
     }

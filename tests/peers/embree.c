@@ -492,7 +492,7 @@ static int compare_doubles(const void *a, const void *b) {
 /** Lets both do something in turn, and prints how long it took. @param arena The arena. @param bout
  *  What they do. */
 static void bout_run(Arena *arena, const Bout *bout) {
-    double ours = INFINITY, theirs = INFINITY, ratios[ROUNDS];
+    double ours = HUGE_VAL, theirs = HUGE_VAL, ratios[ROUNDS];
     for (int round = 0; round < ROUNDS; round++) {
         double our_time = bout->ours(arena), their_time = bout->theirs(arena);
         ours = fmin(ours, our_time);

@@ -49,8 +49,8 @@ median() {
 # time_dioptre SCENE NAME: ours; the times go to NAME and the engine.
 time_dioptre() {
     for engine in $ENGINES; do
-        "$BUILD/dioptre" bench --json "$1" --base-dir scenes/models -s $SIZE --samples 1 --depth 5 -j 1 \
-            --engine "$engine" --frames $FRAMES >"$work/bench.json"
+        "$BUILD/dioptre" bench --json "$1" --base-dir scenes/models -s $SIZE --samples 1 --depth 5 \
+            -j 1 --engine "$engine" --frames $FRAMES >"$work/bench.json"
         number ms_median "$work/bench.json" >>"$work/$2.$engine"
         number mrays_per_s "$work/bench.json" >>"$work/$2.$engine.mrays"
     done
@@ -69,7 +69,8 @@ time_tachyon() {
 povray_scene() {
     scene=$1
     shift
-    if ! povray "+Itests/peers/$scene.pov" "+L$work" +W800 +H600 -A +WT1 +Q9 -D -V -P "$@" 2>"$work/povray.log"; then
+    if ! povray "+Itests/peers/$scene.pov" "+L$work" +W800 +H600 -A +WT1 +Q9 -D -V -P "$@" \
+        2>"$work/povray.log"; then
         cat "$work/povray.log" >&2
         exit 1
     fi
@@ -133,8 +134,8 @@ report_povray() {
 
 # draw_pictures SCENE NAME: ours, and POV-Ray's of its twin.
 draw_pictures() {
-    "$BUILD/dioptre" render "$1" --base-dir scenes/models -s $SIZE --samples 1 --depth 5 -j 1 --engine f32x8 \
-        --quiet -o "$work/ours.bmp"
+    "$BUILD/dioptre" render "$1" --base-dir scenes/models -s $SIZE --samples 1 --depth 5 -j 1 \
+        --engine f32x8 --quiet -o "$work/ours.bmp"
     povray_scene "$2" +FB "+O$work/povray.bmp" File_Gamma=sRGB Dither=off
 }
 

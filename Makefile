@@ -102,7 +102,7 @@ RUN_PACKAGES  := g++ pkg-config libsdl2-dev libsdl2-ttf-dev liblua5.4-dev libope
 TEST_PACKAGES := libcmocka-dev clang libclang-rt-14-dev xvfb xauth xdotool x11-xkb-utils xkb-data \
                  imagemagick openbox qemu-user doxygen graphviz
 BENCH_PACKAGES := gnuplot-nox
-PEER_PACKAGES := povray tachyon
+PEER_PACKAGES := povray tachyon libembree-dev
 LINT_PACKAGES := clang-format clang-tidy cppcheck
 
 .PHONY: packages test-packages
@@ -156,8 +156,13 @@ bench: packages
 	@BUILD=$(BUILD) MADE_WITH='$(shell $(CC) --version | head -1); $(OPTIMIZE) $(ARITHMETIC)' tests/bench/run.sh
 peers: packages
 	@.ci/packages $(PEER_PACKAGES)
-	@$(MAKE) --no-print-directory all
-	@BUILD=$(BUILD) tests/peers/run.sh
+	@$(MAKE) --no-print-directory all $(BUILD)/peer-embree
+	@status=0; for script in run embree; do \
+	    BUILD=$(BUILD) tests/peers/$$script.sh || status=1; done; exit $$status
+
+# Beside the modules, so that it finds them.
+$(BUILD)/peer-embree: tests/peers/embree.c $(ROOM_OBJECTS)
+	$(CC) $(CPPFLAGS) $(CFLAGS) -o $@ $< $(ROOM_OBJECTS) $(LIBRARIES) -lembree3
 
 # --- documentation -------------------------------------------------------------------------------
 .PHONY: doc

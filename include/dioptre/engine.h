@@ -168,6 +168,15 @@ typedef struct Engine {
                     double *distances);
 
     /**
+     * Finds which of any rays meet anything at all, however far: less work than the nearest hit.
+     * @param tracer         The tracer.
+     * @param count          How many.
+     * @param rays           The rays.
+     * @param[out] shadowed  Whether each meets anything.
+     */
+    void (*shadowed)(const Tracer *tracer, size_t count, const PlainRay *rays, bool *shadowed);
+
+    /**
      * Answers any rays in full, with every bit of the engine's numbers: for tests and probes.
      * @param tracer        The tracer.
      * @param count         How many.

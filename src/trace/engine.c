@@ -267,6 +267,22 @@ static void engine_nearest(const Tracer *tracer, size_t count, const PlainRay *r
     }
 }
 
+/** Finds which of any rays meet anything. See #Engine.shadowed. @param tracer The tracer.
+ *  @param count How many. @param rays The rays. @param[out] shadowed Whether each does. */
+static void engine_shadowed(const Tracer *tracer, size_t count, const PlainRay *rays,
+                            bool *shadowed) {
+    for (size_t done = 0; done < count; done += PACKET_RAYS) {
+        Packet packet;
+        mask blocked[PACKET_VECTORS];
+        size_t fill = packet_fill(count, done);
+        plain_pack(rays + done, fill, &packet);
+        shape_list_blocked(&tracer->list, &packet, blocked);
+        for (size_t i = 0; i < fill; i++) {
+            shadowed[done + i] = mask_lane(blocked[i / LANES], (int)(i % LANES));
+        }
+    }
+}
+
 /** @return One lane, exactly, in the widest type. @param x Numbers. @param i The lane. */
 INLINE Quadruple widest_lane(real x, int i) {
     return (Quadruple)real_lane(x, i);
@@ -349,6 +365,7 @@ const Engine ENGINE = {
     .trace = engine_trace,
     .cast = engine_cast,
     .nearest = engine_nearest,
+    .shadowed = engine_shadowed,
     .intersect = engine_intersect,
     .bounds = engine_bounds,
     .contents = engine_contents,

@@ -1,14 +1,13 @@
 #!/bin/sh
 # Compares dioptre with its peers Tachyon 0.99 and POV-Ray 3.7 on scenes/box.lua, and with POV-Ray on
-# tests/peers/shapes.lua: how fast each is with one thread, and how far our picture is from POV-Ray's.
-# Called by `make peers`.
+# tests/peers/shapes.lua and tests/peers/spot.lua: how fast each is with one thread, and how far our
+# picture is from POV-Ray's. Called by `make peers`.
 #
 # Environment: BUILD (folder of the program; build), ROUNDS (runs of each; 5).
 # Exit status: 0 when every bar is reached; 1 when one is not, or when something is missing.
 set -eu
-export LC_ALL=C # Decimal points, not commas.
 cd "$(dirname "$0")/../.."
-BUILD=${BUILD:-build}
+. tests/peers/common.sh
 ROUNDS=${ROUNDS:-5}
 SIZE=800x600
 FRAMES=30 # Of ours a run: one frame is too short for the clock and the processor's moods.
@@ -16,23 +15,11 @@ FRAMES=30 # Of ours a run: one frame is too short for the clock and the processo
 # The bars: times as fast as each peer, and the share of pixels within one step of POV-Ray's.
 TACHYON_BAR=20
 POVRAY_BAR=45
-SHAPES_BAR=20 # POV-Ray on the other shapes.
+SHAPES_BAR=20 # POV-Ray on the other shapes, and on a mesh.
 ALIKE_BAR=0.999
 
 # Checksum of box.lua, without comments and spaces, that the peers' scenes were copied from.
 COPIED_FROM=377351294
-
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-failed=0
-
-# need PROGRAM WHAT-TO-DO: says what to do when a program is missing.
-need() {
-    if ! command -v "$1" >/dev/null; then
-        echo "peers: $1 is missing: $2" >&2
-        exit 1
-    fi
-}
 
 # Says so when box.lua is no longer what the peers' scenes were copied from.
 check_scene() {
@@ -48,34 +35,22 @@ number() {
     sed -n 's/.*"'"$1"'": *\([-+.0-9eE]*\).*/\1/p' "$2"
 }
 
+# Makes the model of spot.lua into the meshes that spot.pov includes.
+make_meshes() {
+    awk -f tests/peers/mesh2.awk scenes/models/spot.obj >"$work/flat.inc"
+    awk -v smooth=1 -f tests/peers/mesh2.awk scenes/models/spot.obj >"$work/smooth.inc"
+}
+
 # median FILE: of the numbers in FILE, one a line.
 median() {
     sort -g "$1" | awk '{ a[NR] = $1 } END { print (a[int((NR + 1) / 2)] + a[int(NR / 2) + 1]) / 2 }'
 }
 
-# bar WHAT TEXT CONDITION: prints whether a bar is reached; CONDITION is for awk.
-bar() {
-    if awk "BEGIN { exit !($3) }"; then
-        echo "PASS  $1: $2"
-    else
-        echo "FAIL  $1: $2"
-        failed=1
-    fi
-}
-
-# The bars are for the widest engine that the processor runs.
-ENGINES=f32x8
-BEST=f32x8
-if grep -q avx512dq /proc/cpuinfo; then
-    ENGINES='f32x8 f32x16'
-    BEST=f32x16
-fi
-
 # time_dioptre SCENE NAME: ours; the times go to NAME and the engine.
 time_dioptre() {
     for engine in $ENGINES; do
-        "$BUILD/dioptre" bench --json "$1" -s $SIZE --samples 1 --depth 5 -j 1 \
-            --engine "$engine" --frames $FRAMES >"$work/bench.json"
+        "$BUILD/dioptre" bench --json "$1" --base-dir scenes/models -s $SIZE --samples 1 --depth 5 \
+            -j 1 --engine "$engine" --frames $FRAMES >"$work/bench.json"
         number ms_median "$work/bench.json" >>"$work/$2.$engine"
         number mrays_per_s "$work/bench.json" >>"$work/$2.$engine.mrays"
     done
@@ -94,7 +69,8 @@ time_tachyon() {
 povray_scene() {
     scene=$1
     shift
-    if ! povray "+Itests/peers/$scene.pov" +W800 +H600 -A +WT1 +Q9 -D -V -P "$@" 2>"$work/povray.log"; then
+    if ! povray "+Itests/peers/$scene.pov" "+L$work" +W800 +H600 -A +WT1 +Q9 -D -V -P "$@" \
+        2>"$work/povray.log"; then
         cat "$work/povray.log" >&2
         exit 1
     fi
@@ -116,6 +92,8 @@ measure_speed() {
         time_povray box
         time_dioptre tests/peers/shapes.lua shapes
         time_povray shapes
+        time_dioptre tests/peers/spot.lua spot
+        time_povray spot
         round=$((round + 1))
     done
 }
@@ -142,13 +120,13 @@ report_speed() {
         "$povray / $ours >= $POVRAY_BAR"
 }
 
-# The other shapes, against POV-Ray only.
-report_shapes() {
-    ours=$(median "$work/shapes.$BEST")
-    povray=$(median "$work/shapes.povray")
+# report_povray NAME TEXT: the other scenes, against POV-Ray only.
+report_povray() {
+    ours=$(median "$work/$1.$BEST")
+    povray=$(median "$work/$1.povray")
     ratio=$(awk "BEGIN { printf \"%.1f\", $povray / $ours }")
     echo
-    echo "tests/peers/shapes.lua, likewise: cylinder, pipe, disk, triangle, a turned box, an egg"
+    echo "tests/peers/$1.lua, likewise: $2"
     printf '%-16s %10.2f\n' "dioptre $BEST" "$ours" "POV-Ray" "$povray"
     bar "$BEST faster than POV-Ray" "$ratio times, at least $SHAPES_BAR" \
         "$povray / $ours >= $SHAPES_BAR"
@@ -156,8 +134,8 @@ report_shapes() {
 
 # draw_pictures SCENE NAME: ours, and POV-Ray's of its twin.
 draw_pictures() {
-    "$BUILD/dioptre" render "$1" -s $SIZE --samples 1 --depth 5 -j 1 --engine f32x8 \
-        --quiet -o "$work/ours.bmp"
+    "$BUILD/dioptre" render "$1" --base-dir scenes/models -s $SIZE --samples 1 --depth 5 -j 1 \
+        --engine f32x8 --quiet -o "$work/ours.bmp"
     povray_scene "$2" +FB "+O$work/povray.bmp" File_Gamma=sRGB Dither=off
 }
 
@@ -180,11 +158,15 @@ need tachyon "apt-get install tachyon"
 need povray "apt-get install povray"
 need "$BUILD/dioptre" "make"
 check_scene
+make_meshes
 measure_speed
 report_speed
 draw_pictures scenes/box.lua box
 report_difference
-report_shapes
+report_povray shapes "cylinder, pipe, disk, triangle, a turned box, an egg"
 draw_pictures tests/peers/shapes.lua shapes
+report_difference
+report_povray spot "a mesh of 5856 triangles, twice: flat and smooth"
+draw_pictures tests/peers/spot.lua spot
 report_difference
 exit "$failed"

@@ -9,7 +9,7 @@
 #ifndef DIOPTRE_TRACE_INSTRUCTIONS_H
 #define DIOPTRE_TRACE_INSTRUCTIONS_H
 
-#if defined(__AVX__) || defined(__SSE2__)
+#if defined(__AVX2__) || defined(__SSE2__)
 #include <immintrin.h>
 #endif
 

@@ -26,7 +26,9 @@
 /** The larger; b where they cannot be compared. */
 #define LANES_MAX(a, b) (real) _mm512_max_ps((__m512)(a), (__m512)(b))
 #elif LANES == 8 && defined(__AVX2__)
+/** Bit i set where lane i of the mask m is. */
 #define LANES_BITS(m) (unsigned)_mm256_movemask_ps((__m256)(m))
+/** For each lane the number at its place. */
 #define LANES_GATHER(base, places)                                                                 \
     (real) _mm256_i32gather_ps(base, (__m256i)(places), sizeof(scalar))
 /** a where the mask m is set, b elsewhere. */

@@ -101,6 +101,7 @@ $(foreach engine,$(ENGINES),$(eval $(call ENGINE_RULES,$(engine))))
 RUN_PACKAGES  := g++ pkg-config libsdl2-dev libsdl2-ttf-dev liblua5.4-dev libopenimageio-dev libassimp-dev fonts-dejavu-core
 TEST_PACKAGES := libcmocka-dev clang libclang-rt-14-dev xvfb xauth xdotool x11-xkb-utils xkb-data \
                  imagemagick openbox qemu-user doxygen graphviz
+BENCH_PACKAGES := gnuplot-nox
 PEER_PACKAGES := povray tachyon
 LINT_PACKAGES := clang-format clang-tidy cppcheck
 
@@ -149,8 +150,10 @@ tests: $(TESTS)
 # --- measuring -----------------------------------------------------------------------------------
 .PHONY: bench peers
 bench: packages
-	@$(MAKE) --no-print-directory all
+	@.ci/packages $(BENCH_PACKAGES)
+	@$(MAKE) --no-print-directory all $(BUILD)/tests/bench/tree
 	@tests/bench.sh
+	@BUILD=$(BUILD) MADE_WITH='$(shell $(CC) --version | head -1); $(OPTIMIZE) $(ARITHMETIC)' tests/bench/run.sh
 peers: packages
 	@.ci/packages $(PEER_PACKAGES)
 	@$(MAKE) --no-print-directory all

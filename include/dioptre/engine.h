@@ -27,7 +27,8 @@ typedef enum {
     OFFSET_BOUND  /**< As far as that hit's rounding error can reach: the default. */
 } OffsetStrategy;
 
-/** Who does work side by side, where there is much of it; NULL in #run: the caller, piece by piece. */
+/** Who does work side by side, where there is much of it; NULL in #run: the caller, piece by piece.
+ */
 typedef struct Crew {
     void *workers; /**< Handed to #run. */
     int count;     /**< How many work at once. */
@@ -43,13 +44,30 @@ typedef struct Crew {
                 void *context);
 } Crew;
 
+/** Whether the shapes of a scene get a tree; the picture is the same, to the bit. */
+typedef enum {
+    TREE_AUTO,  /**< Where they are so many that it pays: the default. */
+    TREE_NEVER, /**< They are asked one by one: to measure what a tree is worth. */
+    TREE_ALWAYS /**< However few they are. */
+} TreeUse;
+
 /** What a tracer is told besides the scene. */
 typedef struct TraceSettings {
     int depth;             /**< How often a ray may be mirrored. */
     OffsetStrategy offset; /**< Where secondary rays start. */
     double epsilon;        /**< For #OFFSET_FIXED: how far away, scene units. */
     Crew crew;             /**< Who prepares the tracer. */
+    TreeUse tree;          /**< Whether the shapes get a tree; the triangles of a mesh always do. */
 } TraceSettings;
+
+/** What a tracer was made of. */
+typedef struct TracerContents {
+    size_t listed;         /**< Shapes that are asked one by one. */
+    size_t planted;        /**< Shapes in the tree; 0: there is none. */
+    size_t tree_from;      /**< Shapes with an end from which on they get a tree. */
+    size_t triangles;      /**< Triangles of models, each model counted once. */
+    size_t triangle_bytes; /**< Memory of those, with their trees and normals. */
+} TracerContents;
 
 /** A rectangle of pixels, all of them or every n-th, to be traced with one ray each. */
 typedef struct PixelGrid {
@@ -105,7 +123,7 @@ typedef struct Engine {
     /**
      * Makes the tracer for a scene, with only what this scene needs.
      * @param scene     The scene; read during this call only.
-     * @param settings  Depth and offset.
+     * @param settings  Depth, offset, tree and crew.
      * @param[out] error  What is wrong.
      * @return The tracer, to be given back with #release; NULL without memory.
      */
@@ -166,6 +184,9 @@ typedef struct Engine {
      * @param[out] high  Its highest; lower than the lowest where no shape is bounded.
      */
     void (*bounds)(const Tracer *tracer, Vector3 *low, Vector3 *high);
+
+    /** @return What a tracer was made of. @param tracer The tracer. */
+    TracerContents (*contents)(const Tracer *tracer);
 
     /** Gives a tracer back. @param tracer The tracer, or NULL. */
     void (*release)(Tracer *tracer);

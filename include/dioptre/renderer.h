@@ -25,7 +25,7 @@ typedef struct RenderSettings {
     int height;           /**< Pixels. */
     int samples;          /**< Rays a pixel. */
     int encoding;         /**< An #Encoding. */
-    TraceSettings trace;  /**< Depth and offset. */
+    TraceSettings trace;  /**< Depth, offset and tree; the crew are the threads. */
 } RenderSettings;
 
 /** How a drawing went. */
@@ -61,6 +61,9 @@ int render_processors(void);
  * @return The renderer, to be given back with #renderer_destroy; NULL if anything is wrong.
  */
 Renderer *renderer_create(const Scene *scene, const RenderSettings *settings, Error *error);
+
+/** @return What a renderer's tracer was made of. @param renderer The renderer. */
+TracerContents renderer_contents(const Renderer *renderer);
 
 /** Stops whatever is drawn and gives a renderer back. @param renderer The renderer, or NULL. */
 void renderer_destroy(Renderer *renderer);

@@ -7,8 +7,8 @@
 #include <stdio.h>
 #include <string.h>
 
-/** Most kinds of shape that are counted apart. */
-enum { KINDS_MAXIMUM = 64 };
+/** Most kinds of shape that are counted apart, and most things that can be left out. */
+enum { KINDS_MAXIMUM = 64, LEFT_MAXIMUM = 5 };
 
 /** What is said of a scene. */
 typedef struct Info {
@@ -16,6 +16,7 @@ typedef struct Info {
     size_t mirrors;              /**< Shapes that mirror. */
     size_t highlights;           /**< Shapes with highlights. */
     bool has_gradient;           /**< Whether the sky has two colours. */
+    TracerContents contents;     /**< What the tracer is made of. */
 } Info;
 
 /** @return What a scene uses. @param scene The scene. */
@@ -54,7 +55,7 @@ static const char *offset_name(OffsetStrategy offset) {
  * @param left   Room for the names.
  * @return How many.
  */
-static int info_left_out(const Scene *scene, const Info *info, const char *left[4]) {
+static int info_left_out(const Scene *scene, const Info *info, const char *left[LEFT_MAXIMUM]) {
     int count = 0;
     if (info->mirrors == 0) {
         left[count++] = "recursion";
@@ -67,6 +68,9 @@ static int info_left_out(const Scene *scene, const Info *info, const char *left[
     }
     if (!info->has_gradient) {
         left[count++] = "sky gradient";
+    }
+    if (info->contents.planted == 0) {
+        left[count++] = "tree";
     }
     return count;
 }
@@ -119,11 +123,36 @@ static void info_print_meshes(const Scene *scene) {
     }
 }
 
+/** Prints how shapes are found, and why so, for people. @param contents The tracer's. */
+static void info_print_tree(const TracerContents *contents) {
+    bool has_tree = contents->planted > 0;
+    if (has_tree) {
+        printf("tree       over %zu shapes; ", contents->planted);
+    } else {
+        printf("no tree    ");
+    }
+    printf("%zu asked one by one: here a tree pays from %zu on\n", contents->listed,
+           contents->tree_from);
+    if (contents->triangles > 0) {
+        printf("memory     %.1f MB for %zu triangles and their trees: %zu bytes each\n",
+               1e-6 * (double)contents->triangle_bytes, contents->triangles,
+               contents->triangle_bytes / contents->triangles);
+    }
+}
+
+/** Prints how shapes are found, for programs. @param contents The tracer's. */
+static void info_print_tree_json(const TracerContents *contents) {
+    printf(", \"tree\": {\"planted\": %zu, \"listed\": %zu, \"from\": %zu}, "
+           "\"triangles\": %zu, \"triangle_bytes\": %zu",
+           contents->planted, contents->listed, contents->tree_from, contents->triangles,
+           contents->triangle_bytes);
+}
+
 /** Prints it for programs. @param scene The scene. @param info What it uses.
  *  @param settings How it would be drawn. @param options The command line. */
 static void info_print_json(const Scene *scene, const Info *info, const RenderSettings *settings,
                             const Options *options) {
-    const char *left[4];
+    const char *left[LEFT_MAXIMUM];
     int left_count = info_left_out(scene, info, left);
     printf("{\"scene\": ");
     json_print_string(options->arguments[0], stdout);
@@ -149,6 +178,7 @@ static void info_print_json(const Scene *scene, const Info *info, const RenderSe
     }
     putchar(']');
     info_print_meshes_json(scene);
+    info_print_tree_json(&info->contents);
     puts("}");
 }
 
@@ -172,7 +202,8 @@ static void info_print(const Scene *scene, const Info *info, const RenderSetting
            settings->samples, settings->samples == 1 ? "" : "s");
     printf("engine     %s: %s\n", settings->engine->name, engine_reason(options, settings->engine));
     printf("offset     %s\n", offset_name(settings->trace.offset));
-    const char *left[4];
+    info_print_tree(&info->contents);
+    const char *left[LEFT_MAXIMUM];
     int left_count = info_left_out(scene, info, left);
     printf("left out   ");
     for (int i = 0; i < left_count; i++) {
@@ -185,13 +216,19 @@ static void info_print(const Scene *scene, const Info *info, const RenderSetting
  *  @param[out] error What is wrong. @return The exit status. */
 static int info_run(const Options *options, Error *error) {
     Scene *scene = command_scene(options, error);
-    if (scene) {
+    if (!scene) {
+        return (int)error->status;
+    }
+    RenderSettings settings = command_settings(options, scene);
+    Renderer *renderer = renderer_create(scene, &settings, error);
+    if (renderer) {
         Info info = info_of(scene);
-        RenderSettings settings = command_settings(options, scene);
+        info.contents = renderer_contents(renderer);
         options->json ? info_print_json(scene, &info, &settings, options)
                       : info_print(scene, &info, &settings, options);
-        scene_destroy(scene);
     }
+    renderer_destroy(renderer);
+    scene_destroy(scene);
     return (int)error->status;
 }
 

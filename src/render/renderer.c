@@ -26,7 +26,7 @@ RenderSettings render_settings_default(const Scene *scene) {
         .height = scene->image.height,
         .samples = scene->image.samples,
         .encoding = scene->image.encoding,
-        .trace = {scene->image.depth, OFFSET_BOUND, report_epsilon},
+        .trace = {.depth = scene->image.depth, .offset = OFFSET_BOUND, .epsilon = report_epsilon},
     };
 }
 
@@ -58,6 +58,10 @@ Renderer *renderer_create(const Scene *scene, const RenderSettings *settings, Er
     }
     settings->engine->look(renderer->tracer, scene, settings->width, settings->height);
     return renderer;
+}
+
+TracerContents renderer_contents(const Renderer *renderer) {
+    return renderer->settings.engine->contents(renderer->tracer);
 }
 
 void renderer_destroy(Renderer *renderer) {

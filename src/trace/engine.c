@@ -43,7 +43,7 @@ static void engine_look(Tracer *tracer, const Scene *scene, int width, int heigh
 }
 
 /** @return A tracer whose shapes are there, without camera; NULL without memory.
- *  @param scene The scene. @param settings Depth and offset. @param[out] error What is wrong. */
+ *  @param scene The scene. @param settings What is asked for. @param[out] error What is wrong. */
 static Tracer *tracer_create(const Scene *scene, const TraceSettings *settings, Error *error) {
     Tracer *tracer = vector_allocate(sizeof *tracer);
     if (!tracer) {
@@ -59,7 +59,7 @@ static Tracer *tracer_create(const Scene *scene, const TraceSettings *settings, 
     tracer->surfaces = vector_allocate(scene->material_count * sizeof(Surface));
     if (!tracer->lamps || !tracer->surfaces ||
         !models_init(&tracer->models, scene, &settings->crew, error) ||
-        !shape_list_init(&tracer->list, scene, &tracer->models, &settings->crew, error)) {
+        !shape_list_init(&tracer->list, scene, &tracer->models, settings, error)) {
         error_set(error, STATUS_FAILED, "no memory for the scene");
         engine_release(tracer);
         return NULL;
@@ -68,7 +68,7 @@ static Tracer *tracer_create(const Scene *scene, const TraceSettings *settings, 
 }
 
 /** @return A tracer for a scene. See #Engine.prepare.
- *  @param scene The scene. @param settings Depth and offset. @param[out] error What is wrong. */
+ *  @param scene The scene. @param settings What is asked for. @param[out] error What is wrong. */
 static Tracer *engine_prepare(const Scene *scene, const TraceSettings *settings, Error *error) {
     Tracer *tracer = tracer_create(scene, settings, error);
     if (tracer) {
@@ -323,6 +323,19 @@ static void engine_bounds(const Tracer *tracer, Vector3 *low, Vector3 *high) {
     *high = (Vector3){h[0], h[1], h[2]};
 }
 
+/** Says what a tracer was made of. See #Engine.contents. @param tracer The tracer. @return It. */
+static TracerContents engine_contents(const Tracer *tracer) {
+    const ShapeList *list = &tracer->list;
+    TracerContents contents = {.listed = list->loose_count,
+                               .planted = list->count - list->loose_count,
+                               .tree_from = list->tree_from};
+    for (size_t i = 0; i < tracer->models.count; i++) {
+        contents.triangles += tracer->models.all[i].triangle_count;
+        contents.triangle_bytes += model_size(&tracer->models.all[i]);
+    }
+    return contents;
+}
+
 /** This engine. */
 extern const Engine ENGINE;
 
@@ -338,5 +351,6 @@ const Engine ENGINE = {
     .nearest = engine_nearest,
     .intersect = engine_intersect,
     .bounds = engine_bounds,
+    .contents = engine_contents,
     .release = engine_release,
 };

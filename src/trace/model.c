@@ -98,6 +98,7 @@ static bool normals_keep(Model *model, const Mesh *mesh, NormalSource source) {
     const MeshTriangle *places = from_file ? mesh->triangle_normals : mesh->triangles;
     size_t slots = model->tree.block_count * LANES;
     model->normals = normals_make(mesh, from_file);
+    model->normal_count = from_file ? mesh->normal_count : mesh->position_count;
     model->places = malloc(slots * sizeof *model->places);
     for (size_t i = 0; model->places && i < slots; i++) {
         model->places[i] = places[model->tree.order[i]];
@@ -119,7 +120,7 @@ static void model_release(Model *model) {
  * false without memory. */
 static bool model_init(Model *model, const Mesh *mesh, NormalSource source, const Crew *crew,
                        Error *error) {
-    *model = (Model){0};
+    *model = (Model){.triangle_count = mesh->triangle_count};
     Bounds *boxes = malloc(mesh->triangle_count * sizeof *boxes);
     if (boxes) {
         boxes_fill(model, mesh, boxes);
@@ -138,6 +139,13 @@ static bool model_init(Model *model, const Mesh *mesh, NormalSource source, cons
                          mesh->triangle_count);
     }
     return true;
+}
+
+size_t model_size(const Model *model) {
+    size_t slots = model->tree.block_count * LANES;
+    return tree_size(&model->tree) + model->tree.block_count * sizeof *model->blocks +
+           model->normal_count * sizeof *model->normals +
+           (model->places ? slots * sizeof *model->places : 0);
 }
 
 bool models_init(Models *models, const Scene *scene, const Crew *crew, Error *error) {

@@ -23,12 +23,17 @@ typedef struct TriangleBlock {
 typedef struct Model {
     Tree tree;             /**< The tree over them. */
     TriangleBlock *blocks; /**< The triangles, as the tree orders them; owned. */
+    size_t triangle_count; /**< How many, repeated ones not counted. */
     Point *normals;        /**< Unit normals to interpolate; owned. NULL: flat. */
+    size_t normal_count;   /**< How many. */
     MeshTriangle *places;  /**< For each slot of the blocks, the places of its corners' normals;
                                 owned. NULL: flat. */
     Bounds bounds;         /**< The box around all of it. */
     scalar reach;          /**< Largest coordinate: what rounding errors scale with. */
 } Model;
+
+/** @return Bytes that a model holds. @param model The model. */
+size_t model_size(const Model *model);
 
 /** Where the normals of a model come from. */
 typedef enum {

@@ -15,6 +15,7 @@ typedef struct ShapeList {
     Shape **loose;       /**< Those that are not in the tree; owned. */
     BoundsBlock *bounds; /**< The boxes of those, LANES a block; owned. */
     size_t loose_count;  /**< How many. */
+    size_t tree_from;    /**< Shapes with an end from which on they get a tree. */
     Tree tree; /**< The tree over the others, by place; without nodes where there are few. */
 } ShapeList;
 
@@ -28,12 +29,12 @@ static inline size_t bounds_blocks(size_t count) {
  * @param[out] list   The list; give it back with #shape_list_release.
  * @param scene       The scene.
  * @param models      The scene's models.
- * @param crew        Who builds trees.
+ * @param settings    Whether there is a tree, and who builds it.
  * @param[out] error  What is wrong.
  * @return false without memory; the list is then empty.
  */
-bool shape_list_init(ShapeList *list, const Scene *scene, Models *models, const Crew *crew,
-                     Error *error);
+bool shape_list_init(ShapeList *list, const Scene *scene, Models *models,
+                     const TraceSettings *settings, Error *error);
 
 /** Gives the shapes back. @param list The list. */
 void shape_list_release(ShapeList *list);

@@ -151,7 +151,7 @@ static void tree_blocked(const ShapeList *list, const Packet *packet, mask *bloc
 
 void shape_list_nearest(const ShapeList *list, const Packet *packet, Hit *hits) {
     Spans spans = {0};
-    if (LANES > 1) {
+    if (LANES > 1 && list->loose_count > 0) {
         spans = packet_spans(packet);
     }
     for (int v = 0; v < PACKET_VECTORS; v++) {
@@ -170,7 +170,7 @@ void shape_list_nearest(const ShapeList *list, const Packet *packet, Hit *hits) 
 
 void shape_list_blocked(const ShapeList *list, const Packet *packet, mask *blocked) {
     Spans spans = {0};
-    if (LANES > 1) {
+    if (LANES > 1 && list->loose_count > 0) {
         spans = packet_spans(packet);
     }
     for (int v = 0; v < PACKET_VECTORS; v++) {

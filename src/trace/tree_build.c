@@ -184,5 +184,5 @@ void tree_release(Tree *tree) {
 
 size_t tree_size(const Tree *tree) {
     return tree->node_count * sizeof *tree->nodes +
-           tree->block_count * tree->block_size * sizeof *tree->order;
+           (tree->order ? tree->block_count * tree->block_size * sizeof *tree->order : 0);
 }

@@ -58,6 +58,10 @@ expect 0 '' 'info' "$dioptre" info "$box"
 holds "$work/out" '6 quad' 'info counts shapes'
 expect 0 '' 'info json' "$dioptre" info "$box" --json --engine f64x1
 holds "$work/out" '"engine": "f64x1".*"left_out": \[' 'info json names engine and what is left out'
+holds "$work/out" '"tree": \{"planted": 0, "listed": 8, "from": 24\}' 'info json says why there is no tree'
+echo 'camera {} for i = 1, 500 do sphere { center = {i, 0, -9} } end plane {}' >"$work/many.lua"
+expect 0 '' 'info of many shapes' "$dioptre" info "$work/many.lua"
+holds "$work/out" '^tree +over 500 shapes; 1 asked one by one: here a tree pays from [0-9]+ on$' 'info says that there is a tree'
 expect 0 '' 'bench json' "$dioptre" bench "$box" --json -s 80x60 --frames 3 --samples 1
 holds "$work/out" '^\{"scene": "scenes/box.lua", "engine": "[a-z0-9]+", "threads": [0-9]+, "width": 80, "height": 60, "frames": 3, "ms_min": [0-9.e-]+, "ms_median": [0-9.e-]+, "rays": [0-9]+, "mrays_per_s": [0-9.e+]+\}$' 'bench json has its names'
 for rays in primary random; do

@@ -20,6 +20,8 @@ holds "$work/out" "hand-mixed-refs.obj: 6 triangles.*; corners given their trian
 expect 0 '' 'info of models, in JSON' limited "$dioptre" info --json "$work/s.lua"
 holds "$work/out" '"meshes": \[\{"file": "spot.obj", "triangles": 5856, "positions": 2930, "normals": 0, "uvs": 3225, "degenerate": 0, "uncut": 0, "lost_normals": 0, "lost_uvs": 0\}, \{' 'JSON has the same'
 
+holds "$work/out" '"triangles": 5862, "triangle_bytes": [0-9]+\}$' 'and what memory its triangles take'
+
 for file in "$work"/hand-*.obj "$work/obj-hand-mtllib-traversal.obj" "$work/teapot.obj"; do
     scene "${file##*/}"
     expect 0 '' "${file##*/} is drawn" limited "$dioptre" render "$work/s.lua" -o "$work/o.bmp" -s 16x12

@@ -381,6 +381,74 @@ static void test_acne(void **state) {
     scene_destroy(scene);
 }
 
+/** @return A plane and many spheres. @param count How many. @param is_mirrored Whether they mirror.
+ */
+static Scene *crowd(size_t count, bool is_mirrored) {
+    Scene *scene = empty_scene();
+    const Color half = {0.5, 0.5, 0.5};
+    uint64_t state = 7;
+    scene->materials[scene->material_count - 1].reflectivity = is_mirrored ? half : (Color){0};
+    add_shape(scene, "plane", &(PlaneParameters){{0, -2, 0}, {0, 1, 0}});
+    for (size_t i = 0; i < count; i++) {
+        double x = random_float(&state, -3, 3), y = random_float(&state, -2, 2);
+        SphereParameters ball = {{x, y, random_float(&state, -9, -5)}, 0.3};
+        add_shape(scene, "sphere", &ball);
+    }
+    return scene;
+}
+
+/** @return What the tracer of a scene is made of. @param scene The scene, given back here.
+ *  @param depth How often rays are mirrored. */
+static TracerContents contents_of(Scene *scene, int depth) {
+    RenderSettings settings = small_settings(scene, "auto", 1);
+    settings.trace.depth = depth;
+    Renderer *renderer = create(scene, &settings);
+    TracerContents contents = renderer_contents(renderer);
+    renderer_destroy(renderer);
+    scene_destroy(scene);
+    return contents;
+}
+
+/** With a tree and without, the picture is the same, in every engine. @param engine The engine. */
+static void tree_changes_nothing(const Engine *engine) {
+    if (engine->mantissa_bits > 100) {
+        return; // As the others of one lane, but slow.
+    }
+    Scene *scene = crowd(100, true);
+    RenderSettings settings = small_settings(scene, engine->name, 2);
+    settings.trace.tree = TREE_NEVER;
+    Picture listed = draw(scene, &settings);
+    settings.trace.tree = TREE_ALWAYS;
+    assert_same(&listed, draw(scene, &settings));
+    picture_release(&listed);
+    scene_destroy(scene);
+}
+
+/** See #tree_changes_nothing. @param state Not used. */
+static void test_tree(void **state) {
+    (void)state;
+    in_every_engine(tree_changes_nothing);
+}
+
+/** A scene gets a tree from as many shapes on as it says: from fewer where they mirror; shapes
+ *  without an end do not count. @param state Not used. */
+static void test_tree_pays(void **state) {
+    (void)state;
+    size_t matt = contents_of(crowd(1, false), 5).tree_from;
+    size_t mirrored = contents_of(crowd(1, true), 5).tree_from;
+    assert_true(8 < mirrored && mirrored < matt);
+    assert_int_equal(contents_of(crowd(1, true), 0).tree_from, matt);
+    for (int i = 0; i < 2; i++) {
+        size_t from = i ? mirrored : matt;
+        TracerContents few = contents_of(crowd(from - 1, i), 5),
+                       many = contents_of(crowd(from, i), 5);
+        assert_int_equal(few.planted, 0);
+        assert_int_equal(few.listed, from);
+        assert_int_equal(many.planted, from);
+        assert_int_equal(many.listed, 1);
+    }
+}
+
 /** Runs the tests. @return 0 if all pass. */
 int main(void) {
     const struct CMUnitTest tests[] = {
@@ -389,6 +457,7 @@ int main(void) {
         cmocka_unit_test(test_stop),       cmocka_unit_test(test_small_sizes),
         cmocka_unit_test(test_symmetry),   cmocka_unit_test(test_facing_mirrors),
         cmocka_unit_test(test_irradiance), cmocka_unit_test(test_acne),
+        cmocka_unit_test(test_tree),       cmocka_unit_test(test_tree_pays),
     };
     return cmocka_run_group_tests_name("render", tests, NULL, NULL);
 }

@@ -3,18 +3,18 @@
 # by `make bench`. All variants take turns, so that a busy moment of the machine meets all alike; one
 # thread, 800x600, one ray a pixel and its shadow ray.
 #
-# Environment: BUILD (folder of the program; build), ROUNDS (turns; 5), ENGINES, MADE_WITH (compiler
+# Environment: BUILD (folder of the program; build), ROUNDS (turns; 7), ENGINES, MADE_WITH (compiler
 # and flags, for the files).
 set -eu
 export LC_ALL=C # Decimal points, not commas.
 cd "$(dirname "$0")/../.."
 BUILD=${BUILD:-build}
-ROUNDS=${ROUNDS:-5}
+ROUNDS=${ROUNDS:-7}
 SPHERES='10 20 50 100 200 500 1000 2000 5000 10000 20000 50000 100000'
 ROWS='16 23 36 51 72 112 159 224 354 475' # 4 n (n - 1) triangles: 960 to 900,600.
 FRAMES=4                                  # Pictures a turn, of which the fastest counts.
 if [ -z "${ENGINES:-}" ]; then
-    ENGINES='f32x8 f32x4 f64x4'
+    ENGINES='f32x8 f64x4'
     ! grep -q avx512dq /proc/cpuinfo || ENGINES="f32x16 $ENGINES"
 fi
 folder=$BUILD/bench
@@ -22,11 +22,7 @@ mkdir -p "$folder"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# machine: the first lines of each file.
-machine() {
-    echo "# $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -1), $(date -u +%Y-%m-%d)"
-    echo "# ${MADE_WITH:-}"
-}
+machine="$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -1), $(date -u +%Y-%m-%d), ${MADE_WITH:-}"
 
 # frame SCENE TIME COUNT: adds a line with engine, count, ms of the fastest picture, rays for each engine.
 frame() {
@@ -38,7 +34,7 @@ frame() {
 
 # table: median, lowest and highest of the turns, and Mrays/s of the median.
 table() {
-    machine
+    echo "# $machine"
     echo engine,count,ms,ms_lowest,ms_highest,rays,mrays_per_s,turns
     sort -k1,1 -k2,2n -k3,3g | awk '
         function flush() {
@@ -67,11 +63,14 @@ for name in spheres triangles; do
     table <"$work/$name" >"$folder/cost-$name.csv"
 done
 {
-    machine
+    echo "# $machine"
     echo engine,scene,count,ms_list,ms_tree,ratio,ratio_lowest,ratio_highest
     for name in spheres boxes mirrors; do
         "$BUILD/tests/bench/tree" f32x8 tests/bench/scattered-$name.lua $name
     done
 } >"$folder/tree-pays.csv"
 
-tests/bench/draw.sh "$folder"
+for name in spheres triangles; do
+    gnuplot -c tests/bench/cost.gp "$folder/cost-$name.csv" doc/cost-$name.svg $name "$ENGINES" "$machine"
+done
+gnuplot -c tests/bench/tree.gp "$folder/tree-pays.csv" doc/tree-pays.svg "$machine"

@@ -22,7 +22,7 @@ set ylabel "ms a picture"
 set yrange [lowest : highest]
 set ytics (2, 5, 10, 20, 50, 100, 200, 500, 1000)
 set label 1 "in proportion" at fewest * 28, start * 40 left textcolor rgb "#777777"
-set label 2 "as the logarithm" at most * 1.15, start * log(most) / log(fewest) right offset 0,-1 textcolor rgb "#777777"
+set label 2 "as the logarithm" at most * 1.1, start * log(most) / log(fewest) left textcolor rgb "#777777"
 plot sample [fewest:most] start * x / fewest with lines dt 3 lc rgb "#777777", \
     [fewest:most] start * log(x) / log(fewest) with lines dt 2 lc rgb "#777777", \
     for [i = 1:words(engines)] csv using 2:(of(word(engines, i), $4)):4:3 every ::1 with yerrorlines lc rgb color[i] pt sign[i] ps 0.7 lw 2, \

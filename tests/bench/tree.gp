@@ -10,7 +10,7 @@ set xrange [3.5 : 700]
 set xtics (4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256)
 set logscale y 2
 set ylabel "time by a list / time with a tree"
-set yrange [0.6 : 6]
+set yrange [0.5 : 5]
 set ytics ("0.7" 0.7, "0.8" 0.8, "0.9" 0.9, 1, "1.25" 1.25, "1.5" 1.5, 2, 3, 4, 5)
 set label 1 "the tree pays" at 4, 1.08 left textcolor rgb "#777777"
 set label 2 "the list pays" at 4, 0.93 left textcolor rgb "#777777"

@@ -41,14 +41,15 @@ static Worst worsts[ROW_COUNT][8];
 
 /** Adds a box as a mesh of twelve triangles. @param scene The scene. @param box The box. */
 static void add_box_mesh(Scene *scene, const BoxRow *box) {
-    static const MeshTriangle triangles[] = {
-        {{0, 2, 3}}, {{0, 3, 1}}, {{4, 5, 7}}, {{4, 7, 6}}, {{0, 1, 5}}, {{0, 5, 4}},
-        {{2, 6, 7}}, {{2, 7, 3}}, {{0, 4, 6}}, {{0, 6, 2}}, {{1, 3, 7}}, {{1, 7, 5}}};
+    static const MeshTriangle triangles[] = {{{0, 2, 3}}, {{0, 3, 1}}, {{4, 5, 7}}, {{4, 7, 6}},
+                                             {{0, 1, 5}}, {{0, 5, 4}}, {{2, 6, 7}}, {{2, 7, 3}},
+                                             {{0, 4, 6}}, {{0, 6, 2}}, {{1, 3, 7}}, {{1, 7, 5}}};
     enum { CORNERS = 8, TRIANGLES = sizeof triangles / sizeof *triangles };
     Vector3 corners[CORNERS];
     for (int i = 0; i < CORNERS; i++) {
-        corners[i] = (Vector3){i & 1 ? box->high[0] : box->low[0], i & 2 ? box->high[1] : box->low[1],
-                               i & 4 ? box->high[2] : box->low[2]};
+        corners[i] =
+            (Vector3){i & 1 ? box->high[0] : box->low[0], i & 2 ? box->high[1] : box->low[1],
+                      i & 4 ? box->high[2] : box->low[2]};
     }
     add_mesh(scene, corners, CORNERS, triangles, TRIANGLES, 2);
 }
@@ -148,11 +149,31 @@ static void check(const Subject *subject, const RayQuery *ray, const RayAnswer *
     worst->normal = larger(worst->normal, larger(quad_abs(length - 1), reach(difference.c)) / u);
 }
 
+/** Asks an engine for shadows alone: the same as in its full answers. @param subject Row and
+ * engine.
+ *  @param rays The rays, in double. @param answers The full answers. @param count How many. */
+static void check_shadows(const Subject *subject, const RayQuery *rays, const RayAnswer *answers,
+                          size_t count) {
+    PlainRay *plain = calloc(count, sizeof *plain);
+    bool *shadowed = calloc(count, sizeof *shadowed);
+    for (size_t i = 0; i < 3 * count; i++) {
+        plain[i / 3].origin[i % 3] = (double)rays[i / 3].origin[i % 3];
+        plain[i / 3].direction[i % 3] = (double)rays[i / 3].direction[i % 3];
+    }
+    subject->engine->shadowed(subject->tracer, count, plain, shadowed);
+    for (size_t i = 0; i < count; i++) {
+        assert_int_equal(shadowed[i], answers[i].blocked);
+    }
+    free(plain);
+    free(shadowed);
+}
+
 /** Asks an engine and checks every answer. @param subject Row and engine. @param rays The rays.
  *  @param count How many. @param[in,out] worst The errors. */
 static void ask(const Subject *subject, const RayQuery *rays, size_t count, Worst *worst) {
     RayAnswer *answers = calloc(count, sizeof *answers);
     subject->engine->intersect(subject->tracer, count, rays, answers);
+    check_shadows(subject, rays, answers, count);
     for (size_t i = 0; i < count; i++) {
         check(subject, &rays[i], &answers[i], worst);
     }

@@ -87,7 +87,7 @@ static int batches_of(const Engine *reference, int count) {
 
 /** @return Rays of a batch. @param reference Whose number type. */
 static int batch_of(const Engine *reference) {
-    return reference->mantissa_bits > 64 ? BATCH / 16 : BATCH;
+    return reference->mantissa_bits > 64 ? BATCH / 32 : BATCH;
 }
 
 /**
@@ -531,7 +531,7 @@ static void ask_ties(const Engine *reference, const char *what, const Scene *sce
     assert_true(rays && wanted);
     uint64_t state = 5;
     int count = batch_of(reference), met = 0;
-    for (int n = 0; n < batches_of(reference, 3) * RAY_KINDS; n++) {
+    for (int n = 0; n < batches_of(reference, 2) * RAY_KINDS; n++) {
         RayKind kind = (RayKind)(n % RAY_KINDS);
         rays_fill(kind, &state, rays, reference, tracers[one]);
         reference->intersect(tracers[one], (size_t)count, rays, wanted);
@@ -947,7 +947,8 @@ static void ask_case(const Engine *reference, const BuilderCase *builder, const 
     }
     reference->release(alone);
     const int threads[] = {1, 2, 7};
-    for (size_t t = 0; t < sizeof threads / sizeof *threads; t++) {
+    const size_t step = builder->count < 50000 ? 1 : 2;
+    for (size_t t = 0; t < sizeof threads / sizeof *threads; t += step) {
         for (size_t e = 0; engine_list()[e]; e++) {
             tracers[e] = is_of_type(engine_list()[e], reference)
                              ? prepare_with(engine_list()[e], scene, threads[t])

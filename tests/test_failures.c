@@ -4,53 +4,7 @@
  * and the ground seen from a sphere's surface, edges and corners between quads, rays that just
  *        touch a box, grazing planes, surfaces that coincide.
  */
-#include "testing.h"
-
-#include <stdlib.h>
-
-/** As the scene language says a quad. */
-typedef struct QuadParameters {
-    Vector3 corner; /**< A corner. */
-    Vector3 u;      /**< To the next. */
-    Vector3 v;      /**< To the other next. */
-} QuadParameters;
-
-/** As the scene language says a box. */
-typedef struct BoxParameters {
-    Vector3 low;  /**< Lowest corner. */
-    Vector3 high; /**< Highest corner. */
-} BoxParameters;
-
-/** As the scene language says a cylinder. */
-typedef struct CylinderParameters {
-    Vector3 base;  /**< Centre of one end. */
-    Vector3 top;   /**< Of the other. */
-    double radius; /**< Radius. */
-    bool capped;   /**< Whether the ends are closed. */
-} CylinderParameters;
-
-/** As the scene language says a triangle. */
-typedef struct TriangleParameters {
-    Vector3 corners[3]; /**< Corners. */
-    Vector3 normals[3]; /**< Normals there. */
-    Pair places[3];     /**< Places in a picture there. */
-    bool is_smooth;     /**< Whether the normals count. */
-    bool has_places;    /**< Whether the places do. */
-} TriangleParameters;
-
-/** Rays that a packet of questions holds. */
-enum { BATCH = 4096 };
-
-/** @return How many rays to ask: the reference engine is a hundred times slower. @param engine It.
- *  @param count For the others. */
-static long scaled(const Engine *engine, long count) {
-    return engine->mantissa_bits > 64 ? count / 100 : count;
-}
-
-/** @return A ray from one point towards another. @param from Where. @param to Where to. */
-static RayQuery ray_towards(Vector3 from, Vector3 to) {
-    return (RayQuery){{from.x, from.y, from.z}, {to.x - from.x, to.y - from.y, to.z - from.z}};
-}
+#include "triangles.h"
 
 /* --- spheres --------------------------------------------------------------------------------- */
 
@@ -378,68 +332,6 @@ static void watertight_rim(const Engine *engine) {
 
 /* --- triangles ------------------------------------------------------------------------------- */
 
-/** Faces of an icosahedron, each divided into four three times. */
-enum { ICOSPHERE_FACES = 20 * 4 * 4 * 4 };
-
-/** A closed mesh. */
-typedef struct Icosphere {
-    Vector3 corners[ICOSPHERE_FACES][3]; /**< Corners of each face. */
-    int count;                           /**< How many faces there are. */
-} Icosphere;
-
-/** @return A point as far from the zero as the mesh is, exact in float, the same for both faces of
- *          an edge. @param a One end. @param b The other. */
-static Vector3 middle_of(Vector3 a, Vector3 b) {
-    Vector3 m = vector3_scale(vector3_normalize(vector3_add(a, b)), 2);
-    return (Vector3){(float)m.x, (float)m.y, (float)m.z};
-}
-
-/** Adds a face, divided. @param mesh The mesh. @param a A corner. @param b A corner.
- *  @param c A corner. @param times How often it is divided. */
-static void add_face(Icosphere *mesh, Vector3 a, Vector3 b, Vector3 c, int times) {
-    if (times == 0) {
-        Vector3 face[3] = {a, b, c};
-        memcpy(mesh->corners[mesh->count++], face, sizeof face);
-        return;
-    }
-    Vector3 ab = middle_of(a, b), bc = middle_of(b, c), ca = middle_of(c, a);
-    add_face(mesh, a, ab, ca, times - 1);
-    add_face(mesh, ab, b, bc, times - 1);
-    add_face(mesh, ca, bc, c, times - 1);
-    add_face(mesh, ab, bc, ca, times - 1);
-}
-
-/** @return A corner of an icosahedron. @param which 0 to 11. */
-static Vector3 icosahedron_corner(int which) {
-    double golden = (which & 1 ? -1 : 1) * (1 + sqrt(5)) / 2, one = which & 2 ? -1 : 1;
-    Vector3 v = which < 4   ? (Vector3){0, one, golden}
-                : which < 8 ? (Vector3){golden, 0, one}
-                            : (Vector3){one, golden, 0};
-    return middle_of(v, v);
-}
-
-/** Makes the mesh: a face where three corners of an icosahedron are neighbours.
- *  @param[out] mesh The mesh. */
-static void icosphere_make(Icosphere *mesh) {
-    /** Squared edge of an icosahedron of radius 2, with room: the next distance is 10.5. */
-    const double edge = 5;
-    mesh->count = 0;
-    for (int i = 0; i < 12; i++) {
-        for (int j = 0; j < i; j++) {
-            for (int k = 0; k < j; k++) {
-                Vector3 a = icosahedron_corner(i), b = icosahedron_corner(j);
-                Vector3 c = icosahedron_corner(k), ab = vector3_subtract(a, b);
-                Vector3 bc = vector3_subtract(b, c), ca = vector3_subtract(c, a);
-                if (vector3_dot(ab, ab) < edge && vector3_dot(bc, bc) < edge &&
-                    vector3_dot(ca, ca) < edge) {
-                    add_face(mesh, a, b, c, 3);
-                }
-            }
-        }
-    }
-    assert_int_equal(mesh->count, ICOSPHERE_FACES);
-}
-
 /** @return How many rays at a mesh: without packets each asks all of its triangles.
  *  @param engine The engine. */
 static long mesh_rays(const Engine *engine) {
@@ -450,12 +342,13 @@ static long mesh_rays(const Engine *engine) {
  *  out. @param engine The engine. */
 static void watertight_triangles(const Engine *engine) {
     enum { TOGETHER = 64 };
-    static Icosphere mesh;
-    icosphere_make(&mesh);
+    Triangles mesh = icosphere(3);
     Scene *scene = empty_scene();
-    for (int i = 0; i < ICOSPHERE_FACES; i++) {
+    for (size_t i = 0; i < mesh.triangle_count; i++) {
         TriangleParameters face = {0};
-        memcpy(face.corners, mesh.corners[i], sizeof face.corners);
+        for (size_t corner = 0; corner < 3; corner++) {
+            face.corners[corner] = triangles_corner(&mesh, i, corner);
+        }
         add_shape(scene, "triangle", &face);
     }
     Tracer *tracer = prepare(engine, scene);
@@ -465,16 +358,17 @@ static void watertight_triangles(const Engine *engine) {
     for (int at_corner = 0; at_corner < 2; at_corner++) {
         long leaks = 0, count = mesh_rays(engine);
         for (long done = 0; done < count; done += TOGETHER) {
-            const Vector3 *face = mesh.corners[(int)(ICOSPHERE_FACES * random_share(&state))];
-            int from = (int)(3 * random_share(&state));
-            Vector3 edge = vector3_subtract(face[(from + 1) % 3], face[from]);
+            size_t face = (size_t)((double)mesh.triangle_count * random_share(&state));
+            size_t from = (size_t)(3 * random_share(&state));
+            Vector3 corner = triangles_corner(&mesh, face, from);
+            Vector3 edge = vector3_subtract(triangles_corner(&mesh, face, (from + 1) % 3), corner);
             Vector3 middle = {random_float(&state, -1, 1), random_float(&state, -1, 1),
                               random_float(&state, -1, 1)};
             for (int i = 0; i < TOGETHER; i++) {
                 Vector3 eye = {middle.x + random_float(&state, -0.01, 0.01),
                                middle.y + random_float(&state, -0.01, 0.01), middle.z};
                 double share = at_corner ? 0 : random_share(&state);
-                rays[i] = ray_towards(eye, vector3_add(face[from], vector3_scale(edge, share)));
+                rays[i] = ray_towards(eye, vector3_add(corner, vector3_scale(edge, share)));
             }
             engine->intersect(tracer, TOGETHER, rays, answers);
             for (int i = 0; i < TOGETHER; i++) {
@@ -485,6 +379,7 @@ static void watertight_triangles(const Engine *engine) {
                        at_corner ? "corners" : "edges", engine->name, count);
     }
     engine->release(tracer);
+    triangles_release(&mesh);
     scene_destroy(scene);
 }
 

@@ -36,10 +36,17 @@ static inline double random_share(uint64_t *state) {
     return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
 }
 
+/** @return A number rounded to float. Kept in memory: gcc 12 leaves out both conversions where it
+ * makes vectors of them (-O3 with -fno-trapping-math). @param x It. */
+static inline double as_float(double x) {
+    volatile float rounded = (float)x;
+    return (double)rounded;
+}
+
 /** @return A number, uniform in a range and exact in float. @param[in,out] state A generator.
  *  @param low Lowest. @param high Highest. */
 static inline double random_float(uint64_t *state, double low, double high) {
-    return (double)(float)(low + (high - low) * random_share(state));
+    return as_float(low + (high - low) * random_share(state));
 }
 
 /** @return A quad's square root by Newton's method: independent of any library's. @param x At least
@@ -77,6 +84,36 @@ typedef struct PlaneParameters {
     Vector3 point;  /**< A point. */
     Vector3 normal; /**< Its normal. */
 } PlaneParameters;
+
+/** As the scene language says a quad. */
+typedef struct QuadParameters {
+    Vector3 corner; /**< A corner. */
+    Vector3 u;      /**< To the next. */
+    Vector3 v;      /**< To the other next. */
+} QuadParameters;
+
+/** As the scene language says a box. */
+typedef struct BoxParameters {
+    Vector3 low;  /**< Lowest corner. */
+    Vector3 high; /**< Highest corner. */
+} BoxParameters;
+
+/** As the scene language says a cylinder. */
+typedef struct CylinderParameters {
+    Vector3 base;  /**< Centre of one end. */
+    Vector3 top;   /**< Of the other. */
+    double radius; /**< Radius. */
+    bool capped;   /**< Whether the ends are closed. */
+} CylinderParameters;
+
+/** As the scene language says a triangle. */
+typedef struct TriangleParameters {
+    Vector3 corners[3]; /**< Corners. */
+    Vector3 normals[3]; /**< Normals there. */
+    Pair places[3];     /**< Places in a picture there. */
+    bool is_smooth;     /**< Whether the normals count. */
+    bool has_places;    /**< Whether the places do. */
+} TriangleParameters;
 
 /** @return An empty scene with a camera at the origin that looks along -z; to be given back. */
 static inline Scene *empty_scene(void) {
@@ -153,6 +190,20 @@ static inline RayCounts trace_pixel(const Engine *engine, const Scene *scene, do
     engine->trace(tracer, &grid, rgb, &counts);
     engine->release(tracer);
     return counts;
+}
+
+/** Rays that are asked at once. */
+enum { BATCH = 4096 };
+
+/** @return How many rays to ask: the reference engine is a hundred times slower. @param engine It.
+ *  @param count For the others. */
+static inline long scaled(const Engine *engine, long count) {
+    return engine->mantissa_bits > 64 ? count / 100 : count;
+}
+
+/** @return A ray from one point towards another. @param from Where. @param to Where to. */
+static inline RayQuery ray_towards(Vector3 from, Vector3 to) {
+    return (RayQuery){{from.x, from.y, from.z}, {to.x - from.x, to.y - from.y, to.z - from.z}};
 }
 
 /** A test of one engine. @param engine The engine. */

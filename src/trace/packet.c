@@ -132,5 +132,5 @@ mask spans_may_meet(const Spans *spans, const BoundsBlock *bounds, real *nearest
         }
     }
     *nearest = near * (1 - SLAB_SLACK);
-    return near <= far * (1 + SLAB_SLACK);
+    return *nearest <= far * (1 + SLAB_SLACK);
 }

@@ -26,7 +26,8 @@ typedef struct Bin {
 /** How middles fall into bins along each axis. */
 typedef struct Binning {
     scalar low[COORDINATES];   /**< Twice the lowest middle. */
-    scalar share[COORDINATES]; /**< Bins a unit of twice the middle; 0 where all are the same. */
+    scalar share[COORDINATES]; /**< Bins a unit of twice the middle; 0 where all are about the
+                                    same: no number says how many. */
 } Binning;
 
 /** The best place to split. */
@@ -44,7 +45,8 @@ static Binning binning_of(const Extent *middles) {
     for (int i = 0; i < COORDINATES; i++) {
         scalar width = middles->high[i] - middles->low[i];
         binning.low[i] = middles->low[i];
-        binning.share[i] = width > 0 && width < INFINITE ? BINS * inside / width : 0;
+        scalar share = BINS * inside / width;
+        binning.share[i] = width > 0 && width < INFINITE && share < INFINITE ? share : 0;
     }
     return binning;
 }

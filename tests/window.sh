@@ -236,12 +236,19 @@ shoot
 held=$(numbers camera | cut -d' ' -f1)
 awk "BEGIN { exit !($held > 1.3 && $held < 2.2) }" && ok 'a key held moves by the time it is held' ||
     fail "half a second moved the camera by $held, not 1.6"
-xdotool key Home key shift+Right
-shoot
-fast=$(numbers camera | cut -d' ' -f1)
-xdotool key Home key ctrl+Right
-shoot
-fine=$(numbers camera | cut -d' ' -f1)
+# A tap lasts longer on a busy machine: the shortest of a few counts.
+tap() { # KEY: how far the camera moves
+    local shortest=9 moved
+    for _ in 1 2 3 4; do
+        xdotool key Home key "$1"
+        shoot
+        moved=$(numbers camera | cut -d' ' -f1)
+        shortest=$(awk "BEGIN { print $moved < $shortest ? $moved : $shortest }")
+    done
+    echo "$shortest"
+}
+fast=$(tap shift+Right)
+fine=$(tap ctrl+Right)
 awk "BEGIN { exit !($fast > 10 * $fine && $fine > 0) }" && ok 'Shift is fast, Ctrl is fine' ||
     fail "Shift moved by $fast, Ctrl by $fine"
 xdotool key Home

@@ -68,7 +68,7 @@ typedef struct Tree {
  * @param[out] tree    The tree; give it back with #tree_release.
  * @param boxes        The items' boxes.
  * @param count        How many items, at least 1.
- * @param block_size   Items a block, at least 1: as many as the owner tests at once.
+ * @param block_size   Items a block, a power of two: as many as the owner tests at once.
  * @param crew         Who builds.
  * @return false without memory, or with more items than a tree can hold.
  */

@@ -159,7 +159,7 @@ bool tree_build(Tree *tree, const Bounds *boxes, size_t count, size_t block_size
                        .pieces = calloc(4 * pieces, sizeof(Piece)),
                        .piece_capacity = 4 * pieces,
                        .grain = count / pieces > PIECE_ITEMS ? count / pieces : PIECE_ITEMS,
-                       .block_size = block_size,
+                       .block_shift = __builtin_ctzll(block_size),
                        .tree = tree};
     bool is_built = builder.references && builder.splits && builder.pieces;
     if (is_built) {

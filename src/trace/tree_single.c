@@ -165,6 +165,8 @@ static bool flight_step(Field *field, Flight *flight) {
             field->owner->ask(field->owner->items, first, entry.child & TREE_LEAF_BLOCKS,
                               field->packet, flight->vector, 1u << flight->lane, field->found);
         flight->limit = real_at(&limits, flight->lane);
+        // A shadow ray that is blocked looks no further.
+        flight->waiting = flight->limit < 0 ? 0 : flight->waiting;
     } else {
         flight_open(flight, &field->tree->nodes[entry.child]);
     }

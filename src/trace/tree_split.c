@@ -10,6 +10,8 @@
 
 /** Bins an axis in which splits are looked for: more gain nothing (measured). */
 enum { BINS = 16 };
+/** Items that are split well with half the bins. */
+enum { FEW_ITEMS = 32 };
 /** Levels of binary splits by cost; below, halves by number need at most 32 more. */
 enum { COSTED_LEVELS = TREE_LEVELS - 32 };
 /** Cost of a node's test in those of a block (measured: leaves of more than a block hardly pay). */
@@ -25,6 +27,7 @@ typedef struct Bin {
 
 /** How middles fall into bins along each axis. */
 typedef struct Binning {
+    int bins;                  /**< How many bins an axis, at most #BINS. */
     scalar low[COORDINATES];   /**< Twice the lowest middle. */
     scalar share[COORDINATES]; /**< Bins a unit of twice the middle; 0 where all are about the
                                     same: no number says how many. */
@@ -37,15 +40,16 @@ typedef struct Choice {
     scalar cost; /**< Area times blocks, both sides. */
 } Choice;
 
-/** @return How middles fall into bins. @param middles Twice the middles of all items. */
-static Binning binning_of(const Extent *middles) {
+/** @return How middles fall into bins. @param middles Twice the middles of all items.
+ *  @param count How many items. */
+static Binning binning_of(const Extent *middles, size_t count) {
     /** Keeps the highest middle inside the last bin, whatever is rounded. */
     const scalar inside = (scalar)0.99999;
-    Binning binning;
+    Binning binning = {.bins = count > FEW_ITEMS ? BINS : BINS / 2};
     for (int i = 0; i < COORDINATES; i++) {
         scalar width = middles->high[i] - middles->low[i];
         binning.low[i] = middles->low[i];
-        scalar share = BINS * inside / width;
+        scalar share = (scalar)binning.bins * inside / width;
         binning.share[i] = width > 0 && width < INFINITE && share < INFINITE ? share : 0;
     }
     return binning;
@@ -66,8 +70,10 @@ static inline int binning_place(const Binning *b, const Extent *e, int axis) {
  */
 static void bins_fill(const Reference *references, size_t count, const Binning *binning,
                       Bin bins[3][BINS]) {
-    for (int i = 0; i < 3 * BINS; i++) {
-        bins[i / BINS][i % BINS] = (Bin){.extent = extent_nothing()};
+    for (int axis = 0; axis < 3; axis++) {
+        for (int i = 0; i < binning->bins; i++) {
+            bins[axis][i] = (Bin){.extent = extent_nothing()};
+        }
     }
     for (size_t i = 0; i < count; i++) {
         const Extent *extent = &references[i].extent;
@@ -84,20 +90,22 @@ static void bins_fill(const Reference *references, size_t count, const Binning *
  * the right, those of the left sides from the left.
  * @param builder  The builder.
  * @param bins     The axis's bins.
+ * @param count    How many.
  * @param axis     The axis.
  * @param[in,out] best  The best choice so far.
  */
-static void axis_choose(const Builder *builder, const Bin *bins, int axis, Choice *best) {
+static void axis_choose(const Builder *builder, const Bin *bins, int count, int axis,
+                        Choice *best) {
     scalar right_cost[BINS];
     Extent right = extent_nothing(), left = extent_nothing();
     size_t right_count = 0, left_count = 0;
-    for (int i = BINS - 1; i > 0; i--) {
+    for (int i = count - 1; i > 0; i--) {
         extent_grow(&right, &bins[i].extent);
         right_count += bins[i].count;
         right_cost[i] =
             right_count ? extent_area(&right) * (scalar)blocks_of(builder, right_count) : INFINITE;
     }
-    for (int i = 1; i < BINS; i++) {
+    for (int i = 1; i < count; i++) {
         extent_grow(&left, &bins[i - 1].extent);
         left_count += bins[i - 1].count;
         if (left_count == 0) {
@@ -122,7 +130,7 @@ static Choice split_choose(const Builder *builder, const Split *split, const Bin
     bins_fill(builder->references + split->first, split->count, binning, bins);
     for (int axis = 0; axis < 3; axis++) {
         if (binning->share[axis] > 0) {
-            axis_choose(builder, bins[axis], axis, &best);
+            axis_choose(builder, bins[axis], binning->bins, axis, &best);
         }
     }
     return best;
@@ -183,7 +191,7 @@ static size_t split_items(const Builder *builder, const Split *split, const Exte
     if (blocks == 1) {
         return 0;
     }
-    Binning binning = binning_of(middles);
+    Binning binning = binning_of(middles, split->count);
     Choice choice = {.axis = -1};
     if (level < COSTED_LEVELS) {
         choice = split_choose(builder, split, &binning);

@@ -36,13 +36,13 @@ typedef struct Builder {
     size_t piece_count;    /**< How many. */
     size_t piece_capacity; /**< How many there may be. */
     size_t grain;          /**< Parts with no more items than these are pieces. */
-    size_t block_size;     /**< Items a block. */
+    int block_shift;       /**< Items a block, as a power of two. */
     Tree *tree;            /**< The result. */
 } Builder;
 
 /** @return Blocks that a number of items fill. @param builder The builder. @param count Items. */
 static inline size_t blocks_of(const Builder *builder, size_t count) {
-    return (count + builder->block_size - 1) / builder->block_size;
+    return (count + (1u << builder->block_shift) - 1) >> builder->block_shift;
 }
 
 /**

@@ -10,6 +10,8 @@
  */
 #include "view/display.h"
 
+#include "view/lost_display.h"
+
 #include "dioptre/scene.h"
 
 #include <string.h>
@@ -73,7 +75,7 @@ void display_close(Display *display) {
         SDL_DestroyRenderer(display->renderer);
     }
     if (display->window) {
-        SDL_DestroyWindow(display->window);
+        lost_display_close(display->window);
     }
     *display = (Display){0};
 }

@@ -10,6 +10,7 @@
 
 #include "dioptre/error.h"
 
+#include <SDL_syswm.h>
 #include <dlfcn.h>
 #include <stdio.h>
 #include <string.h>
@@ -26,6 +27,9 @@ typedef int (*RequestHandler)(void *display, void *event);
 
 /** Xlib's XSetErrorHandler: sets the handler, returns the one before. */
 typedef RequestHandler (*SetRequestHandler)(RequestHandler handler);
+
+/** Xlib's XSync: waits until all requests are answered. */
+typedef int (*Synchronize)(void *display, int discard);
 
 /**
  * Says that the display is gone and ends the program. Pictures are written beside their place and
@@ -79,6 +83,37 @@ void lost_display_prepare(void) {
         if (set_lost && set_request) {
             set_lost(end_program);
             set_request(pass_over);
+        }
+        dlclose(library);
+    }
+}
+
+/** @return The X display that a window is on; NULL where it is on another display system.
+ *  @param window The window. */
+static void *display_of(SDL_Window *window) {
+    SDL_SysWMinfo info;
+    SDL_VERSION(&info.version);
+#if defined(SDL_VIDEO_DRIVER_X11)
+    if (SDL_GetWindowWMInfo(window, &info) && info.subsystem == SDL_SYSWM_X11) {
+        return info.info.x11.display;
+    }
+#else
+    (void)window;
+#endif
+    return NULL;
+}
+
+void lost_display_close(SDL_Window *window) {
+    void *display = display_of(window);
+    void *library = display ? dlopen("libX11.so.6", RTLD_LAZY | RTLD_NOLOAD) : NULL;
+    SDL_DestroyWindow(window);
+    if (library) {
+        Synchronize synchronize = NULL;
+        find_function(library, "XSync", &synchronize, sizeof synchronize);
+        // SDL may have put back Xlib's handler meanwhile.
+        lost_display_prepare();
+        if (synchronize) {
+            synchronize(display, 0);
         }
         dlclose(library);
     }

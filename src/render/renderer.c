@@ -47,8 +47,8 @@ Renderer *renderer_create(const Scene *scene, const RenderSettings *settings, Er
     background_init(&renderer->background);
     encoder_init(&renderer->encoder, (Encoding)settings->encoding);
     renderer->workers = workers_create(settings->threads, error);
+    TraceSettings trace = settings->trace;
     if (renderer->workers) {
-        TraceSettings trace = settings->trace;
         trace.crew = (Crew){renderer->workers, settings->threads, crew_workers_run};
         renderer->tracer = settings->engine->prepare(scene, &trace, error);
     }

@@ -9,9 +9,10 @@
 #include <string.h>
 
 /**
- * Shapes with an end from which on a tree over them pays, measured with `f32x8` (doc/tree-pays.svg).
- * Rays that stay together are quick to ask about a list, eight boxes at a time: by a list, a picture
- * of 128 spheres takes 0.95 times as long as with a tree, one of 192 1.04 times, one of 256 1.10.
+ * Shapes with an end from which on a tree over them pays, measured with `f32x8`
+ * (doc/tree-pays.svg). Rays that stay together are quick to ask about a list, eight boxes at a
+ * time: by a list, a picture of 128 spheres takes 0.95 times as long as with a tree, one of
+ * 192 1.04 times, one of 256 1.10.
  */
 enum { TREE_SHAPES = 192 };
 

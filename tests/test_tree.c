@@ -2,19 +2,24 @@
  * @file
  * @brief The tree changes the time and not one bit of the answer.
  *
- * Scenes with a tree are compared, bit by bit, with lists of the same things so short that they
- * have none: a one-lane engine asks each shape of such a list itself. Packets, single rays and
- * every width must agree; ties, bad triangles and closed meshes have answers that are known.
+ * Scenes with a tree are compared, bit by bit, with the same things without: then an engine of one
+ * lane asks every one itself. Packets, single rays and every width must agree; ties and closed
+ * meshes have answers that are known.
  */
 #include "tree_questions.h"
 
 /* --- tree against brute force ---------------------------------------------------------------- */
 
-/** Things that are asked all together, with a tree, and in short lists, without. */
+/** Names of the kinds. */
+static const char *const ray_kinds[] = {"coherent rays",  "random rays",    "rays along an axis",
+                                        "rays in a face", "rays from afar", "rays from a surface"};
+
+/** Things that are asked with a tree and without. */
 typedef struct World {
-    const char *name;      /**< For the messages. */
-    size_t count;          /**< How many things. */
-    const Triangles *mesh; /**< They are the triangles of this mesh; NULL: shapes. */
+    const char *name;                    /**< For the messages. */
+    size_t count;                        /**< How many things. */
+    const Triangles *mesh;               /**< They are the triangles of this mesh; NULL: shapes. */
+    void (*add)(Scene *scene, size_t i); /**< Adds shape i, always the same. */
 } World;
 
 /** @return A corner on whose coordinates other faces lie, too. @param[in,out] state A generator. */
@@ -79,11 +84,30 @@ static void add_one_of_many(Scene *scene, size_t i) {
     }
 }
 
-/** @return Some of a world's things as shapes of their own, to be given back. @param world The
- *  world. @param first The first. @param count How many at most. */
-static Scene *world_part(const World *world, size_t first, size_t count) {
+/** Adds a rectangle that lies in the same plane as all others, as a quad or a mesh: they cover each
+ *  other, at equal distances. @param scene The scene. @param i Which; always the same. */
+static void add_to_one_plane(Scene *scene, size_t i) {
+    uint64_t state = i + 1;
+    Vector3 corner = {random_level(&state), 0, random_level(&state)};
+    Vector3 u = {0.25 + 2 * random_share(&state), 0, 0},
+            v = {0, 0, 0.25 + 2 * random_share(&state)};
+    QuadParameters sheet = {corner, rounded(u), rounded(v)};
+    if (i % 2) {
+        add_shape(scene, "quad", &sheet);
+        return;
+    }
+    Triangles grid = grid_of(1, 0, 2 + i % 5);
+    for (size_t k = 0; k < grid.position_count; k++) {
+        grid.positions[k] = rounded(vector3_add(corner, vector3_scale(grid.positions[k], u.x / 2)));
+    }
+    add_triangles(scene, &grid, 2);
+    triangles_release(&grid);
+}
+
+/** @return A world's things, each a shape of its own, to be given back. @param world The world. */
+static Scene *world_apart(const World *world) {
     Scene *scene = empty_scene();
-    for (size_t i = first; i < first + count && i < world->count; i++) {
+    for (size_t i = 0; i < world->count; i++) {
         if (world->mesh) {
             const Vector3 corners[3] = {triangles_corner(world->mesh, i, 0),
                                         triangles_corner(world->mesh, i, 1),
@@ -91,82 +115,45 @@ static Scene *world_part(const World *world, size_t first, size_t count) {
             const MeshTriangle alone = {{0, 1, 2}};
             add_mesh(scene, corners, 3, &alone, 1, 2);
         } else {
-            add_one_of_many(scene, i);
+            world->add(scene, i);
         }
     }
     return scene;
 }
 
-/** @return All of a world at once, to be given back. @param world The world. */
-static Scene *world_whole(const World *world) {
+/** @return A world as it is asked with a tree, to be given back: triangles are one mesh.
+ *  @param world The world. */
+static Scene *world_together(const World *world) {
     if (!world->mesh) {
-        return world_part(world, 0, world->count);
+        return world_apart(world);
     }
     Scene *scene = empty_scene();
     add_triangles(scene, world->mesh, 2);
     return scene;
 }
 
-/** Short lists. */
-typedef struct Lists {
-    const Engine *engine;  /**< Who is asked. */
-    Tracer *tracers[64];   /**< One a list. */
-    size_t count;          /**< How many. */
-    bool is_of_triangles;  /**< Whether all things are triangles of the same shape. */
-    RayAnswer said[BATCH]; /**< What the list said that was asked last. */
-} Lists;
-
-/** @return A world as short lists, to be given back. @param engine Who is asked.
- *  @param world The world. */
-static Lists *lists_create(const Engine *engine, const World *world) {
-    Lists *lists = calloc(1, sizeof *lists);
-    assert_non_null(lists);
-    lists->engine = engine;
-    lists->is_of_triangles = world->mesh != NULL;
-    for (size_t first = 0; first < world->count; first += LIST_SHAPES) {
-        Scene *scene = world_part(world, first, LIST_SHAPES);
-        assert_true(lists->count < sizeof lists->tracers / sizeof *lists->tracers);
-        lists->tracers[lists->count++] = prepare(engine, scene);
-        scene_destroy(scene);
-    }
-    return lists;
-}
-
-/** Gives lists back. @param lists The lists. */
-static void lists_destroy(Lists *lists) {
-    for (size_t i = 0; i < lists->count; i++) {
-        lists->engine->release(lists->tracers[i]);
-    }
-    free(lists);
-}
-
-/** Asks one list after the other; of all answers, the nearest counts, of those the first.
- *  @param lists The lists. @param count How many rays. @param rays The rays. @param[out] answers
- *  What all lists say together. */
-static void lists_ask(Lists *lists, int count, const RayQuery *rays, RayAnswer *answers) {
-    for (size_t n = 0; n < lists->count; n++) {
-        RayAnswer *said = n == 0 ? answers : lists->said;
-        lists->engine->intersect(lists->tracers[n], (size_t)count, rays, said);
-        for (int i = 0; i < count; i++) {
-            bool blocked = answers[i].blocked || said[i].blocked;
-            if (said[i].shape >= 0) {
-                said[i].shape = lists->is_of_triangles ? 0 : said[i].shape + (int)(n * LIST_SHAPES);
-            }
-            if (said[i].distance < answers[i].distance) {
-                answers[i] = said[i];
-            }
-            answers[i].blocked = blocked;
+/** Asks each of a world's things. @param engine An engine of one lane. @param tracer The things
+ *  apart, without a tree. @param world The world. @param count How many rays. @param rays The rays.
+ *  @param[out] answers What must be said of all together. */
+static void ask_each(const Engine *engine, const Tracer *tracer, const World *world, int count,
+                     const RayQuery *rays, RayAnswer *answers) {
+    engine->intersect(tracer, (size_t)count, rays, answers);
+    for (int i = 0; i < count; i++) {
+        assert_true(answers[i].blocked == (answers[i].shape >= 0));
+        if (world->mesh && answers[i].shape >= 0) {
+            answers[i].shape = 0;
         }
     }
 }
 
-/** Compares a world in every engine of a number type with its lists. @param reference The engine of
- *  one lane. @param world The world. @param batches Batches of rays of each kind, in float. */
-static void compare_with_lists(const Engine *reference, const World *world, int batches) {
-    Scene *scene = world_whole(world);
+/** Compares a world in every engine of a number type with its things, each asked by itself.
+ *  @param reference The engine of one lane. @param world The world.
+ *  @param batches Batches of rays of each kind, in float. */
+static void compare_with_list(const Engine *reference, const World *world, int batches) {
+    Scene *together = world_together(world), *apart = world_apart(world);
     Tracer *tracers[ENGINES_MOST];
-    prepare_all(reference, scene, tracers);
-    Lists *lists = lists_create(reference, world);
+    Tracer *list = prepare_with_tree(reference, apart, TREE_NEVER);
+    prepare_all(reference, together, tracers);
     RayQuery *rays = calloc(BATCH, sizeof *rays);
     RayAnswer *wanted = calloc(BATCH, sizeof *wanted);
     assert_true(rays && wanted);
@@ -177,28 +164,35 @@ static void compare_with_lists(const Engine *reference, const World *world, int 
         RayKind kind = (RayKind)(n % RAY_KINDS);
         char what[128];
         snprintf(what, sizeof what, "%s, %s", world->name, ray_kinds[kind]);
-        rays_fill(kind, &state, rays, reference, lists->tracers[n % (int)lists->count]);
-        lists_ask(lists, count, rays, wanted);
+        rays_fill(kind, &state, rays, count, reference, list);
+        ask_each(reference, list, world, count, rays, wanted);
         for (int i = 0; i < count; i++) {
-            assert_true(wanted[i].blocked == (wanted[i].shape >= 0));
             hits += wanted[i].shape >= 0;
         }
         assert_all_say(reference, what, tracers, count, rays, wanted);
     }
     // Rays that meet nothing would prove nothing.
     assert_true(hits > (long)count * RAY_KINDS / 8);
-    lists_destroy(lists);
+    reference->release(list);
     release_all(tracers);
-    scene_destroy(scene);
+    scene_destroy(together);
+    scene_destroy(apart);
     free(rays);
     free(wanted);
 }
 
-/** Shapes of all kinds, transformed ones and meshes among them: the tree against lists without.
+/** Shapes of all kinds, transformed ones and meshes among them: the tree against a list.
  *  @param reference The engine of one lane. */
-static void shapes_against_lists(const Engine *reference) {
-    const World world = {"many shapes", 3 * LIST_SHAPES - 3, NULL};
-    compare_with_lists(reference, &world, 10);
+static void shapes_against_list(const Engine *reference) {
+    const World world = {"many shapes", 66, NULL, add_one_of_many};
+    compare_with_list(reference, &world, 10);
+}
+
+/** Many shapes in one plane: where distances are equal, the first shape is met, although boxes are
+ *  reached in any order. @param reference The engine of one lane. */
+static void plane_against_list(const Engine *reference) {
+    const World world = {"a plane of shapes", 66, NULL, add_to_one_plane};
+    compare_with_list(reference, &world, 3);
 }
 
 /** @return A mesh with everything in it: loose triangles, a ball, flat grids; to be given back.
@@ -230,12 +224,12 @@ static Triangles mixed_mesh(size_t loose) {
 
 /** The triangles of meshes, few and many: the mesh against each triangle by itself.
  *  @param reference The engine of one lane. */
-static void meshes_against_lists(const Engine *reference) {
+static void meshes_against_list(const Engine *reference) {
     Triangles few = mixed_mesh(2), many = mixed_mesh(140);
-    const World worlds[] = {{"a small mesh", few.triangle_count, &few},
-                            {"a mesh", many.triangle_count, &many}};
-    compare_with_lists(reference, &worlds[0], 8);
-    compare_with_lists(reference, &worlds[1], 1);
+    const World worlds[] = {{"a small mesh", few.triangle_count, &few, NULL},
+                            {"a mesh", many.triangle_count, &many, NULL}};
+    compare_with_list(reference, &worlds[0], 8);
+    compare_with_list(reference, &worlds[1], 1);
     triangles_release(&few);
     triangles_release(&many);
 }
@@ -257,9 +251,9 @@ static void ask_ties(const Engine *reference, const char *what, const Scene *sce
     assert_true(rays && wanted);
     uint64_t state = 5;
     int count = batch_of(reference), met = 0;
-    for (int n = 0; n < batches_of(reference, 2) * RAY_KINDS; n++) {
+    for (int n = 0; n < batches_of(reference, 1) * RAY_KINDS; n++) {
         RayKind kind = (RayKind)(n % RAY_KINDS);
-        rays_fill(kind, &state, rays, reference, tracers[one]);
+        rays_fill(kind, &state, rays, count, reference, tracers[one]);
         reference->intersect(tracers[one], (size_t)count, rays, wanted);
         for (int i = 0; i < count; i++) {
             assert_true(wanted[i].shape <= 0);
@@ -280,7 +274,7 @@ static void coplanar_grids(const Engine *reference) {
     for (int axis = 0; axis < 3; axis++) {
         Scene *scene = empty_scene();
         for (size_t cells = 4; cells <= 16; cells *= 2) {
-            Triangles grid = grid_of(axis, as_float(0.3), cells);
+            Triangles grid = grid_of(axis, axis == 1 ? as_float(0.3) : 0, cells);
             add_triangles(scene, &grid, 2);
             triangles_release(&grid);
         }
@@ -293,13 +287,12 @@ static void coplanar_grids(const Engine *reference) {
  * engine of one lane. */
 static void repeated_meshes(const Engine *reference) {
     Triangles ball = icosphere(2);
-    for (int times = 3; times <= LIST_SHAPES + 7; times += LIST_SHAPES + 4) {
+    for (int times = 3; times <= 24; times += 21) {
         Scene *scene = empty_scene();
         for (int i = 0; i < times; i++) {
             add_triangles(scene, &ball, 1 + i % 2);
         }
-        ask_ties(reference, times > LIST_SHAPES ? "thirty equal meshes" : "three equal meshes",
-                 scene);
+        ask_ties(reference, times > 3 ? "many equal meshes" : "three equal meshes", scene);
         scene_destroy(scene);
     }
     triangles_release(&ball);
@@ -469,12 +462,13 @@ static void outline(const Engine *engine) {
 /** Pixels a side of the pictures. */
 enum { SIDE = 48 };
 
-/** Draws a scene. @param engine The engine. @param scene The scene. @param[out] rgb Its colours.
- *  @return The rays that it took. */
-static RayCounts draw(const Engine *engine, const Scene *scene, double rgb[3 * SIDE * SIDE]) {
+/** Draws a scene. @param engine The engine. @param scene The scene. @param tree Whether its shapes
+ *  get a tree. @param[out] rgb Its colours. @return The rays that it took. */
+static RayCounts draw(const Engine *engine, const Scene *scene, TreeUse tree,
+                      double rgb[3 * SIDE * SIDE]) {
     PixelGrid grid = {.columns = SIDE, .rows = SIDE, .stride = 1};
     RayCounts counts = {0};
-    Tracer *tracer = prepare(engine, scene);
+    Tracer *tracer = prepare_with_tree(engine, scene, tree);
     engine->look(tracer, scene, SIDE, SIDE);
     engine->trace(tracer, &grid, rgb, &counts);
     engine->release(tracer);
@@ -489,21 +483,16 @@ static void add_lamp(Scene *scene, Vector3 position) {
     assert_true(scene_add_light(scene, &light, &error));
 }
 
-/** @return Shapes that mirror, with two lamps among them. @param extras How many spheres that
- *          nobody sees; to be given back. */
-static Scene *lit_scene(int extras) {
+/** @return Shapes that mirror, with two lamps among them; to be given back. */
+static Scene *lit_scene(void) {
     Error error = {0};
     Scene *scene = empty_scene();
     Material mirror = *(const Material *)material_keyword.defaults;
     mirror.reflectivity = (Color){0.5, 0.25, 0.125};
     assert_true(scene_add_material(scene, &mirror, &error));
     scene->camera.position = (Vector3){0, 0, 5};
-    for (size_t i = 0; i < LIST_SHAPES - 1; i++) {
+    for (size_t i = 0; i < 30; i++) {
         add_one_of_many(scene, i);
-    }
-    for (int i = 0; i < extras; i++) {
-        SphereParameters speck = {{i, 300, 700}, 1e-4};
-        add_shape(scene, "sphere", &speck);
     }
     add_lamp(scene, (Vector3){0.3, 0.6, 0.2});
     add_lamp(scene, (Vector3){-3, 4, 2});
@@ -513,14 +502,14 @@ static Scene *lit_scene(int extras) {
 /** A picture with mirrors and shadows is the same, bit by bit, with a tree and without: also for
  *  shadow rays, which end at a lamp. @param engine The engine. */
 static void pictures_are_the_same(const Engine *engine) {
-    Scene *without = lit_scene(0), *with = lit_scene(20);
+    Scene *scene = lit_scene();
     static double list[3 * SIDE * SIDE], tree[3 * SIDE * SIDE];
-    RayCounts a = draw(engine, without, list), b = draw(engine, with, tree);
+    RayCounts a = draw(engine, scene, TREE_NEVER, list);
+    RayCounts b = draw(engine, scene, TREE_ALWAYS, tree);
     assert_memory_equal(list, tree, sizeof list);
     assert_memory_equal(&a, &b, sizeof a);
     assert_true(a.mirror > 0 && a.shadow > 0);
-    scene_destroy(without);
-    scene_destroy(with);
+    scene_destroy(scene);
 }
 
 /** Inside a closed mesh, transformed, everything is lit by a lamp inside and dark by one outside.
@@ -540,7 +529,7 @@ static void shadows_end_at_the_lamp(const Engine *engine) {
         add_triangles(scene, &mesh, 2);
         assert_true(n < 2 || scene_transform_shape(scene, &how, &error));
         add_lamp(scene, n % 2 ? (Vector3){0, 0, 9} : (Vector3){0.5, 0.25, 1.25});
-        draw(engine, scene, rgb);
+        draw(engine, scene, TREE_AUTO, rgb);
         for (int i = 0; i < SIDE * SIDE; i++) {
             assert_true(n % 2 ? rgb[i] == 0 : rgb[i] > 0);
         }
@@ -560,7 +549,7 @@ static void box_of_all(const Engine *engine) {
         assert_true(transform_keyword.finish(&how, 0, &error));
         add_triangles(scene, &ball, 2);
         assert_true(scene_transform_shape(scene, &how, &error));
-        for (int i = 0; i < (many ? 2 * LIST_SHAPES : 1); i++) {
+        for (int i = 0; i < (many ? 300 : 1); i++) {
             SphereParameters small = {{9, 19, 30}, 0.5};
             add_shape(scene, "sphere", &small);
         }
@@ -635,21 +624,22 @@ static void instances(const Engine *engine) {
 
 /* --- all of them ----------------------------------------------------------------------------- */
 
-/** See #shapes_against_lists. @param state Not used. */
+/** See #shapes_against_list. @param state Not used. */
 static void test_shapes(void **state) {
     (void)state;
-    for_every_type(shapes_against_lists);
+    for_every_type(shapes_against_list);
 }
 
-/** See #meshes_against_lists. @param state Not used. */
+/** See #meshes_against_list. @param state Not used. */
 static void test_meshes(void **state) {
     (void)state;
-    for_every_type(meshes_against_lists);
+    for_every_type(meshes_against_list);
 }
 
 /** See #coplanar_grids. @param state Not used. */
 static void test_ties(void **state) {
     (void)state;
+    for_every_type(plane_against_list);
     for_every_type(coplanar_grids);
     for_every_type(repeated_meshes);
 }

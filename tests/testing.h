@@ -171,13 +171,19 @@ static inline void add_mesh(Scene *scene, const Vector3 *positions, size_t posit
 }
 
 /** @return A tracer as deep as the scene's picture, to be given back. @param engine The engine.
- *  @param scene The scene. */
-static inline Tracer *prepare(const Engine *engine, const Scene *scene) {
+ *  @param scene The scene. @param tree Whether its shapes get a tree. */
+static inline Tracer *prepare_with_tree(const Engine *engine, const Scene *scene, TreeUse tree) {
     Error error = {0};
-    TraceSettings settings = {.depth = scene->image.depth, .offset = OFFSET_BOUND};
+    TraceSettings settings = {.depth = scene->image.depth, .offset = OFFSET_BOUND, .tree = tree};
     Tracer *tracer = engine->prepare(scene, &settings, &error);
     assert_non_null(tracer);
     return tracer;
+}
+
+/** @return The same, with a tree where it pays. @param engine The engine. @param scene The scene.
+ */
+static inline Tracer *prepare(const Engine *engine, const Scene *scene) {
+    return prepare_with_tree(engine, scene, TREE_AUTO);
 }
 
 /** Traces the one pixel of a picture of one. @param engine The engine. @param scene The scene.

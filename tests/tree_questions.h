@@ -1,14 +1,13 @@
 /**
  * @file
- * @brief What the tests of trees share: rays of many kinds, and answers held against each other.
+ * @brief All engines of a number type say the same, to the bit: how tests of the tree ask them, and
+ *        the rays that they ask.
  */
 #ifndef DIOPTRE_TESTS_TREE_QUESTIONS_H
 #define DIOPTRE_TESTS_TREE_QUESTIONS_H
 
 #include "triangles.h"
 
-/** Shapes of the longest list without a tree. */
-enum { LIST_SHAPES = 23 };
 /** Rays of a packet, in any engine at most. */
 enum { TOGETHER = 64 };
 
@@ -129,7 +128,7 @@ static inline void prepare_all(const Engine *reference, const Scene *scene,
     for (size_t e = 0; engine_list()[e]; e++) {
         assert_true(e < ENGINES_MOST);
         if (is_of_type(engine_list()[e], reference)) {
-            tracers[e] = prepare(engine_list()[e], scene);
+            tracers[e] = prepare_with_tree(engine_list()[e], scene, TREE_ALWAYS);
         }
     }
 }
@@ -149,14 +148,10 @@ typedef enum {
     RAYS_RANDOM,   /**< From anywhere to anywhere. */
     RAYS_AXIS,     /**< Along an axis, both other components 0 or -0. */
     RAYS_IN_PLANE, /**< In a plane across an axis, on which faces lie. */
-    RAYS_FAR,      /**< From 1e2 and 1e3 away. */
+    RAYS_FAR,      /**< From 1e3 and 1e5 away: at 1e6 float passes a mesh 0.1 beside it. */
     RAYS_SURFACE,  /**< From where other rays meet something. */
     RAY_KINDS      /**< How many. */
 } RayKind;
-
-/** Names of the kinds. */
-static const char *const ray_kinds[] = {"coherent rays",  "random rays",    "rays along an axis",
-                                        "rays in a face", "rays from afar", "rays from a surface"};
 
 /** Half the side of the box that all test scenes lie in. */
 #define SCENE_REACH 2
@@ -244,10 +239,11 @@ static inline void fill_surface(uint64_t *state, RayQuery *rays, const Engine *e
 }
 
 /** Makes a batch of rays. @param kind How they go. @param[in,out] state A generator. @param[out]
- * rays The rays. @param engine Who finds points on the scene. @param tracer The scene. */
-static inline void rays_fill(RayKind kind, uint64_t *state, RayQuery *rays, const Engine *engine,
-                             const Tracer *tracer) {
-    for (int i = 0; i < BATCH; i += TOGETHER) {
+ * rays The rays. @param count How many. @param engine Who finds points on the scene. @param tracer
+ * The scene. */
+static inline void rays_fill(RayKind kind, uint64_t *state, RayQuery *rays, int count,
+                             const Engine *engine, const Tracer *tracer) {
+    for (int i = 0; i < count; i += TOGETHER) {
         if (kind == RAYS_AXIS) {
             fill_axis(state, rays + i);
         } else if (kind == RAYS_IN_PLANE) {
@@ -262,7 +258,7 @@ static inline void rays_fill(RayKind kind, uint64_t *state, RayQuery *rays, cons
                 random_point(state, 1, rays[k].direction);
             }
             if (kind == RAYS_FAR) {
-                fill_coherent(state, rays + i, i / TOGETHER % 2 ? 1e2 : 1e3);
+                fill_coherent(state, rays + i, i / TOGETHER % 2 ? 1e3 : 1e5);
             }
         }
     }

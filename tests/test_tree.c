@@ -256,7 +256,8 @@ static void ask_ties(const Engine *reference, const char *what, const Scene *sce
         rays_fill(kind, &state, rays, count, reference, tracers[one]);
         reference->intersect(tracers[one], (size_t)count, rays, wanted);
         for (int i = 0; i < count; i++) {
-            assert_true(wanted[i].shape <= 0);
+            // From afar, the outlines of surfaces that are cut differently are not the same.
+            assert_true(wanted[i].shape <= 0 || kind == RAYS_FAR);
             assert_true(wanted[i].blocked == (wanted[i].shape >= 0));
             met += wanted[i].shape == 0;
         }

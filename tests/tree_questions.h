@@ -148,7 +148,7 @@ typedef enum {
     RAYS_RANDOM,   /**< From anywhere to anywhere. */
     RAYS_AXIS,     /**< Along an axis, both other components 0 or -0. */
     RAYS_IN_PLANE, /**< In a plane across an axis, on which faces lie. */
-    RAYS_FAR,      /**< From 1e3 and 1e5 away: at 1e6 float passes a mesh 0.1 beside it. */
+    RAYS_FAR,      /**< From 1e3 and 1e6 away. */
     RAYS_SURFACE,  /**< From where other rays meet something. */
     RAY_KINDS      /**< How many. */
 } RayKind;
@@ -258,7 +258,7 @@ static inline void rays_fill(RayKind kind, uint64_t *state, RayQuery *rays, int 
                 random_point(state, 1, rays[k].direction);
             }
             if (kind == RAYS_FAR) {
-                fill_coherent(state, rays + i, i / TOGETHER % 2 ? 1e3 : 1e5);
+                fill_coherent(state, rays + i, i / TOGETHER % 2 ? 1e3 : 1e6);
             }
         }
     }

@@ -10,6 +10,7 @@
 #define DIOPTRE_TRACE_CORNERS_H
 
 #include "trace/shapes/shear.h"
+#include "trace/slab.h"
 
 /** Three corners in each lane. */
 typedef struct Corners {
@@ -52,6 +53,50 @@ INLINE real corners_distance(const Corners *corners, const Ray *ray) {
     WideVector normal = corners_normal(corners);
     WideVector to_corner = wide_subtract(vector_widen(corners->at[0]), vector_widen(ray->origin));
     return narrow(wide_dot(normal, to_corner) / wide_dot(normal, vector_widen(ray->direction)));
+}
+
+/**
+ * Narrows an interval to the part of rays between the planes of triangles' boxes, the same boxes to
+ * the last bit as #bounds_around makes for the tree.
+ * @param[in,out] near  Where it begins.
+ * @param[in,out] far   Where it ends.
+ * @param a        A corner, along an axis.
+ * @param b        Another.
+ * @param c        The last.
+ * @param origin   Where the rays start, along it.
+ * @param inverse  1 / direction, along it.
+ */
+INLINE void corners_clip(real *near, real *far, real a, real b, real c, real origin, real inverse) {
+    real low = real_min(a, real_min(b, c)), high = real_max(a, real_max(b, c));
+    real reach = real_max(real_abs(low), real_abs(high));
+    real slack = BOUNDS_ROUNDINGS * BOUNDS_ROUNDOFF * reach;
+    mask is_downwards = inverse < 0;
+    low = low - slack;
+    high = high + slack;
+    slab_narrow(near, far, real_select(is_downwards, high, low),
+                real_select(is_downwards, low, high), origin, inverse);
+}
+
+/**
+ * @return The lanes whose ray meets its triangle. From far away the rounding of #corners_surround
+ *         is larger than small triangles, and rays pass that the triangle's box is not on the way
+ *         of; whether a tree asks about them would hang on its other boxes. So a triangle is met
+ *         within its own box only: then no tree around it can make a difference.
+ * @param corners        Triangles.
+ * @param ray            Rays.
+ * @param inside         Those that pass inside.
+ * @param[out] distance  How far away they cross it.
+ */
+INLINE mask corners_meet(const Corners *corners, const Ray *ray, mask inside, real *distance) {
+    const Vector *a = &corners->at[0], *b = &corners->at[1], *c = &corners->at[2];
+    const Vector *o = &ray->origin, *i = &ray->inverse;
+    real near = real_of(0), far = real_of(INFINITE), t = corners_distance(corners, ray);
+    corners_clip(&near, &far, a->x, b->x, c->x, o->x, i->x);
+    corners_clip(&near, &far, a->y, b->y, c->y, o->y, i->y);
+    corners_clip(&near, &far, a->z, b->z, c->z, o->z, i->z);
+    near = near * (1 - SLAB_SLACK);
+    *distance = real_max(t, near);
+    return inside & (t > 0) & (near <= far * (1 + SLAB_SLACK));
 }
 
 /** @return Unit normals of the planes through triangles. @param corners Triangles. */

@@ -34,11 +34,11 @@ INLINE Corners corners_of(const TriangleBlock *block, int lane) {
 
 /** @return The lanes in which a triangle comes before what was met: nearer, or as near and earlier
  * in the mesh. @param model The model. @param hits What was met. @param v Which vector.
- *  @param inside The lanes that may. @param distance The triangle's. @param slot Its place. */
-INLINE mask slot_is_nearer(const Model *model, const ModelHits *hits, int v, mask inside,
+ *  @param met The lanes that meet it. @param distance The triangle's. @param slot Its place. */
+INLINE mask slot_is_nearer(const Model *model, const ModelHits *hits, int v, mask met,
                            real distance, size_t slot) {
-    mask nearer = inside & (distance > 0) & (distance < hits->distances[v]);
-    mask tie = inside & (distance > 0) & (distance == hits->distances[v]);
+    mask nearer = met & (distance < hits->distances[v]);
+    mask tie = met & (distance == hits->distances[v]);
     uint32_t triangle = model->blocks[slot / LANES].triangles[slot % LANES];
     while (any(tie)) {
         int lane = mask_first(tie);
@@ -58,8 +58,9 @@ INLINE mask slot_is_nearer(const Model *model, const ModelHits *hits, int v, mas
 static void slot_take(const Model *model, size_t slot, const Ray *ray, mask inside, int v,
                       ModelHits *hits) {
     Corners corners = corners_of(&model->blocks[slot / LANES], (int)(slot % LANES));
-    real distance = corners_distance(&corners, ray);
-    mask nearer = slot_is_nearer(model, hits, v, inside, distance, slot);
+    real distance;
+    mask met = corners_meet(&corners, ray, inside, &distance);
+    mask nearer = slot_is_nearer(model, hits, v, met, distance, slot);
     hits->distances[v] = real_select(nearer, distance, hits->distances[v]);
     hits->slots[v] = integer_select(nearer, integer_of((int)slot), hits->slots[v]);
 }
@@ -129,8 +130,7 @@ INLINE mask block_meets(const TriangleBlock *block, const Ray *ray, real *distan
                   : mask_lane(along.y, 0) ? corners_surround(&corners, ray, 1)
                                           : corners_surround(&corners, ray, 2);
     if (any(inside)) {
-        *distance = corners_distance(&corners, ray);
-        inside &= *distance > 0;
+        inside = corners_meet(&corners, ray, inside, distance);
     }
     return inside;
 }

@@ -4,15 +4,6 @@
  */
 #include "trace/shapes/transformed.h"
 
-/**
- * Roundings that may move a found point off the box of its shape, each half an ulp of the largest
- * coordinate: eight cover the corner itself, the point and the ray's own rounding with room.
- */
-#define BOUNDS_ROUNDINGS 8
-
-/** Half an ulp of 1 of the corners, which come in double. */
-#define BOUNDS_ROUNDOFF (REAL_BITS == 128 ? (scalar)0x1p-53 : ROUNDOFF)
-
 /** @return Bytes from an object of a class to the next. @param class The class. */
 static size_t class_stride(const ShapeClass *class) {
     return (class->size + SHAPE_ALIGNMENT - 1) / SHAPE_ALIGNMENT * SHAPE_ALIGNMENT;

@@ -120,6 +120,15 @@ size_t shape_size(const SceneShape *said);
 Shape *shape_make(void *memory, const SceneShape *said, int place, Models *models, Error *error);
 
 /**
+ * Roundings that may move a found point off the box of its shape, each half an ulp of the largest
+ * coordinate: eight cover the corner itself, the point and the ray's own rounding with room.
+ */
+#define BOUNDS_ROUNDINGS 8
+
+/** Half an ulp of 1 of the corners, which come in double. */
+#define BOUNDS_ROUNDOFF (REAL_BITS == 128 ? (scalar)0x1p-53 : ROUNDOFF)
+
+/**
  * @return A box around two corners, rounded outwards far enough that no rounding of an
  *         intersection can find a point outside.
  * @param low   Lowest coordinates.

@@ -5,6 +5,10 @@
  * Whether a ray passes inside a triangle is decided watertight, as for every polygon (shear.h); how
  * far away, by the plane through its corners, taken in the wide precision relative to the ray's
  * origin: the differences of float corners are exact there.
+ *
+ * From far away the rounding of the first is larger than small triangles, and rays pass inside that
+ * the triangle's box is not on the way of; whether a tree asks about them would hang on its other
+ * boxes. So a triangle is met within its own box only: then no tree can make a difference.
  */
 #ifndef DIOPTRE_TRACE_CORNERS_H
 #define DIOPTRE_TRACE_CORNERS_H
@@ -17,17 +21,12 @@ typedef struct Corners {
     Vector at[3]; /**< The corners, in turn. */
 } Corners;
 
-/** @return A vector with its axes renamed in a circle. @param v It. @param axis What becomes z. */
-INLINE Vector vector_turn(Vector v, int axis) {
-    return axis == 0 ? (Vector){v.y, v.z, v.x} : axis == 1 ? (Vector){v.z, v.x, v.y} : v;
-}
-
 /** Finds how far beside the rays the corners lie. @param corners Triangles. @param ray Rays.
  *  @param axis The axis that they run mainly along. @param[out] offsets Three. */
 INLINE void corners_offsets(const Corners *corners, const Ray *ray, int axis, Offset *offsets) {
-    Ray turned = shear_turn(ray, axis);
+    Shear shear = shear_of(ray, axis);
     for (int i = 0; i < 3; i++) {
-        offsets[i] = shear_offset(vector_turn(corners->at[i], axis), &turned);
+        offsets[i] = shear_offset(shear_turn(corners->at[i], axis), &shear);
     }
 }
 
@@ -47,56 +46,31 @@ INLINE WideVector corners_normal(const Corners *corners) {
     return (WideVector){u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
 }
 
-/** @return How far away rays cross the planes of triangles. @param corners Triangles.
- *  @param ray Rays. */
-INLINE real corners_distance(const Corners *corners, const Ray *ray) {
-    WideVector normal = corners_normal(corners);
-    WideVector to_corner = wide_subtract(vector_widen(corners->at[0]), vector_widen(ray->origin));
-    return narrow(wide_dot(normal, to_corner) / wide_dot(normal, vector_widen(ray->direction)));
+/** @return How far away rays cross planes. @param normal The planes' normals, of any length.
+ *  @param anchor A point of each. @param ray Rays. */
+INLINE real plane_distance(WideVector normal, WideVector anchor, const Ray *ray) {
+    WideVector to_anchor = wide_subtract(anchor, vector_widen(ray->origin));
+    return narrow(wide_dot(normal, to_anchor) / wide_dot(normal, vector_widen(ray->direction)));
 }
 
-/**
- * Narrows an interval to the part of rays between the planes of triangles' boxes, the same boxes to
- * the last bit as #bounds_around makes for the tree.
- * @param[in,out] near  Where it begins.
- * @param[in,out] far   Where it ends.
- * @param a        A corner, along an axis.
- * @param b        Another.
- * @param c        The last.
- * @param origin   Where the rays start, along it.
- * @param inverse  1 / direction, along it.
- */
-INLINE void corners_clip(real *near, real *far, real a, real b, real c, real origin, real inverse) {
-    real low = real_min(a, real_min(b, c)), high = real_max(a, real_max(b, c));
-    real reach = real_max(real_abs(low), real_abs(high));
-    real slack = BOUNDS_ROUNDINGS * BOUNDS_ROUNDOFF * reach;
-    mask is_downwards = inverse < 0;
-    low = low - slack;
-    high = high + slack;
-    slab_narrow(near, far, real_select(is_downwards, high, low),
-                real_select(is_downwards, low, high), origin, inverse);
+/** Finds the extent of three corners along an axis, as #corners_bounds does to the last bit.
+ *  @param a A corner. @param b Another. @param c The last. @param[out] low Its lower end.
+ *  @param[out] high Its higher end. */
+INLINE void corners_extent(real a, real b, real c, real *low, real *high) {
+    real lowest = real_min(a, real_min(b, c)), highest = real_max(a, real_max(b, c));
+    real slack = BOUNDS_ROUNDINGS * BOUNDS_ROUNDOFF * real_max(highest, -lowest);
+    *low = lowest - slack;
+    *high = highest + slack;
 }
 
-/**
- * @return The lanes whose ray meets its triangle. From far away the rounding of #corners_surround
- *         is larger than small triangles, and rays pass that the triangle's box is not on the way
- *         of; whether a tree asks about them would hang on its other boxes. So a triangle is met
- *         within its own box only: then no tree around it can make a difference.
- * @param corners        Triangles.
- * @param ray            Rays.
- * @param inside         Those that pass inside.
- * @param[out] distance  How far away they cross it.
- */
-INLINE mask corners_meet(const Corners *corners, const Ray *ray, mask inside, real *distance) {
+/** @return The boxes around triangles. @param corners Triangles. */
+INLINE BoundsBlock corners_boxes(const Corners *corners) {
     const Vector *a = &corners->at[0], *b = &corners->at[1], *c = &corners->at[2];
-    const Vector *o = &ray->origin, *i = &ray->inverse;
-    real near = real_of(0), far = real_of(INFINITE), t = corners_distance(corners, ray);
-    corners_clip(&near, &far, a->x, b->x, c->x, o->x, i->x);
-    corners_clip(&near, &far, a->y, b->y, c->y, o->y, i->y);
-    corners_clip(&near, &far, a->z, b->z, c->z, o->z, i->z);
-    near = near * (1 - SLAB_SLACK);
-    *distance = real_max(t, near);
-    return inside & (t > 0) & (near <= far * (1 + SLAB_SLACK));
+    BoundsBlock boxes;
+    corners_extent(a->x, b->x, c->x, &boxes.planes[0], &boxes.planes[3]);
+    corners_extent(a->y, b->y, c->y, &boxes.planes[1], &boxes.planes[4]);
+    corners_extent(a->z, b->z, c->z, &boxes.planes[2], &boxes.planes[5]);
+    return boxes;
 }
 
 /** @return Unit normals of the planes through triangles. @param corners Triangles. */

@@ -164,6 +164,7 @@ static void engine_cast(const Tracer *tracer, const PixelGrid *grid, int *shapes
             Packet packet;
             Hit hits[PACKET_VECTORS];
             eye_aim(&tracer->eye, grid, column, row, &packet);
+            packet.wants_points = false;
             shape_list_nearest(&tracer->list, &packet, hits);
             for (int v = 0; v < PACKET_VECTORS; v++) {
                 int c = column + v * LANES % PACKET_COLUMNS, r = row + v * LANES / PACKET_COLUMNS;
@@ -182,6 +183,7 @@ static void engine_cast(const Tracer *tracer, const PixelGrid *grid, int *shapes
  * @param[out] packet  The packet.
  */
 static void packet_clear(Packet *packet) {
+    packet->wants_points = true;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         Vector zero = {real_of(0), real_of(0), real_of(0)};
         packet->rays[v] = (Ray){zero, zero, zero};
@@ -228,6 +230,7 @@ static void plain_pack(const PlainRay *rays, size_t count, Packet *packet) {
         packet_put(packet, i, origin, direction);
     }
     packet_close(packet);
+    packet->wants_points = false;
 }
 
 /** Makes a packet of rays asked in full. @param queries The rays. @param count How many, at most

@@ -65,6 +65,7 @@ void eye_aim(const Eye *eye, const PixelGrid *grid, int column, int row, Packet 
     int place_x = sample_place(grid->sample, SAMPLE_STEP_X);
     int place_y = sample_place(grid->sample, SAMPLE_STEP_Y);
     real lanes = lane_numbers();
+    packet->wants_points = true;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         int c = column + v * LANES % PACKET_COLUMNS, r = row + v * LANES / PACKET_COLUMNS;
         int pixel_x = grid->x + c * grid->stride, pixel_y = grid->y + r * grid->stride;

@@ -28,6 +28,7 @@ Lamp lamp_of(const Light *light) {
  */
 static void shine_aim(const Lamp *lamp, const Departure *departure, const Encounter *met,
                       Shine *shine) {
+    shine->shadow.wants_points = false;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         const Hit *hit = &met->hits[v];
         Vector path = vector_subtract(lamp->position, hit->point);

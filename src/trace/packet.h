@@ -33,6 +33,8 @@ struct Packet {
     Ray rays[PACKET_VECTORS];    /**< The rays. */
     mask active[PACKET_VECTORS]; /**< Those that are there at all. */
     real limit[PACKET_VECTORS];  /**< How far each goes. */
+    bool wants_points;           /**< Whether points and normals are wanted of what they meet; else
+                                      only which shape and how far away. */
 };
 
 /** Boxes of LANES shapes side by side, so that one test answers for all of them. */

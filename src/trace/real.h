@@ -108,6 +108,15 @@ INLINE scalar real_at(const real *x, int i) {
     return ((const stored_scalar *)x)[i];
 }
 
+/** A better number where vectors lie in memory. */
+typedef wide_scalar stored_wide __attribute__((may_alias));
+
+/** @return One lane of better numbers that lie in memory. @param x LANES numbers.
+ *  @param i Which, 0 to LANES - 1. */
+INLINE wide_scalar wide_at(const wide *x, int i) {
+    return ((const stored_wide *)x)[i];
+}
+
 /** Sets one lane. @param[in,out] x LANES numbers. @param i Which. @param value Its new value. */
 INLINE void real_set_lane(real *x, int i, scalar value) {
 #if LANES > 1
@@ -126,6 +135,15 @@ INLINE int integer_lane(integer x, int i) {
     (void)i;
     return x;
 #endif
+}
+
+/** An integer where vectors lie in memory. */
+typedef lane_integer stored_integer __attribute__((may_alias));
+
+/** @return One lane of integers that lie in memory: only that one is loaded. @param x LANES
+ *  integers. @param i Which, 0 to LANES - 1. */
+INLINE int integer_at(const integer *x, int i) {
+    return (int)((const stored_integer *)x)[i];
 }
 
 /** @return Whether a lane is set. @param m A mask. @param i Which lane. */

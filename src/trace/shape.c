@@ -39,15 +39,8 @@ Shape *shape_make(void *memory, const SceneShape *said, int place, Models *model
 }
 
 Bounds bounds_around(Vector3 low, Vector3 high) {
-    const double l[3] = {low.x, low.y, low.z}, h[3] = {high.x, high.y, high.z};
-    Bounds bounds;
-    for (int axis = 0; axis < 3; axis++) {
-        scalar reach = (scalar)fmax(fabs(l[axis]), fabs(h[axis]));
-        scalar slack = BOUNDS_ROUNDINGS * BOUNDS_ROUNDOFF * reach;
-        bounds.low[axis] = (scalar)l[axis] - slack;
-        bounds.high[axis] = (scalar)h[axis] + slack;
-    }
-    return bounds;
+    return bounds_outwards((Bounds){{(scalar)low.x, (scalar)low.y, (scalar)low.z},
+                                    {(scalar)high.x, (scalar)high.y, (scalar)high.z}});
 }
 
 Bounds bounds_slackened(Bounds bounds) {

@@ -128,12 +128,19 @@ Shape *shape_make(void *memory, const SceneShape *said, int place, Models *model
 /** Half an ulp of 1 of the corners, which come in double. */
 #define BOUNDS_ROUNDOFF (REAL_BITS == 128 ? (scalar)0x1p-53 : ROUNDOFF)
 
-/**
- * @return A box around two corners, rounded outwards far enough that no rounding of an
- *         intersection can find a point outside.
- * @param low   Lowest coordinates.
- * @param high  Highest coordinates.
- */
+/** @return A box moved out on all sides by the roundings of its own coordinates, far enough that no
+ *          rounding of an intersection can find a point outside. @param box The box. */
+static inline Bounds bounds_outwards(Bounds box) {
+    for (int axis = 0; axis < 3; axis++) {
+        scalar low = box.low[axis], high = box.high[axis], reach = high > -low ? high : -low;
+        box.low[axis] = low - BOUNDS_ROUNDINGS * BOUNDS_ROUNDOFF * reach;
+        box.high[axis] = high + BOUNDS_ROUNDINGS * BOUNDS_ROUNDOFF * reach;
+    }
+    return box;
+}
+
+/** @return A box around two corners, by #bounds_outwards. @param low Lowest coordinates.
+ *  @param high Highest coordinates. */
 Bounds bounds_around(Vector3 low, Vector3 high);
 
 /**

@@ -86,39 +86,35 @@ static void shape_blocked(const Shape *shape, const Packet *packet, mask *blocke
 
 /* --- the shapes of the tree ------------------------------------------------------------------ */
 
-/** Asks the shapes of a leaf about a vector of rays. See #TreeOwner.ask. @param items The list.
- *  @param first Block. @param count Blocks. @param packet The rays. @param v Which vector.
- *  @param lanes Which lanes. @param[in,out] found The hits. @return How far they still look. */
-static real leaf_nearest(const void *items, size_t first, size_t count, const Packet *packet, int v,
-                         unsigned lanes, void *found) {
+/** Asks the shapes of a leaf about rays. See #TreeOwner.ask. @param items The list.
+ *  @param leaf The leaf. @param rays The rays. @param[in,out] found The hits. */
+static void leaf_nearest(const void *items, TreeLeaf leaf, const TreeRays *rays, void *found) {
     const ShapeList *list = items;
-    Hit *hits = found;
-    mask active = mask_of_bits(lanes);
-    for (size_t i = first; i < first + count; i++) {
+    const Ray *ray = &rays->packet->rays[rays->vector];
+    Hit *hit = (Hit *)found + rays->vector;
+    mask active = mask_of_bits(rays->lanes);
+    for (size_t i = leaf.first; i < leaf.first + leaf.count; i++) {
         const Shape *shape = list->shapes[list->tree.order[i]];
-        shape->class->is_hit(shape, &packet->rays[v], active, &hits[v]);
+        shape->class->is_hit(shape, ray, active, hit);
     }
-    return hits[v].distance;
+    rays->limits[rays->vector] = hit->distance;
 }
 
-/** Asks the shapes of a leaf whether they block a vector of rays. See #TreeOwner.ask.
- *  @param items The list. @param first Block. @param count Blocks. @param packet The rays.
- *  @param v Which vector. @param lanes Which lanes. @param[in,out] found What is blocked.
- *  @return How far they still look: not at all where they are blocked. */
-static real leaf_blocked(const void *items, size_t first, size_t count, const Packet *packet, int v,
-                         unsigned lanes, void *found) {
+/** Asks the shapes of a leaf whether they block rays. See #TreeOwner.ask. @param items The list.
+ *  @param leaf The leaf. @param rays The rays. @param[in,out] found What is blocked. */
+static void leaf_blocked(const void *items, TreeLeaf leaf, const TreeRays *rays, void *found) {
     const ShapeList *list = items;
-    mask *blocked = found;
-    mask active = mask_of_bits(lanes);
-    for (size_t i = first; i < first + count; i++) {
+    const Ray *ray = &rays->packet->rays[rays->vector];
+    real limit = rays->packet->limit[rays->vector];
+    mask *blocked = (mask *)found + rays->vector, active = mask_of_bits(rays->lanes);
+    for (size_t i = leaf.first; i < leaf.first + leaf.count; i++) {
         const Shape *shape = list->shapes[list->tree.order[i]];
-        mask open = active & mask_not(blocked[v]);
+        mask open = active & mask_not(*blocked);
         if (any(open)) {
-            blocked[v] |=
-                shape->class->is_blocking(shape, &packet->rays[v], open, packet->limit[v]);
+            *blocked |= shape->class->is_blocking(shape, ray, open, limit);
         }
     }
-    return real_select(blocked[v], real_of(-1), packet->limit[v]);
+    rays->limits[rays->vector] = real_select(*blocked, real_of(-1), limit);
 }
 
 /** Asks the shapes of the tree, if there is one, what rays meet. @param list The shapes.

@@ -10,7 +10,7 @@
 #ifndef DIOPTRE_TRACE_SLAB_H
 #define DIOPTRE_TRACE_SLAB_H
 
-#include "trace/shape.h"
+#include "trace/packet.h"
 
 /**
  * Relative slack of either side: three roundings of a slab's distance, and eight more for the
@@ -36,30 +36,77 @@ INLINE void slab_narrow(real *near, real *far, real enter, real leave, real orig
  * Narrows an interval to the part of rays between one pair of planes, whichever is met first.
  * @param[in,out] near  Where it begins.
  * @param[in,out] far   Where it ends.
- * @param low     The lower plane.
- * @param high    The higher plane.
+ * @param low     The lower planes.
+ * @param high    The higher planes.
  * @param origin  Where the rays start, along the axis.
  * @param inverse 1 / direction, along the axis.
  */
-INLINE void slab_clip(real *near, real *far, scalar low, scalar high, real origin, real inverse) {
+INLINE void slab_clip(real *near, real *far, real low, real high, real origin, real inverse) {
     mask is_downwards = inverse < 0;
-    real enter = real_select(is_downwards, real_of(high), real_of(low));
-    real leave = real_select(is_downwards, real_of(low), real_of(high));
+    real enter = real_select(is_downwards, high, low);
+    real leave = real_select(is_downwards, low, high);
     slab_narrow(near, far, enter, leave, origin, inverse);
 }
 
 /**
- * @return The lanes whose ray may meet something in a box before its limit.
- * @param ray    The rays.
- * @param box    The box.
- * @param limit  How far they look.
+ * @return The lanes whose ray may meet something in its box before its limit.
+ * @param ray         The rays.
+ * @param boxes       A box for each.
+ * @param limit       How far they look.
+ * @param[out] near   They meet nothing in it nearer than this.
  */
-INLINE mask slab_meets(const Ray *ray, const Bounds *box, real limit) {
-    real near = real_of(0), far = limit;
-    slab_clip(&near, &far, box->low[0], box->high[0], ray->origin.x, ray->inverse.x);
-    slab_clip(&near, &far, box->low[1], box->high[1], ray->origin.y, ray->inverse.y);
-    slab_clip(&near, &far, box->low[2], box->high[2], ray->origin.z, ray->inverse.z);
-    return near * (1 - SLAB_SLACK) <= far * (1 + SLAB_SLACK);
+INLINE mask slab_meets(const Ray *ray, const BoundsBlock *boxes, real limit, real *near) {
+    const real *planes = boxes->planes;
+    real from = real_of(0), to = limit;
+    slab_clip(&from, &to, planes[0], planes[3], ray->origin.x, ray->inverse.x);
+    slab_clip(&from, &to, planes[1], planes[4], ray->origin.y, ray->inverse.y);
+    slab_clip(&from, &to, planes[2], planes[5], ray->origin.z, ray->inverse.z);
+    *near = from * (1 - SLAB_SLACK);
+    return *near <= to * (1 + SLAB_SLACK);
+}
+
+/** Which of a box's planes rays meet first, and which last, of each pair: places in
+ *  #BoundsBlock.planes. */
+typedef struct SlabOrder {
+    size_t enter[3]; /**< First. */
+    size_t leave[3]; /**< Last. */
+} SlabOrder;
+
+/** Sets the order along an axis. @param[in,out] order The order. @param axis The axis.
+ *  @param is_down Whether the rays go down along it. */
+INLINE void slab_sort(SlabOrder *order, size_t axis, bool is_down) {
+    order->enter[axis] = is_down ? axis + 3 : axis;
+    order->leave[axis] = is_down ? axis : axis + 3;
+}
+
+/**
+ * @return As #slab_meets, for rays that all meet the planes in the same order.
+ * @param origin      Where the rays start.
+ * @param inverse     1 / direction.
+ * @param boxes       A box for each.
+ * @param order       The order.
+ * @param limit       How far they look.
+ * @param[out] near   They meet nothing in it nearer than this.
+ */
+INLINE mask slab_meets_in_order(Vector origin, Vector inverse, const BoundsBlock *boxes,
+                                const SlabOrder *order, real limit, real *near) {
+    const real *planes = boxes->planes;
+    const size_t *enter = order->enter, *leave = order->leave;
+    real from = real_of(0), to = limit;
+    slab_narrow(&from, &to, planes[enter[0]], planes[leave[0]], origin.x, inverse.x);
+    slab_narrow(&from, &to, planes[enter[1]], planes[leave[1]], origin.y, inverse.y);
+    slab_narrow(&from, &to, planes[enter[2]], planes[leave[2]], origin.z, inverse.z);
+    *near = from * (1 - SLAB_SLACK);
+    return *near <= to * (1 + SLAB_SLACK);
+}
+
+/** @return The same box for every ray. @param boxes Boxes. @param lane Which of them. */
+INLINE BoundsBlock slab_spread(const BoundsBlock *boxes, int lane) {
+    BoundsBlock same;
+    for (int i = 0; i < 6; i++) {
+        same.planes[i] = real_of(real_at(&boxes->planes[i], lane));
+    }
+    return same;
 }
 
 #endif

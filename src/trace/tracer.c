@@ -86,6 +86,7 @@ INLINE Light3 body_color(const Surfaces *surface, Light3 matt, Light3 highlight)
  */
 static unsigned mirror_rays(const Tracer *tracer, const Encounter *met, const real *weight,
                             Packet *mirrored, real *weights) {
+    mirrored->wants_points = true;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         Light3 mirror = surfaces_gather(met->surfaces, &met->materials[v], met->met[v]).mirror;
         weights[v] = weight[v] * light3_largest(mirror);

@@ -80,6 +80,21 @@ void tree_release(Tree *tree);
 /** @return Bytes that a tree holds. @param tree The tree. */
 size_t tree_size(const Tree *tree);
 
+/** A leaf: the blocks of items in it. */
+typedef struct TreeLeaf {
+    size_t first; /**< The first block. */
+    size_t count; /**< How many. */
+} TreeLeaf;
+
+/** Rays that reach a leaf: some of one vector of a packet. */
+typedef struct TreeRays {
+    const Packet *packet; /**< The packet. */
+    int vector;           /**< Which vector of it. */
+    unsigned lanes;       /**< Bit i set: lane i counts. At least one. */
+    real *limits;         /**< For each vector of the packet: how far its rays look. What they meet
+                               nearer lowers them; below 0 they look no further at all. */
+} TreeRays;
+
 /** Whoever owns the items of a tree: asked about the leaves that rays reach. */
 typedef struct TreeOwner {
     const void *items;  /**< Handed to #ask. */
@@ -87,30 +102,46 @@ typedef struct TreeOwner {
     size_t block_bytes; /**< Bytes a block. */
 
     /**
-     * Asks the items of some blocks about rays of one vector of a packet.
-     * @param items    See #items.
-     * @param first    The first block.
-     * @param count    How many.
-     * @param packet   The rays.
-     * @param vector   Which vector of them.
-     * @param lanes    Bit i set: lane i counts. At least one.
+     * Asks the items of a leaf about rays.
+     * @param items  See #items.
+     * @param leaf   The leaf.
+     * @param rays   The rays; their limits are lowered.
      * @param[in,out] found  What the owner keeps of the packet, such as hits.
-     * @return The vector's distances to what it has met so far: beyond it nothing need be asked.
      */
-    real (*ask)(const void *items, size_t first, size_t count, const Packet *packet, int vector,
-                unsigned lanes, void *found);
+    void (*ask)(const void *items, TreeLeaf leaf, const TreeRays *rays, void *found);
 } TreeOwner;
+
+/** @return A leaf. @param child A child that is one, see #TreeNode.children. */
+static inline TreeLeaf tree_leaf(uint32_t child) {
+    return (TreeLeaf){(child & ~TREE_LEAF) >> TREE_BLOCK_BITS, child & TREE_LEAF_BLOCKS};
+}
+
+/** Fetches the memory that a child will need: its node, or the first of its blocks. @param tree The
+ *  tree. @param owner Who owns the items. @param child See #TreeNode.children. */
+static inline void tree_fetch(const Tree *tree, const TreeOwner *owner, uint32_t child) {
+    /** Bytes that one fetch brings. */
+    enum { LINE = 64 };
+    bool is_node = !(child & TREE_LEAF);
+    const char *nodes = (const char *)tree->nodes, *blocks = owner->blocks;
+    const char *from = is_node ? nodes : blocks;
+    size_t bytes = is_node ? sizeof(TreeNode) : owner->block_bytes;
+    size_t place = is_node ? child : tree_leaf(child).first;
+    for (size_t i = 0; from && i < bytes; i += LINE) {
+        __builtin_prefetch(from + place * bytes + i);
+    }
+}
 
 /**
  * Asks the items that the rays of a packet may meet, roughly from near to far: for all rays
  * together where they go about the same way, for each by itself where they share nothing.
  * @param tree     The tree.
  * @param packet   The rays.
- * @param limits   For each vector: how far rays look before anything is met.
+ * @param[in,out] limits  For each vector: how far rays look before anything is met; then how far
+ *                 the owner let them.
  * @param owner    Who owns the items.
  * @param[in,out] found  Handed to the owner.
  */
-void tree_visit(const Tree *tree, const Packet *packet, const real *limits, const TreeOwner *owner,
+void tree_visit(const Tree *tree, const Packet *packet, real *limits, const TreeOwner *owner,
                 void *found);
 
 /** Which rays of a packet: bit i of number v set: lane i of vector v. */

@@ -23,8 +23,7 @@ typedef struct Flight {
     const Ray *rays;           /**< Its vector of the packet. */
     int vector;                /**< Which that is. */
     int lane;                  /**< Its lane of it. */
-    size_t enter[3];           /**< Which of a node's planes it meets first, of each pair. */
-    size_t leave[3];           /**< Which it meets last. */
+    SlabOrder order;           /**< Which of a box's planes it meets first. */
     bool is_flying;            /**< Whether it has not come to its end. */
     scalar limit;              /**< How far it still looks. */
     int waiting;               /**< How many children wait. */
@@ -43,12 +42,10 @@ typedef struct Field {
     void *found;            /**< The owner's. */
 } Field;
 
-/** Notes which of two planes a ray meets first. @param[in,out] flight The ray. @param axis The
- * axis.
- *  @param is_down Whether it goes down along it. */
-INLINE void flight_sort(Flight *flight, size_t axis, bool is_down) {
-    flight->enter[axis] = is_down ? axis + 3 : axis;
-    flight->leave[axis] = is_down ? axis : axis + 3;
+/** @return One of LANES points in all lanes. @param v The points. @param lane Which. */
+INLINE Vector lane_spread(const Vector *v, int lane) {
+    return (Vector){real_of(real_at(&v->x, lane)), real_of(real_at(&v->y, lane)),
+                    real_of(real_at(&v->z, lane))};
 }
 
 /** Puts a ray of a packet where the rays begin. @param field The field. @param[out] flight The
@@ -56,9 +53,9 @@ INLINE void flight_sort(Flight *flight, size_t axis, bool is_down) {
 static void flight_begin(const Field *field, Flight *flight, int v, int lane) {
     const Vector *inverse = &field->packet->rays[v].inverse;
     flight->rays = &field->packet->rays[v];
-    flight_sort(flight, 0, real_at(&inverse->x, lane) < 0);
-    flight_sort(flight, 1, real_at(&inverse->y, lane) < 0);
-    flight_sort(flight, 2, real_at(&inverse->z, lane) < 0);
+    slab_sort(&flight->order, 0, real_at(&inverse->x, lane) < 0);
+    slab_sort(&flight->order, 1, real_at(&inverse->y, lane) < 0);
+    slab_sort(&flight->order, 2, real_at(&inverse->z, lane) < 0);
     flight->vector = v;
     flight->lane = lane;
     flight->limit = real_at(&field->limits[v], lane);
@@ -80,26 +77,6 @@ static void flight_start(Field *field, Flight *flight) {
     }
 }
 
-/**
- * @return The children whose boxes a ray may meet before its limit.
- * @param flight     The ray.
- * @param block      The boxes.
- * @param[out] near  Where it meets each.
- */
-INLINE unsigned boxes_met(const Flight *flight, const BoundsBlock *block, real *near) {
-    real from = real_of(0), to = real_of(flight->limit);
-    const Vector *o = &flight->rays->origin, *i = &flight->rays->inverse;
-    const real *origin[3] = {&o->x, &o->y, &o->z}, *inverse[3] = {&i->x, &i->y, &i->z};
-    for (int axis = 0; axis < 3; axis++) {
-        slab_narrow(&from, &to, block->planes[flight->enter[axis]],
-                    block->planes[flight->leave[axis]],
-                    real_of(real_at(origin[axis], flight->lane)),
-                    real_of(real_at(inverse[axis], flight->lane)));
-    }
-    *near = from * (1 - SLAB_SLACK);
-    return mask_bits(*near <= to * (1 + SLAB_SLACK));
-}
-
 /** Puts a child where its distance belongs. @param flight The ray. @param first The stack's first
  *  entry of the same node. @param entry The child. */
 INLINE void flight_push(Flight *flight, int first, Waiting entry) {
@@ -113,39 +90,19 @@ INLINE void flight_push(Flight *flight, int first, Waiting entry) {
 /** Puts the children that a ray may meet on its stack. @param flight The ray. @param node The node.
  */
 static void flight_open(Flight *flight, const TreeNode *node) {
-    int first = flight->waiting;
+    int first = flight->waiting, ray = flight->lane;
+    Vector origin = lane_spread(&flight->rays->origin, ray);
+    Vector inverse = lane_spread(&flight->rays->inverse, ray);
     for (int b = 0; b < NODE_VECTORS; b++) {
         real near;
-        unsigned left = boxes_met(flight, &node->bounds[b], &near);
+        unsigned left = mask_bits(slab_meets_in_order(origin, inverse, &node->bounds[b],
+                                                      &flight->order, real_of(flight->limit),
+                                                      &near));
         for (; left; left &= left - 1) {
             int lane = __builtin_ctz(left);
             Waiting entry = {real_at(&near, lane), node->children[b * LANES + lane]};
             flight_push(flight, first, entry);
         }
-    }
-}
-
-/** Fetches memory that will be needed. @param at Where. @param bytes How much. */
-INLINE void memory_fetch(const void *at, size_t bytes) {
-    /** Bytes that one fetch brings. */
-    enum { LINE = 64 };
-    for (size_t i = 0; i < bytes; i += LINE) {
-        __builtin_prefetch((const char *)at + i);
-    }
-}
-
-/** Fetches what a ray's next step needs. @param field The field. @param flight The ray. */
-INLINE void flight_fetch(const Field *field, const Flight *flight) {
-    if (flight->waiting == 0) {
-        return;
-    }
-    uint32_t child = flight->stack[flight->waiting - 1].child;
-    const TreeOwner *owner = field->owner;
-    if (!(child & TREE_LEAF)) {
-        memory_fetch(&field->tree->nodes[child], sizeof(TreeNode));
-    } else if (owner->blocks) {
-        size_t first = (child & ~TREE_LEAF) >> TREE_BLOCK_BITS;
-        memory_fetch((const char *)owner->blocks + first * owner->block_bytes, owner->block_bytes);
     }
 }
 
@@ -160,17 +117,17 @@ static bool flight_step(Field *field, Flight *flight) {
         entry = flight->stack[--flight->waiting];
     } while (entry.near > flight->limit);
     if (entry.child & TREE_LEAF) {
-        size_t first = (entry.child & ~TREE_LEAF) >> TREE_BLOCK_BITS;
-        real limits =
-            field->owner->ask(field->owner->items, first, entry.child & TREE_LEAF_BLOCKS,
-                              field->packet, flight->vector, 1u << flight->lane, field->found);
-        flight->limit = real_at(&limits, flight->lane);
+        TreeRays rays = {field->packet, flight->vector, 1u << flight->lane, field->limits};
+        field->owner->ask(field->owner->items, tree_leaf(entry.child), &rays, field->found);
+        flight->limit = real_at(&field->limits[flight->vector], flight->lane);
         // A shadow ray that is blocked looks no further.
         flight->waiting = flight->limit < 0 ? 0 : flight->waiting;
     } else {
         flight_open(flight, &field->tree->nodes[entry.child]);
     }
-    flight_fetch(field, flight);
+    if (flight->waiting > 0) {
+        tree_fetch(field->tree, field->owner, flight->stack[flight->waiting - 1].child);
+    }
     return true;
 }
 
@@ -185,7 +142,6 @@ void tree_visit_singly(const Tree *tree, uint32_t child, const Lanes *lanes, con
     }
     for (Flight *flight = flights; flying > 0; flight = flight + 1 < end ? flight + 1 : flights) {
         if (flight->is_flying && !flight_step(&field, flight)) {
-            real_set_lane(&limits[flight->vector], flight->lane, flight->limit);
             flight_start(&field, flight);
             flying -= !flight->is_flying;
         }

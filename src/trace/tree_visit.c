@@ -22,11 +22,11 @@ typedef struct Waiting {
 
 /** A packet on its way through a tree. */
 typedef struct Journey {
-    const Packet *packet;        /**< The rays. */
-    Spans spans;                 /**< What is known of all of them. */
-    real limits[PACKET_VECTORS]; /**< How far each still looks. */
-    Waiting stack[TREE_STACK];   /**< What waits. */
-    int waiting;                 /**< How many. */
+    const Packet *packet;      /**< The rays. */
+    Spans spans;               /**< What is known of all of them. */
+    real *limits;              /**< How far each still looks. */
+    Waiting stack[TREE_STACK]; /**< What waits. */
+    int waiting;               /**< How many. */
 } Journey;
 
 /** Puts a child where its distance belongs, above all that are farther. @param journey The journey.
@@ -39,27 +39,17 @@ static void journey_push(Journey *journey, int first, Waiting entry) {
     journey->stack[i] = entry;
 }
 
-/** @return The box of a child. @param node The node. @param child Which. */
-INLINE Bounds child_bounds(const TreeNode *node, int child) {
-    const BoundsBlock *block = &node->bounds[child / LANES];
-    Bounds box;
-    for (int axis = 0; axis < 3; axis++) {
-        box.low[axis] = real_at(&block->planes[axis], child % LANES);
-        box.high[axis] = real_at(&block->planes[axis + 3], child % LANES);
-    }
-    return box;
-}
-
-/** Finds the rays that meet a child's box. @param journey The journey. @param box The box.
+/** Finds the rays that meet a child's box. @param journey The journey. @param box The box, in all lanes.
  *  @param lanes The rays that reached the node. @param[out] meeting Those that meet the box.
  *  @return Whether there are any. */
-static bool child_meets(const Journey *journey, const Bounds *box, const Lanes *lanes,
+static bool child_meets(const Journey *journey, const BoundsBlock *box, const Lanes *lanes,
                         Lanes *meeting) {
     unsigned met = 0;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         meeting->of[v] = 0;
         if (lanes->of[v]) {
-            mask meets = slab_meets(&journey->packet->rays[v], box, journey->limits[v]);
+            real near;
+            mask meets = slab_meets(&journey->packet->rays[v], box, journey->limits[v], &near);
             meeting->of[v] = (uint16_t)(mask_bits(meets) & lanes->of[v]);
             met |= meeting->of[v];
         }
@@ -75,9 +65,9 @@ static void node_open(Journey *journey, const TreeNode *node, const Lanes *lanes
         real near;
         unsigned left = mask_bits(spans_may_meet(&journey->spans, &node->bounds[b], &near));
         for (; left; left &= left - 1) {
-            int lane = __builtin_ctz(left), child = b * LANES + lane;
-            Waiting entry = {real_at(&near, lane), node->children[child], {{0}}};
-            Bounds box = child_bounds(node, child);
+            int lane = __builtin_ctz(left);
+            Waiting entry = {real_at(&near, lane), node->children[b * LANES + lane], {{0}}};
+            BoundsBlock box = slab_spread(&node->bounds[b], lane);
             if (child_meets(journey, &box, lanes, &entry.lanes)) {
                 journey_push(journey, first, entry);
             }
@@ -102,12 +92,10 @@ static bool entry_is_wanted(const Journey *journey, Waiting *entry) {
 /** Asks the owner about a leaf. @param journey The journey. @param owner The owner.
  *  @param leaf The leaf. @param[in,out] found The owner's. */
 static void leaf_ask(Journey *journey, const TreeOwner *owner, const Waiting *leaf, void *found) {
-    size_t first = (leaf->child & ~TREE_LEAF) >> TREE_BLOCK_BITS;
-    size_t count = leaf->child & TREE_LEAF_BLOCKS;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         if (leaf->lanes.of[v]) {
-            journey->limits[v] = owner->ask(owner->items, first, count, journey->packet, v,
-                                            leaf->lanes.of[v], found);
+            TreeRays rays = {journey->packet, v, leaf->lanes.of[v], journey->limits};
+            owner->ask(owner->items, tree_leaf(leaf->child), &rays, found);
         }
     }
 }
@@ -137,6 +125,9 @@ static int lanes_count(const Lanes *lanes) {
  *  @param[in,out] found The owner's. */
 static void journey_step(Journey *journey, const Tree *tree, const TreeOwner *owner, void *found) {
     Waiting entry = journey->stack[--journey->waiting];
+    if (journey->waiting > 0) {
+        tree_fetch(tree, owner, journey->stack[journey->waiting - 1].child);
+    }
     if (!entry_is_wanted(journey, &entry)) {
         return;
     }
@@ -150,20 +141,20 @@ static void journey_step(Journey *journey, const Tree *tree, const TreeOwner *ow
     }
 }
 
-void tree_visit(const Tree *tree, const Packet *packet, const real *limits, const TreeOwner *owner,
+void tree_visit(const Tree *tree, const Packet *packet, real *limits, const TreeOwner *owner,
                 void *found) {
     Journey journey;
     journey.packet = packet;
+    journey.limits = limits;
     journey.stack[0] = (Waiting){0};
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        journey.limits[v] = limits[v];
         journey.stack[0].lanes.of[v] = (uint16_t)mask_bits(packet->active[v]);
     }
     if (LANES > 1) {
         journey.spans = packet_spans(packet);
     }
     if (LANES == 1 || !spans_are_coherent(&journey.spans)) {
-        tree_visit_singly(tree, 0, &journey.stack[0].lanes, packet, journey.limits, owner, found);
+        tree_visit_singly(tree, 0, &journey.stack[0].lanes, packet, limits, owner, found);
         return;
     }
     journey.waiting = 1;

@@ -86,7 +86,7 @@ static void mesh_blocked(const Shape *self, const Packet *packet, mask *blocked)
 /** @return A packet of one vector of rays. @param ray The rays. @param active Those that count.
  *  @param limit How far they look. */
 static Packet packet_of_one(const Ray *ray, mask active, real limit) {
-    Packet packet = {.rays = {*ray}, .limit = {limit}};
+    Packet packet = {.rays = {*ray}, .limit = {limit}, .wants_points = true};
     packet.active[0] = active;
     return packet;
 }

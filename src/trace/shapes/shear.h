@@ -29,52 +29,54 @@ static inline Corner corner_of(Vector3 v) {
     return (Corner){{(scalar)v.x, (scalar)v.y, (scalar)v.z}};
 }
 
+/** @return A corner, exactly. @param corner The corner. */
+static inline WidePoint corner_widen(Corner corner) {
+    return (WidePoint){(wide_scalar)corner.at[0], (wide_scalar)corner.at[1],
+                       (wide_scalar)corner.at[2]};
+}
+
 /** @return The box around corners. @param corners The corners. @param count How many. */
 static inline Bounds corners_bounds(const Corner *corners, int count) {
-    Corner low = corners[0], high = corners[0];
-    for (int i = 1; i < count; i++) {
-        for (int axis = 0; axis < 3; axis++) {
+    Bounds box;
+    for (int axis = 0; axis < 3; axis++) {
+        box.low[axis] = box.high[axis] = corners[0].at[axis];
+        for (int i = 1; i < count; i++) {
             scalar at = corners[i].at[axis];
-            low.at[axis] = at < low.at[axis] ? at : low.at[axis];
-            high.at[axis] = at > high.at[axis] ? at : high.at[axis];
+            box.low[axis] = at < box.low[axis] ? at : box.low[axis];
+            box.high[axis] = at > box.high[axis] ? at : box.high[axis];
         }
     }
-    return bounds_around((Vector3){(double)low.at[0], (double)low.at[1], (double)low.at[2]},
-                         (Vector3){(double)high.at[0], (double)high.at[1], (double)high.at[2]});
+    return bounds_outwards(box);
 }
 
-/**
- * @return The rays with their axes renamed in a circle, so that a given axis becomes z.
- * @param ray   The rays.
- * @param axis  0, 1 or 2 for x, y or z.
- */
-INLINE Ray shear_turn(const Ray *ray, int axis) {
-    Vector o = ray->origin, d = ray->direction, i = ray->inverse;
-    if (axis == 0) {
-        return (Ray){{o.y, o.z, o.x}, {d.y, d.z, d.x}, {i.y, i.z, i.x}};
-    }
-    if (axis == 1) {
-        return (Ray){{o.z, o.x, o.y}, {d.z, d.x, d.y}, {i.z, i.x, i.y}};
-    }
-    return *ray;
+/** Rays, turned so that they run mainly along z. */
+typedef struct Shear {
+    Vector origin; /**< Where they start. */
+    real slope_x;  /**< How far they go along x for each step along z, at most about 1. */
+    real slope_y;  /**< How far they go along y. */
+} Shear;
+
+/** @return A vector with its axes renamed in a circle. @param v It. @param axis What becomes z:
+ *  0, 1 or 2 for x, y or z. */
+INLINE Vector shear_turn(Vector v, int axis) {
+    return axis == 0 ? (Vector){v.y, v.z, v.x} : axis == 1 ? (Vector){v.z, v.x, v.y} : v;
 }
 
-/** @return A corner in all lanes, with its axes renamed as #shear_turn does. @param c The corner.
- *  @param axis The axis that becomes z. */
-INLINE Vector shear_turn_corner(const Corner *c, int axis) {
-    return (Vector){real_of(c->at[(axis + 1) % 3]), real_of(c->at[(axis + 2) % 3]),
-                    real_of(c->at[axis])};
+/** @return Rays turned. @param ray The rays. @param axis The axis that they run mainly along. */
+INLINE Shear shear_of(const Ray *ray, int axis) {
+    Vector along = shear_turn(ray->direction, axis), inverse = shear_turn(ray->inverse, axis);
+    return (Shear){shear_turn(ray->origin, axis), along.x * inverse.z, along.y * inverse.z};
 }
 
 /**
  * @return How far beside the rays corners lie.
  * @param corner  The corners, turned.
- * @param turned  The rays, turned so that they run mainly along z.
+ * @param shear   The rays.
  */
-INLINE Offset shear_offset(Vector corner, const Ray *turned) {
-    real depth = (corner.z - turned->origin.z) * turned->inverse.z;
-    return (Offset){(corner.x - turned->origin.x) - turned->direction.x * depth,
-                    (corner.y - turned->origin.y) - turned->direction.y * depth};
+INLINE Offset shear_offset(Vector corner, const Shear *shear) {
+    real depth = corner.z - shear->origin.z;
+    return (Offset){(corner.x - shear->origin.x) - shear->slope_x * depth,
+                    (corner.y - shear->origin.y) - shear->slope_y * depth};
 }
 
 /**
@@ -94,13 +96,13 @@ INLINE real shear_side(Offset from, Offset to) {
  * @param count    How many, 3 or 4.
  */
 INLINE mask shear_surrounds(const Offset *offsets, int count) {
-    mask is_left = mask_of(true), is_right = mask_of(true);
-    for (int i = 0; i < count; i++) {
-        real side = shear_side(offsets[i], offsets[(i + 1) % count]);
-        is_left &= side >= 0;
-        is_right &= side <= 0;
+    real lowest = shear_side(offsets[count - 1], offsets[0]), highest = lowest;
+    for (int i = 0; i < count - 1; i++) {
+        real side = shear_side(offsets[i], offsets[i + 1]);
+        lowest = real_min(side, lowest);
+        highest = real_max(side, highest);
     }
-    return is_left | is_right;
+    return (lowest >= 0) | (highest <= 0);
 }
 
 /**
@@ -112,10 +114,12 @@ INLINE mask shear_surrounds(const Offset *offsets, int count) {
  * @param axis     The axis.
  */
 INLINE mask shear_is_inside_along(const Corner *corners, int count, const Ray *ray, int axis) {
-    Ray turned = shear_turn(ray, axis);
+    Shear shear = shear_of(ray, axis);
     Offset offsets[4];
     for (int i = 0; i < count; i++) {
-        offsets[i] = shear_offset(shear_turn_corner(&corners[i], axis), &turned);
+        const scalar *at = corners[i].at;
+        Vector corner = {real_of(at[0]), real_of(at[1]), real_of(at[2])};
+        offsets[i] = shear_offset(shear_turn(corner, axis), &shear);
     }
     return shear_surrounds(offsets, count);
 }

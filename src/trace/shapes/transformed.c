@@ -234,6 +234,7 @@ static Bounds transformed_bounds(const Shape *self) {
  *  @param[out] skipped How much of each ray was left out. */
 static Packet transformed_packet(const Transformed *self, const Packet *packet, wide *skipped) {
     Packet inside;
+    inside.wants_points = packet->wants_points;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         Local local = transformed_local(self, &packet->rays[v]);
         inside.rays[v] = local.ray;

@@ -148,12 +148,6 @@ static bool triangle_finish(void *values, uint64_t given, Error *error) {
     return true;
 }
 
-/** @return A corner, exactly. @param corner The corner. */
-static WidePoint corner_widen(Corner corner) {
-    return (WidePoint){(wide_scalar)corner.at[0], (wide_scalar)corner.at[1],
-                       (wide_scalar)corner.at[2]};
-}
-
 /**
  * Makes ready the normals at the corners. The plane's own is turned to their side.
  * @param[in,out] self  The triangle; its plane is there.

@@ -16,6 +16,8 @@
 #if LANES == 16 && defined(__AVX512DQ__)
 /** Bit i set where lane i of the mask m is. */
 #define LANES_BITS(m) (unsigned)_mm512_movepi32_mask((__m512i)(m))
+/** Bit i set where a is at most b in lane i: no mask need be made of it first. */
+#define LANES_AT_MOST(a, b) (unsigned)_mm512_cmp_ps_mask((__m512)(a), (__m512)(b), _CMP_LE_OQ)
 /** For each lane the number at its place. */
 #define LANES_GATHER(base, places)                                                                 \
     (real) _mm512_i32gather_ps((__m512i)(places), base, sizeof(scalar))

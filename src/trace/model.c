@@ -4,6 +4,8 @@
  */
 #include "trace/model.h"
 
+#include "trace/shapes/shear.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,12 +20,11 @@ static Vector3 mesh_corner(const Mesh *mesh, size_t triangle, int corner) {
 
 /** @return The box around a triangle. @param mesh The mesh. @param triangle Which triangle. */
 static Bounds triangle_bounds(const Mesh *mesh, size_t triangle) {
-    Vector3 a = mesh_corner(mesh, triangle, 0), b = mesh_corner(mesh, triangle, 1);
-    Vector3 c = mesh_corner(mesh, triangle, 2);
-    Vector3 low = {fmin(a.x, fmin(b.x, c.x)), fmin(a.y, fmin(b.y, c.y)), fmin(a.z, fmin(b.z, c.z))};
-    Vector3 high = {fmax(a.x, fmax(b.x, c.x)), fmax(a.y, fmax(b.y, c.y)),
-                    fmax(a.z, fmax(b.z, c.z))};
-    return bounds_around(low, high);
+    Corner corners[3];
+    for (int i = 0; i < 3; i++) {
+        corners[i] = corner_of(mesh_corner(mesh, triangle, i));
+    }
+    return corners_bounds(corners, 3);
 }
 
 /** Works out the boxes of all triangles, and the one around them. @param model The model.

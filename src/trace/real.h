@@ -260,6 +260,15 @@ INLINE unsigned mask_bits(mask m) {
 #endif
 }
 
+/** @return Bit i set where a is at most b in lane i. @param a Numbers. @param b Others. */
+INLINE unsigned real_at_most(real a, real b) {
+#ifdef LANES_AT_MOST
+    return LANES_AT_MOST(a, b);
+#else
+    return mask_bits(a <= b);
+#endif
+}
+
 /** What #mask_bits gives where every lane is set. */
 #define ALL_LANES ((1u << LANES) - 1)
 

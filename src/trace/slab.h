@@ -80,7 +80,7 @@ INLINE void slab_sort(SlabOrder *order, size_t axis, bool is_down) {
 }
 
 /**
- * @return As #slab_meets, for rays that all meet the planes in the same order.
+ * @return As #slab_meets, bit i for lane i, for rays that all meet the planes in the same order.
  * @param origin      Where the rays start.
  * @param inverse     1 / direction.
  * @param boxes       A box for each.
@@ -88,8 +88,8 @@ INLINE void slab_sort(SlabOrder *order, size_t axis, bool is_down) {
  * @param limit       How far they look.
  * @param[out] near   They meet nothing in it nearer than this.
  */
-INLINE mask slab_meets_in_order(Vector origin, Vector inverse, const BoundsBlock *boxes,
-                                const SlabOrder *order, real limit, real *near) {
+INLINE unsigned slab_meets_in_order(Vector origin, Vector inverse, const BoundsBlock *boxes,
+                                    const SlabOrder *order, real limit, real *near) {
     const real *planes = boxes->planes;
     const size_t *enter = order->enter, *leave = order->leave;
     real from = real_of(0), to = limit;
@@ -97,7 +97,7 @@ INLINE mask slab_meets_in_order(Vector origin, Vector inverse, const BoundsBlock
     slab_narrow(&from, &to, planes[enter[1]], planes[leave[1]], origin.y, inverse.y);
     slab_narrow(&from, &to, planes[enter[2]], planes[leave[2]], origin.z, inverse.z);
     *near = from * (1 - SLAB_SLACK);
-    return *near <= to * (1 + SLAB_SLACK);
+    return real_at_most(*near, to * (1 + SLAB_SLACK));
 }
 
 /** @return The same box for every ray. @param boxes Boxes. @param lane Which of them. */

@@ -116,18 +116,23 @@ static inline TreeLeaf tree_leaf(uint32_t child) {
     return (TreeLeaf){(child & ~TREE_LEAF) >> TREE_BLOCK_BITS, child & TREE_LEAF_BLOCKS};
 }
 
+/** Fetches memory that will be needed. @param at Where. @param bytes How much. */
+INLINE void memory_fetch(const void *at, size_t bytes) {
+    /** Bytes that one fetch brings. */
+    enum { LINE = 64 };
+    for (size_t i = 0; i < bytes; i += LINE) {
+        __builtin_prefetch((const char *)at + i);
+    }
+}
+
 /** Fetches the memory that a child will need: its node, or the first of its blocks. @param tree The
  *  tree. @param owner Who owns the items. @param child See #TreeNode.children. */
 static inline void tree_fetch(const Tree *tree, const TreeOwner *owner, uint32_t child) {
-    /** Bytes that one fetch brings. */
-    enum { LINE = 64 };
-    bool is_node = !(child & TREE_LEAF);
-    const char *nodes = (const char *)tree->nodes, *blocks = owner->blocks;
-    const char *from = is_node ? nodes : blocks;
-    size_t bytes = is_node ? sizeof(TreeNode) : owner->block_bytes;
-    size_t place = is_node ? child : tree_leaf(child).first;
-    for (size_t i = 0; from && i < bytes; i += LINE) {
-        __builtin_prefetch(from + place * bytes + i);
+    if (!(child & TREE_LEAF)) {
+        memory_fetch(&tree->nodes[child], sizeof(TreeNode));
+    } else if (owner->blocks) {
+        size_t place = tree_leaf(child).first * owner->block_bytes;
+        memory_fetch((const char *)owner->blocks + place, owner->block_bytes);
     }
 }
 

@@ -95,9 +95,8 @@ static void flight_open(Flight *flight, const TreeNode *node) {
     Vector inverse = lane_spread(&flight->rays->inverse, ray);
     for (int b = 0; b < NODE_VECTORS; b++) {
         real near;
-        unsigned left = mask_bits(slab_meets_in_order(origin, inverse, &node->bounds[b],
-                                                      &flight->order, real_of(flight->limit),
-                                                      &near));
+        unsigned left = slab_meets_in_order(origin, inverse, &node->bounds[b], &flight->order,
+                                            real_of(flight->limit), &near);
         for (; left; left &= left - 1) {
             int lane = __builtin_ctz(left);
             Waiting entry = {real_at(&near, lane), node->children[b * LANES + lane]};

@@ -155,13 +155,12 @@ static inline void references_swap(Reference *a, Reference *b) {
  */
 static size_t references_part(Reference *references, size_t count, const Binning *binning,
                               const Choice *choice) {
-    size_t left = 0, right = count;
-    while (left < right) {
-        if (binning_place(binning, &references[left].extent, choice->axis) < choice->bin) {
-            left++;
-        } else {
-            references_swap(&references[left], &references[--right]);
-        }
+    size_t left = 0;
+    // Every item is swapped, so that nothing is guessed: which side is as likely as not.
+    for (size_t i = 0; i < count; i++) {
+        bool is_left = binning_place(binning, &references[i].extent, choice->axis) < choice->bin;
+        references_swap(&references[left], &references[i]);
+        left += is_left;
     }
     return left;
 }

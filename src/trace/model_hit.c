@@ -337,6 +337,7 @@ void model_blocked(const Model *model, const Packet *packet, mask *blocked) {
     }
     tree_visit(&model->tree, packet, limits, &owner, &found);
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        blocked[v] |= packet->active[v] & (limits[v] < 0);
+        // A way may end before it begins: what is met says more than where it ends.
+        blocked[v] |= packet->active[v] & (found.slots[v] >= integer_of(0)) & (limits[v] < 0);
     }
 }

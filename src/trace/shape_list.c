@@ -99,13 +99,27 @@ typedef struct Planting {
     size_t count;     /**< How many. */
 } Planting;
 
+/** @return Whether shapes with a tree of their own stay out of the list's tree: a packet asks each of
+ *          them at once, as long as one test of boxes tells which. @param list The list. */
+static bool forests_stay(const ShapeList *list) {
+    /** Boxes of one test, in the wider engines. */
+    const size_t few = 8;
+    size_t count = 0;
+    for (size_t i = 0; i < list->count; i++) {
+        count += list->shapes[i]->class->nearest != NULL;
+    }
+    return count <= few;
+}
+
 /** Sorts the shapes of a list: those that end go to the tree. @param list The list, with room for
  * all of them as loose ones. @param[in,out] planting What
  * goes into it; NULL without. */
 static void shapes_sort(ShapeList *list, Planting *planting) {
+    bool stay = forests_stay(list);
     for (size_t i = 0; i < list->count; i++) {
-        Bounds box = list->shapes[i]->class->bounds(list->shapes[i]);
-        if (planting && bounds_end(&box)) {
+        const ShapeClass *class = list->shapes[i]->class;
+        Bounds box = class->bounds(list->shapes[i]);
+        if (planting && bounds_end(&box) && !(stay && class->nearest)) {
             planting->boxes[planting->count] = box;
             planting->places[planting->count++] = (uint32_t)i;
         } else {

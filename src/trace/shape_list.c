@@ -63,7 +63,7 @@ static void *shapes_allocate(size_t size) {
     return memory ? memset(memory, 0, whole) : NULL;
 }
 
-/** @return Whether a shape can be in a tree: whether it ends. @param box Its box. */
+/** @return Whether a box ends. @param box The box. */
 static bool bounds_end(const Bounds *box) {
     bool ends = true;
     for (int axis = 0; axis < 3; axis++) {
@@ -72,12 +72,31 @@ static bool bounds_end(const Bounds *box) {
     return ends;
 }
 
-/** @return How many shapes of a list end. @param list The list, its shapes made. */
-static size_t shapes_ending(const ShapeList *list) {
+/** @return Whether a list has so many shapes with a tree of their own that they, too, go into its
+ *          tree. Else a packet asks each of them at once. @param list The list, its shapes made. */
+static bool forests_are_planted(const ShapeList *list) {
+    /** Boxes that one test tells apart, in the wider engines. */
+    const size_t few = 8;
     size_t count = 0;
     for (size_t i = 0; i < list->count; i++) {
-        Bounds box = list->shapes[i]->class->bounds(list->shapes[i]);
-        count += bounds_end(&box);
+        count += list->shapes[i]->class->nearest != NULL;
+    }
+    return count > few;
+}
+
+/** @return Whether a shape would go into a tree. @param shape The shape. @param forests Whether
+ *  those with a tree of their own would. */
+static bool shape_is_planted(const Shape *shape, bool forests) {
+    Bounds box = shape->class->bounds(shape);
+    return bounds_end(&box) && (forests || !shape->class->nearest);
+}
+
+/** @return How many shapes of a list would go into a tree. @param list The list, its shapes made.
+ */
+static size_t shapes_to_plant(const ShapeList *list) {
+    size_t count = 0;
+    for (size_t i = 0; i < list->count; i++) {
+        count += shape_is_planted(list->shapes[i], list->plants_forests);
     }
     return count;
 }
@@ -99,27 +118,13 @@ typedef struct Planting {
     size_t count;     /**< How many. */
 } Planting;
 
-/** @return Whether shapes with a tree of their own stay out of the list's tree: a packet asks each of
- *          them at once, as long as one test of boxes tells which. @param list The list. */
-static bool forests_stay(const ShapeList *list) {
-    /** Boxes of one test, in the wider engines. */
-    const size_t few = 8;
-    size_t count = 0;
-    for (size_t i = 0; i < list->count; i++) {
-        count += list->shapes[i]->class->nearest != NULL;
-    }
-    return count <= few;
-}
-
-/** Sorts the shapes of a list: those that end go to the tree. @param list The list, with room for
- * all of them as loose ones. @param[in,out] planting What
- * goes into it; NULL without. */
+/** Sorts the shapes of a list into those of its tree and loose ones. @param list The list, with
+ * room for all of them as loose ones. @param[in,out] planting What goes into the tree; NULL
+ * without. */
 static void shapes_sort(ShapeList *list, Planting *planting) {
-    bool stay = forests_stay(list);
     for (size_t i = 0; i < list->count; i++) {
-        const ShapeClass *class = list->shapes[i]->class;
-        Bounds box = class->bounds(list->shapes[i]);
-        if (planting && bounds_end(&box) && !(stay && class->nearest)) {
+        Bounds box = list->shapes[i]->class->bounds(list->shapes[i]);
+        if (planting && shape_is_planted(list->shapes[i], list->plants_forests)) {
             planting->boxes[planting->count] = box;
             planting->places[planting->count++] = (uint32_t)i;
         } else {
@@ -158,7 +163,8 @@ bool shape_list_init(ShapeList *list, const Scene *scene, Models *models,
     list->bounds = shapes_allocate(bounds_blocks(count) * sizeof *list->bounds);
     bool is_made = list->memory && list->shapes && list->loose && list->bounds &&
                    shapes_make(list, scene, models, error);
-    if (is_made && shapes_ending(list) >= list->tree_from) {
+    list->plants_forests = is_made && (settings->tree == TREE_ALWAYS || forests_are_planted(list));
+    if (is_made && shapes_to_plant(list) >= list->tree_from) {
         is_made = shapes_plant(list, &settings->crew);
     } else if (is_made) {
         shapes_sort(list, NULL);

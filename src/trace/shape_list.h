@@ -16,6 +16,7 @@ typedef struct ShapeList {
     BoundsBlock *bounds; /**< The boxes of those, LANES a block; owned. */
     size_t loose_count;  /**< How many. */
     size_t tree_from;    /**< Shapes with an end from which on they get a tree. */
+    bool plants_forests; /**< Whether those with a tree of their own go into it, too. */
     Tree tree; /**< The tree over the others, by place; without nodes where there are few. */
 } ShapeList;
 

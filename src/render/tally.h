@@ -3,7 +3,8 @@
  * @brief The tally: what is known of every pixel of a picture that is drawn sample after sample,
  * and which pixels need more.
  *
- * A pixel that is calm has enough with few samples. It is rough when two of its samples differ by
+ * A pixel that is calm has enough with few samples (Mitchell, *Generating Antialiased Images at Low
+ * Sampling Densities*, 1987). It is rough when two of its samples differ by
  * more than #TALLY_CALM 8-bit steps in any primary; it is *open* when it or one of its eight
  * neighbours is rough. All pixels get #TALLY_FIRST samples. Then, and whenever their number has
  * doubled, the tally judges which pixels are open; these get all further samples until the next

@@ -496,11 +496,11 @@ static Scene *thin_line(double share) {
     return scene;
 }
 
-/** Lines as thin as a twelfth of a pixel are not missed anywhere on their way, though no one
+/** Lines as thin as an eleventh of a pixel are not missed anywhere on their way, though no one
  * pixel's first samples need meet them. @param state Not used. */
 static void test_thin_line(void **state) {
     (void)state;
-    for (double share = 1; share > 1.0 / 13; share /= 1.5) {
+    for (double share = 1; share > 1.0 / 12; share /= 1.5) {
         Scene *scene = thin_line(share);
         Saving saving = judged_against_full(scene, 64);
         print_message("line of %.3f pixels: %d steps off, %.3f of the samples\n", share,

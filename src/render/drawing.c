@@ -299,7 +299,8 @@ static bool open_trace(const Drawing *drawing, BlockWork *work, const uint16_t *
     uint16_t chosen[BLOCK_PIXELS];
     bool is_new[BLOCK_PIXELS];
     memset(is_new, true, sizeof is_new);
-    for (int sample = TALLY_FIRST; open_count > 0 && sample <= drawing->pass.last; sample++) {
+    for (int sample = tally_first(drawing->samples); open_count > 0 && sample <= drawing->pass.last;
+         sample++) {
         if (is_stopped(drawing)) {
             return false;
         }
@@ -363,7 +364,7 @@ static void block_draw_open(void *context, size_t index) {
 }
 
 bool drawing_pass(Drawing *drawing, Workers *workers) {
-    bool is_open = is_judging(drawing) && drawing->pass.first >= TALLY_FIRST;
+    bool is_open = is_judging(drawing) && drawing->pass.first >= tally_first(drawing->samples);
     if (is_open && tally_is_due(drawing->pass.first)) {
         size_t left = tally_judge(drawing->tally, workers, drawing->samples);
         atomic_store(drawing->all, atomic_load(drawing->done) + left);

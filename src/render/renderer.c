@@ -38,7 +38,7 @@ static void crew_workers_run(void *workers, size_t count, void (*job)(void *, si
 }
 
 bool renderer_judges(const Renderer *renderer) {
-    return renderer->settings.samples > TALLY_FIRST &&
+    return renderer->settings.samples > TALLY_LEAST &&
            renderer->settings.sampling == SAMPLING_ADAPTIVE;
 }
 
@@ -106,7 +106,7 @@ static bool draw_judged(Renderer *renderer, Drawing *drawing) {
     drawing->tally = &renderer->tally;
     drawing->is_shown = true;
     for (int first = 0; is_whole && first < samples; first = drawing->pass.last + 1) {
-        int next = first == 0 ? TALLY_FIRST : 2 * first;
+        int next = first == 0 ? tally_first(samples) : 2 * first;
         drawing->pass = (Pass){1, first, (next < samples ? next : samples) - 1};
         is_whole = drawing_pass(drawing, renderer->workers);
     }

@@ -47,8 +47,16 @@ void tally_release(Tally *tally) {
     *tally = (Tally){0};
 }
 
+int tally_first(int samples) {
+    int first = TALLY_LEAST;
+    while (first <= samples / 8) {
+        first *= 2;
+    }
+    return first;
+}
+
 bool tally_is_due(int sample) {
-    return sample >= TALLY_FIRST && (sample & (sample - 1)) == 0;
+    return (sample & (sample - 1)) == 0;
 }
 
 /** @return Whether the samples of a pixel differ. @param tally The tally. @param pixel Its place.

@@ -6,7 +6,7 @@
  * A pixel that is calm has enough with few samples (Mitchell, *Generating Antialiased Images at Low
  * Sampling Densities*, 1987). It is rough when two of its samples differ by
  * more than #TALLY_CALM 8-bit steps in any primary; it is *open* when it or one of its eight
- * neighbours is rough. All pixels get #TALLY_FIRST samples. Then, and whenever their number has
+ * neighbours is rough. All pixels get #tally_first samples. Then, and whenever their number has
  * doubled, the tally judges which pixels are open; these get all further samples until the next
  * judgement. One that is found open late, because a neighbour has become rough, catches up. The
  * judgement looks at the whole picture between two passes, so it does not depend on threads, blocks
@@ -19,8 +19,8 @@
 #include "dioptre/picture.h"
 #include "render/workers.h"
 
-/** Samples that every pixel gets before the first judgement. */
-enum { TALLY_FIRST = 8 };
+/** Samples that every pixel gets at least, before the first judgement. */
+enum { TALLY_LEAST = 8 };
 
 /** Steps of 255 by which the samples of a calm pixel differ at most. */
 enum { TALLY_CALM = 2 };
@@ -51,7 +51,13 @@ bool tally_resize(Tally *tally, int width, int height, bool judges, Error *error
 /** Gives a tally back. @param tally The tally. */
 void tally_release(Tally *tally);
 
-/** @return Whether pixels are judged before a sample is drawn. @param sample Which. */
+/** @return Samples that every pixel gets before the first judgement: a power of two, about a
+ * quarter of those that are asked for, so that who asks for more is surer of small things.
+ *  @param samples Rays a pixel that are asked for. */
+int tally_first(int samples);
+
+/** @return Whether pixels are judged before a sample is drawn. @param sample Which, at least
+ *          #tally_first. */
 bool tally_is_due(int sample);
 
 /**

@@ -2,6 +2,6 @@
 camera { position = {0.3, 0.4, 1.6}, look_at = {0, 0, -2}, fov = 60 }
 light { position = {1, 1.5, 0} }; ambient(0.1)
 local mirror = material { color = 0.05, reflectivity = 0.95 }
-quad { corner = {-4, -3, -2}, u = {8, 0, 0}, v = {0, 6, 0}, material = mirror }
-quad { corner = {-4, -3, 2}, u = {8, 0, 0}, v = {0, 6, 0}, material = mirror }
+plane { point = {0, 0, -2}, normal = {0, 0, 1}, material = mirror }
+plane { point = {0, 0, 2}, normal = {0, 0, 1}, material = mirror }
 sphere { center = {0, 0, -0.5}, radius = 0.5, material = material { color = "#c04030" } }

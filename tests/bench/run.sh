@@ -102,6 +102,6 @@ for name in spheres triangles; do
     gnuplot -c tests/bench/cost.gp "$folder/cost-$name.csv" doc/cost-$name.svg $name "$ENGINES" "$machine"
 done
 gnuplot -c tests/bench/few.gp "$folder/cost-lights.csv" doc/cost-lights.svg "lamps" "$ENGINES" "$machine"
-gnuplot -c tests/bench/few.gp "$folder/cost-depth.csv" doc/cost-depth.svg "times mirrored, at most" "$ENGINES" "$machine"
+gnuplot -c tests/bench/few.gp "$folder/cost-depth.csv" doc/cost-depth.svg "mirrorings of a ray" "$ENGINES" "$machine"
 gnuplot -c tests/bench/few.gp "$folder/cost-samples.csv" doc/cost-samples.svg "samples a pixel" "full adaptive" "$machine"
 gnuplot -c tests/bench/tree.gp "$folder/tree-pays.csv" doc/tree-pays.svg "$machine"

@@ -200,14 +200,12 @@ static inline double larger(double a, double b) {
     return a > b ? a : b;
 }
 
-/** Adds a sample of all rays to the sums, and to the ranges where the tally judges.
+/** Adds a sample of all rays to the sums, unless it is the first of all and stands there already,
+ * and to the ranges where the tally judges.
  *  @param[in,out] work The block. @param colors The sample. @param is_first Whether it is the first
  *  of the pass. @param judges Whether ranges are wanted. */
 static void block_add(BlockWork *work, const double *colors, bool is_first, bool judges) {
     size_t numbers = 3 * (size_t)work->grid.columns * (size_t)work->grid.rows;
-    if (work->grid.sample == 0) {
-        memcpy(work->sums, colors, numbers * sizeof *colors);
-    }
     for (size_t i = 0; work->grid.sample > 0 && i < numbers; i++) {
         work->sums[i] += colors[i];
     }
@@ -241,8 +239,9 @@ static bool block_trace(const Drawing *drawing, BlockWork *work) {
             return false;
         }
         work->grid.sample = sample;
-        drawing->engine->trace(drawing->tracer, &work->grid, colors, &work->rays);
-        block_add(work, colors, sample == drawing->pass.first, judges);
+        double *traced = sample == 0 ? work->sums : colors; // The first is the sum so far.
+        drawing->engine->trace(drawing->tracer, &work->grid, traced, &work->rays);
+        block_add(work, traced, sample == drawing->pass.first, judges);
         atomic_fetch_add_explicit(drawing->done, rays, memory_order_relaxed);
     }
     for (size_t i = 0; i < rays; i++) {

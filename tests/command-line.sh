@@ -63,7 +63,7 @@ echo 'camera {} for i = 1, 500 do sphere { center = {i, 0, -9} } end plane {}' >
 expect 0 '' 'info of many shapes' "$dioptre" info "$work/many.lua"
 holds "$work/out" '^tree +over 500 shapes; 1 asked one by one: here a tree pays from [0-9]+ on$' 'info says that there is a tree'
 expect 0 '' 'bench json' "$dioptre" bench "$box" --json -s 80x60 --frames 3 --samples 1
-holds "$work/out" '^\{"scene": "scenes/box.lua", "engine": "[a-z0-9]+", "threads": [0-9]+, "width": 80, "height": 60, "frames": 3, "ms_min": [0-9.e-]+, "ms_median": [0-9.e-]+, "rays": [0-9]+, "mrays_per_s": [0-9.e+]+\}$' 'bench json has its names'
+holds "$work/out" '^\{"scene": "scenes/box.lua", "engine": "[a-z0-9]+", "threads": [0-9]+, "width": 80, "height": 60, "frames": 3, "ms_min": [0-9.e-]+, "ms_median": [0-9.e-]+, "rays": [0-9]+, "mrays_per_s": [0-9.e+]+, "samples_per_pixel": [0-9.]+\}$' 'bench json has its names'
 for rays in primary random; do
     expect 0 '' "bench --rays $rays" "$dioptre" bench "$box" --json -s 80x60 --frames 2 --rays $rays
     holds "$work/out" '"rays": 4800,' "bench --rays $rays traces a ray a pixel"

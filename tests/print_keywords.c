@@ -82,13 +82,9 @@ static void print_keyword(const Keyword *keyword) {
 
 /** Prints all keywords. @return 0 */
 int main(void) {
-    const Keyword *const common[] = {&camera_keyword,
-                                     &image_keyword,
-                                     &light_keyword,
-                                     &sky_keyword,
-                                     &material_keyword,
-                                     &transform_keyword,
-                                     NULL};
+    const Keyword *const common[] = {
+        &camera_keyword, &image_keyword,    &light_keyword,     &sun_keyword,
+        &sky_keyword,    &material_keyword, &transform_keyword, NULL};
     for (const Keyword *const *keyword = common; *keyword; keyword++) {
         print_keyword(*keyword);
     }

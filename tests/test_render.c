@@ -3,74 +3,7 @@
  * @brief Pictures: the same bits whatever the threads, the lanes, the passes, the scale.
  */
 #include "fixtures.h"
-
-#include "dioptre/renderer.h"
-#include "dioptre/script.h"
-#include "testing.h"
-
-#include <stdlib.h>
-#include <time.h>
-
-/** Size of the test pictures: not a multiple of any block. */
-enum { WIDTH = 203, HEIGHT = 157 };
-
-/** @return A scene of this project, run. @param path Its file. */
-static Scene *load(const char *path) {
-    Error error = {0};
-    ScriptRequest request = {.path = path,
-                             .seconds = SCRIPT_SECONDS,
-                             .memory = SCRIPT_MEMORY,
-                             .shape_keywords = engine_list()[0]->shape_keywords};
-    Scene *scene = script_load(&request, &error);
-    if (!scene) {
-        fail_msg("%s", error.message);
-    }
-    return scene;
-}
-
-/** @return Settings for a small picture. @param scene The scene. @param engine The engine's name.
- *  @param threads Threads. */
-static RenderSettings small_settings(const Scene *scene, const char *engine, int threads) {
-    Error error = {0};
-    RenderSettings settings = render_settings_default(scene);
-    settings.engine = engine_find(engine, &error);
-    assert_non_null(settings.engine);
-    settings.threads = threads;
-    settings.width = WIDTH;
-    settings.height = HEIGHT;
-    return settings;
-}
-
-/** @return A renderer. @param scene The scene. @param settings What is asked for. */
-static Renderer *create(const Scene *scene, const RenderSettings *settings) {
-    Error error = {0};
-    Renderer *renderer = renderer_create(scene, settings, &error);
-    if (!renderer) {
-        fail_msg("%s", error.message);
-    }
-    return renderer;
-}
-
-/** @return A picture drawn at once. @param scene The scene. @param settings What is asked for. */
-static Picture draw(const Scene *scene, const RenderSettings *settings) {
-    Error error = {0};
-    Picture picture;
-    assert_true(picture_init(&picture, settings->width, settings->height, &error));
-    Renderer *renderer = create(scene, settings);
-    RenderReport report = renderer_draw(renderer, NULL, &picture);
-    assert_true(report.is_finished);
-    renderer_destroy(renderer);
-    return picture;
-}
-
-/** Fails unless two pictures are the same, and gives the second back. @param a One.
- *  @param b The other. */
-static void assert_same(const Picture *a, Picture b) {
-    Comparison comparison = picture_compare(a, &b, NULL);
-    assert_int_equal(comparison.worst_step, 0);
-    assert_memory_equal(a->pixels, b.pixels, 3 * (size_t)a->width * (size_t)a->height);
-    picture_release(&b);
-}
+#include "pictures.h"
 
 /** 1, 2, 3 and 8 threads draw the same picture. @param state Not used. */
 static void test_threads(void **state) {
@@ -164,36 +97,6 @@ static void test_scale(void **state) {
         picture_release(&picture);
         scene_destroy(scene);
     }
-}
-
-/** Draws in the background until it is finished. @param renderer The renderer. @param scene Camera.
- *  @param[out] passes How many different passes were seen. @return The picture. */
-static Picture draw_in_background(Renderer *renderer, const Scene *scene, int *passes) {
-    Error error = {0};
-    RenderReport report = {0};
-    const struct timespec pause = {.tv_nsec = 200000};
-    uint8_t *bgrx = calloc(4, (size_t)WIDTH * HEIGHT);
-    assert_true(renderer_start(renderer, scene, WIDTH, HEIGHT, NULL, NULL, &error));
-    int last_stride = 0, last_samples = 0;
-    *passes = 0;
-    while (!report.is_finished) {
-        if (renderer_take(renderer, &report, bgrx, 4 * WIDTH) &&
-            (report.stride != last_stride || report.samples != last_samples)) {
-            last_stride = report.stride;
-            last_samples = report.samples;
-            ++*passes;
-        }
-        nanosleep(&pause, NULL);
-    }
-    Picture picture;
-    assert_true(picture_init(&picture, WIDTH, HEIGHT, &error));
-    for (size_t i = 0; i < (size_t)WIDTH * HEIGHT; i++) {
-        for (size_t c = 0; c < 3; c++) {
-            picture.pixels[3 * i + c] = bgrx[4 * i + 2 - c];
-        }
-    }
-    free(bgrx);
-    return picture;
 }
 
 /** What passes in the background end in is what is drawn at once, bit for bit; also after it was

@@ -53,7 +53,8 @@ typedef enum {
 
 /** What a tracer is told besides the scene. */
 typedef struct TraceSettings {
-    int depth;             /**< How often a ray may be mirrored. */
+    int depth;   /**< How often a ray may be mirrored. */
+    int samples; /**< Rays a pixel; with more than one, balls of light give soft shadows. */
     OffsetStrategy offset; /**< Where secondary rays start. */
     double epsilon;        /**< For #OFFSET_FIXED: how far away, scene units. */
     Crew crew;             /**< Who prepares the tracer. */
@@ -71,12 +72,15 @@ typedef struct TracerContents {
 
 /** A rectangle of pixels, all of them or every n-th, to be traced with one ray each. */
 typedef struct PixelGrid {
-    int x;       /**< First column, from the left. */
-    int y;       /**< First row, from the top. */
-    int columns; /**< How many columns of rays, at least 1. */
-    int rows;    /**< How many rows of rays, at least 1. */
-    int stride;  /**< Pixels from one ray to the next, both ways, at least 1. */
-    int sample;  /**< Which of a pixel's samples; 0 is its centre. */
+    int x;                  /**< First column, from the left. */
+    int y;                  /**< First row, from the top. */
+    int columns;            /**< How many columns of rays, at least 1. */
+    int rows;               /**< How many rows of rays, at least 1. */
+    int stride;             /**< Pixels from one ray to the next, both ways, at least 1. */
+    int sample;             /**< Which of a pixel's samples; 0 is its centre. */
+    const uint16_t *chosen; /**< Only these get a ray, of a grid of stride 1: `row * columns +
+                                 column` of each; NULL: all do. */
+    size_t chosen_count;    /**< How many, at least 1. */
 } PixelGrid;
 
 /** How many rays were traced. */
@@ -139,10 +143,12 @@ typedef struct Engine {
     void (*look)(Tracer *tracer, const Scene *scene, int width, int height);
 
     /**
-     * Traces one ray for each point of a grid of pixels. Any number of threads may trace at once.
+     * Traces one ray for each point of a grid of pixels, or for the chosen ones. Any number of
+     * threads may trace at once.
      * @param tracer       The tracer, after #look.
      * @param grid         Which pixels.
-     * @param[out] rgb     Linear colours: the red of all rays, row by row, then green, then blue.
+     * @param[out] rgb     Linear colours: the red of all rays, row by row or in the order of the
+     *                     chosen, then green, then blue.
      * @param[in,out] counts  The rays traced are added to this.
      */
     void (*trace)(const Tracer *tracer, const PixelGrid *grid, double *rgb, RayCounts *counts);

@@ -17,6 +17,12 @@
 /** Largest number of threads that may be asked for. */
 enum { THREADS_MAXIMUM = 1024 };
 
+/** Whether every pixel gets all samples. */
+typedef enum {
+    SAMPLING_ADAPTIVE, /**< Where few are enough, a pixel gets few: the default. */
+    SAMPLING_FULL      /**< Every one gets all. */
+} Sampling;
+
 /** What is asked of a renderer besides the scene. */
 typedef struct RenderSettings {
     const Engine *engine; /**< Which engine. */
@@ -24,6 +30,7 @@ typedef struct RenderSettings {
     int width;            /**< Pixels. */
     int height;           /**< Pixels. */
     int samples;          /**< Rays a pixel. */
+    Sampling sampling;    /**< Whether every pixel gets that many. */
     int encoding;         /**< An #Encoding. */
     TraceSettings trace;  /**< Depth, offset and tree; the crew are the threads. */
 } RenderSettings;

@@ -16,6 +16,7 @@ typedef struct Bench {
     double ms_min;    /**< Fastest, milliseconds. */
     double ms_median; /**< Median, milliseconds. */
     uint64_t rays;    /**< Rays a picture. */
+    uint64_t camera;  /**< Those of them that leave the camera. */
 } Bench;
 
 /** @return Order of two doubles, for qsort. @param a One. @param b The other. */
@@ -55,6 +56,7 @@ static bool bench_measure(Renderer *renderer, BenchRays rays, int frames, Bench 
     *bench = (Bench){.frames = frames,
                      .ms_min = ms[0],
                      .ms_median = (ms[(frames - 1) / 2] + ms[frames / 2]) / 2,
+                     .camera = report.rays.camera,
                      .rays = report.rays.camera + report.rays.mirror + report.rays.shadow};
     free(ms);
     return report.is_finished || error_set(error, STATUS_INTERRUPTED, "interrupted");
@@ -69,10 +71,10 @@ static void bench_print(const Bench *bench, const RenderSettings *settings,
         json_print_string(options->arguments[0], stdout);
         printf(", \"engine\": \"%s\", \"threads\": %d, \"width\": %d, \"height\": %d, "
                "\"frames\": %d, \"ms_min\": %.6g, \"ms_median\": %.6g, \"rays\": %llu, "
-               "\"mrays_per_s\": %.6g}\n",
+               "\"mrays_per_s\": %.6g, \"samples_per_pixel\": %.6g}\n",
                settings->engine->name, settings->threads, settings->width, settings->height,
                bench->frames, bench->ms_min, bench->ms_median, (unsigned long long)bench->rays,
-               mrays);
+               mrays, (double)bench->camera / settings->width / settings->height);
     } else {
         printf("%s: %s, %d thread%s, %d x %d: %.2f ms (fastest %.2f), %llu rays, %.1f Mrays/s\n",
                options->arguments[0], settings->engine->name, settings->threads,
@@ -103,6 +105,6 @@ static int bench_run(const Options *options, Error *error) {
 const Command bench_command = {.name = "bench",
                                .usage = "SCENE",
                                .help = "times the drawing of a scene",
-                               .accepts = "sADtjEOXBFRJq",
+                               .accepts = "sASDtjEOXBFRJq",
                                .arguments = 1,
                                .run = bench_run};

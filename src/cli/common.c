@@ -31,6 +31,7 @@ RenderSettings command_settings(const Options *options, const Scene *scene) {
     settings.width = options->width ? options->width : settings.width;
     settings.height = options->height ? options->height : settings.height;
     settings.samples = options->samples ? options->samples : settings.samples;
+    settings.sampling = options->sampling;
     TraceSettings *trace = &settings.trace;
     trace->depth = options->depth >= 0 ? options->depth : trace->depth;
     trace->offset = options->offset >= 0 ? (OffsetStrategy)options->offset : trace->offset;

@@ -235,6 +235,6 @@ static int info_run(const Options *options, Error *error) {
 const Command info_command = {.name = "info",
                               .usage = "SCENE",
                               .help = "says what a scene uses and what the tracer leaves out",
-                              .accepts = "sADtjEOXBJq",
+                              .accepts = "sASDtjEOXBJq",
                               .arguments = 1,
                               .run = info_run};

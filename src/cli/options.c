@@ -25,6 +25,7 @@ static const OptionRow option_rows[] = {
     {'o', true, "output", "FILE", "write the picture there; the ending names the format"},
     {'s', true, "size", "WxH", "size of the picture, pixels"},
     {'A', false, "samples", "N", "rays a pixel"},
+    {'S', false, "sampling", "WAY", "adaptive or full: whether every pixel gets all its rays"},
     {'D', false, "depth", "N", "how often a ray may be mirrored"},
     {'t', true, "time", "SECONDS", "the scene's t"},
     {'j', true, "threads", "N", "worker threads (default: all cores)"},
@@ -157,11 +158,18 @@ static bool take_word(const OptionRow *row, const char *text, Options *options, 
     static const char *const offsets[] = {"none", "fixed", "bound", NULL};
     static const char *const rays[] = {"image", "primary", "random", NULL};
     static const char *const styles[] = {"auto", "json", "none", NULL};
+    static const char *const samplings[] = {"adaptive", "full", NULL};
     static const char *const keys[] = {"places", "letters", NULL};
     int place = 0;
     switch (row->key) {
     case 'O':
         return read_word(row->name, text, offsets, &options->offset, error);
+    case 'S':
+        if (!read_word(row->name, text, samplings, &place, error)) {
+            return false;
+        }
+        options->sampling = (Sampling)place;
+        return true;
     case 'R':
         if (!read_word(row->name, text, rays, &place, error)) {
             return false;

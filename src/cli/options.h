@@ -36,6 +36,7 @@ typedef struct Options {
     int width;                                /**< `--size` */
     int height;                               /**< `--size` */
     int samples;                              /**< `--samples` */
+    Sampling sampling;                        /**< `--sampling` */
     int depth;                                /**< `--depth`; -1: not said. */
     int threads;                              /**< `--threads` */
     int frames;                               /**< `--frames` */

@@ -68,6 +68,6 @@ static int render_run(const Options *options, Error *error) {
 const Command render_command = {.name = "render",
                                 .usage = "SCENE -o FILE",
                                 .help = "draws one picture, without a window",
-                                .accepts = "osADtjEOXBPq",
+                                .accepts = "osASDtjEOXBPq",
                                 .arguments = 1,
                                 .run = render_run};

@@ -55,6 +55,6 @@ static int view_command_run(const Options *options, Error *error) {
 const Command view_command = {.name = "view",
                               .usage = "SCENE",
                               .help = "shows a scene in a window and moves camera and light",
-                              .accepts = "sADtjEOXBKLq",
+                              .accepts = "sASDtjEOXBKLq",
                               .arguments = 1,
                               .run = view_command_run};

@@ -83,7 +83,7 @@ static void background_draw(Renderer *renderer) {
     double start = clock_seconds();
     Drawing drawing =
         renderer_drawing(renderer, background->width, background->height, &background->stop);
-    drawing.sums = background->sums;
+    drawing.tally = &renderer->tally;
     Pass next = {0};
     bool is_more = pass_next(&next, samples);
     while (is_more) {
@@ -132,36 +132,36 @@ void renderer_stop(Renderer *renderer) {
     pthread_mutex_unlock(&background->mutex);
 }
 
-/** Gives the pictures and sums back. @param background The background part. */
+/** Gives the pictures back. @param background The background part. */
 static void buffers_release(Background *background) {
-    free(background->sums);
-    background->sums = NULL;
     picture_release(&background->back);
     picture_release(&background->front);
 }
 
 /**
  * Makes room for a picture of another size.
- * @param background  The background part, idle.
+ * @param renderer    The renderer; its background part is idle.
  * @param width       Pixels.
  * @param height      Pixels.
  * @param[out] error  What is wrong.
  * @return false without memory.
  */
-static bool buffers_resize(Background *background, int width, int height, Error *error) {
-    if (background->sums && background->width == width && background->height == height) {
+static bool buffers_resize(Renderer *renderer, int width, int height, Error *error) {
+    Background *background = &renderer->background;
+    if (background->front.pixels && background->width == width && background->height == height) {
         return true;
     }
     buffers_release(background);
     background->width = width;
     background->height = height;
-    background->sums = malloc((size_t)width * (size_t)height * 3 * sizeof *background->sums);
-    if (!background->sums || !picture_init(&background->back, width, height, error) ||
-        !picture_init(&background->front, width, height, error)) {
+    bool is_made =
+        tally_resize(&renderer->tally, width, height, renderer_judges(renderer), error) &&
+        picture_init(&background->back, width, height, error) &&
+        picture_init(&background->front, width, height, error);
+    if (!is_made) {
         buffers_release(background);
-        return error_set(error, STATUS_FAILED, "no memory for %d x %d pixels", width, height);
     }
-    return true;
+    return is_made;
 }
 
 /** Starts the thread, once. @param renderer The renderer. @param[out] error What is wrong.
@@ -182,7 +182,7 @@ bool renderer_start(Renderer *renderer, const Scene *scene, int width, int heigh
                     RenderListener listener, void *context, Error *error) {
     Background *background = &renderer->background;
     renderer_stop(renderer);
-    if (!background_run(renderer, error) || !buffers_resize(background, width, height, error)) {
+    if (!background_run(renderer, error) || !buffers_resize(renderer, width, height, error)) {
         return false;
     }
     renderer->settings.engine->look(renderer->tracer, scene, width, height);

@@ -6,7 +6,7 @@
 #define DIOPTRE_RENDER_DRAWING_H
 
 #include "dioptre/renderer.h"
-#include "render/workers.h"
+#include "render/tally.h"
 
 /**
  * Pixels of a block, the piece of work of a thread: wide, so that rows of the picture are written
@@ -30,10 +30,13 @@ typedef struct Drawing {
     int width;               /**< Pixels. */
     int height;              /**< Pixels. */
     Pass pass;               /**< The pass that is being drawn. */
-    double *sums;            /**< Sum of the samples so far, 3 numbers a pixel; NULL: not kept. */
+    int samples;             /**< Samples a pixel that are wanted, at most. */
+    Tally *tally;            /**< What is known of every pixel; NULL: not kept. */
     Picture *picture;        /**< Where the encoded colours go; NULL: nowhere. */
+    bool is_shown;           /**< Whether the picture holds the pass before. */
     const atomic_bool *stop; /**< The blocks left are passed over once it is true; may be NULL. */
     atomic_size_t *done;     /**< Counts the rays of pixels that are done. */
+    atomic_size_t *all;      /**< Rays of pixels that there are to do. */
     _Atomic uint64_t camera; /**< Rays from the camera. */
     _Atomic uint64_t mirror; /**< Mirrored rays. */
     _Atomic uint64_t shadow; /**< Shadow rays. */

@@ -37,6 +37,11 @@ static void crew_workers_run(void *workers, size_t count, void (*job)(void *, si
     workers_run(workers, count, job, context);
 }
 
+bool renderer_judges(const Renderer *renderer) {
+    return renderer->settings.samples > TALLY_LEAST &&
+           renderer->settings.sampling == SAMPLING_ADAPTIVE;
+}
+
 Renderer *renderer_create(const Scene *scene, const RenderSettings *settings, Error *error) {
     Renderer *renderer = calloc(1, sizeof *renderer);
     if (!renderer) {
@@ -48,7 +53,10 @@ Renderer *renderer_create(const Scene *scene, const RenderSettings *settings, Er
     encoder_init(&renderer->encoder, (Encoding)settings->encoding);
     renderer->workers = workers_create(settings->threads, error);
     TraceSettings trace = settings->trace;
-    if (renderer->workers) {
+    trace.samples = settings->samples;
+    bool has_room = !renderer_judges(renderer) ||
+                    tally_resize(&renderer->tally, settings->width, settings->height, true, error);
+    if (renderer->workers && has_room) {
         trace.crew = (Crew){renderer->workers, settings->threads, crew_workers_run};
         renderer->tracer = settings->engine->prepare(scene, &trace, error);
     }
@@ -68,6 +76,7 @@ void renderer_destroy(Renderer *renderer) {
     if (renderer) {
         background_release(&renderer->background);
         workers_destroy(renderer->workers);
+        tally_release(&renderer->tally);
         renderer->settings.engine->release(renderer->tracer);
         free(renderer);
     }
@@ -80,7 +89,28 @@ Drawing renderer_drawing(Renderer *renderer, int width, int height, const atomic
                      .width = width,
                      .height = height,
                      .stop = stop,
-                     .done = &renderer->done};
+                     .samples = renderer->settings.samples,
+                     .done = &renderer->done,
+                     .all = &renderer->all};
+}
+
+/**
+ * Draws a picture whose pixels are judged, by passes from one judgement to the next.
+ * @param renderer  The renderer.
+ * @param drawing   The drawing.
+ * @return false when it was stopped.
+ */
+static bool draw_judged(Renderer *renderer, Drawing *drawing) {
+    int samples = renderer->settings.samples;
+    bool is_whole = true;
+    drawing->tally = &renderer->tally;
+    drawing->is_shown = true;
+    for (int first = 0; is_whole && first < samples; first = drawing->pass.last + 1) {
+        int next = first == 0 ? tally_first(samples) : 2 * first;
+        drawing->pass = (Pass){1, first, (next < samples ? next : samples) - 1};
+        is_whole = drawing_pass(drawing, renderer->workers);
+    }
+    return is_whole;
 }
 
 RenderReport renderer_draw(Renderer *renderer, const atomic_bool *stop, Picture *picture) {
@@ -95,7 +125,8 @@ RenderReport renderer_draw(Renderer *renderer, const atomic_bool *stop, Picture 
     if (picture) {
         picture->encoding = (Encoding)settings->encoding;
     }
-    bool is_finished = drawing_pass(&drawing, renderer->workers);
+    bool is_finished = renderer_judges(renderer) ? draw_judged(renderer, &drawing)
+                                                 : drawing_pass(&drawing, renderer->workers);
     return (RenderReport){.seconds = clock_seconds() - start,
                           .rays = drawing_rays(&drawing),
                           .stride = 1,

@@ -13,7 +13,7 @@
 typedef struct Background {
     pthread_t thread;        /**< The thread; runs while #is_running. */
     bool is_running;         /**< Whether the thread was started. */
-    pthread_mutex_t mutex;   /**< Guards all below but the back picture and the sums. */
+    pthread_mutex_t mutex;   /**< Guards all below but the back picture. */
     pthread_cond_t is_told;  /**< Told when something is asked for. */
     pthread_cond_t is_idle;  /**< Told when the thread has stopped drawing. */
     bool is_wanted;          /**< Whether a picture is asked for. */
@@ -24,7 +24,6 @@ typedef struct Background {
     int height;              /**< Pixels of the picture asked for. */
     RenderListener listener; /**< Told after each pass; may be NULL. */
     void *context;           /**< Handed to it. */
-    double *sums;            /**< Sums of the samples, 3 numbers a pixel; owned. */
     Picture back;            /**< The pass that is being drawn. */
     Picture front;           /**< The newest finished pass. */
     bool has_front;          /**< Whether there is one since the start. */
@@ -38,8 +37,13 @@ struct Renderer {
     Encoder encoder;         /**< From light to 8 bits. */
     atomic_size_t done;      /**< Rays of pixels that are done. */
     atomic_size_t all;       /**< Rays of pixels that there are to do. */
+    Tally tally;             /**< What is known of every pixel; empty where nothing is kept. */
     Background background;   /**< Drawing in the background. */
 };
+
+/** @return Whether a renderer's pixels are judged: whether calm ones get fewer samples.
+ *  @param renderer The renderer. */
+bool renderer_judges(const Renderer *renderer);
 
 /** Makes the background part ready; no thread yet. @param background It. */
 void background_init(Background *background);

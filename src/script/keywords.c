@@ -66,7 +66,7 @@ static bool add_sky(Scene *scene, const Call *call, Error *error) {
     return true;
 }
 
-/** Adds a lamp. See #Adder. @param scene See there. @param call A Light.
+/** Adds a lamp or a sun. See #Adder. @param scene See there. @param call A Light.
  *  @param error See there. @return See there. */
 static bool add_light(Scene *scene, const Call *call, Error *error) {
     return scene_add_light(scene, call->values, error);
@@ -90,6 +90,7 @@ static const Word words[] = {{.keyword = &camera_keyword, .add = add_camera},
                              {.keyword = &image_keyword, .add = add_image},
                              {.keyword = &sky_keyword, .add = add_sky},
                              {.keyword = &light_keyword, .add = add_light},
+                             {.keyword = &sun_keyword, .add = add_light},
                              {.keyword = &material_keyword, .add = add_material}};
 
 /** What `ambient` takes. */

@@ -2,7 +2,7 @@
  * @file
  * @brief The engine: the tracer of this number type and width as an object.
  */
-#include "trace/tracer.h"
+#include "trace/grid.h"
 
 #include <stdlib.h>
 
@@ -22,6 +22,7 @@ static void engine_release(Tracer *tracer) {
         models_release(&tracer->models);
         free(tracer->surfaces);
         free(tracer->lamps);
+        glow_release(&tracer->glow);
         free(tracer);
     }
 }
@@ -38,8 +39,10 @@ static void *vector_allocate(size_t size) {
 static void engine_look(Tracer *tracer, const Scene *scene, int width, int height) {
     tracer->eye = eye_of(&scene->camera, width, height);
     for (size_t i = 0; i < tracer->lamp_count; i++) {
-        tracer->lamps[i] = lamp_of(&scene->lights[i]);
+        tracer->lamps[i] = lamp_of(&scene->lights[i], tracer->samples);
+        tracer->is_soft = tracer->is_soft || tracer->lamps[i].is_soft;
     }
+    glow_look(&tracer->glow, scene);
 }
 
 /** @return A tracer whose shapes are there, without camera; NULL without memory.
@@ -53,11 +56,12 @@ static Tracer *tracer_create(const Scene *scene, const TraceSettings *settings, 
     *tracer = (Tracer){.backdrop = backdrop_of(&scene->sky),
                        .lamp_count = scene->light_count,
                        .depth = scene_has_mirrors(scene) ? settings->depth : 0,
+                       .samples = settings->samples,
                        .shines = scene_has_highlights(scene),
                        .departure = {settings->offset, (scalar)settings->epsilon}};
     tracer->lamps = vector_allocate((scene->light_count + 1) * sizeof(Lamp));
     tracer->surfaces = vector_allocate(scene->material_count * sizeof(Surface));
-    if (!tracer->lamps || !tracer->surfaces ||
+    if (!tracer->lamps || !tracer->surfaces || !glow_init(&tracer->glow, scene, error) ||
         !models_init(&tracer->models, scene, &settings->crew, error) ||
         !shape_list_init(&tracer->list, scene, &tracer->models, settings, error)) {
         error_set(error, STATUS_FAILED, "no memory for the scene");
@@ -78,104 +82,6 @@ static Tracer *engine_prepare(const Scene *scene, const TraceSettings *settings,
         engine_look(tracer, scene, scene->image.width, scene->image.height);
     }
     return tracer;
-}
-
-/**
- * Writes one primary of a vector of rays.
- * @param[out] place  Where the first goes.
- * @param light  The primary.
- * @param count  How many lanes are within the grid, at most LANES.
- */
-INLINE void lanes_write(double *place, real light, int count) {
-    if (count == LANES) {
-        for (int i = 0; i < LANES; i++) {
-            place[i] = (double)real_lane(light, i);
-        }
-        return;
-    }
-    for (int i = 0; i < count; i++) {
-        place[i] = (double)real_lane(light, i);
-    }
-}
-
-/**
- * Writes the colours of a packet where they belong.
- * @param colors  The colours.
- * @param grid    The grid.
- * @param column  The packet's first column.
- * @param row     The packet's first row.
- * @param[out] rgb  The colours of the whole grid.
- */
-static void colors_write(const Light3 *colors, const PixelGrid *grid, int column, int row,
-                         double *rgb) {
-    size_t plane = (size_t)grid->columns * (size_t)grid->rows;
-    for (int v = 0; v < PACKET_VECTORS; v++) {
-        int c = column + v * LANES % PACKET_COLUMNS, r = row + v * LANES / PACKET_COLUMNS;
-        int count = grid->columns - c < LANES ? grid->columns - c : LANES;
-        if (r < grid->rows) {
-            double *place = rgb + (size_t)r * (size_t)grid->columns + (size_t)c;
-            lanes_write(place, colors[v].red, count);
-            lanes_write(place + plane, colors[v].green, count);
-            lanes_write(place + 2 * plane, colors[v].blue, count);
-        }
-    }
-}
-
-/** Traces a grid of pixels. See #Engine.trace. @param tracer The tracer. @param grid The pixels.
- *  @param[out] rgb Their colours. @param[in,out] counts The rays traced. */
-static void engine_trace(const Tracer *tracer, const PixelGrid *grid, double *rgb,
-                         RayCounts *counts) {
-    real weight[PACKET_VECTORS];
-    for (int v = 0; v < PACKET_VECTORS; v++) {
-        weight[v] = real_of(1);
-    }
-    for (int row = 0; row < grid->rows; row += PACKET_ROWS) {
-        for (int column = 0; column < grid->columns; column += PACKET_COLUMNS) {
-            Packet packet;
-            Light3 colors[PACKET_VECTORS];
-            eye_aim(&tracer->eye, grid, column, row, &packet);
-            tracer_follow(tracer, &packet, weight, tracer->depth, colors, counts);
-            colors_write(colors, grid, column, row, rgb);
-        }
-    }
-    counts->camera += (uint64_t)grid->columns * (uint64_t)grid->rows;
-}
-
-/**
- * Writes what a vector of rays has met.
- * @param hit     What it met.
- * @param count   How many lanes are within the grid, at most LANES.
- * @param[out] shapes     Where the first shape goes.
- * @param[out] distances  Where the first distance goes.
- */
-INLINE void hits_write(const Hit *hit, int count, int *shapes, double *distances) {
-    lanes_write(distances, hit->distance, count);
-    for (int i = 0; i < count; i++) {
-        shapes[i] = integer_lane(hit->shape, i);
-    }
-}
-
-/** Finds the nearest hits of a grid of pixels. See #Engine.cast. @param tracer The tracer.
- *  @param grid The pixels. @param[out] shapes What they meet. @param[out] distances How far. */
-static void engine_cast(const Tracer *tracer, const PixelGrid *grid, int *shapes,
-                        double *distances) {
-    for (int row = 0; row < grid->rows; row += PACKET_ROWS) {
-        for (int column = 0; column < grid->columns; column += PACKET_COLUMNS) {
-            Packet packet;
-            Hit hits[PACKET_VECTORS];
-            eye_aim(&tracer->eye, grid, column, row, &packet);
-            packet.wants_points = false;
-            shape_list_nearest(&tracer->list, &packet, hits);
-            for (int v = 0; v < PACKET_VECTORS; v++) {
-                int c = column + v * LANES % PACKET_COLUMNS, r = row + v * LANES / PACKET_COLUMNS;
-                int count = grid->columns - c < LANES ? grid->columns - c : LANES;
-                if (r < grid->rows) {
-                    size_t place = (size_t)r * (size_t)grid->columns + (size_t)c;
-                    hits_write(&hits[v], count, shapes + place, distances + place);
-                }
-            }
-        }
-    }
 }
 
 /**
@@ -365,8 +271,8 @@ const Engine ENGINE = {
     .shape_keywords = shape_keywords,
     .prepare = engine_prepare,
     .look = engine_look,
-    .trace = engine_trace,
-    .cast = engine_cast,
+    .trace = grid_trace,
+    .cast = grid_cast,
     .nearest = engine_nearest,
     .shadowed = engine_shadowed,
     .intersect = engine_intersect,

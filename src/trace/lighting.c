@@ -2,47 +2,7 @@
  * @file
  * @brief Light and shadow.
  */
-#include "trace/lighting.h"
-
-/** What one lamp would give to the points of a packet, were nothing in the way. */
-typedef struct Shine {
-    Packet shadow;                         /**< The rays to the lamp; active where it may shine. */
-    real cosine[PACKET_VECTORS];           /**< n . l, above 0 where active. */
-    real distance_squared[PACKET_VECTORS]; /**< To it, squared. */
-} Shine;
-
-Lamp lamp_of(const Light *light) {
-    Scalar3 color = scalar3_of(light->color);
-    return (Lamp){.position = vector_of(light->position),
-                  .light = light3_scale(light3_of(color), real_of((scalar)light->intensity)),
-                  .is_inverse_square = light->falloff == FALLOFF_INVERSE_SQUARE};
-}
-
-/**
- * Aims shadow rays at a lamp, from the points that it could light: a surface turned away from the
- * lamp stands in its own light.
- * @param lamp       The lamp.
- * @param departure  Where the rays start.
- * @param met        The points.
- * @param[out] shine  What the lamp would give.
- */
-static void shine_aim(const Lamp *lamp, const Departure *departure, const Encounter *met,
-                      Shine *shine) {
-    shine->shadow.wants_points = false;
-    for (int v = 0; v < PACKET_VECTORS; v++) {
-        const Hit *hit = &met->hits[v];
-        Vector path = vector_subtract(lamp->position, hit->point);
-        real distance_squared = vector_dot(path, path);
-        real cosine = vector_dot(met->facing[v], path) / real_sqrt(distance_squared);
-        // The ray ends at the lamp itself: its parameter runs from 0 to 1.
-        Vector origin = departure_origin(departure, hit, path);
-        shine->shadow.rays[v] = ray_of(origin, vector_subtract(lamp->position, origin));
-        shine->shadow.limit[v] = real_of(1);
-        shine->shadow.active[v] = met->met[v] & (cosine > 0);
-        shine->cosine[v] = cosine;
-        shine->distance_squared[v] = distance_squared;
-    }
-}
+#include "trace/lamp.h"
 
 /**
  * @return max(0, r . v)^shininess, Phong's highlight, where r is the lamp's light mirrored.
@@ -73,8 +33,7 @@ static void highlight_add(const Lamp *lamp, const Shine *shine, int v, mask reac
     Surfaces surfaces = surfaces_gather(met->surfaces, &met->materials[v], reached);
     mask shiny = reached & (light3_largest(surfaces.highlight) > real_of(0));
     if (any(shiny)) {
-        Vector path = vector_subtract(lamp->position, met->hits[v].point);
-        Vector to_lamp = vector_scale(path, 1 / real_sqrt(shine->distance_squared[v]));
+        Vector to_lamp = lamp_direction(lamp, shine, v, met->hits[v].point);
         real bright = highlight(met, v, to_lamp, shine->cosine[v], surfaces.shininess);
         bright = real_select(shiny, share * bright, real_of(0));
         lighting->highlight[v] =
@@ -98,7 +57,7 @@ static void shine_add(const Lamp *lamp, const Shine *shine, const mask *blocked,
         if (!any(reached)) {
             continue;
         }
-        real share = lamp->is_inverse_square ? 1 / shine->distance_squared[v] : real_of(1);
+        real share = lamp_share(lamp, shine, v);
         real bright = real_select(reached, share * shine->cosine[v], real_of(0));
         lighting->matt[v] = light3_add(lighting->matt[v], light3_scale(lamp->light, bright));
         if (shines) {
@@ -118,7 +77,7 @@ uint64_t lighting_gather(const ShapeList *list, const Lamp *lamps, size_t lamp_c
     for (size_t i = 0; i < lamp_count; i++) {
         Shine shine;
         mask blocked[PACKET_VECTORS];
-        shine_aim(&lamps[i], departure, met, &shine);
+        lamp_aim(&lamps[i], i, departure, met, &shine);
         unsigned count = packet_count(&shine.shadow);
         if (count > 0) {
             shape_list_blocked(list, &shine.shadow, blocked);

@@ -8,12 +8,8 @@
 #include "trace/shape_list.h"
 #include "trace/surface.h"
 
-/** A lamp in the engine's number type. */
-typedef struct Lamp {
-    Vector position;        /**< Where it is. */
-    Light3 light;           /**< Its colour times its intensity. */
-    bool is_inverse_square; /**< Whether it weakens with the distance. */
-} Lamp;
+/** A light in the engine's number type: see trace/lamp.h. */
+typedef struct Lamp Lamp;
 
 /** How rays leave a surface. */
 typedef struct Departure {
@@ -36,9 +32,6 @@ typedef struct Lighting {
     Light3 matt[PACKET_VECTORS];      /**< Sum of V L f max(0, n . l). */
     Light3 highlight[PACKET_VECTORS]; /**< Sum of V L f max(0, r . v)^shininess. */
 } Lighting;
-
-/** @return A lamp in the engine's number type. @param light The lamp. */
-Lamp lamp_of(const Light *light);
 
 /**
  * @return Where rays that leave a surface start: moved along the normal, to the side that they

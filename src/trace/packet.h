@@ -28,6 +28,20 @@
 /** Vectors a packet. */
 #define PACKET_VECTORS (PACKET_RAYS / LANES)
 
+/** Whose rays travel together: what their choices among the points of a lamp go by. */
+typedef struct Lineage {
+    const uint32_t *pixels; /**< A number for each ray, its pixel's own; NULL where no lamp is soft.
+                             */
+    uint32_t sample;        /**< Which of the pixels' samples they are. */
+    uint32_t bounce;        /**< How often they were turned. */
+} Lineage;
+
+/** @return Of what becomes of rays at a surface. @param lineage Of the rays that met it. */
+static inline Lineage lineage_next(Lineage lineage) {
+    lineage.bounce++;
+    return lineage;
+}
+
 /** Rays that travel together. */
 struct Packet {
     Ray rays[PACKET_VECTORS];    /**< The rays. */
@@ -35,6 +49,7 @@ struct Packet {
     real limit[PACKET_VECTORS];  /**< How far each goes. */
     bool wants_points;           /**< Whether points and normals are wanted of what they meet; else
                                       only which shape and how far away. */
+    Lineage lineage;             /**< Whose they are. */
 };
 
 /** Boxes of LANES shapes side by side, so that one test answers for all of them. */

@@ -51,6 +51,9 @@ static bool encounter_find(const Tracer *tracer, const Packet *packet, Encounter
     met->surfaces = tracer->surfaces;
     met->packet = packet;
     shape_list_nearest(&tracer->list, packet, met->hits);
+    if (tracer->glow.count > 0) {
+        glow_nearest(&tracer->glow, packet, met->hits);
+    }
     for (int v = 0; v < PACKET_VECTORS; v++) {
         const Hit *hit = &met->hits[v];
         met->met[v] = packet->active[v] & (hit->shape >= integer_of(0));
@@ -87,6 +90,7 @@ INLINE Light3 body_color(const Surfaces *surface, Light3 matt, Light3 highlight)
 static unsigned mirror_rays(const Tracer *tracer, const Encounter *met, const real *weight,
                             Packet *mirrored, real *weights) {
     mirrored->wants_points = true;
+    mirrored->lineage = lineage_next(met->packet->lineage);
     for (int v = 0; v < PACKET_VECTORS; v++) {
         Light3 mirror = surfaces_gather(met->surfaces, &met->materials[v], met->met[v]).mirror;
         weights[v] = weight[v] * light3_largest(mirror);
@@ -140,6 +144,9 @@ void tracer_follow(const Tracer *tracer, const Packet *packet, const real *weigh
         if (any(mask_not(met.met[v]))) {
             colors[v] = backdrop_color(&tracer->backdrop, packet->rays[v].direction);
         }
+    }
+    if (tracer->glow.count > 0) {
+        glow_show(&tracer->glow, met.hits, colors);
     }
     if (!is_any) {
         return;

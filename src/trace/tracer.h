@@ -6,7 +6,7 @@
 #define DIOPTRE_TRACE_TRACER_H
 
 #include "trace/eye.h"
-#include "trace/lighting.h"
+#include "trace/glow.h"
 #include "trace/model.h"
 
 /** The sky in the engine's number type. */
@@ -23,6 +23,9 @@ struct Tracer {
     Surface *surfaces;   /**< The materials; owned. */
     Lamp *lamps;         /**< The lamps; owned. */
     size_t lamp_count;   /**< How many. */
+    Glow glow;           /**< Those of them that are seen. */
+    int samples;         /**< Rays a pixel. */
+    bool is_soft;        /**< Whether any lamp's shadows are soft. */
     Eye eye;             /**< The camera. */
     Backdrop backdrop;   /**< The sky. */
     Departure departure; /**< How rays leave surfaces. */

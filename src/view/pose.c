@@ -74,8 +74,7 @@ static Vector3 way(const Camera *camera, Movement movement) {
 
 void pose_move(Scene *scene, size_t light, Movement light_by, Movement camera_by) {
     if (light < scene->light_count) {
-        Vector3 *position = &scene->lights[light].position;
-        *position = vector3_add(*position, way(&scene->camera, light_by));
+        light_move(&scene->lights[light], way(&scene->camera, light_by), scene->camera.focus);
     }
     double units = SPEED * scene->camera.focus;
     camera_move(&scene->camera, camera_by.right * units, camera_by.up * units,

@@ -90,6 +90,7 @@ void scene_text_print(const Scene *scene, FILE *file) {
     print_keyword(&camera_keyword, &scene->camera, other_ways, file);
     for (size_t i = 0; i < scene->light_count; i++) {
         fputs("  ", file);
-        print_keyword(&light_keyword, &scene->lights[i], none, file);
+        const Light *light = &scene->lights[i];
+        print_keyword(light_keyword_of(light), light, none, file);
     }
 }

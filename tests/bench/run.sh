@@ -1,6 +1,6 @@
 #!/bin/sh
-# What size costs, and from how many shapes on a tree pays: CSV in $BUILD/bench, charts in doc. Called
-# by `make bench`. All variants take turns, so that a busy moment of the machine meets all alike; one
+# What size, lamps, depth and samples cost, and from how many shapes on a tree pays: CSV in $BUILD/bench,
+# charts in doc. Called by `make bench`. All variants take turns, so that a busy moment of the machine meets all alike; one
 # thread, 800x600, one ray a pixel and its shadow ray.
 #
 # Environment: BUILD (folder of the program; build), ROUNDS (turns; 7), ENGINES, MADE_WITH (compiler
@@ -12,6 +12,9 @@ BUILD=${BUILD:-build}
 ROUNDS=${ROUNDS:-7}
 SPHERES='10 20 50 100 200 500 1000 2000 5000 10000 20000 50000 100000'
 ROWS='16 23 36 51 72 112 159 224 354 475' # 4 n (n - 1) triangles: 960 to 900,600.
+LAMPS='1 2 3 4 6 8 12 16'
+DEPTHS='1 2 3 4 6 8 12 16'
+SAMPLES='1 2 4 8 16 32 64'
 FRAMES=4                                  # Pictures a turn, of which the fastest counts.
 if [ -z "${ENGINES:-}" ]; then
     ENGINES='f32x8 f64x4'
@@ -24,11 +27,35 @@ trap 'rm -rf "$work"' EXIT
 
 machine="$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -1), $(date -u +%Y-%m-%d), ${MADE_WITH:-}"
 
-# frame SCENE TIME COUNT: adds a line with engine, count, ms of the fastest picture, rays for each engine.
+# timed NAME SCENE COUNT OPTION...: adds a line with a name, a count, ms of the fastest picture, rays.
+timed() {
+    name=$1 scene=$2 count=$3
+    shift 3
+    "$BUILD/dioptre" bench "$scene" --json -q -s 800x600 -j 1 --frames $FRAMES "$@" |
+        sed -E "s/.*\"ms_min\": ([^,]*),.*\"rays\": ([^,]*),.*/$name $count \1 \2/"
+}
+
+# frame SCENE TIME COUNT: a line for each engine.
 frame() {
     for engine in $ENGINES; do
-        "$BUILD/dioptre" bench "$1" -t "$2" --json -q -s 800x600 --samples 1 -j 1 --engine "$engine" --frames $FRAMES |
-            sed -E "s/.*\"ms_min\": ([^,]*),.*\"rays\": ([^,]*),.*/$engine $3 \1 \2/"
+        timed "$engine" "$1" "$3" -t "$2" --samples 1 --engine "$engine"
+    done
+}
+
+# frame_lights: what lamps, mirrors and samples cost.
+frame_lights() {
+    for count in $LAMPS; do
+        frame tests/bench/lamps.lua "$count" "$count" >>"$work/lights"
+    done
+    for engine in $ENGINES; do
+        for depth in $DEPTHS; do
+            timed "$engine" tests/bench/facing.lua "$depth" --samples 1 --depth "$depth" --engine "$engine" >>"$work/depth"
+        done
+    done
+    for samples in $SAMPLES; do
+        for sampling in full adaptive; do
+            timed $sampling scenes/box.lua "$samples" --samples "$samples" --sampling $sampling --engine f32x8 >>"$work/samples"
+        done
     done
 }
 
@@ -58,8 +85,9 @@ for round in $(seq "$ROUNDS"); do
     for rows in $ROWS; do
         frame "$folder/ball-of-triangles.lua" "$rows" $((4 * rows * (rows - 1))) >>"$work/triangles"
     done
+    frame_lights
 done
-for name in spheres triangles; do
+for name in spheres triangles lights depth samples; do
     table <"$work/$name" >"$folder/cost-$name.csv"
 done
 {
@@ -73,4 +101,7 @@ done
 for name in spheres triangles; do
     gnuplot -c tests/bench/cost.gp "$folder/cost-$name.csv" doc/cost-$name.svg $name "$ENGINES" "$machine"
 done
+gnuplot -c tests/bench/few.gp "$folder/cost-lights.csv" doc/cost-lights.svg "lamps" "$ENGINES" "$machine"
+gnuplot -c tests/bench/few.gp "$folder/cost-depth.csv" doc/cost-depth.svg "mirrorings of a ray" "$ENGINES" "$machine"
+gnuplot -c tests/bench/few.gp "$folder/cost-samples.csv" doc/cost-samples.svg "samples a pixel" "full adaptive" "$machine"
 gnuplot -c tests/bench/tree.gp "$folder/tree-pays.csv" doc/tree-pays.svg "$machine"

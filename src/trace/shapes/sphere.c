@@ -8,16 +8,12 @@
  * Ray/Sphere Intersection*, Ray Tracing Gems 7). The root farther from zero comes by addition, the
  * other by the product of the roots, so that neither cancels.
  */
+#include "trace/shapes/sphere.h"
+
 #include "trace/shapes/registry.h"
 
 /** Half ulps of the coordinates, and of the radius, that a point can be off the sphere. */
 #define SPHERE_ERROR 8
-
-/** What a scene file says of a sphere. */
-typedef struct SphereParameters {
-    Vector3 center; /**< Its centre. */
-    double radius;  /**< Its radius, scene units. */
-} SphereParameters;
 
 /** A sphere. @extends Shape */
 typedef struct Sphere {

@@ -1,0 +1,16 @@
+/**
+ * @file
+ * @brief What a sphere is made of.
+ */
+#ifndef DIOPTRE_TRACE_SHAPES_SPHERE_H
+#define DIOPTRE_TRACE_SHAPES_SPHERE_H
+
+#include "dioptre/vector3.h"
+
+/** What a scene file says of a sphere. */
+typedef struct SphereParameters {
+    Vector3 center; /**< Its centre. */
+    double radius;  /**< Its radius, scene units. */
+} SphereParameters;
+
+#endif

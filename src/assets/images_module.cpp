@@ -86,7 +86,9 @@ void set_up() {
 OIIO::ImageSpec describe(const std::string &format, const ImagesSource &source) {
     OIIO::TypeDesc type = source.light ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
     OIIO::ImageSpec spec(source.width, source.height, channels, type);
-    spec.attribute("Software", "dioptre " DIOPTRE_VERSION);
+    for (const PictureNote *note = source.notes; note->name; note++) {
+        spec.attribute(note->name, note->value);
+    }
     if (format == "jpeg") {
         spec.attribute("jpeg:subsampling", "4:4:4"); // Colour as sharp as brightness.
     }
@@ -103,14 +105,11 @@ OIIO::ImageSpec describe(const std::string &format, const ImagesSource &source) 
  */
 void write_rows(OIIO::ImageOutput &output, const ImagesSource &source) {
     size_t size = static_cast<size_t>(source.width) * channels;
-    std::vector<float> light(source.light ? size : 0);
     for (int y = 0; y < source.height; y++) {
-        const uint8_t *steps = source.steps + static_cast<size_t>(y) * size;
-        std::transform(steps, steps + light.size(), light.begin(),
-                       [&source](uint8_t step) { return source.light[step]; });
-        bool is_written = source.light
-                              ? output.write_scanline(y, 0, OIIO::TypeDesc::FLOAT, light.data())
-                              : output.write_scanline(y, 0, OIIO::TypeDesc::UINT8, steps);
+        size_t first = static_cast<size_t>(y) * size;
+        bool is_written =
+            source.light ? output.write_scanline(y, 0, OIIO::TypeDesc::FLOAT, source.light + first)
+                         : output.write_scanline(y, 0, OIIO::TypeDesc::UINT8, source.steps + first);
         if (!is_written) {
             fail(output.geterror());
         }
@@ -214,6 +213,14 @@ std::unique_ptr<ImagesReader> open_checked(const char *path, const char *format)
     return reader;
 }
 
+/** @return What the numbers of a file are. @param type Their type. */
+ImagesKind kind_of(OIIO::TypeDesc type) {
+    if (type.is_floating_point()) {
+        return IMAGES_LIGHT;
+    }
+    return type == OIIO::TypeDesc::UINT8 ? IMAGES_STEPS : IMAGES_FINE;
+}
+
 /**
  * Is ImagesModule::open: opens a picture file.
  * @param path          The file.
@@ -228,7 +235,7 @@ ImagesReader *open(const char *path, const char *format, ImagesHeader *header,
         std::unique_ptr<ImagesReader> reader = open_checked(path, format);
         const OIIO::ImageSpec &spec = reader->spec;
         int band = spec.tile_width > 0 ? std::max(spec.tile_height, 1) : plain_band;
-        *header = {spec.width, spec.height, spec.format.is_floating_point(), band};
+        *header = {spec.width, spec.height, kind_of(spec.format), band};
         return reader.release();
     });
 }
@@ -283,7 +290,7 @@ bool read_steps(ImagesReader *reader, int first, int count, uint8_t *rgb, Images
 }
 
 /**
- * Is ImagesModule::read_light: reads a band of rows as linear light.
+ * Is ImagesModule::read_light: reads a band of rows of the finer kinds.
  * @param reader        The open file.
  * @param first         First row.
  * @param count         How many rows.

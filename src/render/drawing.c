@@ -68,6 +68,22 @@ static void block_sums(Drawing *drawing, const PixelGrid *block, double *numbers
 }
 
 /**
+ * Keeps the light of a row of rays.
+ * @param drawing  The drawing.
+ * @param sums     Sums of the samples: the reds of the row.
+ * @param plane    How much farther the greens are, and then the blues.
+ * @param columns  How many rays.
+ * @param[out] rgb Their light.
+ */
+static void row_keep(const Drawing *drawing, const double *sums, size_t plane, int columns,
+                     float *rgb) {
+    double share = 1.0 / (drawing->pass.last + 1);
+    for (size_t i = 0; i < 3 * (size_t)columns; i++) {
+        rgb[i] = (float)(sums[i % 3 * plane + i / 3] * share);
+    }
+}
+
+/**
  * Encodes a row of rays.
  * @param drawing  The drawing.
  * @param sums     Sums of the samples: the reds of the row.
@@ -102,6 +118,10 @@ static void block_encode(const Drawing *drawing, const PixelGrid *block, const P
         uint8_t *pixels = drawing->picture->pixels + 3 * first;
         const double *row_sums = sums + (size_t)(row / grid->stride) * (size_t)grid->columns;
         if (grid->stride == 1) {
+            if (drawing->picture->light) {
+                row_keep(drawing, row_sums, plane, grid->columns,
+                         drawing->picture->light + 3 * first);
+            }
             row_encode(drawing, row_sums, plane, grid->columns, pixels);
             continue;
         }

@@ -10,9 +10,13 @@
  */
 #define WEIGHT_CUTOFF ((scalar)1.5e-4)
 
-/** @return What rays that meet nothing see. @param sky The sky. @param direction Unit directions.
- */
-static Light3 backdrop_color(const Backdrop *sky, Vector direction) {
+/** @return What rays that meet nothing see. @param tracer The tracer. @param direction Unit
+ *  directions. */
+static Light3 backdrop_color(const Tracer *tracer, Vector direction) {
+    const Backdrop *sky = &tracer->backdrop;
+    if (tracer->textures.sky) {
+        return textures_panorama(&tracer->textures, direction);
+    }
     if (!sky->is_gradient) {
         return sky->horizon;
     }
@@ -138,7 +142,7 @@ void tracer_follow(const Tracer *tracer, const Packet *packet, const real *weigh
     bool is_any = encounter_find(tracer, packet, &met);
     for (int v = 0; v < PACKET_VECTORS; v++) {
         if (any(mask_not(met.met[v]))) {
-            colors[v] = backdrop_color(&tracer->backdrop, packet->rays[v].direction);
+            colors[v] = backdrop_color(tracer, packet->rays[v].direction);
         }
     }
     if (!is_any) {
@@ -149,6 +153,10 @@ void tracer_follow(const Tracer *tracer, const Packet *packet, const real *weigh
                                       &tracer->departure, tracer->shines, &met, &lighting);
     for (int v = 0; v < PACKET_VECTORS; v++) {
         Surfaces surfaces = surfaces_gather(met.surfaces, &met.materials[v], met.met[v]);
+        if (tracer->textures.worn) {
+            textures_paint(&tracer->textures, &tracer->list, &met.hits[v], met.met[v],
+                           &surfaces.body);
+        }
         Light3 body = body_color(&surfaces, lighting.matt[v], lighting.highlight[v]);
         colors[v] = light3_select(met.met[v], body, colors[v]);
     }

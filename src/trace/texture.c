@@ -129,8 +129,11 @@ static Light3 texture_sample(const Textures *textures, const Texture *texture,
     return light3_between(upper, lower, down.share);
 }
 
-void textures_paint(const Textures *textures, const ShapeList *list, const Hit *hit, mask met,
-                    Light3 *body) {
+/** @return What the pictures show at LANES points; 1 where there is none. @param textures The
+ *  pictures. @param list The shapes. @param hit The points. @param met The lanes that met any. */
+static Light3 points_paint(const Textures *textures, const ShapeList *list, const Hit *hit,
+                           mask met) {
+    Light3 paint = {real_of(1), real_of(1), real_of(1)};
     for (mask left = met; any(left);) {
         int place = integer_lane(hit->shape, mask_first(left));
         const Shape *shape = list->shapes[place];
@@ -138,10 +141,17 @@ void textures_paint(const Textures *textures, const ShapeList *list, const Hit *
         mask same = left & (hit->shape == integer_of(place));
         if (texture) {
             TexturePlace where = shape_texture_place(shape, hit, same);
-            Light3 light = texture_sample(textures, texture, &where, same);
-            *body = light3_select(same, light3_multiply(*body, light), *body);
+            paint = light3_select(same, texture_sample(textures, texture, &where, same), paint);
         }
         left &= mask_not(same);
+    }
+    return paint;
+}
+
+void textures_paint(const Textures *textures, const ShapeList *list, const Encounter *met,
+                    Light3 *paint) {
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        paint[v] = points_paint(textures, list, &met->hits[v], met->met[v]);
     }
 }
 

@@ -5,7 +5,7 @@
 #ifndef DIOPTRE_TRACE_TEXTURE_H
 #define DIOPTRE_TRACE_TEXTURE_H
 
-#include "trace/shape_list.h"
+#include "trace/lighting.h"
 
 /** Steps of a texel that is no light. */
 enum { TEXEL_STEPS = 256 };
@@ -34,15 +34,14 @@ bool textures_init(Textures *textures, const Scene *scene, Error *error);
 void textures_release(Textures *textures);
 
 /**
- * Multiplies what surfaces send back by their pictures.
+ * Finds what the pictures show at the points that a packet of rays has met.
  * @param textures  The pictures; some are worn.
  * @param list      The shapes.
- * @param hit       What was met.
- * @param met       The lanes that met anything.
- * @param[in,out] body  The surfaces' colours.
+ * @param met       The points.
+ * @param[out] paint  What multiplies the colours of their surfaces; 1 where there is no picture.
  */
-void textures_paint(const Textures *textures, const ShapeList *list, const Hit *hit, mask met,
-                    Light3 *body);
+void textures_paint(const Textures *textures, const ShapeList *list, const Encounter *met,
+                    Light3 *paint);
 
 /**
  * @return What the panorama shows.

@@ -151,11 +151,14 @@ void tracer_follow(const Tracer *tracer, const Packet *packet, const real *weigh
     Lighting lighting;
     counts->shadow += lighting_gather(&tracer->list, tracer->lamps, tracer->lamp_count,
                                       &tracer->departure, tracer->shines, &met, &lighting);
+    Light3 paint[PACKET_VECTORS];
+    if (tracer->textures.worn) {
+        textures_paint(&tracer->textures, &tracer->list, &met, paint);
+    }
     for (int v = 0; v < PACKET_VECTORS; v++) {
         Surfaces surfaces = surfaces_gather(met.surfaces, &met.materials[v], met.met[v]);
         if (tracer->textures.worn) {
-            textures_paint(&tracer->textures, &tracer->list, &met.hits[v], met.met[v],
-                           &surfaces.body);
+            surfaces.body = light3_multiply(surfaces.body, paint[v]);
         }
         Light3 body = body_color(&surfaces, lighting.matt[v], lighting.highlight[v]);
         colors[v] = light3_select(met.met[v], body, colors[v]);

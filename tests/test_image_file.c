@@ -415,14 +415,17 @@ static ImagesReader *open_and_interrupt(const char *path, const char *format, Im
     return open_and_crash(path, format, header, message);
 }
 
+/** What a fake module may take. */
+static const ImagesLimits small_limits = {10, 1 << 20, 1 << 20};
+
 /** A file that makes the libraries crash does not bring the program down. @param state Unused. */
 static void test_module_crashes(void **state) {
     (void)state;
     static const ImagesModule module = {.open = open_and_crash};
-    Picture picture;
+    Texture *texture;
     Error error = {0};
-    assert_false(images_child_read(&module, "png", "a.png", &picture, &error));
-    assert_null(picture.pixels);
+    assert_false(images_child_read(&module, "png", "a.png", &small_limits, &texture, &error));
+    assert_null(texture);
     assert_int_equal(error.status, STATUS_SCENE);
     assert_non_null(strstr(error.message, "crash"));
 }
@@ -431,9 +434,9 @@ static void test_module_crashes(void **state) {
 static void test_module_interrupted(void **state) {
     (void)state;
     static const ImagesModule module = {.open = open_and_interrupt};
-    Picture picture;
+    Texture *texture;
     Error error = {0};
-    assert_false(images_child_read(&module, "png", "a.png", &picture, &error));
+    assert_false(images_child_read(&module, "png", "a.png", &small_limits, &texture, &error));
     assert_int_equal(error.status, STATUS_INTERRUPTED);
 }
 

@@ -11,6 +11,7 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <cstring>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -69,6 +70,19 @@ template <class Work> auto guarded(ImagesMessage *message, Work work) -> decltyp
 }
 
 /**
+ * @return Words without the path that a file was opened by: who reads them knows its name.
+ * @param words  The words.
+ * @param path   The path.
+ */
+std::string without_path(std::string words, const std::string &path) {
+    const std::string quoted = "\"" + path + "\"";
+    for (size_t at; (at = words.find(quoted)) != std::string::npos;) {
+        words.replace(at, quoted.size(), "the file");
+    }
+    return words;
+}
+
+/**
  * Tells OpenImageIO to start no threads and to load no plugins. Threads would be missing, and be
  * waited for in vain, in the child process that reads pictures.
  */
@@ -117,6 +131,22 @@ void write_rows(OIIO::ImageOutput &output, const ImagesSource &source) {
 }
 
 /**
+ * Puts notes into the header of a Radiance file, as lines of comment: OpenImageIO writes none.
+ * @param source          The picture.
+ * @param[in,out] bytes   The file; its header begins with one line that says what it is.
+ */
+void add_comments(const ImagesSource &source, std::vector<unsigned char> &bytes) {
+    std::string comments;
+    for (const PictureNote *note = source.notes; note->name; note++) {
+        comments += std::string("# ") + note->name + "=" + note->value + "\n";
+    }
+    auto first_line = std::find(bytes.begin(), bytes.end(), '\n');
+    if (first_line != bytes.end()) {
+        bytes.insert(first_line + 1, comments.begin(), comments.end());
+    }
+}
+
+/**
  * Makes a file of a picture; throws what goes wrong.
  * @param format      The format.
  * @param source      The picture.
@@ -136,6 +166,9 @@ void encode_into(const char *format, const ImagesSource &source,
     write_rows(*output, source);
     if (!output->close()) {
         fail(output->geterror());
+    }
+    if (std::strcmp(format, "hdr") == 0) {
+        add_comments(source, bytes);
     }
 }
 
@@ -207,7 +240,7 @@ std::unique_ptr<ImagesReader> open_checked(const char *path, const char *format)
     OIIO::ImageSpec wishes;
     wishes.attribute("oiio:UnassociatedAlpha", 1); // Colours as stored, not darkened by opacity.
     if (!reader->input->open(path, reader->spec, wishes)) {
-        fail(reader->input->geterror());
+        fail(without_path(reader->input->geterror(), path));
     }
     check_header(reader->spec);
     return reader;

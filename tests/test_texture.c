@@ -295,7 +295,7 @@ static void measure_place(const RayQuery *query, const RayAnswer *answer, PlaceE
  * The engine. */
 static void check_sphere_exactness(const Engine *engine) {
     /** Texels of a map that a place may be off. */
-    const double float_bound = 1e-3, double_bound = 1e-11;
+    const double float_bound = 1e-3, double_bound = 1e-12;
     const SphereParameters sphere = {.radius = 1};
     Scene *scene = empty_scene();
     RayQuery queries[BATCH];

@@ -116,9 +116,10 @@ static Light3 texture_sample(const Textures *textures, const Texture *texture,
     TexelRow down = texel_row_of(1 - place->v, place->around_v, texture->height);
     for (unsigned left = mask_bits(lanes); left; left &= left - 1) {
         int lane = __builtin_ctz(left);
+        size_t columns[2] = {texel_row_at(&across, lane, 0), texel_row_at(&across, lane, 1)};
+        size_t rows[2] = {texel_row_at(&down, lane, 0), texel_row_at(&down, lane, 1)};
         for (int k = 0; k < 4; k++) {
-            Scalar3 light = texel_light(textures, texture, texel_row_at(&across, lane, k & 1),
-                                        texel_row_at(&down, lane, k >> 1));
+            Scalar3 light = texel_light(textures, texture, columns[k & 1], rows[k >> 1]);
             real_set_lane(&texels[k].red, lane, light.red);
             real_set_lane(&texels[k].green, lane, light.green);
             real_set_lane(&texels[k].blue, lane, light.blue);

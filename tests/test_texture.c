@@ -416,6 +416,7 @@ static void check_multiplied(const Engine *engine) {
     Error error = {0};
     double rgb[3];
     Material material = *(const Material *)material_keyword.defaults;
+    (void)add_texture(scene, four_texels()); // Another one, that nobody shows.
     material.texture = add_texture(scene, light_of(1, 1, half));
     material.color = (Color){0.5, 1, 1};
     material.emission = (Color){0, 0, 4};
@@ -468,6 +469,7 @@ static void look_up(const Engine *engine, Vector3 direction, double rotate, doub
         light[3 * i + 1] = (float)(i / 8);
     }
     Scene *scene = empty_scene();
+    (void)add_texture(scene, four_texels()); // Another one, that nobody shows.
     scene->sky.image = add_texture(scene, light_of(8, 4, light));
     scene->sky.rotate = rotate;
     bool is_steep = fabs(direction.y) > 0.9 * vector3_length(direction);

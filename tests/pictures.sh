@@ -120,6 +120,16 @@ for ending in png jpg tif exr hdr; do
     holds "$work/out" 'scene s.lua, time 0 s, engine f32x1, 8x8, samples 4, depth 3, offset fixed 0.01' "$ending says how it came about"
     if grep -qE "$work|20[0-9][0-9]:" "$work/out"; then fail "$ending tells a path or a date"; else ok "$ending tells no path and no date"; fi
 done
+# A disk that fills up, in every format: the old file stays, and nothing is left over.
+for ending in png jpg tif exr hdr; do
+    cp "$work/again.$ending" "$work/o.$ending"
+    (ulimit -f 4; trap '' XFSZ; exec "$release" render scenes/box.lua -o "$work/o.$ending" -s 400x300 --samples 1) 2>"$work/err"
+    [ $? = 1 ] && ok "full disk: status 1, $ending" || fail "full disk, $ending: $(cat "$work/err")"
+    holds "$work/err" "o.$ending': File too large" "full disk: says so, $ending"
+    same "$work/o.$ending" "$work/again.$ending" "full disk: the old file is whole, $ending"
+    [ "$(find "$work" -name "o.$ending*" | wc -l)" = 1 ] && ok "full disk: nothing left over, $ending" || fail "full disk: something is left of $ending"
+done
+
 # Linear light, not cut at 1 and not rounded to steps: as a panorama it lights a scene again.
 for ending in exr hdr; do
     printf 'camera {} image { encoding = "linear" }\nsky { image = "o.%s" }' $ending >"$work/t.lua"

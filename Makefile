@@ -197,7 +197,7 @@ install: all
 	    install -D -m 755 $$module $(DESTDIR)$(PREFIX)/lib/dioptre/$${module##*/} || exit 1; \
 	done
 	install -D -m 644 doc/dioptre.1 $(DESTDIR)$(PREFIX)/share/man/man1/dioptre.1
-	for file in scenes/*.lua scenes/models/*; do \
+	for file in scenes/*.lua scenes/models/* scenes/pictures/*; do \
 	    install -D -m 644 $$file $(DESTDIR)$(PREFIX)/share/dioptre/$$file || exit 1; \
 	done
 

@@ -45,5 +45,10 @@ build/clang/dioptre render "$box" -o "$work/clang.bmp" -s 96x72 --samples 2 --en
 same "$work/clang.bmp" "$work/f32x4.bmp" 'gcc and clang give the same bits'
 build/clang/dioptre render "$shapes" -o "$work/clang.bmp" -s 192x144 --samples 2 --engine f32x4
 draw_shapes f32x4
+pictures=scenes/report-d-pictures.lua
+for program in build/dioptre build/clang/dioptre; do
+    $program render $pictures -o "$work/$(echo $program | tr / -).bmp" -s 96x60 --samples 2 --engine f32x4
+done
+same "$work/build-dioptre.bmp" "$work/build-clang-dioptre.bmp" 'gcc and clang give the same bits for pictures'
 same "$work/clang.bmp" "$work/shapes-f32x4.bmp" 'gcc and clang give the same bits for all shapes'
 finish

@@ -23,7 +23,8 @@ static const char *type_name(const Parameter *row) {
                                         [PARAMETER_SCALE] = "number, or `{x, y, z}`; not zero",
                                         [PARAMETER_PAIR] = "`{u, v}`",
                                         [PARAMETER_COLOR] = "colour",
-                                        [PARAMETER_MESH] = "name of a model file"};
+                                        [PARAMETER_MESH] = "name of a model file",
+                                        [PARAMETER_TEXTURE] = "name of a picture file"};
     return names[row->type];
 }
 
@@ -33,7 +34,8 @@ static void print_range(const Parameter *row) {
         for (int i = 0; row->words[i]; i++) {
             printf("%s`\"%s\"`", i ? ", " : "", row->words[i]);
         }
-    } else if (row->type != PARAMETER_BOOLEAN && row->type != PARAMETER_MESH) {
+    } else if (row->type != PARAMETER_BOOLEAN && row->type != PARAMETER_MESH &&
+               row->type != PARAMETER_TEXTURE) {
         printf("%s%.15g to %.15g", row->above_minimum ? "above " : "", row->minimum, row->maximum);
     }
 }
@@ -57,6 +59,9 @@ static void print_value(const Parameter *row, const void *values) {
         break;
     case PARAMETER_MESH:
         printf("none: it must be given");
+        break;
+    case PARAMETER_TEXTURE:
+        printf("none");
         break;
     case PARAMETER_PAIR:
         printf("`{%.15g, %.15g}`", part[0], part[1]);

@@ -4,7 +4,7 @@
  */
 #include "fixtures.h"
 
-#include "assets/images_child.h"
+#include "assets/texture_file.h"
 #include "dioptre/image_file.h"
 
 #include <dirent.h>
@@ -415,14 +415,17 @@ static ImagesReader *open_and_interrupt(const char *path, const char *format, Im
     return open_and_crash(path, format, header, message);
 }
 
+/** What a fake module may take. */
+static const ImagesLimits small_limits = {10, 1 << 20, 1 << 20};
+
 /** A file that makes the libraries crash does not bring the program down. @param state Unused. */
 static void test_module_crashes(void **state) {
     (void)state;
     static const ImagesModule module = {.open = open_and_crash};
-    Picture picture;
+    Texture *texture;
     Error error = {0};
-    assert_false(images_child_read(&module, "png", "a.png", &picture, &error));
-    assert_null(picture.pixels);
+    assert_false(images_child_read(&module, "png", "a.png", &small_limits, &texture, &error));
+    assert_null(texture);
     assert_int_equal(error.status, STATUS_SCENE);
     assert_non_null(strstr(error.message, "crash"));
 }
@@ -431,10 +434,106 @@ static void test_module_crashes(void **state) {
 static void test_module_interrupted(void **state) {
     (void)state;
     static const ImagesModule module = {.open = open_and_interrupt};
-    Picture picture;
+    Texture *texture;
     Error error = {0};
-    assert_false(images_child_read(&module, "png", "a.png", &picture, &error));
+    assert_false(images_child_read(&module, "png", "a.png", &small_limits, &texture, &error));
     assert_int_equal(error.status, STATUS_INTERRUPTED);
+}
+
+/**
+ * Stands for a module that never comes to an end.
+ * @param path     Unused.
+ * @param format   Unused.
+ * @param header   Unused.
+ * @param message  Unused.
+ * @return Nothing: it does not return.
+ */
+static ImagesReader *open_and_hang(const char *path, const char *format, ImagesHeader *header,
+                                   ImagesMessage *message) {
+    (void)header;
+    for (;;) {
+        sleep(1);
+    }
+    return open_and_crash(path, format, header, message);
+}
+
+/**
+ * Stands for a module that takes much memory.
+ * @param path          Unused.
+ * @param format        Unused.
+ * @param header        Unused.
+ * @param[out] message  Whether it got the memory.
+ * @return NULL.
+ */
+static ImagesReader *open_and_take(const char *path, const char *format, ImagesHeader *header,
+                                   ImagesMessage *message) {
+    (void)path;
+    (void)format;
+    (void)header;
+    void *volatile much = malloc((size_t)256 << 20);
+    strcpy(message->text, much ? "got it" : "got nothing");
+    free(much);
+    return NULL;
+}
+
+/**
+ * Stands for a module that a file leads astray.
+ * @param path         Unused.
+ * @param format       Unused.
+ * @param[out] header  What no picture is.
+ * @param message      Unused.
+ * @return Something.
+ */
+static ImagesReader *open_and_lie(const char *path, const char *format, ImagesHeader *header,
+                                  ImagesMessage *message) {
+    (void)path;
+    (void)format;
+    (void)message;
+    *header = (ImagesHeader){.width = IMAGE_SIZE_MAXIMUM + 1, .height = 1, .band = 1};
+    return (ImagesReader *)header;
+}
+
+/** Reads nothing. @param reader Unused. @param first Unused. @param count Unused.
+ *  @param rgb Untouched. @param message Unused. @return true */
+static bool read_nothing(ImagesReader *reader, int first, int count, uint8_t *rgb,
+                         ImagesMessage *message) {
+    (void)reader;
+    (void)first;
+    (void)count;
+    (void)rgb;
+    (void)message;
+    return true;
+}
+
+/** Closes nothing. @param reader Unused. */
+static void close_nothing(ImagesReader *reader) {
+    (void)reader;
+}
+
+/** Time, memory and what a child leaves are checked. @param state Unused. */
+static void test_module_limits(void **state) {
+    (void)state;
+    static const struct {
+        ImagesModule module; /**< A module. */
+        ImagesLimits limits; /**< What it may take. */
+        const char *words;   /**< What must be said. */
+    } cases[] = {
+        {{.open = open_and_hang}, {0.3, 1 << 20, 1 << 20}, "more than 0 s"},
+        {{.open = open_and_take}, {10, 1 << 20, 1 << 20}, "got nothing"},
+        {{.open = open_and_lie, .close = close_nothing}, {10, 1 << 20, 1 << 10}, "more than 0 MiB"},
+        {{.open = open_and_lie, .read_steps = read_nothing, .close = close_nothing},
+         {10, 1 << 20, 1 << 20},
+         "go astray"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        Texture *texture;
+        Error error = {0};
+        assert_false(images_child_read(&cases[i].module, "png", "a.png", &cases[i].limits, &texture,
+                                       &error));
+        assert_null(texture);
+        assert_int_equal(error.status, STATUS_SCENE);
+        assert_non_null(strstr(error.message, cases[i].words));
+    }
 }
 
 /** Makes the module findable. The tests of it are skipped where it was not built. */
@@ -487,6 +586,47 @@ static void test_module_linear_light(void **state) {
         assert_in_range(again.pixels[0], wanted - 1, wanted + 1); // Radiance rounds to 8 bits.
         picture_release(&again);
     }
+}
+
+/** A picture that keeps its light hands it to formats of linear light as it is: not cut at 1, not
+ *  rounded to steps; and what no light can be is put right. @param state The fixture. */
+static void test_module_keeps_light(void **state) {
+    need_module();
+    static const float light[] = {5.5F, 1e-7F, 0.123456789F, NAN, -1, INFINITY};
+    const char *path = path_of(state, "a.exr");
+    Picture picture = make_picture(2, 1);
+    Texture *texture;
+    Error error = {0};
+    assert_true(image_file_is_linear(path) && image_file_is_linear("b.HDR"));
+    assert_false(image_file_is_linear("a.png") || image_file_is_linear("exr"));
+    assert_true(picture_keep_light(&picture, &error));
+    memcpy(picture.light, light, sizeof light);
+    assert_true(image_file_write(path, &picture, &error));
+    assert_true(texture_file_read(path, &texture, &error));
+    assert_true(texture->is_light && texture->width == 2 && texture->height == 1);
+    assert_memory_equal(texture_light(texture), light, 3 * sizeof *light);
+    assert_true(texture_light(texture)[3] == 0 && texture_light(texture)[4] == 0);
+    assert_true(texture_light(texture)[5] == (float)INTENSITY_MAXIMUM);
+    texture_release(texture);
+    picture_release(&picture);
+}
+
+/** A BMP file becomes a texture without the module. @param state The fixture. */
+static void test_bmp_texture(void **state) {
+    const char *path = path_of(state, "a.bmp");
+    Picture picture = make_picture(5, 3);
+    Texture *texture;
+    Error error = {0};
+    assert_true(image_file_write(path, &picture, &error));
+    assert_true(texture_file_check(path, &error));
+    assert_true(texture_file_read(path, &texture, &error));
+    assert_true(!texture->is_light && texture->width == 5 && texture->height == 3);
+    assert_memory_equal(texture_steps(texture), picture.pixels, 5 * 3 * 3);
+    texture_release(texture);
+    picture_release(&picture);
+    assert_false(texture_file_check(path_of(state, "none.bmp"), &error));
+    assert_false(texture_file_read(path_of(state, "none.bmp"), &texture, &error));
+    assert_null(texture);
 }
 
 /** The same picture gives the same bytes, whenever it is written. @param state The fixture. */
@@ -551,10 +691,13 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_devices, enter_folder, leave_folder),
         cmocka_unit_test_setup_teardown(test_never_over, enter_folder, leave_folder),
         cmocka_unit_test_setup_teardown(test_full_disk, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(test_bmp_texture, enter_folder, leave_folder),
     };
     const struct CMUnitTest module_tests[] = {
         cmocka_unit_test(test_module_crashes),
         cmocka_unit_test(test_module_interrupted),
+        cmocka_unit_test(test_module_limits),
+        cmocka_unit_test_setup_teardown(test_module_keeps_light, enter_folder, leave_folder),
         cmocka_unit_test_setup_teardown(test_module_is_missing, enter_folder, leave_folder),
         cmocka_unit_test_setup_teardown(test_module_round_trip, enter_folder, leave_folder),
         cmocka_unit_test_setup_teardown(test_module_linear_light, enter_folder, leave_folder),

@@ -117,10 +117,10 @@ static void test_once(void **state) {
     snprintf(where, sizeof where, "%s:2", path_of(state, "scene/scene.lua"));
     assert_non_null(realpath(path_of(state, "scene/a.obj"), real));
     assert_int_equal(scene->mesh_count, 2);
-    assert_string_equal(scene->meshes[0].where, where);
-    assert_string_equal(scene->meshes[0].name, "a.obj");
-    assert_string_equal(scene->meshes[0].path, real);
-    assert_string_equal(scene->meshes[1].name, "models/b.obj");
+    assert_string_equal(scene->meshes[0].file.where, where);
+    assert_string_equal(scene->meshes[0].file.name, "a.obj");
+    assert_string_equal(scene->meshes[0].file.path, real);
+    assert_string_equal(scene->meshes[1].file.name, "models/b.obj");
     assert_int_equal(scene->meshes[0].mesh->triangle_count, 1);
     assert_int_equal(scene->meshes[1].mesh->triangle_count, 2);
     const size_t places[] = {0, 1, 0, 0};

@@ -112,7 +112,6 @@ typedef struct TriangleParameters {
     Vector3 normals[3]; /**< Normals there. */
     Pair places[3];     /**< Places in a picture there. */
     bool is_smooth;     /**< Whether the normals count. */
-    bool has_places;    /**< Whether the places do. */
 } TriangleParameters;
 
 /** @return An empty scene with a camera at the origin that looks along -z; to be given back. */
@@ -158,7 +157,7 @@ static inline void add_mesh(Scene *scene, const Vector3 *positions, size_t posit
     Error error = {0};
     char name[32];
     snprintf(name, sizeof name, "%zu", scene->mesh_count);
-    SceneMesh file = {.path = name, .name = name, .where = "test:1"};
+    SceneFile file = {.path = name, .name = name, .where = "test:1"};
     MeshRow row = {.normals = normals};
     assert_true(scene_add_mesh(scene, &file, &row.file, &error));
     Mesh counts = {.position_count = position_count, .triangle_count = triangle_count};

@@ -110,6 +110,7 @@ typedef struct RayAnswer {
     Quadruple point[3];  /**< Where. */
     Quadruple normal[3]; /**< The surface's unit normal there, outwards. */
     Quadruple error;     /**< Bound on how far the point can be off the surface. */
+    Quadruple place[2];  /**< Where on a picture: (u, v). Of meshes only if a shape shows one. */
 } RayAnswer;
 
 /** The tracer for one scene; what is in it, only its engine knows. */

@@ -17,6 +17,14 @@
 bool image_file_check(const char *path, Error *error);
 
 /**
+ * Says whether a file holds linear light, so that a picture that is to be written to it should keep
+ * its own.
+ * @param path  The file.
+ * @return Whether its ending names such a format.
+ */
+bool image_file_is_linear(const char *path);
+
+/**
  * Writes a picture, in the format that the file's ending names. It is written beside its place
  * and renamed into it: the old file stays whole until the new one is.
  * @param path        The file.

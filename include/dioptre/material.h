@@ -10,6 +10,8 @@
 /** A surface. Filled through #material_keyword; the model is in doc/scene-reference.md. */
 typedef struct Material {
     Color color;        /**< Share of light that a matt surface sends back, per primary. */
+    size_t texture;     /**< Place in `Scene.textures`, plus one, of what multiplies the colour; 0:
+                             nothing does. */
     double ambient;     /**< Weight of the light from everywhere. */
     double diffuse;     /**< Weight of each light's matt shine. */
     double specular;    /**< Weight of each light's highlight (Phong). */

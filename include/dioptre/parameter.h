@@ -27,8 +27,10 @@ typedef enum {
     PARAMETER_SCALE,     /**< `Vector3`: `{x, y, z}`, or one number for all three */
     PARAMETER_PAIR,      /**< `Pair`, any */
     PARAMETER_COLOR,     /**< `Color`: `{r, g, b}`, one number for grey, or `"#rrggbb"` in sRGB */
-    PARAMETER_MESH       /**< `size_t`: the place in #Scene.meshes of the model file that is named.
+    PARAMETER_MESH,      /**< `size_t`: the place in #Scene.meshes of the model file that is named.
                               It has no default: #Keyword.finish sees whether it was given */
+    PARAMETER_TEXTURE    /**< `size_t`: the place in #Scene.textures of the picture file that is
+                              named, plus one; 0: none is */
 } ParameterType;
 
 /** One field of a keyword: a row of a parameter table. A table ends with a row without a name. */

@@ -5,6 +5,7 @@
 #ifndef DIOPTRE_PICTURE_H
 #define DIOPTRE_PICTURE_H
 
+#include "dioptre/picture_note.h"
 #include "dioptre/scene.h"
 
 #include <stdint.h>
@@ -15,6 +16,10 @@ typedef struct Picture {
     int height;        /**< Pixels. */
     uint8_t *pixels;   /**< Red, green, blue of each pixel, row by row from the top; owned. */
     Encoding encoding; /**< Which light the pixels stand for; formats of linear light need it. */
+    float *light;      /**< The same as linear light, before it was rounded to steps; owned. NULL:
+                            not kept. */
+    const PictureNote *notes; /**< What files of it say, ended by a row without a name; NULL:
+                                   nothing. Not owned. */
 } Picture;
 
 /**
@@ -26,6 +31,14 @@ typedef struct Picture {
  * @return false without memory; the picture is then empty.
  */
 bool picture_init(Picture *picture, int width, int height, Error *error);
+
+/**
+ * Makes a picture keep its linear light, too; black at first.
+ * @param[in,out] picture  The picture.
+ * @param[out] error       What is wrong.
+ * @return false without memory.
+ */
+bool picture_keep_light(Picture *picture, Error *error);
 
 /** Gives a picture's pixels back and empties it. @param picture The picture. */
 void picture_release(Picture *picture);

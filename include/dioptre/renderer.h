@@ -80,7 +80,8 @@ void renderer_destroy(Renderer *renderer);
  * @param renderer       The renderer, with nothing drawn in the background.
  * @param stop           Looked at often: the drawing ends early once it is true. May be NULL.
  * @param[out] picture   An empty picture of the settings' size for the result, or NULL: only timed.
- *                       What is not drawn stays black. Its encoding becomes the settings'.
+ *                       What is not drawn stays black. Its encoding becomes the settings'; its
+ *                       light is filled, too, if it keeps any.
  * @return How it went; RenderReport.is_finished is false when it was stopped.
  */
 RenderReport renderer_draw(Renderer *renderer, const atomic_bool *stop, Picture *picture);

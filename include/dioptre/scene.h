@@ -15,6 +15,7 @@
 #include "dioptre/material.h"
 #include "dioptre/mesh.h"
 #include "dioptre/parameter.h"
+#include "dioptre/texture.h"
 #include "dioptre/transform.h"
 
 /** Largest width and height of a picture, in pixels. */
@@ -41,6 +42,8 @@ typedef struct Sky {
     Color color;   /**< One colour all around, when `color` was given. */
     Color horizon; /**< Colour at the horizon and below it. */
     Color zenith;  /**< Colour straight up; between the two by the sine of the height. */
+    size_t image;  /**< Place in #Scene.textures, plus one, of a panorama; 0: there is none. */
+    double rotate; /**< How far the panorama is turned about y, degrees, to the left. */
 } Sky;
 
 /** The scene language's `sky`. */
@@ -55,30 +58,44 @@ typedef struct SceneShape {
                                      Owned by the scene. */
 } SceneShape;
 
-/** A model file that a scene names; once, however often it is named. */
-typedef struct SceneMesh {
+/** A file that a scene names; once, however often it is named. */
+typedef struct SceneFile {
     const char *path;  /**< Where it is, absolute and without links. */
     const char *name;  /**< As the scene names it. */
     const char *where; /**< `FILE:LINE` where it is named first: errors about it begin so. */
-    Mesh *mesh;        /**< What is in it; owned by the scene. NULL until it is read, which is after
-                            the scene file has run. */
+} SceneFile;
+
+/** A model file that a scene names. */
+typedef struct SceneMesh {
+    SceneFile file; /**< The file. */
+    Mesh *mesh;     /**< What is in it; owned by the scene. NULL until it is read, which is after
+                         the scene file has run. */
 } SceneMesh;
+
+/** A picture file that a scene names. */
+typedef struct SceneTexture {
+    SceneFile file;   /**< The file. */
+    Texture *texture; /**< What is in it; the scene is one of its owners. NULL until it is read,
+                           which is after the scene file has run. */
+} SceneTexture;
 
 /** A whole scene. The arrays are owned by the scene. */
 typedef struct Scene {
-    Camera camera;         /**< From where it is seen. */
-    bool has_camera;       /**< Whether a camera was given; a scene needs one. */
-    Image image;           /**< The picture that it asks for. */
-    Color ambient;         /**< Light from everywhere. */
-    Sky sky;               /**< What is behind everything. */
-    Light *lights;         /**< The lamps. */
-    size_t light_count;    /**< How many. */
-    Material *materials;   /**< The surfaces; the first is the matt white of shapes without one. */
-    size_t material_count; /**< How many, at least 1. */
-    SceneShape *shapes;    /**< What stands in it. */
-    size_t shape_count;    /**< How many. */
-    SceneMesh *meshes;     /**< The models that the shapes name. */
-    size_t mesh_count;     /**< How many. */
+    Camera camera;          /**< From where it is seen. */
+    bool has_camera;        /**< Whether a camera was given; a scene needs one. */
+    Image image;            /**< The picture that it asks for. */
+    Color ambient;          /**< Light from everywhere. */
+    Sky sky;                /**< What is behind everything. */
+    Light *lights;          /**< The lamps. */
+    size_t light_count;     /**< How many. */
+    Material *materials;    /**< The surfaces; the first is the matt white of shapes without one. */
+    size_t material_count;  /**< How many, at least 1. */
+    SceneShape *shapes;     /**< What stands in it. */
+    size_t shape_count;     /**< How many. */
+    SceneMesh *meshes;      /**< The models that the shapes name. */
+    size_t mesh_count;      /**< How many. */
+    SceneTexture *textures; /**< The pictures that materials and the sky name. */
+    size_t texture_count;   /**< How many. */
 } Scene;
 
 /**
@@ -125,12 +142,22 @@ bool scene_add_shape(Scene *scene, size_t kind, const Keyword *keyword, const vo
 /**
  * Adds a model file, unless it is there already.
  * @param[in,out] scene  The scene.
- * @param model          The file, without a mesh; its words are copied.
+ * @param file           The file; its words are copied.
  * @param[out] place     Its place in #Scene.meshes.
  * @param[out] error     What is wrong.
  * @return false when the scene's memory is full.
  */
-bool scene_add_mesh(Scene *scene, const SceneMesh *model, size_t *place, Error *error);
+bool scene_add_mesh(Scene *scene, const SceneFile *file, size_t *place, Error *error);
+
+/**
+ * Adds a picture file, unless it is there already.
+ * @param[in,out] scene  The scene.
+ * @param file           The file; its words are copied.
+ * @param[out] place     Its place in #Scene.textures.
+ * @param[out] error     What is wrong.
+ * @return false when the scene's memory is full.
+ */
+bool scene_add_texture(Scene *scene, const SceneFile *file, size_t *place, Error *error);
 
 /**
  * Stretches, turns and moves the shape that was added last.
@@ -143,6 +170,9 @@ bool scene_transform_shape(Scene *scene, const Transform *transform, Error *erro
 
 /** @return Whether any shape of a scene mirrors. @param scene A scene. */
 bool scene_has_mirrors(const Scene *scene);
+
+/** @return Whether any shape of a scene shows a picture. @param scene A scene. */
+bool scene_has_textures(const Scene *scene);
 
 /** @return Whether any shape of a scene has highlights. @param scene A scene. */
 bool scene_has_highlights(const Scene *scene);

@@ -8,8 +8,10 @@
 #include "assets/bmp.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 /** Where things are in a BMP file, in bytes from its beginning. */
 enum {
@@ -243,15 +245,18 @@ static bool read_pixels(FILE *stream, const BmpHeader *header, Picture *picture)
     return true;
 }
 
-bool bmp_read(FILE *stream, Picture *picture, Error *error) {
-    *picture = (Picture){0};
+/**
+ * Reads a BMP file.
+ * @param stream        The file, at its beginning.
+ * @param file_size     Its size, bytes.
+ * @param[out] picture  The picture.
+ * @param[out] error    What is wrong.
+ * @return Whether it was read; otherwise the picture is empty.
+ */
+static bool read_stream(FILE *stream, uint64_t file_size, Picture *picture, Error *error) {
     BmpHeader header = {0};
-    struct stat file;
-    if (fstat(fileno(stream), &file) != 0) {
-        return error_set(error, STATUS_SCENE, "%s", strerror(errno));
-    }
     if (!read_header(stream, &header, error) || !check_kind(&header, error) ||
-        !check_size(&header, (uint64_t)file.st_size, error) ||
+        !check_size(&header, file_size, error) ||
         !picture_init(picture, header.width, header.height < 0 ? -header.height : header.height,
                       error)) {
         return false;
@@ -261,4 +266,21 @@ bool bmp_read(FILE *stream, Picture *picture, Error *error) {
         return error_set(error, STATUS_SCENE, "its pixels cannot be read");
     }
     return true;
+}
+
+bool bmp_read(int file, Picture *picture, Error *error) {
+    *picture = (Picture){0};
+    struct stat found;
+    int own = fcntl(file, F_DUPFD_CLOEXEC, 0);
+    FILE *stream = own >= 0 && fstat(own, &found) == 0 ? fdopen(own, "rb") : NULL;
+    if (!stream) {
+        error_set(error, STATUS_SCENE, "%s", strerror(errno));
+        if (own >= 0) {
+            close(own);
+        }
+        return false;
+    }
+    bool is_read = read_stream(stream, (uint64_t)found.st_size, picture, error);
+    fclose(stream);
+    return is_read;
 }

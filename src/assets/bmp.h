@@ -23,11 +23,11 @@ bool bmp_write(const Picture *picture, FILE *stream, Error *error);
  * Reads a BMP file of 24 or 32 bits a pixel, not compressed, of either order of rows. What its
  * header says is checked against the file's size before memory is taken or a pixel read. The
  * fourth byte of a pixel, opacity to some programs, is dropped.
- * @param stream        The file, at its beginning.
+ * @param file          The file, open; it stays so.
  * @param[out] picture  The picture; give it back with #picture_release.
  * @param[out] error    What is wrong (#STATUS_SCENE); the file is not named in it.
  * @return Whether it was read; otherwise the picture is empty.
  */
-bool bmp_read(FILE *stream, Picture *picture, Error *error);
+bool bmp_read(int file, Picture *picture, Error *error);
 
 #endif

@@ -11,7 +11,9 @@
 #include <poll.h>
 #include <signal.h>
 #include <stdbool.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -189,4 +191,31 @@ ChildEnd child_run_watched(void (*work)(void *context), void *context, double se
     }
     close(ends[0]);
     return end;
+}
+
+/** @return Bytes that this process has for its data already. */
+static size_t used_memory(void) {
+    unsigned long pages = 0;
+    FILE *file = fopen("/proc/self/statm", "re");
+    bool is_read = file && fscanf(file, "%*s %*s %*s %*s %*s %lu", &pages) == 1;
+    if (file) {
+        fclose(file);
+    }
+    return is_read ? pages * (size_t)sysconf(_SC_PAGESIZE) : 0;
+}
+
+void child_withdraw(size_t bytes) {
+    rlim_t most = (rlim_t)(used_memory() + bytes);
+    setrlimit(RLIMIT_DATA, &(struct rlimit){.rlim_cur = most, .rlim_max = most});
+    int silence = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (silence >= 0) {
+        dup2(silence, STDOUT_FILENO);
+        dup2(silence, STDERR_FILENO);
+    }
+}
+
+void *child_share_memory(size_t size) {
+    void *memory =
+        mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    return memory == MAP_FAILED ? NULL : memory;
 }

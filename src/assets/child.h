@@ -9,6 +9,8 @@
 #ifndef ASSETS_CHILD_H
 #define ASSETS_CHILD_H
 
+#include <stddef.h>
+
 /** How work in a child ended. */
 typedef enum {
     CHILD_ENDED,    /**< By itself. */
@@ -47,5 +49,18 @@ typedef struct ChildWatcher {
  */
 ChildEnd child_run_watched(void (*work)(void *context), void *context, double seconds,
                            const ChildWatcher *watcher, int *detail);
+
+/**
+ * Lets this process, a child, take so much more memory for its own only, and be silent from now on.
+ * @param bytes  How much more.
+ */
+void child_withdraw(size_t bytes);
+
+/**
+ * Reserves memory that is shared with children, and used only as far as it is filled.
+ * @param size  Bytes.
+ * @return The memory, zero, to be given back with munmap; NULL if there is none.
+ */
+void *child_share_memory(size_t size);
 
 #endif

@@ -6,35 +6,13 @@
 
 #include "assets/atomic_file.h"
 #include "assets/bmp.h"
-#include "assets/images_child.h"
+#include "assets/image_format.h"
+#include "assets/plain_file.h"
+#include "assets/texture_file.h"
 
 #include <errno.h>
 #include <string.h>
-#include <strings.h>
-#include <sys/stat.h>
-
-/** A format, as the ending of a file's name says it. */
-typedef struct ImageFormat {
-    const char *ending; /**< In small letters, without the dot. */
-    const char *module; /**< What the module calls it; NULL: BMP, which needs no module. */
-    bool is_linear;     /**< Whether it holds linear light and not 8-bit steps. */
-} ImageFormat;
-
-/** All formats; the last has no ending. */
-static const ImageFormat formats[] = {
-    {.ending = "bmp"},
-    {.ending = "png", .module = "png"},
-    {.ending = "exr", .module = "openexr", .is_linear = true},
-    {.ending = "jpg", .module = "jpeg"},
-    {.ending = "jpeg", .module = "jpeg"},
-    {.ending = "tif", .module = "tiff"},
-    {.ending = "tiff", .module = "tiff"},
-    {.ending = "hdr", .module = "hdr", .is_linear = true},
-    {0},
-};
-
-/** All endings, in words. */
-#define ENDINGS "bmp, png, exr, jpg, jpeg, tif, tiff or hdr"
+#include <unistd.h>
 
 /**
  * Puts what was tried, and with which file, before an error.
@@ -48,22 +26,6 @@ static bool fail(Error *error, const char *verb, const char *path) {
 }
 
 /**
- * Finds the format that the ending of a file's name says; small and large letters are alike.
- * @param path  The file.
- * @return The format, or NULL.
- */
-static const ImageFormat *format_by_ending(const char *path) {
-    const char *name = path + place_folder_length(path);
-    const char *dot = strrchr(name, '.');
-    for (const ImageFormat *format = formats; dot && format->ending; format++) {
-        if (strcasecmp(dot + 1, format->ending) == 0) {
-            return format;
-        }
-    }
-    return NULL;
-}
-
-/**
  * Finds the format that a file is to be written in.
  * @param path        The file; what is no plain file, such as `/dev/stdout`, may have no ending
  *                    and then gets a BMP.
@@ -71,15 +33,21 @@ static const ImageFormat *format_by_ending(const char *path) {
  * @return The format, or NULL.
  */
 static const ImageFormat *format_to_write(const char *path, Error *error) {
-    const ImageFormat *format = format_by_ending(path);
+    const ImageFormat *format = image_format_by_ending(path);
     Place place = {.mode = 0};
     if (!format && place_find(&place, path) && place_is_direct(&place)) {
-        return &formats[0];
+        return image_format_bmp();
     }
-    if (!format) {
-        error_set(error, STATUS_USAGE, "its name must end in ." ENDINGS);
+    if (format && !format->is_read_only) {
+        return format;
     }
-    return format;
+    error_set(error, STATUS_USAGE, "its name must end in ." IMAGE_ENDINGS);
+    return NULL;
+}
+
+bool image_file_is_linear(const char *path) {
+    const ImageFormat *format = image_format_by_ending(path);
+    return format && format->is_linear;
 }
 
 /**
@@ -152,64 +120,72 @@ bool image_file_write(const char *path, const Picture *picture, Error *error) {
 bool image_file_write_new(const char *path, const Picture *picture, bool *exists, Error *error) {
     AtomicFile file;
     bool is_written = atomic_file_open(&file, path, ATOMIC_NEW, error) &&
-                      fill(&file, &formats[0], picture, error);
+                      fill(&file, image_format_bmp(), picture, error);
     *exists = !is_written && file.exists;
     return is_written || fail(error, "write", path);
 }
 
+/** What reading a picture to be compared may take: the largest that can be written. */
+static const ImagesLimits largest = {60, (size_t)8 << 30,
+                                     sizeof(Texture) +
+                                         TEXEL_CHANNELS * sizeof(float) *
+                                             (size_t)IMAGE_SIZE_MAXIMUM *IMAGE_SIZE_MAXIMUM};
+
 /**
- * Opens a file to be read. A FIFO or a device, which could keep the program waiting for ever, is
- * refused.
- * @param path        The file.
- * @param[out] error  Why not (#STATUS_SCENE).
- * @return The open file, or NULL.
+ * Makes a picture of 8-bit steps of a texture.
+ * @param texture       The texture.
+ * @param[out] picture  The picture.
+ * @param[out] error    What is wrong.
+ * @return false without memory.
  */
-static FILE *open_plain(const char *path, Error *error) {
-    FILE *stream = NULL;
-    struct stat found;
-    if (stat(path, &found) == 0) {
-        if (!S_ISREG(found.st_mode)) {
-            error_set(error, STATUS_SCENE, "it is no plain file");
-            return NULL;
-        }
-        stream = fopen(path, "rbe");
+static bool picture_of(const Texture *texture, Picture *picture, Error *error) {
+    if (!picture_init(picture, texture->width, texture->height, error)) {
+        return false;
     }
-    if (!stream) {
-        error_set(error, STATUS_SCENE, "%s", strerror(errno));
+    size_t count = (size_t)texture->width * (size_t)texture->height * TEXEL_CHANNELS;
+    if (!texture->is_light) {
+        memcpy(picture->pixels, texture_steps(texture), count);
+        return true;
     }
-    return stream;
+    Encoder encoder;
+    encoder_init(&encoder, ENCODING_SRGB);
+    for (size_t i = 0; i < count; i++) {
+        picture->pixels[i] = encoder_encode(&encoder, texture_light(texture)[i]);
+    }
+    return true;
 }
 
 /**
- * Reads a picture in a format.
- * @param format        The format.
- * @param path          The file.
- * @param stream        The same file, open.
+ * Reads an open picture file.
+ * @param format        Its format.
+ * @param file          The file.
  * @param[out] picture  The picture.
  * @param[out] error    What is wrong.
  * @return Whether it was read; otherwise the picture is empty.
  */
-static bool read_format(const ImageFormat *format, const char *path, FILE *stream, Picture *picture,
-                        Error *error) {
-    const ImagesModule *module;
-    if (!load_module(format, &module, error)) {
-        return false;
+static bool read_open(const ImageFormat *format, int file, Picture *picture, Error *error) {
+    if (!format->module) {
+        return bmp_read(file, picture, error);
     }
-    return module ? images_child_read(module, format->module, path, picture, error)
-                  : bmp_read(stream, picture, error);
+    Texture *texture;
+    bool is_read = texture_file_read_open(format, file, &largest, &texture, error) &&
+                   picture_of(texture, picture, error);
+    texture_release(texture);
+    return is_read;
 }
 
 bool image_file_read(const char *path, Picture *picture, Error *error) {
     *picture = (Picture){0};
-    const ImageFormat *format = format_by_ending(path);
+    struct stat found;
+    const ImageFormat *format = image_format_by_ending(path);
     if (!format) {
-        error_set(error, STATUS_SCENE, "its name must end in ." ENDINGS);
+        error_set(error, STATUS_SCENE, "its name must end in ." IMAGE_READ_ENDINGS);
         return fail(error, "read", path);
     }
-    FILE *stream = open_plain(path, error);
-    bool is_read = stream && read_format(format, path, stream, picture, error);
-    if (stream) {
-        fclose(stream);
+    int file = plain_file_open(path, &found, error);
+    bool is_read = file >= 0 && read_open(format, file, picture, error);
+    if (file >= 0) {
+        close(file);
     }
     return is_read || fail(error, "read", path);
 }

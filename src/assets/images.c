@@ -42,28 +42,42 @@ const ImagesModule *images_load(Error *error) {
     return module_open(&images_module, error);
 }
 
+/** What is said of a picture that says nothing of itself. */
+static const PictureNote no_notes[] = {{0}};
+
+/**
+ * @return The light that the steps of a picture stand for, to be freed; NULL without memory.
+ * @param picture  The picture.
+ */
+static float *decode_light(const Picture *picture) {
+    size_t count = (size_t)picture->width * (size_t)picture->height * CHANNELS;
+    float *light = malloc(count * sizeof *light), table[UINT8_MAX + 1];
+    for (int step = 0; step <= UINT8_MAX; step++) {
+        table[step] = (float)encoding_decode(picture->encoding, step);
+    }
+    for (size_t i = 0; light && i < count; i++) {
+        light[i] = table[picture->pixels[i]];
+    }
+    return light;
+}
+
 /**
  * Makes a picture file in memory.
  * @param module      The module.
  * @param format      The format.
- * @param is_linear   Whether it holds linear light.
  * @param picture     The picture.
+ * @param light       Its linear light, for a format that holds it; else NULL.
  * @param[out] file   The file, to be given back.
  * @param[out] error  What is wrong.
  * @return Whether it was made.
  */
-static bool encode(const ImagesModule *module, const char *format, bool is_linear,
-                   const Picture *picture, ImagesFile *file, Error *error) {
-    float light[256];
-    for (int step = 0; step <= UINT8_MAX; step++) {
-        light[step] = (float)encoding_decode(picture->encoding, step);
-    }
-    ImagesSource source = {
-        .width = picture->width,
-        .height = picture->height,
-        .steps = picture->pixels,
-        .light = is_linear ? light : NULL,
-    };
+static bool encode(const ImagesModule *module, const char *format, const Picture *picture,
+                   const float *light, ImagesFile *file, Error *error) {
+    ImagesSource source = {.width = picture->width,
+                           .height = picture->height,
+                           .steps = picture->pixels,
+                           .light = light,
+                           .notes = picture->notes ? picture->notes : no_notes};
     ImagesMessage message;
     return module->encode(format, &source, file, &message) ||
            error_set(error, STATUS_FAILED, "%s", message.text);
@@ -72,7 +86,14 @@ static bool encode(const ImagesModule *module, const char *format, bool is_linea
 bool images_write(const ImagesModule *module, const char *format, bool is_linear,
                   const Picture *picture, FILE *stream, Error *error) {
     ImagesFile file;
-    if (!encode(module, format, is_linear, picture, &file, error)) {
+    float *decoded = is_linear && !picture->light ? decode_light(picture) : NULL;
+    const float *light = !is_linear ? NULL : decoded ? decoded : picture->light;
+    if (is_linear && !light) {
+        return error_set(error, STATUS_FAILED, "no memory");
+    }
+    bool is_made = encode(module, format, picture, light, &file, error);
+    free(decoded);
+    if (!is_made) {
         return false;
     }
     bool is_fine = fwrite(file.bytes, 1, file.size, stream) == file.size ||
@@ -81,15 +102,30 @@ bool images_write(const ImagesModule *module, const char *format, bool is_linear
     return is_fine;
 }
 
+/** Steps of the curve that numbers finer than 8 bits are decoded by. */
+enum { FINE_STEPS = 65535 };
+
 /** A picture that is being read, band by band. */
 typedef struct Reading {
     const ImagesModule *module; /**< The module. */
     ImagesReader *reader;       /**< The open file. */
     ImagesHeader header;        /**< What is known of it. */
-    Encoder encoder;            /**< For linear light. */
-    float *light;               /**< Room for a band of linear light. */
-    Picture *picture;           /**< Where the pixels go. */
+    float *curve;               /**< For #IMAGES_FINE: the light of each of #FINE_STEPS; owned. */
+    Texture *texture;           /**< Where the texels go. */
 } Reading;
+
+/**
+ * Decodes numbers of 16 bits and the like.
+ * @param curve          The light of each of #FINE_STEPS steps.
+ * @param[in,out] light  Numbers from 0 to 1; light afterwards.
+ * @param count          How many.
+ */
+static void decode_fine(const float *curve, float *light, size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        float inside = light[i] > 0 ? (light[i] < 1 ? light[i] : 1) : 0;
+        light[i] = curve[(unsigned)(inside * FINE_STEPS + 0.5F)];
+    }
+}
 
 /**
  * Reads a band of rows.
@@ -101,18 +137,17 @@ typedef struct Reading {
 static bool read_band(const Reading *reading, int first, ImagesMessage *message) {
     int left = reading->header.height - first;
     int count = left < reading->header.band ? left : reading->header.band;
-    size_t row = (size_t)reading->header.width * CHANNELS;
-    uint8_t *steps = reading->picture->pixels + (size_t)first * row;
-    if (!reading->header.is_linear) {
+    size_t row = (size_t)reading->header.width * CHANNELS, start = (size_t)first * row;
+    if (reading->header.kind == IMAGES_STEPS) {
+        uint8_t *steps = texture_steps(reading->texture) + start;
         return reading->module->read_steps(reading->reader, first, count, steps, message);
     }
-    if (!reading->module->read_light(reading->reader, first, count, reading->light, message)) {
-        return false;
+    float *light = texture_light(reading->texture) + start;
+    bool is_read = reading->module->read_light(reading->reader, first, count, light, message);
+    if (is_read && reading->curve) {
+        decode_fine(reading->curve, light, row * (size_t)count);
     }
-    for (size_t i = 0; i < row * (size_t)count; i++) {
-        steps[i] = encoder_encode(&reading->encoder, reading->light[i]);
-    }
-    return true;
+    return is_read;
 }
 
 /**
@@ -132,38 +167,44 @@ static bool read_bands(const Reading *reading, Error *error) {
 }
 
 /**
- * Takes the memory that a picture needs.
- * @param[in,out] reading  The picture that is being read, its header known.
+ * Makes ready to read, once the header is known.
+ * @param[in,out] reading  The picture that is being read.
+ * @param room             Bytes that fit where it goes.
  * @param[out] error       What is wrong.
- * @return false without memory.
+ * @return false if it does not fit, or without memory.
  */
-static bool take_memory(Reading *reading, Error *error) {
+static bool make_ready(Reading *reading, size_t room, Error *error) {
     const ImagesHeader *header = &reading->header;
-    if (!picture_init(reading->picture, header->width, header->height, error)) {
-        return false;
+    Texture head = {.width = header->width,
+                    .height = header->height,
+                    .is_light = header->kind != IMAGES_STEPS,
+                    .owners = 1};
+    if (texture_size(&head) > room) {
+        return error_set(error, STATUS_SCENE, "its %d x %d pixels take more than %zu MiB",
+                         head.width, head.height, room >> 20);
     }
-    if (header->is_linear) {
-        encoder_init(&reading->encoder, ENCODING_SRGB);
-        size_t row = (size_t)header->width * CHANNELS * sizeof *reading->light;
-        reading->light = calloc((size_t)header->band, row);
+    *reading->texture = head;
+    if (header->kind == IMAGES_FINE) {
+        reading->curve = malloc((FINE_STEPS + 1) * sizeof *reading->curve);
+        for (int i = 0; reading->curve && i <= FINE_STEPS; i++) {
+            double step = (double)i * ENCODING_STEP_MAXIMUM / FINE_STEPS;
+            reading->curve[i] = (float)encoding_decode(ENCODING_SRGB, step);
+        }
     }
-    return !header->is_linear || reading->light || error_set(error, STATUS_FAILED, "no memory");
+    return header->kind != IMAGES_FINE || reading->curve ||
+           error_set(error, STATUS_FAILED, "no memory");
 }
 
-bool images_read(const ImagesModule *module, const char *format, const char *path, Picture *picture,
-                 Error *error) {
-    *picture = (Picture){0};
+bool images_read(const ImagesRequest *request, Texture *texture, Error *error) {
     ImagesMessage message;
-    Reading reading = {.module = module, .picture = picture};
-    reading.reader = module->open(path, format, &reading.header, &message);
+    const ImagesModule *module = request->module;
+    Reading reading = {.module = module, .texture = texture};
+    reading.reader = module->open(request->path, request->format, &reading.header, &message);
     if (!reading.reader) {
         return error_set(error, STATUS_SCENE, "%s", message.text);
     }
-    bool is_read = take_memory(&reading, error) && read_bands(&reading, error);
-    free(reading.light);
+    bool is_read = make_ready(&reading, request->room, error) && read_bands(&reading, error);
+    free(reading.curve);
     module->close(reading.reader);
-    if (!is_read) {
-        picture_release(picture);
-    }
     return is_read;
 }

@@ -28,7 +28,8 @@ const ImagesModule *images_load_from(const char *folder, Error *error);
 
 /**
  * Writes a picture in a format of the module. Where that holds linear light (OpenEXR, Radiance),
- * the picture is decoded, by the curve of its own encoding.
+ * the picture's own light is written, if it was kept; else it is decoded from the steps, by the
+ * curve of the picture's encoding.
  * @param module      The module.
  * @param format      The format, as OpenImageIO names it.
  * @param is_linear   Whether it holds linear light.
@@ -40,16 +41,22 @@ const ImagesModule *images_load_from(const char *folder, Error *error);
 bool images_write(const ImagesModule *module, const char *format, bool is_linear,
                   const Picture *picture, FILE *stream, Error *error);
 
+/** A picture file to be read. */
+typedef struct ImagesRequest {
+    const ImagesModule *module; /**< The module. */
+    const char *format;         /**< The format, as OpenImageIO names it. */
+    const char *path;           /**< The file. */
+    size_t room;                /**< Bytes that fit where the texture goes. */
+} ImagesRequest;
+
 /**
- * Reads a picture in a format of the module. Linear light is encoded as sRGB, opacity dropped.
- * @param module        The module.
- * @param format        The format, as OpenImageIO names it.
- * @param path          The file.
- * @param[out] picture  The picture; give it back with #picture_release.
- * @param[out] error    What is wrong (#STATUS_SCENE); the file is not named in it.
- * @return Whether it was read; otherwise the picture is empty.
+ * Reads a picture. Opacity is dropped. 8-bit numbers stay as they are, encoded as sRGB; finer ones
+ * become linear light by the same curve; floats are linear light.
+ * @param request        What to read.
+ * @param[out] texture   Where to: ImagesRequest.room bytes.
+ * @param[out] error     What is wrong (#STATUS_SCENE); the file is not named in it.
+ * @return Whether it was read.
  */
-bool images_read(const ImagesModule *module, const char *format, const char *path, Picture *picture,
-                 Error *error);
+bool images_read(const ImagesRequest *request, Texture *texture, Error *error);
 
 #endif

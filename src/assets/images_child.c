@@ -6,154 +6,115 @@
 
 #include "assets/child.h"
 
-#include <errno.h>
-#include <fcntl.h>
 #include <signal.h>
 #include <string.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
-/** Seconds that reading a picture may take: the largest take some. */
-enum { SECONDS_MAXIMUM = 60 };
-/** Bytes a pixel in a #Picture. */
-enum { CHANNELS = 3 };
+/** What child and parent share, but for the texture. */
+typedef struct Handover {
+    bool is_done; /**< Whether the child came to the end of its work. */
+    Error error;  /**< What is wrong, if anything. */
+} Handover;
 
 /** What a child is asked. */
 typedef struct Question {
-    const ImagesModule *module; /**< The module. */
-    const char *format;         /**< The format. */
-    const char *path;           /**< The file. */
-    FILE *answer;               /**< A file in memory that both share. */
+    ImagesRequest request; /**< What to read. */
+    size_t memory;         /**< Bytes that the libraries may take. */
+    Handover *handover;    /**< What both share. */
+    Texture *texture;      /**< Where the child leaves the picture; shared, too. */
 } Question;
 
-/** What the child answers first; the pixels follow if all is well. */
-typedef struct Reply {
-    Error error; /**< What is wrong; #STATUS_DONE if nothing is. */
-    int width;   /**< Pixels. */
-    int height;  /**< Pixels. */
-} Reply;
-
-/** @return Bytes of a picture's pixels. @param picture The picture. */
-static size_t pixels_size(const Picture *picture) {
-    return (size_t)picture->width * (size_t)picture->height * CHANNELS;
-}
-
-/**
- * Opens a file in memory. A pipe would have to be emptied while the child still writes.
- * @return The file, to be closed; NULL with errno set.
- */
-static FILE *open_memory(void) {
-    int file = memfd_create("picture", MFD_CLOEXEC);
-    FILE *stream = file >= 0 ? fdopen(file, "w+") : NULL;
-    if (file >= 0 && !stream) {
-        close(file);
-    }
-    return stream;
-}
-
-/** Keeps what the libraries say of a file away from the program's own words. */
-static void fall_silent(void) {
-    int silence = open("/dev/null", O_WRONLY | O_CLOEXEC);
-    if (silence >= 0) {
-        dup2(silence, STDERR_FILENO);
-    }
-}
-
-/**
- * Is the child: reads the picture and writes the answer.
- * @param context  A #Question.
- */
+/** Is the child: reads the picture. See #child_run. @param context A #Question. */
 static void answer(void *context) {
     const Question *question = context;
-    Reply reply = {0};
-    Picture picture;
-    fall_silent();
-    images_read(question->module, question->format, question->path, &picture, &reply.error);
-    reply.width = picture.width;
-    reply.height = picture.height;
-    fwrite(&reply, sizeof reply, 1, question->answer);
-    if (picture.pixels) {
-        fwrite(picture.pixels, 1, pixels_size(&picture), question->answer);
-    }
-    fflush(question->answer); // Whether all of it arrives, the parent sees by its length.
-    picture_release(&picture);
+    Handover *handover = question->handover;
+    child_withdraw(question->memory);
+    handover->is_done = images_read(&question->request, question->texture, &handover->error);
 }
 
 /**
- * Reads what the child answers first. A child that a file has got hold of may answer anything.
- * @param file        The answer, from its start.
- * @param[out] reply  Its beginning.
- * @return Whether it is there and makes sense.
- */
-static bool read_reply(FILE *file, Reply *reply) {
-    if (fread(reply, sizeof *reply, 1, file) != 1) {
-        return false;
-    }
-    reply->error.message[ERROR_MESSAGE_SIZE - 1] = '\0';
-    bool has_size = reply->width >= 1 && reply->width <= IMAGE_SIZE_MAXIMUM && reply->height >= 1 &&
-                    reply->height <= IMAGE_SIZE_MAXIMUM;
-    return has_size || reply->error.status != STATUS_DONE;
-}
-
-/**
- * Reads the child's answer.
- * @param file          The answer, from its start.
- * @param[out] picture  The picture.
- * @param[out] error    What is wrong.
- * @return Whether all of the picture is there; otherwise it is empty.
- */
-static bool read_answer(FILE *file, Picture *picture, Error *error) {
-    Reply reply;
-    bool is_answered = read_reply(file, &reply);
-    if (is_answered && reply.error.status != STATUS_DONE) {
-        return error_set(error, reply.error.status, "%s", reply.error.message);
-    }
-    if (is_answered && !picture_init(picture, reply.width, reply.height, error)) {
-        return false;
-    }
-    size_t size = pixels_size(picture);
-    if (!is_answered || fread(picture->pixels, 1, size, file) != size) {
-        picture_release(picture);
-        return error_set(error, STATUS_SCENE, "it makes the libraries that read it crash");
-    }
-    return true;
-}
-
-/**
- * Looks whether a child that has ended was kept from answering; a crash is seen by its answer.
+ * Says why a child left no picture.
+ * @param handover    What it left.
  * @param end         How it ended.
  * @param detail      The signal or the errno.
- * @param[out] error  What kept it.
- * @return Whether its answer is worth reading.
+ * @param limits      What it might take.
+ * @param[out] error  Where it is said.
+ * @return false, always.
  */
-static bool could_answer(ChildEnd end, int detail, Error *error) {
+static bool explain(const Handover *handover, ChildEnd end, int detail, const ImagesLimits *limits,
+                    Error *error) {
     if (end == CHILD_UNSTARTED) {
-        return error_set(error, STATUS_FAILED, "%s", strerror(detail));
+        return error_set(error, STATUS_FAILED, "no process to read a picture in: %s",
+                         strerror(detail));
     }
     if (end == CHILD_LATE) {
-        return error_set(error, STATUS_SCENE, "it takes more than %d seconds", SECONDS_MAXIMUM);
+        return error_set(error, STATUS_SCENE, "it takes more than %.0f s to read", limits->seconds);
     }
     if (end == CHILD_CRASHED && detail == SIGINT) {
         return error_set(error, STATUS_INTERRUPTED, "interrupted");
     }
-    if (end == CHILD_CRASHED && detail == SIGXFSZ) { // A limit of the user's, files in memory too.
-        return error_set(error, STATUS_FAILED, "%s", strerror(EFBIG));
+    const Error *said = &handover->error;
+    if (end == CHILD_ENDED && said->status != STATUS_DONE) {
+        return error_set(error, said->status, "%.*s", ERROR_MESSAGE_SIZE - 1, said->message);
     }
+    return error_set(error, STATUS_SCENE, "it makes the libraries that read it crash (%s)",
+                     detail ? strsignal(detail) : "it ended early");
+}
+
+/**
+ * Makes a texture of what a child left, which may be anything if a file has got hold of it, and
+ * gives the rest of the room back.
+ * @param left        What it left.
+ * @param room        Bytes that it lies in.
+ * @param[out] error  What is wrong.
+ * @return Whether it is one.
+ */
+static bool accept(Texture *left, size_t room, Error *error) {
+    bool has_size = left->width >= 1 && left->width <= IMAGE_SIZE_MAXIMUM && left->height >= 1 &&
+                    left->height <= IMAGE_SIZE_MAXIMUM;
+    if (!has_size || texture_size(left) > room) {
+        return error_set(error, STATUS_SCENE, "it makes the libraries that read it go astray");
+    }
+    size_t page = (size_t)sysconf(_SC_PAGESIZE);
+    size_t kept = (texture_size(left) + page - 1) / page * page;
+    if (kept < room) {
+        munmap((char *)left + kept, room - kept);
+    }
+    atomic_store(&left->owners, 1);
+    texture_tame(left);
     return true;
 }
 
-bool images_child_read(const ImagesModule *module, const char *format, const char *path,
-                       Picture *picture, Error *error) {
-    *picture = (Picture){0};
-    Question question = {.module = module, .format = format, .path = path};
-    question.answer = open_memory();
-    if (!question.answer) {
-        return error_set(error, STATUS_FAILED, "%s", strerror(errno));
-    }
+/**
+ * Asks a child.
+ * @param question    What is asked.
+ * @param limits      What it may take.
+ * @param[out] error  What is wrong.
+ * @return Whether the picture is there.
+ */
+static bool ask(Question *question, const ImagesLimits *limits, Error *error) {
     int detail;
-    ChildEnd end = child_run(answer, &question, SECONDS_MAXIMUM, &detail);
-    rewind(question.answer);
-    bool is_read = could_answer(end, detail, error) && read_answer(question.answer, picture, error);
-    fclose(question.answer);
+    ChildEnd end = child_run(answer, question, limits->seconds, &detail);
+    bool is_good = end == CHILD_ENDED && question->handover->is_done;
+    return is_good ? accept(question->texture, limits->room, error)
+                   : explain(question->handover, end, detail, limits, error);
+}
+
+bool images_child_read(const ImagesModule *module, const char *format, const char *path,
+                       const ImagesLimits *limits, Texture **texture, Error *error) {
+    Question question = {.request = {module, format, path, limits->room}, .memory = limits->memory};
+    question.handover = child_share_memory(sizeof *question.handover);
+    question.texture = child_share_memory(limits->room);
+    bool has_memory = question.handover && question.texture;
+    bool is_read = has_memory ? ask(&question, limits, error)
+                              : error_set(error, STATUS_FAILED, "no memory for a picture");
+    if (question.texture && !is_read) {
+        munmap(question.texture, limits->room);
+    }
+    if (question.handover) {
+        munmap(question.handover, sizeof *question.handover);
+    }
+    *texture = is_read ? question.texture : NULL;
     return is_read;
 }

@@ -12,16 +12,25 @@
 
 #include "assets/images.h"
 
+/** What reading a picture may take. */
+typedef struct ImagesLimits {
+    double seconds; /**< Time, by the clock on the wall. */
+    size_t memory;  /**< Bytes of the libraries' own. */
+    size_t room;    /**< Bytes of the texels, decoded. */
+} ImagesLimits;
+
 /**
  * Reads a picture as #images_read does, but in a child process.
  * @param module        The module.
  * @param format        The format, as OpenImageIO names it.
  * @param path          The file.
- * @param[out] picture  The picture; give it back with #picture_release.
+ * @param limits        What it may take.
+ * @param[out] texture  The picture, tame, to be given back with #texture_release; NULL if anything
+ *                      is wrong.
  * @param[out] error    What is wrong (#STATUS_SCENE; #STATUS_FAILED without memory or process).
- * @return Whether it was read; otherwise the picture is empty.
+ * @return Whether it was read.
  */
 bool images_child_read(const ImagesModule *module, const char *format, const char *path,
-                       Picture *picture, Error *error);
+                       const ImagesLimits *limits, Texture **texture, Error *error);
 
 #endif

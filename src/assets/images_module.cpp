@@ -11,6 +11,7 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <cstring>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -69,6 +70,19 @@ template <class Work> auto guarded(ImagesMessage *message, Work work) -> decltyp
 }
 
 /**
+ * @return Words without the path that a file was opened by: who reads them knows its name.
+ * @param words  The words.
+ * @param path   The path.
+ */
+std::string without_path(std::string words, const std::string &path) {
+    const std::string quoted = "\"" + path + "\"";
+    for (size_t at; (at = words.find(quoted)) != std::string::npos;) {
+        words.replace(at, quoted.size(), "the file");
+    }
+    return words;
+}
+
+/**
  * Tells OpenImageIO to start no threads and to load no plugins. Threads would be missing, and be
  * waited for in vain, in the child process that reads pictures.
  */
@@ -86,7 +100,9 @@ void set_up() {
 OIIO::ImageSpec describe(const std::string &format, const ImagesSource &source) {
     OIIO::TypeDesc type = source.light ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
     OIIO::ImageSpec spec(source.width, source.height, channels, type);
-    spec.attribute("Software", "dioptre " DIOPTRE_VERSION);
+    for (const PictureNote *note = source.notes; note->name; note++) {
+        spec.attribute(note->name, note->value);
+    }
     if (format == "jpeg") {
         spec.attribute("jpeg:subsampling", "4:4:4"); // Colour as sharp as brightness.
     }
@@ -103,17 +119,30 @@ OIIO::ImageSpec describe(const std::string &format, const ImagesSource &source) 
  */
 void write_rows(OIIO::ImageOutput &output, const ImagesSource &source) {
     size_t size = static_cast<size_t>(source.width) * channels;
-    std::vector<float> light(source.light ? size : 0);
     for (int y = 0; y < source.height; y++) {
-        const uint8_t *steps = source.steps + static_cast<size_t>(y) * size;
-        std::transform(steps, steps + light.size(), light.begin(),
-                       [&source](uint8_t step) { return source.light[step]; });
-        bool is_written = source.light
-                              ? output.write_scanline(y, 0, OIIO::TypeDesc::FLOAT, light.data())
-                              : output.write_scanline(y, 0, OIIO::TypeDesc::UINT8, steps);
+        size_t first = static_cast<size_t>(y) * size;
+        bool is_written =
+            source.light ? output.write_scanline(y, 0, OIIO::TypeDesc::FLOAT, source.light + first)
+                         : output.write_scanline(y, 0, OIIO::TypeDesc::UINT8, source.steps + first);
         if (!is_written) {
             fail(output.geterror());
         }
+    }
+}
+
+/**
+ * Puts notes into the header of a Radiance file, as lines of comment: OpenImageIO writes none.
+ * @param source          The picture.
+ * @param[in,out] bytes   The file; its header begins with one line that says what it is.
+ */
+void add_comments(const ImagesSource &source, std::vector<unsigned char> &bytes) {
+    std::string comments;
+    for (const PictureNote *note = source.notes; note->name; note++) {
+        comments += std::string("# ") + note->name + "=" + note->value + "\n";
+    }
+    auto first_line = std::find(bytes.begin(), bytes.end(), '\n');
+    if (first_line != bytes.end()) {
+        bytes.insert(first_line + 1, comments.begin(), comments.end());
     }
 }
 
@@ -137,6 +166,9 @@ void encode_into(const char *format, const ImagesSource &source,
     write_rows(*output, source);
     if (!output->close()) {
         fail(output->geterror());
+    }
+    if (std::strcmp(format, "hdr") == 0) {
+        add_comments(source, bytes);
     }
 }
 
@@ -208,10 +240,18 @@ std::unique_ptr<ImagesReader> open_checked(const char *path, const char *format)
     OIIO::ImageSpec wishes;
     wishes.attribute("oiio:UnassociatedAlpha", 1); // Colours as stored, not darkened by opacity.
     if (!reader->input->open(path, reader->spec, wishes)) {
-        fail(reader->input->geterror());
+        fail(without_path(reader->input->geterror(), path));
     }
     check_header(reader->spec);
     return reader;
+}
+
+/** @return What the numbers of a file are. @param type Their type. */
+ImagesKind kind_of(OIIO::TypeDesc type) {
+    if (type.is_floating_point()) {
+        return IMAGES_LIGHT;
+    }
+    return type == OIIO::TypeDesc::UINT8 ? IMAGES_STEPS : IMAGES_FINE;
 }
 
 /**
@@ -228,7 +268,7 @@ ImagesReader *open(const char *path, const char *format, ImagesHeader *header,
         std::unique_ptr<ImagesReader> reader = open_checked(path, format);
         const OIIO::ImageSpec &spec = reader->spec;
         int band = spec.tile_width > 0 ? std::max(spec.tile_height, 1) : plain_band;
-        *header = {spec.width, spec.height, spec.format.is_floating_point(), band};
+        *header = {spec.width, spec.height, kind_of(spec.format), band};
         return reader.release();
     });
 }
@@ -283,7 +323,7 @@ bool read_steps(ImagesReader *reader, int first, int count, uint8_t *rgb, Images
 }
 
 /**
- * Is ImagesModule::read_light: reads a band of rows as linear light.
+ * Is ImagesModule::read_light: reads a band of rows of the finer kinds.
  * @param reader        The open file.
  * @param first         First row.
  * @param count         How many rows.

@@ -10,12 +10,14 @@
 #ifndef ASSETS_IMAGES_MODULE_H
 #define ASSETS_IMAGES_MODULE_H
 
+#include "dioptre/picture_note.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
 /** Counts the changes of this header: program and module must be of the same count. */
-enum { IMAGES_MODULE_VERSION = 1 };
+enum { IMAGES_MODULE_VERSION = 2 };
 /** Largest width and height of a picture that is read, as of the whole program. */
 enum { IMAGES_SIZE_MAXIMUM = 16384 };
 /** Longest message, in bytes with its final zero. */
@@ -31,8 +33,9 @@ typedef struct ImagesSource {
     int width;            /**< Pixels. */
     int height;           /**< Pixels. */
     const uint8_t *steps; /**< Red, green, blue of each pixel, row by row from the top. */
-    const float *light;   /**< NULL: the steps are written. Or the linear light that each of the 256
-                               steps stands for: this is written instead. */
+    const float *light;   /**< NULL: the steps are written. Or linear light in the same order: this
+                               is written instead. */
+    const PictureNote *notes; /**< What the file says of itself, ended by a row without a name. */
 } ImagesSource;
 
 /** A whole file in memory. */
@@ -42,12 +45,19 @@ typedef struct ImagesFile {
     void *owner;       /**< The module's own; NULL when there is nothing to release. */
 } ImagesFile;
 
+/** What the numbers of a picture file are. */
+typedef enum {
+    IMAGES_STEPS, /**< Encoded, in 8 bits: read by ImagesModule::read_steps. */
+    IMAGES_FINE,  /**< Encoded, in more bits: read by ImagesModule::read_light, 0 to 1. */
+    IMAGES_LIGHT  /**< Linear light: read by ImagesModule::read_light. */
+} ImagesKind;
+
 /** What is known of a picture before its pixels are read. */
 typedef struct ImagesHeader {
-    int width;      /**< Pixels, 1 to `IMAGES_SIZE_MAXIMUM`. */
-    int height;     /**< Pixels, 1 to `IMAGES_SIZE_MAXIMUM`. */
-    bool is_linear; /**< Whether it holds linear light, to be read as such; else encoded steps. */
-    int band;       /**< How many rows are read at once, but for the last band. */
+    int width;       /**< Pixels, 1 to `IMAGES_SIZE_MAXIMUM`. */
+    int height;      /**< Pixels, 1 to `IMAGES_SIZE_MAXIMUM`. */
+    ImagesKind kind; /**< What its numbers are. */
+    int band;        /**< How many rows are read at once, but for the last band. */
 } ImagesHeader;
 
 /** A picture file that is open; its inside is the module's own. */
@@ -95,7 +105,7 @@ typedef struct ImagesModule {
                        ImagesMessage *message);
 
     /**
-     * Reads the linear light of a band of rows; otherwise as #read_steps.
+     * Reads a band of rows of the finer kinds; otherwise as #read_steps.
      * @param reader        The open file.
      * @param first         First row.
      * @param count         How many rows.

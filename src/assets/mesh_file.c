@@ -7,9 +7,9 @@
 #include "assets/child.h"
 #include "assets/mesh_builder.h"
 #include "assets/module.h"
+#include "assets/plain_file.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <signal.h>
 #include <stdatomic.h>
 #include <stdio.h>
@@ -17,8 +17,6 @@
 #include <string.h>
 #include <strings.h>
 #include <sys/mman.h>
-#include <sys/resource.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 /** Bytes of address space where a child may leave a mesh: reserved, used as far as it is filled. */
@@ -80,45 +78,9 @@ static const char *find_ending(const char *path, Error *error) {
     return NULL;
 }
 
-/**
- * Says whether an open file may be a model.
- * @param file        The file.
- * @param[out] found  What is known of it.
- * @param[out] error  Why not.
- * @return Whether it is a regular file.
- */
-static bool check_kind(int file, struct stat *found, Error *error) {
-    if (fstat(file, found) != 0) {
-        return error_set(error, STATUS_SCENE, "%s", strerror(errno));
-    }
-    return S_ISREG(found->st_mode) ||
-           error_set(error, STATUS_SCENE, "this is %s, not a regular file",
-                     S_ISDIR(found->st_mode) ? "a folder" : "a pipe or a device");
-}
-
-/**
- * Opens a model file, without waiting.
- * @param path        The file.
- * @param[out] found  What is known of it.
- * @param[out] error  Why not.
- * @return A file descriptor; -1 if it cannot be opened or is no regular file.
- */
-static int open_file(const char *path, struct stat *found, Error *error) {
-    int file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
-    if (file < 0) {
-        error_set(error, STATUS_SCENE, "%s", strerror(errno));
-        return -1;
-    }
-    if (!check_kind(file, found, error)) {
-        close(file);
-        return -1;
-    }
-    return file;
-}
-
 bool mesh_file_check(const char *path, Error *error) {
     struct stat found;
-    int file = find_ending(path, error) ? open_file(path, &found, error) : -1;
+    int file = find_ending(path, error) ? plain_file_open(path, &found, error) : -1;
     if (file >= 0) {
         close(file);
     }
@@ -126,28 +88,6 @@ bool mesh_file_check(const char *path, Error *error) {
 }
 
 // --- the child -----------------------------------------------------------------------------------
-
-/** @return Bytes that this process has for its data already. */
-static size_t used_memory(void) {
-    unsigned long pages = 0;
-    FILE *file = fopen("/proc/self/statm", "re");
-    bool is_read = file && fscanf(file, "%*s %*s %*s %*s %*s %lu", &pages) == 1;
-    if (file) {
-        fclose(file);
-    }
-    return is_read ? pages * (size_t)sysconf(_SC_PAGESIZE) : 0;
-}
-
-/** Lets this process take so much more memory only, and be silent. */
-static void withdraw(void) {
-    rlim_t bytes = (rlim_t)(used_memory() + MESH_FILE_MEMORY);
-    setrlimit(RLIMIT_DATA, &(struct rlimit){.rlim_cur = bytes, .rlim_max = bytes});
-    int silence = open("/dev/null", O_WRONLY | O_CLOEXEC);
-    if (silence >= 0) {
-        dup2(silence, STDOUT_FILENO);
-        dup2(silence, STDERR_FILENO);
-    }
-}
 
 /**
  * Reads all bytes of the file.
@@ -243,7 +183,7 @@ static void read_in_child(void *context) {
     const Reading *reading = context;
     Handover *handover = reading->handover;
     Work work = {.handover = handover};
-    withdraw();
+    child_withdraw(MESH_FILE_MEMORY);
     mesh_builder_init(&work.builder, &handover->error);
     handover->is_done = read_triangles(reading, &work, &handover->error) &&
                         leave_mesh(reading, &work.builder, &handover->error);
@@ -308,21 +248,6 @@ static bool run_child(Reading *reading, Error *error) {
 }
 
 /**
- * Says whether the file is still what it was.
- * @param reading     The file.
- * @param[out] error  What is wrong.
- * @return Whether it is.
- */
-static bool check_unchanged(const Reading *reading, Error *error) {
-    struct stat after;
-    const struct stat *before = &reading->before;
-    bool is_same = fstat(reading->file, &after) == 0 && after.st_size == before->st_size &&
-                   after.st_mtim.tv_sec == before->st_mtim.tv_sec &&
-                   after.st_mtim.tv_nsec == before->st_mtim.tv_nsec;
-    return is_same || error_set(error, STATUS_SCENE, "it has changed while it was read");
-}
-
-/**
  * Makes a mesh of what a child left, which may be anything if a file has got hold of it, and gives
  * the rest of the room back.
  * @param left        What it left.
@@ -347,14 +272,6 @@ static bool accept(Mesh *left, Error *error) {
     return true;
 }
 
-/** @return Memory that is shared with child processes, used only as far as it is filled; NULL if
- *  there is none. @param size Bytes. */
-static void *share_memory(size_t size) {
-    void *memory =
-        mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-    return memory == MAP_FAILED ? NULL : memory;
-}
-
 /**
  * Reads an open file.
  * @param reading     The file; its memory is taken here, and all but the mesh given back.
@@ -362,13 +279,14 @@ static void *share_memory(size_t size) {
  * @return Whether it was read; then the mesh is the caller's.
  */
 static bool read_open(Reading *reading, Error *error) {
-    reading->handover = share_memory(sizeof *reading->handover);
-    reading->mesh = share_memory(ROOM);
+    reading->handover = child_share_memory(sizeof *reading->handover);
+    reading->mesh = child_share_memory(ROOM);
     bool has_memory = reading->handover && reading->mesh;
     if (has_memory && reading->progress) {
         tell(reading, 0);
     }
-    bool is_read = has_memory ? run_child(reading, error) && check_unchanged(reading, error) &&
+    bool is_read = has_memory ? run_child(reading, error) &&
+                                    plain_file_is_same(reading->file, &reading->before, error) &&
                                     accept(reading->mesh, error)
                               : error_set(error, STATUS_FAILED, "no memory for a mesh");
     if (reading->mesh && !is_read) {
@@ -384,7 +302,7 @@ bool mesh_file_read(const char *path, const MeshProgress *progress, Mesh **mesh,
     *mesh = NULL;
     Reading reading = {.name = name_of(path), .progress = progress};
     reading.ending = find_ending(path, error);
-    reading.file = reading.ending ? open_file(path, &reading.before, error) : -1;
+    reading.file = reading.ending ? plain_file_open(path, &reading.before, error) : -1;
     if (reading.file < 0) {
         return false;
     }

@@ -31,6 +31,9 @@ Scene *command_scene(const Options *options, Error *error);
  */
 RenderSettings command_settings(const Options *options, const Scene *scene);
 
+/** @return A strategy's name. @param offset The strategy. */
+const char *offset_name(OffsetStrategy offset);
+
 /**
  * Prints a text as a JSON string, quotes included.
  * @param text    The text; bytes that are not printable ASCII are kept or escaped.

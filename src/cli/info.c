@@ -8,7 +8,7 @@
 #include <string.h>
 
 /** Most kinds of shape that are counted apart, and most things that can be left out. */
-enum { KINDS_MAXIMUM = 64, LEFT_MAXIMUM = 5 };
+enum { KINDS_MAXIMUM = 64, LEFT_MAXIMUM = 7 };
 
 /** What is said of a scene. */
 typedef struct Info {
@@ -42,12 +42,6 @@ static const char *engine_reason(const Options *options, const Engine *engine) {
                                       : "the fastest that this processor can run";
 }
 
-/** @return A strategy's name. @param offset The strategy. */
-static const char *offset_name(OffsetStrategy offset) {
-    static const char *const names[] = {"none", "fixed", "bound"};
-    return names[offset];
-}
-
 /**
  * Names what the tracer leaves out for a scene.
  * @param scene  The scene.
@@ -69,6 +63,12 @@ static int info_left_out(const Scene *scene, const Info *info, const char *left[
     if (!info->has_gradient) {
         left[count++] = "sky gradient";
     }
+    if (!scene_has_textures(scene)) {
+        left[count++] = "textures";
+    }
+    if (!scene->sky.image) {
+        left[count++] = "panorama";
+    }
     if (info->contents.planted == 0) {
         left[count++] = "tree";
     }
@@ -82,7 +82,7 @@ static void info_print_meshes_json(const Scene *scene) {
         const Mesh *mesh = scene->meshes[i].mesh;
         const MeshRepairs *repairs = &mesh->repairs;
         printf("%s{\"file\": ", i ? ", " : "");
-        json_print_string(scene->meshes[i].name, stdout);
+        json_print_string(scene->meshes[i].file.name, stdout);
         printf(", \"triangles\": %zu, \"positions\": %zu, \"normals\": %zu, \"uvs\": %zu, "
                "\"degenerate\": %zu, \"uncut\": %zu, \"lost_normals\": %zu, \"lost_uvs\": %zu}",
                mesh->triangle_count, mesh->position_count, mesh->normal_count, mesh->uv_count,
@@ -114,13 +114,43 @@ static void info_print_meshes(const Scene *scene) {
     for (size_t i = 0; i < scene->mesh_count; i++) {
         const Mesh *mesh = scene->meshes[i].mesh;
         printf("model      ");
-        print_clean(scene->meshes[i].name, stdout);
+        print_clean(scene->meshes[i].file.name, stdout);
         printf(": %zu triangle%s, %zu positions%s%s", mesh->triangle_count,
                mesh->triangle_count == 1 ? "" : "s", mesh->position_count,
                mesh->normal_count ? ", normals" : "", mesh->uv_count ? ", (u, v)" : "");
         info_print_repairs(&mesh->repairs);
         putchar('\n');
     }
+}
+
+/** @return How the texels of a picture are kept, for people. @param texture The picture. */
+static const char *texels_name(const Texture *texture) {
+    return texture->is_light ? "linear light, floats" : "sRGB, 8 bits";
+}
+
+/** Prints the pictures for people, a line each. @param scene The scene. */
+static void info_print_textures(const Scene *scene) {
+    for (size_t i = 0; i < scene->texture_count; i++) {
+        const Texture *texture = scene->textures[i].texture;
+        printf("texture    ");
+        print_clean(scene->textures[i].file.name, stdout);
+        printf(": %d x %d, %s, %.1f MB\n", texture->width, texture->height, texels_name(texture),
+               1e-6 * (double)texture_size(texture));
+    }
+}
+
+/** Prints the pictures for programs. @param scene The scene. */
+static void info_print_textures_json(const Scene *scene) {
+    printf(", \"textures\": [");
+    for (size_t i = 0; i < scene->texture_count; i++) {
+        const Texture *texture = scene->textures[i].texture;
+        printf("%s{\"file\": ", i ? ", " : "");
+        json_print_string(scene->textures[i].file.name, stdout);
+        printf(", \"width\": %d, \"height\": %d, \"texels\": \"%s\", \"bytes\": %zu}",
+               texture->width, texture->height, texture->is_light ? "light" : "srgb",
+               texture_size(texture));
+    }
+    printf("]");
 }
 
 /** Prints how shapes are found, and why so, for people. @param contents The tracer's. */
@@ -178,6 +208,7 @@ static void info_print_json(const Scene *scene, const Info *info, const RenderSe
     }
     putchar(']');
     info_print_meshes_json(scene);
+    info_print_textures_json(scene);
     info_print_tree_json(&info->contents);
     puts("}");
 }
@@ -195,6 +226,7 @@ static void info_print(const Scene *scene, const Info *info, const RenderSetting
     }
     putchar('\n');
     info_print_meshes(scene);
+    info_print_textures(scene);
     printf("lights     %zu\nmaterials  %zu\n", scene->light_count, scene->material_count - 1);
     printf("mirrors    %zu shapes, depth %d\n", info->mirrors,
            info->mirrors ? settings->trace.depth : 0);

@@ -3,6 +3,7 @@
  * @brief `dioptre render`: one picture, no window.
  */
 #include "cli/commands.h"
+#include "cli/notes.h"
 #include "dioptre/image_file.h"
 
 #include <stdio.h>
@@ -10,19 +11,20 @@
 /**
  * Draws a scene into a picture.
  * @param scene        The scene.
+ * @param settings     How.
  * @param options      The command line.
  * @param[out] picture The picture; to be released also when anything is wrong.
  * @param[out] report  How it went.
  * @param[out] error   What is wrong.
  * @return false if it could not be drawn.
  */
-static bool draw(const Scene *scene, const Options *options, Picture *picture, RenderReport *report,
-                 Error *error) {
-    RenderSettings settings = command_settings(options, scene);
-    if (!picture_init(picture, settings.width, settings.height, error)) {
+static bool draw(const Scene *scene, const RenderSettings *settings, const Options *options,
+                 Picture *picture, RenderReport *report, Error *error) {
+    if (!picture_init(picture, settings->width, settings->height, error) ||
+        (image_file_is_linear(options->output) && !picture_keep_light(picture, error))) {
         return false;
     }
-    Renderer *renderer = renderer_create(scene, &settings, error);
+    Renderer *renderer = renderer_create(scene, settings, error);
     if (renderer) {
         Progress *progress = progress_begin(renderer, options);
         *report = renderer_draw(renderer, interrupt_flag(), picture);
@@ -35,10 +37,14 @@ static bool draw(const Scene *scene, const Options *options, Picture *picture, R
 /** Draws and writes. @param scene The scene. @param options The command line.
  *  @param[out] error What is wrong. @return The exit status. */
 static int render_scene(const Scene *scene, const Options *options, Error *error) {
+    Notes notes;
     Picture picture = {0};
     RenderReport report = {0};
-    bool is_done = draw(scene, options, &picture, &report, error) &&
-                   image_file_write(options->output, &picture, error);
+    RenderSettings settings = command_settings(options, scene);
+    notes_make(&notes, options, &settings);
+    bool is_done = draw(scene, &settings, options, &picture, &report, error);
+    picture.notes = notes.rows;
+    is_done = is_done && image_file_write(options->output, &picture, error);
     picture_release(&picture);
     if (is_done && !report.is_finished) {
         error_set(error, STATUS_INTERRUPTED, "interrupted: %s has %.0f %% of the picture",

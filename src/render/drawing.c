@@ -150,6 +150,21 @@ static void block_save(const Drawing *drawing, BlockWork *work) {
 }
 
 /**
+ * Keeps the light of a row of rays.
+ * @param sums     Sums of the samples: the reds of the row.
+ * @param plane    How much farther the greens are, and then the blues.
+ * @param counts   How many samples.
+ * @param columns  How many rays.
+ * @param[out] rgb Their light.
+ */
+static void row_keep(const double *sums, size_t plane, const uint32_t *counts, int columns,
+                     float *rgb) {
+    for (size_t i = 0; i < 3 * (size_t)columns; i++) {
+        rgb[i] = (float)(sums[i % 3 * plane + i / 3] * (1.0 / counts[i / 3]));
+    }
+}
+
+/**
  * Encodes a row of rays.
  * @param drawing  The drawing.
  * @param sums     Sums of the samples: the reds of the row.
@@ -179,11 +194,16 @@ static void block_encode(const Drawing *drawing, const BlockWork *work) {
     const PixelGrid *block = &work->block, *grid = &work->grid;
     size_t plane = (size_t)grid->columns * (size_t)grid->rows;
     for (int row = 0; row < block->rows; row++) {
-        uint8_t *pixels = drawing->picture->pixels + 3 * row_place(drawing, block, row);
+        size_t place = row_place(drawing, block, row);
+        uint8_t *pixels = drawing->picture->pixels + 3 * place;
         size_t at = (size_t)(row / grid->stride) * (size_t)grid->columns;
+        const double *sums = work->sums + at;
+        const uint32_t *counts = work->counts + at;
         bool is_whole = grid->stride == 1;
-        row_encode(drawing, work->sums + at, plane, work->counts + at, grid->columns,
-                   is_whole ? pixels : cells);
+        if (is_whole && drawing->picture->light) {
+            row_keep(sums, plane, counts, grid->columns, drawing->picture->light + 3 * place);
+        }
+        row_encode(drawing, sums, plane, counts, grid->columns, is_whole ? pixels : cells);
         for (int column = 0; !is_whole && column < block->columns; column++) {
             memcpy(pixels + 3 * column, cells + 3 * (column / grid->stride), 3);
         }

@@ -16,6 +16,7 @@ typedef struct Block {
     size_t material_capacity; /**< Materials that fit. */
     size_t shape_capacity;    /**< Shapes that fit. */
     size_t mesh_capacity;     /**< Models that fit. */
+    size_t texture_capacity;  /**< Pictures that fit. */
 } Block;
 
 /**
@@ -85,6 +86,9 @@ void scene_destroy(Scene *scene) {
         for (size_t i = 0; i < scene->mesh_count; i++) {
             mesh_destroy(scene->meshes[i].mesh);
         }
+        for (size_t i = 0; i < scene->texture_count; i++) {
+            texture_release(scene->textures[i].texture);
+        }
         munmap(scene, SCENE_MEMORY);
     }
 }
@@ -146,35 +150,53 @@ static const char *copy_words(Block *block, const char *words, Error *error) {
 }
 
 /**
- * Copies a model file into a scene.
+ * Copies what is known of a file into a scene.
  * @param block       Its block.
- * @param model       The file.
+ * @param file        The file.
  * @param[out] copy   Where to.
  * @param[out] error  What is wrong.
  * @return false when the block is full.
  */
-static bool copy_model(Block *block, const SceneMesh *model, SceneMesh *copy, Error *error) {
-    *copy = (SceneMesh){.path = copy_words(block, model->path, error),
-                        .name = copy_words(block, model->name, error),
-                        .where = copy_words(block, model->where, error)};
+static bool copy_file(Block *block, const SceneFile *file, SceneFile *copy, Error *error) {
+    *copy = (SceneFile){.path = copy_words(block, file->path, error),
+                        .name = copy_words(block, file->name, error),
+                        .where = copy_words(block, file->where, error)};
     return copy->path && copy->name && copy->where;
 }
 
-bool scene_add_mesh(Scene *scene, const SceneMesh *model, size_t *place, Error *error) {
+bool scene_add_mesh(Scene *scene, const SceneFile *file, size_t *place, Error *error) {
     Block *block = (Block *)scene;
     for (*place = 0; *place < scene->mesh_count; (*place)++) {
-        if (strcmp(scene->meshes[*place].path, model->path) == 0) {
+        if (strcmp(scene->meshes[*place].file.path, file->path) == 0) {
             return true;
         }
     }
     void *array = scene->meshes;
     SceneMesh *added =
         block_append(block, &array, &block->mesh_capacity, scene->mesh_count, sizeof *added, error);
-    if (!added || !copy_model(block, model, added, error)) {
+    if (!added || !copy_file(block, file, &added->file, error)) {
         return false;
     }
     scene->meshes = array;
     scene->mesh_count++;
+    return true;
+}
+
+bool scene_add_texture(Scene *scene, const SceneFile *file, size_t *place, Error *error) {
+    Block *block = (Block *)scene;
+    for (*place = 0; *place < scene->texture_count; (*place)++) {
+        if (strcmp(scene->textures[*place].file.path, file->path) == 0) {
+            return true;
+        }
+    }
+    void *array = scene->textures;
+    SceneTexture *added = block_append(block, &array, &block->texture_capacity,
+                                       scene->texture_count, sizeof *added, error);
+    if (!added || !copy_file(block, file, &added->file, error)) {
+        return false;
+    }
+    scene->textures = array;
+    scene->texture_count++;
     return true;
 }
 
@@ -190,6 +212,15 @@ bool scene_transform_shape(Scene *scene, const Transform *transform, Error *erro
 bool scene_has_mirrors(const Scene *scene) {
     for (size_t i = 0; i < scene->shape_count; i++) {
         if (material_is_mirror(&scene->materials[scene->shapes[i].material])) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool scene_has_textures(const Scene *scene) {
+    for (size_t i = 0; i < scene->shape_count; i++) {
+        if (scene->materials[scene->shapes[i].material].texture > 0) {
             return true;
         }
     }

@@ -5,7 +5,10 @@
 #include "dioptre/scene.h"
 
 /** Rows of #sky_parameters by place. */
-enum { ROW_COLOR, ROW_HORIZON, ROW_ZENITH };
+enum { ROW_COLOR, ROW_HORIZON, ROW_ZENITH, ROW_IMAGE, ROW_ROTATE };
+
+/** Largest turn, degrees: as of a shape. */
+#define TURN_MAXIMUM 36000.0
 
 /** Fields of `sky`. */
 static const Parameter sky_parameters[] = {[ROW_COLOR] = {.name = "color",
@@ -29,23 +32,46 @@ static const Parameter sky_parameters[] = {[ROW_COLOR] = {.name = "color",
                                                            .maximum = INTENSITY_MAXIMUM,
                                                            .unit = "linear light",
                                                            .help = "straight up"},
+                                           [ROW_IMAGE] = {.name = "image",
+                                                          .type = PARAMETER_TEXTURE,
+                                                          .offset = offsetof(Sky, image),
+                                                          .unit = "file",
+                                                          .help = "a panorama all around"},
+                                           [ROW_ROTATE] = {.name = "rotate",
+                                                           .type = PARAMETER_NUMBER,
+                                                           .offset = offsetof(Sky, rotate),
+                                                           .minimum = -TURN_MAXIMUM,
+                                                           .maximum = TURN_MAXIMUM,
+                                                           .unit = "degrees",
+                                                           .help = "turns the panorama about y"},
                                            {0}};
 
 /** A black sky. */
 static const Sky sky_defaults = {0};
+
+/** @return Whether a row was given. @param given Bits of the rows that were. @param row Which. */
+static bool is_given(uint64_t given, int row) {
+    return given >> row & 1;
+}
 
 /**
  * Makes one colour a gradient from itself to itself. See #Keyword.finish.
  * @param[in,out] values  A #Sky.
  * @param given           Which rows were given.
  * @param[out] error      What is wrong.
- * @return false where both kinds of sky are asked for.
+ * @return false where two kinds of sky are asked for.
  */
 static bool sky_finish(void *values, uint64_t given, Error *error) {
     Sky *sky = values;
-    bool is_gradient = (given >> ROW_HORIZON | given >> ROW_ZENITH) & 1;
-    if (is_gradient && given >> ROW_COLOR & 1) {
+    bool is_gradient = is_given(given, ROW_HORIZON) || is_given(given, ROW_ZENITH);
+    if (is_given(given, ROW_IMAGE) && (is_gradient || is_given(given, ROW_COLOR))) {
+        return error_set(error, STATUS_SCENE, "sky takes image, or colours, not both");
+    }
+    if (is_gradient && is_given(given, ROW_COLOR)) {
         return error_set(error, STATUS_SCENE, "sky takes color, or horizon and zenith, not both");
+    }
+    if (is_given(given, ROW_ROTATE) && !is_given(given, ROW_IMAGE)) {
+        return error_set(error, STATUS_SCENE, "sky takes rotate only with image");
     }
     if (!is_gradient) {
         sky->horizon = sky->zenith = sky->color;

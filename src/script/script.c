@@ -6,6 +6,7 @@
 
 #include "assets/child.h"
 #include "assets/mesh_file.h"
+#include "assets/texture_file.h"
 #include "script/report.h"
 #include "script/run.h"
 #include "script/source.h"
@@ -77,16 +78,16 @@ static bool run_in_child(Run *run, Error *error) {
 
 /**
  * Says in an error which file it is about. A library's words may hold anything that is in the file.
- * @param model          The file.
+ * @param file           The file.
  * @param[in,out] error  What is wrong with it; may be NULL.
  * @return false, always.
  */
-static bool blame(const SceneMesh *model, Error *error) {
+static bool blame(const SceneFile *file, Error *error) {
     char name[TEXT_PATH_SIZE], words[ERROR_MESSAGE_SIZE];
     if (error) {
-        text_clean_path(name, model->name);
+        text_clean_path(name, file->name);
         text_clean(words, sizeof words, error->message, strlen(error->message));
-        error_set(error, error->status, "%s: %s: %s", model->where, name, words);
+        error_set(error, error->status, "%s: %s: %s", file->where, name, words);
     }
     return false;
 }
@@ -101,8 +102,24 @@ static bool blame(const SceneMesh *model, Error *error) {
 static bool read_models(Scene *scene, const MeshProgress *progress, Error *error) {
     for (size_t i = 0; i < scene->mesh_count; i++) {
         SceneMesh *model = &scene->meshes[i];
-        if (!mesh_file_read(model->path, progress, &model->mesh, error)) {
-            return blame(model, error);
+        if (!mesh_file_read(model->file.path, progress, &model->mesh, error)) {
+            return blame(&model->file, error);
+        }
+    }
+    return true;
+}
+
+/**
+ * Reads the picture files that a scene names.
+ * @param[in,out] scene  The scene.
+ * @param[out] error     What is wrong, with the line that names the file.
+ * @return Whether all were read.
+ */
+static bool read_pictures(Scene *scene, Error *error) {
+    for (size_t i = 0; i < scene->texture_count; i++) {
+        SceneTexture *picture = &scene->textures[i];
+        if (!texture_file_read(picture->file.path, &picture->texture, error)) {
+            return blame(&picture->file, error);
         }
     }
     return true;
@@ -119,7 +136,8 @@ static Scene *load_text(const ScriptRequest *request, const Source *source, Erro
     Scene *scene = scene_create(error);
     Report *report = scene ? report_create(request->path, error) : NULL;
     Run run = {.request = request, .source = source, .scene = scene, .report = report};
-    if (!report || !run_in_child(&run, error) || !read_models(scene, request->progress, error)) {
+    if (!report || !run_in_child(&run, error) || !read_models(scene, request->progress, error) ||
+        !read_pictures(scene, error)) {
         scene_destroy(scene);
         scene = NULL;
     }

@@ -43,7 +43,7 @@ INLINE WideVector corners_normal(const Corners *corners) {
     WideVector a = vector_widen(corners->at[0]);
     WideVector u = wide_subtract(vector_widen(corners->at[1]), a);
     WideVector v = wide_subtract(vector_widen(corners->at[2]), a);
-    return (WideVector){u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+    return wide_cross(u, v);
 }
 
 /** @return How far away rays cross planes. @param normal The planes' normals, of any length.

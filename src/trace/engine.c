@@ -20,6 +20,7 @@ static void engine_release(Tracer *tracer) {
     if (tracer) {
         shape_list_release(&tracer->list);
         models_release(&tracer->models);
+        textures_release(&tracer->textures);
         free(tracer->surfaces);
         free(tracer->lamps);
         glow_release(&tracer->glow);
@@ -62,6 +63,7 @@ static Tracer *tracer_create(const Scene *scene, const TraceSettings *settings, 
     tracer->lamps = vector_allocate((scene->light_count + 1) * sizeof(Lamp));
     tracer->surfaces = vector_allocate(scene->material_count * sizeof(Surface));
     if (!tracer->lamps || !tracer->surfaces || !glow_init(&tracer->glow, scene, error) ||
+        !textures_init(&tracer->textures, scene, error) ||
         !models_init(&tracer->models, scene, &settings->crew, error) ||
         !shape_list_init(&tracer->list, scene, &tracer->models, settings, error)) {
         error_set(error, STATUS_FAILED, "no memory for the scene");
@@ -213,6 +215,23 @@ static RayAnswer answer_of(const Hit *hit, mask blocked, int i) {
                        .error = widest_lane(hit->error, i)};
 }
 
+/**
+ * Adds to an answer where on a picture its point lies.
+ * @param tracer  The tracer.
+ * @param hit     The hit.
+ * @param i       The lane.
+ * @param[in,out] answer  The answer.
+ */
+static void answer_place(const Tracer *tracer, const Hit *hit, int i, RayAnswer *answer) {
+    if (answer->shape >= 0) {
+        mask lane = mask_of(false);
+        mask_set_lane(&lane, i, true);
+        TexturePlace place = shape_texture_place(tracer->list.shapes[answer->shape], hit, lane);
+        answer->place[0] = widest_lane(place.u, i);
+        answer->place[1] = widest_lane(place.v, i);
+    }
+}
+
 /** Answers any rays in full. See #Engine.intersect. @param tracer The tracer. @param count How
  * many.
  *  @param queries The rays. @param[out] answers The answers. */
@@ -228,6 +247,7 @@ static void engine_intersect(const Tracer *tracer, size_t count, const RayQuery 
         shape_list_blocked(&tracer->list, &packet, blocked);
         for (size_t i = 0; i < fill; i++) {
             answers[done + i] = answer_of(&hits[i / LANES], blocked[i / LANES], (int)(i % LANES));
+            answer_place(tracer, &hits[i / LANES], (int)(i % LANES), &answers[done + i]);
         }
     }
 }

@@ -89,6 +89,18 @@ static Point *normals_make(const Mesh *mesh, bool from_file) {
     return normals;
 }
 
+/** Lays what belongs to triangles out in the order of the blocks. @param model The model, with its
+ *  tree. @param triangles It, in the order of the mesh. @return The same for each slot, to be
+ *  freed; NULL without memory. */
+static MeshTriangle *slots_make(const Model *model, const MeshTriangle *triangles) {
+    size_t slots = model->tree.block_count * LANES;
+    MeshTriangle *ordered = malloc(slots * sizeof *ordered);
+    for (size_t i = 0; ordered && i < slots; i++) {
+        ordered[i] = triangles[model->tree.order[i]];
+    }
+    return ordered;
+}
+
 /** Keeps what interpolating normals needs. @param model The model, with its tree. @param mesh The
  *  mesh. @param source Where the normals come from. @return false without memory. */
 static bool normals_keep(Model *model, const Mesh *mesh, NormalSource source) {
@@ -97,14 +109,25 @@ static bool normals_keep(Model *model, const Mesh *mesh, NormalSource source) {
     }
     bool from_file = source == NORMALS_FILE && mesh->normal_count > 0;
     const MeshTriangle *places = from_file ? mesh->triangle_normals : mesh->triangles;
-    size_t slots = model->tree.block_count * LANES;
     model->normals = normals_make(mesh, from_file);
     model->normal_count = from_file ? mesh->normal_count : mesh->position_count;
-    model->places = malloc(slots * sizeof *model->places);
-    for (size_t i = 0; model->places && i < slots; i++) {
-        model->places[i] = places[model->tree.order[i]];
-    }
+    model->places = slots_make(model, places);
     return model->normals && model->places;
+}
+
+/** Keeps the places on a picture. @param model The model, with its tree. @param mesh The mesh.
+ *  @return false without memory. */
+static bool spots_keep(Model *model, const Mesh *mesh) {
+    if (mesh->uv_count == 0) {
+        return true;
+    }
+    model->spot_count = mesh->uv_count;
+    model->spots = malloc(mesh->uv_count * sizeof *model->spots);
+    for (size_t i = 0; model->spots && i < mesh->uv_count; i++) {
+        model->spots[i] = (Spot){(scalar)mesh->uvs[i].u, (scalar)mesh->uvs[i].v};
+    }
+    model->spot_at = slots_make(model, mesh->triangle_uvs);
+    return model->spots && model->spot_at;
 }
 
 /** Gives a model back and empties it. @param model The model. */
@@ -113,24 +136,28 @@ static void model_release(Model *model) {
     free(model->blocks);
     free(model->normals);
     free(model->places);
+    free(model->spots);
+    free(model->spot_at);
     *model = (Model){0};
 }
 
 /** Makes a model. @param[out] model The model. @param mesh The mesh. @param source Where its
- * normals come from. @param crew Who builds the tree. @param[out] error What is wrong. @return
- * false without memory. */
-static bool model_init(Model *model, const Mesh *mesh, NormalSource source, const Crew *crew,
+ * normals come from. @param models Who builds the tree, and whether pictures are shown. @param[out]
+ * error What is wrong. @return false without memory. */
+static bool model_init(Model *model, const Mesh *mesh, NormalSource source, const Models *models,
                        Error *error) {
     *model = (Model){.triangle_count = mesh->triangle_count};
     Bounds *boxes = malloc(mesh->triangle_count * sizeof *boxes);
     if (boxes) {
         boxes_fill(model, mesh, boxes);
     }
-    bool is_made = boxes && tree_build(&model->tree, boxes, mesh->triangle_count, LANES, crew);
+    bool is_made =
+        boxes && tree_build(&model->tree, boxes, mesh->triangle_count, LANES, models->crew);
     free(boxes);
     /* A number of a block must be found with the 32 bits of a lane. */
     is_made = is_made && model->tree.block_count <= (size_t)(INT32_MAX / BLOCK_NUMBERS) &&
-              blocks_make(model, mesh) && normals_keep(model, mesh, source);
+              blocks_make(model, mesh) && normals_keep(model, mesh, source) &&
+              (!models->has_textures || spots_keep(model, mesh));
     /* The blocks say it now. */
     free(model->tree.order);
     model->tree.order = NULL;
@@ -145,13 +172,17 @@ static bool model_init(Model *model, const Mesh *mesh, NormalSource source, cons
 size_t model_size(const Model *model) {
     size_t slots = model->tree.block_count * LANES;
     return tree_size(&model->tree) + model->tree.block_count * sizeof *model->blocks +
-           model->normal_count * sizeof *model->normals +
-           (model->places ? slots * sizeof *model->places : 0);
+           model->normal_count * sizeof *model->normals + model->spot_count * sizeof *model->spots +
+           (model->places ? slots * sizeof *model->places : 0) +
+           (model->spot_at ? slots * sizeof *model->spot_at : 0);
 }
 
 bool models_init(Models *models, const Scene *scene, const Crew *crew, Error *error) {
     size_t count = scene->mesh_count * MODEL_KINDS;
-    *models = (Models){.count = count, .meshes = scene->meshes, .crew = crew};
+    *models = (Models){.count = count,
+                       .meshes = scene->meshes,
+                       .crew = crew,
+                       .has_textures = scene_has_textures(scene)};
     models->all = calloc(count + 1, sizeof *models->all);
     return models->all ||
            error_set(error, STATUS_FAILED, "no memory for %zu models", scene->mesh_count);
@@ -168,6 +199,6 @@ void models_release(Models *models) {
 const Model *models_get(Models *models, size_t mesh, NormalSource source, Error *error) {
     Model *model = &models->all[mesh * MODEL_KINDS + source];
     bool is_there =
-        model->blocks || model_init(model, models->meshes[mesh].mesh, source, models->crew, error);
+        model->blocks || model_init(model, models->meshes[mesh].mesh, source, models, error);
     return is_there ? model : NULL;
 }

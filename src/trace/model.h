@@ -19,6 +19,12 @@ typedef struct TriangleBlock {
 /** Numbers that a block takes in memory: what a slot's numbers are found by. */
 #define BLOCK_NUMBERS ((int)(sizeof(TriangleBlock) / sizeof(scalar)))
 
+/** A place on a picture. */
+typedef struct Spot {
+    scalar u; /**< To the right. */
+    scalar v; /**< Up. */
+} Spot;
+
 /** The triangles of a mesh. */
 typedef struct Model {
     Tree tree;             /**< The tree over them. */
@@ -28,6 +34,11 @@ typedef struct Model {
     size_t normal_count;   /**< How many. */
     MeshTriangle *places;  /**< For each slot of the blocks, the places of its corners' normals;
                                 owned. NULL: flat. */
+    Spot *spots;           /**< Places on a picture; owned. NULL: there are none, or no material
+                                has a picture. */
+    size_t spot_count;     /**< How many. */
+    MeshTriangle *spot_at; /**< For each slot of the blocks, the places in #spots of its corners;
+                                owned. NULL as they. */
     Bounds bounds;         /**< The box around all of it. */
     scalar reach;          /**< Largest coordinate: what rounding errors scale with. */
 } Model;
@@ -51,6 +62,7 @@ struct Models {
     size_t count;            /**< How many. */
     const SceneMesh *meshes; /**< The scene's meshes; while shapes are made only. */
     const Crew *crew;        /**< Who builds trees; while shapes are made only. */
+    bool has_textures;       /**< Whether any shape shows a picture. */
 };
 
 /**
@@ -83,6 +95,15 @@ const Model *models_get(Models *models, size_t mesh, NormalSource source, Error 
  * @param[in,out] hits  What they have met so far.
  */
 void model_nearest(const Model *model, const Packet *packet, int place, Hit *hits);
+
+/**
+ * @return Where on a picture points of a model lie, as its file says. See
+ *         #ShapeClass.texture_place.
+ * @param model  The model.
+ * @param hit    The points.
+ * @param lanes  The lanes that count.
+ */
+TexturePlace model_texture_place(const Model *model, const Hit *hit, mask lanes);
 
 /**
  * Finds which rays of a packet meet a model before their limit.

@@ -322,6 +322,7 @@ void model_nearest(const Model *model, const Packet *packet, int place, Hit *hit
                 hit = model_hit(model, &packet->rays[v], limits[v], found.slots[v], nearer, place);
             }
             hit_take(&hits[v], nearer, &hit);
+            hits[v].part = integer_select(nearer, hit.part, hits[v].part);
         }
     }
 }

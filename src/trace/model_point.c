@@ -85,5 +85,44 @@ Hit model_hit(const Model *model, const Ray *ray, real distance, integer slots, 
         // Along a normal that leans, it is farther out of the plane's error.
         error = error / vector_dot(normal, flat);
     }
-    return (Hit){distance, point, normal, error, integer_of(place)};
+    return (Hit){distance, point, normal, error, integer_of(place), slots};
+}
+
+/** @return How much of each corner is in points of triangles, 0 to 1. @param corners Triangles.
+ *  @param point The points. */
+static Vector shares_at(const Corners *corners, Vector point) {
+    WideVector a = vector_widen(corners->at[0]), normal = corners_normal(corners);
+    WideVector b = wide_subtract(vector_widen(corners->at[1]), a);
+    WideVector c = wide_subtract(vector_widen(corners->at[2]), a);
+    WideVector arm = wide_subtract(vector_widen(point), a);
+    wide per_area = 1 / wide_dot(normal, normal);
+    // The areas between the point and two corners each, over the whole one.
+    real of_b = narrow(wide_dot(wide_cross(arm, c), normal) * per_area);
+    real of_c = narrow(wide_dot(wide_cross(b, arm), normal) * per_area);
+    const real zero = real_of(0), one = real_of(1);
+    of_b = real_min(real_max(of_b, zero), one);
+    of_c = real_min(real_max(of_c, zero), one);
+    return (Vector){real_max(one - of_b - of_c, zero), of_b, of_c};
+}
+
+TexturePlace model_texture_place(const Model *model, const Hit *hit, mask lanes) {
+    TexturePlace place = {real_of(0), real_of(0), mask_of(true), mask_of(true)};
+    if (!model->spots) {
+        return place;
+    }
+    Corners corners = corners_gather(model, hit->part, lanes);
+    Vector shares = shares_at(&corners, hit->point);
+    const real parts[3] = {shares.x, shares.y, shares.z};
+    for (unsigned left = mask_bits(lanes); left; left &= left - 1) {
+        int lane = __builtin_ctz(left), slot = integer_lane(hit->part, lane);
+        scalar u = 0, v = 0;
+        for (int i = 0; i < 3; i++) {
+            const Spot *spot = &model->spots[model->spot_at[slot].at[i]];
+            u += spot->u * real_lane(parts[i], lane);
+            v += spot->v * real_lane(parts[i], lane);
+        }
+        real_set_lane(&place.u, lane, u);
+        real_set_lane(&place.v, lane, v);
+    }
+    return place;
 }

@@ -24,6 +24,8 @@ typedef struct Hit {
     Vector normal; /**< Unit normal of the surface there, outwards. */
     real error;    /**< Bound on how far #point can be off the surface, scene units. */
     integer shape; /**< Place of the shape in the scene; -1 while nothing is met. */
+    integer part;  /**< Which part of the shape, where it is a mesh: a slot of its model's blocks.
+                        Other shapes leave there what was there. */
 } Hit;
 
 /** @return LANES rays. @param origin Where they start. @param direction Which way, not zero. */
@@ -35,7 +37,7 @@ INLINE Ray ray_of(Vector origin, Vector direction) {
 /** @return A hit that has met nothing yet. @param limit The farthest distance that counts. */
 INLINE Hit hit_nothing(real limit) {
     Vector zero = {real_of(0), real_of(0), real_of(0)};
-    return (Hit){limit, zero, zero, real_of(0), integer_of(-1)};
+    return (Hit){limit, zero, zero, real_of(0), integer_of(-1), integer_of(0)};
 }
 
 /**

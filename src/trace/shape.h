@@ -20,6 +20,18 @@ typedef struct Bounds {
     scalar high[3]; /**< Highest coordinates. */
 } Bounds;
 
+/**
+ * Where on a picture LANES points of a shape lie: (0, 0) is its lower left corner, (1, 1) its upper
+ * right one.
+ */
+typedef struct TexturePlace {
+    real u; /**< To the right. */
+    real v; /**< Up. */
+    mask
+        around_u; /**< Where the picture goes on at its left and right edges, rather than ending. */
+    mask around_v; /**< The same at its upper and lower edges. */
+} TexturePlace;
+
 /** What every shape can do: the vtable. */
 typedef struct ShapeClass {
     Keyword keyword; /**< Base: its name, fields and checks in the scene language. */
@@ -79,6 +91,16 @@ typedef struct ShapeClass {
 
     /** @return A box that holds the shape, rounded outwards. @param self The shape. */
     Bounds (*bounds)(const Shape *self);
+
+    /**
+     * Finds where on a picture points of the shape lie. Only asked where a material has a picture.
+     * NULL: all of them in its lower left corner.
+     * @param self   The shape.
+     * @param hit    What was found of the points.
+     * @param lanes  The lanes that count; of the others anything may be said.
+     * @return The places.
+     */
+    TexturePlace (*texture_place)(const Shape *self, const Hit *hit, mask lanes);
 } ShapeClass;
 
 /** What all shapes have. Every class embeds it first. */
@@ -87,6 +109,14 @@ struct Shape {
     int place;               /**< Its place in the scene; the lower one wins a tie. */
     int material;            /**< Place of its material in the scene. */
 };
+
+/** @return Where on a picture points of a shape lie. See #ShapeClass.texture_place.
+ *  @param shape The shape. @param hit The points. @param lanes The lanes that count. */
+static inline TexturePlace shape_texture_place(const Shape *shape, const Hit *hit, mask lanes) {
+    return shape->class->texture_place
+               ? shape->class->texture_place(shape, hit, lanes)
+               : (TexturePlace){real_of(0), real_of(0), mask_of(false), mask_of(false)};
+}
 
 /**
  * The registry: the keyword of each shape class, ended by NULL. The class is found by the keyword,

@@ -10,9 +10,13 @@
  */
 #define WEIGHT_CUTOFF ((scalar)1.5e-4)
 
-/** @return What rays that meet nothing see. @param sky The sky. @param direction Unit directions.
- */
-static Light3 backdrop_color(const Backdrop *sky, Vector direction) {
+/** @return What rays that meet nothing see. @param tracer The tracer. @param direction Unit
+ *  directions. */
+static Light3 backdrop_color(const Tracer *tracer, Vector direction) {
+    const Backdrop *sky = &tracer->backdrop;
+    if (tracer->textures.sky) {
+        return textures_panorama(&tracer->textures, direction);
+    }
     if (!sky->is_gradient) {
         return sky->horizon;
     }
@@ -142,7 +146,7 @@ void tracer_follow(const Tracer *tracer, const Packet *packet, const real *weigh
     bool is_any = encounter_find(tracer, packet, &met);
     for (int v = 0; v < PACKET_VECTORS; v++) {
         if (any(mask_not(met.met[v]))) {
-            colors[v] = backdrop_color(&tracer->backdrop, packet->rays[v].direction);
+            colors[v] = backdrop_color(tracer, packet->rays[v].direction);
         }
     }
     if (tracer->glow.count > 0) {
@@ -154,8 +158,15 @@ void tracer_follow(const Tracer *tracer, const Packet *packet, const real *weigh
     Lighting lighting;
     counts->shadow += lighting_gather(&tracer->list, tracer->lamps, tracer->lamp_count,
                                       &tracer->departure, tracer->shines, &met, &lighting);
+    Light3 paint[PACKET_VECTORS];
+    if (tracer->textures.worn) {
+        textures_paint(&tracer->textures, &tracer->list, &met, paint);
+    }
     for (int v = 0; v < PACKET_VECTORS; v++) {
         Surfaces surfaces = surfaces_gather(met.surfaces, &met.materials[v], met.met[v]);
+        if (tracer->textures.worn) {
+            surfaces.body = light3_multiply(surfaces.body, paint[v]);
+        }
         Light3 body = body_color(&surfaces, lighting.matt[v], lighting.highlight[v]);
         colors[v] = light3_select(met.met[v], body, colors[v]);
     }

@@ -8,6 +8,7 @@
 #include "trace/eye.h"
 #include "trace/glow.h"
 #include "trace/model.h"
+#include "trace/texture.h"
 
 /** The sky in the engine's number type. */
 typedef struct Backdrop {
@@ -28,6 +29,7 @@ struct Tracer {
     bool is_soft;        /**< Whether any lamp's shadows are soft. */
     Eye eye;             /**< The camera. */
     Backdrop backdrop;   /**< The sky. */
+    Textures textures;   /**< The pictures on surfaces and in the sky. */
     Departure departure; /**< How rays leave surfaces. */
     int depth;           /**< How often a ray may be mirrored; 0 where nothing mirrors. */
     bool shines;         /**< Whether any surface has highlights. */

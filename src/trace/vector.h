@@ -156,6 +156,11 @@ INLINE wide wide_dot(WideVector a, WideVector b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
+/** @return a x b. @param a Better vectors. @param b Others. */
+INLINE WideVector wide_cross(WideVector a, WideVector b) {
+    return (WideVector){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
 /** @return a - b, one of each. @param a A point. @param b Another. */
 static inline WidePoint wide_point_subtract(WidePoint a, WidePoint b) {
     return (WidePoint){a.x - b.x, a.y - b.y, a.z - b.z};

@@ -200,6 +200,30 @@ static Bounds box_bounds(const Shape *self) {
                          (Vector3){(double)high[0], (double)high[1], (double)high[2]});
 }
 
+/**
+ * @return Where on a picture points of a box lie. Each face shows all of the picture, as upright_of
+ *         says. See #ShapeClass.texture_place.
+ * @param self   The box.
+ * @param hit    The points.
+ * @param lanes  Not looked at.
+ */
+static TexturePlace box_texture_place(const Shape *self, const Hit *hit, mask lanes) {
+    (void)lanes;
+    const Box *box = (const Box *)self;
+    const real zero = real_of(0), one = real_of(1), half = real_of((scalar)0.5f);
+    Vector n = hit->normal;
+    real x = (hit->point.x - box->low[0]) / real_of(box->high[0] - box->low[0]);
+    real y = (hit->point.y - box->low[1]) / real_of(box->high[1] - box->low[1]);
+    real z = (hit->point.z - box->low[2]) / real_of(box->high[2] - box->low[2]);
+    mask on_x = real_abs(n.x) > half, on_y = real_abs(n.y) > half;
+    real along_z = real_select(n.x > zero, one - z, z),
+         along_x = real_select(n.z < zero, one - x, x);
+    return (TexturePlace){.u = real_select(on_x, along_z, real_select(on_y, x, along_x)),
+                          .v = real_select(on_y, real_select(n.y > zero, one - z, z), y),
+                          .around_u = mask_of(false),
+                          .around_v = mask_of(false)};
+}
+
 const ShapeClass box_class = {
     .keyword = {.name = "box",
                 .help = "a box along the axes",
@@ -212,4 +236,5 @@ const ShapeClass box_class = {
     .is_hit = box_is_hit,
     .is_blocking = box_is_blocking,
     .bounds = box_bounds,
+    .texture_place = box_texture_place,
 };

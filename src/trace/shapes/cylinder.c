@@ -11,8 +11,10 @@
  * beside it, a cross product, and never by b^2 - ac, which cancels. All of it is relative to the
  * origin of the ray and in the wide precision.
  */
+#include "trace/angle.h"
 #include "trace/shapes/circle.h"
 #include "trace/shapes/registry.h"
+#include "trace/shapes/upright.h"
 
 /** Half ulps of the coordinates that a point can be off the cylinder. */
 #define CYLINDER_ERROR 8
@@ -355,6 +357,33 @@ static Bounds cylinder_bounds(const Shape *self) {
                          vector3_add(vector3_highest(base, top), reach));
 }
 
+/**
+ * @return Where on a picture points of a cylinder lie: around it and from base to top; on an end,
+ *         as on a disk. See #ShapeClass.texture_place.
+ * @param self   The cylinder.
+ * @param hit    The points.
+ * @param lanes  Not looked at.
+ */
+static TexturePlace cylinder_texture_place(const Shape *self, const Hit *hit, mask lanes) {
+    (void)lanes;
+    const Cylinder *cylinder = (const Cylinder *)self;
+    const WidePoint *axes = cylinder->axes;
+    const real half = real_of((scalar)0.5f);
+    WideVector arm = wide_subtract(vector_widen(hit->point), wide_vector_of(cylinder->foot));
+    WideVector in_radii = wide_scale(arm, wide_of(1 / cylinder->radius));
+    real facing = arm_along(vector_widen(hit->normal), axes[2]);
+    mask on_base = facing < -half, on_end = on_base | (facing > half);
+    // The front, opposite the first axis, is the middle of the picture.
+    real front = -arm_along(in_radii, axes[0]), right = -arm_along(in_radii, axes[1]);
+    real height = narrow(wide_dot(arm, wide_vector_of(axes[2])) * wide_of(1 / cylinder->length));
+    real around = angle_in_turns(right, front) + half;
+    real up = real_select(on_base, front, -front);
+    return (TexturePlace){.u = real_select(on_end, half + half * right, around),
+                          .v = real_select(on_end, half + half * up, height),
+                          .around_u = mask_not(on_end),
+                          .around_v = mask_of(false)};
+}
+
 const ShapeClass cylinder_class = {
     .keyword = {.name = "cylinder",
                 .help = "a cylinder, solid or a pipe",
@@ -367,4 +396,5 @@ const ShapeClass cylinder_class = {
     .is_hit = cylinder_is_hit,
     .is_blocking = cylinder_is_blocking,
     .bounds = cylinder_bounds,
+    .texture_place = cylinder_texture_place,
 };

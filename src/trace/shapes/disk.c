@@ -9,6 +9,7 @@
 #include "trace/shapes/circle.h"
 #include "trace/shapes/flat.h"
 #include "trace/shapes/registry.h"
+#include "trace/shapes/upright.h"
 
 /** What a scene file says of a disk. */
 typedef struct DiskParameters {
@@ -108,6 +109,18 @@ static Bounds disk_bounds(const Shape *self) {
     return bounds_around(vector3_subtract(center, reach), vector3_add(center, reach));
 }
 
+/** @return Where on a picture points of a disk lie: on the circle that just fits into it. See
+ *  #ShapeClass.texture_place. @param self The disk. @param hit The points. @param lanes Not looked
+ *  at. */
+static TexturePlace disk_texture_place(const Shape *self, const Hit *hit, mask lanes) {
+    (void)lanes;
+    const Disk *disk = (const Disk *)self;
+    Upright upright = upright_of(disk->flat.wide_normal);
+    WideVector arm =
+        wide_subtract(vector_widen(hit->point), wide_vector_of(disk->flat.wide_anchor));
+    return circle_texture_place(wide_scale(arm, wide_of(1 / disk->radius)), &upright);
+}
+
 const ShapeClass disk_class = {
     .keyword = {.name = "disk",
                 .help = "the inside of a circle",
@@ -119,4 +132,5 @@ const ShapeClass disk_class = {
     .is_hit = disk_is_hit,
     .is_blocking = disk_is_blocking,
     .bounds = disk_bounds,
+    .texture_place = disk_texture_place,
 };

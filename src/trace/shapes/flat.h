@@ -26,6 +26,21 @@ static inline Flat flat_of(Vector3 anchor, WidePoint normal) {
                   (scalar)vector3_largest(anchor)};
 }
 
+/** What tells how much of two edges it takes to get to a point of their plane: the products with
+ *  the vector to it. */
+typedef struct Shares {
+    WidePoint of_first;  /**< For the first edge. */
+    WidePoint of_second; /**< For the second. */
+} Shares;
+
+/** @return What tells the shares of two edges. @param a One. @param b Another, not parallel. */
+static inline Shares shares_of(WidePoint a, WidePoint b) {
+    WidePoint normal = wide_point_cross(a, b);
+    wide_scalar per_area = 1 / wide_point_dot(normal, normal);
+    return (Shares){wide_point_scale(wide_point_cross(b, normal), per_area),
+                    wide_point_scale(wide_point_cross(normal, a), per_area)};
+}
+
 /** How LANES rays cross a plane, before anything is rounded or divided. */
 typedef struct Crossing {
     WideVector to_anchor; /**< From the origins to the anchor. */
@@ -74,7 +89,8 @@ INLINE Hit flat_hit(const Flat *flat, const Ray *ray, real distance, int place) 
     real height = vector_dot(normal, vector_subtract(point, anchor));
     point = vector_subtract(point, vector_scale(normal, height));
     real reach = vector_largest(point) + real_of(flat->reach);
-    return (Hit){distance, point, normal, FLAT_ERROR * ROUNDOFF * reach, integer_of(place)};
+    return (Hit){distance,          point,        normal, FLAT_ERROR * ROUNDOFF * reach,
+                 integer_of(place), integer_of(0)};
 }
 
 #endif

@@ -117,6 +117,13 @@ static Bounds mesh_bounds(const Shape *self) {
     return ((const MeshShape *)self)->model->bounds;
 }
 
+/** @return Where on a picture points of a mesh lie, as its file says. See
+ *  #ShapeClass.texture_place. @param self The mesh. @param hit The points. @param lanes The lanes
+ *  that count. */
+static TexturePlace mesh_texture_place(const Shape *self, const Hit *hit, mask lanes) {
+    return model_texture_place(((const MeshShape *)self)->model, hit, lanes);
+}
+
 const ShapeClass mesh_class = {
     .keyword = {.name = "mesh",
                 .help = "the triangles of a model file",
@@ -132,4 +139,5 @@ const ShapeClass mesh_class = {
     .nearest = mesh_nearest,
     .blocked = mesh_blocked,
     .bounds = mesh_bounds,
+    .texture_place = mesh_texture_place,
 };

@@ -4,6 +4,7 @@
  */
 #include "trace/shapes/flat.h"
 #include "trace/shapes/registry.h"
+#include "trace/shapes/upright.h"
 
 /** What a scene file says of a plane. */
 typedef struct PlaneParameters {
@@ -71,6 +72,20 @@ static Bounds plane_bounds(const Shape *self) {
     return bounds_infinite();
 }
 
+/** @return Where on a picture points of a plane lie: one picture a scene unit, again and again. See
+ *  #ShapeClass.texture_place. @param self The plane. @param hit The points. @param lanes Not looked
+ *  at. */
+static TexturePlace plane_texture_place(const Shape *self, const Hit *hit, mask lanes) {
+    (void)lanes;
+    const Flat *flat = &((const Plane *)self)->flat;
+    Upright upright = upright_of(flat->wide_normal);
+    WideVector arm = wide_subtract(vector_widen(hit->point), wide_vector_of(flat->wide_anchor));
+    return (TexturePlace){.u = arm_along(arm, upright.right),
+                          .v = arm_along(arm, upright.up),
+                          .around_u = mask_of(true),
+                          .around_v = mask_of(true)};
+}
+
 const ShapeClass plane_class = {
     .keyword = {.name = "plane",
                 .help = "a plane without end",
@@ -82,4 +97,5 @@ const ShapeClass plane_class = {
     .is_hit = plane_is_hit,
     .is_blocking = plane_is_blocking,
     .bounds = plane_bounds,
+    .texture_place = plane_texture_place,
 };

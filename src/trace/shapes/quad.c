@@ -116,6 +116,23 @@ static Bounds quad_bounds(const Shape *self) {
     return corners_bounds(((const Quad *)self)->corners, QUAD_CORNERS);
 }
 
+/** @return Where on a picture points of a quad lie: how much of u and v it takes to get there. See
+ *  #ShapeClass.texture_place. @param self The quad. @param hit The points. @param lanes Not looked
+ *  at. */
+static TexturePlace quad_texture_place(const Shape *self, const Hit *hit, mask lanes) {
+    (void)lanes;
+    const Quad *quad = (const Quad *)self;
+    WidePoint corner = corner_widen(quad->corners[0]);
+    WidePoint u = wide_point_subtract(corner_widen(quad->corners[1]), corner);
+    WidePoint v = wide_point_subtract(corner_widen(quad->corners[3]), corner);
+    Shares shares = shares_of(u, v);
+    WideVector arm = wide_subtract(vector_widen(hit->point), wide_vector_of(corner));
+    return (TexturePlace){.u = narrow(wide_dot(arm, wide_vector_of(shares.of_first))),
+                          .v = narrow(wide_dot(arm, wide_vector_of(shares.of_second))),
+                          .around_u = mask_of(false),
+                          .around_v = mask_of(false)};
+}
+
 const ShapeClass quad_class = {
     .keyword = {.name = "quad",
                 .help = "a parallelogram",
@@ -128,4 +145,5 @@ const ShapeClass quad_class = {
     .is_hit = quad_is_hit,
     .is_blocking = quad_is_blocking,
     .bounds = quad_bounds,
+    .texture_place = quad_texture_place,
 };

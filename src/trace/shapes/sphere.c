@@ -10,6 +10,7 @@
  */
 #include "trace/shapes/sphere.h"
 
+#include "trace/angle.h"
 #include "trace/shapes/registry.h"
 
 /** Half ulps of the coordinates, and of the radius, that a point can be off the sphere. */
@@ -123,9 +124,12 @@ static mask sphere_is_hit(const Shape *self, const Ray *ray, mask active, Hit *h
     real radius = real_of((scalar)sphere->radius);
     Vector point =
         vector_add(vector_of_point(point_narrow(sphere->center)), vector_scale(normal, radius));
-    Hit found = {distance, point, normal,
+    Hit found = {distance,
+                 point,
+                 normal,
                  SPHERE_ERROR * ROUNDOFF * (vector_largest(point) + radius),
-                 integer_of(self->place)};
+                 integer_of(self->place),
+                 integer_of(0)};
     hit_take(hit, nearer, &found);
     return nearer;
 }
@@ -153,6 +157,25 @@ static Bounds sphere_bounds(const Shape *self) {
                          vector3_add(center, (Vector3){r, r, r}));
 }
 
+/**
+ * @return Where on a picture points of a sphere lie: by longitude and latitude, like the earth on a
+ *         map. The latitude by the arc tangent of its two legs, as an arc cosine is NaN where a
+ *         rounded normal is longer than 1. See #ShapeClass.texture_place.
+ * @param self   Not looked at.
+ * @param hit    The points.
+ * @param lanes  Not looked at.
+ */
+static TexturePlace sphere_texture_place(const Shape *self, const Hit *hit, mask lanes) {
+    (void)self;
+    (void)lanes;
+    Vector n = hit->normal;
+    real across = real_sqrt(n.x * n.x + n.z * n.z);
+    return (TexturePlace){.u = angle_in_turns(n.x, n.z) + real_of((scalar)0.5f),
+                          .v = 1 - 2 * angle_in_turns(across, n.y),
+                          .around_u = mask_of(true),
+                          .around_v = mask_of(false)};
+}
+
 const ShapeClass sphere_class = {
     .keyword = {.name = "sphere",
                 .help = "a ball",
@@ -164,4 +187,5 @@ const ShapeClass sphere_class = {
     .is_hit = sphere_is_hit,
     .is_blocking = sphere_is_blocking,
     .bounds = sphere_bounds,
+    .texture_place = sphere_texture_place,
 };

@@ -159,6 +159,21 @@ INLINE Hit transformed_hit(const Transformed *self, const Hit *inner, real dista
     return found;
 }
 
+/**
+ * Writes the lanes in which a shape is nearer.
+ * @param[in,out] hit  What was met so far.
+ * @param nearer       The lanes to write.
+ * @param self         The shape.
+ * @param inner        What was met in its own space.
+ * @param distance     Where, in the scene.
+ */
+INLINE void transformed_take(Hit *hit, mask nearer, const Transformed *self, const Hit *inner,
+                             real distance) {
+    Hit found = transformed_hit(self, inner, distance);
+    hit_take(hit, nearer, &found);
+    hit->part = integer_select(nearer, inner->part, hit->part);
+}
+
 /** @return The lanes where the shape is nearer. See #ShapeClass.is_hit. @callgraph
  *  @param self The shape. @param ray The rays. @param active The lanes. @param[in,out] hit The hit.
  */
@@ -174,8 +189,7 @@ static mask transformed_is_hit(const Shape *self, const Ray *ray, mask active, H
     real distance = narrow(local.skipped + widen(met.distance));
     mask nearer = hit_is_nearer(hit, is_met, distance, self->place);
     if (any(nearer)) {
-        Hit found = transformed_hit(transformed, &met, distance);
-        hit_take(hit, nearer, &found);
+        transformed_take(hit, nearer, transformed, &met, distance);
     }
     return nearer;
 }
@@ -228,6 +242,26 @@ static Bounds transformed_bounds(const Shape *self) {
                                           vector3_add(vector3_of(corners[1]), move)));
 }
 
+/**
+ * @return Where on a picture points of the shape lie: where they lie in its own space. See
+ *         #ShapeClass.texture_place.
+ * @param self   The shape.
+ * @param hit    The points.
+ * @param lanes  The lanes that count.
+ */
+static TexturePlace transformed_texture_place(const Shape *self, const Hit *hit, mask lanes) {
+    const Transformed *transformed = (const Transformed *)self;
+    const Shape *inner = transformed->inner;
+    WideVector from_zero =
+        wide_subtract(vector_widen(hit->point), wide_vector_of(transformed->move));
+    // The normal went forth by the transpose of the inverse, and comes back by the transpose.
+    WideVector normal = matrix_apply_transposed(&transformed->forth, vector_widen(hit->normal));
+    Hit local = *hit;
+    local.point = vector_narrow(matrix_apply(&transformed->back, from_zero));
+    local.normal = vector_narrow(wide_scale(normal, 1 / wide_sqrt(wide_dot(normal, normal))));
+    return shape_texture_place(inner, &local, lanes);
+}
+
 /* --- shapes that take whole packets ---------------------------------------------------------- */
 
 /** @return A packet in a shape's own space. @param self The shape. @param packet The rays.
@@ -261,8 +295,7 @@ static void transformed_nearest(const Shape *self, const Packet *packet, Hit *hi
         real distance = narrow(skipped[v] + widen(met[v].distance));
         mask nearer = hit_is_nearer(&hits[v], is_met, distance, self->place);
         if (any(nearer)) {
-            Hit found = transformed_hit(transformed, &met[v], distance);
-            hit_take(&hits[v], nearer, &found);
+            transformed_take(&hits[v], nearer, transformed, &met[v], distance);
         }
     }
 }
@@ -284,6 +317,7 @@ const ShapeClass transformed_packets_class = {
     .nearest = transformed_nearest,
     .blocked = transformed_blocked,
     .bounds = transformed_bounds,
+    .texture_place = transformed_texture_place,
 };
 
 const ShapeClass transformed_class = {
@@ -292,4 +326,5 @@ const ShapeClass transformed_class = {
     .is_hit = transformed_is_hit,
     .is_blocking = transformed_is_blocking,
     .bounds = transformed_bounds,
+    .texture_place = transformed_texture_place,
 };

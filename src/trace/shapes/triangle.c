@@ -10,6 +10,8 @@
 #include "trace/shapes/shear.h"
 #include "trace/shapes/smooth.h"
 
+#include <string.h>
+
 /** Corners of a triangle. */
 enum { TRIANGLE_CORNERS = 3 };
 
@@ -19,7 +21,6 @@ typedef struct TriangleParameters {
     Vector3 normals[TRIANGLE_CORNERS]; /**< The normals there, of any length. */
     Pair places[TRIANGLE_CORNERS];     /**< The places in a picture there. */
     bool is_smooth;                    /**< Whether normals were given. */
-    bool has_places;                   /**< Whether places were given. */
 } TriangleParameters;
 
 /** A triangle. @extends Shape */
@@ -28,8 +29,8 @@ typedef struct Triangle {
     Flat flat;                        /**< Its plane; its normal is (b - a) x (c - a). */
     Corner corners[TRIANGLE_CORNERS]; /**< Its corners. */
     Point normals[TRIANGLE_CORNERS];  /**< The unit normals there. */
-    WidePoint to_b;                   /**< Times the vector from a: how much of b is in a point. */
-    WidePoint to_c;                   /**< The same for c. */
+    Shares shares;                    /**< How much of b and of c is in a point. */
+    Pair places[TRIANGLE_CORNERS];    /**< Where the corners lie on a picture. */
     bool is_smooth;                   /**< Whether the normals count. */
 } Triangle;
 
@@ -89,7 +90,7 @@ static const Parameter triangle_parameters[] = {
                     .minimum = -LENGTH_MAXIMUM,
                     .maximum = LENGTH_MAXIMUM,
                     .unit = "pictures",
-                    .help = "where a lies in a picture; not used yet"},
+                    .help = "where a lies in a picture"},
     {.name = "tb",
      .type = PARAMETER_PAIR,
      .offset = offsetof(TriangleParameters, places[1]),
@@ -107,7 +108,8 @@ static const Parameter triangle_parameters[] = {
     {0}};
 
 /** Half of a square of side 1 that faces the viewer. */
-static const TriangleParameters triangle_defaults = {.corners = {{0}, {1, 0, 0}, {0, 1, 0}}};
+static const TriangleParameters triangle_defaults = {.corners = {{0}, {1, 0, 0}, {0, 1, 0}},
+                                                     .places = {{0}, {1, 0}, {0, 1}}};
 
 /**
  * Says whether three fields were given: all of them or none.
@@ -142,7 +144,8 @@ static bool triangle_finish(void *values, uint64_t given, Error *error) {
     if (!three_given(given, ROW_NORMALS, &p->is_smooth)) {
         return error_set(error, STATUS_SCENE, "triangle takes na, nb and nc, or none of them");
     }
-    if (!three_given(given, ROW_PLACES, &p->has_places)) {
+    bool has_places;
+    if (!three_given(given, ROW_PLACES, &has_places)) {
         return error_set(error, STATUS_SCENE, "triangle takes ta, tb and tc, or none of them");
     }
     return true;
@@ -177,11 +180,9 @@ static void triangle_init(Shape *self, const void *parameters) {
     WidePoint a = corner_widen(triangle->corners[0]);
     WidePoint b = wide_point_subtract(corner_widen(triangle->corners[1]), a);
     WidePoint c = wide_point_subtract(corner_widen(triangle->corners[2]), a);
-    WidePoint normal = wide_point_cross(b, c);
-    wide_scalar per_area = 1 / wide_point_dot(normal, normal);
-    triangle->flat = flat_of(vector3_of(a), normal);
-    triangle->to_b = wide_point_scale(wide_point_cross(c, normal), per_area);
-    triangle->to_c = wide_point_scale(wide_point_cross(normal, b), per_area);
+    triangle->flat = flat_of(vector3_of(a), wide_point_cross(b, c));
+    triangle->shares = shares_of(b, c);
+    memcpy(triangle->places, p->places, sizeof p->places);
     triangle->is_smooth = p->is_smooth;
     if (p->is_smooth) {
         triangle_smooth(triangle, p->normals);
@@ -209,6 +210,20 @@ INLINE real triangle_distance(const Triangle *triangle, const Ray *ray) {
 }
 
 /**
+ * @return How much of each corner is in points.
+ * @param triangle  The triangle.
+ * @param from_a    The points, from its first corner.
+ */
+INLINE Vector triangle_shares(const Triangle *triangle, WideVector from_a) {
+    const real zero = real_of(0), one = real_of(1);
+    real b = narrow(wide_dot(from_a, wide_vector_of(triangle->shares.of_first)));
+    real c = narrow(wide_dot(from_a, wide_vector_of(triangle->shares.of_second)));
+    b = real_min(real_max(b, zero), one);
+    c = real_min(real_max(c, zero), one);
+    return (Vector){real_max(one - b - c, zero), b, c};
+}
+
+/**
  * @return The normal between those at the corners, by how much of each is in a point.
  * @param triangle  The triangle.
  * @param ray       The rays.
@@ -218,15 +233,10 @@ INLINE Vector triangle_interpolate(const Triangle *triangle, const Ray *ray, rea
     WideVector from_a =
         wide_subtract(vector_widen(ray->origin), wide_vector_of(triangle->flat.wide_anchor));
     from_a = wide_add_scaled(from_a, vector_widen(ray->direction), widen(distance));
-    const real zero = real_of(0), one = real_of(1);
-    real b = narrow(wide_dot(from_a, wide_vector_of(triangle->to_b)));
-    real c = narrow(wide_dot(from_a, wide_vector_of(triangle->to_c)));
-    b = real_min(real_max(b, zero), one);
-    c = real_min(real_max(c, zero), one);
-    real a = real_max(one - b - c, zero);
-    Vector sum = vector_scale(vector_of_point(triangle->normals[0]), a);
-    sum = vector_add(sum, vector_scale(vector_of_point(triangle->normals[1]), b));
-    return vector_add(sum, vector_scale(vector_of_point(triangle->normals[2]), c));
+    Vector shares = triangle_shares(triangle, from_a);
+    Vector sum = vector_scale(vector_of_point(triangle->normals[0]), shares.x);
+    sum = vector_add(sum, vector_scale(vector_of_point(triangle->normals[1]), shares.y));
+    return vector_add(sum, vector_scale(vector_of_point(triangle->normals[2]), shares.z));
 }
 
 /**
@@ -283,6 +293,23 @@ static Bounds triangle_bounds(const Shape *self) {
     return corners_bounds(((const Triangle *)self)->corners, TRIANGLE_CORNERS);
 }
 
+/** @return Where on a picture points of a triangle lie: between the places of its corners. See
+ *  #ShapeClass.texture_place. @param self The triangle. @param hit The points. @param lanes Not
+ *  looked at. */
+static TexturePlace triangle_texture_place(const Shape *self, const Hit *hit, mask lanes) {
+    (void)lanes;
+    const Triangle *triangle = (const Triangle *)self;
+    const Pair *at = triangle->places;
+    WideVector from_a =
+        wide_subtract(vector_widen(hit->point), wide_vector_of(triangle->flat.wide_anchor));
+    Vector shares = triangle_shares(triangle, from_a);
+    return (TexturePlace){
+        .u = shares.x * (scalar)at[0].u + shares.y * (scalar)at[1].u + shares.z * (scalar)at[2].u,
+        .v = shares.x * (scalar)at[0].v + shares.y * (scalar)at[1].v + shares.z * (scalar)at[2].v,
+        .around_u = mask_of(true),
+        .around_v = mask_of(true)};
+}
+
 const ShapeClass triangle_class = {
     .keyword = {.name = "triangle",
                 .help = "a triangle, flat or smooth",
@@ -295,4 +322,5 @@ const ShapeClass triangle_class = {
     .is_hit = triangle_is_hit,
     .is_blocking = triangle_is_blocking,
     .bounds = triangle_bounds,
+    .texture_place = triangle_texture_place,
 };

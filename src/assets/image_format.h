@@ -1,0 +1,33 @@
+/**
+ * @file
+ * @brief Formats of picture files: which ending means which.
+ */
+#ifndef ASSETS_IMAGE_FORMAT_H
+#define ASSETS_IMAGE_FORMAT_H
+
+#include <stdbool.h>
+
+/** A format, as the ending of a file's name says it. */
+typedef struct ImageFormat {
+    const char *ending; /**< In small letters, without the dot. */
+    const char *module; /**< What the module calls it; NULL: BMP, which needs no module. */
+    bool is_linear;     /**< Whether it holds linear light and not 8-bit steps. */
+    bool is_read_only;  /**< Whether it is never written. */
+} ImageFormat;
+
+/** All endings of pictures that can be written, in words. */
+#define IMAGE_ENDINGS "bmp, png, exr, jpg, jpeg, tif, tiff or hdr"
+/** All endings of pictures that can be read, in words. */
+#define IMAGE_READ_ENDINGS "bmp, png, exr, jpg, jpeg, tif, tiff, hdr, ppm, pgm or pnm"
+
+/** @return The format of BMP files, which needs no module. */
+const ImageFormat *image_format_bmp(void);
+
+/**
+ * Finds the format that the ending of a file's name says; small and large letters are alike.
+ * @param path  The file.
+ * @return The format, or NULL.
+ */
+const ImageFormat *image_format_by_ending(const char *path);
+
+#endif

@@ -1,0 +1,47 @@
+/**
+ * @file
+ * @brief Files of strangers, opened so that nothing can keep the program waiting.
+ */
+#include "assets/plain_file.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <string.h>
+#include <unistd.h>
+
+/**
+ * Says whether an open file may be read.
+ * @param file        The file.
+ * @param[out] found  What is known of it.
+ * @param[out] error  Why not.
+ * @return Whether it is a regular file.
+ */
+static bool check_kind(int file, struct stat *found, Error *error) {
+    if (fstat(file, found) != 0) {
+        return error_set(error, STATUS_SCENE, "%s", strerror(errno));
+    }
+    return S_ISREG(found->st_mode) ||
+           error_set(error, STATUS_SCENE, "this is %s, not a regular file",
+                     S_ISDIR(found->st_mode) ? "a folder" : "a pipe or a device");
+}
+
+int plain_file_open(const char *path, struct stat *found, Error *error) {
+    int file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+    if (file < 0) {
+        error_set(error, STATUS_SCENE, "%s", strerror(errno));
+        return -1;
+    }
+    if (!check_kind(file, found, error)) {
+        close(file);
+        return -1;
+    }
+    return file;
+}
+
+bool plain_file_is_same(int file, const struct stat *before, Error *error) {
+    struct stat after;
+    bool is_same = fstat(file, &after) == 0 && after.st_size == before->st_size &&
+                   after.st_mtim.tv_sec == before->st_mtim.tv_sec &&
+                   after.st_mtim.tv_nsec == before->st_mtim.tv_nsec;
+    return is_same || error_set(error, STATUS_SCENE, "it has changed while it was read");
+}

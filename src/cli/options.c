@@ -25,7 +25,7 @@ static const OptionRow option_rows[] = {
     {'o', true, "output", "FILE", "write the picture there; the ending names the format"},
     {'s', true, "size", "WxH", "size of the picture, pixels"},
     {'A', false, "samples", "N", "rays a pixel"},
-    {'D', false, "depth", "N", "how often a ray may be mirrored"},
+    {'D', false, "depth", "N", "how often a ray may be mirrored or refracted"},
     {'t', true, "time", "SECONDS", "the scene's t"},
     {'j', true, "threads", "N", "worker threads (default: all cores)"},
     {'E', false, "engine", "NAME", "auto, f32x16, f32x8, f32x4, f32x1, f64x4, f64x1 or f128x1"},

@@ -164,6 +164,8 @@ static void block_draw(void *context, size_t index) {
     }
     atomic_fetch_add_explicit(&drawing->camera, counts.camera, memory_order_relaxed);
     atomic_fetch_add_explicit(&drawing->mirror, counts.mirror, memory_order_relaxed);
+    atomic_fetch_add_explicit(&drawing->refract, counts.refract, memory_order_relaxed);
+    atomic_fetch_add_explicit(&drawing->total, counts.total, memory_order_relaxed);
     atomic_fetch_add_explicit(&drawing->shadow, counts.shadow, memory_order_relaxed);
 }
 
@@ -175,5 +177,7 @@ bool drawing_pass(Drawing *drawing, Workers *workers) {
 RayCounts drawing_rays(const Drawing *drawing) {
     return (RayCounts){.camera = atomic_load(&drawing->camera),
                        .mirror = atomic_load(&drawing->mirror),
+                       .refract = atomic_load(&drawing->refract),
+                       .total = atomic_load(&drawing->total),
                        .shadow = atomic_load(&drawing->shadow)};
 }

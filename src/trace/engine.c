@@ -6,6 +6,12 @@
 
 #include <stdlib.h>
 
+/**
+ * Weight below which a ray cannot change the picture: half a step of 8 bits, 1 / 510, at the dark
+ * end of the sRGB curve, where the slope is 12.92.
+ */
+#define WEIGHT_CUTOFF 1.5e-4
+
 /** @return The sky in the engine's number type. @param sky The sky. */
 static Backdrop backdrop_of(const Sky *sky) {
     Color rise = {sky->zenith.red - sky->horizon.red, sky->zenith.green - sky->horizon.green,
@@ -20,6 +26,7 @@ static void engine_release(Tracer *tracer) {
     if (tracer) {
         shape_list_release(&tracer->list);
         models_release(&tracer->models);
+        glass_release(&tracer->glass);
         free(tracer->surfaces);
         free(tracer->lamps);
         free(tracer);
@@ -37,6 +44,7 @@ static void *vector_allocate(size_t size) {
  *  @param tracer The tracer. @param scene The scene. @param width Pixels. @param height Pixels. */
 static void engine_look(Tracer *tracer, const Scene *scene, int width, int height) {
     tracer->eye = eye_of(&scene->camera, width, height);
+    glass_look(&tracer->glass, &tracer->list, tracer->eye.origin);
     for (size_t i = 0; i < tracer->lamp_count; i++) {
         tracer->lamps[i] = lamp_of(&scene->lights[i]);
     }
@@ -50,14 +58,16 @@ static Tracer *tracer_create(const Scene *scene, const TraceSettings *settings, 
         error_set(error, STATUS_FAILED, "no memory for a tracer");
         return NULL;
     }
+    bool is_recursive = scene_has_mirrors(scene) || scene_has_glass(scene);
     *tracer = (Tracer){.backdrop = backdrop_of(&scene->sky),
                        .lamp_count = scene->light_count,
-                       .depth = scene_has_mirrors(scene) ? settings->depth : 0,
+                       .depth = is_recursive ? settings->depth : 0,
+                       .cutoff = (scalar)(settings->cutoff > 0 ? settings->cutoff : WEIGHT_CUTOFF),
                        .shines = scene_has_highlights(scene),
                        .departure = {settings->offset, (scalar)settings->epsilon}};
     tracer->lamps = vector_allocate((scene->light_count + 1) * sizeof(Lamp));
     tracer->surfaces = vector_allocate(scene->material_count * sizeof(Surface));
-    if (!tracer->lamps || !tracer->surfaces ||
+    if (!tracer->lamps || !tracer->surfaces || !glass_init(&tracer->glass, scene) ||
         !models_init(&tracer->models, scene, &settings->crew, error) ||
         !shape_list_init(&tracer->list, scene, &tracer->models, settings, error)) {
         error_set(error, STATUS_FAILED, "no memory for the scene");
@@ -126,15 +136,20 @@ static void colors_write(const Light3 *colors, const PixelGrid *grid, int column
 static void engine_trace(const Tracer *tracer, const PixelGrid *grid, double *rgb,
                          RayCounts *counts) {
     real weight[PACKET_VECTORS];
+    Media eye_media[PACKET_VECTORS];
+    const Media *media = tracer->glass.indices ? eye_media : NULL;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         weight[v] = real_of(1);
+    }
+    for (int v = 0; media && v < PACKET_VECTORS; v++) {
+        eye_media[v] = tracer->glass.at_eye;
     }
     for (int row = 0; row < grid->rows; row += PACKET_ROWS) {
         for (int column = 0; column < grid->columns; column += PACKET_COLUMNS) {
             Packet packet;
             Light3 colors[PACKET_VECTORS];
             eye_aim(&tracer->eye, grid, column, row, &packet);
-            tracer_follow(tracer, &packet, weight, tracer->depth, colors, counts);
+            tracer_follow(tracer, &packet, media, weight, tracer->depth, colors, counts);
             colors_write(colors, grid, column, row, rgb);
         }
     }

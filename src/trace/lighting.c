@@ -4,11 +4,14 @@
  */
 #include "trace/lighting.h"
 
+#include "trace/filter.h"
+
 /** What one lamp would give to the points of a packet, were nothing in the way. */
 typedef struct Shine {
     Packet shadow;                         /**< The rays to the lamp; active where it may shine. */
     real cosine[PACKET_VECTORS];           /**< n . l, above 0 where active. */
     real distance_squared[PACKET_VECTORS]; /**< To it, squared. */
+    Light3 visible[PACKET_VECTORS];        /**< The share that glass leaves, if there is any. */
 } Shine;
 
 Lamp lamp_of(const Light *light) {
@@ -38,7 +41,7 @@ static void shine_aim(const Lamp *lamp, const Departure *departure, const Encoun
         Vector origin = departure_origin(departure, hit, path);
         shine->shadow.rays[v] = ray_of(origin, vector_subtract(lamp->position, origin));
         shine->shadow.limit[v] = real_of(1);
-        shine->shadow.active[v] = met->met[v] & (cosine > 0);
+        shine->shadow.active[v] = met->lit[v] & (cosine > 0);
         shine->cosine[v] = cosine;
         shine->distance_squared[v] = distance_squared;
     }
@@ -56,6 +59,12 @@ INLINE real highlight(const Encounter *met, int v, Vector to_lamp, real cosine, 
     Vector mirrored = vector_subtract(vector_scale(met->facing[v], 2 * cosine), to_lamp);
     real along = real_max(-vector_dot(mirrored, met->packet->rays[v].direction), real_of(0));
     return surface_power(real_min(along, real_of(1)), shininess);
+}
+
+/** @return The light of a lamp that reaches points, but for its distance. @param lamp The lamp.
+ *  @param shine What it would give. @param v Which vector of points. @param met The points. */
+INLINE Light3 shine_light(const Lamp *lamp, const Shine *shine, int v, const Encounter *met) {
+    return met->media ? light3_multiply(lamp->light, shine->visible[v]) : lamp->light;
 }
 
 /**
@@ -77,8 +86,8 @@ static void highlight_add(const Lamp *lamp, const Shine *shine, int v, mask reac
         Vector to_lamp = vector_scale(path, 1 / real_sqrt(shine->distance_squared[v]));
         real bright = highlight(met, v, to_lamp, shine->cosine[v], surfaces.shininess);
         bright = real_select(shiny, share * bright, real_of(0));
-        lighting->highlight[v] =
-            light3_add(lighting->highlight[v], light3_scale(lamp->light, bright));
+        lighting->highlight[v] = light3_add(lighting->highlight[v],
+                                            light3_scale(shine_light(lamp, shine, v, met), bright));
     }
 }
 
@@ -100,7 +109,8 @@ static void shine_add(const Lamp *lamp, const Shine *shine, const mask *blocked,
         }
         real share = lamp->is_inverse_square ? 1 / shine->distance_squared[v] : real_of(1);
         real bright = real_select(reached, share * shine->cosine[v], real_of(0));
-        lighting->matt[v] = light3_add(lighting->matt[v], light3_scale(lamp->light, bright));
+        lighting->matt[v] =
+            light3_add(lighting->matt[v], light3_scale(shine_light(lamp, shine, v, met), bright));
         if (shines) {
             highlight_add(lamp, shine, v, reached, share, met, lighting);
         }
@@ -122,6 +132,10 @@ uint64_t lighting_gather(const ShapeList *list, const Lamp *lamps, size_t lamp_c
         unsigned count = packet_count(&shine.shadow);
         if (count > 0) {
             shape_list_blocked(list, &shine.shadow, blocked);
+            if (met->media) {
+                filter_shadows(met->surfaces, list, departure, &shine.shadow, blocked,
+                               shine.visible);
+            }
             shine_add(&lamps[i], &shine, blocked, shines, met, lighting);
             rays += count;
         }

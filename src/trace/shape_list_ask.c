@@ -143,6 +143,26 @@ static void tree_blocked(const ShapeList *list, const Packet *packet, mask *bloc
     }
 }
 
+/** A visit under way. */
+typedef struct Visit {
+    ShapeVisitor visitor; /**< Who is asked. */
+    void *found;          /**< Handed to it. */
+} Visit;
+
+/** Visits the shapes of a leaf. See #TreeOwner.ask. @param items The list. @param first Block.
+ *  @param count Blocks. @param packet The rays. @param v Which vector. @param lanes Which lanes.
+ *  @param[in,out] found A #Visit. @return How far they look: all of the way. */
+static real leaf_visit(const void *items, size_t first, size_t count, const Packet *packet, int v,
+                       unsigned lanes, void *found) {
+    const ShapeList *list = items;
+    const Visit *visit = found;
+    for (size_t i = first; i < first + count; i++) {
+        const Shape *shape = list->shapes[list->tree.order[i]];
+        visit->visitor(shape, packet, v, mask_of_bits(lanes), visit->found);
+    }
+    return packet->limit[v];
+}
+
 /* --- all shapes ------------------------------------------------------------------------------ */
 
 void shape_list_nearest(const ShapeList *list, const Packet *packet, Hit *hits) {
@@ -180,4 +200,28 @@ void shape_list_blocked(const ShapeList *list, const Packet *packet, mask *block
         }
     }
     tree_blocked(list, packet, blocked);
+}
+
+void shape_list_visit(const ShapeList *list, const Packet *packet, ShapeVisitor visitor,
+                      void *found) {
+    Spans spans = {0};
+    if (LANES > 1 && list->loose_count > 0) {
+        spans = packet_spans(packet);
+    }
+    for (size_t block = 0; block < bounds_blocks(list->loose_count); block++) {
+        unsigned left = block_candidates(list, &spans, block).left;
+        for (; left; left &= left - 1) {
+            const Shape *shape = list->loose[block * LANES + (size_t)__builtin_ctz(left)];
+            for (int v = 0; v < PACKET_VECTORS; v++) {
+                if (any(packet->active[v])) {
+                    visitor(shape, packet, v, packet->active[v], found);
+                }
+            }
+        }
+    }
+    if (list->tree.nodes) {
+        const TreeOwner owner = {.items = list, .ask = leaf_visit};
+        Visit visit = {visitor, found};
+        tree_visit(&list->tree, packet, packet->limit, &owner, &visit);
+    }
 }

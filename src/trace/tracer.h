@@ -5,8 +5,8 @@
 #ifndef DIOPTRE_TRACE_TRACER_H
 #define DIOPTRE_TRACE_TRACER_H
 
+#include "trace/crossing.h"
 #include "trace/eye.h"
-#include "trace/lighting.h"
 #include "trace/model.h"
 
 /** The sky in the engine's number type. */
@@ -20,13 +20,15 @@ typedef struct Backdrop {
 struct Tracer {
     ShapeList list;      /**< The shapes. */
     Models models;       /**< The meshes that they show. */
+    Glass glass;         /**< Those that let light through. */
     Surface *surfaces;   /**< The materials; owned. */
     Lamp *lamps;         /**< The lamps; owned. */
     size_t lamp_count;   /**< How many. */
     Eye eye;             /**< The camera. */
     Backdrop backdrop;   /**< The sky. */
     Departure departure; /**< How rays leave surfaces. */
-    int depth;           /**< How often a ray may be mirrored; 0 where nothing mirrors. */
+    int depth;           /**< How often a ray may be mirrored or refracted; 0 where none is. */
+    scalar cutoff;       /**< Weight below which a ray ends. */
     bool shines;         /**< Whether any surface has highlights. */
 };
 
@@ -34,13 +36,14 @@ struct Tracer {
  * Finds the colours that a packet of rays brings back.
  * @param tracer  The tracer.
  * @param packet  The rays, of unit direction, at least one active.
+ * @param media   What they are inside of; NULL: the scene has no glass.
  * @param weight  For each vector of rays: the largest share with which a primary of its colour
  *                enters the picture.
- * @param depth   How often the rays may still be mirrored.
+ * @param depth   How often the rays may still be mirrored or refracted.
  * @param[out] colors  A colour for each vector of rays.
- * @param[in,out] counts  Mirrored and shadow rays are added to this.
+ * @param[in,out] counts  Mirrored, refracted and shadow rays are added to this.
  */
-void tracer_follow(const Tracer *tracer, const Packet *packet, const real *weight, int depth,
-                   Light3 *colors, RayCounts *counts);
+void tracer_follow(const Tracer *tracer, const Packet *packet, const Media *media,
+                   const real *weight, int depth, Light3 *colors, RayCounts *counts);
 
 #endif

@@ -52,9 +52,21 @@ INLINE Light3 body_color(const Surfaces *surface, Light3 matt, Light3 highlight)
 
 /** Rays that go on from surfaces, and what they are worth. */
 typedef struct Onward {
-    Packet packet;                /**< The rays; active where they can still change the picture. */
-    real weights[PACKET_VECTORS]; /**< The largest share with which a primary of theirs counts. */
+    Packet packet;                 /**< The rays; active where they can still change the picture. */
+    Light3 shares[PACKET_VECTORS]; /**< Of what they bring back, that the surfaces send on. */
+    real weights[PACKET_VECTORS];  /**< The largest share with which a primary of theirs counts. */
 } Onward;
+
+/** Weighs rays that could go on, and drops those that cannot change the picture. @param tracer The
+ *  tracer. @param v Which vector. @param lanes Those that could. @param share Of what they bring
+ *  back. @param weight What the rays before them weighed. @param[out] onward The rays.
+ *  @return Those that go on. */
+INLINE mask onward_weigh(const Tracer *tracer, int v, mask lanes, Light3 share, real weight,
+                         Onward *onward) {
+    onward->shares[v] = share;
+    onward->weights[v] = weight * light3_largest(share);
+    return onward->packet.active[v] = lanes & (onward->weights[v] >= tracer->cutoff);
+}
 
 /**
  * Turns the rays of a packet that met mirrors, or glass, into mirrored rays (rows A9, C3).
@@ -65,16 +77,13 @@ typedef struct Onward {
  * @param[out] mirrored  The mirrored rays.
  * @return How many are active.
  */
-static unsigned mirror_rays(const Tracer *tracer, const Encounter *met, const Crossing *crossing,
+INLINE unsigned mirror_rays(const Tracer *tracer, const Encounter *met, const Crossing *crossing,
                             const real *weight, Onward *mirrored) {
     mirrored->packet.wants_points = true;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         Surfaces surfaces = surfaces_gather(met->surfaces, &met->materials[v], met->met[v]);
-        Light3 mirror = crossing_mirrored(crossing, v, &surfaces);
-        mirrored->weights[v] = weight[v] * light3_largest(mirror);
-        mask active = met->met[v] & (mirrored->weights[v] >= tracer->cutoff);
-        mirrored->packet.active[v] = active;
-        if (!any(active)) {
+        Light3 share = crossing_mirrored(crossing, v, &surfaces);
+        if (!any(onward_weigh(tracer, v, met->met[v], share, weight[v], mirrored))) {
             continue;
         }
         Vector in = met->packet->rays[v].direction, normal = met->facing[v];
@@ -89,34 +98,6 @@ static unsigned mirror_rays(const Tracer *tracer, const Encounter *met, const Cr
 }
 
 /**
- * Adds what mirrors show.
- * @param tracer  The tracer.
- * @param met     What the rays met.
- * @param crossing  What becomes of them in glass, or NULL.
- * @param weight  What the rays weigh.
- * @param depth   How often they may still be mirrored, at least once.
- * @param[in,out] colors  The rays' colours.
- * @param[in,out] counts  The rays traced.
- */
-static void mirrors_add(const Tracer *tracer, const Encounter *met, const Crossing *crossing,
-                        const real *weight, int depth, Light3 *colors, RayCounts *counts) {
-    Onward mirrored;
-    unsigned count = mirror_rays(tracer, met, crossing, weight, &mirrored);
-    if (count == 0) {
-        return;
-    }
-    counts->mirror += count;
-    Light3 seen[PACKET_VECTORS];
-    tracer_follow(tracer, &mirrored.packet, met->media, mirrored.weights, depth - 1, seen, counts);
-    for (int v = 0; v < PACKET_VECTORS; v++) {
-        Surfaces surfaces = surfaces_gather(met->surfaces, &met->materials[v], met->met[v]);
-        Light3 share = light3_multiply(crossing_mirrored(crossing, v, &surfaces), seen[v]);
-        mask active = mirrored.packet.active[v];
-        colors[v] = light3_select(active, light3_add(colors[v], share), colors[v]);
-    }
-}
-
-/**
  * Turns the rays of a packet that met glass into refracted rays (row A10).
  * @param tracer    The tracer.
  * @param met       What the rays met.
@@ -125,20 +106,56 @@ static void mirrors_add(const Tracer *tracer, const Encounter *met, const Crossi
  * @param[out] refracted  The refracted rays.
  * @return How many are active.
  */
-static unsigned refract_rays(const Tracer *tracer, const Encounter *met, const Crossing *crossing,
+INLINE unsigned refract_rays(const Tracer *tracer, const Encounter *met, const Crossing *crossing,
                              const real *weight, Onward *refracted) {
     for (int v = 0; v < PACKET_VECTORS; v++) {
         Surfaces surfaces = surfaces_gather(met->surfaces, &met->materials[v], met->met[v]);
         Light3 share = crossing_refracted(crossing, v, &surfaces);
-        refracted->weights[v] = weight[v] * light3_largest(share);
-        mask active = crossing->through[v] & (refracted->weights[v] >= tracer->cutoff);
-        refracted->packet.active[v] = active;
-        if (any(active)) {
+        if (any(onward_weigh(tracer, v, crossing->through[v], share, weight[v], refracted))) {
             refracted->packet.rays[v] = ray_of(crossing->origin[v], crossing->direction[v]);
             refracted->packet.limit[v] = real_of(INFINITE);
         }
     }
     return packet_count(&refracted->packet);
+}
+
+/**
+ * Adds what rays that go on from surfaces bring back.
+ * @param tracer  The tracer.
+ * @param onward  The rays, at least one active.
+ * @param media   What they are inside of; NULL: the scene has no glass.
+ * @param depth   How often they may still be mirrored or refracted.
+ * @param[in,out] colors  The colours of the rays before them.
+ * @param[in,out] counts  The rays traced.
+ */
+INLINE void onward_add(const Tracer *tracer, const Onward *onward, const Media *media, int depth,
+                       Light3 *colors, RayCounts *counts) {
+    Light3 seen[PACKET_VECTORS];
+    tracer_follow(tracer, &onward->packet, media, onward->weights, depth, seen, counts);
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        Light3 sum = light3_add(colors[v], light3_multiply(onward->shares[v], seen[v]));
+        colors[v] = light3_select(onward->packet.active[v], sum, colors[v]);
+    }
+}
+
+/**
+ * Adds what mirrors show.
+ * @param tracer    The tracer.
+ * @param met       What the rays met.
+ * @param crossing  What becomes of them in glass, or NULL.
+ * @param weight    What the rays weigh.
+ * @param depth     How often they may still be mirrored, at least once.
+ * @param[in,out] colors  The rays' colours.
+ * @param[in,out] counts  The rays traced.
+ */
+INLINE void mirrors_add(const Tracer *tracer, const Encounter *met, const Crossing *crossing,
+                        const real *weight, int depth, Light3 *colors, RayCounts *counts) {
+    Onward mirrored;
+    unsigned count = mirror_rays(tracer, met, crossing, weight, &mirrored);
+    if (count > 0) {
+        counts->mirror += count;
+        onward_add(tracer, &mirrored, met->media, depth - 1, colors, counts);
+    }
 }
 
 /**
@@ -151,22 +168,13 @@ static unsigned refract_rays(const Tracer *tracer, const Encounter *met, const C
  * @param[in,out] colors  The rays' colours.
  * @param[in,out] counts  The rays traced.
  */
-static void glass_add(const Tracer *tracer, const Encounter *met, const Crossing *crossing,
+INLINE void glass_add(const Tracer *tracer, const Encounter *met, const Crossing *crossing,
                       const real *weight, int depth, Light3 *colors, RayCounts *counts) {
     Onward refracted;
     unsigned count = refract_rays(tracer, met, crossing, weight, &refracted);
-    if (count == 0) {
-        return;
-    }
-    counts->refract += count;
-    Light3 seen[PACKET_VECTORS];
-    tracer_follow(tracer, &refracted.packet, crossing->media, refracted.weights, depth - 1, seen,
-                  counts);
-    for (int v = 0; v < PACKET_VECTORS; v++) {
-        Surfaces surfaces = surfaces_gather(met->surfaces, &met->materials[v], met->met[v]);
-        Light3 share = light3_multiply(crossing_refracted(crossing, v, &surfaces), seen[v]);
-        mask active = refracted.packet.active[v];
-        colors[v] = light3_select(active, light3_add(colors[v], share), colors[v]);
+    if (count > 0) {
+        counts->refract += count;
+        onward_add(tracer, &refracted, crossing->media, depth - 1, colors, counts);
     }
 }
 
@@ -178,7 +186,7 @@ static void glass_add(const Tracer *tracer, const Encounter *met, const Crossing
  * @param[in,out] colors  The rays' colours, written where they met anything.
  * @return How many shadow rays were traced.
  */
-static uint64_t bodies_shade(const Tracer *tracer, const Encounter *met, const Crossing *crossing,
+INLINE uint64_t bodies_shade(const Tracer *tracer, const Encounter *met, const Crossing *crossing,
                              Light3 *colors) {
     const Light3 dark = {real_of(0), real_of(0), real_of(0)};
     Lighting lighting;
@@ -196,45 +204,66 @@ static uint64_t bodies_shade(const Tracer *tracer, const Encounter *met, const C
 }
 
 /**
- * As #tracer_follow, from where rays have met something, in a scene with glass.
+ * Finds what rays meet, and the colours of those that meet nothing.
  * @param tracer  The tracer.
- * @param met     What the rays met.
- * @param weight  What the rays weigh.
- * @param depth   How often they may still be mirrored or refracted.
- * @param[in,out] colors  The rays' colours, written where they met anything.
- * @param[in,out] counts  The rays traced.
+ * @param packet  The rays.
+ * @param media   What they are inside of, or NULL.
+ * @param[out] met     What they met.
+ * @param[out] colors  Their colours, where they met nothing.
+ * @return Whether any ray met anything.
  */
-static void glass_follow(const Tracer *tracer, Encounter *met, const real *weight, int depth,
-                         Light3 *colors, RayCounts *counts) {
-    Crossing crossing;
-    counts->total +=
-        crossing_find(&tracer->glass, &tracer->list, &tracer->departure, met, &crossing);
-    counts->shadow += bodies_shade(tracer, met, &crossing, colors);
-    if (depth > 0) {
-        mirrors_add(tracer, met, &crossing, weight, depth, colors, counts);
-        glass_add(tracer, met, &crossing, weight, depth, colors, counts);
-    }
-}
-
-void tracer_follow(const Tracer *tracer, const Packet *packet, const Media *media,
-                   const real *weight, int depth, Light3 *colors, RayCounts *counts) {
-    Encounter met;
-    bool is_any = encounter_find(tracer, packet, &met);
-    met.media = media;
+INLINE bool follow_to_surfaces(const Tracer *tracer, const Packet *packet, const Media *media,
+                               Encounter *met, Light3 *colors) {
+    bool is_any = encounter_find(tracer, packet, met);
+    met->media = media;
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        if (any(mask_not(met.met[v]))) {
+        if (any(mask_not(met->met[v]))) {
             colors[v] = backdrop_color(&tracer->backdrop, packet->rays[v].direction);
         }
     }
-    if (!is_any) {
-        return;
-    }
-    if (media) {
-        glass_follow(tracer, &met, weight, depth, colors, counts);
+    return is_any;
+}
+
+/** As #tracer_follow, in a scene without glass. @param tracer The tracer. @param packet The rays.
+ *  @param weight What they weigh. @param depth How often they may still be mirrored.
+ *  @param[out] colors Their colours. @param[in,out] counts The rays traced. */
+static void follow_in_air(const Tracer *tracer, const Packet *packet, const real *weight, int depth,
+                          Light3 *colors, RayCounts *counts) {
+    Encounter met;
+    if (!follow_to_surfaces(tracer, packet, NULL, &met, colors)) {
         return;
     }
     counts->shadow += bodies_shade(tracer, &met, NULL, colors);
     if (depth > 0) {
         mirrors_add(tracer, &met, NULL, weight, depth, colors, counts);
+    }
+}
+
+/** As #tracer_follow, in a scene with glass. @param tracer The tracer. @param packet The rays.
+ *  @param media What they are inside of. @param weight What they weigh. @param depth How often they
+ *  may still be mirrored or refracted. @param[out] colors Their colours.
+ *  @param[in,out] counts The rays traced. */
+static void follow_in_glass(const Tracer *tracer, const Packet *packet, const Media *media,
+                            const real *weight, int depth, Light3 *colors, RayCounts *counts) {
+    Encounter met;
+    Crossing crossing;
+    if (!follow_to_surfaces(tracer, packet, media, &met, colors)) {
+        return;
+    }
+    counts->total +=
+        crossing_find(&tracer->glass, &tracer->list, &tracer->departure, &met, &crossing);
+    counts->shadow += bodies_shade(tracer, &met, &crossing, colors);
+    if (depth > 0) {
+        mirrors_add(tracer, &met, &crossing, weight, depth, colors, counts);
+        glass_add(tracer, &met, &crossing, weight, depth, colors, counts);
+    }
+}
+
+void tracer_follow(const Tracer *tracer, const Packet *packet, const Media *media,
+                   const real *weight, int depth, Light3 *colors, RayCounts *counts) {
+    if (media) {
+        follow_in_glass(tracer, packet, media, weight, depth, colors, counts);
+    } else {
+        follow_in_air(tracer, packet, weight, depth, colors, counts);
     }
 }

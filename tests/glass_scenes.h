@@ -105,7 +105,7 @@ static inline void aim(Scene *scene, World world, Vector3 eye, Vector3 direction
 
 /** Fresnel's share in closed form, and the angle behind. @return 1 where there is none.
  *  @param sine Of the angle of incidence. @param from Index there. @param to Index behind. */
-static inline double fresnel(double sine, double from, double to) {
+static inline double fresnel(Quadruple sine, double from, double to) {
     Quadruple s = sine, n = from, m = to;
     Quadruple inner = 1 - (n * s / m) * (n * s / m);
     if (inner < 0) {

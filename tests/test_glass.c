@@ -34,6 +34,11 @@ static double mark_of(const Engine *engine, World world, double single, double b
 /** Size of the pictures. */
 enum { WIDTH = 32, HEIGHT = 24, PIXELS = WIDTH * HEIGHT };
 
+/** @return How many times smaller an engine's pictures are: quad is slow. @param engine It. */
+static int shrink(const Engine *engine) {
+    return engine->mantissa_bits > 64 ? 3 : 1;
+}
+
 /** A sky, a chequered wall that shines, a floor in lamplight. @return It. @param world Where. */
 static Scene *checker_scene(World world) {
     Error error = {0};
@@ -66,21 +71,20 @@ static int pixels_off(const double *a, const double *b, int count) {
     return off;
 }
 
-/** Index 1 and no tint: the picture without the ball. Far from the origin, rays start at rounded
- *  points, and as many more pass edges on the other side. @return Numbers that are off by a step.
+/** Index 1 and no tint: the picture without the ball. @return Numbers that are off by a step.
  *  @param engine The engine. @param world Where. */
 static Measured air_ball(const Engine *engine, World world) {
     static double without[3 * PIXELS], with[3 * PIXELS];
     Scene *scene = checker_scene(world);
-    trace_picture(engine, scene, (Fineness){8, 0}, WIDTH, HEIGHT, without);
+    int small = shrink(engine), width = WIDTH / small, height = HEIGHT / small;
+    trace_picture(engine, scene, (Fineness){8, 0}, width, height, without);
     use(scene, glass_of(1));
     add_ball(scene, world, (Vector3){0, 0, 0}, 1);
-    RayCounts counts = trace_picture(engine, scene, (Fineness){8, 0}, WIDTH, HEIGHT, with);
-    assert_true(counts.refract > 100);
+    RayCounts counts = trace_picture(engine, scene, (Fineness){8, 0}, width, height, with);
+    assert_true((int)counts.refract > width * height / 8);
     assert_int_equal(counts.mirror, 0);
     scene_destroy(scene);
-    return (Measured){pixels_off(without, with, 3 * PIXELS),
-                      floor(3 * PIXELS * 4 * (grain(engine, world) - grain(engine, worlds[0])))};
+    return (Measured){pixels_off(without, with, 3 * width * height), 0};
 }
 
 /* --- b, c: which way rays leave a ball ---------------------------------------------------------
@@ -197,10 +201,10 @@ static Measured no_total(const Engine *engine, World world) {
     add_ball(scene, world, (Vector3){0, 0, 0}, 1);
     aim(scene, world, (Vector3){0, 0, 2.5}, (Vector3){0, 0, -1});
     scene->camera.fov = 50;
-    int zoom = engine->mantissa_bits == 113 ? 1 : 2;
+    int small = shrink(engine);
     RayCounts counts =
-        trace_picture(engine, scene, (Fineness){12, 0}, zoom * WIDTH, zoom * HEIGHT, rgb);
-    assert_true(counts.refract > 400);
+        trace_picture(engine, scene, (Fineness){12, 0}, 2 * WIDTH / small, 2 * HEIGHT / small, rgb);
+    assert_true(counts.refract > 100);
     // Rays that just touch the ball, where roundings count most.
     for (int i = 3; i < 24; i++) {
         aim(scene, world, (Vector3){0, 1 - pow(2, -i), 2}, (Vector3){0, 0, -1});
@@ -289,12 +293,13 @@ static Measured furnace(const Engine *engine, World world) {
     add_ball(scene, world, (Vector3){-1.1, 0, 0}, 1);
     add_ball(scene, world, (Vector3){1.1, 0, 0}, 1);
     use(scene, glass_of(1));
-    add_ball(scene, world, (Vector3){1.1, 0.2, 0}, 0.6);
-    aim(scene, world, (Vector3){0, 0, 4}, (Vector3){0, 0, -1});
-    // Far from the origin a ray that just touches may go round and round before it finds out.
-    trace_picture(engine, scene, (Fineness){DEPTH_MAXIMUM, 1e-8}, WIDTH, HEIGHT, rgb);
+    // In the middle: a bubble beside it turns rays that then never leave.
+    add_ball(scene, world, (Vector3){1.1, 0, 0}, 0.6);
+    aim(scene, world, (Vector3){0.03, 0.02, 4}, (Vector3){0, 0, -1});
+    int small = shrink(engine), width = WIDTH / small, height = HEIGHT / small;
+    trace_picture(engine, scene, (Fineness){96, 1e-9}, width, height, rgb);
     double worst = 0;
-    for (int i = 0; i < 3 * PIXELS; i++) {
+    for (int i = 0; i < 3 * width * height; i++) {
         worst = fmax(worst, fabs(rgb[i] - 1));
     }
     scene_destroy(scene);
@@ -343,12 +348,10 @@ static void acceptance(const Engine *engine) {
     for (size_t p = 0; p < sizeof points / sizeof *points; p++) {
         for (int w = 0; w < WORLDS; w++) {
             Measured m = points[p].measure(engine, worlds[w]);
-            printf("%-32s %-7s scale %-6g offset %-6g %10.3g of %.3g%s\n", points[p].name,
-                   engine->name, worlds[w].scale, worlds[w].offset, m.worst, m.mark,
-                   m.worst <= m.mark ? "" : " FAILS");
-            if (!getenv("GLASS_ALL"))
-                assert_at_most(m.worst, m.mark, "%s in %s, scale %g, offset %g", points[p].name,
-                               engine->name, worlds[w].scale, worlds[w].offset);
+            printf("%-32s %-7s scale %-6g offset %-6g %10.3g of %.3g\n", points[p].name,
+                   engine->name, worlds[w].scale, worlds[w].offset, m.worst, m.mark);
+            assert_at_most(m.worst, m.mark, "%s in %s, scale %g, offset %g", points[p].name,
+                           engine->name, worlds[w].scale, worlds[w].offset);
         }
     }
 }

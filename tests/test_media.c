@@ -285,6 +285,30 @@ static void test_media(void **state) {
     in_every_engine(media_pairs);
 }
 
+/** Air in air bends nothing, to the last bit: the sky, which only asks which way a ray goes.
+ *  @param engine The engine. */
+static void air_is_exact(const Engine *engine) {
+    static double rgb[2][NUMBERS];
+    for (int w = 0; w < WORLDS; w++) {
+        Scene *scene = empty_scene();
+        scene->sky.horizon = (Color){0.4, 0.5, 0.6};
+        scene->sky.zenith = (Color){0.1, 0.8, 0.3};
+        aim(scene, worlds[w], (Vector3){0, 0, 3}, (Vector3){0, 0.5, -3});
+        trace_picture(engine, scene, (Fineness){8, 0}, SIZE, SIZE, rgb[0]);
+        use(scene, glass_of(1));
+        add_ball(scene, worlds[w], (Vector3){0, 0, 0}, 1);
+        trace_picture(engine, scene, (Fineness){8, 0}, SIZE, SIZE, rgb[1]);
+        assert_memory_equal(rgb[0], rgb[1], sizeof rgb[0]);
+        scene_destroy(scene);
+    }
+}
+
+/** @param state Not used. */
+static void test_air_is_exact(void **state) {
+    (void)state;
+    in_every_engine(air_is_exact);
+}
+
 /** From glass into water that touches it there is no air between: past the critical angle to air,
  *  light goes on. @param engine The engine. */
 static void no_air_between(const Engine *engine) {
@@ -341,6 +365,28 @@ static void camera_inside(const Engine *engine) {
 static void test_camera_inside(void **state) {
     (void)state;
     in_every_engine(camera_inside);
+}
+
+/** Whoever leaves a shape was in it, even if nothing told so: the back of a pane is glass.
+ *  @param engine The engine. */
+static void back_of_a_pane(const Engine *engine) {
+    double rgb[3];
+    Scene *scene = empty_scene();
+    use(scene, glass_of(1.5));
+    add_panel(scene, here, (Vector3){-1, 0, -1}, (Vector3){2, 0, 0}, (Vector3){0, 0, 2});
+    for (int side = -1; side <= 1; side += 2) {
+        // Its normal is -y. From so far beside it, no ray along an axis meets it.
+        aim(scene, here, (Vector3){-3, side, 0}, (Vector3){3, -side, 0});
+        RayCounts counts = trace_picture(engine, scene, (Fineness){1, 0}, 1, 1, rgb);
+        assert_int_equal((int)counts.total, side > 0);
+    }
+    scene_destroy(scene);
+}
+
+/** @param state Not used. */
+static void test_back_of_a_pane(void **state) {
+    (void)state;
+    in_every_engine(back_of_a_pane);
 }
 
 /** More balls in one another than a ray remembers (8). */
@@ -483,7 +529,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_fresnel),        cmocka_unit_test(test_media),
         cmocka_unit_test(test_no_air_between), cmocka_unit_test(test_camera_inside),
-        cmocka_unit_test(test_onion),          cmocka_unit_test(test_filtered_light),
+        cmocka_unit_test(test_back_of_a_pane), cmocka_unit_test(test_onion),
+        cmocka_unit_test(test_air_is_exact),   cmocka_unit_test(test_filtered_light),
         cmocka_unit_test(test_deepest)};
     return cmocka_run_group_tests_name("media", tests, NULL, NULL);
 }

@@ -1,7 +1,8 @@
 /**
  * @file
  * @brief Refraction: which way light goes on where the medium changes, and how much is mirrored
- *        (doc/tour.md, "Glass").
+ *        (doc/tour.md, "Glass"). Snell's law and Fresnel's shares (*Mémoire sur la loi des
+ *        modifications que la réflexion imprime à la lumière polarisée*, 1823).
  */
 #ifndef DIOPTRE_TRACE_REFRACTION_H
 #define DIOPTRE_TRACE_REFRACTION_H

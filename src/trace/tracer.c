@@ -1,6 +1,7 @@
 /**
  * @file
- * @brief The recursive tracer: light, shadow, mirrors and glass.
+ * @brief The recursive tracer: light, shadow, mirrors and glass (Whitted, *An
+ *        Improved Illumination Model for Shaded Display*, 1980).
  */
 #include "trace/tracer.h"
 

@@ -63,6 +63,7 @@ INLINE void media_cross(const Encounter *met, int v, mask lanes, integer *before
 static unsigned crossing_approach(const Departure *departure, const Encounter *met,
                                   Approach *approach, Crossing *crossing) {
     unsigned count = 0;
+    approach->jumps.wants_points = true;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         Surfaces surfaces = surfaces_gather(met->surfaces, &met->materials[v], met->met[v]);
         mask through = met->met[v] & (light3_largest(surfaces.through) > 0);

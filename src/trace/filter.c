@@ -58,6 +58,7 @@ static void filter_once(const Surface *surfaces, const ShapeList *list, const De
 void filter_shadows(const Surface *surfaces, const ShapeList *list, const Departure *departure,
                     const Packet *shadow, mask *blocked, Light3 *visible) {
     Packet path = *shadow;
+    path.wants_points = true;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         path.active[v] &= blocked[v];
         visible[v] = (Light3){real_of(1), real_of(1), real_of(1)};

@@ -109,6 +109,7 @@ INLINE unsigned mirror_rays(const Tracer *tracer, const Encounter *met, const Cr
  */
 INLINE unsigned refract_rays(const Tracer *tracer, const Encounter *met, const Crossing *crossing,
                              const real *weight, Onward *refracted) {
+    refracted->packet.wants_points = true;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         Surfaces surfaces = surfaces_gather(met->surfaces, &met->materials[v], met->met[v]);
         Light3 share = crossing_refracted(crossing, v, &surfaces);

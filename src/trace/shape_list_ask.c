@@ -149,18 +149,28 @@ typedef struct Visit {
     void *found;          /**< Handed to it. */
 } Visit;
 
-/** Visits the shapes of a leaf. See #TreeOwner.ask. @param items The list. @param first Block.
- *  @param count Blocks. @param packet The rays. @param v Which vector. @param lanes Which lanes.
- *  @param[in,out] found A #Visit. @return How far they look: all of the way. */
-static real leaf_visit(const void *items, size_t first, size_t count, const Packet *packet, int v,
-                       unsigned lanes, void *found) {
+/** Visits the shapes of a leaf. See #TreeOwner.ask. @param items The list. @param leaf The leaf.
+ *  @param rays The rays; they look all of the way. @param[in,out] found A #Visit. */
+static void leaf_visit(const void *items, TreeLeaf leaf, const TreeRays *rays, void *found) {
     const ShapeList *list = items;
     const Visit *visit = found;
-    for (size_t i = first; i < first + count; i++) {
+    for (size_t i = leaf.first; i < leaf.first + leaf.count; i++) {
         const Shape *shape = list->shapes[list->tree.order[i]];
-        visit->visitor(shape, packet, v, mask_of_bits(lanes), visit->found);
+        visit->visitor(shape, rays->packet, rays->vector, mask_of_bits(rays->lanes), visit->found);
     }
-    return packet->limit[v];
+}
+
+/** Visits the shapes of the tree, if there is one. @param list The shapes. @param packet The rays.
+ *  @param visit The visit. */
+static void tree_visit_all(const ShapeList *list, const Packet *packet, Visit *visit) {
+    const TreeOwner owner = {.items = list, .ask = leaf_visit};
+    real limits[PACKET_VECTORS];
+    if (list->tree.nodes) {
+        for (int v = 0; v < PACKET_VECTORS; v++) {
+            limits[v] = packet->limit[v];
+        }
+        tree_visit(&list->tree, packet, limits, &owner, visit);
+    }
 }
 
 /* --- all shapes ------------------------------------------------------------------------------ */
@@ -219,9 +229,6 @@ void shape_list_visit(const ShapeList *list, const Packet *packet, ShapeVisitor 
             }
         }
     }
-    if (list->tree.nodes) {
-        const TreeOwner owner = {.items = list, .ask = leaf_visit};
-        Visit visit = {visitor, found};
-        tree_visit(&list->tree, packet, packet->limit, &owner, &visit);
-    }
+    Visit visit = {visitor, found};
+    tree_visit_all(list, packet, &visit);
 }

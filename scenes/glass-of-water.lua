@@ -10,8 +10,9 @@ local glass = material { transparency = 1, ior = 1.5 }
 local water = material { transparency = {0.96, 0.98, 1.0}, ior = 1.33 }
 local air = material { transparency = 1, ior = 1 }
 
-camera { position = {0.4, 2.1, 5.6}, look_at = {0.25, 0.95, 0}, fov = 38 }
-image { width = 800, height = 600, samples = 16, depth = 16 }
+camera { position = {0.3, 2.2, 6.4}, look_at = {0.15, 0.98, 0}, fov = 38 }
+-- depth: from the air into glass, into water and out again are four surfaces, and some light goes to and fro.
+image { width = 800, height = 600, samples = 4, depth = 12 }
 
 ambient(0.25)
 light { position = {-4, 7, 3}, intensity = 0.8 }
@@ -24,7 +25,12 @@ for i = -8, 7 do
   quad { corner = {-6, 0, 0.5 * i - 1}, u = {0, 0, 0.47}, v = {12, 0, 0},
          material = material { color = {0.50 * shade, 0.30 * shade, 0.16 * shade}, specular = 0.15, shininess = 30 } }
 end
-plane { point = {0, -0.02, 0}, material = material { color = {0.12, 0.07, 0.04} } }
+plane { point = {0, -0.02, 0}, material = material { color = {0.20, 0.13, 0.08} } }
+-- A wall behind, with stripes to look at through the glass.
+for i = -9, 8 do
+  local tone = i % 2 == 0 and {0.55, 0.62, 0.60} or {0.46, 0.54, 0.53}
+  quad { corner = {0.5 * i, 0, -4}, u = {0.5, 0, 0}, v = {0, 6, 0}, material = material { color = tone } }
+end
 
 -- The tumbler, its hollow, the water up to 1.45, and the bubbles in it.
 cylinder { base = {0, 0.002, 0}, top = {0, 2, 0}, radius = 0.75, material = glass }

@@ -103,7 +103,7 @@ static void triangle_take(const Model *model, size_t b, int lane, const TreeRays
 /** Which rays pass inside of which triangles of a block. */
 typedef struct BlockInside {
     unsigned triangles;   /**< Bit i set: some ray passes inside of triangle i. */
-    uint16_t rays[LANES]; /**< For each triangle: bit i set: ray i does. */
+    uint16_t rays[LANES];  /**< For each triangle: bit i set: ray i does. */
 } BlockInside;
 
 /** @return Which rays pass inside of the triangles of a block. @param block The block. @param ray
@@ -142,7 +142,8 @@ INLINE void block_ask_along(const Model *model, size_t b, const TreeRays *rays, 
 /** Asks the triangles of a leaf, one by one, about rays. @param model The model. @param leaf The
  *  leaf. @param rays The rays. @param[in,out] hits What was met. */
 static void leaf_ask_all(const Model *model, TreeLeaf leaf, const TreeRays *rays, ModelHits *hits) {
-    MainAxes along = shear_main_axes(&rays->packet->rays[rays->vector], mask_of_bits(rays->lanes));
+    MainAxes along =
+        shear_main_axes(&rays->packet->rays[rays->vector], mask_of_bits(rays->lanes));
     bool any_x = any(along.x), any_y = any(along.y), any_z = any(along.z);
     for (size_t b = leaf.first; b < leaf.first + leaf.count; b++) {
         if (any_x) {
@@ -215,8 +216,8 @@ typedef struct Nearest {
  *  triangle. @param distance How far away it is met. @param[in,out] best What was met. */
 INLINE void one_take(const Model *model, int slot, scalar distance, Nearest *best) {
     uint32_t triangle = model->blocks[slot / LANES].triangles[slot % LANES];
-    bool is_first = best->slot < 0 ||
-                    triangle < model->blocks[best->slot / LANES].triangles[best->slot % LANES];
+    bool is_first =
+        best->slot < 0 || triangle < model->blocks[best->slot / LANES].triangles[best->slot % LANES];
     if (distance < best->distance || (distance == best->distance && is_first)) {
         *best = (Nearest){distance, slot};
     }

@@ -39,8 +39,7 @@ static void journey_push(Journey *journey, int first, Waiting entry) {
     journey->stack[i] = entry;
 }
 
-/** Finds the rays that meet a child's box. @param journey The journey. @param box The box, in all
- * lanes.
+/** Finds the rays that meet a child's box. @param journey The journey. @param box The box, in all lanes.
  *  @param lanes The rays that reached the node. @param[out] meeting Those that meet the box.
  *  @return Whether there are any. */
 static bool child_meets(const Journey *journey, const BoundsBlock *box, const Lanes *lanes,

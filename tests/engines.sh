@@ -46,4 +46,8 @@ same "$work/clang.bmp" "$work/f32x4.bmp" 'gcc and clang give the same bits'
 build/clang/dioptre render "$shapes" -o "$work/clang.bmp" -s 192x144 --samples 2 --engine f32x4
 draw_shapes f32x4
 same "$work/clang.bmp" "$work/shapes-f32x4.bmp" 'gcc and clang give the same bits for all shapes'
+glass=scenes/glass-of-water.lua
+build/clang/dioptre render "$glass" -o "$work/clang.bmp" -s 96x72 --samples 1 --engine f32x4
+"$dioptre" render "$glass" -o "$work/glass.bmp" -s 96x72 --samples 1 --engine f32x4
+same "$work/clang.bmp" "$work/glass.bmp" 'gcc and clang give the same bits through glass'
 finish

@@ -5,8 +5,8 @@
  *
  * Where shapes overlap, the one that comes later in the scene is there, and the earlier is not: a
  * bubble is a ball of air after the glass that it is in. So a ray need not know in which order it
- * has entered shapes, only which ones it is in (Schmidt and Budge, *Simple Nested Dielectrics in Ray
- * Traced Images*, 2002, with the scene's order as priority).
+ * has entered shapes, only which ones it is in (Schmidt and Budge, *Simple Nested Dielectrics in
+ * Ray Traced Images*, 2002, with the scene's order as priority).
  */
 #ifndef DIOPTRE_TRACE_MEDIA_H
 #define DIOPTRE_TRACE_MEDIA_H

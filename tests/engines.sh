@@ -51,4 +51,8 @@ for program in build/dioptre build/clang/dioptre; do
 done
 same "$work/build-dioptre.bmp" "$work/build-clang-dioptre.bmp" 'gcc and clang give the same bits for pictures'
 same "$work/clang.bmp" "$work/shapes-f32x4.bmp" 'gcc and clang give the same bits for all shapes'
+glass=scenes/glass-of-water.lua
+build/clang/dioptre render "$glass" -o "$work/clang.bmp" -s 96x72 --samples 1 --engine f32x4
+"$dioptre" render "$glass" -o "$work/glass.bmp" -s 96x72 --samples 1 --engine f32x4
+same "$work/clang.bmp" "$work/glass.bmp" 'gcc and clang give the same bits through glass'
 finish

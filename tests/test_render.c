@@ -20,15 +20,17 @@ static void test_threads(void **state) {
     scene_destroy(scene);
 }
 
-/** Sixteen lanes, eight, four and one draw the same picture: of a list of shapes, of mirrors, of a
- *  model in a list, of models and many shapes in a tree, of pictures. @param state Not used. */
+/** Sixteen lanes, eight, four and one draw the same picture: of a list of shapes, of mirrors, of
+ *  glass, of a model in a list, of models and many shapes in a tree, of pictures.
+ *  @param state Not used. */
 static void test_lanes(void **state) {
     (void)state;
-    static const char *const scenes[] = {"scenes/box.lua",        "scenes/figure-08.lua",
-                                         "scenes/figure-09.lua",  "scenes/facing-mirrors.lua",
-                                         "scenes/teapot.lua",     "scenes/figure-16.lua",
-                                         "scenes/figure-19.lua",  "scenes/report-d-pictures.lua",
-                                         "scenes/painted-cow.lua"};
+    static const char *const scenes[] = {"scenes/box.lua",           "scenes/figure-08.lua",
+                                         "scenes/figure-09.lua",     "scenes/facing-mirrors.lua",
+                                         "scenes/teapot.lua",        "scenes/figure-16.lua",
+                                         "scenes/figure-19.lua",     "scenes/report-d-pictures.lua",
+                                         "scenes/painted-cow.lua",   "scenes/glass-sphere.lua",
+                                         "scenes/glass-of-water.lua"};
     static const char *const engines[] = {"f32x1", "f32x4", "f32x8", "f32x16", "f64x1", "f64x4"};
     link_module("dioptre-meshes.so");
     link_module("dioptre-images.so");

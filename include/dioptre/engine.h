@@ -53,10 +53,11 @@ typedef enum {
 
 /** What a tracer is told besides the scene. */
 typedef struct TraceSettings {
-    int depth;   /**< How often a ray may be mirrored. */
+    int depth;   /**< How often a ray may be mirrored or refracted. */
     int samples; /**< Rays a pixel; with more than one, balls of light give soft shadows. */
     OffsetStrategy offset; /**< Where secondary rays start. */
     double epsilon;        /**< For #OFFSET_FIXED: how far away, scene units. */
+    double cutoff;         /**< Weight below which a ray ends; 0: where it cannot change 8 bits. */
     Crew crew;             /**< Who prepares the tracer. */
     TreeUse tree;          /**< Whether the shapes get a tree; the triangles of a mesh always do. */
 } TraceSettings;
@@ -85,10 +86,17 @@ typedef struct PixelGrid {
 
 /** How many rays were traced. */
 typedef struct RayCounts {
-    uint64_t camera; /**< From the camera. */
-    uint64_t mirror; /**< Mirrored. */
-    uint64_t shadow; /**< To a light. */
+    uint64_t camera;  /**< From the camera. */
+    uint64_t mirror;  /**< Mirrored. */
+    uint64_t refract; /**< Refracted. */
+    uint64_t shadow;  /**< To a light. */
+    uint64_t total;   /**< How often there was no way to refract a ray: not rays of their own. */
 } RayCounts;
+
+/** @return How many rays were traced in all. @param counts Rays. */
+static inline uint64_t ray_counts_sum(const RayCounts *counts) {
+    return counts->camera + counts->mirror + counts->refract + counts->shadow;
+}
 
 /** A ray as a question to an engine from outside. */
 typedef struct RayQuery {

@@ -17,6 +17,8 @@ typedef struct Material {
     double specular;    /**< Weight of each light's highlight (Phong). */
     double shininess;   /**< Exponent of the highlight: the larger, the smaller it is. */
     Color reflectivity; /**< Share of light that is mirrored, 0 to 1. */
+    Color transparency; /**< Share of light that is let through; 1 at most with #reflectivity. */
+    double ior;         /**< Index of refraction inside; 1 is air. */
     Color emission;     /**< Light of its own. */
 } Material;
 
@@ -25,5 +27,8 @@ extern const Keyword material_keyword;
 
 /** @return Whether a surface mirrors anything. @param material A material. */
 bool material_is_mirror(const Material *material);
+
+/** @return Whether a surface lets anything through. @param material A material. */
+bool material_is_transparent(const Material *material);
 
 #endif

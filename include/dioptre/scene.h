@@ -22,7 +22,7 @@
 enum { IMAGE_SIZE_MAXIMUM = 16384 };
 /** Largest number of rays a pixel. */
 enum { SAMPLES_MAXIMUM = 65536 };
-/** Largest number of times that a ray may be mirrored: a guard for the stack. */
+/** Largest number of times that a ray may be mirrored or refracted: a guard for the stack. */
 enum { DEPTH_MAXIMUM = 256 };
 
 /** Size and quality of the picture that a scene asks for. Filled through #image_keyword. */
@@ -31,7 +31,7 @@ typedef struct Image {
     int height;   /**< Pixels, 1 to #IMAGE_SIZE_MAXIMUM. */
     int encoding; /**< An #Encoding. */
     int samples;  /**< Rays a pixel, 1 to #SAMPLES_MAXIMUM. */
-    int depth;    /**< How often a ray may be mirrored, 0 to #DEPTH_MAXIMUM. */
+    int depth;    /**< How often a ray may be mirrored or refracted, 0 to #DEPTH_MAXIMUM. */
 } Image;
 
 /** The scene language's `image`. */
@@ -173,6 +173,8 @@ bool scene_has_mirrors(const Scene *scene);
 
 /** @return Whether any shape of a scene shows a picture. @param scene A scene. */
 bool scene_has_textures(const Scene *scene);
+/** @return Whether any shape of a scene lets light through. @param scene A scene. */
+bool scene_has_glass(const Scene *scene);
 
 /** @return Whether any shape of a scene has highlights. @param scene A scene. */
 bool scene_has_highlights(const Scene *scene);

@@ -57,7 +57,7 @@ static bool bench_measure(Renderer *renderer, BenchRays rays, int frames, Bench 
                      .ms_min = ms[0],
                      .ms_median = (ms[(frames - 1) / 2] + ms[frames / 2]) / 2,
                      .camera = report.rays.camera,
-                     .rays = report.rays.camera + report.rays.mirror + report.rays.shadow};
+                     .rays = ray_counts_sum(&report.rays)};
     free(ms);
     return report.is_finished || error_set(error, STATUS_INTERRUPTED, "interrupted");
 }

@@ -8,12 +8,13 @@
 #include <string.h>
 
 /** Most kinds of shape that are counted apart, and most things that can be left out. */
-enum { KINDS_MAXIMUM = 64, LEFT_MAXIMUM = 7 };
+enum { KINDS_MAXIMUM = 64, LEFT_MAXIMUM = 8 };
 
 /** What is said of a scene. */
 typedef struct Info {
     size_t kinds[KINDS_MAXIMUM]; /**< Shapes of each class. */
     size_t mirrors;              /**< Shapes that mirror. */
+    size_t glass;                /**< Shapes that let light through. */
     size_t highlights;           /**< Shapes with highlights. */
     bool has_gradient;           /**< Whether the sky has two colours. */
     TracerContents contents;     /**< What the tracer is made of. */
@@ -27,6 +28,7 @@ static Info info_of(const Scene *scene) {
         const Material *material = &scene->materials[scene->shapes[i].material];
         info.kinds[scene->shapes[i].kind]++;
         info.mirrors += material_is_mirror(material);
+        info.glass += material_is_transparent(material);
         info.highlights += material->specular > 0;
     }
     return info;
@@ -51,8 +53,11 @@ static const char *engine_reason(const Options *options, const Engine *engine) {
  */
 static int info_left_out(const Scene *scene, const Info *info, const char *left[LEFT_MAXIMUM]) {
     int count = 0;
-    if (info->mirrors == 0) {
+    if (info->mirrors + info->glass == 0) {
         left[count++] = "recursion";
+    }
+    if (info->glass == 0) {
+        left[count++] = "media";
     }
     if (info->highlights == 0) {
         left[count++] = "highlights";
@@ -196,11 +201,12 @@ static void info_print_json(const Scene *scene, const Info *info, const RenderSe
         }
     }
     printf("}, \"shape_count\": %zu, \"lights\": %zu, \"materials\": %zu, \"mirrors\": %zu, "
-           "\"highlights\": %zu, \"width\": %d, \"height\": %d, \"samples\": %d, \"depth\": %d, "
+           "\"glass\": %zu, \"highlights\": %zu, \"width\": %d, \"height\": %d, \"samples\": %d, "
+           "\"depth\": %d, "
            "\"engine\": \"%s\", \"engine_reason\": \"%s\", \"threads\": %d, \"offset\": \"%s\", "
            "\"left_out\": [",
            scene->shape_count, scene->light_count, scene->material_count - 1, info->mirrors,
-           info->highlights, settings->width, settings->height, settings->samples,
+           info->glass, info->highlights, settings->width, settings->height, settings->samples,
            settings->trace.depth, settings->engine->name, engine_reason(options, settings->engine),
            settings->threads, offset_name(settings->trace.offset));
     for (int i = 0; i < left_count; i++) {
@@ -228,8 +234,8 @@ static void info_print(const Scene *scene, const Info *info, const RenderSetting
     info_print_meshes(scene);
     info_print_textures(scene);
     printf("lights     %zu\nmaterials  %zu\n", scene->light_count, scene->material_count - 1);
-    printf("mirrors    %zu shapes, depth %d\n", info->mirrors,
-           info->mirrors ? settings->trace.depth : 0);
+    printf("mirrors    %zu shapes, glass %zu, depth %d\n", info->mirrors, info->glass,
+           info->mirrors + info->glass ? settings->trace.depth : 0);
     printf("picture    %d x %d, %d ray%s a pixel\n", settings->width, settings->height,
            settings->samples, settings->samples == 1 ? "" : "s");
     printf("engine     %s: %s\n", settings->engine->name, engine_reason(options, settings->engine));

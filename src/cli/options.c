@@ -26,7 +26,7 @@ static const OptionRow option_rows[] = {
     {'s', true, "size", "WxH", "size of the picture, pixels"},
     {'A', false, "samples", "N", "rays a pixel"},
     {'S', false, "sampling", "WAY", "adaptive or full: whether every pixel gets all its rays"},
-    {'D', false, "depth", "N", "how often a ray may be mirrored"},
+    {'D', false, "depth", "N", "how often a ray may be mirrored or refracted"},
     {'t', true, "time", "SECONDS", "the scene's t"},
     {'j', true, "threads", "N", "worker threads (default: all cores)"},
     {'E', false, "engine", "NAME", "auto, f32x16, f32x8, f32x4, f32x1, f64x4, f64x1 or f128x1"},

@@ -347,6 +347,8 @@ static void block_end(Drawing *drawing, BlockWork *work) {
     }
     atomic_fetch_add_explicit(&drawing->camera, work->rays.camera, memory_order_relaxed);
     atomic_fetch_add_explicit(&drawing->mirror, work->rays.mirror, memory_order_relaxed);
+    atomic_fetch_add_explicit(&drawing->refract, work->rays.refract, memory_order_relaxed);
+    atomic_fetch_add_explicit(&drawing->total, work->rays.total, memory_order_relaxed);
     atomic_fetch_add_explicit(&drawing->shadow, work->rays.shadow, memory_order_relaxed);
 }
 
@@ -396,5 +398,7 @@ bool drawing_pass(Drawing *drawing, Workers *workers) {
 RayCounts drawing_rays(const Drawing *drawing) {
     return (RayCounts){.camera = atomic_load(&drawing->camera),
                        .mirror = atomic_load(&drawing->mirror),
+                       .refract = atomic_load(&drawing->refract),
+                       .total = atomic_load(&drawing->total),
                        .shadow = atomic_load(&drawing->shadow)};
 }

@@ -24,22 +24,24 @@ typedef struct Pass {
 
 /** A picture being drawn. */
 typedef struct Drawing {
-    const Engine *engine;    /**< The engine. */
-    const Tracer *tracer;    /**< Its tracer. */
-    const Encoder *encoder;  /**< From light to 8 bits. */
-    int width;               /**< Pixels. */
-    int height;              /**< Pixels. */
-    Pass pass;               /**< The pass that is being drawn. */
-    int samples;             /**< Samples a pixel that are wanted, at most. */
-    Tally *tally;            /**< What is known of every pixel; NULL: not kept. */
-    Picture *picture;        /**< Where the encoded colours go; NULL: nowhere. */
-    bool is_shown;           /**< Whether the picture holds the pass before. */
-    const atomic_bool *stop; /**< The blocks left are passed over once it is true; may be NULL. */
-    atomic_size_t *done;     /**< Counts the rays of pixels that are done. */
-    atomic_size_t *all;      /**< Rays of pixels that there are to do. */
-    _Atomic uint64_t camera; /**< Rays from the camera. */
-    _Atomic uint64_t mirror; /**< Mirrored rays. */
-    _Atomic uint64_t shadow; /**< Shadow rays. */
+    const Engine *engine;     /**< The engine. */
+    const Tracer *tracer;     /**< Its tracer. */
+    const Encoder *encoder;   /**< From light to 8 bits. */
+    int width;                /**< Pixels. */
+    int height;               /**< Pixels. */
+    Pass pass;                /**< The pass that is being drawn. */
+    int samples;              /**< Samples a pixel that are wanted, at most. */
+    Tally *tally;             /**< What is known of every pixel; NULL: not kept. */
+    Picture *picture;         /**< Where the encoded colours go; NULL: nowhere. */
+    bool is_shown;            /**< Whether the picture holds the pass before. */
+    const atomic_bool *stop;  /**< The blocks left are passed over once it is true; may be NULL. */
+    atomic_size_t *done;      /**< Counts the rays of pixels that are done. */
+    atomic_size_t *all;       /**< Rays of pixels that there are to do. */
+    _Atomic uint64_t camera;  /**< Rays from the camera. */
+    _Atomic uint64_t mirror;  /**< Mirrored rays. */
+    _Atomic uint64_t refract; /**< Refracted rays. */
+    _Atomic uint64_t total;   /**< Total reflections. */
+    _Atomic uint64_t shadow;  /**< Shadow rays. */
 } Drawing;
 
 /**

@@ -209,9 +209,11 @@ bool scene_transform_shape(Scene *scene, const Transform *transform, Error *erro
     return copy != NULL;
 }
 
-bool scene_has_mirrors(const Scene *scene) {
+/** @return Whether the material of any shape is of a kind. @param scene The scene. @param is_it
+ *  Whether one is. */
+static bool scene_has_any(const Scene *scene, bool (*is_it)(const Material *)) {
     for (size_t i = 0; i < scene->shape_count; i++) {
-        if (material_is_mirror(&scene->materials[scene->shapes[i].material])) {
+        if (is_it(&scene->materials[scene->shapes[i].material])) {
             return true;
         }
     }
@@ -225,6 +227,14 @@ bool scene_has_textures(const Scene *scene) {
         }
     }
     return false;
+}
+
+bool scene_has_mirrors(const Scene *scene) {
+    return scene_has_any(scene, material_is_mirror);
+}
+
+bool scene_has_glass(const Scene *scene) {
+    return scene_has_any(scene, material_is_transparent);
 }
 
 bool scene_has_highlights(const Scene *scene) {

@@ -6,6 +6,12 @@
 
 #include <stdlib.h>
 
+/**
+ * Weight below which a ray cannot change the picture: half a step of 8 bits, 1 / 510, at the dark
+ * end of the sRGB curve, where the slope is 12.92.
+ */
+#define WEIGHT_CUTOFF 1.5e-4
+
 /** @return The sky in the engine's number type. @param sky The sky. */
 static Backdrop backdrop_of(const Sky *sky) {
     Color rise = {sky->zenith.red - sky->horizon.red, sky->zenith.green - sky->horizon.green,
@@ -21,6 +27,7 @@ static void engine_release(Tracer *tracer) {
         shape_list_release(&tracer->list);
         models_release(&tracer->models);
         textures_release(&tracer->textures);
+        glass_release(&tracer->glass);
         free(tracer->surfaces);
         free(tracer->lamps);
         glow_release(&tracer->glow);
@@ -39,6 +46,7 @@ static void *vector_allocate(size_t size) {
  *  @param tracer The tracer. @param scene The scene. @param width Pixels. @param height Pixels. */
 static void engine_look(Tracer *tracer, const Scene *scene, int width, int height) {
     tracer->eye = eye_of(&scene->camera, width, height);
+    glass_look(&tracer->glass, &tracer->list, tracer->eye.origin);
     for (size_t i = 0; i < tracer->lamp_count; i++) {
         tracer->lamps[i] = lamp_of(&scene->lights[i], tracer->samples);
         tracer->is_soft = tracer->is_soft || tracer->lamps[i].is_soft;
@@ -54,16 +62,18 @@ static Tracer *tracer_create(const Scene *scene, const TraceSettings *settings, 
         error_set(error, STATUS_FAILED, "no memory for a tracer");
         return NULL;
     }
+    bool is_recursive = scene_has_mirrors(scene) || scene_has_glass(scene);
     *tracer = (Tracer){.backdrop = backdrop_of(&scene->sky),
                        .lamp_count = scene->light_count,
-                       .depth = scene_has_mirrors(scene) ? settings->depth : 0,
+                       .depth = is_recursive ? settings->depth : 0,
+                       .cutoff = (scalar)(settings->cutoff > 0 ? settings->cutoff : WEIGHT_CUTOFF),
                        .samples = settings->samples,
                        .shines = scene_has_highlights(scene),
                        .departure = {settings->offset, (scalar)settings->epsilon}};
     tracer->lamps = vector_allocate((scene->light_count + 1) * sizeof(Lamp));
     tracer->surfaces = vector_allocate(scene->material_count * sizeof(Surface));
     if (!tracer->lamps || !tracer->surfaces || !glow_init(&tracer->glow, scene, error) ||
-        !textures_init(&tracer->textures, scene, error) ||
+        !textures_init(&tracer->textures, scene, error) || !glass_init(&tracer->glass, scene) ||
         !models_init(&tracer->models, scene, &settings->crew, error) ||
         !shape_list_init(&tracer->list, scene, &tracer->models, settings, error)) {
         error_set(error, STATUS_FAILED, "no memory for the scene");

@@ -68,12 +68,18 @@ static uint32_t pixel_number(const PixelGrid *grid, int column, int row) {
  */
 static void packet_trace(const GridTrace *trace, Packet *packet, const uint32_t *pixels,
                          Light3 *colors) {
+    const Glass *glass = &trace->tracer->glass;
     real weight[PACKET_VECTORS];
+    Media media[PACKET_VECTORS];
     for (int v = 0; v < PACKET_VECTORS; v++) {
         weight[v] = real_of(1);
     }
+    for (int v = 0; glass->indices && v < PACKET_VECTORS; v++) {
+        media[v] = glass->at_eye;
+    }
     packet->lineage = (Lineage){.pixels = pixels, .sample = (uint32_t)trace->grid->sample};
-    tracer_follow(trace->tracer, packet, weight, trace->tracer->depth, colors, trace->counts);
+    tracer_follow(trace->tracer, packet, glass->indices ? media : NULL, weight,
+                  trace->tracer->depth, colors, trace->counts);
 }
 
 /** Traces a packet of a grid. @param trace The grid. @param column The packet's first column.

@@ -73,7 +73,7 @@ INLINE void aim_at_point(const Lamp *lamp, bool is_sun, const Departure *departu
         Vector origin = departure_origin(departure, hit, way);
         shine->shadow.rays[v] = ray_of(origin, is_sun ? way : vector_subtract(lamp->place, origin));
         shine->shadow.limit[v] = real_of(lamp->reach);
-        shine->shadow.active[v] = met->met[v] & (cosine > 0);
+        shine->shadow.active[v] = met->lit[v] & (cosine > 0);
         shine->cosine[v] = cosine;
         shine->distance_squared[v] = distance_squared;
     }
@@ -173,8 +173,8 @@ static void aim_at_ball(const Lamp *lamp, size_t number, const Departure *depart
     real radius_squared = real_of(lamp->radius * lamp->radius);
     for (int v = 0; v < PACKET_VECTORS; v++) {
         const Hit *hit = &met->hits[v];
-        shine->shadow.active[v] = met->met[v];
-        if (!any(met->met[v])) {
+        shine->shadow.active[v] = met->lit[v];
+        if (!any(met->lit[v])) {
             continue;
         }
         Vector way = vector_subtract(lamp->place, hit->point);

@@ -29,6 +29,7 @@ typedef struct Shine {
     real cosine[PACKET_VECTORS];           /**< n . l, above 0 where active. */
     real distance_squared[PACKET_VECTORS]; /**< To it, squared. */
     real weight[PACKET_VECTORS];           /**< Of the ray among all to a soft lamp's ball. */
+    Light3 visible[PACKET_VECTORS];        /**< The share that glass leaves, if there is any. */
 } Shine;
 
 /**

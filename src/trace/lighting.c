@@ -2,6 +2,7 @@
  * @file
  * @brief Light and shadow.
  */
+#include "trace/filter.h"
 #include "trace/lamp.h"
 
 /**
@@ -16,6 +17,12 @@ INLINE real highlight(const Encounter *met, int v, Vector to_lamp, real cosine, 
     Vector mirrored = vector_subtract(vector_scale(met->facing[v], 2 * cosine), to_lamp);
     real along = real_max(-vector_dot(mirrored, met->packet->rays[v].direction), real_of(0));
     return surface_power(real_min(along, real_of(1)), shininess);
+}
+
+/** @return The light of a lamp that reaches points, but for its distance. @param lamp The lamp.
+ *  @param shine What it would give. @param v Which vector of points. @param met The points. */
+INLINE Light3 shine_light(const Lamp *lamp, const Shine *shine, int v, const Encounter *met) {
+    return met->media ? light3_multiply(lamp->light, shine->visible[v]) : lamp->light;
 }
 
 /**
@@ -36,8 +43,8 @@ static void highlight_add(const Lamp *lamp, const Shine *shine, int v, mask reac
         Vector to_lamp = lamp_direction(lamp, shine, v, met->hits[v].point);
         real bright = highlight(met, v, to_lamp, shine->cosine[v], surfaces.shininess);
         bright = real_select(shiny, share * bright, real_of(0));
-        lighting->highlight[v] =
-            light3_add(lighting->highlight[v], light3_scale(lamp->light, bright));
+        lighting->highlight[v] = light3_add(lighting->highlight[v],
+                                            light3_scale(shine_light(lamp, shine, v, met), bright));
     }
 }
 
@@ -59,7 +66,8 @@ static void shine_add(const Lamp *lamp, const Shine *shine, const mask *blocked,
         }
         real share = lamp_share(lamp, shine, v);
         real bright = real_select(reached, share * shine->cosine[v], real_of(0));
-        lighting->matt[v] = light3_add(lighting->matt[v], light3_scale(lamp->light, bright));
+        lighting->matt[v] =
+            light3_add(lighting->matt[v], light3_scale(shine_light(lamp, shine, v, met), bright));
         if (shines) {
             highlight_add(lamp, shine, v, reached, share, met, lighting);
         }
@@ -81,6 +89,10 @@ uint64_t lighting_gather(const ShapeList *list, const Lamp *lamps, size_t lamp_c
         unsigned count = packet_count(&shine.shadow);
         if (count > 0) {
             shape_list_blocked(list, &shine.shadow, blocked);
+            if (met->media) {
+                filter_shadows(met->surfaces, list, departure, &shine.shadow, blocked,
+                               shine.visible);
+            }
             shine_add(&lamps[i], &shine, blocked, shines, met, lighting);
             rays += count;
         }

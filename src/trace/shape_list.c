@@ -107,7 +107,7 @@ static size_t tree_shapes(const Scene *scene, const TraceSettings *settings) {
     if (settings->tree != TREE_AUTO) {
         return settings->tree == TREE_ALWAYS ? 1 : SIZE_MAX;
     }
-    bool is_mirrored = settings->depth > 0 && scene_has_mirrors(scene);
+    bool is_mirrored = settings->depth > 0 && (scene_has_mirrors(scene) || scene_has_glass(scene));
     return is_mirrored ? TREE_SHAPES_MIRRORED : TREE_SHAPES;
 }
 

@@ -57,4 +57,25 @@ void shape_list_nearest(const ShapeList *list, const Packet *packet, Hit *hits);
  */
 void shape_list_blocked(const ShapeList *list, const Packet *packet, mask *blocked);
 
+/**
+ * Asked about each shape that rays may meet.
+ * @param shape   The shape.
+ * @param packet  The rays.
+ * @param v       Which vector of them.
+ * @param active  Which lanes.
+ * @param[in,out] found  What the visitor keeps.
+ */
+typedef void (*ShapeVisitor)(const Shape *shape, const Packet *packet, int v, mask active,
+                             void *found);
+
+/**
+ * Visits all shapes that rays of a packet may meet before their limit, in no order.
+ * @param list    The shapes.
+ * @param packet  The rays, at least one active.
+ * @param visitor  Asked about each.
+ * @param[in,out] found  Handed to the visitor.
+ */
+void shape_list_visit(const ShapeList *list, const Packet *packet, ShapeVisitor visitor,
+                      void *found);
+
 #endif

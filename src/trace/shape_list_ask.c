@@ -143,6 +143,36 @@ static void tree_blocked(const ShapeList *list, const Packet *packet, mask *bloc
     }
 }
 
+/** A visit under way. */
+typedef struct Visit {
+    ShapeVisitor visitor; /**< Who is asked. */
+    void *found;          /**< Handed to it. */
+} Visit;
+
+/** Visits the shapes of a leaf. See #TreeOwner.ask. @param items The list. @param leaf The leaf.
+ *  @param rays The rays; they look all of the way. @param[in,out] found A #Visit. */
+static void leaf_visit(const void *items, TreeLeaf leaf, const TreeRays *rays, void *found) {
+    const ShapeList *list = items;
+    const Visit *visit = found;
+    for (size_t i = leaf.first; i < leaf.first + leaf.count; i++) {
+        const Shape *shape = list->shapes[list->tree.order[i]];
+        visit->visitor(shape, rays->packet, rays->vector, mask_of_bits(rays->lanes), visit->found);
+    }
+}
+
+/** Visits the shapes of the tree, if there is one. @param list The shapes. @param packet The rays.
+ *  @param visit The visit. */
+static void tree_visit_all(const ShapeList *list, const Packet *packet, Visit *visit) {
+    const TreeOwner owner = {.items = list, .ask = leaf_visit};
+    real limits[PACKET_VECTORS];
+    if (list->tree.nodes) {
+        for (int v = 0; v < PACKET_VECTORS; v++) {
+            limits[v] = packet->limit[v];
+        }
+        tree_visit(&list->tree, packet, limits, &owner, visit);
+    }
+}
+
 /* --- all shapes ------------------------------------------------------------------------------ */
 
 void shape_list_nearest(const ShapeList *list, const Packet *packet, Hit *hits) {
@@ -180,4 +210,25 @@ void shape_list_blocked(const ShapeList *list, const Packet *packet, mask *block
         }
     }
     tree_blocked(list, packet, blocked);
+}
+
+void shape_list_visit(const ShapeList *list, const Packet *packet, ShapeVisitor visitor,
+                      void *found) {
+    Spans spans = {0};
+    if (LANES > 1 && list->loose_count > 0) {
+        spans = packet_spans(packet);
+    }
+    for (size_t block = 0; block < bounds_blocks(list->loose_count); block++) {
+        unsigned left = block_candidates(list, &spans, block).left;
+        for (; left; left &= left - 1) {
+            const Shape *shape = list->loose[block * LANES + (size_t)__builtin_ctz(left)];
+            for (int v = 0; v < PACKET_VECTORS; v++) {
+                if (any(packet->active[v])) {
+                    visitor(shape, packet, v, packet->active[v], found);
+                }
+            }
+        }
+    }
+    Visit visit = {visitor, found};
+    tree_visit_all(list, packet, &visit);
 }

@@ -4,9 +4,18 @@
  */
 #include "trace/surface.h"
 
-/** @return The share of light that is not mirrored. @param mirror The share that is. */
-static Scalar3 rest_of(Scalar3 mirror) {
-    return (Scalar3){1 - mirror.red, 1 - mirror.green, 1 - mirror.blue};
+/** @return What is left of one primary, never less than nothing. @param mirror The share that is
+ *  mirrored. @param through The share that is let through. */
+static scalar rest_of_one(scalar mirror, scalar through) {
+    scalar rest = 1 - mirror - through;
+    return rest > 0 ? rest : 0;
+}
+
+/** @return The share of light that is left to the body. @param mirror The share that is mirrored.
+ *  @param through The share that is let through. */
+static Scalar3 rest_of(Scalar3 mirror, Scalar3 through) {
+    return (Scalar3){rest_of_one(mirror.red, through.red), rest_of_one(mirror.green, through.green),
+                     rest_of_one(mirror.blue, through.blue)};
 }
 
 /** @return a times b, primary by primary. @param a Light. @param b Shares. */
@@ -20,11 +29,13 @@ static Scalar3 scalar3_scale(Scalar3 a, scalar s) {
 }
 
 Surface surface_of(const Material *material, Color ambient) {
-    Scalar3 mirror = scalar3_of(material->reflectivity), rest = rest_of(mirror);
+    Scalar3 mirror = scalar3_of(material->reflectivity);
+    Scalar3 through = scalar3_of(material->transparency), rest = rest_of(mirror, through);
     return (Surface){.emission = scalar3_of(material->emission),
                      .body = scalar3_multiply(rest, scalar3_of(material->color)),
                      .highlight = scalar3_scale(rest, (scalar)material->specular),
                      .mirror = mirror,
+                     .through = through,
                      .ambient = scalar3_scale(scalar3_of(ambient), (scalar)material->ambient),
                      .diffuse = (scalar)material->diffuse,
                      .shininess = (scalar)material->shininess};

@@ -7,12 +7,14 @@
 
 #include "trace/ray.h"
 
-/** A material. What is not mirrored is left to the body: its weights hold the factor 1 - R. */
+/** A material. What is neither mirrored nor let through is left to the body: its weights hold the
+ *  factor 1 - R - T. */
 typedef struct Surface {
     Scalar3 emission;  /**< Light of its own. */
-    Scalar3 body;      /**< (1 - R) times the colour. */
-    Scalar3 highlight; /**< (1 - R) times the weight of highlights. */
+    Scalar3 body;      /**< (1 - R - T) times the colour. */
+    Scalar3 highlight; /**< (1 - R - T) times the weight of highlights. */
     Scalar3 mirror;    /**< R: the share that is mirrored. */
+    Scalar3 through;   /**< T: the share that is let through. */
     Scalar3 ambient;   /**< Light from everywhere, weighted. */
     scalar diffuse;    /**< Weight of the lights' matt shine. */
     scalar shininess;  /**< Exponent of highlights. */
@@ -24,6 +26,7 @@ typedef struct Surfaces {
     Light3 body;      /**< See #Surface. */
     Light3 highlight; /**< See #Surface. */
     Light3 mirror;    /**< See #Surface. */
+    Light3 through;   /**< See #Surface. */
     Light3 ambient;   /**< See #Surface. */
     real diffuse;     /**< See #Surface. */
     real shininess;   /**< See #Surface. */
@@ -39,6 +42,7 @@ INLINE Surfaces surfaces_of(const Surface *s) {
                       .body = light3_of(s->body),
                       .highlight = light3_of(s->highlight),
                       .mirror = light3_of(s->mirror),
+                      .through = light3_of(s->through),
                       .ambient = light3_of(s->ambient),
                       .diffuse = real_of(s->diffuse),
                       .shininess = real_of(s->shininess)};
@@ -51,6 +55,7 @@ INLINE Surfaces surfaces_select(mask m, const Surfaces *a, const Surfaces *b) {
                       .body = light3_select(m, a->body, b->body),
                       .highlight = light3_select(m, a->highlight, b->highlight),
                       .mirror = light3_select(m, a->mirror, b->mirror),
+                      .through = light3_select(m, a->through, b->through),
                       .ambient = light3_select(m, a->ambient, b->ambient),
                       .diffuse = real_select(m, a->diffuse, b->diffuse),
                       .shininess = real_select(m, a->shininess, b->shininess)};

@@ -1,14 +1,9 @@
 /**
  * @file
- * @brief The recursive tracer: light, shadow and mirrors.
+ * @brief The recursive tracer: light, shadow, mirrors and glass (Whitted, *An
+ *        Improved Illumination Model for Shaded Display*, 1980).
  */
 #include "trace/tracer.h"
-
-/**
- * Weight below which a ray cannot change the picture: half a step of 8 bits, 1 / 510, at the dark
- * end of the sRGB curve, where the slope is 12.92.
- */
-#define WEIGHT_CUTOFF ((scalar)1.5e-4)
 
 /** @return What rays that meet nothing see. @param tracer The tracer. @param direction Unit
  *  directions. */
@@ -22,25 +17,6 @@ static Light3 backdrop_color(const Tracer *tracer, Vector direction) {
     }
     real height = real_max(direction.y, real_of(0));
     return light3_add(sky->horizon, light3_scale(sky->rise, height));
-}
-
-/** @return The materials in each lane. @param list The shapes. @param hit What was met.
- *  @param met The lanes that met anything. */
-INLINE Materials materials_of(const ShapeList *list, const Hit *hit, mask met) {
-    if (!any(met)) {
-        return (Materials){0};
-    }
-    int shape = integer_lane(hit->shape, mask_first(met)), first = list->shapes[shape]->material;
-    Materials materials = {integer_of(first), first, met & (hit->shape != integer_of(shape))};
-    mask left = materials.others;
-    while (any(left)) {
-        shape = integer_lane(hit->shape, mask_first(left));
-        mask same = left & (hit->shape == integer_of(shape));
-        integer material = integer_of(list->shapes[shape]->material);
-        materials.places = integer_select(same, material, materials.places);
-        left &= mask_not(same);
-    }
-    return materials;
 }
 
 /**
@@ -60,7 +36,7 @@ static bool encounter_find(const Tracer *tracer, const Packet *packet, Encounter
     }
     for (int v = 0; v < PACKET_VECTORS; v++) {
         const Hit *hit = &met->hits[v];
-        met->met[v] = packet->active[v] & (hit->shape >= integer_of(0));
+        met->met[v] = met->lit[v] = packet->active[v] & (hit->shape >= integer_of(0));
         mask is_inside = vector_dot(packet->rays[v].direction, hit->normal) > 0;
         met->facing[v] =
             vector_select(is_inside, vector_scale(hit->normal, real_of(-1)), hit->normal);
@@ -71,7 +47,7 @@ static bool encounter_find(const Tracer *tracer, const Packet *packet, Encounter
 }
 
 /**
- * @return What the body of surfaces sends back: all but what is mirrored.
+ * @return What the body of surfaces sends back: all but what is mirrored or let through.
  * @param surface   The surfaces.
  * @param matt      What the lamps give for the matt shine.
  * @param highlight What they give for highlights.
@@ -82,24 +58,41 @@ INLINE Light3 body_color(const Surfaces *surface, Light3 matt, Light3 highlight)
     return light3_add(color, light3_multiply(surface->highlight, highlight));
 }
 
+/** Rays that go on from surfaces, and what they are worth. */
+typedef struct Onward {
+    Packet packet;                 /**< The rays; active where they can still change the picture. */
+    Light3 shares[PACKET_VECTORS]; /**< Of what they bring back, that the surfaces send on. */
+    real weights[PACKET_VECTORS];  /**< The largest share with which a primary of theirs counts. */
+} Onward;
+
+/** Weighs rays that could go on, and drops those that cannot change the picture. @param tracer The
+ *  tracer. @param v Which vector. @param lanes Those that could. @param share Of what they bring
+ *  back. @param weight What the rays before them weighed. @param[out] onward The rays.
+ *  @return Those that go on. */
+INLINE mask onward_weigh(const Tracer *tracer, int v, mask lanes, Light3 share, real weight,
+                         Onward *onward) {
+    onward->shares[v] = share;
+    onward->weights[v] = weight * light3_largest(share);
+    return onward->packet.active[v] = lanes & (onward->weights[v] >= tracer->cutoff);
+}
+
 /**
- * Turns the rays of a packet that met mirrors into mirrored rays (rows A9, C3).
+ * Turns the rays of a packet that met mirrors, or glass, into mirrored rays (rows A9, C3).
  * @param tracer     The tracer.
  * @param met        What the rays met.
+ * @param crossing   What becomes of them in glass, or NULL.
  * @param weight     What the rays weighed.
- * @param[out] mirrored  The mirrored rays; active where they can still change the picture.
- * @param[out] weights   What they weigh.
+ * @param[out] mirrored  The mirrored rays.
  * @return How many are active.
  */
-static unsigned mirror_rays(const Tracer *tracer, const Encounter *met, const real *weight,
-                            Packet *mirrored, real *weights) {
-    mirrored->wants_points = true;
-    mirrored->lineage = lineage_next(met->packet->lineage);
+INLINE unsigned mirror_rays(const Tracer *tracer, const Encounter *met, const Crossing *crossing,
+                            const real *weight, Onward *mirrored) {
+    mirrored->packet.wants_points = true;
+    mirrored->packet.lineage = lineage_next(met->packet->lineage);
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        Light3 mirror = surfaces_gather(met->surfaces, &met->materials[v], met->met[v]).mirror;
-        weights[v] = weight[v] * light3_largest(mirror);
-        mirrored->active[v] = met->met[v] & (weights[v] >= WEIGHT_CUTOFF);
-        if (!any(mirrored->active[v])) {
+        Surfaces surfaces = surfaces_gather(met->surfaces, &met->materials[v], met->met[v]);
+        Light3 share = crossing_mirrored(crossing, v, &surfaces);
+        if (!any(onward_weigh(tracer, v, met->met[v], share, weight[v], mirrored))) {
             continue;
         }
         Vector in = met->packet->rays[v].direction, normal = met->facing[v];
@@ -107,70 +100,191 @@ static unsigned mirror_rays(const Tracer *tracer, const Encounter *met, const re
         // Made one long again each time: else the length drifts by an ulp or two a mirror.
         Vector out = vector_normalize(vector_subtract(in, vector_scale(normal, 2 * along)));
         Vector origin = departure_origin(&tracer->departure, &met->hits[v], out);
-        mirrored->rays[v] = ray_of(origin, out);
-        mirrored->limit[v] = real_of(INFINITE);
+        mirrored->packet.rays[v] = ray_of(origin, out);
+        mirrored->packet.limit[v] = real_of(INFINITE);
     }
-    return packet_count(mirrored);
+    return packet_count(&mirrored->packet);
+}
+
+/**
+ * Turns the rays of a packet that met glass into refracted rays (row A10).
+ * @param tracer    The tracer.
+ * @param met       What the rays met.
+ * @param crossing  What becomes of them.
+ * @param weight    What the rays weighed.
+ * @param[out] refracted  The refracted rays.
+ * @return How many are active.
+ */
+INLINE unsigned refract_rays(const Tracer *tracer, const Encounter *met, const Crossing *crossing,
+                             const real *weight, Onward *refracted) {
+    refracted->packet.wants_points = true;
+    refracted->packet.lineage = lineage_next(met->packet->lineage);
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        Surfaces surfaces = surfaces_gather(met->surfaces, &met->materials[v], met->met[v]);
+        Light3 share = crossing_refracted(crossing, v, &surfaces);
+        if (any(onward_weigh(tracer, v, crossing->through[v], share, weight[v], refracted))) {
+            refracted->packet.rays[v] = ray_of(crossing->origin[v], crossing->direction[v]);
+            refracted->packet.limit[v] = real_of(INFINITE);
+        }
+    }
+    return packet_count(&refracted->packet);
+}
+
+/**
+ * Adds what rays that go on from surfaces bring back.
+ * @param tracer  The tracer.
+ * @param onward  The rays, at least one active.
+ * @param media   What they are inside of; NULL: the scene has no glass.
+ * @param depth   How often they may still be mirrored or refracted.
+ * @param[in,out] colors  The colours of the rays before them.
+ * @param[in,out] counts  The rays traced.
+ */
+INLINE void onward_add(const Tracer *tracer, const Onward *onward, const Media *media, int depth,
+                       Light3 *colors, RayCounts *counts) {
+    Light3 seen[PACKET_VECTORS];
+    tracer_follow(tracer, &onward->packet, media, onward->weights, depth, seen, counts);
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        Light3 sum = light3_add(colors[v], light3_multiply(onward->shares[v], seen[v]));
+        colors[v] = light3_select(onward->packet.active[v], sum, colors[v]);
+    }
 }
 
 /**
  * Adds what mirrors show.
- * @param tracer  The tracer.
- * @param met     What the rays met.
- * @param weight  What the rays weigh.
- * @param depth   How often they may still be mirrored, at least once.
+ * @param tracer    The tracer.
+ * @param met       What the rays met.
+ * @param crossing  What becomes of them in glass, or NULL.
+ * @param weight    What the rays weigh.
+ * @param depth     How often they may still be mirrored, at least once.
  * @param[in,out] colors  The rays' colours.
  * @param[in,out] counts  The rays traced.
  */
-static void mirrors_add(const Tracer *tracer, const Encounter *met, const real *weight, int depth,
-                        Light3 *colors, RayCounts *counts) {
-    Packet mirrored;
-    real weights[PACKET_VECTORS];
-    unsigned count = mirror_rays(tracer, met, weight, &mirrored, weights);
-    if (count == 0) {
-        return;
-    }
-    counts->mirror += count;
-    Light3 seen[PACKET_VECTORS];
-    tracer_follow(tracer, &mirrored, weights, depth - 1, seen, counts);
-    for (int v = 0; v < PACKET_VECTORS; v++) {
-        Light3 mirror = surfaces_gather(met->surfaces, &met->materials[v], met->met[v]).mirror;
-        Light3 share = light3_multiply(mirror, seen[v]);
-        colors[v] = light3_select(mirrored.active[v], light3_add(colors[v], share), colors[v]);
+INLINE void mirrors_add(const Tracer *tracer, const Encounter *met, const Crossing *crossing,
+                        const real *weight, int depth, Light3 *colors, RayCounts *counts) {
+    Onward mirrored;
+    unsigned count = mirror_rays(tracer, met, crossing, weight, &mirrored);
+    if (count > 0) {
+        counts->mirror += count;
+        onward_add(tracer, &mirrored, met->media, depth - 1, colors, counts);
     }
 }
 
-void tracer_follow(const Tracer *tracer, const Packet *packet, const real *weight, int depth,
-                   Light3 *colors, RayCounts *counts) {
-    Encounter met;
-    bool is_any = encounter_find(tracer, packet, &met);
-    for (int v = 0; v < PACKET_VECTORS; v++) {
-        if (any(mask_not(met.met[v]))) {
-            colors[v] = backdrop_color(tracer, packet->rays[v].direction);
-        }
+/**
+ * Adds what is seen through glass.
+ * @param tracer    The tracer.
+ * @param met       What the rays met.
+ * @param crossing  What becomes of them.
+ * @param weight    What the rays weigh.
+ * @param depth     How often they may still be refracted, at least once.
+ * @param[in,out] colors  The rays' colours.
+ * @param[in,out] counts  The rays traced.
+ */
+INLINE void glass_add(const Tracer *tracer, const Encounter *met, const Crossing *crossing,
+                      const real *weight, int depth, Light3 *colors, RayCounts *counts) {
+    Onward refracted;
+    unsigned count = refract_rays(tracer, met, crossing, weight, &refracted);
+    if (count > 0) {
+        counts->refract += count;
+        onward_add(tracer, &refracted, crossing->media, depth - 1, colors, counts);
     }
-    if (tracer->glow.count > 0) {
-        glow_show(&tracer->glow, met.hits, colors);
-    }
-    if (!is_any) {
-        return;
-    }
+}
+
+/**
+ * Finds what the bodies of surfaces send back.
+ * @param tracer    The tracer.
+ * @param met       The surfaces.
+ * @param crossing  What becomes of the rays in glass, or NULL.
+ * @param[in,out] colors  The rays' colours, written where they met anything.
+ * @return How many shadow rays were traced.
+ */
+INLINE uint64_t bodies_shade(const Tracer *tracer, const Encounter *met, const Crossing *crossing,
+                             Light3 *colors) {
+    const Light3 dark = {real_of(0), real_of(0), real_of(0)};
     Lighting lighting;
-    counts->shadow += lighting_gather(&tracer->list, tracer->lamps, tracer->lamp_count,
-                                      &tracer->departure, tracer->shines, &met, &lighting);
+    uint64_t rays = lighting_gather(&tracer->list, tracer->lamps, tracer->lamp_count,
+                                    &tracer->departure, tracer->shines, met, &lighting);
     Light3 paint[PACKET_VECTORS];
     if (tracer->textures.worn) {
-        textures_paint(&tracer->textures, &tracer->list, &met, paint);
+        textures_paint(&tracer->textures, &tracer->list, met, paint);
     }
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        Surfaces surfaces = surfaces_gather(met.surfaces, &met.materials[v], met.met[v]);
+        Surfaces surfaces = surfaces_gather(met->surfaces, &met->materials[v], met->met[v]);
         if (tracer->textures.worn) {
             surfaces.body = light3_multiply(surfaces.body, paint[v]);
         }
         Light3 body = body_color(&surfaces, lighting.matt[v], lighting.highlight[v]);
-        colors[v] = light3_select(met.met[v], body, colors[v]);
+        if (crossing) {
+            body = light3_select(crossing->hidden[v], dark, body);
+        }
+        colors[v] = light3_select(met->met[v], body, colors[v]);
     }
+    return rays;
+}
+
+/**
+ * Finds what rays meet, and the colours of those that meet nothing.
+ * @param tracer  The tracer.
+ * @param packet  The rays.
+ * @param media   What they are inside of, or NULL.
+ * @param[out] met     What they met.
+ * @param[out] colors  Their colours, where they met nothing.
+ * @return Whether any ray met anything.
+ */
+INLINE bool follow_to_surfaces(const Tracer *tracer, const Packet *packet, const Media *media,
+                               Encounter *met, Light3 *colors) {
+    bool is_any = encounter_find(tracer, packet, met);
+    met->media = media;
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        if (any(mask_not(met->met[v]))) {
+            colors[v] = backdrop_color(tracer, packet->rays[v].direction);
+        }
+    }
+    if (tracer->glow.count > 0) {
+        glow_show(&tracer->glow, met->hits, colors);
+    }
+    return is_any;
+}
+
+/** As #tracer_follow, in a scene without glass. @param tracer The tracer. @param packet The rays.
+ *  @param weight What they weigh. @param depth How often they may still be mirrored.
+ *  @param[out] colors Their colours. @param[in,out] counts The rays traced. */
+static void follow_in_air(const Tracer *tracer, const Packet *packet, const real *weight, int depth,
+                          Light3 *colors, RayCounts *counts) {
+    Encounter met;
+    if (!follow_to_surfaces(tracer, packet, NULL, &met, colors)) {
+        return;
+    }
+    counts->shadow += bodies_shade(tracer, &met, NULL, colors);
     if (depth > 0) {
-        mirrors_add(tracer, &met, weight, depth, colors, counts);
+        mirrors_add(tracer, &met, NULL, weight, depth, colors, counts);
+    }
+}
+
+/** As #tracer_follow, in a scene with glass. @param tracer The tracer. @param packet The rays.
+ *  @param media What they are inside of. @param weight What they weigh. @param depth How often they
+ *  may still be mirrored or refracted. @param[out] colors Their colours.
+ *  @param[in,out] counts The rays traced. */
+static void follow_in_glass(const Tracer *tracer, const Packet *packet, const Media *media,
+                            const real *weight, int depth, Light3 *colors, RayCounts *counts) {
+    Encounter met;
+    Crossing crossing;
+    if (!follow_to_surfaces(tracer, packet, media, &met, colors)) {
+        return;
+    }
+    counts->total +=
+        crossing_find(&tracer->glass, &tracer->list, &tracer->departure, &met, &crossing);
+    counts->shadow += bodies_shade(tracer, &met, &crossing, colors);
+    if (depth > 0) {
+        mirrors_add(tracer, &met, &crossing, weight, depth, colors, counts);
+        glass_add(tracer, &met, &crossing, weight, depth, colors, counts);
+    }
+}
+
+void tracer_follow(const Tracer *tracer, const Packet *packet, const Media *media,
+                   const real *weight, int depth, Light3 *colors, RayCounts *counts) {
+    if (media) {
+        follow_in_glass(tracer, packet, media, weight, depth, colors, counts);
+    } else {
+        follow_in_air(tracer, packet, weight, depth, colors, counts);
     }
 }

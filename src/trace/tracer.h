@@ -5,6 +5,7 @@
 #ifndef DIOPTRE_TRACE_TRACER_H
 #define DIOPTRE_TRACE_TRACER_H
 
+#include "trace/crossing.h"
 #include "trace/eye.h"
 #include "trace/glow.h"
 #include "trace/model.h"
@@ -21,6 +22,7 @@ typedef struct Backdrop {
 struct Tracer {
     ShapeList list;      /**< The shapes. */
     Models models;       /**< The meshes that they show. */
+    Glass glass;         /**< Those that let light through. */
     Surface *surfaces;   /**< The materials; owned. */
     Lamp *lamps;         /**< The lamps; owned. */
     size_t lamp_count;   /**< How many. */
@@ -31,7 +33,8 @@ struct Tracer {
     Backdrop backdrop;   /**< The sky. */
     Textures textures;   /**< The pictures on surfaces and in the sky. */
     Departure departure; /**< How rays leave surfaces. */
-    int depth;           /**< How often a ray may be mirrored; 0 where nothing mirrors. */
+    int depth;           /**< How often a ray may be mirrored or refracted; 0 where none is. */
+    scalar cutoff;       /**< Weight below which a ray ends. */
     bool shines;         /**< Whether any surface has highlights. */
 };
 
@@ -39,13 +42,14 @@ struct Tracer {
  * Finds the colours that a packet of rays brings back.
  * @param tracer  The tracer.
  * @param packet  The rays, of unit direction, at least one active.
+ * @param media   What they are inside of; NULL: the scene has no glass.
  * @param weight  For each vector of rays: the largest share with which a primary of its colour
  *                enters the picture.
- * @param depth   How often the rays may still be mirrored.
+ * @param depth   How often the rays may still be mirrored or refracted.
  * @param[out] colors  A colour for each vector of rays.
- * @param[in,out] counts  Mirrored and shadow rays are added to this.
+ * @param[in,out] counts  Mirrored, refracted and shadow rays are added to this.
  */
-void tracer_follow(const Tracer *tracer, const Packet *packet, const real *weight, int depth,
-                   Light3 *colors, RayCounts *counts);
+void tracer_follow(const Tracer *tracer, const Packet *packet, const Media *media,
+                   const real *weight, int depth, Light3 *colors, RayCounts *counts);
 
 #endif

@@ -25,7 +25,7 @@ static void add(char title[TITLE_SIZE], const char *format, ...) {
 static void add_report(char title[TITLE_SIZE], const RenderReport *report) {
     /** Rays in a million, and a guard against a clock that stood still. */
     const double million = 1e6, instant = 1e-9;
-    uint64_t rays = report->rays.camera + report->rays.mirror + report->rays.shadow;
+    uint64_t rays = ray_counts_sum(&report->rays);
     double seconds = report->seconds > instant ? report->seconds : instant;
     add(title, ", pass %d px, %d sample%s, %.1f ms, %.0f Mrays/s%s", report->stride,
         report->samples, report->samples == 1 ? "" : "s", report->seconds * 1e3,

@@ -1,0 +1,101 @@
+/**
+ * @file
+ * @brief Which transparent shapes rays are inside of.
+ */
+#include "trace/media.h"
+
+#include <stdlib.h>
+
+bool glass_init(Glass *glass, const Scene *scene) {
+    *glass = (Glass){.at_eye = media_air()};
+    if (!scene_has_glass(scene)) {
+        return true;
+    }
+    glass->indices = calloc(scene->shape_count + 1, sizeof *glass->indices);
+    if (!glass->indices) {
+        return false;
+    }
+    glass->indices[0] = 1;
+    for (size_t i = 0; i < scene->shape_count; i++) {
+        const Material *material = &scene->materials[scene->shapes[i].material];
+        bool is_glass = material_is_transparent(material);
+        glass->indices[i + 1] = is_glass ? (scalar)material->ior : 0;
+    }
+    return true;
+}
+
+void glass_release(Glass *glass) {
+    free(glass->indices);
+    glass->indices = NULL;
+}
+
+/** @return The lanes in which rays meet a shape from inside. @param ray The rays. @param met The
+ *  lanes that meet it. @param hit Where. */
+INLINE mask is_from_inside(const Ray *ray, mask met, const Hit *hit) {
+    return met & (vector_dot(ray->direction, hit->normal) > 0);
+}
+
+/* --- the camera ------------------------------------------------------------------------------ */
+
+/** @return Rays along an axis. @param origin Where they start. @param axis 0 to 5: x, y, z, -x, -y,
+ *  -z. */
+static Ray axis_ray(Vector origin, int axis) {
+    real along = real_of(axis < 3 ? 1 : -1), zero = real_of(0);
+    Vector direction = {axis % 3 == 0 ? along : zero, axis % 3 == 1 ? along : zero,
+                        axis % 3 == 2 ? along : zero};
+    return ray_of(origin, direction);
+}
+
+/** @return Whether a point is inside of a shape. @param shape The shape. @param point The point. */
+static mask is_inside(const Shape *shape, Vector point) {
+    mask inside = mask_of(false);
+    Hit nearest = hit_nothing(real_of(INFINITE));
+    for (int axis = 0; axis < 6; axis++) {
+        Ray ray = axis_ray(point, axis);
+        mask nearer = shape->class->is_hit(shape, &ray, mask_of(true), &nearest);
+        inside = is_from_inside(&ray, nearer, &nearest) | (inside & mask_not(nearer));
+    }
+    return inside;
+}
+
+void glass_look(Glass *glass, const ShapeList *list, Vector eye) {
+    glass->at_eye = media_air();
+    for (size_t i = 0; glass->indices && i < list->count; i++) {
+        const Shape *shape = list->shapes[i];
+        if (glass_is(glass, shape)) {
+            media_enter(&glass->at_eye, is_inside(shape, eye), integer_of(shape->place));
+        }
+    }
+}
+
+/* --- jumps ----------------------------------------------------------------------------------- */
+
+/** What is to be set right. */
+typedef struct Jump {
+    const Glass *glass; /**< What the scene has. */
+    Media *media;       /**< For each vector: what the rays are inside of. */
+} Jump;
+
+/** Asks whether a shape's surface lies in jumps. See #ShapeVisitor. @param shape The shape.
+ *  @param jumps The jumps, backwards. @param v Which vector. @param active Which lanes.
+ *  @param[in,out] found A #Jump. */
+static void jump_ask(const Shape *shape, const Packet *jumps, int v, mask active, void *found) {
+    Jump *jump = found;
+    if (!glass_is(jump->glass, shape)) {
+        return;
+    }
+    const Ray *back = &jumps->rays[v];
+    Hit hit = hit_nothing(jumps->limit[v]);
+    mask crossed = shape->class->is_hit(shape, back, active, &hit);
+    if (any(crossed)) {
+        mask inside = is_from_inside(back, crossed, &hit);
+        integer place = integer_of(shape->place);
+        media_enter(&jump->media[v], inside, place);
+        media_leave(&jump->media[v], crossed & mask_not(inside), place);
+    }
+}
+
+void glass_jump(const Glass *glass, const ShapeList *list, const Packet *jumps, Media *media) {
+    Jump jump = {glass, media};
+    shape_list_visit(list, jumps, jump_ask, &jump);
+}

@@ -1,0 +1,112 @@
+/**
+ * @file
+ * @brief Media: which transparent shapes rays are inside of, and what the index of refraction is
+ *        there.
+ *
+ * Where shapes overlap, the one that comes later in the scene is there, and the earlier is not: a
+ * bubble is a ball of air after the glass that it is in. So a ray need not know in which order it
+ * has entered shapes, only which ones it is in (Schmidt and Budge, *Simple Nested Dielectrics in
+ * Ray Traced Images*, 2002, with the scene's order as priority).
+ */
+#ifndef DIOPTRE_TRACE_MEDIA_H
+#define DIOPTRE_TRACE_MEDIA_H
+
+#include "trace/shape_list.h"
+
+/** Most shapes that a ray is inside of at once; of more, those that come first in the scene are
+ *  forgotten. */
+enum { MEDIA_MAXIMUM = 8 };
+
+/** The transparent shapes that LANES rays are inside of. */
+typedef struct Media {
+    integer places[MEDIA_MAXIMUM]; /**< Their places, the last of the scene first; then -1. */
+} Media;
+
+/** What a scene has of glass. */
+typedef struct Glass {
+    scalar *indices; /**< Of refraction: air's, then each shape's, 0 where it is opaque; owned.
+                          NULL: there is no glass. */
+    Media at_eye;    /**< What the camera is inside of. */
+} Glass;
+
+/** @return Nothing but air. */
+INLINE Media media_air(void) {
+    Media media;
+    for (int i = 0; i < MEDIA_MAXIMUM; i++) {
+        media.places[i] = integer_of(-1);
+    }
+    return media;
+}
+
+/** Takes shapes out. @param[in,out] media What rays are inside of. @param leaving The lanes that
+ *  leave. @param place What they leave, whether they are in it or not. */
+INLINE void media_leave(Media *media, mask leaving, integer place) {
+    mask is_behind = mask_of(false);
+    for (int i = 0; i < MEDIA_MAXIMUM; i++) {
+        is_behind |= leaving & (media->places[i] == place);
+        integer next = i + 1 < MEDIA_MAXIMUM ? media->places[i + 1] : integer_of(-1);
+        media->places[i] = integer_select(is_behind, next, media->places[i]);
+    }
+}
+
+/** Puts shapes in. @param[in,out] media What rays are inside of. @param entering The lanes that
+ *  enter. @param place What they enter, whether they are in it already or not. */
+INLINE void media_enter(Media *media, mask entering, integer place) {
+    media_leave(media, entering, place);
+    integer next = integer_select(entering, place, integer_of(-1));
+    for (int i = 0; i < MEDIA_MAXIMUM; i++) {
+        mask is_later = next > media->places[i];
+        integer here = media->places[i];
+        media->places[i] = integer_select(is_later, next, here);
+        next = integer_select(is_later, here, next);
+    }
+}
+
+/** @return Place of the shape that rays are in: of several, the last of the scene; -1: air.
+ *  @param media What they are inside of. */
+INLINE integer media_place(const Media *media) {
+    return media->places[0];
+}
+
+/** @return Indices of refraction. @param glass The scene's. @param place See #media_place. */
+INLINE real glass_index(const Glass *glass, integer place) {
+    return real_gather(glass->indices, place + 1);
+}
+
+/** @return Whether a shape is transparent. @param glass The scene's. @param shape The shape. */
+static inline bool glass_is(const Glass *glass, const Shape *shape) {
+    return glass->indices[shape->place + 1] > 0;
+}
+
+/**
+ * Takes the indices of a scene's shapes.
+ * @param[out] glass  What the scene has; give it back with #glass_release.
+ * @param scene       The scene.
+ * @return false without memory.
+ */
+bool glass_init(Glass *glass, const Scene *scene);
+
+/** Gives the indices back. @param glass What the scene has. */
+void glass_release(Glass *glass);
+
+/**
+ * Finds what the camera is inside of. No shape is asked for it: rays along the axes tell, by the
+ * side on which the nearest of them meets a shape.
+ * @param[in,out] glass  What the scene has; at_eye is filled.
+ * @param list           The shapes.
+ * @param eye            Where the camera is.
+ */
+void glass_look(Glass *glass, const ShapeList *list, Vector eye);
+
+/**
+ * Sets right what rays are inside of, where they jump over a surface: every surface that lies in
+ * the jump is crossed, also those that the first one hides.
+ * @param glass  What the scene has.
+ * @param list   The shapes.
+ * @param jumps  From the end of each jump back to its start: the end is inside of a shape whose
+ *               inside is seen first on the way back.
+ * @param[in,out] media  What the rays are inside of.
+ */
+void glass_jump(const Glass *glass, const ShapeList *list, const Packet *jumps, Media *media);
+
+#endif

@@ -116,7 +116,8 @@ static inline TreeLeaf tree_leaf(uint32_t child) {
     return (TreeLeaf){(child & ~TREE_LEAF) >> TREE_BLOCK_BITS, child & TREE_LEAF_BLOCKS};
 }
 
-/** Fetches memory that will be needed. @param at Where. @param bytes How much. */
+/** Fetches memory that will be needed. Part of its callers, as those are of theirs: GCC drops calls
+ *  of functions that do nothing else. @param at Where. @param bytes How much. */
 INLINE void memory_fetch(const void *at, size_t bytes) {
     /** Bytes that one fetch brings. */
     enum { LINE = 64 };
@@ -127,7 +128,7 @@ INLINE void memory_fetch(const void *at, size_t bytes) {
 
 /** Fetches the memory that a child will need: its node, or the first of its blocks. @param tree The
  *  tree. @param owner Who owns the items. @param child See #TreeNode.children. */
-static inline void tree_fetch(const Tree *tree, const TreeOwner *owner, uint32_t child) {
+INLINE void tree_fetch(const Tree *tree, const TreeOwner *owner, uint32_t child) {
     if (!(child & TREE_LEAF)) {
         memory_fetch(&tree->nodes[child], sizeof(TreeNode));
     } else if (owner->blocks) {

@@ -6,7 +6,8 @@
  * several rounds, in processor time. Embree is robust, as ours always is; its packets are of eight
  * rays with the coherent flag, its other rays single. What costs nothing for us costs nothing for
  * Embree either: its rays lie ready in its own form, and its memory and its building are those of
- * the tree alone.
+ * the tree alone. Of camera and random rays both answer what is met and how far away; that Embree
+ * writes (u, v) and the triangle's normal besides falls out of its way of finding it.
  *
  * Usage: `peer-embree SCENE FOLDER ENGINE`: a scene of one mesh, the folder of its model, and which
  * of our engines. Prints, a line each: name, ours, Embree's, how many times as good ours is by the

@@ -6,18 +6,11 @@
 #ifndef DIOPTRE_TESTS_TREE_QUESTIONS_H
 #define DIOPTRE_TESTS_TREE_QUESTIONS_H
 
+#include "slowness.h"
 #include "triangles.h"
 
 /** Rays of a packet, in any engine at most. */
 enum { TOGETHER = 64 };
-
-#if defined(__SANITIZE_ADDRESS__)
-/** A sanitizer makes everything about ten times as slow: so many fewer rays. */
-enum { SLOWNESS = 10 };
-#else
-/** See above. */
-enum { SLOWNESS = 1 };
-#endif
 
 /* --- answers --------------------------------------------------------------------------------- */
 

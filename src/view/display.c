@@ -10,7 +10,6 @@
  */
 #include "view/display.h"
 
-#include "view/lost_display.h"
 
 #include "dioptre/scene.h"
 
@@ -75,7 +74,7 @@ void display_close(Display *display) {
         SDL_DestroyRenderer(display->renderer);
     }
     if (display->window) {
-        lost_display_close(display->window);
+        SDL_DestroyWindow(display->window);
     }
     *display = (Display){0};
 }

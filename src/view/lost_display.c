@@ -3,14 +3,15 @@
  * @brief What happens when the display goes away.
  *
  * Xlib calls a handler when the connection breaks and ends the program when the handler returns;
- * SDL 2 offers no way to set that handler. So it is looked up in the libX11 that SDL has loaded
- * already: the program itself needs no X11 to be built or to start.
+ * SDL 2 offers no way to set that handler. So libX11 is opened as SDL does it, if it is there: the
+ * program itself needs no X11 to be built or to start. SDL keeps the handler for failed requests
+ * that it finds when it starts, calls it after its own, and puts it back when it ends; so ours must
+ * be there before.
  */
 #include "view/lost_display.h"
 
 #include "dioptre/error.h"
 
-#include <SDL_syswm.h>
 #include <dlfcn.h>
 #include <stdio.h>
 #include <string.h>
@@ -27,9 +28,6 @@ typedef int (*RequestHandler)(void *display, void *event);
 
 /** Xlib's XSetErrorHandler: sets the handler, returns the one before. */
 typedef RequestHandler (*SetRequestHandler)(RequestHandler handler);
-
-/** Xlib's XSync: waits until all requests are answered. */
-typedef int (*Synchronize)(void *display, int discard);
 
 /**
  * Says that the display is gone and ends the program. Pictures are written beside their place and
@@ -74,7 +72,8 @@ static void find_function(void *library, const char *name, void *function, size_
 }
 
 void lost_display_prepare(void) {
-    void *library = dlopen("libX11.so.6", RTLD_LAZY | RTLD_NOLOAD);
+    // Stays open: its handlers are needed until the very end.
+    void *library = dlopen("libX11.so.6", RTLD_LAZY);
     if (library) {
         SetLostHandler set_lost = NULL;
         SetRequestHandler set_request = NULL;
@@ -84,37 +83,5 @@ void lost_display_prepare(void) {
             set_lost(end_program);
             set_request(pass_over);
         }
-        dlclose(library);
-    }
-}
-
-/** @return The X display that a window is on; NULL where it is on another display system.
- *  @param window The window. */
-static void *display_of(SDL_Window *window) {
-    SDL_SysWMinfo info;
-    SDL_VERSION(&info.version);
-#if defined(SDL_VIDEO_DRIVER_X11)
-    if (SDL_GetWindowWMInfo(window, &info) && info.subsystem == SDL_SYSWM_X11) {
-        return info.info.x11.display;
-    }
-#else
-    (void)window;
-#endif
-    return NULL;
-}
-
-void lost_display_close(SDL_Window *window) {
-    void *display = display_of(window);
-    void *library = display ? dlopen("libX11.so.6", RTLD_LAZY | RTLD_NOLOAD) : NULL;
-    SDL_DestroyWindow(window);
-    if (library) {
-        Synchronize synchronize = NULL;
-        find_function(library, "XSync", &synchronize, sizeof synchronize);
-        // SDL may have put back Xlib's handler meanwhile.
-        lost_display_prepare();
-        if (synchronize) {
-            synchronize(display, 0);
-        }
-        dlclose(library);
     }
 }

@@ -5,21 +5,11 @@
 #ifndef DIOPTRE_VIEW_LOST_DISPLAY_H
 #define DIOPTRE_VIEW_LOST_DISPLAY_H
 
-#include <SDL.h>
-
 /**
- * Makes the program end with words of its own, and status 1, when the X server vanishes. Does
- * nothing where SDL uses another display system, which tells by an event. Call it with SDL's video
- * up.
+ * Makes the program end with words of its own, and status 1, when the X server vanishes, and go on
+ * when a single request to it fails. Does nothing where SDL uses another display system, which
+ * tells by an event. Call it before SDL's video is up.
  */
 void lost_display_prepare(void);
-
-/**
- * Closes a window and waits until the X server has answered all that was asked of it, so that a
- * request that fails now is passed over: once SDL has ended, Xlib's own handler would end the
- * program for it.
- * @param window  The window.
- */
-void lost_display_close(SDL_Window *window);
 
 #endif

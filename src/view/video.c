@@ -39,6 +39,7 @@ bool video_start(Error *error) {
     /* A window among others, not a game: the screen may sleep, the compositor stays on. */
     SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
     SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
+    lost_display_prepare();
     if (SDL_Init(SDL_INIT_VIDEO) != 0 || !has_screen()) {
         return error_set(error, STATUS_FAILED,
                          "no display to open a window on (%s); `dioptre render` draws without one",
@@ -46,6 +47,5 @@ bool video_start(Error *error) {
     }
     /* Keys are keys here: no input method should swallow or compose them. */
     SDL_StopTextInput();
-    lost_display_prepare();
     return true;
 }

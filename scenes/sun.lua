@@ -3,9 +3,9 @@
 -- hour each: at 0 it is low, at 4 it stands high.
 
 local height = math.rad(9 + 14 * t)
-local around = math.rad(-62 + 15 * t)
+local around = math.rad(-82 + 15 * t)
 
-camera { position = {0, 1.7, 11}, look_at = {0, 1.3, 0}, fov = 50 }
+camera { position = {0, 2.6, 11}, look_at = {0, 1.0, 0}, fov = 50 }
 image { width = 800, height = 600, samples = 16 }
 sun {
   direction = {-math.cos(height) * math.sin(around), -math.sin(height), -math.cos(height) * math.cos(around)},

@@ -9,12 +9,12 @@ image { width = 800, height = 500, samples = 16 }
 
 ambient(0.015)
 light { position = {-900, 250, 500}, color = {1, 0.97, 0.92}, intensity = 1.5 }
-sky { image = "pictures/stars.jpg", rotate = -20 }
+sky { image = "pictures/stars.jpg" }
 
 sphere {
   radius = 1.2, rotate = {0, 15 * t - 20, -23.4},
   material = material { texture = "pictures/earth.jpg" },
 }
 sphere {   -- the moon, far too near
-  center = {1.75, 0.3, -0.9}, radius = 0.24, material = material { color = "#9a948c" },
+  center = {1.75, 0.7, 0.75}, radius = 0.2, material = material { color = "#9a948c" },
 }

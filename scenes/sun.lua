@@ -5,7 +5,7 @@
 local height = math.rad(9 + 14 * t)
 local around = math.rad(-82 + 15 * t)
 
-camera { position = {0, 2.6, 11}, look_at = {0, 1.0, 0}, fov = 50 }
+camera { position = {0, 2.6, 11}, look_at = {0, 1.3, 0}, fov = 50 }
 image { width = 800, height = 600, samples = 16 }
 sun {
   direction = {-math.cos(height) * math.sin(around), -math.sin(height), -math.cos(height) * math.cos(around)},

@@ -85,6 +85,12 @@ bad 'sky takes rotate only with image' 'sky { rotate = 90 }'
 bad 'texture must be the name of a picture' 'material { texture = 7 }'
 bad 'texture must not have a zero byte' 'material { texture = "good-one.png\0" }'
 
+cp scenes/models/teapot.obj scenes/models/spot-low.obj "$work"
+bad 'teapot.obj: it has no \(u, v\) to lay the picture good-one.png' 'mesh { file = "teapot.obj" }
+mesh { file = "teapot.obj", material = material { texture = "good-one.png" } }'
+printf 'camera {}\nmesh { file = "teapot.obj" } mesh { file = "spot-low.obj", material = material { texture = "good-one.png" } }\nmaterial { texture = "good-one.png" }' >"$work/s.lua"
+expect 0 '' 'a model with (u, v) takes a picture, another does without' limited "$dioptre" info "$work/s.lua"
+
 # --- info ------------------------------------------------------------------------------------------
 printf 'camera {} sky { image = "good-one.png" }\nsphere { material = material { texture = "./good-one.png" } } material { texture = "good-16.tif" }' >"$work/s.lua"
 expect 0 '' 'info of pictures' limited "$dioptre" info "$work/s.lua"

@@ -126,6 +126,46 @@ static bool read_pictures(Scene *scene, Error *error) {
 }
 
 /**
+ * Finds the model of a shape.
+ * @param scene    The scene.
+ * @param shape    The shape.
+ * @param keyword  What its class says of itself.
+ * @return The model that it shows; NULL if shapes of its class show none.
+ */
+static const SceneMesh *model_of(const Scene *scene, const SceneShape *shape,
+                                 const Keyword *keyword) {
+    for (const Parameter *row = keyword->parameters; row->name; row++) {
+        if (row->type == PARAMETER_MESH) {
+            size_t place;
+            memcpy(&place, (const char *)shape->parameters + row->offset, sizeof place);
+            return &scene->meshes[place];
+        }
+    }
+    return NULL;
+}
+
+/**
+ * Sees that each model with a picture on it says where the picture goes.
+ * @param scene       The scene, with its models.
+ * @param keywords    The shapes' classes.
+ * @param[out] error  Which does not, with the line that names it.
+ * @return Whether all do.
+ */
+static bool check_painted_models(const Scene *scene, const Keyword *const *keywords, Error *error) {
+    for (size_t i = 0; i < scene->shape_count; i++) {
+        const SceneShape *shape = &scene->shapes[i];
+        size_t texture = scene->materials[shape->material].texture;
+        const SceneMesh *model = texture > 0 ? model_of(scene, shape, keywords[shape->kind]) : NULL;
+        if (model && model->mesh->uv_count == 0) {
+            error_set(error, STATUS_SCENE, "it has no (u, v) to lay the picture %s on it",
+                      scene->textures[texture - 1].file.name);
+            return blame(&model->file, error);
+        }
+    }
+    return true;
+}
+
+/**
  * Makes the scene that a text describes.
  * @param request     What to load.
  * @param source      The text.
@@ -137,6 +177,7 @@ static Scene *load_text(const ScriptRequest *request, const Source *source, Erro
     Report *report = scene ? report_create(request->path, error) : NULL;
     Run run = {.request = request, .source = source, .scene = scene, .report = report};
     if (!report || !run_in_child(&run, error) || !read_models(scene, request->progress, error) ||
+        !check_painted_models(scene, request->shape_keywords, error) ||
         !read_pictures(scene, error)) {
         scene_destroy(scene);
         scene = NULL;

@@ -176,6 +176,14 @@ $(BUILD)/doc/uml.svg: doc/uml.dot
 	@mkdir -p $(@D)
 	dot -Tsvg -o $@ $<
 
+# --- gallery -------------------------------------------------------------------------------------
+.PHONY: gallery
+gallery: packages
+	@.ci/packages imagemagick
+	@$(MAKE) --no-print-directory all
+	@BUILD=$(BUILD) doc/gallery.sh
+	@echo doc/gallery.md
+
 # --- style ---------------------------------------------------------------------------------------
 C_FILES := $(shell find include src tests -name '*.[ch]' -o -name '*.cpp')
 .PHONY: format lint

@@ -1,4 +1,4 @@
--- The box of report C (row C2): five matt green walls, a red sphere and a blue cube that mirror.
+-- Report C, its box (row C2): five matt green walls, a red sphere and a blue cube that mirror.
 --
 -- The walls stand 2 units from the middle, and the box is open towards the viewer. Distances are
 -- in any unit you like; x runs to the right, y up, and z towards you.

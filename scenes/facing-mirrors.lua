@@ -1,4 +1,5 @@
--- Two mirrors that face each other (report C, row C3): the ray goes to and fro until it is stopped.
+-- Report C, its counter (row C3): two mirrors that face each other. The ray goes to and fro until it is
+-- stopped.
 --
 -- Each time a ray is mirrored, the mirror keeps a little of its light, so the tunnel gets darker
 -- and greener towards its end, as between two real mirrors. Make depth smaller to see what

@@ -1,4 +1,4 @@
--- Figure 19 of report A: a die with a picture on its faces, and the earth.
+-- Report A, figure 19: a die with a picture on its faces, and the earth.
 --
 -- The die is a model whose file says which part of the picture goes where; the earth is a sphere, which
 -- takes its picture by longitude and latitude. Africa is in front, as the map's middle is; the die's

@@ -1,4 +1,4 @@
--- Figures 2 and 3 of report C (row C8): with `--offset none` the mirror is full of dark points, where
+-- Report C, figures 2 and 3 (row C8): with `--offset none` the mirror is full of dark points, where
 -- the mirrored ray meets the sphere that it leaves; as it is, there are none.
 --
 -- The points stand in rings and not at random: the same places are rounded the same way each time.

@@ -1,4 +1,5 @@
--- A glass ball (report A, row A10): it turns what is behind it upside down.
+-- Report A, what its author could not draw (row A10): a glass ball. It turns what is behind it upside
+-- down.
 --
 -- Light is bent twice, where it enters and where it leaves, and the rays that come from far behind
 -- meet half a radius beyond the ball. Move nearer and look: past that point the picture stands

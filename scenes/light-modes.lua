@@ -1,5 +1,5 @@
--- Report D, its two results "lumière" (row D4): light modes. On the left no light at all, in the middle
--- light and ambient light, on the right light alone.
+-- Report D, its light modes (row D4): on the left no light at all, in the middle light and ambient light,
+-- on the right light alone.
 --
 -- The modes are weights of a material. Without light a thing shows its own colour everywhere (it is
 -- black and glows): flat, as if cut from paper. Light alone leaves what is turned away black. Only both

@@ -12,7 +12,7 @@ ambient(0.25)
 light { position = {0, 5, 0.4}, color = {1, 0.95, 0.85}, intensity = 0.8 }
 sky { horizon = "#101c30", zenith = "#2a4468" }
 
--- The mirrors: an equilateral triangle with its point ahead and the camera above its near side.
+-- The mirrors: an equilateral triangle with its point ahead, in which the camera stands, too.
 local mirror = material { color = 0, reflectivity = {0.93, 0.95, 0.96} }
 local side, height = 4, 1.6
 local x, near, far = side / 2, side / math.sqrt(12), -side / math.sqrt(3)

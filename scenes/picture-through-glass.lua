@@ -1,5 +1,5 @@
--- A picture seen through glass (rows A10 and A11), which the author of report A could not get: a lens, a
--- ball and a block before the Great Wave of Hokusai.
+-- Report A, what its author could not draw (rows A10 and A11): a picture seen through glass. A lens, a
+-- ball and a block stand before the Great Wave of Hokusai.
 --
 -- The picture knows nothing of the glass. A ray that has been bent asks the wall for its colour at the
 -- place where it arrives, as any other ray does. The lens is a flat ball; it is near the wall and

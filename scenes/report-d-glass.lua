@@ -1,7 +1,7 @@
--- Report D, its result "réfraction" (row D3): glass balls, a glass cylinder and the pictures behind
--- them, each surface with its share of mirrored and of refracted light (Fresnel).
+-- Report D, its result "réfraction" (row D3): balls of water, glass and diamond, a glass cylinder, and the
+-- pictures behind them. Each surface mirrors one share of the light and refracts the other (Fresnel).
 --
--- From left to right the balls are of water (ior 1.33), of glass (1.5) and of diamond (2.42): the more
+-- From left to right the balls have the ior 1.33, 1.5 and 2.42: the more
 -- they bend, the more they mirror. Seen at a flat angle, all of them are mirrors: look at the rims.
 
 camera { position = {0, 1.5, 6.2}, look_at = {0, 1.0, 0}, fov = 50 }

@@ -1,5 +1,5 @@
--- What report D shows with pictures: one on a rectangle, one on the floor, one on spheres, and a sky
--- panorama, which a mirror shows too.
+-- Report D, its result "textures" (row D2): a picture on a rectangle, one on the floor, one on a sphere, and
+-- a sky panorama, which a mirror shows too.
 
 camera { position = {0.3, 1.45, 5.6}, look_at = {0, 1.0, 0}, fov = 52 }
 image { width = 800, height = 500, samples = 16 }

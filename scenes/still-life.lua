@@ -1,5 +1,6 @@
--- A still life by the light of one paper lantern: soft shadows. Near what throws it a shadow is sharp,
--- far away it is blurred; a point in the penumbra sees a part of the lantern only. With `--samples 1`
+-- A still life by the light of one paper lantern: soft shadows.
+--
+-- Near what throws it a shadow is sharp, far away it is blurred; a point in the penumbra sees a part of the lantern only. With `--samples 1`
 -- the lantern shines from its centre, and shadows are hard.
 
 camera { position = {0.3, 2.5, 5.6}, look_at = {0.1, 0.62, 0}, fov = 36 }

@@ -1,6 +1,7 @@
--- A sun and a sky (rows B4, B5): standing stones in the last light of a day. The sun's light is
--- parallel, so the stones' shadows are all as long, and point the same way. --time moves the sun, an
--- hour each: at 0 it is low, at 4 it stands high.
+-- Report B, its sun and its sky (rows B4 and B5): standing stones in the last light of a day.
+--
+-- The sun's light is parallel, so all shadows point the same way, each as many times as long as what
+-- throws it is tall. --time moves the sun, an hour each: at 0 it is low, at 4 it stands high.
 
 local height = math.rad(9 + 14 * t)
 local around = math.rad(-82 + 15 * t)

@@ -65,7 +65,32 @@ done
 # Every scene is named, and drawn.
 for scene in scenes/*.lua; do
     holds README.md "^\|.*\`${scene##*/}\`" "README names $scene"
-    expect 0 '' "$scene is drawn" "$dioptre" render "$scene" -o "$work/o.bmp" -s 80x60 --samples 1
+done
+
+# Every scene is in the gallery, in its own words, and is what the gallery shows. One ray a pixel gives
+# rough edges and hard shadows, which cost some decibels: 21 in the worst scene. Another picture has 15.
+doc/gallery.sh --page >"$work/gallery.md"
+same doc/gallery.md "$work/gallery.md" 'doc/gallery.md is what make gallery would write'
+for scene in scenes/*.lua; do
+    shown=doc/gallery/$(basename "$scene" .lua).jpg
+    holds doc/gallery.md "\]\(gallery/${shown##*/}\)" "the gallery has $scene"
+    size=$(identify -format '%wx%h' "$shown")
+    expect 0 '' "$scene is drawn" "$dioptre" render "$scene" -o "$work/o.bmp" -s "$size" --samples 1
+    "$dioptre" compare "$shown" "$work/o.bmp" --threshold 255 --json >"$work/out"
+    awk -F'"psnr": ' '{ exit !($2 + 0 >= 20) }' "$work/out" && ok "$shown shows $scene" || fail "$shown: $(cat "$work/out")"
+done
+for shown in doc/gallery/*; do
+    [ -f "scenes/$(basename "$shown" .jpg).lua" ] && ok "$shown has its scene" || fail "$shown has no scene"
+done
+
+# Every still figure of the reports has a scene that says so in its first line.
+head -qn 1 scenes/*.lua >"$work/out"
+for figure in 7 8 9 12 13 16 18 19; do
+    holds "$work/out" "^-- Report A, figure $figure: " "report A's figure $figure has a scene"
+done
+for words in 'C, figures 2 and 3' 'C, figures 4 and 5' 'D, its result "divers objets"' 'D, its result "textures"' \
+    'D, its result "réfraction"' 'D, its results "miroirs"' 'D, its result "lumière"' 'D, its light modes'; do
+    holds "$work/out" "^-- Report $words" "report $words: there is a scene"
 done
 
 # README's picture of the box is the box.

@@ -24,8 +24,8 @@ for i = -6, 5 do
   end
 end
 
-sphere { center = {0.85, 0.75, -1.5}, radius = 0.75,
+sphere { center = {0.55, 0.75, -1.3}, radius = 0.75,
          material = material { color = "#d8381e", specular = 0.5, shininess = 80 } }
 
-box { min = {-0.7, -0.2, -0.7}, max = {0.7, 1.4, 0.7}, rotate = {0, 28, 0}, translate = {-0.15, 0, 0.4},
-      material = material { color = 0, transparency = 0.97, ior = 1.5, specular = 0.6, shininess = 300 } }
+box { min = {-0.7, -0.2, -0.7}, max = {0.7, 1.4, 0.7}, rotate = {0, 20, 0}, translate = {-0.15, 0, 0.4},
+      material = material { color = 0, transparency = {0.93, 0.98, 0.97}, ior = 1.5, specular = 0.6, shininess = 300 } }

@@ -5,7 +5,7 @@
 -- place where it arrives, as any other ray does. The lens is a flat ball; it is near the wall and
 -- enlarges. The ball turns the picture upside down. The block moves it aside.
 
-camera { position = {0, 1.55, 5.2}, look_at = {0, 1.28, 0}, fov = 44 }
+camera { position = {0, 1.6, 5.8}, look_at = {0, 1.2, 0}, fov = 44 }
 image { width = 800, height = 500, samples = 16, depth = 10 }
 
 ambient(0.35)
@@ -19,7 +19,7 @@ box { min = {-2.9, 0, -1.75}, max = {2.9, 3.35, -1.62}, material = material { co
 
 local glass = material { color = 0, transparency = 0.98, ior = 1.5, specular = 0.8, shininess = 400 }
 -- The lens with its foot, the ball, the block.
-sphere { scale = {0.62, 0.62, 0.16}, translate = {-1.15, 1.05, -0.35}, material = glass }
+sphere { scale = {0.62, 0.62, 0.09}, translate = {-1.15, 1.05, -0.35}, material = glass }
 cylinder { base = {-1.15, 0, -0.35}, top = {-1.15, 0.42, -0.35}, radius = 0.05,
            material = material { color = "#b08d3f", reflectivity = 0.3, specular = 0.6 } }
 sphere { center = {0.25, 0.62, 0.5}, radius = 0.6, material = glass }

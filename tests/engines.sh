@@ -51,8 +51,9 @@ for program in build/dioptre build/clang/dioptre; do
 done
 same "$work/build-dioptre.bmp" "$work/build-clang-dioptre.bmp" 'gcc and clang give the same bits for pictures'
 same "$work/clang.bmp" "$work/shapes-f32x4.bmp" 'gcc and clang give the same bits for all shapes'
-glass=scenes/glass-of-water.lua
-build/clang/dioptre render "$glass" -o "$work/clang.bmp" -s 96x72 --samples 1 --engine f32x4
-"$dioptre" render "$glass" -o "$work/glass.bmp" -s 96x72 --samples 1 --engine f32x4
-same "$work/clang.bmp" "$work/glass.bmp" 'gcc and clang give the same bits through glass'
+for scene in glass-of-water glass-teapot chess; do
+    build/clang/dioptre render "scenes/$scene.lua" -o "$work/clang.bmp" -s 96x72 --samples 1 --engine f32x4
+    "$dioptre" render "scenes/$scene.lua" -o "$work/gcc.bmp" -s 96x72 --samples 1 --engine f32x4
+    same "$work/clang.bmp" "$work/gcc.bmp" "gcc and clang give the same bits for $scene"
+done
 finish

@@ -9,7 +9,9 @@
  */
 #include "assets/bmp.h"
 
+#include <fcntl.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 /** Steps that a channel may be off: two roundings of the same light. */
 enum { STEPS_ALLOWED = 1 };
@@ -91,12 +93,12 @@ static Counts count(const Picture *ours, const Picture *theirs) {
 static Picture read_or_exit(const char *path) {
     Error error = {0};
     Picture picture = {0};
-    FILE *stream = fopen(path, "rb");
-    if (!stream || !bmp_read(stream, &picture, &error)) {
+    int file = open(path, O_RDONLY);
+    if (file < 0 || !bmp_read(file, &picture, &error)) {
         fprintf(stderr, "edges: cannot read %s: %s\n", path, error.message);
         exit(EXIT_FAILURE);
     }
-    fclose(stream);
+    close(file);
     return picture;
 }
 

@@ -83,7 +83,7 @@ append_difference() {
 
 # bench_dioptre SCENE DEPTH ENGINE FRAMES: draws pictures.
 bench_dioptre() {
-    "$BUILD/dioptre" bench --json "$1" --base-dir "$(folder_of "$1")" -s $SIZE --samples 1 \
+    "$BUILD/dioptre" bench --json "$1" --base-dir "$(folder_of "$1")" -s "$SIZE" --samples 1 \
         --depth "$2" -j 1 --engine "$3" --frames "$4"
 }
 

@@ -11,7 +11,7 @@
  * before it reaches the shape: else its start, rounded, would be off by an ulp of all of the way.
  */
 #include "trace/shapes/transformed.h"
-#include "trace/packet.h"
+#include "trace/slab.h"
 
 /** Half ulps of the coordinates that a point, and a ray that leaves it, can be off by transforming
  *  them; the shape's own error comes on top. */
@@ -19,6 +19,11 @@
 
 /** How much farther than the shape reaches a ray starts anew: more than all roundings. */
 #define TRANSFORMED_MARGIN ((wide_scalar)1.0625f)
+
+/** Rays to a shape of triangles that start no farther than this from its middle, in units of how
+ * far it reaches, go the whole way: differences to its corners are taken in the wide precision, and
+ *  what is rounded of their start is a few ulps of the shape. Other shapes are less exact. */
+#define TRANSFORMED_NEAR ((wide_scalar)8)
 
 /** A matrix by its rows. */
 typedef struct Matrix {
@@ -34,7 +39,9 @@ typedef struct Transformed {
     WidePoint move;       /**< Where the zero of its space goes. */
     WidePoint middle;     /**< Middle of the shape's box, in its space. */
     wide_scalar distance; /**< A little more than how far the shape reaches from there. */
+    wide_scalar near;     /**< Rays that start no farther from there start anew nowhere. */
     scalar reach;         /**< Largest coordinate of the move. */
+    Bounds bounds;        /**< The box around it, in the scene. */
 } Transformed;
 
 /** LANES rays in a shape's own space. */
@@ -101,6 +108,43 @@ static void transformed_measure(Transformed *self) {
     self->distance = (wide_scalar)WIDE_SQRT(wide_point_dot(half, half)) * TRANSFORMED_MARGIN;
 }
 
+/**
+ * @return The lowest, or the highest, that a coordinate of a transformed box can be.
+ * @param row   The row of the matrix that makes the coordinate.
+ * @param low   The box's lowest coordinates.
+ * @param high  Its highest.
+ * @param sign  1: the highest; -1: the lowest.
+ */
+static wide_scalar farthest(WidePoint row, const scalar low[3], const scalar high[3], int sign) {
+    const wide_scalar factors[3] = {row.x, row.y, row.z};
+    wide_scalar sum = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        bool takes_high = factors[axis] * (wide_scalar)sign > 0;
+        sum += factors[axis] * (wide_scalar)(takes_high ? high[axis] : low[axis]);
+    }
+    return sum;
+}
+
+/** @return The box around a shape's transformed box. @param transformed The shape, but for its
+ *  bounds. */
+static Bounds transformed_box(const Transformed *transformed) {
+    const WidePoint *rows = transformed->forth.row;
+    Bounds inner = transformed->inner->class->bounds(transformed->inner);
+    if (inner.high[0] == INFINITE) {
+        return inner;
+    }
+    WidePoint corners[2];
+    for (int i = 0; i < 2; i++) {
+        int sign = i == 0 ? -1 : 1;
+        corners[i] = (WidePoint){farthest(rows[0], inner.low, inner.high, sign),
+                                 farthest(rows[1], inner.low, inner.high, sign),
+                                 farthest(rows[2], inner.low, inner.high, sign)};
+    }
+    Vector3 move = vector3_of(transformed->move);
+    return bounds_slackened(bounds_around(vector3_add(vector3_of(corners[0]), move),
+                                          vector3_add(vector3_of(corners[1]), move)));
+}
+
 /** Makes a transformed shape. @param self The shape. @param parameters #TransformedParameters. */
 static void transformed_init(Shape *self, const void *parameters) {
     Transformed *transformed = (Transformed *)self;
@@ -111,21 +155,28 @@ static void transformed_init(Shape *self, const void *parameters) {
     transformed->move = wide_point_of(p->transform->translate);
     transformed->reach = (scalar)vector3_largest(p->transform->translate);
     transformed_measure(transformed);
+    transformed->near = p->inner->class->nearest ? TRANSFORMED_NEAR * transformed->distance : 0;
+    transformed->bounds = transformed_box(transformed);
 }
 
 /**
  * @return How much of rays may be left out: the way to where they can first meet the shape; nothing
- *         where they start there already, or where the shape has no end.
+ *         where they start near it, or where the shape has no end.
  * @param self       The shape.
  * @param origin     Where they start, in its space.
  * @param direction  Which way, in its space.
  */
 INLINE wide transformed_skip(const Transformed *self, WideVector origin, WideVector direction) {
+    const wide zero = wide_of(0);
     WideVector to_middle = wide_subtract(wide_vector_of(self->middle), origin);
+    wide_mask is_far = wide_dot(to_middle, to_middle) > wide_of(self->near * self->near);
+    if (!any(narrow_mask(is_far))) {
+        return zero;
+    }
     wide per_length_squared = 1 / wide_dot(direction, direction);
     wide to_nearest = wide_dot(to_middle, direction) * per_length_squared;
     wide skip = to_nearest - wide_of(self->distance) * wide_sqrt(per_length_squared);
-    return wide_select(skip > 0, skip, wide_of(0));
+    return wide_select(is_far & (skip > 0), skip, zero);
 }
 
 /** @return Rays in a shape's own space. @param self The shape. @param ray The rays. */
@@ -205,41 +256,9 @@ static mask transformed_is_blocking(const Shape *self, const Ray *ray, mask acti
     return inner->class->is_blocking(inner, &local.ray, active, left);
 }
 
-/**
- * @return The lowest, or the highest, that a coordinate of a transformed box can be.
- * @param row   The row of the matrix that makes the coordinate.
- * @param low   The box's lowest coordinates.
- * @param high  Its highest.
- * @param sign  1: the highest; -1: the lowest.
- */
-static wide_scalar farthest(WidePoint row, const scalar low[3], const scalar high[3], int sign) {
-    const wide_scalar factors[3] = {row.x, row.y, row.z};
-    wide_scalar sum = 0;
-    for (int axis = 0; axis < 3; axis++) {
-        bool takes_high = factors[axis] * (wide_scalar)sign > 0;
-        sum += factors[axis] * (wide_scalar)(takes_high ? high[axis] : low[axis]);
-    }
-    return sum;
-}
-
-/** @return The box around a shape's transformed box. @param self The shape. */
+/** @return The box around it. @param self The shape. */
 static Bounds transformed_bounds(const Shape *self) {
-    const Transformed *transformed = (const Transformed *)self;
-    const WidePoint *rows = transformed->forth.row;
-    Bounds inner = transformed->inner->class->bounds(transformed->inner);
-    if (inner.high[0] == INFINITE) {
-        return inner;
-    }
-    WidePoint corners[2];
-    for (int i = 0; i < 2; i++) {
-        int sign = i == 0 ? -1 : 1;
-        corners[i] = (WidePoint){farthest(rows[0], inner.low, inner.high, sign),
-                                 farthest(rows[1], inner.low, inner.high, sign),
-                                 farthest(rows[2], inner.low, inner.high, sign)};
-    }
-    Vector3 move = vector3_of(transformed->move);
-    return bounds_slackened(bounds_around(vector3_add(vector3_of(corners[0]), move),
-                                          vector3_add(vector3_of(corners[1]), move)));
+    return ((const Transformed *)self)->bounds;
 }
 
 /**
@@ -264,15 +283,37 @@ static TexturePlace transformed_texture_place(const Shape *self, const Hit *hit,
 
 /* --- shapes that take whole packets ---------------------------------------------------------- */
 
-/** @return A packet in a shape's own space. @param self The shape. @param packet The rays.
- *  @param[out] skipped How much of each ray was left out. */
-static Packet transformed_packet(const Transformed *self, const Packet *packet, wide *skipped) {
+/** @return The same box for every ray. @param box The box. */
+INLINE BoundsBlock bounds_spread(const Bounds *box) {
+    BoundsBlock same;
+    for (int axis = 0; axis < 3; axis++) {
+        same.planes[axis] = real_of(box->low[axis]);
+        same.planes[axis + 3] = real_of(box->high[axis]);
+    }
+    return same;
+}
+
+/**
+ * @return A packet in a shape's own space; active are only the rays that may meet it.
+ * @param self      The shape.
+ * @param packet    The rays.
+ * @param limits    How far each looks.
+ * @param[out] skipped  How much of each ray was left out.
+ */
+static Packet transformed_packet(const Transformed *self, const Packet *packet, const real *limits,
+                                 wide *skipped) {
+    BoundsBlock box = bounds_spread(&self->bounds);
     Packet inside;
     inside.wants_points = packet->wants_points;
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        Local local = transformed_local(self, &packet->rays[v]);
+        const Ray *ray = &packet->rays[v];
+        Local local = {*ray, wide_of(0)};
+        real near;
+        inside.active[v] = packet->active[v] & slab_meets(ray, &box, limits[v], &near);
+        if (any(inside.active[v])) {
+            local = transformed_local(self, ray);
+        }
         inside.rays[v] = local.ray;
-        inside.active[v] = packet->active[v];
         inside.limit[v] = narrow(widen(packet->limit[v]) - local.skipped);
         skipped[v] = local.skipped;
     }
@@ -284,14 +325,19 @@ static Packet transformed_packet(const Transformed *self, const Packet *packet, 
 static void transformed_nearest(const Shape *self, const Packet *packet, Hit *hits) {
     const Transformed *transformed = (const Transformed *)self;
     wide skipped[PACKET_VECTORS];
+    real limits[PACKET_VECTORS];
     Hit met[PACKET_VECTORS];
-    Packet inside = transformed_packet(transformed, packet, skipped);
     for (int v = 0; v < PACKET_VECTORS; v++) {
+        limits[v] = hits[v].distance;
         met[v] = hit_nothing(real_of(INFINITE));
+    }
+    Packet inside = transformed_packet(transformed, packet, limits, skipped);
+    if (packet_count(&inside) == 0) {
+        return;
     }
     transformed->inner->class->nearest(transformed->inner, &inside, met);
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        mask is_met = packet->active[v] & (met[v].shape >= integer_of(0));
+        mask is_met = inside.active[v] & (met[v].shape >= integer_of(0));
         real distance = narrow(skipped[v] + widen(met[v].distance));
         mask nearer = hit_is_nearer(&hits[v], is_met, distance, self->place);
         if (any(nearer)) {
@@ -305,8 +351,10 @@ static void transformed_nearest(const Shape *self, const Packet *packet, Hit *hi
 static void transformed_blocked(const Shape *self, const Packet *packet, mask *blocked) {
     const Transformed *transformed = (const Transformed *)self;
     wide skipped[PACKET_VECTORS];
-    Packet inside = transformed_packet(transformed, packet, skipped);
-    transformed->inner->class->blocked(transformed->inner, &inside, blocked);
+    Packet inside = transformed_packet(transformed, packet, packet->limit, skipped);
+    if (packet_count(&inside) > 0) {
+        transformed->inner->class->blocked(transformed->inner, &inside, blocked);
+    }
 }
 
 const ShapeClass transformed_packets_class = {

@@ -8,6 +8,7 @@
 #include "dioptre/error.h"
 #include "dioptre/vector3.h"
 
+#include <stdatomic.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -46,6 +47,7 @@ typedef struct Mesh {
     MeshTriangle *triangle_normals; /**< Places in #normals; NULL without normals. */
     MeshTriangle *triangle_uvs;     /**< Places in #uvs; NULL without (u, v). */
     MeshRepairs repairs;            /**< What was put right. */
+    atomic_uint owners;             /**< How many hold it. */
 } Mesh;
 
 /** Somebody who is told, while a model file is read, how far it is. */
@@ -64,14 +66,17 @@ typedef struct MeshProgress {
 } MeshProgress;
 
 /**
- * Makes a mesh, all its numbers zero, to be filled.
+ * Makes a mesh with one owner, all its numbers zero, to be filled.
  * @param counts      How many of everything; the rest of it is not read.
  * @param[out] error  What is wrong.
  * @return The mesh, to be given back with #mesh_destroy; NULL without memory.
  */
 Mesh *mesh_create(const Mesh *counts, Error *error);
 
-/** Gives a mesh back. @param mesh The mesh, or NULL. */
+/** Becomes one more owner. @param mesh The mesh, or NULL. @return The same. */
+Mesh *mesh_share(Mesh *mesh);
+
+/** Gives a mesh back; the last owner's call gives its memory back. @param mesh It, or NULL. */
 void mesh_destroy(Mesh *mesh);
 
 /**

@@ -68,8 +68,8 @@ typedef struct SceneFile {
 /** A model file that a scene names. */
 typedef struct SceneMesh {
     SceneFile file; /**< The file. */
-    Mesh *mesh;     /**< What is in it; owned by the scene. NULL until it is read, which is after
-                         the scene file has run. */
+    Mesh *mesh;     /**< What is in it; the scene is one of its owners. NULL until it is read, which
+                         is after the scene file has run. */
 } SceneMesh;
 
 /** A picture file that a scene names. */
@@ -83,6 +83,7 @@ typedef struct SceneTexture {
 typedef struct Scene {
     Camera camera;          /**< From where it is seen. */
     bool has_camera;        /**< Whether a camera was given; a scene needs one. */
+    bool reads_time;        /**< Whether its file asked what time it is: else no time changes it. */
     Image image;            /**< The picture that it asks for. */
     Color ambient;          /**< Light from everywhere. */
     Sky sky;                /**< What is behind everything. */

@@ -7,11 +7,29 @@
 
 #include "dioptre/scene.h"
 
+#include <stdatomic.h>
+
 /** Seconds that a scene file may run, inside library calls too. */
 #define SCRIPT_SECONDS 10.0
 
 /** Bytes that a scene file's own data may take. */
 #define SCRIPT_MEMORY ((size_t)256 << 20)
+
+/**
+ * What a scene file needs that no time changes: its text, and the models and pictures of the scene
+ * that was loaded last. Where a file is run again and again, each is read once.
+ */
+typedef struct Stock Stock;
+
+/**
+ * Makes an empty stock, for one scene file.
+ * @param[out] error  What is wrong.
+ * @return The stock, to be given back with #stock_destroy; NULL without memory.
+ */
+Stock *stock_create(Error *error);
+
+/** Gives a stock back. @param stock The stock, or NULL. */
+void stock_destroy(Stock *stock);
 
 /** What to load, and how. */
 typedef struct ScriptRequest {
@@ -22,6 +40,8 @@ typedef struct ScriptRequest {
     size_t memory;        /**< How many bytes its data may take; #SCRIPT_MEMORY. */
     const Keyword *const *shape_keywords; /**< The shapes it can name, ended by NULL. */
     const MeshProgress *progress; /**< Told how far its model files are read; NULL: nobody is. */
+    Stock *stock;            /**< What an earlier load left, and this one leaves; NULL: nothing. */
+    const atomic_bool *stop; /**< The file is given up once this is true; NULL: never. */
 } ScriptRequest;
 
 /**

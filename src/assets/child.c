@@ -135,10 +135,10 @@ static bool watch(int pipe, double start, double deadline, const ChildWatcher *w
         if (!wait_for_close(pipe, until, &is_closed)) {
             return is_closed;
         }
-        if (watcher) {
+        if (watcher && watcher->tell) {
             watcher->tell(watcher->context, clock_seconds() - start);
         }
-    } while (until < deadline);
+    } while (until < deadline && !(watcher && watcher->stop && atomic_load(watcher->stop)));
     return false;
 }
 

@@ -9,12 +9,13 @@
 #ifndef ASSETS_CHILD_H
 #define ASSETS_CHILD_H
 
+#include <stdatomic.h>
 #include <stddef.h>
 
 /** How work in a child ended. */
 typedef enum {
     CHILD_ENDED,    /**< By itself. */
-    CHILD_LATE,     /**< Killed at the deadline. */
+    CHILD_LATE,     /**< Killed at the deadline, or when its watcher had enough. */
     CHILD_CRASHED,  /**< By a signal. */
     CHILD_UNSTARTED /**< There was no child: no memory, or too many processes. */
 } ChildEnd;
@@ -31,10 +32,11 @@ typedef enum {
  */
 ChildEnd child_run(void (*work)(void *context), void *context, double seconds, int *detail);
 
-/** Somebody who is told, while a child works, that it still does. */
+/** Somebody who is told, while a child works, that it still does, and who may end it. */
 typedef struct ChildWatcher {
-    void (*tell)(void *context, double seconds); /**< Told the seconds since the start. */
+    void (*tell)(void *context, double seconds); /**< Told the seconds since the start, or NULL. */
     void *context;                               /**< Handed to it. */
+    const atomic_bool *stop; /**< The child is late once this is true; NULL: at its deadline. */
 } ChildWatcher;
 
 /**

@@ -260,6 +260,7 @@ static bool accept(Mesh *left, Error *error) {
     if (!is_short || mesh_size(left) > ROOM) {
         return error_set(error, STATUS_SCENE, "it makes the library that reads models go astray");
     }
+    atomic_store(&left->owners, 1);
     mesh_lay_out(left);
     if (!mesh_check(left, error)) {
         return false;

@@ -43,12 +43,20 @@ Mesh *mesh_create(const Mesh *counts, Error *error) {
     mesh->normal_count = counts->normal_count;
     mesh->uv_count = counts->uv_count;
     mesh->triangle_count = counts->triangle_count;
+    atomic_init(&mesh->owners, 1);
     mesh_lay_out(mesh);
     return mesh;
 }
 
-void mesh_destroy(Mesh *mesh) {
+Mesh *mesh_share(Mesh *mesh) {
     if (mesh) {
+        atomic_fetch_add(&mesh->owners, 1);
+    }
+    return mesh;
+}
+
+void mesh_destroy(Mesh *mesh) {
+    if (mesh && atomic_fetch_sub(&mesh->owners, 1) == 1) {
         munmap(mesh, mesh_size(mesh));
     }
 }

@@ -5,6 +5,7 @@
 #include "script/library.h"
 
 #include "script/order.h"
+#include "script/run.h"
 #include "script/sandbox.h"
 #include "script/suggest.h"
 #include "script/text.h"
@@ -145,15 +146,32 @@ static int library_unknown(lua_State *L) {
 }
 
 /**
- * Makes a table of the language raise errors about words that it does not have.
- * @param L     The state, with the table on top.
- * @param name  Its name; nothing for the global words.
- * @param dot   What stands between the name and a word.
+ * Finds a global word that is not in their table: `t`, the time. It is not kept there so that it is
+ * seen whether a scene asks for it. Any other raises an error. An `__index` metamethod; see
+ * lua_CFunction.
+ * @param L  The state, with the table and the word; #library_unknown's upvalue.
+ * @return 1: the time.
  */
-static void make_strict(lua_State *L, const char *name, const char *dot) {
+static int library_global(lua_State *L) {
+    const Run *run = sandbox_of(L)->context;
+    if (lua_type(L, 2) != LUA_TSTRING || strcmp(lua_tostring(L, 2), "t") != 0) {
+        return library_unknown(L);
+    }
+    run->scene->reads_time = true;
+    lua_pushnumber(L, run->request->time);
+    return 1;
+}
+
+/**
+ * Makes a table of the language ask a function about words that it does not have.
+ * @param L        The state, with the table on top.
+ * @param name     Its name and a dot; nothing for the global words.
+ * @param unknown  The function, which raises errors.
+ */
+static void make_strict(lua_State *L, const char *name, lua_CFunction unknown) {
     lua_createtable(L, 0, 2);
-    lua_pushfstring(L, "%s%s", name, dot);
-    lua_pushcclosure(L, library_unknown, 1);
+    lua_pushstring(L, name);
+    lua_pushcclosure(L, unknown, 1);
     lua_setfield(L, -2, "__index");
     lua_pushboolean(L, false);
     lua_setfield(L, -2, "__metatable");
@@ -196,7 +214,10 @@ static void open_base(lua_State *L) {
  */
 static void open_library(lua_State *L, const luaL_Reg *library) {
     luaL_requiref(L, library->name, library->func, 0);
-    make_strict(L, library->name, ".");
+    const char *prefix = lua_pushfstring(L, "%s.", library->name);
+    lua_insert(L, -2);
+    make_strict(L, prefix, library_unknown);
+    lua_remove(L, -2);
     lua_setfield(L, -2, library->name);
 }
 
@@ -234,6 +255,6 @@ void library_open(lua_State *L) {
     }
     tame_random(L);
     tame_string(L);
-    make_strict(L, "", "");
+    make_strict(L, "", library_global);
     lua_rawseti(L, LUA_REGISTRYINDEX, LUA_RIDX_GLOBALS);
 }

@@ -24,8 +24,6 @@ static int run_text(lua_State *L) {
     library_open(L);
     keywords_open(L);
     include_open(L);
-    lua_pushnumber(L, run->request->time);
-    lua_setglobal(L, "t");
     sandbox_watch(L);
     Source text = *run->source;
     sandbox_load(L, &text, run->request->path);

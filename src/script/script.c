@@ -10,6 +10,7 @@
 #include "script/report.h"
 #include "script/run.h"
 #include "script/source.h"
+#include "script/stock.h"
 #include "script/text.h"
 
 #include <signal.h>
@@ -33,6 +34,11 @@ static void stop(const Run *run, const char *words) {
     report_fail(run->report, run->report->location, words, strlen(words));
 }
 
+/** @return Whether a scene file is given up. @param request What was asked for. */
+static bool is_stopped(const ScriptRequest *request) {
+    return request->stop && atomic_load(request->stop);
+}
+
 /**
  * Reports why a child has left no report of its own.
  * @param run     What it was to run.
@@ -44,6 +50,8 @@ static void explain(const Run *run, ChildEnd end, int detail) {
     if (end == CHILD_UNSTARTED) {
         error_set(&run->report->error, STATUS_FAILED, "no process to run a scene in: %s",
                   strerror(detail));
+    } else if (end == CHILD_LATE && is_stopped(run->request)) {
+        error_set(&run->report->error, STATUS_INTERRUPTED, "interrupted");
     } else if (end == CHILD_LATE) {
         snprintf(words, sizeof words, "the scene ran for more than %g s", run->request->seconds);
         stop(run, words);
@@ -65,7 +73,9 @@ static void explain(const Run *run, ChildEnd end, int detail) {
 static bool run_in_child(Run *run, Error *error) {
     int detail;
     Report *report = run->report;
-    ChildEnd end = child_run(work, run, run->request->seconds, &detail);
+    const ChildWatcher watcher = {.stop = run->request->stop};
+    ChildEnd end = child_run_watched(work, run, run->request->seconds,
+                                     watcher.stop ? &watcher : NULL, &detail);
     if (!report->is_done) {
         explain(run, end, detail);
     }
@@ -93,7 +103,7 @@ static bool blame(const SceneFile *file, Error *error) {
 }
 
 /**
- * Reads the model files that a scene names.
+ * Reads the model files that a scene names and that are not there yet.
  * @param[in,out] scene  The scene.
  * @param progress       Who is told how far it is; NULL: nobody.
  * @param[out] error     What is wrong, with the line that names the file.
@@ -102,7 +112,7 @@ static bool blame(const SceneFile *file, Error *error) {
 static bool read_models(Scene *scene, const MeshProgress *progress, Error *error) {
     for (size_t i = 0; i < scene->mesh_count; i++) {
         SceneMesh *model = &scene->meshes[i];
-        if (!mesh_file_read(model->file.path, progress, &model->mesh, error)) {
+        if (!model->mesh && !mesh_file_read(model->file.path, progress, &model->mesh, error)) {
             return blame(&model->file, error);
         }
     }
@@ -110,7 +120,7 @@ static bool read_models(Scene *scene, const MeshProgress *progress, Error *error
 }
 
 /**
- * Reads the picture files that a scene names.
+ * Reads the picture files that a scene names and that are not there yet.
  * @param[in,out] scene  The scene.
  * @param[out] error     What is wrong, with the line that names the file.
  * @return Whether all were read.
@@ -118,7 +128,7 @@ static bool read_models(Scene *scene, const MeshProgress *progress, Error *error
 static bool read_pictures(Scene *scene, Error *error) {
     for (size_t i = 0; i < scene->texture_count; i++) {
         SceneTexture *picture = &scene->textures[i];
-        if (!texture_file_read(picture->file.path, &picture->texture, error)) {
+        if (!picture->texture && !texture_file_read(picture->file.path, &picture->texture, error)) {
             return blame(&picture->file, error);
         }
     }
@@ -166,6 +176,20 @@ static bool check_painted_models(const Scene *scene, const Keyword *const *keywo
 }
 
 /**
+ * Reads all files that a scene names, but for those that an earlier one has left.
+ * @param request        What was asked for; its stock holds this scene's files afterwards.
+ * @param[in,out] scene  The scene.
+ * @param[out] error     What is wrong, with the line that names the file.
+ * @return Whether all are there.
+ */
+static bool read_files(const ScriptRequest *request, Scene *scene, Error *error) {
+    stock_lend(request->stock, scene);
+    return read_models(scene, request->progress, error) &&
+           check_painted_models(scene, request->shape_keywords, error) &&
+           read_pictures(scene, error) && stock_keep(request->stock, scene, error);
+}
+
+/**
  * Makes the scene that a text describes.
  * @param request     What to load.
  * @param source      The text.
@@ -176,9 +200,7 @@ static Scene *load_text(const ScriptRequest *request, const Source *source, Erro
     Scene *scene = scene_create(error);
     Report *report = scene ? report_create(request->path, error) : NULL;
     Run run = {.request = request, .source = source, .scene = scene, .report = report};
-    if (!report || !run_in_child(&run, error) || !read_models(scene, request->progress, error) ||
-        !check_painted_models(scene, request->shape_keywords, error) ||
-        !read_pictures(scene, error)) {
+    if (!report || !run_in_child(&run, error) || !read_files(request, scene, error)) {
         scene_destroy(scene);
         scene = NULL;
     }
@@ -208,11 +230,12 @@ static bool read_text(const char *path, Source *source, Error *error) {
 }
 
 Scene *script_load(const ScriptRequest *request, Error *error) {
-    Source source;
-    if (!read_text(request->path, &source, error)) {
+    Source own = {0};
+    Source *source = request->stock ? stock_source(request->stock) : &own;
+    if (!source->text && !read_text(request->path, source, error)) {
         return NULL;
     }
-    Scene *scene = load_text(request, &source, error);
-    source_release(&source);
+    Scene *scene = load_text(request, source, error);
+    source_release(&own);
     return scene;
 }

@@ -83,16 +83,30 @@ static void bench_print(const Bench *bench, const RenderSettings *settings,
     }
 }
 
+/**
+ * Finds how many pictures are to be timed.
+ * @param options      The command line.
+ * @param[out] frames  How many.
+ * @param[out] error   That a range was given, or none.
+ * @return Whether it is a number.
+ */
+static bool bench_frames(const Options *options, int *frames, Error *error) {
+    const FrameRange *range = &options->frames;
+    *frames = range->step ? range->first : BENCH_FRAMES;
+    return (range->first == range->last && *frames > 0) ||
+           error_set(error, STATUS_USAGE, "bench --frames takes how many, at least 1");
+}
+
 /** Times a scene. See #Command.run. @param options The command line.
  *  @param[out] error What is wrong. @return The exit status. */
 static int bench_run(const Options *options, Error *error) {
-    Scene *scene = command_scene(options, error);
+    int frames;
+    Scene *scene = bench_frames(options, &frames, error) ? command_scene(options, error) : NULL;
     if (!scene) {
         return (int)error->status;
     }
     RenderSettings settings = command_settings(options, scene);
     Renderer *renderer = renderer_create(scene, &settings, error);
-    int frames = options->frames ? options->frames : BENCH_FRAMES;
     Bench bench = {0};
     if (renderer && bench_measure(renderer, options->rays, frames, &bench, error)) {
         bench_print(&bench, &settings, options);

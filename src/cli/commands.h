@@ -6,12 +6,13 @@
 #define DIOPTRE_CLI_COMMANDS_H
 
 #include "cli/options.h"
-#include "dioptre/scene.h"
+#include "dioptre/script.h"
 
 #include <stdio.h>
 
 extern const Command view_command;    /**< `view` */
 extern const Command render_command;  /**< `render` */
+extern const Command animate_command; /**< `animate` */
 extern const Command info_command;    /**< `info` */
 extern const Command compare_command; /**< `compare` */
 extern const Command bench_command;   /**< `bench` */
@@ -23,6 +24,18 @@ extern const Command bench_command;   /**< `bench` */
  * @return The scene, to be given back with #scene_destroy; NULL if anything is wrong.
  */
 Scene *command_scene(const Options *options, Error *error);
+
+/**
+ * Loads the scene that a command line names once more, for another time.
+ * @param options       The command line.
+ * @param time          The scene's `t`, seconds.
+ * @param[in,out] stock What an earlier call has left; may be NULL.
+ * @param stop          It is given up once this is true; may be NULL.
+ * @param[out] error    What is wrong.
+ * @return See #command_scene.
+ */
+Scene *command_scene_at(const Options *options, double time, Stock *stock, const atomic_bool *stop,
+                        Error *error);
 
 /**
  * @return What a command line asks of the renderer, over what the scene asks for.
@@ -69,18 +82,58 @@ typedef struct ModelsProgress {
  */
 const MeshProgress *models_progress(ModelsProgress *models, const Options *options);
 
-/** A thread that tells how far a renderer is. */
+/** A thread that tells how far one picture or several are. */
 typedef struct Progress Progress;
 
 /**
  * Begins to tell progress on standard error.
- * @param renderer  The renderer.
  * @param options   Whether and how.
+ * @param pictures  How many pictures there will be.
  * @return To be given to #progress_end; NULL where nothing is to be told.
  */
-Progress *progress_begin(const Renderer *renderer, const Options *options);
+Progress *progress_begin(const Options *options, int pictures);
+
+/** The next picture is begun. @param progress What #progress_begin returned, or NULL.
+ *  @param renderer Who draws it; must stay there until it is done. */
+void progress_watch(Progress *progress, const Renderer *renderer);
+
+/** A picture is done. @param progress What #progress_begin returned, or NULL. */
+void progress_done(Progress *progress);
+
+/** A picture will not be drawn. @param progress What #progress_begin returned, or NULL. */
+void progress_leave_out(Progress *progress);
 
 /** Ends it and clears its line. @param progress What #progress_begin returned, or NULL. */
 void progress_end(Progress *progress);
+
+/** A picture that is to be drawn. */
+typedef struct Order {
+    const Options *options; /**< The command line. */
+    const char *output;     /**< The file that it is meant for. */
+    double time;            /**< The scene's `t`, seconds. */
+    Progress *progress;     /**< Who tells how far it is; may be NULL. */
+} Order;
+
+/**
+ * Draws a scene into a picture.
+ * @param order        What is to be drawn.
+ * @param scene        The scene.
+ * @param[out] picture The picture; to be released also when anything is wrong.
+ * @param[out] report  How it went.
+ * @param[out] error   What is wrong.
+ * @return false if it could not be drawn.
+ */
+bool command_draw(const Order *order, const Scene *scene, Picture *picture, RenderReport *report,
+                  Error *error);
+
+/**
+ * Writes a picture into its file, with how it came about.
+ * @param order            What it is.
+ * @param scene            Its scene.
+ * @param[in,out] picture  The picture; its notes are not there afterwards.
+ * @param[out] error       What is wrong.
+ * @return Whether it is there.
+ */
+bool command_write(const Order *order, const Scene *scene, Picture *picture, Error *error);
 
 #endif

@@ -12,15 +12,22 @@
 static atomic_bool is_interrupted;
 
 Scene *command_scene(const Options *options, Error *error) {
+    return command_scene_at(options, options->time, NULL, NULL, error);
+}
+
+Scene *command_scene_at(const Options *options, double time, Stock *stock, const atomic_bool *stop,
+                        Error *error) {
     ModelsProgress models;
     // The keywords of an engine that this processor can run: their checks are its code.
     ScriptRequest request = {.path = options->arguments[0],
                              .base_dir = options->base_dir,
-                             .time = options->time,
+                             .time = time,
                              .seconds = SCRIPT_SECONDS,
                              .memory = SCRIPT_MEMORY,
                              .shape_keywords = engine_find("auto", NULL)->shape_keywords,
-                             .progress = models_progress(&models, options)};
+                             .progress = models_progress(&models, options),
+                             .stock = stock,
+                             .stop = stop};
     return script_load(&request, error);
 }
 

@@ -9,15 +9,16 @@
 #include <string.h>
 
 /** All commands, ended by NULL. */
-static const Command *const commands[] = {&view_command,    &render_command, &info_command,
-                                          &compare_command, &bench_command,  NULL};
+static const Command *const commands[] = {&view_command, &render_command,  &animate_command,
+                                          &info_command, &compare_command, &bench_command,
+                                          NULL};
 
 /** Prints the help of the program. */
 static void print_help(void) {
     printf("dioptre: a ray tracer to teach with\n\nusage: dioptre COMMAND ...\n"
            "       dioptre SCENE     the same as dioptre view SCENE\n\n");
     for (const Command *const *command = commands; *command; command++) {
-        printf("  %-8s %-14s %s\n", (*command)->name, (*command)->usage, (*command)->help);
+        printf("  %-8s %-28s %s\n", (*command)->name, (*command)->usage, (*command)->help);
     }
     printf("\n`dioptre COMMAND --help` names the options. `-` as SCENE reads standard input.\n");
 }

@@ -35,7 +35,7 @@ static const char *name_of(const char *path) {
     return strcmp(path, "-") == 0 ? "standard input" : slash ? slash + 1 : path;
 }
 
-void notes_make(Notes *notes, const Options *options, const RenderSettings *settings) {
+void notes_make(Notes *notes, const Options *options, double time, const RenderSettings *settings) {
     const char *scene = name_of(options->arguments[0]);
     const TraceSettings *trace = &settings->trace;
     char offset[64];
@@ -46,11 +46,11 @@ void notes_make(Notes *notes, const Options *options, const RenderSettings *sett
     }
     note(notes, "Software", "dioptre " DIOPTRE_VERSION);
     note(notes, "ImageDescription",
-         "scene %s, time %g s, engine %s, %dx%d, samples %d, depth %d, offset %s", scene,
-         options->time, settings->engine->name, settings->width, settings->height,
-         settings->samples, trace->depth, offset);
+         "scene %s, time %g s, engine %s, %dx%d, samples %d, depth %d, offset %s", scene, time,
+         settings->engine->name, settings->width, settings->height, settings->samples, trace->depth,
+         offset);
     note(notes, "dioptre:scene", "%s", scene);
-    note(notes, "dioptre:time", "%g", options->time);
+    note(notes, "dioptre:time", "%g", time);
     note(notes, "dioptre:engine", "%s", settings->engine->name);
     note(notes, "dioptre:size", "%dx%d", settings->width, settings->height);
     note(notes, "dioptre:samples", "%d", settings->samples);

@@ -24,8 +24,9 @@ typedef struct Notes {
  * same scene and settings make the same file.
  * @param[out] notes  The notes.
  * @param options     The command line.
+ * @param time        The scene's `t`, seconds.
  * @param settings    The settings.
  */
-void notes_make(Notes *notes, const Options *options, const RenderSettings *settings);
+void notes_make(Notes *notes, const Options *options, double time, const RenderSettings *settings);
 
 #endif

@@ -22,7 +22,7 @@ typedef struct OptionRow {
 
 /** All options of all commands. */
 static const OptionRow option_rows[] = {
-    {'o', true, "output", "FILE", "write the picture there; the ending names the format"},
+    {'o', true, "output", "FILE", "write there; the ending names the format"},
     {'s', true, "size", "WxH", "size of the picture, pixels"},
     {'A', false, "samples", "N", "rays a pixel"},
     {'S', false, "sampling", "WAY", "adaptive or full: whether every pixel gets all its rays"},
@@ -33,7 +33,10 @@ static const OptionRow option_rows[] = {
     {'O', false, "offset", "WAY", "none, fixed or bound: how rays leave a surface"},
     {'X', false, "epsilon", "LENGTH", "for --offset fixed, scene units"},
     {'B', false, "base-dir", "DIR", "where the files lie that the scene names"},
-    {'F', false, "frames", "N", "pictures to time (default: 10)"},
+    {'C', false, "seconds", "S", "how long the film lasts (default: 10)"},
+    {'G', false, "fps", "F", "frames a second (default: 25)"},
+    {'F', false, "frames", "A-B[:STEP]", "which frames, from 0; for bench how many (default: 10)"},
+    {'N', false, "skip-existing", NULL, "leave out frames whose file is there"},
     {'R', false, "rays", "KIND", "image, primary or random"},
     {'T', false, "threshold", "STEPS",
      "largest difference that still counts as alike (default: 0)"},
@@ -98,6 +101,20 @@ static bool read_number(const char *name, const char *text, double minimum, doub
     }
     *value = number;
     return true;
+}
+
+/**
+ * Reads a number of frames a second.
+ * @param text        What was said.
+ * @param[out] fps    The number.
+ * @param[out] error  What is wrong.
+ * @return Whether it is one, in range.
+ */
+static bool read_rate(const char *text, double *fps, Error *error) {
+    Error ignored;
+    return (read_number("fps", text, 0, fps, &ignored) && *fps > 0 && *fps <= FRAMES_FPS_MAXIMUM) ||
+           error_set(error, STATUS_USAGE, "--fps takes a number above 0, at most %g, not '%s'",
+                     FRAMES_FPS_MAXIMUM, text);
 }
 
 /**
@@ -213,7 +230,11 @@ static bool take_value(const OptionRow *row, const char *text, Options *options,
     case 'j':
         return read_integer(row->name, text, 1, THREADS_MAXIMUM, &options->threads, error);
     case 'F':
-        return read_integer(row->name, text, 1, INT_MAX, &options->frames, error);
+        return frames_read(text, &options->frames, error);
+    case 'C':
+        return read_number(row->name, text, 0, &options->seconds, error);
+    case 'G':
+        return read_rate(text, &options->fps, error);
     case 'T':
         return read_integer(row->name, text, 0, UINT8_MAX, &options->threshold, error);
     case 't':
@@ -232,6 +253,7 @@ static bool take_value(const OptionRow *row, const char *text, Options *options,
 static void take_flag(char key, Options *options) {
     options->json = options->json || key == 'J';
     options->timing = options->timing || key == 'L';
+    options->skip_existing = options->skip_existing || key == 'N';
     options->quiet = options->quiet || key == 'q';
     options->help = options->help || key == 'h';
     options->version = options->version || key == 'V';
@@ -302,7 +324,7 @@ static bool take_option(const Command *command, int key, const char *word, Optio
 
 bool options_parse(const Command *command, int argc, char **argv, Options *options, Error *error) {
     GetoptTables tables = getopt_tables();
-    *options = (Options){.depth = -1, .offset = -1, .epsilon = -1};
+    *options = (Options){.depth = -1, .offset = -1, .epsilon = -1, .seconds = -1};
     optind = 1;
     int key = 0;
     while ((key = getopt_long(argc, argv, tables.letters, tables.names, NULL)) != -1) {

@@ -5,6 +5,7 @@
 #ifndef DIOPTRE_CLI_OPTIONS_H
 #define DIOPTRE_CLI_OPTIONS_H
 
+#include "cli/frames.h"
 #include "dioptre/renderer.h"
 
 /** How progress is told. */
@@ -39,13 +40,16 @@ typedef struct Options {
     Sampling sampling;                        /**< `--sampling` */
     int depth;                                /**< `--depth`; -1: not said. */
     int threads;                              /**< `--threads` */
-    int frames;                               /**< `--frames` */
+    FrameRange frames;                        /**< `--frames`; step 0: not said. */
+    double seconds;                           /**< `--seconds`; negative: not said. */
+    double fps;                               /**< `--fps`; 0: not said. */
     int threshold;                            /**< `--threshold`, steps. */
     double time;                              /**< `--time`, seconds. */
     int offset;                               /**< `--offset`: an #OffsetStrategy; -1: not said. */
     double epsilon;                           /**< `--epsilon`, scene units; negative: not said. */
     ProgressStyle progress;                   /**< `--progress` */
     BenchRays rays;                           /**< `--rays` */
+    bool skip_existing;                       /**< `--skip-existing` */
     bool quiet;                               /**< `--quiet` */
     bool json;                                /**< `--json` */
     bool by_letter;                           /**< `--keys letters` */

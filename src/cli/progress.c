@@ -14,10 +14,13 @@
 #define PROGRESS_NANOSECONDS 200000000L
 
 struct Progress {
-    const Renderer *renderer; /**< Whose progress. */
+    const Renderer *renderer; /**< Who draws the picture under way; NULL: nobody. */
+    int pictures;             /**< How many pictures there will be. */
+    int done;                 /**< How many of them are done. */
+    bool is_film;             /**< Whether there are several. */
     bool is_json;             /**< JSON lines, not one line for people. */
     bool is_over;             /**< Whether to end. */
-    pthread_mutex_t mutex;    /**< Guards #is_over. */
+    pthread_mutex_t mutex;    /**< Guards all of it. */
     pthread_cond_t is_told;   /**< Told when it is over. */
     pthread_t thread;         /**< Who tells. */
     struct timespec start;    /**< When it began. */
@@ -31,15 +34,29 @@ static double progress_seconds(const Progress *progress) {
            1e-9 * (double)(now.tv_nsec - progress->start.tv_nsec);
 }
 
+/** @return The share of all pictures that is done, 0 to 1. @param progress The progress. */
+static double progress_share(const Progress *progress) {
+    double under_way = progress->renderer ? renderer_progress(progress->renderer) : 0;
+    return progress->pictures > 0 ? (progress->done + under_way) / progress->pictures : 1;
+}
+
 /** Tells once. @param progress The progress. */
 static void progress_tell(const Progress *progress) {
-    double share = renderer_progress(progress->renderer), seconds = progress_seconds(progress);
+    double share = progress_share(progress), seconds = progress_seconds(progress);
     double left = share > 0 ? seconds / share - seconds : 0;
     if (progress->is_json) {
-        fprintf(stderr, "{\"share\": %.4f, \"seconds\": %.2f, \"seconds_left\": %.2f}\n", share,
+        fputc('{', stderr);
+        if (progress->is_film) {
+            fprintf(stderr, "\"done\": %d, \"frames\": %d, ", progress->done, progress->pictures);
+        }
+        fprintf(stderr, "\"share\": %.4f, \"seconds\": %.2f, \"seconds_left\": %.2f}\n", share,
                 seconds, left);
     } else {
-        fprintf(stderr, "\r%3.0f %%, %.0f s left \033[K", 100 * share, left);
+        fputc('\r', stderr);
+        if (progress->is_film) {
+            fprintf(stderr, "%d of %d frames, ", progress->done, progress->pictures);
+        }
+        fprintf(stderr, "%3.0f %%, %.0f s left \033[K", 100 * share, left);
     }
     fflush(stderr);
 }
@@ -117,12 +134,13 @@ const MeshProgress *models_progress(ModelsProgress *models, const Options *optio
     return is_wanted(options) ? &models->teller : NULL;
 }
 
-Progress *progress_begin(const Renderer *renderer, const Options *options) {
+Progress *progress_begin(const Options *options, int pictures) {
     Progress *progress = is_wanted(options) ? calloc(1, sizeof *progress) : NULL;
     if (!progress) {
         return NULL;
     }
-    progress->renderer = renderer;
+    progress->pictures = pictures;
+    progress->is_film = pictures > 1;
     progress->is_json = options->progress == PROGRESS_JSON;
     clock_gettime(CLOCK_MONOTONIC, &progress->start);
     pthread_mutex_init(&progress->mutex, NULL);
@@ -132,6 +150,35 @@ Progress *progress_begin(const Renderer *renderer, const Options *options) {
         return NULL;
     }
     return progress;
+}
+
+/**
+ * Changes what is told.
+ * @param progress  The progress, or NULL.
+ * @param renderer  Who draws the picture under way; NULL: nobody.
+ * @param done      How many pictures more are done.
+ * @param left_out  How many pictures less there will be.
+ */
+static void progress_change(Progress *progress, const Renderer *renderer, int done, int left_out) {
+    if (progress) {
+        pthread_mutex_lock(&progress->mutex);
+        progress->renderer = renderer;
+        progress->done += done;
+        progress->pictures -= left_out;
+        pthread_mutex_unlock(&progress->mutex);
+    }
+}
+
+void progress_watch(Progress *progress, const Renderer *renderer) {
+    progress_change(progress, renderer, 0, 0);
+}
+
+void progress_done(Progress *progress) {
+    progress_change(progress, NULL, 1, 0);
+}
+
+void progress_leave_out(Progress *progress) {
+    progress_change(progress, NULL, 0, 1);
 }
 
 void progress_end(Progress *progress) {

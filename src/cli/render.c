@@ -8,49 +8,48 @@
 
 #include <stdio.h>
 
-/**
- * Draws a scene into a picture.
- * @param scene        The scene.
- * @param settings     How.
- * @param options      The command line.
- * @param[out] picture The picture; to be released also when anything is wrong.
- * @param[out] report  How it went.
- * @param[out] error   What is wrong.
- * @return false if it could not be drawn.
- */
-static bool draw(const Scene *scene, const RenderSettings *settings, const Options *options,
-                 Picture *picture, RenderReport *report, Error *error) {
-    if (!picture_init(picture, settings->width, settings->height, error) ||
-        (image_file_is_linear(options->output) && !picture_keep_light(picture, error))) {
+bool command_draw(const Order *order, const Scene *scene, Picture *picture, RenderReport *report,
+                  Error *error) {
+    RenderSettings settings = command_settings(order->options, scene);
+    if (!picture_init(picture, settings.width, settings.height, error) ||
+        (image_file_is_linear(order->output) && !picture_keep_light(picture, error))) {
         return false;
     }
-    Renderer *renderer = renderer_create(scene, settings, error);
+    Renderer *renderer = renderer_create(scene, &settings, error);
     if (renderer) {
-        Progress *progress = progress_begin(renderer, options);
+        progress_watch(order->progress, renderer);
         *report = renderer_draw(renderer, interrupt_flag(), picture);
-        progress_end(progress);
+        progress_done(order->progress);
         renderer_destroy(renderer);
     }
     return renderer != NULL;
 }
 
-/** Draws and writes. @param scene The scene. @param options The command line.
- *  @param[out] error What is wrong. @return The exit status. */
-static int render_scene(const Scene *scene, const Options *options, Error *error) {
+bool command_write(const Order *order, const Scene *scene, Picture *picture, Error *error) {
     Notes notes;
+    RenderSettings settings = command_settings(order->options, scene);
+    notes_make(&notes, order->options, order->time, &settings);
+    picture->notes = notes.rows;
+    bool is_written = image_file_write(order->output, picture, error);
+    picture->notes = NULL;
+    return is_written;
+}
+
+/** Draws and writes. @param scene The scene. @param options The command line.
+ *  @param[out] error What is wrong. */
+static void render_scene(const Scene *scene, const Options *options, Error *error) {
+    Order order = {.options = options, .output = options->output, .time = options->time};
     Picture picture = {0};
     RenderReport report = {0};
-    RenderSettings settings = command_settings(options, scene);
-    notes_make(&notes, options, &settings);
-    bool is_done = draw(scene, &settings, options, &picture, &report, error);
-    picture.notes = notes.rows;
-    is_done = is_done && image_file_write(options->output, &picture, error);
+    order.progress = progress_begin(options, 1);
+    bool is_done = command_draw(&order, scene, &picture, &report, error);
+    progress_end(order.progress);
+    is_done = is_done && command_write(&order, scene, &picture, error);
     picture_release(&picture);
     if (is_done && !report.is_finished) {
         error_set(error, STATUS_INTERRUPTED, "interrupted: %s has %.0f %% of the picture",
                   options->output, 100 * report.share);
     }
-    return (int)error->status;
 }
 
 /** Renders a scene. See #Command.run. @param options The command line.

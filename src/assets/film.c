@@ -1,0 +1,249 @@
+/**
+ * @file
+ * @brief Films, by ffmpeg.
+ *
+ * The same pictures make the same bytes with one and the same version of ffmpeg and its libraries:
+ * one encoding thread, no date and no name of the encoder in the file, colours changed by the exact
+ * way and not by the fast one of each processor.
+ */
+#include "dioptre/film.h"
+
+#include "assets/atomic_file.h"
+#include "assets/ffmpeg.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/stat.h>
+
+/** A kind of film. */
+typedef struct FilmFormat {
+    const char *ending;    /**< Of the file's name, without the dot. */
+    const char *words[16]; /**< How ffmpeg is to encode it, ended by NULL. */
+} FilmFormat;
+
+/** All kinds, ended by one without ending. */
+static const FilmFormat formats[] = {
+    {"mp4",
+     {"-c:v", "libx264", "-preset", "medium", "-crf", "18", "-movflags", "+faststart", "-f",
+      "mp4"}},
+    {"webm",
+     {"-c:v", "libvpx-vp9", "-crf", "24", "-b:v", "0", "-deadline", "good", "-cpu-used", "4", "-f",
+      "webm"}},
+    {0},
+};
+
+struct Film {
+    AtomicFile file; /**< Where it will be, and where it is meanwhile. */
+    Ffmpeg encoder;  /**< What writes it. */
+    FilmShape shape; /**< How it is. */
+};
+
+/** @return The kind that a file's ending names, or NULL. @param path The file. */
+static const FilmFormat *find_format(const char *path) {
+    const char *dot = strrchr(path + place_folder_length(path), '.');
+    for (const FilmFormat *format = formats; dot && format->ending; format++) {
+        if (strcasecmp(dot + 1, format->ending) == 0) {
+            return format;
+        }
+    }
+    return NULL;
+}
+
+bool film_is_named(const char *path) {
+    return find_format(path) != NULL;
+}
+
+/**
+ * Says what was to be written.
+ * @param[in,out] error  What went wrong.
+ * @param path           The film.
+ * @return false, always.
+ */
+static bool fail(Error *error, const char *path) {
+    return error_prefix(error, "cannot write '%s': ", path);
+}
+
+bool film_check(const char *path, Error *error) {
+    if (!ffmpeg_is_there()) {
+        error_set(error, STATUS_FAILED,
+                  FFMPEG_PROGRAM " is missing: sudo apt-get install " FFMPEG_PROGRAM);
+        return fail(error, path);
+    }
+    return atomic_file_check(path, error) || fail(error, path);
+}
+
+/** A command line that grows. */
+typedef struct Words {
+    const char *list[FFMPEG_WORDS_MAXIMUM]; /**< The words, ended by NULL. */
+    int count;                              /**< How many. */
+} Words;
+
+/** Adds words. @param[in,out] words The command line. @param more The words, ended by NULL. */
+static void add(Words *words, const char *const *more) {
+    while (*more && words->count < FFMPEG_WORDS_MAXIMUM - 1) {
+        words->list[words->count++] = *more++;
+    }
+}
+
+/**
+ * Starts the encoder of a film.
+ * @param[in,out] film  The film; its file is open.
+ * @param format        Its kind.
+ * @param[out] error    What is wrong.
+ * @return Whether it runs.
+ */
+static bool start(Film *film, const FilmFormat *format, Error *error) {
+    char size[32], rate[32], place[PATH_MAX + sizeof "file:"];
+    snprintf(size, sizeof size, "%dx%d", film->shape.width, film->shape.height);
+    snprintf(rate, sizeof rate, "%.17g", film->shape.fps);
+    snprintf(place, sizeof place, "file:%s", film->file.temporary);
+    Words words = {.count = 0};
+    const char *const input[] = {FFMPEG_PROGRAM,
+                                 "-hide_banner",
+                                 "-nostats",
+                                 "-loglevel",
+                                 "error",
+                                 "-xerror",
+                                 "-y",
+                                 "-f",
+                                 "rawvideo",
+                                 "-pix_fmt",
+                                 "rgb24",
+                                 "-video_size",
+                                 size,
+                                 "-framerate",
+                                 rate,
+                                 "-threads",
+                                 "1",
+                                 "-i",
+                                 "pipe:0",
+                                 NULL};
+    const char *const output[] = {
+        "-an",
+        "-filter_threads",
+        "1",
+        "-vf",
+        "scale=out_color_matrix=bt709:out_range=tv:flags=bitexact+accurate_rnd+full_chroma_int",
+        "-pix_fmt",
+        "yuv420p",
+        "-colorspace",
+        "bt709",
+        "-color_primaries",
+        "bt709",
+        "-color_trc",
+        "iec61966-2-1",
+        "-color_range",
+        "tv",
+        "-threads",
+        "1",
+        "-map_metadata",
+        "-1",
+        "-flags:v",
+        "+bitexact",
+        "-fflags",
+        "+bitexact",
+        NULL};
+    add(&words, input);
+    add(&words, output);
+    add(&words, format->words);
+    add(&words, (const char *const[]){place, NULL});
+    return ffmpeg_start(&film->encoder, film->shape.stop, words.list, error);
+}
+
+/**
+ * Says whether a film can have a shape.
+ * @param shape       The shape.
+ * @param[out] error  Why not.
+ * @return Whether it can.
+ */
+static bool check_shape(const FilmShape *shape, Error *error) {
+    int width = shape->width, height = shape->height;
+    if (width % 2 != 0 || height % 2 != 0) {
+        return error_set(error, STATUS_USAGE,
+                         "a film's width and height are even numbers, not %dx%d; try --size %dx%d",
+                         width, height, width + width % 2, height + height % 2);
+    }
+    return true;
+}
+
+/**
+ * Opens the file of a film.
+ * @param[in,out] film  The film.
+ * @param path          The file.
+ * @param[out] error    What is wrong.
+ * @return Whether it is open, and no device: an encoder goes back and forth in its file.
+ */
+static bool open_file(Film *film, const char *path, Error *error) {
+    if (!atomic_file_open(&film->file, path, ATOMIC_REPLACE, error)) {
+        return false;
+    }
+    if (film->file.temporary[0] == '\0') {
+        atomic_file_discard(&film->file);
+        return error_set(error, STATUS_FAILED, "a film needs a plain file");
+    }
+    return true;
+}
+
+Film *film_begin(const char *path, const FilmShape *shape, Error *error) {
+    Film *film = calloc(1, sizeof *film);
+    if (!film) {
+        error_set(error, STATUS_FAILED, "no memory for a film");
+        return NULL;
+    }
+    film->shape = *shape;
+    bool is_open = check_shape(shape, error) && open_file(film, path, error);
+    if (!is_open || !start(film, find_format(path), error)) {
+        if (is_open) {
+            atomic_file_discard(&film->file);
+        }
+        free(film);
+        fail(error, path);
+        return NULL;
+    }
+    return film;
+}
+
+bool film_add(Film *film, const Picture *picture, Error *error) {
+    size_t size = (size_t)picture->width * (size_t)picture->height * 3;
+    if (picture->width != film->shape.width || picture->height != film->shape.height) {
+        return error_set(error, STATUS_SCENE, "a frame of %dx%d in a film of %dx%d", picture->width,
+                         picture->height, film->shape.width, film->shape.height);
+    }
+    if (ffmpeg_feed(&film->encoder, picture->pixels, size)) {
+        return true;
+    }
+    if (ffmpeg_finish(&film->encoder, error)) {
+        error_set(error, STATUS_FAILED, "ffmpeg ended before the film did");
+    }
+    return fail(error, film->file.place.path);
+}
+
+/** @return Whether there is anything in a film's file. @param film The film, ended by ffmpeg.
+ *  @param[out] error That there is not. */
+static bool check_written(const Film *film, Error *error) {
+    struct stat found;
+    bool is_written = fstat(fileno(film->file.stream), &found) == 0 && found.st_size > 0;
+    return is_written || error_set(error, STATUS_FAILED, "ffmpeg wrote nothing");
+}
+
+bool film_commit(Film *film, Error *error) {
+    char path[PATH_MAX];
+    snprintf(path, sizeof path, "%s", film->file.place.path);
+    bool is_written = ffmpeg_finish(&film->encoder, error) && check_written(film, error);
+    if (is_written) {
+        is_written = atomic_file_commit(&film->file, error);
+    } else {
+        atomic_file_discard(&film->file);
+    }
+    free(film);
+    return is_written || fail(error, path);
+}
+
+void film_discard(Film *film) {
+    if (film) {
+        ffmpeg_kill(&film->encoder);
+        atomic_file_discard(&film->file);
+        free(film);
+    }
+}

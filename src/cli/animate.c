@@ -1,0 +1,260 @@
+/**
+ * @file
+ * @brief `dioptre animate`: a film, or its numbered frames.
+ *
+ * A frame is drawn as `render --time` draws it, bit by bit: only its number says what is in it. So
+ * frames may come from several machines, in any order, and a stopped film goes on where it was.
+ */
+#include "cli/commands.h"
+#include "cli/frames.h"
+#include "dioptre/film.h"
+#include "dioptre/image_file.h"
+
+#include <math.h>
+#include <unistd.h>
+
+/** A film that is being made. */
+typedef struct Animation {
+    const Options *options; /**< The command line. */
+    FrameRange frames;      /**< Which frames. */
+    double fps;             /**< Frames a second. */
+    bool is_film;           /**< Whether it goes into one file, and not into numbered ones. */
+    bool is_drawn;          /**< Whether frames are drawn, and not read from numbered files. */
+    FramePattern output;    /**< Numbered files to write, unless #is_film. */
+    FramePattern input;     /**< Numbered files to read, unless #is_drawn. */
+    Film *film;             /**< The film, once its size is known; owned. */
+    Stock *stock;           /**< What all frames' scenes have in common; owned. */
+    Scene *scene;           /**< The scene of the frame drawn last; owned. */
+    Picture picture;        /**< The newest frame. */
+    Progress *progress;     /**< Who tells how far it is, or NULL. */
+    int done;               /**< Frames that are done. */
+} Animation;
+
+/**
+ * Finds which frames are asked for.
+ * @param[in,out] animation  The animation.
+ * @param[out] error         What is wrong.
+ * @return false for none, too many, or some beyond the end of the film.
+ */
+static bool plan_frames(Animation *animation, Error *error) {
+    const Options *options = animation->options;
+    animation->fps = options->fps > 0 ? options->fps : FRAMES_FPS;
+    double seconds = options->seconds >= 0 ? options->seconds : FRAMES_SECONDS;
+    double count = round(seconds * animation->fps);
+    if (!(count >= 1 && count <= FRAMES_MAXIMUM)) {
+        return error_set(error, STATUS_USAGE,
+                         "%g s at %g frames a second are %g frames, not 1 to %d", seconds,
+                         animation->fps, count, FRAMES_MAXIMUM);
+    }
+    animation->frames = (FrameRange){.first = 0, .last = (int)count - 1, .step = 1};
+    if (options->frames.step == 0) {
+        return true;
+    }
+    animation->frames = options->frames;
+    int first = options->frames.first, last = options->frames.last;
+    if (options->seconds >= 0 && fmax(first, last) >= count) {
+        return error_set(error, STATUS_USAGE,
+                         "--frames %d-%d: %g s at %g frames a second end at %g", first, last,
+                         seconds, animation->fps, count - 1);
+    }
+    return true;
+}
+
+/**
+ * Finds where frames come from and go to.
+ * @param[in,out] animation  The animation.
+ * @param[out] error         What is wrong.
+ * @return Whether it makes sense.
+ */
+static bool plan_files(Animation *animation, Error *error) {
+    const Options *options = animation->options;
+    const char *output = options->output, *input = options->arguments[0];
+    if (!output || (!film_is_named(output) && !frames_is_pattern(output))) {
+        return error_set(error, STATUS_USAGE,
+                         "animate needs -o FILM.mp4, -o FILM.webm or numbered frames such as "
+                         "-o frames/%%05d.png");
+    }
+    animation->is_film = film_is_named(output);
+    animation->is_drawn = !frames_is_pattern(input);
+    if (animation->is_film && options->skip_existing) {
+        return error_set(error, STATUS_USAGE, "--skip-existing is for numbered frames");
+    }
+    return (animation->is_film || frames_read_pattern(output, &animation->output, error)) &&
+           (animation->is_drawn || frames_read_pattern(input, &animation->input, error));
+}
+
+/**
+ * Says whether what is to be written could be, before time is spent on drawing it.
+ * @param animation   The animation.
+ * @param[out] error  What is wrong or missing.
+ * @return Whether it could.
+ */
+static bool check_output(const Animation *animation, Error *error) {
+    char path[PATH_MAX];
+    if (animation->is_film) {
+        return film_check(animation->options->output, error);
+    }
+    return frames_path(&animation->output, animation->frames.last, path, error) &&
+           image_file_check(path, error);
+}
+
+/**
+ * Draws a frame. Where the scene asks for no time, the frame before is it, too.
+ * @param[in,out] animation  The animation.
+ * @param order              What is to be drawn.
+ * @param[out] error         What is wrong.
+ * @return Whether all of it is drawn.
+ */
+static bool draw_frame(Animation *animation, const Order *order, Error *error) {
+    RenderReport report = {.is_finished = true};
+    if (animation->scene && !animation->scene->reads_time) {
+        progress_done(animation->progress);
+        return true;
+    }
+    Scene *scene = command_scene_at(order->options, order->time, animation->stock, NULL, error);
+    scene_destroy(animation->scene);
+    animation->scene = scene;
+    picture_release(&animation->picture);
+    return scene && command_draw(order, scene, &animation->picture, &report, error) &&
+           (report.is_finished || error_set(error, STATUS_INTERRUPTED, "interrupted"));
+}
+
+/**
+ * Reads a frame from its numbered file.
+ * @param[in,out] animation  The animation.
+ * @param number             The frame's number.
+ * @param[out] error         What is wrong.
+ * @return Whether it is read.
+ */
+static bool read_frame(Animation *animation, int number, Error *error) {
+    char path[PATH_MAX];
+    picture_release(&animation->picture);
+    bool is_read = frames_path(&animation->input, number, path, error) &&
+                   image_file_read(path, &animation->picture, error);
+    progress_done(animation->progress);
+    return is_read;
+}
+
+/**
+ * Adds the newest frame to the film, which is begun with the first one.
+ * @param[in,out] animation  The animation.
+ * @param[out] error         What is wrong.
+ * @return Whether it is added.
+ */
+static bool add_frame(Animation *animation, Error *error) {
+    const Picture *picture = &animation->picture;
+    if (!animation->film) {
+        FilmShape shape = {.width = picture->width,
+                           .height = picture->height,
+                           .fps = animation->fps,
+                           .stop = interrupt_flag()};
+        animation->film = film_begin(animation->options->output, &shape, error);
+    }
+    return animation->film && film_add(animation->film, picture, error);
+}
+
+/**
+ * Writes the newest frame where it belongs.
+ * @param[in,out] animation  The animation.
+ * @param order              What it is.
+ * @param[out] error         What is wrong.
+ * @return Whether it is there.
+ */
+static bool put_frame(Animation *animation, const Order *order, Error *error) {
+    if (animation->is_film) {
+        return add_frame(animation, error);
+    }
+    return animation->is_drawn ? command_write(order, animation->scene, &animation->picture, error)
+                               : image_file_write(order->output, &animation->picture, error);
+}
+
+/**
+ * Makes a frame.
+ * @param[in,out] animation  The animation.
+ * @param number             Its number.
+ * @param[out] error         What is wrong.
+ * @return Whether it is where it belongs.
+ */
+static bool make_frame(Animation *animation, int number, Error *error) {
+    char path[PATH_MAX];
+    const Options *options = animation->options;
+    Order order = {.options = options,
+                   .output = animation->is_film ? options->output : path,
+                   .time = options->time + number / animation->fps,
+                   .progress = animation->progress};
+    if (!animation->is_film && !frames_path(&animation->output, number, path, error)) {
+        return false;
+    }
+    if (options->skip_existing && access(path, F_OK) == 0) {
+        progress_leave_out(animation->progress);
+        return true;
+    }
+    bool is_there = animation->is_drawn ? draw_frame(animation, &order, error)
+                                        : read_frame(animation, number, error);
+    return is_there && put_frame(animation, &order, error);
+}
+
+/**
+ * Makes all frames, until anything goes wrong or somebody interrupts.
+ * @param[in,out] animation  The animation.
+ * @param stop               Whether somebody does.
+ * @param[out] error         What is wrong.
+ * @return Whether all are there.
+ */
+static bool make_frames(Animation *animation, const atomic_bool *stop, Error *error) {
+    int count = frames_count(&animation->frames);
+    bool is_good = true;
+    while (is_good && !atomic_load(stop) && animation->done < count) {
+        int number = animation->frames.first + animation->done * animation->frames.step;
+        is_good = make_frame(animation, number, error);
+        animation->done += is_good;
+    }
+    return is_good && animation->done == count;
+}
+
+/**
+ * Makes all frames and ends the film.
+ * @param[in,out] animation  The animation, planned.
+ * @param[out] error         What is wrong.
+ */
+static void animate(Animation *animation, Error *error) {
+    int count = frames_count(&animation->frames);
+    const atomic_bool *stop = interrupt_flag();
+    animation->progress = progress_begin(animation->options, count);
+    bool is_good = make_frames(animation, stop, error);
+    if (is_good && animation->film) {
+        is_good = film_commit(animation->film, error);
+    } else {
+        film_discard(animation->film);
+    }
+    progress_end(animation->progress);
+    if (!is_good && (atomic_load(stop) || error->status == STATUS_INTERRUPTED)) {
+        error_set(error, STATUS_INTERRUPTED, "interrupted: %d of %d frames were done%s",
+                  animation->done, count,
+                  animation->is_film ? "; there is no film" : " and are kept");
+    }
+    picture_release(&animation->picture);
+    scene_destroy(animation->scene);
+}
+
+/** Makes a film. See #Command.run. @param options The command line.
+ *  @param[out] error What is wrong. @return The exit status. */
+static int animate_run(const Options *options, Error *error) {
+    Animation animation = {.options = options};
+    if (plan_files(&animation, error) && plan_frames(&animation, error) &&
+        check_output(&animation, error)) {
+        animation.stock = stock_create(error);
+        if (animation.stock) {
+            animate(&animation, error);
+            stock_destroy(animation.stock);
+        }
+    }
+    return (int)error->status;
+}
+
+const Command animate_command = {.name = "animate",
+                                 .usage = "SCENE|FRAMES -o FILM|FRAMES",
+                                 .help = "draws a film, or its numbered frames",
+                                 .accepts = "osASDtjEOXBCGFNPq",
+                                 .arguments = 1,
+                                 .run = animate_run};

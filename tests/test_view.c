@@ -336,10 +336,10 @@ static void test_pose(void **state) {
     Pose home;
     assert_true(pose_save(&home, scene, NULL));
     assert_point(home.vertical, 0, 1, 0);
-    pose_move(scene, 0, (Movement){.right = 1, .up = 2, .forward = 3}, (Movement){.right = 2});
+    pose_move(&home, scene, 0, (Movement){.right = 1, .up = 2, .forward = 3}, (Movement){.right = 2});
     assert_point(scene->lights[0].position, 15, 1.9 + 10, 5);
     assert_point(scene->camera.position, 0, 0, 10);
-    pose_move(scene, 7, (Movement){.up = 1}, (Movement){.up = 1, .forward = -1});
+    pose_move(&home, scene, 7, (Movement){.up = 1}, (Movement){.up = 1, .forward = -1});
     assert_point(scene->lights[0].position, 15, 1.9 + 10, 5);
     assert_point(scene->camera.position, -5, 5, 10);
     pose_restore(&home, scene);

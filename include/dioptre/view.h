@@ -7,6 +7,16 @@
 
 #include "dioptre/renderer.h"
 
+/**
+ * Loads the same scene at another time. Called from a thread of the window, never twice at once.
+ * @param context     #ViewSettings.context.
+ * @param time        The scene's `t`, seconds.
+ * @param stop        It should be given up once this is true.
+ * @param[out] error  What is wrong.
+ * @return The scene, the window's to give back; NULL if anything is wrong.
+ */
+typedef Scene *(*ViewLoader)(void *context, double time, const atomic_bool *stop, Error *error);
+
 /** How the window is opened. */
 typedef struct ViewSettings {
     RenderSettings render;    /**< Engine, threads, size, samples, depth, offset. */
@@ -14,6 +24,9 @@ typedef struct ViewSettings {
     const char *name;         /**< Name of the scene: in the title and of the snapshots. */
     const char *snapshot_dir; /**< Folder for the snapshots. */
     double launched;          /**< Seconds on the monotonic clock when the program started. */
+    double time;              /**< The scene's `t` at first, seconds. */
+    ViewLoader load;          /**< Loads it at other times; NULL: the time is held for ever. */
+    void *context;            /**< Handed to #load. */
     bool is_timed;            /**< Whether first picture and latencies are said when it closes. */
 } ViewSettings;
 

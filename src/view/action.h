@@ -24,6 +24,9 @@ typedef enum Action {
     ACTION_SNAPSHOT,       /**< The picture on screen into a file. */
     ACTION_HOME,           /**< Back to the scene's own view. */
     ACTION_NEXT_LIGHT,     /**< The light keys move the next light. */
+    ACTION_TIME,           /**< The time is held, or runs. */
+    ACTION_TIME_BACK,      /**< The time a step back. */
+    ACTION_TIME_ON,        /**< The time a step on. */
     ACTION_HELP,           /**< The help opens or closes. */
     ACTION_FULL_SCREEN,    /**< The whole screen, or a window again. */
     ACTION_LEAVE,          /**< The window closes. */

@@ -5,6 +5,7 @@
 #include "view/controls.h"
 
 #include "view/keymap.h"
+#include "view/play.h"
 
 /** Factor for the speed of a move while Shift is held. */
 static const double FAST = 4;
@@ -51,11 +52,13 @@ static void toggle_help(View *view) {
 }
 
 /**
- * Asks for a snapshot. It is of the finished picture: of the view as it is when that is there.
+ * Asks for a snapshot. It is of the finished picture: of the view as it is when that is there, so
+ * the time is held.
  * @param[in,out] view  The view.
  */
 static void ask_for_snapshot(View *view) {
     view->wants_snapshot = true;
+    timeline_hold(&view->timeline, stage_clock());
     view_note(view, "the snapshot waits for the last pass");
 }
 
@@ -87,6 +90,13 @@ static void act(View *view, Action action) {
     case ACTION_NEXT_LIGHT:
         select_next_light(view);
         break;
+    case ACTION_TIME:
+        play_toggle(view);
+        break;
+    case ACTION_TIME_BACK:
+    case ACTION_TIME_ON:
+        play_step(view, action == ACTION_TIME_ON ? 1 : -1);
+        break;
     case ACTION_HELP:
         toggle_help(view);
         break;
@@ -109,7 +119,8 @@ static void on_key(View *view, const SDL_KeyboardEvent *key) {
     if (key->type == SDL_KEYUP && action_is_move(action)) {
         motion_release(&view->motion, action, time);
     }
-    if (key->type == SDL_KEYUP || key->repeat || (key->keysym.mod & FOREIGN_MODIFIERS)) {
+    bool is_repeat = key->repeat && action != ACTION_TIME_BACK && action != ACTION_TIME_ON;
+    if (key->type == SDL_KEYUP || is_repeat || (key->keysym.mod & FOREIGN_MODIFIERS)) {
         return;
     }
     if (action_is_move(action)) {
@@ -131,6 +142,7 @@ static void on_drag(View *view, const SDL_MouseMotionEvent *mouse) {
         double degrees = view->scene->camera.fov / SDL_max(1, width);
         camera_turn(&view->scene->camera, view->home.vertical, mouse->xrel * degrees,
                     -mouse->yrel * degrees);
+        view->home.is_camera_moved = true;
         view_changed(view);
     }
 }
@@ -139,6 +151,7 @@ static void on_drag(View *view, const SDL_MouseMotionEvent *mouse) {
  *  @param wheel The event. */
 static void on_wheel(View *view, const SDL_MouseWheelEvent *wheel) {
     camera_zoom(&view->scene->camera, pow(ZOOM_A_NOTCH, (double)wheel->preciseY));
+    view->home.is_camera_moved = true;
     view_changed(view);
 }
 

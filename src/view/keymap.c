@@ -3,7 +3,8 @@
  * @brief Which key asks for what.
  *
  * The light's keys stand at fixed places: those of the letters z s q d e w on an AZERTY keyboard,
- * wherever the letters are on the keyboard in use. SDL names places by the US keyboard. All other
+ * wherever the letters are on the keyboard in use; so do the two that step the time, right of M or
+ * N, which on an AZERTY keyboard are ; and :. SDL names places by the US keyboard. All other
  * keys go by what is printed on them.
  */
 #include "view/keymap.h"
@@ -24,6 +25,8 @@ typedef struct Binding {
 static const char LIGHT[] = "Light";
 /** Heading of the help: the camera. */
 static const char CAMERA[] = "Camera";
+/** Heading of the help: the time. */
+static const char TIME[] = "Time";
 /** Heading of the help: everything else. */
 static const char PROGRAM[] = "Program";
 
@@ -44,6 +47,9 @@ static const Binding bindings[] = {
     {ACTION_CAMERA_BACK, 0, SDLK_PAGEDOWN, "Page Down", CAMERA, "forward, back"},
     {ACTION_NONE, 0, 0, "Mouse drag", CAMERA, "look around"},
     {ACTION_NONE, 0, 0, "Wheel", CAMERA, "field of view"},
+    {ACTION_TIME, 0, SDLK_SPACE, NULL, TIME, "run, hold"},
+    {ACTION_TIME_BACK, SDL_SCANCODE_COMMA, SDLK_COMMA, NULL, TIME, "a step back, on"},
+    {ACTION_TIME_ON, SDL_SCANCODE_PERIOD, SDLK_PERIOD, NULL, TIME, "a step back, on"},
     {ACTION_NONE, 0, 0, "Shift", PROGRAM, "with a move: fast, fine"},
     {ACTION_NONE, 0, 0, "Ctrl", PROGRAM, "with a move: fast, fine"},
     {ACTION_HOME, 0, SDLK_HOME, NULL, PROGRAM, "the scene's own view"},

@@ -35,8 +35,12 @@ static Vector3 scene_vertical(const Camera *camera) {
 
 bool pose_save(Pose *pose, const Scene *scene, Error *error) {
     /* One more than there are: a scene without lights is no lack of memory. */
-    pose->lights = calloc(scene->light_count + 1, sizeof *pose->lights);
-    if (!pose->lights) {
+    size_t count = scene->light_count;
+    *pose = (Pose){.lights = calloc(count + 1, sizeof *pose->lights),
+                   .is_light_moved = calloc(count + 1, sizeof *pose->is_light_moved),
+                   .light_count = count};
+    if (!pose->lights || !pose->is_light_moved) {
+        pose_release(pose);
         return error_set(error, STATUS_FAILED, "no memory for %zu lights", scene->light_count);
     }
     if (scene->light_count > 0) {
@@ -47,15 +51,50 @@ bool pose_save(Pose *pose, const Scene *scene, Error *error) {
     return true;
 }
 
-void pose_restore(const Pose *pose, Scene *scene) {
+/**
+ * Puts a light where another one is; its colour stays.
+ * @param[in,out] light  The light.
+ * @param like           The other one.
+ */
+static void place_light(Light *light, const Light *like) {
+    if (light->kind == like->kind) {
+        light->position = like->position;
+        light->direction = like->direction;
+    }
+}
+
+bool pose_renew(Pose *pose, const Scene *before, Scene *scene, Error *error) {
+    Pose next;
+    if (!pose_save(&next, scene, error)) {
+        return false;
+    }
+    next.is_camera_moved = pose->is_camera_moved;
+    if (pose->is_camera_moved) {
+        scene->camera = before->camera;
+    }
+    for (size_t i = 0; i < next.light_count && i < pose->light_count; i++) {
+        next.is_light_moved[i] = pose->is_light_moved[i];
+        if (pose->is_light_moved[i]) {
+            place_light(&scene->lights[i], &before->lights[i]);
+        }
+    }
+    pose_release(pose);
+    *pose = next;
+    return true;
+}
+
+void pose_restore(Pose *pose, Scene *scene) {
     scene->camera = pose->camera;
-    if (scene->light_count > 0) {
-        memcpy(scene->lights, pose->lights, scene->light_count * sizeof *pose->lights);
+    pose->is_camera_moved = false;
+    for (size_t i = 0; i < pose->light_count; i++) {
+        scene->lights[i] = pose->lights[i];
+        pose->is_light_moved[i] = false;
     }
 }
 
 void pose_release(Pose *pose) {
     free(pose->lights);
+    free(pose->is_light_moved);
     *pose = (Pose){0};
 }
 
@@ -72,11 +111,13 @@ static Vector3 way(const Camera *camera, Movement movement) {
     return vector3_add(vector3_add(right, up), forward);
 }
 
-void pose_move(Scene *scene, size_t light, Movement light_by, Movement camera_by) {
-    if (light < scene->light_count) {
+void pose_move(Pose *pose, Scene *scene, size_t light, Movement light_by, Movement camera_by) {
+    if (light < scene->light_count && movement_is_any(light_by)) {
+        pose->is_light_moved[light] = true;
         light_move(&scene->lights[light], way(&scene->camera, light_by), scene->camera.focus);
     }
     double units = SPEED * scene->camera.focus;
+    pose->is_camera_moved = pose->is_camera_moved || movement_is_any(camera_by);
     camera_move(&scene->camera, camera_by.right * units, camera_by.up * units,
                 camera_by.forward * units);
 }

@@ -38,6 +38,13 @@ void stage_close(Stage *stage) {
     stage->renderer = NULL;
 }
 
+void stage_replace(Stage *stage, Renderer *renderer) {
+    renderer_destroy(stage->renderer);
+    stage->renderer = renderer;
+    stage->is_changed = true;
+    stage->has_pass = false;
+}
+
 /**
  * Tells the event loop that a pass has ended. Called from a thread of the renderer.
  * @param context  The #Stage.

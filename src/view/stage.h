@@ -51,6 +51,13 @@ bool stage_open(Stage *stage, const Scene *scene, const RenderSettings *settings
 /** Stops drawing and closes the window. @param[in,out] stage The stage. */
 void stage_close(Stage *stage);
 
+/**
+ * Shows another scene from now on, drawn by another renderer; what is on screen stays meanwhile.
+ * @param[in,out] stage  The stage, ready.
+ * @param renderer       The renderer, with the settings of the one before; owned from now on.
+ */
+void stage_replace(Stage *stage, Renderer *renderer);
+
 /** Takes note of the event that a pass has ended. @param[in,out] stage The stage. */
 void stage_on_pass(Stage *stage);
 

@@ -8,7 +8,9 @@
 #include "dioptre/view.h"
 #include "view/motion.h"
 #include "view/pose.h"
+#include "view/reloader.h"
 #include "view/stage.h"
+#include "view/timeline.h"
 
 /** Longest note in the title, bytes with the final zero; a longer one is cut. */
 enum { NOTE_SIZE = 256 };
@@ -16,6 +18,7 @@ enum { NOTE_SIZE = 256 };
 /** SDL event types of the window's own. */
 typedef enum {
     EVENT_PASS,      /**< A pass has ended. */
+    EVENT_SCENE,     /**< The scene of another time is there. */
     EVENT_INTERRUPT, /**< A signal asks the program to end. */
     EVENT_COUNT      /**< How many there are. */
 } EventKind;
@@ -24,6 +27,11 @@ typedef enum {
 typedef struct View {
     const ViewSettings *settings; /**< How it was opened. */
     Scene *scene;                 /**< What it shows; camera and lights are moved. */
+    Scene *own_scene;             /**< The same where it is of another time; owned, else NULL. */
+    Timeline timeline;            /**< What time it is. */
+    double time;                  /**< The time of the scene, seconds: that of some moments ago. */
+    double next_time;             /**< When a scene of another time is asked for, seconds. */
+    Reloader reloader;            /**< Who makes it. */
     Pose home;                    /**< The scene's own view. */
     Stage stage;                  /**< The way from the scene to the screen. */
     Motion motion;                /**< The keys that are held. */

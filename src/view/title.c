@@ -38,6 +38,9 @@ void title_write(const TitleFacts *facts, char title[TITLE_SIZE]) {
     if (facts->report) {
         add_report(title, facts->report);
     }
+    if (facts->time) {
+        add(title, " — t %.15g s%s", *facts->time, facts->is_running ? ", running" : "");
+    }
     if (facts->light_count > 1) {
         add(title, " — light %zu of %zu", facts->light + 1, facts->light_count);
     }

@@ -9,6 +9,7 @@
 
 #include "view/controls.h"
 #include "view/interrupt.h"
+#include "view/play.h"
 #include "view/scene_text.h"
 #include "view/snapshot.h"
 #include "view/state.h"
@@ -55,7 +56,7 @@ static void move_by_keys(View *view, double now) {
     motion_take(&view->motion, now, &light, &camera);
     bool is_light_moved = movement_is_any(light) && view->light < view->scene->light_count;
     if (is_light_moved || movement_is_any(camera)) {
-        pose_move(view->scene, view->light, light, camera);
+        pose_move(&view->home, view->scene, view->light, light, camera);
         view_changed(view);
     } else {
         latency_forget(&view->stage.latency);
@@ -81,6 +82,9 @@ static bool save_snapshot(View *view, Error *error) {
     picture_release(&picture);
     if (is_saved) {
         scene_text_print(view->scene, stdout);
+        if (view->scene->reads_time) {
+            printf("  -- t = %.17g", view->time);
+        }
         printf("  -- %s\n", path);
         fflush(stdout);
         view_note(view, "saved %s", path);
@@ -91,7 +95,8 @@ static bool save_snapshot(View *view, Error *error) {
 /** Takes a snapshot if one is wanted and the picture is finished, with nothing on the move.
  *  @param[in,out] view The view. */
 static void snapshot_if_wanted(View *view) {
-    bool is_at_rest = stage_is_finished(&view->stage) && !motion_is_active(&view->motion);
+    bool is_at_rest = stage_is_finished(&view->stage) && !motion_is_active(&view->motion) &&
+                      play_is_at_rest(view);
     if (view->wants_snapshot && is_at_rest) {
         Error error = {0};
         view->wants_snapshot = false;
@@ -111,6 +116,8 @@ static void update_title(View *view, double now) {
                         .width = stage->width,
                         .height = stage->height,
                         .report = stage->first_shown > 0 ? &stage->report : NULL,
+                        .time = view->scene->reads_time ? &view->time : NULL,
+                        .is_running = view->timeline.is_running,
                         .light = view->light,
                         .light_count = view->scene->light_count,
                         .note = view->note};
@@ -124,13 +131,13 @@ static void update_title(View *view, double now) {
 
 /**
  * Sleeps until there is something to do.
- * @param view        The view.
+ * @param[in,out] view        The view.
  * @param now         Now, seconds.
  * @param[out] event  The event that came.
  * @return Whether one came.
  */
-static bool wait_for_event(const View *view, double now, SDL_Event *event) {
-    double delay = stage_delay(&view->stage, now);
+static bool wait_for_event(View *view, double now, SDL_Event *event) {
+    double delay = fmin(stage_delay(&view->stage, now), play_delay(view, now));
     if (motion_is_active(&view->motion) && stage_is_ready(&view->stage)) {
         delay = fmin(delay, fmax(0, view->next_step - now));
     }
@@ -144,6 +151,9 @@ static bool wait_for_event(const View *view, double now, SDL_Event *event) {
 static void do_round(View *view) {
     Error error = {0};
     move_by_keys(view, stage_clock());
+    if (!play_update(view, stage_clock(), &error) && error.status != STATUS_INTERRUPTED) {
+        report_error(view, &error);
+    }
     if (!stage_update(&view->stage, view->scene, stage_clock(), &error)) {
         report_error(view, &error);
     }
@@ -178,6 +188,7 @@ static void print_timing(View *view) {
 static Status live(View *view, const atomic_bool *stop, Interrupt *interrupt, Error *error) {
     const ViewSettings *settings = view->settings;
     view->first_event = SDL_RegisterEvents(EVENT_COUNT);
+    view->reloader.event = view->first_event + EVENT_SCENE;
     interrupt_watch(interrupt, view->first_event + EVENT_INTERRUPT);
     if (!pose_save(&view->home, view->scene, error) ||
         !stage_open(&view->stage, view->scene, &settings->render, settings->name,
@@ -207,7 +218,12 @@ bool view_is_possible(void) {
 }
 
 Status view_run(Scene *scene, const ViewSettings *settings, const atomic_bool *stop, Error *error) {
-    View view = {.settings = settings, .scene = scene, .motion = {.speed = 1}};
+    View view = {.settings = settings,
+                 .scene = scene,
+                 .motion = {.speed = 1},
+                 .timeline = {.time = settings->time},
+                 .time = settings->time,
+                 .reloader = {.settings = settings}};
     view.stage.help.by_letter = settings->keys_by_letter;
     Status status = STATUS_FAILED;
     Interrupt interrupt;
@@ -215,6 +231,7 @@ Status view_run(Scene *scene, const ViewSettings *settings, const atomic_bool *s
     if (video_start(error)) {
         status = live(&view, stop, &interrupt, error);
         stage_close(&view.stage);
+        play_end(&view);
     }
     interrupt_release(&interrupt);
     SDL_Quit();

@@ -1,0 +1,59 @@
+/**
+ * @file
+ * @brief A thread that makes the scene of another time, and what draws it, while the window lives
+ * on.
+ */
+#ifndef DIOPTRE_VIEW_RELOADER_H
+#define DIOPTRE_VIEW_RELOADER_H
+
+#include "dioptre/view.h"
+
+#include <pthread.h>
+
+/** A scene of another time. */
+typedef struct Reload {
+    double time;        /**< Its time, seconds. */
+    Scene *scene;       /**< The scene; NULL: it could not be made. */
+    Renderer *renderer; /**< What draws it; NULL: it could not be made. */
+    Error error;        /**< Why not. */
+} Reload;
+
+/** The thread, and what it is asked. Starts as `{.settings = ...}`. */
+typedef struct Reloader {
+    const ViewSettings *settings; /**< How scenes are loaded and drawn. */
+    uint32_t event;               /**< SDL event, registered, that tells of an answer. */
+    bool is_started;              /**< Whether the thread runs. */
+    pthread_t thread;             /**< The thread. */
+    pthread_mutex_t mutex;        /**< Guards what follows. */
+    pthread_cond_t is_told;       /**< Told when there is something to do. */
+    bool is_asked;                /**< Whether there is a question that was not answered yet. */
+    bool is_answered;             /**< Whether there is an answer that was not taken yet. */
+    Reload reload;                /**< The question's time, then the answer. */
+    atomic_bool is_over;          /**< Whether to end, at once. */
+} Reloader;
+
+/**
+ * Asks for the scene of another time. The first question starts the thread.
+ * @param[in,out] reloader  The thread; every question before was answered, and the answer taken.
+ * @param time              The time, seconds.
+ * @param[out] error        What is wrong.
+ * @return false if there is no thread to ask.
+ */
+bool reloader_ask(Reloader *reloader, double time, Error *error);
+
+/** @return Whether there is a question or an answer that was not taken. @param reloader The thread.
+ */
+bool reloader_is_busy(Reloader *reloader);
+
+/**
+ * Takes an answer.
+ * @param[in,out] reloader  The thread.
+ * @param[out] reload       The answer, the caller's to give back.
+ * @return false while there is none.
+ */
+bool reloader_take(Reloader *reloader, Reload *reload);
+
+/** Ends the thread, whatever it does. @param[in,out] reloader The thread, started or not. */
+void reloader_end(Reloader *reloader);
+
+#endif

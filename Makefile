@@ -100,7 +100,7 @@ $(foreach engine,$(ENGINES),$(eval $(call ENGINE_RULES,$(engine))))
 # --- packages: what a bare Debian 12 with gcc and make lacks --------------------------------------
 RUN_PACKAGES  := g++ pkg-config libsdl2-dev libsdl2-ttf-dev liblua5.4-dev libopenimageio-dev libassimp-dev fonts-dejavu-core
 TEST_PACKAGES := libcmocka-dev clang libclang-rt-14-dev xvfb xauth xdotool x11-xkb-utils xkb-data \
-                 imagemagick openbox qemu-user doxygen graphviz
+                 imagemagick openbox qemu-user doxygen graphviz ffmpeg parallel slurm-wlm munge
 BENCH_PACKAGES := gnuplot-nox
 PEER_PACKAGES := povray tachyon libembree-dev
 LINT_PACKAGES := clang-format clang-tidy cppcheck

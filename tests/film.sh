@@ -106,7 +106,7 @@ refused 1 'ffmpeg is missing: sudo apt-get install ffmpeg' 'no ffmpeg' env PATH=
 ended() {
     wait "$1"
     local status=$?
-    cat err >&2
+    cat said >&2
     return $status
 }
 # fake LINES: an ffmpeg of our own.
@@ -125,7 +125,7 @@ refused 1 'ffmpeg gave up .status 1.: bad' 'ffmpeg fails at the end' faked
 echo >bin/ffmpeg
 refused 1 'ffmpeg' 'ffmpeg is no program' faked
 echo 'exec sleep 60' | fake
-(PATH=$work/bin:$PATH exec env --default-signal=INT "$dioptre" animate "$orbits" -s 640x360 --samples 1 -o old.mp4) 2>err &
+(PATH=$work/bin:$PATH exec env --default-signal=INT "$dioptre" animate "$orbits" -s 640x360 --samples 1 -o old.mp4) 2>said &
 pid=$!
 sleep 1.5
 kill -INT $pid
@@ -137,7 +137,7 @@ refused 1 "cannot write 'old.mp4': ffmpeg" 'a full disk' env -u LC_ALL "$dioptre
 ulimit -S -f unlimited
 
 # --- an interrupted film -------------------------------------------------------------------------
-(exec env --default-signal=INT "$dioptre" animate "$orbits" -s 320x180 -o old.mp4) 2>err &
+(exec env --default-signal=INT "$dioptre" animate "$orbits" -s 320x180 -o old.mp4) 2>said &
 pid=$!
 sleep 1
 kill -INT $pid

@@ -15,7 +15,7 @@ ln -s "$dioptre" "$work/tree/build/dioptre"
 blocks sh README.md | sed 's/ *#.*//' | sort | uniq -d >"$work/out"
 [ ! -s "$work/out" ] && ok 'no command stands there twice' || fail "twice: $(cat "$work/out")"
 blocks sh README.md >"$work/commands"
-for command in 'make run' 'make test' 'build/dioptre view' 'build/dioptre render' \
+for command in 'make run' 'make test' 'build/dioptre view' 'build/dioptre render' 'build/dioptre animate' \
     'build/dioptre info' 'build/dioptre compare' 'build/dioptre bench'; do
     holds "$work/commands" "^$command" "README has $command"
 done
@@ -29,6 +29,7 @@ while read -r line; do
     'build/dioptre '*)
         expect 0 '' "$command" sh -c "cd '$work/tree' && exec $command"
         ;;
+    'mkdir '*) (cd "$work/tree" && $command) ;;
     make | 'make '*)
         # shellcheck disable=SC2086 # a command and its arguments
         ${command} -n >"$work/out" 2>"$work/err" </dev/null && ok "there is $command" ||

@@ -4,6 +4,8 @@
  */
 #include "scene_files.h"
 
+#include "dioptre/image_file.h"
+
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -151,6 +153,73 @@ static void test_standard_input(void **state) {
     close(file);
 }
 
+/** Whether a scene asks for the time is known. @param state The fixture. */
+static void test_time(void **state) {
+    static const char *const texts[] = {"camera {}", "camera {} local t = 1; local x = t",
+                                        "camera {} t = 2; local x = t", "camera {} local x = t",
+                                        "camera {} local x = _ENV['t']"};
+    for (size_t i = 0; i < COUNT(texts); i++) {
+        Scene *scene = load_good(*state, texts[i]);
+        assert_int_equal(scene->reads_time, i >= 3);
+        scene_destroy(scene);
+    }
+}
+
+/** @return A scene of a stock. @param path The scene file. @param time Its time, seconds.
+ *  @param stock The stock. */
+static Scene *load_at(const char *path, double time, Stock *stock) {
+    ScriptRequest request = request_for(path);
+    Error error = {0};
+    request.time = time;
+    request.stock = stock;
+    Scene *scene = script_load(&request, &error);
+    assert_string_equal(error.message, "");
+    return scene;
+}
+
+/** What no time changes is read once, and shared; what is not named any more is given back.
+ *  @param state The fixture. */
+static void test_stock(void **state) {
+    const Fixture *fixture = *state;
+    char path[192];
+    Picture picture;
+    Error error = {0};
+    snprintf(path, sizeof path, "%s/p.bmp", fixture->folder);
+    assert_true(picture_init(&picture, 2, 1, &error));
+    assert_true(image_file_write(path, &picture, &error));
+    picture_release(&picture);
+    store_text(fixture->path, "camera { position = {t, 0, 5} }\n"
+                              "if t ~= 2 then sky { image = 'p.bmp' } end");
+    Stock *stock = stock_create(&error);
+    Scene *first = load_at(fixture->path, 0, stock);
+    unlink(fixture->path);
+    Scene *second = load_at(fixture->path, 1, stock);
+    Texture *texture = second->textures[0].texture;
+    assert_ptr_equal(first->textures[0].texture, texture);
+    assert_true(second->camera.position.x == 1);
+    scene_destroy(first);
+    assert_int_equal(texture->owners, 2);
+    scene_destroy(load_at(fixture->path, 2, stock));
+    assert_int_equal(texture->owners, 1);
+    stock_destroy(stock);
+    assert_int_equal(texture->width, 2);
+    scene_destroy(second);
+}
+
+/** A scene is given up when asked, long before its time is over. @param state The fixture. */
+static void test_stop(void **state) {
+    const Fixture *fixture = *state;
+    atomic_bool stop = true;
+    ScriptRequest request = request_for(fixture->path);
+    request.stop = &stop;
+    store_text(fixture->path, "while true do end");
+    Error error = {0};
+    alarm(5);
+    assert_null(script_load(&request, &error));
+    alarm(0);
+    assert_int_equal(error.status, STATUS_INTERRUPTED);
+}
+
 /** @return 0 if all is well. */
 int main(void) {
     const struct CMUnitTest tests[] = {
@@ -162,6 +231,9 @@ int main(void) {
         cmocka_unit_test(test_long_paths),
         cmocka_unit_test(test_endless_paths),
         cmocka_unit_test(test_standard_input),
+        cmocka_unit_test(test_time),
+        cmocka_unit_test(test_stock),
+        cmocka_unit_test(test_stop),
     };
     return cmocka_run_group_tests_name("scene_files", tests, enter_scene_folder, leave_folder);
 }

@@ -14,6 +14,7 @@
 #include "view/pose.h"
 #include "view/scene_text.h"
 #include "view/snapshot.h"
+#include "view/timeline.h"
 #include "view/title.h"
 
 #include <stdlib.h>
@@ -156,7 +157,8 @@ static void test_keymap_others(void **state) {
                 {SDLK_h, ACTION_HELP},
                 {SDLK_F11, ACTION_FULL_SCREEN},
                 {SDLK_ESCAPE, ACTION_LEAVE},
-                {SDLK_SPACE, ACTION_NONE},
+                {SDLK_SPACE, ACTION_TIME},
+                {SDLK_RETURN, ACTION_NONE},
                 {0, ACTION_NONE}};
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         assert_int_equal(key(SDL_SCANCODE_UNKNOWN, rows[i].key, false), rows[i].action);
@@ -336,7 +338,8 @@ static void test_pose(void **state) {
     Pose home;
     assert_true(pose_save(&home, scene, NULL));
     assert_point(home.vertical, 0, 1, 0);
-    pose_move(&home, scene, 0, (Movement){.right = 1, .up = 2, .forward = 3}, (Movement){.right = 2});
+    pose_move(&home, scene, 0, (Movement){.right = 1, .up = 2, .forward = 3},
+              (Movement){.right = 2});
     assert_point(scene->lights[0].position, 15, 1.9 + 10, 5);
     assert_point(scene->camera.position, 0, 0, 10);
     pose_move(&home, scene, 7, (Movement){.up = 1}, (Movement){.up = 1, .forward = -1});
@@ -347,6 +350,62 @@ static void test_pose(void **state) {
     assert_point(scene->camera.position, 0, 0, 0);
     pose_release(&home);
     scene_destroy(scene);
+}
+
+/** What the user has moved stays there at other times, and goes home. @param state Unused. */
+static void test_pose_renew(void **state) {
+    (void)state;
+    const Light light = {.position = {7, 7, 7}, .intensity = 9};
+    Error error = {0};
+    for (int moved = 0; moved < 2; moved++) {
+        Scene *before = make_scene(), *after = make_scene();
+        assert_true(scene_add_light(after, &light, &error));
+        after->camera.position = (Vector3){4, 5, 6};
+        after->lights[0].position = (Vector3){1, 2, 3};
+        after->lights[0].intensity = 0.5;
+        Pose pose;
+        assert_true(pose_save(&pose, before, NULL));
+        if (moved) {
+            pose_move(&pose, before, 0, (Movement){.up = 1}, (Movement){.right = 2});
+        }
+        Vector3 eye = moved ? before->camera.position : after->camera.position;
+        Vector3 lamp = moved ? before->lights[0].position : after->lights[0].position;
+        assert_true(pose_renew(&pose, before, after, &error));
+        assert_point(after->camera.position, eye.x, eye.y, eye.z);
+        assert_point(after->lights[0].position, lamp.x, lamp.y, lamp.z);
+        assert_near(after->lights[0].intensity, 0.5);
+        assert_point(after->lights[1].position, 7, 7, 7);
+        pose_restore(&pose, after);
+        assert_point(after->camera.position, 4, 5, 6);
+        assert_point(after->lights[0].position, 1, 2, 3);
+        assert_true(pose_renew(&pose, after, before, &error));
+        assert_false(pose.is_camera_moved || pose.is_light_moved[0]);
+        pose_release(&pose);
+        scene_destroy(before);
+        scene_destroy(after);
+    }
+}
+
+/** The time is held, runs and steps, by milliseconds. @param state Unused. */
+static void test_timeline(void **state) {
+    (void)state;
+    Timeline timeline = {.time = 1.5};
+    assert_true(timeline_at(&timeline, 100) == 1.5);
+    timeline_run(&timeline, 100);
+    assert_true(timeline_at(&timeline, 100.1234567) == 1.623);
+    timeline_run(&timeline, 100.5);
+    assert_true(timeline_at(&timeline, 101) == 2.5);
+    timeline_hold(&timeline, 101.25);
+    assert_true(timeline_at(&timeline, 200) == 2.75);
+    timeline_step(&timeline, -2, 300);
+    assert_true(timeline_at(&timeline, 400) == 2.67);
+    timeline = (Timeline){.time = 0};
+    for (int i = 1; i < 1000; i++) {
+        timeline_step(&timeline, 1, 0);
+        assert_true(timeline.time == i / 25.0); // The very time of a film's frame.
+    }
+    timeline = (Timeline){.time = 1e300, .is_running = true};
+    assert_true(timeline_at(&timeline, 5) == 1e300);
 }
 
 /** Which way is up is told from the camera, unless it looks steeply. @param state Unused. */
@@ -409,6 +468,11 @@ static void test_title(void **state) {
     title_write(&facts, title);
     assert_string_equal(title, "box — 800×600, pass 1 px, 6 samples, 12.3 ms, 85 Mrays/s, finished"
                                " — light 2 of 3 — saved x.bmp");
+    const double time = 3.04;
+    facts = (TitleFacts){
+        .name = "box", .width = 8, .height = 6, .note = "", .time = &time, .is_running = true};
+    title_write(&facts, title);
+    assert_string_equal(title, "box — 8×6 — t 3.04 s, running");
     char name[2 * TITLE_SIZE];
     memset(name, 'n', sizeof name);
     name[sizeof name - 1] = '\0';
@@ -453,6 +517,8 @@ int main(void) {
         cmocka_unit_test(test_snapshot_long_path),
         cmocka_unit_test(test_snapshot_convert),
         cmocka_unit_test(test_pose),
+        cmocka_unit_test(test_pose_renew),
+        cmocka_unit_test(test_timeline),
         cmocka_unit_test(test_pose_vertical),
         cmocka_unit_test(test_scene_text),
         cmocka_unit_test(test_title),

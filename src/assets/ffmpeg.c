@@ -134,11 +134,11 @@ bool ffmpeg_feed(Ffmpeg *encoder, const void *bytes, size_t size) {
  */
 static int reap(Ffmpeg *encoder) {
     int status = 0;
-    while (waitpid(encoder->process, &status, 0) < 0 && errno == EINTR) {
+    do {
         if (is_stopped(encoder)) {
             kill(encoder->process, SIGKILL);
         }
-    }
+    } while (waitpid(encoder->process, &status, 0) < 0 && errno == EINTR);
     encoder->process = 0;
     return status;
 }

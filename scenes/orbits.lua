@@ -1,5 +1,5 @@
--- Objects moved by a script, as report A wished for its next version (row A12): a sun, planets that
--- keep Kepler's third law, and a moon. Space lets the time run; `dioptre animate` makes the film.
+-- Report A (row A12): objects moved by a script, as it wished for: a sun, planets that keep Kepler's
+-- third law, and a moon. Space lets the time run; `dioptre animate` makes the film.
 
 camera { position = {0, 4.2, 8.4}, look_at = {0, -0.2, 0}, fov = 46 }
 image { width = 800, height = 450, samples = 16, depth = 3 }

@@ -21,6 +21,8 @@ expect 0 '' 'a frame may begin late' film --frames 0 -t 0.12 -o late%d.bmp
 same late0.bmp render.bmp 'at --time'
 expect 0 '' 't of 1e300' film --frames 0-1 -t 1e300 -o 'far%3d.bmp'
 [ -s 'far  1.bmp' ] && ok 'blanks fill a number up' || fail "there is no 'far  1.bmp'"
+"$dioptre" animate - $small --frames 3 -o 'in%d.bmp' <"$orbits"
+same in3.bmp render.bmp 'a scene from standard input'
 for ending in png exr; do
     expect 0 '' "frames as $ending" film --frames 3 -o "f%d.$ending"
     "$dioptre" render "$orbits" $small -t 0.12 -o "render.$ending"

@@ -281,6 +281,83 @@ awk "BEGIN { split(\"$(numbers second)\", p, \" \"); exit !(p[1] > -0.9) }" &&
 [ "$(numbers light)" = "0 1.75 0.59999999999999998" ] && ok 'and not the other' || fail "$(numbers light)"
 leave
 
+# --- time ----------------------------------------------------------------------------------------
+cat >"$work/time.lua" <<'END'
+camera { position = {0, 0, 8} }
+image { width = 320, height = 240 }
+light { position = {3, 4, 5} }
+sphere { center = {3 * math.sin(t), 0, 0} }
+END
+# seconds: the time that the title says.
+seconds() { title | sed -nE 's/.* t ([0-9.e+-]+) s.*/\1/p'; }
+# as_rendered NAME: the snapshot must be what render draws at the title's time.
+as_rendered() {
+    "$dioptre" render "$work/time.lua" -t "$(seconds)" -o "$work/render.bmp"
+    same "$shot" "$work/render.bmp" "$1"
+}
+open "$work/time.lua"
+expect_shown 'finished — t 0 s$' 'the title says the time, which is held at first'
+still 1 'no processor time while it is held'
+xdotool key period
+expect_shown 'finished — t 0.04 s$' 'the period steps it'
+shoot
+as_rendered 'a snapshot of another time equals render'
+[[ $view = *'-- t = 0.040000000000000001 '* ]] && ok 'and says its time' || fail "it says $view"
+xdotool key comma key comma
+expect_shown 'finished — t -0.04 s$' 'the comma steps it back'
+setxkbmap fr && sleep 0.3
+xdotool key colon
+expect_shown 't 0 s$' 'azerty: the same places'
+setxkbmap us && sleep 0.3
+began=${EPOCHREALTIME/[.,]/}
+xdotool key space
+expect_shown 't 1\.[0-9]* s, running$' 'Space lets it run'
+took=$(((${EPOCHREALTIME/[.,]/} - began) / 1000))
+[ "$took" -gt 900 ] && [ "$took" -lt 2300 ] && ok 'in real time' || fail "a second took $took ms"
+shoot
+expect_shown 'finished — t [0-9.]* s — saved' 'a snapshot holds it'
+as_rendered 'a snapshot of time that ran equals render'
+hold 0.2 Right
+xdotool key period key period
+shoot
+read -r x _ < <(numbers camera)
+beyond + 0 "$x" 0.1 && ok 'what was moved stays at other times' || fail "the camera is at $x"
+xdotool key Home
+shoot
+as_rendered 'Home gives it back to the scene'
+xdotool key space && sleep 0.2 && hold 0.3 Left
+xdotool key space
+shoot
+read -r x _ < <(numbers camera)
+beyond - 0 "$x" 0.1 && ok 'keys move things while time runs' || fail "the camera is at $x"
+leave
+open "$work/time.lua" -t 1e300
+xdotool key space && sleep 0.2 && xdotool key space key period
+expect_shown 'finished — t 1e.300 s$' 'a time beyond all steps'
+leave
+open "$work/time.lua" -s 640x480 --samples 60000 --engine f64x1
+xdotool key space
+expect_shown 't 1\.[0-9]* s, running$' 'slow pictures do not slow it'
+leave 'Esc leaves while time runs'
+sed 's/^light/if t > 0.06 then error("no more") end light/' "$work/time.lua" >"$work/late.lua"
+open "$work/late.lua"
+xdotool key period key period
+expect_shown 't 0.04 s — .*late.lua:3: no more' 'a scene that goes wrong holds the time before'
+grep -q 'late.lua:3: no more' "$work/errors" && ok 'and says so' || fail "$(cat "$work/errors")"
+leave
+sed 's/^light/while t > 0 do end light/' "$work/time.lua" >"$work/late.lua"
+open "$work/late.lua"
+xdotool key period && sleep 0.3
+hold 0.2 Right
+shoot
+began=${EPOCHREALTIME/[.,]/}
+leave 'Esc leaves a scene that runs for ever'
+[ $(((${EPOCHREALTIME/[.,]/} - began) / 1000)) -lt 1500 ] && ok 'at once' || fail 'not at once'
+open "$box" --samples 1
+xdotool key space
+expect_shown 'finished — this scene does not ask for the time t$' 'a scene without time says so'
+leave
+
 # --- slow pictures -------------------------------------------------------------------------------
 open "$box" --samples 60000 --engine f64x1
 sleep 0.3

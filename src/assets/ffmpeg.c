@@ -8,6 +8,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
+#include <poll.h>
 #include <signal.h>
 #include <spawn.h>
 #include <stdint.h>
@@ -99,6 +100,7 @@ bool ffmpeg_start(Ffmpeg *encoder, const atomic_bool *stop, const char *const *w
     int failed = encoder->words < 0 || pipe2(ends, O_CLOEXEC) != 0 ? errno : 0;
     if (!failed) {
         encoder->input = ends[1];
+        fcntl(ends[1], F_SETFL, O_NONBLOCK);
         failed = spawn(encoder, ends[0], words);
         close(ends[0]);
     }
@@ -114,17 +116,27 @@ static bool is_stopped(const Ffmpeg *encoder) {
     return encoder->stop && atomic_load(encoder->stop);
 }
 
+/** Waits until an encoder takes bytes, but not for long. @param encoder The encoder. */
+static void wait_for_room(const Ffmpeg *encoder) {
+    /** Milliseconds until it is looked again whether to stop. */
+    const int patience = 200;
+    struct pollfd watched = {.fd = encoder->input, .events = POLLOUT};
+    poll(&watched, 1, patience);
+}
+
 bool ffmpeg_feed(Ffmpeg *encoder, const void *bytes, size_t size) {
     const char *next = bytes;
-    while (size > 0) {
+    while (size > 0 && !is_stopped(encoder)) {
         ssize_t count = write(encoder->input, next, size);
-        if (count < 0 && (errno != EINTR || is_stopped(encoder))) {
+        if (count < 0 && errno == EAGAIN) {
+            wait_for_room(encoder);
+        } else if (count < 0 && errno != EINTR) {
             return false;
         }
         next += count > 0 ? count : 0;
         size -= count > 0 ? (size_t)count : 0;
     }
-    return true;
+    return size == 0;
 }
 
 /**

@@ -43,7 +43,7 @@ bool ffmpeg_start(Ffmpeg *encoder, const atomic_bool *stop, const char *const *w
  * @param encoder  The encoder.
  * @param bytes    The bytes.
  * @param size     How many.
- * @return false when it takes no more: it has ended, or a signal came and it should stop.
+ * @return false when it takes no more: it has ended, or is not waited for.
  */
 bool ffmpeg_feed(Ffmpeg *encoder, const void *bytes, size_t size);
 

@@ -23,14 +23,14 @@ mkdir -p "$work/parallel" && touch "$work/parallel/will-cite"
 expect 0 '' 'parallel' env JOBS=2 "$farm/parallel.sh" "$orbits" frames 11
 same one.mp4 frames/film.mp4 'a film by parallel is the film of one process'
 [ "$(wc -l <frames/jobs.log)" = 13 ] && ok 'a job a frame' || fail "$(cat frames/jobs.log)"
-rm frames/00005.png
+rm frames/00005.bmp
 # A job that failed, by its line of the log; one that is done is not done again.
 awk -F '\t' -v OFS='\t' '/--frames 5 -o/ { $7 = 1 } { print }' frames/jobs.log >log && cat log >frames/jobs.log
 rm frames/film.mp4 log
-touch -d '2001-01-01' frames/0000[0-4].png
+touch -d '2001-01-01' frames/0000[0-4].bmp
 expect 0 '' 'parallel once more' env JOBS=2 "$farm/parallel.sh" "$orbits" frames 11
 same one.mp4 frames/film.mp4 'a job that failed is done again'
-[ "$(find frames -name '0*.png' -not -newermt 2002-01-01 | wc -l)" = 5 ] && ok 'and no other' || fail 'frames are drawn again'
+[ "$(find frames -name '0*.bmp' -not -newermt 2002-01-01 | wc -l)" = 5 ] && ok 'and no other' || fail 'frames are drawn again'
 
 # --- Slurm ---------------------------------------------------------------------------------------
 # cluster: starts munge, the controller and one node on the loopback address. The processes are ours

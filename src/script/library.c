@@ -144,13 +144,7 @@ static int library_unknown(lua_State *L) {
                       suggest_hint(&suggestion, hint));
 }
 
-/**
- * Makes a table of the language raise errors about words that it does not have.
- * @param L     The state, with the table on top.
- * @param name  Its name; nothing for the global words.
- * @param dot   What stands between the name and a word.
- */
-static void make_strict(lua_State *L, const char *name, const char *dot) {
+void library_make_strict(lua_State *L, const char *name, const char *dot) {
     lua_createtable(L, 0, 2);
     lua_pushfstring(L, "%s%s", name, dot);
     lua_pushcclosure(L, library_unknown, 1);
@@ -196,7 +190,7 @@ static void open_base(lua_State *L) {
  */
 static void open_library(lua_State *L, const luaL_Reg *library) {
     luaL_requiref(L, library->name, library->func, 0);
-    make_strict(L, library->name, ".");
+    library_make_strict(L, library->name, ".");
     lua_setfield(L, -2, library->name);
 }
 
@@ -234,6 +228,6 @@ void library_open(lua_State *L) {
     }
     tame_random(L);
     tame_string(L);
-    make_strict(L, "", "");
+    library_make_strict(L, "", "");
     lua_rawseti(L, LUA_REGISTRYINDEX, LUA_RIDX_GLOBALS);
 }

@@ -247,14 +247,15 @@ static double mandelbulb_reach(int power) {
 
 /**
  * Makes a Mandelbulb: the points c from which z^n + c stays near zero. Its distance is estimated by
- * the potential, log |z| |z| / |z'|, times a factor that is found by tests: the derivative is one
- * number and not a matrix. Numbers: power, iterations, the ball around it, the factor, the radius
- * where orbits are given up, and log 2 / n^iterations, the potential of its surface.
+ * the potential, log |z| |z| / |z'|, times a factor: the derivative is one number and not a matrix,
+ * and near the poles it is too small. So the estimate is a bound up to four iterations only.
+ * Numbers: power, iterations, the ball around it, the factor, the radius where orbits are given up,
+ * and log 2 / n^iterations, the potential of its surface.
  * @param[out] field  Room for it.
  * @param values      A #MandelbulbField.
  */
 static void mandelbulb_make(Field *field, const void *values) {
-    /** Slower than the point for all pairs of points that were tried (tests/test_field.c). */
+    /** Half of the usual one; how often it is too much is tested (tests/test_field.c). */
     const double factor = 0.25;
     /** Its power of n is still a float. */
     const double overflow = 0x1p100;

@@ -17,6 +17,8 @@
 #define RELAXATION ((scalar)1.6f)
 /** A ray that runs out of steps has met the surface if it came within so many tolerances. */
 #define CANDIDATE_TOLERANCES 8
+/** Tolerances that a hit is moved at most to be on the surface. */
+#define REFINE_TOLERANCES 64
 /** Tolerances that a hit may be off, and that rays which leave it start away: farther than where a
  *  march ends. */
 #define ERROR_TOLERANCES 2
@@ -229,13 +231,15 @@ INLINE mask march_look(March *march, real distance, real tolerance) {
  */
 INLINE void march_step(March *march, mask is_over) {
     real radius = march->radius, left = march->end - march->way;
-    // What was not seen to be safe before the box ends must be looked at there.
-    real relaxed = real_min(radius * RELAXATION, real_max(left, radius));
-    relaxed = real_select(march->leaving, radius, relaxed);
-    real change = real_select(is_over, radius - march->step, relaxed);
-    march->step = real_select(is_over, radius, relaxed);
-    march->way = real_select(march->walking, march->way + change, march->way);
-    march->walking = march->walking & (march->way <= march->end);
+    // Where even the safe step goes out of the box, there is nothing more.
+    march->walking = march->walking & (is_over | (radius <= left));
+    real longer = real_select(march->leaving, radius, radius * RELAXATION);
+    real change = real_select(is_over, radius - march->step, longer);
+    march->step = real_select(is_over, radius, longer);
+    // What is not yet known to be empty before the box ends is looked at there.
+    real way = real_min(march->way + change, march->end);
+    march->step = real_min(march->step, real_max(left, radius));
+    march->way = real_select(march->walking, way, march->way);
 }
 
 /** Gives up rays that are still on their way: those that came near enough have met the surface, and
@@ -287,7 +291,7 @@ INLINE real march_distance(const March *march) {
 INLINE void march_refine(const Sdf *sdf, March *march, FieldSample *here) {
     real slope = vector_dot(here->gradient, march->direction);
     real change = -here->distance / slope;
-    real most = CANDIDATE_TOLERANCES * sdf_tolerance(sdf, march_point(march, march->way));
+    real most = REFINE_TOLERANCES * sdf_tolerance(sdf, march_point(march, march->way));
     mask is_small = march->found & (real_abs(change) <= most);
     if (!any(is_small)) {
         return;

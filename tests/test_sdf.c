@@ -179,8 +179,8 @@ static void box_twins(const Engine *engine) {
 /** The top of a box that is as large as the ground. @param engine The engine. */
 static void ground_twins(const Engine *engine) {
     Scene *scene = empty_scene();
-    add_shape(scene, "box", &(BoxParameters){{-512, -8, -512}, {512, 0, 512}});
-    Field *box = moved(single("box", (double[]){1024, 8, 1024}), 0, -4, 0);
+    add_shape(scene, "box", &(BoxParameters){{-64, -8, -64}, {64, 0, 64}});
+    Field *box = moved(single("box", (double[]){128, 8, 128}), 0, -4, 0);
     SdfRow patient = {.tolerance = usual.tolerance, .max_steps = 20000};
     assert_alike(
         &(Twins){"ground", engine, marched(engine, box, patient), prepare(engine, scene), 4});

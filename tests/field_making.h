@@ -69,7 +69,7 @@ static inline Field *repeated(Field *field, FieldRepeat repeat) {
 }
 
 /** @return A field, rounded. @param field The field; given back. @param radius By how much. */
-static inline Field *rounded(Field *field, double radius) {
+static inline Field *round_off(Field *field, double radius) {
     Field *out = new_field(field->count + 1);
     field_round(out, field, radius);
     free(field);

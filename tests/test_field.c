@@ -161,7 +161,7 @@ static int start(void **state) {
         joined(FIELD_JOIN_DIFFERENCE, single("box", box),
                repeated(little_box(), (FieldRepeat){{1, 1, 0}, {0, 3, 0}}), 0),
         3, NULL);
-    add("rounded sponge", rounded(placed(single("menger", NULL), leaning), 0.05), 3, NULL);
+    add("rounded sponge", round_off(placed(single("menger", NULL), leaning), 0.05), 3, NULL);
     return 0;
 }
 

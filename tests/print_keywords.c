@@ -95,11 +95,11 @@ int main(void) {
     for (const Keyword *const *keyword = common; *keyword; keyword++) {
         print_keyword(*keyword);
     }
-    for (const FieldKind *const *kind = field_kinds; *kind; kind++) {
-        print_keyword(&(*kind)->keyword);
-    }
     for (const Keyword *const *keyword = engine_f32x1.shape_keywords; *keyword; keyword++) {
         print_keyword(*keyword);
+    }
+    for (const FieldKind *const *kind = field_kinds; *kind; kind++) {
+        print_keyword(&(*kind)->keyword);
     }
     return 0;
 }

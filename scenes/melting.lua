@@ -1,4 +1,4 @@
--- Row B11: fields that melt into one another, and a mirror and a glass of them: a marched surface is a
+-- Fields that melt into one another, and a mirror and a glass of them: a marched surface is a
 -- shape like any other.
 --
 -- What is in any of two fields, with the seam filled; what is in one and not in the other; edges rounded.

@@ -480,6 +480,9 @@ static const TriangleRow triangle_row = {
 static const SphereRow small_sphere_row = {{0.25, 0, 0}, 0.5};
 static const CylinderRow upright_row = {{0, -1, 0}, {0, 1, 0}, 1, true};
 
+/** How near the marched row comes. */
+#define CONTRACT_TOLERANCE 0x1p-17
+
 // Numbers of a scene; #start fills in what follows from them.
 static Transform egg = {.scale = {3, 1.5, 2}, .rotate = {20, -35, 50}, .translate = {0.5, -1, 2}};
 static Transform lean = {.scale = {1, 1, 1}, .rotate = {30, 45, 60}, .translate = {4, 3, -2}};
@@ -543,8 +546,16 @@ static const Row rows[] = {
     // A box of twelve triangles, and the same leaning.
     {"mesh", "mesh", &box_row, true, 1, {-0.125, 0.875, -1.25}, box_truth, box_touch, NULL},
     {"leaning mesh", "mesh", &box_row, true, 1, {4, 3, -1}, box_truth, box_touch, &lean},
+    // A ball as a field, which is marched to.
+    {"sdf", "sdf", &sphere_row, true, 1.5, {0.5, -1.25, 2}, sphere_truth, sphere_touch, NULL},
     {"tilted plane", "plane", &plane_row, false, 1, {0, 1, 3}, plane_truth, plane_touch, &tilt},
 };
+
+/** @return How far off a row's hits may be where they are found step by step; 0: they are solved.
+ *  @param row The row. */
+static double tolerance_of(const Row *row) {
+    return strcmp(row->keyword, "sdf") == 0 ? CONTRACT_TOLERANCE : 0;
+}
 
 /** How many. */
 enum { ROW_COUNT = sizeof rows / sizeof *rows };

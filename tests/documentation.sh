@@ -25,7 +25,7 @@ missing=$(grep -rL '@file' include src --include='*.[ch]' --include='*.cpp')
 
 # The classes that say they extend Shape, as Doxygen draws them and as doc/uml.dot does.
 classes=$(find src/trace -name '*.c' -exec sed -nE '/@extends Shape/ { n; s/^typedef struct (\w+) \{.*/\1/p }' {} +)
-for class in Sphere Plane Quad Box Disk Cylinder Triangle MeshShape Transformed; do
+for class in Sphere Plane Quad Box Disk Cylinder Triangle MeshShape Sdf Transformed; do
     echo "$classes" | grep -qx $class && ok "$class says that it extends Shape" || fail "$class does not extend Shape"
 done
 for class in Shape $classes; do
@@ -33,7 +33,7 @@ for class in Shape $classes; do
     holds doc/uml.dot "^ *$class +\[label" "doc/uml.dot has $class"
 done
 for function in sphere_is_hit plane_is_hit quad_is_hit box_is_hit disk_is_hit \
-    cylinder_is_hit triangle_is_hit mesh_nearest transformed_is_hit shape_list_nearest; do
+    cylinder_is_hit triangle_is_hit sdf_is_hit mesh_nearest transformed_is_hit shape_list_nearest; do
     grep -lqE ">$function<" "$html"/*_cgraph.svg 2>/dev/null && ok "there is the call graph of $function" ||
         fail "there is no call graph of $function"
 done

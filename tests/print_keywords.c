@@ -24,6 +24,7 @@ static const char *type_name(const Parameter *row) {
                                         [PARAMETER_PAIR] = "`{u, v}`",
                                         [PARAMETER_COLOR] = "colour",
                                         [PARAMETER_MESH] = "name of a model file",
+                                        [PARAMETER_FIELD] = "distance field",
                                         [PARAMETER_TEXTURE] = "name of a picture file"};
     return names[row->type];
 }
@@ -35,7 +36,7 @@ static void print_range(const Parameter *row) {
             printf("%s`\"%s\"`", i ? ", " : "", row->words[i]);
         }
     } else if (row->type != PARAMETER_BOOLEAN && row->type != PARAMETER_MESH &&
-               row->type != PARAMETER_TEXTURE) {
+               row->type != PARAMETER_TEXTURE && row->type != PARAMETER_FIELD) {
         printf("%s%.15g to %.15g", row->above_minimum ? "above " : "", row->minimum, row->maximum);
     }
 }
@@ -58,6 +59,7 @@ static void print_value(const Parameter *row, const void *values) {
         printf("`\"%s\"`", row->words[*(const int *)field]);
         break;
     case PARAMETER_MESH:
+    case PARAMETER_FIELD:
         printf("none: it must be given");
         break;
     case PARAMETER_TEXTURE:
@@ -95,6 +97,9 @@ int main(void) {
     }
     for (const Keyword *const *keyword = engine_f32x1.shape_keywords; *keyword; keyword++) {
         print_keyword(*keyword);
+    }
+    for (const FieldKind *const *kind = field_kinds; *kind; kind++) {
+        print_keyword(&(*kind)->keyword);
     }
     return 0;
 }

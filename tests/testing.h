@@ -137,6 +137,21 @@ static inline void add_shape(Scene *scene, const char *name, const void *paramet
     assert_true(scene_add_shape(scene, kind, keywords[kind], parameters, material, &error));
 }
 
+/** How the scene language says the surface of a field. */
+typedef struct SdfRow {
+    const Field *field; /**< The field. */
+    double tolerance;   /**< How near is on it. */
+    int max_steps;      /**< After so many a ray is given up. */
+} SdfRow;
+
+/** Adds the surface of a field to a scene. @param scene The scene. @param row It; copied. */
+static inline void add_sdf(Scene *scene, SdfRow row) {
+    Error error = {0};
+    row.field = scene_keep_field(scene, row.field, &error);
+    assert_non_null(row.field);
+    add_shape(scene, "sdf", &row);
+}
+
 /** How the scene language says a mesh. */
 typedef struct MeshRow {
     size_t file; /**< Place of its model in the scene. */

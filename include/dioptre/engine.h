@@ -69,6 +69,7 @@ typedef struct TracerContents {
     size_t tree_from;      /**< Shapes with an end from which on they get a tree. */
     size_t triangles;      /**< Triangles of models, each model counted once. */
     size_t triangle_bytes; /**< Memory of those, with their trees and normals. */
+    uint64_t stalled;      /**< Rays so far that a distance field gave up: out of steps. */
 } TracerContents;
 
 /** A rectangle of pixels, all of them or every n-th, to be traced with one ray each. */

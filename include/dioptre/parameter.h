@@ -29,6 +29,7 @@ typedef enum {
     PARAMETER_COLOR,     /**< `Color`: `{r, g, b}`, one number for grey, or `"#rrggbb"` in sRGB */
     PARAMETER_MESH,      /**< `size_t`: the place in #Scene.meshes of the model file that is named.
                               It has no default: #Keyword.finish sees whether it was given */
+    PARAMETER_FIELD,     /**< `const Field *`: a distance field, kept by the scene; NULL: none */
     PARAMETER_TEXTURE    /**< `size_t`: the place in #Scene.textures of the picture file that is
                               named, plus one; 0: none is */
 } ParameterType;

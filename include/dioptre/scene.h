@@ -11,6 +11,7 @@
 
 #include "dioptre/camera.h"
 #include "dioptre/encoding.h"
+#include "dioptre/field.h"
 #include "dioptre/light.h"
 #include "dioptre/material.h"
 #include "dioptre/mesh.h"
@@ -159,6 +160,15 @@ bool scene_add_mesh(Scene *scene, const SceneFile *file, size_t *place, Error *e
  * @return false when the scene's memory is full.
  */
 bool scene_add_texture(Scene *scene, const SceneFile *file, size_t *place, Error *error);
+
+/**
+ * Keeps a distance field.
+ * @param[in,out] scene  The scene.
+ * @param field          The field; copied.
+ * @param[out] error     What is wrong.
+ * @return The copy, owned by the scene; NULL when the scene's memory is full.
+ */
+const Field *scene_keep_field(Scene *scene, const Field *field, Error *error);
 
 /**
  * Stretches, turns and moves the shape that was added last.

@@ -80,6 +80,18 @@ static int info_left_out(const Scene *scene, const Info *info, const char *left[
     return count;
 }
 
+/** @return Whether a scene has distance fields. @param scene The scene. @param settings How it
+ * would be drawn. */
+static bool info_has_fields(const Scene *scene, const RenderSettings *settings) {
+    const Keyword *const *keywords = settings->engine->shape_keywords;
+    for (size_t i = 0; i < scene->shape_count; i++) {
+        if (strcmp(keywords[scene->shapes[i].kind]->name, "sdf") == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /** Prints the models for programs. @param scene The scene. */
 static void info_print_meshes_json(const Scene *scene) {
     printf(", \"meshes\": [");
@@ -215,6 +227,7 @@ static void info_print_json(const Scene *scene, const Info *info, const RenderSe
     putchar(']');
     info_print_meshes_json(scene);
     info_print_textures_json(scene);
+    printf(", \"stalled\": %llu", (unsigned long long)info->contents.stalled);
     info_print_tree_json(&info->contents);
     puts("}");
 }
@@ -241,6 +254,11 @@ static void info_print(const Scene *scene, const Info *info, const RenderSetting
     printf("engine     %s: %s\n", settings->engine->name, engine_reason(options, settings->engine));
     printf("offset     %s\n", offset_name(settings->trace.offset));
     info_print_tree(&info->contents);
+    if (info_has_fields(scene, settings)) {
+        printf("marching   %llu of %zu rays from the eye run out of steps\n",
+               (unsigned long long)info->contents.stalled,
+               (size_t)settings->width * (size_t)settings->height);
+    }
     const char *left[LEFT_MAXIMUM];
     int left_count = info_left_out(scene, info, left);
     printf("left out   ");
@@ -261,6 +279,9 @@ static int info_run(const Options *options, Error *error) {
     Renderer *renderer = renderer_create(scene, &settings, error);
     if (renderer) {
         Info info = info_of(scene);
+        if (info_has_fields(scene, &settings)) {
+            renderer_cast(renderer, false);
+        }
         info.contents = renderer_contents(renderer);
         options->json ? info_print_json(scene, &info, &settings, options)
                       : info_print(scene, &info, &settings, options);

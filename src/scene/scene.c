@@ -200,6 +200,12 @@ bool scene_add_texture(Scene *scene, const SceneFile *file, size_t *place, Error
     return true;
 }
 
+const Field *scene_keep_field(Scene *scene, const Field *field, Error *error) {
+    size_t size = field_size(field->count);
+    Field *copy = block_allocate((Block *)scene, size, error);
+    return copy ? memcpy(copy, field, size) : NULL;
+}
+
 bool scene_transform_shape(Scene *scene, const Transform *transform, Error *error) {
     Transform *copy = block_allocate((Block *)scene, sizeof *copy, error);
     if (copy) {

@@ -165,17 +165,22 @@ static int library_global(lua_State *L) {
 /**
  * Makes a table of the language ask a function about words that it does not have.
  * @param L        The state, with the table on top.
- * @param name     Its name and a dot; nothing for the global words.
+ * @param name     Its name.
+ * @param dot      What stands between it and the word.
  * @param unknown  The function, which raises errors.
  */
-static void make_strict(lua_State *L, const char *name, lua_CFunction unknown) {
+static void make_strict(lua_State *L, const char *name, const char *dot, lua_CFunction unknown) {
     lua_createtable(L, 0, 2);
-    lua_pushstring(L, name);
+    lua_pushfstring(L, "%s%s", name, dot);
     lua_pushcclosure(L, unknown, 1);
     lua_setfield(L, -2, "__index");
     lua_pushboolean(L, false);
     lua_setfield(L, -2, "__metatable");
     lua_setmetatable(L, -2);
+}
+
+void library_make_strict(lua_State *L, const char *name, const char *dot) {
+    make_strict(L, name, dot, library_unknown);
 }
 
 /**
@@ -214,10 +219,7 @@ static void open_base(lua_State *L) {
  */
 static void open_library(lua_State *L, const luaL_Reg *library) {
     luaL_requiref(L, library->name, library->func, 0);
-    const char *prefix = lua_pushfstring(L, "%s.", library->name);
-    lua_insert(L, -2);
-    make_strict(L, prefix, library_unknown);
-    lua_remove(L, -2);
+    library_make_strict(L, library->name, ".");
     lua_setfield(L, -2, library->name);
 }
 
@@ -255,6 +257,6 @@ void library_open(lua_State *L) {
     }
     tame_random(L);
     tame_string(L);
-    make_strict(L, "", library_global);
+    make_strict(L, "", "", library_global);
     lua_rawseti(L, LUA_REGISTRYINDEX, LUA_RIDX_GLOBALS);
 }

@@ -18,4 +18,12 @@ enum { LIBRARY_PRINT_MAXIMUM = 65536 };
  */
 void library_open(lua_State *L);
 
+/**
+ * Makes a table of the language raise errors about words that it does not have.
+ * @param L     The state, with the table on top.
+ * @param name  Its name; nothing for the global words.
+ * @param dot   What stands between the name and a word.
+ */
+void library_make_strict(lua_State *L, const char *name, const char *dot);
+
 #endif

@@ -6,6 +6,7 @@
 
 #include "assets/mesh_file.h"
 #include "assets/texture_file.h"
+#include "script/fields.h"
 #include "script/file.h"
 #include "script/hex_color.h"
 #include "script/run.h"
@@ -328,6 +329,21 @@ static void read_texture(lua_State *L, int index, const Parameter *row, void *fi
     *(size_t *)field = read_file(L, index, row, &kind) + 1;
 }
 
+/** Reads a distance field, which the scene keeps. See #Reader. @param L See there. @param index See
+ *  there. @param row See there. @param[out] field See there. */
+static void read_field(lua_State *L, int index, const Parameter *row, void *field) {
+    const Field *given = fields_test(L, index);
+    Error error = {0};
+    if (!given) {
+        raise_type(L, index, row, "a distance field");
+    }
+    const Field *kept = scene_keep_field(((Run *)sandbox_of(L)->context)->scene, given, &error);
+    if (!kept) {
+        luaL_error(L, "%s", error.message);
+    }
+    *(const Field **)field = kept;
+}
+
 /** How a value of a type is read: #read_value of one type. */
 typedef void Reader(lua_State *L, int index, const Parameter *row, void *field);
 
@@ -338,7 +354,7 @@ void read_value(lua_State *L, int index, const Parameter *row, void *field) {
         [PARAMETER_VECTOR] = read_vector,   [PARAMETER_DIRECTION] = read_direction,
         [PARAMETER_SCALE] = read_scale,     [PARAMETER_PAIR] = read_pair,
         [PARAMETER_COLOR] = read_color,     [PARAMETER_MESH] = read_mesh,
-        [PARAMETER_TEXTURE] = read_texture};
+        [PARAMETER_FIELD] = read_field,     [PARAMETER_TEXTURE] = read_texture};
     readers[row->type](L, index, row, field);
 }
 
@@ -364,6 +380,38 @@ static bool has_field(const Keyword *const *keywords, const char *extra, Suggest
     return extra && strcmp(extra, suggestion->wanted) == 0;
 }
 
+/** @return Whether a keyword's first field may stand first in the braces without its name.
+ *  @param keyword The keyword. */
+static bool may_stand_first(const Keyword *keyword) {
+    return keyword->parameters->type == PARAMETER_FIELD;
+}
+
+/** @return Whether the key on top of the stack is 1, where a keyword's first field may stand.
+ *  @param L The state. @param keyword The keyword. */
+static bool takes_first(lua_State *L, const Keyword *keyword) {
+    return may_stand_first(keyword) && lua_isinteger(L, -1) && lua_tointeger(L, -1) == 1;
+}
+
+/**
+ * Puts a field of the table on the stack.
+ * @param L        The state; the table is the first argument.
+ * @param keyword  The keyword.
+ * @param i        Which of its fields.
+ * @return Whether it is there.
+ */
+static bool push_field(lua_State *L, const Keyword *keyword, int i) {
+    bool is_there = lua_getfield(L, 1, keyword->parameters[i].name) != LUA_TNIL;
+    if (i > 0 || !may_stand_first(keyword)) {
+        return is_there;
+    }
+    bool stands_first = lua_geti(L, 1, 1) != LUA_TNIL;
+    if (is_there && stands_first) {
+        luaL_error(L, "%s takes one %s, not two", keyword->name, keyword->parameters->name);
+    }
+    lua_pushvalue(L, stands_first ? -1 : -2);
+    return is_there || stands_first;
+}
+
 void read_check_names(lua_State *L, const Keyword *const *keywords, const char *extra) {
     const char *name = keywords[0]->name;
     if (lua_gettop(L) != 1 || !lua_istable(L, 1)) {
@@ -372,6 +420,9 @@ void read_check_names(lua_State *L, const Keyword *const *keywords, const char *
     lua_pushnil(L);
     while (lua_next(L, 1)) {
         lua_pop(L, 1);
+        if (takes_first(L, keywords[0])) {
+            continue;
+        }
         if (lua_type(L, -1) != LUA_TSTRING) {
             luaL_error(L, "%s takes fields with names, such as `%s = ...`; one has none", name,
                        keywords[0]->parameters->name);
@@ -393,8 +444,8 @@ void *read_fields(lua_State *L, const Keyword *keyword, uint64_t *given) {
     *given = 0;
     for (int i = 0; keyword->parameters[i].name; i++) {
         const Parameter *row = &keyword->parameters[i];
-        if (lua_getfield(L, 1, row->name) != LUA_TNIL) {
-            read_value(L, top + 1, row, values + row->offset);
+        if (push_field(L, keyword, i)) {
+            read_value(L, lua_gettop(L), row, values + row->offset);
             *given |= (uint64_t)1 << i;
         }
         lua_settop(L, top);

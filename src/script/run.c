@@ -4,6 +4,7 @@
  */
 #include "script/run.h"
 
+#include "script/fields.h"
 #include "script/include.h"
 #include "script/keywords.h"
 #include "script/library.h"
@@ -23,6 +24,7 @@ static int run_text(lua_State *L) {
     Run *run = sandbox_of(L)->context;
     library_open(L);
     keywords_open(L);
+    fields_open(L);
     include_open(L);
     sandbox_watch(L);
     Source text = *run->source;

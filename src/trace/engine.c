@@ -284,6 +284,7 @@ static TracerContents engine_contents(const Tracer *tracer) {
     TracerContents contents = {.listed = list->loose_count,
                                .planted = list->count - list->loose_count,
                                .tree_from = list->tree_from};
+    contents.stalled = stalls_count(&tracer->models.stalls);
     for (size_t i = 0; i < tracer->models.count; i++) {
         contents.triangles += tracer->models.all[i].triangle_count;
         contents.triangle_bytes += model_size(&tracer->models.all[i]);

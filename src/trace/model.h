@@ -8,6 +8,7 @@
 #define DIOPTRE_TRACE_MODEL_H
 
 #include "dioptre/mesh.h"
+#include "trace/stalls.h"
 #include "trace/tree.h"
 
 /** LANES triangles side by side. */
@@ -63,6 +64,7 @@ struct Models {
     const SceneMesh *meshes; /**< The scene's meshes; while shapes are made only. */
     const Crew *crew;        /**< Who builds trees; while shapes are made only. */
     bool has_textures;       /**< Whether any shape shows a picture. */
+    Stalls stalls;           /**< Rays that were given up before they met a shape or nothing. */
 };
 
 /**

@@ -4,13 +4,23 @@
  */
 #include "trace/shapes/transformed.h"
 
-/** @return Bytes from an object of a class to the next. @param class The class. */
+/** @return Bytes, so many that what follows is aligned again. @param size Bytes. */
+static size_t aligned(size_t size) {
+    return (size + SHAPE_ALIGNMENT - 1) / SHAPE_ALIGNMENT * SHAPE_ALIGNMENT;
+}
+
+/** @return Bytes from an object of a class to its tail. @param class The class. */
 static size_t class_stride(const ShapeClass *class) {
-    return (class->size + SHAPE_ALIGNMENT - 1) / SHAPE_ALIGNMENT * SHAPE_ALIGNMENT;
+    return aligned(class->size);
+}
+
+void *shape_tail(Shape *shape) {
+    return (char *)shape + class_stride(shape->class);
 }
 
 size_t shape_size(const SceneShape *said) {
-    return class_stride(shape_class(said->kind)) +
+    const ShapeClass *class = shape_class(said->kind);
+    return class_stride(class) + (class->tail ? aligned(class->tail(said->parameters)) : 0) +
            (said->transform ? class_stride(&transformed_class) : 0);
 }
 

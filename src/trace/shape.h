@@ -37,9 +37,13 @@ typedef struct ShapeClass {
     Keyword keyword; /**< Base: its name, fields and checks in the scene language. */
     size_t size;     /**< Bytes of an object of the class, a multiple of its alignment. */
 
+    /** @return Bytes that an object needs behind itself: see #shape_tail. NULL: none.
+     *  @param parameters The struct that #keyword describes, finished. */
+    size_t (*tail)(const void *parameters);
+
     /**
      * Makes an object out of what the scene file said. The base is already filled.
-     * @param self        Memory of #size bytes.
+     * @param self        Memory of #size bytes, and those of its #tail.
      * @param parameters  The struct that #keyword describes, finished.
      */
     void (*init)(Shape *self, const void *parameters);
@@ -131,6 +135,10 @@ static inline const ShapeClass *shape_class(size_t kind) {
 
 /** Alignment of shapes, bytes: that of the widest vector of numbers in any class. */
 #define SHAPE_ALIGNMENT 64
+
+/** @return The memory behind an object that its class has asked for by #ShapeClass.tail.
+ *  @param shape The object. */
+void *shape_tail(Shape *shape);
 
 /** @return Bytes of the object that a shape of the scene becomes, a multiple of
  *          #SHAPE_ALIGNMENT. @param said The shape, as the scene has it. */

@@ -31,7 +31,7 @@ typedef struct Flight {
 } Flight;
 
 /** What a packet of rays and a tree share while its rays fly. */
-typedef struct Field {
+typedef struct Airfield {
     const Tree *tree;       /**< The tree. */
     uint32_t child;         /**< Where they begin. */
     const Packet *packet;   /**< The rays. */
@@ -40,7 +40,7 @@ typedef struct Field {
     real *limits;           /**< How far they look. */
     const TreeOwner *owner; /**< Who is asked. */
     void *found;            /**< The owner's. */
-} Field;
+} Airfield;
 
 /** @return One of LANES points in all lanes. @param v The points. @param lane Which. */
 INLINE Vector lane_spread(const Vector *v, int lane) {
@@ -50,7 +50,7 @@ INLINE Vector lane_spread(const Vector *v, int lane) {
 
 /** Puts a ray of a packet where the rays begin. @param field The field. @param[out] flight The
  *  ray. @param v Its vector. @param lane Its lane. */
-static void flight_begin(const Field *field, Flight *flight, int v, int lane) {
+static void flight_begin(const Airfield *field, Flight *flight, int v, int lane) {
     const Vector *inverse = &field->packet->rays[v].inverse;
     flight->rays = &field->packet->rays[v];
     slab_sort(&flight->order, 0, real_at(&inverse->x, lane) < 0);
@@ -65,7 +65,7 @@ static void flight_begin(const Field *field, Flight *flight, int v, int lane) {
 
 /** Lets the next ray of a packet fly, if there is one. @param field The field.
  *  @param[out] flight The ray. */
-static void flight_start(Field *field, Flight *flight) {
+static void flight_start(Airfield *field, Flight *flight) {
     while (field->vector < PACKET_VECTORS && field->left.of[field->vector] == 0) {
         field->vector++;
     }
@@ -107,7 +107,7 @@ static void flight_open(Flight *flight, const TreeNode *node) {
 
 /** Takes one step. @param field The field. @param flight The ray. @return false at the end of its
  *  way. */
-static bool flight_step(Field *field, Flight *flight) {
+static bool flight_step(Airfield *field, Flight *flight) {
     Waiting entry;
     do {
         if (flight->waiting == 0) {
@@ -132,7 +132,7 @@ static bool flight_step(Field *field, Flight *flight) {
 
 void tree_visit_singly(const Tree *tree, uint32_t child, const Lanes *lanes, const Packet *packet,
                        real *limits, const TreeOwner *owner, void *found) {
-    Field field = {tree, child, packet, *lanes, 0, limits, owner, found};
+    Airfield field = {tree, child, packet, *lanes, 0, limits, owner, found};
     Flight flights[FLIGHTS], *const end = flights + FLIGHTS;
     int flying = 0;
     for (Flight *flight = flights; flight < end; flight++) {

@@ -44,7 +44,8 @@ static void print_value(const Parameter *row, const void *value, FILE *file) {
     case PARAMETER_PAIR:
         print_list(value, 2, file);
         break;
-    case PARAMETER_MESH: // Neither a camera nor a light names a file.
+    case PARAMETER_MESH: // Neither a camera nor a light names a file or has a field.
+    case PARAMETER_FIELD:
     case PARAMETER_TEXTURE:
         break;
     }

@@ -15,5 +15,6 @@ extern const ShapeClass disk_class;     /**< `disk`: the inside of a circle */
 extern const ShapeClass cylinder_class; /**< `cylinder`: solid, or a pipe */
 extern const ShapeClass triangle_class; /**< `triangle`: flat, or with a normal a corner */
 extern const ShapeClass mesh_class;     /**< `mesh`: from a model file */
+extern const ShapeClass sdf_class;      /**< `sdf`: a distance field */
 
 #endif

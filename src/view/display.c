@@ -10,7 +10,6 @@
  */
 #include "view/display.h"
 
-
 #include "dioptre/scene.h"
 
 #include <string.h>

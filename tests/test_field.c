@@ -8,6 +8,8 @@
 #define REAL_BITS 64
 #define LANES 1
 #include "../src/trace/field.c"
+#include "../src/trace/field_bulb.c"
+#include "../src/trace/field_solids.c"
 
 #include "field_making.h"
 

@@ -23,7 +23,7 @@ typedef enum {
     FIELD_BOX_FRAME,    /**< Measures the edges of a box: half its edges, half their thickness. */
     FIELD_TORUS,        /**< Measures a ring around y: major and minor radius. */
     FIELD_MENGER,       /**< Measures a Menger sponge: half its edge, iterations. */
-    FIELD_MANDELBULB,   /**< Measures a Mandelbulb; see mandelbulb_make(). */
+    FIELD_MANDELBULB,   /**< Measures a Mandelbulb; see the file field_kinds.c. */
     FIELD_ROUND,        /**< Moves the surface outwards: by how much. */
     FIELD_PLACE,        /**< Body at a point of its own: 9 of the matrix, 3 of the move, scale. */
     FIELD_REPEAT,       /**< Body in cells: periods, halves, limits, reach, its box, for 3 axes. */
@@ -84,9 +84,11 @@ typedef struct FieldRepeat {
     Vector3 count;  /**< How many copies along each axis; 0: without end. */
 } FieldRepeat;
 
-/** Rows of what a field's methods take: `period`, `count`; `scale`; `round`; `radius`. */
-extern const Parameter field_period_row, field_count_row, field_scale_row, field_round_row,
-    field_radius_row;
+extern const Parameter field_period_row; /**< What `f:repeat_every` takes. */
+extern const Parameter field_count_row;  /**< Its `count`. */
+extern const Parameter field_scale_row;  /**< What `f:scale` takes. */
+extern const Parameter field_round_row;  /**< What `f:round` takes. */
+extern const Parameter field_radius_row; /**< The radius of `distance.smooth_union`. */
 
 /** @return Bytes of a field. @param count Its steps. */
 size_t field_size(int count);

@@ -4,15 +4,11 @@
  */
 #include "script/read.h"
 
-#include "assets/mesh_file.h"
-#include "assets/texture_file.h"
 #include "script/fields.h"
-#include "script/file.h"
 #include "script/hex_color.h"
 #include "script/run.h"
 #include "script/sandbox.h"
 #include "script/suggest.h"
-#include "script/text.h"
 
 #include <lauxlib.h>
 #include <string.h>
@@ -29,14 +25,7 @@ const char *read_describe(lua_State *L, int index) {
     return lua_pushfstring(L, "%s %s", strchr("aeiou", name[0]) ? "an" : "a", name);
 }
 
-/**
- * Raises the error that a value is of a wrong type.
- * @param L       The state.
- * @param index   Where the value is.
- * @param row     What it should be.
- * @param wanted  The same in words.
- */
-static void raise_type(lua_State *L, int index, const Parameter *row, const char *wanted) {
+void read_raise_type(lua_State *L, int index, const Parameter *row, const char *wanted) {
     luaL_error(L, "%s must be %s, not %s", row->name, wanted, read_describe(L, index));
 }
 
@@ -92,7 +81,7 @@ static lua_Integer count_things(lua_State *L, int index) {
 static void read_list(lua_State *L, int index, const Parameter *row, const ListForm *form,
                       double *numbers) {
     if (!lua_istable(L, index)) {
-        raise_type(L, index, row, form->wanted);
+        read_raise_type(L, index, row, form->wanted);
     }
     lua_Integer count = count_things(L, index);
     for (int i = 0; i < form->count; i++) {
@@ -113,7 +102,7 @@ static void read_list(lua_State *L, int index, const Parameter *row, const ListF
  *  @param row See there. @param[out] field See there. */
 static void read_number(lua_State *L, int index, const Parameter *row, void *field) {
     if (lua_type(L, index) != LUA_TNUMBER) {
-        raise_type(L, index, row, "a number");
+        read_raise_type(L, index, row, "a number");
     }
     *(double *)field = read_checked(L, index, row);
 }
@@ -133,7 +122,7 @@ static void read_integer(lua_State *L, int index, const Parameter *row, void *fi
  *  @param row See there. @param[out] field See there. */
 static void read_boolean(lua_State *L, int index, const Parameter *row, void *field) {
     if (!lua_isboolean(L, index)) {
-        raise_type(L, index, row, "true or false");
+        read_raise_type(L, index, row, "true or false");
     }
     *(bool *)field = lua_toboolean(L, index);
 }
@@ -162,7 +151,7 @@ static const char *list_words(lua_State *L, const char *const *words) {
  *  @param row See there. @param[out] field See there. */
 static void read_word(lua_State *L, int index, const Parameter *row, void *field) {
     if (lua_type(L, index) != LUA_TSTRING) {
-        raise_type(L, index, row, list_words(L, row->words));
+        read_raise_type(L, index, row, list_words(L, row->words));
     }
     Suggestion suggestion = {.wanted = lua_tostring(L, index)};
     for (int i = 0; row->words[i]; i++) {
@@ -255,87 +244,13 @@ static void read_color(lua_State *L, int index, const Parameter *row, void *fiel
     }
 }
 
-/** A kind of file that a scene can name. */
-typedef struct FileKind {
-    const char *wanted; /**< What a name must be, in words. */
-    /** Says whether a file may be of this kind, by its name and kind. @param path The file.
-     *  @param[out] error Why not. @return Whether it may. */
-    bool (*check)(const char *path, Error *error);
-    /** Notes it, once. @param scene The scene. @param file The file. @param[out] place Its place.
-     *  @param[out] error What is wrong. @return false when the scene is full. */
-    bool (*add)(Scene *scene, const SceneFile *file, size_t *place, Error *error);
-} FileKind;
-
-/**
- * Notes a file in the scene, unless it is there already.
- * @param L            The state.
- * @param kind         What kind of file it is.
- * @param name         The file's name.
- * @param real         Where it is.
- * @param[out] place   Its place in the scene.
- * @param[out] error   What is wrong.
- * @return false when the scene is full.
- */
-static bool note_file(lua_State *L, const FileKind *kind, const char *name, const char *real,
-                      size_t *place, Error *error) {
-    const Sandbox *sandbox = sandbox_of(L);
-    const Run *run = sandbox->context;
-    char where[TEXT_PATH_SIZE + sizeof ":-2147483648"];
-    report_describe(sandbox->report, sandbox_location(L), where, sizeof where);
-    SceneFile file = {.path = real, .name = name, .where = where};
-    return kind->add(run->scene, &file, place, error);
-}
-
-/**
- * Reads the name of a file as its place in the scene.
- * @param L      The state.
- * @param index  Where the name is.
- * @param row    What it should be.
- * @param kind   What kind of file it names.
- * @return Its place.
- */
-static size_t read_file(lua_State *L, int index, const Parameter *row, const FileKind *kind) {
-    const Run *run = sandbox_of(L)->context;
-    char shown[PATH_MAX], real[PATH_MAX];
-    size_t length, place = 0;
-    Error error = {0};
-    if (lua_type(L, index) != LUA_TSTRING) {
-        raise_type(L, index, row, kind->wanted);
-    }
-    const char *name = lua_tolstring(L, index, &length);
-    if (length != strlen(name)) {
-        luaL_error(L, "%s must not have a zero byte in its name", row->name);
-    }
-    bool is_fine = file_find(run->request, name, shown, real, &error) &&
-                   kind->check(real, &error) && note_file(L, kind, name, real, &place, &error);
-    if (!is_fine) {
-        luaL_error(L, "%s: %s", name, error.message);
-    }
-    return place;
-}
-
-/** Reads the name of a model file as its place in the scene. See #Reader. @param L See there.
- *  @param index See there. @param row See there. @param[out] field See there. */
-static void read_mesh(lua_State *L, int index, const Parameter *row, void *field) {
-    static const FileKind kind = {"the name of a model file", mesh_file_check, scene_add_mesh};
-    *(size_t *)field = read_file(L, index, row, &kind);
-}
-
-/** Reads the name of a picture file as its place in the scene, plus one. See #Reader. @param L See
- *  there. @param index See there. @param row See there. @param[out] field See there. */
-static void read_texture(lua_State *L, int index, const Parameter *row, void *field) {
-    static const FileKind kind = {"the name of a picture file", texture_file_check,
-                                  scene_add_texture};
-    *(size_t *)field = read_file(L, index, row, &kind) + 1;
-}
-
 /** Reads a distance field, which the scene keeps. See #Reader. @param L See there. @param index See
  *  there. @param row See there. @param[out] field See there. */
 static void read_field(lua_State *L, int index, const Parameter *row, void *field) {
     const Field *given = fields_test(L, index);
     Error error = {0};
     if (!given) {
-        raise_type(L, index, row, "a distance field");
+        read_raise_type(L, index, row, "a distance field");
     }
     const Field *kept = scene_keep_field(((Run *)sandbox_of(L)->context)->scene, given, &error);
     if (!kept) {
@@ -353,8 +268,8 @@ void read_value(lua_State *L, int index, const Parameter *row, void *field) {
         [PARAMETER_BOOLEAN] = read_boolean, [PARAMETER_WORD] = read_word,
         [PARAMETER_VECTOR] = read_vector,   [PARAMETER_DIRECTION] = read_direction,
         [PARAMETER_SCALE] = read_scale,     [PARAMETER_PAIR] = read_pair,
-        [PARAMETER_COLOR] = read_color,     [PARAMETER_MESH] = read_mesh,
-        [PARAMETER_FIELD] = read_field,     [PARAMETER_TEXTURE] = read_texture};
+        [PARAMETER_COLOR] = read_color,     [PARAMETER_MESH] = read_mesh_name,
+        [PARAMETER_FIELD] = read_field,     [PARAMETER_TEXTURE] = read_texture_name};
     readers[row->type](L, index, row, field);
 }
 

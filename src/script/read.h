@@ -46,4 +46,21 @@ void read_value(lua_State *L, int index, const Parameter *row, void *field);
  */
 const char *read_describe(lua_State *L, int index);
 
+/**
+ * Raises the error that a value is of a wrong type.
+ * @param L       The state.
+ * @param index   Where the value is.
+ * @param row     What it should be.
+ * @param wanted  The same in words.
+ */
+void read_raise_type(lua_State *L, int index, const Parameter *row, const char *wanted);
+
+/** Reads the name of a model file as its place in the scene. See #read_value. @param L See there.
+ *  @param index See there. @param row See there. @param[out] field See there. */
+void read_mesh_name(lua_State *L, int index, const Parameter *row, void *field);
+
+/** Reads the name of a picture file as its place in the scene, plus one. See #read_value. @param L
+ *  See there. @param index See there. @param row See there. @param[out] field See there. */
+void read_texture_name(lua_State *L, int index, const Parameter *row, void *field);
+
 #endif

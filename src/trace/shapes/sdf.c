@@ -8,7 +8,8 @@
  * (Keinert et al., *Enhanced Sphere Tracing*, 2014). Only the way through the field's box is
  * marched.
  */
-#include "trace/field.h"
+#include "trace/shapes/sdf.h"
+
 #include "trace/model.h"
 #include "trace/shapes/registry.h"
 #include "trace/slab.h"
@@ -24,13 +25,6 @@
 #define ERROR_TOLERANCES 2
 /** Half ulps of the coordinates that a distance can be wrong by, with room for long tapes. */
 #define FIELD_ERROR 16
-
-/** What a scene file says of it. */
-typedef struct SdfParameters {
-    const Field *field; /**< Its field; the scene's. */
-    double tolerance;   /**< How near to the surface is on it. */
-    int max_steps;      /**< Steps after which a ray is given up. */
-} SdfParameters;
 
 /** The surface of a field. @extends Shape */
 typedef struct Sdf {

@@ -60,9 +60,8 @@ typedef struct Field {
 
 /** A field that is made of nothing but numbers: its keyword and what becomes of its fields. */
 typedef struct FieldKind {
-    Keyword
-        keyword;   /**< Base: its name in the scene language, after `distance.`, and its fields. */
-    bool is_exact; /**< Whether it is exact. */
+    Keyword keyword; /**< Base: its name and fields. */
+    bool is_exact;   /**< Whether it is exact. */
     /** Makes it. @param[out] field Room for one step. @param values The keyword's struct. */
     void (*make)(Field *field, const void *values);
 } FieldKind;

@@ -72,15 +72,11 @@ static size_t read_file(lua_State *L, int index, const Parameter *row, const Fil
     return place;
 }
 
-/** Reads the name of a model file as its place in the scene. See #Reader. @param L See there.
- *  @param index See there. @param row See there. @param[out] field See there. */
 void read_mesh_name(lua_State *L, int index, const Parameter *row, void *field) {
     static const FileKind kind = {"the name of a model file", mesh_file_check, scene_add_mesh};
     *(size_t *)field = read_file(L, index, row, &kind);
 }
 
-/** Reads the name of a picture file as its place in the scene, plus one. See #Reader. @param L See
- *  there. @param index See there. @param row See there. @param[out] field See there. */
 void read_texture_name(lua_State *L, int index, const Parameter *row, void *field) {
     static const FileKind kind = {"the name of a picture file", texture_file_check,
                                   scene_add_texture};

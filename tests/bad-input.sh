@@ -27,6 +27,8 @@ scene 'camera {}\ncylinder { top = {0, 0, 0} }'; bad 2 'no length' 'cylinder wit
 scene 'camera {}\ntriangle { c = {2, 0, 0} }'; bad 2 'no area' 'triangle without area'
 scene 'camera {}\ntriangle { na = {0, 0, 1} }'; bad 2 'na, nb and nc' 'triangle with one normal'
 scene 'camera {}\ntriangle { ta = {0, 0}, tb = {1, 0} }'; bad 2 'ta, tb and tc' 'triangle with two places'
+cp scenes/pictures/die.png "$work/die.png"
+scene 'camera {}\nsdf { distance.sphere {}, material = material { texture = "die.png" } }'; bad 2 'takes no picture' 'picture on a distance field'
 scene 'camera {}\nsdf {}'; bad 2 'needs a field' 'surface of no field'
 scene 'camera {}\nsdf { 1 }'; bad 2 'field must be a distance field, not a number' 'surface of a number'
 scene 'camera {}\nlocal f = distance.sphere {}\nsdf { f, f }'; bad 3 'one has none' 'surface of two fields'

@@ -81,6 +81,11 @@ static bool add_material(Scene *scene, const Call *call, Error *error) {
 /** Adds a shape. See #Adder. @param scene See there. @param call The shape's parameters.
  *  @param error See there. @return See there. */
 static bool add_shape(Scene *scene, const Call *call, Error *error) {
+    bool is_field = call->keyword->parameters->type == PARAMETER_FIELD;
+    if (is_field && scene->materials[call->material].texture > 0) {
+        return error_set(error, STATUS_SCENE, "%s takes no picture: no point of it has a (u, v)",
+                         call->keyword->name);
+    }
     return scene_add_shape(scene, call->kind, call->keyword, call->values, call->material, error) &&
            (!call->transform || scene_transform_shape(scene, call->transform, error));
 }

@@ -1,4 +1,4 @@
--- Row B6: a frame of a cube, a sphere and a cube, under a sun and a sky, by ray marching.
+-- Report B (row B6): a frame of a cube, a sphere and a cube, under a sun and a sky, by ray marching.
 --
 -- Nobody has solved an equation for these: each is only a rule that says how far a point is from the
 -- surface. A ray walks as far as the rule allows, asks again, and stops when it is as good as there.

@@ -1,4 +1,4 @@
--- Rows B8 and B10: frames of cubes without end, which turn with the time: --time, or Space in the
+-- Report B (rows B8 and B10): frames of cubes without end, which turn with the time: --time, or Space in the
 -- window.
 --
 -- One frame is enough. The point that asks is put back into the cell around zero, wherever it is; but the

@@ -1,4 +1,4 @@
--- Row B7: the frame of a cube, turned about all three axes.
+-- Report B (row B7): the frame of a cube, turned about all three axes.
 --
 -- Not the frame is turned but the point that asks, the other way round: the rule stays as it was.
 

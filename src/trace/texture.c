@@ -156,12 +156,12 @@ void textures_paint(const Textures *textures, const ShapeList *list, const Encou
     }
 }
 
-Light3 textures_panorama(const Textures *textures, Vector direction) {
+Light3 textures_panorama(const Textures *textures, Vector direction, mask lanes) {
     real x = direction.x, z = direction.z;
     real across = real_sqrt(x * x + z * z);
     TexturePlace place = {.u = angle_in_turns(x, -z) + real_of(textures->turn),
                           .v = 1 - 2 * angle_in_turns(across, direction.y),
                           .around_u = mask_of(true),
                           .around_v = mask_of(false)};
-    return texture_sample(textures, textures->sky, &place, mask_of(true));
+    return texture_sample(textures, textures->sky, &place, lanes);
 }

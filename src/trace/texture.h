@@ -47,7 +47,8 @@ void textures_paint(const Textures *textures, const ShapeList *list, const Encou
  * @return What the panorama shows.
  * @param textures   The pictures, with a panorama.
  * @param direction  Which way, of any length but 0.
+ * @param lanes      The lanes that count; the others get black.
  */
-Light3 textures_panorama(const Textures *textures, Vector direction);
+Light3 textures_panorama(const Textures *textures, Vector direction, mask lanes);
 
 #endif

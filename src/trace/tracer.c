@@ -6,11 +6,11 @@
 #include "trace/tracer.h"
 
 /** @return What rays that meet nothing see. @param tracer The tracer. @param direction Unit
- *  directions. */
-static Light3 backdrop_color(const Tracer *tracer, Vector direction) {
+ *  directions. @param lanes The rays that count. */
+static Light3 backdrop_color(const Tracer *tracer, Vector direction, mask lanes) {
     const Backdrop *sky = &tracer->backdrop;
     if (tracer->textures.sky) {
-        return textures_panorama(&tracer->textures, direction);
+        return textures_panorama(&tracer->textures, direction, lanes);
     }
     if (!sky->is_gradient) {
         return sky->horizon;
@@ -83,10 +83,9 @@ INLINE mask onward_weigh(const Tracer *tracer, int v, mask lanes, Light3 share, 
  * @param crossing   What becomes of them in glass, or NULL.
  * @param weight     What the rays weighed.
  * @param[out] mirrored  The mirrored rays.
- * @return How many are active.
  */
-INLINE unsigned mirror_rays(const Tracer *tracer, const Encounter *met, const Crossing *crossing,
-                            const real *weight, Onward *mirrored) {
+INLINE void mirror_rays(const Tracer *tracer, const Encounter *met, const Crossing *crossing,
+                        const real *weight, Onward *mirrored) {
     mirrored->packet.wants_points = true;
     mirrored->packet.lineage = lineage_next(met->packet->lineage);
     for (int v = 0; v < PACKET_VECTORS; v++) {
@@ -103,7 +102,6 @@ INLINE unsigned mirror_rays(const Tracer *tracer, const Encounter *met, const Cr
         mirrored->packet.rays[v] = ray_of(origin, out);
         mirrored->packet.limit[v] = real_of(INFINITE);
     }
-    return packet_count(&mirrored->packet);
 }
 
 /**
@@ -113,10 +111,9 @@ INLINE unsigned mirror_rays(const Tracer *tracer, const Encounter *met, const Cr
  * @param crossing  What becomes of them.
  * @param weight    What the rays weighed.
  * @param[out] refracted  The refracted rays.
- * @return How many are active.
  */
-INLINE unsigned refract_rays(const Tracer *tracer, const Encounter *met, const Crossing *crossing,
-                             const real *weight, Onward *refracted) {
+INLINE void refract_rays(const Tracer *tracer, const Encounter *met, const Crossing *crossing,
+                         const real *weight, Onward *refracted) {
     refracted->packet.wants_points = true;
     refracted->packet.lineage = lineage_next(met->packet->lineage);
     for (int v = 0; v < PACKET_VECTORS; v++) {
@@ -127,22 +124,27 @@ INLINE unsigned refract_rays(const Tracer *tracer, const Encounter *met, const C
             refracted->packet.limit[v] = real_of(INFINITE);
         }
     }
-    return packet_count(&refracted->packet);
 }
 
 /**
  * Adds what rays that go on from surfaces bring back.
  * @param tracer  The tracer.
- * @param onward  The rays, at least one active.
+ * @param onward  The rays.
  * @param media   What they are inside of; NULL: the scene has no glass.
- * @param depth   How often they may still be mirrored or refracted.
+ * @param depth   How often the rays before them might be mirrored or refracted, at least once.
+ * @param[in,out] kind    Counts rays of this kind: one of the counts.
  * @param[in,out] colors  The colours of the rays before them.
  * @param[in,out] counts  The rays traced.
  */
 INLINE void onward_add(const Tracer *tracer, const Onward *onward, const Media *media, int depth,
-                       Light3 *colors, RayCounts *counts) {
+                       uint64_t *kind, Light3 *colors, RayCounts *counts) {
     Light3 seen[PACKET_VECTORS];
-    tracer_follow(tracer, &onward->packet, media, onward->weights, depth, seen, counts);
+    unsigned count = packet_count(&onward->packet);
+    if (count == 0) {
+        return;
+    }
+    *kind += count;
+    tracer_follow(tracer, &onward->packet, media, onward->weights, depth - 1, seen, counts);
     for (int v = 0; v < PACKET_VECTORS; v++) {
         Light3 sum = light3_add(colors[v], light3_multiply(onward->shares[v], seen[v]));
         colors[v] = light3_select(onward->packet.active[v], sum, colors[v]);
@@ -162,11 +164,8 @@ INLINE void onward_add(const Tracer *tracer, const Onward *onward, const Media *
 INLINE void mirrors_add(const Tracer *tracer, const Encounter *met, const Crossing *crossing,
                         const real *weight, int depth, Light3 *colors, RayCounts *counts) {
     Onward mirrored;
-    unsigned count = mirror_rays(tracer, met, crossing, weight, &mirrored);
-    if (count > 0) {
-        counts->mirror += count;
-        onward_add(tracer, &mirrored, met->media, depth - 1, colors, counts);
-    }
+    mirror_rays(tracer, met, crossing, weight, &mirrored);
+    onward_add(tracer, &mirrored, met->media, depth, &counts->mirror, colors, counts);
 }
 
 /**
@@ -182,11 +181,8 @@ INLINE void mirrors_add(const Tracer *tracer, const Encounter *met, const Crossi
 INLINE void glass_add(const Tracer *tracer, const Encounter *met, const Crossing *crossing,
                       const real *weight, int depth, Light3 *colors, RayCounts *counts) {
     Onward refracted;
-    unsigned count = refract_rays(tracer, met, crossing, weight, &refracted);
-    if (count > 0) {
-        counts->refract += count;
-        onward_add(tracer, &refracted, crossing->media, depth - 1, colors, counts);
-    }
+    refract_rays(tracer, met, crossing, weight, &refracted);
+    onward_add(tracer, &refracted, crossing->media, depth, &counts->refract, colors, counts);
 }
 
 /**
@@ -235,8 +231,9 @@ INLINE bool follow_to_surfaces(const Tracer *tracer, const Packet *packet, const
     bool is_any = encounter_find(tracer, packet, met);
     met->media = media;
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        if (any(mask_not(met->met[v]))) {
-            colors[v] = backdrop_color(tracer, packet->rays[v].direction);
+        mask missed = packet->active[v] & mask_not(met->met[v]);
+        if (any(missed)) {
+            colors[v] = backdrop_color(tracer, packet->rays[v].direction, missed);
         }
     }
     if (tracer->glow.count > 0) {

@@ -73,6 +73,34 @@ bool film_check(const char *path, Error *error) {
     return atomic_file_check(path, error) || fail(error, path);
 }
 
+/** How the encoder reads frames: plain bytes from its standard input. What it says is an error. */
+static const char *const reading_words[] = {FFMPEG_PROGRAM, "-hide_banner", "-nostats", "-loglevel",
+                                            "error",        "-xerror",      "-y",       "-f",
+                                            "rawvideo",     "-pix_fmt",     "rgb24",    NULL};
+/** What follows their size and rate. */
+static const char *const pipe_words[] = {"-threads", "1", "-i", "pipe:0", NULL};
+/** How it turns them into what players show: in video's own colours, said so. */
+static const char *const color_words[] = {
+    "-an",
+    "-filter_threads",
+    "1",
+    "-vf",
+    "scale=out_color_matrix=bt709:out_range=tv:flags=bitexact+accurate_rnd+full_chroma_int",
+    "-pix_fmt",
+    "yuv420p",
+    "-colorspace",
+    "bt709",
+    "-color_primaries",
+    "bt709",
+    "-color_trc",
+    "iec61966-2-1",
+    "-color_range",
+    "tv",
+    NULL};
+/** What makes it write the same bytes each time: one thread, no date, no version. */
+static const char *const exact_words[] = {"-threads",  "1",       "-map_metadata", "-1", "-flags:v",
+                                          "+bitexact", "-fflags", "+bitexact",     NULL};
+
 /** A command line that grows. */
 typedef struct Words {
     const char *list[FFMPEG_WORDS_MAXIMUM]; /**< The words, ended by NULL. */
@@ -99,53 +127,11 @@ static bool start(Film *film, const FilmFormat *format, Error *error) {
     snprintf(rate, sizeof rate, "%.17g", film->shape.fps);
     snprintf(place, sizeof place, "file:%s", film->file.temporary);
     Words words = {.count = 0};
-    const char *const input[] = {FFMPEG_PROGRAM,
-                                 "-hide_banner",
-                                 "-nostats",
-                                 "-loglevel",
-                                 "error",
-                                 "-xerror",
-                                 "-y",
-                                 "-f",
-                                 "rawvideo",
-                                 "-pix_fmt",
-                                 "rgb24",
-                                 "-video_size",
-                                 size,
-                                 "-framerate",
-                                 rate,
-                                 "-threads",
-                                 "1",
-                                 "-i",
-                                 "pipe:0",
-                                 NULL};
-    const char *const output[] = {
-        "-an",
-        "-filter_threads",
-        "1",
-        "-vf",
-        "scale=out_color_matrix=bt709:out_range=tv:flags=bitexact+accurate_rnd+full_chroma_int",
-        "-pix_fmt",
-        "yuv420p",
-        "-colorspace",
-        "bt709",
-        "-color_primaries",
-        "bt709",
-        "-color_trc",
-        "iec61966-2-1",
-        "-color_range",
-        "tv",
-        "-threads",
-        "1",
-        "-map_metadata",
-        "-1",
-        "-flags:v",
-        "+bitexact",
-        "-fflags",
-        "+bitexact",
-        NULL};
-    add(&words, input);
-    add(&words, output);
+    add(&words, reading_words);
+    add(&words, (const char *const[]){"-video_size", size, "-framerate", rate, NULL});
+    add(&words, pipe_words);
+    add(&words, color_words);
+    add(&words, exact_words);
     add(&words, format->words);
     add(&words, (const char *const[]){place, NULL});
     return ffmpeg_start(&film->encoder, film->shape.stop, words.list, error);

@@ -50,17 +50,4 @@ INLINE real angle_in_turns(real y, real x) {
     return real_select(y < 0, -turns, turns);
 }
 
-/** @return The largest whole numbers that are not larger. @param x Numbers. */
-INLINE real real_floor(real x) {
-    // From here on a number type has whole numbers only.
-    const real whole = real_of((scalar)(REAL_BITS == 32   ? 0x1p23f
-                                        : REAL_BITS == 64 ? 0x1p52f
-                                                          : 0x1p112f));
-    real size = real_abs(x);
-    real nearest = (size + whole) - whole;
-    nearest = real_select(x < 0, -nearest, nearest);
-    real below = real_select(nearest > x, nearest - real_of(1), nearest);
-    return real_select(size < whole, below, x);
-}
-
 #endif

@@ -52,30 +52,47 @@ Lamp lamp_of(const Light *light, int samples) {
     return (Lamp){.place = vector_of(place),
                   .light = light3_of(bright),
                   .is_sun = is_sun,
-                  .reach = is_sun ? INFINITE : 1,
                   .radius = radius,
                   .nearest_squared = nearest_squared_of(radius, bright),
                   .is_inverse_square = !is_sun && light->falloff == FALLOFF_INVERSE_SQUARE,
                   .is_soft = is_ball && samples > 1};
 }
 
-/** Aims at a point or a sun. See #lamp_aim; made for either. @param lamp The lamp. @param is_sun
- * Which it is. @param departure Where the rays start. @param met The points. @param[out] shine What
- * the lamp would give. */
-INLINE void aim_at_point(const Lamp *lamp, bool is_sun, const Departure *departure,
-                         const Encounter *met, Shine *shine) {
+/** Notes what points could get from a lamp along one ray each. @param met The points. @param v
+ * Which vector of them. @param way From them to the lamp. @param[in,out] shine What it would give.
+ */
+INLINE void shine_from(const Encounter *met, int v, Vector way, Shine *shine) {
+    real distance_squared = real_max(vector_dot(way, way), real_of(NEAREST_SQUARED));
+    real cosine = vector_dot(met->facing[v], way) / real_sqrt(distance_squared);
+    shine->shadow.active[v] = met->lit[v] & (cosine > 0);
+    shine->cosine[v] = cosine;
+    shine->distance_squared[v] = distance_squared;
+}
+
+/** Aims at a sun. See #lamp_aim. @param lamp The sun. @param departure Where the rays start.
+ *  @param met The points. @param[out] shine What it would give. */
+static void aim_at_sun(const Lamp *lamp, const Departure *departure, const Encounter *met,
+                       Shine *shine) {
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        Vector way = lamp->place, origin = departure_origin(departure, &met->hits[v], way);
+        shine_from(met, v, way, shine);
+        shine->shadow.rays[v] = ray_of(origin, way);
+        shine->shadow.limit[v] = real_of(INFINITE);
+    }
+}
+
+/** Aims at a point. See #lamp_aim. @param lamp The lamp. @param departure Where the rays start.
+ *  @param met The points. @param[out] shine What it would give. */
+static void aim_at_point(const Lamp *lamp, const Departure *departure, const Encounter *met,
+                         Shine *shine) {
     for (int v = 0; v < PACKET_VECTORS; v++) {
         const Hit *hit = &met->hits[v];
-        Vector way = is_sun ? lamp->place : vector_subtract(lamp->place, hit->point);
-        real distance_squared = real_max(vector_dot(way, way), real_of(NEAREST_SQUARED));
-        real cosine = vector_dot(met->facing[v], way) / real_sqrt(distance_squared);
-        // The ray ends at the lamp itself: its parameter runs from 0 to 1.
+        Vector way = vector_subtract(lamp->place, hit->point);
         Vector origin = departure_origin(departure, hit, way);
-        shine->shadow.rays[v] = ray_of(origin, is_sun ? way : vector_subtract(lamp->place, origin));
-        shine->shadow.limit[v] = real_of(lamp->reach);
-        shine->shadow.active[v] = met->lit[v] & (cosine > 0);
-        shine->cosine[v] = cosine;
-        shine->distance_squared[v] = distance_squared;
+        shine_from(met, v, way, shine);
+        // The ray ends at the lamp itself: its parameter runs from 0 to 1.
+        shine->shadow.rays[v] = ray_of(origin, vector_subtract(lamp->place, origin));
+        shine->shadow.limit[v] = real_of(1);
     }
 }
 
@@ -205,10 +222,10 @@ void lamp_aim(const Lamp *lamp, size_t number, const Departure *departure, const
         return;
     }
     if (lamp->is_sun) {
-        aim_at_point(lamp, true, departure, met, shine);
+        aim_at_sun(lamp, departure, met, shine);
         return;
     }
-    aim_at_point(lamp, false, departure, met, shine);
+    aim_at_point(lamp, departure, met, shine);
     if (lamp->radius > 0) {
         end_at_ball(lamp, shine);
     }

@@ -9,14 +9,13 @@
 #include "trace/lighting.h"
 
 /**
- * A light in the engine's number type. Only #lamp_way and #lamp_of know a sun from a lamp: it is
- * one infinitely far away.
+ * A light in the engine's number type. Only this class knows a sun from a lamp: it is one
+ * infinitely far away.
  */
 struct Lamp {
     Vector place;           /**< Where it is; of a sun: the unit direction towards it. */
     Light3 light;           /**< Its colour times its intensity. */
     bool is_sun;            /**< Whether it is infinitely far away. */
-    scalar reach;           /**< Where shadow rays to it end, in lengths of the way. */
     scalar radius;          /**< Of its ball; 0: a point. */
     scalar nearest_squared; /**< It shines no more strongly than from this distance, squared. */
     bool is_inverse_square; /**< Whether it weakens with the distance. */

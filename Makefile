@@ -100,7 +100,8 @@ $(foreach engine,$(ENGINES),$(eval $(call ENGINE_RULES,$(engine))))
 # --- packages: what a bare Debian 12 with gcc and make lacks --------------------------------------
 RUN_PACKAGES  := g++ pkg-config libsdl2-dev libsdl2-ttf-dev liblua5.4-dev libopenimageio-dev libassimp-dev fonts-dejavu-core
 TEST_PACKAGES := libcmocka-dev clang libclang-rt-14-dev xvfb xauth xdotool x11-xkb-utils xkb-data \
-                 imagemagick openbox qemu-user doxygen graphviz ffmpeg parallel slurm-wlm munge
+                 imagemagick openbox qemu-user doxygen graphviz ffmpeg parallel slurm-wlm munge \
+                 desktop-file-utils appstream shared-mime-info libglib2.0-bin
 BENCH_PACKAGES := gnuplot-nox
 PEER_PACKAGES := povray tachyon libembree-dev
 LINT_PACKAGES := clang-format clang-tidy cppcheck
@@ -198,16 +199,29 @@ lint:
 	@tests/style.sh
 
 # --- installing ----------------------------------------------------------------------------------
+# What a desktop knows of the program: its entry, icon, type of files and completion.
+APP           := org.dioptre.Dioptre
+SHARE         = $(DESTDIR)$(PREFIX)/share
 .PHONY: install
 install: all
 	install -D -m 755 $(PROGRAM) $(DESTDIR)$(PREFIX)/bin/dioptre
 	for module in $(MODULES); do \
 	    install -D -m 755 $$module $(DESTDIR)$(PREFIX)/lib/dioptre/$${module##*/} || exit 1; \
 	done
-	install -D -m 644 doc/dioptre.1 $(DESTDIR)$(PREFIX)/share/man/man1/dioptre.1
+	install -D -m 644 doc/dioptre.1 $(SHARE)/man/man1/dioptre.1
 	for file in scenes/*.lua scenes/models/* scenes/pictures/*; do \
-	    install -D -m 644 $$file $(DESTDIR)$(PREFIX)/share/dioptre/$$file || exit 1; \
+	    install -D -m 644 $$file $(SHARE)/dioptre/$$file || exit 1; \
 	done
+	install -D -m 644 src/desktop/$(APP).desktop $(SHARE)/applications/$(APP).desktop
+	install -D -m 644 src/desktop/$(APP).svg $(SHARE)/icons/hicolor/scalable/apps/$(APP).svg
+	install -D -m 644 src/desktop/$(APP).metainfo.xml $(SHARE)/metainfo/$(APP).metainfo.xml
+	install -D -m 644 src/desktop/$(APP).xml $(SHARE)/mime/packages/$(APP).xml
+	install -D -m 644 src/desktop/dioptre.bash $(SHARE)/bash-completion/completions/dioptre
+	# A package does this for itself; whoever installs by hand has nobody else to do it.
+	[ -n "$(DESTDIR)" ] || ! command -v update-mime-database >/dev/null || \
+	    update-mime-database $(PREFIX)/share/mime
+	[ -n "$(DESTDIR)" ] || ! command -v update-desktop-database >/dev/null || \
+	    update-desktop-database -q $(PREFIX)/share/applications
 
 # --- the rest ------------------------------------------------------------------------------------
 .PHONY: clean

@@ -5,7 +5,7 @@
 #ifndef DIOPTRE_TRACE_ANGLE_H
 #define DIOPTRE_TRACE_ANGLE_H
 
-#include "trace/real.h"
+#include "trace/root.h"
 
 /** Half a turn, radians, in three pieces: their sum is right in every number type. */
 #define HALF_TURN                                                                                  \

@@ -157,13 +157,15 @@ bench: packages
 	@BUILD=$(BUILD) MADE_WITH='$(shell $(CC) --version | head -1); $(OPTIMIZE) $(ARITHMETIC)' tests/bench/run.sh
 peers: packages
 	@.ci/packages $(PEER_PACKAGES)
-	@$(MAKE) --no-print-directory all $(BUILD)/peer-embree
-	@status=0; for script in run embree; do \
+	@$(MAKE) --no-print-directory all $(BUILD)/peer-embree $(BUILD)/peer-accuracy
+	@status=0; for script in run embree accuracy; do \
 	    BUILD=$(BUILD) tests/peers/$$script.sh || status=1; done; exit $$status
 
 # Beside the modules, so that it finds them.
 $(BUILD)/peer-embree: tests/peers/embree.c $(ROOM_OBJECTS)
 	$(CC) $(CPPFLAGS) $(CFLAGS) -o $@ $< $(ROOM_OBJECTS) $(LIBRARIES) -lembree3
+$(BUILD)/peer-accuracy: tests/peers/accuracy.c $(wildcard tests/*.h) $(ROOM_OBJECTS)
+	$(CC) $(CPPFLAGS) $(CFLAGS) -Itests -o $@ $< $(ROOM_OBJECTS) $(LIBRARIES) -lembree3 $(call PKG_LIBS,cmocka)
 
 # --- documentation -------------------------------------------------------------------------------
 .PHONY: doc

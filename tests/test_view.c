@@ -7,10 +7,10 @@
 
 #include "dioptre/image_file.h"
 #include "dioptre/view.h"
-#include "view/help_panel.h"
 #include "view/keymap.h"
 #include "view/latency.h"
 #include "view/motion.h"
+#include "view/panel.h"
 #include "view/pose.h"
 #include "view/scene_text.h"
 #include "view/snapshot.h"
@@ -168,10 +168,10 @@ static void test_keymap_others(void **state) {
 
 /** @return The keys that the help names for something. @param rows The help. @param count Its rows.
  *  @param text What they do. */
-static const char *help_keys(const HelpRow *rows, size_t count, const char *text) {
+static const char *help_keys(const PanelRow *rows, size_t count, const char *text) {
     for (size_t i = 0; i < count; i++) {
         if (strcmp(rows[i].text, text) == 0) {
-            return rows[i].keys;
+            return rows[i].label;
         }
     }
     fail_msg("the help does not tell of: %s", text);
@@ -181,29 +181,32 @@ static const char *help_keys(const HelpRow *rows, size_t count, const char *text
 /** The help names the keys as they are printed on a US keyboard, SDL's own. @param state Unused. */
 static void test_keymap_help(void **state) {
     (void)state;
-    HelpRow rows[HELP_ROWS_MAXIMUM];
+    PanelRow rows[HELP_ROWS_MAXIMUM];
     size_t count = keymap_help(false, rows);
     assert_string_equal(rows[0].text, "Light");
     assert_true(rows[0].is_heading);
-    assert_string_equal(rows[1].keys, "W  S");
+    assert_string_equal(rows[1].label, "W  S");
     assert_string_equal(help_keys(rows, count, "away from you, nearer"), "E  Z");
     assert_string_equal(help_keys(rows, count, "forward, back"), "Page Up  Page Down");
     assert_string_equal(help_keys(rows, count, "snapshot"), "P  F12");
     assert_string_equal(help_keys(rows, count, "leave"), "Esc");
     count = keymap_help(true, rows);
-    assert_string_equal(rows[1].keys, "Z  S");
+    assert_string_equal(rows[1].label, "Z  S");
     assert_string_equal(help_keys(rows, count, "away from you, nearer"), "E  W");
 }
 
-/** The help fits windows down to 320x240, and is drawn in any. @param state Unused. */
-static void test_help_panel(void **state) {
+/** A panel fits windows down to 320x240, and is drawn in any. @param state Unused. */
+static void test_panel(void **state) {
     (void)state;
+    PanelRow rows[HELP_ROWS_MAXIMUM];
+    size_t count = keymap_help(false, rows);
     static const int sizes[][2] = {{800, 600}, {320, 240}, {3840, 2160}, {200, 2000}, {1, 1}};
-    if (!help_panel_is_possible()) {
+    if (!panel_is_possible()) {
         skip();
     }
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
-        SDL_Surface *panel = help_panel_draw(false, sizes[i][0], sizes[i][1]);
+        SDL_Surface *panel =
+            panel_draw(rows, count, &(PanelRoom){sizes[i][0], sizes[i][1], i % 2 ? 3 : 1});
         assert_non_null(panel);
         if (sizes[i][0] > 1) {
             assert_in_range(panel->w, 100, sizes[i][0]);
@@ -510,7 +513,7 @@ int main(void) {
         cmocka_unit_test(test_keymap_light),
         cmocka_unit_test(test_keymap_others),
         cmocka_unit_test(test_keymap_help),
-        cmocka_unit_test(test_help_panel),
+        cmocka_unit_test(test_panel),
         cmocka_unit_test(test_latency),
         cmocka_unit_test(test_latency_many),
         cmocka_unit_test(test_snapshot_numbers),

@@ -206,6 +206,21 @@ setxkbmap us && sleep 0.3
 xdotool key h && sleep 0.2
 screen again
 cmp -s "$work/plain.ppm" "$work/again.ppm" && ok 'h takes the help away' || fail 'h takes the help away'
+xdotool key F1 && sleep 0.2
+screen usual
+xdotool key minus minus && sleep 0.2
+screen small
+differ usual small '- makes the letters smaller'
+xdotool key plus plus && sleep 0.2
+screen grown
+cmp -s "$work/usual.ppm" "$work/grown.ppm" && ok '+ makes them larger' || fail '+ makes them larger'
+xdotool key F1
+before=$(wc -l <"$work/log")
+xdotool key c
+expect_shown 'can be pasted' 'c copies camera and light'
+for _ in {1..100}; do [ "$(wc -l <"$work/log")" -gt "$before" ] && break || sleep 0.02; done
+[ "$(tail -1 "$work/log")" = "${view%%  -- *}" ] && ok 'and prints what a snapshot prints' ||
+    fail "c prints $(tail -1 "$work/log"), not ${view%%  -- *}"
 xdotool windowsize --sync "$window" 1 1
 expect_shown ' 1×1,.*finished' 'a window of one pixel'
 rm -rf "$work/shots"

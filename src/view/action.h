@@ -27,6 +27,9 @@ typedef enum Action {
     ACTION_TIME,           /**< The time is held, or runs. */
     ACTION_TIME_BACK,      /**< The time a step back. */
     ACTION_TIME_ON,        /**< The time a step on. */
+    ACTION_COPY,           /**< Camera and lights as text, to be pasted. */
+    ACTION_TEXT_LARGER,    /**< Larger letters. */
+    ACTION_TEXT_SMALLER,   /**< Smaller letters. */
     ACTION_HELP,           /**< The help opens or closes. */
     ACTION_FULL_SCREEN,    /**< The whole screen, or a window again. */
     ACTION_LEAVE,          /**< The window closes. */

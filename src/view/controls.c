@@ -6,6 +6,10 @@
 
 #include "view/keymap.h"
 #include "view/play.h"
+#include "view/scene_text.h"
+
+#include <stdio.h>
+#include <stdlib.h>
 
 /** Factor for the speed of a move while Shift is held. */
 static const double FAST = 4;
@@ -49,6 +53,21 @@ static void toggle_help(View *view) {
         view_note(view, "no font found: the help is on standard output");
     }
     stage_present(&view->stage);
+}
+
+/** Prints camera and lights as text of the scene language, and keeps it ready to be pasted.
+ *  @param[in,out] view The view. */
+static void copy_view(View *view) {
+    char *text = scene_text_make(view->scene);
+    if (!text) {
+        view_note(view, "no memory for the view");
+        return;
+    }
+    puts(text);
+    fflush(stdout);
+    bool is_copied = SDL_SetClipboardText(text) == 0;
+    view_note(view, is_copied ? "camera and light can be pasted" : "camera and light are printed");
+    free(text);
 }
 
 /**
@@ -96,6 +115,13 @@ static void act(View *view, Action action) {
     case ACTION_TIME_BACK:
     case ACTION_TIME_ON:
         play_step(view, action == ACTION_TIME_ON ? 1 : -1);
+        break;
+    case ACTION_COPY:
+        copy_view(view);
+        break;
+    case ACTION_TEXT_LARGER:
+    case ACTION_TEXT_SMALLER:
+        stage_resize_words(&view->stage, action == ACTION_TEXT_LARGER ? 1 : -1);
         break;
     case ACTION_HELP:
         toggle_help(view);
@@ -179,7 +205,7 @@ static void on_window(View *view, const SDL_WindowEvent *window) {
 /** The keyboard has another layout. @param[in,out] view The view. @param time Now, seconds. */
 static void on_keymap(View *view, double time) {
     motion_release_all(&view->motion, time);
-    help_forget(&view->stage.help);
+    stage_forget_words(&view->stage);
     stage_present(&view->stage);
 }
 

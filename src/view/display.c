@@ -107,31 +107,15 @@ void display_unlock(Display *display) {
     SDL_UnlockTexture(display->texture);
 }
 
-/**
- * @return Where an overlay goes: in the middle, pixel by pixel.
- * @param renderer  What draws.
- * @param overlay   The overlay.
- */
-static SDL_Rect overlay_place(SDL_Renderer *renderer, SDL_Texture *overlay) {
-    SDL_Rect place = {0};
-    int width = 0, height = 0;
-    SDL_GetRendererOutputSize(renderer, &width, &height);
-    SDL_QueryTexture(overlay, NULL, NULL, &place.w, &place.h);
-    place.x = (width - place.w) / 2;
-    place.y = (height - place.h) / 2;
-    return place;
-}
-
-void display_present(Display *display, SDL_Texture *overlay) {
+void display_begin(Display *display) {
     SDL_SetRenderDrawColor(display->renderer, 0, 0, 0, SDL_ALPHA_OPAQUE);
     SDL_RenderClear(display->renderer);
     if (display->texture) {
         SDL_RenderCopy(display->renderer, display->texture, NULL, NULL);
     }
-    if (overlay) {
-        SDL_Rect place = overlay_place(display->renderer, overlay);
-        SDL_RenderCopy(display->renderer, overlay, NULL, &place);
-    }
+}
+
+void display_end(Display *display) {
     SDL_RenderPresent(display->renderer);
 }
 

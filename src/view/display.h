@@ -55,12 +55,12 @@ uint8_t *display_lock(Display *display, int width, int height, int *pitch);
 /** Ends the access to the pixels. @param[in,out] display The window. */
 void display_unlock(Display *display);
 
-/**
- * Shows the picture, stretched if the window has another size, and something over it.
- * @param[in,out] display  The window.
- * @param overlay          What goes over the picture, in the middle; NULL: nothing.
- */
-void display_present(Display *display, SDL_Texture *overlay);
+/** Puts the picture where it is shown next, stretched if the window has another size. Then panels
+ *  may be laid over it. @param[in,out] display The window. */
+void display_begin(Display *display);
+
+/** Shows what was put there since #display_begin. @param[in,out] display The window. */
+void display_end(Display *display);
 
 /** Forgets the picture: the graphics card lost it. @param[in,out] display The window. */
 void display_forget(Display *display);

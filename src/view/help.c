@@ -4,7 +4,6 @@
  */
 #include "view/help.h"
 
-#include "view/help_panel.h"
 #include "view/keymap.h"
 
 #include <stdio.h>
@@ -15,15 +14,15 @@ static const int KEYS_WIDTH = 22;
 
 /** Prints the help. @param by_letter Whether the light's keys go by their letters. */
 static void print_help(bool by_letter) {
-    HelpRow rows[HELP_ROWS_MAXIMUM];
+    PanelRow rows[HELP_ROWS_MAXIMUM];
     size_t count = keymap_help(by_letter, rows);
     for (size_t i = 0; i < count; i++) {
         if (rows[i].is_heading) {
             printf("%s\n", rows[i].text);
         } else {
             /* printf counts bytes; an arrow has three. */
-            size_t extra = strlen(rows[i].keys) - SDL_utf8strlen(rows[i].keys);
-            printf("  %-*s %s\n", KEYS_WIDTH + (int)extra, rows[i].keys, rows[i].text);
+            size_t extra = strlen(rows[i].label) - SDL_utf8strlen(rows[i].label);
+            printf("  %-*s %s\n", KEYS_WIDTH + (int)extra, rows[i].label, rows[i].text);
         }
     }
     fflush(stdout);
@@ -31,29 +30,21 @@ static void print_help(bool by_letter) {
 
 bool help_toggle(Help *help) {
     bool is_wanted = !help->is_open;
-    help->is_open = is_wanted && help_panel_is_possible();
+    help->is_open = is_wanted && panel_is_possible();
     if (is_wanted && !help->is_open) {
         print_help(help->by_letter);
     }
     return help->is_open == is_wanted;
 }
 
-SDL_Texture *help_texture(Help *help, SDL_Renderer *renderer) {
-    if (help->is_open && !help->texture) {
-        int width = 0, height = 0;
-        SDL_GetRendererOutputSize(renderer, &width, &height);
-        SDL_Surface *panel = help_panel_draw(help->by_letter, width, height);
-        if (panel) {
-            help->texture = SDL_CreateTextureFromSurface(renderer, panel);
-            SDL_FreeSurface(panel);
-        }
+void help_show(Help *help, const OverlayScreen *screen) {
+    if (!help->is_open) {
+        return;
     }
-    return help->is_open ? help->texture : NULL;
-}
-
-void help_forget(Help *help) {
-    if (help->texture) {
-        SDL_DestroyTexture(help->texture);
-        help->texture = NULL;
+    if (overlay_is_stale(&help->overlay)) {
+        PanelRow rows[HELP_ROWS_MAXIMUM];
+        size_t count = keymap_help(help->by_letter, rows);
+        overlay_draw(&help->overlay, screen, rows, count);
     }
+    overlay_show(&help->overlay, screen);
 }

@@ -5,14 +5,13 @@
 #ifndef DIOPTRE_VIEW_HELP_H
 #define DIOPTRE_VIEW_HELP_H
 
-#include <SDL.h>
-#include <stdbool.h>
+#include "view/overlay.h"
 
 /** The help. Starts as `{.by_letter = ...}`: closed. */
 typedef struct Help {
-    bool by_letter;       /**< Whether the light's keys go by their letters. */
-    bool is_open;         /**< Whether it is to be seen. */
-    SDL_Texture *texture; /**< It as a picture, or NULL: to be made when needed; owned. */
+    bool by_letter;  /**< Whether the light's keys go by their letters. */
+    bool is_open;    /**< Whether it is to be seen. */
+    Overlay overlay; /**< It as a picture. */
 } Help;
 
 /**
@@ -22,18 +21,8 @@ typedef struct Help {
  */
 bool help_toggle(Help *help);
 
-/**
- * @return The help as a picture to be laid over the middle of a window; NULL while it is closed.
- * @param[in,out] help  The help, which keeps the picture.
- * @param renderer      What draws in the window.
- */
-SDL_Texture *help_texture(Help *help, SDL_Renderer *renderer);
-
-/**
- * Forgets the picture: size or keyboard have changed, or the graphics card lost it. To be called
- * before the window closes, too.
- * @param[in,out] help  The help.
- */
-void help_forget(Help *help);
+/** Lays the help over what the window shows, if it is open. @param[in,out] help The help, which
+ *  keeps its picture. @param screen The window. */
+void help_show(Help *help, const OverlayScreen *screen);
 
 #endif

@@ -16,7 +16,7 @@ typedef struct Binding {
     Action action;      /**< What it asks for. */
     SDL_Scancode place; /**< Its place, where it goes by that; otherwise 0, SDL's "unknown". */
     SDL_Keycode letter; /**< Its letter or name; 0: not a key, only a row of the help. */
-    const char *label;  /**< What to call it in the help; NULL: as SDL does. */
+    const char *label;  /**< What to call it in the help; NULL: as SDL does; empty: not at all. */
     const char *group;  /**< The help's heading that it stands under. */
     const char *help;   /**< What it does. Neighbours with the same words share a row. */
 } Binding;
@@ -55,6 +55,12 @@ static const Binding bindings[] = {
     {ACTION_HOME, 0, SDLK_HOME, NULL, PROGRAM, "the scene's own view"},
     {ACTION_SNAPSHOT, 0, SDLK_p, NULL, PROGRAM, "snapshot"},
     {ACTION_SNAPSHOT, 0, SDLK_F12, NULL, PROGRAM, "snapshot"},
+    {ACTION_COPY, 0, SDLK_c, NULL, PROGRAM, "camera and light as text, to paste"},
+    {ACTION_TEXT_LARGER, 0, SDLK_PLUS, "+", PROGRAM, "larger, smaller letters"},
+    {ACTION_TEXT_LARGER, 0, SDLK_EQUALS, "", PROGRAM, "larger, smaller letters"},
+    {ACTION_TEXT_LARGER, 0, SDLK_KP_PLUS, "", PROGRAM, "larger, smaller letters"},
+    {ACTION_TEXT_SMALLER, 0, SDLK_MINUS, "-", PROGRAM, "larger, smaller letters"},
+    {ACTION_TEXT_SMALLER, 0, SDLK_KP_MINUS, "", PROGRAM, "larger, smaller letters"},
     {ACTION_HELP, 0, SDLK_F1, NULL, PROGRAM, "this help"},
     {ACTION_HELP, 0, SDLK_h, NULL, PROGRAM, "this help"},
     {ACTION_FULL_SCREEN, 0, SDLK_F11, NULL, PROGRAM, "full screen"},
@@ -97,22 +103,23 @@ static const char *binding_label(const Binding *binding, bool by_letter) {
  * @param[in,out] row  The row.
  * @param label        The key's name.
  */
-static void add_label(HelpRow *row, const char *label) {
-    size_t used = strlen(row->keys);
-    SDL_snprintf(row->keys + used, sizeof row->keys - used, "%s%s", used > 0 ? "  " : "", label);
+static void add_label(PanelRow *row, const char *label) {
+    size_t used = strlen(row->label);
+    const char *gap = used > 0 && label[0] != '\0' ? "  " : "";
+    SDL_snprintf(row->label + used, sizeof row->label - used, "%s%s", gap, label);
 }
 
-size_t keymap_help(bool by_letter, HelpRow rows[HELP_ROWS_MAXIMUM]) {
+size_t keymap_help(bool by_letter, PanelRow rows[HELP_ROWS_MAXIMUM]) {
     size_t count = 0;
     const Binding *before = NULL;
     for (const Binding *binding = bindings; binding < bindings + BINDING_COUNT; binding++) {
         bool is_new_group = !before || before->group != binding->group;
         if (is_new_group && count < HELP_ROWS_MAXIMUM) {
-            rows[count++] = (HelpRow){.is_heading = true, .text = binding->group};
+            rows[count++] = (PanelRow){.is_heading = true, .text = binding->group};
         }
         bool is_new_row = is_new_group || strcmp(before->help, binding->help) != 0;
         if (is_new_row && count < HELP_ROWS_MAXIMUM) {
-            rows[count++] = (HelpRow){.text = binding->help};
+            rows[count++] = (PanelRow){.text = binding->help};
         }
         add_label(&rows[count - 1], binding_label(binding, by_letter));
         before = binding;

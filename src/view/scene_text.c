@@ -96,3 +96,14 @@ void scene_text_print(const Scene *scene, FILE *file) {
         print_keyword(light_keyword_of(light), light, none, file);
     }
 }
+
+char *scene_text_make(const Scene *scene) {
+    char *text = NULL;
+    size_t size = 0;
+    FILE *stream = open_memstream(&text, &size);
+    if (stream) {
+        scene_text_print(scene, stream);
+        fclose(stream);
+    }
+    return text;
+}

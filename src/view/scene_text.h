@@ -17,4 +17,7 @@
  */
 void scene_text_print(const Scene *scene, FILE *file);
 
+/** @return The same in memory, to be freed; NULL without memory. @param scene The scene. */
+char *scene_text_make(const Scene *scene);
+
 #endif

@@ -15,6 +15,11 @@
  */
 static const double PATIENCE = 0.008;
 
+/** How many times as large letters get with each step. */
+static const double TEXT_STEP = 1.2;
+/** How many times as large, or as small, as usual they get at most. */
+static const double TEXT_RANGE = 3;
+
 double stage_clock(void) {
     struct timespec time;
     clock_gettime(CLOCK_MONOTONIC, &time);
@@ -24,6 +29,7 @@ double stage_clock(void) {
 bool stage_open(Stage *stage, const Scene *scene, const RenderSettings *settings, const char *title,
                 uint32_t pass_event, Error *error) {
     stage->pass_event = pass_event;
+    stage->notice.overlay.place = OVERLAY_BELOW;
     stage->is_changed = true;
     stage->renderer = renderer_create(scene, settings, error);
     return stage->renderer &&
@@ -32,7 +38,7 @@ bool stage_open(Stage *stage, const Scene *scene, const RenderSettings *settings
 
 void stage_close(Stage *stage) {
     renderer_destroy(stage->renderer);
-    help_forget(&stage->help);
+    stage_forget_words(stage);
     display_close(&stage->display);
     latency_release(&stage->latency);
     stage->renderer = NULL;
@@ -80,7 +86,7 @@ bool stage_on_resize(Stage *stage) {
     display_size(&stage->display, &width, &height);
     bool is_other = width != stage->width || height != stage->height;
     if (is_other) {
-        help_forget(&stage->help);
+        stage_forget_words(stage);
         stage->is_changed = true;
     }
     stage_present(stage);
@@ -88,13 +94,37 @@ bool stage_on_resize(Stage *stage) {
 }
 
 void stage_on_loss(Stage *stage) {
-    help_forget(&stage->help);
+    stage_forget_words(stage);
     display_forget(&stage->display);
     stage->has_pass = true;
 }
 
 void stage_present(Stage *stage) {
-    display_present(&stage->display, help_texture(&stage->help, stage->display.renderer));
+    double scale = stage->text_scale > 0 ? stage->text_scale : 1;
+    OverlayScreen screen = {stage->display.renderer, scale};
+    display_begin(&stage->display);
+    notice_show(&stage->notice, &screen);
+    help_show(&stage->help, &screen);
+    display_end(&stage->display);
+}
+
+void stage_forget_words(Stage *stage) {
+    overlay_forget(&stage->help.overlay);
+    overlay_forget(&stage->notice.overlay);
+}
+
+void stage_resize_words(Stage *stage, int steps) {
+    double scale = stage->text_scale > 0 ? stage->text_scale : 1;
+    scale *= pow(TEXT_STEP, steps);
+    stage->text_scale = steps == 0 ? 0 : SDL_clamp(scale, 1 / TEXT_RANGE, TEXT_RANGE);
+    stage_forget_words(stage);
+    stage_present(stage);
+}
+
+void stage_say(Stage *stage, const char *words) {
+    if (notice_say(&stage->notice, words)) {
+        stage_present(stage);
+    }
 }
 
 /**

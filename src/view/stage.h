@@ -9,6 +9,7 @@
 #include "view/display.h"
 #include "view/help.h"
 #include "view/latency.h"
+#include "view/notice.h"
 
 /** What #stage_delay says where nothing is to be done until an event comes, seconds. */
 #define STAGE_NEVER HUGE_VAL
@@ -18,6 +19,8 @@ typedef struct Stage {
     Renderer *renderer;  /**< What draws; owned. */
     Display display;     /**< Where it is shown. */
     Help help;           /**< What may lie over it. */
+    Notice notice;       /**< What is said over it. */
+    double text_scale;   /**< How many times as large as usual its letters are; 0: as usual. */
     Latency latency;     /**< How long keys wait for their picture. */
     RenderReport report; /**< How the picture on screen stands. */
     int width;           /**< Pixels of the drawing under way. */
@@ -76,6 +79,17 @@ void stage_on_loss(Stage *stage);
 
 /** Shows what there is once more. @param[in,out] stage The stage. */
 void stage_present(Stage *stage);
+
+/** Draws all words anew: size, keyboard or letters have changed. @param[in,out] stage The stage. */
+void stage_forget_words(Stage *stage);
+
+/** Makes the letters over the picture larger or smaller. @param[in,out] stage The stage.
+ *  @param steps How many steps; 0: as large as usual. */
+void stage_resize_words(Stage *stage, int steps);
+
+/** Says something at the lower edge of the picture. @param[in,out] stage The stage.
+ *  @param words What; empty: nothing more. */
+void stage_say(Stage *stage, const char *words);
 
 /**
  * Starts to draw if anything changed, and shows the newest pass if it is time to.

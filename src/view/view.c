@@ -36,6 +36,7 @@ void view_changed(View *view) {
     view->stage.is_changed = true;
     if (!view->wants_snapshot) {
         view->note[0] = '\0';
+        stage_say(&view->stage, "");
     }
 }
 
@@ -44,6 +45,7 @@ void view_changed(View *view) {
 static void report_error(View *view, const Error *error) {
     fprintf(stderr, "dioptre: %s\n", error->message);
     view_note(view, "%.*s", NOTE_SIZE - 1, error->message);
+    stage_say(&view->stage, error->message);
 }
 
 /** Moves things as far as the keys were held. @param[in,out] view The view. @param now Seconds. */

@@ -1,15 +1,13 @@
 /**
  * @file
- * @brief Drawing the help: as large as the window has room for, up to what the last row can read.
+ * @brief Drawing panels: letters as large as wanted, where the window has room for them.
  */
-#include "view/help_panel.h"
-
-#include "view/keymap.h"
+#include "view/panel.h"
 
 #include <SDL_ttf.h>
 #include <unistd.h>
 
-/** The help takes at most a line's height of the window's height divided by this. */
+/** A row is as high as the window's height divided by this. */
 static const int LINES_A_WINDOW = 28;
 /** Smallest size of letters that is tried, pixels: below it they are only dots. */
 static const int SIZE_MINIMUM = 5;
@@ -18,8 +16,8 @@ static const int SIZE_READABLE = 12;
 
 /** Colour of the words. */
 static const SDL_Color WORDS = {240, 240, 240, SDL_ALPHA_OPAQUE};
-/** Colour of the keys: apart from the words by hue and by lightness. */
-static const SDL_Color KEYS = {255, 205, 90, SDL_ALPHA_OPAQUE};
+/** Colour of the labels: apart from the words by hue and by lightness. */
+static const SDL_Color LABELS = {255, 205, 90, SDL_ALPHA_OPAQUE};
 /** Colour of the headings. */
 static const SDL_Color HEADINGS = {150, 200, 255, SDL_ALPHA_OPAQUE};
 /** Colour of the panel: dark, and the picture can be guessed behind it. */
@@ -38,15 +36,15 @@ static const char *const fonts[] = {
     "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
 };
 
-/** The help laid out in letters of one size. All lengths are pixels. */
+/** A panel laid out in letters of one size. All lengths are pixels. */
 typedef struct Layout {
-    HelpRow rows[HELP_ROWS_MAXIMUM]; /**< What is said. */
-    size_t count;                    /**< How many rows. */
-    TTF_Font *font;                  /**< The letters; owned. */
-    int line;                        /**< Height of a row. */
-    int margin;                      /**< Empty border, and gap between the columns. */
-    int keys_width;                  /**< Width of the column of keys. */
-    int words_width;                 /**< Width of the column of words. */
+    const PanelRow *rows; /**< What is said. */
+    size_t count;         /**< How many rows. */
+    TTF_Font *font;       /**< The letters; owned. */
+    int line;             /**< Height of a row. */
+    int margin;           /**< Empty border, and gap between the columns. */
+    int labels_width;     /**< Width of the column of labels, with the gap after it; 0: none. */
+    int words_width;      /**< Width of the column of words. */
 } Layout;
 
 /** @return Path of a font that is there, or NULL. */
@@ -94,27 +92,30 @@ static void lay_out(Layout *layout, int size) {
     TTF_SetFontSize(layout->font, size);
     layout->line = TTF_FontLineSkip(layout->font);
     layout->margin = size;
-    layout->keys_width = layout->words_width = 0;
+    layout->labels_width = layout->words_width = 0;
+    int headings_width = 0;
     for (size_t i = 0; i < layout->count; i++) {
-        const HelpRow *row = &layout->rows[i];
-        int keys = text_width(layout->font, row->keys);
-        int words = row->is_heading ? 0 : text_width(layout->font, row->text);
-        layout->keys_width = SDL_max(layout->keys_width, keys);
-        layout->words_width = SDL_max(layout->words_width, words);
+        const PanelRow *row = &layout->rows[i];
+        int label = text_width(layout->font, row->label),
+            words = text_width(layout->font, row->text);
+        int *width = row->is_heading ? &headings_width : &layout->words_width;
+        *width = SDL_max(*width, words);
+        layout->labels_width = SDL_max(layout->labels_width, label > 0 ? label + size : 0);
     }
+    layout->words_width = SDL_max(layout->words_width, headings_width - layout->labels_width);
 }
 
 /** @return Width of the panel. @param layout The layout. */
 static int panel_width(const Layout *layout) {
-    return layout->keys_width + layout->words_width + 3 * layout->margin;
+    return layout->labels_width + layout->words_width + 2 * layout->margin;
 }
 
 /** @return Where a row begins, counted from the panel's upper end. A heading stands off what is
  *          before it. @param layout The layout. @param index Which row; the number of rows: where
  *          the next would begin. */
 static int row_top(const Layout *layout, size_t index) {
-    int top = layout->line * (int)index;
-    for (size_t i = 0; i <= index && i < layout->count; i++) {
+    int top = layout->margin / 2 + layout->line * (int)index;
+    for (size_t i = 1; i <= index && i < layout->count; i++) {
         top += layout->rows[i].is_heading ? layout->margin / 2 : 0;
     }
     return top;
@@ -126,15 +127,16 @@ static int panel_height(const Layout *layout) {
 }
 
 /**
- * Lays the rows out in the largest letters that fit a window.
+ * Lays the rows out in the largest letters, up to those wanted, that fit a window.
  * @param[in,out] layout  The rows and the font; the lengths are set.
- * @param width           Pixels of the window.
- * @param height          Pixels of the window.
+ * @param room            The room.
  */
-static void lay_out_to_fit(Layout *layout, int width, int height) {
-    int size = SDL_max(SIZE_READABLE, height / LINES_A_WINDOW);
+static void lay_out_to_fit(Layout *layout, const PanelRoom *room) {
+    int size = (int)(SDL_max(SIZE_READABLE, room->height / LINES_A_WINDOW) * room->scale);
+    size = SDL_max(size, SIZE_MINIMUM);
     lay_out(layout, size);
-    while (size > SIZE_MINIMUM && (panel_width(layout) > width || panel_height(layout) > height)) {
+    while (size > SIZE_MINIMUM &&
+           (panel_width(layout) > room->width || panel_height(layout) > room->height)) {
         lay_out(layout, --size);
     }
 }
@@ -167,30 +169,25 @@ static SDL_Surface *draw_panel(const Layout *layout) {
     }
     SDL_FillRect(panel, NULL, SDL_MapRGBA(panel->format, PANEL.r, PANEL.g, PANEL.b, PANEL.a));
     for (size_t i = 0; i < layout->count; i++) {
-        const HelpRow *row = &layout->rows[i];
-        int y = row_top(layout, i);
-        int words_x = layout->keys_width + 2 * layout->margin;
-        write_text(panel, layout->font, row->keys, KEYS, layout->margin, y);
-        if (row->is_heading) {
-            write_text(panel, layout->font, row->text, HEADINGS, layout->margin, y);
-        } else {
-            write_text(panel, layout->font, row->text, WORDS, words_x, y);
-        }
+        const PanelRow *row = &layout->rows[i];
+        int x = layout->margin, y = row_top(layout, i);
+        write_text(panel, layout->font, row->label, LABELS, x, y);
+        x += row->is_heading ? 0 : layout->labels_width;
+        write_text(panel, layout->font, row->text, row->is_heading ? HEADINGS : WORDS, x, y);
     }
     return panel;
 }
 
-bool help_panel_is_possible(void) {
+bool panel_is_possible(void) {
     return find_font() != NULL;
 }
 
-SDL_Surface *help_panel_draw(bool by_letter, int width, int height) {
-    Layout layout = {.font = open_font()};
+SDL_Surface *panel_draw(const PanelRow *rows, size_t count, const PanelRoom *room) {
+    Layout layout = {.rows = rows, .count = count, .font = open_font()};
     if (!layout.font) {
         return NULL;
     }
-    layout.count = keymap_help(by_letter, layout.rows);
-    lay_out_to_fit(&layout, width, height);
+    lay_out_to_fit(&layout, room);
     SDL_Surface *panel = draw_panel(&layout);
     close_font(layout.font);
     return panel;

@@ -1,0 +1,52 @@
+/**
+ * @file
+ * @brief A panel over the picture, kept as a texture until anything about it changes.
+ */
+#ifndef DIOPTRE_VIEW_OVERLAY_H
+#define DIOPTRE_VIEW_OVERLAY_H
+
+#include "view/panel.h"
+
+/** Where in a window a panel lies. */
+typedef enum {
+    OVERLAY_MIDDLE, /**< In its middle. */
+    OVERLAY_BELOW   /**< At its lower edge, in the middle. */
+} OverlayPlace;
+
+/** A panel over the picture. Starts as `{.place = ...}`. */
+typedef struct Overlay {
+    OverlayPlace place;   /**< Where it lies. */
+    SDL_Texture *texture; /**< The panel; NULL: to be made when needed; owned. */
+} Overlay;
+
+/** What panels are drawn with. */
+typedef struct OverlayScreen {
+    SDL_Renderer *renderer; /**< What draws in the window. */
+    double scale;           /**< See #PanelRoom.scale. */
+} OverlayScreen;
+
+/** @return Whether the panel must be drawn anew before it can be shown. @param overlay It. */
+bool overlay_is_stale(const Overlay *overlay);
+
+/**
+ * Draws the panel anew.
+ * @param[in,out] overlay  The overlay.
+ * @param screen           The window.
+ * @param rows             What it says.
+ * @param count            How many rows.
+ */
+void overlay_draw(Overlay *overlay, const OverlayScreen *screen, const PanelRow *rows,
+                  size_t count);
+
+/** Lays the panel over what the window shows. @param overlay The overlay; nothing is laid where it
+ *  could not be drawn. @param screen The window. */
+void overlay_show(const Overlay *overlay, const OverlayScreen *screen);
+
+/**
+ * Forgets the panel: what it says, the size or the keyboard have changed, or the graphics card lost
+ * it. To be called before the window closes, too.
+ * @param[in,out] overlay  The overlay.
+ */
+void overlay_forget(Overlay *overlay);
+
+#endif

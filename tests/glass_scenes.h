@@ -22,18 +22,11 @@ static const World worlds[] = {{1, 0},     {1e-3, 0}, {1e3, 0},    {1, 100},  {1
 /** How many there are. */
 enum { WORLDS = sizeof worlds / sizeof *worlds };
 
-/** @return A point of a world; float holds it exactly, so every engine sees the same. @param world
- *  The world. @param p The point, were it at the origin and of size 1. */
+/** @return A point of a world. @param world The world. @param p The point, were it at the origin
+ *  and of size 1. */
 static inline Vector3 place_in(World world, Vector3 p) {
     double w = world.offset;
-    return (Vector3){as_float(world.scale * (p.x + w)), as_float(world.scale * (p.y - w)),
-                     as_float(world.scale * (p.z + w))};
-}
-
-/** @return Roundings of the coordinates of a world, in lengths of 1. @param engine The engine.
- *  @param world The world. */
-static inline double grain(const Engine *engine, World world) {
-    return (double)roundoff(engine) * (1 + world.offset);
+    return (Vector3){world.scale * (p.x + w), world.scale * (p.y - w), world.scale * (p.z + w)};
 }
 
 /** @return Glass without colour. @param ior Its index. */

@@ -18,6 +18,7 @@ static const char *type_name(const Parameter *row) {
                                         [PARAMETER_INTEGER] = "whole number",
                                         [PARAMETER_BOOLEAN] = "`true` or `false`",
                                         [PARAMETER_WORD] = "word",
+                                        [PARAMETER_POINT] = "`{x, y, z}`",
                                         [PARAMETER_VECTOR] = "`{x, y, z}`",
                                         [PARAMETER_DIRECTION] = "`{x, y, z}`, not zero",
                                         [PARAMETER_SCALE] = "number, or `{x, y, z}`; not zero",

@@ -33,7 +33,7 @@ static const char *const finish_words[] = {"matt", "satin", "glossy", NULL};
 /** Fields of the shape; the first is row 0. */
 static const Parameter ball_parameters[] = {
     {.name = "center",
-     .type = PARAMETER_VECTOR,
+     .type = PARAMETER_POINT,
      .offset = offsetof(Ball, center),
      .minimum = -LENGTH_MAXIMUM,
      .maximum = LENGTH_MAXIMUM},

@@ -4,9 +4,9 @@
  *        engine, at three sizes and three distances from the origin; what Fresnel, media and
  *        shadows do besides.
  *
- * Prints a table: the point, the engine, size, offset, what was measured and the most allowed.
- * Marks are those of scene 1 at the origin; a scene W times its size away has its coordinates
- * rounded by W times as much, and its marks grow by as many roundings.
+ * Prints a table: the point, the engine, size, offset, what was measured and the most allowed. The
+ * marks are those of a scene of size 1 at the origin, in all worlds: a scene W times its size away
+ * may be worse by a share of W roundings, no more.
  */
 #include "glass_scenes.h"
 
@@ -19,13 +19,11 @@ typedef struct Measured {
     double mark;  /**< The most that is allowed. */
 } Measured;
 
-/** A mark that grows with the roundings of the coordinates. @return It. @param engine The engine.
- *  @param world The world. @param single At the origin in float. @param better Otherwise.
- *  @param grains How many roundings of coordinates. */
-static double mark_of(const Engine *engine, World world, double single, double better,
-                      double grains) {
-    double base = engine->mantissa_bits == 24 ? single : better;
-    return fmax(base, world.offset > 0 ? grains * grain(engine, world) : 0);
+/** @return A mark in a world. @param engine The engine. @param world The world. @param single In
+ *  float at the origin. @param better Otherwise. */
+static double mark_of(const Engine *engine, World world, double single, double better) {
+    double mark = engine->mantissa_bits == 24 ? single : better;
+    return mark * (1 + world.offset * (double)roundoff(engine));
 }
 
 /* --- a: a ball of air in air is not there ------------------------------------------------------
@@ -138,7 +136,7 @@ static Measured exit_angles(const Engine *engine, World world) {
         double tilt = deviation(b) > 1 ? 0.75 : 0;
         worst = fmax(worst, exit_error(engine, world, b, tilt));
     }
-    return (Measured){worst, mark_of(engine, world, 1e-5, 1e-13, 64)};
+    return (Measured){worst, mark_of(engine, world, 1e-5, 1e-13)};
 }
 
 /** A ball with half a wall behind it that shines, and a ray below the middle. @return The scene.
@@ -148,7 +146,7 @@ static Scene *half_wall(World world, double below, double away) {
     use(scene, glass_of(GLASS));
     add_ball(scene, world, (Vector3){0, 0, 0}, 1);
     use(scene, shining((Color){1, 1, 1}));
-    add_panel(scene, world, (Vector3){-9, 0, -away}, (Vector3){18, 0, 0}, (Vector3){0, 9, 0});
+    add_panel(scene, world, (Vector3){-1, 0, -away}, (Vector3){2, 0, 0}, (Vector3){0, 1, 0});
     aim(scene, world, (Vector3){0, -below, 2}, (Vector3){0, 0, -1});
     return scene;
 }
@@ -163,7 +161,7 @@ static bool is_turned(const Engine *engine, Scene *scene, World world) {
     return light > 0.5;
 }
 
-/** @return How far from the ball's middle something is, along z and as rounded. @param world Where.
+/** @return How far from the ball's middle something is, along z and as the scene has it. @param world Where.
  *  @param away How far it should be. */
 static double depth_of(World world, double away) {
     double here = place_in(world, (Vector3){0, 0, -away}).z;
@@ -186,7 +184,7 @@ static Measured focus(const Engine *engine, World world) {
         far = turned ? middle : far;
     }
     double early = depth_of(world, near) - truth, late = truth - depth_of(world, far);
-    return (Measured){fmax(0, fmax(early, late)), mark_of(engine, world, 2e-6, 1e-12, 64)};
+    return (Measured){fmax(0, fmax(early, late)), mark_of(engine, world, 2e-6, 1e-12)};
 }
 
 /* --- d: total reflection -----------------------------------------------------------------------
@@ -232,7 +230,7 @@ static Measured bubble_ring(const Engine *engine, World world) {
         scene_destroy(scene);
     }
     // A pixel, where a radius is 300 of them.
-    return (Measured){fabs(inner - 1 / GLASS), 1.0 / 300 + 8 * grain(engine, world)};
+    return (Measured){fabs(inner - 1 / GLASS), mark_of(engine, world, 1.0 / 300, 1.0 / 300)};
 }
 
 /* --- e: hollow balls ---------------------------------------------------------------------------
@@ -269,15 +267,12 @@ static double hollow_error(const Engine *engine, World world, double hole, doubl
  *  largest error, radians. @param engine The engine. @param world Where. */
 static Measured hollow(const Engine *engine, World world) {
     double worst = 0;
-    // A wall can be seen from 64 roundings of its coordinates on; of thinner ones, nothing is.
     static const double holes[] = {0.7, 0.99, 0.9999};
     for (int i = 0; i < 33; i++) {
-        if (1 - holes[i % 3] >= 64 * grain(engine, world)) {
-            worst = fmax(worst, hollow_error(engine, world, holes[i % 3], 0.05 * (1 + i / 3)));
-        }
+        worst = fmax(worst, hollow_error(engine, world, holes[i % 3], 0.05 * (1 + i / 3)));
     }
     assert_at_most(fabs(hollow_deviation(0.5, 0.9999)), 1e-4, "closed form");
-    return (Measured){worst, mark_of(engine, world, 1e-5, 1e-13, 64)};
+    return (Measured){worst, mark_of(engine, world, 1e-5, 1e-13)};
 }
 
 /* --- f: the white furnace ----------------------------------------------------------------------
@@ -303,7 +298,7 @@ static Measured furnace(const Engine *engine, World world) {
         worst = fmax(worst, fabs(rgb[i] - 1));
     }
     scene_destroy(scene);
-    return (Measured){worst, 1e-5};
+    return (Measured){worst, mark_of(engine, world, 1e-5, 1e-5)};
 }
 
 /* --- g: depth ----------------------------------------------------------------------------------
@@ -327,7 +322,7 @@ static Measured depths(const Engine *engine, World world) {
             scene_destroy(scene);
         }
     }
-    return (Measured){worst, mark_of(engine, world, 2e-6, 1e-14, 16)};
+    return (Measured){worst, mark_of(engine, world, 2e-6, 1e-14)};
 }
 
 /** A point of the list. */

@@ -107,6 +107,15 @@ int field_room(const Field *const *fields, int count);
 bool field_place(Field *out, const Field *field, const Transform *transform, Error *error);
 
 /**
+ * Moves a field, and with it each field that it is made of: so that the numbers of its steps are as
+ * small as where it is then.
+ * @param[out] out  Room for twice its steps.
+ * @param field     The field.
+ * @param way       How far, scene units.
+ */
+void field_move(Field *out, const Field *field, Vector3 way);
+
+/**
  * Moves a field's surface outwards, which rounds edges.
  * @param[out] out    Room for the result.
  * @param field       The field.

@@ -73,6 +73,15 @@ typedef struct MeshProgress {
  */
 Mesh *mesh_create(const Mesh *counts, Error *error);
 
+/**
+ * Copies a mesh to another place.
+ * @param mesh        The mesh.
+ * @param way         How far it is moved, scene units.
+ * @param[out] error  What is wrong.
+ * @return The copy, to be given back with #mesh_destroy; NULL without memory.
+ */
+Mesh *mesh_moved(const Mesh *mesh, Vector3 way, Error *error);
+
 /** Becomes one more owner. @param mesh The mesh, or NULL. @return The same. */
 Mesh *mesh_share(Mesh *mesh);
 

@@ -22,6 +22,7 @@ typedef enum {
     PARAMETER_INTEGER,   /**< `int` */
     PARAMETER_BOOLEAN,   /**< `bool` */
     PARAMETER_WORD,      /**< `int`: the place of the word in #Parameter.words */
+    PARAMETER_POINT,     /**< `Vector3`, a place: it moves with what it belongs to */
     PARAMETER_VECTOR,    /**< `Vector3`, any */
     PARAMETER_DIRECTION, /**< `Vector3`, not zero */
     PARAMETER_SCALE,     /**< `Vector3`: `{x, y, z}`, or one number for all three */
@@ -85,6 +86,14 @@ typedef struct Keyword {
  * @return Whether it is finite and in range.
  */
 bool parameter_check(const Parameter *parameter, double value, Error *error);
+
+/**
+ * Moves what a keyword has filled: all places in it, and nothing else.
+ * @param keyword         The keyword.
+ * @param[in,out] values  Its struct.
+ * @param way             How far, scene units.
+ */
+void keyword_move(const Keyword *keyword, void *values, Vector3 way);
 
 /**
  * @return The number of rows of a table.

@@ -107,6 +107,17 @@ typedef struct Scene {
  */
 Scene *scene_create(Error *error);
 
+/**
+ * Makes a scene of which all is as in another, but elsewhere: its shapes, camera and lamps.
+ * @param scene       The other; its words, as of files, are shared, so it must live as long.
+ * @param kinds       The keywords of the shape classes, by #SceneShape.kind.
+ * @param way         How far it is moved, scene units.
+ * @param[out] error  What is wrong.
+ * @return The scene, to be given back with #scene_destroy; NULL without memory. Behind its models
+ *         stand those that had to be moved themselves.
+ */
+Scene *scene_moved(const Scene *scene, const Keyword *const *kinds, Vector3 way, Error *error);
+
 /** Gives a scene back. @param scene The scene, or NULL. */
 void scene_destroy(Scene *scene);
 

@@ -19,14 +19,14 @@ enum { ROW_POSITION, ROW_LOOK_AT, ROW_DIRECTION, ROW_UP, ROW_PAN, ROW_TILT, ROW_
 /** Fields of `camera`. */
 static const Parameter camera_parameters[] = {
     [ROW_POSITION] = {.name = "position",
-                      .type = PARAMETER_VECTOR,
+                      .type = PARAMETER_POINT,
                       .offset = offsetof(Camera, position),
                       .minimum = -LENGTH_MAXIMUM,
                       .maximum = LENGTH_MAXIMUM,
                       .unit = "scene units",
                       .help = "where the eye is"},
     [ROW_LOOK_AT] = {.name = "look_at",
-                     .type = PARAMETER_VECTOR,
+                     .type = PARAMETER_POINT,
                      .offset = offsetof(Camera, look_at),
                      .minimum = -LENGTH_MAXIMUM,
                      .maximum = LENGTH_MAXIMUM,

@@ -142,6 +142,72 @@ bool field_place(Field *out, const Field *field, const Transform *t, Error *erro
     return true;
 }
 
+/** @return Whether a step works on what stands before it and on its body, both where the step
+ *          itself stands; its first numbers are the body's box. @param operation The step. */
+static bool is_join(FieldOperation operation) {
+    return operation == FIELD_UNION || operation == FIELD_SMOOTH_UNION ||
+           operation == FIELD_INTERSECTION || operation == FIELD_DIFFERENCE;
+}
+
+/** Moves three numbers. @param[in,out] numbers They. @param way How far. */
+static void numbers_move(double *numbers, Vector3 way) {
+    numbers[0] += way.x;
+    numbers[1] += way.y;
+    numbers[2] += way.z;
+}
+
+/**
+ * Puts a step that works on zero behind the steps of a field, as the body of one that moves it.
+ * @param[in,out] out  The field.
+ * @param step         The step, with its body behind it.
+ * @param way          How far.
+ */
+static void step_place(Field *out, const FieldStep *step, Vector3 way) {
+    int size = 1 + step->body;
+    out->steps[out->count++] =
+        (FieldStep){FIELD_PLACE, size, {1, 0, 0, 0, 1, 0, 0, 0, 1, way.x, way.y, way.z, 1}};
+    memcpy(out->steps + out->count, step, (size_t)size * sizeof *step);
+    out->count += size;
+}
+
+/**
+ * Puts steps, moved, behind those of a field.
+ * @param[in,out] out  The field.
+ * @param steps        The steps.
+ * @param count        How many.
+ * @param way          How far.
+ */
+static void steps_move(Field *out, const FieldStep *steps, int count, Vector3 way) {
+    for (const FieldStep *step = steps; step < steps + count; step += 1 + step->body) {
+        FieldStep *at = &out->steps[out->count];
+        if (step->operation == FIELD_PLACE) {
+            memcpy(at, step, (size_t)(1 + step->body) * sizeof *step);
+            numbers_move(at->numbers + 9, way);
+            out->count += 1 + step->body;
+        } else if (is_join(step->operation)) {
+            *at = *step;
+            numbers_move(at->numbers, way);
+            numbers_move(at->numbers + 3, way);
+            int first = ++out->count;
+            steps_move(out, step + 1, step->body, way);
+            at->body = out->count - first;
+        } else if (step->operation == FIELD_ROUND) {
+            out->steps[out->count++] = *step;
+        } else {
+            step_place(out, step, way);
+        }
+    }
+}
+
+void field_move(Field *out, const Field *field, Vector3 way) {
+    *out = *field;
+    out->count = 0;
+    out->depth = field->depth + 1;
+    out->low = vector3_add(field->low, way);
+    out->high = vector3_add(field->high, way);
+    steps_move(out, field->steps, field->count, way);
+}
+
 /** Moves a box outwards. @param[in,out] field What it belongs to. @param by How far. */
 static void field_grow(Field *field, double by) {
     Vector3 outwards = {by, by, by};

@@ -25,7 +25,7 @@ static const char *const falloff_words[] = {"none", "inverse_square", NULL};
 /** Fields of `light`. */
 static const Parameter light_parameters[] = {
     {.name = "position",
-     .type = PARAMETER_VECTOR,
+     .type = PARAMETER_POINT,
      .offset = offsetof(Light, position),
      .minimum = -LENGTH_MAXIMUM,
      .maximum = LENGTH_MAXIMUM,

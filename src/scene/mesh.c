@@ -48,6 +48,18 @@ Mesh *mesh_create(const Mesh *counts, Error *error) {
     return mesh;
 }
 
+Mesh *mesh_moved(const Mesh *mesh, Vector3 way, Error *error) {
+    Mesh *moved = mesh_create(mesh, error);
+    if (moved) {
+        memcpy(moved + 1, mesh + 1, mesh_size(mesh) - sizeof *mesh);
+        moved->repairs = mesh->repairs;
+        for (size_t i = 0; i < moved->position_count; i++) {
+            moved->positions[i] = vector3_add(mesh->positions[i], way);
+        }
+    }
+    return moved;
+}
+
 Mesh *mesh_share(Mesh *mesh) {
     if (mesh) {
         atomic_fetch_add(&mesh->owners, 1);

@@ -18,6 +18,15 @@ bool parameter_check(const Parameter *parameter, double value, Error *error) {
     return true;
 }
 
+void keyword_move(const Keyword *keyword, void *values, Vector3 way) {
+    for (const Parameter *row = keyword->parameters; row->name; row++) {
+        if (row->type == PARAMETER_POINT) {
+            Vector3 *place = (Vector3 *)((char *)values + row->offset);
+            *place = vector3_add(*place, way);
+        }
+    }
+}
+
 size_t parameter_count(const Parameter *table) {
     size_t count = 0;
     while (table[count].name) {

@@ -67,7 +67,9 @@ static void *block_append(Block *block, void **array, size_t *capacity, size_t c
     return (char *)*array + count * size;
 }
 
-Scene *scene_create(Error *error) {
+/** @return A block of which nothing is handed out; NULL without memory. @param[out] error What is
+ *  wrong. */
+static Block *block_create(Error *error) {
     Block *block = mmap(NULL, SCENE_MEMORY, PROT_READ | PROT_WRITE,
                         MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (block == MAP_FAILED) {
@@ -75,6 +77,14 @@ Scene *scene_create(Error *error) {
         return NULL;
     }
     block->used = sizeof *block;
+    return block;
+}
+
+Scene *scene_create(Error *error) {
+    Block *block = block_create(error);
+    if (!block) {
+        return NULL;
+    }
     block->scene.image = *(const Image *)image_keyword.defaults;
     block->scene.sky = *(const Sky *)sky_keyword.defaults;
     scene_add_material(&block->scene, material_keyword.defaults, error);
@@ -213,6 +223,152 @@ bool scene_transform_shape(Scene *scene, const Transform *transform, Error *erro
         scene->shapes[scene->shape_count - 1].transform = copy;
     }
     return copy != NULL;
+}
+
+/* --- a scene elsewhere -------------------------------------------------------------------------
+ */
+
+/**
+ * Copies an array into a block.
+ * @param block           The block.
+ * @param array           The array.
+ * @param count           Items that are in it.
+ * @param size            Bytes an item.
+ * @param[out] capacity   Items that fit into the copy.
+ * @param[out] error      What is wrong.
+ * @return The copy; NULL when the block is full.
+ */
+static void *block_copy(Block *block, const void *array, size_t count, size_t size,
+                        size_t *capacity, Error *error) {
+    void *copy = block_allocate(block, count * size, error);
+    *capacity = count;
+    return copy && count ? memcpy(copy, array, count * size) : copy;
+}
+
+/** Copies the lamps, materials and pictures of a scene. @param block The block of the new scene.
+ *  @param scene The scene. @param[out] error What is wrong. @return false without memory. */
+static bool copy_arrays(Block *block, const Scene *scene, Error *error) {
+    Scene *copy = &block->scene;
+    copy->lights = block_copy(block, scene->lights, scene->light_count, sizeof *copy->lights,
+                              &block->light_capacity, error);
+    copy->materials = block_copy(block, scene->materials, scene->material_count,
+                                 sizeof *copy->materials, &block->material_capacity, error);
+    copy->textures = block_copy(block, scene->textures, scene->texture_count,
+                                sizeof *copy->textures, &block->texture_capacity, error);
+    if (!copy->lights || !copy->materials || !copy->textures) {
+        return false;
+    }
+    copy->texture_count = scene->texture_count;
+    for (size_t i = 0; i < copy->texture_count; i++) {
+        texture_share(copy->textures[i].texture);
+    }
+    return true;
+}
+
+/** Copies the models of a scene twice: as they are, and behind them places for those that are
+ *  moved. @param block The block of the new scene. @param scene The scene. @param[out] error What
+ *  is wrong. @return false without memory. */
+static bool copy_meshes(Block *block, const Scene *scene, Error *error) {
+    size_t count = scene->mesh_count;
+    block->mesh_capacity = 2 * count;
+    SceneMesh *meshes = block_allocate(block, 2 * count * sizeof *meshes, error);
+    for (size_t i = 0; meshes && i < count; i++) {
+        SceneFile file = scene->meshes[i].file;
+        meshes[i] = (SceneMesh){file, mesh_share(scene->meshes[i].mesh)};
+        meshes[count + i] = (SceneMesh){.file = file};
+    }
+    block->scene.meshes = meshes;
+    block->scene.mesh_count = meshes ? 2 * count : 0;
+    return meshes != NULL;
+}
+
+/** Lets a shape show the moved one of a model, which is made when first asked for. @param scene The
+ *  moved scene. @param[in,out] place Of the model. @param way How far. @param[out] error What is
+ *  wrong. @return false without memory. */
+static bool move_mesh(Scene *scene, size_t *place, Vector3 way, Error *error) {
+    const Mesh *mesh = scene->meshes[*place].mesh;
+    *place += scene->mesh_count / 2;
+    SceneMesh *moved = &scene->meshes[*place];
+    if (!moved->mesh) {
+        moved->mesh = mesh_moved(mesh, way, error);
+    }
+    return moved->mesh != NULL;
+}
+
+/** Lets a shape be the surface of a moved field. @param scene The moved scene. @param[in,out] field
+ *  The field. @param way How far. @param[out] error What is wrong. @return false without memory. */
+static bool move_field(Scene *scene, const Field **field, Vector3 way, Error *error) {
+    Field *moved = block_allocate((Block *)scene, field_size(2 * (*field)->count), error);
+    if (moved) {
+        field_move(moved, *field, way);
+        *field = moved;
+    }
+    return moved != NULL;
+}
+
+/**
+ * Moves a shape: its places, its model or its field.
+ * @param scene       The moved scene.
+ * @param keyword     The shape's keyword.
+ * @param values      Its struct.
+ * @param way         How far.
+ * @param[out] error  What is wrong.
+ * @return false without memory.
+ */
+static bool move_shape(Scene *scene, const Keyword *keyword, void *values, Vector3 way,
+                       Error *error) {
+    bool is_moved = true;
+    keyword_move(keyword, values, way);
+    for (const Parameter *row = keyword->parameters; row->name && is_moved; row++) {
+        void *value = (char *)values + row->offset;
+        if (row->type == PARAMETER_MESH) {
+            is_moved = move_mesh(scene, value, way, error);
+        } else if (row->type == PARAMETER_FIELD) {
+            is_moved = move_field(scene, value, way, error);
+        }
+    }
+    return is_moved;
+}
+
+/** Adds a shape to a moved scene. Of one that is transformed only the transform moves: its own
+ * space stays. @param scene The moved scene. @param shape The shape. @param keyword Its keyword.
+ * @param way How far. @param[out] error What is wrong. @return false without memory. */
+static bool add_moved(Scene *scene, const SceneShape *shape, const Keyword *keyword, Vector3 way,
+                      Error *error) {
+    if (!scene_add_shape(scene, shape->kind, keyword, shape->parameters, shape->material, error)) {
+        return false;
+    }
+    if (shape->transform) {
+        Transform transform = *shape->transform;
+        keyword_move(&transform_keyword, &transform, way);
+        return scene_transform_shape(scene, &transform, error);
+    }
+    void *values = (void *)scene->shapes[scene->shape_count - 1].parameters;
+    return move_shape(scene, keyword, values, way, error);
+}
+
+Scene *scene_moved(const Scene *scene, const Keyword *const *kinds, Vector3 way, Error *error) {
+    Block *block = block_create(error);
+    if (!block) {
+        return NULL;
+    }
+    Scene *moved = &block->scene;
+    *moved = *scene;
+    moved->shape_count = moved->mesh_count = moved->texture_count = 0;
+    bool is_made = copy_arrays(block, scene, error) && copy_meshes(block, scene, error);
+    for (size_t i = 0; i < scene->shape_count && is_made; i++) {
+        const SceneShape *shape = &scene->shapes[i];
+        is_made = add_moved(moved, shape, kinds[shape->kind], way, error);
+    }
+    if (!is_made) {
+        scene_destroy(moved);
+        return NULL;
+    }
+    keyword_move(&camera_keyword, &moved->camera, way);
+    for (size_t i = 0; i < moved->light_count; i++) {
+        keyword_move(light_keyword_of(&moved->lights[i]), &moved->lights[i], way);
+    }
+    return moved;
 }
 
 /** @return Whether the material of any shape is of a kind. @param scene The scene. @param is_it

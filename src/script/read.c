@@ -264,12 +264,13 @@ typedef void Reader(lua_State *L, int index, const Parameter *row, void *field);
 
 void read_value(lua_State *L, int index, const Parameter *row, void *field) {
     static Reader *const readers[] = {
-        [PARAMETER_NUMBER] = read_number,   [PARAMETER_INTEGER] = read_integer,
-        [PARAMETER_BOOLEAN] = read_boolean, [PARAMETER_WORD] = read_word,
-        [PARAMETER_VECTOR] = read_vector,   [PARAMETER_DIRECTION] = read_direction,
-        [PARAMETER_SCALE] = read_scale,     [PARAMETER_PAIR] = read_pair,
-        [PARAMETER_COLOR] = read_color,     [PARAMETER_MESH] = read_mesh_name,
-        [PARAMETER_FIELD] = read_field,     [PARAMETER_TEXTURE] = read_texture_name};
+        [PARAMETER_NUMBER] = read_number,       [PARAMETER_INTEGER] = read_integer,
+        [PARAMETER_BOOLEAN] = read_boolean,     [PARAMETER_WORD] = read_word,
+        [PARAMETER_POINT] = read_vector,        [PARAMETER_VECTOR] = read_vector,
+        [PARAMETER_DIRECTION] = read_direction, [PARAMETER_SCALE] = read_scale,
+        [PARAMETER_PAIR] = read_pair,           [PARAMETER_COLOR] = read_color,
+        [PARAMETER_MESH] = read_mesh_name,      [PARAMETER_FIELD] = read_field,
+        [PARAMETER_TEXTURE] = read_texture_name};
     readers[row->type](L, index, row, field);
 }
 

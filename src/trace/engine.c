@@ -3,6 +3,7 @@
  * @brief The engine: the tracer of this number type and width as an object.
  */
 #include "trace/grid.h"
+#include "trace/origin.h"
 
 #include <stdlib.h>
 
@@ -45,13 +46,18 @@ static void *vector_allocate(size_t size) {
 /** Takes camera, lights and size anew. See #Engine.look.
  *  @param tracer The tracer. @param scene The scene. @param width Pixels. @param height Pixels. */
 static void engine_look(Tracer *tracer, const Scene *scene, int width, int height) {
-    tracer->eye = eye_of(&scene->camera, width, height);
+    Vector3 way = vector3_scale(tracer->origin, -1);
+    Camera camera = scene->camera;
+    keyword_move(&camera_keyword, &camera, way);
+    tracer->eye = eye_of(&camera, width, height);
     glass_look(&tracer->glass, &tracer->list, tracer->eye.origin);
     for (size_t i = 0; i < tracer->lamp_count; i++) {
-        tracer->lamps[i] = lamp_of(&scene->lights[i], tracer->samples);
+        Light light = scene->lights[i];
+        keyword_move(light_keyword_of(&light), &light, way);
+        tracer->lamps[i] = lamp_of(&light, tracer->samples);
         tracer->is_soft = tracer->is_soft || tracer->lamps[i].is_soft;
     }
-    glow_look(&tracer->glow, scene);
+    glow_look(&tracer->glow, scene, tracer->origin);
 }
 
 /** @return A tracer whose shapes are there, without camera; NULL without memory.
@@ -83,10 +89,36 @@ static Tracer *tracer_create(const Scene *scene, const TraceSettings *settings, 
     return tracer;
 }
 
+/** @return The same, with coordinates that begin elsewhere. @param scene The scene. @param settings
+ *  What is asked for. @param origin Where in the scene. @param[out] error What is wrong. */
+static Tracer *tracer_create_at(const Scene *scene, const TraceSettings *settings, Vector3 origin,
+                                Error *error) {
+    Scene *near = scene_moved(scene, shape_keywords, vector3_scale(origin, -1), error);
+    Tracer *tracer = near ? tracer_create(near, settings, error) : NULL;
+    if (tracer) {
+        tracer->origin = origin;
+    }
+    scene_destroy(near);
+    return tracer;
+}
+
+/** How often the origin is moved at most: very far away, where a scene's size is not seen in the
+ *  engine's numbers, the first move only comes near. */
+enum { ORIGIN_MOVES = 4 };
+
 /** @return A tracer for a scene. See #Engine.prepare.
  *  @param scene The scene. @param settings What is asked for. @param[out] error What is wrong. */
 static Tracer *engine_prepare(const Scene *scene, const TraceSettings *settings, Error *error) {
     Tracer *tracer = tracer_create(scene, settings, error);
+    for (int moves = 0; tracer && moves < ORIGIN_MOVES; moves++) {
+        Vector3 offset = origin_offset(&tracer->list);
+        if (vector3_largest(offset) == 0) {
+            break;
+        }
+        Vector3 origin = vector3_add(tracer->origin, offset);
+        engine_release(tracer);
+        tracer = tracer_create_at(scene, settings, origin, error);
+    }
     if (tracer) {
         for (size_t i = 0; i < scene->material_count; i++) {
             tracer->surfaces[i] = surface_of(&scene->materials[i], scene->ambient);
@@ -138,12 +170,14 @@ static void packet_close(Packet *packet) {
 }
 
 /** Makes a packet of plain rays. @param rays The rays. @param count How many, at most
- *  #PACKET_RAYS. @param[out] packet The packet. */
-static void plain_pack(const PlainRay *rays, size_t count, Packet *packet) {
+ *  #PACKET_RAYS. @param zero Where the tracer's coordinates begin. @param[out] packet The packet.
+ */
+static void plain_pack(const PlainRay *rays, size_t count, Vector3 zero, Packet *packet) {
     packet_clear(packet);
     for (size_t i = 0; i < count; i++) {
         const double *o = rays[i].origin, *d = rays[i].direction;
-        const scalar origin[3] = {(scalar)o[0], (scalar)o[1], (scalar)o[2]};
+        const scalar origin[3] = {(scalar)(o[0] - zero.x), (scalar)(o[1] - zero.y),
+                                  (scalar)(o[2] - zero.z)};
         const scalar direction[3] = {(scalar)d[0], (scalar)d[1], (scalar)d[2]};
         packet_put(packet, i, origin, direction);
     }
@@ -152,12 +186,15 @@ static void plain_pack(const PlainRay *rays, size_t count, Packet *packet) {
 }
 
 /** Makes a packet of rays asked in full. @param queries The rays. @param count How many, at most
- *  #PACKET_RAYS. @param[out] packet The packet. */
-static void queries_pack(const RayQuery *queries, size_t count, Packet *packet) {
+ *  #PACKET_RAYS. @param zero Where the tracer's coordinates begin. @param[out] packet The packet.
+ */
+static void queries_pack(const RayQuery *queries, size_t count, Vector3 zero, Packet *packet) {
     packet_clear(packet);
     for (size_t i = 0; i < count; i++) {
         const Quadruple *o = queries[i].origin, *d = queries[i].direction;
-        const scalar origin[3] = {(scalar)o[0], (scalar)o[1], (scalar)o[2]};
+        const scalar origin[3] = {(scalar)(o[0] - (Quadruple)zero.x),
+                                  (scalar)(o[1] - (Quadruple)zero.y),
+                                  (scalar)(o[2] - (Quadruple)zero.z)};
         const scalar direction[3] = {(scalar)d[0], (scalar)d[1], (scalar)d[2]};
         packet_put(packet, i, origin, direction);
     }
@@ -179,7 +216,7 @@ static void engine_nearest(const Tracer *tracer, size_t count, const PlainRay *r
         Packet packet;
         Hit hits[PACKET_VECTORS];
         size_t fill = packet_fill(count, done);
-        plain_pack(rays + done, fill, &packet);
+        plain_pack(rays + done, fill, tracer->origin, &packet);
         shape_list_nearest(&tracer->list, &packet, hits);
         for (size_t i = 0; i < fill; i++) {
             shapes[done + i] = integer_lane(hits[i / LANES].shape, (int)(i % LANES));
@@ -196,7 +233,7 @@ static void engine_shadowed(const Tracer *tracer, size_t count, const PlainRay *
         Packet packet;
         mask blocked[PACKET_VECTORS];
         size_t fill = packet_fill(count, done);
-        plain_pack(rays + done, fill, &packet);
+        plain_pack(rays + done, fill, tracer->origin, &packet);
         shape_list_blocked(&tracer->list, &packet, blocked);
         for (size_t i = 0; i < fill; i++) {
             shadowed[done + i] = mask_lane(blocked[i / LANES], (int)(i % LANES));
@@ -211,16 +248,19 @@ INLINE Quadruple widest_lane(real x, int i) {
 
 /**
  * @return One lane of a hit, as an answer.
+ * @param zero     Where the tracer's coordinates begin.
  * @param hit      The hit.
  * @param blocked  Which lanes `is_blocking` called blocked.
  * @param i        The lane.
  */
-static RayAnswer answer_of(const Hit *hit, mask blocked, int i) {
+static RayAnswer answer_of(Vector3 zero, const Hit *hit, mask blocked, int i) {
     const Vector *p = &hit->point, *n = &hit->normal;
     return (RayAnswer){.shape = integer_lane(hit->shape, i),
                        .blocked = mask_lane(blocked, i),
                        .distance = widest_lane(hit->distance, i),
-                       .point = {widest_lane(p->x, i), widest_lane(p->y, i), widest_lane(p->z, i)},
+                       .point = {widest_lane(p->x, i) + (Quadruple)zero.x,
+                                 widest_lane(p->y, i) + (Quadruple)zero.y,
+                                 widest_lane(p->z, i) + (Quadruple)zero.z},
                        .normal = {widest_lane(n->x, i), widest_lane(n->y, i), widest_lane(n->z, i)},
                        .error = widest_lane(hit->error, i)};
 }
@@ -252,11 +292,12 @@ static void engine_intersect(const Tracer *tracer, size_t count, const RayQuery 
         Hit hits[PACKET_VECTORS];
         mask blocked[PACKET_VECTORS];
         size_t fill = packet_fill(count, done);
-        queries_pack(queries + done, fill, &packet);
+        queries_pack(queries + done, fill, tracer->origin, &packet);
         shape_list_nearest(&tracer->list, &packet, hits);
         shape_list_blocked(&tracer->list, &packet, blocked);
         for (size_t i = 0; i < fill; i++) {
-            answers[done + i] = answer_of(&hits[i / LANES], blocked[i / LANES], (int)(i % LANES));
+            answers[done + i] =
+                answer_of(tracer->origin, &hits[i / LANES], blocked[i / LANES], (int)(i % LANES));
             answer_place(tracer, &hits[i / LANES], (int)(i % LANES), &answers[done + i]);
         }
     }
@@ -265,17 +306,9 @@ static void engine_intersect(const Tracer *tracer, size_t count, const RayQuery 
 /** Finds the box of all bounded shapes. See #Engine.bounds. @param tracer The tracer.
  *  @param[out] low Its lowest corner. @param[out] high Its highest. */
 static void engine_bounds(const Tracer *tracer, Vector3 *low, Vector3 *high) {
-    double l[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, h[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-    for (size_t i = 0; i < tracer->list.count; i++) {
-        const Shape *shape = tracer->list.shapes[i];
-        Bounds bounds = shape->class->bounds(shape);
-        for (int axis = 0; axis < 3 && bounds.high[0] < INFINITE; axis++) {
-            l[axis] = fmin(l[axis], (double)bounds.low[axis]);
-            h[axis] = fmax(h[axis], (double)bounds.high[axis]);
-        }
-    }
-    *low = (Vector3){l[0], l[1], l[2]};
-    *high = (Vector3){h[0], h[1], h[2]};
+    origin_bounds(&tracer->list, low, high);
+    *low = vector3_add(*low, tracer->origin);
+    *high = vector3_add(*high, tracer->origin);
 }
 
 /** Says what a tracer was made of. See #Engine.contents. @param tracer The tracer. @return It. */

@@ -45,14 +45,15 @@ void glow_release(Glow *glow) {
     *glow = (Glow){0};
 }
 
-void glow_look(Glow *glow, const Scene *scene) {
+void glow_look(Glow *glow, const Scene *scene, Vector3 origin) {
     size_t ball = 0;
     for (size_t i = 0; i < scene->light_count && ball < glow->count; i++) {
         const Light *light = &scene->lights[i];
         if (light_is_ball(light)) {
             Shape *shape = (Shape *)((char *)glow->memory + ball * ball_stride());
             *shape = (Shape){.class = &sphere_class, .place = INT32_MAX};
-            sphere_class.init(shape, &(SphereParameters){light->position, light->radius});
+            Vector3 center = vector3_subtract(light->position, origin);
+            sphere_class.init(shape, &(SphereParameters){center, light->radius});
             glow->balls[ball] = shape;
             glow->colors[ball++] = light_strength(light);
         }

@@ -32,8 +32,9 @@ bool glow_init(Glow *glow, const Scene *scene, Error *error);
 void glow_release(Glow *glow);
 
 /** Takes places, sizes and colours of the balls anew. @param glow The balls.
- *  @param scene The scene, with as many of them as before. */
-void glow_look(Glow *glow, const Scene *scene);
+ *  @param scene The scene, with as many of them as before. @param origin Where in it the tracer's
+ *  coordinates begin. */
+void glow_look(Glow *glow, const Scene *scene, Vector3 origin);
 
 /** Finds the balls that rays meet before anything else. Hits of them are no hits of a shape.
  *  @param glow The balls. @param packet The rays. @param[in,out] hits What they have met so far. */

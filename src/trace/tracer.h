@@ -20,6 +20,7 @@ typedef struct Backdrop {
 
 /** The tracer of one scene at one precision and width. */
 struct Tracer {
+    Vector3 origin;      /**< Where in the scene its coordinates begin. */
     ShapeList list;      /**< The shapes. */
     Models models;       /**< The meshes that they show. */
     Glass glass;         /**< Those that let light through. */

@@ -35,6 +35,7 @@ static void print_value(const Parameter *row, const void *value, FILE *file) {
     case PARAMETER_WORD:
         fprintf(file, "\"%s\"", row->words[*(const int *)value]);
         break;
+    case PARAMETER_POINT:
     case PARAMETER_VECTOR:
     case PARAMETER_DIRECTION:
     case PARAMETER_SCALE:

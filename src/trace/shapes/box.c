@@ -39,14 +39,14 @@ typedef struct Slabs {
 
 /** Fields of `box`. */
 static const Parameter box_parameters[] = {{.name = "min",
-                                            .type = PARAMETER_VECTOR,
+                                            .type = PARAMETER_POINT,
                                             .offset = offsetof(BoxParameters, min),
                                             .minimum = -LENGTH_MAXIMUM,
                                             .maximum = LENGTH_MAXIMUM,
                                             .unit = "scene units",
                                             .help = "its lowest corner"},
                                            {.name = "max",
-                                            .type = PARAMETER_VECTOR,
+                                            .type = PARAMETER_POINT,
                                             .offset = offsetof(BoxParameters, max),
                                             .minimum = -LENGTH_MAXIMUM,
                                             .maximum = LENGTH_MAXIMUM,

@@ -65,14 +65,14 @@ typedef struct Meeting {
 /** Fields of `cylinder`. */
 static const Parameter cylinder_parameters[] = {
     {.name = "base",
-     .type = PARAMETER_VECTOR,
+     .type = PARAMETER_POINT,
      .offset = offsetof(CylinderParameters, base),
      .minimum = -LENGTH_MAXIMUM,
      .maximum = LENGTH_MAXIMUM,
      .unit = "scene units",
      .help = "centre of one end"},
     {.name = "top",
-     .type = PARAMETER_VECTOR,
+     .type = PARAMETER_POINT,
      .offset = offsetof(CylinderParameters, top),
      .minimum = -LENGTH_MAXIMUM,
      .maximum = LENGTH_MAXIMUM,

@@ -27,7 +27,7 @@ typedef struct Disk {
 
 /** Fields of `disk`. */
 static const Parameter disk_parameters[] = {{.name = "center",
-                                             .type = PARAMETER_VECTOR,
+                                             .type = PARAMETER_POINT,
                                              .offset = offsetof(DiskParameters, center),
                                              .minimum = -LENGTH_MAXIMUM,
                                              .maximum = LENGTH_MAXIMUM,

@@ -20,7 +20,7 @@ typedef struct Plane {
 
 /** Fields of `plane`. */
 static const Parameter plane_parameters[] = {{.name = "point",
-                                              .type = PARAMETER_VECTOR,
+                                              .type = PARAMETER_POINT,
                                               .offset = offsetof(PlaneParameters, point),
                                               .minimum = -LENGTH_MAXIMUM,
                                               .maximum = LENGTH_MAXIMUM,

@@ -25,7 +25,7 @@ typedef struct Quad {
 
 /** Fields of `quad`. */
 static const Parameter quad_parameters[] = {{.name = "corner",
-                                             .type = PARAMETER_VECTOR,
+                                             .type = PARAMETER_POINT,
                                              .offset = offsetof(QuadParameters, corner),
                                              .minimum = -LENGTH_MAXIMUM,
                                              .maximum = LENGTH_MAXIMUM,

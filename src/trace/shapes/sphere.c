@@ -33,7 +33,7 @@ typedef struct Chord {
 
 /** Fields of `sphere`. */
 static const Parameter sphere_parameters[] = {{.name = "center",
-                                               .type = PARAMETER_VECTOR,
+                                               .type = PARAMETER_POINT,
                                                .offset = offsetof(SphereParameters, center),
                                                .minimum = -LENGTH_MAXIMUM,
                                                .maximum = LENGTH_MAXIMUM,

@@ -30,6 +30,7 @@ ALIKE_BAR=0.999
 # Pixels that are off on no edge. Glass shows whole edges within less than a pixel.
 ELSEWHERE_BAR=0
 GLASS_ELSEWHERE_BAR=5
+SOFT_ELSEWHERE_BAR=5 # Shadows without an outline.
 
 # Checksum of box.lua, without comments and spaces, that the peers' scenes were copied from.
 COPIED_FROM=377351294
@@ -172,11 +173,11 @@ report_peer() {
     bar "$BEST faster than $3" "$ratio times, at least $4" "$ratio >= $4"
 }
 
-# draw_pictures SCENE NAME DEPTH: ours, and POV-Ray's of its twin.
+# draw_pictures SCENE NAME DEPTH SIZE SAMPLES: ours, and POV-Ray's of its twin.
 draw_pictures() {
-    "$BUILD/dioptre" render "$1" --base-dir "$(folder_of "$1")" -s $SIZE --samples 1 --depth "$3" \
-        -j 1 --engine f32x8 --quiet -o "$work/ours.bmp"
-    if ! povray_scene "$2" 800 600 +FB "+O$work/povray.bmp" File_Gamma=sRGB Dither=off \
+    "$BUILD/dioptre" render "$1" --base-dir "$(folder_of "$1")" -s "$4" --samples "$5" --sampling full \
+        --depth "$3" -j 1 --engine f32x8 --quiet -o "$work/ours.bmp"
+    if ! povray_scene "$2" "${4%x*}" "${4#*x}" +FB "+O$work/povray.bmp" File_Gamma=sRGB Dither=off \
         2>"$work/log"; then
         cat "$work/log" >&2
         exit 1
@@ -206,8 +207,15 @@ report() {
     printf '\n%s, depth %s: %s\n' "$1" "$3" "$6"
     report_ours "$2"
     report_peer "$2" povray POV-Ray "$4"
-    draw_pictures "$1" "$2" "$3"
+    draw_pictures "$1" "$2" "$3" "$SIZE" 1
     report_difference "$2" "$5"
+}
+
+# report_light NAME SIZE SAMPLES ELSEWHERE-BAR TEXT: only how far the pictures are from each other.
+report_light() {
+    printf '\ntests/peers/%s.lua, %s, %s rays a pixel: %s\n' "$1" "$2" "$3" "$5"
+    draw_pictures "tests/peers/$1.lua" "$1" 0 "$2" "$3"
+    report_difference "$1" "$4"
 }
 
 # make_edges: the tool that tells where pictures differ.
@@ -241,4 +249,9 @@ report tests/peers/glass.lua glass 8 $CROWDED_BAR $GLASS_ELSEWHERE_BAR \
     "mirrors and glass wherever one looks, two lamps"
 report tests/peers/pictures.lua pictures 5 $PICTURES_BAR $ELSEWHERE_BAR \
     "a map on a sphere, a glass ball, a panorama"
+report_light sun "$SIZE" 1 $ELSEWHERE_BAR "parallel light"
+report_light fading "$SIZE" 1 $ELSEWHERE_BAR "lamps that weaken with the square of the distance"
+# A ray to a lamp is met or not, so POV-Ray draws a soft shadow in as many steps as it has lamps, and we
+# in as many as there are rays a pixel.
+report_light soft 200x150 4096 $SOFT_ELSEWHERE_BAR "the soft shadows of a ball of light"
 exit "$failed"

@@ -496,6 +496,37 @@ static Scene *thin_line(double share) {
     return scene;
 }
 
+/** A picture that keeps its light is judged by its light: where all of it is brighter than white,
+ * an edge gets all samples, too. @param state Not used. */
+static void test_adaptive_beyond_white(void **state) {
+    (void)state;
+    Error error = {0};
+    Scene *scene = thin_line(20);
+    scene->materials[0].emission = (Color){9, 9, 9};
+    scene->sky.horizon = scene->sky.zenith = (Color){3, 3, 3};
+    RenderSettings settings = small_settings(scene, "auto", 2);
+    settings.samples = 64;
+    Picture pictures[2] = {0};
+    for (int i = 0; i < 2; i++) {
+        settings.sampling = i == 0 ? SAMPLING_ADAPTIVE : SAMPLING_FULL;
+        assert_true(picture_init(&pictures[i], settings.width, settings.height, &error));
+        assert_true(picture_keep_light(&pictures[i], &error));
+        Renderer *renderer = create(scene, &settings);
+        uint64_t rays = renderer_draw(renderer, NULL, &pictures[i]).rays.camera;
+        assert_true(i == 1 || rays < (uint64_t)WIDTH * HEIGHT * 64 / 2);
+        renderer_destroy(renderer);
+    }
+    double worst = 0;
+    for (int i = 0; i < 3 * WIDTH * HEIGHT; i++) {
+        double judged = (double)pictures[0].light[i], full = (double)pictures[1].light[i];
+        worst = fmax(worst, fabs(judged / full - 1));
+    }
+    assert_at_most(worst, 0.02, "share of the light that is off");
+    picture_release(&pictures[0]);
+    picture_release(&pictures[1]);
+    scene_destroy(scene);
+}
+
 /** Lines as thin as an eleventh of a pixel are not missed anywhere on their way, though no one
  * pixel's first samples need meet them. @param state Not used. */
 static void test_thin_line(void **state) {
@@ -542,13 +573,21 @@ static void test_acne(void **state) {
 /** Runs the tests. @return 0 if all pass. */
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_irradiance),    cmocka_unit_test(test_finite),
-        cmocka_unit_test(test_sun),           cmocka_unit_test(test_sun_turns),
-        cmocka_unit_test(test_ball),          cmocka_unit_test(test_ball_moves),
-        cmocka_unit_test(test_penumbra),      cmocka_unit_test(test_ball_as_its_centre),
-        cmocka_unit_test(test_within_a_ball), cmocka_unit_test(test_sequence),
-        cmocka_unit_test(test_same_bits),     cmocka_unit_test(test_adaptive),
-        cmocka_unit_test(test_thin_line),     cmocka_unit_test(test_acne),
+        cmocka_unit_test(test_irradiance),
+        cmocka_unit_test(test_finite),
+        cmocka_unit_test(test_sun),
+        cmocka_unit_test(test_sun_turns),
+        cmocka_unit_test(test_ball),
+        cmocka_unit_test(test_ball_moves),
+        cmocka_unit_test(test_penumbra),
+        cmocka_unit_test(test_ball_as_its_centre),
+        cmocka_unit_test(test_within_a_ball),
+        cmocka_unit_test(test_sequence),
+        cmocka_unit_test(test_same_bits),
+        cmocka_unit_test(test_adaptive),
+        cmocka_unit_test(test_adaptive_beyond_white),
+        cmocka_unit_test(test_thin_line),
+        cmocka_unit_test(test_acne),
     };
     return cmocka_run_group_tests_name("lights", tests, NULL, NULL);
 }

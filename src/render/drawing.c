@@ -107,15 +107,36 @@ static void block_load(const Drawing *drawing, BlockWork *work) {
     }
 }
 
+/**
+ * @return The step of a sample, for comparing. A picture that keeps its light may be seen darker
+ *         than it is: in it, steps go on beyond white, as a share of the light, about as wide as
+ *         those of sRGB are there.
+ * @param drawing  The drawing.
+ * @param light    The sample.
+ */
+static uint16_t judged_step(const Drawing *drawing, float light) {
+    /** Of a float: bits of the mantissa beyond those that make 128 steps an octave. */
+    enum { BITS_BELOW_STEP = 16 };
+    uint16_t step = encoder_encode(drawing->judge, light);
+    if (light > 1 && drawing->picture && drawing->picture->light) {
+        const float white = 1;
+        uint32_t bits, bits_of_white;
+        memcpy(&bits, &light, sizeof bits);
+        memcpy(&bits_of_white, &white, sizeof bits_of_white);
+        step = (uint16_t)(step + ((bits - bits_of_white) >> BITS_BELOW_STEP));
+    }
+    return step;
+}
+
 /** Notes the range of one primary of a pixel. @param drawing The drawing. @param number Its place
  * in the tally. @param low Least of a pass's samples. @param high Greatest. @param is_first Whether
  *  nothing was known of it. */
 static void range_note(const Drawing *drawing, size_t number, double low, double high,
                        bool is_first) {
-    uint8_t *known_low = &drawing->tally->lows[number],
-            *known_high = &drawing->tally->highs[number];
-    uint8_t least = encoder_encode(drawing->encoder, (float)low);
-    uint8_t greatest = low < high ? encoder_encode(drawing->encoder, (float)high) : least;
+    uint16_t *known_low = &drawing->tally->lows[number],
+             *known_high = &drawing->tally->highs[number];
+    uint16_t least = judged_step(drawing, (float)low);
+    uint16_t greatest = low < high ? judged_step(drawing, (float)high) : least;
     *known_low = is_first || least < *known_low ? least : *known_low;
     *known_high = is_first || greatest > *known_high ? greatest : *known_high;
 }

@@ -27,6 +27,7 @@ typedef struct Drawing {
     const Engine *engine;     /**< The engine. */
     const Tracer *tracer;     /**< Its tracer. */
     const Encoder *encoder;   /**< From light to 8 bits. */
+    const Encoder *judge;     /**< From light to the steps in which samples are compared. */
     int width;                /**< Pixels. */
     int height;               /**< Pixels. */
     Pass pass;                /**< The pass that is being drawn. */

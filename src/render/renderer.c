@@ -86,6 +86,7 @@ Drawing renderer_drawing(Renderer *renderer, int width, int height, const atomic
     return (Drawing){.engine = renderer->settings.engine,
                      .tracer = renderer->tracer,
                      .encoder = &renderer->encoder,
+                     .judge = &renderer->encoder,
                      .width = width,
                      .height = height,
                      .stop = stop,
@@ -119,6 +120,12 @@ RenderReport renderer_draw(Renderer *renderer, const atomic_bool *stop, Picture 
     Drawing drawing = renderer_drawing(renderer, settings->width, settings->height, stop);
     drawing.picture = picture;
     drawing.pass = (Pass){.stride = 1, .first = 0, .last = settings->samples - 1};
+    Encoder seen;
+    if (picture && picture->light) {
+        // Linear light has no steps of its own: what counts are those in which it will be seen.
+        encoder_init(&seen, ENCODING_SRGB);
+        drawing.judge = &seen;
+    }
     size_t pixels = (size_t)settings->width * (size_t)settings->height;
     atomic_store(&renderer->done, 0);
     atomic_store(&renderer->all, pixels * (size_t)settings->samples);

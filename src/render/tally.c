@@ -23,8 +23,8 @@ bool tally_resize(Tally *tally, int width, int height, bool judges, Error *error
     bool is_made = tally->sums != NULL;
     if (judges) {
         tally->counts = malloc(pixels * sizeof *tally->counts);
-        tally->lows = malloc(3 * pixels);
-        tally->highs = malloc(3 * pixels);
+        tally->lows = malloc(3 * pixels * sizeof *tally->lows);
+        tally->highs = malloc(3 * pixels * sizeof *tally->highs);
         tally->rough = malloc(pixels);
         tally->open = malloc(pixels);
         is_made =

@@ -5,7 +5,8 @@
  *
  * A pixel that is calm has enough with few samples (Mitchell, *Generating Antialiased Images at Low
  * Sampling Densities*, 1987). It is rough when two of its samples differ by
- * more than #TALLY_CALM 8-bit steps in any primary; it is *open* when it or one of its eight
+ * more than #TALLY_CALM steps in any primary, of the 8 bits that are written, or of linear light as
+ * it will be seen; it is *open* when it or one of its eight
  * neighbours is rough. All pixels get #tally_first samples. Then, and whenever their number has
  * doubled, the tally judges which pixels are open; these get all further samples until the next
  * judgement. One that is found open late, because a neighbour has become rough, catches up. The
@@ -31,8 +32,8 @@ typedef struct Tally {
     int height;       /**< Pixels. */
     double *sums;     /**< Sum of the samples: all reds, all greens, all blues; owned. */
     uint32_t *counts; /**< How many samples; owned. NULL, as all below, where it does not judge. */
-    uint8_t *lows;    /**< Least encoded sample, 3 numbers a pixel; owned. */
-    uint8_t *highs;   /**< Greatest encoded sample, 3 numbers a pixel; owned. */
+    uint16_t *lows;   /**< Step of the least sample, 3 numbers a pixel; owned. */
+    uint16_t *highs;  /**< Step of the greatest sample, 3 numbers a pixel; owned. */
     uint8_t *rough;   /**< Whether it was rough at the last judgement; owned. */
     uint8_t *open;    /**< Whether it or a neighbour was; owned. */
 } Tally;

@@ -423,12 +423,20 @@ typedef struct Between {
     int balls;        /**< Balls. */
     int panels;       /**< Quads. */
     bool is_opaque;   /**< Whether something opaque is there too. */
+    double cover;     /**< Radius of a clear ball after the lowest one, above 0. */
+    double above;     /**< How far above its middle. */
 } Between;
 
 /** The rows. */
-static const Between betweens[] = {{"nothing", 0, 0, 0, false}, {"a ball", 2, 1, 0, false},
-                                   {"a pane", 1, 0, 1, false},  {"three balls", 6, 3, 0, false},
-                                   {"all", 5, 2, 1, false},     {"and a board", 0, 1, 1, true}};
+static const Between betweens[] = {{"nothing", 0, 0, 0, false, 0, 0},
+                                   {"a ball", 2, 1, 0, false, 0, 0},
+                                   {"a pane", 1, 0, 1, false, 0, 0},
+                                   {"three balls", 6, 3, 0, false, 0, 0},
+                                   {"all", 5, 2, 1, false, 0, 0},
+                                   {"and a board", 0, 1, 1, true, 0, 0},
+                                   {"a ball that a later one hides", 0, 1, 0, false, 0.7, 0},
+                                   {"a ball whose upper half is hidden", 1, 1, 0, false, 0.4, 0.5},
+                                   {"one whose middle is hidden", 2, 1, 0, false, 0.3, 0}};
 
 /** @return A floor under a lamp, and what is between. @param world Where. @param row What.
  *  @param specular Weight of the floor's highlight. */
@@ -453,6 +461,10 @@ static Scene *lamp_scene(World world, const Between *row, double specular) {
     }
     for (int i = 0; i < row->panels; i++) {
         add_panel(scene, world, (Vector3){-1, 1, -1}, (Vector3){2, 0, 0}, (Vector3){0, 0, 2});
+    }
+    if (row->cover > 0) {
+        use(scene, glass_of(1.25));
+        add_ball(scene, world, (Vector3){0, 2 + row->above, 0}, row->cover);
     }
     aim(scene, world, (Vector3){-0.8, 0.25, 0}, (Vector3){0.8, -0.25, 0});
     return scene;

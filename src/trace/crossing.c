@@ -13,46 +13,6 @@ typedef struct Approach {
 } Approach;
 
 /**
- * Aims a jump over a surface, backwards: from where rays behind it start to where those before it
- * do.
- * @param far    See #departure_far.
- * @param met    What the rays met.
- * @param v      Which vector of them.
- * @param lanes  The lanes that jump.
- * @param[in,out] jumps  The jumps.
- */
-INLINE void jump_aim(real far, const Encounter *met, int v, mask lanes, Packet *jumps) {
-    Vector point = met->hits[v].point, facing = met->facing[v];
-    Vector before = vector_add(point, vector_scale(facing, far));
-    Vector behind = vector_add(point, vector_scale(facing, -THROUGH_BOUNDS * far));
-    jumps->rays[v] = ray_of(behind, vector_subtract(before, behind));
-    jumps->active[v] = lanes & (far > 0);
-    jumps->limit[v] = real_of(1);
-}
-
-/**
- * Notes which side of their surface rays come from. Whoever leaves a shape was inside, whoever
- * enters it was not, whatever has been noted before.
- * @param met    What the rays met.
- * @param v      Which vector of them.
- * @param lanes  The lanes that met a transparent surface.
- * @param[out] before  Place of the medium on this side.
- * @param[out] behind  The media on the other.
- */
-INLINE void media_cross(const Encounter *met, int v, mask lanes, integer *before, Media *behind) {
-    const Hit *hit = &met->hits[v];
-    mask leaves = vector_dot(met->packet->rays[v].direction, hit->normal) > 0;
-    mask leaving = lanes & leaves, entering = lanes & mask_not(leaves);
-    Media here = met->media[v];
-    media_enter(&here, leaving, hit->shape);
-    media_leave(&here, entering, hit->shape);
-    *before = media_place(&here);
-    *behind = met->media[v];
-    media_leave(behind, leaving, hit->shape);
-    media_enter(behind, entering, hit->shape);
-}
-
-/**
  * Finds which rays met transparent surfaces, and aims their jumps.
  * @param departure  How rays leave a surface.
  * @param met        What the rays met.
@@ -75,8 +35,11 @@ static unsigned crossing_approach(const Departure *departure, const Encounter *m
         if (any(through)) {
             count += mask_count(through);
             real far = departure_far(departure, &met->hits[v]);
-            jump_aim(far, met, v, through, &approach->jumps);
-            media_cross(met, v, through, &approach->before[v], &crossing->media[v]);
+            const Hit *hit = &met->hits[v];
+            jump_aim(far, hit, met->facing[v], through, v, &approach->jumps);
+            crossing->media[v] = met->media[v];
+            approach->before[v] =
+                media_cross(&crossing->media[v], &met->packet->rays[v], hit, through);
         }
     }
     return count;

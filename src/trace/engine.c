@@ -123,6 +123,7 @@ static Tracer *engine_prepare(const Scene *scene, const TraceSettings *settings,
         for (size_t i = 0; i < scene->material_count; i++) {
             tracer->surfaces[i] = surface_of(&scene->materials[i], scene->ambient);
         }
+        glass_survey(&tracer->glass, &tracer->list, tracer->surfaces);
         engine_look(tracer, scene, scene->image.width, scene->image.height);
     }
     return tracer;

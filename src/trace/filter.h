@@ -5,20 +5,20 @@
 #ifndef DIOPTRE_TRACE_FILTER_H
 #define DIOPTRE_TRACE_FILTER_H
 
-#include "trace/departure.h"
-#include "trace/materials.h"
+#include "trace/lighting.h"
 
 /**
  * Finds what is left of a lamp's light behind what stands in its way: the product of the shares
  * that the surfaces let through which it crosses, without being bent; nothing behind opaque ones.
- * @param surfaces   All materials.
+ * Surfaces that a later transparent shape hides are not there.
  * @param list       The shapes.
  * @param departure  How rays leave a surface.
+ * @param met        The points that the rays come from.
  * @param shadow     The rays to the lamp.
  * @param[in,out] blocked  The rays that anything is in the way of; then those that get nothing.
  * @param[out] visible     The share that is left, for each vector of rays.
  */
-void filter_shadows(const Surface *surfaces, const ShapeList *list, const Departure *departure,
+void filter_shadows(const ShapeList *list, const Departure *departure, const Encounter *met,
                     const Packet *shadow, mask *blocked, Light3 *visible);
 
 #endif

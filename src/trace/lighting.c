@@ -90,8 +90,7 @@ uint64_t lighting_gather(const ShapeList *list, const Lamp *lamps, size_t lamp_c
         if (count > 0) {
             shape_list_blocked(list, &shine.shadow, blocked);
             if (met->media) {
-                filter_shadows(met->surfaces, list, departure, &shine.shadow, blocked,
-                               shine.visible);
+                filter_shadows(list, departure, met, &shine.shadow, blocked, shine.visible);
             }
             shine_add(&lamps[i], &shine, blocked, shines, met, lighting);
             rays += count;

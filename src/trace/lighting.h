@@ -16,6 +16,7 @@ typedef struct Lamp Lamp;
 typedef struct Encounter {
     const Surface *surfaces;             /**< All materials of the scene. */
     const Packet *packet;                /**< The rays, of unit direction. */
+    const Glass *glass;                  /**< What the scene has of glass. */
     const Media *media;                  /**< What the rays are in; NULL: there is no glass. */
     Hit hits[PACKET_VECTORS];            /**< Where. */
     mask met[PACKET_VECTORS];            /**< Which rays met anything. */

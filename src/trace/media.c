@@ -24,6 +24,41 @@ bool glass_init(Glass *glass, const Scene *scene) {
     return true;
 }
 
+/** Tinted shapes from which on nobody looks whether a later shape meets them: one may. */
+enum { SURVEY_MAXIMUM = 1000 };
+
+/** @return Whether two boxes have a point in common. @param a A box. @param b Another. */
+static bool bounds_meet(const Bounds *a, const Bounds *b) {
+    bool meet = true;
+    for (int axis = 0; axis < 3; axis++) {
+        meet = meet && a->low[axis] <= b->high[axis] && b->low[axis] <= a->high[axis];
+    }
+    return meet;
+}
+
+/** @return Whether a surface takes a share of the light that goes through. @param s The surface. */
+static bool is_tinted(const Surface *s) {
+    return s->through.red < 1 || s->through.green < 1 || s->through.blue < 1;
+}
+
+void glass_survey(Glass *glass, const ShapeList *list, const Surface *surfaces) {
+    Bounds tinted[SURVEY_MAXIMUM];
+    size_t count = 0;
+    for (size_t i = 0; glass->indices && !glass->hides && i < list->count; i++) {
+        const Shape *shape = list->shapes[i];
+        if (glass_is(glass, shape)) {
+            Bounds box = shape->class->bounds(shape);
+            for (size_t other = 0; other < count; other++) {
+                glass->hides = glass->hides || bounds_meet(&tinted[other], &box);
+            }
+            if (is_tinted(&surfaces[shape->material])) {
+                tinted[count++] = box;
+                glass->hides = glass->hides || count == SURVEY_MAXIMUM;
+            }
+        }
+    }
+}
+
 void glass_release(Glass *glass) {
     free(glass->indices);
     glass->indices = NULL;

@@ -11,7 +11,9 @@
 #ifndef DIOPTRE_TRACE_MEDIA_H
 #define DIOPTRE_TRACE_MEDIA_H
 
+#include "trace/departure.h"
 #include "trace/shape_list.h"
+#include "trace/surface.h"
 
 /** Most shapes that a ray is inside of at once; of more, those that come first in the scene are
  *  forgotten. */
@@ -27,6 +29,7 @@ typedef struct Glass {
     scalar *indices; /**< Of refraction: air's, then each shape's, 0 where it is opaque; owned.
                           NULL: there is no glass. */
     Media at_eye;    /**< What the camera is inside of. */
+    bool hides;      /**< Whether a later shape may hide a tinted surface from a lamp's light. */
 } Glass;
 
 /** @return Nothing but air. */
@@ -68,6 +71,44 @@ INLINE integer media_place(const Media *media) {
     return media->places[0];
 }
 
+/**
+ * Takes rays over surfaces. Whoever leaves a shape was inside, whoever enters it was not, whatever
+ * has been noted before.
+ * @param[in,out] media  What the rays are inside of.
+ * @param ray            The rays.
+ * @param hit            The surfaces.
+ * @param lanes          The lanes that met a transparent one.
+ * @return Place of the medium before the surface.
+ */
+INLINE integer media_cross(Media *media, const Ray *ray, const Hit *hit, mask lanes) {
+    mask leaves = vector_dot(ray->direction, hit->normal) > 0;
+    mask leaving = lanes & leaves, entering = lanes & mask_not(leaves);
+    Media here = *media;
+    media_enter(&here, leaving, hit->shape);
+    media_leave(&here, entering, hit->shape);
+    media_leave(media, leaving, hit->shape);
+    media_enter(media, entering, hit->shape);
+    return media_place(&here);
+}
+
+/**
+ * Aims a jump over a surface, backwards: from where rays behind it start to where those before it
+ * do.
+ * @param far     See #departure_far.
+ * @param hit     The surface.
+ * @param facing  Its normal, on the side that the rays come from.
+ * @param lanes   The lanes that jump.
+ * @param v       Which vector of the packet.
+ * @param[in,out] jumps  The jumps.
+ */
+INLINE void jump_aim(real far, const Hit *hit, Vector facing, mask lanes, int v, Packet *jumps) {
+    Vector before = vector_add(hit->point, vector_scale(facing, far));
+    Vector behind = vector_add(hit->point, vector_scale(facing, -THROUGH_BOUNDS * far));
+    jumps->rays[v] = ray_of(behind, vector_subtract(before, behind));
+    jumps->active[v] = lanes & (far > 0);
+    jumps->limit[v] = real_of(1);
+}
+
 /** @return Indices of refraction. @param glass The scene's. @param place See #media_place. */
 INLINE real glass_index(const Glass *glass, integer place) {
     return real_gather(glass->indices, place + 1);
@@ -85,6 +126,11 @@ static inline bool glass_is(const Glass *glass, const Shape *shape) {
  * @return false without memory.
  */
 bool glass_init(Glass *glass, const Scene *scene);
+
+/** Finds whether any tinted shape meets a later transparent one: whether the boxes around them do.
+ *  @param[in,out] glass What the scene has. @param list The shapes. @param surfaces All materials.
+ */
+void glass_survey(Glass *glass, const ShapeList *list, const Surface *surfaces);
 
 /** Gives the indices back. @param glass What the scene has. */
 void glass_release(Glass *glass);

@@ -229,6 +229,7 @@ INLINE uint64_t bodies_shade(const Tracer *tracer, const Encounter *met, const C
 INLINE bool follow_to_surfaces(const Tracer *tracer, const Packet *packet, const Media *media,
                                Encounter *met, Light3 *colors) {
     bool is_any = encounter_find(tracer, packet, met);
+    met->glass = &tracer->glass;
     met->media = media;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         mask missed = packet->active[v] & mask_not(met->met[v]);

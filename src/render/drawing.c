@@ -107,27 +107,6 @@ static void block_load(const Drawing *drawing, BlockWork *work) {
     }
 }
 
-/**
- * @return The step of a sample, for comparing. A picture that keeps its light may be seen darker
- *         than it is: in it, steps go on beyond white, as a share of the light, about as wide as
- *         those of sRGB are there.
- * @param drawing  The drawing.
- * @param light    The sample.
- */
-static uint16_t judged_step(const Drawing *drawing, float light) {
-    /** Of a float: bits of the mantissa beyond those that make 128 steps an octave. */
-    enum { BITS_BELOW_STEP = 16 };
-    uint16_t step = encoder_encode(drawing->judge, light);
-    if (light > 1 && drawing->picture && drawing->picture->light) {
-        const float white = 1;
-        uint32_t bits, bits_of_white;
-        memcpy(&bits, &light, sizeof bits);
-        memcpy(&bits_of_white, &white, sizeof bits_of_white);
-        step = (uint16_t)(step + ((bits - bits_of_white) >> BITS_BELOW_STEP));
-    }
-    return step;
-}
-
 /** Notes the range of one primary of a pixel. @param drawing The drawing. @param number Its place
  * in the tally. @param low Least of a pass's samples. @param high Greatest. @param is_first Whether
  *  nothing was known of it. */
@@ -135,8 +114,9 @@ static void range_note(const Drawing *drawing, size_t number, double low, double
                        bool is_first) {
     uint16_t *known_low = &drawing->tally->lows[number],
              *known_high = &drawing->tally->highs[number];
-    uint16_t least = judged_step(drawing, (float)low);
-    uint16_t greatest = low < high ? judged_step(drawing, (float)high) : least;
+    bool beyond = drawing->picture && drawing->picture->light;
+    uint16_t least = tally_step(drawing->judge, (float)low, beyond);
+    uint16_t greatest = low < high ? tally_step(drawing->judge, (float)high, beyond) : least;
     *known_low = is_first || least < *known_low ? least : *known_low;
     *known_high = is_first || greatest > *known_high ? greatest : *known_high;
 }

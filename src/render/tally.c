@@ -59,6 +59,20 @@ bool tally_is_due(int sample) {
     return (sample & (sample - 1)) == 0;
 }
 
+uint16_t tally_step(const Encoder *encoder, float light, bool beyond_white) {
+    /** Of a float: bits of the mantissa below those that make 128 steps an octave. */
+    enum { BITS_BELOW_STEP = 16 };
+    uint16_t step = encoder_encode(encoder, light);
+    if (light > 1 && beyond_white) {
+        const float white = 1;
+        uint32_t bits, bits_of_white;
+        memcpy(&bits, &light, sizeof bits);
+        memcpy(&bits_of_white, &white, sizeof bits_of_white);
+        step = (uint16_t)(step + ((bits - bits_of_white) >> BITS_BELOW_STEP));
+    }
+    return step;
+}
+
 /** @return Whether the samples of a pixel differ. @param tally The tally. @param pixel Its place.
  */
 static bool is_rough(const Tally *tally, size_t pixel) {

@@ -62,6 +62,16 @@ int tally_first(int samples);
 bool tally_is_due(int sample);
 
 /**
+ * @return The step of a sample, for comparing.
+ * @param encoder       Which steps.
+ * @param light         The sample.
+ * @param beyond_white  Whether steps go on beyond white, as shares of the light about as wide as
+ *                      those of sRGB are there: for pictures that keep their light and may be seen
+ *                      darker than they are.
+ */
+uint16_t tally_step(const Encoder *encoder, float light, bool beyond_white);
+
+/**
  * Judges all pixels.
  * @param tally    The tally, with nobody at work on it.
  * @param workers  Who does it.

@@ -161,7 +161,8 @@ static bool is_turned(const Engine *engine, Scene *scene, World world) {
     return light > 0.5;
 }
 
-/** @return How far from the ball's middle something is, along z and as the scene has it. @param world Where.
+/** @return How far from the ball's middle something is, along z and as the scene has it. @param
+ * world Where.
  *  @param away How far it should be. */
 static double depth_of(World world, double away) {
     double here = place_in(world, (Vector3){0, 0, -away}).z;

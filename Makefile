@@ -103,7 +103,7 @@ TEST_PACKAGES := libcmocka-dev clang libclang-rt-14-dev xvfb xauth xdotool x11-x
                  imagemagick openbox qemu-user doxygen graphviz ffmpeg parallel slurm-wlm munge \
                  desktop-file-utils appstream shared-mime-info libglib2.0-bin
 BENCH_PACKAGES := gnuplot-nox
-PEER_PACKAGES := povray tachyon libembree-dev
+PEER_PACKAGES := povray tachyon libembree-dev libgl-dev libgl1-mesa-dri xvfb xauth
 LINT_PACKAGES := clang-format clang-tidy cppcheck
 
 .PHONY: packages test-packages
@@ -157,8 +157,8 @@ bench: packages
 	@BUILD=$(BUILD) MADE_WITH='$(shell $(CC) --version | head -1); $(OPTIMIZE) $(ARITHMETIC)' tests/bench/run.sh
 peers: packages
 	@.ci/packages $(PEER_PACKAGES)
-	@$(MAKE) --no-print-directory all $(BUILD)/peer-embree $(BUILD)/peer-accuracy
-	@status=0; for script in run embree accuracy; do \
+	@$(MAKE) --no-print-directory all $(BUILD)/peer-embree $(BUILD)/peer-accuracy $(BUILD)/peer-fragment
+	@status=0; for script in run embree accuracy fragment; do \
 	    BUILD=$(BUILD) tests/peers/$$script.sh || status=1; done; exit $$status
 
 # Beside the modules, so that it finds them.
@@ -166,6 +166,9 @@ $(BUILD)/peer-embree: tests/peers/embree.c $(ROOM_OBJECTS)
 	$(CC) $(CPPFLAGS) $(CFLAGS) -o $@ $< $(ROOM_OBJECTS) $(LIBRARIES) -lembree3
 $(BUILD)/peer-accuracy: tests/peers/accuracy.c $(wildcard tests/*.h) $(ROOM_OBJECTS)
 	$(CC) $(CPPFLAGS) $(CFLAGS) -Itests -o $@ $< $(ROOM_OBJECTS) $(LIBRARIES) -lembree3 $(call PKG_LIBS,cmocka)
+
+$(BUILD)/peer-fragment: tests/peers/fragment.c
+	$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,sdl2) -o $@ $< $(call PKG_LIBS,sdl2) -lGL
 
 # --- documentation -------------------------------------------------------------------------------
 .PHONY: doc

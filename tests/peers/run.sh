@@ -44,42 +44,10 @@ check_scene() {
     fi
 }
 
-# number NAME FILE: the number that a JSON object in FILE gives under NAME.
-number() {
-    sed -n 's/.*"'"$1"'": *\([-+.0-9eE]*\).*/\1/p' "$2"
-}
-
 # Makes the model of spot.lua into the meshes that spot.pov includes.
 make_meshes() {
     awk -f tests/peers/mesh2.awk scenes/models/spot.obj >"$work/flat.inc"
     awk -v smooth=1 -f tests/peers/mesh2.awk scenes/models/spot.obj >"$work/smooth.inc"
-}
-
-# median FILE: of the numbers in FILE, one a line.
-median() {
-    sort -g "$1" | awk '{ a[NR] = $1 } END { print (a[int((NR + 1) / 2)] + a[int(NR / 2) + 1]) / 2 }'
-}
-
-# user_time FILE COMMAND...: runs it, its words go to $work/log; FILE gets the milliseconds that the
-# processor worked for it.
-user_time() {
-    output=$1
-    shift
-    if ! (
-        "$@" >"$work/log" 2>&1 || exit 1
-        times >"$work/times"
-    ); then
-        cat "$work/log" >&2
-        exit 1
-    fi
-    # The second line is of what the shell has called: minutes, m, seconds.
-    awk 'NR == 2 { split($1, part, /[ms]/); print 1000 * (60 * part[1] + part[2]) }' \
-        "$work/times" >"$output"
-}
-
-# append_difference LONG SHORT DIVISOR FILE: appends (LONG - SHORT) / DIVISOR of two times.
-append_difference() {
-    paste "$1" "$2" | awk -v n="$3" '{ print ($1 - $2) / n }' >>"$4"
 }
 
 # bench_dioptre SCENE DEPTH ENGINE FRAMES: draws pictures.
@@ -216,12 +184,6 @@ report_light() {
     printf '\ntests/peers/%s.lua, %s, %s rays a pixel: %s\n' "$1" "$2" "$3" "$5"
     draw_pictures "tests/peers/$1.lua" "$1" 0 "$2" "$3"
     report_difference "$1" "$4"
-}
-
-# make_edges: the tool that tells where pictures differ.
-make_edges() {
-    ${CC:-cc} -std=gnu11 -O2 -Iinclude -Isrc -D_GNU_SOURCE -o "$work/edges" tests/peers/edges.c \
-        src/assets/bmp.c src/render/picture.c src/scene/error.c
 }
 
 need tachyon "apt-get install tachyon"

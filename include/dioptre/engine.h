@@ -51,6 +51,9 @@ typedef enum {
     TREE_ALWAYS /**< However few they are. */
 } TreeUse;
 
+/** The tracer for one scene; what is in it, only its engine knows. */
+typedef struct Tracer Tracer;
+
 /** What a tracer is told besides the scene. */
 typedef struct TraceSettings {
     int depth;   /**< How often a ray may be mirrored or refracted. */
@@ -60,6 +63,9 @@ typedef struct TraceSettings {
     double cutoff;         /**< Weight below which a ray ends; 0: where it cannot change 8 bits. */
     Crew crew;             /**< Who prepares the tracer. */
     TreeUse tree;          /**< Whether the shapes get a tree; the triangles of a mesh always do. */
+    const Tracer *former;  /**< Another tracer of the same engine, perhaps at work: the trees
+                                       of its meshes are shared where the new one shows the same.
+                                       Read while the new one is prepared only; NULL: none. */
 } TraceSettings;
 
 /** What a tracer was made of. */
@@ -121,9 +127,6 @@ typedef struct RayAnswer {
     Quadruple error;     /**< Bound on how far the point can be off the surface. */
     Quadruple place[2];  /**< Where on a picture: (u, v). Of meshes only if a shape shows one. */
 } RayAnswer;
-
-/** The tracer for one scene; what is in it, only its engine knows. */
-typedef struct Tracer Tracer;
 
 /** The tracer at one precision and width. */
 typedef struct Engine {

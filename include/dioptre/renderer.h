@@ -32,7 +32,7 @@ typedef struct RenderSettings {
     int samples;          /**< Rays a pixel. */
     Sampling sampling;    /**< Whether every pixel gets that many. */
     int encoding;         /**< An #Encoding. */
-    TraceSettings trace;  /**< Depth, offset and tree; the crew are the threads. */
+    TraceSettings trace;  /**< Depth, offset and tree; the rest the renderer fills in. */
 } RenderSettings;
 
 /** How a drawing went. */
@@ -68,6 +68,18 @@ int render_processors(void);
  * @return The renderer, to be given back with #renderer_destroy; NULL if anything is wrong.
  */
 Renderer *renderer_create(const Scene *scene, const RenderSettings *settings, Error *error);
+
+/**
+ * Makes a renderer for a scene, such as the next one of a film, that shares with another what both
+ * of them need: the trees of the same meshes.
+ * @param former      The other, perhaps drawing, there during this call; NULL: none.
+ * @param scene       See #renderer_create.
+ * @param settings    See #renderer_create.
+ * @param[out] error  See #renderer_create.
+ * @return See #renderer_create. It does not need the other any more.
+ */
+Renderer *renderer_create_after(const Renderer *former, const Scene *scene,
+                                const RenderSettings *settings, Error *error);
 
 /** @return What a renderer's tracer was made of. @param renderer The renderer. */
 TracerContents renderer_contents(const Renderer *renderer);

@@ -25,6 +25,7 @@ typedef struct Animation {
     Film *film;             /**< The film, once its size is known; owned. */
     Stock *stock;           /**< What all frames' scenes have in common; owned. */
     Scene *scene;           /**< The scene of the frame drawn last; owned. */
+    Renderer *renderer;     /**< Who drew it; owned. */
     Picture picture;        /**< The newest frame. */
     Progress *progress;     /**< Who tells how far it is, or NULL. */
     int done;               /**< Frames that are done. */
@@ -115,7 +116,8 @@ static bool draw_frame(Animation *animation, const Order *order, Error *error) {
     scene_destroy(animation->scene);
     animation->scene = scene;
     picture_release(&animation->picture);
-    return scene && command_draw(order, scene, &animation->picture, &report, error) &&
+    return scene &&
+           command_draw(order, scene, &animation->renderer, &animation->picture, &report, error) &&
            (report.is_finished || error_set(error, STATUS_INTERRUPTED, "interrupted"));
 }
 
@@ -234,6 +236,7 @@ static void animate(Animation *animation, Error *error) {
                   animation->is_film ? "; there is no film" : " and are kept");
     }
     picture_release(&animation->picture);
+    renderer_destroy(animation->renderer);
     scene_destroy(animation->scene);
 }
 

@@ -118,13 +118,15 @@ typedef struct Order {
  * Draws a scene into a picture.
  * @param order        What is to be drawn.
  * @param scene        The scene.
+ * @param[in,out] renderer  Who drew the picture before, or NULL: what both need is made once. Then
+ *                     who drew this one, or NULL; to be given back with #renderer_destroy.
  * @param[out] picture The picture; to be released also when anything is wrong.
  * @param[out] report  How it went.
  * @param[out] error   What is wrong.
  * @return false if it could not be drawn.
  */
-bool command_draw(const Order *order, const Scene *scene, Picture *picture, RenderReport *report,
-                  Error *error);
+bool command_draw(const Order *order, const Scene *scene, Renderer **renderer, Picture *picture,
+                  RenderReport *report, Error *error);
 
 /**
  * Writes a picture into its file, with how it came about.

@@ -8,21 +8,22 @@
 
 #include <stdio.h>
 
-bool command_draw(const Order *order, const Scene *scene, Picture *picture, RenderReport *report,
-                  Error *error) {
+bool command_draw(const Order *order, const Scene *scene, Renderer **renderer, Picture *picture,
+                  RenderReport *report, Error *error) {
     RenderSettings settings = command_settings(order->options, scene);
     if (!picture_init(picture, settings.width, settings.height, error) ||
         (image_file_is_linear(order->output) && !picture_keep_light(picture, error))) {
         return false;
     }
-    Renderer *renderer = renderer_create(scene, &settings, error);
-    if (renderer) {
-        progress_watch(order->progress, renderer);
-        *report = renderer_draw(renderer, interrupt_flag(), picture);
+    Renderer *former = *renderer;
+    *renderer = renderer_create_after(former, scene, &settings, error);
+    renderer_destroy(former);
+    if (*renderer) {
+        progress_watch(order->progress, *renderer);
+        *report = renderer_draw(*renderer, interrupt_flag(), picture);
         progress_done(order->progress);
-        renderer_destroy(renderer);
     }
-    return renderer != NULL;
+    return *renderer != NULL;
 }
 
 bool command_write(const Order *order, const Scene *scene, Picture *picture, Error *error) {
@@ -40,9 +41,11 @@ bool command_write(const Order *order, const Scene *scene, Picture *picture, Err
 static void render_scene(const Scene *scene, const Options *options, Error *error) {
     Order order = {.options = options, .output = options->output, .time = options->time};
     Picture picture = {0};
+    Renderer *renderer = NULL;
     RenderReport report = {0};
     order.progress = progress_begin(options, 1);
-    bool is_done = command_draw(&order, scene, &picture, &report, error);
+    bool is_done = command_draw(&order, scene, &renderer, &picture, &report, error);
+    renderer_destroy(renderer);
     progress_end(order.progress);
     is_done = is_done && command_write(&order, scene, &picture, error);
     picture_release(&picture);

@@ -42,7 +42,23 @@ bool renderer_judges(const Renderer *renderer) {
            renderer->settings.sampling == SAMPLING_ADAPTIVE;
 }
 
+/** @return What a tracer is told. @param renderer Its renderer, with its workers. @param former
+ *  Whose models it may share, or NULL. */
+static TraceSettings trace_settings(const Renderer *renderer, const Renderer *former) {
+    const RenderSettings *settings = &renderer->settings;
+    TraceSettings trace = settings->trace;
+    trace.samples = settings->samples;
+    trace.crew = (Crew){renderer->workers, settings->threads, crew_workers_run};
+    trace.former = former && former->settings.engine == settings->engine ? former->tracer : NULL;
+    return trace;
+}
+
 Renderer *renderer_create(const Scene *scene, const RenderSettings *settings, Error *error) {
+    return renderer_create_after(NULL, scene, settings, error);
+}
+
+Renderer *renderer_create_after(const Renderer *former, const Scene *scene,
+                                const RenderSettings *settings, Error *error) {
     Renderer *renderer = calloc(1, sizeof *renderer);
     if (!renderer) {
         error_set(error, STATUS_FAILED, "no memory for a renderer");
@@ -52,12 +68,10 @@ Renderer *renderer_create(const Scene *scene, const RenderSettings *settings, Er
     background_init(&renderer->background);
     encoder_init(&renderer->encoder, (Encoding)settings->encoding);
     renderer->workers = workers_create(settings->threads, error);
-    TraceSettings trace = settings->trace;
-    trace.samples = settings->samples;
     bool has_room = !renderer_judges(renderer) ||
                     tally_resize(&renderer->tally, settings->width, settings->height, true, error);
     if (renderer->workers && has_room) {
-        trace.crew = (Crew){renderer->workers, settings->threads, crew_workers_run};
+        TraceSettings trace = trace_settings(renderer, former);
         renderer->tracer = settings->engine->prepare(scene, &trace, error);
     }
     if (!renderer->tracer) {

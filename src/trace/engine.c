@@ -68,6 +68,7 @@ static Tracer *tracer_create(const Scene *scene, const TraceSettings *settings, 
         error_set(error, STATUS_FAILED, "no memory for a tracer");
         return NULL;
     }
+    const Models *former = settings->former ? &settings->former->models : NULL;
     bool is_recursive = scene_has_mirrors(scene) || scene_has_glass(scene);
     *tracer = (Tracer){.backdrop = backdrop_of(&scene->sky),
                        .lamp_count = scene->light_count,
@@ -80,7 +81,7 @@ static Tracer *tracer_create(const Scene *scene, const TraceSettings *settings, 
     tracer->surfaces = vector_allocate(scene->material_count * sizeof(Surface));
     if (!tracer->lamps || !tracer->surfaces || !glow_init(&tracer->glow, scene, error) ||
         !textures_init(&tracer->textures, scene, error) || !glass_init(&tracer->glass, scene) ||
-        !models_init(&tracer->models, scene, &settings->crew, error) ||
+        !models_init(&tracer->models, scene, former, &settings->crew, error) ||
         !shape_list_init(&tracer->list, scene, &tracer->models, settings, error)) {
         error_set(error, STATUS_FAILED, "no memory for the scene");
         engine_release(tracer);
@@ -320,8 +321,9 @@ static TracerContents engine_contents(const Tracer *tracer) {
                                .tree_from = list->tree_from};
     contents.stalled = stalls_count(&tracer->models.stalls);
     for (size_t i = 0; i < tracer->models.count; i++) {
-        contents.triangles += tracer->models.all[i].triangle_count;
-        contents.triangle_bytes += model_size(&tracer->models.all[i]);
+        const Model *model = tracer->models.all[i];
+        contents.triangles += model ? model->triangle_count : 0;
+        contents.triangle_bytes += model ? model_size(model) : 0;
     }
     return contents;
 }

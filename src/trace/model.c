@@ -130,23 +130,25 @@ static bool spots_keep(Model *model, const Mesh *mesh) {
     return model->spots && model->spot_at;
 }
 
-/** Gives a model back and empties it. @param model The model. */
+/** Gives a model back; the last owner's call gives its memory back. @param model It, or NULL. */
 static void model_release(Model *model) {
-    tree_release(&model->tree);
-    free(model->blocks);
-    free(model->normals);
-    free(model->places);
-    free(model->spots);
-    free(model->spot_at);
-    *model = (Model){0};
+    if (model && atomic_fetch_sub(&model->owners, 1) == 1) {
+        tree_release(&model->tree);
+        free(model->blocks);
+        free(model->normals);
+        free(model->places);
+        free(model->spots);
+        free(model->spot_at);
+        mesh_destroy(model->mesh);
+        free(model);
+    }
 }
 
-/** Makes a model. @param[out] model The model. @param mesh The mesh. @param source Where its
- * normals come from. @param models Who builds the tree, and whether pictures are shown. @param[out]
- * error What is wrong. @return false without memory. */
-static bool model_init(Model *model, const Mesh *mesh, NormalSource source, const Models *models,
-                       Error *error) {
-    *model = (Model){.triangle_count = mesh->triangle_count};
+/** Fills a model. @param[in,out] model The model, with its mesh. @param source Where its normals
+ *  come from. @param models Who builds the tree, and whether pictures are shown. @return false
+ *  without memory. */
+static bool model_fill(Model *model, NormalSource source, const Models *models) {
+    const Mesh *mesh = model->mesh;
     Bounds *boxes = malloc(mesh->triangle_count * sizeof *boxes);
     if (boxes) {
         boxes_fill(model, mesh, boxes);
@@ -161,12 +163,25 @@ static bool model_init(Model *model, const Mesh *mesh, NormalSource source, cons
     /* The blocks say it now. */
     free(model->tree.order);
     model->tree.order = NULL;
-    if (!is_made) {
-        model_release(model);
-        return error_set(error, STATUS_FAILED, "no memory for a tree over %zu triangles",
-                         mesh->triangle_count);
+    return is_made;
+}
+
+/** @return A model with one owner; NULL without memory. @param mesh The mesh. @param source Where
+ *  its normals come from. @param models Who builds the tree, and whether pictures are shown.
+ *  @param[out] error What is wrong. */
+static Model *model_create(Mesh *mesh, NormalSource source, const Models *models, Error *error) {
+    Model *model = malloc(sizeof *model);
+    if (model) {
+        *model = (Model){.triangle_count = mesh->triangle_count, .mesh = mesh_share(mesh)};
+        atomic_init(&model->owners, 1);
     }
-    return true;
+    if (!model || !model_fill(model, source, models)) {
+        model_release(model);
+        error_set(error, STATUS_FAILED, "no memory for a tree over %zu triangles",
+                  mesh->triangle_count);
+        return NULL;
+    }
+    return model;
 }
 
 size_t model_size(const Model *model) {
@@ -177,10 +192,12 @@ size_t model_size(const Model *model) {
            (model->spot_at ? slots * sizeof *model->spot_at : 0);
 }
 
-bool models_init(Models *models, const Scene *scene, const Crew *crew, Error *error) {
+bool models_init(Models *models, const Scene *scene, const Models *former, const Crew *crew,
+                 Error *error) {
     size_t count = scene->mesh_count * MODEL_KINDS;
     *models = (Models){.count = count,
                        .meshes = scene->meshes,
+                       .former = former,
                        .crew = crew,
                        .has_textures = scene_has_textures(scene)};
     models->all = calloc(count + 1, sizeof *models->all);
@@ -190,15 +207,41 @@ bool models_init(Models *models, const Scene *scene, const Crew *crew, Error *er
 
 void models_release(Models *models) {
     for (size_t i = 0; models->all && i < models->count; i++) {
-        model_release(&models->all[i]);
+        model_release(models->all[i]);
     }
     free(models->all);
     *models = (Models){0};
 }
 
+/** @return Whether a model has all that a scene asks for. @param model The model. @param models The
+ *  models of the scene. */
+static bool model_serves(const Model *model, const Models *models) {
+    return !models->has_textures || model->spots || model->mesh->uv_count == 0;
+}
+
+/** @return A model that a former tracer has made, with one owner more; NULL if there is none.
+ *  @param models The models, and the former ones. @param mesh The mesh. @param source Where its
+ *  normals come from. */
+static Model *model_share(const Models *models, const Mesh *mesh, NormalSource source) {
+    const Models *former = models->former;
+    for (size_t i = source; former && i < former->count; i += MODEL_KINDS) {
+        Model *model = former->all[i];
+        if (model && model->mesh == mesh && model_serves(model, models)) {
+            atomic_fetch_add(&model->owners, 1);
+            return model;
+        }
+    }
+    return NULL;
+}
+
 const Model *models_get(Models *models, size_t mesh, NormalSource source, Error *error) {
-    Model *model = &models->all[mesh * MODEL_KINDS + source];
-    bool is_there =
-        model->blocks || model_init(model, models->meshes[mesh].mesh, source, models, error);
-    return is_there ? model : NULL;
+    Model **model = &models->all[mesh * MODEL_KINDS + source];
+    Mesh *made_of = models->meshes[mesh].mesh;
+    if (!*model) {
+        *model = model_share(models, made_of, source);
+    }
+    if (!*model) {
+        *model = model_create(made_of, source, models, error);
+    }
+    return *model;
 }

@@ -2,7 +2,8 @@
  * @file
  * @brief Models: the triangles of a mesh in the engine's number type, and the tree over them.
  *
- * A model is made once for each mesh and way of taking normals; all shapes that show it share it.
+ * A model is made once for each mesh and way of taking normals; all shapes that show it share it,
+ * and so do the tracers of a film's frames, each of which takes it from the one before.
  */
 #ifndef DIOPTRE_TRACE_MODEL_H
 #define DIOPTRE_TRACE_MODEL_H
@@ -26,8 +27,10 @@ typedef struct Spot {
     scalar v; /**< Up. */
 } Spot;
 
-/** The triangles of a mesh. */
+/** The triangles of a mesh; it does not change once it is made. */
 typedef struct Model {
+    atomic_uint owners;    /**< How many tracers hold it. */
+    Mesh *mesh;            /**< What it was made of; it is one of the owners. */
     Tree tree;             /**< The tree over them. */
     TriangleBlock *blocks; /**< The triangles, as the tree orders them; owned. */
     size_t triangle_count; /**< How many, repeated ones not counted. */
@@ -57,12 +60,14 @@ typedef enum {
 /** Models that a mesh can be made into: one for each #NormalSource. */
 enum { MODEL_KINDS = 3 };
 
-/** The models of a scene, each made when a shape first asks for it. */
+/** The models of a scene, each made, or shared, when a shape first asks for it. */
 struct Models {
-    Model *all;              /**< #MODEL_KINDS for each mesh of the scene; owned. */
+    Model **all;             /**< #MODEL_KINDS for each mesh of the scene; NULL where no shape has
+                                  asked. It is one of the owners of each. */
     size_t count;            /**< How many. */
     const SceneMesh *meshes; /**< The scene's meshes; while shapes are made only. */
-    const Crew *crew;        /**< Who builds trees; while shapes are made only. */
+    const Models *former;    /**< Where some may be there already, or NULL; likewise. */
+    const Crew *crew;        /**< Who builds trees; likewise. */
     bool has_textures;       /**< Whether any shape shows a picture. */
     Stalls stalls;           /**< Rays that were given up before they met a shape or nothing. */
 };
@@ -71,17 +76,21 @@ struct Models {
  * Makes room for the models of a scene.
  * @param[out] models  The models; give them back with #models_release.
  * @param scene        The scene.
+ * @param former       Those of another tracer, to be shared; NULL: none. Read, as the next two are,
+ *                     while shapes are made.
  * @param crew         Who builds trees.
  * @param[out] error   What is wrong.
  * @return false without memory.
  */
-bool models_init(Models *models, const Scene *scene, const Crew *crew, Error *error);
+bool models_init(Models *models, const Scene *scene, const Models *former, const Crew *crew,
+                 Error *error);
 
-/** Gives models back. @param models The models. */
+/** Gives models back; those that no other tracer holds are gone then. @param models The models. */
 void models_release(Models *models);
 
 /**
- * @return A model, made now if nobody has asked before; NULL without memory.
+ * @return A model, made now if nobody has asked before and no former tracer has it; NULL without
+ *         memory.
  * @param models      The models.
  * @param mesh        Place of the mesh in the scene.
  * @param source      Where its normals come from.

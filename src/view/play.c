@@ -94,7 +94,7 @@ bool play_update(View *view, double now, Error *error) {
         return is_good;
     }
     view->next_time = now + PAUSE;
-    is_good = reloader_ask(&view->reloader, time, error);
+    is_good = reloader_ask(&view->reloader, time, view->stage.renderer, error);
     if (!is_good) {
         view->timeline = (Timeline){.time = view->time};
     }

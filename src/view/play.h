@@ -31,7 +31,8 @@ double play_delay(View *view, double now);
 /** @return Whether the time is held, and the scene is of that time. @param view The view. */
 bool play_is_at_rest(const View *view);
 
-/** Gives all scenes of other times back, once nothing is drawn. @param[in,out] view The view. */
+/** Gives all scenes of other times back; what the stage draws with must still be there.
+ *  @param[in,out] view The view. */
 void play_end(View *view);
 
 #endif

@@ -10,13 +10,16 @@
 /**
  * Answers a question.
  * @param settings         How scenes are loaded and drawn.
+ * @param former           What draws the scene before.
  * @param stop             It is given up once this is true.
  * @param[in,out] reload   The question's time, then the answer.
  */
-static void answer(const ViewSettings *settings, const atomic_bool *stop, Reload *reload) {
+static void answer(const ViewSettings *settings, const Renderer *former, const atomic_bool *stop,
+                   Reload *reload) {
     reload->scene = settings->load(settings->context, reload->time, stop, &reload->error);
     if (reload->scene) {
-        reload->renderer = renderer_create(reload->scene, &settings->render, &reload->error);
+        reload->renderer =
+            renderer_create_after(former, reload->scene, &settings->render, &reload->error);
     }
 }
 
@@ -30,8 +33,9 @@ static void *live(void *context) {
             continue;
         }
         Reload reload = {.time = reloader->reload.time};
+        const Renderer *former = reloader->former;
         pthread_mutex_unlock(&reloader->mutex);
-        answer(reloader->settings, &reloader->is_over, &reload);
+        answer(reloader->settings, former, &reloader->is_over, &reload);
         pthread_mutex_lock(&reloader->mutex);
         reloader->reload = reload;
         reloader->is_asked = false;
@@ -62,12 +66,13 @@ static bool start(Reloader *reloader, Error *error) {
     return true;
 }
 
-bool reloader_ask(Reloader *reloader, double time, Error *error) {
+bool reloader_ask(Reloader *reloader, double time, const Renderer *former, Error *error) {
     if (!start(reloader, error)) {
         return false;
     }
     pthread_mutex_lock(&reloader->mutex);
     reloader->reload.time = time;
+    reloader->former = former;
     reloader->is_asked = true;
     pthread_cond_signal(&reloader->is_told);
     pthread_mutex_unlock(&reloader->mutex);

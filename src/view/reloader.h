@@ -28,6 +28,7 @@ typedef struct Reloader {
     pthread_cond_t is_told;       /**< Told when there is something to do. */
     bool is_asked;                /**< Whether there is a question that was not answered yet. */
     bool is_answered;             /**< Whether there is an answer that was not taken yet. */
+    const Renderer *former;       /**< What draws the scene before. */
     Reload reload;                /**< The question's time, then the answer. */
     atomic_bool is_over;          /**< Whether to end, at once. */
 } Reloader;
@@ -36,10 +37,12 @@ typedef struct Reloader {
  * Asks for the scene of another time. The first question starts the thread.
  * @param[in,out] reloader  The thread; every question before was answered, and the answer taken.
  * @param time              The time, seconds.
+ * @param former            What draws the scene before: the new one shares with it what both need.
+ *                          It must stay there until the answer is.
  * @param[out] error        What is wrong.
  * @return false if there is no thread to ask.
  */
-bool reloader_ask(Reloader *reloader, double time, Error *error);
+bool reloader_ask(Reloader *reloader, double time, const Renderer *former, Error *error);
 
 /** @return Whether there is a question or an answer that was not taken. @param reloader The thread.
  */

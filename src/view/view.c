@@ -232,8 +232,8 @@ Status view_run(Scene *scene, const ViewSettings *settings, const atomic_bool *s
     interrupt_block(&interrupt);
     if (video_start(error)) {
         status = live(&view, stop, &interrupt, error);
+        play_end(&view); // The scene that it may still make shares with what the stage draws.
         stage_close(&view.stage);
-        play_end(&view);
     }
     interrupt_release(&interrupt);
     SDL_Quit();

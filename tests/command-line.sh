@@ -56,9 +56,14 @@ expect 4 'readme|ending|README' 'compare what is no picture' "$dioptre" compare 
 
 expect 0 '' 'info' "$dioptre" info "$box"
 holds "$work/out" '6 quad' 'info counts shapes'
+holds "$work/out" '^time +not asked for' 'info says that no time changes the box'
 expect 0 '' 'info json' "$dioptre" info "$box" --json --engine f64x1
 holds "$work/out" '"engine": "f64x1".*"left_out": \[' 'info json names engine and what is left out'
 holds "$work/out" '"tree": \{"planted": 0, "listed": 8, "from": 24\}' 'info json says why there is no tree'
+expect 0 '' 'info of a scene with a time' "$dioptre" info scenes/orbits.lua
+holds "$work/out" '^time +asked for' 'info says that the time changes it'
+expect 0 '' 'info json of it' "$dioptre" info scenes/orbits.lua --json
+holds "$work/out" '"reads_time": true' 'and so does info json'
 echo 'camera {} for i = 1, 500 do sphere { center = {i, 0, -9} } end plane {}' >"$work/many.lua"
 expect 0 '' 'info of many shapes' "$dioptre" info "$work/many.lua"
 holds "$work/out" '^tree +over 500 shapes; 1 asked one by one: here a tree pays from [0-9]+ on$' 'info says that there is a tree'

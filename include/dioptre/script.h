@@ -17,7 +17,8 @@
 
 /**
  * What a scene file needs that no time changes: its text, and the models and pictures of the scene
- * that was loaded last. Where a file is run again and again, each is read once.
+ * that was loaded last. Where a file is run again and again, each is read once. What it includes is
+ * read by each run, in its child: texts, in less than a millisecond.
  */
 typedef struct Stock Stock;
 

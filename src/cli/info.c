@@ -227,7 +227,8 @@ static void info_print_json(const Scene *scene, const Info *info, const RenderSe
     putchar(']');
     info_print_meshes_json(scene);
     info_print_textures_json(scene);
-    printf(", \"stalled\": %llu", (unsigned long long)info->contents.stalled);
+    printf(", \"reads_time\": %s, \"stalled\": %llu", scene->reads_time ? "true" : "false",
+           (unsigned long long)info->contents.stalled);
     info_print_tree_json(&info->contents);
     puts("}");
 }
@@ -251,6 +252,8 @@ static void info_print(const Scene *scene, const Info *info, const RenderSetting
            info->mirrors + info->glass ? settings->trace.depth : 0);
     printf("picture    %d x %d, %d ray%s a pixel\n", settings->width, settings->height,
            settings->samples, settings->samples == 1 ? "" : "s");
+    printf("time       %s\n", scene->reads_time ? "asked for: frames of a film differ"
+                                                : "not asked for: frames of a film are alike");
     printf("engine     %s: %s\n", settings->engine->name, engine_reason(options, settings->engine));
     printf("offset     %s\n", offset_name(settings->trace.offset));
     info_print_tree(&info->contents);

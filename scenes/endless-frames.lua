@@ -12,5 +12,5 @@ ambient(0.02)
 light { position = {1.4, 1.7, along}, intensity = 22, falloff = "inverse_square" }
 sky { color = {0.02, 0.03, 0.06} }
 
-local frame = distance.box_frame { size = {1, 1, 1}, edge = 0.12 }:rotate{20 + 40 * t, 25, 20 * t}
+local frame = distance.box_frame { size = {1, 1, 1}, edge = 0.12 }:rotate{20 + 40 * t % 360, 25, 20 * t % 360}
 sdf { frame:repeat_every{2.5, 2.5, 2.5}, material = material { color = "#e0782a" } }

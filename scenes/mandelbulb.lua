@@ -7,5 +7,5 @@ ambient(0.25)
 sun { direction = {-1, -1.2, -0.9}, intensity = 0.95 }
 sky { horizon = {0.75, 0.85, 0.95}, zenith = {0.2, 0.42, 0.8} }
 
-sdf { distance.mandelbulb { power = 8, iterations = 8 }:rotate{20, 30 * t, 0}, tolerance = 3e-4,
+sdf { distance.mandelbulb { power = 8, iterations = 8 }:rotate{20, 30 * t % 360, 0}, tolerance = 3e-4,
       material = material { color = "#e0a070" } }

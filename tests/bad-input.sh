@@ -52,6 +52,22 @@ scene 'camera {}\ndistance.sphere {}:turn{0, 0, 0}'; bad 2 'unknown word `field:
 scene 'camera {}\ndistance.spere {}'; bad 2 'distance.sphere' 'unknown field, with the nearest'
 scene 'camera {}\nlocal f = distance.sphere {}\nfor i = 1, 14 do\nf = distance.union(f, f)\nend\nsdf { f }'; bad 4 'made of 4096' 'ten thousand fields'
 scene 'camera {}\nlocal f = distance.sphere {}\nfor i = 1, 99 do\nf = f:translate{1, 0, 0}\nend\nsdf { f }'; bad 4 '64 deep' 'a hundred fields in one another'
+scene 'camera {}\ndistance.sphere { radius = 0 }'; bad 2 'radius must be' 'ball of no size'
+scene 'camera {}\ndistance.torus { minor = 0 }'; bad 2 'minor must be' 'ring of no thickness'
+scene 'camera {}\ndistance.menger { size = 0 }'; bad 2 'size must be' 'sponge of no size'
+scene 'camera {}\ndistance.box_frame { edge = 0 }'; bad 2 'edge must be' 'frame of no thickness'
+scene 'camera {}\ndistance.sphere {}:round(-2)'; bad 2 'round must be' 'ball rounded to nothing'
+scene 'camera {}\ndistance.sphere {}:round(0/0)'; bad 2 'finite' 'ball rounded by no number'
+scene 'camera {}\ndistance.sphere { radius = t / 0 * 0 }'; bad 2 'finite' 'field of a time that is no number'
+scene 'camera {}\nlocal s = distance.sphere {}\ndistance.smooth_union(s, s, 0/0)'; bad 3 'finite' 'fields melted by no number'
+scene 'camera {}\nsdf { distance.sphere {}, tolerance = 0/0 }'; bad 2 'finite' 'tolerance that is no number'
+scene 'camera {}\ndistance.sphere {}:repeat_every{0/0, 1, 1}'; bad 2 'finite' 'copies every no number'
+scene 'camera {}\ndistance.sphere {}:repeat_every{3, 3, 3}:repeat_every{2, 2, 2}'; bad 2 'reaches inf' 'copies without end of copies without end'
+scene 'camera {}\nlocal f = distance.sphere {}\nfor i = 1, 60 do\nf = f:scale(1e-5)\nend'; bad 4 'becomes 2e-20 long' 'ball scaled to nothing, bit by bit'
+scene 'camera {}\nlocal f = distance.sphere {}\nfor i = 1, 60 do\nf = f:scale(1e5)\nend'; bad 4 'reaches 1e\+20' 'ball scaled beyond all numbers'
+scene 'camera {}\nlocal f = distance.sphere {}\nlocal all = {}\nfor i = 1, 10000 do all[i] = f end\nsdf { distance.union(table.unpack(all)) }'; bad 5 'made of 4096' 'union of ten thousand'
+scene 'camera {}\nlocal f = distance.sphere {}\nlocal g = f\nfor i = 1, 10000 do\nf = distance.union(g, f)\nend'; bad 5 'made of 4096' 'ten thousand unions in one another'
+scene 'camera {}\nlocal f = distance.sphere {}\nfor i = 1, 10000 do\nf = f:round(1e-6)\nend'; bad 4 'made of 4096' 'a ball rounded ten thousand times'
 scene 'camera {}\nsphere { scale = {1, 0, 1} }'; bad 2 'nearer to zero' 'sphere scaled to nothing'
 scene 'camera {}\nsun { direction = {0, 0, 0} }'; bad 2 'direction must not be zero' 'sun that shines nowhere'
 scene 'camera {}\nsun { direction = {0, 0/0, 0} }'; bad 2 'finite' 'sun that shines to no number'
@@ -81,6 +97,19 @@ expect 3 'folder' 'a folder as scene' "$dioptre" render "$work" -o "$work/o.bmp"
 
 scene 'camera { direction = {0, -1, 0} }\nsphere { center = {0, -3, 0} }\nlight { position = {0, 0, 0} }'
 expect 0 '' 'straight down' "$dioptre" render "$work/s.lua" -o "$work/down.bmp" -s 9x9
+scene 'camera { position = {0, 0, 9} } light {}\nfor i = 1, 10000 do sdf { distance.sphere { radius = 0.1 }, translate = {i % 10, i // 10 % 10, -i / 100} } end'
+expect 0 '' 'ten thousand fields' limited "$dioptre" render "$work/s.lua" -o "$work/many.bmp" -s 8x8
+scene 'camera { position = {0, 0, 9} } light {}\nlocal s = distance.sphere {}\nsdf { distance.difference(s, s) }'
+expect 0 '' 'a field of nothing' limited "$dioptre" render "$work/s.lua" -o "$work/none.bmp" -s 8x8
+for time in inf -inf nan 1e309 '' 1x; do
+    expect 2 "time takes a number, not '$time'" "time '$time'" "$dioptre" render scenes/melting.lua -t "$time" -o "$work/o.bmp"
+done
+for time in 1e300 -1e300 1e-320; do
+    expect 0 '' "time $time" limited "$dioptre" render scenes/melting.lua -t $time -o "$work/o.bmp" -s 8x8
+done
+expect 3 'endless-frames.lua:9: position must be' 'time 1e300 that takes the camera along' "$dioptre" render scenes/endless-frames.lua -t 1e300 -o "$work/far.bmp"
+expect 0 '' 'a field that turns all night' limited "$dioptre" render scenes/mandelbulb.lua -t 36000 -o "$work/o.bmp" -s 8x8
+rm -f "$work/o.bmp"
 scene 'camera {}'
 expect 0 '' 'an empty world' "$dioptre" render "$work/s.lua" -o "$work/empty.bmp" -s 9x9
 

@@ -124,6 +124,18 @@ static void field_place_box(Field *field, const Transform *t) {
     }
 }
 
+/** Refuses what has become too small or too large for the engines' numbers: nothing of it would be
+ *  seen. @param field A field. @param[out] error What is wrong. @return Whether it is not. */
+static bool field_check_size(const Field *field, Error *error) {
+    double reach = fmax(vector3_largest(field->low), vector3_largest(field->high));
+    double edge = vector3_largest(vector3_subtract(field->high, field->low));
+    return (edge >= LENGTH_MINIMUM && reach <= LENGTH_MAXIMUM) || !isfinite(reach) ||
+           error_set(error, STATUS_SCENE,
+                     "the field becomes %g long and reaches %g from zero; it must be at least %g "
+                     "and at most %g",
+                     edge, reach, LENGTH_MINIMUM, LENGTH_MAXIMUM);
+}
+
 bool field_place(Field *out, const Field *field, const Transform *t, Error *error) {
     // The inverse of s R is its transpose over s^2.
     double s = t->scale.x, per_square = 1 / (s * s);
@@ -139,7 +151,7 @@ bool field_place(Field *out, const Field *field, const Transform *t, Error *erro
         return false;
     }
     field_place_box(out, t);
-    return true;
+    return field_check_size(out, error);
 }
 
 /** @return Whether a step works on what stands before it and on its body, both where the step

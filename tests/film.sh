@@ -138,6 +138,50 @@ ulimit -S -f 8
 refused 1 "cannot write 'old.mp4': ffmpeg" 'a full disk' env -u LC_ALL "$dioptre" animate "$orbits" -s 320x180 --samples 1 --seconds 4 -o old.mp4
 ulimit -S -f unlimited
 
+# --- a full disk ---------------------------------------------------------------------------------
+# What is written there is larger from frame to frame, until it is too large.
+echo 'camera {} image { width = 16 + math.floor(1000 * t), height = 64 }' >larger.lua
+ulimit -S -f 36
+expect 1 "large5.bmp': .*File too large" 'a frame too large' "$dioptre" animate larger.lua --frames 0-9 -o large%d.bmp
+ulimit -S -f unlimited
+[ "$(find . -name 'large[0-9]*' | sort | tr '\n' ' ')" = './large0.bmp ./large1.bmp ./large2.bmp ./large3.bmp ./large4.bmp ' ] &&
+    ok 'finished frames are kept, and nothing else' || fail "a frame too large: $(echo large*)"
+# A disk of our own, where the system lets us have one. Three frames fit on it.
+mkdir disk
+on_small_disk() { unshare -rm sh -c 'mount -t tmpfs -o size=$0 none disk && "$@"; status=$?; ls disk >listed; exit $status' "$@"; }
+if on_small_disk 600k true 2>/dev/null; then
+    expect 1 "disk/3.bmp': No space left" 'a disk that is full half-way' on_small_disk 600k "$dioptre" animate "$orbits" -s 320x180 --samples 1 --frames 0-9 -o disk/%d.bmp
+    [ "$(echo $(cat listed))" = '0.bmp 1.bmp 2.bmp' ] && ok 'finished frames are on it, and nothing else' || fail "a full disk: $(cat listed)"
+    expect 1 "cannot write 'disk/a.mp4': ffmpeg" 'a disk too small for a film' on_small_disk 64k "$dioptre" animate "$orbits" -s 640x360 --samples 1 --seconds 8 -o disk/a.mp4
+    [ ! -s listed ] && ok 'nothing of it is left' || fail "a disk too small for a film: $(cat listed)"
+else
+    echo 'skipped: a full disk: no file system can be mounted here'
+fi
+
+# --- killed --------------------------------------------------------------------------------------
+mkdir killed whole
+busy() { "$dioptre" animate "$orbits" -s 320x180 --samples 16 -j 1 --sampling full "$@"; }
+(exec "$dioptre" animate "$orbits" -s 320x180 --samples 16 -j 1 --sampling full -o killed/%d.bmp) &
+pid=$!
+for _ in {1..400}; do [ -e killed/1.bmp ] && break || sleep 0.02; done
+kill -KILL $pid
+{ wait $pid; } 2>/dev/null
+last=$(find killed -name '*.bmp' | sed 's/.*\/\([0-9]*\).bmp/\1/' | sort -n | tail -1)
+expect 0 '' 'all frames of a killed film again' busy --frames "0-$((last + 2))" -o whole/%d.bmp
+expect 0 '' 'those that lack' busy --frames "0-$((last + 2))" --skip-existing -o killed/%d.bmp
+find killed -name '*.bmp.*' -delete
+expect 0 '' 'SIGKILL costs the frame under way, and no other' diff -r killed whole
+(exec "$dioptre" animate "$orbits" -s 320x180 --samples 1 -o old.mp4) &
+pid=$!
+sleep 1
+encoder=$(pgrep -P $pid -x ffmpeg)
+kill -KILL $pid
+{ wait $pid; } 2>/dev/null
+holds old.mp4 '^the old film$' 'SIGKILL: the old film is whole'
+for _ in {1..200}; do kill -0 "$encoder" 2>/dev/null && sleep 0.1 || break; done
+[ -n "$encoder" ] && ! kill -0 "$encoder" 2>/dev/null && ok 'SIGKILL: the encoder ends, too' || fail "SIGKILL: the encoder $encoder"
+rm -f old.mp4.*
+
 # --- an interrupted film -------------------------------------------------------------------------
 (exec env --default-signal=INT "$dioptre" animate "$orbits" -s 320x180 -o old.mp4) 2>said &
 pid=$!

@@ -100,8 +100,10 @@ static int run(int argc, char **argv, Error *error) {
  */
 int main(int argc, char **argv) {
     Error error = {0};
-    // Without this, writing to a pipe whose reader has gone would kill the program unheard.
+    // Without this, writing to a pipe whose reader has gone, or a file larger than the system
+    // allows, would kill the program unheard.
     signal(SIGPIPE, SIG_IGN);
+    signal(SIGXFSZ, SIG_IGN);
     int status = run(argc, argv, &error);
     print_error(&error);
     return status;

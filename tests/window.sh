@@ -373,6 +373,18 @@ xdotool key space
 expect_shown 'finished — this scene does not ask for the time t$' 'a scene without time says so'
 leave
 
+# A model keeps its tree from one time to the next; the window may close in between.
+cp scenes/models/spot.obj "$work"
+sed 's/^sphere.*/mesh { file = "spot.obj", rotate = {0, 90 * t, 0} }/' "$work/time.lua" >"$work/turn.lua"
+mv "$work/turn.lua" "$work/time.lua"
+open "$work/time.lua"
+xdotool key space && sleep 0.5
+xdotool key space
+shoot
+as_rendered 'a snapshot of a model that has turned equals render'
+xdotool key space && sleep 0.2
+leave 'Esc leaves while a model turns'
+
 # --- slow pictures -------------------------------------------------------------------------------
 open "$box" --samples 60000 --engine f64x1
 sleep 0.3

@@ -103,6 +103,10 @@ bool play_update(View *view, double now, Error *error) {
 
 double play_delay(View *view, double now) {
     bool is_due = has_time(view) && timeline_at(&view->timeline, now) != view->time;
+    // It came before the last picture was seen, and waits for that; no event tells of it again.
+    if (stage_is_ready(&view->stage) && reloader_has_answer(&view->reloader)) {
+        return 0;
+    }
     bool is_asking = view->timeline.is_running || is_due;
     if (!is_asking || view->stage.is_hidden || reloader_is_busy(&view->reloader)) {
         return STAGE_NEVER;

@@ -89,6 +89,16 @@ bool reloader_is_busy(Reloader *reloader) {
     return is_busy;
 }
 
+bool reloader_has_answer(Reloader *reloader) {
+    if (!reloader->is_started) {
+        return false;
+    }
+    pthread_mutex_lock(&reloader->mutex);
+    bool is_there = reloader->is_answered;
+    pthread_mutex_unlock(&reloader->mutex);
+    return is_there;
+}
+
 bool reloader_take(Reloader *reloader, Reload *reload) {
     if (!reloader->is_started) {
         return false;

@@ -48,6 +48,9 @@ bool reloader_ask(Reloader *reloader, double time, const Renderer *former, Error
  */
 bool reloader_is_busy(Reloader *reloader);
 
+/** @return Whether there is an answer that was not taken. @param reloader The thread. */
+bool reloader_has_answer(Reloader *reloader);
+
 /**
  * Takes an answer.
  * @param[in,out] reloader  The thread.

@@ -1,5 +1,5 @@
-# What the comparisons with peers share; sourced by run.sh, embree.sh and fragment.sh. Gives BUILD, ENGINES and
-# BEST, an empty folder $work, and $failed, the exit status.
+# What the comparisons with peers share; sourced by the scripts beside. Gives BUILD, ENGINES and BEST,
+# an empty folder $work, and $failed, the exit status.
 export LC_ALL=C # Decimal points, not commas.
 BUILD=${BUILD:-build}
 work=$(mktemp -d)

@@ -17,6 +17,7 @@
 #include "view/timeline.h"
 #include "view/title.h"
 
+#include <pthread.h>
 #include <stdlib.h>
 #include <unistd.h>
 
@@ -491,7 +492,7 @@ static void test_window(void **state) {
     assert_true(view_is_possible());
     Scene *scene = make_scene();
     ViewSettings settings = {
-        .render = render_settings_default(scene), .name = "test", .snapshot_dir = "/nowhere"};
+        .render = render_settings_default(scene), .path = "test.lua", .snapshot_dir = "/nowhere"};
     atomic_bool stop = true;
     Error error = {0};
     assert_int_equal(view_run(scene, &settings, &stop, &error), STATUS_INTERRUPTED);
@@ -499,6 +500,68 @@ static void test_window(void **state) {
     assert_false(view_is_possible());
     assert_int_equal(view_run(scene, &settings, &stop, &error), STATUS_FAILED);
     assert_non_null(strstr(error.message, "no display to open a window on"));
+    scene_destroy(scene);
+}
+
+/** Which scenes a window asked for. */
+typedef struct Wishes {
+    char path[64]; /**< The newest file; empty: none. */
+    int count;     /**< How many. */
+} Wishes;
+
+/** Loads what a window asks for. See #ViewLoader. @param context The #Wishes. @param request What
+ * it is. @param stop Unused. @param[out] render How it is drawn. @param[out] error What is wrong.
+ *  @return A scene; none for a file called wrong. */
+static Scene *grant(void *context, const ViewRequest *request, const atomic_bool *stop,
+                    RenderSettings *render, Error *error) {
+    (void)stop;
+    Wishes *wishes = context;
+    snprintf(wishes->path, sizeof wishes->path, "%s", request->path ? request->path : "");
+    wishes->count++;
+    if (strcmp(wishes->path, "wrong.lua") == 0) {
+        error_set(error, STATUS_SCENE, "wrong.lua:1: all of it");
+        return NULL;
+    }
+    Scene *scene = make_scene();
+    *render = render_settings_default(scene);
+    return scene;
+}
+
+/** Drops two files on the window, then closes it, as a thread. @param context Unused.
+ *  @return NULL */
+static void *drop_files(void *context) {
+    (void)context;
+    static const char *const files[] = {"other.lua", "wrong.lua"};
+    for (size_t i = 0; i < 2; i++) {
+        SDL_Delay(300);
+        SDL_Event event = {.drop = {.type = SDL_DROPFILE, .file = SDL_strdup(files[i])}};
+        SDL_PushEvent(&event);
+    }
+    SDL_Delay(300);
+    SDL_Event event = {.type = SDL_QUIT};
+    SDL_PushEvent(&event);
+    return NULL;
+}
+
+/** A scene that is dropped on the window is shown; one with a mistake leaves that before.
+ *  @param state Unused. */
+static void test_drop(void **state) {
+    (void)state;
+    setenv("SDL_VIDEODRIVER", "dummy", 1);
+    Scene *scene = make_scene();
+    Wishes wishes = {0};
+    ViewSettings settings = {.render = render_settings_default(scene),
+                             .path = "test.lua",
+                             .snapshot_dir = "/nowhere",
+                             .load = grant,
+                             .context = &wishes};
+    pthread_t dropper;
+    assert_int_equal(pthread_create(&dropper, NULL, drop_files, NULL), 0);
+    Error error = {0};
+    assert_int_equal(view_run(scene, &settings, NULL, &error), STATUS_DONE);
+    pthread_join(dropper, NULL);
+    assert_int_equal(wishes.count, 2);
+    assert_string_equal(wishes.path, "wrong.lua");
     scene_destroy(scene);
 }
 
@@ -526,6 +589,7 @@ int main(void) {
         cmocka_unit_test(test_scene_text),
         cmocka_unit_test(test_title),
         cmocka_unit_test(test_window),
+        cmocka_unit_test(test_drop),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -385,6 +385,37 @@ as_rendered 'a snapshot of a model that has turned equals render'
 xdotool key space && sleep 0.2
 leave 'Esc leaves while a model turns'
 
+# --- a scene that is being written ---------------------------------------------------------------
+cp "$box" "$work/edited.lua"
+open "$work/edited.lua" --samples 1
+hold 0.1 Right
+shoot
+was=$(numbers camera)
+old=($("$probe" "$shot" yellow))
+screen before
+sed -i 's/^sphere {/sphere { radios = 2,/' "$work/edited.lua"
+expect_shown 'edited.lua:[0-9]+: sphere has no field .radios.; did you mean .radius.' 'a mistake is told'
+sleep 0.2
+screen mistaken
+differ before mistaken 'over the picture, too'
+hold 0.1 Right
+xdotool key Home && sleep 0.2
+screen moved
+differ mistaken moved 'and the scene before can be moved meanwhile'
+hold 0.1 Right
+cp "$box" "$work/next.lua" && sed -i 's/radius = 0.85/radius = 0.5/' "$work/next.lua"
+mv "$work/next.lua" "$work/edited.lua" # As editors do.
+shown 'finished$'
+shoot
+{
+    echo "$view"
+    grep -vE '^(camera|light)' "$work/edited.lua"
+} >"$work/pasted.lua"
+"$dioptre" render "$work/pasted.lua" --samples 1 -o "$work/pasted.bmp"
+same "$shot" "$work/pasted.bmp" 'the mended scene is shown, from where it was seen'
+[ "$(numbers camera)" != '0 0 6.5' ] && ok 'and not from its own place' || fail "it is seen from $(numbers camera)"
+leave
+
 # --- slow pictures -------------------------------------------------------------------------------
 open "$box" --samples 60000 --engine f64x1
 sleep 0.3

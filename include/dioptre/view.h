@@ -7,25 +7,34 @@
 
 #include "dioptre/renderer.h"
 
+/** A scene that the window wants. */
+typedef struct ViewRequest {
+    const char *path; /**< Its file; NULL: that of the scene that was loaded last. */
+    double time;      /**< Its `t`, seconds. */
+    bool is_anew;     /**< Whether its files may have changed since they were read. */
+} ViewRequest;
+
 /**
- * Loads the same scene at another time. Called from a thread of the window, never twice at once.
- * @param context     #ViewSettings.context.
- * @param time        The scene's `t`, seconds.
- * @param stop        It should be given up once this is true.
- * @param[out] error  What is wrong.
+ * Loads a scene. Called from a thread of the window, never twice at once.
+ * @param context      #ViewSettings.context.
+ * @param request      Which scene. If anything is wrong, the one before stays the last loaded.
+ * @param stop         It should be given up once this is true.
+ * @param[out] render  How it is to be drawn.
+ * @param[out] error   What is wrong.
  * @return The scene, the window's to give back; NULL if anything is wrong.
  */
-typedef Scene *(*ViewLoader)(void *context, double time, const atomic_bool *stop, Error *error);
+typedef Scene *(*ViewLoader)(void *context, const ViewRequest *request, const atomic_bool *stop,
+                             RenderSettings *render, Error *error);
 
 /** How the window is opened. */
 typedef struct ViewSettings {
     RenderSettings render;    /**< Engine, threads, size, samples, depth, offset. */
     bool keys_by_letter;      /**< The light's keys by their letters, not by their places. */
-    const char *name;         /**< Name of the scene: in the title and of the snapshots. */
+    const char *path;         /**< The scene's file, or `-`; it names title and snapshots. */
     const char *snapshot_dir; /**< Folder for the snapshots. */
     double launched;          /**< Seconds on the monotonic clock when the program started. */
     double time;              /**< The scene's `t` at first, seconds. */
-    ViewLoader load;          /**< Loads it at other times; NULL: the time is held for ever. */
+    ViewLoader load;          /**< Loads others, or it at other times; NULL: there is no other. */
     void *context;            /**< Handed to #load. */
     bool is_timed;            /**< Whether first picture and latencies are said when it closes. */
 } ViewSettings;

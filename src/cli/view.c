@@ -5,8 +5,8 @@
 #include "dioptre/view.h"
 #include "cli/commands.h"
 
+#include <limits.h>
 #include <stdio.h>
-#include <string.h>
 #include <time.h>
 
 /** @return Seconds on the monotonic clock. */
@@ -16,54 +16,67 @@ static double now_seconds(void) {
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/**
- * Finds a scene's name: its file's, without folder and ending.
- * @param path       The scene file, or `-`.
- * @param[out] name  The name, cut to its size.
- * @param size       Bytes of it.
- */
-static void scene_name(const char *path, char *name, size_t size) {
-    const char *slash = strrchr(path, '/');
-    snprintf(name, size, "%s", strcmp(path, "-") == 0 ? "scene" : slash ? slash + 1 : path);
-    char *dot = strrchr(name, '.');
-    if (dot && dot != name) {
-        *dot = 0;
+/** What scenes are loaded from. */
+typedef struct Loading {
+    Options options;     /**< The command line; its scene is the one that was loaded last. */
+    char path[PATH_MAX]; /**< That scene's file, where it is not the command line's. */
+    Stock *stock;        /**< What no time changes of it; NULL before the first; owned. */
+} Loading;
+
+/** Notes that a scene was loaded. @param[in,out] loading What from. @param options With its file.
+ *  @param stock What it has left. */
+static void keep(Loading *loading, const Options *options, Stock *stock) {
+    if (options->arguments[0] != loading->options.arguments[0]) {
+        snprintf(loading->path, sizeof loading->path, "%s", options->arguments[0]);
+        loading->options = *options;
+        loading->options.arguments[0] = loading->path;
+    }
+    if (stock != loading->stock) {
+        stock_destroy(loading->stock);
+        loading->stock = stock;
     }
 }
 
-/** What the scene is loaded from at other times. */
-typedef struct Loading {
-    const Options *options; /**< The command line. */
-    Stock *stock;           /**< What no time changes. */
-} Loading;
-
-/** Loads the scene at another time. See #ViewLoader. @param context The #Loading.
- *  @param time Seconds. @param stop Whether to give up. @param[out] error What is wrong.
+/** Loads a scene. See #ViewLoader. @param context The #Loading. @param request Which. @param stop
+ *  Whether to give up. @param[out] render How it is drawn. @param[out] error What is wrong.
  *  @return The scene. */
-static Scene *load_at(void *context, double time, const atomic_bool *stop, Error *error) {
-    const Loading *loading = context;
-    return command_scene_at(loading->options, time, loading->stock, stop, error);
+static Scene *load(void *context, const ViewRequest *request, const atomic_bool *stop,
+                   RenderSettings *render, Error *error) {
+    Loading *loading = context;
+    Options options = loading->options;
+    bool is_other = request->path || request->is_anew || !loading->stock;
+    if (request->path) {
+        options.arguments[0] = request->path;
+        options.base_dir = NULL;
+    }
+    Stock *stock = is_other ? stock_create(error) : loading->stock;
+    Scene *scene = stock ? command_scene_at(&options, request->time, stock, stop, error) : NULL;
+    if (scene) {
+        *render = command_settings(&options, scene);
+        keep(loading, &options, stock);
+    } else if (is_other) {
+        stock_destroy(stock);
+    }
+    return scene;
 }
 
 /** Shows a scene. See #Command.run. @param options The command line.
  *  @param[out] error What is wrong. @return The exit status. */
 static int view_command_run(const Options *options, Error *error) {
     double launched = now_seconds();
-    Loading loading = {.options = options, .stock = stock_create(error)};
-    Scene *scene = loading.stock ? load_at(&loading, options->time, NULL, error) : NULL;
+    Loading loading = {.options = *options};
+    ViewSettings settings = {.keys_by_letter = options->by_letter,
+                             .path = options->arguments[0],
+                             .snapshot_dir = ".",
+                             .launched = launched,
+                             .time = options->time,
+                             .load = load,
+                             .context = &loading,
+                             .is_timed = options->timing};
+    const ViewRequest first = {.time = options->time};
+    Scene *scene = load(&loading, &first, NULL, &settings.render, error);
     int status = (int)error->status;
     if (scene) {
-        char name[256];
-        scene_name(options->arguments[0], name, sizeof name);
-        ViewSettings settings = {.render = command_settings(options, scene),
-                                 .keys_by_letter = options->by_letter,
-                                 .name = name,
-                                 .snapshot_dir = ".",
-                                 .launched = launched,
-                                 .time = options->time,
-                                 .load = load_at,
-                                 .context = &loading,
-                                 .is_timed = options->timing};
         status = (int)view_run(scene, &settings, interrupt_flag(), error);
         scene_destroy(scene);
     }

@@ -7,6 +7,7 @@
 #include "view/keymap.h"
 #include "view/play.h"
 #include "view/scene_text.h"
+#include "view/scenes.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -213,6 +214,8 @@ static void on_keymap(View *view, double time) {
 static void on_own_event(View *view, Uint32 type) {
     if (type == view->first_event + EVENT_PASS) {
         stage_on_pass(&view->stage);
+    } else if (type == view->first_event + EVENT_FILE) {
+        scenes_refresh(view);
     } else if (type == view->first_event + EVENT_INTERRUPT) {
         view->is_over = true;
         view->status = STATUS_INTERRUPTED;
@@ -233,6 +236,10 @@ void controls_handle(View *view, const SDL_Event *event) {
         break;
     case SDL_WINDOWEVENT:
         on_window(view, &event->window);
+        break;
+    case SDL_DROPFILE:
+        scenes_open(view, event->drop.file);
+        SDL_free(event->drop.file);
         break;
     case SDL_KEYMAPCHANGED:
         on_keymap(view, event_time(event->common.timestamp));

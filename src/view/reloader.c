@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The thread that makes the scene of another time.
+ * @brief The thread that makes scenes.
  */
 #include "view/reloader.h"
 
@@ -12,14 +12,17 @@
  * @param settings         How scenes are loaded and drawn.
  * @param former           What draws the scene before.
  * @param stop             It is given up once this is true.
- * @param[in,out] reload   The question's time, then the answer.
+ * @param[in,out] reload   The question, then the answer.
  */
 static void answer(const ViewSettings *settings, const Renderer *former, const atomic_bool *stop,
                    Reload *reload) {
-    reload->scene = settings->load(settings->context, reload->time, stop, &reload->error);
+    RenderSettings render;
+    const ViewRequest request = {.path = reload->path[0] ? reload->path : NULL,
+                                 .time = reload->time,
+                                 .is_anew = reload->is_anew};
+    reload->scene = settings->load(settings->context, &request, stop, &render, &reload->error);
     if (reload->scene) {
-        reload->renderer =
-            renderer_create_after(former, reload->scene, &settings->render, &reload->error);
+        reload->renderer = renderer_create_after(former, reload->scene, &render, &reload->error);
     }
 }
 
@@ -32,7 +35,7 @@ static void *live(void *context) {
             pthread_cond_wait(&reloader->is_told, &reloader->mutex);
             continue;
         }
-        Reload reload = {.time = reloader->reload.time};
+        Reload reload = reloader->reload;
         const Renderer *former = reloader->former;
         pthread_mutex_unlock(&reloader->mutex);
         answer(reloader->settings, former, &reloader->is_over, &reload);
@@ -66,27 +69,20 @@ static bool start(Reloader *reloader, Error *error) {
     return true;
 }
 
-bool reloader_ask(Reloader *reloader, double time, const Renderer *former, Error *error) {
+bool reloader_ask(Reloader *reloader, const ViewRequest *request, const Renderer *former,
+                  Error *error) {
     if (!start(reloader, error)) {
         return false;
     }
     pthread_mutex_lock(&reloader->mutex);
-    reloader->reload.time = time;
+    Reload *question = &reloader->reload;
+    *question = (Reload){.time = request->time, .is_anew = request->is_anew};
+    SDL_strlcpy(question->path, request->path ? request->path : "", sizeof question->path);
     reloader->former = former;
     reloader->is_asked = true;
     pthread_cond_signal(&reloader->is_told);
     pthread_mutex_unlock(&reloader->mutex);
     return true;
-}
-
-bool reloader_is_busy(Reloader *reloader) {
-    if (!reloader->is_started) {
-        return false;
-    }
-    pthread_mutex_lock(&reloader->mutex);
-    bool is_busy = reloader->is_asked || reloader->is_answered;
-    pthread_mutex_unlock(&reloader->mutex);
-    return is_busy;
 }
 
 bool reloader_has_answer(Reloader *reloader) {
@@ -97,6 +93,16 @@ bool reloader_has_answer(Reloader *reloader) {
     bool is_there = reloader->is_answered;
     pthread_mutex_unlock(&reloader->mutex);
     return is_there;
+}
+
+bool reloader_is_busy(Reloader *reloader) {
+    if (!reloader->is_started) {
+        return false;
+    }
+    pthread_mutex_lock(&reloader->mutex);
+    bool is_busy = reloader->is_asked || reloader->is_answered;
+    pthread_mutex_unlock(&reloader->mutex);
+    return is_busy;
 }
 
 bool reloader_take(Reloader *reloader, Reload *reload) {

@@ -1,21 +1,24 @@
 /**
  * @file
- * @brief A thread that makes the scene of another time, and what draws it, while the window lives
- * on.
+ * @brief A thread that makes another scene, or the same of another time, and what draws it, while
+ *        the window lives on.
  */
 #ifndef DIOPTRE_VIEW_RELOADER_H
 #define DIOPTRE_VIEW_RELOADER_H
 
 #include "dioptre/view.h"
 
+#include <limits.h>
 #include <pthread.h>
 
-/** A scene of another time. */
+/** Another scene, or the same of another time. */
 typedef struct Reload {
-    double time;        /**< Its time, seconds. */
-    Scene *scene;       /**< The scene; NULL: it could not be made. */
-    Renderer *renderer; /**< What draws it; NULL: it could not be made. */
-    Error error;        /**< Why not. */
+    char path[PATH_MAX]; /**< Its file; empty: that of the scene before. */
+    double time;         /**< Its time, seconds. */
+    bool is_anew;        /**< Whether its files may have changed. */
+    Scene *scene;        /**< The scene; NULL: it could not be made. */
+    Renderer *renderer;  /**< What draws it; NULL: it could not be made. */
+    Error error;         /**< Why not. */
 } Reload;
 
 /** The thread, and what it is asked. Starts as `{.settings = ...}`. */
@@ -34,15 +37,16 @@ typedef struct Reloader {
 } Reloader;
 
 /**
- * Asks for the scene of another time. The first question starts the thread.
+ * Asks for a scene. The first question starts the thread.
  * @param[in,out] reloader  The thread; every question before was answered, and the answer taken.
- * @param time              The time, seconds.
+ * @param request           Which scene; copied.
  * @param former            What draws the scene before: the new one shares with it what both need.
  *                          It must stay there until the answer is.
  * @param[out] error        What is wrong.
  * @return false if there is no thread to ask.
  */
-bool reloader_ask(Reloader *reloader, double time, const Renderer *former, Error *error);
+bool reloader_ask(Reloader *reloader, const ViewRequest *request, const Renderer *former,
+                  Error *error);
 
 /** @return Whether there is a question or an answer that was not taken. @param reloader The thread.
  */

@@ -11,14 +11,18 @@
 #include "view/reloader.h"
 #include "view/stage.h"
 #include "view/timeline.h"
+#include "view/watch.h"
 
 /** Longest note in the title, bytes with the final zero; a longer one is cut. */
 enum { NOTE_SIZE = 256 };
+/** Longest name of a scene, bytes with the final zero; a longer one is cut. */
+enum { SCENE_NAME_SIZE = 256 };
 
 /** SDL event types of the window's own. */
 typedef enum {
     EVENT_PASS,      /**< A pass has ended. */
-    EVENT_SCENE,     /**< The scene of another time is there. */
+    EVENT_SCENE,     /**< The scene that was asked for is there. */
+    EVENT_FILE,      /**< The scene's file was written. */
     EVENT_INTERRUPT, /**< A signal asks the program to end. */
     EVENT_COUNT      /**< How many there are. */
 } EventKind;
@@ -27,11 +31,16 @@ typedef enum {
 typedef struct View {
     const ViewSettings *settings; /**< How it was opened. */
     Scene *scene;                 /**< What it shows; camera and lights are moved. */
-    Scene *own_scene;             /**< The same where it is of another time; owned, else NULL. */
+    Scene *own_scene;             /**< The same where it is not the first; owned, else NULL. */
     Timeline timeline;            /**< What time it is. */
     double time;                  /**< The time of the scene, seconds: that of some moments ago. */
     double next_time;             /**< When a scene of another time is asked for, seconds. */
     Reloader reloader;            /**< Who makes it. */
+    Watch watch;                  /**< Who tells that its file was written. */
+    bool is_outdated;             /**< Whether it was. */
+    bool is_wrong;                /**< Whether the newest scene could not be had. */
+    char next_path[PATH_MAX];     /**< File of another scene that is wanted; empty: none is. */
+    char name[SCENE_NAME_SIZE];   /**< Name of the scene: in the title and of the snapshots. */
     Pose home;                    /**< The scene's own view. */
     Stage stage;                  /**< The way from the scene to the screen. */
     Motion motion;                /**< The keys that are held. */

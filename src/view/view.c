@@ -11,6 +11,7 @@
 #include "view/interrupt.h"
 #include "view/play.h"
 #include "view/scene_text.h"
+#include "view/scenes.h"
 #include "view/snapshot.h"
 #include "view/state.h"
 #include "view/title.h"
@@ -36,6 +37,8 @@ void view_changed(View *view) {
     view->stage.is_changed = true;
     if (!view->wants_snapshot) {
         view->note[0] = '\0';
+    }
+    if (!view->is_wrong) {
         stage_say(&view->stage, "");
     }
 }
@@ -78,9 +81,8 @@ static void move_by_keys(View *view, double now) {
 static bool save_snapshot(View *view, Error *error) {
     Picture picture = {0};
     char path[SNAPSHOT_PATH_SIZE];
-    bool is_saved =
-        stage_copy(&view->stage, &picture, error) &&
-        snapshot_write(view->settings->snapshot_dir, view->settings->name, &picture, path, error);
+    bool is_saved = stage_copy(&view->stage, &picture, error) &&
+                    snapshot_write(view->settings->snapshot_dir, view->name, &picture, path, error);
     picture_release(&picture);
     if (is_saved) {
         scene_text_print(view->scene, stdout);
@@ -114,7 +116,7 @@ static void update_title(View *view, double now) {
     if (now < view->title_due && !stage_is_finished(stage)) {
         return;
     }
-    TitleFacts facts = {.name = view->settings->name,
+    TitleFacts facts = {.name = view->name,
                         .width = stage->width,
                         .height = stage->height,
                         .report = stage->first_shown > 0 ? &stage->report : NULL,
@@ -139,7 +141,7 @@ static void update_title(View *view, double now) {
  * @return Whether one came.
  */
 static bool wait_for_event(View *view, double now, SDL_Event *event) {
-    double delay = fmin(stage_delay(&view->stage, now), play_delay(view, now));
+    double delay = fmin(stage_delay(&view->stage, now), scenes_delay(view, now));
     if (motion_is_active(&view->motion) && stage_is_ready(&view->stage)) {
         delay = fmin(delay, fmax(0, view->next_step - now));
     }
@@ -153,7 +155,7 @@ static bool wait_for_event(View *view, double now, SDL_Event *event) {
 static void do_round(View *view) {
     Error error = {0};
     move_by_keys(view, stage_clock());
-    if (!play_update(view, stage_clock(), &error) && error.status != STATUS_INTERRUPTED) {
+    if (!scenes_update(view, stage_clock(), &error) && error.status != STATUS_INTERRUPTED) {
         report_error(view, &error);
     }
     if (!stage_update(&view->stage, view->scene, stage_clock(), &error)) {
@@ -192,8 +194,9 @@ static Status live(View *view, const atomic_bool *stop, Interrupt *interrupt, Er
     view->first_event = SDL_RegisterEvents(EVENT_COUNT);
     view->reloader.event = view->first_event + EVENT_SCENE;
     interrupt_watch(interrupt, view->first_event + EVENT_INTERRUPT);
+    scenes_begin(view);
     if (!pose_save(&view->home, view->scene, error) ||
-        !stage_open(&view->stage, view->scene, &settings->render, settings->name,
+        !stage_open(&view->stage, view->scene, &settings->render, view->name,
                     view->first_event + EVENT_PASS, error)) {
         return error->status;
     }
@@ -232,7 +235,7 @@ Status view_run(Scene *scene, const ViewSettings *settings, const atomic_bool *s
     interrupt_block(&interrupt);
     if (video_start(error)) {
         status = live(&view, stop, &interrupt, error);
-        play_end(&view); // The scene that it may still make shares with what the stage draws.
+        scenes_end(&view); // The scene that it may still make shares with what the stage draws.
         stage_close(&view.stage);
     }
     interrupt_release(&interrupt);

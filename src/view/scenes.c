@@ -1,0 +1,173 @@
+/**
+ * @file
+ * @brief Scenes come and go while the window stays.
+ *
+ * A scene file is run in a child of a thread of its own. Nobody waits for it: meanwhile keys and
+ * mouse move what is on screen. A new time is asked for when the last answer is on screen, so on a
+ * slow machine there are fewer pictures a second, and the time is as fast. A scene that cannot be
+ * had leaves the one before on screen, with words over it.
+ */
+#include "view/scenes.h"
+
+#include "view/play.h"
+
+#include <string.h>
+
+/** Seconds from one question to the next at least: a frame of a common screen. */
+static const double PAUSE = 0.016;
+
+/** Finds a scene's name: its file's, without folder and ending. @param path The scene file, or `-`.
+ *  @param[out] name The name, cut to its size. */
+static void name_from(const char *path, char name[SCENE_NAME_SIZE]) {
+    const char *slash = strrchr(path, '/');
+    bool is_input = strcmp(path, "-") == 0;
+    SDL_strlcpy(name, is_input ? "scene" : slash ? slash + 1 : path, SCENE_NAME_SIZE);
+    char *dot = strrchr(name, '.');
+    if (dot && dot != name) {
+        *dot = '\0';
+    }
+}
+
+/** Goes by a file from now on. @param[in,out] view The view. @param path The file, or `-`. */
+static void go_by(View *view, const char *path) {
+    name_from(path, view->name);
+    if (view->settings->load && strcmp(path, "-") != 0) {
+        watch_file(&view->watch, path);
+    }
+}
+
+void scenes_begin(View *view) {
+    watch_begin(&view->watch, view->first_event + EVENT_FILE);
+    go_by(view, view->settings->path);
+}
+
+void scenes_refresh(View *view) {
+    view->is_outdated = true;
+}
+
+void scenes_open(View *view, const char *path) {
+    if (view->settings->load) {
+        SDL_strlcpy(view->next_path, path, sizeof view->next_path);
+    }
+}
+
+/** Keeps where camera and lights are, and puts back what the user has moved; in another scene,
+ *  nothing was. @param[in,out] view The view. @param reload The new scene.
+ *  @param[out] error What is wrong. @return false without memory; nothing is changed then. */
+static bool renew_pose(View *view, const Reload *reload, Error *error) {
+    if (reload->path[0] == '\0') {
+        return pose_renew(&view->home, view->scene, reload->scene, error);
+    }
+    Pose home;
+    if (!pose_save(&home, reload->scene, error)) {
+        return false;
+    }
+    pose_release(&view->home);
+    view->home = home;
+    return true;
+}
+
+/**
+ * Puts a scene in the place of the one that is shown.
+ * @param[in,out] view  The view.
+ * @param reload        The scene and its renderer; the view's from now on.
+ * @param[out] error    What is wrong.
+ * @return false without memory; nothing is changed then.
+ */
+static bool replace_scene(View *view, const Reload *reload, Error *error) {
+    if (!renew_pose(view, reload, error)) {
+        renderer_destroy(reload->renderer);
+        scene_destroy(reload->scene);
+        return false;
+    }
+    stage_replace(&view->stage, reload->renderer);
+    scene_destroy(view->own_scene);
+    view->scene = view->own_scene = reload->scene;
+    view->light = view->light < view->scene->light_count ? view->light : 0;
+    view->time = reload->time;
+    if (reload->path[0] != '\0') {
+        go_by(view, reload->path);
+        view->timeline = (Timeline){.time = reload->time};
+    }
+    view->is_wrong = false;
+    view_changed(view);
+    return true;
+}
+
+/**
+ * Takes the scene that was asked for, if it is there and there is room for it on screen.
+ * @param[in,out] view  The view.
+ * @param[out] error    What is wrong with it.
+ * @return Whether all is well.
+ */
+static bool take(View *view, Error *error) {
+    Reload reload;
+    if (!stage_is_ready(&view->stage) || !reloader_take(&view->reloader, &reload)) {
+        return true;
+    }
+    if (reload.renderer && replace_scene(view, &reload, error)) {
+        return true;
+    }
+    if (!reload.renderer) {
+        *error = reload.error;
+        scene_destroy(reload.scene);
+    }
+    view->is_wrong = true;
+    view->timeline = (Timeline){.time = view->time};
+    return false;
+}
+
+/** @return Whether another scene is wanted than the one that is shown. @param view The view.
+ *  @param now Now, seconds. */
+static bool is_due(const View *view, double now) {
+    bool is_later = play_has_time(view) && timeline_at(&view->timeline, now) != view->time;
+    return is_later || view->is_outdated || view->next_path[0] != '\0';
+}
+
+/**
+ * Asks for the scene that is wanted.
+ * @param[in,out] view  The view.
+ * @param now           Now, seconds.
+ * @param[out] error    What is wrong.
+ * @return false if there is nobody to ask.
+ */
+static bool ask(View *view, double now, Error *error) {
+    bool is_other = view->next_path[0] != '\0';
+    ViewRequest request = {.path = is_other ? view->next_path : NULL,
+                           .time = is_other ? 0 : timeline_at(&view->timeline, now),
+                           .is_anew = view->is_outdated};
+    bool is_asked = reloader_ask(&view->reloader, &request, view->stage.renderer, error);
+    view->next_time = now + PAUSE;
+    view->is_outdated = false;
+    view->next_path[0] = '\0';
+    if (!is_asked) {
+        view->timeline = (Timeline){.time = view->time};
+    }
+    return is_asked;
+}
+
+bool scenes_update(View *view, double now, Error *error) {
+    bool is_good = take(view, error);
+    if (!is_good || !is_due(view, now) || scenes_delay(view, now) > 0) {
+        return is_good;
+    }
+    return ask(view, now, error);
+}
+
+double scenes_delay(View *view, double now) {
+    bool is_asking = (play_has_time(view) && view->timeline.is_running) || is_due(view, now);
+    // An answer may have come while the picture before was not on screen yet: nothing tells again.
+    if (reloader_has_answer(&view->reloader) && stage_is_ready(&view->stage)) {
+        return 0;
+    }
+    if (!is_asking || view->stage.is_hidden || reloader_is_busy(&view->reloader)) {
+        return STAGE_NEVER;
+    }
+    return fmax(0, view->next_time - now);
+}
+
+void scenes_end(View *view) {
+    watch_end(&view->watch);
+    reloader_end(&view->reloader);
+    scene_destroy(view->own_scene);
+}

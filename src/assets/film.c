@@ -9,12 +9,15 @@
 #include "dioptre/film.h"
 
 #include "assets/atomic_file.h"
-#include "assets/ffmpeg.h"
+#include "assets/program.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 #include <sys/stat.h>
+
+/** The program that makes films, and the Debian package of the same name. */
+#define FFMPEG_PROGRAM "ffmpeg"
 
 /** A kind of film. */
 typedef struct FilmFormat {
@@ -35,7 +38,7 @@ static const FilmFormat formats[] = {
 
 struct Film {
     AtomicFile file; /**< Where it will be, and where it is meanwhile. */
-    Ffmpeg encoder;  /**< What writes it. */
+    Program encoder; /**< What writes it. */
     FilmShape shape; /**< How it is. */
 };
 
@@ -65,7 +68,7 @@ static bool fail(Error *error, const char *path) {
 }
 
 bool film_check(const char *path, Error *error) {
-    if (!ffmpeg_is_there()) {
+    if (!program_is_there(FFMPEG_PROGRAM)) {
         error_set(error, STATUS_FAILED,
                   FFMPEG_PROGRAM " is missing: sudo apt-get install " FFMPEG_PROGRAM);
         return fail(error, path);
@@ -103,13 +106,13 @@ static const char *const exact_words[] = {"-threads",  "1",       "-map_metadata
 
 /** A command line that grows. */
 typedef struct Words {
-    const char *list[FFMPEG_WORDS_MAXIMUM]; /**< The words, ended by NULL. */
-    int count;                              /**< How many. */
+    const char *list[PROGRAM_WORDS_MAXIMUM]; /**< The words, ended by NULL. */
+    int count;                               /**< How many. */
 } Words;
 
 /** Adds words. @param[in,out] words The command line. @param more The words, ended by NULL. */
 static void add(Words *words, const char *const *more) {
-    while (*more && words->count < FFMPEG_WORDS_MAXIMUM - 1) {
+    while (*more && words->count < PROGRAM_WORDS_MAXIMUM - 1) {
         words->list[words->count++] = *more++;
     }
 }
@@ -134,7 +137,7 @@ static bool start(Film *film, const FilmFormat *format, Error *error) {
     add(&words, exact_words);
     add(&words, format->words);
     add(&words, (const char *const[]){place, NULL});
-    return ffmpeg_start(&film->encoder, film->shape.stop, words.list, error);
+    return program_start(&film->encoder, film->shape.stop, words.list, error);
 }
 
 /**
@@ -196,10 +199,10 @@ bool film_add(Film *film, const Picture *picture, Error *error) {
         return error_set(error, STATUS_SCENE, "a frame of %dx%d in a film of %dx%d", picture->width,
                          picture->height, film->shape.width, film->shape.height);
     }
-    if (ffmpeg_feed(&film->encoder, picture->pixels, size)) {
+    if (program_feed(&film->encoder, picture->pixels, size)) {
         return true;
     }
-    if (ffmpeg_finish(&film->encoder, error)) {
+    if (program_finish(&film->encoder, error)) {
         error_set(error, STATUS_FAILED, "ffmpeg ended before the film did");
     }
     return fail(error, film->file.place.path);
@@ -216,7 +219,7 @@ static bool check_written(const Film *film, Error *error) {
 bool film_commit(Film *film, Error *error) {
     char path[PATH_MAX];
     snprintf(path, sizeof path, "%s", film->file.place.path);
-    bool is_written = ffmpeg_finish(&film->encoder, error) && check_written(film, error);
+    bool is_written = program_finish(&film->encoder, error) && check_written(film, error);
     if (is_written) {
         is_written = atomic_file_commit(&film->file, error);
     } else {
@@ -228,7 +231,7 @@ bool film_commit(Film *film, Error *error) {
 
 void film_discard(Film *film) {
     if (film) {
-        ffmpeg_kill(&film->encoder);
+        program_kill(&film->encoder);
         atomic_file_discard(&film->file);
         free(film);
     }

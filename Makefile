@@ -38,14 +38,23 @@ FLAGS_f64x4  := -DREAL_BITS=64  -DLANES=4
 endif
 ENGINES := f32x16 f32x8 f32x4 f32x1 f64x4 f64x1 f128x1
 
+# --- number types: the objects of src/lab/methods at one of them ------------------------------------
+TYPE_float    := -DREAL_BITS=32
+TYPE_double   := -DREAL_BITS=64
+TYPE_extended := -DREAL_BITS=80
+TYPE_quad     := -DREAL_BITS=128
+TYPES := float double extended quad
+
 # --- sources -------------------------------------------------------------------------------------
 TRACE_SOURCES := $(wildcard src/trace/*.c src/trace/shapes/*.c)
 MODULE_SOURCES := $(wildcard src/assets/*_module.c)
-ROOM_SOURCES  := $(filter-out $(MODULE_SOURCES),$(wildcard src/scene/*.c src/render/*.c src/script/*.c src/assets/*.c src/view/*.c))
+ROOM_SOURCES  := $(filter-out $(MODULE_SOURCES),$(wildcard src/scene/*.c src/render/*.c src/script/*.c src/assets/*.c src/view/*.c src/lab/*.c src/lab/experiments/*.c))
+METHOD_SOURCES := $(wildcard src/lab/methods/*.c)
 CLI_SOURCES   := $(wildcard src/cli/*.c)
 OBJ           := $(BUILD)/obj
 ENGINE_OBJECTS := $(ENGINES:%=$(OBJ)/engine-%.o)
-ROOM_OBJECTS  := $(ROOM_SOURCES:%.c=$(OBJ)/%.o) $(ENGINE_OBJECTS)
+TYPE_OBJECTS  := $(TYPES:%=$(OBJ)/type-%.o)
+ROOM_OBJECTS  := $(ROOM_SOURCES:%.c=$(OBJ)/%.o) $(ENGINE_OBJECTS) $(TYPE_OBJECTS)
 CLI_OBJECTS   := $(CLI_SOURCES:%.c=$(OBJ)/%.o)
 TEST_SOURCES  := $(wildcard tests/test_*.c)
 TESTS         := $(TEST_SOURCES:tests/%.c=$(BUILD)/tests/%)
@@ -94,6 +103,20 @@ $(OBJ)/engine-$(1).o: $(TRACE_SOURCES:src/trace/%.c=$(OBJ)/$(1)/%.o)
 	@rm -f $$@.all
 endef
 $(foreach engine,$(ENGINES),$(eval $(call ENGINE_RULES,$(engine))))
+
+# The same for the laboratory's methods: one symbol a number type.
+define TYPE_RULES
+$(OBJ)/type-$(1)/%.o: src/lab/methods/%.c Makefile
+	@mkdir -p $$(@D)
+	$$(CC) $$(CPPFLAGS) $$(CFLAGS) $$(TYPE_$(1)) -DLANES=1 -DNUMBER_TYPE=number_$(1) -DNUMBER_TYPE_NAME='"$(subst extended,long double,$(1))"' -MMD -MP -c -o $$@ $$<
+$(OBJ)/type-$(1).o: $(METHOD_SOURCES:src/lab/methods/%.c=$(OBJ)/type-$(1)/%.o)
+	$$(LD) -r -o $$@.all $$^
+	$$(OBJCOPY) --keep-global-symbol=number_$(1) $$@.all $$@
+	@rm -f $$@.all
+endef
+$(foreach type,$(TYPES),$(eval $(call TYPE_RULES,$(type))))
+# Its tables say how they came about.
+$(OBJ)/src/lab/csv.o: CPPFLAGS += -DDIOPTRE_FLAGS='"$(OPTIMIZE) $(ARITHMETIC)"'
 
 -include $(shell find $(OBJ) -name '*.d' 2>/dev/null)
 

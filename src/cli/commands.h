@@ -16,6 +16,7 @@ extern const Command animate_command; /**< `animate` */
 extern const Command info_command;    /**< `info` */
 extern const Command compare_command; /**< `compare` */
 extern const Command bench_command;   /**< `bench` */
+extern const Command lab_command;     /**< `lab` */
 
 /**
  * Loads the scene that a command line names.

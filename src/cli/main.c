@@ -9,9 +9,9 @@
 #include <string.h>
 
 /** All commands, ended by NULL. */
-static const Command *const commands[] = {&view_command, &render_command,  &animate_command,
-                                          &info_command, &compare_command, &bench_command,
-                                          NULL};
+static const Command *const commands[] = {
+    &view_command,    &render_command, &animate_command, &info_command,
+    &compare_command, &bench_command,  &lab_command,     NULL};
 
 /** Prints the help of the program. */
 static void print_help(void) {
@@ -50,7 +50,9 @@ static void print_error(const Error *error) {
 /** Runs a command whose options were read. @param command It. @param options Its options.
  *  @param[out] error What is wrong. @return The exit status. */
 static int run_command(const Command *command, const Options *options, Error *error) {
-    if (options->argument_count != command->arguments) {
+    bool is_enough = command->more_arguments ? options->argument_count >= command->arguments
+                                             : options->argument_count == command->arguments;
+    if (!is_enough) {
         error_set(error, STATUS_USAGE, "usage: dioptre %s %s (--help says more)", command->name,
                   command->usage);
         return STATUS_USAGE;

@@ -23,6 +23,7 @@ typedef struct OptionRow {
 /** All options of all commands. */
 static const OptionRow option_rows[] = {
     {'o', true, "output", "FILE", "write there; the ending names the format"},
+    {'U', false, "out", "DIR", "write there; the folder is made where it is not there"},
     {'s', true, "size", "WxH", "size of the picture, pixels"},
     {'A', false, "samples", "N", "rays a pixel"},
     {'S', false, "sampling", "WAY", "adaptive or full: whether every pixel gets all its rays"},
@@ -214,6 +215,9 @@ static bool take_value(const OptionRow *row, const char *text, Options *options,
     switch (row->key) {
     case 'o':
         options->output = text;
+        return true;
+    case 'U':
+        options->folder = text;
         return true;
     case 'B':
         options->base_dir = text;

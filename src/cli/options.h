@@ -23,14 +23,15 @@ typedef enum {
 } BenchRays;
 
 /** Most arguments that a command takes besides options. */
-enum { ARGUMENTS_MAXIMUM = 2 };
+enum { ARGUMENTS_MAXIMUM = 64 };
 
 /** Everything that a command line can say. Numbers are 0, and words NULL, where nothing was said.
  */
 typedef struct Options {
-    const char *arguments[ARGUMENTS_MAXIMUM]; /**< Scene or picture files. */
+    const char *arguments[ARGUMENTS_MAXIMUM]; /**< Scene or picture files, or tests. */
     int argument_count;                       /**< How many. */
     const char *output;                       /**< `-o`: file to write. */
+    const char *folder;                       /**< `--out`: folder to write into. */
     const char *base_dir;                     /**< `--base-dir` */
     const char *map;                          /**< `--map`: difference picture to write. */
     const Engine *engine;                     /**< `--engine` */
@@ -65,6 +66,7 @@ typedef struct Command {
     const char *help;    /**< What it does, in one line. */
     const char *accepts; /**< Keys of the options it takes; see #options_parse. */
     int arguments;       /**< How many arguments it takes. */
+    bool more_arguments; /**< Whether it takes more than that, too. */
     /**
      * Does it.
      * @param options     What the command line says.

@@ -4,7 +4,8 @@
  *        do not give.
  *
  * Everything in `src/trace/` is written over the types of this file and compiled once an engine,
- * with REAL_BITS (32, 64, 128) and LANES (1, 4, 8, 16) on the command line.
+ * with REAL_BITS (32, 64, 128) and LANES (1, 4, 8, 16) on the command line. The laboratory's methods
+ * (src/lab/methods) are, too, with one lane, and with 80 bits as well.
  *
  *   scalar   one number: float, double or quad
  *   real     LANES of them, side by side; + - * / < <= work lane by lane
@@ -44,6 +45,15 @@ typedef double wide_scalar;
 typedef int64_t lane_integer;
 /** Half an ulp of 1: the largest relative error of one rounding. */
 #define ROUNDOFF 0x1p-53
+#elif REAL_BITS == 80
+/** One number: 80 bits on x86, elsewhere what the machine calls long double. */
+typedef long double scalar;
+/** One number of the next better precision: there is none that is fast. */
+typedef long double wide_scalar;
+/** An integer; there is one lane only. */
+typedef int lane_integer;
+/** Half an ulp of 1: the largest relative error of one rounding. */
+#define ROUNDOFF (__LDBL_EPSILON__ / 2)
 #else
 /** One number of the engine. */
 typedef Quadruple scalar;
@@ -59,7 +69,11 @@ typedef int lane_integer;
 #define INFINITE ((scalar)__builtin_inf())
 
 /** Bits of the number that the engine computes with, the leading 1 included. */
-#define MANTISSA_BITS (REAL_BITS == 32 ? 24 : REAL_BITS == 64 ? 53 : 113)
+#define MANTISSA_BITS                                                                              \
+    (REAL_BITS == 32   ? 24                                                                        \
+     : REAL_BITS == 64 ? 53                                                                        \
+     : REAL_BITS == 80 ? __LDBL_MANT_DIG__                                                         \
+                       : 113)
 
 /* --- LANES of them --------------------------------------------------------------------------- */
 

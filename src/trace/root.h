@@ -17,6 +17,9 @@ extern Quadruple sqrtf128(Quadruple x);
 #define SCALAR_SQRT sqrtl
 #endif
 #define WIDE_SQRT SCALAR_SQRT
+#elif REAL_BITS == 80
+#define SCALAR_SQRT __builtin_sqrtl
+#define WIDE_SQRT __builtin_sqrtl
 #elif REAL_BITS == 64
 #define SCALAR_SQRT __builtin_sqrt
 #define WIDE_SQRT __builtin_sqrt

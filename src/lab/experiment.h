@@ -1,0 +1,147 @@
+/**
+ * @file
+ * @brief An experiment: the same questions to all methods of a family, under a stress that grows.
+ *
+ * An experiment is one `const Experiment` and a line in experiments.c. It poses a case (the numbers
+ * of one question or of several, and the truth about them), and judges the answers. Who is asked,
+ * and in which number types, it does not know.
+ */
+#ifndef DIOPTRE_LAB_EXPERIMENT_H
+#define DIOPTRE_LAB_EXPERIMENT_H
+
+#include "lab/methods/method.h"
+#include "lab/random.h"
+#include "lab/score.h"
+
+#include <stdatomic.h>
+
+/** Most questions of a case. */
+enum { CASE_PARTS_MAXIMUM = 12 };
+/** Most numbers of a case's truth. */
+enum { CASE_TRUTH_MAXIMUM = 12 };
+/** Most numbers of a case's questions. */
+enum { CASE_NUMBERS_MAXIMUM = CASE_PARTS_MAXIMUM * METHOD_NUMBERS_MAXIMUM };
+
+/** Questions that are asked together, and what is true. */
+typedef struct Case {
+    Quadruple questions[CASE_NUMBERS_MAXIMUM]; /**< One after the other, rounded to the type. */
+    Quadruple truth[CASE_TRUTH_MAXIMUM];       /**< What the experiment needs to judge. */
+} Case;
+
+/** An experiment. */
+typedef struct Experiment {
+    const char *name;     /**< As on the command line, such as `sphere-distance`. */
+    const char *title;    /**< What it shows. */
+    const char *family;   /**< Whose methods are asked. */
+    const char *stress;   /**< What grows, with its unit. */
+    const char *error;    /**< What the error is, with its unit; NULL: none is measured. */
+    bool is_relative;     /**< Whether errors are relative, so that ulps make sense. */
+    const char *work;     /**< What an answer costs, such as `steps`; NULL: nothing is counted. */
+    const double *levels; /**< Of the stress, in the order in which they are asked. */
+    size_t level_count;   /**< How many. */
+    size_t cases;         /**< How many a level. */
+    size_t parts;         /**< Questions of a case, at least 1. */
+
+    /**
+     * Makes a case.
+     * @param type            The number type that its numbers must be rounded to.
+     * @param level           The stress.
+     * @param[in,out] random  Where it comes from.
+     * @param[out] posed      The case.
+     */
+    void (*pose)(const NumberType *type, double level, Random *random, Case *posed);
+
+    /**
+     * Judges answers.
+     * @param posed          The case.
+     * @param answers        Those to its questions, one after the other.
+     * @param[in,out] score  Errors and outcomes are added to it.
+     */
+    void (*judge)(const Case *posed, const Quadruple *answers, Score *score);
+
+    /**
+     * Makes the scene in which the tracer's own engines meet the same thing; NULL: they have no
+     * such part.
+     * @param level       The stress.
+     * @param[out] error  What is wrong.
+     * @return The scene, to be given back with scene_destroy; NULL if anything is wrong.
+     */
+    Scene *(*scene)(double level, Error *error);
+
+    /**
+     * Asks an engine instead of a method; NULL: a question begins with a ray's origin and
+     * direction, and an answer is the distance of the nearest hit.
+     * @param engine        The engine.
+     * @param tracer        The tracer of the scene.
+     * @param posed         The case.
+     * @param[out] answers  What #judge wants.
+     */
+    void (*ask)(const Engine *engine, Tracer *tracer, const Case *posed, Quadruple *answers);
+} Experiment;
+
+/** How many things an array has. */
+#define COUNT_OF(array) (sizeof(array) / sizeof *(array))
+
+/** The name under which the tracer's own engines appear among the methods. */
+#define OWN_METHOD "dioptre"
+
+/** A method in a number type at a level of stress. */
+typedef struct Finding {
+    const char *method;           /**< Its name, or #OWN_METHOD. */
+    const char *label;            /**< The same, short. */
+    const char *type;             /**< The number type. */
+    int mantissa_bits;            /**< Of the number type. */
+    double level;                 /**< The stress. */
+    size_t cases;                 /**< How often it was asked; 0: not at all. */
+    double median;                /**< Error; NaN where there is none, here and below. */
+    double p999;                  /**< Error that one in a thousand exceeds. */
+    double maximum;               /**< Largest error. */
+    double shares[OUTCOME_COUNT]; /**< Outcomes, 0 to 1. */
+    double work;                  /**< Mean cost of an answer. */
+} Finding;
+
+/** All that was found in an experiment: method by method, in each type by type, level by level. */
+typedef struct Findings {
+    Finding *rows;       /**< The findings; owned. */
+    size_t method_count; /**< Methods. */
+    size_t type_count;   /**< Number types. */
+    size_t level_count;  /**< Levels. */
+} Findings;
+
+/** @return The number types there are, the narrowest first; ended by NULL. */
+const NumberType *const *number_types(void);
+
+/** @return The experiments there are, ended by NULL. */
+const Experiment *const *experiment_list(void);
+
+/**
+ * Makes an experiment.
+ * @param experiment     The experiment.
+ * @param threads        How many work at once.
+ * @param stop           It is given up once this is true; may be NULL.
+ * @param[out] findings  What was found, to be given back with #findings_release.
+ * @param[out] error     What is wrong: #STATUS_INTERRUPTED, or no memory.
+ * @return false if anything is wrong: then there are no findings.
+ */
+bool experiment_make(const Experiment *experiment, int threads, const atomic_bool *stop,
+                     Findings *findings, Error *error);
+
+/** @return A finding. @param findings All of them. @param method Its place. @param type Its place.
+ *  @param level Its place. */
+Finding *findings_at(const Findings *findings, size_t method, size_t type, size_t level);
+
+/**
+ * Finds a finding by names: for tests.
+ * @param findings  All of them.
+ * @param method    The method.
+ * @param type      The number type.
+ * @param level     The stress.
+ * @return The finding, or NULL.
+ */
+const Finding *findings_find(const Findings *findings, const char *method, const char *type,
+                             double level);
+
+/** Gives findings back. @param[in,out] findings What was found. */
+void findings_release(Findings *findings);
+
+#endif

@@ -1,0 +1,262 @@
+/**
+ * @file
+ * @brief Charts, drawn by gnuplot.
+ *
+ * The script goes through a pipe, and the files' names as arguments of their own: whatever is in
+ * them, it is no part of the script.
+ */
+#include "lab/plot.h"
+
+#include "assets/atomic_file.h"
+#include "assets/program.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/** Pixels of a panel. */
+enum { PANEL_WIDTH = 470, PANEL_HEIGHT = 380 };
+/** Share of a panel's width that is left for the names of lines. */
+#define NAMES_SHARE 0.30
+/** Least distance between two names, as a share of a panel's height. */
+#define NAME_HEIGHT 0.055
+
+/** Colours that the colour-blind can tell apart, and that are dark enough for paper. */
+static const char *const colors[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                     "#E69F00", "#56B4E9", "#7F7F7F", "#000000"};
+/** A sign for each of gnuplot's. */
+static const int signs[] = {7, 5, 9, 13, 4, 6, 8, 3};
+
+/** How many styles there are. */
+enum { STYLE_COUNT = sizeof colors / sizeof *colors };
+
+bool plot_is_possible(void) {
+    return program_is_there(PLOT_PROGRAM);
+}
+
+void plot_share_range(PlotPanel *panels, size_t count) {
+    double low = INFINITY, high = 0;
+    bool has_floor = false;
+    for (size_t p = 0; p < count; p++) {
+        for (size_t i = 0; i < panels[p].count; i++) {
+            const PlotLine *line = &panels[p].lines[i];
+            for (size_t n = 0; n < line->count; n++) {
+                has_floor = has_floor || line->y[n] == 0;
+                low = line->y[n] > 0 ? fmin(low, line->y[n]) : low;
+                high = line->y[n] > 0 && isfinite(line->y[n]) ? fmax(high, line->y[n]) : high;
+            }
+        }
+    }
+    if (high == 0) {
+        low = high = 1; // All of it is zero.
+    }
+    for (size_t p = 0; p < count; p++) {
+        panels[p].has_floor = has_floor;
+        panels[p].y_low = pow(10, floor(log10(low)) - has_floor);
+        panels[p].y_high = pow(10, fmax(ceil(log10(high)), floor(log10(low)) + 1));
+    }
+}
+
+/** @return A text that stands in a script between single quotes. @param text Anything.
+ *  @param[out] quoted Room for it. @param size Bytes of it. */
+static const char *quote(const char *text, char *quoted, size_t size) {
+    size_t at = 0;
+    for (; *text && at + 3 < size; text++) {
+        if (*text == '\'') {
+            quoted[at++] = '\'';
+        }
+        quoted[at++] = *text == '\n' ? ' ' : *text;
+    }
+    quoted[at] = '\0';
+    return quoted;
+}
+
+/** The name of a line, on its way to its place. */
+typedef struct Name {
+    const PlotLine *line; /**< The line. */
+    double height;        /**< Where, 0 at the bottom to 1 at the top. */
+} Name;
+
+/** @return Order of two names from the bottom, for qsort. @param a One. @param b The other. */
+static int compare_names(const void *a, const void *b) {
+    double x = ((const Name *)a)->height, y = ((const Name *)b)->height;
+    return (x > y) - (x < y);
+}
+
+/** @return Where on a panel a value is, 0 at the bottom to 1 at the top. @param panel The panel.
+ *  @param y The value. */
+static double height_of(const PlotPanel *panel, double y) {
+    double low = log10(panel->y_low), high = log10(panel->y_high);
+    double at = (log10(fmin(fmax(y, panel->y_low), panel->y_high)) - low) / (high - low);
+    return fmin(fmax(at, 0), 1);
+}
+
+/** Moves names apart that would overlap: upwards from the bottom, then back from the top.
+ *  @param[in,out] names The names. @param count How many. */
+static void spread_names(Name *names, size_t count) {
+    qsort(names, count, sizeof *names, compare_names);
+    for (size_t i = 1; i < count; i++) {
+        names[i].height = fmax(names[i].height, names[i - 1].height + NAME_HEIGHT);
+    }
+    double top = 1;
+    for (size_t i = count; i-- > 0; top = names[i].height - NAME_HEIGHT) {
+        names[i].height = fmin(names[i].height, top);
+    }
+}
+
+/** Finds where the names of a panel's lines go. @param panel The panel.
+ *  @param[out] names The names. @return How many. */
+static size_t place_names(const PlotPanel *panel, Name names[PLOT_LINES_MAXIMUM]) {
+    size_t count = 0;
+    for (size_t i = 0; i < panel->count; i++) {
+        const PlotLine *line = &panel->lines[i];
+        size_t last = line->count;
+        while (last > 0 && isnan(line->y[last - 1])) {
+            last--;
+        }
+        if (last > 0) {
+            names[count++] = (Name){line, height_of(panel, line->y[last - 1])};
+        }
+    }
+    spread_names(names, count);
+    return count;
+}
+
+/** The ends of a panel's x. */
+typedef struct Ends {
+    double first; /**< At the left. */
+    double last;  /**< Of the lines, where their names begin. */
+    double edge;  /**< Of the panel, at the right. */
+} Ends;
+
+/** @return The ends of x. @param panel The panel. */
+static Ends find_ends(const PlotPanel *panel) {
+    double low = INFINITY, high = 0;
+    for (size_t i = 0; i < panel->count; i++) {
+        for (size_t n = 0; n < panel->lines[i].count; n++) {
+            low = fmin(low, panel->lines[i].x[n]);
+            high = fmax(high, panel->lines[i].x[n]);
+        }
+    }
+    Ends ends = panel->is_falling ? (Ends){high, low, 0} : (Ends){low, high, 0};
+    double stretch = NAMES_SHARE / (1 - NAMES_SHARE);
+    ends.edge = ends.last * pow(ends.last / ends.first, stretch);
+    return ends;
+}
+
+/** Writes the names of a panel's lines. @param panel The panel. @param ends The ends of its x.
+ *  @param script Where to. */
+static void write_names(const PlotPanel *panel, const Ends *ends, FILE *script) {
+    Name names[PLOT_LINES_MAXIMUM];
+    size_t count = place_names(panel, names);
+    double x = ends->last * pow(ends->last / ends->first, 0.03);
+    fputs("unset label\n", script);
+    for (size_t i = 0; i < count; i++) {
+        char text[128];
+        double low = log10(panel->y_low), high = log10(panel->y_high);
+        fprintf(script, "set label %zu '%s' at %g, %g left noenhanced textcolor rgb '%s'\n", i + 1,
+                quote(names[i].line->label, text, sizeof text), x,
+                pow(10, low + names[i].height * (high - low)),
+                colors[names[i].line->style % STYLE_COUNT]);
+    }
+}
+
+/** Writes the axes of a panel. @param panel The panel. @param ends The ends of its x.
+ *  @param script Where to. */
+static void write_axes(const PlotPanel *panel, const Ends *ends, FILE *script) {
+    char text[256];
+    fprintf(script, "set title '%s' noenhanced\n", quote(panel->title, text, sizeof text));
+    fprintf(script, "set xlabel '%s' noenhanced\n", quote(panel->x_label, text, sizeof text));
+    fprintf(script, "set ylabel '%s' noenhanced\n", quote(panel->y_label, text, sizeof text));
+    double left = ends->first * pow(ends->first / ends->last, 0.03);
+    fprintf(script, "set xrange [%g:%g]\nset yrange [%g:%g]\n", left, ends->edge, panel->y_low,
+            panel->y_high);
+    double decades = log10(panel->y_high / panel->y_low);
+    fprintf(script, "set ytics %g\nset mytics 1\n", pow(10, fmax(1, ceil(decades / 9))));
+    fprintf(script, panel->has_floor ? "set ytics add ('0' %g)\n" : "# %g\n", panel->y_low);
+    double wide = fabs(log10(ends->last / ends->first));
+    fprintf(script, "set xtics %g\n", pow(10, fmax(1, ceil(wide / 6))));
+}
+
+/** Writes a panel's lines. @param panel The panel. @param script Where to. */
+static void write_lines(const PlotPanel *panel, FILE *script) {
+    fputs("plot ", script);
+    for (size_t i = 0; i < panel->count; i++) {
+        const PlotLine *line = &panel->lines[i];
+        char first[128], second[128];
+        fprintf(script,
+                "%sARG1 using %d:(strcol(1) eq '%s' && strcol(2) eq '%s' ? shown(column(%d), %g) "
+                ": NaN) with linespoints lc rgb '%s' pt %d ps 0.7 lw 2",
+                i ? ", \\\n  " : "", panel->x_column, quote(line->keys[0], first, sizeof first),
+                quote(line->keys[1], second, sizeof second), line->column, panel->y_low,
+                colors[line->style % STYLE_COUNT], signs[line->style % STYLE_COUNT]);
+    }
+    fputc('\n', script);
+}
+
+/** Writes the script of a chart. @param plot The chart. @param script Where to. */
+static void write_script(const Plot *plot, FILE *script) {
+    size_t rows = (plot->count + plot->columns - 1) / plot->columns;
+    char text[256];
+    fprintf(script,
+            "set terminal svg size %zu,%zu font 'sans-serif,14' background 'white'\n"
+            "set output ARG2\nset datafile separator ','\nset datafile commentschars '#'\n"
+            "set datafile missing NaN\nset border 3 lw 1.2\nset tics nomirror out\n"
+            "set grid lc rgb '#dddddd' lw 1 dt 1\nunset key\nset logscale xy 10\n"
+            "set format xy '10^{%%L}'\nshown(y, low) = y < low ? low : y\n"
+            "set multiplot layout %zu,%zu title '%s' noenhanced font ',16'\n",
+            plot->columns * PANEL_WIDTH, rows * PANEL_HEIGHT + 40, rows, plot->columns,
+            quote(plot->title, text, sizeof text));
+    for (size_t i = 0; i < plot->count; i++) {
+        const PlotPanel *panel = &plot->panels[i];
+        Ends ends = find_ends(panel);
+        write_axes(panel, &ends, script);
+        write_names(panel, &ends, script);
+        write_lines(panel, script);
+    }
+    fputs("unset multiplot\n", script);
+}
+
+/** Has a script run. @param script Its text. @param size Its length. @param files Its two
+ *  arguments. @param stop Whether to give up. @param[out] error What is wrong. @return Whether it
+ *  has run to its end. */
+static bool run_script(const char *script, size_t size, const char *const files[2],
+                       const atomic_bool *stop, Error *error) {
+    Program gnuplot;
+    const char *const words[] = {PLOT_PROGRAM, "-c", "/dev/stdin", files[0], files[1], NULL};
+    if (!program_start(&gnuplot, stop, words, error)) {
+        return false;
+    }
+    bool is_fed = program_feed(&gnuplot, script, size);
+    return program_finish(&gnuplot, error) &&
+           (is_fed || error_set(error, STATUS_FAILED, PLOT_PROGRAM " did not read all"));
+}
+
+/** Draws a chart into a file that is open. @param plot The chart. @param file The file.
+ *  @param stop Whether to give up. @param[out] error What is wrong. @return Whether it is there. */
+static bool draw(const Plot *plot, const AtomicFile *file, const atomic_bool *stop, Error *error) {
+    char *script = NULL;
+    size_t size = 0;
+    FILE *stream = open_memstream(&script, &size);
+    if (!stream) {
+        return error_set(error, STATUS_FAILED, "no memory for a chart");
+    }
+    write_script(plot, stream);
+    fclose(stream);
+    const char *place = file->temporary[0] ? file->temporary : file->place.path;
+    bool is_drawn = run_script(script, size, (const char *const[]){plot->csv, place}, stop, error);
+    free(script);
+    return is_drawn;
+}
+
+bool plot_draw(const Plot *plot, const char *path, const atomic_bool *stop, Error *error) {
+    AtomicFile file;
+    if (!atomic_file_open(&file, path, ATOMIC_REPLACE, error)) {
+        return error_prefix(error, "cannot write '%s': ", path);
+    }
+    if (!draw(plot, &file, stop, error)) {
+        atomic_file_discard(&file);
+        return error_prefix(error, "cannot write '%s': ", path);
+    }
+    return atomic_file_commit(&file, error) || error_prefix(error, "cannot write '%s': ", path);
+}

@@ -1,0 +1,39 @@
+/**
+ * @file
+ * @brief Numbers that look random and are the same in every run and on every machine (Steele, Lea,
+ *        Flood, *Fast Splittable Pseudorandom Number Generators*, OOPSLA 2014).
+ */
+#ifndef DIOPTRE_LAB_RANDOM_H
+#define DIOPTRE_LAB_RANDOM_H
+
+#include "lab/quad.h"
+
+#include <stdint.h>
+
+/** Where a sequence of random numbers stands; begins as any number. */
+typedef struct Random {
+    uint64_t state; /**< Counts on by a large odd number. */
+} Random;
+
+/** @return 64 random bits. @param[in,out] random The sequence. */
+uint64_t random_bits(Random *random);
+
+/** @return A number, uniform in 0 to 1. @param[in,out] random The sequence. */
+double random_share(Random *random);
+
+/** @return A number, uniform in a range. @param[in,out] random The sequence. @param low Its lowest.
+ *  @param high Its highest. */
+double random_between(Random *random, double low, double high);
+
+/** @return A direction, uniform on the sphere, of length 1. @param[in,out] random The sequence. */
+Quad3 random_direction(Random *random);
+
+/**
+ * @return A vector across a direction, uniform in the disc of a radius.
+ * @param[in,out] random  The sequence.
+ * @param axis            The direction, of length 1.
+ * @param radius          The disc's.
+ */
+Quad3 random_across(Random *random, Quad3 axis, double radius);
+
+#endif

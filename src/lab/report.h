@@ -1,0 +1,45 @@
+/**
+ * @file
+ * @brief What an experiment has found: as tables on the terminal, as CSV, as a chart.
+ */
+#ifndef DIOPTRE_LAB_REPORT_H
+#define DIOPTRE_LAB_REPORT_H
+
+#include "lab/experiment.h"
+
+#include <stdio.h>
+
+/** Prints what was found, a table for each kind of figure. @param experiment The experiment.
+ *  @param findings What was found. @param stream Where to. */
+void report_print(const Experiment *experiment, const Findings *findings, FILE *stream);
+
+/**
+ * Writes what was found as comma-separated values.
+ * @param experiment  The experiment.
+ * @param findings    What was found.
+ * @param path        The file.
+ * @param[out] error  What is wrong.
+ * @return Whether it is there.
+ */
+bool report_write(const Experiment *experiment, const Findings *findings, const char *path,
+                  Error *error);
+
+/** Where a chart comes from and goes to. */
+typedef struct ChartFiles {
+    const char *csv; /**< What #report_write has written. */
+    const char *svg; /**< The chart. */
+} ChartFiles;
+
+/**
+ * Draws what was found: a column of panels for each number type, a row for each kind of figure.
+ * @param experiment  The experiment.
+ * @param findings    What was found.
+ * @param files       From where, and where to.
+ * @param stop        It is given up once this is true; may be NULL.
+ * @param[out] error  What is wrong.
+ * @return Whether it is there.
+ */
+bool report_draw(const Experiment *experiment, const Findings *findings, const ChartFiles *files,
+                 const atomic_bool *stop, Error *error);
+
+#endif

@@ -1,0 +1,71 @@
+/**
+ * @file
+ * @brief Tables for people.
+ */
+#include "lab/table.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+Table table_of(size_t columns, size_t words) {
+    return (Table){.columns = columns, .words = words};
+}
+
+/** Makes room for a cell. @param[in,out] table The table. @return Whether there is some. */
+static bool make_room(Table *table) {
+    if (table->count < table->capacity) {
+        return true;
+    }
+    size_t capacity = table->capacity ? 2 * table->capacity : 256;
+    void *cells = realloc(table->cells, capacity * sizeof *table->cells);
+    if (cells) {
+        table->cells = cells;
+        table->capacity = capacity;
+    }
+    return cells != NULL;
+}
+
+void table_cell(Table *table, const char *format, ...) {
+    if (make_room(table)) {
+        va_list arguments;
+        va_start(arguments, format);
+        vsnprintf(table->cells[table->count++], TABLE_CELL_SIZE, format, arguments);
+        va_end(arguments);
+    }
+}
+
+void table_number(Table *table, double number) {
+    if (isnan(number)) {
+        table_cell(table, "-");
+    } else {
+        table_cell(table, "%.3g", number);
+    }
+}
+
+/** @return The width that a column needs. @param table The table. @param column Which. */
+static int column_width(const Table *table, size_t column) {
+    size_t width = 0;
+    for (size_t i = column; i < table->count; i += table->columns) {
+        size_t length = strlen(table->cells[i]);
+        width = length > width ? length : width;
+    }
+    return (int)width;
+}
+
+void table_print(const Table *table, FILE *stream) {
+    for (size_t i = 0; i < table->count; i++) {
+        size_t column = i % table->columns;
+        bool is_last = column == table->columns - 1;
+        int width = column_width(table, column);
+        // A minus sign makes printf fill up on the right.
+        fprintf(stream, "%*s%s", column < table->words ? -width : width, table->cells[i],
+                is_last ? "\n" : "  ");
+    }
+}
+
+void table_release(Table *table) {
+    free(table->cells);
+    *table = (Table){0};
+}

@@ -36,7 +36,7 @@ enum { METHODS_MAXIMUM = 16 };
 /** Somebody who is asked: a method in a number type, or an engine. */
 typedef struct Subject {
     const Experiment *experiment; /**< In this experiment. */
-    const NumberType *type;       /**< The number type. */
+    const Setting *setting;       /**< Where. */
     const Method *method;         /**< The method; NULL: the engine is asked. */
     const Engine *engine;         /**< The engine of the type; NULL: there is none. */
     Tracer *tracer;               /**< Its tracer, or NULL. */
@@ -79,7 +79,7 @@ static void ask_distance(const Subject *subject, const Quadruple *question, Quad
 static void ask(const Subject *subject, const Case *posed, Quadruple *answers) {
     const Experiment *experiment = subject->experiment;
     if (subject->method) {
-        subject->type->ask(subject->method, experiment->parts, posed->questions, answers);
+        subject->setting->type->ask(subject->method, experiment->parts, posed->questions, answers);
     } else if (experiment->ask) {
         experiment->ask(subject->engine, subject->tracer, posed, answers);
     } else {
@@ -114,20 +114,21 @@ static bool is_stopped(const Making *making) {
  * Asks everybody about a number of cases.
  * @param making        The experiment.
  * @param subjects      Who is asked, as many as methods.
- * @param level         The stress.
+ * @param setting       Where.
  * @param[out] scores  A score each.
  */
-static void ask_all(const Making *making, const Subject *subjects, double level, Score *scores) {
+static void ask_all(const Making *making, const Subject *subjects, const Setting *setting,
+                    Score *scores) {
     const Experiment *experiment = making->experiment;
-    const NumberType *type = subjects->type;
     static const uint64_t seed = 20261121;
     Random random = {seed};
     Quadruple answers[CASE_PARTS_MAXIMUM * METHOD_NUMBERS_MAXIMUM];
     Case cases[CHUNK];
-    for (size_t left = case_count(experiment, type); left > 0 && !is_stopped(making);) {
+    for (size_t left = case_count(experiment, setting->type); left > 0 && !is_stopped(making);) {
         size_t count = left < CHUNK ? left : CHUNK;
         for (size_t i = 0; i < count; i++) {
-            experiment->pose(type, level, &random, &cases[i]);
+            cases[i] = (Case){0};
+            experiment->pose(setting, &random, &cases[i]);
         }
         for (size_t m = 0; m < making->findings->method_count; m++) {
             for (size_t i = 0; i < count && (subjects[m].method || subjects[m].tracer); i++) {
@@ -143,13 +144,14 @@ static void ask_all(const Making *making, const Subject *subjects, double level,
  * Makes the tracer of an engine.
  * @param experiment  The experiment.
  * @param engine      The engine; may be NULL.
- * @param level       The stress.
+ * @param setting     Where.
  * @return The tracer, or NULL where there is none.
  */
-static Tracer *tracer_of(const Experiment *experiment, const Engine *engine, double level) {
+static Tracer *tracer_of(const Experiment *experiment, const Engine *engine,
+                         const Setting *setting) {
     Error error = {0};
     TraceSettings settings = {.offset = OFFSET_BOUND};
-    Scene *scene = engine && experiment->scene ? experiment->scene(level, &error) : NULL;
+    Scene *scene = engine && experiment->scene ? experiment->scene(setting, &error) : NULL;
     Tracer *tracer = scene ? engine->prepare(scene, &settings, &error) : NULL;
     scene_destroy(scene);
     return tracer;
@@ -161,41 +163,62 @@ static const Method *method_at(const Making *making, const NumberType *type, siz
     return m < making->place_count ? type->methods[making->places[m]] : NULL;
 }
 
-/** Makes an experiment at one level in one number type. See WorkersJob. @param context The
- *  #Making. @param index Which. */
-static void make_piece(void *context, size_t index) {
-    Making *making = context;
+/** Writes down what came of all that were asked. @param[in,out] making The experiment.
+ *  @param subjects Who. @param[in,out] scores Their scores; given back. @param index The piece. */
+static void conclude_all(Making *making, const Subject *subjects, Score *scores, size_t index) {
     Findings *findings = making->findings;
-    size_t at_type = index % findings->type_count, at_level = index / findings->type_count;
-    const NumberType *type = number_types()[at_type];
-    double level = making->experiment->levels[at_level];
-    const Engine *engine = engine_of(type);
-    Tracer *tracer = tracer_of(making->experiment, engine, level);
-    Subject subjects[METHODS_MAXIMUM];
-    Score scores[METHODS_MAXIMUM] = {{0}};
-    for (size_t m = 0; m < findings->method_count; m++) {
-        subjects[m] =
-            (Subject){making->experiment, type, method_at(making, type, m), engine, tracer};
-    }
-    ask_all(making, subjects, level, scores);
+    const Setting *setting = subjects->setting;
     for (size_t m = 0; m < findings->method_count; m++) {
         const Method *method = subjects[m].method;
-        Finding *finding = findings_at(findings, m, at_type, at_level);
+        bool is_asked = method || subjects[m].tracer;
+        Finding *finding =
+            findings_at(findings, m, index % findings->type_count, index / findings->type_count);
         *finding = (Finding){.method = method ? method->name : OWN_METHOD,
                              .label = method ? method->label : OWN_METHOD,
-                             .type = type->name,
-                             .mantissa_bits = type->mantissa_bits,
-                             .level = level,
-                             .cases = method || tracer ? case_count(making->experiment, type) : 0};
+                             .type = setting->type->name,
+                             .mantissa_bits = setting->type->mantissa_bits,
+                             .level = setting->level,
+                             .cases = is_asked ? case_count(making->experiment, setting->type) : 0};
         conclude(&scores[m], finding);
         if (scores[m].is_full) {
             atomic_store(&making->has_failed, true);
         }
         score_release(&scores[m]);
     }
+}
+
+/** Makes an experiment at one level in one number type, in a world. @param[in,out] making The
+ *  experiment. @param setting Where. @param index Which piece. */
+static void make_in(Making *making, const Setting *setting, size_t index) {
+    const Engine *engine = engine_of(setting->type);
+    Tracer *tracer = tracer_of(making->experiment, engine, setting);
+    Subject subjects[METHODS_MAXIMUM];
+    Score scores[METHODS_MAXIMUM] = {{0}};
+    for (size_t m = 0; m < making->findings->method_count; m++) {
+        const Method *method = method_at(making, setting->type, m);
+        subjects[m] = (Subject){making->experiment, setting, method, engine, tracer};
+    }
+    ask_all(making, subjects, setting, scores);
+    conclude_all(making, subjects, scores, index);
     if (tracer) {
         engine->release(tracer);
     }
+}
+
+/** Makes an experiment at one level in one number type. See WorkersJob. @param context The
+ *  #Making. @param index Which piece: its type counts up first. */
+static void make_piece(void *context, size_t index) {
+    Making *making = context;
+    const Experiment *experiment = making->experiment;
+    size_t types = making->findings->type_count;
+    double level = experiment->levels[index / types];
+    void *world = experiment->build ? experiment->build(level) : NULL;
+    if (experiment->build && !world) {
+        atomic_store(&making->has_failed, true);
+        return;
+    }
+    make_in(making, &(Setting){number_types()[index % types], level, world}, index);
+    free(world);
 }
 
 /** Finds who is to be asked. @param[in,out] making The experiment. @return How many, the engine

@@ -28,6 +28,13 @@ typedef struct Case {
     Quadruple truth[CASE_TRUTH_MAXIMUM];       /**< What the experiment needs to judge. */
 } Case;
 
+/** Where an experiment is made. */
+typedef struct Setting {
+    const NumberType *type; /**< What the numbers of questions must be rounded to. */
+    double level;           /**< The stress. */
+    const void *world;      /**< What #Experiment.build has made, or NULL. */
+} Setting;
+
 /** An experiment. */
 typedef struct Experiment {
     const char *name;     /**< As on the command line, such as `sphere-distance`. */
@@ -43,13 +50,19 @@ typedef struct Experiment {
     size_t parts;         /**< Questions of a case, at least 1. */
 
     /**
-     * Makes a case.
-     * @param type            The number type that its numbers must be rounded to.
-     * @param level           The stress.
-     * @param[in,out] random  Where it comes from.
-     * @param[out] posed      The case.
+     * Makes what all cases of a level have in common; NULL: there is no such thing.
+     * @param level  The stress.
+     * @return It, to be given back with free; NULL without memory.
      */
-    void (*pose)(const NumberType *type, double level, Random *random, Case *posed);
+    void *(*build)(double level);
+
+    /**
+     * Makes a case.
+     * @param setting         Where.
+     * @param[in,out] random  Where it comes from.
+     * @param[out] posed      The case; all zero before.
+     */
+    void (*pose)(const Setting *setting, Random *random, Case *posed);
 
     /**
      * Judges answers.
@@ -62,11 +75,11 @@ typedef struct Experiment {
     /**
      * Makes the scene in which the tracer's own engines meet the same thing; NULL: they have no
      * such part.
-     * @param level       The stress.
+     * @param setting     Where; its number type says nothing.
      * @param[out] error  What is wrong.
      * @return The scene, to be given back with scene_destroy; NULL if anything is wrong.
      */
-    Scene *(*scene)(double level, Error *error);
+    Scene *(*scene)(const Setting *setting, Error *error);
 
     /**
      * Asks an engine instead of a method; NULL: a question begins with a ray's origin and

@@ -20,3 +20,14 @@ Quadruple quad_sqrt(Quadruple x) {
     }
     return root;
 }
+
+#if defined(__SIZEOF_FLOAT128__)
+extern Quadruple atan2f128(Quadruple y, Quadruple x);
+#else
+/** The same in what is quad here. */
+#define atan2f128 atan2l
+#endif
+
+Quadruple quad_atan2(Quadruple y, Quadruple x) {
+    return atan2f128(y, x);
+}

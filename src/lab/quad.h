@@ -42,6 +42,9 @@ static inline Quad3 quad3_cross(Quad3 a, Quad3 b) {
 /** @return The square root. @param x At least 0, or NaN comes back. */
 Quadruple quad_sqrt(Quadruple x);
 
+/** @return The angle of a point, -pi to pi. @param y Its ordinate. @param x Its abscissa. */
+Quadruple quad_atan2(Quadruple y, Quadruple x);
+
 /** @return The absolute value. @param x Any number. */
 static inline Quadruple quad_abs(Quadruple x) {
     return x < 0 ? -x : x;

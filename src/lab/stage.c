@@ -28,28 +28,40 @@ static void set(const Parameter *parameter, const StageValue *value, char *value
         memcpy(field, value->numbers, sizeof(double));
     } else if (parameter->type == PARAMETER_BOOLEAN) {
         *(bool *)field = value->numbers[0] != 0;
+    } else if (parameter->type == PARAMETER_MESH) {
+        *(size_t *)field = (size_t)value->numbers[0];
     } else {
         memcpy(field, value->numbers, sizeof value->numbers);
     }
 }
 
-/** Adds a shape. @param[in,out] scene The scene. @param kind Its place among the keywords.
- *  @param given Its fields. @param[out] error What is wrong. @return Whether it is there. */
-static bool add(Scene *scene, size_t kind, const StageValue *given, Error *error) {
+/** Sets fields. @param keyword The shape's. @param given The fields. @param[out] values The struct
+ *  that they lie in. @return Which rows of the table were set, as #Keyword.finish wants it. */
+static uint64_t set_all(const Keyword *keyword, const StageValue *given, char *values) {
+    uint64_t rows = 0;
+    for (; given->name; given++) {
+        for (size_t i = 0; keyword->parameters[i].name; i++) {
+            if (strcmp(keyword->parameters[i].name, given->name) == 0) {
+                set(&keyword->parameters[i], given, values);
+                rows |= (uint64_t)1 << i;
+            }
+        }
+    }
+    return rows;
+}
+
+/** Adds a shape. @param[in,out] scene The scene. @param name Its keyword. @param given Its fields.
+ *  @param[out] error What is wrong. @return Whether it is there. */
+static bool add(Scene *scene, const char *name, const StageValue *given, Error *error) {
+    size_t kind = find_kind(name);
     const Keyword *keyword = engine_list()[0]->shape_keywords[kind];
     char *values = malloc(keyword->size);
     if (!values) {
         return error_set(error, STATUS_FAILED, "no memory for a shape");
     }
     memcpy(values, keyword->defaults, keyword->size);
-    for (; given->name; given++) {
-        for (const Parameter *row = keyword->parameters; row->name; row++) {
-            if (strcmp(row->name, given->name) == 0) {
-                set(row, given, values);
-            }
-        }
-    }
-    bool is_added = (!keyword->finish || keyword->finish(values, UINT64_MAX, error)) &&
+    uint64_t rows = set_all(keyword, given, values);
+    bool is_added = (!keyword->finish || keyword->finish(values, rows, error)) &&
                     scene_add_shape(scene, kind, keyword, values, 0, error);
     free(values);
     return is_added;
@@ -57,9 +69,27 @@ static bool add(Scene *scene, size_t kind, const StageValue *given, Error *error
 
 Scene *stage_with(const char *keyword, const StageValue *values, Error *error) {
     Scene *scene = scene_create(error);
-    if (scene && !add(scene, find_kind(keyword), values, error)) {
+    if (scene && !add(scene, keyword, values, error)) {
         scene_destroy(scene);
         scene = NULL;
+    }
+    return scene;
+}
+
+Scene *stage_with_mesh(Mesh *mesh, Error *error) {
+    const SceneFile file = {.path = "lab", .name = "lab", .where = "lab"};
+    const StageValue values[] = {{"file", {0}}, {0}};
+    size_t place = 0;
+    Scene *scene = scene_create(error);
+    if (!scene || !scene_add_mesh(scene, &file, &place, error)) {
+        scene_destroy(scene);
+        mesh_destroy(mesh);
+        return NULL;
+    }
+    scene->meshes[place].mesh = mesh;
+    if (!add(scene, "mesh", values, error)) {
+        scene_destroy(scene);
+        return NULL;
     }
     return scene;
 }

@@ -22,4 +22,12 @@ typedef struct StageValue {
  */
 Scene *stage_with(const char *keyword, const StageValue *values, Error *error);
 
+/**
+ * Makes a scene with one model.
+ * @param mesh        Its triangles; the scene's from now on, whatever happens.
+ * @param[out] error  What is wrong.
+ * @return The scene, to be given back with scene_destroy; NULL if anything is wrong.
+ */
+Scene *stage_with_mesh(Mesh *mesh, Error *error);
+
 #endif

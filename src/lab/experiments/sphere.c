@@ -4,7 +4,6 @@
  */
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/pose.h"
-#include "lab/stage.h"
 
 /** A sphere that is looked at. */
 typedef struct View {
@@ -15,28 +14,6 @@ typedef struct View {
 
 /** Radii around the centre that rays aim at: a few pass beside the sphere. */
 #define AIM 1.02
-
-/**
- * @return Where a ray first meets a sphere, in quad precision: the discriminant from the nearest
- *         point of its line, the near root as a quotient. #QUAD_NONE where it does not.
- * @param origin     Where the ray starts.
- * @param direction  Which way, of any length.
- * @param center     The sphere's centre.
- * @param radius     Its radius.
- */
-static Quadruple sphere_truth(Quad3 origin, Quad3 direction, Quad3 center, Quadruple radius) {
-    Quad3 f = quad3_subtract(origin, center);
-    Quadruple a = quad3_dot(direction, direction), b = -quad3_dot(f, direction);
-    Quad3 nearest = quad3_add(f, quad3_scale(direction, b / a));
-    Quadruple discriminant = radius * radius - quad3_dot(nearest, nearest);
-    if (discriminant < 0) {
-        return QUAD_NONE;
-    }
-    Quadruple root = quad_sqrt(a * discriminant), c = quad3_dot(f, f) - radius * radius;
-    Quadruple sum = b > 0 ? b + root : b - root;
-    Quadruple near = b > 0 ? c / sum : sum / a, far = b > 0 ? sum / a : c / sum;
-    return near > 0 ? near : far > 0 ? far : QUAD_NONE;
-}
 
 /** Writes a question. @param type The number type. @param ray Where it starts, and which way.
  *  @param view The sphere. @param[out] posed The case. */
@@ -63,37 +40,23 @@ static void pose_view(const NumberType *type, const View *view, Random *random, 
     write_question(type, (const Quad3[]){origin, direction}, view, posed);
 }
 
-/** Judges a distance. See #Experiment.judge. @param posed The case. @param answers The distance.
- *  @param[in,out] score The score. */
-static void judge(const Case *posed, const Quadruple *answers, Score *score) {
-    score_distance(score, answers[0], posed->truth[0]);
-}
-
-/** @return The scene of a sphere. @param center Its centre. @param radius Its radius.
- *  @param[out] error What is wrong. */
-static Scene *sphere_scene(Quad3 center, double radius, Error *error) {
-    StageValue values[] = {{.name = "center"}, {.name = "radius", .numbers = {radius}}, {0}};
-    to_numbers(center, values[0].numbers);
-    return stage_with("sphere", values, error);
-}
-
 /* --- far from the eye ---------------------------------------------------------------------------
  */
 
 /** Radii. */
 static const double distances[] = {1.01, 2, 10, 1e2, 1e3, 1e4, 1e5, 1e6};
 
-/** Poses a sphere far away. See #Experiment.pose. @param type The number type. @param level Radii.
+/** Poses a sphere far away. See #Experiment.pose. @param setting Where.
  *  @param[in,out] random Where it comes from. @param[out] posed The case. */
-static void pose_distance(const NumberType *type, double level, Random *random, Case *posed) {
-    View view = {.radius = 1, .distance = level};
-    pose_view(type, &view, random, posed);
+static void pose_distance(const Setting *setting, Random *random, Case *posed) {
+    View view = {.radius = 1, .distance = setting->level};
+    pose_view(setting->type, &view, random, posed);
 }
 
-/** @return Its scene. See #Experiment.scene. @param level Not looked at. @param[out] error What is
+/** @return Its scene. See #Experiment.scene. @param setting Where. @param[out] error What is
  *  wrong. */
-static Scene *scene_distance(double level, Error *error) {
-    (void)level;
+static Scene *scene_distance(const Setting *setting, Error *error) {
+    (void)setting;
     return sphere_scene((Quad3){0, 0, 0}, 1, error);
 }
 
@@ -109,7 +72,7 @@ const Experiment sphere_distance_experiment = {
     .cases = 50000,
     .parts = 1,
     .pose = pose_distance,
-    .judge = judge,
+    .judge = judge_distance,
     .scene = scene_distance,
 };
 
@@ -119,18 +82,18 @@ const Experiment sphere_distance_experiment = {
 /** Radii. */
 static const double offsets[] = {1, 10, 1e2, 1e3, 1e4, 1e5, 1e6};
 
-/** Poses a sphere, ten radii away, far from the origin. See #Experiment.pose. @param type The
- *  number type. @param level Radii. @param[in,out] random Where it comes from. @param[out] posed
+/** Poses a sphere, ten radii away, far from the origin. See #Experiment.pose. @param setting Where.
+ *  @param[in,out] random Where it comes from. @param[out] posed
  *  The case. */
-static void pose_world(const NumberType *type, double level, Random *random, Case *posed) {
-    View view = {.center = place_far(level), .radius = 1, .distance = 10};
-    pose_view(type, &view, random, posed);
+static void pose_world(const Setting *setting, Random *random, Case *posed) {
+    View view = {.center = place_far(setting->level), .radius = 1, .distance = 10};
+    pose_view(setting->type, &view, random, posed);
 }
 
-/** @return Its scene. See #Experiment.scene. @param level Radii. @param[out] error What is wrong.
+/** @return Its scene. See #Experiment.scene. @param setting Where. @param[out] error What is wrong.
  */
-static Scene *scene_world(double level, Error *error) {
-    return sphere_scene(place_far(level), 1, error);
+static Scene *scene_world(const Setting *setting, Error *error) {
+    return sphere_scene(place_far(setting->level), 1, error);
 }
 
 const Experiment sphere_world_experiment = {
@@ -145,7 +108,7 @@ const Experiment sphere_world_experiment = {
     .cases = 20000,
     .parts = 1,
     .pose = pose_world,
-    .judge = judge,
+    .judge = judge_distance,
     .scene = scene_world,
 };
 
@@ -155,17 +118,17 @@ const Experiment sphere_world_experiment = {
 /** Scene units; as powers of two the figures would be the same to the bit. */
 static const double scales[] = {1e-6, 1e-4, 1e-2, 1, 1e2, 1e4, 1e6};
 
-/** Poses a sphere, ten radii away. See #Experiment.pose. @param type The number type. @param level
- *  Its radius. @param[in,out] random Where it comes from. @param[out] posed The case. */
-static void pose_scale(const NumberType *type, double level, Random *random, Case *posed) {
-    View view = {.radius = number_types()[0]->round(level), .distance = 10};
-    pose_view(type, &view, random, posed);
+/** Poses a sphere, ten radii away. See #Experiment.pose. @param setting Where.
+ *  @param[in,out] random Where it comes from. @param[out] posed The case. */
+static void pose_scale(const Setting *setting, Random *random, Case *posed) {
+    View view = {.radius = number_types()[0]->round(setting->level), .distance = 10};
+    pose_view(setting->type, &view, random, posed);
 }
 
-/** @return Its scene. See #Experiment.scene. @param level Its radius. @param[out] error What is
+/** @return Its scene. See #Experiment.scene. @param setting Where. @param[out] error What is
  *  wrong. */
-static Scene *scene_scale(double level, Error *error) {
-    return sphere_scene((Quad3){0, 0, 0}, (double)number_types()[0]->round(level), error);
+static Scene *scene_scale(const Setting *setting, Error *error) {
+    return sphere_scene((Quad3){0, 0, 0}, (double)number_types()[0]->round(setting->level), error);
 }
 
 const Experiment sphere_scale_experiment = {
@@ -180,7 +143,7 @@ const Experiment sphere_scale_experiment = {
     .cases = 20000,
     .parts = 1,
     .pose = pose_scale,
-    .judge = judge,
+    .judge = judge_distance,
     .scene = scene_scale,
 };
 
@@ -196,23 +159,24 @@ static Quad3 earth_of(double radius) {
 }
 
 /** Poses an eye one unit above a large sphere, looking down at 5 to 90 degrees. See
- *  #Experiment.pose. @param type The number type. @param level The radius. @param[in,out] random
+ *  #Experiment.pose. @param setting Where.
+ *  @param[in,out] random
  *  Where it comes from. @param[out] posed The case. */
-static void pose_ground(const NumberType *type, double level, Random *random, Case *posed) {
-    View view = {.center = earth_of(level), .radius = level};
+static void pose_ground(const Setting *setting, Random *random, Case *posed) {
+    View view = {.center = earth_of(setting->level), .radius = setting->level};
     Quad3 up = quad3_normalize(quad3_scale(view.center, -1));
-    Quad3 origin = quad3_add(view.center, quad3_scale(up, level + 1));
+    Quad3 origin = quad3_add(view.center, quad3_scale(up, setting->level + 1));
     Quad3 along = quad3_normalize(random_across(random, up, 1));
     double down = random_between(random, 0.087, 1); // The sine of 5 degrees, to 1.
     Quad3 direction = quad3_subtract(quad3_scale(along, quad_sqrt(1 - (Quadruple)down * down)),
                                      quad3_scale(up, down));
-    write_question(type, (const Quad3[]){origin, direction}, &view, posed);
+    write_question(setting->type, (const Quad3[]){origin, direction}, &view, posed);
 }
 
-/** @return Its scene. See #Experiment.scene. @param level The radius. @param[out] error What is
+/** @return Its scene. See #Experiment.scene. @param setting Where. @param[out] error What is
  *  wrong. */
-static Scene *scene_ground(double level, Error *error) {
-    return sphere_scene(earth_of(level), level, error);
+static Scene *scene_ground(const Setting *setting, Error *error) {
+    return sphere_scene(earth_of(setting->level), setting->level, error);
 }
 
 const Experiment sphere_ground_experiment = {
@@ -227,6 +191,6 @@ const Experiment sphere_ground_experiment = {
     .cases = 20000,
     .parts = 1,
     .pose = pose_ground,
-    .judge = judge,
+    .judge = judge_distance,
     .scene = scene_ground,
 };

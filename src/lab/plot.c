@@ -95,6 +95,9 @@ static double height_of(const PlotPanel *panel, double y) {
  *  @param[in,out] names The names. @param count How many. */
 static void spread_names(Name *names, size_t count) {
     qsort(names, count, sizeof *names, compare_names);
+    if (count > 0) {
+        names[0].height = fmax(names[0].height, NAME_HEIGHT / 2); // Not into the axis.
+    }
     for (size_t i = 1; i < count; i++) {
         names[i].height = fmax(names[i].height, names[i - 1].height + NAME_HEIGHT);
     }
@@ -161,6 +164,32 @@ static void write_names(const PlotPanel *panel, const Ends *ends, FILE *script) 
     }
 }
 
+/** Writes the marks of a panel's x: powers of ten, or 1, 2, 5 where it is short; none under the
+ *  names of lines. @param ends The ends of x. @param script Where to. */
+static void write_x_tics(const Ends *ends, FILE *script) {
+    double low = fmin(ends->first, ends->last), high = fmax(ends->first, ends->last);
+    double wide = log10(high / low);
+    if (wide > 2.5) {
+        double first = pow(10, ceil(log10(low) - 1e-9)), step = pow(10, fmax(1, ceil(wide / 7)));
+        fprintf(script, "set format x '10^{%%L}'\nset xtics %g, %g, %g\n", first, step,
+                high * 1.001);
+        return;
+    }
+    fputs("set format x '%g'\nset xtics (", script);
+    const char *comma = "";
+    for (double decade = pow(10, floor(log10(low))); decade <= high; decade *= 10) {
+        static const double marks[] = {1, 2, 5};
+        for (size_t i = 0; i < sizeof marks / sizeof *marks; i++) {
+            double at = decade * marks[i];
+            if (at >= low * 0.999 && at <= high * 1.001) {
+                fprintf(script, "%s%g", comma, at);
+                comma = ", ";
+            }
+        }
+    }
+    fputs(")\n", script);
+}
+
 /** Writes the axes of a panel. @param panel The panel. @param ends The ends of its x.
  *  @param script Where to. */
 static void write_axes(const PlotPanel *panel, const Ends *ends, FILE *script) {
@@ -172,10 +201,9 @@ static void write_axes(const PlotPanel *panel, const Ends *ends, FILE *script) {
     fprintf(script, "set xrange [%g:%g]\nset yrange [%g:%g]\n", left, ends->edge, panel->y_low,
             panel->y_high);
     double decades = log10(panel->y_high / panel->y_low);
-    fprintf(script, "set ytics %g\nset mytics 1\n", pow(10, fmax(1, ceil(decades / 9))));
+    fprintf(script, "set ytics %g\n", pow(10, fmax(1, ceil(decades / 9))));
     fprintf(script, panel->has_floor ? "set ytics add ('0' %g)\n" : "# %g\n", panel->y_low);
-    double wide = fabs(log10(ends->last / ends->first));
-    fprintf(script, "set xtics %g\n", pow(10, fmax(1, ceil(wide / 6))));
+    write_x_tics(ends, script);
 }
 
 /** Writes a panel's lines. @param panel The panel. @param script Where to. */
@@ -198,15 +226,16 @@ static void write_lines(const PlotPanel *panel, FILE *script) {
 static void write_script(const Plot *plot, FILE *script) {
     size_t rows = (plot->count + plot->columns - 1) / plot->columns;
     char text[256];
-    fprintf(script,
-            "set terminal svg size %zu,%zu font 'sans-serif,14' background 'white'\n"
-            "set output ARG2\nset datafile separator ','\nset datafile commentschars '#'\n"
-            "set datafile missing NaN\nset border 3 lw 1.2\nset tics nomirror out\n"
-            "set grid lc rgb '#dddddd' lw 1 dt 1\nunset key\nset logscale xy 10\n"
-            "set format xy '10^{%%L}'\nshown(y, low) = y < low ? low : y\n"
-            "set multiplot layout %zu,%zu title '%s' noenhanced font ',16'\n",
-            plot->columns * PANEL_WIDTH, rows * PANEL_HEIGHT + 40, rows, plot->columns,
-            quote(plot->title, text, sizeof text));
+    fprintf(
+        script,
+        "set terminal svg size %zu,%zu font 'sans-serif,14' background 'white'\n"
+        "set output ARG2\nset datafile separator ','\nset datafile commentschars '#'\n"
+        "set datafile missing NaN\nset border 3 lw 1.2\nset tics nomirror out\n"
+        "set grid lc rgb '#dddddd' lw 1 dt 1\nunset key\nset logscale xy 10\n"
+        "set format y '10^{%%L}'\nunset mxtics\nunset mytics\nshown(y, low) = y < low ? low : y\n"
+        "set multiplot layout %zu,%zu title '%s' noenhanced font ',16'\n",
+        plot->columns * PANEL_WIDTH, rows * PANEL_HEIGHT + 40, rows, plot->columns,
+        quote(plot->title, text, sizeof text));
     for (size_t i = 0; i < plot->count; i++) {
         const PlotPanel *panel = &plot->panels[i];
         Ends ends = find_ends(panel);

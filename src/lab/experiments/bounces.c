@@ -8,7 +8,7 @@
 #include <string.h>
 
 /** Mirrorings. */
-static const double counts[] = {1, 2, 3, 4, 5, 6, 8, 10, 12, 16};
+static const double counts[] = {1, 2, 3, 4, 5, 6, 8, 10, 12};
 
 /** Corners of a tetrahedron, and the radius of the balls there. */
 static const Quad3 corners[4] = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};

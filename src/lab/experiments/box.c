@@ -7,15 +7,22 @@
 
 /* --- rays that just touch --- */
 
-/** How far away a ray starts, lengths of its direction: powers of two, so that it is exact. */
-static const double distances[] = {1, 4, 16, 64, 256, 1024, 4096};
+/** Bits of each part of a direction. */
+static const double bits[] = {1, 2, 3, 4, 6, 8, 10};
+/** How far away a ray starts, lengths of its direction: it must be exact. */
+enum { DISTANCE = 64 };
 
 /** Lowest corner of the box that is touched, and highest; with a flat one, it is 0 high. */
 static const Quad3 box_low = {-1, -2, -1}, box_high = {1, 2, 3};
 
-/** @return A whole number from -7 to 7. @param[in,out] random Where it comes from. */
-static Quadruple whole(Random *random) {
-    return (Quadruple)(random_bits(random) % 15) - 7;
+/** @return A part of a direction: a fraction of so few bits that rays are exact in float, even if
+ *          its quotients are not. One in five is zero. @param[in,out] random Where it comes from.
+ *  @param count How many bits. */
+static Quadruple part(Random *random, double count) {
+    uint64_t steps = (uint64_t)1 << (int)count;
+    bool is_zero = random_bits(random) % 5 == 0;
+    Quadruple number = (Quadruple)(random_bits(random) % (2 * steps - 1)) - (Quadruple)(steps - 1);
+    return is_zero ? 0 : number / (Quadruple)steps;
 }
 
 /** @return A place along one axis: an end of it, or sometimes somewhere between, in eighths.
@@ -32,12 +39,13 @@ static Quadruple touched(Random *random, Quadruple low, Quadruple high) {
 static void pose_through(const Setting *setting, Random *random, Quad3 high, Case *posed) {
     Quad3 point = {touched(random, box_low.x, high.x), touched(random, box_low.y, high.y),
                    touched(random, box_low.z, high.z)};
-    Quad3 direction = {whole(random), whole(random), whole(random)};
+    double count = setting->level;
+    Quad3 direction = {part(random, count), part(random, count), part(random, count)};
     if (quad3_dot(direction, direction) == 0) {
         direction.x = 1;
     }
     Writer writer = {setting->type, posed->questions};
-    write_vector(&writer, quad3_subtract(point, quad3_scale(direction, setting->level)));
+    write_vector(&writer, quad3_subtract(point, quad3_scale(direction, DISTANCE)));
     write_vector(&writer, direction);
     write_vector(&writer, box_low);
     write_vector(&writer, high);
@@ -82,9 +90,9 @@ const Experiment box_touch_experiment = {
     .name = "box-touch",
     .title = "Rays that just touch a box: its corners, its edges, along its faces",
     .family = "box-slabs",
-    .stress = "distance, lengths of the direction",
-    .levels = distances,
-    .level_count = COUNT_OF(distances),
+    .stress = "bits of each part of the direction",
+    .levels = bits,
+    .level_count = COUNT_OF(bits),
     .cases = 50000,
     .parts = 1,
     .pose = pose_touch,
@@ -96,9 +104,9 @@ const Experiment box_flat_experiment = {
     .name = "box-flat",
     .title = "Rays that meet a flat box, as trees have them around flat models",
     .family = "box-slabs",
-    .stress = "distance, lengths of the direction",
-    .levels = distances,
-    .level_count = COUNT_OF(distances),
+    .stress = "bits of each part of the direction",
+    .levels = bits,
+    .level_count = COUNT_OF(bits),
     .cases = 50000,
     .parts = 1,
     .pose = pose_flat,

@@ -15,14 +15,28 @@ static Quad3 center_of(void) {
     return place_far(2);
 }
 
-/** Poses a point near the pole. See #Experiment.pose. @param setting Where. @param[in,out] random
- *  Where it comes from. @param[out] posed The case. */
+/** @return Where a ray meets the sphere, rounded as a tracer rounds it: P = o + t d. @param type
+ * The number type. @param o Where it starts. @param d Which way. */
+static Quad3 hit_of(const NumberType *type, Quad3 o, Quad3 d) {
+    Quadruple t = type->round(sphere_truth(o, d, center_of(), 1));
+    Quad3 way = rounded(type, quad3_scale(d, t));
+    return rounded(type, quad3_add(o, way));
+}
+
+/** Poses a point near the pole, met from ten radii above. See #Experiment.pose. @param setting
+ *  Where. @param[in,out] random Where it comes from. @param[out] posed The case. */
 static void pose(const Setting *setting, Random *random, Case *posed) {
-    Writer writer = {setting->type, posed->questions};
+    const NumberType *type = setting->type;
+    Writer writer = {type, posed->questions};
     double angle = setting->level * random_between(random, 0.5, 1);
     Quad3 up = {0, 1, 0}, along = quad3_normalize(random_across(random, up, 1));
     Quad3 arm = quad3_add(quad3_scale(up, cos(angle)), quad3_scale(along, sin(angle)));
-    Quad3 point = write_vector(&writer, quad3_add(center_of(), quad3_normalize(arm)));
+    Quad3 target = quad3_add(center_of(), quad3_normalize(arm));
+    Quad3 beside = random_across(random, up, 5);
+    Quad3 eye = quad3_add(target, quad3_add(quad3_scale(arm, 10), beside));
+    Quad3 o = rounded(type, eye);
+    Quad3 d = rounded(type, quad3_normalize(quad3_subtract(target, o)));
+    Quad3 point = write_vector(&writer, hit_of(type, o, d));
     Quad3 center = write_vector(&writer, center_of());
     write_number(&writer, 1);
     Quad3 n = quad3_subtract(point, center);

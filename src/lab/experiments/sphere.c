@@ -164,7 +164,9 @@ static Quad3 earth_of(double radius) {
  *  Where it comes from. @param[out] posed The case. */
 static void pose_ground(const Setting *setting, Random *random, Case *posed) {
     View view = {.center = earth_of(setting->level), .radius = setting->level};
-    Quad3 up = quad3_normalize(quad3_scale(view.center, -1));
+    // Somewhere on the ground, so that no one rounding of the eye's place decides all.
+    Quad3 walk = random_across(random, (Quad3){0, 1, 0}, 10);
+    Quad3 up = quad3_normalize(quad3_subtract(walk, view.center));
     Quad3 origin = quad3_add(view.center, quad3_scale(up, setting->level + 1));
     Quad3 along = quad3_normalize(random_across(random, up, 1));
     double down = random_between(random, 0.087, 1); // The sine of 5 degrees, to 1.

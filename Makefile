@@ -193,6 +193,14 @@ $(BUILD)/peer-accuracy: tests/peers/accuracy.c $(wildcard tests/*.h) $(ROOM_OBJE
 $(BUILD)/peer-fragment: tests/peers/fragment.c
 	$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,sdl2) -o $@ $< $(call PKG_LIBS,sdl2) -lGL
 
+# --- the laboratory ------------------------------------------------------------------------------
+.PHONY: charts
+charts: packages
+	@.ci/packages $(BENCH_PACKAGES)
+	@$(MAKE) --no-print-directory all
+	@mkdir -p $(BUILD)/lab
+	$(PROGRAM) lab --out doc/lab >$(BUILD)/lab/tables.txt
+
 # --- documentation -------------------------------------------------------------------------------
 .PHONY: doc
 doc:

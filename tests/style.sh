@@ -17,6 +17,7 @@ arrow render trace scene
 arrow script assets scene
 arrow assets scene
 arrow view render
+arrow lab render trace assets
 arrow cli view render script
 
 # without ROOM WORD: a room that must not know a library.
@@ -24,8 +25,8 @@ without() {
     found=$(grep -rniE "#include [<\"]$2" "src/$1" "include" | grep -v images_module)
     [ -z "$found" ] && ok "src/$1 knows nothing of $2" || fail "src/$1 knows $2: $found"
 }
-for room in scene trace render script assets cli; do without $room SDL; done
-for room in scene trace render assets view cli; do without $room 'l(ua|auxlib|ualib)'; done
+for room in scene trace render script assets lab cli; do without $room SDL; done
+for room in scene trace render assets view lab cli; do without $room 'l(ua|auxlib|ualib)'; done
 for room in scene trace; do without $room pthread; done
 
 found=$(grep -rnE '\b(switch|case)\b' src/trace/*.c src/trace/shapes | grep -v '^ *\*')

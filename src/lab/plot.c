@@ -30,6 +30,9 @@ static const int signs[] = {7, 5, 9, 13, 4, 6, 8, 3};
 /** How many styles there are. */
 enum { STYLE_COUNT = sizeof colors / sizeof *colors };
 
+/** Numbers before which a panel has marks, within a power of ten. */
+static const double marks[] = {1, 2, 5};
+
 bool plot_is_possible(void) {
     return program_is_there(PLOT_PROGRAM);
 }
@@ -169,20 +172,15 @@ static void write_names(const PlotPanel *panel, const Ends *ends, FILE *script) 
 static void write_x_tics(const Ends *ends, FILE *script) {
     double low = fmin(ends->first, ends->last), high = fmax(ends->first, ends->last);
     double wide = log10(high / low);
-    if (wide > 2.5) {
-        double first = pow(10, ceil(log10(low) - 1e-9)), step = pow(10, fmax(1, ceil(wide / 7)));
-        fprintf(script, "set format x '10^{%%L}'\nset xtics %g, %g, %g\n", first, step,
-                high * 1.001);
-        return;
-    }
-    fputs("set format x '%g'\nset xtics (", script);
+    int step = wide > 7 ? 2 : 1;
+    size_t count = wide > 2.5 ? 1 : sizeof marks / sizeof *marks;
+    fprintf(script, "set format x '%s'\nset xtics (", count == 1 ? "10^{%L}" : "%g");
     const char *comma = "";
-    for (double decade = pow(10, floor(log10(low))); decade <= high; decade *= 10) {
-        static const double marks[] = {1, 2, 5};
-        for (size_t i = 0; i < sizeof marks / sizeof *marks; i++) {
-            double at = decade * marks[i];
+    for (int power = (int)floor(log10(low)); power <= log10(high); power += step) {
+        for (size_t i = 0; i < count; i++) {
+            double at = pow(10, power) * marks[i];
             if (at >= low * 0.999 && at <= high * 1.001) {
-                fprintf(script, "%s%g", comma, at);
+                fprintf(script, "%s%.10g", comma, at);
                 comma = ", ";
             }
         }

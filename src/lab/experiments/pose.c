@@ -63,8 +63,10 @@ Quad3 quad3_of(const Quadruple numbers[3]) {
 
 void judge_count(const Case *posed, const Quadruple *answers, Score *score) {
     (void)posed;
-    score_outcome(score, OUTCOME_LEAK, answers[1] < 1);
-    score_outcome(score, OUTCOME_DOUBLE_HIT, answers[1] > 1);
+    score_outcome(score, OUTCOME_LEAK, answers[1] == 0);
+    if (answers[1] != COUNT_UNKNOWN) {
+        score_outcome(score, OUTCOME_DOUBLE_HIT, answers[1] > 1);
+    }
 }
 
 void ask_count(const Engine *engine, Tracer *tracer, const Case *posed, Quadruple *answers) {
@@ -72,7 +74,7 @@ void ask_count(const Engine *engine, Tracer *tracer, const Case *posed, Quadrupl
     const Quad3 ray[2] = {quad3_of(posed->questions), quad3_of(posed->questions + 3)};
     engine_ask(engine, tracer, ray, &answer);
     answers[0] = answer.distance;
-    answers[1] = answer.shape >= 0;
+    answers[1] = answer.shape >= 0 ? COUNT_UNKNOWN : 0;
 }
 
 void judge_distance(const Case *posed, const Quadruple *answers, Score *score) {

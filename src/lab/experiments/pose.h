@@ -51,12 +51,15 @@ void engine_ask(const Engine *engine, const Tracer *tracer, const Quad3 ray[2], 
 /** @return Three numbers as a vector. @param numbers The numbers. */
 Quad3 quad3_of(const Quadruple numbers[3]);
 
+/** Said in place of a count by who meets something and does not say how often: engines. */
+#define COUNT_UNKNOWN ((Quadruple)-1)
+
 /** Judges how often a ray that leaves a solid meets its surface: once. See #Experiment.judge.
  *  @param posed Not looked at. @param answers Distance and count. @param[in,out] score The score.
  */
 void judge_count(const Case *posed, const Quadruple *answers, Score *score);
 
-/** Asks an engine for distance and count, which is 1 where it meets anything. See #Experiment.ask.
+/** Asks an engine for distance and count: 0 or #COUNT_UNKNOWN. See #Experiment.ask.
  *  @param engine The engine. @param tracer Its tracer. @param posed The case. @param[out] answers
  *  Distance and count. */
 void ask_count(const Engine *engine, Tracer *tracer, const Case *posed, Quadruple *answers);

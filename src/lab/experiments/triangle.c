@@ -94,7 +94,9 @@ static void judge_faces(const Case *posed, const Quadruple *answers, Score *scor
         count += answers[i] < QUAD_NONE;
     }
     score_outcome(score, OUTCOME_LEAK, count == 0);
-    score_outcome(score, OUTCOME_DOUBLE_HIT, count > 1);
+    if (answers[1] != COUNT_UNKNOWN) {
+        score_outcome(score, OUTCOME_DOUBLE_HIT, count > 1);
+    }
 }
 
 /** @return The ball as a model. See #Experiment.scene. @param setting Where. @param[out] error What
@@ -124,7 +126,11 @@ static void ask_ball(const Engine *engine, Tracer *tracer, const Case *posed, Qu
     const Quad3 ray[2] = {quad3_of(posed->questions), quad3_of(posed->questions + 3)};
     engine_ask(engine, tracer, ray, &answer);
     for (int i = 0; i < CASE_PARTS_MAXIMUM; i++) {
-        answers[i] = i == 0 && answer.shape >= 0 ? answer.distance : QUAD_NONE;
+        answers[i] = QUAD_NONE;
+    }
+    if (answer.shape >= 0) {
+        answers[0] = answer.distance;
+        answers[1] = COUNT_UNKNOWN;
     }
 }
 

@@ -6,7 +6,7 @@
 #define DIOPTRE_LAB_METHODS_FRESNEL_H
 
 #include "lab/methods/method.h"
-#include "trace/real.h"
+#include "trace/root.h"
 
 /** Light at a surface. */
 typedef struct FresnelQuestion {

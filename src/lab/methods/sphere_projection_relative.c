@@ -22,7 +22,7 @@ static void run(const void *question, void *answer) {
 }
 
 const Method sphere_projection_relative = {.family = "sphere",
-                                           .name = "projection, relative",
+                                           .name = "relative projection",
                                            .label = "relative",
                                            .inputs = NUMBERS_OF(SphereQuestion),
                                            .outputs = NUMBERS_OF(SphereAnswer),

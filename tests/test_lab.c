@@ -1,0 +1,365 @@
+/**
+ * @file
+ * @brief The laboratory: its bad methods fail where they should, its good ones and the tracer's own
+ *        hold, and the same figures come of every run.
+ *
+ * One table: a row a cliff. The bounds of good methods are the targets that the laboratory was
+ * planned with, those of bad ones far enough below what they do that another compiler's last bit
+ * does not count.
+ */
+#include "lab/experiments/experiments.h"
+#include "lab/figures.h"
+#include "lab/score.h"
+#include "lab/table.h"
+#include "slowness.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+/** Cases of each level here: a share of those of the laboratory. */
+enum { CASES = 4000 };
+
+/** A cliff, or the lack of one. */
+typedef struct Expectation {
+    const char *experiment; /**< The experiment. */
+    const char *method;     /**< Who. */
+    const char *type;       /**< In which number type. */
+    double level;           /**< Under which stress. */
+    const char *figure;     /**< What, as the CSV calls it. */
+    double low;             /**< At least so much. */
+    double high;            /**< At most so much. */
+} Expectation;
+
+/** Without an upper end. */
+#define ANY HUGE_VAL
+
+/** What must come out. */
+static const Expectation expectations[] = {
+    // Spheres far away: the quadratic loses them, projection does not.
+    {"sphere-distance", "expanded", "float", 100, "ulps_p999", 300, ANY},
+    {"sphere-distance", "textbook", "float", 1e3, "false_hits", 0.2, 1},
+    {"sphere-distance", "textbook", "float", 1e4, "false_misses", 0.1, 0.5},
+    {"sphere-distance", "textbook", "double", 1e4, "ulps_p999", 1e4, ANY},
+    {"sphere-distance", "textbook", "double", 1e3, "false_misses", 0, 0},
+    {"sphere-distance", "relative projection", "float", 1e4, "false_misses", 0, 1e-3},
+    {"sphere-distance", "relative projection", "float", 1e3, "ulps_p999", 0, 8},
+    {"sphere-distance", "relative projection", "float", 1.01, "ulps_p999", 20, ANY},
+    {"sphere-distance", "Haines", "float", 1e4, "ulps_p999", 0, 8},
+    {"sphere-distance", "mixed", "float", 1e6, "ulps_max", 0, 0.6},
+    {"sphere-distance", "mixed", "float", 1e6, "false_misses", 0, 0},
+    {"sphere-distance", "compensated", "float", 1.01, "ulps_max", 0, 4},
+    {"sphere-distance", "dioptre", "float", 1.01, "ulps_max", 0, 2},
+    {"sphere-distance", "dioptre", "float", 1e6, "ulps_max", 0, 2},
+    {"sphere-distance", "dioptre", "float", 1e6, "false_misses", 0, 0},
+    {"sphere-distance", "dioptre", "float", 1e6, "false_hits", 0, 0},
+    {"sphere-distance", "dioptre", "double", 1e4, "ulps_p999", 0, 32},
+    {"sphere-distance", "dioptre", "double", 1e6, "false_misses", 0, 0},
+    // Far from the origin of the world.
+    {"sphere-world", "expanded", "float", 1e3, "false_misses", 0.01, 0.2},
+    {"sphere-world", "projection", "float", 1e5, "ulps_p999", 1e3, ANY},
+    {"sphere-world", "relative projection", "float", 1e6, "ulps_p999", 0, 8},
+    {"sphere-world", "dioptre", "float", 1e6, "ulps_max", 0, 2},
+    {"sphere-world", "dioptre", "float", 1e6, "false_misses", 0, 0},
+    // Every scale is alike.
+    {"sphere-scale", "relative projection", "float", 1e-6, "ulps_p999", 0, 8},
+    {"sphere-scale", "dioptre", "float", 1e-6, "ulps_max", 0, 2},
+    {"sphere-scale", "dioptre", "float", 1e6, "ulps_max", 0, 2},
+    // The ground: nothing in float alone sees it.
+    {"sphere-ground", "relative projection", "float", 1e5, "error_median", 1e-4, ANY},
+    {"sphere-ground", "Haines", "float", 1e5, "error_median", 1e-4, ANY},
+    {"sphere-ground", "compensated", "float", 1e6, "error_p999", 0, 1e-6},
+    {"sphere-ground", "mixed", "float", 1e6, "error_max", 0, 6e-8},
+    {"sphere-ground", "dioptre", "float", 1e6, "error_max", 0, 2.4e-7},
+    // Cylinders.
+    {"cylinder-distance", "B^2-AC", "float", 1e4, "false_misses", 0.1, 0.6},
+    {"cylinder-distance", "B^2-AC", "float", 100, "ulps_median", 10, ANY},
+    {"cylinder-distance", "cross product", "float", 1e4, "false_misses", 0, 1e-3},
+    {"cylinder-distance", "cross product", "float", 1e4, "error_p999", 0, 4e-7},
+    {"cylinder-distance", "dioptre", "float", 1e4, "error_max", 0, 4e-7},
+    {"cylinder-distance", "dioptre", "float", 1e4, "false_misses", 0, 0},
+    {"cylinder-rim", "three parts", "float", 1, "leaks", 0.005, 0.05},
+    {"cylinder-rim", "three parts", "double", 1, "leaks", 0.003, 0.05},
+    {"cylinder-rim", "three parts", "float", 1, "double_hits", 0.4, 0.8},
+    {"cylinder-rim", "interval", "float", 1, "leaks", 0, 0},
+    {"cylinder-rim", "dioptre", "float", 1, "leaks", 0, 0},
+    {"cylinder-rim", "dioptre", "double", 1e4, "leaks", 0, 0},
+    // Planes: 4 u / sin(angle) with a stored offset.
+    {"plane-angle", "by its offset", "float", 0.01, "error_p999", 1e-5, 1.4e-3},
+    {"plane-angle", "dioptre", "float", 0.01, "error_max", 0, 1e-6},
+    {"plane-angle", "dioptre", "double", 0.01, "error_max", 0, 2.6e-12},
+    {"plane-point", "by a point", "float", 1e6, "error_p999", 1e-3, ANY},
+    {"plane-point", "by its offset", "float", 1e6, "error_max", 0, 4.8e-7},
+    {"plane-point", "dioptre", "float", 1e6, "error_max", 0, 4.8e-7},
+    // Triangles: what neighbours compute alike does not leak.
+    {"triangle-edges", "Cramer", "float", 1, "leaks", 0.02, 0.2},
+    {"triangle-edges", "Moeller-Trumbore", "float", 1, "leaks", 0.05, 0.2},
+    {"triangle-edges", "Moeller-Trumbore", "double", 1, "leaks", 0.05, 0.2},
+    {"triangle-edges", "Moeller-Trumbore strict", "float", 1, "leaks", 0.2, 0.6},
+    {"triangle-edges", "Moeller-Trumbore tolerant", "float", 1, "leaks", 0, 0},
+    {"triangle-edges", "Moeller-Trumbore tolerant", "float", 1, "double_hits", 0.9, 1},
+    {"triangle-edges", "signed volumes", "float", 1, "leaks", 0, 0},
+    {"triangle-edges", "watertight", "float", 1e4, "leaks", 0, 0},
+    {"triangle-edges", "watertight", "float", 1, "double_hits", 0, 0.05},
+    {"triangle-edges", "dioptre", "float", 1, "leaks", 0, 0},
+    {"triangle-edges", "dioptre", "double", 1e4, "leaks", 0, 0},
+    {"triangle-corners", "Moeller-Trumbore", "double", 1, "leaks", 0.03, 0.2},
+    {"triangle-corners", "Moeller-Trumbore strict", "float", 1, "leaks", 0.4, 0.8},
+    {"triangle-corners", "signed volumes", "float", 1, "leaks", 0.002, 0.05},
+    {"triangle-corners", "watertight", "float", 1, "leaks", 0, 0},
+    {"triangle-corners", "dioptre", "float", 1, "leaks", 0, 0},
+    {"triangle-corners", "dioptre", "double", 1e4, "leaks", 0, 0},
+    {"triangle-small", "Moeller-Trumbore with cut", "float", 1e-2, "false_misses", 0, 0.01},
+    {"triangle-small", "Moeller-Trumbore with cut", "float", 1e-3, "false_misses", 1, 1},
+    {"triangle-small", "Moeller-Trumbore", "float", 1e-6, "false_misses", 0, 0.01},
+    {"triangle-small", "dioptre", "float", 1e-6, "false_misses", 0, 0.01},
+    {"triangle-thin", "watertight", "float", 1e5, "ulps_p999", 500, ANY},
+    {"triangle-thin", "dioptre", "float", 1e6, "ulps_max", 0, 2},
+    {"triangle-thin", "dioptre", "double", 1e6, "ulps_max", 0, 16},
+    // Boxes.
+    {"box-touch", "NaN misses", "float", 10, "false_misses", 0.1, 0.6},
+    {"box-touch", "NaN drops out", "float", 10, "false_misses", 0.01, 0.2},
+    {"box-touch", "NaN drops out", "float", 2, "false_misses", 0, 0},
+    {"box-touch", "far(1+2g3)", "float", 10, "false_misses", 0, 0},
+    {"box-touch", "dioptre", "float", 10, "false_misses", 0, 0},
+    {"box-touch", "dioptre", "double", 10, "false_misses", 0, 0},
+    {"box-flat", "NaN drops out", "float", 10, "false_misses", 0.01, 0.3},
+    {"box-flat", "far(1+2g3)", "double", 10, "false_misses", 0, 0},
+    {"cube-edges", "six quads", "float", 1, "leaks", 2e-4, 0.02},
+    {"cube-edges", "six quads", "float", 1, "double_hits", 0.5, 1},
+    {"cube-edges", "slabs", "float", 1, "leaks", 0, 0},
+    {"cube-edges", "slabs", "float", 1, "double_hits", 0, 0},
+    {"cube-edges", "dioptre", "float", 1, "leaks", 0, 0},
+    // Leaving a surface: one constant is wrong in both directions.
+    {"mirror-scale", "no offset", "float", 1, "wrong", 0.2, 0.7},
+    {"mirror-scale", "t > 1e-4", "float", 1, "wrong", 0, 0},
+    {"mirror-scale", "t > 1e-4", "float", 1e3, "wrong", 0.1, 0.7},
+    {"mirror-scale", "1e-4 N", "float", 1e-6, "error_median", 10, ANY},
+    {"mirror-scale", "256 ulps", "float", 1e-6, "error_median", 1, ANY},
+    {"mirror-scale", "32 u (|P| + R) N", "float", 1e6, "wrong", 0, 0},
+    {"mirror-scale", "dioptre", "float", 1e-6, "wrong", 0, 0},
+    {"mirror-scale", "dioptre", "float", 1e6, "wrong", 0, 0},
+    {"mirror-scale", "dioptre", "float", 1e-6, "error_max", 0, 1e-5},
+    {"mirror-world", "t > 1e-4", "float", 1e5, "wrong", 0.2, 0.7},
+    {"mirror-world", "dioptre", "float", 1e5, "wrong", 0, 0},
+    {"glass-scale", "1e-4 N outwards", "float", 1, "wrong", 1, 1},
+    {"glass-scale", "1e-4 N", "float", 1, "wrong", 0, 0},
+    {"glass-scale", "1e-4 N", "float", 1e-3, "wrong", 0.9, 1},
+    {"glass-scale", "dioptre", "float", 1e-6, "wrong", 0, 0},
+    {"glass-scale", "dioptre", "double", 1e6, "wrong", 0, 0},
+    {"glass-world", "1e-4 N", "float", 1e4, "wrong", 0.2, 1},
+    {"glass-world", "dioptre", "float", 1e4, "wrong", 0, 0},
+    // Light and mirrors.
+    {"mirror-bounces", "normalized", "float", 10, "error_median", 5e-5, 5e-3},
+    {"mirror-bounces", "normalized", "double", 10, "error_median", 0, 1e-11},
+    {"fresnel-into", "one polarisation", "float", 12, "error_max", 0.14, 0.16},
+    {"fresnel-into", "Schlick", "float", 5, "error_max", 0.03, 0.04},
+    {"fresnel-into", "exact", "float", 90, "error_max", 0, 2.1e-7},
+    {"fresnel-into", "exact", "double", 5, "error_max", 0, 4.4e-16},
+    {"fresnel-into", "exact", "double", 0.1, "error_max", 0, 6e-16},
+    {"fresnel-out", "Schlick by the inner cosine", "double", 0.03, "error_max", 0.7, 1},
+    {"fresnel-out", "exact", "float", 1, "error_max", 0, 1e-5},
+    // A thousandth of a texel of 4096 rows: 7.7e-7 radians.
+    {"sphere-pole", "acos", "float", 1e-5, "nan", 0.1, 0.7},
+    {"sphere-pole", "acos held", "float", 1e-4, "error_p999", 1e-4, ANY},
+    {"sphere-pole", "atan2", "float", 1e-4, "error_max", 0, 2.5e-7},
+    {"sphere-pole", "dioptre", "float", 1, "error_max", 0, 7.7e-7},
+    {"sphere-pole", "dioptre", "float", 1e-7, "nan", 0, 0},
+    // Fields.
+    {"field-normal", "forward", "float", 1e-3, "error_max", 5e-4, 1e-3},
+    {"field-normal", "tetrahedral", "float", 1e-2, "error_max", 3e-3, 1e-2},
+    {"field-normal", "central", "float", 1e-2, "error_max", 0, 3e-5},
+    {"field-normal", "central", "double", 1e-5, "error_max", 0, 1e-10},
+    {"field-normal", "central", "float", 1e-6, "error_max", 0.01, ANY},
+    {"field-normal", "exact", "float", 1e-3, "error_max", 0, 1e-7},
+    {"field-cells", "own cell", "float", 0.1, "wrong", 0.1, 0.25},
+    {"field-cells", "27 cells", "float", 0.1, "wrong", 0, 0.005},
+    {"marching-angle", "plain", "double", 1, "work", 500, 550},
+    {"marching-angle", "relaxed", "double", 1, "work", 300, 350},
+    {"marching-angle", "relaxed", "float", 1, "error_max", 0, 5.8e-3},
+    {"marching-angle", "plain", "float", 0.1, "false_misses", 0, 0},
+};
+
+/** @return The kind of figure that the CSV calls so. @param column How. */
+static const Figure *find_figure(const char *column) {
+    for (size_t i = 0; i < FIGURE_COUNT; i++) {
+        if (strcmp(figure_at(i)->column, column) == 0) {
+            return figure_at(i);
+        }
+    }
+    fail_msg("there is no figure %s", column);
+    return NULL;
+}
+
+/** Makes an experiment with fewer cases. @param experiment The experiment. @param threads How many.
+ *  @param[out] findings What was found, to be given back. */
+static void make(const Experiment *experiment, int threads, Findings *findings) {
+    Error error = {0};
+    Experiment small = *experiment;
+    size_t most = CASES / SLOWNESS;
+    small.cases = small.cases < most ? small.cases : most;
+    assert_true(experiment_make(&small, threads, NULL, findings, &error));
+}
+
+/** Checks one row. @param row The row. @param experiment Its experiment. @param findings What was
+ *  found in it. */
+static void check(const Expectation *row, const Experiment *experiment, const Findings *findings) {
+    const Finding *finding = findings_find(findings, row->method, row->type, row->level);
+    if (!finding) {
+        fail_msg("%s: nothing of %s in %s at %g", row->experiment, row->method, row->type,
+                 row->level);
+    }
+    double found = find_figure(row->figure)->of(experiment, finding);
+    if (!(found >= row->low && found <= row->high)) {
+        fail_msg("%s: %s in %s at %g: %s %g, not from %g to %g", row->experiment, row->method,
+                 row->type, row->level, row->figure, found, row->low, row->high);
+    }
+}
+
+/** Every experiment finds what it is there for. @param state Not used. */
+static void test_cliffs(void **state) {
+    (void)state;
+    for (const Experiment *const *e = experiment_list(); *e; e++) {
+        Findings findings;
+        size_t rows = 0;
+        make(*e, 2, &findings);
+        for (size_t i = 0; i < sizeof expectations / sizeof *expectations; i++) {
+            if (strcmp(expectations[i].experiment, (*e)->name) == 0) {
+                check(&expectations[i], *e, &findings);
+                rows++;
+            }
+        }
+        if (rows == 0) {
+            fail_msg("nothing is expected of %s", (*e)->name);
+        }
+        findings_release(&findings);
+    }
+}
+
+/** Every row is of an experiment that there is. @param state Not used. */
+static void test_rows_are_used(void **state) {
+    (void)state;
+    for (size_t i = 0; i < sizeof expectations / sizeof *expectations; i++) {
+        const Experiment *const *e = experiment_list();
+        while (*e && strcmp((*e)->name, expectations[i].experiment) != 0) {
+            e++;
+        }
+        assert_non_null(*e);
+    }
+}
+
+/** Every method is asked by some experiment, and its names go into a CSV. @param state Not used. */
+static void test_methods_are_asked(void **state) {
+    (void)state;
+    for (const Method *const *m = number_types()[0]->methods; *m; m++) {
+        const Experiment *const *e = experiment_list();
+        while (*e && strcmp((*e)->family, (*m)->family) != 0) {
+            e++;
+        }
+        assert_non_null(*e);
+        assert_null(strpbrk((*m)->name, ",\"\n"));
+        assert_true((*m)->inputs <= METHOD_NUMBERS_MAXIMUM);
+        assert_true((*m)->outputs <= METHOD_NUMBERS_MAXIMUM);
+        assert_true((size_t)(*m)->inputs * (*e)->parts <= CASE_NUMBERS_MAXIMUM);
+    }
+}
+
+/** The same figures of one thread and of two. @param state Not used. */
+static void test_same_figures(void **state) {
+    (void)state;
+    Findings one, two;
+    make(&sphere_world_experiment, 1, &one);
+    make(&sphere_world_experiment, 2, &two);
+    size_t count = one.method_count * one.type_count * one.level_count;
+    for (size_t i = 0; i < count; i++) {
+        const Finding *a = &one.rows[i], *b = &two.rows[i];
+        assert_int_equal(a->cases, b->cases);
+        assert_memory_equal(&a->median, &b->median, sizeof a->median);
+        assert_memory_equal(&a->maximum, &b->maximum, sizeof a->maximum);
+        assert_memory_equal(a->shares, b->shares, sizeof a->shares);
+    }
+    findings_release(&one);
+    findings_release(&two);
+}
+
+/** An experiment that is stopped leaves nothing and says so. @param state Not used. */
+static void test_stops(void **state) {
+    (void)state;
+    Error error = {0};
+    Findings findings;
+    atomic_bool stop = true;
+    assert_false(experiment_make(&triangle_edges_experiment, 2, &stop, &findings, &error));
+    assert_int_equal(error.status, STATUS_INTERRUPTED);
+    assert_null(findings.rows);
+}
+
+/** Quantiles, shares and means. @param state Not used. */
+static void test_score(void **state) {
+    (void)state;
+    Score score = {0};
+    assert_true(isnan(score_quantile(&score, 0.5)));
+    for (int i = 100; i >= 0; i--) {
+        score_error(&score, i);
+    }
+    assert_true(score_quantile(&score, 0) == 0);
+    assert_true(score_quantile(&score, 0.5) == 50);
+    assert_true(score_quantile(&score, 0.999) == 100);
+    assert_true(score_quantile(&score, 1) == 100);
+    score_distance(&score, QUAD_NONE, 1);
+    score_distance(&score, 1, 1);
+    score_distance(&score, 1, QUAD_NONE);
+    assert_true(score_share(&score, OUTCOME_FALSE_MISS) == 0.5);
+    assert_true(score_share(&score, OUTCOME_FALSE_HIT) == 1);
+    assert_true(isnan(score_share(&score, OUTCOME_LEAK)));
+    score_release(&score);
+}
+
+/** Columns are as wide as they must be, words left, numbers right. @param state Not used. */
+static void test_table(void **state) {
+    (void)state;
+    char *text = NULL;
+    size_t size = 0;
+    FILE *stream = open_memstream(&text, &size);
+    Table table = table_of(2, 1);
+    table_cell(&table, "who");
+    table_cell(&table, "x");
+    table_cell(&table, "a");
+    table_number(&table, 1234.5);
+    table_cell(&table, "b");
+    table_number(&table, (double)NAN);
+    table_print(&table, stream);
+    fclose(stream);
+    assert_string_equal(text, "who         x\na    1.23e+03\nb           -\n");
+    table_release(&table);
+    free(text);
+}
+
+/** Roots and angles of quads. @param state Not used. */
+static void test_quad(void **state) {
+    (void)state;
+    Quadruple root = quad_sqrt(2);
+    assert_true(root * root - 2 < 1e-30 && 2 - root * root < 1e-30);
+    assert_true(quad_sqrt(0) == 0);
+    Quadruple negative = quad_sqrt(-1);
+    assert_true(negative != negative);
+    assert_true((double)quad_atan2(1, 1) == atan2(1, 1));
+}
+
+/** Runs the tests. @return How many failed. */
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_cliffs),
+        cmocka_unit_test(test_rows_are_used),
+        cmocka_unit_test(test_methods_are_asked),
+        cmocka_unit_test(test_same_figures),
+        cmocka_unit_test(test_stops),
+        cmocka_unit_test(test_score),
+        cmocka_unit_test(test_table),
+        cmocka_unit_test(test_quad),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

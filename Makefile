@@ -123,7 +123,7 @@ $(OBJ)/src/lab/csv.o: CPPFLAGS += -DDIOPTRE_FLAGS='"$(OPTIMIZE) $(ARITHMETIC)"'
 # --- packages: what a bare Debian 12 with gcc and make lacks --------------------------------------
 RUN_PACKAGES  := g++ pkg-config libsdl2-dev libsdl2-ttf-dev liblua5.4-dev libopenimageio-dev libassimp-dev fonts-dejavu-core
 TEST_PACKAGES := libcmocka-dev clang libclang-rt-14-dev xvfb xauth xdotool x11-xkb-utils xkb-data \
-                 imagemagick openbox qemu-user doxygen graphviz ffmpeg parallel slurm-wlm munge \
+                 imagemagick openbox qemu-user doxygen graphviz ffmpeg parallel slurm-wlm munge gnuplot-nox \
                  desktop-file-utils appstream shared-mime-info libglib2.0-bin
 BENCH_PACKAGES := gnuplot-nox
 PEER_PACKAGES := povray tachyon libembree-dev libgl-dev libgl1-mesa-dri xvfb xauth

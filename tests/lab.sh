@@ -3,7 +3,7 @@
 . "$(dirname "$0")/check.sh"
 
 expect 2 'needs --out' 'lab without a folder' "$dioptre" lab field-cells
-expect 2 'did you mean .sphere-scale.; there are sphere-distance, ' 'a misspelt test' \
+expect 2 'did you mean .sphere-scale.\?; there are sphere-distance, ' 'a misspelt test' \
     "$dioptre" lab sphere-scael --out "$work/none"
 expect 2 'there are ' 'an unknown test' "$dioptre" lab nonsense --out "$work/none"
 [ ! -e "$work/none" ] && ok 'a misspelt test makes no folder' || fail 'a misspelt test makes a folder'

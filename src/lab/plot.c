@@ -255,8 +255,11 @@ static bool run_script(const char *script, size_t size, const char *const files[
         return false;
     }
     bool is_fed = program_feed(&gnuplot, script, size);
-    return program_finish(&gnuplot, error) &&
-           (is_fed || error_set(error, STATUS_FAILED, PLOT_PROGRAM " did not read all"));
+    bool is_done = program_finish(&gnuplot, error);
+    if (stop && atomic_load(stop)) {
+        return error_set(error, STATUS_INTERRUPTED, "interrupted");
+    }
+    return is_done && (is_fed || error_set(error, STATUS_FAILED, PLOT_PROGRAM " did not read all"));
 }
 
 /** Draws a chart into a file that is open. @param plot The chart. @param file The file.

@@ -50,9 +50,13 @@ static void print_error(const Error *error) {
 /** Runs a command whose options were read. @param command It. @param options Its options.
  *  @param[out] error What is wrong. @return The exit status. */
 static int run_command(const Command *command, const Options *options, Error *error) {
-    bool is_enough = command->more_arguments ? options->argument_count >= command->arguments
-                                             : options->argument_count == command->arguments;
-    if (!is_enough) {
+    int more = options->argument_count - command->arguments;
+    if (more > 0 && !command->more_arguments) {
+        error_set(error, STATUS_USAGE, "too many arguments: '%s'",
+                  options->arguments[command->arguments]);
+        return STATUS_USAGE;
+    }
+    if (more < 0) {
         error_set(error, STATUS_USAGE, "usage: dioptre %s %s (--help says more)", command->name,
                   command->usage);
         return STATUS_USAGE;

@@ -12,8 +12,10 @@ static const double bits[] = {1, 2, 3, 4, 6, 8, 10};
 /** How far away a ray starts, lengths of its direction: it must be exact. */
 enum { DISTANCE = 64 };
 
-/** Lowest corner of the box that is touched, and highest; with a flat one, it is 0 high. */
-static const Quad3 box_low = {-1, -2, -1}, box_high = {1, 2, 3};
+/** Lowest corner of the box that is touched. */
+static const Quad3 box_low = {-1, -2, -1};
+/** Its highest; a flat one is 0 high. */
+static const Quad3 box_high = {1, 2, 3};
 
 /** @return A part of a direction: a fraction of so few bits that rays are exact in float, even if
  *          its quotients are not. One in five is zero. @param[in,out] random Where it comes from.

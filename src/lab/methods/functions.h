@@ -8,13 +8,13 @@
 #include "trace/real.h"
 
 #if REAL_BITS == 32
+/** A function of the C library in the number type. */
 #define REAL_FUNCTION(name) __builtin_##name##f
 #elif REAL_BITS == 64
 #define REAL_FUNCTION(name) __builtin_##name
 #elif REAL_BITS == 80 || !defined(__SIZEOF_FLOAT128__)
 #define REAL_FUNCTION(name) __builtin_##name##l
 #else
-/** A function of the C library in the number type. */
 #define REAL_FUNCTION(name) name##f128
 extern Quadruple fmaf128(Quadruple x, Quadruple y, Quadruple z);
 extern Quadruple acosf128(Quadruple x);

@@ -31,6 +31,7 @@ static void number_ask(const Method *method, size_t count, const Quadruple *ques
     }
 }
 
+/** The one thing of this folder that can be seen from outside. */
 extern const NumberType NUMBER_TYPE;
 
 const NumberType NUMBER_TYPE = {.name = NUMBER_TYPE_NAME,

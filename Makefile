@@ -115,6 +115,8 @@ $(OBJ)/type-$(1).o: $(METHOD_SOURCES:src/lab/methods/%.c=$(OBJ)/type-$(1)/%.o)
 	@rm -f $$@.all
 endef
 $(foreach type,$(TYPES),$(eval $(call TYPE_RULES,$(type))))
+# Experiments mix double with quad on purpose: what they widen is exact.
+$(OBJ)/src/lab/%.o: CFLAGS += -Wno-double-promotion
 # Its tables say how they came about.
 $(OBJ)/src/lab/csv.o: CPPFLAGS += -DDIOPTRE_FLAGS='"$(OPTIMIZE) $(ARITHMETIC)"'
 

@@ -89,6 +89,11 @@ typedef struct PixelGrid {
     const uint16_t *chosen; /**< Only these get a ray, of a grid of stride 1: `row * columns +
                                  column` of each; NULL: all do. */
     size_t chosen_count;    /**< How many, at least 1. */
+    uint64_t *trails;       /**< Where a number goes for each ray, in the order of its colour, that
+                                 says which way its light took: what it met, on which side of its
+                                 edges, and which lamps it saw. It is the same in all engines but
+                                 where roundings put a ray on the other side of an edge. NULL: they
+                                 are not wanted. */
 } PixelGrid;
 
 /** How many rays were traced. */

@@ -64,10 +64,10 @@ static uint32_t pixel_number(const PixelGrid *grid, int column, int row) {
 }
 
 /** Follows the camera rays of a packet. @param trace The grid. @param packet The rays.
- *  @param pixels Their pixels' numbers; NULL where no lamp asks. @param[out] colors Their colours.
- */
+ *  @param pixels Their pixels' numbers; NULL where no lamp asks. @param[out] trails Their trails;
+ *  NULL where nobody asks. @param[out] colors Their colours. */
 static void packet_trace(const GridTrace *trace, Packet *packet, const uint32_t *pixels,
-                         Light3 *colors) {
+                         uint64_t *trails, Light3 *colors) {
     const Glass *glass = &trace->tracer->glass;
     real weight[PACKET_VECTORS];
     Media media[PACKET_VECTORS];
@@ -77,9 +77,24 @@ static void packet_trace(const GridTrace *trace, Packet *packet, const uint32_t 
     for (int v = 0; glass->indices && v < PACKET_VECTORS; v++) {
         media[v] = glass->at_eye;
     }
-    packet->lineage = (Lineage){.pixels = pixels, .sample = (uint32_t)trace->grid->sample};
+    for (int i = 0; trails && i < PACKET_RAYS; i++) {
+        trails[i] = 0;
+    }
+    packet->lineage =
+        (Lineage){.pixels = pixels, .trails = trails, .sample = (uint32_t)trace->grid->sample};
     tracer_follow(trace->tracer, packet, glass->indices ? media : NULL, weight,
                   trace->tracer->depth, colors, trace->counts);
+}
+
+/** Writes the trails of a packet where they belong. @param trails The trails. @param grid The grid,
+ *  which asks for them. @param column The packet's first column. @param row Its first row. */
+static void trails_write(const uint64_t *trails, const PixelGrid *grid, int column, int row) {
+    for (int i = 0; i < PACKET_RAYS; i++) {
+        int c = column + i % PACKET_COLUMNS, r = row + i / PACKET_COLUMNS;
+        if (c < grid->columns && r < grid->rows) {
+            grid->trails[(size_t)r * (size_t)grid->columns + (size_t)c] = trails[i];
+        }
+    }
 }
 
 /** Traces a packet of a grid. @param trace The grid. @param column The packet's first column.
@@ -94,7 +109,12 @@ static void block_trace(const GridTrace *trace, int column, int row) {
             pixel_number(trace->grid, column + i % PACKET_COLUMNS, row + i / PACKET_COLUMNS);
     }
     eye_aim(&trace->tracer->eye, trace->grid, trace->place, column, row, &packet);
-    packet_trace(trace, &packet, is_soft ? pixels : NULL, colors);
+    uint64_t trails[PACKET_RAYS];
+    bool is_told = trace->grid->trails != NULL;
+    packet_trace(trace, &packet, is_soft ? pixels : NULL, is_told ? trails : NULL, colors);
+    if (is_told) {
+        trails_write(trails, trace->grid, column, row);
+    }
     colors_write(colors, trace->grid, column, row, trace->rgb);
 }
 
@@ -111,7 +131,12 @@ static void chosen_trace(const GridTrace *trace, size_t first) {
         pixels[i] = pixel_number(grid, pixel % grid->columns, pixel / grid->columns);
     }
     eye_aim_chosen(&trace->tracer->eye, grid, trace->place, first, &packet);
-    packet_trace(trace, &packet, trace->tracer->is_soft ? pixels : NULL, colors);
+    uint64_t trails[PACKET_RAYS];
+    packet_trace(trace, &packet, trace->tracer->is_soft ? pixels : NULL,
+                 grid->trails ? trails : NULL, colors);
+    for (size_t i = 0; grid->trails && i < count; i++) {
+        grid->trails[first + i] = trails[i];
+    }
     double *red = trace->rgb + first, *green = red + grid->chosen_count;
     double *blue = green + grid->chosen_count;
     for (size_t i = 0; i < count; i++) {

@@ -4,6 +4,7 @@
  */
 #include "trace/filter.h"
 #include "trace/lamp.h"
+#include "trace/trail.h"
 
 /**
  * @return max(0, r . v)^shininess, Phong's highlight, where r is the lamp's light mirrored.
@@ -91,6 +92,9 @@ uint64_t lighting_gather(const ShapeList *list, const Lamp *lamps, size_t lamp_c
             shape_list_blocked(list, &shine.shadow, blocked);
             if (met->media) {
                 filter_shadows(list, departure, met, &shine.shadow, blocked, shine.visible);
+            }
+            if (met->packet->lineage.trails) {
+                trail_shadows(met, &shine.shadow, blocked, met->media ? shine.visible : NULL);
             }
             shine_add(&lamps[i], &shine, blocked, shines, met, lighting);
             rays += count;

@@ -32,6 +32,8 @@
 typedef struct Lineage {
     const uint32_t *pixels; /**< A number for each ray, its pixel's own; NULL where no lamp is soft.
                              */
+    uint64_t *trails;       /**< A number for each ray, of the way that its light took; NULL: nobody
+                                 asks. See trace/trail.h. */
     uint32_t sample;        /**< Which of the pixels' samples they are. */
     uint32_t bounce;        /**< How often they were turned. */
 } Lineage;

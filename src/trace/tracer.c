@@ -4,6 +4,7 @@
  *        Improved Illumination Model for Shaded Display*, 1980).
  */
 #include "trace/tracer.h"
+#include "trace/trail.h"
 
 /** @return What rays that meet nothing see. @param tracer The tracer. @param direction Unit
  *  directions. @param lanes The rays that count. */
@@ -231,6 +232,9 @@ INLINE bool follow_to_surfaces(const Tracer *tracer, const Packet *packet, const
     bool is_any = encounter_find(tracer, packet, met);
     met->glass = &tracer->glass;
     met->media = media;
+    if (packet->lineage.trails) {
+        trail_surfaces(met);
+    }
     for (int v = 0; v < PACKET_VECTORS; v++) {
         mask missed = packet->active[v] & mask_not(met->met[v]);
         if (any(missed)) {

@@ -1,0 +1,53 @@
+/**
+ * @file
+ * @brief Sets of pixels of a picture: all of them, or a fixed sample.
+ */
+#ifndef DIOPTRE_LAB_PIXELS_H
+#define DIOPTRE_LAB_PIXELS_H
+
+#include "dioptre/engine.h"
+
+/** Some pixels of a picture, in the order of its blocks. */
+typedef struct Pixels {
+    int width;        /**< Of the whole picture. */
+    int height;       /**< Of the whole picture. */
+    size_t blocks;    /**< How many blocks it has. */
+    size_t *first;    /**< For each block, and once more at the end: how many come before; owned. */
+    uint16_t *chosen; /**< See #PixelGrid.chosen, block after block; owned. */
+    size_t count;     /**< How many in all. */
+} Pixels;
+
+/** Says whether a pixel is in a set. @param context The caller's. @param x Its column.
+ *  @param y Its row. @return Whether it is. */
+typedef bool (*PixelTest)(const void *context, int x, int y);
+
+/**
+ * Makes a set.
+ * @param[out] pixels  The set, to be given back with #pixels_release.
+ * @param width        Of the whole picture.
+ * @param height       Of the whole picture.
+ * @param test         Which pixels are in it.
+ * @param context      Handed to the test.
+ * @param[out] error   What is wrong.
+ * @return false without memory.
+ */
+bool pixels_make(Pixels *pixels, int width, int height, PixelTest test, const void *context,
+                 Error *error);
+
+/** @return Whether any pixel is in the set that holds all: it is. See #PixelTest.
+ *  @param context Not looked at. @param x Its column. @param y Its row. */
+bool pixel_is_any(const void *context, int x, int y);
+
+/** @return Whether a pixel is the one of its 8 by 8 pixels that is taken: somewhere in them, always
+ *          the same. See #PixelTest. @param context Not looked at. @param x Its column.
+ *  @param y Its row. */
+bool pixel_is_sampled(const void *context, int x, int y);
+
+/** Gives a set back. @param pixels The set; may be empty. */
+void pixels_release(Pixels *pixels);
+
+/** @return The grid of a set's pixels in a block; those of an empty block must not be traced.
+ *  @param pixels The set. @param block Which block. */
+PixelGrid pixels_grid(const Pixels *pixels, size_t block);
+
+#endif

@@ -51,7 +51,11 @@ static void print_value(const Parameter *row, const void *values) {
         printf("%.15g", *part);
         break;
     case PARAMETER_INTEGER:
-        printf("%d", *(const int *)field);
+        if (*(const int *)field < row->minimum) {
+            printf("as the scene needs");
+        } else {
+            printf("%d", *(const int *)field);
+        }
         break;
     case PARAMETER_BOOLEAN:
         printf("`%s`", *(const bool *)field ? "true" : "false");

@@ -133,6 +133,13 @@ typedef struct RayAnswer {
     Quadruple place[2];  /**< Where on a picture: (u, v). Of meshes only if a shape shows one. */
 } RayAnswer;
 
+/** What is known of a shape without making a tracer. */
+typedef struct ShapeMeasure {
+    Vector3 low;  /**< Lowest corner of its box; infinite where it has no end. */
+    Vector3 high; /**< Highest corner. */
+    bool is_flat; /**< Whether it has flat faces only. */
+} ShapeMeasure;
+
 /** The tracer at one precision and width. */
 typedef struct Engine {
     const char *name;  /**< Such as `f32x8`: type, bits and lanes. */
@@ -217,6 +224,14 @@ typedef struct Engine {
      * @param[out] high  Its highest; lower than the lowest where no shape is bounded.
      */
     void (*bounds)(const Tracer *tracer, Vector3 *low, Vector3 *high);
+
+    /**
+     * Measures a shape of a scene before it is transformed, without a tracer. The box of one that
+     * shows a model is infinite: the model has the points.
+     * @param shape  The shape.
+     * @return Its measures.
+     */
+    ShapeMeasure (*measure)(const SceneShape *shape);
 
     /** @return What a tracer was made of. @param tracer The tracer. */
     TracerContents (*contents)(const Tracer *tracer);

@@ -25,6 +25,8 @@ enum { IMAGE_SIZE_MAXIMUM = 16384 };
 enum { SAMPLES_MAXIMUM = 65536 };
 /** Largest number of times that a ray may be mirrored or refracted: a guard for the stack. */
 enum { DEPTH_MAXIMUM = 256 };
+/** #Image.depth where nobody says: until no more can be seen (see dioptre/forecast.h). */
+enum { IMAGE_DEPTH_NEEDED = -1 };
 
 /** Size and quality of the picture that a scene asks for. Filled through #image_keyword. */
 typedef struct Image {
@@ -32,7 +34,8 @@ typedef struct Image {
     int height;   /**< Pixels, 1 to #IMAGE_SIZE_MAXIMUM. */
     int encoding; /**< An #Encoding. */
     int samples;  /**< Rays a pixel, 1 to #SAMPLES_MAXIMUM. */
-    int depth;    /**< How often a ray may be mirrored or refracted, 0 to #DEPTH_MAXIMUM. */
+    int depth;    /**< How often a ray may be mirrored or refracted, 0 to #DEPTH_MAXIMUM, or
+                       #IMAGE_DEPTH_NEEDED. */
 } Image;
 
 /** The scene language's `image`. */

@@ -246,8 +246,8 @@ static bool take_value(const OptionRow *row, const char *text, Options *options,
     case 'X':
         return read_number(row->name, text, 0, &options->epsilon, error);
     case 'E':
-        options->engine = engine_find(text, error);
-        return options->engine != NULL;
+        options->engine = strcmp(text, "auto") == 0 ? NULL : engine_find(text, error);
+        return options->engine || strcmp(text, "auto") == 0;
     default:
         return take_word(row, text, options, error);
     }

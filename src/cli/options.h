@@ -34,7 +34,7 @@ typedef struct Options {
     const char *folder;                       /**< `--out`: folder to write into. */
     const char *base_dir;                     /**< `--base-dir` */
     const char *map;                          /**< `--map`: difference picture to write. */
-    const Engine *engine;                     /**< `--engine` */
+    const Engine *engine;                     /**< `--engine`; NULL: as the scene needs. */
     int width;                                /**< `--size` */
     int height;                               /**< `--size` */
     int samples;                              /**< `--samples` */

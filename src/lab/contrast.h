@@ -17,13 +17,13 @@
 
 /** How two shots differ. */
 typedef struct Contrast {
-    size_t rays;   /**< How many were compared. */
-    size_t equal;  /**< How many took the same way. */
-    size_t flips;  /**< How many took another, and show it by half a step or more. */
-    size_t off;    /**< How many took the same way and are off by half a step or more. */
-    double worst;  /**< Largest difference on the same way, steps. */
-    double mean;   /**< Root of the mean square of it, linear light. */
-    double whole;  /**< The same of all rays, edges too. */
+    size_t rays;  /**< How many were compared. */
+    size_t equal; /**< How many took the same way. */
+    size_t flips; /**< How many took another, and show it by half a step or more. */
+    size_t off;   /**< How many took the same way and are off by half a step or more. */
+    double worst; /**< Largest difference on the same way, steps. */
+    double mean;  /**< Root of the mean square of it, linear light. */
+    double whole; /**< The same of all rays, edges too. */
 } Contrast;
 
 /**

@@ -43,8 +43,7 @@ static void block_choose(Pixels *pixels, size_t block, PixelTest test, const voi
 bool pixels_make(Pixels *pixels, int width, int height, PixelTest test, const void *context,
                  Error *error) {
     size_t all = (size_t)width * (size_t)height;
-    *pixels =
-        (Pixels){.width = width, .height = height, .blocks = drawing_blocks(width, height)};
+    *pixels = (Pixels){.width = width, .height = height, .blocks = drawing_blocks(width, height)};
     pixels->first = calloc(pixels->blocks + 1, sizeof *pixels->first);
     pixels->chosen = malloc(all * sizeof *pixels->chosen);
     if (!pixels->first || !pixels->chosen) {

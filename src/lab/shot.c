@@ -15,11 +15,11 @@ enum { BLOCK_RAYS = BLOCK_COLUMNS * BLOCK_ROWS };
 
 /** A shot under way, shared by its threads. */
 typedef struct Taking {
-    const Studio *studio;    /**< What is shot. */
-    const Manner *manner;    /**< How. */
-    const Tracer *tracer;    /**< The manner's tracer. */
-    Shot *shot;              /**< Where it goes. */
-    RayCounts *counts;       /**< Rays traced, for each block. */
+    const Studio *studio; /**< What is shot. */
+    const Manner *manner; /**< How. */
+    const Tracer *tracer; /**< The manner's tracer. */
+    Shot *shot;           /**< Where it goes. */
+    RayCounts *counts;    /**< Rays traced, for each block. */
 } Taking;
 
 /** @return The processor's time that this program has used, seconds. */
@@ -69,8 +69,8 @@ static Camera camera_nudged(Camera camera, const Manner *manner, int width) {
     aim = vector3_add(aim, vector3_scale(camera.up, manner->up * pixel));
     camera.direction = vector3_normalize(aim);
     double along = vector3_dot(camera.up, camera.direction);
-    camera.up = vector3_normalize(
-        vector3_subtract(camera.up, vector3_scale(camera.direction, along)));
+    camera.up =
+        vector3_normalize(vector3_subtract(camera.up, vector3_scale(camera.direction, along)));
     return camera;
 }
 

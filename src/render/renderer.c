@@ -4,6 +4,8 @@
  */
 #include "render/renderer.h"
 
+#include "dioptre/forecast.h"
+
 #include <sched.h>
 #include <stdlib.h>
 
@@ -19,14 +21,18 @@ int render_processors(void) {
 RenderSettings render_settings_default(const Scene *scene) {
     /** Scene units: the size of report C's constant. */
     const double report_epsilon = 1e-4;
+    Forecast forecast = forecast_of(scene);
+    int depth = scene->image.depth;
     return (RenderSettings){
-        .engine = engine_find("auto", NULL),
+        .engine = forecast_engine(&forecast),
         .threads = render_processors(),
         .width = scene->image.width,
         .height = scene->image.height,
         .samples = scene->image.samples,
         .encoding = scene->image.encoding,
-        .trace = {.depth = scene->image.depth, .offset = OFFSET_BOUND, .epsilon = report_epsilon},
+        .trace = {.depth = depth == IMAGE_DEPTH_NEEDED ? forecast.depth : depth,
+                  .offset = OFFSET_BOUND,
+                  .epsilon = report_epsilon},
     };
 }
 

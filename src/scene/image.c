@@ -45,9 +45,12 @@ static const Parameter image_parameters[] = {
      .help = "how often a ray may be mirrored or refracted"},
     {0}};
 
-/** 800 by 600, one ray a pixel, mirrored up to eight times. */
-static const Image image_defaults = {
-    .width = 800, .height = 600, .encoding = ENCODING_SRGB, .samples = 1, .depth = 8};
+/** 800 by 600, one ray a pixel, mirrored as often as it is seen. */
+static const Image image_defaults = {.width = 800,
+                                     .height = 600,
+                                     .encoding = ENCODING_SRGB,
+                                     .samples = 1,
+                                     .depth = IMAGE_DEPTH_NEEDED};
 
 const Keyword image_keyword = {.name = "image",
                                .help = "size and quality of the picture",

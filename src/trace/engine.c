@@ -345,5 +345,6 @@ const Engine ENGINE = {
     .intersect = engine_intersect,
     .bounds = engine_bounds,
     .contents = engine_contents,
+    .measure = shape_measure,
     .release = engine_release,
 };

@@ -4,6 +4,8 @@
  */
 #include "trace/shapes/transformed.h"
 
+#include <stdlib.h>
+
 /** @return Bytes, so many that what follows is aligned again. @param size Bytes. */
 static size_t aligned(size_t size) {
     return (size + SHAPE_ALIGNMENT - 1) / SHAPE_ALIGNMENT * SHAPE_ALIGNMENT;
@@ -46,6 +48,32 @@ Shape *shape_make(void *memory, const SceneShape *said, int place, Models *model
     }
     base.class = class->nearest ? &transformed_packets_class : &transformed_class;
     return object_make(memory, base, &(TransformedParameters){said->transform, inner});
+}
+
+/** @return A box in double. @param box The box. */
+static ShapeMeasure measure_of(Bounds box) {
+    return (ShapeMeasure){.low = {(double)box.low[0], (double)box.low[1], (double)box.low[2]},
+                          .high = {(double)box.high[0], (double)box.high[1], (double)box.high[2]}};
+}
+
+ShapeMeasure shape_measure(const SceneShape *said) {
+    const ShapeClass *class = shape_class(said->kind);
+    ShapeMeasure measure = {
+        {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, HUGE_VAL, HUGE_VAL}, false};
+    /** Bytes that all shapes without a tail fit in: many are measured, none for long. */
+    enum { ROOM = 1024 };
+    _Alignas(SHAPE_ALIGNMENT) char room[ROOM];
+    bool shows_model = class->nearest != NULL;
+    size_t size = class_stride(class) + (class->tail ? aligned(class->tail(said->parameters)) : 0);
+    void *far = size > ROOM ? aligned_alloc(SHAPE_ALIGNMENT, size) : NULL;
+    void *memory = shows_model ? NULL : size > ROOM ? far : room;
+    if (memory) {
+        Shape *shape = object_make(memory, (Shape){.class = class}, said->parameters);
+        measure = measure_of(class->bounds(shape));
+    }
+    free(far);
+    measure.is_flat = class->is_flat;
+    return measure;
 }
 
 Bounds bounds_around(Vector3 low, Vector3 high) {

@@ -37,6 +37,9 @@ typedef struct ShapeClass {
     Keyword keyword; /**< Base: its name, fields and checks in the scene language. */
     size_t size;     /**< Bytes of an object of the class, a multiple of its alignment. */
 
+    bool is_flat; /**< Whether it has flat faces only: in them, mirrored rays go apart no faster
+                     than before. */
+
     /** @return Bytes that an object needs behind itself: see #shape_tail. NULL: none.
      *  @param parameters The struct that #keyword describes, finished. */
     size_t (*tail)(const void *parameters);
@@ -156,6 +159,13 @@ size_t shape_size(const SceneShape *said);
  *         model.
  */
 Shape *shape_make(void *memory, const SceneShape *said, int place, Models *models, Error *error);
+
+/**
+ * Measures a shape of the scene before it is transformed, without making a tracer.
+ * @param said  The shape, as the scene has it.
+ * @return Its box and whether it is flat. The box of a shape that shows a model is not known here.
+ */
+ShapeMeasure shape_measure(const SceneShape *said);
 
 /**
  * Roundings that may move a found point off the box of its shape, each half an ulp of the largest

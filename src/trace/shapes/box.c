@@ -232,6 +232,7 @@ const ShapeClass box_class = {
                 .defaults = &box_defaults,
                 .finish = box_finish},
     .size = sizeof(Box),
+    .is_flat = true,
     .init = box_init,
     .is_hit = box_is_hit,
     .is_blocking = box_is_blocking,

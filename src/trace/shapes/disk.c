@@ -128,6 +128,7 @@ const ShapeClass disk_class = {
                 .size = sizeof(DiskParameters),
                 .defaults = &disk_defaults},
     .size = sizeof(Disk),
+    .is_flat = true,
     .init = disk_init,
     .is_hit = disk_is_hit,
     .is_blocking = disk_is_blocking,

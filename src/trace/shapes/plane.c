@@ -93,6 +93,7 @@ const ShapeClass plane_class = {
                 .size = sizeof(PlaneParameters),
                 .defaults = &plane_defaults},
     .size = sizeof(Plane),
+    .is_flat = true,
     .init = plane_init,
     .is_hit = plane_is_hit,
     .is_blocking = plane_is_blocking,

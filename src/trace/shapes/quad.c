@@ -141,6 +141,7 @@ const ShapeClass quad_class = {
                 .defaults = &quad_defaults,
                 .finish = quad_finish},
     .size = sizeof(Quad),
+    .is_flat = true,
     .init = quad_init,
     .is_hit = quad_is_hit,
     .is_blocking = quad_is_blocking,

@@ -318,6 +318,7 @@ const ShapeClass triangle_class = {
                 .defaults = &triangle_defaults,
                 .finish = triangle_finish},
     .size = sizeof(Triangle),
+    .is_flat = true,
     .init = triangle_init,
     .is_hit = triangle_is_hit,
     .is_blocking = triangle_is_blocking,

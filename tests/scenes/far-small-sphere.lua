@@ -1,5 +1,5 @@
 -- Built to fool the forecast: a sphere ten thousand of its radii away, seen by a telescope.
-camera { position = {0, 0, 1e4}, look_at = {0, 0, 0}, fov = 0.015 }
+camera { position = {6e3, 5e3, 6.2e3}, look_at = {0, 0, 0}, fov = 0.015 }
 image { width = 320, height = 240, depth = 4 }
 ambient(0.1); sky { horizon = "#dfe9f2", zenith = "#5b8fc7" }
 light { position = {3, 4, 5} }

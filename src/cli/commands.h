@@ -17,6 +17,7 @@ extern const Command info_command;    /**< `info` */
 extern const Command compare_command; /**< `compare` */
 extern const Command bench_command;   /**< `bench` */
 extern const Command lab_command;     /**< `lab` */
+extern const Command needs_command;   /**< `needs` */
 
 /**
  * Loads the scene that a command line names.

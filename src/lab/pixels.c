@@ -56,6 +56,42 @@ bool pixels_make(Pixels *pixels, int width, int height, PixelTest test, const vo
     return true;
 }
 
+/** Where shapes end in a picture. */
+typedef struct Ends {
+    const int *shapes; /**< What each pixel shows. */
+    int width;         /**< Of the picture. */
+    int height;        /**< Of the picture. */
+    size_t every;      /**< Of the pixels where shapes end, one of so many is taken. */
+} Ends;
+
+/** @return Whether another shape begins below a pixel or on its right. @param ends The picture.
+ *  @param x Its column. @param y Its row. */
+static bool pixel_is_end(const Ends *ends, int x, int y) {
+    const int *here = ends->shapes + (size_t)y * (size_t)ends->width + x;
+    return (x + 1 < ends->width && here[1] != *here) ||
+           (y + 1 < ends->height && here[ends->width] != *here);
+}
+
+/** @return Whether a pixel is in a pilot's set. See #PixelTest. @param context The #Ends.
+ *  @param x Its column. @param y Its row. */
+static bool pixel_is_piloted(const void *context, int x, int y) {
+    const Ends *ends = context;
+    return pixel_is_sampled(NULL, x, y) ||
+           (((size_t)x + 31 * (size_t)y) % ends->every == 0 && pixel_is_end(ends, x, y));
+}
+
+bool pixels_make_pilot(Pixels *pixels, const int *shapes, int width, int height, Error *error) {
+    Ends ends = {shapes, width, height, 1};
+    size_t count = 0, most = (size_t)width * (size_t)height / (CELL * CELL);
+    for (int y = 0; y < height; y++) {
+        for (int x = 0; x < width; x++) {
+            count += pixel_is_end(&ends, x, y);
+        }
+    }
+    ends.every = count / (most + 1) + 1;
+    return pixels_make(pixels, width, height, pixel_is_piloted, &ends, error);
+}
+
 void pixels_release(Pixels *pixels) {
     free(pixels->first);
     free(pixels->chosen);

@@ -46,6 +46,10 @@
  */
 enum { DEPTH_GUARD = 64 };
 
+/** Turns that are counted with: fewer than one ray in ten thousand makes more on curved mirrors,
+ *  even between four that touch. */
+enum { TURNS_COUNTED = 8 };
+
 /** Transparent shapes whose walls are compared; more are not looked at. */
 enum { WALLS_MAXIMUM = 64 };
 
@@ -258,7 +262,8 @@ static void walls_look(Survey *survey, const Box3 *a, const Box3 *b) {
 static void turns_look(Survey *survey, int depth) {
     Forecast *forecast = survey->forecast;
     double spread = MIRROR_SPREAD * survey->mirrored, grown = 1;
-    int turns = survey->mirrors > 1 ? depth : survey->mirrors < depth ? survey->mirrors : depth;
+    int most = survey->mirrors > 1 ? TURNS_COUNTED : survey->mirrors;
+    int turns = most < depth ? most : depth;
     for (int i = 0; i < turns && spread > 1; i++) {
         grown *= spread;
     }

@@ -18,6 +18,7 @@ extern const Command compare_command; /**< `compare` */
 extern const Command bench_command;   /**< `bench` */
 extern const Command lab_command;     /**< `lab` */
 extern const Command needs_command;   /**< `needs` */
+extern const Command chart_command;   /**< `chart` */
 
 /**
  * Loads the scene that a command line names.
@@ -45,6 +46,14 @@ Scene *command_scene_at(const Options *options, double time, Stock *stock, const
  * @param scene    The scene.
  */
 RenderSettings command_settings(const Options *options, const Scene *scene);
+
+/**
+ * Finds a scene's name: its file's, without folder and ending.
+ * @param path       The scene file, or `-`.
+ * @param[out] name  The name, cut to its size.
+ * @param size       Bytes of it.
+ */
+void command_scene_name(const char *path, char *name, size_t size);
 
 /** @return A strategy's name. @param offset The strategy. */
 const char *offset_name(OffsetStrategy offset);

@@ -9,9 +9,9 @@
 #include <string.h>
 
 /** All commands, ended by NULL. */
-static const Command *const commands[] = {&view_command,  &render_command,  &animate_command,
-                                          &info_command,  &compare_command, &bench_command,
-                                          &needs_command, &lab_command,     NULL};
+static const Command *const commands[] = {
+    &view_command,  &render_command, &animate_command, &info_command, &compare_command,
+    &bench_command, &needs_command,  &chart_command,   &lab_command,  NULL};
 
 /** Prints the help of the program. */
 static void print_help(void) {

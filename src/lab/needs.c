@@ -65,8 +65,8 @@ static const Engine *double_engine(void) {
  * @param engine  Any engine of that type.
  */
 static const Engine *single_engine(const Engine *engine) {
-    return engine_find(engine->mantissa_bits == double_engine()->mantissa_bits ? "f64x1" : "f32x1",
-                       NULL);
+    int bits = engine->mantissa_bits;
+    return engine_find(bits < 53 ? "f32x1" : bits == 53 ? "f64x1" : "f128x1", NULL);
 }
 
 /** Compares two manners whose rays start alike, in one number type. @param pilot The pilot.

@@ -196,12 +196,15 @@ $(BUILD)/peer-fragment: tests/peers/fragment.c
 	$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,sdl2) -o $@ $< $(call PKG_LIBS,sdl2) -lGL
 
 # --- the laboratory ------------------------------------------------------------------------------
+CHARTED := $(addprefix scenes/,$(addsuffix .lua,box glass-sphere mandelbulb figure-16))
 .PHONY: charts
 charts: packages
 	@.ci/packages $(BENCH_PACKAGES)
-	@$(MAKE) --no-print-directory all
+	@$(MAKE) --no-print-directory all $(BUILD)/tests/bench/needs
 	@mkdir -p $(BUILD)/lab
 	$(PROGRAM) lab --out doc/lab >$(BUILD)/lab/tables.txt
+	$(PROGRAM) chart $(CHARTED) -s 320x240 --out doc/charts >$(BUILD)/lab/charts.txt
+	@BUILD=$(BUILD) doc/needs.sh
 
 # --- documentation -------------------------------------------------------------------------------
 .PHONY: doc

@@ -5,7 +5,7 @@
 #ifndef DIOPTRE_LAB_METHODS_FUNCTIONS_H
 #define DIOPTRE_LAB_METHODS_FUNCTIONS_H
 
-#include "trace/real.h"
+#include "trace/root.h"
 
 #if REAL_BITS == 32
 /** A function of the C library in the number type. */

@@ -1,0 +1,50 @@
+#!/bin/sh
+# Writes doc/needs.md: what scenes need, forecast, tried on a sample of pixels and on all of them.
+# `make charts` calls it.
+set -eu
+cd "$(dirname "$0")/.."
+BUILD=${BUILD:-build}
+cat >"$BUILD/needs.md" <<'END'
+# What scenes need
+
+`make charts` writes this page: each scene 320 pixels wide, one ray a pixel against the reference.
+
+*Forecast*: the engine that `--engine auto` takes by the scene's numbers alone, and by how many 8-bit steps float
+may be off. *Needed*: what `dioptre needs` finds on a sample of one pixel in 64, and more where shapes end. *Pilot*: by how many
+steps that is off at most, and how many rays by half a step or more. *Float, whole picture*: the
+same of float, for all pixels: more than 0.01 % off means that double is needed. *Times*: how many times
+as long double takes with all rays followed 128 turns deep. Rays that passed an edge on its other side are not
+counted, unless the edge is moved by more than 1/64 pixel.
+
+| scene | forecast | needed | pilot: worst | off | float, whole picture: worst | off | times |
+|---|---|---|---|---|---|---|---|
+END
+"$BUILD/tests/bench/needs" scenes/*.lua >>"$BUILD/needs.md"
+cat >>"$BUILD/needs.md" <<'END'
+
+Built to fool the forecast (`tests/scenes/`):
+
+| scene | forecast | needed | pilot: worst | off | float, whole picture: worst | off | times |
+|---|---|---|---|---|---|---|---|
+END
+"$BUILD/tests/bench/needs" tests/scenes/*.lua >>"$BUILD/needs.md"
+cat >>"$BUILD/needs.md" <<'END'
+
+In words:
+
+```
+END
+"$BUILD/dioptre" needs scenes/box.lua >>"$BUILD/needs.md"
+cat >>"$BUILD/needs.md" <<'END'
+```
+
+## What each setting costs
+
+`dioptre chart` changes one setting at a time. Left, the error that the setting is for; right, all errors of the
+picture together, and the front: settings that nothing beats in both time and error.
+
+END
+for scene in box glass-sphere mandelbulb figure-16; do
+    printf '![%s](charts/%s.svg)\n\n' "$scene" "$scene" >>"$BUILD/needs.md"
+done
+mv "$BUILD/needs.md" doc/needs.md

@@ -1,0 +1,44 @@
+#!/bin/sh
+# needs and chart, as a person uses them: words, JSON, files, and what can go wrong.
+. "$(dirname "$0")/check.sh"
+small='-s 192x144 --samples 2'
+
+# shellcheck disable=SC2086 # several words
+{
+    expect 0 '' 'needs of the box' "$dioptre" needs scenes/box.lua $small
+    holds "$work/out" '^engine +f32' 'the box needs float'
+    holds "$work/out" 'Float is enough' 'needs explains itself'
+    expect 0 '' 'needs as JSON' "$dioptre" needs scenes/box.lua $small --json
+    holds "$work/out" '"engine": "f32.*"depth": [0-9]+.*"worst_step": .*"why": "Float' 'the JSON has its names'
+    expect 0 '' 'needs of a scene far away' "$dioptre" needs tests/scenes/far-from-zero.lua $small
+    holds "$work/out" '^engine +f64' 'a scene far away needs double'
+    expect 0 '' 'auto draws it so' "$dioptre" info tests/scenes/far-from-zero.lua --engine auto
+    holds "$work/out" '^engine +f64' 'auto takes double'
+    expect 0 '' 'an engine that is asked for is taken' "$dioptre" info tests/scenes/far-from-zero.lua --engine f32x4
+    holds "$work/out" '^engine +f32x4' 'f32x4 was asked for'
+    expect 3 'nowhere.lua' 'needs without its scene' "$dioptre" needs nowhere.lua
+    expect 2 'usage' 'needs of nothing' "$dioptre" needs
+
+    expect 0 '' 'a chart' "$dioptre" chart scenes/figure-08.lua --out "$work/charts" $small
+    for column in group setting seconds own_rms total_rms; do
+        holds "$work/charts/figure-08.csv" "(^|,)$column(,|\$)" "the CSV has $column"
+    done
+    holds "$work/charts/figure-08.csv" '^# .*(gcc|clang|GCC)' 'the CSV says how it was made'
+    holds "$work/charts/figure-08.csv" '^engine,all,f64x1,' 'the CSV has the engines'
+    holds "$work/charts/figure-08.csv" '^front,' 'the CSV has the front'
+    holds "$work/charts/figure-08.svg" '</svg>' 'there is the SVG'
+    expect 2 'chart needs --out' 'chart without a folder' "$dioptre" chart scenes/box.lua
+    touch "$work/file"
+    expect 1 'no folder|cannot make' 'a file for a folder' "$dioptre" chart scenes/box.lua --out "$work/file"
+    expect 3 'nowhere.lua' 'a scene that is not there' "$dioptre" chart scenes/figure-08.lua nowhere.lua --out "$work/kept" $small
+    [ -s "$work/kept/figure-08.csv" ] && ok 'what is finished is kept' || fail 'what is finished is kept'
+    mkdir "$work/bin"
+    expect 1 'gnuplot-nox' 'a chart without gnuplot' env PATH="$work/bin" "$dioptre" chart scenes/figure-08.lua --out "$work/bare" $small
+    [ -s "$work/bare/figure-08.csv" ] && ok 'its CSV is written' || fail 'its CSV is written'
+    expect 2 'too few pixels' 'a picture of one pixel' "$dioptre" chart scenes/figure-08.lua --out "$work/one" -s 1x1
+    timeout -s INT 2 "$dioptre" chart scenes/figure-08.lua scenes/chess.lua --out "$work/stopped" $small >/dev/null 2>"$work/err"
+    status=$?
+    [ $status = 124 ] || [ $status = 130 ] && ok 'an interrupted chart says so' || fail "interrupted: status $status"
+    [ ! -e "$work/stopped/chess.csv" ] && ok 'and leaves nothing half-written' || fail 'half a chart is left'
+}
+finish

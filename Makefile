@@ -196,14 +196,17 @@ $(BUILD)/peer-fragment: tests/peers/fragment.c
 	$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,sdl2) -o $@ $< $(call PKG_LIBS,sdl2) -lGL
 
 # --- the laboratory ------------------------------------------------------------------------------
+# Beside the modules, so that it finds them.
+$(BUILD)/bench-needs: tests/bench/needs.c $(ROOM_OBJECTS)
+	$(CC) $(CPPFLAGS) $(CFLAGS) -o $@ $< $(ROOM_OBJECTS) $(LIBRARIES)
 CHARTED := $(addprefix scenes/,$(addsuffix .lua,box glass-sphere mandelbulb figure-16))
 .PHONY: charts
 charts: packages
 	@.ci/packages $(BENCH_PACKAGES)
-	@$(MAKE) --no-print-directory all $(BUILD)/tests/bench/needs
+	@$(MAKE) --no-print-directory all $(BUILD)/bench-needs
 	@mkdir -p $(BUILD)/lab
 	$(PROGRAM) lab --out doc/lab >$(BUILD)/lab/tables.txt
-	$(PROGRAM) chart $(CHARTED) -s 320x240 --out doc/charts >$(BUILD)/lab/charts.txt
+	$(PROGRAM) chart $(CHARTED) -s 320x240 --samples 4 --out doc/charts >$(BUILD)/lab/charts.txt
 	@BUILD=$(BUILD) doc/needs.sh
 
 # --- documentation -------------------------------------------------------------------------------

@@ -19,7 +19,7 @@ counted, unless the edge is moved by more than 1/64 pixel.
 | scene | forecast | needed | pilot: worst | off | float, whole picture: worst | off | times |
 |---|---|---|---|---|---|---|---|
 END
-"$BUILD/tests/bench/needs" scenes/*.lua >>"$BUILD/needs.md"
+"$BUILD/bench-needs" scenes/*.lua >>"$BUILD/needs.md"
 cat >>"$BUILD/needs.md" <<'END'
 
 Built to fool the forecast (`tests/scenes/`):
@@ -27,7 +27,7 @@ Built to fool the forecast (`tests/scenes/`):
 | scene | forecast | needed | pilot: worst | off | float, whole picture: worst | off | times |
 |---|---|---|---|---|---|---|---|
 END
-"$BUILD/tests/bench/needs" tests/scenes/*.lua >>"$BUILD/needs.md"
+"$BUILD/bench-needs" tests/scenes/*.lua >>"$BUILD/needs.md"
 cat >>"$BUILD/needs.md" <<'END'
 
 In words:

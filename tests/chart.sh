@@ -16,6 +16,14 @@ small='-s 192x144 --samples 2'
     holds "$work/out" '^engine +f64' 'auto takes double'
     expect 0 '' 'an engine that is asked for is taken' "$dioptre" info tests/scenes/far-from-zero.lua --engine f32x4
     holds "$work/out" '^engine +f32x4' 'f32x4 was asked for'
+    for scene in chess report-d-pictures glass-teapot; do
+        expect 0 '' "forecast of $scene" "$dioptre" info "scenes/$scene.lua"
+        holds "$work/out" '^engine +f64' "$scene is drawn in double"
+    done
+    for scene in cow figure-16 glass-of-water earth painted-cow; do
+        expect 0 '' "forecast of $scene" "$dioptre" info "scenes/$scene.lua"
+        holds "$work/out" '^engine +f32' "$scene is drawn in float"
+    done
     expect 3 'nowhere.lua' 'needs without its scene' "$dioptre" needs nowhere.lua
     expect 2 'usage' 'needs of nothing' "$dioptre" needs
 

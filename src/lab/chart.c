@@ -16,6 +16,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+/** How many times as large an error may be and count as the same. */
+#define ALIKE 1.01
+
 /** How often each setting is timed. */
 enum { TURNS = 5 };
 
@@ -290,9 +293,8 @@ static void front_find(Chart *chart) {
         point->is_front = true;
         for (size_t k = 0; k < chart->count; k++) {
             const ChartPoint *other = &chart->points[k];
-            bool is_no_worse = other->seconds <= point->seconds && other->total <= point->total;
-            bool is_better = other->seconds < point->seconds || other->total < point->total;
-            point->is_front = point->is_front && !(is_no_worse && is_better);
+            bool beats = other->seconds < point->seconds && other->total <= ALIKE * point->total;
+            point->is_front = point->is_front && !beats;
         }
     }
 }

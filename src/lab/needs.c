@@ -9,8 +9,6 @@
 #include "lab/strays.h"
 #include "lab/variation.h"
 
-#include <stdlib.h>
-
 /** Depth of the reference, and the weight where its rays end: more changes nothing. */
 enum { REFERENCE_DEPTH = 128 };
 /** See #REFERENCE_DEPTH; a fifteenth of what the tracer takes. */
@@ -388,41 +386,14 @@ static bool pilot_run(Pilot *pilot, Error *error) {
            smoothness_look(pilot, error) && total_try(pilot, error) && costs_find(pilot, error);
 }
 
-/** Makes the set of pixels that are tried. @param scene The scene. @param request What is asked.
- *  @param[out] pixels The set. @param[out] error What is wrong. @return false if anything is. */
-static bool pixels_find(const Scene *scene, const NeedsRequest *request, Pixels *pixels,
-                        Error *error) {
-    int width = request->width, height = request->height;
-    if (request->is_whole) {
-        return pixels_make(pixels, width, height, pixel_is_any, NULL, error);
-    }
-    const Engine *engine = engine_find("auto", NULL);
-    size_t count = (size_t)width * (size_t)height;
-    int *shapes = malloc(count * sizeof *shapes);
-    double *distances = malloc(count * sizeof *distances);
-    bool has_room = shapes && distances;
-    Tracer *tracer = has_room ? engine->prepare(scene, request->trace, error) : NULL;
-    bool is_made = false;
-    if (tracer) {
-        PixelGrid all = {.columns = width, .rows = height, .stride = 1};
-        engine->look(tracer, scene, width, height);
-        engine->cast(tracer, &all, shapes, distances);
-        engine->release(tracer);
-        is_made = pixels_make_pilot(pixels, shapes, width, height, error);
-    } else if (!has_room) {
-        error_set(error, STATUS_FAILED, "no memory for %zu pixels", count);
-    }
-    free(shapes);
-    free(distances);
-    return is_made;
-}
-
 bool needs_find(const Scene *scene, const NeedsRequest *request, Needs *needs, Error *error) {
     *needs = (Needs){.forecast = forecast_of(scene),
                      .is_recursive = scene_has_mirrors(scene) || scene_has_glass(scene),
                      .depth_asked = request->depth};
     Pixels pixels;
-    if (!pixels_find(scene, request, &pixels, error)) {
+    if (!(request->is_whole
+              ? pixels_make(&pixels, request->width, request->height, pixel_is_any, NULL, error)
+              : pixels_make_pilot(&pixels, scene, request->width, request->height, error))) {
         return false;
     }
     Pilot pilot = {

@@ -80,16 +80,39 @@ static bool pixel_is_piloted(const void *context, int x, int y) {
            (((size_t)x + 31 * (size_t)y) % ends->every == 0 && pixel_is_end(ends, x, y));
 }
 
-bool pixels_make_pilot(Pixels *pixels, const int *shapes, int width, int height, Error *error) {
-    Ends ends = {shapes, width, height, 1};
-    size_t count = 0, most = (size_t)width * (size_t)height / (CELL * CELL);
-    for (int y = 0; y < height; y++) {
-        for (int x = 0; x < width; x++) {
-            count += pixel_is_end(&ends, x, y);
+/** Makes the set of a pilot of what each pixel shows. @param[out] pixels The set. @param ends The
+ *  picture. @param[out] error What is wrong. @return false without memory. */
+static bool ends_choose(Pixels *pixels, Ends *ends, Error *error) {
+    size_t count = 0, most = (size_t)ends->width * (size_t)ends->height / (CELL * CELL);
+    for (int y = 0; y < ends->height; y++) {
+        for (int x = 0; x < ends->width; x++) {
+            count += pixel_is_end(ends, x, y);
         }
     }
-    ends.every = count / (most + 1) + 1;
-    return pixels_make(pixels, width, height, pixel_is_piloted, &ends, error);
+    ends->every = count / (most + 1) + 1;
+    return pixels_make(pixels, ends->width, ends->height, pixel_is_piloted, ends, error);
+}
+
+bool pixels_make_pilot(Pixels *pixels, const Scene *scene, int width, int height, Error *error) {
+    const Engine *engine = engine_find("auto", NULL);
+    const TraceSettings settings = {.samples = 1, .offset = OFFSET_BOUND};
+    size_t count = (size_t)width * (size_t)height;
+    int *shapes = malloc(count * sizeof *shapes);
+    double *distances = malloc(count * sizeof *distances);
+    bool has_room = shapes && distances, is_made = false;
+    Tracer *tracer = has_room ? engine->prepare(scene, &settings, error) : NULL;
+    if (tracer) {
+        PixelGrid all = {.columns = width, .rows = height, .stride = 1};
+        engine->look(tracer, scene, width, height);
+        engine->cast(tracer, &all, shapes, distances);
+        engine->release(tracer);
+        is_made = ends_choose(pixels, &(Ends){shapes, width, height, 1}, error);
+    } else if (!has_room) {
+        error_set(error, STATUS_FAILED, "no memory for %zu pixels", count);
+    }
+    free(shapes);
+    free(distances);
+    return is_made;
 }
 
 void pixels_release(Pixels *pixels) {

@@ -47,13 +47,13 @@ bool pixel_is_sampled(const void *context, int x, int y);
  * Makes the set of a pilot: a pixel of each 8 by 8, and those where another shape begins; of these
  * not all where they are very many.
  * @param[out] pixels  The set, to be given back with #pixels_release.
- * @param shapes       What the middle of each pixel shows, row by row.
+ * @param scene        The scene.
  * @param width        Of the whole picture.
  * @param height       Of the whole picture.
  * @param[out] error   What is wrong.
  * @return false without memory.
  */
-bool pixels_make_pilot(Pixels *pixels, const int *shapes, int width, int height, Error *error);
+bool pixels_make_pilot(Pixels *pixels, const Scene *scene, int width, int height, Error *error);
 
 /** Gives a set back. @param pixels The set; may be empty. */
 void pixels_release(Pixels *pixels);

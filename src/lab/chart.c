@@ -237,9 +237,9 @@ static bool point_compare(const Measure *measure, ChartPoint *point, Error *erro
         bool has_ways = kind == KIND_ROUNDING || strcmp(point->group, "tolerance") == 0;
         Encoding encoding = (Encoding)measure->settings->encoding;
         Contrast contrast = contrast_of(&shot, &truth, has_ways ? &truth : NULL, encoding);
-        bool is_offset = strcmp(point->group, "offset") == 0;
-        // Rays that met their own surface took another way, and that is the error.
-        point->own = is_offset ? contrast.whole : contrast.mean;
+        bool is_way = strcmp(point->group, "offset") == 0 || kind == KIND_MODEL;
+        // Rays that met their own surface, or passed it, took another way: that is the error.
+        point->own = is_way ? contrast.whole : contrast.mean;
         point->steps = contrast.worst;
         point->flips = (double)contrast.flips / (double)contrast.rays;
         shot_release(&truth);

@@ -4,6 +4,13 @@
 set -eu
 cd "$(dirname "$0")/.."
 BUILD=${BUILD:-build}
+# rows SCENE...: a row for each; what takes longer than two minutes is left out, and said.
+rows() {
+    for scene in "$@"; do
+        timeout 120 "$BUILD/bench-needs" "$scene" || echo "| ${scene##*/} | | took longer than two minutes | | | | | |"
+    done >>"$BUILD/needs.md"
+}
+
 cat >"$BUILD/needs.md" <<'END'
 # What scenes need
 
@@ -19,7 +26,7 @@ counted, unless the edge is moved by more than 1/64 pixel.
 | scene | forecast | needed | pilot: worst | off | float, whole picture: worst | off | times |
 |---|---|---|---|---|---|---|---|
 END
-"$BUILD/bench-needs" scenes/*.lua >>"$BUILD/needs.md"
+rows scenes/*.lua
 cat >>"$BUILD/needs.md" <<'END'
 
 Built to fool the forecast (`tests/scenes/`):
@@ -27,7 +34,7 @@ Built to fool the forecast (`tests/scenes/`):
 | scene | forecast | needed | pilot: worst | off | float, whole picture: worst | off | times |
 |---|---|---|---|---|---|---|---|
 END
-"$BUILD/bench-needs" tests/scenes/*.lua >>"$BUILD/needs.md"
+rows tests/scenes/*.lua
 cat >>"$BUILD/needs.md" <<'END'
 
 In words:

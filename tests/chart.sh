@@ -10,11 +10,11 @@ small='-s 192x144 --samples 2'
     holds "$work/out" 'Float is enough' 'needs explains itself'
     expect 0 '' 'needs as JSON' "$dioptre" needs scenes/box.lua $small --json
     holds "$work/out" '"engine": "f32.*"depth": [0-9]+.*"worst_step": .*"why": "Float' 'the JSON has its names'
-    expect 0 '' 'needs of a scene far away' "$dioptre" needs tests/scenes/far-from-zero.lua $small
-    holds "$work/out" '^engine +f64' 'a scene far away needs double'
-    expect 0 '' 'auto draws it so' "$dioptre" info tests/scenes/far-from-zero.lua --engine auto
+    expect 0 '' 'needs of a ground of a million units' "$dioptre" needs tests/scenes/ground-sphere.lua $small
+    holds "$work/out" '^engine +f64' 'it needs double'
+    expect 0 '' 'auto draws it so' "$dioptre" info tests/scenes/ground-sphere.lua --engine auto
     holds "$work/out" '^engine +f64' 'auto takes double'
-    expect 0 '' 'an engine that is asked for is taken' "$dioptre" info tests/scenes/far-from-zero.lua --engine f32x4
+    expect 0 '' 'an engine that is asked for is taken' "$dioptre" info tests/scenes/ground-sphere.lua --engine f32x4
     holds "$work/out" '^engine +f32x4' 'f32x4 was asked for'
     for scene in chess report-d-pictures glass-teapot; do
         expect 0 '' "forecast of $scene" "$dioptre" info "scenes/$scene.lua"

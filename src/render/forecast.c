@@ -67,6 +67,8 @@ typedef struct Survey {
     int mirrors;               /**< Curved shapes that mirror. */
     int glasses;               /**< Curved shapes that let light through. */
     double mirrored;           /**< The largest share that a curved shape mirrors. */
+    Box3 all;                  /**< A box around all shapes with an end. */
+    Vector3 origin;            /**< Where tracers count from. */
     double texels;             /**< Most texels that a turn of one radian may pass. */
     Box3 walls[WALLS_MAXIMUM]; /**< Boxes of transparent shapes. */
     size_t wall_count;         /**< How many. */
@@ -149,6 +151,12 @@ static double box_distance(const Box3 *box, Vector3 p) {
     return vector3_length(away);
 }
 
+/** @return The largest coordinate of a point, as tracers count. @param survey The survey.
+ *  @param p The point. */
+static double reach_of(const Survey *survey, Vector3 p) {
+    return vector3_largest(vector3_subtract(p, survey->origin));
+}
+
 /** Notes how far away a shape is, and how far its coordinates reach. @param[in,out] survey The
  *  survey. @param box The shape's box, which ends. */
 static void box_look(Survey *survey, const Box3 *box) {
@@ -163,8 +171,10 @@ static void box_look(Survey *survey, const Box3 *box) {
     // A thing that is smaller than a pixel is hardly there.
     double radii = fmin(distance / radius, 1 / forecast->pixel);
     note(forecast, FORECAST_DISTANCE, STEPS * DIRECTION_ROUNDINGS * FLOAT_ROUNDOFF * radii);
-    double reach = fmax(vector3_largest(box->low), vector3_largest(box->high));
-    reach = fmax(reach, vector3_largest(camera->position));
+    survey->all.low = vector3_lowest(survey->all.low, box->low);
+    survey->all.high = vector3_highest(survey->all.high, box->high);
+    double reach = fmax(reach_of(survey, box->low), reach_of(survey, box->high));
+    reach = fmax(reach, reach_of(survey, camera->position));
     double seen = fmax(distance, fmin(radius, camera->focus)) * forecast->pixel;
     double pixels = PLACE_ROUNDINGS * FLOAT_ROUNDOFF * reach / seen;
     note(forecast, FORECAST_PLACE, FORECAST_VISIBLE * pixels / EDGE_SHARE);
@@ -247,7 +257,7 @@ static double gap_narrowed(double gap, double away, double reach) {
 /** Notes how near the walls of two things of glass are to each other. @param[in,out] survey The
  *  survey. @param a A box. @param b Another. */
 static void walls_look(Survey *survey, const Box3 *a, const Box3 *b) {
-    double reach = fmax(vector3_largest(a->low), vector3_largest(a->high)), gap = HUGE_VAL;
+    double reach = fmax(reach_of(survey, a->low), reach_of(survey, a->high)), gap = HUGE_VAL;
     Vector3 low = vector3_subtract(a->low, b->low), high = vector3_subtract(a->high, b->high);
     const double aways[] = {low.x, low.y, low.z, high.x, high.y, high.z};
     for (size_t i = 0; i < sizeof aways / sizeof *aways; i++) {
@@ -287,12 +297,31 @@ static int depth_of(double share) {
     return depth < DEPTH_GUARD ? (int)depth : DEPTH_GUARD;
 }
 
-Forecast forecast_of(const Scene *scene) {
-    Forecast forecast = {.pixel =
-                             2 * tan(scene->camera.fov / 2 * (M_PI / 180)) / scene->image.width};
-    Survey survey = {.scene = scene, .engine = engine_find("f64x1", NULL), .forecast = &forecast};
+/** Looks at all shapes. @param scene The scene. @param origin Where tracers count from.
+ *  @param[out] forecast What comes of it. @return What was gathered. */
+static Survey scene_look(const Scene *scene, Vector3 origin, Forecast *forecast) {
+    Survey survey = {.scene = scene,
+                     .engine = engine_find("f64x1", NULL),
+                     .forecast = forecast,
+                     .all = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}},
+                     .origin = origin};
+    *forecast =
+        (Forecast){.pixel = 2 * tan(scene->camera.fov / 2 * (M_PI / 180)) / scene->image.width};
     for (size_t i = 0; i < scene->shape_count; i++) {
         shape_look(&survey, &scene->shapes[i]);
+    }
+    return survey;
+}
+
+Forecast forecast_of(const Scene *scene) {
+    /** As far away, in sizes, tracers move there (src/trace/origin.c). */
+    const double far_sizes = 4;
+    Forecast forecast;
+    Survey survey = scene_look(scene, (Vector3){0, 0, 0}, &forecast);
+    Vector3 middle = vector3_scale(vector3_add(survey.all.low, survey.all.high), 0.5);
+    double size = vector3_largest(vector3_subtract(survey.all.high, survey.all.low));
+    if (vector3_largest(middle) > far_sizes * size) {
+        survey = scene_look(scene, middle, &forecast);
     }
     for (size_t i = 0; i < survey.wall_count; i++) {
         for (size_t k = 0; k < i; k++) {

@@ -1,4 +1,4 @@
--- Built to fool the forecast: a small scene a million units from zero.
+-- Built to fool the forecast: a small scene a million units from zero, where tracers count from its middle.
 local x, y, z = 1e6, 2e6, -1e6
 camera { position = {x, y + 1, z + 5}, look_at = {x, y + 0.6, z}, fov = 50 }
 image { width = 320, height = 240 }

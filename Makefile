@@ -177,7 +177,7 @@ tests: $(TESTS)
 .PHONY: bench peers
 bench: packages
 	@.ci/packages $(BENCH_PACKAGES)
-	@$(MAKE) --no-print-directory all $(BUILD)/tests/bench/tree
+	@$(MAKE) --no-print-directory all $(addprefix $(BUILD)/tests/bench/,tree marching march-steps)
 	@tests/bench.sh
 	@BUILD=$(BUILD) MADE_WITH='$(shell $(CC) --version | head -1); $(OPTIMIZE) $(ARITHMETIC)' tests/bench/run.sh
 peers: packages

@@ -66,6 +66,9 @@ typedef struct TraceSettings {
     const Tracer *former;  /**< Another tracer of the same engine, perhaps at work: the trees
                                        of its meshes are shared where the new one shows the same.
                                        Read while the new one is prepared only; NULL: none. */
+    double footprint;      /**< Marched rays are on a surface when they are nearer than this share
+                                of half a pixel, seen from the camera; 0: by its tolerance alone. */
+    double relaxation;     /**< How much longer than allowed their steps are; 0: as it pays. */
 } TraceSettings;
 
 /** What a tracer was made of. */

@@ -25,7 +25,7 @@ typedef enum {
     FIELD_MENGER,       /**< Measures a Menger sponge: half its edge, iterations. */
     FIELD_MANDELBULB,   /**< Measures a Mandelbulb; see the file field_kinds.c. */
     FIELD_ROUND,        /**< Moves the surface outwards: by how much. */
-    FIELD_PLACE,        /**< Body at a point of its own: 9 of the matrix, 3 of the move, scale. */
+    FIELD_PLACE,        /**< Body at a point of its own: matrix, move, scale, box of the body. */
     FIELD_REPEAT,       /**< Body in cells: periods, halves, limits, reach, its box, for 3 axes. */
     FIELD_UNION,        /**< The nearer of this and the body: box of the body, 0. */
     FIELD_SMOOTH_UNION, /**< The same, melted together: box of the body, radius. */
@@ -34,7 +34,7 @@ typedef enum {
 } FieldOperation;
 
 /** Numbers of a step. */
-enum { FIELD_NUMBERS = 18 };
+enum { FIELD_NUMBERS = 19 };
 /** Most steps of a field: a scene file that runs away does not fill the machine. */
 enum { FIELD_STEPS_MAXIMUM = 4096 };
 /** How deep bodies may stand in bodies: a guard for the stack. */

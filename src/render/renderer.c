@@ -21,6 +21,8 @@ int render_processors(void) {
 RenderSettings render_settings_default(const Scene *scene) {
     /** Scene units: the size of report C's constant. */
     const double report_epsilon = 1e-4;
+    /** Of half a pixel, that marched rays may end before a surface (doc/marching.md). */
+    const double footprint = 0.125;
     Forecast forecast = forecast_of(scene);
     int depth = scene->image.depth;
     return (RenderSettings){
@@ -32,7 +34,8 @@ RenderSettings render_settings_default(const Scene *scene) {
         .encoding = scene->image.encoding,
         .trace = {.depth = depth == IMAGE_DEPTH_NEEDED ? forecast.depth : depth,
                   .offset = OFFSET_BOUND,
-                  .epsilon = report_epsilon},
+                  .epsilon = report_epsilon,
+                  .footprint = footprint},
     };
 }
 

@@ -136,6 +136,13 @@ static bool field_check_size(const Field *field, Error *error) {
                      edge, reach, LENGTH_MINIMUM, LENGTH_MAXIMUM);
 }
 
+/** Notes the box of the body of a #FIELD_PLACE step. @param[in,out] step The step. @param low
+ * Lowest corner. @param high Highest. */
+static void place_box(FieldStep *step, Vector3 low, Vector3 high) {
+    const double box[6] = {low.x, low.y, low.z, high.x, high.y, high.z};
+    memcpy(step->numbers + 13, box, sizeof box);
+}
+
 bool field_place(Field *out, const Field *field, const Transform *t, Error *error) {
     // The inverse of s R is its transpose over s^2.
     double s = t->scale.x, per_square = 1 / (s * s);
@@ -147,6 +154,7 @@ bool field_place(Field *out, const Field *field, const Transform *t, Error *erro
     step.numbers[10] = t->translate.y;
     step.numbers[11] = t->translate.z;
     step.numbers[12] = s;
+    place_box(&step, field->low, field->high);
     if (!field_wrap(out, &step, field, error)) {
         return false;
     }
@@ -170,14 +178,16 @@ static void numbers_move(double *numbers, Vector3 way) {
 
 /**
  * Puts a step that works on zero behind the steps of a field, as the body of one that moves it.
- * @param[in,out] out  The field.
+ * @param[in,out] out  The field, whose box holds that of the step.
  * @param step         The step, with its body behind it.
  * @param way          How far.
  */
 static void step_place(Field *out, const FieldStep *step, Vector3 way) {
     int size = 1 + step->body;
-    out->steps[out->count++] =
-        (FieldStep){FIELD_PLACE, size, {1, 0, 0, 0, 1, 0, 0, 0, 1, way.x, way.y, way.z, 1}};
+    FieldStep place = {FIELD_PLACE, size, {1, 0, 0, 0, 1, 0, 0, 0, 1, way.x, way.y, way.z, 1}};
+    // Only where the step is all of the field, its box is asked for: then it is that of the field.
+    place_box(&place, vector3_subtract(out->low, way), vector3_subtract(out->high, way));
+    out->steps[out->count++] = place;
     memcpy(out->steps + out->count, step, (size_t)size * sizeof *step);
     out->count += size;
 }

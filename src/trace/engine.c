@@ -50,6 +50,7 @@ static void engine_look(Tracer *tracer, const Scene *scene, int width, int heigh
     Camera camera = scene->camera;
     keyword_move(&camera_keyword, &camera, way);
     tracer->eye = eye_of(&camera, width, height);
+    footprint_look(&tracer->models.footprint, &tracer->eye);
     glass_look(&tracer->glass, &tracer->list, tracer->eye.origin);
     for (size_t i = 0; i < tracer->lamp_count; i++) {
         Light light = scene->lights[i];
@@ -81,7 +82,7 @@ static Tracer *tracer_create(const Scene *scene, const TraceSettings *settings, 
     tracer->surfaces = vector_allocate(scene->material_count * sizeof(Surface));
     if (!tracer->lamps || !tracer->surfaces || !glow_init(&tracer->glow, scene, error) ||
         !textures_init(&tracer->textures, scene, error) || !glass_init(&tracer->glass, scene) ||
-        !models_init(&tracer->models, scene, former, &settings->crew, error) ||
+        !models_init(&tracer->models, scene, former, settings, error) ||
         !shape_list_init(&tracer->list, scene, &tracer->models, settings, error)) {
         error_set(error, STATUS_FAILED, "no memory for the scene");
         engine_release(tracer);

@@ -10,46 +10,71 @@ typedef struct Complex {
     real im; /**< Imaginary part. */
 } Complex;
 
+/** Where a number is nearer to 2 than to 1; any place near it would do. */
+#define SQUARE_ROOT_OF_2 ((scalar)1.4142135f)
+/** The natural logarithm of 2 in three pieces: their sum is right in every number type. */
+#define LOGARITHM_OF_2                                                                             \
+    ((scalar)0x1.62e42fefa39efp-1 + (scalar)0x1.abc9e3b39803fp-56 + (scalar)0x1.7b57a079a1934p-111)
+
+/** @return The highest binary digit of a number. @param n At least 1. */
+static inline int highest_digit(int n) {
+    int digit = 1;
+    while (digit <= n / 2) {
+        digit *= 2;
+    }
+    return digit;
+}
+
 /** @return a times b. @param a Numbers. @param b Others. */
 INLINE Complex complex_multiply(Complex a, Complex b) {
     return (Complex){a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
 }
 
-/** @return z^n, by the binary digits of n. @param z Numbers. @param n At least 1. */
+/** @return z^n, by the binary digits of n, highest first. @param z Numbers. @param n At least 1. */
 INLINE Complex complex_power(Complex z, int n) {
-    Complex power = {real_of(1), real_of(0)};
-    for (; n > 0; n /= 2) {
-        power = n % 2 ? complex_multiply(power, z) : power;
-        z = complex_multiply(z, z);
+    Complex power = z;
+    for (int digit = highest_digit(n) / 2; digit > 0; digit /= 2) {
+        power = complex_multiply(power, power);
+        power = n & digit ? complex_multiply(power, z) : power;
     }
     return power;
 }
 
-/** @return r^n, by the binary digits of n. @param r Numbers. @param n At least 0. */
+/** @return r^n, by the binary digits of n, highest first. @param r Numbers. @param n At least 1. */
 INLINE real whole_power(real r, int n) {
-    real power = real_of(1);
-    for (; n > 0; n /= 2) {
-        power = n % 2 ? power * r : power;
-        r = r * r;
+    real power = r;
+    for (int digit = highest_digit(n) / 2; digit > 0; digit /= 2) {
+        power = power * power;
+        power = n & digit ? power * r : power;
     }
     return power;
 }
 
-/** Square roots that bring a number near 1, and terms of the series that then are enough. */
-enum { LOGARITHM_ROOTS = 8, LOGARITHM_TERMS = REAL_BITS == 32 ? 4 : REAL_BITS == 64 ? 9 : 19 };
+/** Terms of the series for the logarithm that are enough. */
+enum { LOGARITHM_TERMS = REAL_BITS == 32 ? 5 : REAL_BITS == 64 ? 10 : 22 };
 
-/** @return The natural logarithms: by square roots near to 1, then by 2 (y + y^3/3 + y^5/5 + ...)
- *          of y = (x - 1) / (x + 1). @param x Numbers, 2^-100 to 2^100. */
+/** @return The natural logarithms: powers of 2 are taken off until a number is near 1; there it is
+ *          2 (y + y^3/3 + y^5/5 + ...) of y = (x - 1) / (x + 1). @param x Numbers, 2^-64 to 2^127.
+ */
 INLINE real logarithm(real x) {
-    const real one = real_of(1);
-    for (int i = 0; i < LOGARITHM_ROOTS; i++) {
-        x = real_sqrt(x);
+    const real one = real_of(1), zero = real_of(0);
+    mask is_small = x < one;
+    real taken = real_select(is_small, real_of(-64), zero);
+    x = real_select(is_small, x * (scalar)0x1p64f, x);
+    for (int digit = 64; digit > 0; digit /= 2) {
+        const scalar root = (scalar)(1ull << digit / 2), power = digit > 1 ? root * root : 2;
+        mask has = x >= real_of(power);
+        x = real_select(has, x * (1 / power), x);
+        taken = real_select(has, taken + (scalar)digit, taken);
     }
-    real y = (x - one) / (x + one), square = y * y, sum = real_of(0);
+    mask is_above = x > real_of(SQUARE_ROOT_OF_2);
+    x = real_select(is_above, x * (scalar)0.5f, x);
+    taken = real_select(is_above, taken + one, taken);
+    real y = (x - one) / (x + one), square = y * y, sum = zero;
     for (int k = LOGARITHM_TERMS; k >= 0; k--) {
         sum = 1 / real_of((scalar)(2 * k + 1)) + square * sum;
     }
-    return 2 * (1 << LOGARITHM_ROOTS) * (y * sum);
+    return taken * LOGARITHM_OF_2 + 2 * (y * sum);
 }
 
 /** The orbit of LANES points. */

@@ -192,14 +192,16 @@ size_t model_size(const Model *model) {
            (model->spot_at ? slots * sizeof *model->spot_at : 0);
 }
 
-bool models_init(Models *models, const Scene *scene, const Models *former, const Crew *crew,
-                 Error *error) {
+bool models_init(Models *models, const Scene *scene, const Models *former,
+                 const TraceSettings *settings, Error *error) {
     size_t count = scene->mesh_count * MODEL_KINDS;
     *models = (Models){.count = count,
                        .meshes = scene->meshes,
                        .former = former,
-                       .crew = crew,
-                       .has_textures = scene_has_textures(scene)};
+                       .crew = &settings->crew,
+                       .has_textures = scene_has_textures(scene),
+                       .relaxation = (scalar)settings->relaxation,
+                       .footprint = {.share = (scalar)settings->footprint}};
     models->all = calloc(count + 1, sizeof *models->all);
     return models->all ||
            error_set(error, STATUS_FAILED, "no memory for %zu models", scene->mesh_count);

@@ -9,6 +9,7 @@
 #define DIOPTRE_TRACE_MODEL_H
 
 #include "dioptre/mesh.h"
+#include "trace/footprint.h"
 #include "trace/stalls.h"
 #include "trace/tree.h"
 
@@ -69,6 +70,8 @@ struct Models {
     const Models *former;    /**< Where some may be there already, or NULL; likewise. */
     const Crew *crew;        /**< Who builds trees; likewise. */
     bool has_textures;       /**< Whether any shape shows a picture. */
+    scalar relaxation;       /**< See #TraceSettings.relaxation. */
+    Footprint footprint;     /**< How finely the camera sees. */
     Stalls stalls;           /**< Rays that were given up before they met a shape or nothing. */
 };
 
@@ -76,14 +79,14 @@ struct Models {
  * Makes room for the models of a scene.
  * @param[out] models  The models; give them back with #models_release.
  * @param scene        The scene.
- * @param former       Those of another tracer, to be shared; NULL: none. Read, as the next two are,
- *                     while shapes are made.
- * @param crew         Who builds trees.
+ * @param former       Those of another tracer, to be shared; NULL: none. Read, as the crew is,
+ * while shapes are made.
+ * @param settings     Who builds trees, and how fields are marched.
  * @param[out] error   What is wrong.
  * @return false without memory.
  */
-bool models_init(Models *models, const Scene *scene, const Models *former, const Crew *crew,
-                 Error *error);
+bool models_init(Models *models, const Scene *scene, const Models *former,
+                 const TraceSettings *settings, Error *error);
 
 /** Gives models back; those that no other tracer holds are gone then. @param models The models. */
 void models_release(Models *models);

@@ -40,7 +40,7 @@ Shape *shape_make(void *memory, const SceneShape *said, int place, Models *model
     Shape base = {.class = class, .place = place, .material = (int)said->material};
     void *behind = (char *)memory + (said->transform ? class_stride(&transformed_class) : 0);
     Shape *inner = object_make(behind, base, said->parameters);
-    if (class->bind && !class->bind(inner, models, error)) {
+    if (class->bind && !class->bind(inner, said, models, error)) {
         return NULL;
     }
     if (!said->transform) {
@@ -74,26 +74,4 @@ ShapeMeasure shape_measure(const SceneShape *said) {
     free(far);
     measure.is_flat = class->is_flat;
     return measure;
-}
-
-Bounds bounds_around(Vector3 low, Vector3 high) {
-    return bounds_outwards((Bounds){{(scalar)low.x, (scalar)low.y, (scalar)low.z},
-                                    {(scalar)high.x, (scalar)high.y, (scalar)high.z}});
-}
-
-Bounds bounds_slackened(Bounds bounds) {
-    scalar largest = 0;
-    for (int axis = 0; axis < 3; axis++) {
-        largest = -bounds.low[axis] > largest ? -bounds.low[axis] : largest;
-        largest = bounds.high[axis] > largest ? bounds.high[axis] : largest;
-    }
-    for (int axis = 0; axis < 3; axis++) {
-        bounds.low[axis] -= BOUNDS_ROUNDINGS * BOUNDS_ROUNDOFF * largest;
-        bounds.high[axis] += BOUNDS_ROUNDINGS * BOUNDS_ROUNDOFF * largest;
-    }
-    return bounds;
-}
-
-Bounds bounds_infinite(void) {
-    return (Bounds){{-INFINITE, -INFINITE, -INFINITE}, {INFINITE, INFINITE, INFINITE}};
 }

@@ -54,11 +54,12 @@ typedef struct ShapeClass {
     /**
      * Finds the model that the shape shows, once #init has filled it. NULL: it shows none.
      * @param self        The shape.
+     * @param said        The shape, as the scene has it.
      * @param models      The scene's models.
      * @param[out] error  What is wrong.
      * @return false without memory.
      */
-    bool (*bind)(Shape *self, Models *models, Error *error);
+    bool (*bind)(Shape *self, const SceneShape *said, Models *models, Error *error);
 
     /**
      * Finds where LANES rays meet the shape.

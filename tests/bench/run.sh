@@ -105,3 +105,15 @@ gnuplot -c tests/bench/few.gp "$folder/cost-lights.csv" doc/cost-lights.svg "lam
 gnuplot -c tests/bench/few.gp "$folder/cost-depth.csv" doc/cost-depth.svg "mirrorings of a ray" "$ENGINES" "$machine"
 gnuplot -c tests/bench/few.gp "$folder/cost-samples.csv" doc/cost-samples.svg "samples a pixel" "full adaptive" "$machine"
 gnuplot -c tests/bench/tree.gp "$folder/tree-pays.csv" doc/tree-pays.svg "$machine"
+
+# Marching: steps, normals, and what is gained by skipping and left out by footprints.
+for what in steps normals; do
+    { echo "# $machine"; "$BUILD/tests/bench/march-steps" $what; } >"$folder/march-$what.csv"
+done
+{
+    echo "# $machine"
+    echo scene,what,value,ms,off_percent,worst_step
+    "$BUILD/tests/bench/marching" f32x8 scenes/cube-frame.lua scenes/endless-frames.lua scenes/melting.lua \
+        scenes/menger-sponge.lua tests/bench/frames-asked.lua
+} >"$folder/marching.csv"
+gnuplot -c tests/bench/marching.gp "$folder" "$machine"

@@ -63,9 +63,10 @@ static void mesh_init(Shape *self, const void *parameters) {
     mesh->source = (NormalSource)p->normals;
 }
 
-/** Finds the model. See #ShapeClass.bind. @param self The mesh. @param models All models.
- *  @param[out] error What is wrong. @return false without memory. */
-static bool mesh_bind(Shape *self, Models *models, Error *error) {
+/** Finds the model. See #ShapeClass.bind. @param self The mesh. @param said Not looked
+ *  at. @param models All models. @param[out] error What is wrong. @return false without memory. */
+static bool mesh_bind(Shape *self, const SceneShape *said, Models *models, Error *error) {
+    (void)said;
     MeshShape *mesh = (MeshShape *)self;
     mesh->model = models_get(models, mesh->file, mesh->source, error);
     return mesh->model != NULL;

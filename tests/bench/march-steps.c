@@ -1,0 +1,223 @@
+/**
+ * @file
+ * @brief Steps to a plane and the price of normals, in float: what the kernels of marching do.
+ *
+ * Called by `make bench`: `march-steps steps` and `march-steps normals`, which print CSV. Steps:
+ * way, angle, steps, the law ln(h / eps) / -ln(1 - sin a), and the error of the distance times the
+ * sine, in tolerances. Normals: field, way, width of the difference, nanoseconds a normal, worst
+ * error in radians.
+ *
+ * The tracer's own sources are compiled into this program, for one lane.
+ */
+#ifndef REAL_BITS
+#define REAL_BITS 32
+#endif
+#define LANES 1
+#include "../src/trace/bounds.c"
+#include "../src/trace/field.c"
+#include "../src/trace/field_bulb.c"
+#include "../src/trace/field_solids.c"
+#include "../src/trace/march.c"
+#include "../src/trace/march_field.c"
+
+#include "field_making.h"
+
+#include <time.h>
+
+/* --- steps ------------------------------------------------------------------------------------ */
+
+/** What a tape does at first, once it is counted. */
+static struct {
+    void (*run)(FieldMachine *machine, const FieldCode *code); /**< The step itself. */
+    int count;                                                 /**< How often it was done. */
+} counted;
+
+/** Counts, and does the step. See #FieldCode.run. @param m See there. @param code See there. */
+static void counted_run(FieldMachine *m, const FieldCode *code) {
+    counted.count++;
+    counted.run(m, code);
+}
+
+/** Marches to a plane. @param way What the way is called. @param relaxation See
+ *  #Marching.relaxation. @param degrees The angle. */
+static void steps_print(const char *way, double relaxation, double degrees) {
+    const double eps = 1e-4, angle = degrees * M_PI / 180;
+    // A ball far away makes the field's box as high as where the ray starts.
+    Field *ground = moved(single("box", (double[]){4096, 16, 4096}), 0, -8, 0);
+    Field *both = joined(FIELD_JOIN_UNION, ground, moved(single("sphere", NULL), -1900, 1, 0), 0);
+    FieldCode *codes = calloc((size_t)both->count, sizeof *codes);
+    Stalls stalls = {0};
+    Marching marching = {.codes = codes,
+                         .tolerance = (scalar)eps,
+                         .relaxation = (scalar)relaxation,
+                         .max_steps = 1000000,
+                         .stalls = &stalls};
+    Bounds box;
+    marching_init(&marching, both, &box);
+    counted.run = codes[0].run;
+    counted.count = 0;
+    codes[0].run = counted_run;
+    Ray ray = ray_of((Vector){0, 1, 0}, (Vector){(scalar)cos(angle), (scalar)-sin(angle), 0});
+    March march;
+    bool is_met = march_run(&marching, &ray, 1, INFINITE, false, &march);
+    double law = log(1 / (double)marching.tolerance) / -log(1 - sin(angle)),
+           truth = -1 / (double)ray.direction.y;
+    double error =
+        fabs((double)march_distance(&march) - truth) * sin(angle) / (double)marching.tolerance;
+    printf("%s,%g,%d,%.1f,%.3f\n", way, degrees, is_met ? counted.count : -1, law, error);
+    free(codes);
+    free(both);
+}
+
+/** Prints the steps of all ways at all angles. */
+static void steps_print_all(void) {
+    static const double angles[] = {30, 10, 3, 1, 0.3, 0.1};
+    static const struct {
+        const char *name;
+        double relaxation;
+    } ways[] = {{"1", 1}, {"1.2", 1.2}, {"1.6", 1.6}, {"slope", 0}};
+    printf("way,degrees,steps,law,error\n");
+    for (size_t w = 0; w < sizeof ways / sizeof *ways; w++) {
+        for (size_t i = 0; i < sizeof angles / sizeof *angles; i++) {
+            steps_print(ways[w].name, ways[w].relaxation, angles[i]);
+        }
+    }
+}
+
+/* --- normals ---------------------------------------------------------------------------------- */
+
+/** Points on a surface, and their normals. */
+enum { POINTS = 4096, ROUNDS = 50 };
+
+/** A surface. */
+typedef struct Surface {
+    const char *name;    /**< Its name. */
+    FieldCode *codes;    /**< Its tape. */
+    int count;           /**< How long it is. */
+    Vector at[POINTS];   /**< Points near it, rounded. */
+    double n[POINTS][3]; /**< Their normals, true. */
+} Surface;
+
+/** @return What a field says. @param s The field. @param p Where. */
+static real says(const Surface *s, Vector p) {
+    return field_distance(s->codes, s->count, p, 1);
+}
+
+/** @return The normal by derivatives that are carried along. @param s The field. @param p Where.
+ *  @param h Not used. */
+static Vector exact_normal(const Surface *s, Vector p, real h) {
+    (void)h;
+    return field_sample(s->codes, s->count, p, 1).gradient;
+}
+
+/** @return The normal by six points. @param s The field. @param p Where. @param h How far. */
+static Vector central_normal(const Surface *s, Vector p, real h) {
+    return (Vector){says(s, (Vector){p.x + h, p.y, p.z}) - says(s, (Vector){p.x - h, p.y, p.z}),
+                    says(s, (Vector){p.x, p.y + h, p.z}) - says(s, (Vector){p.x, p.y - h, p.z}),
+                    says(s, (Vector){p.x, p.y, p.z + h}) - says(s, (Vector){p.x, p.y, p.z - h})};
+}
+
+/** @return The normal by four points, one of them the point itself. @param s The field. @param p
+ *  Where. @param h How far. */
+static Vector forward_normal(const Surface *s, Vector p, real h) {
+    real here = says(s, p);
+    return (Vector){says(s, (Vector){p.x + h, p.y, p.z}) - here,
+                    says(s, (Vector){p.x, p.y + h, p.z}) - here,
+                    says(s, (Vector){p.x, p.y, p.z + h}) - here};
+}
+
+/** @return The normal by the corners of a tetrahedron. @param s The field. @param p Where.
+ *  @param h How far. */
+static Vector tetrahedron_normal(const Surface *s, Vector p, real h) {
+    real a = says(s, (Vector){p.x + h, p.y - h, p.z - h});
+    real b = says(s, (Vector){p.x - h, p.y - h, p.z + h});
+    real c = says(s, (Vector){p.x - h, p.y + h, p.z - h});
+    real d = says(s, (Vector){p.x + h, p.y + h, p.z + h});
+    return (Vector){a - b - c + d, -a - b + c + d, -a + b - c + d};
+}
+
+/** @return Seconds of this process. */
+static double now(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/** @return The angle between a normal and the true one, radians. @param n The normal. @param truth
+ *  The true one, one long. */
+static double turned(Vector n, const double *truth) {
+    Vector3 normal = {(double)n.x, (double)n.y, (double)n.z};
+    double length = vector3_length(normal);
+    Vector3 off = vector3_subtract(vector3_scale(normal, 1 / length),
+                                   (Vector3){truth[0], truth[1], truth[2]});
+    return length > 0 ? 2 * asin(fmin(1, 0.5 * vector3_length(off))) : M_PI;
+}
+
+/** Measures a way. @param s The field. @param way Its name. @param normal It. @param h How far. */
+static void normals_print(const Surface *s, const char *way,
+                          Vector (*normal)(const Surface *, Vector, real), double h) {
+    double worst = 0, fastest = HUGE_VAL;
+    static volatile real sink;
+    for (int i = 0; i < POINTS; i++) {
+        worst = fmax(worst, turned(normal(s, s->at[i], (real)h), s->n[i]));
+    }
+    for (int round = 0; round < ROUNDS; round++) {
+        double start = now();
+        for (int i = 0; i < POINTS; i++) {
+            sink = normal(s, s->at[i], (real)h).x;
+        }
+        fastest = fmin(fastest, (now() - start) / POINTS);
+    }
+    (void)sink;
+    printf("%s,%s,%g,%.2f,%.3g\n", s->name, way, h, 1e9 * fastest, worst);
+}
+
+/** Puts points on a surface by its own equation. @param[in,out] s The surface. @param ring Major
+ *  radius of a ring of 0.25; 0: a ball of 1. */
+static void points_put(Surface *s, double ring) {
+    uint64_t seed = 1;
+    for (int i = 0; i < POINTS; i++) {
+        double turn = 2 * M_PI * random_share(&seed), around = 2 * M_PI * random_share(&seed);
+        double up = ring > 0 ? sin(around) : 2 * random_share(&seed) - 1;
+        double across = ring > 0 ? cos(around) : sqrt(1 - up * up), radius = ring > 0 ? 0.25 : 1;
+        double *n = s->n[i];
+        n[0] = across * cos(turn);
+        n[1] = up;
+        n[2] = across * sin(turn);
+        s->at[i] = (Vector){(real)(ring * cos(turn) + radius * n[0]), (real)(radius * n[1]),
+                            (real)(ring * sin(turn) + radius * n[2])};
+    }
+}
+
+/** Prints all ways for a field. @param name Its name. @param field It; given back. @param ring See
+ *  points_put(). */
+static void surface_print(const char *name, Field *field, double ring) {
+    static Surface s;
+    s = (Surface){.name = name, .count = field->count};
+    s.codes = calloc((size_t)field->count, sizeof *s.codes);
+    field_code(s.codes, field);
+    points_put(&s, ring);
+    normals_print(&s, "exact", exact_normal, 0);
+    for (double h = 0.1; h > 5e-7; h /= sqrt(10)) {
+        normals_print(&s, "central", central_normal, h);
+        normals_print(&s, "forward", forward_normal, h);
+        normals_print(&s, "tetrahedron", tetrahedron_normal, h);
+    }
+    free(s.codes);
+    free(field);
+}
+
+/** Prints steps or normals. @param count 2. @param arguments Which. @return 0 */
+int main(int count, char **arguments) {
+    if (count == 2 && strcmp(arguments[1], "steps") == 0) {
+        steps_print_all();
+    } else {
+        printf("field,way,h,ns,error\n");
+        surface_print("ball", single("sphere", NULL), 0);
+        surface_print("ring", single("torus", (double[]){1, 0.25}), 1);
+        Field *near = joined(FIELD_JOIN_SMOOTH, single("torus", (double[]){1, 0.25}),
+                             moved(single("sphere", NULL), 0, 9, 0), 0.25);
+        surface_print("melted", near, 1);
+    }
+    return 0;
+}

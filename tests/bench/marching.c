@@ -1,0 +1,134 @@
+/**
+ * @file
+ * @brief What marching costs, and what it costs in accuracy: the same picture with steps of several
+ * lengths, and with footprints of several sizes, in turns.
+ *
+ * Called by `make bench`: `marching ENGINE SCENE...`. Prints lines of CSV: scene, what is varied,
+ * how much, processor time of the fastest of many pictures in milliseconds, per cent of the pixels
+ * that are off by more than a step of 8 bits, and the worst step. Pictures are compared with one in
+ * double with steps as long as allowed and no footprint.
+ */
+#include "dioptre/renderer.h"
+#include "dioptre/script.h"
+
+#include <stdio.h>
+#include <time.h>
+
+/** Turns that are taken. */
+enum { TURNS = 3 };
+
+/** A way to march. */
+typedef struct Way {
+    const char *what;  /**< What is varied. */
+    double value;      /**< How much. */
+    double relaxation; /**< See #TraceSettings.relaxation. */
+    double footprint;  /**< See #TraceSettings.footprint. */
+} Way;
+
+/** All of them. */
+static const Way ways[] = {
+    {"relaxation", 1, 1, 0},
+    {"relaxation", 1.2, 1.2, 0},
+    {"relaxation", 1.6, 1.6, 0},
+    {"relaxation", 0, 0, 0},
+    {"footprint", 0.03125, 0, 0.03125},
+    {"footprint", 0.0625, 0, 0.0625},
+    {"footprint", 0.125, 0, 0.125},
+    {"footprint", 0.25, 0, 0.25},
+    {"footprint", 0.5, 0, 0.5},
+};
+/** How many. */
+enum { WAYS = sizeof ways / sizeof *ways };
+
+/** @return A renderer of the scene's size, one ray a pixel, one thread; NULL if anything is wrong.
+ *  @param scene The scene. @param engine The engine. @param way How it marches. @param[out] error
+ *  What is wrong. */
+static Renderer *renderer_of(const Scene *scene, const Engine *engine, Way way, Error *error) {
+    RenderSettings settings = render_settings_default(scene);
+    settings.engine = engine;
+    settings.threads = 1;
+    settings.samples = 1;
+    settings.trace.relaxation = way.relaxation;
+    settings.trace.footprint = way.footprint;
+    return renderer_create(scene, &settings, error);
+}
+
+/** @return Processor time of a picture, seconds: the machine may be shared. @param renderer Draws
+ *  it. */
+static double picture_time(Renderer *renderer) {
+    clock_t start = clock();
+    renderer_draw(renderer, NULL, NULL);
+    return (double)(clock() - start) / CLOCKS_PER_SEC;
+}
+
+/** @return The scene of a file; NULL if anything is wrong. @param path The file. @param[out] error
+ *  What is wrong. */
+static Scene *scene_of(const char *path, Error *error) {
+    const ScriptRequest request = {.path = path,
+                                   .seconds = SCRIPT_SECONDS,
+                                   .memory = SCRIPT_MEMORY,
+                                   .shape_keywords = engine_list()[0]->shape_keywords};
+    return script_load(&request, error);
+}
+
+/** Measures all ways. @param path The scene's file. @param renderers One for each way. @param truth
+ *  What is compared with. @param[in,out] picture Room for a picture. */
+static void ways_measure(const char *path, Renderer **renderers, const Picture *truth,
+                         Picture *picture) {
+    double fastest[WAYS];
+    for (int turn = 0; turn < TURNS; turn++) {
+        for (int i = 0; i < WAYS; i++) {
+            double seconds = picture_time(renderers[i]);
+            fastest[i] = turn == 0 || seconds < fastest[i] ? seconds : fastest[i];
+        }
+    }
+    for (int i = 0; i < WAYS; i++) {
+        renderer_draw(renderers[i], NULL, picture);
+        Comparison c = picture_compare(picture, truth, NULL);
+        printf("%s,%s,%g,%.4g,%.4f,%d\n", path, ways[i].what, ways[i].value, 1e3 * fastest[i],
+               100 * c.share_off, c.worst_step);
+        fflush(stdout);
+    }
+}
+
+/** Measures a scene. @param path Its file. @param engine The engine. @param[out] error What is
+ *  wrong. @return false if anything is. */
+static bool scene_measure(const char *path, const Engine *engine, Error *error) {
+    const Way truly = {"truth", 0, 1, 0};
+    Renderer *renderers[WAYS] = {NULL}, *truth = NULL;
+    Picture reference = {0}, picture = {0};
+    Scene *scene = scene_of(path, error);
+    bool is_good = scene && (truth = renderer_of(scene, engine_find("f64x4", error), truly, error));
+    for (int i = 0; i < WAYS && is_good; i++) {
+        is_good = (renderers[i] = renderer_of(scene, engine, ways[i], error)) != NULL;
+    }
+    is_good = is_good && picture_init(&reference, scene->image.width, scene->image.height, error) &&
+              picture_init(&picture, scene->image.width, scene->image.height, error);
+    if (is_good) {
+        renderer_draw(truth, NULL, &reference);
+        ways_measure(path, renderers, &reference, &picture);
+    }
+    for (int i = 0; i < WAYS; i++) {
+        renderer_destroy(renderers[i]);
+    }
+    renderer_destroy(truth);
+    picture_release(&reference);
+    picture_release(&picture);
+    scene_destroy(scene);
+    return is_good;
+}
+
+/** Measures scenes. @param count Of the arguments. @param arguments Engine, scenes. @return 0 when
+ *  all is done. */
+int main(int count, char **arguments) {
+    Error error = {0};
+    const Engine *engine = count > 2 ? engine_find(arguments[1], &error) : NULL;
+    bool is_good = engine != NULL;
+    for (int i = 2; is_good && i < count; i++) {
+        is_good = scene_measure(arguments[i], engine, &error);
+    }
+    if (!is_good) {
+        fprintf(stderr, "marching: %s\n", count > 2 ? error.message : "ENGINE SCENE...");
+    }
+    return is_good ? 0 : 1;
+}

@@ -166,18 +166,19 @@ INLINE mask passage_wall(Passage *passage, wide radius) {
     // The root farther from zero by a sum, the other by the product of the two.
     wide per_across = 1 / across, middle = -(ox * dx + oy * dy) * per_across;
     wide half = wide_sqrt(left) * per_across;
-    wide_mask is_ahead = middle > 0;
+    const wide zero = wide_of(0), endless = wide_of((wide_scalar)INFINITE);
+    wide_mask is_ahead = wide_below(zero, middle);
     wide sum = middle + wide_select(is_ahead, half, -half);
     wide quotient = power * per_across / sum;
 
     // Along the axis there are no roots: all of the ray is inside, or nothing.
-    wide_mask is_along = across == 0;
-    wide endless = wide_of((wide_scalar)INFINITE);
+    wide_mask is_along = wide_equal(across, zero);
     passage->wall.near = wide_select(is_along, -endless, wide_select(is_ahead, quotient, sum));
     passage->wall.far = wide_select(is_along, endless, wide_select(is_ahead, sum, quotient));
     passage->beside = cross * per_across;
     passage->half = half;
-    return narrow_mask((is_along & (power <= 0)) | ((across > 0) & (left >= 0)));
+    return narrow_mask((is_along & wide_at_most(power, zero)) |
+                       (wide_below(zero, across) & wide_at_most(zero, left)));
 }
 
 /**
@@ -188,12 +189,12 @@ INLINE mask passage_wall(Passage *passage, wide radius) {
 INLINE void passage_ends(Passage *passage, wide length) {
     wide inverse = 1 / passage->direction.z, to_base = -passage->origin.z;
     wide to_top = length - passage->origin.z, endless = wide_of((wide_scalar)INFINITE);
-    wide_mask is_downwards = inverse < 0;
+    wide_mask is_downwards = wide_below(inverse, wide_of(0));
     wide enter = wide_select(is_downwards, to_top, to_base) * inverse;
     wide leave = wide_select(is_downwards, to_base, to_top) * inverse;
     // 0 times infinity, in the plane of an end, is no number and drops out: that counts as between.
-    passage->ends.near = wide_select(enter > -endless, enter, -endless);
-    passage->ends.far = wide_select(leave < endless, leave, endless);
+    passage->ends.near = wide_select(wide_below(-endless, enter), enter, -endless);
+    passage->ends.far = wide_select(wide_below(leave, endless), leave, endless);
 }
 
 /**
@@ -203,14 +204,23 @@ INLINE void passage_ends(Passage *passage, wide length) {
  */
 INLINE mask passage_meet_solid(const Passage *passage, Meeting *meeting) {
     const Interval *wall = &passage->wall, *ends = &passage->ends;
-    wide_mask wall_first = wall->near >= ends->near, wall_last = wall->far <= ends->far;
+    const wide zero = wide_of(0);
+    wide_mask wall_first = wide_at_most(ends->near, wall->near);
+    wide_mask wall_last = wide_at_most(wall->far, ends->far);
     wide near = wide_select(wall_first, wall->near, ends->near);
     wide far = wide_select(wall_last, wall->far, ends->far);
-    meeting->enters = near > 0;
+    meeting->enters = wide_below(zero, near);
     meeting->distance = wide_select(meeting->enters, near, far);
     meeting->is_wall =
         (meeting->enters & wall_first) | (wide_mask_not(meeting->enters) & wall_last);
-    return narrow_mask((near <= far) & (far > 0));
+    return narrow_mask(wide_at_most(near, far) & wide_below(zero, far));
+}
+
+/** @return Where a distance is ahead and within an interval. @param distance The distance.
+ *  @param interval The interval. */
+INLINE wide_mask ahead_within(wide distance, const Interval *interval) {
+    return wide_below(wide_of(0), distance) & wide_at_most(interval->near, distance) &
+           wide_at_most(distance, interval->far);
 }
 
 /**
@@ -220,12 +230,11 @@ INLINE mask passage_meet_solid(const Passage *passage, Meeting *meeting) {
  */
 INLINE mask passage_meet_wall(const Passage *passage, Meeting *meeting) {
     const Interval *wall = &passage->wall, *ends = &passage->ends;
-    wide_mask near_is_there =
-        (wall->near > 0) & (wall->near >= ends->near) & (wall->near <= ends->far);
-    wide_mask far_is_there = (wall->far > 0) & (wall->far >= ends->near) & (wall->far <= ends->far);
+    wide_mask near_is_there = ahead_within(wall->near, ends),
+              far_is_there = ahead_within(wall->far, ends);
     meeting->enters = near_is_there;
     meeting->distance = wide_select(near_is_there, wall->near, wall->far);
-    meeting->is_wall = meeting->distance == meeting->distance;
+    meeting->is_wall = wide_equal(meeting->distance, meeting->distance);
     return narrow_mask(near_is_there | far_is_there);
 }
 
@@ -267,9 +276,9 @@ INLINE WideVector passage_on_wall(const Cylinder *cylinder, const Passage *passa
     wide x = d.x * half - d.y * passage->beside, y = d.y * half + d.x * passage->beside;
     wide z = passage->origin.z + d.z * meeting->distance, zero = wide_of(0);
     wide length = wide_of(cylinder->length), per_radius = wide_of(1 / cylinder->radius);
-    z = wide_select(z > zero, z, zero);
+    z = wide_select(wide_below(zero, z), z, zero);
     *normal = (WideVector){x * per_radius, y * per_radius, zero};
-    return (WideVector){x, y, wide_select(z < length, z, length)};
+    return (WideVector){x, y, wide_select(wide_below(z, length), z, length)};
 }
 
 /**
@@ -284,9 +293,9 @@ INLINE WideVector passage_on_end(const Cylinder *cylinder, const Passage *passag
                                  const Meeting *meeting, WideVector *normal) {
     WideVector point = wide_add_scaled(passage->origin, passage->direction, meeting->distance);
     // Entering upwards or leaving downwards, a ray is on the base.
-    wide_mask goes_up = passage->direction.z > 0, enters = meeting->enters;
-    wide_mask is_base = (enters & goes_up) | wide_mask_not(enters | goes_up);
     wide zero = wide_of(0), one = wide_of(1);
+    wide_mask goes_up = wide_below(zero, passage->direction.z), enters = meeting->enters;
+    wide_mask is_base = (enters & goes_up) | wide_mask_not(enters | goes_up);
     *normal = (WideVector){zero, zero, wide_select(is_base, -one, one)};
     point.z = wide_select(is_base, zero, wide_of(cylinder->length));
     return point;

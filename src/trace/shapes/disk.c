@@ -74,7 +74,7 @@ INLINE mask disk_crosses(const Disk *disk, const Ray *ray, mask active, real *di
     WideVector along = wide_scale(vector_widen(ray->direction), crossing.height);
     WideVector arm = wide_add_scaled(along, crossing.to_anchor, -crossing.slope);
     wide reach = crossing.slope * wide_of(disk->radius);
-    return active & narrow_mask(wide_dot(arm, arm) <= reach * reach);
+    return active & narrow_mask(wide_at_most(wide_dot(arm, arm), reach * reach));
 }
 
 /** @return The lanes where the disk is nearer. See #ShapeClass.is_hit. @callgraph

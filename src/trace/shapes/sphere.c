@@ -78,7 +78,7 @@ INLINE mask sphere_chord(const Sphere *sphere, const Ray *ray, mask active, Chor
     // Half the chord, from the right triangle of radius and distance.
     wide radius_squared = wide_of(sphere->radius * sphere->radius);
     wide half_squared = radius_squared - wide_dot(away, away);
-    mask crosses = active & narrow_mask(half_squared >= 0);
+    mask crosses = active & narrow_mask(wide_at_most(wide_of(0), half_squared));
     if (!any(crosses)) {
         return crosses;
     }

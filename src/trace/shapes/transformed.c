@@ -169,14 +169,14 @@ static void transformed_init(Shape *self, const void *parameters) {
 INLINE wide transformed_skip(const Transformed *self, WideVector origin, WideVector direction) {
     const wide zero = wide_of(0);
     WideVector to_middle = wide_subtract(wide_vector_of(self->middle), origin);
-    wide_mask is_far = wide_dot(to_middle, to_middle) > wide_of(self->near * self->near);
+    wide_mask is_far = wide_below(wide_of(self->near * self->near), wide_dot(to_middle, to_middle));
     if (!any(narrow_mask(is_far))) {
         return zero;
     }
     wide per_length_squared = 1 / wide_dot(direction, direction);
     wide to_nearest = wide_dot(to_middle, direction) * per_length_squared;
     wide skip = to_nearest - wide_of(self->distance) * wide_sqrt(per_length_squared);
-    return wide_select(is_far & (skip > 0), skip, zero);
+    return wide_select(is_far & wide_below(zero, skip), skip, zero);
 }
 
 /** @return Rays in a shape's own space. @param self The shape. @param ray The rays. */

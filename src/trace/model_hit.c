@@ -304,7 +304,10 @@ static void model_hits_clear(ModelHits *hits) {
 }
 
 void model_nearest(const Model *model, const Packet *packet, int place, Hit *hits) {
-    const TreeOwner owner = {model, model->blocks, sizeof *model->blocks, model_ask};
+    const TreeOwner owner = {.items = model,
+                             .blocks = model->blocks,
+                             .block_bytes = sizeof *model->blocks,
+                             .ask = model_ask};
     real limits[PACKET_VECTORS];
     ModelHits found;
     model_hits_clear(&found);
@@ -328,7 +331,10 @@ void model_nearest(const Model *model, const Packet *packet, int place, Hit *hit
 }
 
 void model_blocked(const Model *model, const Packet *packet, mask *blocked) {
-    const TreeOwner owner = {model, model->blocks, sizeof *model->blocks, model_ask_shadow};
+    const TreeOwner owner = {.items = model,
+                             .blocks = model->blocks,
+                             .block_bytes = sizeof *model->blocks,
+                             .ask = model_ask_shadow};
     real limits[PACKET_VECTORS];
     ModelHits found;
     model_hits_clear(&found);

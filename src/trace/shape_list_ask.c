@@ -120,7 +120,7 @@ static void leaf_blocked(const void *items, TreeLeaf leaf, const TreeRays *rays,
 /** Asks the shapes of the tree, if there is one, what rays meet. @param list The shapes.
  *  @param packet The rays. @param[in,out] hits What they have met so far. */
 static void tree_nearest(const ShapeList *list, const Packet *packet, Hit *hits) {
-    const TreeOwner owner = {.items = list, .ask = leaf_nearest};
+    const TreeOwner owner = {.items = list, .asks_vectors = true, .ask = leaf_nearest};
     real limits[PACKET_VECTORS];
     if (list->tree.nodes) {
         for (int v = 0; v < PACKET_VECTORS; v++) {
@@ -133,7 +133,7 @@ static void tree_nearest(const ShapeList *list, const Packet *packet, Hit *hits)
 /** Asks the shapes of the tree, if there is one, which rays they block. @param list The shapes.
  *  @param packet The rays. @param[in,out] blocked Those that are blocked. */
 static void tree_blocked(const ShapeList *list, const Packet *packet, mask *blocked) {
-    const TreeOwner owner = {.items = list, .ask = leaf_blocked};
+    const TreeOwner owner = {.items = list, .asks_vectors = true, .ask = leaf_blocked};
     real limits[PACKET_VECTORS];
     if (list->tree.nodes) {
         for (int v = 0; v < PACKET_VECTORS; v++) {
@@ -163,7 +163,7 @@ static void leaf_visit(const void *items, TreeLeaf leaf, const TreeRays *rays, v
 /** Visits the shapes of the tree, if there is one. @param list The shapes. @param packet The rays.
  *  @param visit The visit. */
 static void tree_visit_all(const ShapeList *list, const Packet *packet, Visit *visit) {
-    const TreeOwner owner = {.items = list, .ask = leaf_visit};
+    const TreeOwner owner = {.items = list, .asks_vectors = true, .ask = leaf_visit};
     real limits[PACKET_VECTORS];
     if (list->tree.nodes) {
         for (int v = 0; v < PACKET_VECTORS; v++) {

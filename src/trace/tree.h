@@ -100,6 +100,8 @@ typedef struct TreeOwner {
     const void *items;  /**< Handed to #ask. */
     const void *blocks; /**< Where the blocks lie, to be fetched before they are asked; or NULL. */
     size_t block_bytes; /**< Bytes a block. */
+    bool asks_vectors;  /**< Whether #ask takes as long for one ray as for a vector of them, so that
+                             few rays, too, are best kept together. */
 
     /**
      * Asks the items of a leaf about rays.

@@ -134,7 +134,7 @@ static void journey_step(Journey *journey, const Tree *tree, const TreeOwner *ow
     }
     if (entry.child & TREE_LEAF) {
         leaf_ask(journey, owner, &entry, found);
-    } else if (lanes_count(&entry.lanes) <= FEW_RAYS) {
+    } else if (!owner->asks_vectors && lanes_count(&entry.lanes) <= FEW_RAYS) {
         tree_visit_singly(tree, entry.child, &entry.lanes, journey->packet, journey->limits, owner,
                           found);
     } else {
@@ -154,7 +154,7 @@ void tree_visit(const Tree *tree, const Packet *packet, real *limits, const Tree
     if (LANES > 1) {
         journey.spans = packet_spans(packet);
     }
-    if (LANES == 1 || !spans_are_coherent(&journey.spans)) {
+    if (LANES == 1 || (!owner->asks_vectors && !spans_are_coherent(&journey.spans))) {
         tree_visit_singly(tree, 0, &journey.stack[0].lanes, packet, limits, owner, found);
         return;
     }

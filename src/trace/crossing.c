@@ -82,15 +82,15 @@ INLINE mask lit_lanes(const Encounter *met, int v, mask hidden) {
     return met->lit[v] & mask_not(hidden) & (most > 0);
 }
 
-unsigned crossing_find(const Glass *glass, const ShapeList *list, const Departure *departure,
-                       Encounter *met, Crossing *crossing) {
+unsigned crossing_find(const Glass *glass, const Departure *departure, Encounter *met,
+                       Crossing *crossing) {
     Approach approach;
     unsigned total = 0;
     if (crossing_approach(departure, met, &approach, crossing) == 0) {
         return 0;
     }
     if (packet_count(&approach.jumps) > 0) {
-        glass_jump(glass, list, &approach.jumps, crossing->media);
+        glass_jump(glass, &approach.jumps, crossing->media);
     }
     for (int v = 0; v < PACKET_VECTORS; v++) {
         if (any(crossing->through[v])) {

@@ -20,14 +20,13 @@ typedef struct Crossing {
 /**
  * Finds what becomes of rays at transparent surfaces.
  * @param glass      What the scene has of glass.
- * @param list       The shapes.
  * @param departure  How rays leave a surface.
  * @param[in,out] met  What the rays met; points that ask for no light are taken out of `lit`.
  * @param[out] crossing  What becomes of them.
  * @return How many are reflected totally.
  */
-unsigned crossing_find(const Glass *glass, const ShapeList *list, const Departure *departure,
-                       Encounter *met, Crossing *crossing);
+unsigned crossing_find(const Glass *glass, const Departure *departure, Encounter *met,
+                       Crossing *crossing);
 
 /**
  * @return The share of what rays bring back that is mirrored: R + T F; nothing where the surface is

@@ -51,7 +51,7 @@ static void engine_look(Tracer *tracer, const Scene *scene, int width, int heigh
     keyword_move(&camera_keyword, &camera, way);
     tracer->eye = eye_of(&camera, width, height);
     footprint_look(&tracer->models.footprint, &tracer->eye);
-    glass_look(&tracer->glass, &tracer->list, tracer->eye.origin);
+    glass_look(&tracer->glass, tracer->eye.origin);
     for (size_t i = 0; i < tracer->lamp_count; i++) {
         Light light = scene->lights[i];
         keyword_move(light_keyword_of(&light), &light, way);
@@ -81,9 +81,10 @@ static Tracer *tracer_create(const Scene *scene, const TraceSettings *settings, 
     tracer->lamps = vector_allocate((scene->light_count + 1) * sizeof(Lamp));
     tracer->surfaces = vector_allocate(scene->material_count * sizeof(Surface));
     if (!tracer->lamps || !tracer->surfaces || !glow_init(&tracer->glow, scene, error) ||
-        !textures_init(&tracer->textures, scene, error) || !glass_init(&tracer->glass, scene) ||
+        !textures_init(&tracer->textures, scene, error) ||
         !models_init(&tracer->models, scene, former, settings, error) ||
-        !shape_list_init(&tracer->list, scene, &tracer->models, settings, error)) {
+        !shape_list_init(&tracer->list, scene, &tracer->models, settings, error) ||
+        !glass_init(&tracer->glass, scene, &tracer->list, settings)) {
         error_set(error, STATUS_FAILED, "no memory for the scene");
         engine_release(tracer);
         return NULL;
@@ -125,7 +126,7 @@ static Tracer *engine_prepare(const Scene *scene, const TraceSettings *settings,
         for (size_t i = 0; i < scene->material_count; i++) {
             tracer->surfaces[i] = surface_of(&scene->materials[i], scene->ambient);
         }
-        glass_survey(&tracer->glass, &tracer->list, tracer->surfaces);
+        glass_survey(&tracer->glass, tracer->surfaces);
         engine_look(tracer, scene, scene->image.width, scene->image.height);
     }
     return tracer;

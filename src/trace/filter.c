@@ -33,7 +33,6 @@ INLINE void path_go_on(const Departure *departure, const Hit *hit, mask lanes, i
 /**
  * Finds which of the surfaces that light meets are not there, because a later shape is. It is asked
  * as for rays that look (see crossing_find()), and only where #Glass.hides says so.
- * @param list       The shapes.
  * @param departure  How rays leave a surface.
  * @param glass      What the scene has of glass.
  * @param path       The rays.
@@ -41,8 +40,8 @@ INLINE void path_go_on(const Departure *departure, const Hit *hit, mask lanes, i
  * @param[in,out] media   What the rays are inside of.
  * @param[out] hidden     Where the surface is not there.
  */
-static void hidden_find(const ShapeList *list, const Departure *departure, const Glass *glass,
-                        const Packet *path, const Hit *hits, Media *media, mask *hidden) {
+static void hidden_find(const Departure *departure, const Glass *glass, const Packet *path,
+                        const Hit *hits, Media *media, mask *hidden) {
     Packet jumps;
     mask through[PACKET_VECTORS];
     integer before[PACKET_VECTORS];
@@ -59,7 +58,7 @@ static void hidden_find(const ShapeList *list, const Departure *departure, const
         jump_aim(departure_far(departure, hit), hit, facing, through[v], v, &jumps);
     }
     if (packet_count(&jumps) > 0) {
-        glass_jump(glass, list, &jumps, media);
+        glass_jump(glass, &jumps, media);
     }
     for (int v = 0; v < PACKET_VECTORS; v++) {
         hidden[v] = through[v] & (before[v] == media_place(&media[v]));
@@ -79,9 +78,9 @@ static void filter_once(const ShapeList *list, const Departure *departure, const
                         Packet *path, Media *media, Light3 *visible) {
     Hit hits[PACKET_VECTORS];
     mask hidden[PACKET_VECTORS] = {0};
-    shape_list_nearest(list, path, hits);
+    shape_list_nearest(&met->glass->clear, path, hits);
     if (met->glass->hides) {
-        hidden_find(list, departure, met->glass, path, hits, media, hidden);
+        hidden_find(departure, met->glass, path, hits, media, hidden);
     }
     for (int v = 0; v < PACKET_VECTORS; v++) {
         mask crossed = path->active[v] & (hits[v].shape >= integer_of(0));
@@ -103,7 +102,7 @@ void filter_shadows(const ShapeList *list, const Departure *departure, const Enc
     Media media[PACKET_VECTORS];
     path.wants_points = true;
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        path.active[v] &= blocked[v];
+        path.active[v] &= mask_not(blocked[v]);
         visible[v] = (Light3){real_of(1), real_of(1), real_of(1)};
         if (met->glass->hides) {
             media[v] = met->media[v];
@@ -113,6 +112,6 @@ void filter_shadows(const ShapeList *list, const Departure *departure, const Enc
         filter_once(list, departure, met, &path, media, visible);
     }
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        blocked[v] = path.active[v] | mask_not(light3_largest(visible[v]) > 0);
+        blocked[v] |= path.active[v] | mask_not(light3_largest(visible[v]) > 0);
     }
 }

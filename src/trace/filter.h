@@ -8,14 +8,15 @@
 #include "trace/lighting.h"
 
 /**
- * Finds what is left of a lamp's light behind what stands in its way: the product of the shares
- * that the surfaces let through which it crosses, without being bent; nothing behind opaque ones.
- * Surfaces that a later transparent shape hides are not there.
- * @param list       The shapes.
+ * Finds what is left of a lamp's light behind the transparent shapes in its way: the product of the
+ * shares that the surfaces let through which it crosses, without being bent. Surfaces that a later
+ * transparent shape hides are not there.
+ * @param list       All shapes.
  * @param departure  How rays leave a surface.
  * @param met        The points that the rays come from.
  * @param shadow     The rays to the lamp.
- * @param[in,out] blocked  The rays that anything is in the way of; then those that get nothing.
+ * @param[in,out] blocked  The rays that an opaque shape is in the way of; then all that get
+ * nothing.
  * @param[out] visible     The share that is left, for each vector of rays.
  */
 void filter_shadows(const ShapeList *list, const Departure *departure, const Encounter *met,

@@ -89,7 +89,7 @@ uint64_t lighting_gather(const ShapeList *list, const Lamp *lamps, size_t lamp_c
         lamp_aim(&lamps[i], i, departure, met, &shine);
         unsigned count = packet_count(&shine.shadow);
         if (count > 0) {
-            shape_list_blocked(list, &shine.shadow, blocked);
+            shape_list_blocked(met->media ? &met->glass->opaque : list, &shine.shadow, blocked);
             if (met->media) {
                 filter_shadows(list, departure, met, &shine.shadow, blocked, shine.visible);
             }

@@ -6,11 +6,9 @@
 
 #include <stdlib.h>
 
-bool glass_init(Glass *glass, const Scene *scene) {
-    *glass = (Glass){.at_eye = media_air()};
-    if (!scene_has_glass(scene)) {
-        return true;
-    }
+/** Takes the indices of a scene's shapes. @param[out] glass What the scene has. @param scene The
+ *  scene. @return false without memory. */
+static bool indices_take(Glass *glass, const Scene *scene) {
     glass->indices = calloc(scene->shape_count + 1, sizeof *glass->indices);
     if (!glass->indices) {
         return false;
@@ -22,6 +20,28 @@ bool glass_init(Glass *glass, const Scene *scene) {
         glass->indices[i + 1] = is_glass ? (scalar)material->ior : 0;
     }
     return true;
+}
+
+/** See #ShapeChoice. @return Whether a shape is transparent. @param shape The shape. @param context
+ *  A #Glass. */
+static bool is_clear(const Shape *shape, const void *context) {
+    const Glass *glass = context;
+    return glass->indices[shape->place + 1] > 0;
+}
+
+/** See #ShapeChoice. @return Whether a shape is not transparent. @param shape The shape.
+ *  @param context A #Glass. */
+static bool is_opaque(const Shape *shape, const void *context) {
+    return !is_clear(shape, context);
+}
+
+bool glass_init(Glass *glass, const Scene *scene, const ShapeList *list,
+                const TraceSettings *settings) {
+    *glass = (Glass){.at_eye = media_air()};
+    return !scene_has_glass(scene) ||
+           (indices_take(glass, scene) &&
+            shape_list_choose(&glass->clear, list, is_clear, glass, settings) &&
+            shape_list_choose(&glass->opaque, list, is_opaque, glass, settings));
 }
 
 /** Tinted shapes from which on nobody looks whether a later shape meets them: one may. */
@@ -41,20 +61,18 @@ static bool is_tinted(const Surface *s) {
     return s->through.red < 1 || s->through.green < 1 || s->through.blue < 1;
 }
 
-void glass_survey(Glass *glass, const ShapeList *list, const Surface *surfaces) {
+void glass_survey(Glass *glass, const Surface *surfaces) {
     Bounds tinted[SURVEY_MAXIMUM];
     size_t count = 0;
-    for (size_t i = 0; glass->indices && !glass->hides && i < list->count; i++) {
-        const Shape *shape = list->shapes[i];
-        if (glass_is(glass, shape)) {
-            Bounds box = shape->class->bounds(shape);
-            for (size_t other = 0; other < count; other++) {
-                glass->hides = glass->hides || bounds_meet(&tinted[other], &box);
-            }
-            if (is_tinted(&surfaces[shape->material])) {
-                tinted[count++] = box;
-                glass->hides = glass->hides || count == SURVEY_MAXIMUM;
-            }
+    for (size_t i = 0; !glass->hides && i < glass->clear.count; i++) {
+        const Shape *shape = glass->clear.shapes[i];
+        Bounds box = shape->class->bounds(shape);
+        for (size_t other = 0; other < count; other++) {
+            glass->hides = glass->hides || bounds_meet(&tinted[other], &box);
+        }
+        if (is_tinted(&surfaces[shape->material])) {
+            tinted[count++] = box;
+            glass->hides = glass->hides || count == SURVEY_MAXIMUM;
         }
     }
 }
@@ -62,6 +80,8 @@ void glass_survey(Glass *glass, const ShapeList *list, const Surface *surfaces) 
 void glass_release(Glass *glass) {
     free(glass->indices);
     glass->indices = NULL;
+    shape_list_release(&glass->clear);
+    shape_list_release(&glass->opaque);
 }
 
 /** @return The lanes in which rays meet a shape from inside. @param ray The rays. @param met The
@@ -93,44 +113,32 @@ static mask is_inside(const Shape *shape, Vector point) {
     return inside;
 }
 
-void glass_look(Glass *glass, const ShapeList *list, Vector eye) {
+void glass_look(Glass *glass, Vector eye) {
     glass->at_eye = media_air();
-    for (size_t i = 0; glass->indices && i < list->count; i++) {
-        const Shape *shape = list->shapes[i];
-        if (glass_is(glass, shape)) {
-            media_enter(&glass->at_eye, is_inside(shape, eye), integer_of(shape->place));
-        }
+    for (size_t i = 0; i < glass->clear.count; i++) {
+        const Shape *shape = glass->clear.shapes[i];
+        media_enter(&glass->at_eye, is_inside(shape, eye), integer_of(shape->place));
     }
 }
 
 /* --- jumps ----------------------------------------------------------------------------------- */
 
-/** What is to be set right. */
-typedef struct Jump {
-    const Glass *glass; /**< What the scene has. */
-    Media *media;       /**< For each vector: what the rays are inside of. */
-} Jump;
-
 /** Asks whether a shape's surface lies in jumps. See #ShapeVisitor. @param shape The shape.
  *  @param jumps The jumps, backwards. @param v Which vector. @param active Which lanes.
- *  @param[in,out] found A #Jump. */
+ *  @param[in,out] found A #Media for each vector: what the rays are inside of. */
 static void jump_ask(const Shape *shape, const Packet *jumps, int v, mask active, void *found) {
-    Jump *jump = found;
-    if (!glass_is(jump->glass, shape)) {
-        return;
-    }
+    Media *media = (Media *)found + v;
     const Ray *back = &jumps->rays[v];
     Hit hit = hit_nothing(jumps->limit[v]);
     mask crossed = shape->class->is_hit(shape, back, active, &hit);
     if (any(crossed)) {
         mask inside = is_from_inside(back, crossed, &hit);
         integer place = integer_of(shape->place);
-        media_enter(&jump->media[v], inside, place);
-        media_leave(&jump->media[v], crossed & mask_not(inside), place);
+        media_enter(media, inside, place);
+        media_leave(media, crossed & mask_not(inside), place);
     }
 }
 
-void glass_jump(const Glass *glass, const ShapeList *list, const Packet *jumps, Media *media) {
-    Jump jump = {glass, media};
-    shape_list_visit(list, jumps, jump_ask, &jump);
+void glass_jump(const Glass *glass, const Packet *jumps, Media *media) {
+    shape_list_visit(&glass->clear, jumps, jump_ask, media);
 }

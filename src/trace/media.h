@@ -26,10 +26,12 @@ typedef struct Media {
 
 /** What a scene has of glass. */
 typedef struct Glass {
-    scalar *indices; /**< Of refraction: air's, then each shape's, 0 where it is opaque; owned.
-                          NULL: there is no glass. */
-    Media at_eye;    /**< What the camera is inside of. */
-    bool hides;      /**< Whether a later shape may hide a tinted surface from a lamp's light. */
+    scalar *indices;  /**< Of refraction: air's, then each shape's, 0 where it is opaque; owned.
+                           NULL: there is no glass. */
+    ShapeList clear;  /**< The transparent shapes. */
+    ShapeList opaque; /**< The others. */
+    Media at_eye;     /**< What the camera is inside of. */
+    bool hides;       /**< Whether a later shape may hide a tinted surface from a lamp's light. */
 } Glass;
 
 /** @return Nothing but air. */
@@ -114,45 +116,40 @@ INLINE real glass_index(const Glass *glass, integer place) {
     return real_gather(glass->indices, place + 1);
 }
 
-/** @return Whether a shape is transparent. @param glass The scene's. @param shape The shape. */
-static inline bool glass_is(const Glass *glass, const Shape *shape) {
-    return glass->indices[shape->place + 1] > 0;
-}
-
 /**
- * Takes the indices of a scene's shapes.
+ * Sorts a scene's shapes into transparent and opaque ones.
  * @param[out] glass  What the scene has; give it back with #glass_release.
  * @param scene       The scene.
+ * @param list        Its shapes, which must live longer.
+ * @param settings    Whether there are trees, and who builds them.
  * @return false without memory.
  */
-bool glass_init(Glass *glass, const Scene *scene);
+bool glass_init(Glass *glass, const Scene *scene, const ShapeList *list,
+                const TraceSettings *settings);
 
 /** Finds whether any tinted shape meets a later transparent one: whether the boxes around them do.
- *  @param[in,out] glass What the scene has. @param list The shapes. @param surfaces All materials.
- */
-void glass_survey(Glass *glass, const ShapeList *list, const Surface *surfaces);
+ *  @param[in,out] glass What the scene has. @param surfaces All materials. */
+void glass_survey(Glass *glass, const Surface *surfaces);
 
-/** Gives the indices back. @param glass What the scene has. */
+/** Gives indices and lists back. @param glass What the scene has. */
 void glass_release(Glass *glass);
 
 /**
  * Finds what the camera is inside of. No shape is asked for it: rays along the axes tell, by the
  * side on which the nearest of them meets a shape.
  * @param[in,out] glass  What the scene has; at_eye is filled.
- * @param list           The shapes.
  * @param eye            Where the camera is.
  */
-void glass_look(Glass *glass, const ShapeList *list, Vector eye);
+void glass_look(Glass *glass, Vector eye);
 
 /**
  * Sets right what rays are inside of, where they jump over a surface: every surface that lies in
  * the jump is crossed, also those that the first one hides.
  * @param glass  What the scene has.
- * @param list   The shapes.
  * @param jumps  From the end of each jump back to its start: the end is inside of a shape whose
  *               inside is seen first on the way back.
  * @param[in,out] media  What the rays are inside of.
  */
-void glass_jump(const Glass *glass, const ShapeList *list, const Packet *jumps, Media *media);
+void glass_jump(const Glass *glass, const Packet *jumps, Media *media);
 
 #endif

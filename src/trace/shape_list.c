@@ -153,25 +153,51 @@ static bool shapes_plant(ShapeList *list, const Crew *crew) {
     return is_planted;
 }
 
+/** Makes room for the shapes of a list. @param list The list. @param count How many at most.
+ *  @return false without memory. */
+static bool shapes_make_room(ShapeList *list, size_t count) {
+    list->shapes = calloc(count + 1, sizeof *list->shapes);
+    list->loose = calloc(count + 1, sizeof *list->loose);
+    list->bounds = shapes_allocate(bounds_blocks(count) * sizeof *list->bounds);
+    return list->shapes && list->loose && list->bounds;
+}
+
+/** Plants a tree over the shapes of a list where it pays. @param list The list, its shapes made.
+ *  @param settings What is asked for. @return false without memory. */
+static bool shapes_arrange(ShapeList *list, const TraceSettings *settings) {
+    list->plants_forests = settings->tree == TREE_ALWAYS || forests_are_planted(list);
+    if (shapes_to_plant(list) >= list->tree_from) {
+        return shapes_plant(list, &settings->crew);
+    }
+    shapes_sort(list, NULL);
+    return true;
+}
+
 bool shape_list_init(ShapeList *list, const Scene *scene, Models *models,
                      const TraceSettings *settings, Error *error) {
     size_t count = scene->shape_count;
     *list = (ShapeList){.count = count, .tree_from = tree_shapes(scene, settings)};
     list->memory = shapes_allocate(shapes_size(scene));
-    list->shapes = calloc(count + 1, sizeof *list->shapes);
-    list->loose = calloc(count + 1, sizeof *list->loose);
-    list->bounds = shapes_allocate(bounds_blocks(count) * sizeof *list->bounds);
-    bool is_made = list->memory && list->shapes && list->loose && list->bounds &&
-                   shapes_make(list, scene, models, error);
-    list->plants_forests = is_made && (settings->tree == TREE_ALWAYS || forests_are_planted(list));
-    if (is_made && shapes_to_plant(list) >= list->tree_from) {
-        is_made = shapes_plant(list, &settings->crew);
-    } else if (is_made) {
-        shapes_sort(list, NULL);
-    }
-    if (!is_made) {
+    if (!list->memory || !shapes_make_room(list, count) ||
+        !shapes_make(list, scene, models, error) || !shapes_arrange(list, settings)) {
         shape_list_release(list);
         return error_set(error, STATUS_FAILED, "no memory for %zu shapes", count);
+    }
+    return true;
+}
+
+bool shape_list_choose(ShapeList *part, const ShapeList *all, ShapeChoice choice,
+                       const void *context, const TraceSettings *settings) {
+    *part = (ShapeList){.tree_from = all->tree_from};
+    bool is_made = shapes_make_room(part, all->count);
+    for (size_t i = 0; is_made && i < all->count; i++) {
+        if (choice(all->shapes[i], context)) {
+            part->shapes[part->count++] = all->shapes[i];
+        }
+    }
+    if (!is_made || !shapes_arrange(part, settings)) {
+        shape_list_release(part);
+        return false;
     }
     return true;
 }

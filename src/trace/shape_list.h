@@ -9,8 +9,10 @@
 
 /** All shapes of a scene. */
 typedef struct ShapeList {
-    Shape **shapes;      /**< The shapes, in the scene's order; owned, in one piece of memory. */
-    void *memory;        /**< What the shapes lie in; owned. */
+    Shape **shapes;      /**< The shapes, in the scene's order; owned, but what they point to only
+                              as far as it lies in #memory. */
+    void *memory;        /**< What the shapes lie in, in one piece; owned. NULL: they are those of
+                              another list. */
     size_t count;        /**< How many. */
     Shape **loose;       /**< Those that are not in the tree; owned. */
     BoundsBlock *bounds; /**< The boxes of those, LANES a block; owned. */
@@ -36,6 +38,21 @@ static inline size_t bounds_blocks(size_t count) {
  */
 bool shape_list_init(ShapeList *list, const Scene *scene, Models *models,
                      const TraceSettings *settings, Error *error);
+
+/** @return Whether a shape is chosen. @param shape The shape. @param context Of whoever chooses. */
+typedef bool (*ShapeChoice)(const Shape *shape, const void *context);
+
+/**
+ * Makes a list of some shapes of another list, which must live longer.
+ * @param[out] part  The list; give it back with #shape_list_release.
+ * @param all        The other list.
+ * @param choice     Asked about each of its shapes.
+ * @param context    Handed to it.
+ * @param settings   Whether there is a tree, and who builds it.
+ * @return false without memory; the list is then empty.
+ */
+bool shape_list_choose(ShapeList *part, const ShapeList *all, ShapeChoice choice,
+                       const void *context, const TraceSettings *settings);
 
 /** Gives the shapes back. @param list The list. */
 void shape_list_release(ShapeList *list);

@@ -273,8 +273,7 @@ static void follow_in_glass(const Tracer *tracer, const Packet *packet, const Me
     if (!follow_to_surfaces(tracer, packet, media, &met, colors)) {
         return;
     }
-    counts->total +=
-        crossing_find(&tracer->glass, &tracer->list, &tracer->departure, &met, &crossing);
+    counts->total += crossing_find(&tracer->glass, &tracer->departure, &met, &crossing);
     counts->shadow += bodies_shade(tracer, &met, &crossing, colors);
     if (depth > 0) {
         mirrors_add(tracer, &met, &crossing, weight, depth, colors, counts);

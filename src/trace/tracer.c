@@ -6,6 +6,8 @@
 #include "trace/tracer.h"
 #include "trace/trail.h"
 
+#include "trace/convoy.h"
+
 /** @return What rays that meet nothing see. @param tracer The tracer. @param direction Unit
  *  directions. @param lanes The rays that count. */
 static Light3 backdrop_color(const Tracer *tracer, Vector direction, mask lanes) {
@@ -127,25 +129,9 @@ INLINE void refract_rays(const Tracer *tracer, const Encounter *met, const Cross
     }
 }
 
-/**
- * Adds what rays that go on from surfaces bring back.
- * @param tracer  The tracer.
- * @param onward  The rays.
- * @param media   What they are inside of; NULL: the scene has no glass.
- * @param depth   How often the rays before them might be mirrored or refracted, at least once.
- * @param[in,out] kind    Counts rays of this kind: one of the counts.
- * @param[in,out] colors  The colours of the rays before them.
- * @param[in,out] counts  The rays traced.
- */
-INLINE void onward_add(const Tracer *tracer, const Onward *onward, const Media *media, int depth,
-                       uint64_t *kind, Light3 *colors, RayCounts *counts) {
-    Light3 seen[PACKET_VECTORS];
-    unsigned count = packet_count(&onward->packet);
-    if (count == 0) {
-        return;
-    }
-    *kind += count;
-    tracer_follow(tracer, &onward->packet, media, onward->weights, depth - 1, seen, counts);
+/** Adds what rays that went on from surfaces have brought back. @param onward The rays.
+ *  @param seen What they saw. @param[in,out] colors The colours of the rays before them. */
+INLINE void onward_add(const Onward *onward, const Light3 *seen, Light3 *colors) {
     for (int v = 0; v < PACKET_VECTORS; v++) {
         Light3 sum = light3_add(colors[v], light3_multiply(onward->shares[v], seen[v]));
         colors[v] = light3_select(onward->packet.active[v], sum, colors[v]);
@@ -153,37 +139,39 @@ INLINE void onward_add(const Tracer *tracer, const Onward *onward, const Media *
 }
 
 /**
- * Adds what mirrors show.
+ * Follows rays that go on from surfaces, and adds what they bring back.
+ * @param tracer  The tracer.
+ * @param onward  The rays.
+ * @param media   What they are inside of; NULL: the scene has no glass.
+ * @param depth   How often they may still be mirrored or refracted.
+ * @param[in,out] colors  The colours of the rays before them.
+ * @param[in,out] counts  The rays traced.
+ */
+INLINE void onward_follow(const Tracer *tracer, const Onward *onward, const Media *media, int depth,
+                          Light3 *colors, RayCounts *counts) {
+    Light3 seen[PACKET_VECTORS];
+    tracer_follow(tracer, &onward->packet, media, onward->weights, depth, seen, counts);
+    onward_add(onward, seen, colors);
+}
+
+/**
+ * Adds what mirrors show, in a scene without glass.
  * @param tracer    The tracer.
  * @param met       What the rays met.
- * @param crossing  What becomes of them in glass, or NULL.
  * @param weight    What the rays weigh.
  * @param depth     How often they may still be mirrored, at least once.
  * @param[in,out] colors  The rays' colours.
  * @param[in,out] counts  The rays traced.
  */
-INLINE void mirrors_add(const Tracer *tracer, const Encounter *met, const Crossing *crossing,
-                        const real *weight, int depth, Light3 *colors, RayCounts *counts) {
+INLINE void mirrors_add(const Tracer *tracer, const Encounter *met, const real *weight, int depth,
+                        Light3 *colors, RayCounts *counts) {
     Onward mirrored;
-    mirror_rays(tracer, met, crossing, weight, &mirrored);
-    onward_add(tracer, &mirrored, met->media, depth, &counts->mirror, colors, counts);
-}
-
-/**
- * Adds what is seen through glass.
- * @param tracer    The tracer.
- * @param met       What the rays met.
- * @param crossing  What becomes of them.
- * @param weight    What the rays weigh.
- * @param depth     How often they may still be refracted, at least once.
- * @param[in,out] colors  The rays' colours.
- * @param[in,out] counts  The rays traced.
- */
-INLINE void glass_add(const Tracer *tracer, const Encounter *met, const Crossing *crossing,
-                      const real *weight, int depth, Light3 *colors, RayCounts *counts) {
-    Onward refracted;
-    refract_rays(tracer, met, crossing, weight, &refracted);
-    onward_add(tracer, &refracted, crossing->media, depth, &counts->refract, colors, counts);
+    mirror_rays(tracer, met, NULL, weight, &mirrored);
+    unsigned count = packet_count(&mirrored.packet);
+    if (count > 0) {
+        counts->mirror += count;
+        onward_follow(tracer, &mirrored, NULL, depth - 1, colors, counts);
+    }
 }
 
 /**
@@ -258,8 +246,77 @@ static void follow_in_air(const Tracer *tracer, const Packet *packet, const real
     }
     counts->shadow += bodies_shade(tracer, &met, NULL, colors);
     if (depth > 0) {
-        mirrors_add(tracer, &met, NULL, weight, depth, colors, counts);
+        mirrors_add(tracer, &met, weight, depth, colors, counts);
     }
+}
+
+/** Rays that glass parts. */
+typedef struct Parting {
+    Onward mirrored;              /**< Those that stay on this side. */
+    Onward refracted;             /**< Those that go on behind the surface. */
+    Media behind[PACKET_VECTORS]; /**< What those are inside of. */
+} Parting;
+
+/**
+ * Finds the colours of what rays meet in a scene with glass, and the rays that go on. Never a part
+ * of its caller: what it needs is off the stack before those rays are followed.
+ * @param tracer  The tracer.
+ * @param packet  The rays.
+ * @param media   What they are inside of.
+ * @param weight  What they weigh.
+ * @param depth   How often they may still be mirrored or refracted.
+ * @param[out] colors      Their colours, without what the rays that go on bring back.
+ * @param[in,out] counts   The rays traced.
+ * @param[out] parting     The rays that go on.
+ * @return Whether any may.
+ */
+static __attribute__((noinline)) bool glass_part(const Tracer *tracer, const Packet *packet,
+                                                 const Media *media, const real *weight, int depth,
+                                                 Light3 *colors, RayCounts *counts,
+                                                 Parting *parting) {
+    Encounter met;
+    Crossing crossing;
+    if (!follow_to_surfaces(tracer, packet, media, &met, colors)) {
+        return false;
+    }
+    counts->total += crossing_find(&tracer->glass, &tracer->departure, &met, &crossing);
+    counts->shadow += bodies_shade(tracer, &met, &crossing, colors);
+    if (depth == 0) {
+        return false;
+    }
+    mirror_rays(tracer, &met, &crossing, weight, &parting->mirrored);
+    refract_rays(tracer, &met, &crossing, weight, &parting->refracted);
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        parting->behind[v] = crossing.media[v];
+    }
+    return true;
+}
+
+/**
+ * Follows mirrored and refracted rays side by side in one packet, and adds what they bring back.
+ * Never a part of its caller: see #CONVOY_BOUNCES.
+ * @param tracer   The tracer.
+ * @param parting  The rays.
+ * @param media    What the mirrored ones are inside of.
+ * @param depth    How often they may still be mirrored or refracted.
+ * @param[in,out] colors  The colours of the rays before them.
+ * @param[in,out] counts  The rays traced.
+ */
+static __attribute__((noinline)) void convoy_follow(const Tracer *tracer, const Parting *parting,
+                                                    const Media *media, int depth, Light3 *colors,
+                                                    RayCounts *counts) {
+    const Onward *mirrored = &parting->mirrored, *refracted = &parting->refracted;
+    Convoy convoy;
+    Light3 seen[PACKET_VECTORS], own[PACKET_VECTORS];
+    convoy_begin(&convoy, mirrored->packet.lineage);
+    convoy_join(&convoy, &mirrored->packet, media, mirrored->weights);
+    convoy_join(&convoy, &refracted->packet, parting->behind, refracted->weights);
+    convoy_close(&convoy);
+    tracer_follow(tracer, &convoy.packet, convoy.media, convoy.weights, depth, seen, counts);
+    unsigned next = convoy_part(seen, 0, &mirrored->packet, own);
+    onward_add(mirrored, own, colors);
+    convoy_part(seen, next, &refracted->packet, own);
+    onward_add(refracted, own, colors);
 }
 
 /** As #tracer_follow, in a scene with glass. @param tracer The tracer. @param packet The rays.
@@ -268,16 +325,23 @@ static void follow_in_air(const Tracer *tracer, const Packet *packet, const real
  *  @param[in,out] counts The rays traced. */
 static void follow_in_glass(const Tracer *tracer, const Packet *packet, const Media *media,
                             const real *weight, int depth, Light3 *colors, RayCounts *counts) {
-    Encounter met;
-    Crossing crossing;
-    if (!follow_to_surfaces(tracer, packet, media, &met, colors)) {
+    Parting parting;
+    if (!glass_part(tracer, packet, media, weight, depth, colors, counts, &parting)) {
         return;
     }
-    counts->total += crossing_find(&tracer->glass, &tracer->departure, &met, &crossing);
-    counts->shadow += bodies_shade(tracer, &met, &crossing, colors);
-    if (depth > 0) {
-        mirrors_add(tracer, &met, &crossing, weight, depth, colors, counts);
-        glass_add(tracer, &met, &crossing, weight, depth, colors, counts);
+    const Onward *mirrored = &parting.mirrored, *refracted = &parting.refracted;
+    unsigned back = packet_count(&mirrored->packet), through = packet_count(&refracted->packet);
+    counts->mirror += back;
+    counts->refract += through;
+    if (convoy_pays(&mirrored->packet, &refracted->packet)) {
+        convoy_follow(tracer, &parting, media, depth - 1, colors, counts);
+        return;
+    }
+    if (back > 0) {
+        onward_follow(tracer, mirrored, media, depth - 1, colors, counts);
+    }
+    if (through > 0) {
+        onward_follow(tracer, refracted, parting.behind, depth - 1, colors, counts);
     }
 }
 

@@ -5,6 +5,7 @@
 #ifndef DIOPTRE_TRACE_VECTOR_H
 #define DIOPTRE_TRACE_VECTOR_H
 
+#include "trace/compare.h"
 #include "trace/root.h"
 
 /** LANES points or directions. */

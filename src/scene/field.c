@@ -178,16 +178,14 @@ static void numbers_move(double *numbers, Vector3 way) {
 
 /**
  * Puts a step that works on zero behind the steps of a field, as the body of one that moves it.
- * @param[in,out] out  The field, whose box holds that of the step.
+ * @param[in,out] out  The field.
  * @param step         The step, with its body behind it.
  * @param way          How far.
  */
 static void step_place(Field *out, const FieldStep *step, Vector3 way) {
     int size = 1 + step->body;
-    FieldStep place = {FIELD_PLACE, size, {1, 0, 0, 0, 1, 0, 0, 0, 1, way.x, way.y, way.z, 1}};
-    // Only where the step is all of the field, its box is asked for: then it is that of the field.
-    place_box(&place, vector3_subtract(out->low, way), vector3_subtract(out->high, way));
-    out->steps[out->count++] = place;
+    out->steps[out->count++] =
+        (FieldStep){FIELD_PLACE, size, {1, 0, 0, 0, 1, 0, 0, 0, 1, way.x, way.y, way.z, 1}};
     memcpy(out->steps + out->count, step, (size_t)size * sizeof *step);
     out->count += size;
 }
@@ -228,6 +226,11 @@ void field_move(Field *out, const Field *field, Vector3 way) {
     out->low = vector3_add(field->low, way);
     out->high = vector3_add(field->high, way);
     steps_move(out, field->steps, field->count, way);
+    // Only of a step that is all of the field, the box is asked for: that is the field's.
+    bool was_placed = field->steps[0].operation == FIELD_PLACE;
+    if (!was_placed && out->steps[0].body == out->count - 1) {
+        place_box(out->steps, field->low, field->high);
+    }
 }
 
 /** Moves a box outwards. @param[in,out] field What it belongs to. @param by How far. */

@@ -114,11 +114,13 @@ typedef struct TriangleParameters {
     bool is_smooth;     /**< Whether the normals count. */
 } TriangleParameters;
 
-/** @return An empty scene with a camera at the origin that looks along -z; to be given back. */
+/** @return An empty scene with a camera at the origin that looks along -z; to be given back. Its
+ *          depth is said: tracers are asked, and not what scenes need. */
 static inline Scene *empty_scene(void) {
     Error error = {0};
     Scene *scene = scene_create(&error);
     assert_non_null(scene);
+    scene->image.depth = 5;
     scene->camera = *(const Camera *)camera_keyword.defaults;
     return scene;
 }

@@ -62,12 +62,14 @@ PROGRAM       := $(BUILD)/dioptre
 IMAGES_MODULE := $(BUILD)/dioptre-images.so
 MESHES_MODULE := $(BUILD)/dioptre-meshes.so
 MODULES       := $(IMAGES_MODULE) $(MESHES_MODULE)
+LANGUAGES     := $(patsubst src/po/%.po,%,$(wildcard src/po/*.po))
+CATALOGUES    := $(LANGUAGES:%=$(BUILD)/locale/%/LC_MESSAGES/dioptre.mo)
 LIBRARIES     = $(call PKG_LIBS,sdl2 SDL2_ttf lua5.4) -ldl -lm -pthread
 
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 .PHONY: all
-all: $(PROGRAM) $(MODULES)
+all: $(PROGRAM) $(MODULES) $(CATALOGUES)
 
 $(PROGRAM): $(CLI_OBJECTS) $(ROOM_OBJECTS)
 	$(CC) $(CFLAGS) -o $@ $^ $(LIBRARIES)
@@ -81,6 +83,12 @@ $(MESHES_MODULE): src/assets/meshes_module.c src/assets/meshes_module.h Makefile
 	$(call NEED,assimp,libassimp-dev)
 	@mkdir -p $(@D)
 	$(CC) $(CPPFLAGS) $(CFLAGS) -fvisibility=hidden $(call PKG_CFLAGS,assimp) -shared -o $@ $< $(call PKG_LIBS,assimp)
+
+$(BUILD)/locale/%/LC_MESSAGES/dioptre.mo: src/po/%.po
+	@command -v msgfmt >/dev/null || { \
+	    echo "msgfmt is missing: sudo apt-get install gettext, or make run, which does that" >&2; exit 1; }
+	@mkdir -p $(@D)
+	msgfmt --check -o $@ $<
 
 .PHONY: libraries
 libraries:
@@ -123,7 +131,7 @@ $(OBJ)/src/lab/csv.o: CPPFLAGS += -DDIOPTRE_FLAGS='"$(OPTIMIZE) $(ARITHMETIC)"'
 -include $(shell find $(OBJ) -name '*.d' 2>/dev/null)
 
 # --- packages: what a bare Debian 12 with gcc and make lacks --------------------------------------
-RUN_PACKAGES  := g++ pkg-config libsdl2-dev libsdl2-ttf-dev liblua5.4-dev libopenimageio-dev libassimp-dev fonts-dejavu-core
+RUN_PACKAGES  := g++ pkg-config gettext libsdl2-dev libsdl2-ttf-dev liblua5.4-dev libopenimageio-dev libassimp-dev fonts-dejavu-core
 TEST_PACKAGES := libcmocka-dev clang libclang-rt-14-dev xvfb xauth xdotool x11-xkb-utils xkb-data \
                  imagemagick openbox qemu-user doxygen graphviz ffmpeg parallel slurm-wlm munge gnuplot-nox \
                  desktop-file-utils appstream shared-mime-info libglib2.0-bin
@@ -221,6 +229,22 @@ $(BUILD)/doc/uml.svg: doc/uml.dot
 	@mkdir -p $(@D)
 	dot -Tsvg -o $@ $<
 
+# --- languages -----------------------------------------------------------------------------------
+# The words of the source, and of each translation: which are new, which are gone.
+WORD_SOURCES = $(sort $(shell find include src -name '*.[ch]' -o -name '*.cpp'))
+PO           ?= src/po
+# Functions that look their words up, and which of their arguments holds them.
+LOOKING_UP   := error_set:3 error_prefix:2 raise_error:2 view_note:2 title_add:2
+.PHONY: pot
+pot:
+	@.ci/packages gettext
+	@xgettext --from-code=UTF-8 --keyword=N_ $(LOOKING_UP:%=--keyword=%) $(LOOKING_UP:%=--flag=%:c-format) \
+	    --add-location=file --package-name=dioptre --package-version=$(VERSION) -o - $(WORD_SOURCES) | \
+	    sed '/^"POT-Creation-Date/d; s/charset=CHARSET/charset=UTF-8/' >$(PO)/dioptre.pot
+	@for po in $(PO)/*.po; do \
+	    msgmerge --quiet --update --backup=none --no-fuzzy-matching --add-location=file $$po $(PO)/dioptre.pot || exit 1; \
+	done
+
 # --- gallery -------------------------------------------------------------------------------------
 .PHONY: gallery
 gallery: packages
@@ -253,6 +277,11 @@ install: all
 	    install -D -m 755 $$module $(DESTDIR)$(PREFIX)/lib/dioptre/$${module##*/} || exit 1; \
 	done
 	install -D -m 644 doc/dioptre.1 $(SHARE)/man/man1/dioptre.1
+	for language in $(LANGUAGES); do \
+	    install -D -m 644 $(BUILD)/locale/$$language/LC_MESSAGES/dioptre.mo \
+	        $(SHARE)/locale/$$language/LC_MESSAGES/dioptre.mo && \
+	    install -D -m 644 doc/dioptre.$$language.1 $(SHARE)/man/$$language/man1/dioptre.1 || exit 1; \
+	done
 	for file in scenes/*.lua scenes/models/* scenes/pictures/*; do \
 	    install -D -m 644 $$file $(SHARE)/dioptre/$$file || exit 1; \
 	done

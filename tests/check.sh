@@ -1,5 +1,7 @@
 # Shared by the test scripts: counts checks, compares statuses and words. Sourced, not run.
 set -u
+# The tests read English, whatever the user speaks; tests/language.sh asks for French by itself.
+export LC_ALL=C
 cd "$(dirname "$0")/.." || exit 1
 BUILD=${BUILD:-build}
 dioptre=$PWD/${DIOPTRE:-$BUILD/dioptre}

@@ -52,7 +52,7 @@ for document in README.md doc/scene-reference.md; do
 done
 
 # What documents name in backticks or link to must be there.
-for document in README.md doc/*.md; do
+for document in README.md README.fr.md doc/*.md; do
     folder=$(dirname $document)
     missing=
     for path in $(grep -oE '`(src|include|doc|tests|scenes)/[^` ]*`' $document | tr -d '`' | sort -u); do

@@ -416,6 +416,55 @@ same "$shot" "$work/pasted.bmp" 'the mended scene is shown, from where it was se
 [ "$(numbers camera)" != '0 0 6.5' ] && ok 'and not from its own place' || fail "it is seen from $(numbers camera)"
 leave
 
+# --- French --------------------------------------------------------------------------------------
+# help KEYBOARD... LANGUAGE: opens the help on a keyboard, keeps it as a picture, and closes it.
+help() {
+    setxkbmap "${@:1:$#-1}" && sleep 0.3
+    xdotool key F1 && sleep 0.3
+    screen "help-${*: -1}-$1"
+    xdotool key F1 && sleep 0.2
+}
+LC_ALL=C.UTF-8 LANGUAGE=fr open "$box" --samples 1
+expect_shown '^box — 800×600, passe de 1.*px, 1 échantillon, .*Mrayons/s, terminé$' 'the title is French'
+screen quiet
+for keyboard in us fr ch; do help $keyboard french; done
+differ quiet help-french-us 'F1 shows the help in French'
+differ help-french-us help-french-fr 'with the keys of AZERTY'
+differ help-french-us help-french-ch 'with the keys of Swiss QWERTZ'
+setxkbmap us && sleep 0.3
+xdotool key Tab
+expect_shown "terminé — il n'y a qu'une lumière$" 'notes are French'
+xdotool key F1 && sleep 0.3
+xdotool key l
+expect_shown 'pass 1 px, 1 sample, .*finished — messages are in English$' 'l speaks English'
+sleep 0.2
+screen live
+differ live help-french-us 'in the help that is open, too'
+xdotool key l
+expect_shown 'terminé — les messages sont en français$' 'and French again'
+sleep 0.2
+screen back
+cmp -s "$work/back.ppm" "$work/help-french-us.ppm" && ok 'as it was' || fail 'the French help is another one'
+xdotool key F1 l
+for keyboard in us fr ch; do help $keyboard english; done
+setxkbmap us && sleep 0.3
+for keyboard in us fr ch; do differ help-english-$keyboard help-french-$keyboard "the help on $keyboard is in two languages"; done
+shoot
+grep -q '^camera { position = {0, 0, 6.5}' <<<"$view" && ok 'a view has points in its numbers' || fail "$view"
+leave 'Échap quitte'
+sed 's/^sphere {/sphere { radios = 2,/' "$box" >"$work/next.lua"
+cp "$box" "$work/edited.lua"
+LC_ALL=C.UTF-8 LANGUAGE=fr open "$work/edited.lua" --samples 1
+mv "$work/next.lua" "$work/edited.lua"
+expect_shown "edited.lua:[0-9]+: sphere n'a pas de champ .radios." 'a mistake is told in French'
+screen faulty
+xdotool key l
+expect_shown 'edited.lua:[0-9]+: sphere has no field .radios.; did you mean .radius.' 'and in English after l'
+sleep 0.2
+screen mistaken
+differ faulty mistaken 'over the picture, too'
+leave
+
 # --- slow pictures -------------------------------------------------------------------------------
 open "$box" --samples 60000 --engine f64x1
 sleep 0.3

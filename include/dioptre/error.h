@@ -29,7 +29,8 @@ typedef struct Error {
  * Writes an error down.
  * @param[out] error  Where to; may be NULL, when the caller wants no words.
  * @param status      What the program should end with.
- * @param format      The message, as for printf; cut at #ERROR_MESSAGE_SIZE - 1 bytes.
+ * @param format      The message in English, as for printf, looked up in the language that the
+ * program speaks; cut at #ERROR_MESSAGE_SIZE - 1 bytes.
  * @return false, always, so that a function can end with `return error_set(...)`.
  */
 bool error_set(Error *error, Status status, const char *format, ...)
@@ -38,9 +39,15 @@ bool error_set(Error *error, Status status, const char *format, ...)
 /**
  * Puts words before an error's message, such as the file and line it belongs to.
  * @param[in,out] error  An error that was set; may be NULL.
- * @param format         The words, as for printf.
+ * @param format         The words, as for printf; looked up, too.
  * @return false, always.
  */
 bool error_prefix(Error *error, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/**
+ * @return What the system says of an error, in the language that the program speaks.
+ * @param code  The error: an `errno`.
+ */
+const char *error_system(int code);
 
 #endif

@@ -25,7 +25,7 @@ enum { PERMISSION_BITS = 0777 };
  * @return false, always.
  */
 static bool fail(Error *error) {
-    return error_set(error, STATUS_FAILED, "%s", strerror(errno));
+    return error_set(error, STATUS_FAILED, "%s", error_system(errno));
 }
 
 /**

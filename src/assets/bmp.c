@@ -130,7 +130,7 @@ bool bmp_write(const Picture *picture, FILE *stream, Error *error) {
         copy_turned(bytes, CHANNELS, row, CHANNELS, picture->width);
         is_fine = fwrite(bytes, size, 1, stream) == 1;
     }
-    return is_fine || error_set(error, STATUS_FAILED, "%s", strerror(errno));
+    return is_fine || error_set(error, STATUS_FAILED, "%s", error_system(errno));
 }
 
 /**
@@ -274,7 +274,7 @@ bool bmp_read(int file, Picture *picture, Error *error) {
     int own = fcntl(file, F_DUPFD_CLOEXEC, 0);
     FILE *stream = own >= 0 && fstat(own, &found) == 0 ? fdopen(own, "rb") : NULL;
     if (!stream) {
-        error_set(error, STATUS_SCENE, "%s", strerror(errno));
+        error_set(error, STATUS_SCENE, "%s", error_system(errno));
         if (own >= 0) {
             close(own);
         }

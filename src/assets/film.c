@@ -69,8 +69,8 @@ static bool fail(Error *error, const char *path) {
 
 bool film_check(const char *path, Error *error) {
     if (!program_is_there(FFMPEG_PROGRAM)) {
-        error_set(error, STATUS_FAILED,
-                  FFMPEG_PROGRAM " is missing: sudo apt-get install " FFMPEG_PROGRAM);
+        error_set(error, STATUS_FAILED, "%s is missing: sudo apt-get install %s", FFMPEG_PROGRAM,
+                  FFMPEG_PROGRAM);
         return fail(error, path);
     }
     return atomic_file_check(path, error) || fail(error, path);

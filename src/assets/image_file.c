@@ -11,18 +11,28 @@
 #include "assets/texture_file.h"
 
 #include <errno.h>
+#include <libintl.h>
 #include <string.h>
 #include <unistd.h>
 
 /**
- * Puts what was tried, and with which file, before an error.
+ * Puts before an error that a file was to be read.
  * @param[in,out] error  The error; may be NULL.
- * @param verb           `write` or `read`.
  * @param path           The file.
  * @return false, always.
  */
-static bool fail(Error *error, const char *verb, const char *path) {
-    return error_prefix(error, "cannot %s '%s': ", verb, path);
+static bool fail_to_read(Error *error, const char *path) {
+    return error_prefix(error, "cannot read '%s': ", path);
+}
+
+/**
+ * Puts before an error that a file was to be written.
+ * @param[in,out] error  The error; may be NULL.
+ * @param path           The file.
+ * @return false, always.
+ */
+static bool fail_to_write(Error *error, const char *path) {
+    return error_prefix(error, "cannot write '%s': ", path);
 }
 
 /**
@@ -41,7 +51,7 @@ static const ImageFormat *format_to_write(const char *path, Error *error) {
     if (format && !format->is_read_only) {
         return format;
     }
-    error_set(error, STATUS_USAGE, "its name must end in ." IMAGE_ENDINGS);
+    error_set(error, STATUS_USAGE, "its name must end in .%s", gettext(IMAGE_ENDINGS));
     return NULL;
 }
 
@@ -67,7 +77,7 @@ bool image_file_check(const char *path, Error *error) {
     const ImageFormat *format = format_to_write(path, error);
     bool can_be_written =
         format && atomic_file_check(path, error) && load_module(format, &module, error);
-    return can_be_written || fail(error, "write", path);
+    return can_be_written || fail_to_write(error, path);
 }
 
 /**
@@ -114,7 +124,7 @@ bool image_file_write(const char *path, const Picture *picture, Error *error) {
     const ImageFormat *format = format_to_write(path, error);
     bool is_written = format && atomic_file_open(&file, path, ATOMIC_REPLACE, error) &&
                       fill(&file, format, picture, error);
-    return is_written || fail(error, "write", path);
+    return is_written || fail_to_write(error, path);
 }
 
 bool image_file_write_new(const char *path, const Picture *picture, bool *exists, Error *error) {
@@ -122,7 +132,7 @@ bool image_file_write_new(const char *path, const Picture *picture, bool *exists
     bool is_written = atomic_file_open(&file, path, ATOMIC_NEW, error) &&
                       fill(&file, image_format_bmp(), picture, error);
     *exists = !is_written && file.exists;
-    return is_written || fail(error, "write", path);
+    return is_written || fail_to_write(error, path);
 }
 
 /** What reading a picture to be compared may take: the largest that can be written. */
@@ -179,13 +189,13 @@ bool image_file_read(const char *path, Picture *picture, Error *error) {
     struct stat found;
     const ImageFormat *format = image_format_by_ending(path);
     if (!format) {
-        error_set(error, STATUS_SCENE, "its name must end in ." IMAGE_READ_ENDINGS);
-        return fail(error, "read", path);
+        error_set(error, STATUS_SCENE, "its name must end in .%s", gettext(IMAGE_READ_ENDINGS));
+        return fail_to_read(error, path);
     }
     int file = plain_file_open(path, &found, error);
     bool is_read = file >= 0 && read_open(format, file, picture, error);
     if (file >= 0) {
         close(file);
     }
-    return is_read || fail(error, "read", path);
+    return is_read || fail_to_read(error, path);
 }

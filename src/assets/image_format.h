@@ -5,6 +5,8 @@
 #ifndef ASSETS_IMAGE_FORMAT_H
 #define ASSETS_IMAGE_FORMAT_H
 
+#include "dioptre/language.h"
+
 #include <stdbool.h>
 
 /** A format, as the ending of a file's name says it. */
@@ -16,9 +18,9 @@ typedef struct ImageFormat {
 } ImageFormat;
 
 /** All endings of pictures that can be written, in words. */
-#define IMAGE_ENDINGS "bmp, png, exr, jpg, jpeg, tif, tiff or hdr"
+#define IMAGE_ENDINGS N_("bmp, png, exr, jpg, jpeg, tif, tiff or hdr")
 /** All endings of pictures that can be read, in words. */
-#define IMAGE_READ_ENDINGS "bmp, png, exr, jpg, jpeg, tif, tiff, hdr, ppm, pgm or pnm"
+#define IMAGE_READ_ENDINGS N_("bmp, png, exr, jpg, jpeg, tif, tiff, hdr, ppm, pgm or pnm")
 
 /** @return The format of BMP files, which needs no module. */
 const ImageFormat *image_format_bmp(void);

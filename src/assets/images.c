@@ -5,6 +5,7 @@
 #include "assets/images.h"
 
 #include "assets/module.h"
+#include "dioptre/language.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -17,11 +18,11 @@ enum { CHANNELS = 3 };
 static const Module images_module = {.file = "dioptre-images.so",
                                      .symbol = IMAGES_MODULE_SYMBOL,
                                      .version = IMAGES_MODULE_VERSION,
-                                     .purpose = "all formats but BMP",
+                                     .purpose = N_("all formats but BMP"),
                                      .library = "OpenImageIO",
                                      .to_build = "libopenimageio-dev",
                                      .to_run = "libopenimageio2.4",
-                                     .without = "; names that end in .bmp work without it"};
+                                     .without = N_("; names that end in .bmp work without it")};
 
 /**
  * Forgets what the user's environment would have OpenImageIO load or do: whoever sends a scene to
@@ -97,7 +98,7 @@ bool images_write(const ImagesModule *module, const char *format, bool is_linear
         return false;
     }
     bool is_fine = fwrite(file.bytes, 1, file.size, stream) == file.size ||
-                   error_set(error, STATUS_FAILED, "%s", strerror(errno));
+                   error_set(error, STATUS_FAILED, "%s", error_system(errno));
     module->release(&file);
     return is_fine;
 }

@@ -6,6 +6,7 @@
 
 #include "assets/child.h"
 
+#include <libintl.h>
 #include <signal.h>
 #include <string.h>
 #include <sys/mman.h>
@@ -46,7 +47,7 @@ static bool explain(const Handover *handover, ChildEnd end, int detail, const Im
                     Error *error) {
     if (end == CHILD_UNSTARTED) {
         return error_set(error, STATUS_FAILED, "no process to read a picture in: %s",
-                         strerror(detail));
+                         error_system(detail));
     }
     if (end == CHILD_LATE) {
         return error_set(error, STATUS_SCENE, "it takes more than %.0f s to read", limits->seconds);
@@ -59,7 +60,7 @@ static bool explain(const Handover *handover, ChildEnd end, int detail, const Im
         return error_set(error, said->status, "%.*s", ERROR_MESSAGE_SIZE - 1, said->message);
     }
     return error_set(error, STATUS_SCENE, "it makes the libraries that read it crash (%s)",
-                     detail ? strsignal(detail) : "it ended early");
+                     detail ? strsignal(detail) : gettext("it ended early"));
 }
 
 /**

@@ -11,7 +11,9 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <cstdarg>
 #include <cstring>
+#include <libintl.h>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -52,11 +54,11 @@ template <class Work> auto guarded(ImagesMessage *message, Work work) -> decltyp
     try {
         return work();
     } catch (const std::bad_alloc &) {
-        tell(message, "no memory");
+        tell(message, gettext("no memory"));
     } catch (const std::exception &problem) {
         tell(message, problem.what());
     } catch (...) {
-        tell(message, "OpenImageIO failed without saying why");
+        tell(message, gettext("OpenImageIO failed without saying why"));
     }
     return {};
 }
@@ -66,7 +68,7 @@ template <class Work> auto guarded(ImagesMessage *message, Work work) -> decltyp
  * @param words  What is wrong, or empty.
  */
 [[noreturn]] void fail(const std::string &words) {
-    throw std::runtime_error(words.empty() ? "OpenImageIO does not say why" : words);
+    throw std::runtime_error(words.empty() ? gettext("OpenImageIO does not say why") : words);
 }
 
 /**
@@ -77,7 +79,7 @@ template <class Work> auto guarded(ImagesMessage *message, Work work) -> decltyp
 std::string without_path(std::string words, const std::string &path) {
     const std::string quoted = "\"" + path + "\"";
     for (size_t at; (at = words.find(quoted)) != std::string::npos;) {
-        words.replace(at, quoted.size(), "the file");
+        words.replace(at, quoted.size(), gettext("the file"));
     }
     return words;
 }
@@ -198,19 +200,31 @@ void release(ImagesFile *file) {
     *file = {};
 }
 
+/**
+ * @return A sentence with numbers in it.
+ * @param format  The sentence, as for printf.
+ */
+__attribute__((format(printf, 1, 2))) std::string sentence(const char *format, ...) {
+    char words[IMAGES_MESSAGE_SIZE];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(words, sizeof words, format, arguments);
+    va_end(arguments);
+    return words;
+}
+
 /** Stops the work unless a header is sound. @param spec What OpenImageIO says of the file. */
 void check_header(const OIIO::ImageSpec &spec) {
     if (spec.width < 1 || spec.width > IMAGES_SIZE_MAXIMUM || spec.height < 1 ||
         spec.height > IMAGES_SIZE_MAXIMUM || spec.depth > 1) {
-        fail(std::to_string(spec.width) + " x " + std::to_string(spec.height) + " x " +
-             std::to_string(spec.depth) + " pixels: width and height must be 1 to " +
-             std::to_string(IMAGES_SIZE_MAXIMUM) + ", depth 1");
+        fail(sentence(gettext("%d x %d x %d pixels: width and height must be 1 to %d, depth 1"),
+                      spec.width, spec.height, spec.depth, IMAGES_SIZE_MAXIMUM));
     }
     if (spec.nchannels < 1 || spec.nchannels > channels_maximum || spec.deep) {
-        fail("it has " + std::to_string(spec.nchannels) + " channels a pixel, not 1 to 4");
+        fail(sentence(gettext("it has %d channels a pixel, not 1 to 4"), spec.nchannels));
     }
     if (spec.tile_height > tile_maximum) {
-        fail("it is cut into tiles " + std::to_string(spec.tile_height) + " rows high");
+        fail(sentence(gettext("it is cut into tiles %d rows high"), spec.tile_height));
     }
 }
 

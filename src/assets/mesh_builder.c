@@ -4,6 +4,7 @@
  */
 #include "assets/mesh_builder.h"
 
+#include "dioptre/language.h"
 #include "dioptre/parameter.h"
 
 #include <stdlib.h>
@@ -238,8 +239,10 @@ static bool complete(MeshBuilder *builder) {
 
 bool mesh_builder_finish(MeshBuilder *builder, Mesh *counts) {
     if (builder->count == 0) {
-        return error_set(builder->error, STATUS_SCENE, "there is no triangle in it%s",
-                         builder->repairs.degenerate ? " that has an area" : "");
+        return error_set(builder->error, STATUS_SCENE,
+                         builder->repairs.degenerate
+                             ? N_("there is no triangle in it that has an area")
+                             : N_("there is no triangle in it"));
     }
     bool is_complete = complete(builder);
     *counts = (Mesh){.position_count = builder->positions.count,

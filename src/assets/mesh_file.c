@@ -8,8 +8,10 @@
 #include "assets/mesh_builder.h"
 #include "assets/module.h"
 #include "assets/plain_file.h"
+#include "dioptre/language.h"
 
 #include <errno.h>
+#include <libintl.h>
 #include <signal.h>
 #include <stdatomic.h>
 #include <stdio.h>
@@ -22,7 +24,7 @@
 /** Bytes of address space where a child may leave a mesh: reserved, used as far as it is filled. */
 #define ROOM ((size_t)2 << 30)
 /** All endings, in words. */
-#define ENDINGS "obj, ply, stl, glb or gltf"
+#define ENDINGS N_("obj, ply, stl, glb or gltf")
 
 /** The formats, by the ending of a file's name. */
 static const char *const endings[] = {"obj", "ply", "stl", "glb", "gltf", NULL};
@@ -31,7 +33,7 @@ static const char *const endings[] = {"obj", "ply", "stl", "glb", "gltf", NULL};
 static const Module meshes_module = {.file = "dioptre-meshes.so",
                                      .symbol = MESHES_MODULE_SYMBOL,
                                      .version = MESHES_MODULE_VERSION,
-                                     .purpose = "models from files",
+                                     .purpose = N_("models from files"),
                                      .library = "assimp",
                                      .to_build = "libassimp-dev",
                                      .to_run = "libassimp5",
@@ -74,7 +76,7 @@ static const char *find_ending(const char *path, Error *error) {
             return endings[i];
         }
     }
-    error_set(error, STATUS_SCENE, "a model's name must end in ." ENDINGS);
+    error_set(error, STATUS_SCENE, "a model's name must end in .%s", gettext(ENDINGS));
     return NULL;
 }
 
@@ -106,7 +108,8 @@ static char *read_bytes(const Reading *reading, Error *error) {
         if (count > 0) {
             done += (size_t)count;
         } else if (count == 0 || errno != EINTR) {
-            error_set(error, STATUS_SCENE, "%s", count ? strerror(errno) : "it has become shorter");
+            error_set(error, STATUS_SCENE, "%s",
+                      count ? error_system(errno) : gettext("it has become shorter"));
             free(bytes);
             bytes = NULL;
         }
@@ -215,7 +218,7 @@ static bool explain(const Reading *reading, ChildEnd end, int detail, double sec
     const Error *said = &reading->handover->error;
     if (end == CHILD_UNSTARTED) {
         return error_set(error, STATUS_FAILED, "no process to read a model in: %s",
-                         strerror(detail));
+                         error_system(detail));
     }
     if (end == CHILD_LATE) {
         return error_set(error, STATUS_SCENE, "it takes more than %.0f s to read", seconds);
@@ -227,7 +230,7 @@ static bool explain(const Reading *reading, ChildEnd end, int detail, double sec
         return error_set(error, said->status, "%.*s", ERROR_MESSAGE_SIZE - 1, said->message);
     }
     return error_set(error, STATUS_SCENE, "it makes the library that reads models crash (%s)",
-                     detail ? strsignal(detail) : "it ended early");
+                     detail ? strsignal(detail) : gettext("it ended early"));
 }
 
 /**

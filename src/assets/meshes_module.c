@@ -12,6 +12,7 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <ctype.h>
+#include <libintl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -125,9 +126,10 @@ static bool fail(MeshesReport *report, const char *words) {
 static bool fail_import(MeshesReport *report) {
     const char *words = aiGetErrorString();
     if (strstr(words, "bad_alloc")) {
-        return fail(report, "it needs more memory than a model may take");
+        return fail(report, gettext("it needs more memory than a model may take"));
     }
-    return fail(report, words[0] ? words : "the library that reads models does not say why not");
+    return fail(report,
+                words[0] ? words : gettext("the library that reads models does not say why not"));
 }
 
 /**
@@ -241,7 +243,7 @@ static bool hand_over(const struct aiMesh *mesh, const struct aiFace *face, cons
     MeshesCorner corners[3];
     for (int k = 0; k < 3; k++) {
         if (face->mIndices[k] >= mesh->mNumVertices) {
-            return fail(report, "a face names a vertex that is not there");
+            return fail(report, gettext("a face names a vertex that is not there"));
         }
         corners[k] = corner_of(mesh, face->mIndices[k]);
     }
@@ -312,7 +314,7 @@ static bool read_model(const MeshesSource *source, const MeshesSink *sink, Meshe
     snprintf(model.name, sizeof model.name, "model.%s", source->ending);
     char *text = is_text ? complete_numbers(source, &model.size) : NULL;
     if (is_text && !text) {
-        return fail(report, "it needs more memory than a model may take");
+        return fail(report, gettext("it needs more memory than a model may take"));
     }
     model.bytes = text ? text : model.bytes;
     const struct aiScene *scene = import(&model, is_glTF);

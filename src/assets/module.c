@@ -4,14 +4,21 @@
  */
 #include "assets/module.h"
 
+#include "assets/own_folder.h"
+
 #include <dlfcn.h>
-#include <limits.h>
+#include <libintl.h>
 #include <stdio.h>
-#include <string.h>
 #include <unistd.h>
 
 /** Where modules are installed, seen from the folder of the program. */
 #define INSTALLED_FOLDER "../lib/dioptre"
+
+/** @return What is said of how to do without a module; it may be nothing. @param module The module.
+ */
+static const char *words_without(const Module *module) {
+    return module->without[0] ? gettext(module->without) : "";
+}
 
 /**
  * Finds a module's one symbol.
@@ -25,7 +32,7 @@ static const void *find_symbol(const Module *module, void *handle, Error *error)
     if (!version || *version != module->version) {
         error_set(error, STATUS_FAILED,
                   "%s is of another version of this program: run make again%s", module->file,
-                  module->without);
+                  words_without(module));
         return NULL;
     }
     return version;
@@ -47,7 +54,8 @@ const void *module_open_from(const Module *module, const char *folder, Error *er
     if (!has_module(module, folder)) {
         error_set(error, STATUS_FAILED,
                   "%s need the module %s, which is not in %s: install %s and run make%s",
-                  module->purpose, module->file, folder, module->to_build, module->without);
+                  gettext(module->purpose), module->file, folder, module->to_build,
+                  words_without(module));
         return NULL;
     }
     char path[PATH_MAX];
@@ -55,7 +63,8 @@ const void *module_open_from(const Module *module, const char *folder, Error *er
     void *handle = dlopen(path, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
     if (!handle) {
         error_set(error, STATUS_FAILED, "%s need %s, which cannot be loaded (%s): install %s%s",
-                  module->purpose, module->library, dlerror(), module->to_run, module->without);
+                  gettext(module->purpose), module->library, dlerror(), module->to_run,
+                  words_without(module));
         return NULL;
     }
     const void *shown = find_symbol(module, handle, error);
@@ -63,32 +72,13 @@ const void *module_open_from(const Module *module, const char *folder, Error *er
     return shown;
 }
 
-/**
- * Finds the folder of the program.
- * @param[out] folder  The folder, without a slash at its end.
- * @return false when it cannot be found or its name is too long.
- */
-static bool find_program_folder(char folder[PATH_MAX]) {
-    ssize_t length = readlink("/proc/self/exe", folder, PATH_MAX - 1);
-    if (length < 0) {
-        return false;
-    }
-    folder[length] = '\0';
-    char *slash = strrchr(folder, '/');
-    if (!slash) {
-        return false;
-    }
-    *slash = '\0';
-    return true;
-}
-
 const void *module_open(const Module *module, Error *error) {
     char beside[PATH_MAX];
     char installed[PATH_MAX + sizeof INSTALLED_FOLDER];
-    if (!find_program_folder(beside)) {
+    if (!own_folder(beside)) {
         error_set(error, STATUS_FAILED,
                   "the program's own folder, where %s should be, cannot be found%s", module->file,
-                  module->without);
+                  words_without(module));
         return NULL;
     }
     snprintf(installed, sizeof installed, "%s/" INSTALLED_FOLDER, beside);

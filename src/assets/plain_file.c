@@ -4,6 +4,8 @@
  */
 #include "assets/plain_file.h"
 
+#include "dioptre/language.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <string.h>
@@ -18,17 +20,19 @@
  */
 static bool check_kind(int file, struct stat *found, Error *error) {
     if (fstat(file, found) != 0) {
-        return error_set(error, STATUS_SCENE, "%s", strerror(errno));
+        return error_set(error, STATUS_SCENE, "%s", error_system(errno));
     }
     return S_ISREG(found->st_mode) ||
-           error_set(error, STATUS_SCENE, "this is %s, not a regular file",
-                     S_ISDIR(found->st_mode) ? "a folder" : "a pipe or a device");
+           error_set(error, STATUS_SCENE,
+                     S_ISDIR(found->st_mode)
+                         ? N_("this is a folder, not a regular file")
+                         : N_("this is a pipe or a device, not a regular file"));
 }
 
 int plain_file_open(const char *path, struct stat *found, Error *error) {
     int file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
     if (file < 0) {
-        error_set(error, STATUS_SCENE, "%s", strerror(errno));
+        error_set(error, STATUS_SCENE, "%s", error_system(errno));
         return -1;
     }
     if (!check_kind(file, found, error)) {

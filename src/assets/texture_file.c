@@ -7,6 +7,7 @@
 #include "assets/bmp.h"
 #include "assets/plain_file.h"
 
+#include <libintl.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -23,7 +24,8 @@ static const ImagesLimits scene_limits = {TEXTURE_FILE_SECONDS, TEXTURE_FILE_MEM
 static const ImageFormat *find_format(const char *path, Error *error) {
     const ImageFormat *format = image_format_by_ending(path);
     if (!format) {
-        error_set(error, STATUS_SCENE, "a picture's name must end in ." IMAGE_READ_ENDINGS);
+        error_set(error, STATUS_SCENE, "a picture's name must end in .%s",
+                  gettext(IMAGE_READ_ENDINGS));
     }
     return format;
 }

@@ -9,6 +9,7 @@
 #include "cli/frames.h"
 #include "dioptre/film.h"
 #include "dioptre/image_file.h"
+#include "dioptre/language.h"
 
 #include <math.h>
 #include <unistd.h>
@@ -231,9 +232,11 @@ static void animate(Animation *animation, Error *error) {
     }
     progress_end(animation->progress);
     if (!is_good && (atomic_load(stop) || error->status == STATUS_INTERRUPTED)) {
-        error_set(error, STATUS_INTERRUPTED, "interrupted: %d of %d frames were done%s",
-                  animation->done, count,
-                  animation->is_film ? "; there is no film" : " and are kept");
+        error_set(error, STATUS_INTERRUPTED,
+                  animation->is_film
+                      ? N_("interrupted: %d of %d frames were done; there is no film")
+                      : N_("interrupted: %d of %d frames were done and are kept"),
+                  animation->done, count);
     }
     picture_release(&animation->picture);
     renderer_destroy(animation->renderer);
@@ -256,8 +259,8 @@ static int animate_run(const Options *options, Error *error) {
 }
 
 const Command animate_command = {.name = "animate",
-                                 .usage = "SCENE|FRAMES -o FILM|FRAMES",
-                                 .help = "draws a film, or its numbered frames",
+                                 .usage = N_("SCENE|FRAMES -o FILM|FRAMES"),
+                                 .help = N_("draws a film, or its numbered frames"),
                                  .accepts = "osASDtjEOXBCGFNPq",
                                  .arguments = 1,
                                  .run = animate_run};

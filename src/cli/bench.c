@@ -3,7 +3,9 @@
  * @brief `dioptre bench`: how fast a scene is drawn.
  */
 #include "cli/commands.h"
+#include "dioptre/language.h"
 
+#include <libintl.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -76,10 +78,12 @@ static void bench_print(const Bench *bench, const RenderSettings *settings,
                bench->frames, bench->ms_min, bench->ms_median, (unsigned long long)bench->rays,
                mrays, (double)bench->camera / settings->width / settings->height);
     } else {
-        printf("%s: %s, %d thread%s, %d x %d: %.2f ms (fastest %.2f), %llu rays, %.1f Mrays/s\n",
-               options->arguments[0], settings->engine->name, settings->threads,
-               settings->threads == 1 ? "" : "s", settings->width, settings->height,
-               bench->ms_median, bench->ms_min, (unsigned long long)bench->rays, mrays);
+        printf(ngettext("%s: %s, %d thread, ", "%s: %s, %d threads, ",
+                        (unsigned long)settings->threads),
+               options->arguments[0], settings->engine->name, settings->threads);
+        printf(gettext("%d x %d: %.2f ms (fastest %.2f), %llu rays, %.1f Mrays/s\n"),
+               settings->width, settings->height, bench->ms_median, bench->ms_min,
+               (unsigned long long)bench->rays, mrays);
     }
 }
 
@@ -117,8 +121,8 @@ static int bench_run(const Options *options, Error *error) {
 }
 
 const Command bench_command = {.name = "bench",
-                               .usage = "SCENE",
-                               .help = "times the drawing of a scene",
+                               .usage = N_("SCENE"),
+                               .help = N_("times the drawing of a scene"),
                                .accepts = "sASDtjEOXBFRJq",
                                .arguments = 1,
                                .run = bench_run};

@@ -66,6 +66,13 @@ const char *offset_name(OffsetStrategy offset);
 void json_print_string(const char *text, FILE *stream);
 
 /**
+ * Prints a text with blanks after it, up to the width of a column.
+ * @param text   The text, UTF-8.
+ * @param width  Letters that the column is wide; a longer text sticks out.
+ */
+void print_padded(const char *text, int width);
+
+/**
  * Prints a text for people, without what could move the cursor.
  * @param text    The text; control characters become `?`.
  * @param stream  Where to.

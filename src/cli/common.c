@@ -75,6 +75,14 @@ void json_print_string(const char *text, FILE *stream) {
     fputc('"', stream);
 }
 
+void print_padded(const char *text, int width) {
+    int letters = 0;
+    for (const char *c = text; *c; c++) {
+        letters += (*c & 0xC0) != 0x80; // Not the second byte of a letter, nor the third.
+    }
+    printf("%s%*s", text, letters < width ? width - letters : 0, "");
+}
+
 void print_clean(const char *text, FILE *stream) {
     for (const char *c = text; *c; c++) {
         fputc(iscntrl((unsigned char)*c) ? '?' : *c, stream);

@@ -4,7 +4,9 @@
  */
 #include "cli/commands.h"
 #include "dioptre/image_file.h"
+#include "dioptre/language.h"
 
+#include <libintl.h>
 #include <stdio.h>
 
 /** Exit statuses of `compare` that other commands do not have. */
@@ -23,11 +25,11 @@ static void comparison_print(const Comparison *c, const Options *options) {
         // JSON has no infinity: equal pictures have no ratio of signal to noise.
         isfinite(c->psnr) ? printf("%.9g}\n", c->psnr) : printf("null}\n");
     } else if (!options->quiet) {
-        printf("worst step   %d of 255\n", c->worst_step);
-        printf("pixels off   %.4f %% by more than one step\n", 100 * c->share_off);
-        printf("RMSE         %.3g of linear light\n", c->rmse);
-        isfinite(c->psnr) ? printf("PSNR         %.1f dB\n", c->psnr)
-                          : printf("PSNR         infinite: the pictures are equal\n");
+        printf(gettext("worst step   %d of 255\n"), c->worst_step);
+        printf(gettext("pixels off   %.4f %% by more than one step\n"), 100 * c->share_off);
+        printf(gettext("RMSE         %.3g of linear light\n"), c->rmse);
+        isfinite(c->psnr) ? printf(gettext("PSNR         %.1f dB\n"), c->psnr)
+                          : printf(gettext("PSNR         infinite: the pictures are equal\n"));
     }
 }
 
@@ -69,8 +71,8 @@ static int compare_run(const Options *options, Error *error) {
 }
 
 const Command compare_command = {.name = "compare",
-                                 .usage = "A B",
-                                 .help = "says how two pictures differ",
+                                 .usage = N_("A B"),
+                                 .help = N_("says how two pictures differ"),
                                  .accepts = "TMJq",
                                  .arguments = 2,
                                  .run = compare_run};

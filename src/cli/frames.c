@@ -4,6 +4,8 @@
  */
 #include "cli/frames.h"
 
+#include "dioptre/language.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -48,8 +50,11 @@ bool frames_read(const char *text, FrameRange *range, Error *error) {
                          FRAMES_MAXIMUM, text);
     }
     if (frames_count(range) < 1) {
-        return error_set(error, STATUS_USAGE, "--frames %s names no frame%s", text,
-                         range->step > 0 ? "; to go backwards, the step is below 0" : "");
+        return error_set(
+            error, STATUS_USAGE,
+            range->step > 0 ? N_("--frames %s names no frame; to go backwards, the step is below 0")
+                            : N_("--frames %s names no frame"),
+            text);
     }
     return true;
 }

@@ -3,7 +3,9 @@
  * @brief `dioptre info`: what a scene uses, and what the tracer leaves out for it.
  */
 #include "cli/commands.h"
+#include "dioptre/language.h"
 
+#include <libintl.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -34,18 +36,18 @@ static Info info_of(const Scene *scene) {
     return info;
 }
 
-/** @return Why an engine was taken, for people. @param options The command line.
+/** @return Why an engine was taken, in English. @param options The command line.
  *  @param engine The engine. */
 static const char *engine_reason(const Options *options, const Engine *engine) {
     if (options->engine) {
-        return "asked for";
+        return N_("asked for");
     }
-    return engine == engine_list()[0] ? "the fastest, and this processor has AVX2"
-                                      : "the fastest that this processor can run";
+    return engine == engine_list()[0] ? N_("the fastest, and this processor has AVX2")
+                                      : N_("the fastest that this processor can run");
 }
 
 /**
- * Names what the tracer leaves out for a scene.
+ * Names what the tracer leaves out for a scene, in English.
  * @param scene  The scene.
  * @param info   What it uses.
  * @param left   Room for the names.
@@ -54,28 +56,28 @@ static const char *engine_reason(const Options *options, const Engine *engine) {
 static int info_left_out(const Scene *scene, const Info *info, const char *left[LEFT_MAXIMUM]) {
     int count = 0;
     if (info->mirrors + info->glass == 0) {
-        left[count++] = "recursion";
+        left[count++] = N_("recursion");
     }
     if (info->glass == 0) {
-        left[count++] = "media";
+        left[count++] = N_("media");
     }
     if (info->highlights == 0) {
-        left[count++] = "highlights";
+        left[count++] = N_("highlights");
     }
     if (scene->light_count == 0) {
-        left[count++] = "shadows";
+        left[count++] = N_("shadows");
     }
     if (!info->has_gradient) {
-        left[count++] = "sky gradient";
+        left[count++] = N_("sky gradient");
     }
     if (!scene_has_textures(scene)) {
-        left[count++] = "textures";
+        left[count++] = N_("textures");
     }
     if (!scene->sky.image) {
-        left[count++] = "panorama";
+        left[count++] = N_("panorama");
     }
     if (info->contents.planted == 0) {
-        left[count++] = "tree";
+        left[count++] = N_("tree");
     }
     return count;
 }
@@ -114,14 +116,14 @@ static void info_print_repairs(const MeshRepairs *repairs) {
         size_t count;      /**< How many. */
         const char *words; /**< Of what. */
     } all[] = {
-        {repairs->degenerate, "without area, left out"},
-        {repairs->uncut, "missing, as polygons cannot be cut"},
-        {repairs->lost_normals, "corners given their triangle's normal"},
-        {repairs->lost_uvs, "corners given (0, 0) as (u, v)"},
+        {repairs->degenerate, N_("without area, left out")},
+        {repairs->uncut, N_("missing, as polygons cannot be cut")},
+        {repairs->lost_normals, N_("corners given their triangle's normal")},
+        {repairs->lost_uvs, N_("corners given (0, 0) as (u, v)")},
     };
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
         if (all[i].count > 0) {
-            printf("; %s: %zu", all[i].words, all[i].count);
+            printf("; %s%s%zu", gettext(all[i].words), gettext(": "), all[i].count);
         }
     }
 }
@@ -130,29 +132,32 @@ static void info_print_repairs(const MeshRepairs *repairs) {
 static void info_print_meshes(const Scene *scene) {
     for (size_t i = 0; i < scene->mesh_count; i++) {
         const Mesh *mesh = scene->meshes[i].mesh;
-        printf("model      ");
+        fputs(gettext("model      "), stdout);
         print_clean(scene->meshes[i].file.name, stdout);
-        printf(": %zu triangle%s, %zu positions%s%s", mesh->triangle_count,
-               mesh->triangle_count == 1 ? "" : "s", mesh->position_count,
-               mesh->normal_count ? ", normals" : "", mesh->uv_count ? ", (u, v)" : "");
+        printf(ngettext(": %zu triangle", ": %zu triangles", mesh->triangle_count),
+               mesh->triangle_count);
+        printf(ngettext(", %zu position", ", %zu positions", mesh->position_count),
+               mesh->position_count);
+        printf("%s%s", mesh->normal_count ? gettext(", normals") : "",
+               mesh->uv_count ? ", (u, v)" : "");
         info_print_repairs(&mesh->repairs);
         putchar('\n');
     }
 }
 
-/** @return How the texels of a picture are kept, for people. @param texture The picture. */
+/** @return How the texels of a picture are kept, in English. @param texture The picture. */
 static const char *texels_name(const Texture *texture) {
-    return texture->is_light ? "linear light, floats" : "sRGB, 8 bits";
+    return texture->is_light ? N_("linear light, floats") : N_("sRGB, 8 bits");
 }
 
 /** Prints the pictures for people, a line each. @param scene The scene. */
 static void info_print_textures(const Scene *scene) {
     for (size_t i = 0; i < scene->texture_count; i++) {
         const Texture *texture = scene->textures[i].texture;
-        printf("texture    ");
+        fputs(gettext("texture    "), stdout);
         print_clean(scene->textures[i].file.name, stdout);
-        printf(": %d x %d, %s, %.1f MB\n", texture->width, texture->height, texels_name(texture),
-               1e-6 * (double)texture_size(texture));
+        printf(gettext(": %d x %d, %s, %.1f MB\n"), texture->width, texture->height,
+               gettext(texels_name(texture)), 1e-6 * (double)texture_size(texture));
     }
 }
 
@@ -174,14 +179,14 @@ static void info_print_textures_json(const Scene *scene) {
 static void info_print_tree(const TracerContents *contents) {
     bool has_tree = contents->planted > 0;
     if (has_tree) {
-        printf("tree       over %zu shapes; ", contents->planted);
+        printf(gettext("tree       over %zu shapes; "), contents->planted);
     } else {
-        printf("no tree    ");
+        fputs(gettext("no tree    "), stdout);
     }
-    printf("%zu asked one by one: here a tree pays from %zu on\n", contents->listed,
+    printf(gettext("%zu asked one by one: here a tree pays from %zu on\n"), contents->listed,
            contents->tree_from);
     if (contents->triangles > 0) {
-        printf("memory     %.1f MB for %zu triangles and their trees: %zu bytes each\n",
+        printf(gettext("memory     %.1f MB for %zu triangles and their trees: %zu bytes each\n"),
                1e-6 * (double)contents->triangle_bytes, contents->triangles,
                contents->triangle_bytes / contents->triangles);
     }
@@ -238,7 +243,7 @@ static void info_print_json(const Scene *scene, const Info *info, const RenderSe
 static void info_print(const Scene *scene, const Info *info, const RenderSettings *settings,
                        const Options *options) {
     const Keyword *const *keywords = settings->engine->shape_keywords;
-    printf("shapes     %zu:", scene->shape_count);
+    printf(gettext("shapes     %zu:"), scene->shape_count);
     for (size_t kind = 0; keywords[kind]; kind++) {
         if (info->kinds[kind]) {
             printf(" %zu %s", info->kinds[kind], keywords[kind]->name);
@@ -247,28 +252,32 @@ static void info_print(const Scene *scene, const Info *info, const RenderSetting
     putchar('\n');
     info_print_meshes(scene);
     info_print_textures(scene);
-    printf("lights     %zu\nmaterials  %zu\n", scene->light_count, scene->material_count - 1);
-    printf("mirrors    %zu shapes, glass %zu, depth %d\n", info->mirrors, info->glass,
+    printf(gettext("lights     %zu\n"), scene->light_count);
+    printf(gettext("materials  %zu\n"), scene->material_count - 1);
+    printf(gettext("mirrors    %zu shapes, glass %zu, depth %d\n"), info->mirrors, info->glass,
            info->mirrors + info->glass ? settings->trace.depth : 0);
-    printf("picture    %d x %d, %d ray%s a pixel\n", settings->width, settings->height,
-           settings->samples, settings->samples == 1 ? "" : "s");
-    printf("time       %s\n", scene->reads_time ? "asked for: frames of a film differ"
-                                                : "not asked for: frames of a film are alike");
-    printf("engine     %s: %s\n", settings->engine->name, engine_reason(options, settings->engine));
-    printf("offset     %s\n", offset_name(settings->trace.offset));
+    printf(gettext("picture    %d x %d, "), settings->width, settings->height);
+    printf(ngettext("%d ray a pixel\n", "%d rays a pixel\n", (unsigned long)settings->samples),
+           settings->samples);
+    fputs(scene->reads_time ? gettext("time       asked for: frames of a film differ\n")
+                            : gettext("time       not asked for: frames of a film are alike\n"),
+          stdout);
+    printf(gettext("engine     %s: %s\n"), settings->engine->name,
+           gettext(engine_reason(options, settings->engine)));
+    printf(gettext("offset     %s\n"), offset_name(settings->trace.offset));
     info_print_tree(&info->contents);
     if (info_has_fields(scene, settings)) {
-        printf("marching   %llu of %zu rays from the eye run out of steps\n",
+        printf(gettext("marching   %llu of %zu rays from the eye run out of steps\n"),
                (unsigned long long)info->contents.stalled,
                (size_t)settings->width * (size_t)settings->height);
     }
     const char *left[LEFT_MAXIMUM];
     int left_count = info_left_out(scene, info, left);
-    printf("left out   ");
+    fputs(gettext("left out   "), stdout);
     for (int i = 0; i < left_count; i++) {
-        printf("%s%s", i ? ", " : "", left[i]);
+        printf("%s%s", i ? ", " : "", gettext(left[i]));
     }
-    printf("%s\n", left_count ? "" : "nothing");
+    printf("%s\n", left_count ? "" : gettext("nothing"));
 }
 
 /** Tells about a scene. See #Command.run. @param options The command line.
@@ -295,8 +304,8 @@ static int info_run(const Options *options, Error *error) {
 }
 
 const Command info_command = {.name = "info",
-                              .usage = "SCENE",
-                              .help = "says what a scene uses and what the tracer leaves out",
+                              .usage = N_("SCENE"),
+                              .help = N_("says what a scene uses and what the tracer leaves out"),
                               .accepts = "sASDtjEOXBJq",
                               .arguments = 1,
                               .run = info_run};

@@ -3,7 +3,9 @@
  * @brief The program: finds the command and runs it.
  */
 #include "cli/commands.h"
+#include "dioptre/language.h"
 
+#include <libintl.h>
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
@@ -13,19 +15,29 @@ static const Command *const commands[] = {
     &view_command,  &render_command, &animate_command, &info_command, &compare_command,
     &bench_command, &needs_command,  &chart_command,   &lab_command,  NULL};
 
+/** Letters that the column of usages is wide in the help. */
+static const int USAGE_WIDTH = 28;
+
 /** Prints the help of the program. */
 static void print_help(void) {
-    printf("dioptre: a ray tracer to teach with\n\nusage: dioptre COMMAND ...\n"
-           "       dioptre SCENE     the same as dioptre view SCENE\n\n");
+    fputs(gettext("dioptre: a ray tracer to teach with\n\n"
+                  "usage: dioptre COMMAND ...\n"
+                  "       dioptre SCENE     the same as dioptre view SCENE\n\n"),
+          stdout);
     for (const Command *const *command = commands; *command; command++) {
-        printf("  %-8s %-28s %s\n", (*command)->name, (*command)->usage, (*command)->help);
+        printf("  %-8s ", (*command)->name);
+        print_padded(gettext((*command)->usage), USAGE_WIDTH);
+        printf(" %s\n", gettext((*command)->help));
     }
-    printf("\n`dioptre COMMAND --help` names the options. `-` as SCENE reads standard input.\n");
+    fputs(gettext("\n`dioptre COMMAND --help` names the options. "
+                  "`-` as SCENE reads standard input.\n"),
+          stdout);
 }
 
 /** Prints the help of a command. @param command The command. */
 static void print_command_help(const Command *command) {
-    printf("usage: dioptre %s %s\n%s\n\n", command->name, command->usage, command->help);
+    printf(gettext("usage: dioptre %s %s\n"), command->name, gettext(command->usage));
+    printf("%s\n\n", gettext(command->help));
     options_print(command);
 }
 
@@ -58,7 +70,7 @@ static int run_command(const Command *command, const Options *options, Error *er
     }
     if (more < 0) {
         error_set(error, STATUS_USAGE, "usage: dioptre %s %s (--help says more)", command->name,
-                  command->usage);
+                  gettext(command->usage));
         return STATUS_USAGE;
     }
     int status = command->run(options, error);
@@ -106,6 +118,7 @@ static int run(int argc, char **argv, Error *error) {
  */
 int main(int argc, char **argv) {
     Error error = {0};
+    language_begin();
     // Without this, writing to a pipe whose reader has gone, or a file larger than the system
     // allows, would kill the program unheard.
     signal(SIGPIPE, SIG_IGN);

@@ -4,8 +4,12 @@
  */
 #include "cli/options.h"
 
+#include "cli/commands.h"
+#include "dioptre/language.h"
+
 #include <errno.h>
 #include <getopt.h>
+#include <libintl.h>
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -22,34 +26,40 @@ typedef struct OptionRow {
 
 /** All options of all commands. */
 static const OptionRow option_rows[] = {
-    {'o', true, "output", "FILE", "write there; the ending names the format"},
-    {'U', false, "out", "DIR", "write there; the folder is made where it is not there"},
-    {'s', true, "size", "WxH", "size of the picture, pixels"},
-    {'A', false, "samples", "N", "rays a pixel"},
-    {'S', false, "sampling", "WAY", "adaptive or full: whether every pixel gets all its rays"},
-    {'D', false, "depth", "N", "how often a ray may be mirrored or refracted"},
-    {'t', true, "time", "SECONDS", "the scene's t"},
-    {'j', true, "threads", "N", "worker threads (default: all cores)"},
-    {'E', false, "engine", "NAME", "auto, f32x16, f32x8, f32x4, f32x1, f64x4, f64x1 or f128x1"},
-    {'O', false, "offset", "WAY", "none, fixed or bound: how rays leave a surface"},
-    {'X', false, "epsilon", "LENGTH", "for --offset fixed, scene units"},
-    {'B', false, "base-dir", "DIR", "where the files lie that the scene names"},
-    {'C', false, "seconds", "S", "how long the film lasts (default: 10)"},
-    {'G', false, "fps", "F", "frames a second (default: 25)"},
-    {'F', false, "frames", "A-B[:STEP]", "which frames, from 0; for bench how many (default: 10)"},
-    {'N', false, "skip-existing", NULL, "leave out frames whose file is there"},
-    {'R', false, "rays", "KIND", "image, primary or random"},
-    {'T', false, "threshold", "STEPS",
-     "largest difference that still counts as alike (default: 0)"},
-    {'M', false, "map", "FILE", "write a picture of the differences"},
-    {'K', false, "keys", "WAY", "places or letters: what the light's keys are bound to"},
-    {'L', false, "timing", NULL, "say at the end how long pictures took to come"},
-    {'J', false, "json", NULL, "print one JSON object a line"},
-    {'P', false, "progress", "WAY", "auto, json or none"},
-    {'q', true, "quiet", NULL, "say nothing but errors"},
-    {'h', true, "help", NULL, "print this"},
-    {'V', true, "version", NULL, "print the version"},
+    {'o', true, "output", N_("FILE"), N_("write there; the ending names the format")},
+    {'U', false, "out", N_("DIR"), N_("write there; the folder is made where it is not there")},
+    {'s', true, "size", N_("WxH"), N_("size of the picture, pixels")},
+    {'A', false, "samples", N_("N"), N_("rays a pixel")},
+    {'S', false, "sampling", N_("WAY"),
+     N_("adaptive or full: whether every pixel gets all its rays")},
+    {'D', false, "depth", N_("N"), N_("how often a ray may be mirrored or refracted")},
+    {'t', true, "time", N_("SECONDS"), N_("the scene's t")},
+    {'j', true, "threads", N_("N"), N_("worker threads (default: all cores)")},
+    {'E', false, "engine", N_("NAME"),
+     N_("auto, f32x16, f32x8, f32x4, f32x1, f64x4, f64x1 or f128x1")},
+    {'O', false, "offset", N_("WAY"), N_("none, fixed or bound: how rays leave a surface")},
+    {'X', false, "epsilon", N_("LENGTH"), N_("for --offset fixed, scene units")},
+    {'B', false, "base-dir", N_("DIR"), N_("where the files lie that the scene names")},
+    {'C', false, "seconds", N_("S"), N_("how long the film lasts (default: 10)")},
+    {'G', false, "fps", N_("F"), N_("frames a second (default: 25)")},
+    {'F', false, "frames", N_("A-B[:STEP]"),
+     N_("which frames, from 0; for bench how many (default: 10)")},
+    {'N', false, "skip-existing", NULL, N_("leave out frames whose file is there")},
+    {'R', false, "rays", N_("KIND"), N_("image, primary or random")},
+    {'T', false, "threshold", N_("STEPS"),
+     N_("largest difference that still counts as alike (default: 0)")},
+    {'M', false, "map", N_("FILE"), N_("write a picture of the differences")},
+    {'K', false, "keys", N_("WAY"), N_("places or letters: what the light's keys are bound to")},
+    {'L', false, "timing", NULL, N_("say at the end how long pictures took to come")},
+    {'J', false, "json", NULL, N_("print one JSON object a line")},
+    {'P', false, "progress", N_("WAY"), N_("auto, json or none")},
+    {'q', true, "quiet", NULL, N_("say nothing but errors")},
+    {'h', true, "help", NULL, N_("print this")},
+    {'V', true, "version", NULL, N_("print the version")},
 };
+
+/** Letters that the column of names is wide in the help. */
+static const int NAME_WIDTH = 22;
 
 /** How many options there are. */
 enum { OPTION_COUNT = sizeof option_rows / sizeof *option_rows };
@@ -97,8 +107,10 @@ static bool read_number(const char *name, const char *text, double minimum, doub
     char *end = NULL;
     double number = strtod(text, &end);
     if (end == text || *end || !isfinite(number) || number < minimum) {
-        return error_set(error, STATUS_USAGE, "--%s takes a number%s, not '%s'", name,
-                         minimum >= 0 ? ", at least 0" : "", text);
+        return error_set(error, STATUS_USAGE,
+                         minimum >= 0 ? N_("--%s takes a number, at least 0, not '%s'")
+                                      : N_("--%s takes a number, not '%s'"),
+                         name, text);
     }
     *value = number;
     return true;
@@ -163,7 +175,7 @@ static bool read_word(const char *name, const char *text, const char *const *wor
             *place = i;
             return true;
         }
-        const char *glue = i == 0 ? "" : words[i + 1] ? ", " : " or ";
+        const char *glue = i == 0 ? "" : words[i + 1] ? ", " : gettext(" or ");
         strncat(known, glue, sizeof known - strlen(known) - 1);
         strncat(known, words[i], sizeof known - strlen(known) - 1);
     }
@@ -350,9 +362,11 @@ void options_print(const Command *command) {
         const OptionRow *row = &option_rows[i];
         if (command_accepts(command, row->key)) {
             char name[64];
-            snprintf(name, sizeof name, "--%s %s", row->name, row->value ? row->value : "");
-            printf("  %c%c %-22s %s\n", row->is_short ? '-' : ' ', row->is_short ? row->key : ' ',
-                   name, row->help);
+            snprintf(name, sizeof name, "--%s %s", row->name,
+                     row->value ? gettext(row->value) : "");
+            printf("  %c%c ", row->is_short ? '-' : ' ', row->is_short ? row->key : ' ');
+            print_padded(name, NAME_WIDTH);
+            printf(" %s\n", gettext(row->help));
         }
     }
 }

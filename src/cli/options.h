@@ -62,8 +62,8 @@ typedef struct Options {
 /** A command. */
 typedef struct Command {
     const char *name;    /**< Such as `render`. */
-    const char *usage;   /**< Its arguments, such as `SCENE -o FILE`. */
-    const char *help;    /**< What it does, in one line. */
+    const char *usage;   /**< Its arguments, such as `SCENE -o FILE`, in English. */
+    const char *help;    /**< What it does, in one line, in English. */
     const char *accepts; /**< Keys of the options it takes; see #options_parse. */
     int arguments;       /**< How many arguments it takes. */
     bool more_arguments; /**< Whether it takes more than that, too. */

@@ -4,6 +4,7 @@
  */
 #include "cli/commands.h"
 
+#include <libintl.h>
 #include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -54,9 +55,10 @@ static void progress_tell(const Progress *progress) {
     } else {
         fputc('\r', stderr);
         if (progress->is_film) {
-            fprintf(stderr, "%d of %d frames, ", progress->done, progress->pictures);
+            fprintf(stderr, gettext("%d of %d frames, "), progress->done, progress->pictures);
         }
-        fprintf(stderr, "%3.0f %%, %.0f s left \033[K", 100 * share, left);
+        fprintf(stderr, gettext("%3.0f %%, %.0f s left"), 100 * share, left);
+        fputs(" \033[K", stderr);
     }
     fflush(stderr);
 }
@@ -110,7 +112,8 @@ static void models_tell(void *context, const char *name, double share, double se
     } else {
         fputc('\r', stderr);
         print_clean(name, stderr);
-        fprintf(stderr, ": %3.0f %%, %.0f s left \033[K", 100 * share, left);
+        fprintf(stderr, gettext(": %3.0f %%, %.0f s left"), 100 * share, left);
+        fputs(" \033[K", stderr);
     }
     models->is_shown = true;
     fflush(stderr);

@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/notes.h"
 #include "dioptre/image_file.h"
+#include "dioptre/language.h"
 
 #include <stdio.h>
 
@@ -74,8 +75,8 @@ static int render_run(const Options *options, Error *error) {
 }
 
 const Command render_command = {.name = "render",
-                                .usage = "SCENE -o FILE",
-                                .help = "draws one picture, without a window",
+                                .usage = N_("SCENE -o FILE"),
+                                .help = N_("draws one picture, without a window"),
                                 .accepts = "osASDtjEOXBPq",
                                 .arguments = 1,
                                 .run = render_run};

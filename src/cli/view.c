@@ -4,6 +4,7 @@
  */
 #include "dioptre/view.h"
 #include "cli/commands.h"
+#include "dioptre/language.h"
 
 #include <limits.h>
 #include <stdio.h>
@@ -85,8 +86,8 @@ static int view_command_run(const Options *options, Error *error) {
 }
 
 const Command view_command = {.name = "view",
-                              .usage = "SCENE",
-                              .help = "shows a scene in a window and moves camera and light",
+                              .usage = N_("SCENE"),
+                              .help = N_("shows a scene in a window and moves camera and light"),
                               .accepts = "sASDtjEOXBKLq",
                               .arguments = 1,
                               .run = view_command_run};

@@ -171,7 +171,7 @@ static bool background_run(Renderer *renderer, Error *error) {
     if (!background->is_running) {
         int code = pthread_create(&background->thread, NULL, background_main, renderer);
         if (code != 0) {
-            return error_set(error, STATUS_FAILED, "cannot start a thread: %s", strerror(code));
+            return error_set(error, STATUS_FAILED, "cannot start a thread: %s", error_system(code));
         }
         background->is_running = true;
     }

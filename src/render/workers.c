@@ -74,7 +74,8 @@ Workers *workers_create(int threads, Error *error) {
     for (int i = 0; i < threads - 1; i++) {
         int code = pthread_create(&helpers[i], NULL, helper_main, workers);
         if (code != 0) {
-            error_set(error, STATUS_FAILED, "cannot start thread %d: %s", i + 2, strerror(code));
+            error_set(error, STATUS_FAILED, "cannot start thread %d: %s", i + 2,
+                      error_system(code));
             workers_destroy(workers);
             return NULL;
         }

@@ -4,6 +4,10 @@
  */
 #include "dioptre/error.h"
 
+#include "dioptre/language.h"
+
+#include <errno.h>
+#include <libintl.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -13,7 +17,7 @@ bool error_set(Error *error, Status status, const char *format, ...) {
         va_list arguments;
         va_start(arguments, format);
         error->status = status;
-        vsnprintf(error->message, sizeof error->message, format, arguments);
+        vsnprintf(error->message, sizeof error->message, gettext(format), arguments);
         va_end(arguments);
     }
     return false;
@@ -25,7 +29,7 @@ bool error_prefix(Error *error, const char *format, ...) {
         memcpy(message, error->message, sizeof message);
         va_list arguments;
         va_start(arguments, format);
-        int length = vsnprintf(error->message, sizeof error->message, format, arguments);
+        int length = vsnprintf(error->message, sizeof error->message, gettext(format), arguments);
         va_end(arguments);
         if (length >= 0 && (size_t)length < sizeof error->message) {
             size_t room = sizeof error->message - (size_t)length;
@@ -33,4 +37,35 @@ bool error_prefix(Error *error, const char *format, ...) {
         }
     }
     return false;
+}
+
+/** An error of the system, in words that are there in all languages of the program. */
+typedef struct SystemError {
+    int code;          /**< Its `errno`. */
+    const char *words; /**< What it is. */
+} SystemError;
+
+const char *error_system(int code) {
+    static const SystemError known[] = {
+        {EACCES, N_("Permission denied")},
+        {EEXIST, N_("File exists")},
+        {EFBIG, N_("File too large")},
+        {EIO, N_("Input/output error")},
+        {EISDIR, N_("Is a directory")},
+        {ELOOP, N_("Too many levels of symbolic links")},
+        {EMFILE, N_("Too many open files")},
+        {ENAMETOOLONG, N_("File name too long")},
+        {ENOENT, N_("No such file or directory")},
+        {ENOMEM, N_("Cannot allocate memory")},
+        {ENOSPC, N_("No space left on device")},
+        {ENOTDIR, N_("Not a directory")},
+        {EPIPE, N_("Broken pipe")},
+        {EROFS, N_("Read-only file system")},
+    };
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        if (known[i].code == code) {
+            return gettext(known[i].words);
+        }
+    }
+    return strerror(code);
 }

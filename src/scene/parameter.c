@@ -3,6 +3,7 @@
  * @brief Parameter tables.
  */
 #include "dioptre/parameter.h"
+#include "dioptre/language.h"
 
 bool parameter_check(const Parameter *parameter, double value, Error *error) {
     if (!isfinite(value)) {
@@ -11,9 +12,11 @@ bool parameter_check(const Parameter *parameter, double value, Error *error) {
     bool is_low =
         parameter->above_minimum ? value <= parameter->minimum : value < parameter->minimum;
     if (is_low || value > parameter->maximum) {
-        return error_set(error, STATUS_SCENE, "%s must be %s %g and at most %g, not %g",
-                         parameter->name, parameter->above_minimum ? "above" : "at least",
-                         parameter->minimum, parameter->maximum, value);
+        return error_set(error, STATUS_SCENE,
+                         parameter->above_minimum
+                             ? N_("%s must be above %g and at most %g, not %g")
+                             : N_("%s must be at least %g and at most %g, not %g"),
+                         parameter->name, parameter->minimum, parameter->maximum, value);
     }
     return true;
 }

@@ -7,7 +7,9 @@
  */
 #include "script/fields.h"
 
+#include "dioptre/language.h"
 #include "script/library.h"
+#include "script/raise.h"
 #include "script/read.h"
 
 #include <lauxlib.h>
@@ -46,7 +48,7 @@ static Field *push_field(lua_State *L, int steps) {
 static const Field *check_field(lua_State *L, int index, const char *word) {
     const Field *field = fields_test(L, index);
     if (!field) {
-        luaL_error(L, "%s takes distance fields, not %s", word, read_describe(L, index));
+        raise_error(L, "%s takes distance fields, not %s", word, read_describe(L, index));
     }
     return field;
 }
@@ -55,7 +57,7 @@ static const Field *check_field(lua_State *L, int index, const char *word) {
  *  @param usage How it is called. */
 static void check_count(lua_State *L, int count, const char *usage) {
     if (lua_gettop(L) != count) {
-        luaL_error(L, "this is called as %s", usage);
+        raise_error(L, "this is called as %s", usage);
     }
 }
 
@@ -63,7 +65,7 @@ static void check_count(lua_State *L, int count, const char *usage) {
  *  @param error What is wrong. */
 static void check_good(lua_State *L, bool is_good, const Error *error) {
     if (!is_good) {
-        luaL_error(L, "%s", error->message);
+        raise_error(L, "%s", error->message);
     }
 }
 
@@ -88,11 +90,13 @@ static int call_join(lua_State *L) {
     double radius = 0;
     Error error = {0};
     if (count < 1) {
-        return luaL_error(L, "%s of nothing: it takes distance fields", word->name);
+        return raise_error(L, "%s of nothing: it takes distance fields", word->name);
     }
     if (word->most > 0 && count != word->most) {
-        return luaL_error(L, "%s takes two distance fields%s", word->name,
-                          is_smooth ? " and a radius" : "");
+        return raise_error(L,
+                           is_smooth ? N_("%s takes two distance fields and a radius")
+                                     : N_("%s takes two distance fields"),
+                           word->name);
     }
     if (is_smooth) {
         read_value(L, count + 1, &field_radius_row, &radius);
@@ -167,7 +171,7 @@ static int call_round(lua_State *L) {
     const Field *field = check_field(L, 1, "round");
     read_value(L, 2, &field_round_row, &radius);
     if (field->count >= FIELD_STEPS_MAXIMUM) {
-        return luaL_error(L, "a field may be made of %d at most", FIELD_STEPS_MAXIMUM);
+        return raise_error(L, "a field may be made of %d at most", FIELD_STEPS_MAXIMUM);
     }
     field_round(push_field(L, field->count + 1), field, radius);
     return 1;
@@ -177,7 +181,9 @@ static int call_round(lua_State *L) {
  *  @param L The state, with the table as second value; afterwards a table of the numbers alone is
  * on top. @param[out] count It; zero if it is not there. */
 static void read_copies(lua_State *L, Vector3 *count) {
-    luaL_argcheck(L, lua_istable(L, 2), 1, "repeat_every takes {x, y, z}");
+    if (!lua_istable(L, 2)) {
+        raise_error(L, "repeat_every takes {x, y, z}");
+    }
     *count = (Vector3){0, 0, 0};
     if (lua_getfield(L, 2, field_count_row.name) != LUA_TNIL) {
         read_value(L, lua_gettop(L), &field_count_row, count);

@@ -48,7 +48,7 @@ bool file_find(const ScriptRequest *request, const char *name, char shown[PATH_M
         return error_set(error, STATUS_SCENE, "its name must say where it is from the scene file");
     }
     if (!realpath(folder[0] ? folder : ".", real_folder) || !realpath(shown, real)) {
-        return error_set(error, STATUS_SCENE, "%s", strerror(errno));
+        return error_set(error, STATUS_SCENE, "%s", error_system(errno));
     }
     if (!is_below(real_folder, real)) {
         return error_set(error, STATUS_SCENE, "it lies outside the scene's folder");

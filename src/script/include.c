@@ -5,6 +5,7 @@
 #include "script/include.h"
 
 #include "script/file.h"
+#include "script/raise.h"
 #include "script/run.h"
 #include "script/sandbox.h"
 
@@ -48,7 +49,7 @@ static void load_file(lua_State *L, const char *name) {
     if (read_file(run->request, name, &source, shown, &error)) {
         sandbox_load(L, &source, shown);
     } else {
-        luaL_error(L, "cannot include `%s`: %s", name, error.message);
+        raise_error(L, "cannot include `%s`: %s", name, error.message);
     }
 }
 
@@ -77,11 +78,11 @@ static int call_include(lua_State *L) {
     size_t length;
     const char *name = luaL_checklstring(L, 1, &length);
     if (length != strlen(name)) {
-        return luaL_error(L, "cannot include a file with a zero byte in its name");
+        return raise_error(L, "cannot include a file with a zero byte in its name");
     }
     if (count_depth(L) > INCLUDE_DEPTH_MAXIMUM) {
-        return luaL_error(L, "files include each other more than %d deep; is this a ring?",
-                          INCLUDE_DEPTH_MAXIMUM);
+        return raise_error(L, "files include each other more than %d deep; is this a ring?",
+                           INCLUDE_DEPTH_MAXIMUM);
     }
     lua_settop(L, 1);
     load_file(L, name);

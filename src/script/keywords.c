@@ -4,6 +4,7 @@
  */
 #include "script/keywords.h"
 
+#include "script/raise.h"
 #include "script/read.h"
 #include "script/run.h"
 #include "script/sandbox.h"
@@ -117,8 +118,8 @@ static size_t read_material(lua_State *L) {
     }
     const Thing *thing = luaL_testudata(L, -1, material_keyword.name);
     if (!thing) {
-        luaL_error(L, "material must be what material { ... } has returned, not %s",
-                   read_describe(L, lua_gettop(L)));
+        raise_error(L, "material must be what material { ... } has returned, not %s",
+                    read_describe(L, lua_gettop(L)));
         return 0;
     }
     return thing->material;
@@ -182,7 +183,7 @@ static int call_word(lua_State *L) {
     Error error = {0};
     Call call = read_call(L, word);
     if (!word->add(scene, &call, &error)) {
-        return luaL_error(L, "%s", error.message);
+        return raise_error(L, "%s", error.message);
     }
     bool is_material = word->keyword == &material_keyword;
     push_thing(L, word->keyword->name, is_material ? scene->material_count - 1 : call.material);
@@ -197,7 +198,7 @@ static int call_word(lua_State *L) {
 static int call_ambient(lua_State *L) {
     Scene *scene = ((Run *)sandbox_of(L)->context)->scene;
     if (lua_gettop(L) != 1) {
-        return luaL_error(L, "ambient takes one colour: ambient { red, green, blue }");
+        return raise_error(L, "ambient takes one colour: ambient { red, green, blue }");
     }
     read_value(L, 1, &ambient_row, &scene->ambient);
     push_thing(L, ambient_row.name, 0);

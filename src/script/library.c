@@ -5,12 +5,14 @@
 #include "script/library.h"
 
 #include "script/order.h"
+#include "script/raise.h"
 #include "script/run.h"
 #include "script/sandbox.h"
 #include "script/suggest.h"
 #include "script/text.h"
 
 #include <lauxlib.h>
+#include <libintl.h>
 #include <lualib.h>
 #include <stdlib.h>
 #include <string.h>
@@ -51,7 +53,6 @@ static void write_error(const char *text, size_t length) {
  * @param length   How many.
  */
 static void print_text(Sandbox *sandbox, const char *text, size_t length) {
-    static const char last_words[] = "\n(the scene printed more, which is left out)\n";
     char clean[1024];
     /** An escaped byte takes four. */
     const size_t piece_maximum = sizeof clean / 4 - 1;
@@ -63,7 +64,8 @@ static void print_text(Sandbox *sandbox, const char *text, size_t length) {
         length -= piece;
         sandbox->printed += strlen(clean);
         if (sandbox->printed >= LIBRARY_PRINT_MAXIMUM) {
-            write_error(last_words, strlen(last_words));
+            const char *last = gettext("\n(the scene printed more, which is left out)\n");
+            write_error(last, strlen(last));
         }
     }
 }
@@ -112,7 +114,7 @@ static int library_setmetatable(lua_State *L) {
     if (lua_istable(L, 2)) {
         lua_pushliteral(L, "__gc");
         if (lua_rawget(L, 2) != LUA_TNIL) {
-            return luaL_error(L, "a scene may not use __gc: nobody knows when it would run");
+            return raise_error(L, "a scene may not use __gc: nobody knows when it would run");
         }
         lua_settop(L, 2);
     }
@@ -141,8 +143,8 @@ static int library_unknown(lua_State *L) {
         }
     }
     char hint[SUGGEST_HINT_SIZE];
-    return luaL_error(L, "unknown word `%s%s`%s", suggestion.prefix, suggestion.wanted,
-                      suggest_hint(&suggestion, hint));
+    return raise_error(L, "unknown word `%s%s`%s", suggestion.prefix, suggestion.wanted,
+                       suggest_hint(&suggestion, hint));
 }
 
 /**

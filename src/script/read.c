@@ -4,29 +4,40 @@
  */
 #include "script/read.h"
 
+#include "dioptre/language.h"
 #include "script/fields.h"
 #include "script/hex_color.h"
+#include "script/raise.h"
 #include "script/run.h"
 #include "script/sandbox.h"
 #include "script/suggest.h"
 
 #include <lauxlib.h>
+#include <libintl.h>
 #include <string.h>
 
 const char *read_describe(lua_State *L, int index) {
-    const char *name = luaL_typename(L, index);
-    if (lua_isnoneornil(L, index)) {
-        return lua_pushstring(L, "nothing");
+    static const char *const plain[LUA_NUMTYPES] = {
+        [LUA_TNIL] = N_("nothing"),       [LUA_TBOOLEAN] = N_("a boolean"),
+        [LUA_TNUMBER] = N_("a number"),   [LUA_TSTRING] = N_("a string"),
+        [LUA_TTABLE] = N_("a table"),     [LUA_TFUNCTION] = N_("a function"),
+        [LUA_TTHREAD] = N_("a coroutine")};
+    int type = lua_type(L, index);
+    const char *words = type == LUA_TNONE ? plain[LUA_TNIL] : plain[type];
+    if (fields_test(L, index)) {
+        words = N_("a distance field");
+    }
+    if (words) {
+        return lua_pushstring(L, gettext(words));
     }
     // Things of the scene carry the name of their keyword.
-    if (lua_isuserdata(L, index) && luaL_getmetafield(L, index, "__name") == LUA_TSTRING) {
-        name = lua_tostring(L, -1);
-    }
-    return lua_pushfstring(L, "%s %s", strchr("aeiou", name[0]) ? "an" : "a", name);
+    bool is_named = luaL_getmetafield(L, index, "__name") == LUA_TSTRING;
+    const char *name = is_named ? lua_tostring(L, -1) : "userdata";
+    return lua_pushfstring(L, gettext(strchr("aeiou", name[0]) ? N_("an %s") : N_("a %s")), name);
 }
 
 void read_raise_type(lua_State *L, int index, const Parameter *row, const char *wanted) {
-    luaL_error(L, "%s must be %s, not %s", row->name, wanted, read_describe(L, index));
+    raise_error(L, "%s must be %s, not %s", row->name, gettext(wanted), read_describe(L, index));
 }
 
 /**
@@ -39,7 +50,7 @@ static double read_checked(lua_State *L, int index, const Parameter *row) {
     Error error = {0};
     double value = lua_tonumber(L, index);
     if (!parameter_check(row, value, &error)) {
-        luaL_error(L, "%s", error.message);
+        raise_error(L, "%s", error.message);
     }
     return value;
 }
@@ -51,13 +62,14 @@ typedef struct ListForm {
 } ListForm;
 
 /** `{x, y, z}` */
-static const ListForm vector_form = {3, "three numbers {x, y, z}"};
+static const ListForm vector_form = {3, N_("three numbers {x, y, z}")};
 /** `{x, y, z}` or one number. */
-static const ListForm scale_form = {3, "one number, or three numbers {x, y, z}"};
+static const ListForm scale_form = {3, N_("one number, or three numbers {x, y, z}")};
 /** `{u, v}` */
-static const ListForm pair_form = {2, "two numbers {u, v}"};
+static const ListForm pair_form = {2, N_("two numbers {u, v}")};
 /** `{red, green, blue}` and what else makes a colour. */
-static const ListForm color_form = {3, "a colour ({red, green, blue}, one number, or \"#rrggbb\")"};
+static const ListForm color_form = {
+    3, N_("a colour ({red, green, blue}, one number, or \"#rrggbb\")")};
 
 /** @return How many things a table holds. @param L The state. @param index Where it is. */
 static lua_Integer count_things(lua_State *L, int index) {
@@ -86,12 +98,12 @@ static void read_list(lua_State *L, int index, const Parameter *row, const ListF
     lua_Integer count = count_things(L, index);
     for (int i = 0; i < form->count; i++) {
         if (lua_geti(L, index, i + 1) == LUA_TNIL || count > form->count) {
-            luaL_error(L, "%s must be %s; there are %I things between the braces", row->name,
-                       form->wanted, (LUAI_UACINT)count);
+            raise_error(L, "%s must be %s; there are %lld things between the braces", row->name,
+                        gettext(form->wanted), (long long)count);
         }
         if (lua_type(L, -1) != LUA_TNUMBER) {
-            luaL_error(L, "%s must be %s; number %d of them is %s", row->name, form->wanted, i + 1,
-                       read_describe(L, lua_gettop(L)));
+            raise_error(L, "%s must be %s; number %d of them is %s", row->name,
+                        gettext(form->wanted), i + 1, read_describe(L, lua_gettop(L)));
         }
         numbers[i] = read_checked(L, -1, row);
         lua_pop(L, 1);
@@ -102,7 +114,7 @@ static void read_list(lua_State *L, int index, const Parameter *row, const ListF
  *  @param row See there. @param[out] field See there. */
 static void read_number(lua_State *L, int index, const Parameter *row, void *field) {
     if (lua_type(L, index) != LUA_TNUMBER) {
-        read_raise_type(L, index, row, "a number");
+        read_raise_type(L, index, row, N_("a number"));
     }
     *(double *)field = read_checked(L, index, row);
 }
@@ -113,7 +125,7 @@ static void read_integer(lua_State *L, int index, const Parameter *row, void *fi
     double value;
     read_number(L, index, row, &value);
     if (value != floor(value)) {
-        luaL_error(L, "%s must be a whole number, not %f", row->name, value);
+        raise_error(L, "%s must be a whole number, not %.14g", row->name, value);
     }
     *(int *)field = (int)value;
 }
@@ -122,7 +134,7 @@ static void read_integer(lua_State *L, int index, const Parameter *row, void *fi
  *  @param row See there. @param[out] field See there. */
 static void read_boolean(lua_State *L, int index, const Parameter *row, void *field) {
     if (!lua_isboolean(L, index)) {
-        read_raise_type(L, index, row, "true or false");
+        read_raise_type(L, index, row, N_("true or false"));
     }
     *(bool *)field = lua_toboolean(L, index);
 }
@@ -137,7 +149,7 @@ static const char *list_words(lua_State *L, const char *const *words) {
     luaL_Buffer list;
     luaL_buffinit(L, &list);
     for (size_t i = 0; words[i]; i++) {
-        const char *link = i == 0 ? "" : words[i + 1] ? ", " : " or ";
+        const char *link = i == 0 ? "" : words[i + 1] ? ", " : gettext(" or ");
         luaL_addstring(&list, link);
         luaL_addchar(&list, '`');
         luaL_addstring(&list, words[i]);
@@ -162,8 +174,8 @@ static void read_word(lua_State *L, int index, const Parameter *row, void *field
         suggest_try(&suggestion, row->words[i]);
     }
     char hint[SUGGEST_HINT_SIZE];
-    luaL_error(L, "%s must be %s, not `%s`%s", row->name, list_words(L, row->words),
-               suggestion.wanted, suggest_hint(&suggestion, hint));
+    raise_error(L, "%s must be %s, not `%s`%s", row->name, list_words(L, row->words),
+                suggestion.wanted, suggest_hint(&suggestion, hint));
 }
 
 /** Reads a `Vector3`. See #Reader. @param L See there. @param index See there.
@@ -200,7 +212,7 @@ static void read_direction(lua_State *L, int index, const Parameter *row, void *
     Vector3 direction;
     read_vector(L, index, row, &direction);
     if (!(vector3_length(direction) > 0)) {
-        luaL_error(L, "%s must not be zero: it says a direction", row->name);
+        raise_error(L, "%s must not be zero: it says a direction", row->name);
     }
     *(Vector3 *)field = direction;
 }
@@ -217,7 +229,7 @@ static Color read_hex_color(lua_State *L, int index, const Parameter *row) {
     const char *text = lua_tolstring(L, index, &length);
     Color color = {0};
     if (!hex_color_read(text, length, &color)) {
-        luaL_error(L, "%s must be a colour such as \"#ff8000\", not \"%s\"", row->name, text);
+        raise_error(L, "%s must be a colour such as \"#ff8000\", not \"%s\"", row->name, text);
     }
     const double parts[] = {color.red, color.green, color.blue};
     for (int i = 0; i < 3; i++) {
@@ -250,11 +262,11 @@ static void read_field(lua_State *L, int index, const Parameter *row, void *fiel
     const Field *given = fields_test(L, index);
     Error error = {0};
     if (!given) {
-        read_raise_type(L, index, row, "a distance field");
+        read_raise_type(L, index, row, N_("a distance field"));
     }
     const Field *kept = scene_keep_field(((Run *)sandbox_of(L)->context)->scene, given, &error);
     if (!kept) {
-        luaL_error(L, "%s", error.message);
+        raise_error(L, "%s", error.message);
     }
     *(const Field **)field = kept;
 }
@@ -322,7 +334,7 @@ static bool push_field(lua_State *L, const Keyword *keyword, int i) {
     }
     bool stands_first = lua_geti(L, 1, 1) != LUA_TNIL;
     if (is_there && stands_first) {
-        luaL_error(L, "%s takes one %s, not two", keyword->name, keyword->parameters->name);
+        raise_error(L, "%s takes one %s, not two", keyword->name, keyword->parameters->name);
     }
     lua_pushvalue(L, stands_first ? -1 : -2);
     return is_there || stands_first;
@@ -331,7 +343,7 @@ static bool push_field(lua_State *L, const Keyword *keyword, int i) {
 void read_check_names(lua_State *L, const Keyword *const *keywords, const char *extra) {
     const char *name = keywords[0]->name;
     if (lua_gettop(L) != 1 || !lua_istable(L, 1)) {
-        luaL_error(L, "%s takes its fields in braces: %s { ... }", name, name);
+        raise_error(L, "%s takes its fields in braces: %s { ... }", name, name);
     }
     lua_pushnil(L);
     while (lua_next(L, 1)) {
@@ -340,14 +352,14 @@ void read_check_names(lua_State *L, const Keyword *const *keywords, const char *
             continue;
         }
         if (lua_type(L, -1) != LUA_TSTRING) {
-            luaL_error(L, "%s takes fields with names, such as `%s = ...`; one has none", name,
-                       keywords[0]->parameters->name);
+            raise_error(L, "%s takes fields with names, such as `%s = ...`; one has none", name,
+                        keywords[0]->parameters->name);
         }
         char hint[SUGGEST_HINT_SIZE];
         Suggestion suggestion = {.wanted = lua_tostring(L, -1)};
         if (!has_field(keywords, extra, &suggestion)) {
-            luaL_error(L, "%s has no field `%s`%s", name, suggestion.wanted,
-                       suggest_hint(&suggestion, hint));
+            raise_error(L, "%s has no field `%s`%s", name, suggestion.wanted,
+                        suggest_hint(&suggestion, hint));
         }
     }
 }
@@ -367,7 +379,7 @@ void *read_fields(lua_State *L, const Keyword *keyword, uint64_t *given) {
         lua_settop(L, top);
     }
     if (keyword->finish && !keyword->finish(values, *given, &error)) {
-        luaL_error(L, "%s", error.message);
+        raise_error(L, "%s", error.message);
     }
     return values;
 }

@@ -39,7 +39,8 @@ void *read_fields(lua_State *L, const Keyword *keyword, uint64_t *given);
 void read_value(lua_State *L, int index, const Parameter *row, void *field);
 
 /**
- * Says what a value is, for an error about it: `a string`, `a table`, `a sphere`.
+ * Says what a value is, for an error about it: `a string`, `a table`, `a sphere`, in the language
+ * that the program speaks.
  * @param L      The state; the answer is left on top.
  * @param index  Where the value is, from the bottom of the stack.
  * @return The answer, valid while it is on the stack.
@@ -51,7 +52,7 @@ const char *read_describe(lua_State *L, int index);
  * @param L       The state.
  * @param index   Where the value is.
  * @param row     What it should be.
- * @param wanted  The same in words.
+ * @param wanted  The same in English words, looked up here.
  */
 void read_raise_type(lua_State *L, int index, const Parameter *row, const char *wanted);
 

@@ -4,7 +4,9 @@
  */
 #include "assets/mesh_file.h"
 #include "assets/texture_file.h"
+#include "dioptre/language.h"
 #include "script/file.h"
+#include "script/raise.h"
 #include "script/read.h"
 #include "script/run.h"
 #include "script/sandbox.h"
@@ -62,23 +64,23 @@ static size_t read_file(lua_State *L, int index, const Parameter *row, const Fil
     }
     const char *name = lua_tolstring(L, index, &length);
     if (length != strlen(name)) {
-        luaL_error(L, "%s must not have a zero byte in its name", row->name);
+        raise_error(L, "%s must not have a zero byte in its name", row->name);
     }
     bool is_fine = file_find(run->request, name, shown, real, &error) &&
                    kind->check(real, &error) && note_file(L, kind, name, real, &place, &error);
     if (!is_fine) {
-        luaL_error(L, "%s: %s", name, error.message);
+        raise_error(L, "%s: %s", name, error.message);
     }
     return place;
 }
 
 void read_mesh_name(lua_State *L, int index, const Parameter *row, void *field) {
-    static const FileKind kind = {"the name of a model file", mesh_file_check, scene_add_mesh};
+    static const FileKind kind = {N_("the name of a model file"), mesh_file_check, scene_add_mesh};
     *(size_t *)field = read_file(L, index, row, &kind);
 }
 
 void read_texture_name(lua_State *L, int index, const Parameter *row, void *field) {
-    static const FileKind kind = {"the name of a picture file", texture_file_check,
+    static const FileKind kind = {N_("the name of a picture file"), texture_file_check,
                                   scene_add_texture};
     *(size_t *)field = read_file(L, index, row, &kind) + 1;
 }

@@ -8,9 +8,12 @@
 #include "script/include.h"
 #include "script/keywords.h"
 #include "script/library.h"
+#include "script/lua_words.h"
+#include "script/raise.h"
 #include "script/sandbox.h"
 
 #include <lauxlib.h>
+#include <libintl.h>
 #include <locale.h>
 #include <stdio.h>
 #include <string.h>
@@ -31,8 +34,8 @@ static int run_text(lua_State *L) {
     sandbox_load(L, &text, run->request->path);
     lua_call(L, 0, 0);
     if (!run->scene->has_camera) {
-        return luaL_error(L, "there is no camera in the scene; "
-                             "try camera { position = {0, 0, 5}, look_at = {0, 0, 0} }");
+        return raise_error(L, "there is no camera in the scene; "
+                              "try camera { position = {0, 0, 5}, look_at = {0, 0, 0} }");
     }
     return 0;
 }
@@ -51,12 +54,18 @@ static int report_error(lua_State *L) {
     if (lua_type(L, 1) == LUA_TSTRING) {
         text = lua_tolstring(L, 1, &length);
     } else {
-        length = (size_t)snprintf(words, sizeof words, "error was called with a %s, not with words",
+        length = (size_t)snprintf(words, sizeof words,
+                                  gettext("error was called with a %s, not with words"),
                                   luaL_typename(L, 1));
     }
     Location location = sandbox_location(L);
     size_t start = report_read_location(report, text, &location);
-    report_fail(report, location, text + start, length - start);
+    char translated[ERROR_MESSAGE_SIZE];
+    if (lua_words_translate(text + start, translated, sizeof translated)) {
+        report_fail(report, location, translated, strlen(translated));
+    } else {
+        report_fail(report, location, text + start, length - start);
+    }
     return 1;
 }
 
@@ -67,20 +76,28 @@ static int report_error(lua_State *L) {
  */
 static void conclude(const Sandbox *sandbox, int status) {
     Report *report = sandbox->report;
-    char words[ERROR_MESSAGE_SIZE] = "too many errors at once";
+    char words[ERROR_MESSAGE_SIZE];
     if (status == LUA_ERRMEM) {
         sandbox_describe_refusal(sandbox, words, sizeof words);
         report_fail(report, sandbox->refused, words, strlen(words));
     } else if (status != LUA_OK && report->error.status == STATUS_DONE) {
-        report_fail(report, report->location, words, strlen(words));
+        const char *crowd = gettext("too many errors at once");
+        report_fail(report, report->location, crowd, strlen(crowd));
+    }
+}
+
+/** Runs the same scene whatever the user's system speaks; its errors alone are in that language. */
+static void speak_plainly(void) {
+    static const int categories[] = {LC_COLLATE, LC_CTYPE, LC_MONETARY, LC_NUMERIC, LC_TIME};
+    for (size_t i = 0; i < sizeof categories / sizeof *categories; i++) {
+        setlocale(categories[i], "C");
     }
 }
 
 void run_scene(Run *run) {
     Sandbox sandbox = {.report = run->report, .context = run, .memory = run->request->memory};
     int status = LUA_ERRMEM;
-    // The same scene, whatever language the user's system speaks.
-    setlocale(LC_ALL, "C");
+    speak_plainly();
     if (sandbox_init(&sandbox)) {
         lua_State *L = sandbox.lua;
         lua_pushcfunction(L, report_error);

@@ -4,8 +4,11 @@
  */
 #include "script/sandbox.h"
 
+#include "script/raise.h"
+
 #include <assert.h>
 #include <lauxlib.h>
+#include <libintl.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -86,7 +89,7 @@ void sandbox_load(lua_State *L, Source *source, const char *path) {
     const ReportFile *file = report_add_file(sandbox_of(L)->report, path);
     if (!file) {
         source_release(source);
-        luaL_error(L, "a scene may not be made of more than %d files", REPORT_FILES_MAXIMUM);
+        raise_error(L, "a scene may not be made of more than %d files", REPORT_FILES_MAXIMUM);
         return;
     }
     size_t size;
@@ -96,7 +99,7 @@ void sandbox_load(lua_State *L, Source *source, const char *path) {
     if (status == LUA_ERRMEM) {
         char words[ERROR_MESSAGE_SIZE];
         sandbox_describe_refusal(sandbox_of(L), words, sizeof words);
-        luaL_error(L, "%s", words);
+        raise_error(L, "%s", words);
     } else if (status != LUA_OK) {
         lua_error(L);
     }
@@ -104,6 +107,6 @@ void sandbox_load(lua_State *L, Source *source, const char *path) {
 
 void sandbox_describe_refusal(const Sandbox *sandbox, char *words, size_t size) {
     const double mebibyte = 1024 * 1024;
-    snprintf(words, size, "the scene needs more than %g MiB of memory",
+    snprintf(words, size, gettext("the scene needs more than %g MiB of memory"),
              (double)sandbox->memory / mebibyte);
 }

@@ -13,6 +13,7 @@
 #include "script/stock.h"
 #include "script/text.h"
 
+#include <libintl.h>
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
@@ -49,17 +50,18 @@ static void explain(const Run *run, ChildEnd end, int detail) {
     char words[ERROR_MESSAGE_SIZE];
     if (end == CHILD_UNSTARTED) {
         error_set(&run->report->error, STATUS_FAILED, "no process to run a scene in: %s",
-                  strerror(detail));
+                  error_system(detail));
     } else if (end == CHILD_LATE && is_stopped(run->request)) {
         error_set(&run->report->error, STATUS_INTERRUPTED, "interrupted");
     } else if (end == CHILD_LATE) {
-        snprintf(words, sizeof words, "the scene ran for more than %g s", run->request->seconds);
+        snprintf(words, sizeof words, gettext("the scene ran for more than %g s"),
+                 run->request->seconds);
         stop(run, words);
     } else if (end == CHILD_CRASHED && detail == SIGINT) {
         error_set(&run->report->error, STATUS_INTERRUPTED, "interrupted");
     } else {
-        snprintf(words, sizeof words, "the process that ran the scene died (%s)",
-                 detail ? strsignal(detail) : "nobody knows why");
+        snprintf(words, sizeof words, gettext("the process that ran the scene died (%s)"),
+                 detail ? strsignal(detail) : gettext("nobody knows why"));
         stop(run, words);
     }
 }

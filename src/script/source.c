@@ -23,7 +23,7 @@ static const char byte_order_mark[] = "\xEF\xBB\xBF";
 static bool check_kind(int file, Error *error) {
     struct stat found;
     if (fstat(file, &found) != 0) {
-        return error_set(error, STATUS_SCENE, "%s", strerror(errno));
+        return error_set(error, STATUS_SCENE, "%s", error_system(errno));
     }
     if (S_ISDIR(found.st_mode)) {
         return error_set(error, STATUS_SCENE, "this is a folder, not a scene file");
@@ -47,7 +47,7 @@ static int open_file(const char *path, Error *error) {
     }
     int file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
     if (file < 0) {
-        error_set(error, STATUS_SCENE, "%s", strerror(errno));
+        error_set(error, STATUS_SCENE, "%s", error_system(errno));
         return -1;
     }
     if (!check_kind(file, error)) {
@@ -98,7 +98,7 @@ static bool read_all(Source *source, int file, Error *error) {
             return source->size <= SOURCE_MAXIMUM || grow(source, &capacity, error);
         }
         if (count < 0 && errno != EINTR) {
-            return error_set(error, STATUS_SCENE, "%s", strerror(errno));
+            return error_set(error, STATUS_SCENE, "%s", error_system(errno));
         }
         source->size += count > 0 ? (size_t)count : 0;
     }

@@ -5,6 +5,7 @@
 #include "script/suggest.h"
 
 #include <ctype.h>
+#include <libintl.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
@@ -78,7 +79,7 @@ void suggest_try(Suggestion *suggestion, const char *word) {
 const char *suggest_hint(const Suggestion *suggestion, char hint[SUGGEST_HINT_SIZE]) {
     hint[0] = '\0';
     if (suggestion->best) {
-        snprintf(hint, SUGGEST_HINT_SIZE, "; did you mean `%s%s`?",
+        snprintf(hint, SUGGEST_HINT_SIZE, gettext("; did you mean `%s%s`?"),
                  suggestion->prefix ? suggestion->prefix : "", suggestion->best);
     }
     return hint;

@@ -11,7 +11,7 @@
 enum { SUGGEST_LENGTH_MAXIMUM = 32 };
 
 /** Bytes that a hint takes, with its final zero. */
-enum { SUGGEST_HINT_SIZE = 2 * SUGGEST_LENGTH_MAXIMUM + 32 };
+enum { SUGGEST_HINT_SIZE = 2 * SUGGEST_LENGTH_MAXIMUM + 64 };
 
 /** A search for the right word. Begins as `{.wanted = word}`. */
 typedef struct Suggestion {

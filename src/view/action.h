@@ -30,6 +30,7 @@ typedef enum Action {
     ACTION_COPY,           /**< Camera and lights as text, to be pasted. */
     ACTION_TEXT_LARGER,    /**< Larger letters. */
     ACTION_TEXT_SMALLER,   /**< Smaller letters. */
+    ACTION_LANGUAGE,       /**< The words are in the other language. */
     ACTION_HELP,           /**< The help opens or closes. */
     ACTION_FULL_SCREEN,    /**< The whole screen, or a window again. */
     ACTION_LEAVE,          /**< The window closes. */

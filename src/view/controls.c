@@ -4,6 +4,7 @@
  */
 #include "view/controls.h"
 
+#include "dioptre/language.h"
 #include "view/keymap.h"
 #include "view/play.h"
 #include "view/scene_text.h"
@@ -45,7 +46,11 @@ static void go_home(View *view) {
 static void select_next_light(View *view) {
     size_t count = view->scene->light_count;
     view->light = count > 0 ? (view->light + 1) % count : 0;
-    view_note(view, count > 1 ? "" : count == 1 ? "there is one light" : "there is no light");
+    if (count > 1) {
+        view_hush(view);
+    } else {
+        view_note(view, count == 1 ? N_("there is one light") : N_("there is no light"));
+    }
 }
 
 /** Opens or closes the help. @param[in,out] view The view. */
@@ -53,6 +58,18 @@ static void toggle_help(View *view) {
     if (!help_toggle(&view->stage.help)) {
         view_note(view, "no font found: the help is on standard output");
     }
+    stage_present(&view->stage);
+}
+
+/** Speaks the other language. A scene that is wrong is read again, to say what is wrong in it.
+ *  @param[in,out] view The view. */
+static void switch_language(View *view) {
+    language_switch();
+    view_note(view, "messages are in English");
+    if (view->is_wrong) {
+        scenes_refresh(view);
+    }
+    stage_forget_words(&view->stage);
     stage_present(&view->stage);
 }
 
@@ -67,7 +84,8 @@ static void copy_view(View *view) {
     puts(text);
     fflush(stdout);
     bool is_copied = SDL_SetClipboardText(text) == 0;
-    view_note(view, is_copied ? "camera and light can be pasted" : "camera and light are printed");
+    view_note(view, is_copied ? N_("camera and light can be pasted")
+                              : N_("camera and light are printed"));
     free(text);
 }
 
@@ -123,6 +141,9 @@ static void act(View *view, Action action) {
     case ACTION_TEXT_LARGER:
     case ACTION_TEXT_SMALLER:
         stage_resize_words(&view->stage, action == ACTION_TEXT_LARGER ? 1 : -1);
+        break;
+    case ACTION_LANGUAGE:
+        switch_language(view);
         break;
     case ACTION_HELP:
         toggle_help(view);

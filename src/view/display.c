@@ -10,14 +10,15 @@
  */
 #include "view/display.h"
 
+#include "dioptre/language.h"
 #include "dioptre/scene.h"
 
 #include <string.h>
 
-/** Says what SDL did not like. @return false. @param[out] error Where to. @param what What failed.
- */
-static bool sdl_failed(Error *error, const char *what) {
-    return error_set(error, STATUS_FAILED, "cannot %s: %s", what, SDL_GetError());
+/** Says what SDL did not like. @return false. @param[out] error Where to. @param format What
+ * failed, with room for SDL's words. */
+__attribute__((format(printf, 2, 0))) static bool sdl_failed(Error *error, const char *format) {
+    return error_set(error, STATUS_FAILED, format, SDL_GetError());
 }
 
 /**
@@ -56,11 +57,11 @@ bool display_open(Display *display, const char *title, int width, int height, Er
     display->window = SDL_CreateWindow(title, SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width,
                                        height, SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI);
     if (!display->window) {
-        return sdl_failed(error, "open a window");
+        return sdl_failed(error, N_("cannot open a window: %s"));
     }
     display->renderer = create_renderer(display->window);
     if (!display->renderer) {
-        sdl_failed(error, "draw in a window");
+        sdl_failed(error, N_("cannot draw in a window: %s"));
         display_close(display);
         return false;
     }

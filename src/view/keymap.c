@@ -9,6 +9,9 @@
  */
 #include "view/keymap.h"
 
+#include "dioptre/language.h"
+
+#include <libintl.h>
 #include <string.h>
 
 /** One key, or one other thing that the help tells of. */
@@ -16,55 +19,57 @@ typedef struct Binding {
     Action action;      /**< What it asks for. */
     SDL_Scancode place; /**< Its place, where it goes by that; otherwise 0, SDL's "unknown". */
     SDL_Keycode letter; /**< Its letter or name; 0: not a key, only a row of the help. */
-    const char *label;  /**< What to call it in the help; NULL: as SDL does; empty: not at all. */
+    const char *label;  /**< What to call it in the help, in English; NULL: as SDL does; empty: not
+                           at  all. */
     const char *group;  /**< The help's heading that it stands under. */
     const char *help;   /**< What it does. Neighbours with the same words share a row. */
 } Binding;
 
 /** Heading of the help: the lights. */
-static const char LIGHT[] = "Light";
+static const char LIGHT[] = N_("Light");
 /** Heading of the help: the camera. */
-static const char CAMERA[] = "Camera";
+static const char CAMERA[] = N_("Camera");
 /** Heading of the help: the time. */
-static const char TIME[] = "Time";
+static const char TIME[] = N_("Time");
 /** Heading of the help: everything else. */
-static const char PROGRAM[] = "Program";
+static const char PROGRAM[] = N_("Program");
 
 /** All keys, in the help's order. */
 static const Binding bindings[] = {
-    {ACTION_LIGHT_UP, SDL_SCANCODE_W, SDLK_z, NULL, LIGHT, "up, down"},
-    {ACTION_LIGHT_DOWN, SDL_SCANCODE_S, SDLK_s, NULL, LIGHT, "up, down"},
-    {ACTION_LIGHT_LEFT, SDL_SCANCODE_A, SDLK_q, NULL, LIGHT, "left, right"},
-    {ACTION_LIGHT_RIGHT, SDL_SCANCODE_D, SDLK_d, NULL, LIGHT, "left, right"},
-    {ACTION_LIGHT_AWAY, SDL_SCANCODE_E, SDLK_e, NULL, LIGHT, "away from you, nearer"},
-    {ACTION_LIGHT_NEARER, SDL_SCANCODE_Z, SDLK_w, NULL, LIGHT, "away from you, nearer"},
-    {ACTION_NEXT_LIGHT, 0, SDLK_TAB, NULL, LIGHT, "next light"},
-    {ACTION_CAMERA_UP, 0, SDLK_UP, "↑", CAMERA, "up, down"},
-    {ACTION_CAMERA_DOWN, 0, SDLK_DOWN, "↓", CAMERA, "up, down"},
-    {ACTION_CAMERA_LEFT, 0, SDLK_LEFT, "←", CAMERA, "left, right"},
-    {ACTION_CAMERA_RIGHT, 0, SDLK_RIGHT, "→", CAMERA, "left, right"},
-    {ACTION_CAMERA_FORWARD, 0, SDLK_PAGEUP, "Page Up", CAMERA, "forward, back"},
-    {ACTION_CAMERA_BACK, 0, SDLK_PAGEDOWN, "Page Down", CAMERA, "forward, back"},
-    {ACTION_NONE, 0, 0, "Mouse drag", CAMERA, "look around"},
-    {ACTION_NONE, 0, 0, "Wheel", CAMERA, "field of view"},
-    {ACTION_TIME, 0, SDLK_SPACE, NULL, TIME, "run, hold"},
-    {ACTION_TIME_BACK, SDL_SCANCODE_COMMA, SDLK_COMMA, NULL, TIME, "a step back, on"},
-    {ACTION_TIME_ON, SDL_SCANCODE_PERIOD, SDLK_PERIOD, NULL, TIME, "a step back, on"},
-    {ACTION_NONE, 0, 0, "Shift", PROGRAM, "with a move: fast, fine"},
-    {ACTION_NONE, 0, 0, "Ctrl", PROGRAM, "with a move: fast, fine"},
-    {ACTION_HOME, 0, SDLK_HOME, NULL, PROGRAM, "the scene's own view"},
-    {ACTION_SNAPSHOT, 0, SDLK_p, NULL, PROGRAM, "snapshot"},
-    {ACTION_SNAPSHOT, 0, SDLK_F12, NULL, PROGRAM, "snapshot"},
-    {ACTION_COPY, 0, SDLK_c, NULL, PROGRAM, "camera and light as text, to paste"},
-    {ACTION_TEXT_LARGER, 0, SDLK_PLUS, "+", PROGRAM, "larger, smaller letters"},
-    {ACTION_TEXT_LARGER, 0, SDLK_EQUALS, "", PROGRAM, "larger, smaller letters"},
-    {ACTION_TEXT_LARGER, 0, SDLK_KP_PLUS, "", PROGRAM, "larger, smaller letters"},
-    {ACTION_TEXT_SMALLER, 0, SDLK_MINUS, "-", PROGRAM, "larger, smaller letters"},
-    {ACTION_TEXT_SMALLER, 0, SDLK_KP_MINUS, "", PROGRAM, "larger, smaller letters"},
-    {ACTION_HELP, 0, SDLK_F1, NULL, PROGRAM, "this help"},
-    {ACTION_HELP, 0, SDLK_h, NULL, PROGRAM, "this help"},
-    {ACTION_FULL_SCREEN, 0, SDLK_F11, NULL, PROGRAM, "full screen"},
-    {ACTION_LEAVE, 0, SDLK_ESCAPE, "Esc", PROGRAM, "leave"},
+    {ACTION_LIGHT_UP, SDL_SCANCODE_W, SDLK_z, NULL, LIGHT, N_("up, down")},
+    {ACTION_LIGHT_DOWN, SDL_SCANCODE_S, SDLK_s, NULL, LIGHT, N_("up, down")},
+    {ACTION_LIGHT_LEFT, SDL_SCANCODE_A, SDLK_q, NULL, LIGHT, N_("left, right")},
+    {ACTION_LIGHT_RIGHT, SDL_SCANCODE_D, SDLK_d, NULL, LIGHT, N_("left, right")},
+    {ACTION_LIGHT_AWAY, SDL_SCANCODE_E, SDLK_e, NULL, LIGHT, N_("away from you, nearer")},
+    {ACTION_LIGHT_NEARER, SDL_SCANCODE_Z, SDLK_w, NULL, LIGHT, N_("away from you, nearer")},
+    {ACTION_NEXT_LIGHT, 0, SDLK_TAB, N_("Tab"), LIGHT, N_("next light")},
+    {ACTION_CAMERA_UP, 0, SDLK_UP, "↑", CAMERA, N_("up, down")},
+    {ACTION_CAMERA_DOWN, 0, SDLK_DOWN, "↓", CAMERA, N_("up, down")},
+    {ACTION_CAMERA_LEFT, 0, SDLK_LEFT, "←", CAMERA, N_("left, right")},
+    {ACTION_CAMERA_RIGHT, 0, SDLK_RIGHT, "→", CAMERA, N_("left, right")},
+    {ACTION_CAMERA_FORWARD, 0, SDLK_PAGEUP, N_("Page Up"), CAMERA, N_("forward, back")},
+    {ACTION_CAMERA_BACK, 0, SDLK_PAGEDOWN, N_("Page Down"), CAMERA, N_("forward, back")},
+    {ACTION_NONE, 0, 0, N_("Mouse drag"), CAMERA, N_("look around")},
+    {ACTION_NONE, 0, 0, N_("Wheel"), CAMERA, N_("field of view")},
+    {ACTION_TIME, 0, SDLK_SPACE, N_("Space"), TIME, N_("run, hold")},
+    {ACTION_TIME_BACK, SDL_SCANCODE_COMMA, SDLK_COMMA, NULL, TIME, N_("a step back, on")},
+    {ACTION_TIME_ON, SDL_SCANCODE_PERIOD, SDLK_PERIOD, NULL, TIME, N_("a step back, on")},
+    {ACTION_NONE, 0, 0, N_("Shift"), PROGRAM, N_("with a move: fast, fine")},
+    {ACTION_NONE, 0, 0, N_("Ctrl"), PROGRAM, N_("with a move: fast, fine")},
+    {ACTION_HOME, 0, SDLK_HOME, N_("Home"), PROGRAM, N_("the scene's own view")},
+    {ACTION_SNAPSHOT, 0, SDLK_p, NULL, PROGRAM, N_("snapshot")},
+    {ACTION_SNAPSHOT, 0, SDLK_F12, NULL, PROGRAM, N_("snapshot")},
+    {ACTION_COPY, 0, SDLK_c, NULL, PROGRAM, N_("camera and light as text, to paste")},
+    {ACTION_TEXT_LARGER, 0, SDLK_PLUS, "+", PROGRAM, N_("larger, smaller letters")},
+    {ACTION_TEXT_LARGER, 0, SDLK_EQUALS, "", PROGRAM, N_("larger, smaller letters")},
+    {ACTION_TEXT_LARGER, 0, SDLK_KP_PLUS, "", PROGRAM, N_("larger, smaller letters")},
+    {ACTION_TEXT_SMALLER, 0, SDLK_MINUS, "-", PROGRAM, N_("larger, smaller letters")},
+    {ACTION_TEXT_SMALLER, 0, SDLK_KP_MINUS, "", PROGRAM, N_("larger, smaller letters")},
+    {ACTION_LANGUAGE, 0, SDLK_l, NULL, PROGRAM, N_("English, français")},
+    {ACTION_HELP, 0, SDLK_F1, NULL, PROGRAM, N_("this help")},
+    {ACTION_HELP, 0, SDLK_h, NULL, PROGRAM, N_("this help")},
+    {ACTION_FULL_SCREEN, 0, SDLK_F11, NULL, PROGRAM, N_("full screen")},
+    {ACTION_LEAVE, 0, SDLK_ESCAPE, N_("Esc"), PROGRAM, N_("leave")},
 };
 
 /** How many there are. */
@@ -89,7 +94,7 @@ Action keymap_action(SDL_Keysym key, bool by_letter) {
  */
 static const char *binding_label(const Binding *binding, bool by_letter) {
     if (binding->label) {
-        return binding->label;
+        return binding->label[0] != '\0' ? gettext(binding->label) : "";
     }
     if (binding->place == 0 || by_letter) {
         return SDL_GetKeyName(binding->letter);
@@ -115,11 +120,11 @@ size_t keymap_help(bool by_letter, PanelRow rows[HELP_ROWS_MAXIMUM]) {
     for (const Binding *binding = bindings; binding < bindings + BINDING_COUNT; binding++) {
         bool is_new_group = !before || before->group != binding->group;
         if (is_new_group && count < HELP_ROWS_MAXIMUM) {
-            rows[count++] = (PanelRow){.is_heading = true, .text = binding->group};
+            rows[count++] = (PanelRow){.is_heading = true, .text = gettext(binding->group)};
         }
         bool is_new_row = is_new_group || strcmp(before->help, binding->help) != 0;
         if (is_new_row && count < HELP_ROWS_MAXIMUM) {
-            rows[count++] = (PanelRow){.text = binding->help};
+            rows[count++] = (PanelRow){.text = gettext(binding->help)};
         }
         add_label(&rows[count - 1], binding_label(binding, by_letter));
         before = binding;

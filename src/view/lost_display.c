@@ -13,6 +13,7 @@
 #include "dioptre/error.h"
 
 #include <dlfcn.h>
+#include <libintl.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -37,9 +38,9 @@ typedef RequestHandler (*SetRequestHandler)(RequestHandler handler);
  */
 static int end_program(void *display) {
     (void)display;
-    static const char words[] = "dioptre: the display went away\n";
+    const char *words = gettext("dioptre: the display went away\n");
     fflush(stdout);
-    ssize_t written = write(STDERR_FILENO, words, sizeof words - 1);
+    ssize_t written = write(STDERR_FILENO, words, strlen(words));
     (void)written;
     _exit(STATUS_FAILED);
 }

@@ -62,7 +62,7 @@ static bool start(Reloader *reloader, Error *error) {
         pthread_cond_init(&reloader->is_told, NULL);
         int code = pthread_create(&reloader->thread, NULL, live, reloader);
         if (code != 0) {
-            return error_set(error, STATUS_FAILED, "cannot start a thread: %s", strerror(code));
+            return error_set(error, STATUS_FAILED, "cannot start a thread: %s", error_system(code));
         }
         reloader->is_started = true;
     }

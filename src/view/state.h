@@ -57,9 +57,12 @@ typedef struct View {
 /**
  * Puts a note into the title, until the next change of the view.
  * @param[in,out] view  The view.
- * @param format        The note, as for printf; empty: none.
+ * @param format        The note in English, as for printf, looked up here.
  */
 void view_note(View *view, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/** Takes the note out of the title. @param[in,out] view The view. */
+void view_hush(View *view);
 
 /**
  * The view has changed: it is drawn anew.

@@ -4,20 +4,21 @@
  */
 #include "view/title.h"
 
+#include <libintl.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
-/** Adds words to a title. @param[in,out] title The title. @param format The words, as for printf.
- */
-static void add(char title[TITLE_SIZE], const char *format, ...)
+/** Adds words to a title. @param[in,out] title The title. @param format The words in English, as
+ * for printf, looked up here. */
+static void title_add(char title[TITLE_SIZE], const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-static void add(char title[TITLE_SIZE], const char *format, ...) {
+static void title_add(char title[TITLE_SIZE], const char *format, ...) {
     size_t used = strlen(title);
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(title + used, TITLE_SIZE - used, format, arguments);
+    vsnprintf(title + used, TITLE_SIZE - used, gettext(format), arguments);
     va_end(arguments);
 }
 
@@ -27,24 +28,32 @@ static void add_report(char title[TITLE_SIZE], const RenderReport *report) {
     const double million = 1e6, instant = 1e-9;
     uint64_t rays = ray_counts_sum(&report->rays);
     double seconds = report->seconds > instant ? report->seconds : instant;
-    add(title, ", pass %d px, %d sample%s, %.1f ms, %.0f Mrays/s%s", report->stride,
-        report->samples, report->samples == 1 ? "" : "s", report->seconds * 1e3,
-        (double)rays / seconds / million, report->is_finished ? ", finished" : "");
+    int samples = report->samples;
+    title_add(title, ", pass %d px", report->stride);
+    title_add(title, ngettext(", %d sample", ", %d samples", (unsigned long)samples), samples);
+    title_add(title, ", %.1f ms, %.0f Mrays/s", report->seconds * 1e3,
+              (double)rays / seconds / million);
+    if (report->is_finished) {
+        title_add(title, ", finished");
+    }
 }
 
 void title_write(const TitleFacts *facts, char title[TITLE_SIZE]) {
     title[0] = '\0';
-    add(title, "%s — %d×%d", facts->name, facts->width, facts->height);
+    title_add(title, "%s — %d×%d", facts->name, facts->width, facts->height);
     if (facts->report) {
         add_report(title, facts->report);
     }
     if (facts->time) {
-        add(title, " — t %.15g s%s", *facts->time, facts->is_running ? ", running" : "");
+        title_add(title, " — t %.15g s", *facts->time);
+    }
+    if (facts->is_running) {
+        title_add(title, ", running");
     }
     if (facts->light_count > 1) {
-        add(title, " — light %zu of %zu", facts->light + 1, facts->light_count);
+        title_add(title, " — light %zu of %zu", facts->light + 1, facts->light_count);
     }
     if (facts->note[0] != '\0') {
-        add(title, " — %s", facts->note);
+        title_add(title, " — %s", facts->note);
     }
 }

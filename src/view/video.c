@@ -7,6 +7,7 @@
 #include "view/lost_display.h"
 
 #include <SDL.h>
+#include <libintl.h>
 #include <locale.h>
 #include <string.h>
 
@@ -22,8 +23,11 @@ static bool has_screen(void) {
     bool is_asked = asked && *asked;
     for (size_t i = 0; i < sizeof blind / sizeof blind[0]; i++) {
         if (strcmp(driver, blind[i]) == 0 && !is_asked) {
-            SDL_SetError("DISPLAY is %s%s", display ? "not to be opened: " : "not set",
-                         display ? display : "");
+            if (display) {
+                SDL_SetError(gettext("DISPLAY is not to be opened: %s"), display);
+            } else {
+                SDL_SetError("%s", gettext("DISPLAY is not set"));
+            }
             return false;
         }
     }

@@ -17,6 +17,7 @@
 #include "view/title.h"
 #include "view/video.h"
 
+#include <libintl.h>
 #include <stdarg.h>
 #include <string.h>
 
@@ -28,8 +29,13 @@ static const double TITLE_SECONDS = 0.25;
 void view_note(View *view, const char *format, ...) {
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(view->note, sizeof view->note, format, arguments);
+    vsnprintf(view->note, sizeof view->note, gettext(format), arguments);
     va_end(arguments);
+    view->title_due = 0;
+}
+
+void view_hush(View *view) {
+    view->note[0] = '\0';
     view->title_due = 0;
 }
 
@@ -208,7 +214,7 @@ static Status live(View *view, const atomic_bool *stop, Interrupt *interrupt, Er
         }
     }
     if (view->wants_snapshot) {
-        fprintf(stderr, "dioptre: no snapshot: the picture was not finished\n");
+        fprintf(stderr, gettext("dioptre: no snapshot: the picture was not finished\n"));
     }
     if (settings->is_timed) {
         print_timing(view);

@@ -1,0 +1,28 @@
+/**
+ * @file
+ * @brief The language that the program speaks: English, or French through gettext.
+ *
+ * Words are English in the source. What takes a message (#error_set, #error_prefix and the
+ * window's) looks it up by itself; words in tables are marked by N_ and looked up where they are
+ * printed. `src/po/` has the translations. Numbers, keywords of the scene language, names in JSON
+ * and exit statuses are the same in all languages.
+ */
+#ifndef DIOPTRE_LANGUAGE_H
+#define DIOPTRE_LANGUAGE_H
+
+/** Marks words for the translators where they stand; the program sees the words alone. */
+#define N_(words) words
+
+/**
+ * Speaks the user's language from now on: French where LANGUAGE, LC_ALL, LC_MESSAGES or LANG ask
+ * for it, as gettext reads them, whether or not the system has that locale; otherwise English. Only
+ * LC_MESSAGES is touched, and LANGUAGE in the environment. To be called before there are threads.
+ */
+void language_begin(void);
+
+/**
+ * Speaks the other language from now on, in all threads. What was said before stays as it is.
+ */
+void language_switch(void);
+
+#endif

@@ -1,0 +1,93 @@
+/**
+ * @file
+ * @brief The language that the program speaks.
+ *
+ * glibc takes the words of the language that LANGUAGE names, unless LC_MESSAGES is the locale "C":
+ * then they stay English. "C.UTF-8" is on every system, whatever locales were made there. So
+ * LANGUAGE is set once, while there is one thread, and LC_MESSAGES goes to and fro between these
+ * two; setlocale and gettext keep out of each other's way by a lock of their own.
+ */
+#include "dioptre/language.h"
+
+#include "assets/own_folder.h"
+
+#include <libintl.h>
+#include <locale.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/** What the words are filed under. */
+static const char DOMAIN[] = "dioptre";
+/** A locale in which words are looked up. */
+static const char TRANSLATING[] = "C.UTF-8";
+/** The locale in which they are not. */
+static const char ENGLISH[] = "C";
+
+/** @return The name of the user's locale for messages, as POSIX finds it; empty: none is set. */
+static const char *locale_name(void) {
+    static const char *const variables[] = {"LC_ALL", "LC_MESSAGES", "LANG"};
+    for (size_t i = 0; i < sizeof variables / sizeof *variables; i++) {
+        const char *value = getenv(variables[i]);
+        if (value && *value) {
+            return value;
+        }
+    }
+    return "";
+}
+
+/**
+ * @return Whether the first of a list of languages that the program speaks is French.
+ * @param list  Names such as `fr_CH.UTF-8` or `fr`, with colons between them.
+ */
+static bool is_french_first(const char *list) {
+    while (*list) {
+        size_t length = strcspn(list, "_.@:");
+        if (length == 2 && (strncmp(list, "fr", 2) == 0 || strncmp(list, "en", 2) == 0)) {
+            return list[0] == 'f';
+        }
+        list += strcspn(list, ":");
+        list += *list == ':';
+    }
+    return false;
+}
+
+/** @return Whether the user wants French. Who asks for the locale "C" by its name wants what every
+ *          script can rely on: English, whatever else is set. */
+static bool is_french_wanted(void) {
+    const char *locale = locale_name(), *list = getenv("LANGUAGE");
+    if (strcmp(locale, "C") == 0 || strcmp(locale, "POSIX") == 0) {
+        return false;
+    }
+    return is_french_first(list && *list ? list : locale);
+}
+
+/** Says where the words are: beside the program, or where they were installed. */
+static void bind_words(void) {
+    char folder[PATH_MAX];
+    char path[PATH_MAX + sizeof "/../share/locale"];
+    if (!own_folder(folder)) {
+        return;
+    }
+    snprintf(path, sizeof path, "%s/locale", folder);
+    if (access(path, R_OK) != 0) {
+        snprintf(path, sizeof path, "%s/../share/locale", folder);
+    }
+    bindtextdomain(DOMAIN, path);
+    bind_textdomain_codeset(DOMAIN, "UTF-8");
+    textdomain(DOMAIN);
+}
+
+void language_begin(void) {
+    bool is_french = is_french_wanted();
+    bind_words();
+    setenv("LANGUAGE", "fr", 1);
+    setlocale(LC_MESSAGES, is_french ? TRANSLATING : ENGLISH);
+}
+
+void language_switch(void) {
+    bool is_english = strcmp(setlocale(LC_MESSAGES, NULL), ENGLISH) == 0;
+    setlocale(LC_MESSAGES, is_english ? TRANSLATING : ENGLISH);
+}

@@ -25,4 +25,8 @@ void language_begin(void);
  */
 void language_switch(void);
 
+/** @return How many letters a text has: the columns that it takes on a terminal. @param text UTF-8.
+ */
+int language_letters(const char *text);
+
 #endif

@@ -91,3 +91,11 @@ void language_switch(void) {
     bool is_english = strcmp(setlocale(LC_MESSAGES, NULL), ENGLISH) == 0;
     setlocale(LC_MESSAGES, is_english ? TRANSLATING : ENGLISH);
 }
+
+int language_letters(const char *text) {
+    int letters = 0;
+    for (const char *c = text; *c; c++) {
+        letters += (*c & 0xC0) != 0x80; // Not the second byte of a letter, nor the third.
+    }
+    return letters;
+}

@@ -7,6 +7,7 @@
 #include <ctype.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <libintl.h>
 #include <limits.h>
 #include <poll.h>
 #include <signal.h>
@@ -107,7 +108,8 @@ bool program_start(Program *program, const atomic_bool *stop, const char *const 
     }
     if (failed) {
         close_files(program);
-        return error_set(error, STATUS_FAILED, "%s does not start: %s", words[0], strerror(failed));
+        return error_set(error, STATUS_FAILED, "%s does not start: %s", words[0],
+                         error_system(failed));
     }
     return true;
 }
@@ -182,11 +184,11 @@ bool program_finish(Program *program, Error *error) {
     close_files(program);
     if (WIFSIGNALED(status)) {
         return error_set(error, STATUS_FAILED, "%s died (%s)%s%s", program->name,
-                         strsignal(WTERMSIG(status)), words[0] ? ": " : "", words);
+                         strsignal(WTERMSIG(status)), words[0] ? gettext(": ") : "", words);
     }
     if (WEXITSTATUS(status) != 0) {
         return error_set(error, STATUS_FAILED, "%s gave up (status %d)%s%s", program->name,
-                         WEXITSTATUS(status), words[0] ? ": " : "", words);
+                         WEXITSTATUS(status), words[0] ? gettext(": ") : "", words);
     }
     return true;
 }

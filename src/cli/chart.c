@@ -4,6 +4,7 @@
  */
 #include "dioptre/chart.h"
 #include "cli/commands.h"
+#include "dioptre/language.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -63,14 +64,15 @@ static int chart_run(const Options *options, Error *error) {
     if (without_chart > 0) {
         error_set(error, STATUS_FAILED,
                   "the CSV files are written; for the charts gnuplot is missing: "
-                  "sudo apt-get install " CHART_PACKAGE);
+                  "sudo apt-get install %s",
+                  CHART_PACKAGE);
     }
     return (int)error->status;
 }
 
 const Command chart_command = {.name = "chart",
-                               .usage = "SCENE... --out DIR",
-                               .help = "says what settings cost and what errors they leave",
+                               .usage = N_("SCENE... --out DIR"),
+                               .help = N_("says what settings cost and what errors they leave"),
                                .accepts = "UsASDtjEOXBq",
                                .arguments = 1,
                                .more_arguments = true,

@@ -3,6 +3,7 @@
  * @brief What the commands share.
  */
 #include "cli/commands.h"
+#include "dioptre/language.h"
 #include "dioptre/script.h"
 
 #include <ctype.h>
@@ -76,10 +77,7 @@ void json_print_string(const char *text, FILE *stream) {
 }
 
 void print_padded(const char *text, int width) {
-    int letters = 0;
-    for (const char *c = text; *c; c++) {
-        letters += (*c & 0xC0) != 0x80; // Not the second byte of a letter, nor the third.
-    }
+    int letters = language_letters(text);
     printf("%s%*s", text, letters < width ? width - letters : 0, "");
 }
 

@@ -4,6 +4,7 @@
  */
 #include "dioptre/lab.h"
 #include "cli/commands.h"
+#include "dioptre/language.h"
 #include "script/suggest.h"
 
 #include <stdio.h>
@@ -63,7 +64,8 @@ static bool make_tests(const Options *options, const LabRequest *request, Error 
     return without_chart == 0 ||
            error_set(error, STATUS_FAILED,
                      "the CSV files are written; for the charts gnuplot is missing: "
-                     "sudo apt-get install " CHART_PACKAGE);
+                     "sudo apt-get install %s",
+                     CHART_PACKAGE);
 }
 
 /** Makes tests. See #Command.run. @param options The command line. @param[out] error What is wrong.
@@ -91,8 +93,8 @@ static int lab_run(const Options *options, Error *error) {
 }
 
 const Command lab_command = {.name = "lab",
-                             .usage = "[TEST...] --out DIR",
-                             .help = "says where each method fails",
+                             .usage = N_("[TEST...] --out DIR"),
+                             .help = N_("says where each method fails"),
                              .accepts = "Ujq",
                              .arguments = 0,
                              .more_arguments = true,

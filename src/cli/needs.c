@@ -4,7 +4,9 @@
  */
 #include "dioptre/needs.h"
 #include "cli/commands.h"
+#include "dioptre/language.h"
 
+#include <libintl.h>
 #include <stdio.h>
 
 /** Prints what was tried, for programs. @param name Its name. @param trial It. */
@@ -66,19 +68,21 @@ static void needs_print(const Needs *needs) {
     const NeedsEngine *chosen = &needs->engines[needs->engine];
     char words[2048];
     needs_explain(needs, words, sizeof words);
-    printf("engine     %s\ndepth      %d\noffset     bound\nsamples    %d\n", chosen->engine->name,
-           needs->depth, needs->samples);
+    printf(gettext("engine     %s\n"), chosen->engine->name);
+    printf(gettext("depth      %d\n"), needs->depth);
+    printf(gettext("offset     %s\n"), "bound");
+    printf(gettext("samples    %d\n"), needs->samples);
     if (needs->is_marched) {
-        printf("tolerance  %g times the scene's\n", needs->tolerance);
+        printf(gettext("tolerance  %g times the scene's\n"), needs->tolerance);
     }
-    printf("forecast   %s: float is off by %.2g steps\n", forecast_engine(&needs->forecast)->name,
-           forecast_steps(&needs->forecast));
-    printf("pilot      %.2g steps at most, %zu of %zu rays off; %zu edges moved, %zu by more than "
-           "1/64 pixel\n",
+    printf(gettext("forecast   %s: float is off by %.2g steps\n"),
+           forecast_engine(&needs->forecast)->name, forecast_steps(&needs->forecast));
+    printf(gettext("pilot      %.2g steps at most, %zu of %zu rays off; %zu edges moved, %zu by "
+                   "more than 1/64 pixel\n"),
            needs->total.worst, needs->total.off, needs->total.rays, needs->total.flips,
            needs->total.strays);
     if (needs->total.off + needs->total.strays == 0) {
-        printf("certainty  fewer than 1 in %.0f rays are off, with 95 %%\n",
+        printf(gettext("certainty  fewer than 1 in %.0f rays are off, with 95 %%\n"),
                needs_certainty(&needs->total));
     }
     putchar('\n');
@@ -109,8 +113,8 @@ static int needs_run(const Options *options, Error *error) {
 }
 
 const Command needs_command = {.name = "needs",
-                               .usage = "SCENE",
-                               .help = "says the cheapest settings whose error nobody can see",
+                               .usage = N_("SCENE"),
+                               .help = N_("says the cheapest settings whose error nobody can see"),
                                .accepts = "sADtjXBJq",
                                .arguments = 1,
                                .run = needs_run};

@@ -4,10 +4,12 @@
  */
 #include "dioptre/chart.h"
 
+#include "dioptre/language.h"
 #include "lab/csv.h"
 #include "lab/plot.h"
 #include "lab/table.h"
 
+#include <libintl.h>
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,11 +19,12 @@ enum { COLUMN_SECONDS = 4, COLUMN_OWN = 7, COLUMN_TOTAL = 10 };
 
 /** Prints a table. @param chart What is known. @param name The scene. @param stream Where to. */
 static void chart_print(const Chart *chart, const char *name, FILE *stream) {
-    static const char *const heads[] = {"setting",   "",      "s/megapixel", "from",  "to",
-                                        "own error", "steps", "flips",       "total", "front"};
+    static const char *const heads[] = {
+        N_("setting"),   "",          N_("s/megapixel"), N_("from"),  N_("to"),
+        N_("own error"), N_("steps"), N_("flips"),       N_("total"), N_("front")};
     Table table = table_of(sizeof heads / sizeof *heads, 2);
     for (size_t i = 0; i < sizeof heads / sizeof *heads; i++) {
-        table_cell(&table, "%s", heads[i]);
+        table_cell(&table, "%s", heads[i][0] ? gettext(heads[i]) : "");
     }
     for (size_t i = 0; i < chart->count; i++) {
         const ChartPoint *point = &chart->points[i];
@@ -34,7 +37,7 @@ static void chart_print(const Chart *chart, const char *name, FILE *stream) {
         table_number(&table, point->steps);
         table_number(&table, point->flips);
         table_number(&table, point->total);
-        table_cell(&table, "%s", point->is_front ? "yes" : "");
+        table_cell(&table, "%s", point->is_front ? gettext("yes") : "");
     }
     fprintf(stream, "%s\n", name);
     table_print(&table, stream);

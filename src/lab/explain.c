@@ -2,8 +2,10 @@
  * @file
  * @brief Saying in a paragraph what a scene needs, and why.
  */
+#include "dioptre/language.h"
 #include "dioptre/needs.h"
 
+#include <libintl.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -14,14 +16,15 @@ typedef struct Text {
     size_t size; /**< Bytes there is room for. */
 } Text;
 
-/** Adds to a text. @param[in,out] text The text. @param format What, as for printf. */
+/** Adds to a text. @param[in,out] text The text. @param format What, in English, as for printf,
+ * looked up here. */
 static void say(Text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 static void say(Text *text, const char *format, ...) {
     size_t length = strlen(text->words);
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(text->words + length, text->size - length, format, arguments);
+    vsnprintf(text->words + length, text->size - length, gettext(format), arguments);
     va_end(arguments);
 }
 
@@ -30,11 +33,17 @@ static const char *type_name(const Engine *engine) {
     return engine->mantissa_bits < 53 ? "float" : engine->mantissa_bits == 53 ? "double" : "quad";
 }
 
-/** @return A number's ordinal ending. @param n The number, at least 0. */
-static const char *ending(int n) {
-    static const char *const endings[] = {"th", "st", "nd", "rd"};
+/** Bytes of an ordinal number, with its final zero. */
+enum { ORDINAL_SIZE = 24 };
+
+/** @return A number's ordinal. @param n The number, at least 0. @param[out] words Room for it. */
+static const char *ordinal(int n, char words[ORDINAL_SIZE]) {
+    static const char *const forms[] = {N_("%dth"), N_("%dst"), N_("%dnd"), N_("%drd")};
     int last = n % 10;
-    return n / 10 % 10 == 1 || last > 3 ? "th" : endings[last];
+    int form = n / 10 % 10 == 1 || last > 3 ? 0 : last;
+    // A language may have a word of its own for the first alone, not for the 21st.
+    snprintf(words, ORDINAL_SIZE, gettext(n == 1 ? N_("1st") : forms[form]), n);
+    return words;
 }
 
 /** Says why float is forecast to be enough, or not. @param[in,out] text The text.
@@ -45,15 +54,15 @@ static void say_cause(Text *text, const Forecast *forecast, bool is_enough) {
         return;
     }
     static const char *const causes[FORECAST_COUNT] = {
-        [FORECAST_DISTANCE] = "the farthest thing is too many of its radii away",
-        [FORECAST_PIXEL] = "a pixel is hardly wider than an ulp of a ray's direction",
-        [FORECAST_PLACE] = "coordinates are so large that an ulp of them is seen",
-        [FORECAST_TURNS] = "curved mirrors and glass drive rays apart at each turn",
-        [FORECAST_HORIZON] = "towards the horizon the texels of a picture crowd in a pixel",
-        [FORECAST_FRACTAL] = "a fractal turns its normals within a tolerance",
-        [FORECAST_WALL] = "walls of glass are as thin as roundings of their coordinates"};
-    say(text, "%s",
-        is_enough ? "no length of the scene is large against another" : causes[forecast->cause]);
+        [FORECAST_DISTANCE] = N_("the farthest thing is too many of its radii away"),
+        [FORECAST_PIXEL] = N_("a pixel is hardly wider than an ulp of a ray's direction"),
+        [FORECAST_PLACE] = N_("coordinates are so large that an ulp of them is seen"),
+        [FORECAST_TURNS] = N_("curved mirrors and glass drive rays apart at each turn"),
+        [FORECAST_HORIZON] = N_("towards the horizon the texels of a picture crowd in a pixel"),
+        [FORECAST_FRACTAL] = N_("a fractal turns its normals within a tolerance"),
+        [FORECAST_WALL] = N_("walls of glass are as thin as roundings of their coordinates")};
+    say(text, is_enough ? N_("no length of the scene is large against another")
+                        : causes[forecast->cause]);
 }
 
 /** Says which number type is enough. @param[in,out] text The text. @param needs What is needed. */
@@ -90,12 +99,11 @@ static void say_depth(Text *text, const Needs *needs) {
         say(text, ". Depth 0: nothing mirrors and nothing lets light through");
         return;
     }
-    int next = needs->depth + 1;
-    say(text, ". Depth %d: the %d%s turn of a ray is worth %.2g steps at most", needs->depth, next,
-        ending(next), needs->at_depth.worst);
+    char words[ORDINAL_SIZE];
+    say(text, ". Depth %d: the %s turn of a ray is worth %.2g steps at most", needs->depth,
+        ordinal(needs->depth + 1, words), needs->at_depth.worst);
     if (needs->depth > 0) {
-        say(text, ", the %d%s still %.2g", needs->depth, ending(needs->depth),
-            needs->shallower.worst);
+        say(text, ", the %s still %.2g", ordinal(needs->depth, words), needs->shallower.worst);
     }
     if (needs->depth_asked >= 0 && needs->depth_asked < needs->depth) {
         say(text, "; the scene's own %d leaves up to %.3g", needs->depth_asked,
@@ -125,7 +133,8 @@ static void say_rest(Text *text, const Needs *needs) {
         ". Rays must start a bound away from surfaces: at the surface itself %.2g %% of them "
         "would be wrong",
         100 * wrong / (double)needs->offset_none.rays);
-    say(text, ". %d ray%s a pixel: ", needs->samples, needs->samples == 1 ? "" : "s");
+    say(text, ngettext(". %d ray a pixel: ", ". %d rays a pixel: ", (unsigned long)needs->samples),
+        needs->samples);
     if (needs->samples_share > 0) {
         say(text,
             "four times as many would still change %.2g %% of the pixels, by "

@@ -4,6 +4,8 @@
  */
 #include "lab/figures.h"
 
+#include "dioptre/language.h"
+
 #include <math.h>
 
 /** @return The median error. @param experiment Not looked at. @param finding What was found. */
@@ -92,19 +94,19 @@ static double work(const Experiment *experiment, const Finding *finding) {
 
 const Figure *figure_at(size_t place) {
     static const Figure figures[FIGURE_COUNT] = {
-        {"error_median", "median", FIGURE_ERROR, false, median},
-        {"error_p999", "one in a thousand is worse", FIGURE_ERROR, false, p999},
-        {"error_max", "worst", FIGURE_ERROR, true, maximum},
-        {"ulps_median", "median", FIGURE_ULPS, false, median_ulps},
-        {"ulps_p999", "one in a thousand is worse", FIGURE_ULPS, false, p999_ulps},
-        {"ulps_max", "worst", FIGURE_ULPS, false, maximum_ulps},
-        {"false_hits", "false hits", FIGURE_SHARE, true, false_hits},
-        {"false_misses", "false misses", FIGURE_SHARE, true, false_misses},
-        {"leaks", "leaks", FIGURE_SHARE, true, leaks},
-        {"double_hits", "double hits", FIGURE_SHARE, true, double_hits},
-        {"wrong", "wrong surface", FIGURE_SHARE, true, wrong},
-        {"nan", "not a number", FIGURE_SHARE, true, not_numbers},
-        {"work", "mean", FIGURE_WORK, true, work}};
+        {"error_median", N_("median"), FIGURE_ERROR, false, median},
+        {"error_p999", N_("one in a thousand is worse"), FIGURE_ERROR, false, p999},
+        {"error_max", N_("worst"), FIGURE_ERROR, true, maximum},
+        {"ulps_median", N_("median"), FIGURE_ULPS, false, median_ulps},
+        {"ulps_p999", N_("one in a thousand is worse"), FIGURE_ULPS, false, p999_ulps},
+        {"ulps_max", N_("worst"), FIGURE_ULPS, false, maximum_ulps},
+        {"false_hits", N_("false hits"), FIGURE_SHARE, true, false_hits},
+        {"false_misses", N_("false misses"), FIGURE_SHARE, true, false_misses},
+        {"leaks", N_("leaks"), FIGURE_SHARE, true, leaks},
+        {"double_hits", N_("double hits"), FIGURE_SHARE, true, double_hits},
+        {"wrong", N_("wrong surface"), FIGURE_SHARE, true, wrong},
+        {"nan", N_("not a number"), FIGURE_SHARE, true, not_numbers},
+        {"work", N_("mean"), FIGURE_WORK, true, work}};
     return &figures[place];
 }
 

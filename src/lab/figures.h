@@ -18,7 +18,7 @@ typedef enum {
 /** A kind of figure. */
 typedef struct Figure {
     const char *column;  /**< What the CSV calls it. */
-    const char *heading; /**< What it is, for people. */
+    const char *heading; /**< What it is, for people, in English. */
     FigureKind kind;     /**< What of: errors and work, the experiment says more of. */
     bool is_charted;     /**< Whether it has panels of its own in a chart. */
     /** @return The figure; NaN where there is none. @param experiment The experiment.

@@ -30,14 +30,14 @@ bool lab_prepare(const LabRequest *request, Error *error) {
     struct stat found;
     if (mkdir(request->folder, 0777) != 0 && errno != EEXIST) {
         return error_set(error, STATUS_FAILED, "cannot make the folder '%s': %s", request->folder,
-                         strerror(errno));
+                         error_system(errno));
     }
     if (stat(request->folder, &found) != 0 || !S_ISDIR(found.st_mode)) {
         return error_set(error, STATUS_FAILED, "'%s' is no folder", request->folder);
     }
     return access(request->folder, W_OK | X_OK) == 0 ||
            error_set(error, STATUS_FAILED, "cannot write into the folder '%s': %s", request->folder,
-                     strerror(errno));
+                     error_system(errno));
 }
 
 /** Puts a path together. @param request In its folder. @param experiment Of what.

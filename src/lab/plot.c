@@ -259,7 +259,8 @@ static bool run_script(const char *script, size_t size, const char *const files[
     if (stop && atomic_load(stop)) {
         return error_set(error, STATUS_INTERRUPTED, "interrupted");
     }
-    return is_done && (is_fed || error_set(error, STATUS_FAILED, PLOT_PROGRAM " did not read all"));
+    return is_done &&
+           (is_fed || error_set(error, STATUS_FAILED, "%s did not read all", PLOT_PROGRAM));
 }
 
 /** Draws a chart into a file that is open. @param plot The chart. @param file The file.

@@ -4,32 +4,44 @@
  */
 #include "lab/report.h"
 
+#include "dioptre/language.h"
 #include "lab/csv.h"
 #include "lab/figures.h"
 #include "lab/plot.h"
 #include "lab/table.h"
 
+#include <libintl.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
 /** Longest heading, bytes with its final zero. */
-enum { HEADING_SIZE = 160 };
+enum { HEADING_SIZE = 200 };
 /** Most number types that a chart shows side by side: quad is measured against itself. */
 enum { CHARTED_TYPES = 3 };
 
+/** Says words in a language. @param words They, in English. @return They. */
+typedef char *Speaker(const char *words);
+
+/** Is a #Speaker: English, as files are. @param words They. @return They. */
+static char *in_english(const char *words) {
+    return (char *)(uintptr_t)words;
+}
+
 /** @return What a figure is, with its unit. @param figure The figure. @param experiment Of which.
- *  @param[out] heading Room for it. */
-static const char *name_figure(const Figure *figure, const Experiment *experiment,
+ *  @param say In which language. @param[out] heading Room for it. */
+static const char *name_figure(const Figure *figure, const Experiment *experiment, Speaker *say,
                                char heading[HEADING_SIZE]) {
+    const char *name = say(figure->heading);
     if (figure->kind == FIGURE_ERROR) {
-        snprintf(heading, HEADING_SIZE, "%s: %s", experiment->error, figure->heading);
+        snprintf(heading, HEADING_SIZE, say(N_("%s: %s")), say(experiment->error), name);
     } else if (figure->kind == FIGURE_ULPS) {
-        snprintf(heading, HEADING_SIZE, "%s, in ulps: %s", experiment->error, figure->heading);
+        snprintf(heading, HEADING_SIZE, say(N_("%s, in ulps: %s")), say(experiment->error), name);
     } else if (figure->kind == FIGURE_WORK) {
-        snprintf(heading, HEADING_SIZE, "%s: %s", experiment->work, figure->heading);
+        snprintf(heading, HEADING_SIZE, say(N_("%s: %s")), say(experiment->work), name);
     } else {
-        snprintf(heading, HEADING_SIZE, "%s, %%", figure->heading);
+        snprintf(heading, HEADING_SIZE, say(N_("%s, %%")), name);
     }
     return heading;
 }
@@ -55,8 +67,8 @@ static void print_figure(const Figure *figure, const Experiment *experiment,
                          const Findings *findings, FILE *stream) {
     char heading[HEADING_SIZE];
     Table table = table_of(2 + experiment->level_count, 2);
-    table_cell(&table, "method");
-    table_cell(&table, "number type");
+    table_cell(&table, "%s", gettext("method"));
+    table_cell(&table, "%s", gettext("number type"));
     for (size_t i = 0; i < experiment->level_count; i++) {
         table_cell(&table, "%g", experiment->levels[i]);
     }
@@ -68,8 +80,8 @@ static void print_figure(const Figure *figure, const Experiment *experiment,
             }
         }
     }
-    fprintf(stream, "\n  %s; against %s\n", name_figure(figure, experiment, heading),
-            experiment->stress);
+    fprintf(stream, gettext("\n  %s; against %s\n"),
+            name_figure(figure, experiment, gettext, heading), gettext(experiment->stress));
     table_print(&table, stream);
     table_release(&table);
 }
@@ -89,7 +101,7 @@ static bool is_counted(const Figure *figure, const Experiment *experiment,
 
 void report_print(const Experiment *experiment, const Findings *findings, FILE *stream) {
     char heading[HEADING_SIZE];
-    fprintf(stream, "%s: %s\n", experiment->name, experiment->title);
+    fprintf(stream, "%s: %s\n", experiment->name, gettext(experiment->title));
     for (size_t i = 0; i < FIGURE_COUNT; i++) {
         const Figure *figure = figure_at(i);
         bool is_said_in_ulps = figure->kind == FIGURE_ERROR && experiment->is_relative;
@@ -99,7 +111,8 @@ void report_print(const Experiment *experiment, const Findings *findings, FILE *
         if (figure_is_found(figure, experiment, findings)) {
             print_figure(figure, experiment, findings, stream);
         } else if (is_counted(figure, experiment, findings)) {
-            fprintf(stream, "\n  %s: none\n", name_figure(figure, experiment, heading));
+            fprintf(stream, gettext("\n  %s: none\n"),
+                    name_figure(figure, experiment, gettext, heading));
         }
     }
     fputc('\n', stream);
@@ -200,7 +213,7 @@ static void add_panels(Chart *chart, size_t figure, char names[HEADING_SIZE]) {
     if (kind->kind == FIGURE_SHARE) {
         snprintf(names, HEADING_SIZE, "%s, share of rays", kind->heading);
     } else {
-        name_figure(kind, experiment, names);
+        name_figure(kind, experiment, in_english, names);
     }
     for (size_t t = 0; t < plot->columns; t++, plot->count++) {
         PlotPanel *panel = &plot->panels[plot->count];

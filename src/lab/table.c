@@ -4,6 +4,8 @@
  */
 #include "lab/table.h"
 
+#include "dioptre/language.h"
+
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -46,20 +48,21 @@ void table_number(Table *table, double number) {
 
 /** @return The width that a column needs. @param table The table. @param column Which. */
 static int column_width(const Table *table, size_t column) {
-    size_t width = 0;
+    int width = 0;
     for (size_t i = column; i < table->count; i += table->columns) {
-        size_t length = strlen(table->cells[i]);
+        int length = language_letters(table->cells[i]);
         width = length > width ? length : width;
     }
-    return (int)width;
+    return width;
 }
 
 void table_print(const Table *table, FILE *stream) {
     for (size_t i = 0; i < table->count; i++) {
         size_t column = i % table->columns;
         bool is_last = column == table->columns - 1;
-        int width = column_width(table, column);
-        // A minus sign makes printf fill up on the right.
+        // printf counts bytes; a minus sign makes it fill up on the right.
+        int bytes = (int)strlen(table->cells[i]) - language_letters(table->cells[i]);
+        int width = column_width(table, column) + bytes;
         fprintf(stream, "%*s%s", column < table->words ? -width : width, table->cells[i],
                 is_last ? "\n" : "  ");
     }

@@ -2,6 +2,7 @@
  * @file
  * @brief An experiment on mirrors: how far off is a ray's direction after many of them?
  */
+#include "dioptre/language.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/pose.h"
 
@@ -51,10 +52,10 @@ static void judge(const Case *posed, const Quadruple *answers, Score *score) {
 
 const Experiment mirror_bounces_experiment = {
     .name = "mirror-bounces",
-    .title = "A ray between four mirroring balls: its direction after many mirrorings",
+    .title = N_("A ray between four mirroring balls: its direction after many mirrorings"),
     .family = "bounces",
-    .stress = "mirrorings",
-    .error = "error of the direction, radians",
+    .stress = N_("mirrorings"),
+    .error = N_("error of the direction, radians"),
     .levels = counts,
     .level_count = COUNT_OF(counts),
     .cases = 4000,

@@ -2,6 +2,7 @@
  * @file
  * @brief Experiments on boxes: rays that just touch them, flat ones, and the edges of a cube.
  */
+#include "dioptre/language.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/pose.h"
 
@@ -90,9 +91,9 @@ static Scene *scene_touch(const Setting *setting, Error *error) {
 
 const Experiment box_touch_experiment = {
     .name = "box-touch",
-    .title = "Rays that just touch a box: its corners, its edges, along its faces",
+    .title = N_("Rays that just touch a box: its corners, its edges, along its faces"),
     .family = "box-slabs",
-    .stress = "bits of each part of the direction",
+    .stress = N_("bits of each part of the direction"),
     .levels = bits,
     .level_count = COUNT_OF(bits),
     .cases = 50000,
@@ -104,9 +105,9 @@ const Experiment box_touch_experiment = {
 
 const Experiment box_flat_experiment = {
     .name = "box-flat",
-    .title = "Rays that meet a flat box, as trees have them around flat models",
+    .title = N_("Rays that meet a flat box, as trees have them around flat models"),
     .family = "box-slabs",
-    .stress = "bits of each part of the direction",
+    .stress = N_("bits of each part of the direction"),
     .levels = bits,
     .level_count = COUNT_OF(bits),
     .cases = 50000,
@@ -157,9 +158,9 @@ static Scene *scene_edge(const Setting *setting, Error *error) {
 
 const Experiment cube_edges_experiment = {
     .name = "cube-edges",
-    .title = "Rays from inside a cube, aimed at its edges",
+    .title = N_("Rays from inside a cube, aimed at its edges"),
     .family = "box-cube",
-    .stress = "distance from the origin / edge",
+    .stress = N_("distance from the origin / edge"),
     .levels = offsets,
     .level_count = COUNT_OF(offsets),
     .cases = 50000,

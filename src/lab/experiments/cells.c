@@ -5,6 +5,7 @@
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/pose.h"
 
+#include "dioptre/language.h"
 #include "lab/methods/ball_sizes.h"
 
 #include <math.h>
@@ -55,9 +56,9 @@ static void judge(const Case *posed, const Quadruple *answers, Score *score) {
 
 const Experiment field_cells_experiment = {
     .name = "field-cells",
-    .title = "A ball in each cell of space, of a size of its own: is the right one met?",
+    .title = N_("A ball in each cell of space, of a size of its own: is the right one met?"),
     .family = "cells",
-    .stress = "radii differ by, more or less, of the cell's edge",
+    .stress = N_("radii differ by, more or less, of the cell's edge"),
     .levels = spreads,
     .level_count = COUNT_OF(spreads),
     .cases = 2000,

@@ -2,6 +2,7 @@
  * @file
  * @brief Experiments on cylinders: their wall from far away, and the rim of closed ones.
  */
+#include "dioptre/language.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/pose.h"
 
@@ -52,10 +53,10 @@ static Scene *scene_wall(const Setting *setting, Error *error) {
 
 const Experiment cylinder_distance_experiment = {
     .name = "cylinder-distance",
-    .title = "The wall of a cylinder, seen from far away",
+    .title = N_("The wall of a cylinder, seen from far away"),
     .family = "cylinder-wall",
-    .stress = "distance / radius",
-    .error = "error of the distance t, relative to t",
+    .stress = N_("distance / radius"),
+    .error = N_("error of the distance t, relative to t"),
     .is_relative = true,
     .levels = distances,
     .level_count = COUNT_OF(distances),
@@ -110,9 +111,9 @@ static Scene *scene_rim(const Setting *setting, Error *error) {
 
 const Experiment cylinder_rim_experiment = {
     .name = "cylinder-rim",
-    .title = "Rays from inside a closed cylinder, aimed at its rim",
+    .title = N_("Rays from inside a closed cylinder, aimed at its rim"),
     .family = "cylinder-solid",
-    .stress = "distance from the origin / radius",
+    .stress = N_("distance from the origin / radius"),
     .levels = offsets,
     .level_count = COUNT_OF(offsets),
     .cases = 50000,

@@ -2,6 +2,7 @@
  * @file
  * @brief Experiments on how much a surface of glass mirrors, from outside and from inside.
  */
+#include "dioptre/language.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/pose.h"
 
@@ -54,10 +55,10 @@ static void pose_into(const Setting *setting, Random *random, Case *posed) {
 
 const Experiment fresnel_into_experiment = {
     .name = "fresnel-into",
-    .title = "How much glass mirrors of light that comes from air",
+    .title = N_("How much glass mirrors of light that comes from air"),
     .family = "fresnel",
-    .stress = "angle between ray and surface, degrees",
-    .error = "error of the share that is mirrored",
+    .stress = N_("angle between ray and surface, degrees"),
+    .error = N_("error of the share that is mirrored"),
     .levels = heights,
     .level_count = COUNT_OF(heights),
     .cases = 2000,
@@ -80,10 +81,10 @@ static void pose_out(const Setting *setting, Random *random, Case *posed) {
 
 const Experiment fresnel_out_experiment = {
     .name = "fresnel-out",
-    .title = "How much glass mirrors of light that comes from inside it",
+    .title = N_("How much glass mirrors of light that comes from inside it"),
     .family = "fresnel",
-    .stress = "degrees before total reflection",
-    .error = "error of the share that is mirrored",
+    .stress = N_("degrees before total reflection"),
+    .error = N_("error of the share that is mirrored"),
     .levels = before_critical,
     .level_count = COUNT_OF(before_critical),
     .cases = 2000,

@@ -2,6 +2,7 @@
  * @file
  * @brief An experiment on the normals of distance fields: how far apart should the field be asked?
  */
+#include "dioptre/language.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/pose.h"
 
@@ -38,10 +39,10 @@ static void judge(const Case *posed, const Quadruple *answers, Score *score) {
 
 const Experiment field_normal_experiment = {
     .name = "field-normal",
-    .title = "Normals of a ball's distance field, by differences over a length",
+    .title = N_("Normals of a ball's distance field, by differences over a length"),
     .family = "gradient",
-    .stress = "length of the difference / radius",
-    .error = "error of the angle, radians",
+    .stress = N_("length of the difference / radius"),
+    .error = N_("error of the angle, radians"),
     .levels = steps,
     .level_count = COUNT_OF(steps),
     .cases = 5000,

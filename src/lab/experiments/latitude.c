@@ -2,6 +2,7 @@
  * @file
  * @brief An experiment on pictures on spheres: how far from the pole is a point?
  */
+#include "dioptre/language.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/pose.h"
 
@@ -72,10 +73,10 @@ static void ask(const Engine *engine, Tracer *tracer, const Case *posed, Quadrup
 
 const Experiment sphere_pole_experiment = {
     .name = "sphere-pole",
-    .title = "Latitude on a sphere, near its pole",
+    .title = N_("Latitude on a sphere, near its pole"),
     .family = "latitude",
-    .stress = "angle from the pole, radians",
-    .error = "error of the angle, radians",
+    .stress = N_("angle from the pole, radians"),
+    .error = N_("error of the angle, radians"),
     .levels = angles,
     .level_count = COUNT_OF(angles),
     .cases = 20000,

@@ -3,6 +3,7 @@
  * @brief Experiments on rays that leave a surface: mirrored ones meet it again (acne), refracted
  *        ones do not come out where they should.
  */
+#include "dioptre/language.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/pose.h"
 
@@ -138,10 +139,10 @@ static Scene *scene_scale(const Setting *setting, Error *error) {
 
 const Experiment mirror_scale_experiment = {
     .name = "mirror-scale",
-    .title = "Rays that leave a mirroring sphere, small and large: which meet it again?",
+    .title = N_("Rays that leave a mirroring sphere, small and large: which meet it again?"),
     .family = "leaving",
-    .stress = "radius, scene units",
-    .error = "shift of the start over the radius",
+    .stress = N_("radius, scene units"),
+    .error = N_("shift of the start over the radius"),
     .levels = scales,
     .level_count = COUNT_OF(scales),
     .cases = 10000,
@@ -154,10 +155,10 @@ const Experiment mirror_scale_experiment = {
 
 const Experiment glass_scale_experiment = {
     .name = "glass-scale",
-    .title = "Rays that go into a sphere of glass, small and large: which come out wrong?",
+    .title = N_("Rays that go into a sphere of glass, small and large: which come out wrong?"),
     .family = "leaving",
-    .stress = "radius, scene units",
-    .error = "shift of the start over the radius",
+    .stress = N_("radius, scene units"),
+    .error = N_("shift of the start over the radius"),
     .levels = scales,
     .level_count = COUNT_OF(scales),
     .cases = 10000,
@@ -193,10 +194,10 @@ static Scene *scene_world(const Setting *setting, Error *error) {
 
 const Experiment mirror_world_experiment = {
     .name = "mirror-world",
-    .title = "Rays that leave a mirroring sphere far from the origin: which meet it again?",
+    .title = N_("Rays that leave a mirroring sphere far from the origin: which meet it again?"),
     .family = "leaving",
-    .stress = "distance from the origin / radius",
-    .error = "shift of the start over the radius",
+    .stress = N_("distance from the origin / radius"),
+    .error = N_("shift of the start over the radius"),
     .levels = offsets,
     .level_count = COUNT_OF(offsets),
     .cases = 10000,
@@ -209,10 +210,10 @@ const Experiment mirror_world_experiment = {
 
 const Experiment glass_world_experiment = {
     .name = "glass-world",
-    .title = "Rays that go into a sphere of glass far from the origin: which come out wrong?",
+    .title = N_("Rays that go into a sphere of glass far from the origin: which come out wrong?"),
     .family = "leaving",
-    .stress = "distance from the origin / radius",
-    .error = "shift of the start over the radius",
+    .stress = N_("distance from the origin / radius"),
+    .error = N_("shift of the start over the radius"),
     .levels = offsets,
     .level_count = COUNT_OF(offsets),
     .cases = 10000,

@@ -3,6 +3,7 @@
  * @brief An experiment on marching: how many steps does it take down to the ground, and how far off
  *        does it stop?
  */
+#include "dioptre/language.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/pose.h"
 
@@ -36,11 +37,11 @@ static void judge(const Case *posed, const Quadruple *answers, Score *score) {
 
 const Experiment marching_angle_experiment = {
     .name = "marching-angle",
-    .title = "Marching down to the ground under ever smaller angles",
+    .title = N_("Marching down to the ground under ever smaller angles"),
     .family = "marching",
-    .stress = "angle between ray and ground, degrees",
-    .error = "error of the distance t, heights of the eye",
-    .work = "steps of a ray",
+    .stress = N_("angle between ray and ground, degrees"),
+    .error = N_("error of the distance t, heights of the eye"),
+    .work = N_("steps of a ray"),
     .levels = angles,
     .level_count = COUNT_OF(angles),
     .cases = 400,

@@ -2,6 +2,7 @@
  * @file
  * @brief Experiments on planes: grazing rays, and a point of the plane that lies far away.
  */
+#include "dioptre/language.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/pose.h"
 
@@ -72,10 +73,10 @@ static Scene *scene_angle(const Setting *setting, Error *error) {
 
 const Experiment plane_angle_experiment = {
     .name = "plane-angle",
-    .title = "A plane one unit below the eye, met under ever smaller angles",
+    .title = N_("A plane one unit below the eye, met under ever smaller angles"),
     .family = "plane",
-    .stress = "angle between ray and plane, degrees",
-    .error = "error of the distance t, relative to t",
+    .stress = N_("angle between ray and plane, degrees"),
+    .error = N_("error of the distance t, relative to t"),
     .is_relative = true,
     .levels = angles,
     .level_count = COUNT_OF(angles),
@@ -109,10 +110,10 @@ static Scene *scene_point(const Setting *setting, Error *error) {
 
 const Experiment plane_point_experiment = {
     .name = "plane-point",
-    .title = "A plane one unit below the eye, given by a point far away",
+    .title = N_("A plane one unit below the eye, given by a point far away"),
     .family = "plane",
-    .stress = "distance of the point / height of the eye",
-    .error = "error of the distance t, relative to t",
+    .stress = N_("distance of the point / height of the eye"),
+    .error = N_("error of the distance t, relative to t"),
     .is_relative = true,
     .levels = distances,
     .level_count = COUNT_OF(distances),

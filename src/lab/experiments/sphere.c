@@ -2,6 +2,7 @@
  * @file
  * @brief Experiments on spheres: far from the eye, far from the origin, small, large, underfoot.
  */
+#include "dioptre/language.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/pose.h"
 
@@ -62,10 +63,10 @@ static Scene *scene_distance(const Setting *setting, Error *error) {
 
 const Experiment sphere_distance_experiment = {
     .name = "sphere-distance",
-    .title = "A sphere, seen from far away",
+    .title = N_("A sphere, seen from far away"),
     .family = "sphere",
-    .stress = "distance / radius",
-    .error = "error of the distance t, relative to t",
+    .stress = N_("distance / radius"),
+    .error = N_("error of the distance t, relative to t"),
     .is_relative = true,
     .levels = distances,
     .level_count = COUNT_OF(distances),
@@ -98,10 +99,10 @@ static Scene *scene_world(const Setting *setting, Error *error) {
 
 const Experiment sphere_world_experiment = {
     .name = "sphere-world",
-    .title = "A sphere and an eye ten radii away, both far from the origin of the world",
+    .title = N_("A sphere and an eye ten radii away, both far from the origin of the world"),
     .family = "sphere",
-    .stress = "distance from the origin / radius",
-    .error = "error of the distance t, relative to t",
+    .stress = N_("distance from the origin / radius"),
+    .error = N_("error of the distance t, relative to t"),
     .is_relative = true,
     .levels = offsets,
     .level_count = COUNT_OF(offsets),
@@ -133,10 +134,10 @@ static Scene *scene_scale(const Setting *setting, Error *error) {
 
 const Experiment sphere_scale_experiment = {
     .name = "sphere-scale",
-    .title = "A sphere, small and large, ten radii away",
+    .title = N_("A sphere, small and large, ten radii away"),
     .family = "sphere",
-    .stress = "radius, scene units",
-    .error = "error of the distance t, relative to t",
+    .stress = N_("radius, scene units"),
+    .error = N_("error of the distance t, relative to t"),
     .is_relative = true,
     .levels = scales,
     .level_count = COUNT_OF(scales),
@@ -183,10 +184,10 @@ static Scene *scene_ground(const Setting *setting, Error *error) {
 
 const Experiment sphere_ground_experiment = {
     .name = "sphere-ground",
-    .title = "A sphere as the ground, the eye one unit above it",
+    .title = N_("A sphere as the ground, the eye one unit above it"),
     .family = "sphere",
-    .stress = "radius / height of the eye",
-    .error = "error of the distance t, relative to t",
+    .stress = N_("radius / height of the eye"),
+    .error = N_("error of the distance t, relative to t"),
     .is_relative = true,
     .levels = grounds,
     .level_count = COUNT_OF(grounds),

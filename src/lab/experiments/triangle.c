@@ -2,6 +2,7 @@
  * @file
  * @brief Experiments on triangles: the edges and corners that they share, small ones, thin ones.
  */
+#include "dioptre/language.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/icosphere.h"
 #include "lab/experiments/pose.h"
@@ -136,9 +137,9 @@ static void ask_ball(const Engine *engine, Tracer *tracer, const Case *posed, Qu
 
 const Experiment triangle_edges_experiment = {
     .name = "triangle-edges",
-    .title = "Rays from inside a closed surface of 1280 triangles, aimed at their edges",
+    .title = N_("Rays from inside a closed surface of 1280 triangles, aimed at their edges"),
     .family = "triangle",
-    .stress = "distance from the origin / radius",
+    .stress = N_("distance from the origin / radius"),
     .levels = offsets,
     .level_count = COUNT_OF(offsets),
     .cases = 10000,
@@ -152,9 +153,9 @@ const Experiment triangle_edges_experiment = {
 
 const Experiment triangle_corners_experiment = {
     .name = "triangle-corners",
-    .title = "Rays from inside a closed surface of 1280 triangles, aimed at their corners",
+    .title = N_("Rays from inside a closed surface of 1280 triangles, aimed at their corners"),
     .family = "triangle",
-    .stress = "distance from the origin / radius",
+    .stress = N_("distance from the origin / radius"),
     .levels = offsets,
     .level_count = COUNT_OF(offsets),
     .cases = 10000,
@@ -253,10 +254,10 @@ static Scene *scene_small(const Setting *setting, Error *error) {
 
 const Experiment triangle_small_experiment = {
     .name = "triangle-small",
-    .title = "A right triangle, ever smaller, three legs away",
+    .title = N_("A right triangle, ever smaller, three legs away"),
     .family = "triangle",
-    .stress = "leg, scene units",
-    .error = "error of the distance t, relative to t",
+    .stress = N_("leg, scene units"),
+    .error = N_("error of the distance t, relative to t"),
     .is_relative = true,
     .levels = legs,
     .level_count = COUNT_OF(legs),
@@ -294,10 +295,10 @@ static Scene *scene_thin(const Setting *setting, Error *error) {
 
 const Experiment triangle_thin_experiment = {
     .name = "triangle-thin",
-    .title = "A right triangle of length 1, ever thinner, ten units away, under six degrees",
+    .title = N_("A right triangle of length 1, ever thinner, ten units away, under six degrees"),
     .family = "triangle",
-    .stress = "length / width",
-    .error = "error of the distance t, relative to t",
+    .stress = N_("length / width"),
+    .error = N_("error of the distance t, relative to t"),
     .is_relative = true,
     .levels = aspects,
     .level_count = COUNT_OF(aspects),

@@ -2,8 +2,8 @@
 // the camera, the light and the colors are, the field and its box; frame.frag stands before those that
 // need it.
 //
-// It does what src/trace/shapes/sdf.c does: the same tolerance, steps, relaxation and box; only the
-// normal comes from four points around, as in most shaders, and not from derivatives.
+// It does what src/trace/shapes/sdf.c does: the same tolerance, footprint, steps, relaxation and box;
+// only the normal comes from four points around, as in most shaders, and not from derivatives.
 
 uniform vec2 size; // Pixels of the picture.
 out vec4 result;
@@ -17,9 +17,13 @@ float largest(vec3 v) {
     return max(abs(v.x), max(abs(v.y), abs(v.z)));
 }
 
+// Where rays are on a surface: this share of half a pixel off, seen from the camera.
+const float FOOTPRINT = 0.125;
+
 // How near to the surface is on it.
 float tolerance_at(vec3 point) {
-    return max(TOLERANCE, 16.0 * ROUNDOFF * largest(point));
+    float spread = FOOTPRINT * tan(radians(0.5 * FOV)) / size.x;
+    return max(max(TOLERANCE, 16.0 * ROUNDOFF * largest(point)), spread * distance(point, EYE));
 }
 
 // Where a ray is in the field's box: from, to.

@@ -5,6 +5,7 @@
 #include "dioptre/chart.h"
 #include "cli/commands.h"
 #include "dioptre/language.h"
+#include "dioptre/scene_name.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -33,7 +34,7 @@ static bool chart_scene(const Options *options, const char *path, const LabReque
     }
     Chart chart;
     RenderSettings settings = command_settings(&one, scene);
-    command_scene_name(path, name, sizeof name);
+    scene_name(path, name, sizeof name);
     bool is_kept = chart_measure(scene, &settings, request->stop, &chart, error) &&
                    chart_keep(&chart, name, request, has_chart, error);
     scene_destroy(scene);

@@ -47,14 +47,6 @@ Scene *command_scene_at(const Options *options, double time, Stock *stock, const
  */
 RenderSettings command_settings(const Options *options, const Scene *scene);
 
-/**
- * Finds a scene's name: its file's, without folder and ending.
- * @param path       The scene file, or `-`.
- * @param[out] name  The name, cut to its size.
- * @param size       Bytes of it.
- */
-void command_scene_name(const char *path, char *name, size_t size);
-
 /** @return A strategy's name. @param offset The strategy. */
 const char *offset_name(OffsetStrategy offset);
 

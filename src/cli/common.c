@@ -8,7 +8,6 @@
 
 #include <ctype.h>
 #include <signal.h>
-#include <string.h>
 
 /** Set by the signal handler; a signal handler can reach nothing else. */
 static atomic_bool is_interrupted;
@@ -46,15 +45,6 @@ RenderSettings command_settings(const Options *options, const Scene *scene) {
     trace->offset = options->offset >= 0 ? (OffsetStrategy)options->offset : trace->offset;
     trace->epsilon = options->epsilon >= 0 ? options->epsilon : trace->epsilon;
     return settings;
-}
-
-void command_scene_name(const char *path, char *name, size_t size) {
-    const char *slash = strrchr(path, '/');
-    snprintf(name, size, "%s", strcmp(path, "-") == 0 ? "scene" : slash ? slash + 1 : path);
-    char *dot = strrchr(name, '.');
-    if (dot && dot != name) {
-        *dot = 0;
-    }
 }
 
 const char *offset_name(OffsetStrategy offset) {

@@ -9,6 +9,7 @@
  */
 #include "view/scenes.h"
 
+#include "dioptre/scene_name.h"
 #include "view/play.h"
 
 #include <string.h>
@@ -16,21 +17,9 @@
 /** Seconds from one question to the next at least: a frame of a common screen. */
 static const double PAUSE = 0.016;
 
-/** Finds a scene's name: its file's, without folder and ending. @param path The scene file, or `-`.
- *  @param[out] name The name, cut to its size. */
-static void name_from(const char *path, char name[SCENE_NAME_SIZE]) {
-    const char *slash = strrchr(path, '/');
-    bool is_input = strcmp(path, "-") == 0;
-    SDL_strlcpy(name, is_input ? "scene" : slash ? slash + 1 : path, SCENE_NAME_SIZE);
-    char *dot = strrchr(name, '.');
-    if (dot && dot != name) {
-        *dot = '\0';
-    }
-}
-
 /** Goes by a file from now on. @param[in,out] view The view. @param path The file, or `-`. */
 static void go_by(View *view, const char *path) {
-    name_from(path, view->name);
+    scene_name(path, view->name, sizeof view->name);
     if (view->settings->load && strcmp(path, "-") != 0) {
         watch_file(&view->watch, path);
     }

@@ -181,6 +181,11 @@ test: test-packages
 
 tests: $(TESTS)
 
+# Half an hour of random keys in the window, with the sanitizers on.
+.PHONY: soak
+soak: test-packages asan
+	BUILD=build/asan SOAK_SECONDS=$(or $(SOAK_SECONDS),1800) tests/soak.sh
+
 # --- measuring -----------------------------------------------------------------------------------
 .PHONY: bench peers
 bench: packages

@@ -1,0 +1,66 @@
+# Shared by the scripts that open a window: an X server of their own, a window on it, and its keys.
+# Sourced after check.sh, not run.
+root=$PWD
+server=0 pid=0
+# Leaks of libdbus, which SDL asks for the screen saver, are not ours (build/asan).
+echo 'leak:libdbus' >"$work/leaks"
+export LSAN_OPTIONS="suppressions=$work/leaks:print_suppressions=0"
+
+# --- screen, window, keys ------------------------------------------------------------------------
+start_server() {
+    # -noreset: the keyboard map stays when the last window closes.
+    Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp -noreset 3>"$work/display" 2>/dev/null &
+    server=$!
+    for _ in {1..200}; do [ -s "$work/display" ] && break || sleep 0.05; done
+    export DISPLAY=:$(cat "$work/display")
+}
+cleanup() {
+    [ "$pid" != 0 ] && kill -9 "$pid" 2>/dev/null
+    [ "$server" != 0 ] && kill "$server" 2>/dev/null
+    wait 2>/dev/null
+    rm -rf "$work"
+}
+trap cleanup EXIT
+
+# open SCENE OPTION...: opens the window in a folder of its own and waits for its first picture.
+open() {
+    rm -rf "$work/shots" && mkdir "$work/shots" && cd "$work/shots" || exit 1
+    # A script's children in the background ignore Ctrl-C; a person's do not.
+    env --default-signal=INT "$dioptre" view "$@" >"$work/log" 2>"$work/errors" &
+    pid=$!
+    cd "$root" || exit 1
+    window=
+    for _ in {1..200}; do
+        window=$(xdotool search --onlyvisible --class '^dioptre$' 2>/dev/null | tail -1)
+        [ -n "$window" ] && break || sleep 0.03
+    done
+    xdotool windowfocus --sync "$window" 2>/dev/null
+    shown 'pass'
+}
+
+# closed NAME STATUS: the program must end by itself, with that status.
+closed() {
+    for _ in {1..100}; do kill -0 "$pid" 2>/dev/null && sleep 0.03; done
+    if kill -0 "$pid" 2>/dev/null; then
+        fail "$1: it is still there" && kill -9 "$pid"
+    fi
+    wait "$pid"
+    local status=$?
+    pid=0
+    [ "$status" = "$2" ] && ok "$1" || fail "$1: status $status, not $2: $(cat "$work/errors")"
+}
+leave() { xdotool key Escape && closed "${1:-Esc leaves}" 0; }
+
+title() { xdotool getwindowname "$window" 2>/dev/null; }
+# shown WORDS: waits until the title holds WORDS (a pattern).
+shown() {
+    for _ in {1..250}; do [[ $(title) =~ $1 ]] && return 0 || sleep 0.03; done
+    return 1
+}
+expect_shown() { shown "$1" && ok "$2" || fail "$2: the title says $(title)"; }
+# hold SECONDS KEY...: holds keys down.
+hold() {
+    local seconds=$1
+    shift
+    xdotool keydown "$@" && sleep "$seconds" && xdotool keyup "$@"
+}

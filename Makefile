@@ -219,6 +219,7 @@ charts: packages
 	@$(MAKE) --no-print-directory all $(BUILD)/bench-needs
 	@mkdir -p $(BUILD)/lab
 	$(PROGRAM) lab --out doc/lab >$(BUILD)/lab/tables.txt
+	$(PROGRAM) chart --kernels --out doc/lab >$(BUILD)/lab/kernels.txt
 	$(PROGRAM) chart $(CHARTED) -s 320x240 --samples 4 --out doc/charts >$(BUILD)/lab/charts.txt
 	@BUILD=$(BUILD) doc/needs.sh
 

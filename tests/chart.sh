@@ -44,6 +44,33 @@ small='-s 192x144 --samples 2'
     expect 1 'gnuplot-nox' 'a chart without gnuplot' env PATH="$work/bin" "$dioptre" chart scenes/figure-08.lua --out "$work/bare" $small
     [ -s "$work/bare/figure-08.csv" ] && ok 'its CSV is written' || fail 'its CSV is written'
     expect 2 'too few pixels' 'a picture of one pixel' "$dioptre" chart scenes/figure-08.lua --out "$work/one" -s 1x1
+
+    expect 0 '' 'a chart of methods' "$dioptre" chart --kernels fresnel-into --out "$work/kernels"
+    csv=$work/kernels/kernel-fresnel-into.csv
+    holds "$work/out" '^Schlick +float +[0-9]' 'its table has a row for each method and number type'
+    for words in '^# compiler: .*flags: .*-ffp-contract=off' '^# processor:' \
+        '^method,type,stress,ns,ns_low,ns_high,error_p999,error_max,failures,double_hits,front$' \
+        '^exact,double,5,[0-9].*,1$' '^exact,quad,5,[0-9]'; do
+        holds "$csv" "$words" "its CSV has: $words"
+    done
+    awk -F, '/^#/ || /^method/ { next } { rows++; if (!($5 > 0 && $5 <= $4 && $4 <= $6)) bad = 1 } END { exit bad || rows < 12 }' "$csv" &&
+        ok 'times are above 0, quartiles around them' || fail 'times of methods'
+    # Whatever the clock says, a method that is less exact than another is of the front only if it is faster.
+    awk -F, '/^#/ || /^method/ || $2 == "quad" { next } { n++; t[n] = $4; e[n] = $7; f[n] = $11 }
+        END { for (i = 1; i <= n; i++) { best = 1
+            for (k = 1; k <= n; k++) if ((t[k] < t[i] && e[k] <= e[i]) || (t[k] <= t[i] && e[k] < e[i])) best = 0
+            if (best != f[i]) exit 1 } }' "$csv" && ok 'the front is what nothing beats' || fail 'the front'
+    if command -v gnuplot >/dev/null; then
+        for words in '</svg>' 'nanoseconds a test' 'front: .*exact double'; do
+            holds "$work/kernels/kernel-fresnel-into.svg" "$words" "its chart has: $words"
+        done
+    fi
+    expect 2 'there is no test .nonsense.; there are ' 'a chart of an unknown method' "$dioptre" chart --kernels nonsense --out "$work/none"
+    expect 2 'timed in another test' 'a test that is not timed' "$dioptre" chart --kernels sphere-world --out "$work/none"
+    [ ! -e "$work/none" ] && ok 'neither makes a folder' || fail 'a wrong name makes a folder'
+    expect 2 'needs a scene, or --kernels' 'a chart of nothing' "$dioptre" chart --out "$work/none"
+    expect 1 'gnuplot-nox' 'methods without gnuplot' env PATH="$work/bin" "$dioptre" chart --kernels fresnel-into --out "$work/bare" -q
+    [ -s "$work/bare/kernel-fresnel-into.csv" ] && ok 'their CSV is written' || fail 'their CSV is written'
     timeout -s INT 2 "$dioptre" chart scenes/figure-08.lua scenes/chess.lua --out "$work/stopped" $small >/dev/null 2>"$work/err"
     status=$?
     [ $status = 124 ] || [ $status = 130 ] && ok 'an interrupted chart says so' || fail "interrupted: status $status"

@@ -15,6 +15,7 @@
 typedef struct LabTest {
     const char *name;  /**< As on the command line, such as `sphere-distance`. */
     const char *title; /**< What it shows. */
+    bool is_timed;     /**< Whether #lab_time can say what its methods cost. */
 } LabTest;
 
 /** What is to be done. */
@@ -48,5 +49,16 @@ bool lab_prepare(const LabRequest *request, Error *error);
  * @return false if anything is wrong.
  */
 bool lab_make(size_t place, const LabRequest *request, bool *has_chart, Error *error);
+
+/**
+ * Holds what the methods of a test cost against their errors: prints a table, and writes
+ * `kernel-NAME.csv` and `kernel-NAME.svg`.
+ * @param place           Which test, from 0; one that is timed.
+ * @param request         How.
+ * @param[out] has_chart  Whether there is an SVG; there is none where gnuplot is missing.
+ * @param[out] error      What is wrong. What earlier tests have written stays.
+ * @return false if anything is wrong.
+ */
+bool lab_time(size_t place, const LabRequest *request, bool *has_chart, Error *error);
 
 #endif

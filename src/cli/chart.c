@@ -10,9 +10,6 @@
 #include <stdio.h>
 #include <string.h>
 
-/** The package of the program that draws charts. */
-#define CHART_PACKAGE "gnuplot-nox"
-
 /**
  * Charts a scene.
  * @param options         The command line.
@@ -41,32 +38,77 @@ static bool chart_scene(const Options *options, const char *path, const LabReque
     return is_kept;
 }
 
-/** Charts scenes. See #Command.run. @param options The command line. @param[out] error What is
- *  wrong; what was finished before is kept. @return The exit status. */
-static int chart_run(const Options *options, Error *error) {
-    LabRequest request = {.folder = options->folder,
-                          .stop = interrupt_flag(),
-                          .table = options->quiet ? NULL : stdout};
+/** Charts scenes. @param options The command line. @param request Where to.
+ *  @param[out] error What is wrong. @return false if anything is; what was finished is kept. */
+static bool chart_scenes(const Options *options, const LabRequest *request, Error *error) {
     size_t without_chart = 0;
-    if (!options->folder) {
-        error_set(error, STATUS_USAGE, "chart needs --out DIR: where its CSV and SVG files go");
-        return STATUS_USAGE;
-    }
-    if (!lab_prepare(&request, error)) {
-        return (int)error->status;
-    }
     for (int i = 0; i < options->argument_count; i++) {
         bool has_chart = false;
-        if (!chart_scene(options, options->arguments[i], &request, &has_chart, error)) {
-            return (int)error->status;
+        if (!chart_scene(options, options->arguments[i], request, &has_chart, error)) {
+            return false;
         }
         without_chart += !has_chart;
     }
-    if (without_chart > 0) {
-        error_set(error, STATUS_FAILED,
-                  "the CSV files are written; for the charts gnuplot is missing: "
-                  "sudo apt-get install %s",
-                  CHART_PACKAGE);
+    return command_has_charts(without_chart, error);
+}
+
+/** Finds the tests whose methods are charted. @param options The command line: its arguments, or
+ *  all. @param[out] places Their places: room for all tests. @param[out] error That there is no
+ *  such test. @return How many; 0: something is wrong. */
+static size_t find_kernels(const Options *options, size_t *places, Error *error) {
+    size_t count = 0;
+    for (size_t i = 0; options->argument_count == 0 && i < lab_test_count(); i++) {
+        if (lab_test(i).is_timed) {
+            places[count++] = i;
+        }
+    }
+    for (int i = 0; i < options->argument_count; i++) {
+        const char *name = options->arguments[i];
+        if (!command_test(name, &places[count], error)) {
+            return 0;
+        }
+        if (!lab_test(places[count]).is_timed) {
+            error_set(error, STATUS_USAGE, "the methods of %s are timed in another test", name);
+            return 0;
+        }
+        count++;
+    }
+    return count;
+}
+
+/** Charts methods. @param options The command line. @param request Where to.
+ *  @param[out] error What is wrong. @return false if anything is; what was finished is kept. */
+static bool chart_kernels(const Options *options, const LabRequest *request, Error *error) {
+    size_t places[ARGUMENTS_MAXIMUM];
+    size_t count = find_kernels(options, places, error), without_chart = 0;
+    if (count == 0 || !lab_prepare(request, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < count; i++) {
+        bool has_chart = false;
+        if (!lab_time(places[i], request, &has_chart, error)) {
+            return false;
+        }
+        without_chart += !has_chart;
+    }
+    return command_has_charts(without_chart, error);
+}
+
+/** Charts scenes or methods. See #Command.run. @param options The command line.
+ *  @param[out] error What is wrong; what was finished before is kept. @return The exit status. */
+static int chart_run(const Options *options, Error *error) {
+    LabRequest request = {.folder = options->folder,
+                          .threads = command_threads(options),
+                          .stop = interrupt_flag(),
+                          .table = options->quiet ? NULL : stdout};
+    if (!options->folder) {
+        error_set(error, STATUS_USAGE, "chart needs --out DIR: where its CSV and SVG files go");
+    } else if (options->kernels) {
+        chart_kernels(options, &request, error);
+    } else if (options->argument_count == 0) {
+        error_set(error, STATUS_USAGE, "chart needs a scene, or --kernels");
+    } else if (lab_prepare(&request, error)) {
+        chart_scenes(options, &request, error);
     }
     return (int)error->status;
 }
@@ -74,7 +116,7 @@ static int chart_run(const Options *options, Error *error) {
 const Command chart_command = {.name = "chart",
                                .usage = N_("SCENE... --out DIR"),
                                .help = N_("says what settings cost and what errors they leave"),
-                               .accepts = "UsASDtjEOXBq",
-                               .arguments = 1,
+                               .accepts = "UZsASDtjEOXBq",
+                               .arguments = 0,
                                .more_arguments = true,
                                .run = chart_run};

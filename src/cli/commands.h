@@ -47,6 +47,26 @@ Scene *command_scene_at(const Options *options, double time, Stock *stock, const
  */
 RenderSettings command_settings(const Options *options, const Scene *scene);
 
+/**
+ * Finds a test of the laboratory.
+ * @param name        Its name.
+ * @param[out] place  Its place.
+ * @param[out] error  That there is no such test, and which there are (#STATUS_USAGE).
+ * @return Whether there is such a test.
+ */
+bool command_test(const char *name, size_t *place, Error *error);
+
+/** @return How many threads a command uses. @param options The command line. */
+int command_threads(const Options *options);
+
+/**
+ * Says whether charts are missing.
+ * @param count       How many.
+ * @param[out] error  That they are, and how to get them (#STATUS_FAILED).
+ * @return Whether none is.
+ */
+bool command_has_charts(size_t count, Error *error);
+
 /** @return A strategy's name. @param offset The strategy. */
 const char *offset_name(OffsetStrategy offset);
 

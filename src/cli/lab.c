@@ -13,14 +13,7 @@
 /** The package of the program that draws charts. */
 #define CHART_PACKAGE "gnuplot-nox"
 
-/**
- * Finds a test.
- * @param name        Its name.
- * @param[out] place  Its place.
- * @param[out] error  That there is no such test, and which there are.
- * @return Whether there is such a test.
- */
-static bool find_test(const char *name, size_t *place, Error *error) {
+bool command_test(const char *name, size_t *place, Error *error) {
     char known[ERROR_MESSAGE_SIZE] = "", hint[SUGGEST_HINT_SIZE];
     Suggestion suggestion = {.wanted = name};
     for (size_t i = 0; i < lab_test_count(); i++) {
@@ -37,9 +30,15 @@ static bool find_test(const char *name, size_t *place, Error *error) {
                      suggest_hint(&suggestion, hint), known);
 }
 
-/** @return How many threads work. @param options The command line. */
-static int thread_count(const Options *options) {
+int command_threads(const Options *options) {
     return options->threads ? options->threads : render_processors();
+}
+
+bool command_has_charts(size_t count, Error *error) {
+    return count == 0 || error_set(error, STATUS_FAILED,
+                                   "the CSV files are written; for the charts gnuplot is missing: "
+                                   "sudo apt-get install %s",
+                                   CHART_PACKAGE);
 }
 
 /**
@@ -55,24 +54,20 @@ static bool make_tests(const Options *options, const LabRequest *request, Error 
     for (size_t i = 0; i < count; i++) {
         size_t place = i;
         bool has_chart = false;
-        if ((named && !find_test(options->arguments[i], &place, error)) ||
+        if ((named && !command_test(options->arguments[i], &place, error)) ||
             !lab_make(place, request, &has_chart, error)) {
             return false;
         }
         without_chart += !has_chart;
     }
-    return without_chart == 0 ||
-           error_set(error, STATUS_FAILED,
-                     "the CSV files are written; for the charts gnuplot is missing: "
-                     "sudo apt-get install %s",
-                     CHART_PACKAGE);
+    return command_has_charts(without_chart, error);
 }
 
 /** Makes tests. See #Command.run. @param options The command line. @param[out] error What is wrong.
  *  @return The exit status. */
 static int lab_run(const Options *options, Error *error) {
     LabRequest request = {.folder = options->folder,
-                          .threads = thread_count(options),
+                          .threads = command_threads(options),
                           .stop = interrupt_flag(),
                           .table = options->quiet ? NULL : stdout};
     if (!options->folder) {
@@ -82,7 +77,7 @@ static int lab_run(const Options *options, Error *error) {
     // Misspelt names are said before any work is done.
     for (int i = 0; i < options->argument_count; i++) {
         size_t place;
-        if (!find_test(options->arguments[i], &place, error)) {
+        if (!command_test(options->arguments[i], &place, error)) {
             return STATUS_USAGE;
         }
     }

@@ -51,6 +51,7 @@ static const OptionRow option_rows[] = {
     {'M', false, "map", N_("FILE"), N_("write a picture of the differences")},
     {'K', false, "keys", N_("WAY"), N_("places or letters: what the light's keys are bound to")},
     {'L', false, "timing", NULL, N_("say at the end how long pictures took to come")},
+    {'Z', false, "kernels", NULL, N_("chart methods of the laboratory and not scenes")},
     {'J', false, "json", NULL, N_("print one JSON object a line")},
     {'P', false, "progress", N_("WAY"), N_("auto, json or none")},
     {'q', true, "quiet", NULL, N_("say nothing but errors")},
@@ -269,6 +270,7 @@ static bool take_value(const OptionRow *row, const char *text, Options *options,
 static void take_flag(char key, Options *options) {
     options->json = options->json || key == 'J';
     options->timing = options->timing || key == 'L';
+    options->kernels = options->kernels || key == 'Z';
     options->skip_existing = options->skip_existing || key == 'N';
     options->quiet = options->quiet || key == 'q';
     options->help = options->help || key == 'h';

@@ -55,6 +55,7 @@ typedef struct Options {
     bool json;                                /**< `--json` */
     bool by_letter;                           /**< `--keys letters` */
     bool timing;                              /**< `--timing` */
+    bool kernels;                             /**< `--kernels` */
     bool help;                                /**< `--help` */
     bool version;                             /**< `--version` */
 } Options;

@@ -6,6 +6,7 @@
 
 #include "dioptre/language.h"
 #include "lab/csv.h"
+#include "lab/gnuplot.h"
 #include "lab/plot.h"
 #include "lab/table.h"
 
@@ -204,7 +205,7 @@ bool chart_keep(const Chart *chart, const char *name, const LabRequest *request,
     char csv[PATH_MAX], svg[PATH_MAX], title[200];
     int length = snprintf(csv, sizeof csv, "%s/%s.csv", request->folder, name);
     snprintf(svg, sizeof svg, "%.*s.svg", length > 4 ? length - 4 : 0, csv);
-    *has_chart = plot_is_possible();
+    *has_chart = gnuplot_is_there();
     if (request->table) {
         chart_print(chart, name, request->table);
     }

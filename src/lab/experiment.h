@@ -35,6 +35,9 @@ typedef struct Setting {
     const void *world;      /**< What #Experiment.build has made, or NULL. */
 } Setting;
 
+/** In place of a level: the one at which a method is best, where the stress is its own choice. */
+#define TIMED_BEST (-1.0)
+
 /** An experiment. */
 typedef struct Experiment {
     const char *name;     /**< As on the command line, such as `sphere-distance`. */
@@ -48,6 +51,8 @@ typedef struct Experiment {
     size_t level_count;   /**< How many. */
     size_t cases;         /**< How many a level. */
     size_t parts;         /**< Questions of a case, at least 1. */
+    double timed;         /**< The level at which methods are held against their time: where they
+                               differ; #TIMED_BEST: each at the one that suits it; 0: none. */
 
     /**
      * Makes what all cases of a level have in common; NULL: there is no such thing.

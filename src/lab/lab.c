@@ -4,7 +4,8 @@
  */
 #include "dioptre/lab.h"
 
-#include "lab/plot.h"
+#include "lab/gnuplot.h"
+#include "lab/kernel.h"
 #include "lab/report.h"
 
 #include <errno.h>
@@ -23,7 +24,7 @@ size_t lab_test_count(void) {
 
 LabTest lab_test(size_t place) {
     const Experiment *experiment = experiment_list()[place];
-    return (LabTest){experiment->name, experiment->title};
+    return (LabTest){experiment->name, experiment->title, experiment->timed != 0};
 }
 
 bool lab_prepare(const LabRequest *request, Error *error) {
@@ -64,7 +65,7 @@ static bool keep(const Experiment *experiment, const Findings *findings, const L
         !report_write(experiment, findings, csv, error)) {
         return false;
     }
-    *has_chart = plot_is_possible();
+    *has_chart = gnuplot_is_there();
     return !*has_chart ||
            report_draw(experiment, findings, &(ChartFiles){csv, svg}, request->stop, error);
 }
@@ -79,4 +80,12 @@ bool lab_make(size_t place, const LabRequest *request, bool *has_chart, Error *e
     bool is_kept = keep(experiment, &findings, request, has_chart, error);
     findings_release(&findings);
     return is_kept;
+}
+
+bool lab_time(size_t place, const LabRequest *request, bool *has_chart, Error *error) {
+    const Experiment *experiment = experiment_list()[place];
+    Kernel kernel;
+    *has_chart = false;
+    return kernel_measure(experiment, request->threads, request->stop, &kernel, error) &&
+           kernel_keep(&kernel, experiment, request, has_chart, error);
 }

@@ -1,14 +1,10 @@
 /**
  * @file
  * @brief Charts, drawn by gnuplot.
- *
- * The script goes through a pipe, and the files' names as arguments of their own: whatever is in
- * them, it is no part of the script.
  */
 #include "lab/plot.h"
 
-#include "assets/atomic_file.h"
-#include "assets/program.h"
+#include "lab/gnuplot.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -21,21 +17,8 @@ enum { PANEL_WIDTH = 470, PANEL_HEIGHT = 380 };
 /** Least distance between two names, as a share of a panel's height. */
 #define NAME_HEIGHT 0.055
 
-/** Colours that the colour-blind can tell apart, and that are dark enough for paper. */
-static const char *const colors[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
-                                     "#E69F00", "#56B4E9", "#7F7F7F", "#000000"};
-/** A sign for each of gnuplot's. */
-static const int signs[] = {7, 5, 9, 13, 4, 6, 8, 3};
-
-/** How many styles there are. */
-enum { STYLE_COUNT = sizeof colors / sizeof *colors };
-
 /** Numbers before which a panel has marks, within a power of ten. */
 static const double marks[] = {1, 2, 5};
-
-bool plot_is_possible(void) {
-    return program_is_there(PLOT_PROGRAM);
-}
 
 void plot_share_range(PlotPanel *panels, size_t count) {
     double low = INFINITY, high = 0;
@@ -58,20 +41,6 @@ void plot_share_range(PlotPanel *panels, size_t count) {
         panels[p].y_low = pow(10, floor(log10(low)) - has_floor);
         panels[p].y_high = pow(10, fmax(ceil(log10(high)), floor(log10(low)) + 1));
     }
-}
-
-/** @return A text that stands in a script between single quotes. @param text Anything.
- *  @param[out] quoted Room for it. @param size Bytes of it. */
-static const char *quote(const char *text, char *quoted, size_t size) {
-    size_t at = 0;
-    for (; *text && at + 3 < size; text++) {
-        if (*text == '\'') {
-            quoted[at++] = '\'';
-        }
-        quoted[at++] = *text == '\n' ? ' ' : *text;
-    }
-    quoted[at] = '\0';
-    return quoted;
 }
 
 /** The name of a line, on its way to its place. */
@@ -161,9 +130,8 @@ static void write_names(const PlotPanel *panel, const Ends *ends, FILE *script) 
         char text[128];
         double low = log10(panel->y_low), high = log10(panel->y_high);
         fprintf(script, "set label %zu '%s' at %g, %g left noenhanced textcolor rgb '%s'\n", i + 1,
-                quote(names[i].line->label, text, sizeof text), x,
-                pow(10, low + names[i].height * (high - low)),
-                colors[names[i].line->style % STYLE_COUNT]);
+                gnuplot_quote(names[i].line->label, text, sizeof text), x,
+                pow(10, low + names[i].height * (high - low)), gnuplot_color(names[i].line->style));
     }
 }
 
@@ -192,9 +160,11 @@ static void write_x_tics(const Ends *ends, FILE *script) {
  *  @param script Where to. */
 static void write_axes(const PlotPanel *panel, const Ends *ends, FILE *script) {
     char text[256];
-    fprintf(script, "set title '%s' noenhanced\n", quote(panel->title, text, sizeof text));
-    fprintf(script, "set xlabel '%s' noenhanced\n", quote(panel->x_label, text, sizeof text));
-    fprintf(script, "set ylabel '%s' noenhanced\n", quote(panel->y_label, text, sizeof text));
+    fprintf(script, "set title '%s' noenhanced\n", gnuplot_quote(panel->title, text, sizeof text));
+    fprintf(script, "set xlabel '%s' noenhanced\n",
+            gnuplot_quote(panel->x_label, text, sizeof text));
+    fprintf(script, "set ylabel '%s' noenhanced\n",
+            gnuplot_quote(panel->y_label, text, sizeof text));
     double left = ends->first * pow(ends->first / ends->last, 0.03);
     fprintf(script, "set xrange [%g:%g]\nset yrange [%g:%g]\n", left, ends->edge, panel->y_low,
             panel->y_high);
@@ -213,15 +183,18 @@ static void write_lines(const PlotPanel *panel, FILE *script) {
         fprintf(script,
                 "%sARG1 using %d:(strcol(1) eq '%s' && strcol(2) eq '%s' ? shown(column(%d), %g) "
                 ": NaN) with linespoints lc rgb '%s' pt %d ps 0.7 lw 2",
-                i ? ", \\\n  " : "", panel->x_column, quote(line->keys[0], first, sizeof first),
-                quote(line->keys[1], second, sizeof second), line->column, panel->y_low,
-                colors[line->style % STYLE_COUNT], signs[line->style % STYLE_COUNT]);
+                i ? ", \\\n  " : "", panel->x_column,
+                gnuplot_quote(line->keys[0], first, sizeof first),
+                gnuplot_quote(line->keys[1], second, sizeof second), line->column, panel->y_low,
+                gnuplot_color(line->style), gnuplot_sign(line->style));
     }
     fputc('\n', script);
 }
 
-/** Writes the script of a chart. @param plot The chart. @param script Where to. */
-static void write_script(const Plot *plot, FILE *script) {
+/** Writes the script of a chart. See #GnuplotJob.write. @param chart The #Plot. @param script Where
+ *  to. */
+static void write_script(const void *chart, FILE *script) {
+    const Plot *plot = chart;
     size_t rows = (plot->count + plot->columns - 1) / plot->columns;
     char text[256];
     fprintf(
@@ -233,7 +206,7 @@ static void write_script(const Plot *plot, FILE *script) {
         "set format y '10^{%%L}'\nunset mxtics\nunset mytics\nshown(y, low) = y < low ? low : y\n"
         "set multiplot layout %zu,%zu title '%s' noenhanced font ',16'\n",
         plot->columns * PANEL_WIDTH, rows * PANEL_HEIGHT + 40, rows, plot->columns,
-        quote(plot->title, text, sizeof text));
+        gnuplot_quote(plot->title, text, sizeof text));
     for (size_t i = 0; i < plot->count; i++) {
         const PlotPanel *panel = &plot->panels[i];
         Ends ends = find_ends(panel);
@@ -244,50 +217,6 @@ static void write_script(const Plot *plot, FILE *script) {
     fputs("unset multiplot\n", script);
 }
 
-/** Has a script run. @param script Its text. @param size Its length. @param files Its two
- *  arguments. @param stop Whether to give up. @param[out] error What is wrong. @return Whether it
- *  has run to its end. */
-static bool run_script(const char *script, size_t size, const char *const files[2],
-                       const atomic_bool *stop, Error *error) {
-    Program gnuplot;
-    const char *const words[] = {PLOT_PROGRAM, "-c", "/dev/stdin", files[0], files[1], NULL};
-    if (!program_start(&gnuplot, stop, words, error)) {
-        return false;
-    }
-    bool is_fed = program_feed(&gnuplot, script, size);
-    bool is_done = program_finish(&gnuplot, error);
-    if (stop && atomic_load(stop)) {
-        return error_set(error, STATUS_INTERRUPTED, "interrupted");
-    }
-    return is_done &&
-           (is_fed || error_set(error, STATUS_FAILED, "%s did not read all", PLOT_PROGRAM));
-}
-
-/** Draws a chart into a file that is open. @param plot The chart. @param file The file.
- *  @param stop Whether to give up. @param[out] error What is wrong. @return Whether it is there. */
-static bool draw(const Plot *plot, const AtomicFile *file, const atomic_bool *stop, Error *error) {
-    char *script = NULL;
-    size_t size = 0;
-    FILE *stream = open_memstream(&script, &size);
-    if (!stream) {
-        return error_set(error, STATUS_FAILED, "no memory for a chart");
-    }
-    write_script(plot, stream);
-    fclose(stream);
-    const char *place = file->temporary[0] ? file->temporary : file->place.path;
-    bool is_drawn = run_script(script, size, (const char *const[]){plot->csv, place}, stop, error);
-    free(script);
-    return is_drawn;
-}
-
 bool plot_draw(const Plot *plot, const char *path, const atomic_bool *stop, Error *error) {
-    AtomicFile file;
-    if (!atomic_file_open(&file, path, ATOMIC_REPLACE, error)) {
-        return error_prefix(error, "cannot write '%s': ", path);
-    }
-    if (!draw(plot, &file, stop, error)) {
-        atomic_file_discard(&file);
-        return error_prefix(error, "cannot write '%s': ", path);
-    }
-    return atomic_file_commit(&file, error) || error_prefix(error, "cannot write '%s': ", path);
+    return gnuplot_draw(&(GnuplotJob){plot, write_script, plot->csv}, path, stop, error);
 }

@@ -53,12 +53,6 @@ typedef struct Plot {
     size_t columns;                        /**< Panels side by side. */
 } Plot;
 
-/** The program that draws charts. */
-#define PLOT_PROGRAM "gnuplot"
-
-/** @return Whether charts can be drawn here. */
-bool plot_is_possible(void);
-
 /** Finds what must be shown of y in panels that are to be compared: whole powers of ten.
  *  @param[in,out] panels The panels. @param count How many. */
 void plot_share_range(PlotPanel *panels, size_t count);

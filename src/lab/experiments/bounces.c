@@ -60,6 +60,7 @@ const Experiment mirror_bounces_experiment = {
     .level_count = COUNT_OF(counts),
     .cases = 4000,
     .parts = 1,
+    .timed = 5,
     .pose = pose,
     .judge = judge,
 };

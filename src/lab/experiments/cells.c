@@ -63,6 +63,7 @@ const Experiment field_cells_experiment = {
     .level_count = COUNT_OF(spreads),
     .cases = 2000,
     .parts = 1,
+    .timed = 0.1,
     .pose = pose,
     .judge = judge,
 };

@@ -63,6 +63,7 @@ const Experiment fresnel_into_experiment = {
     .level_count = COUNT_OF(heights),
     .cases = 2000,
     .parts = 1,
+    .timed = 5,
     .pose = pose_into,
     .judge = judge,
 };

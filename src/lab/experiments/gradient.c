@@ -47,6 +47,7 @@ const Experiment field_normal_experiment = {
     .level_count = COUNT_OF(steps),
     .cases = 5000,
     .parts = 1,
+    .timed = TIMED_BEST,
     .pose = pose,
     .judge = judge,
 };

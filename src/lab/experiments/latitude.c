@@ -81,6 +81,7 @@ const Experiment sphere_pole_experiment = {
     .level_count = COUNT_OF(angles),
     .cases = 20000,
     .parts = 1,
+    .timed = 1e-3,
     .pose = pose,
     .judge = judge,
     .scene = scene,

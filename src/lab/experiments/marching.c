@@ -46,6 +46,7 @@ const Experiment marching_angle_experiment = {
     .level_count = COUNT_OF(angles),
     .cases = 400,
     .parts = 1,
+    .timed = 1,
     .pose = pose,
     .judge = judge,
 };

@@ -119,6 +119,7 @@ const Experiment plane_point_experiment = {
     .level_count = COUNT_OF(distances),
     .cases = 20000,
     .parts = 1,
+    .timed = 1e3,
     .pose = pose_point,
     .judge = judge_distance,
     .scene = scene_point,

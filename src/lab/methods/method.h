@@ -51,6 +51,23 @@ typedef struct NumberType {
      * @param[out] answers  The numbers of each answer, exactly.
      */
     void (*ask)(const Method *method, size_t count, const Quadruple *questions, Quadruple *answers);
+
+    /**
+     * Makes questions what methods want, for #repeat.
+     * @param method     One of #methods.
+     * @param count      How many questions.
+     * @param questions  The numbers of each, which the type can hold.
+     * @return They, to be given back with free; NULL without memory.
+     */
+    void *(*pack)(const Method *method, size_t count, const Quadruple *questions);
+
+    /**
+     * Asks a method one question after the other and forgets the answers: for a clock.
+     * @param method  One of #methods.
+     * @param count   How many questions.
+     * @param packed  They, from #pack.
+     */
+    void (*repeat)(const Method *method, size_t count, const void *packed);
 } NumberType;
 
 #endif

@@ -221,6 +221,7 @@ charts: packages
 	$(PROGRAM) lab --out doc/lab >$(BUILD)/lab/tables.txt
 	$(PROGRAM) chart --kernels --out doc/lab >$(BUILD)/lab/kernels.txt
 	$(PROGRAM) chart $(CHARTED) -s 320x240 --samples 4 --out doc/charts >$(BUILD)/lab/charts.txt
+	@BUILD=$(BUILD) doc/reports.sh --pictures
 	@BUILD=$(BUILD) doc/needs.sh
 
 # --- documentation -------------------------------------------------------------------------------

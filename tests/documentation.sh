@@ -113,6 +113,10 @@ for command in view render animate info compare bench lab needs chart; do
     agree "$work/b" "$work/a" "dioptre $command --help has the same options"
 done
 
+# --- the page of the four reports: its figures are those of the tables ------------------------------
+doc/reports.sh "$work/reports.md" 2>"$work/err" || fail "doc/reports.sh: $(cat "$work/err")"
+same doc/reports.md "$work/reports.md" 'doc/reports.md is what doc/reports.sh makes of the tables'
+
 # --- references and the tour ---------------------------------------------------------------------
 sed -nE 's/^\| [A-Z][A-Za-z]+ [0-9-]+ \| ([^:]*):.*\| (`src.*) \|$/\1|\2/p' doc/references.md >"$work/papers"
 [ "$(wc -l <"$work/papers")" -ge 9 ] && ok 'doc/references.md has its papers' || fail 'papers are not found in doc/references.md'

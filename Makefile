@@ -289,7 +289,7 @@ install: all
 	        $(SHARE)/locale/$$language/LC_MESSAGES/dioptre.mo && \
 	    install -D -m 644 doc/dioptre.$$language.1 $(SHARE)/man/$$language/man1/dioptre.1 || exit 1; \
 	done
-	for file in scenes/*.lua scenes/models/* scenes/pictures/*; do \
+	for file in scenes/*.lua scenes/lessons/* scenes/models/* scenes/pictures/*; do \
 	    install -D -m 644 $$file $(SHARE)/dioptre/$$file || exit 1; \
 	done
 	install -D -m 644 src/desktop/$(APP).desktop $(SHARE)/applications/$(APP).desktop

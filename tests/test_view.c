@@ -159,7 +159,9 @@ static void test_keymap_others(void **state) {
                 {SDLK_F11, ACTION_FULL_SCREEN},
                 {SDLK_ESCAPE, ACTION_LEAVE},
                 {SDLK_SPACE, ACTION_TIME},
-                {SDLK_RETURN, ACTION_NONE},
+                {SDLK_r, ACTION_RECORD},
+                {SDLK_RETURN, ACTION_CAPTION},
+                {SDLK_F5, ACTION_NONE},
                 {0, ACTION_NONE}};
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         assert_int_equal(key(SDL_SCANCODE_UNKNOWN, rows[i].key, false), rows[i].action);
@@ -256,14 +258,14 @@ static void test_latency_many(void **state) {
 
 /** @return Whether there is a file. @param folder Its folder. @param name Its name. */
 static bool is_there(const char *folder, const char *name) {
-    char path[SNAPSHOT_PATH_SIZE];
+    char path[NUMBERED_PATH_SIZE];
     snprintf(path, sizeof path, "%s/%s", folder, name);
     return access(path, F_OK) == 0;
 }
 
 /** Removes a file of a folder. @param folder The folder. @param name Its name. */
 static void drop(const char *folder, const char *name) {
-    char path[SNAPSHOT_PATH_SIZE];
+    char path[NUMBERED_PATH_SIZE];
     snprintf(path, sizeof path, "%s/%s", folder, name);
     assert_int_equal(unlink(path), 0);
 }
@@ -273,7 +275,7 @@ static void test_snapshot_numbers(void **state) {
     (void)state;
     char folder[] = "/tmp/dioptre-view-XXXXXX";
     assert_non_null(mkdtemp(folder));
-    char path[SNAPSHOT_PATH_SIZE], link[64];
+    char path[NUMBERED_PATH_SIZE], link[64];
     snprintf(link, sizeof link, "%s/box-0002.bmp", folder);
     assert_int_equal(symlink("/nowhere/at/all", link), 0);
     Picture picture = {0};
@@ -295,7 +297,7 @@ static void test_snapshot_numbers(void **state) {
 /** A folder's name that leaves no room for a file's is told. @param state Unused. */
 static void test_snapshot_long_path(void **state) {
     (void)state;
-    char path[SNAPSHOT_PATH_SIZE], folder[SNAPSHOT_PATH_SIZE];
+    char path[NUMBERED_PATH_SIZE], folder[NUMBERED_PATH_SIZE];
     memset(folder, 'x', sizeof folder);
     folder[sizeof folder - 1] = '\0';
     Picture picture = {0};

@@ -10,6 +10,8 @@
 #ifndef DIOPTRE_LANGUAGE_H
 #define DIOPTRE_LANGUAGE_H
 
+#include <stdbool.h>
+
 /** Marks words for the translators where they stand; the program sees the words alone. */
 #define N_(words) words
 
@@ -24,6 +26,9 @@ void language_begin(void);
  * Speaks the other language from now on, in all threads. What was said before stays as it is.
  */
 void language_switch(void);
+
+/** @return Whether it speaks French. */
+bool language_is_french(void);
 
 /** @return How many letters a text has: the columns that it takes on a terminal. @param text UTF-8.
  */

@@ -1,10 +1,11 @@
 /**
  * @file
- * @brief Scene files: Lua 5.4 in a sandbox, run in a child process.
+ * @brief Scene and lesson files: Lua 5.4 in a sandbox, run in a child process.
  */
 #ifndef DIOPTRE_SCRIPT_H
 #define DIOPTRE_SCRIPT_H
 
+#include "dioptre/lesson.h"
 #include "dioptre/scene.h"
 
 #include <stdatomic.h>
@@ -44,6 +45,22 @@ typedef struct ScriptRequest {
     Stock *stock;            /**< What an earlier load left, and this one leaves; NULL: nothing. */
     const atomic_bool *stop; /**< The file is given up once this is true; NULL: never. */
 } ScriptRequest;
+
+/** Names of what can be done in the window, for lessons. */
+typedef struct ActionNames {
+    const char *const *names; /**< The names, ended by NULL; the moves first. */
+    int move_count;           /**< How many are moves, which last as long as their key is held. */
+} ActionNames;
+
+/**
+ * Runs a lesson file.
+ * @param path        The file.
+ * @param actions     What can be done.
+ * @param[out] error  `FILE:LINE: what is wrong`, with #STATUS_SCENE.
+ * @return The lesson, whose scene is a file that is there, to be given back with #lesson_destroy;
+ *         NULL if anything is wrong.
+ */
+Lesson *script_load_lesson(const char *path, const ActionNames *actions, Error *error);
 
 /**
  * Runs a scene file, and reads the model files that it names.

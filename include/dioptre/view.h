@@ -5,6 +5,7 @@
 #ifndef DIOPTRE_VIEW_H
 #define DIOPTRE_VIEW_H
 
+#include "dioptre/lesson.h"
 #include "dioptre/renderer.h"
 
 /** A scene that the window wants. */
@@ -36,8 +37,16 @@ typedef struct ViewSettings {
     double time;              /**< The scene's `t` at first, seconds. */
     ViewLoader load;          /**< Loads others, or it at other times; NULL: there is no other. */
     void *context;            /**< Handed to #load. */
-    bool is_timed;            /**< Whether first picture and latencies are said when it closes. */
+    const Lesson *lesson;     /**< What is done in the window; NULL: nothing by itself. */
+    const char *lesson_name;  /**< Its name, which its snapshots get. */
+    const char *lesson_snapshots; /**< Folder for the pictures of its captions: it waits for nobody,
+                                       and the window closes at its end; NULL: it is for people. */
+    bool is_timed; /**< Whether first picture and latencies are said when it closes. */
 } ViewSettings;
+
+/** @return The names of what can be done in the window, in the order of #LessonStep.action, ended
+ *          by NULL; moves come first. @param[out] move_count How many are moves. */
+const char *const *view_actions(int *move_count);
 
 /**
  * @return Whether a window can be opened here at all.

@@ -13,7 +13,6 @@
 
 #include <libintl.h>
 #include <locale.h>
-#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -88,8 +87,11 @@ void language_begin(void) {
 }
 
 void language_switch(void) {
-    bool is_english = strcmp(setlocale(LC_MESSAGES, NULL), ENGLISH) == 0;
-    setlocale(LC_MESSAGES, is_english ? TRANSLATING : ENGLISH);
+    setlocale(LC_MESSAGES, language_is_french() ? ENGLISH : TRANSLATING);
+}
+
+bool language_is_french(void) {
+    return strcmp(setlocale(LC_MESSAGES, NULL), ENGLISH) != 0;
 }
 
 int language_letters(const char *text) {

@@ -68,7 +68,7 @@ static int run_command(const Command *command, const Options *options, Error *er
                   options->arguments[command->arguments]);
         return STATUS_USAGE;
     }
-    if (more < 0) {
+    if (more + command->optional < 0) {
         error_set(error, STATUS_USAGE, "usage: dioptre %s %s (--help says more)", command->name,
                   gettext(command->usage));
         return STATUS_USAGE;

@@ -50,6 +50,9 @@ static const OptionRow option_rows[] = {
      N_("largest difference that still counts as alike (default: 0)")},
     {'M', false, "map", N_("FILE"), N_("write a picture of the differences")},
     {'K', false, "keys", N_("WAY"), N_("places or letters: what the light's keys are bound to")},
+    {'I', false, "lesson", N_("FILE"), N_("play that lesson; its scene is the one that it names")},
+    {'W', false, "lesson-snapshots", N_("DIR"),
+     N_("play it without waiting, and write a picture at each caption there")},
     {'L', false, "timing", NULL, N_("say at the end how long pictures took to come")},
     {'Z', false, "kernels", NULL, N_("chart methods of the laboratory and not scenes")},
     {'J', false, "json", NULL, N_("print one JSON object a line")},
@@ -237,6 +240,12 @@ static bool take_value(const OptionRow *row, const char *text, Options *options,
         return true;
     case 'M':
         options->map = text;
+        return true;
+    case 'I':
+        options->lesson = text;
+        return true;
+    case 'W':
+        options->lesson_snapshots = text;
         return true;
     case 's':
         return read_size(text, options, error);

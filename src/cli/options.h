@@ -34,6 +34,8 @@ typedef struct Options {
     const char *folder;                       /**< `--out`: folder to write into. */
     const char *base_dir;                     /**< `--base-dir` */
     const char *map;                          /**< `--map`: difference picture to write. */
+    const char *lesson;                       /**< `--lesson`: what is done in the window. */
+    const char *lesson_snapshots;             /**< `--lesson-snapshots`: folder to write into. */
     const Engine *engine;                     /**< `--engine`; NULL: as the scene needs. */
     int width;                                /**< `--size` */
     int height;                               /**< `--size` */
@@ -67,6 +69,7 @@ typedef struct Command {
     const char *help;    /**< What it does, in one line, in English. */
     const char *accepts; /**< Keys of the options it takes; see #options_parse. */
     int arguments;       /**< How many arguments it takes. */
+    int optional;        /**< How many of them may be left out. */
     bool more_arguments; /**< Whether it takes more than that, too. */
     /**
      * Does it.

@@ -39,6 +39,9 @@ _dioptre() {
     elif [[ $previous == -o || $previous == --output || $previous == --map ]]; then
         compopt -o filenames 2>/dev/null
         mapfile -t COMPREPLY < <(compgen -f -- "$current")
+    elif [[ $previous == --lesson-snapshots || $previous == --out ]]; then
+        compopt -o filenames 2>/dev/null
+        mapfile -t COMPREPLY < <(compgen -d -- "$current")
     elif [[ $current == -* && $COMP_CWORD -gt 1 ]]; then
         mapfile -t COMPREPLY < <(compgen -W "$(_dioptre_options "${COMP_WORDS[1]}")" -- "$current")
     elif [ "$COMP_CWORD" = 1 ]; then

@@ -148,15 +148,16 @@ static int library_unknown(lua_State *L) {
 }
 
 /**
- * Finds a global word that is not in their table: `t`, the time. It is not kept there so that it is
- * seen whether a scene asks for it. Any other raises an error. An `__index` metamethod; see
- * lua_CFunction.
+ * Finds a global word that is not in their table: a scene's `t`, the time. It is not kept there so
+ * that it is seen whether a scene asks for it. Any other raises an error. An `__index` metamethod;
+ * see lua_CFunction.
  * @param L  The state, with the table and the word; #library_unknown's upvalue.
  * @return 1: the time.
  */
 static int library_global(lua_State *L) {
     const Run *run = sandbox_of(L)->context;
-    if (lua_type(L, 2) != LUA_TSTRING || strcmp(lua_tostring(L, 2), "t") != 0) {
+    bool is_time = lua_type(L, 2) == LUA_TSTRING && strcmp(lua_tostring(L, 2), "t") == 0;
+    if (!is_time || !run->scene) {
         return library_unknown(L);
     }
     run->scene->reads_time = true;

@@ -345,8 +345,13 @@ void read_check_names(lua_State *L, const Keyword *const *keywords, const char *
     if (lua_gettop(L) != 1 || !lua_istable(L, 1)) {
         raise_error(L, "%s takes its fields in braces: %s { ... }", name, name);
     }
+    read_check_table(L, 1, keywords, extra);
+}
+
+void read_check_table(lua_State *L, int index, const Keyword *const *keywords, const char *extra) {
+    const char *name = keywords[0]->name;
     lua_pushnil(L);
-    while (lua_next(L, 1)) {
+    while (lua_next(L, index)) {
         lua_pop(L, 1);
         if (takes_first(L, keywords[0])) {
             continue;

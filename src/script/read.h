@@ -19,6 +19,15 @@
 void read_check_names(lua_State *L, const Keyword *const *keywords, const char *extra);
 
 /**
+ * Checks the names in a table. See #read_check_names.
+ * @param L         The state.
+ * @param index     Where the table is, from the bottom of the stack.
+ * @param keywords  See there.
+ * @param extra     See there.
+ */
+void read_check_table(lua_State *L, int index, const Keyword *const *keywords, const char *extra);
+
+/**
  * Reads the fields of a keyword. Raises an error about a field that is of a wrong type, out of
  * range or does not fit the others.
  * @param L           The state; the table is the first argument.

@@ -18,25 +18,37 @@
 #include <stdio.h>
 #include <string.h>
 
+/** Makes a scene's words known. See #Vocabulary.open. @param L The state. */
+static void open_scene(lua_State *L) {
+    keywords_open(L);
+    fields_open(L);
+    include_open(L);
+}
+
+/** Sees that a scene has a camera. See #Vocabulary.check. @param L The state. */
+static void check_scene(lua_State *L) {
+    if (!((Run *)sandbox_of(L)->context)->scene->has_camera) {
+        raise_error(L, "there is no camera in the scene; "
+                       "try camera { position = {0, 0, 5}, look_at = {0, 0, 0} }");
+    }
+}
+
+const Vocabulary scene_vocabulary = {.open = open_scene, .check = check_scene};
+
 /**
  * Does all that may raise an error: sets the state up and runs the text. See lua_CFunction.
  * @param L  The state.
  * @return 0: no results.
  */
-static int run_text(lua_State *L) {
+static int run_in_state(lua_State *L) {
     Run *run = sandbox_of(L)->context;
     library_open(L);
-    keywords_open(L);
-    fields_open(L);
-    include_open(L);
+    run->vocabulary->open(L);
     sandbox_watch(L);
     Source text = *run->source;
     sandbox_load(L, &text, run->request->path);
     lua_call(L, 0, 0);
-    if (!run->scene->has_camera) {
-        return raise_error(L, "there is no camera in the scene; "
-                              "try camera { position = {0, 0, 5}, look_at = {0, 0, 0} }");
-    }
+    run->vocabulary->check(L);
     return 0;
 }
 
@@ -94,14 +106,14 @@ static void speak_plainly(void) {
     }
 }
 
-void run_scene(Run *run) {
+void run_text(Run *run) {
     Sandbox sandbox = {.report = run->report, .context = run, .memory = run->request->memory};
     int status = LUA_ERRMEM;
     speak_plainly();
     if (sandbox_init(&sandbox)) {
         lua_State *L = sandbox.lua;
         lua_pushcfunction(L, report_error);
-        lua_pushcfunction(L, run_text);
+        lua_pushcfunction(L, run_in_state);
         status = lua_pcall(L, 0, 0, 1);
     }
     conclude(&sandbox, status);

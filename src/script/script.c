@@ -4,89 +4,13 @@
  */
 #include "dioptre/script.h"
 
-#include "assets/child.h"
 #include "assets/mesh_file.h"
 #include "assets/texture_file.h"
-#include "script/report.h"
-#include "script/run.h"
-#include "script/source.h"
+#include "script/launch.h"
 #include "script/stock.h"
 #include "script/text.h"
 
-#include <libintl.h>
-#include <signal.h>
-#include <stdio.h>
 #include <string.h>
-
-/**
- * Does in the child what a child is for.
- * @param context  A #Run.
- */
-static void work(void *context) {
-    run_scene(context);
-}
-
-/**
- * Reports that a scene was stopped, at the line where it was seen last.
- * @param run    What was run.
- * @param words  Why.
- */
-static void stop(const Run *run, const char *words) {
-    report_fail(run->report, run->report->location, words, strlen(words));
-}
-
-/** @return Whether a scene file is given up. @param request What was asked for. */
-static bool is_stopped(const ScriptRequest *request) {
-    return request->stop && atomic_load(request->stop);
-}
-
-/**
- * Reports why a child has left no report of its own.
- * @param run     What it was to run.
- * @param end     How it ended.
- * @param detail  The signal or the errno.
- */
-static void explain(const Run *run, ChildEnd end, int detail) {
-    char words[ERROR_MESSAGE_SIZE];
-    if (end == CHILD_UNSTARTED) {
-        error_set(&run->report->error, STATUS_FAILED, "no process to run a scene in: %s",
-                  error_system(detail));
-    } else if (end == CHILD_LATE && is_stopped(run->request)) {
-        error_set(&run->report->error, STATUS_INTERRUPTED, "interrupted");
-    } else if (end == CHILD_LATE) {
-        snprintf(words, sizeof words, gettext("the scene ran for more than %g s"),
-                 run->request->seconds);
-        stop(run, words);
-    } else if (end == CHILD_CRASHED && detail == SIGINT) {
-        error_set(&run->report->error, STATUS_INTERRUPTED, "interrupted");
-    } else {
-        snprintf(words, sizeof words, gettext("the process that ran the scene died (%s)"),
-                 detail ? strsignal(detail) : gettext("nobody knows why"));
-        stop(run, words);
-    }
-}
-
-/**
- * Runs a scene in a child, and sees that there is an error unless it was run to its end.
- * @param run         What to run.
- * @param[out] error  What is wrong.
- * @return Whether the scene is complete.
- */
-static bool run_in_child(Run *run, Error *error) {
-    int detail;
-    Report *report = run->report;
-    const ChildWatcher watcher = {.stop = run->request->stop};
-    ChildEnd end = child_run_watched(work, run, run->request->seconds,
-                                     watcher.stop ? &watcher : NULL, &detail);
-    if (!report->is_done) {
-        explain(run, end, detail);
-    }
-    bool is_good = report->error.status == STATUS_DONE;
-    if (!is_good && error) {
-        *error = report->error;
-    }
-    return is_good;
-}
 
 /**
  * Says in an error which file it is about. A library's words may hold anything that is in the file.
@@ -201,8 +125,12 @@ static bool read_files(const ScriptRequest *request, Scene *scene, Error *error)
 static Scene *load_text(const ScriptRequest *request, const Source *source, Error *error) {
     Scene *scene = scene_create(error);
     Report *report = scene ? report_create(request->path, error) : NULL;
-    Run run = {.request = request, .source = source, .scene = scene, .report = report};
-    if (!report || !run_in_child(&run, error) || !read_files(request, scene, error)) {
+    Run run = {.request = request,
+               .vocabulary = &scene_vocabulary,
+               .source = source,
+               .scene = scene,
+               .report = report};
+    if (!report || !launch_run(&run, error) || !read_files(request, scene, error)) {
         scene_destroy(scene);
         scene = NULL;
     }
@@ -210,31 +138,10 @@ static Scene *load_text(const ScriptRequest *request, const Source *source, Erro
     return scene;
 }
 
-/**
- * Reads the scene file.
- * @param path         The path.
- * @param[out] source  The text; to be released.
- * @param[out] error   What is wrong.
- * @return Whether it is text.
- */
-static bool read_text(const char *path, Source *source, Error *error) {
-    char shown[TEXT_PATH_SIZE];
-    text_clean_path(shown, path);
-    if (!source_read(source, path, error)) {
-        return error_prefix(error, "%s: ", shown);
-    }
-    int line;
-    if (!source_check_text(source, &line, error)) {
-        source_release(source);
-        return error_prefix(error, "%s:%d: ", shown, line);
-    }
-    return true;
-}
-
 Scene *script_load(const ScriptRequest *request, Error *error) {
     Source own = {0};
     Source *source = request->stock ? stock_source(request->stock) : &own;
-    if (!source->text && !read_text(request->path, source, error)) {
+    if (!source->text && !launch_read(request->path, source, error)) {
         return NULL;
     }
     Scene *scene = load_text(request, source, error);

@@ -31,6 +31,8 @@ typedef enum Action {
     ACTION_TEXT_LARGER,    /**< Larger letters. */
     ACTION_TEXT_SMALLER,   /**< Smaller letters. */
     ACTION_LANGUAGE,       /**< The words are in the other language. */
+    ACTION_RECORD,         /**< A lesson is recorded from now on, or that ends. */
+    ACTION_CAPTION,        /**< Words for the lesson that is recorded. */
     ACTION_HELP,           /**< The help opens or closes. */
     ACTION_FULL_SCREEN,    /**< The whole screen, or a window again. */
     ACTION_LEAVE,          /**< The window closes. */
@@ -44,5 +46,12 @@ enum { ACTION_MOVE_COUNT = ACTION_SNAPSHOT };
 static inline bool action_is_move(Action action) {
     return action < ACTION_SNAPSHOT;
 }
+
+/** @return The names of all actions, in their order, ended by NULL: English, in lesson files. */
+const char *const *action_names(void);
+
+/** @return Whether a lesson remembers an action: what changes what is seen, but for the language,
+ *          which is the viewer's own. @param action The action. */
+bool action_is_taught(Action action);
 
 #endif

@@ -19,6 +19,8 @@ static const double FAST = 4;
 static const double FINE = 0.25;
 /** Factor for the width of the field of view with each notch of the wheel away from the user. */
 static const double ZOOM_A_NOTCH = 0.9;
+/** Bytes of a step of a lesson with two numbers. */
+enum { STEP_SIZE = 80 };
 /** Modifiers that make a key one of the window manager's, not ours. */
 static const int FOREIGN_MODIFIERS = KMOD_LALT | KMOD_GUI;
 
@@ -96,8 +98,16 @@ static void copy_view(View *view) {
  */
 static void ask_for_snapshot(View *view) {
     view->wants_snapshot = true;
-    timeline_hold(&view->timeline, stage_clock());
+    timeline_hold(&view->timeline, play_clock(view));
     view_note(view, "the snapshot waits for the last pass");
+}
+
+/** Begins to record a lesson, or ends it. @param[in,out] view The view. */
+static void toggle_recording(View *view) {
+    Error error = {0};
+    if (!recorder_toggle(view, &error)) {
+        view_report(view, &error);
+    }
 }
 
 /**
@@ -107,17 +117,14 @@ static void ask_for_snapshot(View *view) {
  * @param time          When the key went down, seconds.
  */
 static void begin_move(View *view, Action action, double time) {
-    motion_press(&view->motion, action, time);
+    if (!recorder_is_on(view)) {
+        motion_press(&view->motion, action, time);
+    }
     latency_key(&view->stage.latency, time);
     view->next_step = 0;
 }
 
-/**
- * Does what a key asks for.
- * @param[in,out] view  The view.
- * @param action        What it asks for, not a move.
- */
-static void act(View *view, Action action) {
+void controls_act(View *view, Action action) {
     switch (action) {
     case ACTION_SNAPSHOT:
         ask_for_snapshot(view);
@@ -145,6 +152,12 @@ static void act(View *view, Action action) {
     case ACTION_LANGUAGE:
         switch_language(view);
         break;
+    case ACTION_RECORD:
+        toggle_recording(view);
+        break;
+    case ACTION_CAPTION:
+        recorder_begin_caption(view);
+        break;
     case ACTION_HELP:
         toggle_help(view);
         break;
@@ -159,23 +172,80 @@ static void act(View *view, Action action) {
     }
 }
 
+/** A move ends. @param[in,out] view The view. @param action The move. @param time When its key went
+ *  up, seconds. */
+static void end_move(View *view, Action action, double time) {
+    if (recorder_is_on(view)) {
+        recorder_release(view, action, time);
+    }
+    motion_release(&view->motion, action, time);
+}
+
+/** All moves end. @param[in,out] view The view. @param time When, seconds. */
+static void end_moves(View *view, double time) {
+    if (recorder_is_on(view)) {
+        recorder_release_all(view, time);
+    }
+    motion_release_all(&view->motion, time);
+}
+
+/** Moves go faster or slower. @param[in,out] view The view. @param factor How fast. @param time
+ *  When, seconds. */
+static void set_speed(View *view, double factor, double time) {
+    if (recorder_is_on(view)) {
+        recorder_set_speed(view, factor, time);
+    }
+    motion_set_speed(&view->motion, factor, time);
+}
+
 /** A key went down or up. @param[in,out] view The view. @param key The event. */
 static void on_key(View *view, const SDL_KeyboardEvent *key) {
     double time = event_time(key->timestamp);
     Action action = keymap_action(key->keysym, view->settings->keys_by_letter);
-    motion_set_speed(&view->motion, speed(key->keysym.mod), time);
+    set_speed(view, speed(key->keysym.mod), time);
     if (key->type == SDL_KEYUP && action_is_move(action)) {
-        motion_release(&view->motion, action, time);
+        end_move(view, action, time);
     }
     bool is_repeat = key->repeat && action != ACTION_TIME_BACK && action != ACTION_TIME_ON;
     if (key->type == SDL_KEYUP || is_repeat || (key->keysym.mod & FOREIGN_MODIFIERS)) {
         return;
     }
+    if (player_takes(view, action)) {
+        return;
+    }
+    if (recorder_is_on(view)) {
+        recorder_press(view, action, time);
+    }
     if (action_is_move(action)) {
         begin_move(view, action, time);
     } else {
-        act(view, action);
+        controls_act(view, action);
     }
+}
+
+void controls_move(View *view, Movement light, Movement camera) {
+    bool is_light_moved = movement_is_any(light) && view->light < view->scene->light_count;
+    if (is_light_moved || movement_is_any(camera)) {
+        pose_move(&view->home, view->scene, view->light, light, camera);
+        view_changed(view);
+    } else {
+        latency_forget(&view->stage.latency);
+        if (movement_is_any(light)) {
+            view_note(view, "there is no light to move");
+        }
+    }
+}
+
+void controls_turn(View *view, double right, double up) {
+    camera_turn(&view->scene->camera, view->home.vertical, right, up);
+    view->home.is_camera_moved = true;
+    view_changed(view);
+}
+
+void controls_zoom(View *view, double notches) {
+    camera_zoom(&view->scene->camera, pow(ZOOM_A_NOTCH, notches));
+    view->home.is_camera_moved = true;
+    view_changed(view);
 }
 
 /**
@@ -184,23 +254,39 @@ static void on_key(View *view, const SDL_KeyboardEvent *key) {
  * @param mouse         The event.
  */
 static void on_drag(View *view, const SDL_MouseMotionEvent *mouse) {
-    if (mouse->state & SDL_BUTTON_LMASK) {
+    if ((mouse->state & SDL_BUTTON_LMASK) && player_leaves_view(view)) {
         int width = 1;
+        char step[STEP_SIZE];
         SDL_GetWindowSize(view->stage.display.window, &width, NULL);
         double degrees = view->scene->camera.fov / SDL_max(1, width);
-        camera_turn(&view->scene->camera, view->home.vertical, mouse->xrel * degrees,
-                    -mouse->yrel * degrees);
-        view->home.is_camera_moved = true;
-        view_changed(view);
+        double right = mouse->xrel * degrees, up = -mouse->yrel * degrees;
+        snprintf(step, sizeof step, "turn(%.17g, %.17g)", right, up);
+        recorder_note(view, step);
+        controls_turn(view, right, up);
     }
 }
 
 /** The wheel was turned: away from the user comes closer. @param[in,out] view The view.
  *  @param wheel The event. */
 static void on_wheel(View *view, const SDL_MouseWheelEvent *wheel) {
-    camera_zoom(&view->scene->camera, pow(ZOOM_A_NOTCH, (double)wheel->preciseY));
-    view->home.is_camera_moved = true;
-    view_changed(view);
+    if (player_leaves_view(view)) {
+        char step[STEP_SIZE];
+        snprintf(step, sizeof step, "zoom(%.17g)", (double)wheel->preciseY);
+        recorder_note(view, step);
+        controls_zoom(view, (double)wheel->preciseY);
+    }
+}
+
+/** The window has another size. @param[in,out] view The view. */
+static void on_resize(View *view) {
+    if (stage_on_resize(&view->stage)) {
+        int width, height;
+        char step[STEP_SIZE];
+        SDL_GetWindowSize(view->stage.display.window, &width, &height);
+        snprintf(step, sizeof step, "size(%d, %d)", width, height);
+        recorder_note(view, step);
+        view_changed(view);
+    }
 }
 
 /** Something happened to the window. @param[in,out] view The view. @param window The event. */
@@ -208,16 +294,14 @@ static void on_window(View *view, const SDL_WindowEvent *window) {
     stage_on_visibility(&view->stage);
     switch (window->event) {
     case SDL_WINDOWEVENT_SIZE_CHANGED:
-        if (stage_on_resize(&view->stage)) {
-            view_changed(view);
-        }
+        on_resize(view);
         break;
     case SDL_WINDOWEVENT_EXPOSED:
         stage_present(&view->stage);
         break;
     case SDL_WINDOWEVENT_FOCUS_LOST:
     case SDL_WINDOWEVENT_HIDDEN:
-        motion_release_all(&view->motion, event_time(window->timestamp));
+        end_moves(view, event_time(window->timestamp));
         break;
     default:
         break;
@@ -226,7 +310,7 @@ static void on_window(View *view, const SDL_WindowEvent *window) {
 
 /** The keyboard has another layout. @param[in,out] view The view. @param time Now, seconds. */
 static void on_keymap(View *view, double time) {
-    motion_release_all(&view->motion, time);
+    end_moves(view, time);
     stage_forget_words(&view->stage);
     stage_present(&view->stage);
 }
@@ -244,6 +328,9 @@ static void on_own_event(View *view, Uint32 type) {
 }
 
 void controls_handle(View *view, const SDL_Event *event) {
+    if (recorder_types(view, event)) {
+        return;
+    }
     switch (event->type) {
     case SDL_KEYDOWN:
     case SDL_KEYUP:

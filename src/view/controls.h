@@ -14,4 +14,27 @@
  */
 void controls_handle(View *view, const SDL_Event *event);
 
+/**
+ * Does what a key asks for.
+ * @param[in,out] view  The view.
+ * @param action        What it asks for, not a move.
+ */
+void controls_act(View *view, Action action);
+
+/**
+ * Moves the light that keys move, and the camera, along the axes of the picture.
+ * @param[in,out] view  The view.
+ * @param light         How far the light goes.
+ * @param camera        How far the camera goes.
+ */
+void controls_move(View *view, Movement light, Movement camera);
+
+/** Turns the camera. @param[in,out] view The view. @param right Degrees to the right. @param up
+ *  Degrees up. */
+void controls_turn(View *view, double right, double up);
+
+/** Makes the field of view narrower. @param[in,out] view The view. @param notches Notches of the
+ *  wheel; below 0: wider. */
+void controls_zoom(View *view, double notches);
+
 #endif

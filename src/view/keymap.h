@@ -13,7 +13,7 @@
 #include <stddef.h>
 
 /** Rows that the help has at most. */
-enum { HELP_ROWS_MAXIMUM = 28 };
+enum { HELP_ROWS_MAXIMUM = 48 };
 
 /**
  * @return What a key asks for.

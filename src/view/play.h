@@ -7,6 +7,13 @@
 
 #include "view/state.h"
 
+/** @return Now on the clock that the scene's time goes by, seconds: a lesson's, or #stage_clock.
+ *  @param view The view. */
+double play_clock(const View *view);
+
+/** @return The scene's time as it should be now, seconds. @param view The view. */
+double play_time(const View *view);
+
 /** @return Whether the scene asks what time it is. @param view The view. */
 bool play_has_time(const View *view);
 
@@ -18,7 +25,7 @@ void play_toggle(View *view);
  * 0: back. */
 void play_step(View *view, int steps);
 
-/** @return Whether the time is held, and the scene is of that time. @param view The view. */
+/** @return Whether the time stands still, and the scene is of that time. @param view The view. */
 bool play_is_at_rest(const View *view);
 
 #endif

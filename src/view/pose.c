@@ -92,6 +92,26 @@ void pose_restore(Pose *pose, Scene *scene) {
     }
 }
 
+bool pose_copy(Pose *copy, const Pose *pose, const Scene *scene, Error *error) {
+    if (!pose_save(copy, scene, error)) {
+        return false;
+    }
+    copy->is_camera_moved = pose->is_camera_moved;
+    for (size_t i = 0; i < copy->light_count && i < pose->light_count; i++) {
+        copy->is_light_moved[i] = pose->is_light_moved[i];
+    }
+    return true;
+}
+
+void pose_put_back(const Pose *copy, Pose *pose, Scene *scene) {
+    scene->camera = copy->camera;
+    pose->is_camera_moved = copy->is_camera_moved;
+    for (size_t i = 0; i < copy->light_count && i < pose->light_count; i++) {
+        scene->lights[i] = copy->lights[i];
+        pose->is_light_moved[i] = copy->is_light_moved[i];
+    }
+}
+
 void pose_release(Pose *pose) {
     free(pose->lights);
     free(pose->is_light_moved);

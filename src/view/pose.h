@@ -47,6 +47,24 @@ bool pose_renew(Pose *pose, const Scene *before, Scene *scene, Error *error);
  */
 void pose_restore(Pose *pose, Scene *scene);
 
+/**
+ * Keeps camera and lights as they are now, and which of them the user has moved.
+ * @param[out] copy   Where to; give it back with #pose_release.
+ * @param pose        What was kept of the scene's own.
+ * @param scene       The scene.
+ * @param[out] error  What is wrong.
+ * @return false without memory.
+ */
+bool pose_copy(Pose *copy, const Pose *pose, const Scene *scene, Error *error);
+
+/**
+ * Puts camera and lights back where they were at #pose_copy.
+ * @param copy            What was kept then.
+ * @param[in,out] pose    What was kept of the scene's own; it is noted there what is moved.
+ * @param[in,out] scene   The scene.
+ */
+void pose_put_back(const Pose *copy, Pose *pose, Scene *scene);
+
 /** Gives a pose back. @param[in,out] pose The pose. */
 void pose_release(Pose *pose);
 

@@ -20,6 +20,7 @@ static const double PAUSE = 0.016;
 /** Goes by a file from now on. @param[in,out] view The view. @param path The file, or `-`. */
 static void go_by(View *view, const char *path) {
     scene_name(path, view->name, sizeof view->name);
+    SDL_strlcpy(view->path, path, sizeof view->path);
     if (view->settings->load && strcmp(path, "-") != 0) {
         watch_file(&view->watch, path);
     }
@@ -106,10 +107,9 @@ static bool take(View *view, Error *error) {
     return false;
 }
 
-/** @return Whether another scene is wanted than the one that is shown. @param view The view.
- *  @param now Now, seconds. */
-static bool is_due(const View *view, double now) {
-    bool is_later = play_has_time(view) && timeline_at(&view->timeline, now) != view->time;
+/** @return Whether another scene is wanted than the one that is shown. @param view The view. */
+static bool is_due(const View *view) {
+    bool is_later = play_has_time(view) && play_time(view) != view->time;
     return is_later || view->is_outdated || view->next_path[0] != '\0';
 }
 
@@ -123,7 +123,7 @@ static bool is_due(const View *view, double now) {
 static bool ask(View *view, double now, Error *error) {
     bool is_other = view->next_path[0] != '\0';
     ViewRequest request = {.path = is_other ? view->next_path : NULL,
-                           .time = is_other ? 0 : timeline_at(&view->timeline, now),
+                           .time = is_other ? 0 : play_time(view),
                            .is_anew = view->is_outdated};
     bool is_asked = reloader_ask(&view->reloader, &request, view->stage.renderer, error);
     view->next_time = now + PAUSE;
@@ -137,14 +137,14 @@ static bool ask(View *view, double now, Error *error) {
 
 bool scenes_update(View *view, double now, Error *error) {
     bool is_good = take(view, error);
-    if (!is_good || !is_due(view, now) || scenes_delay(view, now) > 0) {
+    if (!is_good || !is_due(view) || scenes_delay(view, now) > 0) {
         return is_good;
     }
     return ask(view, now, error);
 }
 
 double scenes_delay(View *view, double now) {
-    bool is_asking = (play_has_time(view) && view->timeline.is_running) || is_due(view, now);
+    bool is_asking = (play_has_time(view) && view->timeline.is_running) || is_due(view);
     // An answer may have come while the picture before was not on screen yet: nothing tells again.
     if (reloader_has_answer(&view->reloader) && stage_is_ready(&view->stage)) {
         return 0;

@@ -6,12 +6,7 @@
 #define DIOPTRE_VIEW_SNAPSHOT_H
 
 #include "dioptre/picture.h"
-
-/** Longest path of a snapshot, bytes with the final zero. */
-enum { SNAPSHOT_PATH_SIZE = 4096 };
-
-/** Highest number of a snapshot: a guard against looking for a free one for ever. */
-enum { SNAPSHOT_NUMBER_MAXIMUM = 999999 };
+#include "view/numbered.h"
 
 /**
  * Writes a picture as NAME-0001.bmp, with the first number that is free, never over another file.
@@ -23,7 +18,7 @@ enum { SNAPSHOT_NUMBER_MAXIMUM = 999999 };
  * @return Whether it is there, all of it.
  */
 bool snapshot_write(const char *folder, const char *name, const Picture *picture,
-                    char path[SNAPSHOT_PATH_SIZE], Error *error);
+                    char path[NUMBERED_PATH_SIZE], Error *error);
 
 /**
  * Turns what a screen shows into a picture.

@@ -29,7 +29,7 @@ double stage_clock(void) {
 bool stage_open(Stage *stage, const Scene *scene, const RenderSettings *settings, const char *title,
                 uint32_t pass_event, Error *error) {
     stage->pass_event = pass_event;
-    stage->notice.overlay.place = OVERLAY_BELOW;
+    stage->notice.overlay.place = stage->caption.overlay.place = OVERLAY_BELOW;
     stage->is_changed = true;
     stage->renderer = renderer_create(scene, settings, error);
     return stage->renderer &&
@@ -103,6 +103,7 @@ void stage_present(Stage *stage) {
     double scale = stage->text_scale > 0 ? stage->text_scale : 1;
     OverlayScreen screen = {stage->display.renderer, scale};
     display_begin(&stage->display);
+    caption_show(&stage->caption, &screen);
     notice_show(&stage->notice, &screen);
     help_show(&stage->help, &screen);
     display_end(&stage->display);
@@ -111,6 +112,7 @@ void stage_present(Stage *stage) {
 void stage_forget_words(Stage *stage) {
     overlay_forget(&stage->help.overlay);
     overlay_forget(&stage->notice.overlay);
+    overlay_forget(&stage->caption.overlay);
 }
 
 void stage_resize_words(Stage *stage, int steps) {

@@ -6,6 +6,7 @@
 #define DIOPTRE_VIEW_STAGE_H
 
 #include "dioptre/renderer.h"
+#include "view/caption.h"
 #include "view/display.h"
 #include "view/help.h"
 #include "view/latency.h"
@@ -20,6 +21,7 @@ typedef struct Stage {
     Display display;     /**< Where it is shown. */
     Help help;           /**< What may lie over it. */
     Notice notice;       /**< What is said over it. */
+    Caption caption;     /**< What a lesson says over it. */
     double text_scale;   /**< How many times as large as usual its letters are; 0: as usual. */
     Latency latency;     /**< How long keys wait for their picture. */
     RenderReport report; /**< How the picture on screen stands. */

@@ -7,7 +7,9 @@
 
 #include "dioptre/view.h"
 #include "view/motion.h"
+#include "view/player.h"
 #include "view/pose.h"
+#include "view/recorder.h"
 #include "view/reloader.h"
 #include "view/stage.h"
 #include "view/timeline.h"
@@ -40,10 +42,13 @@ typedef struct View {
     bool is_outdated;             /**< Whether it was. */
     bool is_wrong;                /**< Whether the newest scene could not be had. */
     char next_path[PATH_MAX];     /**< File of another scene that is wanted; empty: none is. */
+    char path[PATH_MAX];          /**< File of the scene that is shown, or `-`. */
     char name[SCENE_NAME_SIZE];   /**< Name of the scene: in the title and of the snapshots. */
     Pose home;                    /**< The scene's own view. */
     Stage stage;                  /**< The way from the scene to the screen. */
     Motion motion;                /**< The keys that are held. */
+    Player player;                /**< The lesson that is played. */
+    Recorder recorder;            /**< The lesson that is recorded. */
     size_t light;                 /**< Place of the light that the keys move. */
     double next_step;             /**< When held keys move things again, seconds. */
     bool wants_snapshot;          /**< Whether a snapshot waits for the last pass. */
@@ -60,6 +65,10 @@ typedef struct View {
  * @param format        The note in English, as for printf, looked up here.
  */
 void view_note(View *view, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/** Says on standard error, in the title and over the picture what went wrong. @param[in,out] view
+ *  The view. @param error What went wrong. */
+void view_report(View *view, const Error *error);
 
 /** Takes the note out of the title. @param[in,out] view The view. */
 void view_hush(View *view);

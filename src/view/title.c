@@ -50,6 +50,9 @@ void title_write(const TitleFacts *facts, char title[TITLE_SIZE]) {
     if (facts->is_running) {
         title_add(title, ", running");
     }
+    if (facts->is_recorded) {
+        title_add(title, " — recording a lesson");
+    }
     if (facts->light_count > 1) {
         title_add(title, " — light %zu of %zu", facts->light + 1, facts->light_count);
     }

@@ -18,6 +18,7 @@ typedef struct TitleFacts {
     const RenderReport *report; /**< How the drawing stands; NULL before the first pass. */
     const double *time;         /**< The scene's time, seconds; NULL: it asks for none. */
     bool is_running;            /**< Whether it runs. */
+    bool is_recorded;           /**< Whether a lesson is recorded. */
     size_t light;               /**< Place of the light that the keys move. */
     size_t light_count;         /**< How many lights there are. */
     const char *note;           /**< What else is to be said; empty: nothing. */

@@ -10,9 +10,8 @@
 #include "view/controls.h"
 #include "view/interrupt.h"
 #include "view/play.h"
-#include "view/scene_text.h"
 #include "view/scenes.h"
-#include "view/snapshot.h"
+#include "view/shoot.h"
 #include "view/state.h"
 #include "view/title.h"
 #include "view/video.h"
@@ -49,9 +48,7 @@ void view_changed(View *view) {
     }
 }
 
-/** Says on standard error and in the title what went wrong. @param[in,out] view The view.
- *  @param error What went wrong. */
-static void report_error(View *view, const Error *error) {
+void view_report(View *view, const Error *error) {
     fprintf(stderr, "dioptre: %s\n", error->message);
     view_note(view, "%.*s", NOTE_SIZE - 1, error->message);
     stage_say(&view->stage, error->message);
@@ -59,47 +56,12 @@ static void report_error(View *view, const Error *error) {
 
 /** Moves things as far as the keys were held. @param[in,out] view The view. @param now Seconds. */
 static void move_by_keys(View *view, double now) {
-    if (now < view->next_step || !stage_is_ready(&view->stage) ||
-        !motion_is_active(&view->motion)) {
-        return;
+    if (now >= view->next_step && stage_is_ready(&view->stage) && motion_is_active(&view->motion)) {
+        Movement light, camera;
+        motion_take(&view->motion, now, &light, &camera);
+        controls_move(view, light, camera);
+        view->next_step = now + STEP;
     }
-    Movement light, camera;
-    motion_take(&view->motion, now, &light, &camera);
-    bool is_light_moved = movement_is_any(light) && view->light < view->scene->light_count;
-    if (is_light_moved || movement_is_any(camera)) {
-        pose_move(&view->home, view->scene, view->light, light, camera);
-        view_changed(view);
-    } else {
-        latency_forget(&view->stage.latency);
-        if (movement_is_any(light)) {
-            view_note(view, "there is no light to move");
-        }
-    }
-    view->next_step = now + STEP;
-}
-
-/**
- * Writes the finished picture into a file, and its view to standard output.
- * @param[in,out] view  The view, with the picture finished.
- * @param[out] error    What is wrong.
- * @return Whether it is done.
- */
-static bool save_snapshot(View *view, Error *error) {
-    Picture picture = {0};
-    char path[SNAPSHOT_PATH_SIZE];
-    bool is_saved = stage_copy(&view->stage, &picture, error) &&
-                    snapshot_write(view->settings->snapshot_dir, view->name, &picture, path, error);
-    picture_release(&picture);
-    if (is_saved) {
-        scene_text_print(view->scene, stdout);
-        if (view->scene->reads_time) {
-            printf("  -- t = %.17g", view->time);
-        }
-        printf("  -- %s\n", path);
-        fflush(stdout);
-        view_note(view, "saved %s", path);
-    }
-    return is_saved;
 }
 
 /** Takes a snapshot if one is wanted and the picture is finished, with nothing on the move.
@@ -110,8 +72,8 @@ static void snapshot_if_wanted(View *view) {
     if (view->wants_snapshot && is_at_rest) {
         Error error = {0};
         view->wants_snapshot = false;
-        if (!save_snapshot(view, &error)) {
-            report_error(view, &error);
+        if (!shoot(view, view->settings->snapshot_dir, view->name, &error)) {
+            view_report(view, &error);
         }
     }
 }
@@ -128,6 +90,7 @@ static void update_title(View *view, double now) {
                         .report = stage->first_shown > 0 ? &stage->report : NULL,
                         .time = view->scene->reads_time ? &view->time : NULL,
                         .is_running = view->timeline.is_running,
+                        .is_recorded = recorder_is_on(view),
                         .light = view->light,
                         .light_count = view->scene->light_count,
                         .note = view->note};
@@ -151,6 +114,7 @@ static bool wait_for_event(View *view, double now, SDL_Event *event) {
     if (motion_is_active(&view->motion) && stage_is_ready(&view->stage)) {
         delay = fmin(delay, fmax(0, view->next_step - now));
     }
+    delay = fmin(delay, fmin(player_delay(view, now), recorder_delay(view, now)));
     if (isinf(delay)) {
         return SDL_WaitEvent(event);
     }
@@ -161,16 +125,21 @@ static bool wait_for_event(View *view, double now, SDL_Event *event) {
 static void do_round(View *view) {
     Error error = {0};
     move_by_keys(view, stage_clock());
+    player_update(view, stage_clock());
+    recorder_update(view, stage_clock());
     if (!scenes_update(view, stage_clock(), &error) && error.status != STATUS_INTERRUPTED) {
-        report_error(view, &error);
+        view_report(view, &error);
     }
     if (!stage_update(&view->stage, view->scene, stage_clock(), &error)) {
-        report_error(view, &error);
+        view_report(view, &error);
     }
     snapshot_if_wanted(view);
+    if (!player_shoot(view, &error)) {
+        view_report(view, &error);
+    }
     update_title(view, stage_clock());
     SDL_Event event;
-    bool is_event = wait_for_event(view, stage_clock(), &event);
+    bool is_event = !view->is_over && wait_for_event(view, stage_clock(), &event);
     while (is_event && !view->is_over) {
         controls_handle(view, &event);
         is_event = SDL_PollEvent(&event);
@@ -206,12 +175,16 @@ static Status live(View *view, const atomic_bool *stop, Interrupt *interrupt, Er
                     view->first_event + EVENT_PASS, error)) {
         return error->status;
     }
+    player_begin(view);
     while (!view->is_over) {
         do_round(view);
         if (stop && atomic_load(stop)) {
             view->is_over = true;
             view->status = STATUS_INTERRUPTED;
         }
+    }
+    if (!recorder_end(view, error)) {
+        view->status = error->status;
     }
     if (view->wants_snapshot) {
         fprintf(stderr, gettext("dioptre: no snapshot: the picture was not finished\n"));
@@ -220,6 +193,11 @@ static Status live(View *view, const atomic_bool *stop, Interrupt *interrupt, Er
         print_timing(view);
     }
     return view->status;
+}
+
+const char *const *view_actions(int *move_count) {
+    *move_count = ACTION_MOVE_COUNT;
+    return action_names();
 }
 
 bool view_is_possible(void) {
@@ -241,6 +219,7 @@ Status view_run(Scene *scene, const ViewSettings *settings, const atomic_bool *s
     interrupt_block(&interrupt);
     if (video_start(error)) {
         status = live(&view, stop, &interrupt, error);
+        player_end(&view);
         scenes_end(&view); // The scene that it may still make shares with what the stage draws.
         stage_close(&view.stage);
     }

@@ -1,0 +1,53 @@
+/**
+ * @file
+ * @brief Lessons as plain data.
+ */
+#include "dioptre/lesson.h"
+
+#include <string.h>
+#include <sys/mman.h>
+
+Lesson *lesson_create(Error *error) {
+    Lesson *lesson = mmap(NULL, sizeof *lesson, PROT_READ | PROT_WRITE,
+                          MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (lesson == MAP_FAILED) {
+        error_set(error, STATUS_FAILED, "no memory for a lesson");
+        return NULL;
+    }
+    lesson->look = (LessonLook){.depth = -1, .offset = -1, .epsilon = -1};
+    return lesson;
+}
+
+void lesson_destroy(Lesson *lesson) {
+    if (lesson) {
+        munmap(lesson, sizeof *lesson);
+    }
+}
+
+bool lesson_add(Lesson *lesson, const LessonStep *step, Error *error) {
+    if (lesson->count == LESSON_STEPS_MAXIMUM) {
+        return error_set(error, STATUS_SCENE, "a lesson may have at most %d steps",
+                         LESSON_STEPS_MAXIMUM);
+    }
+    lesson->steps[lesson->count++] = *step;
+    return true;
+}
+
+const char *lesson_keep(Lesson *lesson, const char *words, Error *error) {
+    size_t size = strlen(words) + 1;
+    if (size > LESSON_TEXT_MAXIMUM - lesson->text_used) {
+        error_set(error, STATUS_SCENE, "the words of a lesson may take at most %d bytes",
+                  LESSON_TEXT_MAXIMUM);
+        return NULL;
+    }
+    char *kept = lesson->text + lesson->text_used;
+    memcpy(kept, words, size);
+    lesson->text_used += size;
+    return kept;
+}
+
+const char *lesson_words(const LessonText *text, bool is_french) {
+    const char *wanted = is_french ? text->french : text->english;
+    const char *other = wanted ? wanted : text->english ? text->english : text->french;
+    return other ? other : "";
+}

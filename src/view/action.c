@@ -1,0 +1,60 @@
+/**
+ * @file
+ * @brief What actions are called in lesson files.
+ */
+#include "view/action.h"
+
+#include <assert.h>
+#include <stddef.h>
+
+/** The names. */
+static const char *const names[] = {
+    [ACTION_LIGHT_RIGHT] = "light right",
+    [ACTION_LIGHT_LEFT] = "light left",
+    [ACTION_LIGHT_UP] = "light up",
+    [ACTION_LIGHT_DOWN] = "light down",
+    [ACTION_LIGHT_AWAY] = "light away",
+    [ACTION_LIGHT_NEARER] = "light nearer",
+    [ACTION_CAMERA_RIGHT] = "camera right",
+    [ACTION_CAMERA_LEFT] = "camera left",
+    [ACTION_CAMERA_UP] = "camera up",
+    [ACTION_CAMERA_DOWN] = "camera down",
+    [ACTION_CAMERA_FORWARD] = "camera forward",
+    [ACTION_CAMERA_BACK] = "camera back",
+    [ACTION_SNAPSHOT] = "snapshot",
+    [ACTION_HOME] = "home",
+    [ACTION_NEXT_LIGHT] = "next light",
+    [ACTION_TIME] = "time",
+    [ACTION_TIME_BACK] = "time back",
+    [ACTION_TIME_ON] = "time on",
+    [ACTION_COPY] = "copy",
+    [ACTION_TEXT_LARGER] = "text larger",
+    [ACTION_TEXT_SMALLER] = "text smaller",
+    [ACTION_LANGUAGE] = "language",
+    [ACTION_RECORD] = "record",
+    [ACTION_CAPTION] = "caption",
+    [ACTION_HELP] = "help",
+    [ACTION_FULL_SCREEN] = "full screen",
+    [ACTION_LEAVE] = "leave",
+    [ACTION_NONE] = NULL,
+};
+
+static_assert(sizeof names / sizeof *names == ACTION_NONE + 1, "every action has a name");
+
+const char *const *action_names(void) {
+    return names;
+}
+
+bool action_is_taught(Action action) {
+    switch (action) {
+    case ACTION_COPY:
+    case ACTION_LANGUAGE:
+    case ACTION_RECORD:
+    case ACTION_CAPTION:
+    case ACTION_LEAVE:
+    case ACTION_NONE:
+        return false;
+    default:
+        return true;
+    }
+}

@@ -5,6 +5,7 @@
 #include "dioptre/view.h"
 #include "cli/commands.h"
 #include "dioptre/language.h"
+#include "dioptre/scene_name.h"
 
 #include <limits.h>
 #include <stdio.h>
@@ -80,7 +81,7 @@ static int show(const Options *options, const Lesson *lesson, Error *error) {
                              .lesson_snapshots = options->lesson_snapshots,
                              .is_timed = options->timing};
     if (lesson) {
-        command_scene_name(options->lesson, lesson_name, sizeof lesson_name);
+        scene_name(options->lesson, lesson_name, sizeof lesson_name);
     }
     const ViewRequest first = {.time = options->time};
     Scene *scene = load(&loading, &first, NULL, &settings.render, error);

@@ -48,6 +48,10 @@ void motion_release_all(Motion *motion, double time) {
     }
 }
 
+void motion_forget(Motion *motion) {
+    *motion = (Motion){.speed = motion->speed};
+}
+
 void motion_set_speed(Motion *motion, double speed, double time) {
     for (int action = 0; action < ACTION_MOVE_COUNT; action++) {
         if (motion->keys[action].is_down) {

@@ -61,6 +61,10 @@ void motion_release(Motion *motion, Action action, double time);
  */
 void motion_release_all(Motion *motion, double time);
 
+/** Forgets what keys are held, and what was not moved yet for them. @param[in,out] motion The keys.
+ */
+void motion_forget(Motion *motion);
+
 /**
  * Makes the movement faster or slower from now on.
  * @param[in,out] motion  The keys.

@@ -77,7 +77,7 @@ static void hold(View *view) {
 /** Puts back what the viewer has moved, and goes on. @param[in,out] view The view. */
 static void release(View *view) {
     Player *player = &view->player;
-    motion_release_all(&view->motion, stage_clock());
+    motion_forget(&view->motion);
     pose_put_back(&player->kept, &view->home, view->scene);
     view->light = player->light;
     view->timeline = player->timeline;

@@ -38,7 +38,7 @@ static bool begin(View *view, Error *error) {
     if (!recorder->stream) {
         return error_set(error, STATUS_FAILED, "no memory for a lesson");
     }
-    motion_release_all(&view->motion, stage_clock());
+    motion_forget(&view->motion);
     timeline_hold(&view->timeline, stage_clock());
     controls_act(view, ACTION_HOME);
     LessonFacts facts = {.scene = view->path,

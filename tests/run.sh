@@ -36,6 +36,7 @@ for script in command-line language bad-input models pictures engines film farm 
     check "$script" "tests/$script.sh"
 done
 check window env BUILD=build tests/window.sh
+check trouble tests/trouble.sh
 check soak env BUILD=build/asan tests/soak.sh
 echo "$passed passed, $failed failed"
 [ "$failed" = 0 ]

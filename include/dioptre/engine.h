@@ -8,6 +8,7 @@
 #ifndef DIOPTRE_ENGINE_H
 #define DIOPTRE_ENGINE_H
 
+#include "dioptre/probe.h"
 #include "dioptre/scene.h"
 
 #include <stdint.h>
@@ -97,6 +98,8 @@ typedef struct PixelGrid {
                                  edges, and which lamps it saw. It is the same in all engines but
                                  where roundings put a ray on the other side of an edge. NULL: they
                                  are not wanted. */
+    Probe *probe; /**< Where the rays of a grid of one pixel are noted, an empty tree; NULL:
+                       nobody asks. */
 } PixelGrid;
 
 /** How many rays were traced. */

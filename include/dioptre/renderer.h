@@ -134,6 +134,19 @@ void renderer_stop(Renderer *renderer);
 bool renderer_take(Renderer *renderer, RenderReport *report, uint8_t *bgrx, int pitch);
 
 /**
+ * Finds the tree of rays of a pixel: those of its first sample, through its centre. A picture of
+ * one sample shows the first ray's colour, bit for bit.
+ * @param renderer       The renderer, perhaps drawing in the background; its size and its camera
+ * are those of the newest drawing.
+ * @param x              The pixel's column, from the left.
+ * @param y              Its row, from the top.
+ * @param[in,out] probe  The tree, `{0}` or of another pixel: its room is used again.
+ * @param[out] error     What is wrong.
+ * @return false without memory for it.
+ */
+bool renderer_probe(const Renderer *renderer, int x, int y, Probe *probe, Error *error);
+
+/**
  * Times what `dioptre bench --rays primary` and `--rays random` ask for: nearest hits alone.
  * @param renderer  The renderer, with nothing drawn in the background.
  * @param random    false: a camera ray a pixel; true: as many rays with origins uniform in the

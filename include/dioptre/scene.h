@@ -60,6 +60,8 @@ typedef struct SceneShape {
     size_t material;            /**< Place in #Scene.materials. */
     const Transform *transform; /**< How it is stretched, turned and moved; NULL: not at all.
                                      Owned by the scene. */
+    int line;                   /**< Of the scene file, that it stands in; 0: not known, or in a
+                                     file that the scene file includes. */
 } SceneShape;
 
 /** A file that a scene names; once, however often it is named. */

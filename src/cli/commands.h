@@ -14,6 +14,7 @@ extern const Command view_command;    /**< `view` */
 extern const Command render_command;  /**< `render` */
 extern const Command animate_command; /**< `animate` */
 extern const Command info_command;    /**< `info` */
+extern const Command probe_command;   /**< `probe` */
 extern const Command compare_command; /**< `compare` */
 extern const Command bench_command;   /**< `bench` */
 extern const Command lab_command;     /**< `lab` */

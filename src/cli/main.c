@@ -11,9 +11,17 @@
 #include <string.h>
 
 /** All commands, ended by NULL. */
-static const Command *const commands[] = {
-    &view_command,  &render_command, &animate_command, &info_command, &compare_command,
-    &bench_command, &needs_command,  &chart_command,   &lab_command,  NULL};
+static const Command *const commands[] = {&view_command,
+                                          &render_command,
+                                          &animate_command,
+                                          &probe_command,
+                                          &info_command,
+                                          &compare_command,
+                                          &bench_command,
+                                          &needs_command,
+                                          &chart_command,
+                                          &lab_command,
+                                          NULL};
 
 /** Letters that the column of usages is wide in the help. */
 static const int USAGE_WIDTH = 28;

@@ -49,6 +49,7 @@ static const OptionRow option_rows[] = {
     {'T', false, "threshold", N_("STEPS"),
      N_("largest difference that still counts as alike (default: 0)")},
     {'M', false, "map", N_("FILE"), N_("write a picture of the differences")},
+    {'Y', false, "svg", N_("FILE"), N_("draw the rays there, as seen from beside")},
     {'K', false, "keys", N_("WAY"), N_("places or letters: what the light's keys are bound to")},
     {'I', false, "lesson", N_("FILE"), N_("play that lesson; its scene is the one that it names")},
     {'W', false, "lesson-snapshots", N_("DIR"),
@@ -246,6 +247,9 @@ static bool take_value(const OptionRow *row, const char *text, Options *options,
         return true;
     case 'W':
         options->lesson_snapshots = text;
+        return true;
+    case 'Y':
+        options->svg = text;
         return true;
     case 's':
         return read_size(text, options, error);

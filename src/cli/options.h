@@ -33,6 +33,7 @@ typedef struct Options {
     const char *output;                       /**< `-o`: file to write. */
     const char *folder;                       /**< `--out`: folder to write into. */
     const char *base_dir;                     /**< `--base-dir` */
+    const char *svg;                          /**< `--svg`: drawing to write. */
     const char *map;                          /**< `--map`: difference picture to write. */
     const char *lesson;                       /**< `--lesson`: what is done in the window. */
     const char *lesson_snapshots;             /**< `--lesson-snapshots`: folder to write into. */

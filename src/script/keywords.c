@@ -180,10 +180,15 @@ static Call read_call(lua_State *L, const Word *word) {
 static int call_word(lua_State *L) {
     const Word *word = lua_touserdata(L, lua_upvalueindex(1));
     Scene *scene = ((Run *)sandbox_of(L)->context)->scene;
+    // Noted when this function was called: the scene file is the first of its files.
+    Location here = sandbox_of(L)->report->location;
     Error error = {0};
     Call call = read_call(L, word);
     if (!word->add(scene, &call, &error)) {
         return raise_error(L, "%s", error.message);
+    }
+    if (word->is_shape && here.file == 0) {
+        scene->shapes[scene->shape_count - 1].line = here.line;
     }
     bool is_material = word->keyword == &material_keyword;
     push_thing(L, word->keyword->name, is_material ? scene->material_count - 1 : call.material);

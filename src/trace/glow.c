@@ -75,6 +75,10 @@ void glow_nearest(const Glow *glow, const Packet *packet, Hit *hits) {
     }
 }
 
+int glow_ball(int shape) {
+    return shape <= FIRST_BALL ? FIRST_BALL - shape : -1;
+}
+
 void glow_show(const Glow *glow, const Hit *hits, Light3 *colors) {
     for (int v = 0; v < PACKET_VECTORS; v++) {
         mask left = hits[v].shape <= integer_of(FIRST_BALL);

@@ -40,6 +40,9 @@ void glow_look(Glow *glow, const Scene *scene, Vector3 origin);
  *  @param glow The balls. @param packet The rays. @param[in,out] hits What they have met so far. */
 void glow_nearest(const Glow *glow, const Packet *packet, Hit *hits);
 
+/** @return Which ball it is that a hit names in the place of a shape; -1: none. @param shape It. */
+int glow_ball(int shape);
+
 /** Shows the balls to the rays that met them. @param glow The balls. @param hits What rays have
  *  met. @param[in,out] colors What they see. */
 void glow_show(const Glow *glow, const Hit *hits, Light3 *colors);

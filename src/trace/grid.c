@@ -4,6 +4,7 @@
  */
 #include "trace/grid.h"
 
+#include "trace/probe.h"
 #include "trace/sequence.h"
 
 /**
@@ -66,8 +67,8 @@ static uint32_t pixel_number(const PixelGrid *grid, int column, int row) {
 /** Follows the camera rays of a packet. @param trace The grid. @param packet The rays.
  *  @param pixels Their pixels' numbers; NULL where no lamp asks. @param[out] trails Their trails;
  *  NULL where nobody asks. @param[out] colors Their colours. */
-static void packet_trace(const GridTrace *trace, Packet *packet, const uint32_t *pixels,
-                         uint64_t *trails, Light3 *colors) {
+static void packet_follow(const GridTrace *trace, Packet *packet, const uint32_t *pixels,
+                          uint64_t *trails, Light3 *colors) {
     const Glass *glass = &trace->tracer->glass;
     real weight[PACKET_VECTORS];
     Media media[PACKET_VECTORS];
@@ -80,10 +81,30 @@ static void packet_trace(const GridTrace *trace, Packet *packet, const uint32_t 
     for (int i = 0; trails && i < PACKET_RAYS; i++) {
         trails[i] = 0;
     }
-    packet->lineage =
-        (Lineage){.pixels = pixels, .trails = trails, .sample = (uint32_t)trace->grid->sample};
+    packet->lineage = (Lineage){.pixels = pixels,
+                                .trails = trails,
+                                .probe = trace->grid->probe,
+                                .sample = (uint32_t)trace->grid->sample};
     tracer_follow(trace->tracer, packet, glass->indices ? media : NULL, weight,
                   trace->tracer->depth, colors, trace->counts);
+}
+
+/** As #packet_follow, and notes the rays of the first pixel where they are asked for. @param trace
+ *  See there. @param packet See there. @param pixels See there. @param[out] trails See there.
+ *  @param[out] colors See there. */
+static void packet_trace(const GridTrace *trace, Packet *packet, const uint32_t *pixels,
+                         uint64_t *trails, Light3 *colors) {
+    const Tracer *tracer = trace->tracer;
+    Probe *probe = trace->grid->probe;
+    if (probe) {
+        Light3 all = {real_of(1), real_of(1), real_of(1)};
+        probe_send(probe, PROBE_CAMERA, packet, all, real_of(1));
+    }
+    packet_follow(trace, packet, pixels, trails, colors);
+    if (probe) {
+        probe_return(probe, colors[0]);
+        probe_finish(probe, tracer->origin, tracer->lamps, tracer->lamp_count);
+    }
 }
 
 /** Writes the trails of a packet where they belong. @param trails The trails. @param grid The grid,

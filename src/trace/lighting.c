@@ -4,6 +4,7 @@
  */
 #include "trace/filter.h"
 #include "trace/lamp.h"
+#include "trace/probe.h"
 #include "trace/trail.h"
 
 /**
@@ -58,7 +59,7 @@ static void highlight_add(const Lamp *lamp, const Shine *shine, int v, mask reac
  * @param met      The points.
  * @param[in,out] lighting  The sums.
  */
-static void shine_add(const Lamp *lamp, const Shine *shine, const mask *blocked, bool shines,
+INLINE void shine_add(const Lamp *lamp, const Shine *shine, const mask *blocked, bool shines,
                       const Encounter *met, Lighting *lighting) {
     for (int v = 0; v < PACKET_VECTORS; v++) {
         mask reached = shine->shadow.active[v] & mask_not(blocked[v]);
@@ -75,14 +76,40 @@ static void shine_add(const Lamp *lamp, const Shine *shine, const mask *blocked,
     }
 }
 
-uint64_t lighting_gather(const ShapeList *list, const Lamp *lamps, size_t lamp_count,
-                         const Departure *departure, bool shines, const Encounter *met,
-                         Lighting *lighting) {
-    uint64_t rays = 0;
+/** Leaves points without light. @param[out] lighting What they get. */
+INLINE void lighting_clear(Lighting *lighting) {
     for (int v = 0; v < PACKET_VECTORS; v++) {
         Light3 dark = {real_of(0), real_of(0), real_of(0)};
         lighting->matt[v] = lighting->highlight[v] = dark;
     }
+}
+
+/**
+ * Notes a shadow ray for the probe, with what its lamp alone gives. Never a part of its caller,
+ * which is called for every picture.
+ * @param list     The shapes.
+ * @param lamps    The lamps.
+ * @param number   Which of them.
+ * @param shine    What it would give.
+ * @param blocked  Where something is in the way.
+ * @param shines   Whether highlights are wanted.
+ * @param met      The points.
+ */
+static __attribute__((noinline)) void shine_note(const ShapeList *list, const Lamp *lamps,
+                                                 size_t number, const Shine *shine,
+                                                 const mask *blocked, bool shines,
+                                                 const Encounter *met) {
+    Lighting alone;
+    lighting_clear(&alone);
+    shine_add(&lamps[number], shine, blocked, shines, met, &alone);
+    probe_shadow(list, met, number, shine, blocked[0], &alone);
+}
+
+uint64_t lighting_gather(const ShapeList *list, const Lamp *lamps, size_t lamp_count,
+                         const Departure *departure, bool shines, const Encounter *met,
+                         Lighting *lighting) {
+    uint64_t rays = 0;
+    lighting_clear(lighting);
     for (size_t i = 0; i < lamp_count; i++) {
         Shine shine;
         mask blocked[PACKET_VECTORS];
@@ -95,6 +122,9 @@ uint64_t lighting_gather(const ShapeList *list, const Lamp *lamps, size_t lamp_c
             }
             if (met->packet->lineage.trails) {
                 trail_shadows(met, &shine.shadow, blocked, met->media ? shine.visible : NULL);
+            }
+            if (met->packet->lineage.probe) {
+                shine_note(list, lamps, i, &shine, blocked, shines, met);
             }
             shine_add(&lamps[i], &shine, blocked, shines, met, lighting);
             rays += count;

@@ -10,6 +10,7 @@
 #ifndef DIOPTRE_TRACE_PACKET_H
 #define DIOPTRE_TRACE_PACKET_H
 
+#include "dioptre/probe.h"
 #include "trace/shape.h"
 
 #if LANES > 1
@@ -34,6 +35,8 @@ typedef struct Lineage {
                              */
     uint64_t *trails;       /**< A number for each ray, of the way that its light took; NULL: nobody
                                  asks. See trace/trail.h. */
+    Probe *probe;           /**< Where the rays of the first lane are noted; NULL: nobody asks. See
+                                trace/probe.h. */
     uint32_t sample;        /**< Which of the pixels' samples they are. */
     uint32_t bounce;        /**< How often they were turned. */
 } Lineage;

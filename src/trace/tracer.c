@@ -7,6 +7,7 @@
 #include "trace/trail.h"
 
 #include "trace/convoy.h"
+#include "trace/probe.h"
 
 /** @return What rays that meet nothing see. @param tracer The tracer. @param direction Unit
  *  directions. @param lanes The rays that count. */
@@ -63,6 +64,7 @@ INLINE Light3 body_color(const Surfaces *surface, Light3 matt, Light3 highlight)
 
 /** Rays that go on from surfaces, and what they are worth. */
 typedef struct Onward {
+    ProbeKind kind;                /**< What they are, for who notes them. */
     Packet packet;                 /**< The rays; active where they can still change the picture. */
     Light3 shares[PACKET_VECTORS]; /**< Of what they bring back, that the surfaces send on. */
     real weights[PACKET_VECTORS];  /**< The largest share with which a primary of theirs counts. */
@@ -89,6 +91,7 @@ INLINE mask onward_weigh(const Tracer *tracer, int v, mask lanes, Light3 share, 
  */
 INLINE void mirror_rays(const Tracer *tracer, const Encounter *met, const Crossing *crossing,
                         const real *weight, Onward *mirrored) {
+    mirrored->kind = PROBE_MIRROR;
     mirrored->packet.wants_points = true;
     mirrored->packet.lineage = lineage_next(met->packet->lineage);
     for (int v = 0; v < PACKET_VECTORS; v++) {
@@ -117,6 +120,7 @@ INLINE void mirror_rays(const Tracer *tracer, const Encounter *met, const Crossi
  */
 INLINE void refract_rays(const Tracer *tracer, const Encounter *met, const Crossing *crossing,
                          const real *weight, Onward *refracted) {
+    refracted->kind = PROBE_REFRACT;
     refracted->packet.wants_points = true;
     refracted->packet.lineage = lineage_next(met->packet->lineage);
     for (int v = 0; v < PACKET_VECTORS; v++) {
@@ -150,7 +154,14 @@ INLINE void onward_add(const Onward *onward, const Light3 *seen, Light3 *colors)
 INLINE void onward_follow(const Tracer *tracer, const Onward *onward, const Media *media, int depth,
                           Light3 *colors, RayCounts *counts) {
     Light3 seen[PACKET_VECTORS];
+    Probe *probe = onward->packet.lineage.probe;
+    if (probe) {
+        probe_send(probe, onward->kind, &onward->packet, onward->shares[0], onward->weights[0]);
+    }
     tracer_follow(tracer, &onward->packet, media, onward->weights, depth, seen, counts);
+    if (probe) {
+        probe_return(probe, seen[0]);
+    }
     onward_add(onward, seen, colors);
 }
 
@@ -203,6 +214,9 @@ INLINE uint64_t bodies_shade(const Tracer *tracer, const Encounter *met, const C
         }
         colors[v] = light3_select(met->met[v], body, colors[v]);
     }
+    if (met->packet->lineage.probe) {
+        probe_body(met, crossing, tracer->textures.worn ? paint : NULL, colors[0]);
+    }
     return rays;
 }
 
@@ -222,6 +236,9 @@ INLINE bool follow_to_surfaces(const Tracer *tracer, const Packet *packet, const
     met->media = media;
     if (packet->lineage.trails) {
         trail_surfaces(met);
+    }
+    if (packet->lineage.probe) {
+        probe_surface(met, &tracer->departure);
     }
     for (int v = 0; v < PACKET_VECTORS; v++) {
         mask missed = packet->active[v] & mask_not(met->met[v]);
@@ -280,6 +297,9 @@ static __attribute__((noinline)) bool glass_part(const Tracer *tracer, const Pac
         return false;
     }
     counts->total += crossing_find(&tracer->glass, &tracer->departure, &met, &crossing);
+    if (packet->lineage.probe) {
+        probe_crossing(&met, &crossing);
+    }
     counts->shadow += bodies_shade(tracer, &met, &crossing, colors);
     if (depth == 0) {
         return false;

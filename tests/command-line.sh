@@ -5,7 +5,7 @@ box=scenes/box.lua
 
 expect 0 '' 'help' "$dioptre" --help
 holds "$work/out" 'render' 'help names the commands'
-for command in view render animate info compare bench lab needs chart; do
+for command in view render animate probe info compare bench lab needs chart; do
     expect 0 '' "help of $command" "$dioptre" "$command" -h
     holds "$work/out" "^usage: dioptre $command" "help of $command says how it is used"
 done

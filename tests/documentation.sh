@@ -91,7 +91,7 @@ holds doc/dioptre.1 "^\.TH DIOPTRE 1 .*\"dioptre $version\"" 'the manual page is
 keys=$(sed -nE "s/^    \{'(.)', (true|false), \"([a-z-]+)\".*/\1 \2 \3/p" src/cli/options.c)
 echo "$keys" | while read -r key is_short name; do
     takers=
-    for command in view render animate info compare bench lab needs chart; do
+    for command in view render animate probe info compare bench lab needs chart; do
         sed -n 's/.*\.accepts = "\(.*\)",/\1/p' src/cli/$command.c | grep -q "$key" && takers="$takers $command"
     done
     [ "$is_short" = true ] && printf '%s ' "-$key"
@@ -107,7 +107,7 @@ awk '/^\.SH/ { in_options = $2 == "OPTIONS" }
     END { print name ":" takers }' doc/dioptre.1 >"$work/manual"
 sort -o "$work/manual" "$work/manual"
 agree "$work/manual" "$work/options" 'the manual page has the options, and who takes them'
-for command in view render animate info compare bench lab needs chart; do
+for command in view render animate probe info compare bench lab needs chart; do
     "$dioptre" $command --help | sed -nE 's/^ +(-. )?(--[a-z-]+).*/\2/p' | sort >"$work/a"
     grep -E "(:| )$command( |\$)|--help|--version" "$work/manual" | grep -oE -- '--[a-z-]+' | sort >"$work/b"
     agree "$work/b" "$work/a" "dioptre $command --help has the same options"

@@ -25,7 +25,7 @@ grep -E "( |^\")[;:?!]( |\"|\\\\n)|[^~ .][;?!]( |\"|\\\\n)|[a-z]:( |\")|'%[0-9]*
 empty "$work/out" 'French signs have their no-break space'
 
 # --- help --------------------------------------------------------------------------------------------
-for command in '' view render animate info compare bench needs chart lab; do
+for command in '' view render animate probe info compare bench needs chart lab; do
     # shellcheck disable=SC2086 # no command is no word
     "$dioptre" $command --help | sort -u >"$work/a"
     # shellcheck disable=SC2086

@@ -16,7 +16,7 @@ blocks sh README.md | sed 's/ *#.*//' | sort | uniq -d >"$work/out"
 [ ! -s "$work/out" ] && ok 'no command stands there twice' || fail "twice: $(cat "$work/out")"
 blocks sh README.md >"$work/commands"
 for command in 'make run' 'make test' 'build/dioptre view' 'build/dioptre render' 'build/dioptre animate' \
-    'build/dioptre info' 'build/dioptre compare' 'build/dioptre bench' 'build/dioptre needs' \
+    'build/dioptre probe' 'build/dioptre info' 'build/dioptre compare' 'build/dioptre bench' 'build/dioptre needs' \
     'build/dioptre chart'; do
     holds "$work/commands" "^$command" "README has $command"
 done

@@ -32,7 +32,7 @@ for build in build build/asan; do
         check "$test" "$test"
     done
 done
-for script in command-line language bad-input models pictures engines film farm desktop lab chart lesson readme documentation style; do
+for script in command-line probe language bad-input models pictures engines film farm desktop lab chart lesson readme documentation style; do
     check "$script" "tests/$script.sh"
 done
 check window env BUILD=build tests/window.sh

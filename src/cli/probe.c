@@ -5,8 +5,10 @@
 #include "cli/probe.h"
 #include "cli/commands.h"
 #include "dioptre/language.h"
+#include "dioptre/ray_chart.h"
 
-#include <limits.h>
+#include <libintl.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 /** @return A column or a row. @param name Which of the two. @param text What was said.
@@ -43,6 +45,22 @@ static RenderSettings probe_settings(const Options *options, const Scene *scene)
     settings.samples = options->samples ? options->samples : 1;
     settings.threads = 1;
     return settings;
+}
+
+/** Draws the rays as seen from beside. @param report What is told. @param renderer Who traced them.
+ *  @param path The SVG file to write. @param[out] error What is wrong. @return Whether it is there.
+ */
+static bool probe_draw(const ProbeReport *report, const Renderer *renderer, const char *path,
+                       Error *error) {
+    /** Bytes of a title: a long path and a few numbers. */
+    enum { TITLE_SIZE = 512 };
+    char title[TITLE_SIZE];
+    ProbeSteps pixel = probe_steps(report);
+    snprintf(title, sizeof title, gettext("%.400s: pixel %d %d, colour #%02x%02x%02x"),
+             report->path, report->x, report->y, (unsigned)pixel.step[0], (unsigned)pixel.step[1],
+             (unsigned)pixel.step[2]);
+    RayChart chart = {report->scene, &report->settings, renderer, report->probe, title};
+    return ray_chart_write(&chart, path, error);
 }
 
 /** Traces the pixel, and tells. @param options The command line. @param report What is told; its
@@ -82,6 +100,6 @@ static int probe_run(const Options *options, Error *error) {
 const Command probe_command = {.name = "probe",
                                .usage = N_("SCENE X Y"),
                                .help = N_("tells the rays of one pixel, and how they add up to it"),
-                               .accepts = "sADtjEOXBYJPq",
+                               .accepts = "sADtjEOXBYJq",
                                .arguments = 3,
                                .run = probe_run};

@@ -41,13 +41,13 @@ static void print_met(const char *name, Vector3 v, bool is_hit) {
 /** Prints what a ray met besides where. @param report What is told. @param ray The ray. */
 static void print_surface(const ProbeReport *report, const ProbeRay *ray) {
     const ProbeSurface *surface = &ray->surface;
-    printf(", \"keyword\": \"%s\"", probe_shape(report, ray));
+    printf(", \"keyword\": \"%s\"", ray_keyword(report->scene, ray));
     int line = report->scene->shapes[ray->shape].line;
     print_place("line", line > 0 ? line : -1);
     if (ray->kind == PROBE_SHADOW) {
         return;
     }
-    print_number("angle", probe_angle(ray));
+    print_number("angle", ray_angle(ray));
     print_number("epsilon", surface->epsilon);
     print_number("ulps", surface->ulps);
     if (surface->is_transparent) {

@@ -1,0 +1,112 @@
+/**
+ * @file
+ * @brief A second camera, which looks at the rays of a pixel from beside.
+ */
+#ifndef DIOPTRE_RAY_VIEW_H
+#define DIOPTRE_RAY_VIEW_H
+
+#include "dioptre/renderer.h"
+
+/** How a tree of rays is looked at: from around its middle. */
+typedef struct RayView {
+    Vector3 middle; /**< What it looks at, scene units. */
+    double radius;  /**< Of the ball around the rays, scene units. */
+    double reach;   /**< How much of a ray is shown at most, scene units. */
+    double pan;     /**< Which way it looks, degrees to the right of -z. */
+    double tilt;    /**< Degrees above the horizon: below 0 it looks down. */
+    double zoom;    /**< How many times as near as needed to see all; 1 at first. */
+} RayView;
+
+/** The second camera, and the picture that it makes. */
+typedef struct RaySight {
+    Camera camera; /**< The camera. */
+    int width;     /**< Pixels. */
+    int height;    /**< Pixels. */
+} RaySight;
+
+/** A ray in that picture, in pixels from its left and upper edge. */
+typedef struct RayLine {
+    double x[2];  /**< Where it starts and ends. */
+    double y[2];  /**< See #x. */
+    bool goes_on; /**< Whether it goes on beyond its end. */
+} RayLine;
+
+/**
+ * Chooses how a tree of rays is looked at: turned away from the camera that it belongs to, and so
+ * that as few as can be of its points are behind something.
+ * @param renderer  Who traced it.
+ * @param camera    The camera.
+ * @param probe     The tree, not empty.
+ * @return The view.
+ */
+RayView ray_view_choose(const Renderer *renderer, const Camera *camera, const Probe *probe);
+
+/** Turns a view around its middle. @param view The view. @param pan Degrees to the right.
+ *  @param tilt Degrees up; stops before the pole. */
+void ray_view_turn(RayView *view, double pan, double tilt);
+
+/** Comes nearer or goes away. @param view The view. @param factor How many times as near. */
+void ray_view_zoom(RayView *view, double factor);
+
+/** @return The camera of a view. @param view The view. @param width Pixels of its picture.
+ *  @param height Pixels. */
+RaySight ray_view_sight(const RayView *view, int width, int height);
+
+/**
+ * Finds where a point is seen.
+ * @param sight   The camera.
+ * @param point   The point.
+ * @param[out] x  Pixels from the left edge.
+ * @param[out] y  Pixels from the upper edge.
+ * @return Whether it is before the camera.
+ */
+bool ray_sight_point(const RaySight *sight, Vector3 point, double *x, double *y);
+
+/**
+ * Finds where a ray is seen.
+ * @param view   The view.
+ * @param sight  Its camera.
+ * @param ray    The ray.
+ * @param[out] line  Its line; what is behind the camera is cut off.
+ * @return Whether any of it is before the camera.
+ */
+bool ray_view_line(const RayView *view, const RaySight *sight, const ProbeRay *ray, RayLine *line);
+
+/** How a kind of rays is drawn: in colours that the colour-blind tell apart (Okabe, Ito, *Color
+ *  Universal Design*, 2008), and by dashes. */
+typedef struct RayStyle {
+    unsigned color;   /**< 0xRRGGBB. */
+    double dash;      /**< Length of a dash, in widths of the line; 0: it is not broken. */
+    double gap;       /**< Length of a gap, in widths of the line. */
+    const char *name; /**< What it is called, in English. */
+} RayStyle;
+
+/** @return How a ray is drawn. @param ray The ray. */
+const RayStyle *ray_style(const ProbeRay *ray);
+
+/** Longest name of what a ray met, bytes with its final zero. */
+enum { RAY_NAME_SIZE = 64 };
+
+/** @return The keyword of the shape that a ray met. @param scene The scene. @param ray The ray,
+ * which met one. */
+const char *ray_keyword(const Scene *scene, const ProbeRay *ray);
+
+/**
+ * Names what a ray met, in the user's language: a shape, a lamp or the sky.
+ * @param scene      The scene.
+ * @param ray        The ray.
+ * @param[out] name  Its name.
+ */
+void ray_name_met(const Scene *scene, const ProbeRay *ray, char name[RAY_NAME_SIZE]);
+
+/** @return The angle between a ray and the normal of the surface that it met, degrees. @param ray
+ *  The ray. */
+double ray_angle(const ProbeRay *ray);
+
+/** How many styles there are. */
+enum { RAY_STYLES = 5 };
+
+/** @return All styles, in the order of a legend. */
+const RayStyle *ray_styles(void);
+
+#endif

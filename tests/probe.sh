@@ -1,0 +1,110 @@
+#!/bin/sh
+# The rays of one pixel on the command line: its colour is the picture's, the rays add up, in words, as
+# JSON and as a drawing; what is no pixel is refused.
+. "$(dirname "$0")/check.sh"
+box=scenes/box.lua
+size=160x120
+
+# pixel FILE X Y: the steps of a pixel of a BMP file of that size, as JSON has them.
+pixel() {
+    od -An -tu1 -j $((54 + ((119 - $3) * 160 + $2) * 3)) -N 3 "$1" | awk '{ printf "[%d, %d, %d]", $3, $2, $1 }'
+}
+# ray_sums: reads rays as JSON, adds up own colours and children times their shares, and prints the worst
+# difference to the colours that were told, and how many rays there are.
+ray_sums() {
+    sed 's/[][{}",:]/ /g; s/null/-1/g' | awk '
+        function three(name, to, i) {
+            for (i = 1; i <= NF; i++) if ($i == name) { to[id, 1] = $(i+1); to[id, 2] = $(i+2); to[id, 3] = $(i+3) }
+        }
+        { id = $2; parent[id] = $4; kind[id] = $6; three("color", color); three("own", own); three("share", share) }
+        END {
+            for (i = NR - 1; i >= 0; i--) for (c = 1; c <= 3; c++) {
+                off = color[i, c] - own[i, c] - sum[i, c]
+                worst = off > worst ? off : -off > worst ? -off : worst
+                if (kind[i] != "shadow") sum[parent[i], c] += share[i, c] * color[i, c]
+            }
+            print worst < 1e-6 ? "adds up" : "off by " worst, NR
+        }'
+}
+
+for scene in box glass-sphere lamps; do
+    "$dioptre" render "scenes/$scene.lua" -o "$work/$scene.bmp" -s $size --samples 1
+    for place in '0 0' '80 60' '41 83' '159 119'; do
+        # shellcheck disable=SC2086 # two numbers
+        expect 0 '' "probe $scene $place" "$dioptre" probe "scenes/$scene.lua" $place -s $size --json
+        # shellcheck disable=SC2086
+        steps=$(pixel "$work/$scene.bmp" $place)
+        head -1 "$work/out" | grep -qF "\"steps\": $steps" && ok "$scene $place is the picture's" ||
+            fail "$scene $place: the picture has $steps"
+        ray_sums <"$work/out" >"$work/sums"
+        holds "$work/sums" '^adds up' "$scene $place adds up"
+    done
+done
+for engine in f32x1 f32x4 f64x1 f128x1; do
+    "$dioptre" render $box -o "$work/e.bmp" -s $size --samples 1 --engine $engine
+    expect 0 '' "probe by $engine" "$dioptre" probe $box 41 83 -s $size --json --engine $engine
+    steps=$(pixel "$work/e.bmp" 41 83)
+    head -1 "$work/out" | grep -qF "\"steps\": $steps" && ok "$engine: the picture's" || fail "$engine: not $steps"
+done
+
+# --- JSON: the names, in their order -----------------------------------------------------------------
+"$dioptre" probe $box 250 430 --json >"$work/rays"
+number='-?[0-9.e+-]+'
+three="\[$number, $number, $number\]"
+names="^\{\"id\": 0, \"parent\": null, \"kind\": \"camera\", \"depth\": 0, \"origin\": $three, \"direction\": $three"
+names="$names, \"hit\": true, \"shape\": 5, \"distance\": $number, \"point\": $three, \"normal\": $three"
+holds "$work/rays" "$names, \"weight\": 1, \"color\": $three" 'the camera'"'"'s ray has all names'
+holds "$work/rays" '"parent": 0, "kind": "mirror", "depth": 1' 'a mirrored ray'
+holds "$work/rays" '"parent": 2, "kind": "shadow", "depth": 2' 'a shadow ray of what it meets'
+holds "$work/rays" '"keyword": "sphere", "line": 35' 'the shape'"'"'s line in the scene file'
+[ "$(grep -c '^{.*}$' "$work/rays")" = "$(wc -l <"$work/rays")" ] && ok 'an object a line' || fail 'an object a line'
+grep -qiE 'inf|nan' "$work/rays" && fail 'numbers that JSON has not' || ok 'only numbers that JSON has'
+"$dioptre" probe - 250 430 --json <$box >"$work/again"
+same "$work/rays" "$work/again" 'a scene from standard input'
+LC_ALL=fr_FR.UTF-8 LANG=fr_FR.UTF-8 "$dioptre" probe $box 250 430 --json >"$work/again"
+same "$work/rays" "$work/again" 'JSON is the same in French'
+
+# --- words -------------------------------------------------------------------------------------------
+expect 0 '' 'probe in words' "$dioptre" probe $box 250 430
+holds "$work/out" '^0  camera ray meets the sphere of line 35$' 'words name the shape'
+holds "$work/out" '^  = the pixel +0\.352948 +0\.0927295 +0\.0438313$' 'words end with the pixel'
+holds "$work/out" '160 +86 +59  of 255' 'and with its steps'
+expect 0 '' 'epsilon' "$dioptre" probe $box 250 430 --offset fixed --epsilon 0.015625
+holds "$work/out" 'epsilon +0\.01562 = 1\.311e\+05 ulps' 'epsilon in ulps: 1/64 of 2^-23'
+expect 0 '' 'depth 0' "$dioptre" probe $box 250 430 --depth 0
+grep -q mirrored "$work/out" && fail 'depth 0 mirrors nothing' || ok 'depth 0 mirrors nothing'
+expect 0 '' 'samples' "$dioptre" probe scenes/still-life.lua 100 100 --samples 16 -s $size
+holds "$work/out" 'first sample of 16' 'the first of several samples says so'
+
+# --- the drawing -------------------------------------------------------------------------------------
+expect 0 '' 'probe --svg' "$dioptre" probe scenes/glass-sphere.lua 80 60 -s $size --svg "$work/rays.svg" -q
+[ -s "$work/out" ] && fail 'quiet' || ok 'quiet'
+holds "$work/rays.svg" '^<svg xmlns' 'a drawing'
+holds "$work/rays.svg" '^</svg>$' 'all of it'
+holds "$work/rays.svg" 'refracted ray' 'its legend'
+mkdir "$work/closed"
+expect 1 'cannot write' 'svg into a folder that is not there' "$dioptre" probe $box 1 1 --svg "$work/none/rays.svg"
+expect 1 'cannot write' 'svg over a folder' "$dioptre" probe $box 1 1 --svg "$work/closed"
+[ "$(ls "$work/closed")" = '' ] && ok 'nothing half written' || fail 'nothing half written'
+
+# --- what is no pixel --------------------------------------------------------------------------------
+for place in '800 0' '0 600' '99999999999999999999 0' '0 4000000000'; do
+    # shellcheck disable=SC2086
+    expect 2 'must be from 0 to' "outside: $place" "$dioptre" probe $box $place
+done
+for place in 'x 0' '0 y' '1.5 0' '1e2 0' '0x10 0' '3, 4'; do
+    # shellcheck disable=SC2086
+    expect 2 'must be a whole number' "no number: $place" "$dioptre" probe $box $place
+done
+expect 2 'must be a whole number' 'an empty X' "$dioptre" probe $box '' 0
+expect 2 'must be from 0 to' 'a negative Y' "$dioptre" probe $box -- 0 -1
+expect 2 'usage: dioptre probe SCENE X Y' 'no Y' "$dioptre" probe $box 1
+expect 2 'too many' 'one number too many' "$dioptre" probe $box 1 2 3
+expect 2 'does not take' 'an option of another command' "$dioptre" probe $box 1 2 -o x.bmp
+expect 3 'none.lua' 'no scene' "$dioptre" probe none.lua 1 2
+echo 'camera {} spere {}' >"$work/bad.lua"
+expect 3 'bad.lua:1: ' 'a scene with a mistake' "$dioptre" probe "$work/bad.lua" 1 2
+echo 'camera {}' >"$work/empty.lua"
+expect 0 '' 'an empty scene' "$dioptre" probe "$work/empty.lua" 1 2
+holds "$work/out" 'meets nothing but the sky' 'an empty scene has a sky'
+finish

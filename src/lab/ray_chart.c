@@ -22,8 +22,10 @@ enum { GREYS = 12 };
 /** Rays whose numbers are written, at most: more would hide the drawing. */
 enum { NUMBERED_MAXIMUM = 40 };
 
-/** The faintest and the darkest grey, of 255. */
-static const double LIGHTEST = 255, DARKEST = 170;
+/** The faintest grey, of 255. */
+static const double LIGHTEST = 255;
+/** The darkest grey, of 255. */
+static const double DARKEST = 170;
 
 /** What the second camera sees of the scene. */
 typedef struct Backcloth {

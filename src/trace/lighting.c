@@ -37,7 +37,7 @@ INLINE Light3 shine_light(const Lamp *lamp, const Shine *shine, int v, const Enc
  * @param met      The points.
  * @param[in,out] lighting  The sums.
  */
-static void highlight_add(const Lamp *lamp, const Shine *shine, int v, mask reached, real share,
+INLINE void highlight_add(const Lamp *lamp, const Shine *shine, int v, mask reached, real share,
                           const Encounter *met, Lighting *lighting) {
     Surfaces surfaces = surfaces_gather(met->surfaces, &met->materials[v], reached);
     mask shiny = reached & (light3_largest(surfaces.highlight) > real_of(0));

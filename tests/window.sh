@@ -145,10 +145,10 @@ screen again
 cmp -s "$work/plain.ppm" "$work/again.ppm" && ok 'h takes the help away' || fail 'h takes the help away'
 xdotool key F1 && sleep 0.2
 screen usual
-xdotool key minus minus && sleep 0.2
+xdotool key minus minus minus minus minus && sleep 0.2
 screen small
 differ usual small '- makes the letters smaller'
-xdotool key plus plus && sleep 0.2
+xdotool key plus plus plus plus plus && sleep 0.2
 screen grown
 cmp -s "$work/usual.ppm" "$work/grown.ppm" && ok '+ makes them larger' || fail '+ makes them larger'
 xdotool key F1
@@ -231,6 +231,98 @@ shoot
 awk "BEGIN { split(\"$(numbers second)\", p, \" \"); exit !(p[1] > -0.9) }" &&
     ok 'and the keys move it' || fail "the second light is at $(numbers second)"
 [ "$(numbers light)" = "0 1.75 0.59999999999999998" ] && ok 'and not the other' || fail "$(numbers light)"
+leave
+
+# --- layers, settings, two pictures --------------------------------------------------------------
+open "$box" --samples 1
+screen light
+names=(normals distance shapes 'places on pictures' 'rays spent' 'marching steps' 'time spent' error 'acne and leaks')
+for key in 2 3 4 5 6 7 8 9 0; do
+    name=${names[key == 0 ? 8 : key - 2]}
+    xdotool key "$key"
+    # Quad takes its time.
+    [ "$key" = 9 ] && state='' || state='1 px, .*finished'
+    expect_shown "^box — 800×600, $name, pass $state" "$key shows $name"
+    sleep 0.1
+    screen "layer-$key"
+    differ light "layer-$key" 'which is no light'
+done
+hold 0.1 Right
+expect_shown 'acne and leaks, pass 1 px, .*finished' 'a layer follows the camera'
+screen moved
+differ layer-0 moved 'and shows it'
+xdotool key Home 1
+expect_shown '^box — 800×600, pass 1 px, .*finished' '1 shows the light again'
+shoot
+"$dioptre" render "$box" --samples 1 -o "$work/render.bmp"
+same "$shot" "$work/render.bmp" 'as render draws it'
+setxkbmap fr && sleep 0.3
+xdotool key ampersand quotedbl
+expect_shown '800×600, distance, ' 'azerty: digits without Shift'
+setxkbmap us && sleep 0.3
+xdotool key 1
+
+# as_set KEY OPTION...: the key must give the picture that render draws with the options.
+as_set() {
+    local key=$1
+    shift
+    xdotool key "$key"
+    expect_shown 'pass 1 px, .*finished — f' "$key says the settings"
+    "$dioptre" render "$box" "$@" -o "$work/render.bmp"
+    shoot
+    same "$shot" "$work/render.bmp" "$key is $*"
+}
+as_set o --samples 1 --offset none
+as_set o --samples 1 --offset fixed
+as_set bracketright --samples 1 --offset fixed --epsilon 2e-4
+as_set shift+bracketright --samples 1 --offset fixed --epsilon 2e-3
+as_set shift+bracketleft --samples 1 --offset fixed --epsilon 2e-4
+as_set g --samples 1 --offset fixed --epsilon 2e-4 --engine f64x1
+as_set shift+g --samples 1 --offset fixed --epsilon 2e-4
+as_set b --samples 1 --offset fixed --epsilon 2e-4 --depth 9
+as_set n --samples 2 --offset fixed --epsilon 2e-4 --depth 9
+as_set BackSpace --samples 1
+sed 's/^ambient.*/ambient(0)/' "$box" >"$work/dark.lua"
+xdotool key m
+expect_shown 'light: light alone' 'm takes the ambient light away'
+"$dioptre" render "$work/dark.lua" --samples 1 -o "$work/render.bmp"
+shoot
+same "$shot" "$work/render.bmp" 'as render does without it'
+xdotool key m
+expect_shown 'light: none' 'and then all light'
+xdotool key BackSpace
+
+xdotool key i && sleep 0.2
+screen plain
+xdotool key x o
+expect_shown 'offset none' 'x, and keys change the right side'
+shown 'finished' && sleep 0.3
+screen beside
+differ plain beside 'a picture without offset beside one with it'
+"$dioptre" render "$box" --samples 1 --offset none -o "$work/right.bmp"
+"$dioptre" render "$box" --samples 1 -o "$work/left.bmp"
+convert "$work/left.bmp" \( "$work/right.bmp" -crop 400x600+400+0 +repage \) -geometry +400+0 -composite -type truecolor \
+    "$work/both.bmp"
+shoot
+expect 0 '' 'a snapshot has both' "$dioptre" compare "$shot" "$work/both.bmp" --threshold 0
+xdotool key F6 F6 && sleep 0.2
+screen barred
+differ beside barred 'F6 moves the bar'
+xdotool mousemove --window "$window" 368 300 mousedown 1 mousemove --window "$window" 600 300 mouseup 1
+sleep 0.2
+screen dragged
+differ barred dragged 'and so does the mouse'
+shoot
+[[ $view = *'position = {0, 0, 6.5}'* ]] && ok 'which leaves the camera' || fail "$view"
+xdotool key t 3 && shown 'finished' && sleep 0.3
+screen sides
+differ dragged sides 't: the left side has a layer'
+xdotool key 1 x && shown finished && sleep 0.3
+screen difference
+differ sides difference 'x again: the difference'
+xdotool key x && sleep 0.3
+shoot
+same "$shot" "$work/left.bmp" 'and again: the left one alone'
 leave
 
 # --- time ----------------------------------------------------------------------------------------

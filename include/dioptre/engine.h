@@ -10,8 +10,7 @@
 
 #include "dioptre/probe.h"
 #include "dioptre/scene.h"
-
-#include <stdint.h>
+#include "dioptre/survey.h"
 
 #if defined(__SIZEOF_FLOAT128__)
 /** The widest number there is: what errors are measured with. */
@@ -192,6 +191,17 @@ typedef struct Engine {
      * @param[out] distances How far, or infinity, row by row.
      */
     void (*cast)(const Tracer *tracer, const PixelGrid *grid, int *shapes, double *distances);
+
+    /**
+     * Surveys a grid of pixels: what their rays do, in numbers. Any number of threads may at once.
+     * @param tracer       The tracer, after #look.
+     * @param grid         Which pixels, all of them.
+     * @param wanted       What of them besides what they meet first: #SURVEY_LIGHT and so on.
+     * @param[out] points  What is known of them, row by row.
+     * @param[in,out] counts  The rays traced are added to this.
+     */
+    void (*survey)(const Tracer *tracer, const PixelGrid *grid, unsigned wanted,
+                   SurveyPoint *points, RayCounts *counts);
 
     /**
      * Finds the nearest hit of any rays: no shading, no other rays.

@@ -10,6 +10,7 @@
 #define DIOPTRE_RENDERER_H
 
 #include "dioptre/engine.h"
+#include "dioptre/layer.h"
 #include "dioptre/picture.h"
 
 #include <stdatomic.h>
@@ -23,6 +24,14 @@ typedef enum {
     SAMPLING_FULL      /**< Every one gets all. */
 } Sampling;
 
+/** Which light there is (row D4). */
+typedef enum {
+    LIGHT_MODE_BOTH,  /**< The lamps, and light from everywhere: the scene's own, the default. */
+    LIGHT_MODE_LAMPS, /**< The lamps alone. */
+    LIGHT_MODE_NONE,  /**< None: things show their own colours, as if cut from paper. */
+    LIGHT_MODE_COUNT  /**< How many there are. */
+} LightMode;
+
 /** What is asked of a renderer besides the scene. */
 typedef struct RenderSettings {
     const Engine *engine; /**< Which engine. */
@@ -32,17 +41,20 @@ typedef struct RenderSettings {
     int samples;          /**< Rays a pixel. */
     Sampling sampling;    /**< Whether every pixel gets that many. */
     int encoding;         /**< An #Encoding. */
+    LightMode light;      /**< Which light there is. */
     TraceSettings trace;  /**< Depth, offset and tree; the rest the renderer fills in. */
 } RenderSettings;
 
 /** How a drawing went. */
 typedef struct RenderReport {
-    double seconds;   /**< Wall-clock time. */
-    RayCounts rays;   /**< Rays traced. */
-    int stride;       /**< Pixels a block of the newest pass: 8, 4, 2 or 1. */
-    int samples;      /**< Samples a pixel that are in the picture. */
-    double share;     /**< Share of all the work that is done, 0 to 1. */
-    bool is_finished; /**< Whether this is the last pass. */
+    double seconds;       /**< Wall-clock time. */
+    double whole_seconds; /**< Of that, until every pixel had its first ray; 0: not yet. */
+    RayCounts rays;       /**< Rays traced. */
+    int stride;           /**< Pixels a block of the newest pass: 8, 4, 2 or 1. */
+    int samples;          /**< Samples a pixel that are in the picture. */
+    double share;         /**< Share of all the work that is done, 0 to 1. */
+    bool is_finished;     /**< Whether this is the last pass. */
+    LayerReport layer;    /**< Which layer is drawn, and what is to be said of it. */
 } RenderReport;
 
 /** A renderer; its inside is its own. */
@@ -118,6 +130,14 @@ double renderer_progress(const Renderer *renderer);
  */
 bool renderer_start(Renderer *renderer, const Scene *scene, int width, int height,
                     RenderListener listener, void *context, Error *error);
+
+/**
+ * Draws a layer of the picture in the background from the next #renderer_start on, with one ray a
+ * pixel; or the light again, which is drawn at first.
+ * @param renderer  The renderer.
+ * @param layer     Which.
+ */
+void renderer_set_layer(Renderer *renderer, Layer layer);
 
 /** Stops drawing in the background and waits until it has stopped. @param renderer The renderer. */
 void renderer_stop(Renderer *renderer);

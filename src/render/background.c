@@ -7,9 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** Pixels a block of the first pass: 1/64 of the rays, there within a few milliseconds. */
-#define COARSEST_STRIDE 8
-
 void background_init(Background *background) {
     pthread_mutex_init(&background->mutex, NULL);
     pthread_cond_init(&background->is_told, NULL);
@@ -46,27 +43,14 @@ static size_t passes_rays(int width, int height, int samples) {
     return rays;
 }
 
-/**
- * Makes a finished pass the one that is shown.
- * @param renderer  The renderer.
- * @param drawing   The drawing.
- * @param seconds   Since it began.
- * @param is_last   Whether it was the last pass.
- */
-static void background_publish(Renderer *renderer, const Drawing *drawing, double seconds,
-                               bool is_last) {
+void background_publish(Renderer *renderer, const RenderReport *report) {
     Background *background = &renderer->background;
     pthread_mutex_lock(&background->mutex);
     Picture shown = background->back;
     background->back = background->front;
     background->front = shown;
     background->has_front = true;
-    background->report = (RenderReport){.seconds = seconds,
-                                        .rays = drawing_rays(drawing),
-                                        .stride = drawing->pass.stride,
-                                        .samples = drawing->pass.last + 1,
-                                        .share = renderer_progress(renderer),
-                                        .is_finished = is_last};
+    background->report = *report;
     RenderListener listener = background->listener;
     void *context = background->context;
     pthread_mutex_unlock(&background->mutex);
@@ -75,7 +59,7 @@ static void background_publish(Renderer *renderer, const Drawing *drawing, doubl
     }
 }
 
-/** Draws the picture asked for, pass by pass, until it is finished or stopped.
+/** Draws the light asked for, pass by pass, until it is finished or stopped.
  *  @param renderer The renderer. */
 static void background_draw(Renderer *renderer) {
     Background *background = &renderer->background;
@@ -84,6 +68,7 @@ static void background_draw(Renderer *renderer) {
     Drawing drawing =
         renderer_drawing(renderer, background->width, background->height, &background->stop);
     drawing.tally = &renderer->tally;
+    double whole = 0;
     Pass next = {0};
     bool is_more = pass_next(&next, samples);
     while (is_more) {
@@ -93,7 +78,16 @@ static void background_draw(Renderer *renderer) {
             return;
         }
         is_more = pass_next(&next, samples);
-        background_publish(renderer, &drawing, clock_seconds() - start, !is_more);
+        double seconds = clock_seconds() - start;
+        whole = drawing.pass.stride == 1 && whole == 0 ? seconds : whole;
+        RenderReport report = {.seconds = seconds,
+                               .whole_seconds = whole,
+                               .rays = drawing_rays(&drawing),
+                               .stride = drawing.pass.stride,
+                               .samples = drawing.pass.last + 1,
+                               .share = renderer_progress(renderer),
+                               .is_finished = !is_more};
+        background_publish(renderer, &report);
     }
 }
 
@@ -112,7 +106,11 @@ static void *background_main(void *argument) {
         background->is_wanted = false;
         background->is_drawing = true;
         pthread_mutex_unlock(&background->mutex);
-        background_draw(renderer);
+        if (renderer->layering.layer == LAYER_SHADED) {
+            background_draw(renderer);
+        } else {
+            layering_draw(renderer);
+        }
         pthread_mutex_lock(&background->mutex);
         background->is_drawing = false;
         pthread_cond_signal(&background->is_idle);
@@ -182,7 +180,8 @@ bool renderer_start(Renderer *renderer, const Scene *scene, int width, int heigh
                     RenderListener listener, void *context, Error *error) {
     Background *background = &renderer->background;
     renderer_stop(renderer);
-    if (!background_run(renderer, error) || !buffers_resize(renderer, width, height, error)) {
+    if (!background_run(renderer, error) || !buffers_resize(renderer, width, height, error) ||
+        !layering_look(renderer, scene, width, height, error)) {
         return false;
     }
     renderer->settings.engine->look(renderer->tracer, scene, width, height);

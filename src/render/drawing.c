@@ -36,13 +36,7 @@ PixelGrid drawing_block(int width, int height, size_t index) {
     return (PixelGrid){.x = x, .y = y, .columns = columns, .rows = rows, .stride = 1};
 }
 
-/**
- * @return The rays of a pass in a block: one for each cell of stride by stride pixels, in its
- *         middle, also where the picture's edge cuts the cell.
- * @param block   The block's pixels.
- * @param stride  Pixels from one ray to the next.
- */
-static PixelGrid block_grid(const PixelGrid *block, int stride) {
+PixelGrid drawing_grid(const PixelGrid *block, int stride) {
     PixelGrid grid = *block;
     grid.x += stride / 2;
     grid.y += stride / 2;
@@ -359,7 +353,7 @@ static void block_draw(void *context, size_t index) {
     Drawing *drawing = context;
     BlockWork work;
     work.block = drawing_block(drawing->width, drawing->height, index);
-    work.grid = block_grid(&work.block, drawing->pass.stride);
+    work.grid = drawing_grid(&work.block, drawing->pass.stride);
     work.rays = (RayCounts){0};
     block_load(drawing, &work);
     if (block_trace(drawing, &work)) {

@@ -15,6 +15,10 @@
  */
 enum { BLOCK_COLUMNS = 64, BLOCK_ROWS = 16 };
 
+/** Pixels from one ray to the next in the first pass: 1/64 of the rays, there within a few
+ *  milliseconds. */
+enum { COARSEST_STRIDE = 8 };
+
 /** A pass over the whole picture. */
 typedef struct Pass {
     int stride; /**< Pixels from one ray to the next. */
@@ -66,6 +70,14 @@ size_t drawing_blocks(int width, int height);
  * @param index   Which block, row by row.
  */
 PixelGrid drawing_block(int width, int height, size_t index);
+
+/**
+ * @return The rays of a pass in a block: one for each cell of stride by stride pixels, in its
+ *         middle, also where the picture's edge cuts the cell.
+ * @param block   The block's pixels.
+ * @param stride  Pixels from one ray to the next, a power of two up to that of the coarsest pass.
+ */
+PixelGrid drawing_grid(const PixelGrid *block, int stride);
 
 /** @return Seconds on the monotonic clock. */
 double clock_seconds(void);

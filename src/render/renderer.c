@@ -51,15 +51,25 @@ bool renderer_judges(const Renderer *renderer) {
            renderer->settings.sampling == SAMPLING_ADAPTIVE;
 }
 
-/** @return What a tracer is told. @param renderer Its renderer, with its workers. @param former
- *  Whose models it may share, or NULL. */
-static TraceSettings trace_settings(const Renderer *renderer, const Renderer *former) {
+TraceSettings renderer_trace_settings(const Renderer *renderer, const Renderer *former) {
     const RenderSettings *settings = &renderer->settings;
     TraceSettings trace = settings->trace;
     trace.samples = settings->samples;
     trace.crew = (Crew){renderer->workers, settings->threads, crew_workers_run};
     trace.former = former && former->settings.engine == settings->engine ? former->tracer : NULL;
     return trace;
+}
+
+Scene renderer_scene(const Renderer *renderer, const Scene *scene) {
+    const Color white = {1, 1, 1}, black = {0, 0, 0};
+    Scene lit = *scene;
+    if (renderer->settings.light == LIGHT_MODE_LAMPS) {
+        lit.ambient = black;
+    } else if (renderer->settings.light == LIGHT_MODE_NONE) {
+        lit.ambient = white;
+        lit.light_count = 0;
+    }
+    return lit;
 }
 
 Renderer *renderer_create(const Scene *scene, const RenderSettings *settings, Error *error) {
@@ -80,8 +90,9 @@ Renderer *renderer_create_after(const Renderer *former, const Scene *scene,
     bool has_room = !renderer_judges(renderer) ||
                     tally_resize(&renderer->tally, settings->width, settings->height, true, error);
     if (renderer->workers && has_room) {
-        TraceSettings trace = trace_settings(renderer, former);
-        renderer->tracer = settings->engine->prepare(scene, &trace, error);
+        TraceSettings trace = renderer_trace_settings(renderer, former);
+        Scene lit = renderer_scene(renderer, scene);
+        renderer->tracer = settings->engine->prepare(&lit, &trace, error);
     }
     if (!renderer->tracer) {
         renderer_destroy(renderer);
@@ -98,6 +109,7 @@ TracerContents renderer_contents(const Renderer *renderer) {
 void renderer_destroy(Renderer *renderer) {
     if (renderer) {
         background_release(&renderer->background);
+        layering_release(renderer);
         workers_destroy(renderer->workers);
         tally_release(&renderer->tally);
         renderer->settings.engine->release(renderer->tracer);

@@ -30,6 +30,17 @@ typedef struct Background {
     RenderReport report;     /**< How the front picture stands. */
 } Background;
 
+/** What it takes to draw a layer of a picture instead of its light. */
+typedef struct Layering {
+    Layer layer;             /**< Which layer. */
+    const Engine *reference; /**< The engine that it is compared with; NULL: none. */
+    Tracer *truth;           /**< Its tracer; owned. */
+    float *numbers;          /**< Numbers of each cell: #LAYER_NUMBERS; owned. */
+    uint32_t *marks;         /**< What the reference's rays meet at each, as one number; owned. */
+    double *ends;            /**< Least and greatest number of each block; owned. */
+    size_t pixels;           /**< Pixels that there is room for. */
+} Layering;
+
 struct Renderer {
     RenderSettings settings; /**< What was asked for. */
     Tracer *tracer;          /**< The engine's tracer; owned. */
@@ -38,6 +49,7 @@ struct Renderer {
     atomic_size_t done;      /**< Rays of pixels that are done. */
     atomic_size_t all;       /**< Rays of pixels that there are to do. */
     Tally tally;             /**< What is known of every pixel; empty where nothing is kept. */
+    Layering layering;       /**< Drawing layers. */
     Background background;   /**< Drawing in the background. */
 };
 
@@ -47,6 +59,36 @@ bool renderer_judges(const Renderer *renderer);
 
 /** Makes the background part ready; no thread yet. @param background It. */
 void background_init(Background *background);
+
+/** Makes a finished pass the one that is shown. @param renderer The renderer, with the pass in its
+ *  back picture. @param report How it stands. */
+void background_publish(Renderer *renderer, const RenderReport *report);
+
+/**
+ * Makes a layer ready to be drawn: its memory, and the tracer that it is compared with.
+ * @param renderer    The renderer; its background part is idle.
+ * @param scene       The scene.
+ * @param width       Pixels.
+ * @param height      Pixels.
+ * @param[out] error  What is wrong.
+ * @return false without memory.
+ */
+bool layering_look(Renderer *renderer, const Scene *scene, int width, int height, Error *error);
+
+/** Draws the layer asked for, pass by pass, until it is finished or stopped.
+ *  @param renderer The renderer. */
+void layering_draw(Renderer *renderer);
+
+/** Gives what layers need back. @param renderer The renderer. */
+void layering_release(Renderer *renderer);
+
+/** @return What a tracer is told. @param renderer Its renderer, with its workers. @param former
+ *  Whose models it may share, or NULL. */
+TraceSettings renderer_trace_settings(const Renderer *renderer, const Renderer *former);
+
+/** @return A scene in the light that a renderer is asked for. What it points to is the scene's.
+ *  @param renderer The renderer. @param scene The scene. */
+Scene renderer_scene(const Renderer *renderer, const Scene *scene);
 
 /** Ends the background part. @param background It. */
 void background_release(Background *background);

@@ -29,11 +29,9 @@ bool convoy_pays(const Packet *one, const Packet *other) {
     unsigned rays = packet_count(one) + packet_count(other);
     unsigned before = vectors_used(one) + vectors_used(other), after = (rays + LANES - 1) / LANES;
     // Rays that go all ways take longer a vector: a quarter of the vectors pays for it (measured).
-    // A trail is of one pixel, and tells first of what is mirrored: its rays stay in their places.
-    // So do those that are noted.
-    return LANES > 1 && !one->lineage.trails && !one->lineage.probe &&
-           one->lineage.bounce <= CONVOY_BOUNCES && rays > 0 && rays <= PACKET_RAYS &&
-           4 * after <= 3 * before;
+    // What is noted is of one pixel, and first of what is mirrored: its rays stay in their places.
+    return LANES > 1 && !one->lineage.notes && one->lineage.bounce <= CONVOY_BOUNCES && rays > 0 &&
+           rays <= PACKET_RAYS && 4 * after <= 3 * before;
 }
 
 /** Copies a lane. @param[in,out] to Where to. @param seat Its lane. @param from Where from.

@@ -5,6 +5,7 @@
 #include "trace/ask.h"
 #include "trace/grid.h"
 #include "trace/origin.h"
+#include "trace/survey.h"
 
 #include <stdlib.h>
 
@@ -168,6 +169,7 @@ const Engine ENGINE = {
     .look = engine_look,
     .trace = grid_trace,
     .cast = grid_cast,
+    .survey = survey_grid,
     .nearest = ask_nearest,
     .shadowed = ask_shadowed,
     .intersect = ask_intersect,

@@ -5,7 +5,6 @@
 #include "trace/grid.h"
 
 #include "trace/probe.h"
-#include "trace/sequence.h"
 
 /**
  * Writes one primary of a vector of rays.
@@ -48,15 +47,6 @@ static void colors_write(const Light3 *colors, const PixelGrid *grid, int column
     }
 }
 
-/** What it takes to trace a grid of pixels. */
-typedef struct GridTrace {
-    const Tracer *tracer;  /**< The tracer. */
-    const PixelGrid *grid; /**< The pixels. */
-    SamplePlace place;     /**< Where in their pixels the rays go. */
-    double *rgb;           /**< Where their colours go. */
-    RayCounts *counts;     /**< The rays traced. */
-} GridTrace;
-
 /** @return The number of a pixel of a grid, its own in the whole picture. @param grid The grid.
  *  @param column Its column. @param row Its row. */
 static uint32_t pixel_number(const PixelGrid *grid, int column, int row) {
@@ -65,10 +55,10 @@ static uint32_t pixel_number(const PixelGrid *grid, int column, int row) {
 }
 
 /** Follows the camera rays of a packet. @param trace The grid. @param packet The rays.
- *  @param pixels Their pixels' numbers; NULL where no lamp asks. @param[out] trails Their trails;
- *  NULL where nobody asks. @param[out] colors Their colours. */
+ *  @param pixels Their pixels' numbers; NULL where no lamp asks. @param notes What is noted of
+ *  them; NULL: nothing. @param[out] colors Their colours. */
 static void packet_follow(const GridTrace *trace, Packet *packet, const uint32_t *pixels,
-                          uint64_t *trails, Light3 *colors) {
+                          const Notes *notes, Light3 *colors) {
     const Glass *glass = &trace->tracer->glass;
     real weight[PACKET_VECTORS];
     Media media[PACKET_VECTORS];
@@ -78,33 +68,38 @@ static void packet_follow(const GridTrace *trace, Packet *packet, const uint32_t
     for (int v = 0; glass->indices && v < PACKET_VECTORS; v++) {
         media[v] = glass->at_eye;
     }
-    for (int i = 0; trails && i < PACKET_RAYS; i++) {
-        trails[i] = 0;
+    for (int i = 0; notes && notes->trails && i < PACKET_RAYS; i++) {
+        notes->trails[i] = 0;
     }
-    packet->lineage = (Lineage){.pixels = pixels,
-                                .trails = trails,
-                                .probe = trace->grid->probe,
-                                .sample = (uint32_t)trace->grid->sample};
+    packet->lineage =
+        (Lineage){.pixels = pixels, .notes = notes, .sample = (uint32_t)trace->grid->sample};
     tracer_follow(trace->tracer, packet, glass->indices ? media : NULL, weight,
                   trace->tracer->depth, colors, trace->counts);
 }
 
 /** As #packet_follow, and notes the rays of the first pixel where they are asked for. @param trace
- *  See there. @param packet See there. @param pixels See there. @param[out] trails See there.
+ *  See there. @param packet See there. @param pixels See there. @param notes See there.
  *  @param[out] colors See there. */
 static void packet_trace(const GridTrace *trace, Packet *packet, const uint32_t *pixels,
-                         uint64_t *trails, Light3 *colors) {
+                         const Notes *notes, Light3 *colors) {
     const Tracer *tracer = trace->tracer;
-    Probe *probe = trace->grid->probe;
+    Probe *probe = notes ? notes->probe : NULL;
     if (probe) {
         Light3 all = {real_of(1), real_of(1), real_of(1)};
         probe_send(probe, PROBE_CAMERA, packet, all, real_of(1));
     }
-    packet_follow(trace, packet, pixels, trails, colors);
+    packet_follow(trace, packet, pixels, notes, colors);
     if (probe) {
         probe_return(probe, colors[0]);
         probe_finish(probe, tracer->origin, tracer->lamps, tracer->lamp_count);
     }
+}
+
+/** @return What is noted for a grid; NULL: nothing. @param grid It. @param trails Room for a
+ *  packet's trails. @param[out] notes Room for it. */
+static const Notes *grid_notes(const PixelGrid *grid, uint64_t *trails, Notes *notes) {
+    *notes = (Notes){.trails = grid->trails ? trails : NULL, .probe = grid->probe};
+    return grid->trails || grid->probe ? notes : NULL;
 }
 
 /** Writes the trails of a packet where they belong. @param trails The trails. @param grid The grid,
@@ -118,11 +113,8 @@ static void trails_write(const uint64_t *trails, const PixelGrid *grid, int colu
     }
 }
 
-/** Traces a packet of a grid. @param trace The grid. @param column The packet's first column.
- *  @param row Its first row. */
-static void block_trace(const GridTrace *trace, int column, int row) {
+void grid_follow(const GridTrace *trace, int column, int row, const Notes *notes, Light3 *colors) {
     Packet packet;
-    Light3 colors[PACKET_VECTORS];
     uint32_t pixels[PACKET_RAYS];
     bool is_soft = trace->tracer->is_soft;
     for (int i = 0; is_soft && i < PACKET_RAYS; i++) {
@@ -130,10 +122,17 @@ static void block_trace(const GridTrace *trace, int column, int row) {
             pixel_number(trace->grid, column + i % PACKET_COLUMNS, row + i / PACKET_COLUMNS);
     }
     eye_aim(&trace->tracer->eye, trace->grid, trace->place, column, row, &packet);
+    packet_trace(trace, &packet, is_soft ? pixels : NULL, notes, colors);
+}
+
+/** Traces a packet of a grid. @param trace The grid. @param column The packet's first column.
+ *  @param row Its first row. */
+static void block_trace(const GridTrace *trace, int column, int row) {
+    Light3 colors[PACKET_VECTORS];
     uint64_t trails[PACKET_RAYS];
-    bool is_told = trace->grid->trails != NULL;
-    packet_trace(trace, &packet, is_soft ? pixels : NULL, is_told ? trails : NULL, colors);
-    if (is_told) {
+    Notes notes;
+    grid_follow(trace, column, row, grid_notes(trace->grid, trails, &notes), colors);
+    if (trace->grid->trails) {
         trails_write(trails, trace->grid, column, row);
     }
     colors_write(colors, trace->grid, column, row, trace->rgb);
@@ -153,8 +152,9 @@ static void chosen_trace(const GridTrace *trace, size_t first) {
     }
     eye_aim_chosen(&trace->tracer->eye, grid, trace->place, first, &packet);
     uint64_t trails[PACKET_RAYS];
+    Notes notes;
     packet_trace(trace, &packet, trace->tracer->is_soft ? pixels : NULL,
-                 grid->trails ? trails : NULL, colors);
+                 grid_notes(grid, trails, &notes), colors);
     for (size_t i = 0; grid->trails && i < count; i++) {
         grid->trails[first + i] = trails[i];
     }

@@ -5,6 +5,7 @@
 #include "trace/filter.h"
 #include "trace/lamp.h"
 #include "trace/probe.h"
+#include "trace/survey.h"
 #include "trace/trail.h"
 
 /**
@@ -53,7 +54,7 @@ INLINE void highlight_add(const Lamp *lamp, const Shine *shine, int v, mask reac
 /**
  * Adds what one lamp gives to the points that it reaches.
  * @param lamp     The lamp.
- * @param shine    What it would give.
+ * @param shine    What it would give, with the rays.
  * @param blocked  Where something is in the way.
  * @param shines   Whether highlights are wanted.
  * @param met      The points.
@@ -85,12 +86,12 @@ INLINE void lighting_clear(Lighting *lighting) {
 }
 
 /**
- * Notes a shadow ray for the probe, with what its lamp alone gives. Never a part of its caller,
- * which is called for every picture.
+ * Notes the shadow rays to a lamp; for a probe, with what this lamp alone gives. Never a part of
+ * its caller, which is called for every picture.
  * @param list     The shapes.
  * @param lamps    The lamps.
  * @param number   Which of them.
- * @param shine    What it would give.
+ * @param shine    What it would give, with the rays.
  * @param blocked  Where something is in the way.
  * @param shines   Whether highlights are wanted.
  * @param met      The points.
@@ -99,10 +100,19 @@ static __attribute__((noinline)) void shine_note(const ShapeList *list, const La
                                                  size_t number, const Shine *shine,
                                                  const mask *blocked, bool shines,
                                                  const Encounter *met) {
-    Lighting alone;
-    lighting_clear(&alone);
-    shine_add(&lamps[number], shine, blocked, shines, met, &alone);
-    probe_shadow(list, met, number, shine, blocked[0], &alone);
+    const Notes *notes = met->packet->lineage.notes;
+    if (notes->trails) {
+        trail_shadows(met, &shine->shadow, blocked, met->media ? shine->visible : NULL);
+    }
+    if (notes->survey) {
+        survey_shadows(met, number, &shine->shadow, blocked);
+    }
+    if (notes->probe) {
+        Lighting alone;
+        lighting_clear(&alone);
+        shine_add(&lamps[number], shine, blocked, shines, met, &alone);
+        probe_shadow(list, met, number, shine, blocked[0], &alone);
+    }
 }
 
 uint64_t lighting_gather(const ShapeList *list, const Lamp *lamps, size_t lamp_count,
@@ -120,10 +130,7 @@ uint64_t lighting_gather(const ShapeList *list, const Lamp *lamps, size_t lamp_c
             if (met->media) {
                 filter_shadows(list, departure, met, &shine.shadow, blocked, shine.visible);
             }
-            if (met->packet->lineage.trails) {
-                trail_shadows(met, &shine.shadow, blocked, met->media ? shine.visible : NULL);
-            }
-            if (met->packet->lineage.probe) {
+            if (met->packet->lineage.notes) {
                 shine_note(list, lamps, i, &shine, blocked, shines, met);
             }
             shine_add(&lamps[i], &shine, blocked, shines, met, lighting);

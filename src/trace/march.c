@@ -331,3 +331,24 @@ bool march_run(const Marching *marching, const Ray *ray, mask active, real limit
     }
     return any(march->found);
 }
+
+/** As #march_box, and counts. @param marching The field. @param[in,out] march The rays. */
+static void march_box_counted(const Marching *marching, March *march) {
+    for (int i = 0; i < marching->max_steps && any(march->walking); i++) {
+        march->steps = real_select(march->walking, march->steps + 1, march->steps);
+        march_walk(marching, march);
+    }
+}
+
+real march_count(const Marching *marching, const Ray *ray, mask active, real limit) {
+    March march = {.found = mask_of(false)};
+    if (!march_begin(marching, ray, active, limit, false, &march)) {
+        return real_of(0);
+    }
+    if (marching->lattice.is_any) {
+        march_lattice(marching, &march);
+    } else {
+        march_box_counted(marching, &march);
+    }
+    return march.steps;
+}

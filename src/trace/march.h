@@ -100,6 +100,15 @@ void marching_init(Marching *marching, const Field *field, Bounds *bounds);
 bool march_run(const Marching *marching, const Ray *ray, mask active, real limit, bool is_shadow,
                March *march);
 
+/**
+ * @return How many steps rays make to where they meet the surface, or to where they find none.
+ * @param marching   The field.
+ * @param ray        The rays.
+ * @param active     The lanes that count; the others make none.
+ * @param limit      How far they look.
+ */
+real march_count(const Marching *marching, const Ray *ray, mask active, real limit);
+
 /** @return The points where rays are, as the tape sees them. @param march The rays. @param way How
  *  far. */
 INLINE Vector march_point(const March *march, real way) {

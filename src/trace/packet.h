@@ -29,17 +29,31 @@
 /** Vectors a packet. */
 #define PACKET_VECTORS (PACKET_RAYS / LANES)
 
+/** What is noted of the rays of a packet while they are followed. A ray that goes on has its
+ *  ancestor's lane, so each note is of the same pixel as before. */
+typedef struct Notes {
+    uint64_t *trails;    /**< A number for each ray, of the way that its light took; NULL: nobody
+                              asks. See trace/trail.h. */
+    SurveyPoint *survey; /**< What is known of each ray's pixel; NULL: nobody asks. See
+                              trace/survey.h. */
+    Probe *probe;        /**< Where the rays of the first lane are noted; NULL: nobody asks. See
+                              trace/probe.h. */
+} Notes;
+
 /** Whose rays travel together: what their choices among the points of a lamp go by. */
 typedef struct Lineage {
     const uint32_t *pixels; /**< A number for each ray, its pixel's own; NULL where no lamp is soft.
                              */
-    uint64_t *trails;       /**< A number for each ray, of the way that its light took; NULL: nobody
-                                 asks. See trace/trail.h. */
-    Probe *probe;           /**< Where the rays of the first lane are noted; NULL: nobody asks. See
-                                trace/probe.h. */
+    const Notes *notes;     /**< What is noted of their ways; NULL: nothing. */
     uint32_t sample;        /**< Which of the pixels' samples they are. */
     uint32_t bounce;        /**< How often they were turned. */
 } Lineage;
+
+/** @return Where the rays of the first lane are noted; NULL: nobody asks. @param lineage Of the
+ *  rays. */
+static inline Probe *lineage_probe(const Lineage *lineage) {
+    return lineage->notes ? lineage->notes->probe : NULL;
+}
 
 /** @return Of what becomes of rays at a surface. @param lineage Of the rays that met it. */
 static inline Lineage lineage_next(Lineage lineage) {

@@ -118,7 +118,7 @@ static void ray_meet(ProbeRay *ray, const Hit *hit, double length) {
 }
 
 void probe_surface(const Encounter *met, const Departure *departure) {
-    ProbeRay *ray = probe_current(met->packet->lineage.probe);
+    ProbeRay *ray = probe_current(met->packet->lineage.notes->probe);
     const Hit *hit = &met->hits[0];
     if (!ray) {
         return;
@@ -136,7 +136,7 @@ void probe_surface(const Encounter *met, const Departure *departure) {
 }
 
 void probe_crossing(const Encounter *met, const Crossing *crossing) {
-    ProbeRay *ray = probe_current(met->packet->lineage.probe);
+    ProbeRay *ray = probe_current(met->packet->lineage.notes->probe);
     Surfaces surfaces = surfaces_gather(met->surfaces, &met->materials[0], met->met[0]);
     mask through = met->met[0] & (light3_largest(surfaces.through) > 0);
     if (!ray || !mask_lane(through, 0)) {
@@ -174,7 +174,7 @@ static void blocker_find(const ShapeList *list, const Encounter *met, const Pack
 void probe_shadow(const ShapeList *list, const Encounter *met, size_t lamp, const Shine *shine,
                   mask blocked, const Lighting *light) {
     const Packet *shadow = &shine->shadow;
-    Probe *probe = met->packet->lineage.probe;
+    Probe *probe = met->packet->lineage.notes->probe;
     ProbeRay *ray = probe_add(probe, PROBE_SHADOW, &shadow->rays[0], shadow->limit[0]);
     if (!ray) {
         return;
@@ -213,7 +213,7 @@ static void shadows_weigh(Probe *probe, int place, const Surfaces *surface) {
 }
 
 void probe_body(const Encounter *met, const Crossing *crossing, const Light3 *paint, Light3 color) {
-    Probe *probe = met->packet->lineage.probe;
+    Probe *probe = met->packet->lineage.notes->probe;
     ProbeRay *ray = probe_current(probe);
     if (!ray) {
         return;

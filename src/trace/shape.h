@@ -109,6 +109,16 @@ typedef struct ShapeClass {
      * @return The places.
      */
     TexturePlace (*texture_place)(const Shape *self, const Hit *hit, mask lanes);
+
+    /**
+     * Counts the steps in which rays come to the shape, for surveys. NULL: it takes none.
+     * @param self    The shape.
+     * @param ray     The rays.
+     * @param active  The lanes that count; of the others anything may be said.
+     * @param limit   How far they look.
+     * @return How many.
+     */
+    real (*steps)(const Shape *self, const Ray *ray, mask active, real limit);
 } ShapeClass;
 
 /** What all shapes have. Every class embeds it first. */

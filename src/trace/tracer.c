@@ -4,10 +4,11 @@
  *        Improved Illumination Model for Shaded Display*, 1980).
  */
 #include "trace/tracer.h"
-#include "trace/trail.h"
 
 #include "trace/convoy.h"
 #include "trace/probe.h"
+#include "trace/survey.h"
+#include "trace/trail.h"
 
 /** @return What rays that meet nothing see. @param tracer The tracer. @param direction Unit
  *  directions. @param lanes The rays that count. */
@@ -154,7 +155,7 @@ INLINE void onward_add(const Onward *onward, const Light3 *seen, Light3 *colors)
 INLINE void onward_follow(const Tracer *tracer, const Onward *onward, const Media *media, int depth,
                           Light3 *colors, RayCounts *counts) {
     Light3 seen[PACKET_VECTORS];
-    Probe *probe = onward->packet.lineage.probe;
+    Probe *probe = lineage_probe(&onward->packet.lineage);
     if (probe) {
         probe_send(probe, onward->kind, &onward->packet, onward->shares[0], onward->weights[0]);
     }
@@ -214,10 +215,27 @@ INLINE uint64_t bodies_shade(const Tracer *tracer, const Encounter *met, const C
         }
         colors[v] = light3_select(met->met[v], body, colors[v]);
     }
-    if (met->packet->lineage.probe) {
+    if (lineage_probe(&met->packet->lineage)) {
         probe_body(met, crossing, tracer->textures.worn ? paint : NULL, colors[0]);
     }
     return rays;
+}
+
+/** Notes what rays have met. Never a part of its caller, which is called for every picture.
+ *  @param met The surfaces; something is noted of their packet. @param departure How rays leave
+ *  them. */
+static __attribute__((noinline)) void surfaces_note(const Encounter *met,
+                                                    const Departure *departure) {
+    const Notes *notes = met->packet->lineage.notes;
+    if (notes->trails) {
+        trail_surfaces(met);
+    }
+    if (notes->survey) {
+        survey_surfaces(met);
+    }
+    if (notes->probe) {
+        probe_surface(met, departure);
+    }
 }
 
 /**
@@ -234,11 +252,8 @@ INLINE bool follow_to_surfaces(const Tracer *tracer, const Packet *packet, const
     bool is_any = encounter_find(tracer, packet, met);
     met->glass = &tracer->glass;
     met->media = media;
-    if (packet->lineage.trails) {
-        trail_surfaces(met);
-    }
-    if (packet->lineage.probe) {
-        probe_surface(met, &tracer->departure);
+    if (packet->lineage.notes) {
+        surfaces_note(met, &tracer->departure);
     }
     for (int v = 0; v < PACKET_VECTORS; v++) {
         mask missed = packet->active[v] & mask_not(met->met[v]);
@@ -297,7 +312,7 @@ static __attribute__((noinline)) bool glass_part(const Tracer *tracer, const Pac
         return false;
     }
     counts->total += crossing_find(&tracer->glass, &tracer->departure, &met, &crossing);
-    if (packet->lineage.probe) {
+    if (lineage_probe(&packet->lineage)) {
         probe_crossing(&met, &crossing);
     }
     counts->shadow += bodies_shade(tracer, &met, &crossing, colors);

@@ -44,7 +44,7 @@ void trail_surfaces(const Encounter *met) {
             uint64_t shape = (uint64_t)integer_lane(met->hits[i / LANES].shape, lane) + 1;
             note |= shape << 12 | coarse_lanes(normal->x, normal->y, normal->z, lane);
         }
-        trail_add(&lineage->trails[i], note);
+        trail_add(&lineage->notes->trails[i], note);
     }
 }
 
@@ -60,6 +60,6 @@ void trail_shadows(const Encounter *met, const Packet *shadow, const mask *block
         if (!is_dark && visible) {
             note |= coarse_lanes(visible[v].red, visible[v].green, visible[v].blue, lane);
         }
-        trail_add(&met->packet->lineage.trails[i], note);
+        trail_add(&met->packet->lineage.notes->trails[i], note);
     }
 }

@@ -5,6 +5,8 @@
 #ifndef DIOPTRE_VIEW_ACTION_H
 #define DIOPTRE_VIEW_ACTION_H
 
+#include "dioptre/layer.h"
+
 #include <stdbool.h>
 
 /** What a key asks for. The moves come first: they last as long as their key is held. */
@@ -33,10 +35,34 @@ typedef enum Action {
     ACTION_LANGUAGE,       /**< The words are in the other language. */
     ACTION_RECORD,         /**< A lesson is recorded from now on, or that ends. */
     ACTION_CAPTION,        /**< Words for the lesson that is recorded. */
-    ACTION_HELP,           /**< The help opens or closes. */
-    ACTION_FULL_SCREEN,    /**< The whole screen, or a window again. */
-    ACTION_LEAVE,          /**< The window closes. */
-    ACTION_NONE            /**< Nothing: a key without a meaning. */
+    ACTION_ENGINE,         /**< The next number type. With Shift, as with those that follow: */
+    ACTION_ENGINE_BACK,    /**< the one before. */
+    ACTION_OFFSET,         /**< The next offset strategy. */
+    ACTION_OFFSET_BACK,    /**< The one before. */
+    ACTION_EPSILON_HALF,   /**< Epsilon is half of what it was. */
+    ACTION_EPSILON_TENTH,  /**< A tenth. */
+    ACTION_EPSILON_TWICE,  /**< Twice. */
+    ACTION_EPSILON_TEN,    /**< Ten times. */
+    ACTION_DEPTH,          /**< More mirrors in mirrors. */
+    ACTION_DEPTH_BACK,     /**< Fewer. */
+    ACTION_SAMPLES,        /**< Twice the rays a pixel. */
+    ACTION_SAMPLES_BACK,   /**< Half of them. */
+    ACTION_LIGHT_MODE,     /**< Another light. */
+    ACTION_LIGHT_BACK,     /**< The one before. */
+    ACTION_SPLIT,          /**< One picture, two side by side, their difference. */
+    ACTION_SPLIT_BACK,     /**< The other way round. */
+    ACTION_AS_ASKED,       /**< All that was changed of this is taken back. */
+    ACTION_SETTINGS,       /**< It is said how the picture is drawn, or not. */
+    ACTION_SIDE,           /**< Keys change the other of two pictures. */
+    ACTION_BAR_LEFT,       /**< The bar between them to the left. */
+    ACTION_BAR_RIGHT,      /**< The bar to the right. */
+    ACTION_LAYER,          /**< The first of the layers: the light itself. */
+    /** The last of the layers; between them are all others in their order. */
+    ACTION_LAYER_LAST = ACTION_LAYER + LAYER_COUNT - 1,
+    ACTION_HELP,        /**< The help opens or closes. */
+    ACTION_FULL_SCREEN, /**< The whole screen, or a window again. */
+    ACTION_LEAVE,       /**< The window closes. */
+    ACTION_NONE         /**< Nothing: a key without a meaning. */
 } Action;
 
 /** How many of the actions are moves: those before #ACTION_SNAPSHOT. */
@@ -45,6 +71,18 @@ enum { ACTION_MOVE_COUNT = ACTION_SNAPSHOT };
 /** @return Whether an action is a move. @param action The action. */
 static inline bool action_is_move(Action action) {
     return action < ACTION_SNAPSHOT;
+}
+
+/** @return Whether an action changes how a picture is drawn. @param action The action. */
+static inline bool action_is_tuning(Action action) {
+    return action >= ACTION_ENGINE && action < ACTION_SPLIT;
+}
+
+/** @return What a key asks for while Shift is held: of actions with two ways, the other one.
+ *  @param action What it asks for without. */
+static inline Action action_shifted(Action action) {
+    bool has_two = action >= ACTION_ENGINE && action < ACTION_AS_ASKED;
+    return has_two ? (Action)(action + 1) : action;
 }
 
 /** @return The names of all actions, in their order, ended by NULL: English, in lesson files. */

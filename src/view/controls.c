@@ -10,6 +10,7 @@
 #include "view/scene_text.h"
 #include "view/scenes.h"
 
+#include <libintl.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -21,15 +22,17 @@ static const double FINE = 0.25;
 static const double ZOOM_A_NOTCH = 0.9;
 /** Bytes of a step of a lesson with two numbers. */
 enum { STEP_SIZE = 80 };
+/** How far a key moves the bar between two pictures, as a share of the window's width. */
+static const double BAR_STEP = 0.02;
 /** Modifiers that make a key one of the window manager's, not ours. */
 static const int FOREIGN_MODIFIERS = KMOD_LALT | KMOD_GUI;
 
 /**
- * @return When an event came, seconds on #stage_clock; it may have waited in the queue.
+ * @return When an event came, seconds on #sight_clock; it may have waited in the queue.
  * @param timestamp  SDL's time of the event, milliseconds.
  */
 static double event_time(Uint32 timestamp) {
-    return stage_clock() - (double)(SDL_GetTicks() - timestamp) / 1000;
+    return sight_clock() - (double)(SDL_GetTicks() - timestamp) / 1000;
 }
 
 /** @return Factor for the speed of moves. @param modifiers SDL's modifier keys that are held. */
@@ -124,6 +127,45 @@ static void begin_move(View *view, Action action, double time) {
     view->next_step = 0;
 }
 
+/** Says in the title how the picture is drawn that keys change. @param[in,out] view The view. */
+static void note_settings(View *view) {
+    Sight *sight = stage_active(&view->stage);
+    RenderSettings settings = view->stage.asked;
+    tuning_apply(&sight->tuning, &settings);
+    view_note(view, "%s, offset %s, epsilon %.3g, depth %d, samples %d, light: %s",
+              settings.engine->name, tuning_offset_name(settings.trace.offset),
+              settings.trace.epsilon, settings.trace.depth, settings.samples,
+              gettext(tuning_light_name(settings.light)));
+}
+
+/** Moves the bar between two pictures by a step. @param[in,out] view The view. @param way 1 to the
+ *  right, -1 to the left. */
+static void move_bar(View *view, int way) {
+    stage_move_bar(&view->stage, view->stage.split.bar + way * BAR_STEP);
+}
+
+/** Does what is asked of the pictures. @param[in,out] view The view. @param action What. */
+static void act_on_pictures(View *view, Action action) {
+    Stage *stage = &view->stage;
+    if (action_is_tuning(action)) {
+        stage_tune(stage, action);
+        note_settings(view);
+    } else if (action >= ACTION_LAYER && action <= ACTION_LAYER_LAST) {
+        stage_set_layer(stage, (Layer)(action - ACTION_LAYER));
+    } else if (action == ACTION_AS_ASKED) {
+        stage_untune(stage);
+        note_settings(view);
+    } else if (action == ACTION_SETTINGS) {
+        stage_toggle_settings(stage);
+    } else if (action == ACTION_SPLIT || action == ACTION_SPLIT_BACK) {
+        stage_split(stage, action == ACTION_SPLIT ? 1 : -1);
+    } else if (action == ACTION_SIDE) {
+        stage_swap_active(stage);
+    } else if (action == ACTION_BAR_LEFT || action == ACTION_BAR_RIGHT) {
+        move_bar(view, action == ACTION_BAR_RIGHT ? 1 : -1);
+    }
+}
+
 void controls_act(View *view, Action action) {
     switch (action) {
     case ACTION_SNAPSHOT:
@@ -168,6 +210,7 @@ void controls_act(View *view, Action action) {
         view->is_over = true;
         break;
     default:
+        act_on_pictures(view, action);
         break;
     }
 }
@@ -198,6 +241,13 @@ static void set_speed(View *view, double factor, double time) {
     motion_set_speed(&view->motion, factor, time);
 }
 
+/** @return Whether an action goes on while its key is held, though it is no move. @param action It.
+ */
+static bool is_repeated(Action action) {
+    return action == ACTION_TIME_BACK || action == ACTION_TIME_ON || action == ACTION_BAR_LEFT ||
+           action == ACTION_BAR_RIGHT;
+}
+
 /** A key went down or up. @param[in,out] view The view. @param key The event. */
 static void on_key(View *view, const SDL_KeyboardEvent *key) {
     double time = event_time(key->timestamp);
@@ -206,7 +256,7 @@ static void on_key(View *view, const SDL_KeyboardEvent *key) {
     if (key->type == SDL_KEYUP && action_is_move(action)) {
         end_move(view, action, time);
     }
-    bool is_repeat = key->repeat && action != ACTION_TIME_BACK && action != ACTION_TIME_ON;
+    bool is_repeat = key->repeat && !is_repeated(action);
     if (key->type == SDL_KEYUP || is_repeat || (key->keysym.mod & FOREIGN_MODIFIERS)) {
         return;
     }
@@ -248,17 +298,36 @@ void controls_zoom(View *view, double notches) {
     view_changed(view);
 }
 
+/** @return Width of the window, in the screen's units. @param view The view. */
+static int window_width(const View *view) {
+    int width = 1;
+    SDL_GetWindowSize(view->stage.display.window, &width, NULL);
+    return SDL_max(1, width);
+}
+
+/** A button of the mouse went down or up: the bar between two pictures may be under it.
+ *  @param[in,out] view The view. @param button The event. */
+static void on_button(View *view, const SDL_MouseButtonEvent *button) {
+    if (button->button == SDL_BUTTON_LEFT) {
+        double share = (double)button->x / window_width(view);
+        view->stage.split.is_dragged =
+            button->state == SDL_PRESSED && stage_is_at_bar(&view->stage, share);
+    }
+}
+
 /**
- * The mouse was dragged: the camera turns the way it goes, by the angle that it crosses.
+ * The mouse was dragged: the bar goes with it, where it has begun there; else the camera turns the
+ * way it goes, by the angle that it crosses.
  * @param[in,out] view  The view.
  * @param mouse         The event.
  */
 static void on_drag(View *view, const SDL_MouseMotionEvent *mouse) {
-    if ((mouse->state & SDL_BUTTON_LMASK) && player_leaves_view(view)) {
-        int width = 1;
+    int width = window_width(view);
+    if (view->stage.split.is_dragged) {
+        stage_move_bar(&view->stage, (double)mouse->x / width);
+    } else if ((mouse->state & SDL_BUTTON_LMASK) && player_leaves_view(view)) {
         char step[STEP_SIZE];
-        SDL_GetWindowSize(view->stage.display.window, &width, NULL);
-        double degrees = view->scene->camera.fov / SDL_max(1, width);
+        double degrees = view->scene->camera.fov / width;
         double right = mouse->xrel * degrees, up = -mouse->yrel * degrees;
         snprintf(step, sizeof step, "turn(%.17g, %.17g)", right, up);
         recorder_note(view, step);
@@ -315,10 +384,11 @@ static void on_keymap(View *view, double time) {
     stage_present(&view->stage);
 }
 
-/** One of our own events came. @param[in,out] view The view. @param type SDL's number for it. */
-static void on_own_event(View *view, Uint32 type) {
+/** One of our own events came. @param[in,out] view The view. @param event It. */
+static void on_own_event(View *view, const SDL_Event *event) {
+    Uint32 type = event->type;
     if (type == view->first_event + EVENT_PASS) {
-        stage_on_pass(&view->stage);
+        stage_on_pass(&view->stage, event);
     } else if (type == view->first_event + EVENT_FILE) {
         scenes_refresh(view);
     } else if (type == view->first_event + EVENT_INTERRUPT) {
@@ -338,6 +408,10 @@ void controls_handle(View *view, const SDL_Event *event) {
         break;
     case SDL_MOUSEMOTION:
         on_drag(view, &event->motion);
+        break;
+    case SDL_MOUSEBUTTONDOWN:
+    case SDL_MOUSEBUTTONUP:
+        on_button(view, &event->button);
         break;
     case SDL_MOUSEWHEEL:
         on_wheel(view, &event->wheel);
@@ -360,7 +434,7 @@ void controls_handle(View *view, const SDL_Event *event) {
         view->is_over = true;
         break;
     default:
-        on_own_event(view, event->type);
+        on_own_event(view, event);
         break;
     }
 }

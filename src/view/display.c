@@ -69,7 +69,6 @@ bool display_open(Display *display, const char *title, int width, int height, Er
 }
 
 void display_close(Display *display) {
-    display_forget(display);
     if (display->renderer) {
         SDL_DestroyRenderer(display->renderer);
     }
@@ -87,44 +86,13 @@ void display_size(const Display *display, int *width, int *height) {
     *height = SDL_clamp(*height, 1, IMAGE_SIZE_MAXIMUM);
 }
 
-uint8_t *display_lock(Display *display, int width, int height, int *pitch) {
-    if (display->width != width || display->height != height) {
-        display_forget(display);
-    }
-    if (!display->texture) {
-        display->texture = SDL_CreateTexture(display->renderer, SDL_PIXELFORMAT_XRGB8888,
-                                             SDL_TEXTUREACCESS_STREAMING, width, height);
-        display->width = width;
-        display->height = height;
-    }
-    void *pixels = NULL;
-    if (!display->texture || SDL_LockTexture(display->texture, NULL, &pixels, pitch) != 0) {
-        return NULL;
-    }
-    return pixels;
-}
-
-void display_unlock(Display *display) {
-    SDL_UnlockTexture(display->texture);
-}
-
 void display_begin(Display *display) {
     SDL_SetRenderDrawColor(display->renderer, 0, 0, 0, SDL_ALPHA_OPAQUE);
     SDL_RenderClear(display->renderer);
-    if (display->texture) {
-        SDL_RenderCopy(display->renderer, display->texture, NULL, NULL);
-    }
 }
 
 void display_end(Display *display) {
     SDL_RenderPresent(display->renderer);
-}
-
-void display_forget(Display *display) {
-    if (display->texture) {
-        SDL_DestroyTexture(display->texture);
-        display->texture = NULL;
-    }
 }
 
 void display_toggle_full_screen(Display *display) {

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The window on the screen: opening it, its size, getting a picture into it.
+ * @brief The window on the screen: opening it, its size.
  */
 #ifndef DIOPTRE_VIEW_DISPLAY_H
 #define DIOPTRE_VIEW_DISPLAY_H
@@ -11,13 +11,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** A window with the newest picture. Starts as `{0}`: closed. */
+/** A window. Starts as `{0}`: closed. */
 typedef struct Display {
     SDL_Window *window;     /**< The window; owned. */
     SDL_Renderer *renderer; /**< What draws in it; owned. */
-    SDL_Texture *texture;   /**< The picture, or NULL while there is none; owned. */
-    int width;              /**< Pixels of the texture. */
-    int height;             /**< Pixels of the texture. */
 } Display;
 
 /**
@@ -42,28 +39,12 @@ void display_close(Display *display);
  */
 void display_size(const Display *display, int *width, int *height);
 
-/**
- * Gives access to the pixels of the window's picture, until #display_unlock.
- * @param[in,out] display  The window.
- * @param width            Pixels that the picture shall have; it is made anew if it has others.
- * @param height           Pixels that it shall have.
- * @param[out] pitch       Bytes from a row to the next.
- * @return Where to write blue, green, red and an unused byte for each pixel; NULL if that failed.
+/** Begins a black window; then pictures and panels may be laid over it. @param[in,out] display It.
  */
-uint8_t *display_lock(Display *display, int width, int height, int *pitch);
-
-/** Ends the access to the pixels. @param[in,out] display The window. */
-void display_unlock(Display *display);
-
-/** Puts the picture where it is shown next, stretched if the window has another size. Then panels
- *  may be laid over it. @param[in,out] display The window. */
 void display_begin(Display *display);
 
 /** Shows what was put there since #display_begin. @param[in,out] display The window. */
 void display_end(Display *display);
-
-/** Forgets the picture: the graphics card lost it. @param[in,out] display The window. */
-void display_forget(Display *display);
 
 /** Changes between the whole screen and a window. @param[in,out] display The window. */
 void display_toggle_full_screen(Display *display);

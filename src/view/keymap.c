@@ -18,7 +18,8 @@
 typedef struct Binding {
     Action action;      /**< What it asks for. */
     SDL_Scancode place; /**< Its place, where it goes by that; otherwise 0, SDL's "unknown". */
-    SDL_Keycode letter; /**< Its letter or name; 0: not a key, only a row of the help. */
+    SDL_Keycode letter; /**< Its letter or name; 0 with a place: it always goes by that; 0 without:
+                             not a key, only a row of the help. */
     const char *label;  /**< What to call it in the help, in English; NULL: as SDL does; empty: not
                            at  all. */
     const char *group;  /**< The help's heading that it stands under. */
@@ -31,8 +32,19 @@ static const char LIGHT[] = N_("Light");
 static const char CAMERA[] = N_("Camera");
 /** Heading of the help: the time. */
 static const char TIME[] = N_("Time");
+/** Heading of the help: what is shown, and how it is drawn. */
+static const char PICTURE[] = N_("Picture");
 /** Heading of the help: everything else. */
 static const char PROGRAM[] = N_("Program");
+
+/** What the first keys of layers do. */
+#define FIRST_LAYERS N_("light, normals, distance, shapes, (u, v)")
+/** What the other keys of layers do. */
+#define LAST_LAYERS N_("rays, marching, time, error, acne")
+/** What the keys of epsilon do. */
+#define EPSILON N_("epsilon half, twice (Shift: 1/10, 10 times)")
+/** The key of a layer. */
+#define LAYER_KEY(layer) (Action)(ACTION_LAYER + LAYER_##layer)
 
 /** All keys, in the help's order. */
 static const Binding bindings[] = {
@@ -54,6 +66,29 @@ static const Binding bindings[] = {
     {ACTION_TIME, 0, SDLK_SPACE, N_("Space"), TIME, N_("run, hold")},
     {ACTION_TIME_BACK, SDL_SCANCODE_COMMA, SDLK_COMMA, NULL, TIME, N_("a step back, on")},
     {ACTION_TIME_ON, SDL_SCANCODE_PERIOD, SDLK_PERIOD, NULL, TIME, N_("a step back, on")},
+    {LAYER_KEY(SHADED), SDL_SCANCODE_1, 0, "1", PICTURE, FIRST_LAYERS},
+    {LAYER_KEY(NORMALS), SDL_SCANCODE_2, 0, "2", PICTURE, FIRST_LAYERS},
+    {LAYER_KEY(DISTANCE), SDL_SCANCODE_3, 0, "3", PICTURE, FIRST_LAYERS},
+    {LAYER_KEY(SHAPES), SDL_SCANCODE_4, 0, "4", PICTURE, FIRST_LAYERS},
+    {LAYER_KEY(PLACE), SDL_SCANCODE_5, 0, "5", PICTURE, FIRST_LAYERS},
+    {LAYER_KEY(RAYS), SDL_SCANCODE_6, 0, "6", PICTURE, LAST_LAYERS},
+    {LAYER_KEY(STEPS), SDL_SCANCODE_7, 0, "7", PICTURE, LAST_LAYERS},
+    {LAYER_KEY(TIME), SDL_SCANCODE_8, 0, "8", PICTURE, LAST_LAYERS},
+    {LAYER_KEY(ERROR), SDL_SCANCODE_9, 0, "9", PICTURE, LAST_LAYERS},
+    {LAYER_KEY(ACNE), SDL_SCANCODE_0, 0, "0", PICTURE, LAST_LAYERS},
+    {ACTION_OFFSET, 0, SDLK_o, NULL, PICTURE, N_("offset: none, fixed, bound")},
+    {ACTION_EPSILON_HALF, SDL_SCANCODE_LEFTBRACKET, 0, NULL, PICTURE, EPSILON},
+    {ACTION_EPSILON_TWICE, SDL_SCANCODE_RIGHTBRACKET, 0, NULL, PICTURE, EPSILON},
+    {ACTION_ENGINE, 0, SDLK_g, NULL, PICTURE, N_("float, double, quad (Shift: back)")},
+    {ACTION_DEPTH, 0, SDLK_b, NULL, PICTURE, N_("deeper (Shift: less)")},
+    {ACTION_SAMPLES, 0, SDLK_n, NULL, PICTURE, N_("twice the samples (Shift: half)")},
+    {ACTION_LIGHT_MODE, 0, SDLK_m, NULL, PICTURE, N_("light and ambient, light alone, none")},
+    {ACTION_AS_ASKED, 0, SDLK_BACKSPACE, N_("Backspace"), PICTURE, N_("all of this as at first")},
+    {ACTION_SETTINGS, 0, SDLK_i, NULL, PICTURE, N_("settings and costs")},
+    {ACTION_SPLIT, 0, SDLK_x, NULL, PICTURE, N_("side by side, difference, alone")},
+    {ACTION_SIDE, 0, SDLK_t, NULL, PICTURE, N_("which side keys change")},
+    {ACTION_BAR_LEFT, 0, SDLK_F6, NULL, PICTURE, N_("bar left, right; or the mouse")},
+    {ACTION_BAR_RIGHT, 0, SDLK_F7, NULL, PICTURE, N_("bar left, right; or the mouse")},
     {ACTION_NONE, 0, 0, N_("Shift"), PROGRAM, N_("with a move: fast, fine")},
     {ACTION_NONE, 0, 0, N_("Ctrl"), PROGRAM, N_("with a move: fast, fine")},
     {ACTION_HOME, 0, SDLK_HOME, N_("Home"), PROGRAM, N_("the scene's own view")},
@@ -80,10 +115,10 @@ enum { BINDING_COUNT = sizeof bindings / sizeof bindings[0] };
 Action keymap_action(SDL_Keysym key, bool by_letter) {
     for (size_t i = 0; i < BINDING_COUNT; i++) {
         const Binding *binding = &bindings[i];
-        bool by_place = binding->place != 0 && !by_letter;
+        bool by_place = binding->place != 0 && (!by_letter || binding->letter == 0);
         if (by_place ? key.scancode == binding->place
                      : binding->letter != 0 && key.sym == binding->letter) {
-            return binding->action;
+            return key.mod & KMOD_SHIFT ? action_shifted(binding->action) : binding->action;
         }
     }
     return ACTION_NONE;
@@ -98,7 +133,7 @@ static const char *binding_label(const Binding *binding, bool by_letter) {
     if (binding->label) {
         return binding->label[0] != '\0' ? gettext(binding->label) : "";
     }
-    if (binding->place == 0 || by_letter) {
+    if (binding->place == 0 || (by_letter && binding->letter != 0)) {
         return SDL_GetKeyName(binding->letter);
     }
     const char *printed = SDL_GetKeyName(SDL_GetKeyFromScancode(binding->place));

@@ -13,6 +13,7 @@ void overlay_draw(Overlay *overlay, const OverlayScreen *screen, const PanelRow 
     PanelRoom room = {.scale = screen->scale};
     overlay_forget(overlay);
     SDL_GetRendererOutputSize(screen->renderer, &room.width, &room.height);
+    room.width = (int)(room.width * screen->share);
     SDL_Surface *panel = panel_draw(rows, count, &room);
     if (panel) {
         overlay->texture = SDL_CreateTextureFromSurface(screen->renderer, panel);
@@ -28,8 +29,10 @@ void overlay_show(const Overlay *overlay, const OverlayScreen *screen) {
     }
     SDL_GetRendererOutputSize(screen->renderer, &width, &height);
     SDL_QueryTexture(overlay->texture, NULL, NULL, &place.w, &place.h);
-    place.x = (width - place.w) / 2;
-    place.y = overlay->place == OVERLAY_MIDDLE ? (height - place.h) / 2 : height - place.h;
+    bool is_corner = overlay->place == OVERLAY_LEFT || overlay->place == OVERLAY_RIGHT;
+    int right = width - place.w, below = height - place.h;
+    place.x = !is_corner ? right / 2 : overlay->place == OVERLAY_LEFT ? 0 : right;
+    place.y = is_corner ? 0 : overlay->place == OVERLAY_MIDDLE ? below / 2 : below;
     SDL_RenderCopy(screen->renderer, overlay->texture, NULL, &place);
 }
 

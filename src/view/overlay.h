@@ -10,7 +10,9 @@
 /** Where in a window a panel lies. */
 typedef enum {
     OVERLAY_MIDDLE, /**< In its middle. */
-    OVERLAY_BELOW   /**< At its lower edge, in the middle. */
+    OVERLAY_BELOW,  /**< At its lower edge, in the middle. */
+    OVERLAY_LEFT,   /**< In its upper left corner. */
+    OVERLAY_RIGHT   /**< In its upper right corner. */
 } OverlayPlace;
 
 /** A panel over the picture. Starts as `{.place = ...}`. */
@@ -23,6 +25,7 @@ typedef struct Overlay {
 typedef struct OverlayScreen {
     SDL_Renderer *renderer; /**< What draws in the window. */
     double scale;           /**< See #PanelRoom.scale. */
+    double share;           /**< Share of the window's width that a panel may take. */
 } OverlayScreen;
 
 /** @return Whether the panel must be drawn anew before it can be shown. @param overlay It. */

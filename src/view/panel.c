@@ -14,6 +14,9 @@ static const int SIZE_MINIMUM = 5;
 /** Size of letters below which no window of a sensible size goes, pixels. */
 static const int SIZE_READABLE = 12;
 
+/** How many times as wide as a letter's size a colour is shown. */
+static const int SWATCH_SIZES = 2;
+
 /** Colour of the words. */
 static const SDL_Color WORDS = {240, 240, 240, SDL_ALPHA_OPAQUE};
 /** Colour of the labels: apart from the words by hue and by lightness. */
@@ -100,6 +103,7 @@ static void lay_out(Layout *layout, int size) {
             words = text_width(layout->font, row->text);
         int *width = row->is_heading ? &headings_width : &layout->words_width;
         *width = SDL_max(*width, words);
+        label = row->has_swatch ? SWATCH_SIZES * size : label;
         layout->labels_width = SDL_max(layout->labels_width, label > 0 ? label + size : 0);
     }
     layout->words_width = SDL_max(layout->words_width, headings_width - layout->labels_width);
@@ -160,6 +164,15 @@ static void write_text(SDL_Surface *panel, TTF_Font *font, const char *text, SDL
     }
 }
 
+/** Shows a colour; those of rows that follow each other touch. @param panel The panel. @param
+ * layout The layout. @param rgb The colour. @param y Upper end of its row, pixels. */
+static void draw_swatch(SDL_Surface *panel, const Layout *layout, const uint8_t rgb[3], int y) {
+    int width = layout->labels_width - layout->margin; // The gap is as wide as the margin.
+    SDL_Rect place = {.x = layout->margin, .y = y, .w = width, .h = layout->line};
+    SDL_FillRect(panel, &place,
+                 SDL_MapRGBA(panel->format, rgb[0], rgb[1], rgb[2], SDL_ALPHA_OPAQUE));
+}
+
 /** @return The panel with all rows, or NULL without memory. @param layout The layout. */
 static SDL_Surface *draw_panel(const Layout *layout) {
     SDL_Surface *panel = SDL_CreateRGBSurfaceWithFormat(
@@ -171,6 +184,9 @@ static SDL_Surface *draw_panel(const Layout *layout) {
     for (size_t i = 0; i < layout->count; i++) {
         const PanelRow *row = &layout->rows[i];
         int x = layout->margin, y = row_top(layout, i);
+        if (row->has_swatch) {
+            draw_swatch(panel, layout, row->swatch, y);
+        }
         write_text(panel, layout->font, row->label, LABELS, x, y);
         x += row->is_heading ? 0 : layout->labels_width;
         write_text(panel, layout->font, row->text, row->is_heading ? HEADINGS : WORDS, x, y);

@@ -17,6 +17,8 @@ typedef struct PanelRow {
     char
         label[PANEL_LABEL_SIZE]; /**< Such as what is printed on keys, UTF-8; empty in a heading. */
     const char *text;            /**< What is said, UTF-8; owned by others. */
+    bool has_swatch;             /**< Whether a colour is shown in the label's place. */
+    uint8_t swatch[3];           /**< The colour, sRGB. */
 } PanelRow;
 
 /** The room that a panel has. */

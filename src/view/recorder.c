@@ -33,13 +33,14 @@ static bool begin(View *view, Error *error) {
                          "a scene from standard input has no file for a lesson to name");
     }
     *recorder = (Recorder){.metronome = {.move = move, .context = view, .motion = {.speed = 1}},
-                           .began = stage_clock()};
+                           .began = sight_clock()};
     recorder->stream = open_memstream(&recorder->text, &recorder->size);
     if (!recorder->stream) {
         return error_set(error, STATUS_FAILED, "no memory for a lesson");
     }
     motion_forget(&view->motion);
-    timeline_hold(&view->timeline, stage_clock());
+    timeline_hold(&view->timeline, sight_clock());
+    controls_act(view, ACTION_AS_ASKED);
     controls_act(view, ACTION_HOME);
     LessonFacts facts = {.scene = view->path,
                          .name = view->name,
@@ -54,7 +55,7 @@ static bool begin(View *view, Error *error) {
 /**
  * Finds when something happens, and does what is due before.
  * @param[in,out] recorder  The recording.
- * @param time              When, on #stage_clock; what is done already is not undone.
+ * @param time              When, on #sight_clock; what is done already is not undone.
  */
 static void go_to(Recorder *recorder, double time) {
     int64_t moment = (int64_t)floor((time - recorder->began) * 1000);
@@ -131,7 +132,7 @@ void recorder_set_speed(View *view, double speed, double time) {
 
 void recorder_note(View *view, const char *words) {
     if (recorder_is_on(view)) {
-        go_to(&view->recorder, stage_clock());
+        go_to(&view->recorder, sight_clock());
         write_wait(&view->recorder);
         fprintf(view->recorder.stream, "%s\n", words);
     }
@@ -164,7 +165,7 @@ bool recorder_end(View *view, Error *error) {
     if (!recorder_is_on(view)) {
         return true;
     }
-    recorder_release_all(view, stage_clock());
+    recorder_release_all(view, sight_clock());
     metronome_go(&recorder->metronome, recorder->metronome.now + METRONOME_BEAT);
     timeline_hold(&view->timeline, metronome_seconds(&recorder->metronome));
     bool is_kept = fclose(recorder->stream) == 0;

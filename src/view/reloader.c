@@ -7,22 +7,49 @@
 #include <SDL.h>
 #include <string.h>
 
+bool reload_is_whole(const Reload *reload) {
+    bool is_whole = reload->scene != NULL;
+    for (size_t i = 0; i < RELOAD_PICTURES; i++) {
+        const ReloadPicture *picture = &reload->pictures[i];
+        is_whole = is_whole && (picture->renderer || !picture->former);
+    }
+    return is_whole;
+}
+
+void reload_release(Reload *reload) {
+    for (size_t i = 0; i < RELOAD_PICTURES; i++) {
+        renderer_destroy(reload->pictures[i].renderer);
+        reload->pictures[i].renderer = NULL;
+    }
+    scene_destroy(reload->scene);
+    reload->scene = NULL;
+}
+
+/** Makes what draws a scene. @param[in,out] reload The answer, with its scene. @param[in,out]
+ *  picture Which picture. */
+static void picture_make(Reload *reload, ReloadPicture *picture) {
+    picture->settings = reload->asked;
+    tuning_apply(&picture->tuning, &picture->settings);
+    picture->renderer =
+        renderer_create_after(picture->former, reload->scene, &picture->settings, &reload->error);
+}
+
 /**
  * Answers a question.
  * @param settings         How scenes are loaded and drawn.
- * @param former           What draws the scene before.
  * @param stop             It is given up once this is true.
  * @param[in,out] reload   The question, then the answer.
  */
-static void answer(const ViewSettings *settings, const Renderer *former, const atomic_bool *stop,
-                   Reload *reload) {
-    RenderSettings render;
+static void answer(const ViewSettings *settings, const atomic_bool *stop, Reload *reload) {
     const ViewRequest request = {.path = reload->path[0] ? reload->path : NULL,
                                  .time = reload->time,
                                  .is_anew = reload->is_anew};
-    reload->scene = settings->load(settings->context, &request, stop, &render, &reload->error);
-    if (reload->scene) {
-        reload->renderer = renderer_create_after(former, reload->scene, &render, &reload->error);
+    reload->scene =
+        settings->load(settings->context, &request, stop, &reload->asked, &reload->error);
+    for (size_t i = 0; reload->scene && i < RELOAD_PICTURES; i++) {
+        if (reload->pictures[i].former) {
+            picture_make(reload, &reload->pictures[i]);
+        }
     }
 }
 
@@ -36,9 +63,8 @@ static void *live(void *context) {
             continue;
         }
         Reload reload = reloader->reload;
-        const Renderer *former = reloader->former;
         pthread_mutex_unlock(&reloader->mutex);
-        answer(reloader->settings, former, &reloader->is_over, &reload);
+        answer(reloader->settings, &reloader->is_over, &reload);
         pthread_mutex_lock(&reloader->mutex);
         reloader->reload = reload;
         reloader->is_asked = false;
@@ -69,8 +95,8 @@ static bool start(Reloader *reloader, Error *error) {
     return true;
 }
 
-bool reloader_ask(Reloader *reloader, const ViewRequest *request, const Renderer *former,
-                  Error *error) {
+bool reloader_ask(Reloader *reloader, const ViewRequest *request,
+                  const ReloadPicture pictures[RELOAD_PICTURES], Error *error) {
     if (!start(reloader, error)) {
         return false;
     }
@@ -78,7 +104,7 @@ bool reloader_ask(Reloader *reloader, const ViewRequest *request, const Renderer
     Reload *question = &reloader->reload;
     *question = (Reload){.time = request->time, .is_anew = request->is_anew};
     SDL_strlcpy(question->path, request->path ? request->path : "", sizeof question->path);
-    reloader->former = former;
+    memcpy(question->pictures, pictures, sizeof question->pictures);
     reloader->is_asked = true;
     pthread_cond_signal(&reloader->is_told);
     pthread_mutex_unlock(&reloader->mutex);
@@ -129,8 +155,7 @@ void reloader_end(Reloader *reloader) {
     pthread_mutex_unlock(&reloader->mutex);
     pthread_join(reloader->thread, NULL);
     if (reloader->is_answered) {
-        renderer_destroy(reloader->reload.renderer);
-        scene_destroy(reloader->reload.scene);
+        reload_release(&reloader->reload);
     }
     pthread_cond_destroy(&reloader->is_told);
     pthread_mutex_destroy(&reloader->mutex);

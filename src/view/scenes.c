@@ -57,20 +57,34 @@ static bool renew_pose(View *view, const Reload *reload, Error *error) {
     return true;
 }
 
+/** Draws another scene from now on. A picture that has come meanwhile is made for it next.
+ *  @param[in,out] stage The stage. @param[in,out] reload The scene and its renderers. */
+static void replace_pictures(Stage *stage, Reload *reload) {
+    stage->asked = reload->asked;
+    for (size_t i = 0; i < STAGE_SIGHTS; i++) {
+        ReloadPicture *picture = &reload->pictures[i];
+        if (picture->renderer && stage->sights[i].renderer) {
+            sight_replace(&stage->sights[i], picture->renderer, &picture->settings);
+        } else {
+            renderer_destroy(picture->renderer);
+            stage->sights[i].is_tuned = true;
+        }
+    }
+}
+
 /**
  * Puts a scene in the place of the one that is shown.
  * @param[in,out] view  The view.
- * @param reload        The scene and its renderer; the view's from now on.
+ * @param[in,out] reload  The scene and its renderers; the view's from now on.
  * @param[out] error    What is wrong.
  * @return false without memory; nothing is changed then.
  */
-static bool replace_scene(View *view, const Reload *reload, Error *error) {
+static bool replace_scene(View *view, Reload *reload, Error *error) {
     if (!renew_pose(view, reload, error)) {
-        renderer_destroy(reload->renderer);
-        scene_destroy(reload->scene);
+        reload_release(reload);
         return false;
     }
-    stage_replace(&view->stage, reload->renderer);
+    replace_pictures(&view->stage, reload);
     scene_destroy(view->own_scene);
     view->scene = view->own_scene = reload->scene;
     view->light = view->light < view->scene->light_count ? view->light : 0;
@@ -95,12 +109,14 @@ static bool take(View *view, Error *error) {
     if (!stage_is_ready(&view->stage) || !reloader_take(&view->reloader, &reload)) {
         return true;
     }
-    if (reload.renderer && replace_scene(view, &reload, error)) {
+    bool is_whole = reload_is_whole(&reload);
+    if (is_whole && replace_scene(view, &reload, error)) {
         return true;
     }
-    if (!reload.renderer) {
+    if (!is_whole) {
         *error = reload.error;
-        scene_destroy(reload.scene);
+        reload_release(&reload);
+        stage_retune(&view->stage);
     }
     view->is_wrong = true;
     view->timeline = (Timeline){.time = view->time};
@@ -125,7 +141,13 @@ static bool ask(View *view, double now, Error *error) {
     ViewRequest request = {.path = is_other ? view->next_path : NULL,
                            .time = is_other ? 0 : play_time(view),
                            .is_anew = view->is_outdated};
-    bool is_asked = reloader_ask(&view->reloader, &request, view->stage.renderer, error);
+    ReloadPicture pictures[RELOAD_PICTURES] = {0};
+    for (size_t i = 0; i < stage_sights(&view->stage); i++) {
+        Sight *sight = &view->stage.sights[i];
+        pictures[i] = (ReloadPicture){.former = sight->renderer, .tuning = sight->tuning};
+        sight->is_tuned = false;
+    }
+    bool is_asked = reloader_ask(&view->reloader, &request, pictures, error);
     view->next_time = now + PAUSE;
     view->is_outdated = false;
     view->next_path[0] = '\0';

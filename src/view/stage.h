@@ -5,40 +5,37 @@
 #ifndef DIOPTRE_VIEW_STAGE_H
 #define DIOPTRE_VIEW_STAGE_H
 
-#include "dioptre/renderer.h"
 #include "view/caption.h"
 #include "view/display.h"
 #include "view/help.h"
+#include "view/hud.h"
 #include "view/latency.h"
 #include "view/notice.h"
+#include "view/split.h"
+
+/** Pictures of a scene that a window shows at most. */
+enum { STAGE_SIGHTS = 2 };
 
 /** What #stage_delay says where nothing is to be done until an event comes, seconds. */
-#define STAGE_NEVER HUGE_VAL
+#define STAGE_NEVER SIGHT_NEVER
 
-/** A renderer, a window, and what of the one is to be seen in the other. Starts as `{0}`. */
+/** A window, and what is to be seen in it. Starts as `{0}`. */
 typedef struct Stage {
-    Renderer *renderer;  /**< What draws; owned. */
-    Display display;     /**< Where it is shown. */
-    Help help;           /**< What may lie over it. */
-    Notice notice;       /**< What is said over it. */
-    Caption caption;     /**< What a lesson says over it. */
-    double text_scale;   /**< How many times as large as usual its letters are; 0: as usual. */
-    Latency latency;     /**< How long keys wait for their picture. */
-    RenderReport report; /**< How the picture on screen stands. */
-    int width;           /**< Pixels of the drawing under way. */
-    int height;          /**< Pixels of the drawing under way. */
-    double started;      /**< When it was started, seconds. */
+    Sight sights[STAGE_SIGHTS]; /**< The pictures; the second is open only beside the first. */
+    Split split;                /**< How they share the window. */
+    RenderSettings asked;       /**< What is asked of both, but for what the user has changed. */
+    Display display;            /**< Where they are shown. */
+    Hud huds[STAGE_SIGHTS];     /**< What is said beside them. */
+    bool has_settings;          /**< Whether it is said how they are drawn. */
+    Help help;                  /**< What may lie over them. */
+    Notice notice;              /**< What is said over them. */
+    Caption caption;            /**< What a lesson says over them. */
+    double text_scale;          /**< How many times as large as usual letters are; 0: as usual. */
+    Latency latency;            /**< How long keys wait for their picture. */
     double first_shown;  /**< When the very first picture was on screen, seconds; 0 before. */
-    bool is_changed;     /**< Whether the scene or the window changed since it was started. */
-    bool is_unseen;      /**< Whether nothing of it has been on screen yet. */
-    bool has_pass;       /**< Whether there may be a pass that is not on screen yet. */
     bool is_hidden;      /**< Whether nobody can see the window. */
     uint32_t pass_event; /**< SDL event that tells of a finished pass. */
-    atomic_bool is_told; /**< Whether such an event is on its way. */
 } Stage;
-
-/** @return Seconds on the monotonic clock. */
-double stage_clock(void);
 
 /**
  * Opens the window and makes the renderer; drawing begins with #stage_update.
@@ -56,15 +53,60 @@ bool stage_open(Stage *stage, const Scene *scene, const RenderSettings *settings
 /** Stops drawing and closes the window. @param[in,out] stage The stage. */
 void stage_close(Stage *stage);
 
-/**
- * Shows another scene from now on, drawn by another renderer; what is on screen stays meanwhile.
- * @param[in,out] stage  The stage, ready.
- * @param renderer       The renderer, with the settings of the one before; owned from now on.
- */
-void stage_replace(Stage *stage, Renderer *renderer);
+/** @return How many pictures are there. @param stage The stage. */
+size_t stage_sights(const Stage *stage);
 
-/** Takes note of the event that a pass has ended. @param[in,out] stage The stage. */
-void stage_on_pass(Stage *stage);
+/** @return The picture that keys change. @param stage The stage. */
+Sight *stage_active(Stage *stage);
+
+/** The scene has changed, and is drawn anew. @param[in,out] stage The stage. */
+void stage_change(Stage *stage);
+
+/** Shows something else of the picture that keys change. @param[in,out] stage The stage.
+ *  @param layer What. */
+void stage_set_layer(Stage *stage, Layer layer);
+
+/** Changes how the picture that keys change is drawn. @param[in,out] stage The stage. @param action
+ *  See #tuning_change. */
+void stage_tune(Stage *stage, Action action);
+
+/** Makes what draws all pictures anew, as soon as that can be. @param[in,out] stage The stage. */
+void stage_retune(Stage *stage);
+
+/** Draws all pictures as they were asked for. @param[in,out] stage The stage. */
+void stage_untune(Stage *stage);
+
+/** Shows one picture, two side by side, or their difference. @param[in,out] stage The stage.
+ *  @param way 1: the next of these; -1: the one before. */
+void stage_split(Stage *stage, int way);
+
+/** Keys change the other picture from now on. @param[in,out] stage The stage. */
+void stage_swap_active(Stage *stage);
+
+/** Moves the bar between two pictures. @param[in,out] stage The stage. @param share To where, of
+ * the window's width. */
+void stage_move_bar(Stage *stage, double share);
+
+/** @return Whether the bar is under the mouse. @param stage The stage. @param share Where the mouse
+ *  is, of the window's width. */
+bool stage_is_at_bar(const Stage *stage, double share);
+
+/** Says how pictures are drawn, or not any more. @param[in,out] stage The stage. */
+void stage_toggle_settings(Stage *stage);
+
+/**
+ * Makes what draws the pictures as they are wanted now: one or two, with their settings. To be
+ * called while nobody else needs what drew them until now.
+ * @param[in,out] stage  The stage.
+ * @param scene          The scene.
+ * @param[out] error     What is wrong.
+ * @return false without memory; pictures are drawn as before then.
+ */
+bool stage_settle(Stage *stage, const Scene *scene, Error *error);
+
+/** Takes note of the event that a pass has ended. @param[in,out] stage The stage. @param event The
+ *  event. */
+void stage_on_pass(Stage *stage, const SDL_Event *event);
 
 /** Takes note that the window may be hidden, or not any more. @param[in,out] stage The stage. */
 void stage_on_visibility(Stage *stage);
@@ -128,6 +170,6 @@ bool stage_is_finished(const Stage *stage);
  * @param[out] error    What is wrong.
  * @return false without memory.
  */
-bool stage_copy(const Stage *stage, Picture *picture, Error *error);
+bool stage_copy(Stage *stage, Picture *picture, Error *error);
 
 #endif

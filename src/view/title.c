@@ -29,6 +29,9 @@ static void add_report(char title[TITLE_SIZE], const RenderReport *report) {
     uint64_t rays = ray_counts_sum(&report->rays);
     double seconds = report->seconds > instant ? report->seconds : instant;
     int samples = report->samples;
+    if (report->layer.layer != LAYER_SHADED) {
+        title_add(title, ", %s", gettext(layer_name(report->layer.layer)));
+    }
     title_add(title, ", pass %d px", report->stride);
     title_add(title, ngettext(", %d sample", ", %d samples", (unsigned long)samples), samples);
     title_add(title, ", %.1f ms, %.0f Mrays/s", report->seconds * 1e3,

@@ -39,7 +39,7 @@ void view_hush(View *view) {
 }
 
 void view_changed(View *view) {
-    view->stage.is_changed = true;
+    stage_change(&view->stage);
     if (!view->wants_snapshot) {
         view->note[0] = '\0';
     }
@@ -81,13 +81,14 @@ static void snapshot_if_wanted(View *view) {
 /** Brings the title up to date. @param[in,out] view The view. @param now Now, seconds. */
 static void update_title(View *view, double now) {
     const Stage *stage = &view->stage;
+    const Sight *sight = &stage->sights[0];
     if (now < view->title_due && !stage_is_finished(stage)) {
         return;
     }
     TitleFacts facts = {.name = view->name,
-                        .width = stage->width,
-                        .height = stage->height,
-                        .report = stage->first_shown > 0 ? &stage->report : NULL,
+                        .width = sight->width,
+                        .height = sight->height,
+                        .report = stage->first_shown > 0 ? &sight->report : NULL,
                         .time = view->scene->reads_time ? &view->time : NULL,
                         .is_running = view->timeline.is_running,
                         .is_recorded = recorder_is_on(view),
@@ -124,22 +125,25 @@ static bool wait_for_event(View *view, double now, SDL_Event *event) {
 /** Does one round: moves, draws, shows, and sleeps. @param[in,out] view The view. */
 static void do_round(View *view) {
     Error error = {0};
-    move_by_keys(view, stage_clock());
-    player_update(view, stage_clock());
-    recorder_update(view, stage_clock());
-    if (!scenes_update(view, stage_clock(), &error) && error.status != STATUS_INTERRUPTED) {
+    move_by_keys(view, sight_clock());
+    player_update(view, sight_clock());
+    recorder_update(view, sight_clock());
+    if (!scenes_update(view, sight_clock(), &error) && error.status != STATUS_INTERRUPTED) {
         view_report(view, &error);
     }
-    if (!stage_update(&view->stage, view->scene, stage_clock(), &error)) {
+    if (!reloader_is_busy(&view->reloader) && !stage_settle(&view->stage, view->scene, &error)) {
+        view_report(view, &error);
+    }
+    if (!stage_update(&view->stage, view->scene, sight_clock(), &error)) {
         view_report(view, &error);
     }
     snapshot_if_wanted(view);
     if (!player_shoot(view, &error)) {
         view_report(view, &error);
     }
-    update_title(view, stage_clock());
+    update_title(view, sight_clock());
     SDL_Event event;
-    bool is_event = !view->is_over && wait_for_event(view, stage_clock(), &event);
+    bool is_event = !view->is_over && wait_for_event(view, sight_clock(), &event);
     while (is_event && !view->is_over) {
         controls_handle(view, &event);
         is_event = SDL_PollEvent(&event);

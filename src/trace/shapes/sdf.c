@@ -162,6 +162,12 @@ static mask sdf_is_blocking(const Shape *self, const Ray *ray, mask active, real
     return march.found & (distance > 0) & (distance < limit);
 }
 
+/** @return How many steps rays take to it. See #ShapeClass.steps. @param self The shape.
+ *  @param ray The rays. @param active The lanes. @param limit The way's end. */
+static real sdf_steps(const Shape *self, const Ray *ray, mask active, real limit) {
+    return march_count(&((const Sdf *)self)->marching, ray, active, limit);
+}
+
 /** @return The box around the shape. @param self The shape. */
 static Bounds sdf_bounds(const Shape *self) {
     return ((const Sdf *)self)->box;
@@ -181,4 +187,5 @@ const ShapeClass sdf_class = {
     .is_hit = sdf_is_hit,
     .is_blocking = sdf_is_blocking,
     .bounds = sdf_bounds,
+    .steps = sdf_steps,
 };

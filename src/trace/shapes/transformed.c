@@ -281,6 +281,19 @@ static TexturePlace transformed_texture_place(const Shape *self, const Hit *hit,
     return shape_texture_place(inner, &local, lanes);
 }
 
+/** @return How many steps rays take to the shape. See #ShapeClass.steps. @param self The shape.
+ *  @param ray The rays. @param active The lanes. @param limit The way's end. */
+static real transformed_steps(const Shape *self, const Ray *ray, mask active, real limit) {
+    const Transformed *transformed = (const Transformed *)self;
+    const Shape *inner = transformed->inner;
+    if (!inner->class->steps) {
+        return real_of(0);
+    }
+    Local local = transformed_local(transformed, ray);
+    real left = narrow(widen(limit) - local.skipped);
+    return inner->class->steps(inner, &local.ray, active, left);
+}
+
 /* --- shapes that take whole packets ---------------------------------------------------------- */
 
 /** @return The same box for every ray. @param box The box. */
@@ -375,4 +388,5 @@ const ShapeClass transformed_class = {
     .is_blocking = transformed_is_blocking,
     .bounds = transformed_bounds,
     .texture_place = transformed_texture_place,
+    .steps = transformed_steps,
 };

@@ -43,7 +43,7 @@ static void write_heading(const Caption *caption, char *words, size_t size) {
 static void draw(Caption *caption, const OverlayScreen *screen) {
     char words[WORDS_SIZE], heading[WORDS_SIZE];
     PanelRow rows[ROWS_MAXIMUM + 1];
-    const OverlayScreen large = {screen->renderer, screen->scale * LARGE};
+    const OverlayScreen large = {screen->renderer, screen->scale * LARGE, screen->share};
     write_heading(caption, heading, sizeof heading);
     rows[0] = (PanelRow){.is_heading = true, .text = heading};
     snprintf(words, sizeof words, "%s", lesson_words(&caption->text, language_is_french()));

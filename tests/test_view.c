@@ -7,6 +7,10 @@
 
 #include "dioptre/image_file.h"
 #include "dioptre/view.h"
+#include "view/font.h"
+#include "view/help_panel.h"
+#include "view/key_words.h"
+#include "view/keyboard.h"
 #include "view/keymap.h"
 #include "view/latency.h"
 #include "view/motion.h"
@@ -204,7 +208,7 @@ static void test_panel(void **state) {
     PanelRow rows[HELP_ROWS_MAXIMUM];
     size_t count = keymap_help(false, rows);
     static const int sizes[][2] = {{800, 600}, {320, 240}, {3840, 2160}, {200, 2000}, {1, 1}};
-    if (!panel_is_possible()) {
+    if (!font_is_there()) {
         skip();
     }
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
@@ -217,6 +221,40 @@ static void test_panel(void **state) {
         }
         SDL_FreeSurface(panel);
     }
+}
+
+/** The help fits windows, with the keyboard where that can be read. @param state Unused. */
+static void test_help_panel(void **state) {
+    (void)state;
+    static const int sizes[][2] = {{800, 600}, {3840, 2160}, {1280, 500}, {400, 300}, {300, 900}};
+    if (!font_is_there()) {
+        skip();
+    }
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        int width = sizes[i][0], height = sizes[i][1];
+        SDL_Surface *panel = help_draw(false, &(PanelRoom){width, height, i % 2 ? 2 : 1});
+        assert_non_null(panel);
+        assert_in_range(panel->w, 100, width);
+        assert_in_range(panel->h, 100, height);
+        SDL_FreeSurface(panel);
+    }
+    assert_int_equal(keyboard_size(790, 270).x, 788);
+    assert_int_equal(keyboard_size(400, 300).y, 0);
+    SDL_FreeSurface(help_draw(false, &(PanelRoom){1, 1, 1}));
+}
+
+/** A key says what it means, in its group's colour, wherever it is. @param state Unused. */
+static void test_keyboard_words(void **state) {
+    (void)state;
+    KeyMeaning up = keymap_meaning((SDL_Keysym){.scancode = SDL_SCANCODE_W, .sym = SDLK_z}, false);
+    KeyMeaning none =
+        keymap_meaning((SDL_Keysym){.scancode = SDL_SCANCODE_F5, .sym = SDLK_F5}, false);
+    assert_int_equal(up.action, ACTION_LIGHT_UP);
+    assert_int_equal(up.tint, 1);
+    assert_string_equal(key_word(SDL_SCANCODE_W, &up), "up");
+    assert_string_equal(key_word(SDL_SCANCODE_F5, &none), "");
+    assert_string_equal(key_word(SDL_SCANCODE_LSHIFT, &none), "fast");
+    assert_string_equal(key_label(SDL_SCANCODE_LEFT), "←");
 }
 
 /** Median and worst of the waits, and what does not count. @param state Unused. */
@@ -579,6 +617,8 @@ int main(void) {
         cmocka_unit_test(test_keymap_others),
         cmocka_unit_test(test_keymap_help),
         cmocka_unit_test(test_panel),
+        cmocka_unit_test(test_help_panel),
+        cmocka_unit_test(test_keyboard_words),
         cmocka_unit_test(test_latency),
         cmocka_unit_test(test_latency_many),
         cmocka_unit_test(test_snapshot_numbers),

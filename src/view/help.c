@@ -4,6 +4,8 @@
  */
 #include "view/help.h"
 
+#include "view/font.h"
+#include "view/help_panel.h"
 #include "view/keymap.h"
 
 #include <stdio.h>
@@ -30,7 +32,7 @@ static void print_help(bool by_letter) {
 
 bool help_toggle(Help *help) {
     bool is_wanted = !help->is_open;
-    help->is_open = is_wanted && panel_is_possible();
+    help->is_open = is_wanted && font_is_there();
     if (is_wanted && !help->is_open) {
         print_help(help->by_letter);
     }
@@ -42,9 +44,8 @@ void help_show(Help *help, const OverlayScreen *screen) {
         return;
     }
     if (overlay_is_stale(&help->overlay)) {
-        PanelRow rows[HELP_ROWS_MAXIMUM];
-        size_t count = keymap_help(help->by_letter, rows);
-        overlay_draw(&help->overlay, screen, rows, count);
+        PanelRoom room = overlay_room(screen);
+        overlay_take(&help->overlay, screen, help_draw(help->by_letter, &room));
     }
     overlay_show(&help->overlay, screen);
 }

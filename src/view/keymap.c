@@ -112,16 +112,30 @@ static const Binding bindings[] = {
 /** How many there are. */
 enum { BINDING_COUNT = sizeof bindings / sizeof bindings[0] };
 
-Action keymap_action(SDL_Keysym key, bool by_letter) {
+/** @return Which of the groups a binding is in, from 1. @param binding The binding. */
+static int group_number(const Binding *binding) {
+    int number = 1;
+    for (const Binding *other = bindings; other < binding; other++) {
+        number += other->group != other[1].group;
+    }
+    return number;
+}
+
+KeyMeaning keymap_meaning(SDL_Keysym key, bool by_letter) {
     for (size_t i = 0; i < BINDING_COUNT; i++) {
         const Binding *binding = &bindings[i];
         bool by_place = binding->place != 0 && (!by_letter || binding->letter == 0);
         if (by_place ? key.scancode == binding->place
                      : binding->letter != 0 && key.sym == binding->letter) {
-            return key.mod & KMOD_SHIFT ? action_shifted(binding->action) : binding->action;
+            return (KeyMeaning){binding->action, group_number(binding), binding->help};
         }
     }
-    return ACTION_NONE;
+    return (KeyMeaning){.action = ACTION_NONE};
+}
+
+Action keymap_action(SDL_Keysym key, bool by_letter) {
+    Action action = keymap_meaning(key, by_letter).action;
+    return key.mod & KMOD_SHIFT ? action_shifted(action) : action;
 }
 
 /**
@@ -157,11 +171,13 @@ size_t keymap_help(bool by_letter, PanelRow rows[HELP_ROWS_MAXIMUM]) {
     for (const Binding *binding = bindings; binding < bindings + BINDING_COUNT; binding++) {
         bool is_new_group = !before || before->group != binding->group;
         if (is_new_group && count < HELP_ROWS_MAXIMUM) {
-            rows[count++] = (PanelRow){.is_heading = true, .text = gettext(binding->group)};
+            rows[count++] = (PanelRow){
+                .is_heading = true, .text = gettext(binding->group), .tint = group_number(binding)};
         }
         bool is_new_row = is_new_group || strcmp(before->help, binding->help) != 0;
         if (is_new_row && count < HELP_ROWS_MAXIMUM) {
-            rows[count++] = (PanelRow){.text = gettext(binding->help)};
+            rows[count++] =
+                (PanelRow){.text = gettext(binding->help), .tint = group_number(binding)};
         }
         add_label(&rows[count - 1], binding_label(binding, by_letter));
         before = binding;

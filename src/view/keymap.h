@@ -22,6 +22,16 @@ enum { HELP_ROWS_MAXIMUM = 48 };
  */
 Action keymap_action(SDL_Keysym key, bool by_letter);
 
+/** What the help tells of a key. */
+typedef struct KeyMeaning {
+    Action action;    /**< What it asks for; #ACTION_NONE: nothing. */
+    int tint;         /**< The colour of its group: #PanelRow.tint. */
+    const char *help; /**< What it does, in English. */
+} KeyMeaning;
+
+/** @return What a key means. @param key See #keymap_action. @param by_letter See there. */
+KeyMeaning keymap_meaning(SDL_Keysym key, bool by_letter);
+
 /**
  * Writes the help, with the keys of the keyboard in use.
  * @param by_letter  Whether the light's keys go by their letters, not by their places.

@@ -10,11 +10,19 @@ bool overlay_is_stale(const Overlay *overlay) {
 
 void overlay_draw(Overlay *overlay, const OverlayScreen *screen, const PanelRow *rows,
                   size_t count) {
+    PanelRoom room = overlay_room(screen);
+    overlay_take(overlay, screen, panel_draw(rows, count, &room));
+}
+
+PanelRoom overlay_room(const OverlayScreen *screen) {
     PanelRoom room = {.scale = screen->scale};
-    overlay_forget(overlay);
     SDL_GetRendererOutputSize(screen->renderer, &room.width, &room.height);
     room.width = (int)(room.width * screen->share);
-    SDL_Surface *panel = panel_draw(rows, count, &room);
+    return room;
+}
+
+void overlay_take(Overlay *overlay, const OverlayScreen *screen, SDL_Surface *panel) {
+    overlay_forget(overlay);
     if (panel) {
         overlay->texture = SDL_CreateTextureFromSurface(screen->renderer, panel);
         SDL_FreeSurface(panel);

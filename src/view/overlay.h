@@ -41,6 +41,13 @@ bool overlay_is_stale(const Overlay *overlay);
 void overlay_draw(Overlay *overlay, const OverlayScreen *screen, const PanelRow *rows,
                   size_t count);
 
+/** Takes a panel that was drawn elsewhere. @param[in,out] overlay The overlay. @param screen The
+ *  window. @param panel The panel; freed by this; NULL: there is none. */
+void overlay_take(Overlay *overlay, const OverlayScreen *screen, SDL_Surface *panel);
+
+/** @return The room that a panel has in a window. @param screen The window. */
+PanelRoom overlay_room(const OverlayScreen *screen);
+
 /** Lays the panel over what the window shows. @param overlay The overlay; nothing is laid where it
  *  could not be drawn. @param screen The window. */
 void overlay_show(const Overlay *overlay, const OverlayScreen *screen);

@@ -4,8 +4,7 @@
  */
 #include "view/panel.h"
 
-#include <SDL_ttf.h>
-#include <unistd.h>
+#include "view/font.h"
 
 /** A row is as high as the window's height divided by this. */
 static const int LINES_A_WINDOW = 28;
@@ -23,21 +22,14 @@ static const SDL_Color WORDS = {240, 240, 240, SDL_ALPHA_OPAQUE};
 static const SDL_Color LABELS = {255, 205, 90, SDL_ALPHA_OPAQUE};
 /** Colour of the headings. */
 static const SDL_Color HEADINGS = {150, 200, 255, SDL_ALPHA_OPAQUE};
+/** Colours of headings and labels that belong together, as on a drawn keyboard; told apart by those
+ *  who are colour-blind, too. */
+static const SDL_Color tints[] = {
+    {255, 205, 90, SDL_ALPHA_OPAQUE},  {120, 190, 255, SDL_ALPHA_OPAQUE},
+    {90, 215, 170, SDL_ALPHA_OPAQUE},  {205, 205, 215, SDL_ALPHA_OPAQUE},
+    {255, 145, 110, SDL_ALPHA_OPAQUE}, {225, 165, 215, SDL_ALPHA_OPAQUE}};
 /** Colour of the panel: dark, and the picture can be guessed behind it. */
 static const SDL_Color PANEL = {15, 18, 28, 215};
-
-/** Fonts that have the letters and arrows, in the places where systems keep them. */
-static const char *const fonts[] = {
-    "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
-    "/usr/share/fonts/TTF/DejaVuSans.ttf",
-    "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
-    "/usr/share/fonts/dejavu/DejaVuSans.ttf",
-    "/usr/local/share/fonts/dejavu/DejaVuSans.ttf",
-    "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf",
-    "/usr/share/fonts/truetype/liberation2/LiberationSans-Regular.ttf",
-    "/usr/share/fonts/liberation-sans/LiberationSans-Regular.ttf",
-    "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
-};
 
 /** A panel laid out in letters of one size. All lengths are pixels. */
 typedef struct Layout {
@@ -49,42 +41,6 @@ typedef struct Layout {
     int labels_width;     /**< Width of the column of labels, with the gap after it; 0: none. */
     int words_width;      /**< Width of the column of words. */
 } Layout;
-
-/** @return Path of a font that is there, or NULL. */
-static const char *find_font(void) {
-    for (size_t i = 0; i < sizeof fonts / sizeof fonts[0]; i++) {
-        if (access(fonts[i], R_OK) == 0) {
-            return fonts[i];
-        }
-    }
-    return NULL;
-}
-
-/** @return Width of a text, pixels. @param font Its letters. @param text UTF-8. */
-static int text_width(TTF_Font *font, const char *text) {
-    int width = 0;
-    TTF_SizeUTF8(font, text, &width, NULL);
-    return width;
-}
-
-/** Opens a font. @return It, to be closed with #close_font; NULL if there is none. */
-static TTF_Font *open_font(void) {
-    const char *path = find_font();
-    if (!path || TTF_Init() != 0) {
-        return NULL;
-    }
-    TTF_Font *font = TTF_OpenFont(path, SIZE_READABLE);
-    if (!font) {
-        TTF_Quit();
-    }
-    return font;
-}
-
-/** Closes a font. @param font A font of #open_font. */
-static void close_font(TTF_Font *font) {
-    TTF_CloseFont(font);
-    TTF_Quit();
-}
 
 /**
  * Lays the rows out in letters of one size.
@@ -99,8 +55,8 @@ static void lay_out(Layout *layout, int size) {
     int headings_width = 0;
     for (size_t i = 0; i < layout->count; i++) {
         const PanelRow *row = &layout->rows[i];
-        int label = text_width(layout->font, row->label),
-            words = text_width(layout->font, row->text);
+        int label = font_width(layout->font, row->label),
+            words = font_width(layout->font, row->text);
         int *width = row->is_heading ? &headings_width : &layout->words_width;
         *width = SDL_max(*width, words);
         label = row->has_swatch ? SWATCH_SIZES * size : label;
@@ -134,8 +90,9 @@ static int panel_height(const Layout *layout) {
  * Lays the rows out in the largest letters, up to those wanted, that fit a window.
  * @param[in,out] layout  The rows and the font; the lengths are set.
  * @param room            The room.
+ * @return Their size, pixels.
  */
-static void lay_out_to_fit(Layout *layout, const PanelRoom *room) {
+static int lay_out_to_fit(Layout *layout, const PanelRoom *room) {
     int size = (int)(SDL_max(SIZE_READABLE, room->height / LINES_A_WINDOW) * room->scale);
     size = SDL_max(size, SIZE_MINIMUM);
     lay_out(layout, size);
@@ -143,25 +100,20 @@ static void lay_out_to_fit(Layout *layout, const PanelRoom *room) {
            (panel_width(layout) > room->width || panel_height(layout) > room->height)) {
         lay_out(layout, --size);
     }
+    return size;
 }
 
-/**
- * Writes a text on the panel.
- * @param panel  The panel.
- * @param font   The letters.
- * @param text   UTF-8; nothing is written for an empty one.
- * @param color  Their colour.
- * @param x      Left end, pixels.
- * @param y      Upper end, pixels.
- */
-static void write_text(SDL_Surface *panel, TTF_Font *font, const char *text, SDL_Color color, int x,
-                       int y) {
-    SDL_Surface *words = text[0] != '\0' ? TTF_RenderUTF8_Blended(font, text, color) : NULL;
-    if (words) {
-        SDL_Rect place = {.x = x, .y = y};
-        SDL_BlitSurface(words, NULL, panel, &place);
-        SDL_FreeSurface(words);
+SDL_Color panel_tint(int tint) {
+    return tints[(tint - 1) % (int)(sizeof tints / sizeof *tints)];
+}
+
+SDL_Surface *panel_create(int width, int height) {
+    SDL_Surface *panel =
+        SDL_CreateRGBSurfaceWithFormat(0, width, height, 32, SDL_PIXELFORMAT_ARGB8888);
+    if (panel) {
+        SDL_FillRect(panel, NULL, SDL_MapRGBA(panel->format, PANEL.r, PANEL.g, PANEL.b, PANEL.a));
     }
+    return panel;
 }
 
 /** Shows a colour; those of rows that follow each other touch. @param panel The panel. @param
@@ -175,36 +127,47 @@ static void draw_swatch(SDL_Surface *panel, const Layout *layout, const uint8_t 
 
 /** @return The panel with all rows, or NULL without memory. @param layout The layout. */
 static SDL_Surface *draw_panel(const Layout *layout) {
-    SDL_Surface *panel = SDL_CreateRGBSurfaceWithFormat(
-        0, panel_width(layout), panel_height(layout), 32, SDL_PIXELFORMAT_ARGB8888);
+    SDL_Surface *panel = panel_create(panel_width(layout), panel_height(layout));
     if (!panel) {
         return NULL;
     }
-    SDL_FillRect(panel, NULL, SDL_MapRGBA(panel->format, PANEL.r, PANEL.g, PANEL.b, PANEL.a));
     for (size_t i = 0; i < layout->count; i++) {
         const PanelRow *row = &layout->rows[i];
         int x = layout->margin, y = row_top(layout, i);
         if (row->has_swatch) {
             draw_swatch(panel, layout, row->swatch, y);
         }
-        write_text(panel, layout->font, row->label, LABELS, x, y);
+        SDL_Color label = row->tint ? panel_tint(row->tint) : LABELS;
+        SDL_Color heading = row->tint ? panel_tint(row->tint) : HEADINGS;
+        font_write(panel, layout->font, row->label, label, x, y);
         x += row->is_heading ? 0 : layout->labels_width;
-        write_text(panel, layout->font, row->text, row->is_heading ? HEADINGS : WORDS, x, y);
+        font_write(panel, layout->font, row->text, row->is_heading ? heading : WORDS, x, y);
     }
     return panel;
 }
 
-bool panel_is_possible(void) {
-    return find_font() != NULL;
+int panel_size(const PanelRow *rows, size_t count, const PanelRoom *room) {
+    Layout layout = {.rows = rows, .count = count, .font = font_open()};
+    if (!layout.font) {
+        return 0;
+    }
+    int size = lay_out_to_fit(&layout, room);
+    font_close(layout.font);
+    return size;
 }
 
-SDL_Surface *panel_draw(const PanelRow *rows, size_t count, const PanelRoom *room) {
-    Layout layout = {.rows = rows, .count = count, .font = open_font()};
+SDL_Surface *panel_draw_in(const PanelRow *rows, size_t count, int size) {
+    Layout layout = {.rows = rows, .count = count, .font = font_open()};
     if (!layout.font) {
         return NULL;
     }
-    lay_out_to_fit(&layout, room);
+    lay_out(&layout, size);
     SDL_Surface *panel = draw_panel(&layout);
-    close_font(layout.font);
+    font_close(layout.font);
     return panel;
+}
+
+SDL_Surface *panel_draw(const PanelRow *rows, size_t count, const PanelRoom *room) {
+    int size = panel_size(rows, count, room);
+    return size > 0 ? panel_draw_in(rows, count, size) : NULL;
 }

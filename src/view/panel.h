@@ -19,6 +19,7 @@ typedef struct PanelRow {
     const char *text;            /**< What is said, UTF-8; owned by others. */
     bool has_swatch;             /**< Whether a colour is shown in the label's place. */
     uint8_t swatch[3];           /**< The colour, sRGB. */
+    int tint;                    /**< Which colour heading or label have; 0: their usual one. */
 } PanelRow;
 
 /** The room that a panel has. */
@@ -28,8 +29,20 @@ typedef struct PanelRoom {
     double scale; /**< How many times as large as usual letters shall be. */
 } PanelRoom;
 
-/** @return Whether there is a font to draw with. */
-bool panel_is_possible(void);
+/** @return The colour of a tint. @param tint #PanelRow.tint, above 0. */
+SDL_Color panel_tint(int tint);
+
+/** @return An empty panel, to be freed by the caller; NULL without memory. @param width Pixels.
+ *  @param height Pixels. */
+SDL_Surface *panel_create(int width, int height);
+
+/** @return Size of the largest letters that a panel can have, pixels; 0 without font.
+ *  @param rows See #panel_draw. @param count See there. @param room See there. */
+int panel_size(const PanelRow *rows, size_t count, const PanelRoom *room);
+
+/** Draws a panel in letters of one size. @param rows The rows. @param count How many, at least 1.
+ *  @param size Size of the letters, pixels. @return See #panel_draw. */
+SDL_Surface *panel_draw_in(const PanelRow *rows, size_t count, int size);
 
 /**
  * Draws a panel, in letters that the last row of a class can read if there is room for them.

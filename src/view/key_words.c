@@ -1,0 +1,81 @@
+/**
+ * @file
+ * @brief Words and signs on the drawn keyboard.
+ */
+#include "view/key_words.h"
+
+#include "dioptre/language.h"
+
+#include <libintl.h>
+
+/** What actions do, in a word; where there is none, the help's words stand there. */
+static const char *const words[] = {[ACTION_LIGHT_RIGHT] = N_("right"),
+                                    [ACTION_LIGHT_LEFT] = N_("left"),
+                                    [ACTION_LIGHT_UP] = N_("up"),
+                                    [ACTION_LIGHT_DOWN] = N_("down"),
+                                    [ACTION_LIGHT_AWAY] = N_("away"),
+                                    [ACTION_LIGHT_NEARER] = N_("near"),
+                                    [ACTION_CAMERA_RIGHT] = N_("right"),
+                                    [ACTION_CAMERA_LEFT] = N_("left"),
+                                    [ACTION_CAMERA_UP] = N_("up"),
+                                    [ACTION_CAMERA_DOWN] = N_("down"),
+                                    [ACTION_CAMERA_FORWARD] = N_("forward"),
+                                    [ACTION_CAMERA_BACK] = N_("back"),
+                                    [ACTION_SNAPSHOT] = N_("photo"),
+                                    [ACTION_HOME] = N_("reset"),
+                                    [ACTION_NEXT_LIGHT] = N_("next"),
+                                    [ACTION_TIME] = N_("run, hold"),
+                                    [ACTION_TIME_BACK] = N_("back"),
+                                    [ACTION_TIME_ON] = N_("on"),
+                                    [ACTION_COPY] = N_("copy"),
+                                    [ACTION_TEXT_LARGER] = "A +",
+                                    [ACTION_TEXT_SMALLER] = "A −",
+                                    [ACTION_LANGUAGE] = "en / fr",
+                                    [ACTION_RECORD] = N_("record"),
+                                    [ACTION_CAPTION] = N_("words"),
+                                    [ACTION_HELP] = N_("help"),
+                                    [ACTION_FULL_SCREEN] = N_("screen"),
+                                    [ACTION_LEAVE] = N_("leave"),
+                                    [ACTION_NONE] = NULL};
+
+const char *key_word(SDL_Scancode place, const KeyMeaning *meaning) {
+    switch (place) {
+    case SDL_SCANCODE_LSHIFT:
+    case SDL_SCANCODE_RSHIFT:
+        return gettext("fast");
+    case SDL_SCANCODE_LCTRL:
+    case SDL_SCANCODE_RCTRL:
+        return gettext("fine");
+    default:
+        break;
+    }
+    if (meaning->action == ACTION_NONE) {
+        return "";
+    }
+    return gettext(words[meaning->action] ? words[meaning->action] : meaning->help);
+}
+
+const char *key_label(SDL_Scancode place) {
+    static const struct {
+        SDL_Scancode place;
+        const char *label;
+    } signs[] = {{SDL_SCANCODE_LSHIFT, "⇧"},      {SDL_SCANCODE_RSHIFT, "⇧"},
+                 {SDL_SCANCODE_BACKSPACE, "⌫"},   {SDL_SCANCODE_RETURN, "↵"},
+                 {SDL_SCANCODE_CAPSLOCK, "⇪"},    {SDL_SCANCODE_SPACE, N_("Space")},
+                 {SDL_SCANCODE_TAB, N_("Tab")},   {SDL_SCANCODE_LCTRL, "Ctrl"},
+                 {SDL_SCANCODE_RCTRL, "Ctrl"},    {SDL_SCANCODE_LALT, "Alt"},
+                 {SDL_SCANCODE_RALT, "Alt"},      {SDL_SCANCODE_LGUI, ""},
+                 {SDL_SCANCODE_RGUI, ""},         {SDL_SCANCODE_APPLICATION, ""},
+                 {SDL_SCANCODE_LEFT, "←"},        {SDL_SCANCODE_RIGHT, "→"},
+                 {SDL_SCANCODE_UP, "↑"},          {SDL_SCANCODE_DOWN, "↓"},
+                 {SDL_SCANCODE_INSERT, ""},       {SDL_SCANCODE_DELETE, ""},
+                 {SDL_SCANCODE_END, ""},          {SDL_SCANCODE_HOME, N_("Home")},
+                 {SDL_SCANCODE_PAGEUP, "Page↑"},  {SDL_SCANCODE_PAGEDOWN, "Page↓"},
+                 {SDL_SCANCODE_ESCAPE, N_("Esc")}};
+    for (size_t i = 0; i < sizeof signs / sizeof *signs; i++) {
+        if (signs[i].place == place) {
+            return signs[i].label[0] ? gettext(signs[i].label) : "";
+        }
+    }
+    return SDL_GetKeyName(SDL_GetKeyFromScancode(place));
+}

@@ -6,11 +6,11 @@
 
 #include "dioptre/language.h"
 #include "view/keymap.h"
+#include "view/pictures.h"
 #include "view/play.h"
 #include "view/scene_text.h"
 #include "view/scenes.h"
 
-#include <libintl.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -22,8 +22,6 @@ static const double FINE = 0.25;
 static const double ZOOM_A_NOTCH = 0.9;
 /** Bytes of a step of a lesson with two numbers. */
 enum { STEP_SIZE = 80 };
-/** How far a key moves the bar between two pictures, as a share of the window's width. */
-static const double BAR_STEP = 0.02;
 /** Modifiers that make a key one of the window manager's, not ours. */
 static const int FOREIGN_MODIFIERS = KMOD_LALT | KMOD_GUI;
 
@@ -127,45 +125,6 @@ static void begin_move(View *view, Action action, double time) {
     view->next_step = 0;
 }
 
-/** Says in the title how the picture is drawn that keys change. @param[in,out] view The view. */
-static void note_settings(View *view) {
-    Sight *sight = stage_active(&view->stage);
-    RenderSettings settings = view->stage.asked;
-    tuning_apply(&sight->tuning, &settings);
-    view_note(view, "%s, offset %s, epsilon %.3g, depth %d, samples %d, light: %s",
-              settings.engine->name, tuning_offset_name(settings.trace.offset),
-              settings.trace.epsilon, settings.trace.depth, settings.samples,
-              gettext(tuning_light_name(settings.light)));
-}
-
-/** Moves the bar between two pictures by a step. @param[in,out] view The view. @param way 1 to the
- *  right, -1 to the left. */
-static void move_bar(View *view, int way) {
-    stage_move_bar(&view->stage, view->stage.split.bar + way * BAR_STEP);
-}
-
-/** Does what is asked of the pictures. @param[in,out] view The view. @param action What. */
-static void act_on_pictures(View *view, Action action) {
-    Stage *stage = &view->stage;
-    if (action_is_tuning(action)) {
-        stage_tune(stage, action);
-        note_settings(view);
-    } else if (action >= ACTION_LAYER && action <= ACTION_LAYER_LAST) {
-        stage_set_layer(stage, (Layer)(action - ACTION_LAYER));
-    } else if (action == ACTION_AS_ASKED) {
-        stage_untune(stage);
-        note_settings(view);
-    } else if (action == ACTION_SETTINGS) {
-        stage_toggle_settings(stage);
-    } else if (action == ACTION_SPLIT || action == ACTION_SPLIT_BACK) {
-        stage_split(stage, action == ACTION_SPLIT ? 1 : -1);
-    } else if (action == ACTION_SIDE) {
-        stage_swap_active(stage);
-    } else if (action == ACTION_BAR_LEFT || action == ACTION_BAR_RIGHT) {
-        move_bar(view, action == ACTION_BAR_RIGHT ? 1 : -1);
-    }
-}
-
 void controls_act(View *view, Action action) {
     switch (action) {
     case ACTION_SNAPSHOT:
@@ -210,7 +169,7 @@ void controls_act(View *view, Action action) {
         view->is_over = true;
         break;
     default:
-        act_on_pictures(view, action);
+        pictures_act(view, action);
         break;
     }
 }

@@ -198,7 +198,7 @@ static LayerScale pass_scale(const LayerPass *pass) {
 static bool pass_next(Layer layer, LayerPass *pass) {
     if (layer == LAYER_TIME) {
         pass->repeat = pass->stride == 0 ? -1 : pass->repeat + 1;
-        pass->stride = 1;
+        pass->stride = pass->repeat < 0 ? COARSEST_STRIDE : 1;
         return pass->repeat < TIME_REPEATS;
     }
     if (pass->stride == 0) {

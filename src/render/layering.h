@@ -15,7 +15,7 @@ typedef struct LayerPass {
     int width;                /**< Pixels. */
     int height;               /**< Pixels. */
     int stride;               /**< Pixels from one ray to the next. */
-    int repeat;               /**< How often it was drawn like this before. */
+    int repeat;               /**< How often it was drawn like this before; -1: coarsely first. */
     bool compares;            /**< Whether the reference is asked. */
     LayerScale scale;         /**< Its colours. */
     _Atomic uint64_t rays;    /**< Rays traced. */

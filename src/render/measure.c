@@ -178,14 +178,13 @@ static float pixels_time(LayerPass *pass, const PixelGrid *few) {
     return (float)(seconds * 1e9 / (few->columns * few->rows));
 }
 
-/** Notes the time of pixels: the shortest so far. @param pass The pass. @param area The pixels.
+/** Notes the time of pixels: the shortest so far. @param pass The pass. @param grid Their cells.
  *  @param time Nanoseconds each. */
-static void time_note(const LayerPass *pass, const PixelGrid *area, float time) {
-    for (int row = 0; row < area->rows; row++) {
-        for (int column = 0; column < area->columns; column++) {
-            float *number = pass->layering->numbers +
-                            LAYER_NUMBERS * ((size_t)(area->y + row) * (size_t)pass->width +
-                                             (size_t)(area->x + column));
+static void time_note(const LayerPass *pass, const PixelGrid *grid, float time) {
+    for (int row = 0; row < grid->rows; row++) {
+        for (int column = 0; column < grid->columns; column++) {
+            size_t cell = cell_of(pass, grid, column, row);
+            float *number = pass->layering->numbers + LAYER_NUMBERS * cell;
             *number = pass->repeat > 0 ? fminf(*number, time) : time;
         }
     }
@@ -206,9 +205,10 @@ static PixelGrid few_pixels(const LayerPass *pass, const PixelGrid *block, int x
 void measure_time(void *context, size_t index) {
     LayerPass *pass = context;
     const PixelGrid block = drawing_block(pass->width, pass->height, index);
+    const PixelGrid cells = drawing_grid(&block, pass->stride);
     if (pass->repeat < 0) {
-        PixelGrid few = few_pixels(pass, &block, block.columns / 2, block.rows / 2);
-        time_note(pass, &block, pixels_time(pass, &few));
+        const PixelGrid few = few_pixels(pass, &block, block.columns / 2, block.rows / 2);
+        time_note(pass, &cells, pixels_time(pass, &few));
     }
     const PixelGrid step = few_pixels(pass, &block, 0, 0);
     for (int y = 0; pass->repeat >= 0 && y < block.rows; y += step.rows) {
@@ -217,5 +217,5 @@ void measure_time(void *context, size_t index) {
             time_note(pass, &few, pixels_time(pass, &few));
         }
     }
-    ends_keep(pass, &block, index);
+    ends_keep(pass, &cells, index);
 }

@@ -36,6 +36,7 @@ for script in command-line probe language bad-input models pictures engines film
     check "$script" "tests/$script.sh"
 done
 check window env BUILD=build tests/window.sh
+check scene-list tests/scene-list.sh
 check trouble tests/trouble.sh
 check soak env BUILD=build/asan tests/soak.sh
 echo "$passed passed, $failed failed"

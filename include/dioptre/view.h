@@ -27,6 +27,19 @@ typedef struct ViewRequest {
 typedef Scene *(*ViewLoader)(void *context, const ViewRequest *request, const atomic_bool *stop,
                              RenderSettings *render, Error *error);
 
+/**
+ * Loads a scene that is looked at beside the one in the window. Called from a thread of the window,
+ * perhaps while another one loads by a #ViewLoader.
+ * @param context      #ViewSettings.context.
+ * @param path         Its file.
+ * @param stop         It should be given up once this is true.
+ * @param[out] render  How it is to be drawn.
+ * @param[out] error   What is wrong.
+ * @return The scene, the window's to give back; NULL if anything is wrong.
+ */
+typedef Scene *(*ViewPreviewer)(void *context, const char *path, const atomic_bool *stop,
+                                RenderSettings *render, Error *error);
+
 /** How the window is opened. */
 typedef struct ViewSettings {
     RenderSettings render;    /**< Engine, threads, size, samples, depth, offset. */
@@ -36,7 +49,8 @@ typedef struct ViewSettings {
     double launched;          /**< Seconds on the monotonic clock when the program started. */
     double time;              /**< The scene's `t` at first, seconds. */
     ViewLoader load;          /**< Loads others, or it at other times; NULL: there is no other. */
-    void *context;            /**< Handed to #load. */
+    ViewPreviewer preview;    /**< Loads scenes for the list of scenes; NULL: there is no list. */
+    void *context;            /**< Handed to #load and #preview. */
     const Lesson *lesson;     /**< What is done in the window; NULL: nothing by itself. */
     const char *lesson_name;  /**< Its name, which its snapshots get. */
     const char *lesson_snapshots; /**< Folder for the pictures of its captions: it waits for nobody,

@@ -64,6 +64,25 @@ static Scene *load(void *context, const ViewRequest *request, const atomic_bool 
     return scene;
 }
 
+/** Loads a scene for the list of scenes, as it is by itself: what the command line says is for
+ *  another scene. See #ViewPreviewer. @param context Not used. @param path See there. @param stop See there.
+ *  @param[out] render See there. @param[out] error See there. @return See there. */
+static Scene *preview(void *context, const char *path, const atomic_bool *stop,
+                      RenderSettings *render, Error *error) {
+    (void)context;
+    Options options = {.arguments = {path},
+                       .argument_count = 1,
+                       .depth = -1,
+                       .offset = -1,
+                       .epsilon = -1,
+                       .progress = PROGRESS_NONE};
+    Scene *scene = command_scene_at(&options, 0, NULL, stop, error);
+    if (scene) {
+        *render = command_settings(&options, scene);
+    }
+    return scene;
+}
+
 /** Shows a scene. @param options The command line. @param lesson What is done; NULL: nothing by
  *  itself. @param[out] error What is wrong. @return The exit status. */
 static int show(const Options *options, const Lesson *lesson, Error *error) {
@@ -75,6 +94,7 @@ static int show(const Options *options, const Lesson *lesson, Error *error) {
                              .launched = now_seconds(),
                              .time = options->time,
                              .load = load,
+                             .preview = preview,
                              .context = &loading,
                              .lesson = lesson,
                              .lesson_name = lesson_name,

@@ -31,6 +31,7 @@ static const char *const names[] = {
     [ACTION_TEXT_LARGER] = "text larger",
     [ACTION_TEXT_SMALLER] = "text smaller",
     [ACTION_LANGUAGE] = "language",
+    [ACTION_SCENES] = "scenes",
     [ACTION_RECORD] = "record",
     [ACTION_CAPTION] = "caption",
     [ACTION_ENGINE] = "engine",
@@ -80,6 +81,7 @@ bool action_is_taught(Action action) {
     switch (action) {
     case ACTION_COPY:
     case ACTION_LANGUAGE:
+    case ACTION_SCENES:
     case ACTION_RECORD:
     case ACTION_CAPTION:
     case ACTION_LEAVE:

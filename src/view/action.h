@@ -33,6 +33,7 @@ typedef enum Action {
     ACTION_TEXT_LARGER,    /**< Larger letters. */
     ACTION_TEXT_SMALLER,   /**< Smaller letters. */
     ACTION_LANGUAGE,       /**< The words are in the other language. */
+    ACTION_SCENES,         /**< The list of scenes opens. */
     ACTION_RECORD,         /**< A lesson is recorded from now on, or that ends. */
     ACTION_CAPTION,        /**< Words for the lesson that is recorded. */
     ACTION_ENGINE,         /**< The next number type. With Shift, as with those that follow: */

@@ -5,6 +5,7 @@
 #include "view/controls.h"
 
 #include "dioptre/language.h"
+#include "view/choosing.h"
 #include "view/keymap.h"
 #include "view/pictures.h"
 #include "view/play.h"
@@ -152,6 +153,9 @@ void controls_act(View *view, Action action) {
         break;
     case ACTION_LANGUAGE:
         switch_language(view);
+        break;
+    case ACTION_SCENES:
+        choosing_begin(view);
         break;
     case ACTION_RECORD:
         toggle_recording(view);
@@ -350,6 +354,8 @@ static void on_own_event(View *view, const SDL_Event *event) {
         stage_on_pass(&view->stage, event);
     } else if (type == view->first_event + EVENT_FILE) {
         scenes_refresh(view);
+    } else if (type == view->first_event + EVENT_LIST) {
+        choosing_on_news(view);
     } else if (type == view->first_event + EVENT_INTERRUPT) {
         view->is_over = true;
         view->status = STATUS_INTERRUPTED;
@@ -357,7 +363,7 @@ static void on_own_event(View *view, const SDL_Event *event) {
 }
 
 void controls_handle(View *view, const SDL_Event *event) {
-    if (recorder_types(view, event)) {
+    if (recorder_types(view, event) || choosing_takes(view, event)) {
         return;
     }
     switch (event->type) {

@@ -34,6 +34,7 @@ void stage_close(Stage *stage) {
         sight_close(&stage->sights[i]);
     }
     split_release(&stage->split);
+    browser_end(&stage->browser);
     stage_forget_words(stage);
     display_close(&stage->display);
     latency_release(&stage->latency);
@@ -245,12 +246,14 @@ void stage_present(Stage *stage) {
     }
     caption_show(&stage->caption, &screen);
     notice_show(&stage->notice, &screen);
+    browser_show(&stage->browser, &screen);
     help_show(&stage->help, &screen);
     display_end(&stage->display);
 }
 
 void stage_forget_words(Stage *stage) {
     overlay_forget(&stage->help.overlay);
+    overlay_forget(&stage->browser.overlay);
     overlay_forget(&stage->notice.overlay);
     overlay_forget(&stage->caption.overlay);
     for (size_t i = 0; i < STAGE_SIGHTS; i++) {

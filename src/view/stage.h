@@ -5,6 +5,7 @@
 #ifndef DIOPTRE_VIEW_STAGE_H
 #define DIOPTRE_VIEW_STAGE_H
 
+#include "view/browser.h"
 #include "view/caption.h"
 #include "view/display.h"
 #include "view/help.h"
@@ -29,6 +30,7 @@ typedef struct Stage {
     bool has_settings;          /**< Whether it is said how they are drawn. */
     Help help;                  /**< What may lie over them. */
     Notice notice;              /**< What is said over them. */
+    Browser browser;            /**< The list of scenes that may lie over them. */
     Caption caption;            /**< What a lesson says over them. */
     double text_scale;          /**< How many times as large as usual letters are; 0: as usual. */
     Latency latency;            /**< How long keys wait for their picture. */

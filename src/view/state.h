@@ -25,6 +25,7 @@ typedef enum {
     EVENT_PASS,      /**< A pass has ended. */
     EVENT_SCENE,     /**< The scene that was asked for is there. */
     EVENT_FILE,      /**< The scene's file was written. */
+    EVENT_LIST,      /**< There is news in the list of scenes. */
     EVENT_INTERRUPT, /**< A signal asks the program to end. */
     EVENT_COUNT      /**< How many there are. */
 } EventKind;

@@ -1,0 +1,79 @@
+#!/bin/bash
+# The list of scenes in the window: opened, gone through, chosen from by keys and by mouse, and closed
+# while it is still being filled.
+. "$(dirname "$0")/check.sh"
+. tests/screen.sh
+passed=0
+start_server
+# screen FILE: what the window shows.
+screen() { import -window "$window" "$work/$1.ppm"; }
+# settled: waits until the window shows the same twice.
+settled() {
+    for _ in {1..60}; do
+        screen a
+        sleep 0.3
+        screen b
+        cmp -s "$work/a.ppm" "$work/b.ppm" && return
+    done
+}
+mkdir "$work/few"
+cp scenes/box.lua scenes/figure-08.lua scenes/glass-sphere.lua "$work/few"
+echo 'camera {} sphere { raduis = 3 }' >"$work/few/bad.lua"
+echo '-- A small scene. Nothing in it.' >"$work/few/empty.lua"
+echo 'camera {}' >>"$work/few/empty.lua"
+echo 'no scene' >"$work/few/words.txt"
+
+open "$work/few/box.lua" --samples 1
+shown finished
+settled
+cp "$work/a.ppm" "$work/plain.ppm"
+xdotool key o
+settled
+cmp -s "$work/plain.ppm" "$work/a.ppm" && fail 'o opens a list' || ok 'o opens a list'
+cp "$work/a.ppm" "$work/list.ppm"
+xdotool key o
+settled
+cmp -s "$work/plain.ppm" "$work/a.ppm" && ok 'o closes it' || fail 'o closes it'
+xdotool key o
+settled
+cmp -s "$work/list.ppm" "$work/a.ppm" && ok 'the list is the same again' || fail 'another list'
+xdotool key Escape
+settled
+cmp -s "$work/plain.ppm" "$work/a.ppm" && ok 'Esc closes it, and not the window' || fail 'Esc closes it'
+# In alphabetical order: bad box empty figure-08 glass-sphere; the one that is shown is chosen first.
+xdotool key o && settled
+xdotool key Right Right Return
+expect_shown '^figure-08 — .*finished' 'arrows and Enter show another scene'
+xdotool key o && settled
+xdotool key Home Return
+expect_shown '^figure-08 — .*bad.lua:1: sphere has no field' 'a bad scene is told of, and the one before stays'
+xdotool key o && settled
+xdotool mousemove --window "$window" 720 90 click 1
+expect_shown '^glass-sphere — .*finished' 'a click shows another scene'
+xdotool key r && sleep 0.2
+xdotool key o
+expect_shown 'a lesson keeps to its scene' 'not while a lesson is recorded'
+xdotool key r
+leave
+# What is slow: a scene for ever, with others before and after it, and keys meanwhile.
+echo 'while true do end' >"$work/few/ever.lua"
+open "$work/few/box.lua" --samples 1
+shown finished
+xdotool key o && sleep 0.8
+xdotool key Escape o Escape o
+began=${EPOCHREALTIME/[.,]/}
+xdotool key Escape key Right
+shown 'finished'
+[ $(((${EPOCHREALTIME/[.,]/} - began) / 1000)) -lt 1500 ] && ok 'the window does not wait for it' || fail 'it waits'
+xdotool key o && sleep 0.3 && xdotool key Escape
+began=${EPOCHREALTIME/[.,]/}
+leave 'Esc leaves while the list is filled'
+[ $(((${EPOCHREALTIME/[.,]/} - began) / 1000)) -lt 2500 ] && ok 'at once' || fail 'not at once'
+sleep 0.5
+ps -eo args= | grep -q "$work/[f]ew" && fail 'a process is left' || ok 'no process is left'
+open "$work/few/box.lua" --samples 1
+xdotool key o && sleep 0.3
+kill -INT "$pid"
+closed 'SIGINT while the list is filled' 130
+[ ! -s "$work/errors" ] && ok 'without a word' || fail "$(head -5 "$work/errors")"
+finish

@@ -11,7 +11,8 @@
 bool browser_open(Browser *browser, const ViewSettings *settings, uint32_t event,
                   const char *path) {
     if (scene_list_is_busy(&browser->list)) {
-        browser->is_wanted = true; // The thread was told to end; it tells when it has.
+        // The thread was told to end, and tells when it has; until then the list before is seen.
+        browser->is_open = browser->is_wanted = true;
         return true;
     }
     scene_list_release(&browser->list);

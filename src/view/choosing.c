@@ -10,7 +10,7 @@
 /** @return The room that the list has. @param view The view. */
 static PanelRoom room_of(const View *view) {
     const OverlayScreen screen = {view->stage.display.renderer,
-                                  view->stage.text_scale > 0 ? view->stage.text_scale : 1};
+                                  view->stage.text_scale > 0 ? view->stage.text_scale : 1, 1};
     return overlay_room(&screen);
 }
 

@@ -64,7 +64,8 @@ MESHES_MODULE := $(BUILD)/dioptre-meshes.so
 MODULES       := $(IMAGES_MODULE) $(MESHES_MODULE)
 LANGUAGES     := $(patsubst src/po/%.po,%,$(wildcard src/po/*.po))
 CATALOGUES    := $(LANGUAGES:%=$(BUILD)/locale/%/LC_MESSAGES/dioptre.mo)
-LIBRARIES     = $(call PKG_LIBS,sdl2 SDL2_ttf lua5.4) -ldl -lm -pthread
+# Words are not looked up while another thread forks: src/assets/language.c.
+LIBRARIES     = $(call PKG_LIBS,sdl2 SDL2_ttf lua5.4) -ldl -lm -pthread -Wl,--wrap=dcgettext,--wrap=dcngettext
 
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:

@@ -47,6 +47,10 @@ expect_shown '^figure-08 — .*finished' 'arrows and Enter show another scene'
 xdotool key o && settled
 xdotool key Home Return
 expect_shown '^figure-08 — .*bad.lua:1: sphere has no field' 'a bad scene is told of, and the one before stays'
+xdotool key l
+expect_shown "bad.lua:1: sphere n.a pas de champ" 'and told again in the other language'
+xdotool key l
+expect_shown 'bad.lua:1: sphere has no field' 'and in the first'
 xdotool key o && settled
 xdotool mousemove --window "$window" 720 90 click 1
 expect_shown '^glass-sphere — .*finished' 'a click shows another scene'

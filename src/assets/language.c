@@ -13,10 +13,64 @@
 
 #include <libintl.h>
 #include <locale.h>
+#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+
+/** What gettext and ngettext come to in libintl.h. @param domain See dcgettext. @param words See
+ *  there. @param category See there. @return See there. */
+char *__real_dcgettext(const char *domain, const char *words, int category);
+/** See #__real_dcgettext. @param domain See dcngettext. @param one See there. @param more See
+ * there.
+ *  @param count See there. @param category See there. @return See there. */
+char *__real_dcngettext(const char *domain, const char *one, const char *more, unsigned long count,
+                        int category);
+/** Takes the place of dcgettext where the program is linked (see the Makefile). @param domain See
+ *  there. @param words See there. @param category See there. @return See there. */
+char *__wrap_dcgettext(const char *domain, const char *words, int category);
+/** Takes the place of dcngettext. @param domain See there. @param one See there. @param more See
+ *  there. @param count See there. @param category See there. @return See there. */
+char *__wrap_dcngettext(const char *domain, const char *one, const char *more, unsigned long count,
+                        int category);
+
+/**
+ * Held by threads that look words up or set the locale, and alone by a thread that forks: glibc's
+ * own locks for that are not mended in a child, which would then wait for ever for a thread that it
+ * does not have.
+ */
+static pthread_rwlock_t lookups = PTHREAD_RWLOCK_WRITER_NONRECURSIVE_INITIALIZER_NP;
+
+char *__wrap_dcgettext(const char *domain, const char *words, int category) {
+    pthread_rwlock_rdlock(&lookups);
+    char *found = __real_dcgettext(domain, words, category);
+    pthread_rwlock_unlock(&lookups);
+    return found;
+}
+
+char *__wrap_dcngettext(const char *domain, const char *one, const char *more, unsigned long count,
+                        int category) {
+    pthread_rwlock_rdlock(&lookups);
+    char *found = __real_dcngettext(domain, one, more, count, category);
+    pthread_rwlock_unlock(&lookups);
+    return found;
+}
+
+/** Waits until nobody looks words up: this thread is about to fork. */
+static void before_fork(void) {
+    pthread_rwlock_wrlock(&lookups);
+}
+
+/** Lets others look words up again, after a fork. */
+static void after_fork(void) {
+    pthread_rwlock_unlock(&lookups);
+}
+
+/** Makes the lock anew in a child: it is held there by a thread of the parent. */
+static void in_child(void) {
+    lookups = (pthread_rwlock_t)PTHREAD_RWLOCK_WRITER_NONRECURSIVE_INITIALIZER_NP;
+}
 
 /** What the words are filed under. */
 static const char DOMAIN[] = "dioptre";
@@ -82,12 +136,15 @@ static void bind_words(void) {
 void language_begin(void) {
     bool is_french = is_french_wanted();
     bind_words();
+    pthread_atfork(before_fork, after_fork, in_child);
     setenv("LANGUAGE", "fr", 1);
     setlocale(LC_MESSAGES, is_french ? TRANSLATING : ENGLISH);
 }
 
 void language_switch(void) {
+    pthread_rwlock_rdlock(&lookups);
     setlocale(LC_MESSAGES, language_is_french() ? ENGLISH : TRANSLATING);
+    pthread_rwlock_unlock(&lookups);
 }
 
 bool language_is_french(void) {

@@ -10,10 +10,10 @@
 
 /** The list of scenes on screen. Starts as `{0}`: closed. */
 typedef struct Browser {
-    SceneList list;      /**< The scenes. */
-    bool is_open;        /**< Whether it is to be seen. */
-    bool is_wanted;      /**< Whether to open once the thread of the list before has ended. */
-    bool is_placed;      /**< Whether the scene that is shown was looked for in it. */
+    SceneList list; /**< The scenes. */
+    bool is_open;   /**< Whether it is to be seen. */
+    bool is_wanted; /**< Whether to fill it anew once the thread of the list before has ended. */
+    bool is_placed; /**< Whether the scene that is shown was looked for in it. */
     char path[PATH_MAX]; /**< That scene's file. */
     size_t selected;     /**< Which scene is chosen. */
     size_t first_row;    /**< First row of pictures that is seen. */

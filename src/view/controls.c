@@ -70,9 +70,7 @@ static void toggle_help(View *view) {
 static void switch_language(View *view) {
     language_switch();
     view_note(view, "messages are in English");
-    if (view->is_wrong) {
-        scenes_refresh(view);
-    }
+    scenes_repeat_error(view);
     stage_forget_words(&view->stage);
     stage_present(&view->stage);
 }

@@ -41,6 +41,14 @@ void scenes_open(View *view, const char *path) {
     }
 }
 
+void scenes_repeat_error(View *view) {
+    if (view->is_wrong && view->wrong_path[0] != '\0') {
+        scenes_open(view, view->wrong_path);
+    } else if (view->is_wrong) {
+        scenes_refresh(view);
+    }
+}
+
 /** Keeps where camera and lights are, and puts back what the user has moved; in another scene,
  *  nothing was. @param[in,out] view The view. @param reload The new scene.
  *  @param[out] error What is wrong. @return false without memory; nothing is changed then. */
@@ -119,6 +127,7 @@ static bool take(View *view, Error *error) {
         stage_retune(&view->stage);
     }
     view->is_wrong = true;
+    SDL_strlcpy(view->wrong_path, reload.path, sizeof view->wrong_path);
     view->timeline = (Timeline){.time = view->time};
     return false;
 }

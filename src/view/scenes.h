@@ -17,6 +17,10 @@ void scenes_refresh(View *view);
 /** Shows another scene. @param[in,out] view The view. @param path Its file. */
 void scenes_open(View *view, const char *path);
 
+/** Reads the newest scene again, if it is wrong, to say once more what is wrong with it.
+ *  @param[in,out] view The view. */
+void scenes_repeat_error(View *view);
+
 /**
  * Shows the scene that is wanted, as soon as it is there and the one before is on screen.
  * @param[in,out] view  The view.

@@ -42,6 +42,7 @@ typedef struct View {
     Watch watch;                  /**< Who tells that its file was written. */
     bool is_outdated;             /**< Whether it was. */
     bool is_wrong;                /**< Whether the newest scene could not be had. */
+    char wrong_path[PATH_MAX];    /**< Its file; empty: that of the scene that is shown. */
     char next_path[PATH_MAX];     /**< File of another scene that is wanted; empty: none is. */
     char path[PATH_MAX];          /**< File of the scene that is shown, or `-`. */
     char name[SCENE_NAME_SIZE];   /**< Name of the scene: in the title and of the snapshots. */

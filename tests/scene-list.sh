@@ -27,35 +27,35 @@ open "$work/few/box.lua" --samples 1
 shown finished
 settled
 cp "$work/a.ppm" "$work/plain.ppm"
-xdotool key o
+xdotool key f
 settled
-cmp -s "$work/plain.ppm" "$work/a.ppm" && fail 'o opens a list' || ok 'o opens a list'
+cmp -s "$work/plain.ppm" "$work/a.ppm" && fail 'f opens a list' || ok 'f opens a list'
 cp "$work/a.ppm" "$work/list.ppm"
-xdotool key o
+xdotool key f
 settled
-cmp -s "$work/plain.ppm" "$work/a.ppm" && ok 'o closes it' || fail 'o closes it'
-xdotool key o
+cmp -s "$work/plain.ppm" "$work/a.ppm" && ok 'f closes it' || fail 'f closes it'
+xdotool key f
 settled
 cmp -s "$work/list.ppm" "$work/a.ppm" && ok 'the list is the same again' || fail 'another list'
 xdotool key Escape
 settled
 cmp -s "$work/plain.ppm" "$work/a.ppm" && ok 'Esc closes it, and not the window' || fail 'Esc closes it'
 # In alphabetical order: bad box empty figure-08 glass-sphere; the one that is shown is chosen first.
-xdotool key o && settled
+xdotool key f && settled
 xdotool key Right Right Return
 expect_shown '^figure-08 — .*finished' 'arrows and Enter show another scene'
-xdotool key o && settled
+xdotool key f && settled
 xdotool key Home Return
 expect_shown '^figure-08 — .*bad.lua:1: sphere has no field' 'a bad scene is told of, and the one before stays'
 xdotool key l
 expect_shown "bad.lua:1: sphere n.a pas de champ" 'and told again in the other language'
 xdotool key l
 expect_shown 'bad.lua:1: sphere has no field' 'and in the first'
-xdotool key o && settled
+xdotool key f && settled
 xdotool mousemove --window "$window" 720 90 click 1
 expect_shown '^glass-sphere — .*finished' 'a click shows another scene'
 xdotool key r && sleep 0.2
-xdotool key o
+xdotool key f
 expect_shown 'a lesson keeps to its scene' 'not while a lesson is recorded'
 xdotool key r
 leave
@@ -63,20 +63,20 @@ leave
 echo 'while true do end' >"$work/few/ever.lua"
 open "$work/few/box.lua" --samples 1
 shown finished
-xdotool key o && sleep 0.8
-xdotool key Escape o Escape o
+xdotool key f && sleep 0.8
+xdotool key Escape f Escape f
 began=${EPOCHREALTIME/[.,]/}
 xdotool key Escape key Right
 shown 'finished'
 [ $(((${EPOCHREALTIME/[.,]/} - began) / 1000)) -lt 1500 ] && ok 'the window does not wait for it' || fail 'it waits'
-xdotool key o && sleep 0.3 && xdotool key Escape
+xdotool key f && sleep 0.3 && xdotool key Escape
 began=${EPOCHREALTIME/[.,]/}
 leave 'Esc leaves while the list is filled'
 [ $(((${EPOCHREALTIME/[.,]/} - began) / 1000)) -lt 2500 ] && ok 'at once' || fail 'not at once'
 sleep 0.5
 ps -eo args= | grep -q "$work/[f]ew" && fail 'a process is left' || ok 'no process is left'
 open "$work/few/box.lua" --samples 1
-xdotool key o && sleep 0.3
+xdotool key f && sleep 0.3
 kill -INT "$pid"
 closed 'SIGINT while the list is filled' 130
 [ ! -s "$work/errors" ] && ok 'without a word' || fail "$(head -5 "$work/errors")"

@@ -164,7 +164,7 @@ static void test_keymap_others(void **state) {
                 {SDLK_ESCAPE, ACTION_LEAVE},
                 {SDLK_SPACE, ACTION_TIME},
                 {SDLK_r, ACTION_RECORD},
-                {SDLK_o, ACTION_SCENES},
+                {SDLK_f, ACTION_SCENES},
                 {SDLK_RETURN, ACTION_CAPTION},
                 {SDLK_F5, ACTION_NONE},
                 {0, ACTION_NONE}};

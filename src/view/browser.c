@@ -91,7 +91,7 @@ BrowserAnswer browser_key(Browser *browser, SDL_Keycode key, const PanelRoom *ro
     if (key == SDLK_RETURN || key == SDLK_KP_ENTER) {
         return BROWSER_OPENS;
     }
-    return key == SDLK_ESCAPE || key == SDLK_o ? BROWSER_CLOSES : BROWSER_STAYS;
+    return key == SDLK_ESCAPE || key == SDLK_f ? BROWSER_CLOSES : BROWSER_STAYS;
 }
 
 BrowserAnswer browser_click(Browser *browser, int x, int y, const PanelRoom *room) {

@@ -102,7 +102,7 @@ static const Binding bindings[] = {
     {ACTION_TEXT_SMALLER, 0, SDLK_MINUS, "-", PROGRAM, N_("larger, smaller letters")},
     {ACTION_TEXT_SMALLER, 0, SDLK_KP_MINUS, "", PROGRAM, N_("larger, smaller letters")},
     {ACTION_LANGUAGE, 0, SDLK_l, NULL, PROGRAM, N_("English, français")},
-    {ACTION_SCENES, 0, SDLK_o, NULL, PROGRAM, N_("other scenes: a list with pictures")},
+    {ACTION_SCENES, 0, SDLK_f, NULL, PROGRAM, N_("other scenes: a list with pictures")},
     {ACTION_RECORD, 0, SDLK_r, NULL, PROGRAM, N_("record a lesson, or end it")},
     {ACTION_CAPTION, 0, SDLK_RETURN, N_("Enter"), PROGRAM, N_("words for that lesson")},
     {ACTION_HELP, 0, SDLK_F1, NULL, PROGRAM, N_("this help")},

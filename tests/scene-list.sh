@@ -5,17 +5,6 @@
 . tests/screen.sh
 passed=0
 start_server
-# screen FILE: what the window shows.
-screen() { import -window "$window" "$work/$1.ppm"; }
-# settled: waits until the window shows the same twice.
-settled() {
-    for _ in {1..60}; do
-        screen a
-        sleep 0.3
-        screen b
-        cmp -s "$work/a.ppm" "$work/b.ppm" && return
-    done
-}
 mkdir "$work/few"
 cp scenes/box.lua scenes/figure-08.lua scenes/glass-sphere.lua "$work/few"
 echo 'camera {} sphere { raduis = 3 }' >"$work/few/bad.lua"

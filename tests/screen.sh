@@ -64,3 +64,14 @@ hold() {
     shift
     xdotool keydown "$@" && sleep "$seconds" && xdotool keyup "$@"
 }
+# screen FILE: what the window shows.
+screen() { import -window "$window" "$work/$1.ppm"; }
+# settled: waits until the window shows the same twice.
+settled() {
+    for _ in {1..60}; do
+        screen a
+        sleep 0.3
+        screen b
+        cmp -s "$work/a.ppm" "$work/b.ppm" && return
+    done
+}

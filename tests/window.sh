@@ -74,8 +74,7 @@ lights() {
     moves "$1: $6 light away" light 3 - white 2 - hold 0.2 "$6"
     moves "$1: $7 light nearer" light 3 + white 2 + hold 0.2 "$7"
 }
-# screen FILE: what the window shows. differ A B NAME: two of them must not be the same.
-screen() { import -window "$window" "$work/$1.ppm"; }
+# differ A B NAME: two of them must not be the same.
 differ() { cmp -s "$work/$1.ppm" "$work/$2.ppm" && fail "$3" || ok "$3"; }
 # ticks: processor time of the program so far, in hundredths of a second.
 ticks() { awk '{ print $14 + $15 }' "/proc/$pid/stat"; }
@@ -450,8 +449,10 @@ leave
 help() {
     setxkbmap "${@:1:$#-1}" && sleep 0.3
     xdotool key F1 && sleep 0.3
+    settled
     screen "help-${*: -1}-$1"
     xdotool key F1 && sleep 0.2
+    settled
 }
 LC_ALL=C.UTF-8 LANGUAGE=fr open "$box" --samples 1
 expect_shown '^box — 800×600, passe de 1.*px, 1 échantillon, .*Mrayons/s, terminé$' 'the title is French'

@@ -25,6 +25,8 @@ static const double ERROR_LEAST = 1e-4;
 static const double RATIO_SHOWN = 4;
 /** Powers of ten within which the legend of ratios has all of 1, 2, 5, 10, 20 and so on. */
 static const double FEW_DECADES = 2.5;
+/** Powers of ten within which it has 1, 3, 10, 30 and so on; beyond, powers of ten alone. */
+static const double SOME_DECADES = 4;
 /** Steps that a scale of differences has about. */
 static const double STEPS = 5;
 
@@ -349,6 +351,10 @@ static double ratio_below(const LayerScale *scale, double number) {
     if (decades < FEW_DECADES) {
         return round_down(number * 0.75);
     }
+    double one = pow(10, floor(log10(number * 0.999)));
+    if (decades < SOME_DECADES) {
+        return number > 4 * one ? 3 * one : one;
+    }
     double leap = pow(10, ceil(decades / (LAYER_TICKS - 3)));
     double power = pow(10, floor(log10(number * 1.0001)));
     return power < number * 0.999 ? power : number / leap;
@@ -362,7 +368,8 @@ static size_t scale_legend(Layer layer, const LayerScale *scale, LayerTick ticks
         return 0;
     }
     double step = scale->is_log ? 0 : scale_step(scale), slack = 1e-6;
-    double number = scale->high, end = scale->low * (1 - slack) - step * slack;
+    double number = scale->high;
+    double end = scale->is_log ? scale->low * (1 - slack) : scale->low - step * slack;
     while (number >= end && count < LAYER_TICKS - 1) {
         tick_at(layer, scale, fabs(number) < step * slack ? 0 : number, &ticks[count++]);
         number = scale->is_log ? ratio_below(scale, number) : number - step;

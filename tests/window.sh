@@ -519,21 +519,32 @@ leave
 began=${EPOCHREALTIME/[.,]/}
 for _ in {1..10}; do "$dioptre" --version >/dev/null; done
 loading=$(((${EPOCHREALTIME/[.,]/} - began) / 10000))
-for _ in 1 2 3; do
+# measure LAYER: the window's own words, with a layer on; sets start, keys, median.
+measure() {
     open "$box" -j 2 --timing
-    shown finished
+    xdotool key "$1"
+    shown 'pass 1 px'
     for _ in {1..100}; do xdotool key --delay 1 a && sleep 0.03; done
     xdotool key Escape
     wait "$pid"
     pid=0
     timing=$(tail -1 "$work/log")
-    echo "# $timing and $loading ms to load the program"
+    echo "# layer $1: $timing and $loading ms to load the program"
     read -r start keys median < <(tr -d '{,}' <<<"$timing" | awk '{ print $2, $4, $6 }')
+}
+for _ in 1 2 3; do
+    measure 1
     awk "BEGIN { exit !($start + $loading <= 150 && $keys == 100 && $median <= 16) }" && break
 done
 [ "$keys" = 100 ] && ok 'all keys are counted' || fail "$keys keys were counted, not 100"
 awk "BEGIN { exit !($median <= 16) }" && ok 'key to picture: at most 16 ms' || fail "it takes $median ms"
 awk "BEGIN { exit !($start + $loading <= 150) }" && ok 'exec to first picture: at most 150 ms' || fail "it takes $start ms"
+
+for _ in 1 2 3; do
+    measure 0
+    awk "BEGIN { exit !($median <= 16) }" && break
+done
+awk "BEGIN { exit !($median <= 16) }" && ok 'with acne and leaks, too' || fail "with acne and leaks it takes $median ms"
 
 # --- with a window manager -----------------------------------------------------------------------
 if command -v openbox >/dev/null; then

@@ -44,6 +44,7 @@ typedef struct LayerScale {
     double low;  /**< The number with the first colour. */
     double high; /**< The number with the last one. */
     bool is_log; /**< Whether equal ratios, and not equal differences, are equally far apart. */
+    double rate; /**< Share of the colours that a difference of 1 is, of numbers or logarithms. */
 } LayerScale;
 
 /** How a layer stands. */

@@ -76,9 +76,9 @@ static void take_steps(const SurveyPoint *point, float numbers[LAYER_NUMBERS]) {
 /** @return Where a number stands on a scale, 0 to 1. @param scale The scale. @param number It. */
 static double scale_share(const LayerScale *scale, double number) {
     if (scale->is_log) {
-        return number > 0 ? log(number / scale->low) / log(scale->high / scale->low) : 0;
+        return number > scale->low ? log(number / scale->low) * scale->rate : 0;
     }
-    return (number - scale->low) / (scale->high - scale->low);
+    return (number - scale->low) * scale->rate;
 }
 
 /** Colours a magnitude. See #LayerClass.color. @param scale The scale. @param numbers The pixel's.
@@ -320,19 +320,26 @@ static double scale_step(const LayerScale *scale) {
     return round_up((scale->high - scale->low) / STEPS * 0.999);
 }
 
+/** @return A scale of ratios. @param low Its lower end, above 0. @param high Its upper end. */
+static LayerScale ratio_scale(double low, double high) {
+    return (LayerScale){low, high, true, 1 / log(high / low)};
+}
+
 LayerScale layer_scale(Layer layer, double low, double high) {
     if (layer == LAYER_ERROR) {
-        return (LayerScale){ERROR_LEAST, ENCODING_STEP_MAXIMUM, true};
+        return ratio_scale(ERROR_LEAST, ENCODING_STEP_MAXIMUM);
     }
     if (layers[layer].ticks || !(high >= low)) {
         return (LayerScale){0};
     }
     if (low > 0 && high > low * RATIO_SHOWN) {
-        return (LayerScale){round_down(low), round_up(high), true};
+        return ratio_scale(round_down(low), round_up(high));
     }
-    LayerScale scale = {low, high > low ? high : low + 1, false};
+    LayerScale scale = {.low = low, .high = high > low ? high : low + 1};
     double step = scale_step(&scale);
-    return (LayerScale){floor(low / step) * step, ceil(scale.high / step) * step, false};
+    low = floor(low / step) * step;
+    high = ceil(scale.high / step) * step;
+    return (LayerScale){low, high, false, 1 / (high - low)};
 }
 
 /** Adds a row to a legend. @param layer The layer. @param scale Its scale. @param number Of its

@@ -166,10 +166,15 @@ static void block_color(void *context, size_t index) {
     PixelGrid block = drawing_block(pass->width, pass->height, index);
     const PixelGrid grid = drawing_grid(&block, pass->stride);
     for (int row = 0; row < grid.rows; row++) {
-        for (int column = 0; column < grid.columns; column++) {
+        size_t cell = cell_of(pass, &grid, 0, row); // With a stride of 1 also the pixel's place.
+        for (int column = 0; column < grid.columns; column++, cell++) {
             uint8_t rgb[3];
-            cell_color(pass, cell_of(pass, &grid, column, row), rgb);
-            cell_fill(pass, &block, column, row, rgb);
+            cell_color(pass, cell, rgb);
+            if (pass->stride == 1) {
+                memcpy(pass->picture->pixels + 3 * cell, rgb, 3);
+            } else {
+                cell_fill(pass, &block, column, row, rgb);
+            }
         }
     }
     atomic_fetch_add_explicit(&pass->pixels, (uint64_t)(grid.columns * grid.rows),

@@ -12,6 +12,8 @@
 
 /** Seconds that words stand at least while a picture is drawn. */
 static const double PAUSE = 0.2;
+/** Smaller shares are not said beside their number. */
+static const double LEAST_PERCENT = 0.001;
 /** How large its letters are, of those of the help: there is a picture to be seen. */
 static const double SCALE = 0.7;
 
@@ -95,7 +97,11 @@ static void add_ticks(Hud *hud, const LayerTick *ticks, size_t count) {
  *  translated. @param count How many. @param all Of how many. @return The row. */
 static PanelRow *add_share(Hud *hud, const char *kind, uint64_t count, uint64_t all) {
     double percent = all > 0 ? 100 * (double)count / (double)all : 0;
-    return add(hud, "", gettext("%s: %llu (%.3g %%)"), kind, (unsigned long long)count, percent);
+    unsigned long long number = count;
+    if (percent < LEAST_PERCENT) {
+        return add(hud, "", gettext("%s: %llu"), kind, number);
+    }
+    return add(hud, "", gettext("%s: %llu (%.3g %%)"), kind, number, percent);
 }
 
 /** Says how many pixels are wrong. @param[in,out] hud The panel. @param report What is known.

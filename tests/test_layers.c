@@ -4,6 +4,8 @@
  */
 #include "pictures.h"
 
+#include "dioptre/difference.h"
+
 /** Size of the pictures that every engine is asked about. */
 enum { ACROSS = 45, DOWN = 29 };
 
@@ -374,13 +376,30 @@ static void test_legends(void **state) {
     }
 }
 
+/** A difference is white where there is none, red where the first is brighter, blue where the
+ * second is; one step is no fault, two are. @param state The fixture. */
+static void test_difference(void **state) {
+    (void)state;
+    uint8_t a[] = {9, 9, 9, 0, 9, 8, 9, 0, 9, 9, 19, 0, 0, 0, 0, 0};
+    const uint8_t b[] = {9, 9, 9, 0, 9, 9, 9, 0, 9, 9, 9, 0, 255, 0, 1, 0};
+    Difference difference = difference_draw(a, b, 4, a);
+    assert_int_equal(difference.worst, 255);
+    assert_int_equal((int)difference.off, 2);
+    assert_true(a[0] == a[1] && a[1] == a[2] && a[0] > 240);
+    assert_true(a[4] > a[6] && a[10] > a[8] && a[12] > a[14]);
+    LayerTick ticks[LAYER_TICKS];
+    size_t count = difference_legend(ticks);
+    assert_true(count > 4 && count <= LAYER_TICKS);
+    assert_string_equal(ticks[count / 2].number, "0");
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_faults), cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_layers), cmocka_unit_test(test_legends),
-        cmocka_unit_test(test_ball),   cmocka_unit_test(test_rays),
-        cmocka_unit_test(test_places), cmocka_unit_test(test_lamps),
-        cmocka_unit_test(test_steps),
+        cmocka_unit_test(test_faults),     cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_layers),     cmocka_unit_test(test_legends),
+        cmocka_unit_test(test_difference), cmocka_unit_test(test_ball),
+        cmocka_unit_test(test_rays),       cmocka_unit_test(test_places),
+        cmocka_unit_test(test_lamps),      cmocka_unit_test(test_steps),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

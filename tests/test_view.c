@@ -20,6 +20,7 @@
 #include "view/snapshot.h"
 #include "view/timeline.h"
 #include "view/title.h"
+#include "view/tuning.h"
 
 #include <pthread.h>
 #include <stdlib.h>
@@ -256,6 +257,41 @@ static void test_keyboard_words(void **state) {
     assert_string_equal(key_word(SDL_SCANCODE_F5, &none), "");
     assert_string_equal(key_word(SDL_SCANCODE_LSHIFT, &none), "fast");
     assert_string_equal(key_label(SDL_SCANCODE_LEFT), "←");
+}
+
+/** What keys change counts, and nothing else; strategies and lights go around, numbers stop at
+ * their ends. @param state Unused. */
+static void test_tuning(void **state) {
+    (void)state;
+    Error error = {0};
+    Tuning tuning = {0};
+    RenderSettings now = {.engine = engine_find("f32x1", &error),
+                          .samples = 1,
+                          .trace = {.offset = OFFSET_BOUND, .epsilon = 1e-4, .depth = 0}};
+    const RenderSettings asked = now;
+    static const Action actions[] = {ACTION_OFFSET,       ACTION_EPSILON_TWICE, ACTION_EPSILON_TEN,
+                                     ACTION_SAMPLES_BACK, ACTION_DEPTH_BACK,    ACTION_LIGHT_BACK,
+                                     ACTION_ENGINE_BACK};
+    for (size_t i = 0; i < sizeof actions / sizeof *actions; i++) {
+        tuning_change(&tuning, &now, actions[i]);
+        tuning_apply(&tuning, &now);
+        assert_int_equal(now.trace.offset, i == 0 ? OFFSET_NONE : OFFSET_FIXED);
+    }
+    assert_true(fabs(now.trace.epsilon / 2e-3 - 1) < 1e-12);
+    assert_int_equal(now.samples, 1);
+    assert_int_equal(now.trace.depth, 0);
+    assert_int_equal(now.light, LIGHT_MODE_NONE);
+    assert_true(now.engine->mantissa_bits > 53);
+    for (int i = 0; i < 100; i++) {
+        tuning_change(&tuning, &now, ACTION_EPSILON_TENTH);
+        tuning_apply(&tuning, &now);
+    }
+    assert_true(now.trace.epsilon > 0);
+    RenderSettings other = asked;
+    tuning_apply(&(Tuning){0}, &other);
+    assert_memory_equal(&other, &asked, sizeof other);
+    assert_int_equal(action_shifted(ACTION_ENGINE), ACTION_ENGINE_BACK);
+    assert_int_equal(action_shifted(ACTION_HOME), ACTION_HOME);
 }
 
 /** Median and worst of the waits, and what does not count. @param state Unused. */
@@ -620,6 +656,7 @@ int main(void) {
         cmocka_unit_test(test_panel),
         cmocka_unit_test(test_help_panel),
         cmocka_unit_test(test_keyboard_words),
+        cmocka_unit_test(test_tuning),
         cmocka_unit_test(test_latency),
         cmocka_unit_test(test_latency_many),
         cmocka_unit_test(test_snapshot_numbers),

@@ -7,6 +7,9 @@
 #include "glass_scenes.h"
 #include "pictures.h"
 
+#include "dioptre/ray_view.h"
+#include "view/inspector.h"
+
 #include <glob.h>
 
 /* --- replaying a tree --------------------------------------------------------------------------
@@ -434,12 +437,110 @@ static void test_lamp_seen(void **state) {
     scene_destroy(scene);
 }
 
+/* --- looking at the rays -----------------------------------------------------------------------
+ */
+
+/** A camera sees what its ray hits in the middle of the ray's pixel. @param state Not used. */
+static void test_projection(void **state) {
+    (void)state;
+    Error error = {0};
+    Probe probe = {0};
+    uint64_t random = 7;
+    Scene *scene = load("scenes/box.lua");
+    RenderSettings settings = small_settings(scene, "f64x1", 1);
+    Renderer *renderer = create(scene, &settings);
+    RaySight sight = {scene->camera, WIDTH, HEIGHT};
+    for (int i = 0; i < 100; i++) {
+        double x, y;
+        int column = (int)(random_share(&random) * WIDTH),
+            row = (int)(random_share(&random) * HEIGHT);
+        assert_true(renderer_probe(renderer, column, row, &probe, &error));
+        if (probe.rays[0].is_hit) {
+            assert_true(ray_sight_point(&sight, probe.rays[0].point, &x, &y));
+            assert_at_most(fabs(x - (column + 0.5)), 1e-9, "column");
+            assert_at_most(fabs(y - (row + 0.5)), 1e-9, "row");
+        }
+    }
+    double x, y;
+    Vector3 behind = vector3_subtract(scene->camera.position, scene->camera.direction);
+    assert_false(ray_sight_point(&sight, behind, &x, &y));
+    probe_release(&probe);
+    renderer_destroy(renderer);
+    scene_destroy(scene);
+}
+
+/** The second camera has the eye and the first hit in its picture, whatever its shape.
+ *  @param state Not used. */
+static void test_view(void **state) {
+    (void)state;
+    static const char *const paths[] = {"scenes/box.lua", "scenes/glass-sphere.lua",
+                                        "scenes/chess.lua"};
+    link_module("dioptre-meshes.so");
+    for (size_t i = 0; i < sizeof paths / sizeof *paths; i++) {
+        Error error = {0};
+        Probe probe = {0};
+        Scene *scene = load(paths[i]);
+        RenderSettings settings = small_settings(scene, "auto", 1);
+        Renderer *renderer = create(scene, &settings);
+        assert_true(renderer_probe(renderer, WIDTH / 2, HEIGHT / 2, &probe, &error));
+        for (int width = 200; width <= 800; width *= 4) {
+            double x, y;
+            RayView view = ray_view_choose(renderer, &scene->camera, &probe, width, 400);
+            RaySight sight = ray_view_sight(&view, width, 400);
+            const Vector3 points[] = {probe.rays[0].origin, probe.rays[0].point};
+            for (int p = 0; p < 2; p++) {
+                assert_true(ray_sight_point(&sight, points[p], &x, &y));
+                assert_true(x > 0 && x < width && y > 0 && y < 400);
+            }
+        }
+        probe_release(&probe);
+        renderer_destroy(renderer);
+        scene_destroy(scene);
+    }
+}
+
+/** The window's numbers are those of the pixel, and follow the light. @param state Not used. */
+static void test_inspector(void **state) {
+    (void)state;
+    Error error = {0};
+    Inspector inspector = {0};
+    Scene *scene = load("scenes/box.lua");
+    RenderSettings settings = small_settings(scene, "auto", 1);
+    Renderer *renderer = create(scene, &settings);
+    Sight sight = {.renderer = renderer, .settings = settings, .width = WIDTH, .height = HEIGHT};
+    const Inspected inspected = {&sight, scene, 0, 0};
+    assert_true(inspector_update(&inspector, &inspected, NULL, &error));
+    assert_false(inspector.has_news);
+    inspector_pick(&inspector, 63.5 / WIDTH, 112.5 / HEIGHT);
+    assert_true(inspector_update(&inspector, &inspected, NULL, &error));
+    assert_true(inspector.has_news && inspector.probe.count >= 4);
+    assert_non_null(strstr(inspector.texts[0], "63 112"));
+    inspector_walk(&inspector, -1, 2);
+    assert_true(inspector_update(&inspector, &inspected, NULL, &error));
+    assert_non_null(strstr(inspector.texts[0], "62 114"));
+    inspector_choose(&inspector, -1);
+    assert_int_equal(inspector.chosen, inspector.probe.count - 1);
+    inspector_choose(&inspector, 1);
+    assert_int_equal(inspector.chosen, 0);
+    Color before = inspector.probe.rays[0].color;
+    scene->lights[0].position.x += 1;
+    assert_true(renderer_start(renderer, scene, WIDTH, HEIGHT, NULL, NULL, &error));
+    inspector_outdate(&inspector);
+    assert_true(inspector_update(&inspector, &inspected, NULL, &error));
+    assert_true(largest(inspector.probe.rays[0].color) != largest(before));
+    inspector_toggle(&inspector);
+    assert_false(inspector.is_open);
+    inspector_release(&inspector);
+    renderer_destroy(renderer);
+    scene_destroy(scene);
+}
+
 /** Runs the tests. @return How many failed. */
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_closed_forms),
-        cmocka_unit_test(test_far_away),
-        cmocka_unit_test(test_lamp_seen),
+        cmocka_unit_test(test_closed_forms), cmocka_unit_test(test_far_away),
+        cmocka_unit_test(test_lamp_seen),    cmocka_unit_test(test_projection),
+        cmocka_unit_test(test_view),         cmocka_unit_test(test_inspector),
         cmocka_unit_test(test_sums),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

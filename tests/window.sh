@@ -165,6 +165,46 @@ expect_shown 'finished — .*No such' 'a snapshot that fails is told in the titl
 grep -q '^dioptre: ' "$work/errors" && ok 'and on standard error' || fail "$(cat "$work/errors")"
 leave
 
+# --- the rays of one pixel -----------------------------------------------------------------------
+open "$box" --samples 1
+shoot
+before=$view
+screen plain
+xdotool key v && sleep 0.7
+screen rays
+differ plain rays 'v shows the rays of a pixel'
+xdotool key k && sleep 0.3
+screen next
+differ rays next 'k shows the numbers of the next ray'
+xdotool key j && sleep 0.3
+screen again
+cmp -s "$work/rays.ppm" "$work/again.ppm" && ok 'j those of the ray before' || fail 'j those of the ray before'
+xdotool key ctrl+shift+Down && sleep 0.7
+screen walked
+differ rays walked 'Ctrl and arrows walk to another pixel'
+hold 0.3 Right && sleep 0.7
+screen turned
+differ walked turned 'arrows go around the rays'
+xdotool mousemove --window "$window" 200 300 mousedown 1 mousemove_relative 60 20 mouseup 1 && sleep 0.7
+screen dragged
+differ turned dragged 'so does the mouse'
+shoot
+[ "${view%%  -- *}" = "${before%%  -- *}" ] && ok 'and the camera stays' || fail "the camera moved: $view"
+hold 0.2 d && sleep 0.7
+screen lit
+differ dragged lit 'the rays follow the light'
+xdotool windowsize --sync "$window" 500 360 && sleep 0.7
+xdotool windowsize --sync "$window" 1 1 && sleep 0.3
+xdotool windowsize --sync "$window" 800 600 && sleep 0.5
+xdotool key Escape Home && sleep 0.7
+screen back
+cmp -s "$work/plain.ppm" "$work/back.ppm" && ok 'Esc takes them away' || fail 'Esc takes them away'
+xdotool mousemove --window "$window" 300 430 click 1 && sleep 0.7
+screen clicked
+differ plain clicked 'a click shows the rays of that pixel'
+xdotool key v
+leave 'Esc leaves when no rays are shown'
+
 # --- every key -----------------------------------------------------------------------------------
 open "$box" --samples 1
 lights 'us places' w s a d e z

@@ -37,9 +37,12 @@ typedef struct RayLine {
  * @param renderer  Who traced it.
  * @param camera    The camera.
  * @param probe     The tree, not empty.
+ * @param width     Pixels of the second camera's picture, which the rays shall fill.
+ * @param height    Pixels of it.
  * @return The view.
  */
-RayView ray_view_choose(const Renderer *renderer, const Camera *camera, const Probe *probe);
+RayView ray_view_choose(const Renderer *renderer, const Camera *camera, const Probe *probe,
+                        int width, int height);
 
 /** Turns a view around its middle. @param view The view. @param pan Degrees to the right.
  *  @param tilt Degrees up; stops before the pole. */

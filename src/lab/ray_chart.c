@@ -313,7 +313,8 @@ static bool chart_save(const RayChart *chart, const RayView *view, const RaySigh
 }
 
 bool ray_chart_write(const RayChart *chart, const char *path, Error *error) {
-    RayView view = ray_view_choose(chart->renderer, &chart->scene->camera, chart->probe);
+    RayView view =
+        ray_view_choose(chart->renderer, &chart->scene->camera, chart->probe, WIDTH, HEIGHT);
     RaySight sight = ray_view_sight(&view, WIDTH, HEIGHT);
     Backcloth cloth;
     bool is_written = cloth_make(chart, &sight, &cloth, error) &&

@@ -157,10 +157,8 @@ static Vector3 before_camera(const Camera *camera, Vector3 point) {
 }
 
 /** Brings a view nearer, and aside, to where its points fill the picture. @param[in,out] view The
- *  view. @param tree The points. */
-static void view_fit(RayView *view, const TreePoints *tree) {
-    /** A picture of the commonest shape. */
-    const int width = 4, height = 3;
+ *  view. @param tree The points. @param width Pixels of the picture. @param height Pixels. */
+static void view_fit(RayView *view, const TreePoints *tree, int width, int height) {
     RaySight sight = ray_view_sight(view, width, height);
     double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
     for (size_t i = 0; i < tree->count; i++) {
@@ -181,7 +179,8 @@ static void view_fit(RayView *view, const TreePoints *tree) {
     view->radius *= MARGIN * fmax(fmax(across, down), NEAREST);
 }
 
-RayView ray_view_choose(const Renderer *renderer, const Camera *camera, const Probe *probe) {
+RayView ray_view_choose(const Renderer *renderer, const Camera *camera, const Probe *probe,
+                        int width, int height) {
     double first = ray_end(&probe->rays[0]);
     RayView view = {.zoom = 1, .reach = FAR * (isfinite(first) ? first : camera->focus)};
     TreePoints tree = points_of(probe, view.reach);
@@ -198,7 +197,7 @@ RayView ray_view_choose(const Renderer *renderer, const Camera *camera, const Pr
     choose_side(renderer, &view, &tree);
     // What is nearer grows faster: a few turns come near enough.
     for (int turn = 0; turn < FIT_TURNS; turn++) {
-        view_fit(&view, &tree);
+        view_fit(&view, &tree, width, height);
     }
     return view;
 }

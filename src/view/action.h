@@ -29,6 +29,9 @@ typedef enum Action {
     ACTION_TIME,           /**< The time is held, or runs. */
     ACTION_TIME_BACK,      /**< The time a step back. */
     ACTION_TIME_ON,        /**< The time a step on. */
+    ACTION_RAYS,           /**< The rays of one pixel, or the picture again. */
+    ACTION_RAY_BACK,       /**< The numbers of the ray before. */
+    ACTION_RAY_ON,         /**< The numbers of the next ray. */
     ACTION_COPY,           /**< Camera and lights as text, to be pasted. */
     ACTION_TEXT_LARGER,    /**< Larger letters. */
     ACTION_TEXT_SMALLER,   /**< Smaller letters. */

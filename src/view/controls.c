@@ -39,8 +39,24 @@ static double speed(int modifiers) {
     return (modifiers & KMOD_SHIFT ? FAST : 1) * (modifiers & KMOD_CTRL ? FINE : 1);
 }
 
+/** Shows the rays of one pixel, or the picture again. @param[in,out] view The view. */
+static void toggle_rays(View *view) {
+    inspector_toggle(&view->stage.inspector);
+    stage_present(&view->stage);
+}
+
+/** Closes what lies over the picture, or else the window. @param[in,out] view The view. */
+static void leave(View *view) {
+    if (view->stage.inspector.is_open) {
+        toggle_rays(view);
+    } else {
+        view->is_over = true;
+    }
+}
+
 /** Puts the scene's own view back. @param[in,out] view The view. */
 static void go_home(View *view) {
+    inspector_look_anew(&view->stage.inspector);
     pose_restore(&view->home, view->scene);
     view->light = 0;
     view_changed(view);
@@ -167,8 +183,15 @@ void controls_act(View *view, Action action) {
     case ACTION_FULL_SCREEN:
         display_toggle_full_screen(&view->stage.display);
         break;
+    case ACTION_RAYS:
+        toggle_rays(view);
+        break;
+    case ACTION_RAY_BACK:
+    case ACTION_RAY_ON:
+        inspector_choose(&view->stage.inspector, action == ACTION_RAY_ON ? 1 : -1);
+        break;
     case ACTION_LEAVE:
-        view->is_over = true;
+        leave(view);
         break;
     default:
         pictures_act(view, action);
@@ -209,10 +232,28 @@ static bool is_repeated(Action action) {
            action == ACTION_BAR_RIGHT;
 }
 
+/** Walks to a pixel beside, where the arrows do that: with Ctrl, while the rays of one are shown.
+ *  @param[in,out] view The view. @param action What the key asks for. @param modifiers SDL's
+ * modifier keys that are held; with Shift it goes ten times as far. @return Whether it is such a
+ * key. */
+static bool walk(View *view, Action action, int modifiers) {
+    int step = modifiers & KMOD_SHIFT ? 10 : 1;
+    int right = (action == ACTION_CAMERA_RIGHT) - (action == ACTION_CAMERA_LEFT);
+    int down = (action == ACTION_CAMERA_DOWN) - (action == ACTION_CAMERA_UP);
+    bool is_walk = view->stage.inspector.is_open && (modifiers & KMOD_CTRL) && (right || down);
+    if (is_walk) {
+        inspector_walk(&view->stage.inspector, step * right, step * down);
+    }
+    return is_walk;
+}
+
 /** A key went down or up. @param[in,out] view The view. @param key The event. */
 static void on_key(View *view, const SDL_KeyboardEvent *key) {
     double time = event_time(key->timestamp);
     Action action = keymap_action(key->keysym, view->settings->keys_by_letter);
+    if (key->type == SDL_KEYDOWN && walk(view, action, key->keysym.mod)) {
+        return;
+    }
     set_speed(view, speed(key->keysym.mod), time);
     if (key->type == SDL_KEYUP && action_is_move(action)) {
         end_move(view, action, time);
@@ -235,6 +276,14 @@ static void on_key(View *view, const SDL_KeyboardEvent *key) {
 }
 
 void controls_move(View *view, Movement light, Movement camera) {
+    if (view->stage.inspector.is_open && movement_is_any(camera)) {
+        inspector_move(&view->stage.inspector, camera);
+        camera = (Movement){0};
+        if (!movement_is_any(light)) {
+            latency_forget(&view->stage.latency);
+            return;
+        }
+    }
     bool is_light_moved = movement_is_any(light) && view->light < view->scene->light_count;
     if (is_light_moved || movement_is_any(camera)) {
         pose_move(&view->home, view->scene, view->light, light, camera);
@@ -266,19 +315,60 @@ static int window_width(const View *view) {
     return SDL_max(1, width);
 }
 
-/** A button of the mouse went down or up: the bar between two pictures may be under it.
- *  @param[in,out] view The view. @param button The event. */
-static void on_button(View *view, const SDL_MouseButtonEvent *button) {
-    if (button->button == SDL_BUTTON_LEFT) {
-        double share = (double)button->x / window_width(view);
-        view->stage.split.is_dragged =
-            button->state == SDL_PRESSED && stage_is_at_bar(&view->stage, share);
+/** Shows the rays of the pixel that was clicked on: in the picture, or in the small one while rays
+ * are shown. @param[in,out] view The view. @param x Where, units of the screen. @param y Where. */
+static void click(View *view, int x, int y) {
+    SDL_Rect room = {0};
+    SDL_GetWindowSize(view->stage.display.window, &room.w, &room.h);
+    if (view->stage.inspector.is_open) {
+        room = inspector_inset(room.w, room.h);
     }
+    if (SDL_PointInRect(&(SDL_Point){x, y}, &room)) {
+        inspector_pick(&view->stage.inspector, (x - room.x + 0.5) / room.w,
+                       (y - room.y + 0.5) / room.h);
+    }
+}
+
+/** A button of the mouse went down or up: the bar between two pictures may be under it, or it is a
+ *  click. @param[in,out] view The view. @param button The event. */
+static void on_button(View *view, const SDL_MouseButtonEvent *button) {
+    bool is_down = button->state == SDL_PRESSED;
+    if (button->button != SDL_BUTTON_LEFT) {
+        return;
+    }
+    if (!is_down && view->is_click) {
+        click(view, view->click_x, view->click_y);
+    }
+    double share = (double)button->x / window_width(view);
+    view->stage.split.is_dragged =
+        is_down && !view->stage.inspector.is_open && stage_is_at_bar(&view->stage, share);
+    view->is_click = is_down && !view->stage.split.is_dragged && player_leaves_view(view);
+    view->click_x = button->x;
+    view->click_y = button->y;
+}
+
+/** @return Whether the mouse has hardly moved since its button went down: it may become a click.
+ *  @param[in,out] view The view. @param mouse The event. */
+static bool is_still(View *view, const SDL_MouseMotionEvent *mouse) {
+    /** Units of the screen that a hand moves when it clicks. */
+    const int tremor = 3;
+    view->is_click = view->is_click && SDL_abs(mouse->x - view->click_x) <= tremor &&
+                     SDL_abs(mouse->y - view->click_y) <= tremor;
+    return view->is_click;
+}
+
+/** The mouse was dragged around rays. @param[in,out] view The view. @param mouse The event. */
+static void drag_around(View *view, const SDL_MouseMotionEvent *mouse) {
+    int width = 1, height = 1;
+    SDL_GetWindowSize(view->stage.display.window, &width, &height);
+    inspector_drag(&view->stage.inspector, (double)mouse->xrel / SDL_max(1, width),
+                   (double)mouse->yrel / SDL_max(1, height));
 }
 
 /**
  * The mouse was dragged: the bar goes with it, where it has begun there; else the camera turns the
- * way it goes, by the angle that it crosses.
+ * way it goes, by the angle that it crosses. Where rays are shown, the second camera goes around
+ * them.
  * @param[in,out] view  The view.
  * @param mouse         The event.
  */
@@ -286,7 +376,11 @@ static void on_drag(View *view, const SDL_MouseMotionEvent *mouse) {
     int width = window_width(view);
     if (view->stage.split.is_dragged) {
         stage_move_bar(&view->stage, (double)mouse->x / width);
-    } else if ((mouse->state & SDL_BUTTON_LMASK) && player_leaves_view(view)) {
+    } else if (!(mouse->state & SDL_BUTTON_LMASK) || is_still(view, mouse)) {
+        return;
+    } else if (view->stage.inspector.is_open) {
+        drag_around(view, mouse);
+    } else if (player_leaves_view(view)) {
         char step[STEP_SIZE];
         double degrees = view->scene->camera.fov / width;
         double right = mouse->xrel * degrees, up = -mouse->yrel * degrees;
@@ -299,7 +393,9 @@ static void on_drag(View *view, const SDL_MouseMotionEvent *mouse) {
 /** The wheel was turned: away from the user comes closer. @param[in,out] view The view.
  *  @param wheel The event. */
 static void on_wheel(View *view, const SDL_MouseWheelEvent *wheel) {
-    if (player_leaves_view(view)) {
+    if (view->stage.inspector.is_open) {
+        inspector_move(&view->stage.inspector, (Movement){.forward = (double)wheel->preciseY / 8});
+    } else if (player_leaves_view(view)) {
         char step[STEP_SIZE];
         snprintf(step, sizeof step, "zoom(%.17g)", (double)wheel->preciseY);
         recorder_note(view, step);

@@ -34,6 +34,8 @@ static const char CAMERA[] = N_("Camera");
 static const char TIME[] = N_("Time");
 /** Heading of the help: what is shown, and how it is drawn. */
 static const char PICTURE[] = N_("Picture");
+/** Heading of the help: the rays of one pixel. */
+static const char RAYS[] = N_("Rays of one pixel");
 /** Heading of the help: everything else. */
 static const char PROGRAM[] = N_("Program");
 
@@ -90,6 +92,12 @@ static const Binding bindings[] = {
     {ACTION_SIDE, 0, SDLK_t, NULL, PICTURE, N_("side by side, difference; which side")},
     {ACTION_BAR_LEFT, 0, SDLK_F6, NULL, PICTURE, N_("bar left, right; or the mouse")},
     {ACTION_BAR_RIGHT, 0, SDLK_F7, NULL, PICTURE, N_("bar left, right; or the mouse")},
+    {ACTION_RAYS, 0, SDLK_v, NULL, RAYS, N_("show them, or the picture again")},
+    {ACTION_NONE, 0, 0, N_("Click"), RAYS, N_("of that pixel")},
+    {ACTION_NONE, 0, 0, "Ctrl ←↑↓→", RAYS, N_("of the pixel beside")},
+    {ACTION_RAY_BACK, 0, SDLK_j, NULL, RAYS, N_("numbers of the ray before, after")},
+    {ACTION_RAY_ON, 0, SDLK_k, NULL, RAYS, N_("numbers of the ray before, after")},
+    {ACTION_NONE, 0, 0, "←↑↓→", RAYS, N_("around them; or the mouse")},
     {ACTION_NONE, 0, 0, N_("Shift"), PROGRAM, N_("with a move: fast, fine")},
     {ACTION_NONE, 0, 0, N_("Ctrl"), PROGRAM, N_("with a move: fast, fine")},
     {ACTION_HOME, 0, SDLK_HOME, N_("Home"), PROGRAM, N_("the scene's own view")},

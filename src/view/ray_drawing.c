@@ -11,7 +11,7 @@ static const double CHOSEN = 2;
 /** How many times as thick as its line a border is. */
 static const double BORDER = 2.2;
 /** Height of a ray's number, in thicknesses. */
-static const double NUMBER = 5;
+static const double NUMBER = 7;
 /** Rays whose numbers are drawn, at most: more would hide the rest. */
 enum { NUMBERED_MAXIMUM = 30 };
 
@@ -158,7 +158,7 @@ static void draw_number(const Pen *pen, size_t number, double x, double y) {
     SDL_snprintf(text, sizeof text, "%zu", number);
     double half = NUMBER * pen->thickness / 2;
     const Pen pens[] = {pen_of(pen, 0xffffff, 255), pen_of(pen, 0x000000, 255)};
-    const double thick[] = {2.4 * pen->thickness, 0.9 * pen->thickness};
+    const double thick[] = {2.6 * pen->thickness, 0.8 * pen->thickness};
     for (int pass = 0; pass < 2; pass++) {
         for (int i = 0; text[i]; i++) {
             draw_digit(&pens[pass], text[i] - '0', x + 1.7 * half * i, y - half, half, thick[pass]);
@@ -207,17 +207,14 @@ static void draw_rays(const Pen *pen, const RayDrawing *drawing, const RaySight 
 }
 
 void ray_drawing_show(const RayDrawing *drawing, SDL_Renderer *renderer, const SDL_Rect *room) {
-    const Scene *scene = drawing->scene;
     RaySight sight = ray_view_sight(drawing->view, room->w, room->h);
     Pen pen = {renderer, room->x, room->y, fmax(1.5, THICKNESS * room->h), {0, 0, 0, 255}};
     SDL_RenderSetClipRect(renderer, room);
     SDL_SetRenderDrawBlendMode(renderer, SDL_BLENDMODE_BLEND);
     draw_rays(&pen, drawing, &sight, room);
     mark_point(&pen, &sight, drawing->probe->rays[0].origin, 0xffffff);
-    for (size_t i = 0; i < scene->light_count; i++) {
-        if (scene->lights[i].kind == LIGHT_POINT) {
-            mark_point(&pen, &sight, scene->lights[i].position, 0xf0e442);
-        }
+    for (size_t i = 0; i < drawing->lamp_count; i++) {
+        mark_point(&pen, &sight, drawing->lamps[i], 0xf0e442);
     }
     SDL_RenderSetClipRect(renderer, NULL);
 }

@@ -11,10 +11,11 @@
 
 /** What is drawn. */
 typedef struct RayDrawing {
-    const Scene *scene;  /**< The scene: its lamps are marked. */
-    const Probe *probe;  /**< The rays. */
-    const RayView *view; /**< How they are looked at. */
-    size_t chosen;       /**< Which of them is drawn thicker. */
+    const Vector3 *lamps; /**< Where lamps are, which are marked. */
+    size_t lamp_count;    /**< How many. */
+    const Probe *probe;   /**< The rays. */
+    const RayView *view;  /**< How they are looked at. */
+    size_t chosen;        /**< Which of them is drawn thicker. */
 } RayDrawing;
 
 /**

@@ -73,6 +73,7 @@ static void replace_pictures(Stage *stage, Reload *reload) {
         ReloadPicture *picture = &reload->pictures[i];
         if (picture->renderer && stage->sights[i].renderer) {
             sight_replace(&stage->sights[i], picture->renderer, &picture->settings);
+            inspector_on_replace(&stage->inspector);
         } else {
             renderer_destroy(picture->renderer);
             stage->sights[i].is_tuned = true;

@@ -30,6 +30,7 @@ bool stage_open(Stage *stage, const Scene *scene, const RenderSettings *settings
 }
 
 void stage_close(Stage *stage) {
+    inspector_release(&stage->inspector);
     for (size_t i = 0; i < STAGE_SIGHTS; i++) {
         sight_close(&stage->sights[i]);
     }
@@ -148,6 +149,7 @@ bool stage_settle(Stage *stage, const Scene *scene, Error *error) {
     for (size_t i = 0; i < stage_sights(stage); i++) {
         if (stage->sights[i].is_tuned) {
             is_good = sight_remake(&stage->sights[i], scene, &stage->asked, error) && is_good;
+            inspector_on_replace(&stage->inspector);
         }
     }
     return is_good;
@@ -161,6 +163,7 @@ void stage_on_pass(Stage *stage, const SDL_Event *event) {
             sight_on_pass(&stage->sights[i]);
         }
     }
+    inspector_on_pass(&stage->inspector, event);
 }
 
 void stage_on_visibility(Stage *stage) {
@@ -170,6 +173,9 @@ void stage_on_visibility(Stage *stage) {
         if (sight_stop(&stage->sights[i])) {
             latency_forget(&stage->latency);
         }
+    }
+    if (stage->is_hidden) {
+        inspector_stop(&stage->inspector);
     }
 }
 
@@ -192,6 +198,7 @@ void stage_on_loss(Stage *stage) {
         canvas_forget(&stage->sights[i].canvas);
         stage->sights[i].has_pass = stage->sights[i].renderer != NULL;
     }
+    inspector_forget(&stage->inspector);
 }
 
 /* --- showing ---------------------------------------------------------------------------------- */
@@ -240,8 +247,12 @@ void stage_present(Stage *stage) {
     double scale = stage->text_scale > 0 ? stage->text_scale : 1;
     OverlayScreen screen = {stage->display.renderer, scale, 1};
     display_begin(&stage->display);
-    show_pictures(stage);
-    if (!stage->help.is_open) {
+    if (stage->inspector.is_open && !stage->help.is_open) {
+        inspector_show(&stage->inspector, &stage_active(stage)->canvas, &screen);
+    } else {
+        show_pictures(stage);
+    }
+    if (!stage->help.is_open && !stage->inspector.is_open) {
         show_huds(stage, &screen);
     }
     caption_show(&stage->caption, &screen);
@@ -259,6 +270,7 @@ void stage_forget_words(Stage *stage) {
     for (size_t i = 0; i < STAGE_SIGHTS; i++) {
         hud_forget(&stage->huds[i]);
     }
+    inspector_outdate(&stage->inspector);
 }
 
 void stage_resize_words(Stage *stage, int steps) {
@@ -285,6 +297,7 @@ static bool start_changed(Stage *stage, const Scene *scene, double now, Error *e
         Sight *sight = &stage->sights[i];
         if (sight->is_changed && !sight->is_unseen) {
             latency_drawing(&stage->latency);
+            inspector_outdate(&stage->inspector);
             is_good = sight_start(sight, scene, width, height, now, error) && is_good;
         }
     }
@@ -321,13 +334,21 @@ bool stage_update(Stage *stage, const Scene *scene, double now, Error *error) {
         return false;
     }
     show_due(stage, now);
-    return true;
+    Inspected inspected = {stage_active(stage), scene, stage->pass_event, now};
+    bool is_good = inspector_update(&stage->inspector, &inspected, stage->display.renderer, error);
+    if (stage->inspector.has_news) {
+        stage_present(stage);
+    }
+    return is_good;
 }
 
 double stage_delay(const Stage *stage, double now) {
     double delay = STAGE_NEVER;
     for (size_t i = 0; !stage->is_hidden && i < stage_sights(stage); i++) {
         delay = fmin(delay, sight_delay(&stage->sights[i], now));
+    }
+    if (stage->inspector.is_open && !stage->is_hidden) {
+        delay = fmin(delay, sight_delay(&stage->inspector.sight, now));
     }
     return delay;
 }

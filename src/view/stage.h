@@ -10,6 +10,7 @@
 #include "view/display.h"
 #include "view/help.h"
 #include "view/hud.h"
+#include "view/inspector.h"
 #include "view/latency.h"
 #include "view/notice.h"
 #include "view/split.h"
@@ -32,6 +33,7 @@ typedef struct Stage {
     Notice notice;              /**< What is said over them. */
     Browser browser;            /**< The list of scenes that may lie over them. */
     Caption caption;            /**< What a lesson says over them. */
+    Inspector inspector;        /**< The rays of one pixel, which may lie over all of it. */
     double text_scale;          /**< How many times as large as usual letters are; 0: as usual. */
     Latency latency;            /**< How long keys wait for their picture. */
     double first_shown;  /**< When the very first picture was on screen, seconds; 0 before. */

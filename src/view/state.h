@@ -53,6 +53,9 @@ typedef struct View {
     Recorder recorder;            /**< The lesson that is recorded. */
     size_t light;                 /**< Place of the light that the keys move. */
     double next_step;             /**< When held keys move things again, seconds. */
+    bool is_click;                /**< Whether the mouse's button is down and it has not moved. */
+    int click_x;                  /**< Where it went down, units of the screen. */
+    int click_y;                  /**< See #click_x. */
     bool wants_snapshot;          /**< Whether a snapshot waits for the last pass. */
     char note[NOTE_SIZE];         /**< What the title says besides how the drawing stands. */
     double title_due;             /**< When the title may change again, seconds. */

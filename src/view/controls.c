@@ -7,6 +7,7 @@
 #include "dioptre/language.h"
 #include "view/choosing.h"
 #include "view/keymap.h"
+#include "view/mouse.h"
 #include "view/pictures.h"
 #include "view/play.h"
 #include "view/scene_text.h"
@@ -21,8 +22,6 @@ static const double FAST = 4;
 static const double FINE = 0.25;
 /** Factor for the width of the field of view with each notch of the wheel away from the user. */
 static const double ZOOM_A_NOTCH = 0.9;
-/** Bytes of a step of a lesson with two numbers. */
-enum { STEP_SIZE = 80 };
 /** Modifiers that make a key one of the window manager's, not ours. */
 static const int FOREIGN_MODIFIERS = KMOD_LALT | KMOD_GUI;
 
@@ -308,101 +307,6 @@ void controls_zoom(View *view, double notches) {
     view_changed(view);
 }
 
-/** @return Width of the window, in the screen's units. @param view The view. */
-static int window_width(const View *view) {
-    int width = 1;
-    SDL_GetWindowSize(view->stage.display.window, &width, NULL);
-    return SDL_max(1, width);
-}
-
-/** Shows the rays of the pixel that was clicked on: in the picture, or in the small one while rays
- * are shown. @param[in,out] view The view. @param x Where, units of the screen. @param y Where. */
-static void click(View *view, int x, int y) {
-    SDL_Rect room = {0};
-    SDL_GetWindowSize(view->stage.display.window, &room.w, &room.h);
-    if (view->stage.inspector.is_open) {
-        room = inspector_inset(room.w, room.h);
-    }
-    if (SDL_PointInRect(&(SDL_Point){x, y}, &room)) {
-        inspector_pick(&view->stage.inspector, (x - room.x + 0.5) / room.w,
-                       (y - room.y + 0.5) / room.h);
-    }
-}
-
-/** A button of the mouse went down or up: the bar between two pictures may be under it, or it is a
- *  click. @param[in,out] view The view. @param button The event. */
-static void on_button(View *view, const SDL_MouseButtonEvent *button) {
-    bool is_down = button->state == SDL_PRESSED;
-    if (button->button != SDL_BUTTON_LEFT) {
-        return;
-    }
-    if (!is_down && view->is_click) {
-        click(view, view->click_x, view->click_y);
-    }
-    double share = (double)button->x / window_width(view);
-    view->stage.split.is_dragged =
-        is_down && !view->stage.inspector.is_open && stage_is_at_bar(&view->stage, share);
-    view->is_click = is_down && !view->stage.split.is_dragged && player_leaves_view(view);
-    view->click_x = button->x;
-    view->click_y = button->y;
-}
-
-/** @return Whether the mouse has hardly moved since its button went down: it may become a click.
- *  @param[in,out] view The view. @param mouse The event. */
-static bool is_still(View *view, const SDL_MouseMotionEvent *mouse) {
-    /** Units of the screen that a hand moves when it clicks. */
-    const int tremor = 3;
-    view->is_click = view->is_click && SDL_abs(mouse->x - view->click_x) <= tremor &&
-                     SDL_abs(mouse->y - view->click_y) <= tremor;
-    return view->is_click;
-}
-
-/** The mouse was dragged around rays. @param[in,out] view The view. @param mouse The event. */
-static void drag_around(View *view, const SDL_MouseMotionEvent *mouse) {
-    int width = 1, height = 1;
-    SDL_GetWindowSize(view->stage.display.window, &width, &height);
-    inspector_drag(&view->stage.inspector, (double)mouse->xrel / SDL_max(1, width),
-                   (double)mouse->yrel / SDL_max(1, height));
-}
-
-/**
- * The mouse was dragged: the bar goes with it, where it has begun there; else the camera turns the
- * way it goes, by the angle that it crosses. Where rays are shown, the second camera goes around
- * them.
- * @param[in,out] view  The view.
- * @param mouse         The event.
- */
-static void on_drag(View *view, const SDL_MouseMotionEvent *mouse) {
-    int width = window_width(view);
-    if (view->stage.split.is_dragged) {
-        stage_move_bar(&view->stage, (double)mouse->x / width);
-    } else if (!(mouse->state & SDL_BUTTON_LMASK) || is_still(view, mouse)) {
-        return;
-    } else if (view->stage.inspector.is_open) {
-        drag_around(view, mouse);
-    } else if (player_leaves_view(view)) {
-        char step[STEP_SIZE];
-        double degrees = view->scene->camera.fov / width;
-        double right = mouse->xrel * degrees, up = -mouse->yrel * degrees;
-        snprintf(step, sizeof step, "turn(%.17g, %.17g)", right, up);
-        recorder_note(view, step);
-        controls_turn(view, right, up);
-    }
-}
-
-/** The wheel was turned: away from the user comes closer. @param[in,out] view The view.
- *  @param wheel The event. */
-static void on_wheel(View *view, const SDL_MouseWheelEvent *wheel) {
-    if (view->stage.inspector.is_open) {
-        inspector_move(&view->stage.inspector, (Movement){.forward = (double)wheel->preciseY / 8});
-    } else if (player_leaves_view(view)) {
-        char step[STEP_SIZE];
-        snprintf(step, sizeof step, "zoom(%.17g)", (double)wheel->preciseY);
-        recorder_note(view, step);
-        controls_zoom(view, (double)wheel->preciseY);
-    }
-}
-
 /** The window has another size. @param[in,out] view The view. */
 static void on_resize(View *view) {
     if (stage_on_resize(&view->stage)) {
@@ -466,14 +370,14 @@ void controls_handle(View *view, const SDL_Event *event) {
         on_key(view, &event->key);
         break;
     case SDL_MOUSEMOTION:
-        on_drag(view, &event->motion);
+        mouse_motion(view, &event->motion);
         break;
     case SDL_MOUSEBUTTONDOWN:
     case SDL_MOUSEBUTTONUP:
-        on_button(view, &event->button);
+        mouse_button(view, &event->button);
         break;
     case SDL_MOUSEWHEEL:
-        on_wheel(view, &event->wheel);
+        mouse_wheel(view, &event->wheel);
         break;
     case SDL_WINDOWEVENT:
         on_window(view, &event->window);

@@ -7,6 +7,9 @@
 
 #include "view/state.h"
 
+/** Bytes of a step of a lesson with two numbers. */
+enum { STEP_SIZE = 80 };
+
 /**
  * Does what an event asks for.
  * @param[in,out] view  The view.

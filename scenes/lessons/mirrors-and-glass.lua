@@ -47,5 +47,21 @@ caption { wait = true,
   fr = "Regardez le bord. Le rayon y arrive rasant, et le verre devient miroir : c'est la loi de Fresnel." }
 press "home"
 caption { wait = true,
+  en = "How often may a ray be mirrored or bent? Eight times, here. Now fewer, one by one.",
+  fr = "Combien de fois un rayon peut-il être réfléchi ou dévié ? Huit fois, ici. De moins en moins, maintenant." }
+for i = 1, 8 do
+  press "less deep"
+  wait(0.7)
+end
+caption { wait = true,
+  en = "With none left the mirror and the glass are black: they have nothing of their own to show.",
+  fr = "Quand il n'en reste aucune, le miroir et le verre sont noirs : ils n'ont rien à montrer par eux-mêmes." }
+press "as at first"
+press "layer rays"
+caption { wait = true,
+  en = "This is how many rays each pixel took: few on the floor, most in the glass.",
+  fr = "Voici combien de rayons chaque pixel a demandés : peu sur le sol, le plus dans le verre." }
+press "layer light"
+caption { wait = true,
   en = "Each ray that is mirrored and bent becomes two. Mirrors and glass are why such pictures take time.",
   fr = "Chaque rayon réfléchi et dévié en devient deux. C'est pour les miroirs et le verre que ces images prennent du temps." }

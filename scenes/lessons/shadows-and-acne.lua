@@ -46,5 +46,32 @@ caption { wait = true,
   fr = "Non. Elle reste où elle est : seules la lampe et les choses la font." }
 press "home"
 caption { wait = true,
-  en = "To be seen with --offset none: shadow rays that start at the very surface meet it again. Lit walls get black points.",
-  fr = "À voir avec --offset none : des rayons d'ombre partis de la surface même la rencontrent. Les murs éclairés se couvrent de points noirs." }
+  en = "Now the shadow rays start at the very surface. Rounding puts some a little below it: they meet it, and the point is black.",
+  fr = "Maintenant les rayons d'ombre partent de la surface même. L'arrondi en met un peu dessous : ils la rencontrent, et le point est noir." }
+press "offset" -- bound, the default, gives way to none.
+wait(2)
+caption { wait = true,
+  en = "That is shadow acne. It is no noise: the same places are rounded the same way each time.",
+  fr = "C'est l'acné des ombres. Ce n'est pas du hasard : les mêmes endroits s'arrondissent toujours de même." }
+press "layer acne"
+caption { wait = true,
+  en = "The program can say which pixels are wrong: those whose shadow ray met its own surface.",
+  fr = "Le programme sait dire quels pixels sont faux : ceux dont le rayon d'ombre a rencontré sa propre surface." }
+press "layer light"
+press "offset" -- fixed
+caption { wait = true,
+  en = "The usual cure: start a fixed length away, epsilon, here a ten-thousandth. The points are gone.",
+  fr = "Le remède habituel : partir à une longueur fixe, epsilon, ici un dix-millième. Les points ont disparu." }
+caption { en = "But which length? Ten times as long, and ten times again ...",
+          fr = "Mais quelle longueur ? Dix fois plus, et dix fois encore..." }
+for i = 1, 4 do
+  wait(1)
+  press "epsilon ten times"
+end
+caption { wait = true,
+  en = "Too long: the shadow comes off the ball, and light gets in where none should be.",
+  fr = "Trop long : l'ombre se détache de la boule, et la lumière entre où il ne devrait pas y en avoir." }
+press "as at first"
+caption { wait = true,
+  en = "So the program starts each ray as far away as the rounding of that very point can reach: no further, and no less.",
+  fr = "Le programme fait donc partir chaque rayon aussi loin que peut aller l'arrondi de ce point-là : ni plus, ni moins." }

@@ -34,6 +34,17 @@ caption { wait = true,
   en = "When what is left could not change the picture by one step of 255, we stop. That is exact enough, and no slower.",
   fr = "Quand le reste ne peut plus changer l'image d'un pas sur 255, on s'arrête. C'est assez exact, et pas plus lent." }
 press "home"
+press "split"
+press "engine"
 caption { wait = true,
-  en = "Numbers have an end, too. Here float, with 7 digits, is enough: `dioptre needs` says why, and where it is not.",
-  fr = "Les nombres aussi ont une fin. Ici float, avec 7 chiffres, suffit : `dioptre needs` dit pourquoi, et où ce n'est pas le cas." }
+  en = "Numbers have an end, too. One half of this picture was made with float, 7 digits, the other with double, 16. Which?",
+  fr = "Les nombres aussi ont une fin. Une moitié de cette image est faite en float, 7 chiffres, l'autre en double, 16. Laquelle ?" }
+press "split"
+caption { wait = true,
+  en = "The difference of the two: blank, but for a few points on edges. Double takes twice the time for that.",
+  fr = "La différence des deux : rien, sauf quelques points sur des bords. Double prend deux fois plus de temps pour cela." }
+press "split"
+press "as at first"
+caption { wait = true,
+  en = "Here float is enough. `dioptre needs` finds out for any scene, and says why.",
+  fr = "Ici, float suffit. `dioptre needs` le découvre pour toute scène, et dit pourquoi." }

@@ -187,8 +187,10 @@ static void draw_key(const Pen *pen, const DrawnKey *key) {
                       (int)(1.5 * pen->quarter)};
     SDL_Rect below = {area.x + 1, area.y + area.h - (int)(1.75 * pen->quarter), area.w - 2,
                       (int)(1.25 * pen->quarter)};
+    SDL_SetClipRect(pen->panel, &area);
     write_fitted(pen, key_label(key->place), &label, tint);
     write_fitted(pen, word, &below, white);
+    SDL_SetClipRect(pen->panel, NULL);
 }
 
 /** @return Which keyboard is in use, by what is printed right of P. */

@@ -26,8 +26,8 @@ static const SDL_Color HEADINGS = {150, 200, 255, SDL_ALPHA_OPAQUE};
  *  who are colour-blind, too. */
 static const SDL_Color tints[] = {
     {255, 205, 90, SDL_ALPHA_OPAQUE},  {120, 190, 255, SDL_ALPHA_OPAQUE},
-    {90, 215, 170, SDL_ALPHA_OPAQUE},  {205, 205, 215, SDL_ALPHA_OPAQUE},
-    {255, 145, 110, SDL_ALPHA_OPAQUE}, {225, 165, 215, SDL_ALPHA_OPAQUE}};
+    {90, 215, 170, SDL_ALPHA_OPAQUE},  {255, 145, 110, SDL_ALPHA_OPAQUE},
+    {205, 205, 215, SDL_ALPHA_OPAQUE}, {225, 165, 215, SDL_ALPHA_OPAQUE}};
 /** Colour of the panel: dark, and the picture can be guessed behind it. */
 static const SDL_Color PANEL = {15, 18, 28, 215};
 

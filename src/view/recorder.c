@@ -41,6 +41,7 @@ static bool begin(View *view, Error *error) {
     motion_forget(&view->motion);
     timeline_hold(&view->timeline, sight_clock());
     controls_act(view, ACTION_AS_ASKED);
+    controls_act(view, ACTION_LAYER);
     controls_act(view, ACTION_HOME);
     LessonFacts facts = {.scene = view->path,
                          .name = view->name,

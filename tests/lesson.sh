@@ -1,20 +1,9 @@
 #!/bin/bash
 # Lessons, end to end: read, played without hands and by hand, recorded and played again. What they
-# show equals render, bit for bit. Starts an X server of its own.
+# show equals render, bit for bit.
 . "$(dirname "$0")/check.sh"
-root=$PWD
+. tests/screen.sh
 box=$root/scenes/box.lua
-server=0 pid=0
-# Leaks of libdbus, which SDL asks for the screen saver, are not ours (build/asan).
-echo 'leak:libdbus' >"$work/leaks"
-export LSAN_OPTIONS="suppressions=$work/leaks:print_suppressions=0"
-cleanup() {
-    [ "$pid" != 0 ] && kill -9 "$pid" 2>/dev/null
-    [ "$server" != 0 ] && kill "$server" 2>/dev/null
-    wait 2>/dev/null
-    rm -rf "$work"
-}
-trap cleanup EXIT
 
 # --- bad lessons, before any window --------------------------------------------------------------
 # wrong LESSON WORDS: what is said of it, with file and line.
@@ -48,10 +37,7 @@ expect 2 '^dioptre: view needs a SCENE, or --lesson FILE' 'neither scene nor les
 expect 2 'lesson-snapshots needs --lesson' 'snapshots of no lesson' "$dioptre" view "$box" --lesson-snapshots "$work"
 
 # --- without hands -------------------------------------------------------------------------------
-Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp -noreset 3>"$work/display" 2>/dev/null &
-server=$!
-for _ in {1..200}; do [ -s "$work/display" ] && break || sleep 0.05; done
-export DISPLAY=:$(cat "$work/display")
+start_server
 
 # shots LESSON FOLDER: what it shows at its captions; the views are in FOLDER/views.
 shots() {
@@ -82,37 +68,10 @@ for lesson in shadows-and-acne:figure-c4 mirrors-and-glass:lessons/mirror-and-ba
 done
 
 # --- by hand: in real time, held and let go on, with the viewer's own moves in between --------------
-# open OPTION...: opens a window in the folder $work/hand.
-open() {
-    mkdir -p "$work/hand" && cd "$work/hand" || exit 1
-    env --default-signal=INT "$dioptre" view "$@" >"$work/log" 2>"$work/errors" &
-    pid=$!
-    cd "$root" || exit 1
-    window=
-    for _ in {1..200}; do
-        window=$(xdotool search --onlyvisible --class '^dioptre$' 2>/dev/null | tail -1)
-        [ -n "$window" ] && break || sleep 0.03
-    done
-    xdotool windowfocus --sync "$window" 2>/dev/null
-}
-# leave STATUS NAME: the program must end, with that status.
-leave() {
-    for _ in {1..200}; do kill -0 "$pid" 2>/dev/null && sleep 0.03; done
-    wait "$pid"
-    local got=$?
-    pid=0
-    [ "$got" = "$1" ] && [ ! -s "$work/errors" ] && ok "$2" || fail "$2: status $got: $(cat "$work/errors")"
-}
-# shown WORDS NAME: waits until the title holds a pattern.
-shown() {
-    for _ in {1..300}; do [[ $(xdotool getwindowname "$window" 2>/dev/null) =~ $1 ]] && ok "$2" && return || sleep 0.05; done
-    fail "$2: the title says $(xdotool getwindowname "$window")"
-}
 cat >"$work/lesson.lua" <<END
 lesson { scene = "$box", size = {400, 300}, samples = 1, title = "Try" }
-caption { "wait", wait = true }
+caption { en = "One", fr = "Un", wait = true }
 END
-sed -i '2s/.*/caption { en = "One", fr = "Un", wait = true }/' "$work/lesson.lua"
 cat >>"$work/lesson.lua" <<'END'
 hold("light left", 0.41)
 speed(4)
@@ -135,57 +94,58 @@ shots "$work/lesson.lua" "$work/quick"
 [ "$(wc -l <"$work/quick/views")" = 3 ] && ok 'captions and the step snapshot' || fail "$(cat "$work/quick/views")"
 view_of() { sed 's/  -- .*//' <<<"$1"; }
 second=$(view_of "$(sed -n 2p "$work/quick/views")")
-open --lesson "$work/lesson.lua"
-shown '400×300.*finished' 'its own size'
+open "$box" --lesson "$work/lesson.lua"
+expect_shown '400×300.*finished' 'its own size'
 xdotool key p
-shown saved 'a snapshot of the first caption'
-same "$work/hand/box-0001.bmp" "$work/quick/lesson-0001.bmp" 'is that without hands'
+expect_shown saved 'a snapshot of the first caption'
+same "$work/shots/box-0001.bmp" "$work/quick/lesson-0001.bmp" 'is that without hands'
 xdotool keydown d && sleep 0.2 && xdotool keyup d # While it is held, the view is the viewer's.
 xdotool key space && sleep 0.3
 xdotool key space && sleep 0.2 # In the middle.
 xdotool keydown Right && sleep 0.3 && xdotool keyup Right
-xdotool key w F5 space && sleep 1.2
-xdotool key c && sleep 0.3
+xdotool key w F5 space
+for _ in {1..30}; do # Until it is held again.
+    xdotool key c && sleep 0.2
+    [ "$(tail -1 "$work/log")" = "$second" ] && break
+done
 [ "$(tail -1 "$work/log")" = "$second" ] && ok 'the same view to the bit, held and disturbed' ||
     fail "$(tail -1 "$work/log") is not $second"
 xdotool key d
-shown 'finished' 'after its last caption'
+expect_shown 'finished' 'after its last caption'
 xdotool key space
-shown 'the lesson is over' 'it ends'
+expect_shown 'the lesson is over' 'it ends'
 xdotool key Escape
-leave 0 'Esc leaves'
-open --lesson "$work/lesson.lua"
-shown '400×300' 'once more'
+closed 'Esc leaves' 0
+open "$box" --lesson "$work/lesson.lua"
+expect_shown '400×300' 'once more'
 xdotool key space && sleep 0.2 && kill -INT "$pid"
-leave 130 'SIGINT in the middle'
+closed 'SIGINT in the middle' 130
 expect 1 'cannot write' 'a folder that is not there' timeout 60 "$dioptre" view --lesson "$work/lesson.lua" --lesson-snapshots "$work/nowhere"
 
 # --- recorded --------------------------------------------------------------------------------------
-rm -rf "$work/hand"
-mkdir "$work/hand"
-echo 'not yours' >"$work/hand/box-lesson-0001.lua"
 open "$box" --samples 1
+echo 'not yours' >"$work/shots/box-lesson-0001.lua"
 shown finished 'a window to record in'
 xdotool keydown Left && sleep 0.1 && xdotool keyup Left # Before it begins: not in the lesson.
 xdotool key r
-shown 'recording a lesson' 'r records'
+expect_shown 'recording a lesson' 'r records'
 xdotool keydown Right && sleep 0.2 && xdotool keydown d && sleep 0.1 && xdotool keyup Right keyup d
 xdotool key Return && sleep 0.2 && xdotool type 'The "end" a' && sleep 0.2 && xdotool key BackSpace BackSpace Return
 xdotool key shift+Up && sleep 0.1
 xdotool mousemove --window "$window" 400 300 mousedown 1 mousemove_relative 37 -21 mouseup 1 click 4
 xdotool key p && sleep 0.5 && xdotool key r
-shown 'the lesson is in box-lesson-0002.lua' 'r again writes the next free file'
-grep -q 'not yours' "$work/hand/box-lesson-0001.lua" && ok 'never over another' || fail 'over another'
+expect_shown 'the lesson is in box-lesson-0002.lua' 'r again writes the next free file'
+grep -q 'not yours' "$work/shots/box-lesson-0001.lua" && ok 'never over another' || fail 'over another'
 xdotool key c && sleep 0.3
 recorded=$(tail -1 "$work/log")
 xdotool key r && sleep 0.2 && xdotool keydown Up && sleep 0.1 && xdotool key Escape
-leave 0 'closed while it records'
-lesson=$work/hand/box-lesson-0002.lua
+closed 'closed while it records' 0
+lesson=$work/shots/box-lesson-0002.lua
 holds "$lesson" '^caption \{ en = "The \\"end\\"", wait = true \}$' 'a caption that was typed'
 holds "$lesson" '^snapshot\(\)$' 'a snapshot'
 holds "$lesson" '^turn\([0-9.-]+, [0-9.-]+\)$' 'the mouse'
 holds "$lesson" '^speed\(4\)$' 'Shift'
-holds "$work/hand/box-lesson-0003.lua" '^release "camera up"$' 'keeps what it has, with keys let go'
+holds "$work/shots/box-lesson-0003.lua" '^release "camera up"$' 'keeps what it has, with keys let go'
 echo 'snapshot()' >>"$lesson"
 shots "$lesson" "$work/again"
 [ "$(view_of "$(tail -1 "$work/again/views")")" = "$recorded" ] && ok 'played, it ends where the recording ended, to the bit' ||

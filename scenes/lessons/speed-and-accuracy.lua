@@ -4,7 +4,7 @@
 lesson {
   scene = "../box.lua",
   title = { en = "Speed and accuracy", fr = "Vitesse et précision" },
-  size = {800, 600}, samples = 64,
+  size = {800, 600}, samples = 16,
 }
 
 caption { wait = true,

@@ -16,11 +16,12 @@ small='-s 192x144 --samples 2'
     holds "$work/out" '^engine +f64' 'auto takes double'
     expect 0 '' 'an engine that is asked for is taken' "$dioptre" info tests/scenes/ground-sphere.lua --engine f32x4
     holds "$work/out" '^engine +f32x4' 'f32x4 was asked for'
-    for scene in chess report-d-pictures glass-teapot; do
+    # Of figure-16 and teapot float has 0.02 and 0.014 % wrong; painted-cow is near the bound by its numbers.
+    for scene in chess report-d-pictures glass-teapot figure-16 teapot painted-cow; do
         expect 0 '' "forecast of $scene" "$dioptre" info "scenes/$scene.lua"
         holds "$work/out" '^engine +f64' "$scene is drawn in double"
     done
-    for scene in cow figure-16 glass-of-water earth painted-cow; do
+    for scene in cow figure-12 figure-13 glass-of-water earth; do
         expect 0 '' "forecast of $scene" "$dioptre" info "scenes/$scene.lua"
         holds "$work/out" '^engine +f32' "$scene is drawn in float"
     done

@@ -25,6 +25,7 @@ typedef enum {
     FORECAST_HORIZON,  /**< A picture on a plane without end: far away its texels crowd. */
     FORECAST_FRACTAL,  /**< A fractal: normals that turn within a tolerance. */
     FORECAST_WALL,     /**< Walls of glass that are thin against their coordinates. */
+    FORECAST_FACETS,   /**< Faces of models that lamps see from a little behind. */
     FORECAST_COUNT     /**< How many there are. */
 } ForecastCause;
 

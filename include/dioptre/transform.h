@@ -21,6 +21,18 @@ typedef struct Transform {
     double linear[3][3]; /**< Scale and rotation as a matrix, row by row; filled by the finish. */
 } Transform;
 
+/** @return Where a transform puts a point. @param t The transform. @param p The point. */
+static inline Vector3 transform_point(const Transform *t, Vector3 p) {
+    const double v[3] = {p.x, p.y, p.z};
+    double out[3] = {t->translate.x, t->translate.y, t->translate.z};
+    for (int row = 0; row < 3; row++) {
+        for (int column = 0; column < 3; column++) {
+            out[row] += t->linear[row][column] * v[column];
+        }
+    }
+    return (Vector3){out[0], out[1], out[2]};
+}
+
 /** The fields that every shape takes besides its own. */
 extern const Keyword transform_keyword;
 

@@ -60,7 +60,9 @@ static void say_cause(Text *text, const Forecast *forecast, bool is_enough) {
         [FORECAST_TURNS] = N_("curved mirrors and glass drive rays apart at each turn"),
         [FORECAST_HORIZON] = N_("towards the horizon the texels of a picture crowd in a pixel"),
         [FORECAST_FRACTAL] = N_("a fractal turns its normals within a tolerance"),
-        [FORECAST_WALL] = N_("walls of glass are as thin as roundings of their coordinates")};
+        [FORECAST_WALL] = N_("walls of glass are as thin as roundings of their coordinates"),
+        [FORECAST_FACETS] =
+            N_("faces of models that lamps graze are lit or dark as roundings have it")};
     say(text, is_enough ? N_("no length of the scene is large against another")
                         : causes[forecast->cause]);
 }

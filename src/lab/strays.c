@@ -9,6 +9,9 @@
 
 /** Sides to which the eye is turned. */
 enum { SIDES = 8 };
+/** How often it is turned there, each time a quarter as far: behind some mirrors the picture
+ * changes within less than #STRAYS_NUDGE. */
+enum { NEARINGS = 5 };
 
 /** What is known of the pixels of a studio. */
 typedef struct Lost {
@@ -76,25 +79,38 @@ static void lost_look(Lost *lost, const Shot *aside, const Shot *shot, Encoding 
     }
 }
 
-/** Turns the eye to all sides. @param studio What is shot. @param reference How.
+/** Turns the eye to one side. @param studio The flipped pixels. @param manner How, and how far the
+ *  eye is turned. @param[in,out] lost What is known. @param shot The shot. @param[out] error What
+ * is wrong. @return false if anything is. */
+static bool side_look(const Studio *studio, const Manner *manner, Lost *lost, const Shot *shot,
+                      Error *error) {
+    Shot aside;
+    if (!shot_take(studio, manner, &aside, error)) {
+        return false;
+    }
+    lost_look(lost, &aside, shot, (Encoding)studio->scene->image.encoding);
+    shot_release(&aside);
+    return true;
+}
+
+/** Turns the eye to all sides, less and less. @param studio What is shot. @param reference How.
  *  @param[in,out] lost What is known. @param shot The shot. @param[out] error What is wrong.
  *  @return false if anything is. */
 static bool sides_look(const Studio *studio, const Manner *reference, Lost *lost, const Shot *shot,
                        Error *error) {
     Studio beside = *studio;
     beside.pixels = &lost->flipped;
-    for (int side = 0; side < SIDES; side++) {
-        Shot aside;
-        Manner manner = *reference;
-        manner.right = STRAYS_NUDGE * cos(2 * M_PI * side / SIDES);
-        manner.up = STRAYS_NUDGE * sin(2 * M_PI * side / SIDES);
-        if (!shot_take(&beside, &manner, &aside, error)) {
-            return false;
+    bool is_done = true;
+    double nudge = STRAYS_NUDGE;
+    for (int nearing = 0; nearing < NEARINGS; nearing++, nudge /= 4) {
+        for (int side = 0; is_done && side < SIDES; side++) {
+            Manner manner = *reference;
+            manner.right = nudge * cos(2 * M_PI * side / SIDES);
+            manner.up = nudge * sin(2 * M_PI * side / SIDES);
+            is_done = side_look(&beside, &manner, lost, shot, error);
         }
-        lost_look(lost, &aside, shot, (Encoding)studio->scene->image.encoding);
-        shot_release(&aside);
     }
-    return true;
+    return is_done;
 }
 
 /** @return How many rays are lost. @param lost What is known. @param truth As it should be.

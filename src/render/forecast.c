@@ -8,6 +8,8 @@
  */
 #include "dioptre/forecast.h"
 
+#include "render/facets.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -39,6 +41,11 @@
 /** How much more neighbouring texels differ in pictures of light, which hold the sun itself. */
 #define LIGHT_CONTRAST 4
 
+/** Share of the pixels that may be off, and how much more than is forecast it may become by chance:
+ * faces in doubt come in rows. */
+#define PIXELS_OFF 1e-4
+#define FACETS_CHANCE 1.25
+
 /** Walls of glass that are thinner than so many half ulps of their coordinates may be jumped. */
 #define WALL_ROUNDINGS 64
 
@@ -69,6 +76,7 @@ typedef struct Survey {
     double mirrored;           /**< The largest share that a curved shape mirrors. */
     Box3 all;                  /**< A box around all shapes with an end. */
     Vector3 origin;            /**< Where tracers count from. */
+    double facets;             /**< Share of the picture whose faces are lit otherwise in float. */
     double texels;             /**< Most texels that a turn of one radian may pass. */
     Box3 walls[WALLS_MAXIMUM]; /**< Boxes of transparent shapes. */
     size_t wall_count;         /**< How many. */
@@ -95,40 +103,45 @@ static Box3 mesh_box(const Mesh *mesh) {
     return box;
 }
 
-/** @return Where a transform puts a point. @param t The transform. @param p The point. */
-static Vector3 transformed(const Transform *t, Vector3 p) {
-    const double v[3] = {p.x, p.y, p.z};
-    double out[3] = {t->translate.x, t->translate.y, t->translate.z};
-    for (int row = 0; row < 3; row++) {
-        for (int column = 0; column < 3; column++) {
-            out[row] += t->linear[row][column] * v[column];
-        }
-    }
-    return (Vector3){out[0], out[1], out[2]};
-}
-
 /** @return A box around a transformed box that ends. @param t The transform. @param box The box. */
 static Box3 box_transformed(const Transform *t, Box3 box) {
     Box3 out = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
     for (int corner = 0; corner < 8; corner++) {
         Vector3 p = {corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y,
                      corner & 4 ? box.high.z : box.low.z};
-        p = transformed(t, p);
+        p = transform_point(t, p);
         out.low = vector3_lowest(out.low, p);
         out.high = vector3_highest(out.high, p);
     }
     return out;
 }
 
-/** @return The value of a row of a shape, by name; NULL: it has none. @param survey The survey.
- *  @param shape The shape. @param name The row's. @param type The row's. */
-static const void *shape_value(const Survey *survey, const SceneShape *shape, const char *name,
-                               ParameterType type) {
+/** @return The row of a shape's table with a name and a type; NULL: there is none. @param survey
+ * The survey. @param shape The shape. @param name The row's. @param type The row's. */
+static const Parameter *shape_row(const Survey *survey, const SceneShape *shape, const char *name,
+                                  ParameterType type) {
     const Parameter *row = survey->engine->shape_keywords[shape->kind]->parameters;
     while (row->name && !(row->type == type && strcmp(row->name, name) == 0)) {
         row++;
     }
-    return row->name ? (const char *)shape->parameters + row->offset : NULL;
+    return row->name ? row : NULL;
+}
+
+/** @return The value of a row of a shape, by name; NULL: it has none. @param survey The survey.
+ *  @param shape The shape. @param name The row's. @param type The row's. */
+static const void *shape_value(const Survey *survey, const SceneShape *shape, const char *name,
+                               ParameterType type) {
+    const Parameter *row = shape_row(survey, shape, name, type);
+    return row ? (const char *)shape->parameters + row->offset : NULL;
+}
+
+/** @return Whether a shape says a word. @param survey The survey. @param shape The shape.
+ *  @param name The row's. @param word The word. */
+static bool shape_says(const Survey *survey, const SceneShape *shape, const char *name,
+                       const char *word) {
+    const Parameter *row = shape_row(survey, shape, name, PARAMETER_WORD);
+    const int *place = shape_value(survey, shape, name, PARAMETER_WORD);
+    return row && strcmp(row->words[*place], word) == 0;
 }
 
 /** @return A shape's box in the scene. @param survey The survey. @param shape The shape.
@@ -208,6 +221,26 @@ static void field_look(Survey *survey, const SceneShape *shape) {
     }
 }
 
+/** Adds the faces of a model that float lights otherwise. @param[in,out] survey The survey.
+ *  @param shape The shape. @param box Its box. */
+static void facets_look(Survey *survey, const SceneShape *shape, const Box3 *box) {
+    const size_t *model = shape_value(survey, shape, "file", PARAMETER_MESH);
+    const Scene *scene = survey->scene;
+    const Mesh *mesh = model ? scene->meshes[*model].mesh : NULL;
+    if (!mesh || shape_says(survey, shape, "normals", "flat")) {
+        return;
+    }
+    double reach = fmax(reach_of(survey, box->low), reach_of(survey, box->high));
+    Facets facets = {scene, mesh, shape->transform, PLACE_ROUNDINGS * FLOAT_ROUNDOFF * reach};
+    // A model fills about as much of the picture as a ball between those in and around its box.
+    double size = vector3_length(vector3_subtract(box->high, box->low)) / 3.2;
+    Vector3 middle = vector3_scale(vector3_add(box->low, box->high), 0.5);
+    double away = vector3_length(vector3_subtract(middle, scene->camera.position));
+    double pixels = M_PI * pow(size / fmax(away, size) / survey->forecast->pixel, 2);
+    double picture = (double)scene->image.width * scene->image.height;
+    survey->facets += fmin(1, pixels / picture) * facets_in_doubt(&facets);
+}
+
 /** Takes a shape's surface into account. @param[in,out] survey The survey. @param shape The shape.
  *  @param box Its box. @param is_flat Whether it is flat. */
 static void surface_look(Survey *survey, const SceneShape *shape, const Box3 *box, bool is_flat) {
@@ -236,6 +269,7 @@ static void shape_look(Survey *survey, const SceneShape *shape) {
     Box3 box = shape_box(survey, shape, &measure);
     if (vector3_largest(box.low) < HUGE_VAL && vector3_largest(box.high) < HUGE_VAL) {
         box_look(survey, &box);
+        facets_look(survey, shape, &box);
     } else {
         // Without end: as far as the eye can tell things apart.
         note(survey->forecast, FORECAST_DISTANCE,
@@ -336,6 +370,10 @@ Forecast forecast_of(const Scene *scene) {
     double shift = DIRECTION_ROUNDINGS * FLOAT_ROUNDOFF / forecast.pixel;
     note(&forecast, FORECAST_PIXEL, FORECAST_VISIBLE * shift / EDGE_SHARE);
     forecast.depth = depth_of(forecast.share);
+    // What mirrors shows the models once more.
+    double images = forecast.share > 0 ? 2 : 1;
+    note(&forecast, FORECAST_FACETS,
+         FORECAST_VISIBLE * FACETS_CHANCE * images * survey.facets / PIXELS_OFF);
     turns_look(&survey, scene->image.depth >= 0 ? scene->image.depth : forecast.depth);
     for (int cause = 0; cause < FORECAST_COUNT; cause++) {
         bool is_more = forecast.steps[cause] > forecast.steps[forecast.cause];

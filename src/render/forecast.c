@@ -41,9 +41,10 @@
 /** How much more neighbouring texels differ in pictures of light, which hold the sun itself. */
 #define LIGHT_CONTRAST 4
 
-/** Share of the pixels that may be off, and how much more than is forecast it may become by chance:
- * faces in doubt come in rows. */
+/** Share of the pixels that may be off. */
 #define PIXELS_OFF 1e-4
+
+/** How many times the share of faces in doubt it may become by chance: they come in rows. */
 #define FACETS_CHANCE 1.25
 
 /** Walls of glass that are thinner than so many half ulps of their coordinates may be jumped. */

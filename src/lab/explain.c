@@ -28,6 +28,13 @@ static void say(Text *text, const char *format, ...) {
     va_end(arguments);
 }
 
+/** Adds to a text what is no format. @param[in,out] text The text. @param words What, in English,
+ *  looked up here. */
+static void say_words(Text *text, const char *words) {
+    size_t length = strlen(text->words);
+    snprintf(text->words + length, text->size - length, "%s", gettext(words));
+}
+
 /** @return What an engine computes with. @param engine The engine. */
 static const char *type_name(const Engine *engine) {
     return engine->mantissa_bits < 53 ? "float" : engine->mantissa_bits == 53 ? "double" : "quad";
@@ -38,11 +45,11 @@ enum { ORDINAL_SIZE = 24 };
 
 /** @return A number's ordinal. @param n The number, at least 0. @param[out] words Room for it. */
 static const char *ordinal(int n, char words[ORDINAL_SIZE]) {
-    static const char *const forms[] = {N_("%dth"), N_("%dst"), N_("%dnd"), N_("%drd")};
+    // A language may have a word of its own for the first alone, not for the 21st.
+    static const char *const forms[] = {N_("%dth"), N_("%dst"), N_("%dnd"), N_("%drd"), N_("1st")};
     int last = n % 10;
     int form = n / 10 % 10 == 1 || last > 3 ? 0 : last;
-    // A language may have a word of its own for the first alone, not for the 21st.
-    snprintf(words, ORDINAL_SIZE, gettext(n == 1 ? N_("1st") : forms[form]), n);
+    snprintf(words, ORDINAL_SIZE, gettext(forms[n == 1 ? 4 : form]), n);
     return words;
 }
 
@@ -63,8 +70,8 @@ static void say_cause(Text *text, const Forecast *forecast, bool is_enough) {
         [FORECAST_WALL] = N_("walls of glass are as thin as roundings of their coordinates"),
         [FORECAST_FACETS] =
             N_("faces of models that lamps graze are lit or dark as roundings have it")};
-    say(text, is_enough ? N_("no length of the scene is large against another")
-                        : causes[forecast->cause]);
+    say_words(text, is_enough ? N_("no length of the scene is large against another")
+                              : causes[forecast->cause]);
 }
 
 /** Says which number type is enough. @param[in,out] text The text. @param needs What is needed. */

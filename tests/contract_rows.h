@@ -11,22 +11,22 @@
 #include "testing.h"
 
 /** A point or direction in quad precision. */
-typedef struct Quad3 {
+typedef struct Triple {
     Quadruple c[3]; /**< Coordinates. */
-} Quad3;
+} Triple;
 
 /** What the reference says of a ray. */
 typedef struct Truth {
     bool is_hit;      /**< Whether the shape is met. */
     Quadruple t;      /**< Where. */
-    Quad3 normal;     /**< Outward unit normal. */
+    Triple normal;    /**< Outward unit normal. */
     Quadruple margin; /**< How far, as a share of the shape's size, from missing (or meeting) it. */
 } Truth;
 
 /** The plane that touches a shape next to a point. */
 typedef struct Touch {
     Quadruple off; /**< How far the point is off it. */
-    Quad3 normal;  /**< Its unit normal. */
+    Triple normal; /**< Its unit normal. */
 } Touch;
 
 /** A row: a shape under test. */
@@ -41,48 +41,48 @@ typedef struct Row {
     Truth (*truth)(const void *parameters, const RayQuery *ray);
     /** @return The plane next to a point that touches the shape. @param parameters The shape.
      *  @param point The point. */
-    Touch (*touch)(const void *parameters, const Quad3 *point);
+    Touch (*touch)(const void *parameters, const Triple *point);
     const Transform *transform; /**< What becomes of it; NULL: nothing. */
 } Row;
 
 /* --- quad precision -------------------------------------------------------------------------- */
 
 /** @return a - b. @param a A point. @param b A point. */
-static Quad3 minus(Quad3 a, Quad3 b) {
-    return (Quad3){{a.c[0] - b.c[0], a.c[1] - b.c[1], a.c[2] - b.c[2]}};
+static Triple minus(Triple a, Triple b) {
+    return (Triple){{a.c[0] - b.c[0], a.c[1] - b.c[1], a.c[2] - b.c[2]}};
 }
 
 /** @return a . b @param a A vector. @param b A vector. */
-static Quadruple dot(Quad3 a, Quad3 b) {
+static Quadruple dot(Triple a, Triple b) {
     return a.c[0] * b.c[0] + a.c[1] * b.c[1] + a.c[2] * b.c[2];
 }
 
 /** @return a x b @param a A vector. @param b A vector. */
-static Quad3 cross(Quad3 a, Quad3 b) {
-    return (Quad3){{a.c[1] * b.c[2] - a.c[2] * b.c[1], a.c[2] * b.c[0] - a.c[0] * b.c[2],
-                    a.c[0] * b.c[1] - a.c[1] * b.c[0]}};
+static Triple cross(Triple a, Triple b) {
+    return (Triple){{a.c[1] * b.c[2] - a.c[2] * b.c[1], a.c[2] * b.c[0] - a.c[0] * b.c[2],
+                     a.c[0] * b.c[1] - a.c[1] * b.c[0]}};
 }
 
 /** @return v one long. @param v A vector. */
-static Quad3 unit(Quad3 v) {
+static Triple unit(Triple v) {
     Quadruple length = quad_sqrt(dot(v, v));
-    return (Quad3){{v.c[0] / length, v.c[1] / length, v.c[2] / length}};
+    return (Triple){{v.c[0] / length, v.c[1] / length, v.c[2] / length}};
 }
 
 /** @return A vector exactly. @param v Three numbers. */
-static Quad3 quad3(const double v[3]) {
-    return (Quad3){{v[0], v[1], v[2]}};
+static Triple triple(const double v[3]) {
+    return (Triple){{v[0], v[1], v[2]}};
 }
 
 /** @return A vector. @param v Three numbers. */
-static Quad3 quad3_of(const Quadruple v[3]) {
-    return (Quad3){{v[0], v[1], v[2]}};
+static Triple triple_of(const Quadruple v[3]) {
+    return (Triple){{v[0], v[1], v[2]}};
 }
 
 /** @return origin + t direction @param ray The ray. @param t How far. */
-static Quad3 along(const RayQuery *ray, Quadruple t) {
-    Quad3 o = quad3_of(ray->origin), d = quad3_of(ray->direction);
-    return (Quad3){{o.c[0] + t * d.c[0], o.c[1] + t * d.c[1], o.c[2] + t * d.c[2]}};
+static Triple along(const RayQuery *ray, Quadruple t) {
+    Triple o = triple_of(ray->origin), d = triple_of(ray->direction);
+    return (Triple){{o.c[0] + t * d.c[0], o.c[1] + t * d.c[1], o.c[2] + t * d.c[2]}};
 }
 
 /* --- sphere ---------------------------------------------------------------------------------- */
@@ -96,7 +96,7 @@ typedef struct SphereRow {
 /** @return See #Row.truth. @param parameters The sphere. @param ray The ray. */
 static Truth sphere_truth(const void *parameters, const RayQuery *ray) {
     const SphereRow *s = parameters;
-    Quad3 f = minus(quad3_of(ray->origin), quad3(s->center)), d = quad3_of(ray->direction);
+    Triple f = minus(triple_of(ray->origin), triple(s->center)), d = triple_of(ray->direction);
     Quadruple r = s->radius, a = dot(d, d), b = dot(f, d), c = dot(f, f) - r * r;
     Quadruple discriminant = b * b - a * c;
     Truth truth = {.margin = quad_abs(discriminant) / (a * r * r)};
@@ -106,14 +106,14 @@ static Truth sphere_truth(const void *parameters, const RayQuery *ray) {
     Quadruple root = quad_sqrt(discriminant), near = (-b - root) / a, far = (-b + root) / a;
     truth.t = near > 0 ? near : far;
     truth.is_hit = truth.t > 0;
-    truth.normal = unit(minus(along(ray, truth.t), quad3(s->center)));
+    truth.normal = unit(minus(along(ray, truth.t), triple(s->center)));
     return truth;
 }
 
 /** @return See #Row.touch. @param parameters The sphere. @param point The point. */
-static Touch sphere_touch(const void *parameters, const Quad3 *point) {
+static Touch sphere_touch(const void *parameters, const Triple *point) {
     const SphereRow *s = parameters;
-    Quad3 arm = minus(*point, quad3(s->center));
+    Triple arm = minus(*point, triple(s->center));
     return (Touch){quad_abs(quad_sqrt(dot(arm, arm)) - s->radius), unit(arm)};
 }
 
@@ -127,11 +127,11 @@ typedef struct PlaneRow {
 
 /** @return Where a ray meets a plane. @param point A point. @param normal Its normal.
  *  @param ray The ray. */
-static Truth flat_truth(Quad3 point, Quad3 normal, const RayQuery *ray) {
-    Quad3 n = unit(normal), d = unit(quad3_of(ray->direction));
-    Quadruple sine = dot(n, d), slope = dot(n, quad3_of(ray->direction));
+static Truth flat_truth(Triple point, Triple normal, const RayQuery *ray) {
+    Triple n = unit(normal), d = unit(triple_of(ray->direction));
+    Quadruple sine = dot(n, d), slope = dot(n, triple_of(ray->direction));
     Truth truth = {.margin = quad_abs(sine), .normal = n};
-    truth.t = slope != 0 ? dot(n, minus(point, quad3_of(ray->origin))) / slope : -1;
+    truth.t = slope != 0 ? dot(n, minus(point, triple_of(ray->origin))) / slope : -1;
     truth.is_hit = truth.t > 0;
     return truth;
 }
@@ -139,20 +139,20 @@ static Truth flat_truth(Quad3 point, Quad3 normal, const RayQuery *ray) {
 /** @return See #Row.truth. @param parameters The plane. @param ray The ray. */
 static Truth plane_truth(const void *parameters, const RayQuery *ray) {
     const PlaneRow *p = parameters;
-    return flat_truth(quad3(p->point), quad3(p->normal), ray);
+    return flat_truth(triple(p->point), triple(p->normal), ray);
 }
 
 /** @return The plane itself. @param on A point of it. @param normal Its normal.
  *  @param point The point next to it. */
-static Touch flat_touch(Quad3 on, Quad3 normal, const Quad3 *point) {
-    Quad3 n = unit(normal);
+static Touch flat_touch(Triple on, Triple normal, const Triple *point) {
+    Triple n = unit(normal);
     return (Touch){quad_abs(dot(n, minus(*point, on))), n};
 }
 
 /** @return See #Row.touch. @param parameters The plane. @param point The point. */
-static Touch plane_touch(const void *parameters, const Quad3 *point) {
+static Touch plane_touch(const void *parameters, const Triple *point) {
     const PlaneRow *p = parameters;
-    return flat_touch(quad3(p->point), quad3(p->normal), point);
+    return flat_touch(triple(p->point), triple(p->normal), point);
 }
 
 /** As the scene language says it. */
@@ -170,9 +170,9 @@ static Quadruple smaller(Quadruple a, Quadruple b) {
 /** @return See #Row.truth. @param parameters The quad. @param ray The ray. */
 static Truth quad_truth(const void *parameters, const RayQuery *ray) {
     const QuadRow *q = parameters;
-    Quad3 u = quad3(q->u), v = quad3(q->v), n = cross(u, v);
-    Truth truth = flat_truth(quad3(q->corner), n, ray);
-    Quad3 w = minus(along(ray, truth.t), quad3(q->corner));
+    Triple u = triple(q->u), v = triple(q->v), n = cross(u, v);
+    Truth truth = flat_truth(triple(q->corner), n, ray);
+    Triple w = minus(along(ray, truth.t), triple(q->corner));
     Quadruple a = dot(cross(w, v), n) / dot(n, n), b = dot(cross(u, w), n) / dot(n, n);
     Quadruple inside = smaller(smaller(a, 1 - a), smaller(b, 1 - b));
     truth.is_hit = truth.is_hit && inside >= 0;
@@ -181,9 +181,9 @@ static Truth quad_truth(const void *parameters, const RayQuery *ray) {
 }
 
 /** @return See #Row.touch. @param parameters The quad. @param point The point. */
-static Touch quad_touch(const void *parameters, const Quad3 *point) {
+static Touch quad_touch(const void *parameters, const Triple *point) {
     const QuadRow *q = parameters;
-    return flat_touch(quad3(q->corner), cross(quad3(q->u), quad3(q->v)), point);
+    return flat_touch(triple(q->corner), cross(triple(q->u), triple(q->v)), point);
 }
 
 /** @return A truth whose margin is no larger than the sine of the angle at which the ray meets the
@@ -191,7 +191,7 @@ static Touch quad_touch(const void *parameters, const Quad3 *point) {
  *  @param truth The truth. @param ray The ray. */
 static Truth truth_grazing(Truth truth, const RayQuery *ray) {
     if (truth.is_hit) {
-        Quadruple sine = quad_abs(dot(truth.normal, unit(quad3_of(ray->direction))));
+        Quadruple sine = quad_abs(dot(truth.normal, unit(triple_of(ray->direction))));
         truth.margin = smaller(truth.margin, sine);
     }
     return truth;
@@ -209,8 +209,8 @@ typedef struct DiskRow {
 /** @return See #Row.truth. @param parameters The disk. @param ray The ray. */
 static Truth disk_truth(const void *parameters, const RayQuery *ray) {
     const DiskRow *d = parameters;
-    Truth truth = flat_truth(quad3(d->center), quad3(d->normal), ray);
-    Quad3 arm = minus(along(ray, truth.t), quad3(d->center));
+    Truth truth = flat_truth(triple(d->center), triple(d->normal), ray);
+    Triple arm = minus(along(ray, truth.t), triple(d->center));
     Quadruple inside = 1 - quad_sqrt(dot(arm, arm)) / d->radius;
     truth.is_hit = truth.is_hit && inside >= 0;
     truth.margin = smaller(truth.margin, quad_abs(inside));
@@ -218,9 +218,9 @@ static Truth disk_truth(const void *parameters, const RayQuery *ray) {
 }
 
 /** @return See #Row.touch. @param parameters The disk. @param point The point. */
-static Touch disk_touch(const void *parameters, const Quad3 *point) {
+static Touch disk_touch(const void *parameters, const Triple *point) {
     const DiskRow *d = parameters;
-    return flat_touch(quad3(d->center), quad3(d->normal), point);
+    return flat_touch(triple(d->center), triple(d->normal), point);
 }
 
 /** As the scene language says it. */
@@ -235,10 +235,10 @@ typedef struct TriangleRow {
 /** @return See #Row.truth. @param parameters The triangle. @param ray The ray. */
 static Truth triangle_truth(const void *parameters, const RayQuery *ray) {
     const TriangleRow *t = parameters;
-    Quad3 a = quad3(t->corners[0]), u = minus(quad3(t->corners[1]), a);
-    Quad3 v = minus(quad3(t->corners[2]), a), n = cross(u, v);
+    Triple a = triple(t->corners[0]), u = minus(triple(t->corners[1]), a);
+    Triple v = minus(triple(t->corners[2]), a), n = cross(u, v);
     Truth truth = flat_truth(a, n, ray);
-    Quad3 w = minus(along(ray, truth.t), a);
+    Triple w = minus(along(ray, truth.t), a);
     Quadruple b = dot(cross(w, v), n) / dot(n, n), c = dot(cross(u, w), n) / dot(n, n);
     Quadruple inside = smaller(1 - b - c, smaller(b, c));
     truth.is_hit = truth.is_hit && inside >= 0;
@@ -247,10 +247,10 @@ static Truth triangle_truth(const void *parameters, const RayQuery *ray) {
 }
 
 /** @return See #Row.touch. @param parameters The triangle. @param point The point. */
-static Touch triangle_touch(const void *parameters, const Quad3 *point) {
+static Touch triangle_touch(const void *parameters, const Triple *point) {
     const TriangleRow *t = parameters;
-    Quad3 a = quad3(t->corners[0]);
-    return flat_touch(a, cross(minus(quad3(t->corners[1]), a), minus(quad3(t->corners[2]), a)),
+    Triple a = triple(t->corners[0]);
+    return flat_touch(a, cross(minus(triple(t->corners[1]), a), minus(triple(t->corners[2]), a)),
                       point);
 }
 
@@ -268,14 +268,14 @@ typedef struct CylinderRow {
 typedef struct Candidate {
     Quadruple t;      /**< Where. */
     Quadruple inside; /**< How far inside the rim of that surface, in radii; negative: beside. */
-    Quad3 normal;     /**< The normal. */
+    Triple normal;    /**< The normal. */
 } Candidate;
 
 /** @return v without what of it runs along an axis. @param v A vector. @param axis A unit vector.
  */
-static Quad3 across(Quad3 v, Quad3 axis) {
+static Triple across(Triple v, Triple axis) {
     Quadruple s = dot(v, axis);
-    return minus(v, (Quad3){{s * axis.c[0], s * axis.c[1], s * axis.c[2]}});
+    return minus(v, (Triple){{s * axis.c[0], s * axis.c[1], s * axis.c[2]}});
 }
 
 /** Takes a candidate if it is ahead, on the surface and the nearest so far.
@@ -289,16 +289,17 @@ static void consider(Truth *truth, const Candidate *candidate) {
 
 /** Considers both ends of a cylinder. @param c The cylinder. @param axis Its axis.
  *  @param length From base to top. @param ray The ray. @param[in,out] truth The nearest. */
-static void consider_ends(const CylinderRow *c, Quad3 axis, Quadruple length, const RayQuery *ray,
+static void consider_ends(const CylinderRow *c, Triple axis, Quadruple length, const RayQuery *ray,
                           Truth *truth) {
-    Quad3 from_base = minus(quad3_of(ray->origin), quad3(c->base)), d = quad3_of(ray->direction);
+    Triple from_base = minus(triple_of(ray->origin), triple(c->base)),
+           d = triple_of(ray->direction);
     Quadruple slope = dot(d, axis);
     for (int end = 0; end < 2 && slope != 0; end++) {
         Candidate it = {.t = (end * length - dot(from_base, axis)) / slope};
-        Quad3 arm = across(minus(along(ray, it.t), quad3(c->base)), axis);
+        Triple arm = across(minus(along(ray, it.t), triple(c->base)), axis);
         it.inside = 1 - quad_sqrt(dot(arm, arm)) / c->radius;
         int sign = end ? 1 : -1;
-        it.normal = (Quad3){{sign * axis.c[0], sign * axis.c[1], sign * axis.c[2]}};
+        it.normal = (Triple){{sign * axis.c[0], sign * axis.c[1], sign * axis.c[2]}};
         consider(truth, &it);
     }
 }
@@ -307,10 +308,10 @@ static void consider_ends(const CylinderRow *c, Quad3 axis, Quadruple length, co
  *  @param parameters The cylinder. @param ray The ray. */
 static Truth cylinder_truth(const void *parameters, const RayQuery *ray) {
     const CylinderRow *cylinder = parameters;
-    Quad3 way = minus(quad3(cylinder->top), quad3(cylinder->base)), axis = unit(way);
+    Triple way = minus(triple(cylinder->top), triple(cylinder->base)), axis = unit(way);
     Quadruple length = quad_sqrt(dot(way, way)), r = cylinder->radius;
-    Quad3 o = across(minus(quad3_of(ray->origin), quad3(cylinder->base)), axis);
-    Quad3 d = across(quad3_of(ray->direction), axis), whole = quad3_of(ray->direction);
+    Triple o = across(minus(triple_of(ray->origin), triple(cylinder->base)), axis);
+    Triple d = across(triple_of(ray->direction), axis), whole = triple_of(ray->direction);
     Quadruple a = dot(d, d), b = dot(o, d), c = dot(o, o) - r * r, discriminant = b * b - a * c;
     // A ray along the axis, or nearly, crosses the wall nowhere in particular.
     bool is_along = a <= dot(whole, whole) * (Quadruple)1e-50;
@@ -318,7 +319,7 @@ static Truth cylinder_truth(const void *parameters, const RayQuery *ray) {
                        is_along ? quad_abs(c) / (r * r) : quad_abs(discriminant) / (a * r * r)};
     for (int sign = -1; sign <= 1 && discriminant >= 0 && !is_along; sign += 2) {
         Candidate it = {.t = (-b + sign * quad_sqrt(discriminant)) / a};
-        Quad3 arm = minus(along(ray, it.t), quad3(cylinder->base));
+        Triple arm = minus(along(ray, it.t), triple(cylinder->base));
         Quadruple height = dot(arm, axis);
         it.inside = smaller(height, length - height) / r;
         it.normal = unit(across(arm, axis));
@@ -331,10 +332,10 @@ static Truth cylinder_truth(const void *parameters, const RayQuery *ray) {
 }
 
 /** @return See #Row.touch. @param parameters The cylinder. @param point The point. */
-static Touch cylinder_touch(const void *parameters, const Quad3 *point) {
+static Touch cylinder_touch(const void *parameters, const Triple *point) {
     const CylinderRow *c = parameters;
-    Quad3 way = minus(quad3(c->top), quad3(c->base)), axis = unit(way);
-    Quad3 from_base = minus(*point, quad3(c->base)), arm = across(from_base, axis);
+    Triple way = minus(triple(c->top), triple(c->base)), axis = unit(way);
+    Triple from_base = minus(*point, triple(c->base)), arm = across(from_base, axis);
     Touch wall = {quad_abs(quad_sqrt(dot(arm, arm)) - c->radius), unit(arm)};
     Quadruple height = dot(from_base, axis);
     Touch end = {smaller(quad_abs(height), quad_abs(height - quad_sqrt(dot(way, way)))), axis};
@@ -369,7 +370,7 @@ static Truth box_truth(const void *parameters, const RayQuery *ray) {
         far_axis = leave < far ? i : far_axis;
         far = leave < far ? leave : far;
     }
-    Quad3 d = quad3_of(ray->direction);
+    Triple d = triple_of(ray->direction);
     Quadruple length = quad_sqrt(dot(d, d));
     Truth truth = {.is_hit = !is_beside && far > 0 && near <= far,
                    .margin = smaller(quad_abs(far - near) * length / size,
@@ -381,7 +382,7 @@ static Truth box_truth(const void *parameters, const RayQuery *ray) {
 }
 
 /** @return See #Row.touch. @param parameters The box. @param point The point. */
-static Touch box_touch(const void *parameters, const Quad3 *point) {
+static Touch box_touch(const void *parameters, const Triple *point) {
     const BoxRow *b = parameters;
     Touch touch = {.off = HUGE_VAL};
     for (int i = 0; i < 3; i++) {
@@ -399,8 +400,8 @@ static Touch box_touch(const void *parameters, const Quad3 *point) {
 
 /** A matrix in quad precision, and where it moves things then. */
 typedef struct Affine {
-    Quad3 row[3]; /**< Rows of the matrix. */
-    Quad3 move;   /**< The move. */
+    Triple row[3]; /**< Rows of the matrix. */
+    Triple move;   /**< The move. */
 } Affine;
 
 /** @return What a row is transformed by; nothing changes without. @param row The row. */
@@ -409,20 +410,20 @@ static Affine affine_of(const Row *row) {
     const Transform *t = row->transform;
     if (t) {
         for (int i = 0; i < 3; i++) {
-            affine.row[i] = quad3(t->linear[i]);
+            affine.row[i] = triple(t->linear[i]);
         }
-        affine.move = (Quad3){{t->translate.x, t->translate.y, t->translate.z}};
+        affine.move = (Triple){{t->translate.x, t->translate.y, t->translate.z}};
     }
     return affine;
 }
 
 /** @return The vector that the matrix makes into another, by Cramer's rule. @param affine The
  *          matrix. @param v The other. */
-static Quad3 before(const Affine *affine, Quad3 v) {
-    const Quad3 *m = affine->row;
-    Quad3 x = cross(m[1], m[2]), y = cross(m[2], m[0]), z = cross(m[0], m[1]);
+static Triple before(const Affine *affine, Triple v) {
+    const Triple *m = affine->row;
+    Triple x = cross(m[1], m[2]), y = cross(m[2], m[0]), z = cross(m[0], m[1]);
     Quadruple determinant = dot(m[0], x);
-    Quad3 inverse;
+    Triple inverse;
     for (int i = 0; i < 3; i++) {
         inverse.c[i] = (x.c[i] * v.c[0] + y.c[i] * v.c[1] + z.c[i] * v.c[2]) / determinant;
     }
@@ -432,10 +433,10 @@ static Quad3 before(const Affine *affine, Quad3 v) {
 /** @return A normal of the shape before it is transformed as one after it, and how far a plane one
  *          away is then: its length is the inverse of that. @param affine The matrix.
  *  @param n The normal. */
-static Quad3 normal_after(const Affine *affine, Quad3 n) {
-    Quad3 normal;
+static Triple normal_after(const Affine *affine, Triple n) {
+    Triple normal;
     for (int i = 0; i < 3; i++) {
-        Quad3 unit_vector = {{i == 0, i == 1, i == 2}};
+        Triple unit_vector = {{i == 0, i == 1, i == 2}};
         normal.c[i] = dot(n, before(affine, unit_vector));
     }
     return normal;
@@ -447,8 +448,8 @@ static Truth row_truth(const Row *row, const RayQuery *ray) {
         return row->truth(row->parameters, ray);
     }
     Affine affine = affine_of(row);
-    Quad3 origin = before(&affine, minus(quad3_of(ray->origin), affine.move));
-    Quad3 direction = before(&affine, quad3_of(ray->direction));
+    Triple origin = before(&affine, minus(triple_of(ray->origin), affine.move));
+    Triple direction = before(&affine, triple_of(ray->direction));
     RayQuery inner;
     memcpy(inner.origin, origin.c, sizeof origin.c);
     memcpy(inner.direction, direction.c, sizeof direction.c);
@@ -458,11 +459,11 @@ static Truth row_truth(const Row *row, const RayQuery *ray) {
 }
 
 /** @return How far a point is off a row's surface. @param row The row. @param point The point. */
-static Quadruple row_off(const Row *row, const Quad3 *point) {
+static Quadruple row_off(const Row *row, const Triple *point) {
     Affine affine = affine_of(row);
-    Quad3 inner = before(&affine, minus(*point, affine.move));
+    Triple inner = before(&affine, minus(*point, affine.move));
     Touch touch = row->touch(row->parameters, &inner);
-    Quad3 normal = normal_after(&affine, touch.normal);
+    Triple normal = normal_after(&affine, touch.normal);
     return touch.off / quad_sqrt(dot(normal, normal));
 }
 

@@ -136,7 +136,7 @@ static void check(const Subject *subject, const RayQuery *ray, const RayAnswer *
     bool is_hit = answer->shape == 0;
     assert_int_equal(is_hit, answer->blocked);
     // So near to the rim that rounding the ray itself decides: either answer is right.
-    Quad3 d = quad3_of(ray->direction);
+    Triple d = triple_of(ray->direction);
     Quadruple sizes = quad_abs(truth.t) * quad_sqrt(dot(d, d)) / row->size;
     if (truth.margin < 64 * (u * (1 + sizes) + tolerance_of(row))) {
         return;
@@ -151,7 +151,7 @@ static void check(const Subject *subject, const RayQuery *ray, const RayAnswer *
         assert_true(answer->distance > 1e300);
         return;
     }
-    Quad3 point = {{answer->point[0], answer->point[1], answer->point[2]}};
+    Triple point = {{answer->point[0], answer->point[1], answer->point[2]}};
     Quadruple off = row_off(row, &point);
     worst->point = larger(worst->point, off / (u * (reach(answer->point) + row->size)));
     worst->bound = larger(worst->bound, off / answer->error);
@@ -163,8 +163,8 @@ static void check(const Subject *subject, const RayQuery *ray, const RayAnswer *
     // place.
     Quadruple off_t = quad_abs(answer->distance - truth.t) / quad_abs(truth.t) * sizes;
     worst->t = larger(worst->t, off_t / (u * (sizes + 1)));
-    Quad3 normal = {{answer->normal[0], answer->normal[1], answer->normal[2]}};
-    Quad3 difference = minus(normal, truth.normal);
+    Triple normal = {{answer->normal[0], answer->normal[1], answer->normal[2]}};
+    Triple difference = minus(normal, truth.normal);
     Quadruple length = quad_sqrt(dot(normal, normal));
     worst->normal = larger(worst->normal, larger(quad_abs(length - 1), reach(difference.c)) / u);
 }

@@ -94,6 +94,7 @@ static const Expectation expectations[] = {
     {"plane-point", "by a point", "float", 1e6, "error_p999", 1e-3, ANY},
     {"plane-point", "by its offset", "float", 1e6, "error_max", 0, 4.8e-7},
     {"plane-point", "dioptre", "float", 1e6, "error_max", 0, 4.8e-7},
+    {"plane-point", "dioptre", "double", 1e6, "error_max", 0, 8.9e-16},
     // Triangles: what neighbours compute alike does not leak.
     {"triangle-edges", "Cramer", "float", 1, "leaks", 0.02, 0.2},
     {"triangle-edges", "Moeller-Trumbore", "float", 1, "leaks", 0.05, 0.2},
@@ -161,6 +162,9 @@ static const Expectation expectations[] = {
     {"fresnel-into", "exact", "float", 90, "error_max", 0, 2.1e-7},
     {"fresnel-into", "exact", "double", 5, "error_max", 0, 4.4e-16},
     {"fresnel-into", "exact", "double", 0.1, "error_max", 0, 6e-16},
+    {"fresnel-into", "exact by both shares", "double", 0.1, "error_max", 0, 4.4e-16},
+    {"fresnel-into", "exact by both shares", "double", 90, "error_max", 0, 4.4e-16},
+    {"fresnel-into", "exact by both shares", "float", 0.1, "error_max", 0, 2.1e-7},
     {"fresnel-out", "Schlick by the inner cosine", "double", 0.03, "error_max", 0.7, 1},
     {"fresnel-out", "exact", "float", 1, "error_max", 0, 1e-5},
     // A thousandth of a texel of 4096 rows: 7.7e-7 radians.

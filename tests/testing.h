@@ -6,7 +6,7 @@
 #ifndef DIOPTRE_TESTING_H
 #define DIOPTRE_TESTING_H
 
-#include "dioptre/engine.h"
+#include "lab/quad.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -47,21 +47,6 @@ static inline double as_float(double x) {
  *  @param low Lowest. @param high Highest. */
 static inline double random_float(uint64_t *state, double low, double high) {
     return as_float(low + (high - low) * random_share(state));
-}
-
-/** @return A quad's square root by Newton's method: independent of any library's. @param x At least
- *  0. */
-static inline Quadruple quad_sqrt(Quadruple x) {
-    Quadruple root = (Quadruple)sqrt((double)x);
-    for (int i = 0; i < 4 && root > 0; i++) {
-        root = (root + x / root) / 2;
-    }
-    return root;
-}
-
-/** @return The absolute value. @param x Any number. */
-static inline Quadruple quad_abs(Quadruple x) {
-    return x < 0 ? -x : x;
 }
 
 /** @return Half an ulp of 1 of an engine's number type. @param engine The engine. */

@@ -59,47 +59,25 @@ typedef struct Contest {
 
 // --- quads ---------------------------------------------------------------------------------------
 
-/** A vector of quads. */
-typedef struct Quads {
-    Quadruple x; /**< Its parts. */
-    Quadruple y; /**< Its parts. */
-    Quadruple z; /**< Its parts. */
-} Quads;
-
 /** @return Three floats as quads. @param v The floats. */
-static Quads quads_of(const float v[3]) {
-    return (Quads){(Quadruple)v[0], (Quadruple)v[1], (Quadruple)v[2]};
+static Quad3 quad3_of_floats(const float v[3]) {
+    return (Quad3){(Quadruple)v[0], (Quadruple)v[1], (Quadruple)v[2]};
 }
 
 /** @return A vector as quads. @param v The vector. */
-static Quads quads_of_vector(Vector3 v) {
-    return (Quads){(Quadruple)v.x, (Quadruple)v.y, (Quadruple)v.z};
-}
-
-/** @return a - b @param a A vector. @param b A vector. */
-static Quads quads_subtract(Quads a, Quads b) {
-    return (Quads){a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-/** @return a . b @param a A vector. @param b A vector. */
-static Quadruple quads_dot(Quads a, Quads b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-/** @return a x b @param a A vector. @param b A vector. */
-static Quads quads_cross(Quads a, Quads b) {
-    return (Quads){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+static Quad3 quad3_of_vector(Vector3 v) {
+    return (Quad3){(Quadruple)v.x, (Quadruple)v.y, (Quadruple)v.z};
 }
 
 /** Finds where a ray truly meets a sphere. @param[in,out] question The ray. @param center The
  *  sphere's. @param radius The sphere's. */
 static void sphere_truth(Question *question, Vector3 center, double radius) {
-    Quads d = quads_of(question->direction);
-    Quads to = quads_subtract(quads_of_vector(center), quads_of(question->origin));
-    Quadruple a = quads_dot(d, d), b = quads_dot(d, to), r = (Quadruple)radius;
-    Quads aside = quads_cross(d, to);
+    Quad3 d = quad3_of_floats(question->direction);
+    Quad3 to = quad3_subtract(quad3_of_vector(center), quad3_of_floats(question->origin));
+    Quadruple a = quad3_dot(d, d), b = quad3_dot(d, to), r = (Quadruple)radius;
+    Quad3 aside = quad3_cross(d, to);
     // What is left of the square of half a chord; near the edge 2 % of the radius is said to be.
-    Quadruple rest = a * r * r - quads_dot(aside, aside), share = (Quadruple)0.0396;
+    Quadruple rest = a * r * r - quad3_dot(aside, aside), share = (Quadruple)0.0396;
     question->is_hit = rest >= 0;
     question->is_near_edge = rest < share * a * r * r;
     question->distance = question->is_hit ? (b - quad_sqrt(rest)) / a : 0;
@@ -108,17 +86,17 @@ static void sphere_truth(Question *question, Vector3 center, double radius) {
 /** Finds where a ray truly meets a triangle. @param[in,out] question The ray. @param corners The
  *  triangle's. */
 static void triangle_truth(Question *question, const Vector3 corners[3]) {
-    Quads o = quads_of(question->origin), d = quads_of(question->direction), to[3];
+    Quad3 o = quad3_of_floats(question->origin), d = quad3_of_floats(question->direction), to[3];
     for (int i = 0; i < 3; i++) {
-        to[i] = quads_subtract(quads_of_vector(corners[i]), o);
+        to[i] = quad3_subtract(quad3_of_vector(corners[i]), o);
     }
-    Quadruple u = quads_dot(d, quads_cross(to[1], to[2]));
-    Quadruple v = quads_dot(d, quads_cross(to[2], to[0]));
-    Quadruple w = quads_dot(d, quads_cross(to[0], to[1]));
-    Quads normal = quads_cross(quads_subtract(to[1], to[0]), quads_subtract(to[2], to[0]));
+    Quadruple u = quad3_dot(d, quad3_cross(to[1], to[2]));
+    Quadruple v = quad3_dot(d, quad3_cross(to[2], to[0]));
+    Quadruple w = quad3_dot(d, quad3_cross(to[0], to[1]));
+    Quad3 normal = quad3_cross(quad3_subtract(to[1], to[0]), quad3_subtract(to[2], to[0]));
     question->is_hit = (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
     question->is_near_edge = !question->is_hit;
-    question->distance = quads_dot(to[0], normal) / quads_dot(d, normal);
+    question->distance = quad3_dot(to[0], normal) / quad3_dot(d, normal);
 }
 
 // --- everybody -----------------------------------------------------------------------------------

@@ -47,6 +47,7 @@ extern const Method fresnel_one;                /**< One polarisation. */
 extern const Method fresnel_schlick;            /**< Approximated. */
 extern const Method fresnel_schlick_inner;      /**< By the wrong cosine. */
 extern const Method fresnel_exact;              /**< Both polarisations. */
+extern const Method fresnel_both;               /**< The same, by what is mirrored or not. */
 extern const Method gradient_forward;           /**< Forward differences. */
 extern const Method gradient_tetrahedral;       /**< At four corners. */
 extern const Method gradient_central;           /**< Central differences. */

@@ -20,10 +20,15 @@ typedef struct Flat {
 } Flat;
 
 /** @return A plane. @param anchor A point of it. @param normal Its normal, about one long. */
+static inline Flat flat_through(WidePoint anchor, WidePoint normal) {
+    WidePoint unit = wide_point_normalize(normal);
+    return (Flat){anchor, unit, point_narrow(anchor), point_narrow(unit),
+                  (scalar)vector3_largest(vector3_of(anchor))};
+}
+
+/** @return A plane. @param anchor A point of it. @param normal Its normal, about one long. */
 static inline Flat flat_of(Vector3 anchor, WidePoint normal) {
-    WidePoint point = wide_point_of(anchor), unit = wide_point_normalize(normal);
-    return (Flat){point, unit, point_narrow(point), point_narrow(unit),
-                  (scalar)vector3_largest(anchor)};
+    return flat_through(wide_point_of(anchor), normal);
 }
 
 /** What tells how much of two edges it takes to get to a point of their plane: the products with

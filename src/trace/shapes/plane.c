@@ -6,6 +6,9 @@
 #include "trace/shapes/registry.h"
 #include "trace/shapes/upright.h"
 
+/** Heights of a plane over the origin beyond which a point of it is far. */
+#define FAR_HEIGHTS 64
+
 /** What a scene file says of a plane. */
 typedef struct PlaneParameters {
     Vector3 point;  /**< A point of it. */
@@ -14,8 +17,9 @@ typedef struct PlaneParameters {
 
 /** A plane. @extends Shape */
 typedef struct Plane {
-    Shape base; /**< What all shapes have. */
-    Flat flat;  /**< The plane itself. */
+    Shape base;      /**< What all shapes have. */
+    Flat flat;       /**< The plane itself. */
+    WidePoint point; /**< The point that was said: there pictures begin. */
 } Plane;
 
 /** Fields of `plane`. */
@@ -38,10 +42,30 @@ static const Parameter plane_parameters[] = {{.name = "point",
 /** The floor. */
 static const PlaneParameters plane_defaults = {.normal = {0, 1, 0}};
 
+/**
+ * @return The point of a plane that is nearest to the origin, in quad precision: from a point far
+ *         away, the height of an eye would be wrong by roundings of that distance.
+ * @param point   A point of the plane.
+ * @param normal  Its normal, about one long.
+ */
+static WidePoint plane_foot(Vector3 point, Vector3 normal) {
+    const Quadruple x = normal.x, y = normal.y, z = normal.z;
+    Quadruple height = x * point.x + y * point.y + z * point.z;
+    Quadruple share = height / (x * x + y * y + z * z);
+    return (WidePoint){(wide_scalar)(share * x), (wide_scalar)(share * y),
+                       (wide_scalar)(share * z)};
+}
+
 /** Makes a plane. @param self The plane. @param parameters A #PlaneParameters. */
 static void plane_init(Shape *self, const void *parameters) {
     const PlaneParameters *p = parameters;
-    ((Plane *)self)->flat = flat_of(p->point, wide_point_of(vector3_scaled(p->normal)));
+    Plane *plane = (Plane *)self;
+    Vector3 normal = vector3_scaled(p->normal);
+    WidePoint foot = plane_foot(p->point, normal);
+    plane->point = wide_point_of(p->point);
+    // What is near enough stays as it was said: points on the plane are then often exactly on it.
+    bool is_far = vector3_largest(p->point) > FAR_HEIGHTS * vector3_largest(vector3_of(foot));
+    plane->flat = flat_through(is_far ? foot : plane->point, wide_point_of(normal));
 }
 
 /** @return The lanes where the plane is nearer. See #ShapeClass.is_hit. @callgraph
@@ -77,9 +101,9 @@ static Bounds plane_bounds(const Shape *self) {
  *  at. */
 static TexturePlace plane_texture_place(const Shape *self, const Hit *hit, mask lanes) {
     (void)lanes;
-    const Flat *flat = &((const Plane *)self)->flat;
-    Upright upright = upright_of(flat->wide_normal);
-    WideVector arm = wide_subtract(vector_widen(hit->point), wide_vector_of(flat->wide_anchor));
+    const Plane *plane = (const Plane *)self;
+    Upright upright = upright_of(plane->flat.wide_normal);
+    WideVector arm = wide_subtract(vector_widen(hit->point), wide_vector_of(plane->point));
     return (TexturePlace){.u = arm_along(arm, upright.right),
                           .v = arm_along(arm, upright.up),
                           .around_u = mask_of(true),

@@ -180,12 +180,18 @@ static const Expectation expectations[] = {
     {"field-normal", "central", "double", 1e-5, "error_max", 0, 1e-10},
     {"field-normal", "central", "float", 1e-6, "error_max", 0.01, ANY},
     {"field-normal", "exact", "float", 1e-3, "error_max", 0, 1e-7},
+    {"field-normal", "dioptre", "float", 1e-3, "error_max", 0, 3e-5},
+    {"field-normal", "dioptre", "double", 1e-3, "error_max", 0, 1e-10},
     {"field-cells", "own cell", "float", 0.1, "wrong", 0.1, 0.25},
     {"field-cells", "27 cells", "float", 0.1, "wrong", 0, 0.005},
     {"marching-angle", "plain", "double", 1, "work", 500, 550},
     {"marching-angle", "relaxed", "double", 1, "work", 300, 350},
     {"marching-angle", "relaxed", "float", 1, "error_max", 0, 5.8e-3},
     {"marching-angle", "plain", "float", 0.1, "false_misses", 0, 0},
+    // At most the tolerance over the sine.
+    {"marching-angle", "dioptre", "float", 1, "error_max", 0, 5.8e-3},
+    {"marching-angle", "dioptre", "double", 0.1, "error_max", 0, 5.8e-2},
+    {"marching-angle", "dioptre", "float", 0.1, "false_misses", 0, 0},
 };
 
 /** @return The kind of figure that the CSV calls so. @param column How. */

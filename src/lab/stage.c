@@ -76,6 +76,58 @@ Scene *stage_with(const char *keyword, const StageValue *values, Error *error) {
     return scene;
 }
 
+/** Makes a field. @param name Its keyword. @param given Its fields. @param[out] field Room for one
+ *  step. @return Whether there is such a field, and memory for it. */
+static bool field_make(const char *name, const StageValue *given, Field *field) {
+    const FieldKind *const *kind = field_kinds;
+    while (*kind && strcmp((*kind)->keyword.name, name) != 0) {
+        kind++;
+    }
+    char *values = *kind ? malloc((*kind)->keyword.size) : NULL;
+    if (!values) {
+        return false;
+    }
+    memcpy(values, (*kind)->keyword.defaults, (*kind)->keyword.size);
+    set_all(&(*kind)->keyword, given, values);
+    (*kind)->make(field, values);
+    free(values);
+    return true;
+}
+
+/** Adds the surface of a field. @param[in,out] scene The scene. @param field The field.
+ *  @param[out] error What is wrong. @return Whether it is there. */
+static bool add_surface(Scene *scene, const Field *field, Error *error) {
+    size_t kind = find_kind("sdf");
+    const Keyword *keyword = engine_list()[0]->shape_keywords[kind];
+    const Field *kept = scene_keep_field(scene, field, error);
+    char *values = kept ? malloc(keyword->size) : NULL;
+    if (!values) {
+        return error_set(error, STATUS_FAILED, "no memory for a shape");
+    }
+    memcpy(values, keyword->defaults, keyword->size);
+    memcpy(values + keyword->parameters->offset, &kept, sizeof kept); // The field is its first.
+    bool is_added = scene_add_shape(scene, kind, keyword, values, 0, error);
+    free(values);
+    return is_added;
+}
+
+Scene *stage_with_field(const char *name, const StageValue *values, Vector3 way, Error *error) {
+    Field *field = calloc(1, field_size(1)), *moved = calloc(1, field_size(2));
+    Scene *scene = scene_create(error);
+    bool is_made = field && moved && scene && field_make(name, values, field);
+    if (is_made) {
+        field_move(moved, field, way);
+        is_made = add_surface(scene, moved, error);
+    }
+    free(field);
+    free(moved);
+    if (!is_made) {
+        scene_destroy(scene);
+        scene = NULL;
+    }
+    return scene;
+}
+
 Scene *stage_with_mesh(Mesh *mesh, Error *error) {
     const SceneFile file = {.path = "lab", .name = "lab", .where = "lab"};
     const StageValue values[] = {{"file", {0}}, {0}};

@@ -23,6 +23,16 @@ typedef struct StageValue {
 Scene *stage_with(const char *keyword, const StageValue *values, Error *error);
 
 /**
+ * Makes a scene with the surface of one field, of the tolerance that surfaces have.
+ * @param name        The field's keyword, such as `distance.sphere`.
+ * @param values      Its fields, ended by one without a name.
+ * @param way         How far it is moved, scene units.
+ * @param[out] error  What is wrong.
+ * @return The scene, to be given back with scene_destroy; NULL if anything is wrong.
+ */
+Scene *stage_with_field(const char *name, const StageValue *values, Vector3 way, Error *error);
+
+/**
  * Makes a scene with one model.
  * @param mesh        Its triangles; the scene's from now on, whatever happens.
  * @param[out] error  What is wrong.

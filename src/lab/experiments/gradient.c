@@ -37,6 +37,28 @@ static void judge(const Case *posed, const Quadruple *answers, Score *score) {
     }
 }
 
+/** @return The ball as a field. See #Experiment.scene. @param setting Not looked at. @param[out]
+ *  error What is wrong. */
+static Scene *scene(const Setting *setting, Error *error) {
+    const StageValue values[] = {{"radius", {1}}, {0}};
+    (void)setting;
+    return stage_with_field("distance.sphere", values, (Vector3){0, 0, 0}, error);
+}
+
+/** Asks an engine for the normal where a ray meets the ball that comes straight down to the point.
+ *  See #Experiment.ask. @param engine The engine. @param tracer Its tracer. @param posed The case.
+ *  @param[out] answers The direction. */
+static void ask(const Engine *engine, Tracer *tracer, const Case *posed, Quadruple *answers) {
+    RayAnswer answer;
+    Quad3 point = quad3_of(posed->questions);
+    // Four times as far is exact.
+    const Quad3 ray[2] = {quad3_scale(point, 4), quad3_scale(point, -1)};
+    engine_ask(engine, tracer, ray, &answer);
+    for (int i = 0; i < 3; i++) {
+        answers[i] = answer.shape < 0 ? (Quadruple)__builtin_nan("") : answer.normal[i];
+    }
+}
+
 const Experiment field_normal_experiment = {
     .name = "field-normal",
     .title = N_("Normals of a ball's distance field, by differences over a length"),
@@ -50,4 +72,6 @@ const Experiment field_normal_experiment = {
     .timed = TIMED_BEST,
     .pose = pose,
     .judge = judge,
+    .scene = scene,
+    .ask = ask,
 };

@@ -31,8 +31,30 @@ static void judge(const Case *posed, const Quadruple *answers, Score *score) {
     score_outcome(score, OUTCOME_FALSE_MISS, !(answers[0] < QUAD_NONE));
     if (answers[0] < QUAD_NONE) {
         score_error(score, quad_abs(answers[0] - posed->truth[0]));
-        score_work(score, answers[1]);
+        if (quad_is_number(answers[1])) {
+            score_work(score, answers[1]);
+        }
     }
+}
+
+/** @return The ground: a box that no ray comes to the end of, and not larger, for what it measures
+ *          is as rounded as it is large. See #Experiment.scene. @param setting Where.
+ *  @param[out] error What is wrong. */
+static Scene *scene(const Setting *setting, Error *error) {
+    double reach = 1.1 / tan(setting->level * M_PI / 180);
+    const StageValue values[] = {{"size", {2 * reach, 2, 2}}, {0}};
+    return stage_with_field("distance.box", values, (Vector3){0, -1, 0}, error);
+}
+
+/** Asks an engine for the distance; it does not say its steps. See #Experiment.ask. @param engine
+ *  The engine. @param tracer Its tracer. @param posed The case. @param[out] answers Distance and
+ *  steps. */
+static void ask(const Engine *engine, Tracer *tracer, const Case *posed, Quadruple *answers) {
+    RayAnswer answer;
+    const Quad3 ray[2] = {quad3_of(posed->questions), quad3_of(posed->questions + 3)};
+    engine_ask(engine, tracer, ray, &answer);
+    answers[0] = answer.shape < 0 ? QUAD_NONE : answer.distance;
+    answers[1] = (Quadruple)__builtin_nan("");
 }
 
 const Experiment marching_angle_experiment = {
@@ -49,4 +71,6 @@ const Experiment marching_angle_experiment = {
     .timed = 1,
     .pose = pose,
     .judge = judge,
+    .scene = scene,
+    .ask = ask,
 };

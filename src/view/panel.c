@@ -9,7 +9,7 @@
 /** A row is as high as the window's height divided by this. */
 static const int LINES_A_WINDOW = 28;
 /** Smallest size of letters that is tried, pixels: below it they are only dots. */
-static const int SIZE_MINIMUM = 5;
+static const int SIZE_MINIMUM = 4;
 /** Size of letters below which no window of a sensible size goes, pixels. */
 static const int SIZE_READABLE = 12;
 

@@ -65,7 +65,8 @@ static Scene *load(void *context, const ViewRequest *request, const atomic_bool 
 }
 
 /** Loads a scene for the list of scenes, as it is by itself: what the command line says is for
- *  another scene. See #ViewPreviewer. @param context Not used. @param path See there. @param stop See there.
+ *  another scene. See #ViewPreviewer. @param context Not used. @param path See there. @param stop
+ * See there.
  *  @param[out] render See there. @param[out] error See there. @return See there. */
 static Scene *preview(void *context, const char *path, const atomic_bool *stop,
                       RenderSettings *render, Error *error) {

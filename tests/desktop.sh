@@ -58,4 +58,6 @@ completes 'scenes/box.lua ' dioptre render scenes/box
 completes '--rays ' dioptre bench --ra
 completes 'scenes/lessons/shadows-and-acne.lua ' dioptre view --lesson scenes/lessons/shad
 completes ' ' dioptre render --ra
+completes 'fresnel-into fresnel-out ' dioptre lab fres
+completes 'sphere-ground ' dioptre chart --kernels sphere-gr
 finish

@@ -23,6 +23,11 @@ _dioptre_words() {
     esac
 }
 
+# _dioptre_tests: the tests of the laboratory, as the program says them to who names none of them.
+_dioptre_tests() {
+    LANGUAGE=C dioptre lab '?' --out . 2>&1 | sed -n 's/.*there are \(sphere-.*\)/\1/p' | tr -d ,
+}
+
 # _dioptre_files: scenes, and folders on the way to them.
 _dioptre_files() {
     compopt -o filenames 2>/dev/null
@@ -49,6 +54,8 @@ _dioptre() {
     elif [ "${COMP_WORDS[1]}" = compare ]; then
         compopt -o filenames 2>/dev/null
         mapfile -t COMPREPLY < <(compgen -f -- "$current")
+    elif [[ ${COMP_WORDS[1]} == lab || " ${COMP_WORDS[*]} " == *' chart --kernels '* ]]; then
+        mapfile -t COMPREPLY < <(compgen -W "$(_dioptre_tests)" -- "$current")
     else
         mapfile -t COMPREPLY < <(_dioptre_files "$current")
     fi

@@ -49,8 +49,8 @@ static const PlaneParameters plane_defaults = {.normal = {0, 1, 0}};
  * @param normal  Its normal, about one long.
  */
 static WidePoint plane_foot(Vector3 point, Vector3 normal) {
-    const Quadruple x = normal.x, y = normal.y, z = normal.z;
-    Quadruple height = x * point.x + y * point.y + z * point.z;
+    const Quadruple x = (Quadruple)normal.x, y = (Quadruple)normal.y, z = (Quadruple)normal.z;
+    Quadruple height = x * (Quadruple)point.x + y * (Quadruple)point.y + z * (Quadruple)point.z;
     Quadruple share = height / (x * x + y * y + z * z);
     return (WidePoint){(wide_scalar)(share * x), (wide_scalar)(share * y),
                        (wide_scalar)(share * z)};

@@ -68,9 +68,6 @@ int command_threads(const Options *options);
  */
 bool command_has_charts(size_t count, Error *error);
 
-/** @return A strategy's name. @param offset The strategy. */
-const char *offset_name(OffsetStrategy offset);
-
 /**
  * Prints a text as a JSON string, quotes included.
  * @param text    The text; bytes that are not printable ASCII are kept or escaped.

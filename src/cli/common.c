@@ -47,11 +47,6 @@ RenderSettings command_settings(const Options *options, const Scene *scene) {
     return settings;
 }
 
-const char *offset_name(OffsetStrategy offset) {
-    static const char *const names[] = {"none", "fixed", "bound"};
-    return names[offset];
-}
-
 void json_print_string(const char *text, FILE *stream) {
     fputc('"', stream);
     for (const unsigned char *c = (const unsigned char *)text; *c; c++) {

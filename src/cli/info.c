@@ -4,6 +4,7 @@
  */
 #include "cli/commands.h"
 #include "dioptre/language.h"
+#include "dioptre/offset.h"
 
 #include <libintl.h>
 #include <stdio.h>
@@ -225,7 +226,7 @@ static void info_print_json(const Scene *scene, const Info *info, const RenderSe
            scene->shape_count, scene->light_count, scene->material_count - 1, info->mirrors,
            info->glass, info->highlights, settings->width, settings->height, settings->samples,
            settings->trace.depth, settings->engine->name, engine_reason(options, settings->engine),
-           settings->threads, offset_name(settings->trace.offset));
+           settings->threads, offset_names[settings->trace.offset]);
     for (int i = 0; i < left_count; i++) {
         printf("%s\"%s\"", i ? ", " : "", left[i]);
     }
@@ -264,7 +265,7 @@ static void info_print(const Scene *scene, const Info *info, const RenderSetting
           stdout);
     printf(gettext("engine     %s: %s\n"), settings->engine->name,
            gettext(engine_reason(options, settings->engine)));
-    printf(gettext("offset     %s\n"), offset_name(settings->trace.offset));
+    printf(gettext("offset     %s\n"), offset_names[settings->trace.offset]);
     info_print_tree(&info->contents);
     if (info_has_fields(scene, settings)) {
         printf(gettext("marching   %llu of %zu rays from the eye run out of steps\n"),

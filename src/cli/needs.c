@@ -5,6 +5,7 @@
 #include "dioptre/needs.h"
 #include "cli/commands.h"
 #include "dioptre/language.h"
+#include "dioptre/offset.h"
 
 #include <libintl.h>
 #include <stdio.h>
@@ -70,7 +71,7 @@ static void needs_print(const Needs *needs) {
     needs_explain(needs, words, sizeof words);
     printf(gettext("engine     %s\n"), chosen->engine->name);
     printf(gettext("depth      %d\n"), needs->depth);
-    printf(gettext("offset     %s\n"), "bound");
+    printf(gettext("offset     %s\n"), offset_names[OFFSET_BOUND]);
     printf(gettext("samples    %d\n"), needs->samples);
     if (needs->is_marched) {
         printf(gettext("tolerance  %g times the scene's\n"), needs->tolerance);

@@ -5,6 +5,7 @@
 #include "cli/notes.h"
 
 #include "cli/commands.h"
+#include "dioptre/offset.h"
 
 #include <ctype.h>
 #include <stdarg.h>
@@ -40,7 +41,7 @@ void notes_make(Notes *notes, const Options *options, double time, const RenderS
     const TraceSettings *trace = &settings->trace;
     char offset[64];
     *notes = (Notes){.count = 0};
-    int length = snprintf(offset, sizeof offset, "%s", offset_name(trace->offset));
+    int length = snprintf(offset, sizeof offset, "%s", offset_names[trace->offset]);
     if (trace->offset == OFFSET_FIXED) {
         snprintf(offset + length, sizeof offset - (size_t)length, " %g", trace->epsilon);
     }

@@ -6,6 +6,7 @@
 
 #include "cli/commands.h"
 #include "dioptre/language.h"
+#include "dioptre/offset.h"
 
 #include <errno.h>
 #include <getopt.h>
@@ -190,7 +191,6 @@ static bool read_word(const char *name, const char *text, const char *const *wor
 /** Takes an option whose value is a word. @param row The option. @param text Its value.
  *  @param[out] options Gets it. @param[out] error What is wrong. @return Whether it is good. */
 static bool take_word(const OptionRow *row, const char *text, Options *options, Error *error) {
-    static const char *const offsets[] = {"none", "fixed", "bound", NULL};
     static const char *const rays[] = {"image", "primary", "random", NULL};
     static const char *const styles[] = {"auto", "json", "none", NULL};
     static const char *const samplings[] = {"adaptive", "full", NULL};
@@ -198,7 +198,7 @@ static bool take_word(const OptionRow *row, const char *text, Options *options, 
     int place = 0;
     switch (row->key) {
     case 'O':
-        return read_word(row->name, text, offsets, &options->offset, error);
+        return read_word(row->name, text, offset_names, &options->offset, error);
     case 'S':
         if (!read_word(row->name, text, samplings, &place, error)) {
             return false;

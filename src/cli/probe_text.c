@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/probe.h"
 #include "dioptre/language.h"
+#include "dioptre/offset.h"
 
 #include <libintl.h>
 #include <stdio.h>
@@ -196,7 +197,7 @@ void probe_print(const ProbeReport *report) {
     print_clean(report->path, stdout);
     printf(gettext(": pixel %d %d of %d x %d, engine %s, offset %s, depth %d\n"), report->x,
            report->y, settings->width, settings->height, settings->engine->name,
-           offset_name(settings->trace.offset), settings->trace.depth);
+           offset_names[settings->trace.offset], settings->trace.depth);
     if (settings->samples > 1) {
         printf(
             gettext(

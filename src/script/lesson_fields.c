@@ -5,6 +5,7 @@
 #include "script/lesson_fields.h"
 
 #include "dioptre/language.h"
+#include "dioptre/offset.h"
 #include "dioptre/scene.h"
 #include "script/raise.h"
 #include "script/run.h"
@@ -28,9 +29,6 @@ typedef enum {
     ROW_NUMBERS, /**< The first of the rows that the tables alone can read. */
 } LessonRow;
 
-/** Names of the strategies, as on the command line. */
-static const char *const offsets[] = {"none", "fixed", "bound", NULL};
-
 /** What `lesson` takes. Rows before #ROW_NUMBERS are read here; their types say nothing. */
 static const Parameter lesson_rows[] = {[ROW_SCENE] = {.name = "scene"},
                                         [ROW_TITLE] = {.name = "title"},
@@ -52,7 +50,7 @@ static const Parameter lesson_rows[] = {[ROW_SCENE] = {.name = "scene"},
                                         {.name = "offset",
                                          .type = PARAMETER_WORD,
                                          .offset = offsetof(LessonLook, offset),
-                                         .words = offsets},
+                                         .words = offset_names},
                                         {.name = "epsilon",
                                          .type = PARAMETER_NUMBER,
                                          .offset = offsetof(LessonLook, epsilon),

@@ -5,6 +5,7 @@
 #include "view/hud.h"
 
 #include "dioptre/language.h"
+#include "dioptre/offset.h"
 
 #include <libintl.h>
 #include <stdarg.h>
@@ -35,7 +36,7 @@ static PanelRow *add(Hud *hud, const char *label, const char *format, ...) {
 
 /** Says how rays leave surfaces. @param[in,out] hud The panel. @param trace The settings. */
 static void add_offset(Hud *hud, const TraceSettings *trace) {
-    const char *name = tuning_offset_name(trace->offset);
+    const char *name = offset_names[trace->offset];
     if (trace->offset == OFFSET_FIXED) {
         add(hud, gettext("offset"), "%s, ε = %.3g", name, trace->epsilon);
     } else {

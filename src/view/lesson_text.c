@@ -6,6 +6,7 @@
 
 #include "dioptre/language.h"
 #include "dioptre/lesson.h"
+#include "dioptre/offset.h"
 
 #include <string.h>
 
@@ -26,8 +27,6 @@ static void quote(char *out, size_t size, const char *text) {
 }
 
 void lesson_text_begin(FILE *file, const LessonFacts *facts) {
-    /** What the settings are called. */
-    static const char *const offsets[] = {"none", "fixed", "bound"};
     char scene[2 * PATH_MAX], name[2 * PATH_MAX];
     const TraceSettings *trace = &facts->render->trace;
     quote(scene, sizeof scene, facts->scene);
@@ -41,8 +40,8 @@ void lesson_text_begin(FILE *file, const LessonFacts *facts) {
     if (trace->depth >= 0) {
         fprintf(file, "  depth = %d,\n", trace->depth);
     }
-    fprintf(file, "  offset = \"%s\", epsilon = %.17g, time = %.17g,\n}\n", offsets[trace->offset],
-            trace->epsilon, facts->time);
+    fprintf(file, "  offset = \"%s\", epsilon = %.17g, time = %.17g,\n}\n",
+            offset_names[trace->offset], trace->epsilon, facts->time);
 }
 
 void lesson_text_wait(FILE *file, int64_t milliseconds) {

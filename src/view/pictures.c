@@ -4,6 +4,8 @@
  */
 #include "view/pictures.h"
 
+#include "dioptre/offset.h"
+
 #include <libintl.h>
 
 /** How far a key moves the bar between two pictures, as a share of the window's width. */
@@ -15,9 +17,8 @@ static void note_settings(View *view) {
     RenderSettings settings = view->stage.asked;
     tuning_apply(&sight->tuning, &settings);
     view_note(view, "%s, offset %s, epsilon %.3g, depth %d, samples %d, light: %s",
-              settings.engine->name, tuning_offset_name(settings.trace.offset),
-              settings.trace.epsilon, settings.trace.depth, settings.samples,
-              gettext(tuning_light_name(settings.light)));
+              settings.engine->name, offset_names[settings.trace.offset], settings.trace.epsilon,
+              settings.trace.depth, settings.samples, gettext(tuning_light_name(settings.light)));
 }
 
 /** Moves the bar between two pictures by a step. @param[in,out] view The view. @param way 1 to the

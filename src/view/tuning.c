@@ -119,11 +119,6 @@ void tuning_change(Tuning *tuning, const RenderSettings *now, Action action) {
     }
 }
 
-const char *tuning_offset_name(OffsetStrategy offset) {
-    static const char *const names[] = {"none", "fixed", "bound"};
-    return names[offset];
-}
-
 const char *tuning_light_name(LightMode light) {
     static const char *const names[] = {N_("light and ambient"), N_("light alone"), N_("none")};
     return names[light];

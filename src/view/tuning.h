@@ -36,9 +36,6 @@ void tuning_apply(const Tuning *tuning, RenderSettings *settings);
  */
 void tuning_change(Tuning *tuning, const RenderSettings *now, Action action);
 
-/** @return An offset strategy's name. @param offset The strategy. */
-const char *tuning_offset_name(OffsetStrategy offset);
-
 /** @return What to call which light there is, in English. @param light The light. */
 const char *tuning_light_name(LightMode light);
 

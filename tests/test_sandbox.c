@@ -3,6 +3,7 @@
  * @brief Tests of the sandbox that scenes run in: no way out, limits of time, memory and words,
  *        processes.
  */
+#include "dioptre/clock.h"
 #include "scene_files.h"
 
 #include <errno.h>
@@ -40,13 +41,6 @@ static void test_messages_are_clean(void **state) {
 }
 
 // --- limits --------------------------------------------------------------------------------------
-
-/** @return Seconds on a clock that nobody sets. */
-static double clock_seconds(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 /** Nothing runs past its time: not a loop, nor a call of a library. @param state The fixture. */
 static void test_time_limit(void **state) {

@@ -4,6 +4,8 @@
  */
 #include "assets/child.h"
 
+#include "dioptre/clock.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -17,15 +19,7 @@
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
-
-/** @return Seconds on a clock that nobody sets. */
-static double clock_seconds(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 /**
  * Undoes, in the child, what the program has arranged for its own signals: Ctrl-C ends the child

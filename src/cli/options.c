@@ -226,31 +226,38 @@ static bool take_word(const OptionRow *row, const char *text, Options *options, 
     }
 }
 
+/** @return Where an option's value goes as it is; NULL: it is no text. @param key The option's key.
+ *  @param options The options. */
+static const char **text_place(char key, Options *options) {
+    switch (key) {
+    case 'o':
+        return &options->output;
+    case 'U':
+        return &options->folder;
+    case 'B':
+        return &options->base_dir;
+    case 'M':
+        return &options->map;
+    case 'I':
+        return &options->lesson;
+    case 'W':
+        return &options->lesson_snapshots;
+    case 'Y':
+        return &options->svg;
+    default:
+        return NULL;
+    }
+}
+
 /** Takes an option that has a value. @param row The option. @param text Its value.
  *  @param[out] options Gets it. @param[out] error What is wrong. @return Whether it is good. */
 static bool take_value(const OptionRow *row, const char *text, Options *options, Error *error) {
+    const char **place = text_place(row->key, options);
+    if (place) {
+        *place = text;
+        return true;
+    }
     switch (row->key) {
-    case 'o':
-        options->output = text;
-        return true;
-    case 'U':
-        options->folder = text;
-        return true;
-    case 'B':
-        options->base_dir = text;
-        return true;
-    case 'M':
-        options->map = text;
-        return true;
-    case 'I':
-        options->lesson = text;
-        return true;
-    case 'W':
-        options->lesson_snapshots = text;
-        return true;
-    case 'Y':
-        options->svg = text;
-        return true;
     case 's':
         return read_size(text, options, error);
     case 'A':

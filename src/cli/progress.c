@@ -3,6 +3,7 @@
  * @brief Progress on standard error, with an estimate.
  */
 #include "cli/commands.h"
+#include "dioptre/clock.h"
 
 #include <libintl.h>
 #include <pthread.h>
@@ -24,15 +25,12 @@ struct Progress {
     pthread_mutex_t mutex;    /**< Guards all of it. */
     pthread_cond_t is_told;   /**< Told when it is over. */
     pthread_t thread;         /**< Who tells. */
-    struct timespec start;    /**< When it began. */
+    double start;             /**< When it began, on #clock_seconds. */
 };
 
 /** @return Seconds since the start. @param progress The progress. */
 static double progress_seconds(const Progress *progress) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)(now.tv_sec - progress->start.tv_sec) +
-           1e-9 * (double)(now.tv_nsec - progress->start.tv_nsec);
+    return clock_seconds() - progress->start;
 }
 
 /** @return The share of all pictures that is done, 0 to 1. @param progress The progress. */
@@ -145,7 +143,7 @@ Progress *progress_begin(const Options *options, int pictures) {
     progress->pictures = pictures;
     progress->is_film = pictures > 1;
     progress->is_json = options->progress == PROGRESS_JSON;
-    clock_gettime(CLOCK_MONOTONIC, &progress->start);
+    progress->start = clock_seconds();
     pthread_mutex_init(&progress->mutex, NULL);
     pthread_cond_init(&progress->is_told, NULL);
     if (pthread_create(&progress->thread, NULL, progress_main, progress) != 0) {

@@ -4,6 +4,7 @@
  */
 #include "dioptre/view.h"
 #include "cli/commands.h"
+#include "dioptre/clock.h"
 #include "dioptre/language.h"
 #include "dioptre/scene_name.h"
 
@@ -11,14 +12,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
-
-/** @return Seconds on the monotonic clock. */
-static double now_seconds(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 /** What scenes are loaded from. */
 typedef struct Loading {
@@ -92,7 +85,7 @@ static int show(const Options *options, const Lesson *lesson, Error *error) {
     ViewSettings settings = {.keys_by_letter = options->by_letter,
                              .path = options->arguments[0],
                              .snapshot_dir = ".",
-                             .launched = now_seconds(),
+                             .launched = clock_seconds(),
                              .time = options->time,
                              .load = load,
                              .preview = preview,

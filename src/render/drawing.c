@@ -5,19 +5,12 @@
 #include "render/drawing.h"
 
 #include <string.h>
-#include <time.h>
 
 /** Pixels a block. */
 #define BLOCK_PIXELS (BLOCK_COLUMNS * BLOCK_ROWS)
 
 /** Numbers a block: three primaries a pixel. */
 #define BLOCK_NUMBERS (BLOCK_PIXELS * 3)
-
-double clock_seconds(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 /** @return Blocks in a row. @param width Pixels of the picture. */
 static size_t blocks_across(int width) {

@@ -5,6 +5,7 @@
 #ifndef DIOPTRE_RENDER_DRAWING_H
 #define DIOPTRE_RENDER_DRAWING_H
 
+#include "dioptre/clock.h"
 #include "dioptre/renderer.h"
 #include "render/tally.h"
 
@@ -78,8 +79,5 @@ PixelGrid drawing_block(int width, int height, size_t index);
  * @param stride  Pixels from one ray to the next, a power of two up to that of the coarsest pass.
  */
 PixelGrid drawing_grid(const PixelGrid *block, int stride);
-
-/** @return Seconds on the monotonic clock. */
-double clock_seconds(void);
 
 #endif

@@ -14,6 +14,7 @@
 
 /** How often the time of each pixel is taken; the shortest counts. */
 enum { TIME_REPEATS = 5 };
+
 void renderer_set_layer(Renderer *renderer, Layer layer) {
     renderer_stop(renderer);
     renderer->layering.layer = layer;
@@ -30,9 +31,8 @@ static void truth_release(Layering *layering) {
     }
 }
 
-void layering_release(Renderer *renderer) {
-    Layering *layering = &renderer->layering;
-    truth_release(layering);
+/** Forgets the numbers of all pixels. @param layering It. */
+static void numbers_release(Layering *layering) {
     free(layering->numbers);
     free(layering->marks);
     free(layering->ends);
@@ -40,6 +40,11 @@ void layering_release(Renderer *renderer) {
     layering->marks = NULL;
     layering->ends = NULL;
     layering->pixels = 0;
+}
+
+void layering_release(Renderer *renderer) {
+    truth_release(&renderer->layering);
+    numbers_release(&renderer->layering);
 }
 
 /** @return The engine that a layer compares with: the widest, or double where that is what is
@@ -83,10 +88,7 @@ static bool numbers_resize(Layering *layering, int width, int height, Error *err
     if (layering->pixels >= pixels) {
         return true;
     }
-    layering->pixels = 0;
-    free(layering->numbers);
-    free(layering->marks);
-    free(layering->ends);
+    numbers_release(layering);
     layering->numbers = calloc(pixels, LAYER_NUMBERS * sizeof *layering->numbers);
     layering->marks = calloc(pixels, sizeof *layering->marks);
     layering->ends = calloc(pixels, 2 * sizeof *layering->ends);

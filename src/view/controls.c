@@ -26,11 +26,11 @@ static const double ZOOM_A_NOTCH = 0.9;
 static const int FOREIGN_MODIFIERS = KMOD_LALT | KMOD_GUI;
 
 /**
- * @return When an event came, seconds on #sight_clock; it may have waited in the queue.
+ * @return When an event came, seconds on #clock_seconds; it may have waited in the queue.
  * @param timestamp  SDL's time of the event, milliseconds.
  */
 static double event_time(Uint32 timestamp) {
-    return sight_clock() - (double)(SDL_GetTicks() - timestamp) / 1000;
+    return clock_seconds() - (double)(SDL_GetTicks() - timestamp) / 1000;
 }
 
 /** @return Factor for the speed of moves. @param modifiers SDL's modifier keys that are held. */
@@ -139,62 +139,66 @@ static void begin_move(View *view, Action action, double time) {
     view->next_step = 0;
 }
 
+/** The time a step back. @param[in,out] view The view. */
+static void step_back(View *view) {
+    play_step(view, -1);
+}
+
+/** The time a step on. @param[in,out] view The view. */
+static void step_on(View *view) {
+    play_step(view, 1);
+}
+
+/** Larger letters. @param[in,out] view The view. */
+static void enlarge_words(View *view) {
+    stage_resize_words(&view->stage, 1);
+}
+
+/** Smaller letters. @param[in,out] view The view. */
+static void shrink_words(View *view) {
+    stage_resize_words(&view->stage, -1);
+}
+
+/** The whole screen, or a window again. @param[in,out] view The view. */
+static void toggle_full_screen(View *view) {
+    display_toggle_full_screen(&view->stage.display);
+}
+
+/** The numbers of the ray before. @param[in,out] view The view. */
+static void choose_ray_before(View *view) {
+    inspector_choose(&view->stage.inspector, -1);
+}
+
+/** The numbers of the next ray. @param[in,out] view The view. */
+static void choose_next_ray(View *view) {
+    inspector_choose(&view->stage.inspector, 1);
+}
+
 void controls_act(View *view, Action action) {
-    switch (action) {
-    case ACTION_SNAPSHOT:
-        ask_for_snapshot(view);
-        break;
-    case ACTION_HOME:
-        go_home(view);
-        break;
-    case ACTION_NEXT_LIGHT:
-        select_next_light(view);
-        break;
-    case ACTION_TIME:
-        play_toggle(view);
-        break;
-    case ACTION_TIME_BACK:
-    case ACTION_TIME_ON:
-        play_step(view, action == ACTION_TIME_ON ? 1 : -1);
-        break;
-    case ACTION_COPY:
-        copy_view(view);
-        break;
-    case ACTION_TEXT_LARGER:
-    case ACTION_TEXT_SMALLER:
-        stage_resize_words(&view->stage, action == ACTION_TEXT_LARGER ? 1 : -1);
-        break;
-    case ACTION_LANGUAGE:
-        switch_language(view);
-        break;
-    case ACTION_SCENES:
-        choosing_begin(view);
-        break;
-    case ACTION_RECORD:
-        toggle_recording(view);
-        break;
-    case ACTION_CAPTION:
-        recorder_begin_caption(view);
-        break;
-    case ACTION_HELP:
-        toggle_help(view);
-        break;
-    case ACTION_FULL_SCREEN:
-        display_toggle_full_screen(&view->stage.display);
-        break;
-    case ACTION_RAYS:
-        toggle_rays(view);
-        break;
-    case ACTION_RAY_BACK:
-    case ACTION_RAY_ON:
-        inspector_choose(&view->stage.inspector, action == ACTION_RAY_ON ? 1 : -1);
-        break;
-    case ACTION_LEAVE:
-        leave(view);
-        break;
-    default:
+    static void (*const deeds[])(View * view) = {[ACTION_SNAPSHOT] = ask_for_snapshot,
+                                                 [ACTION_HOME] = go_home,
+                                                 [ACTION_NEXT_LIGHT] = select_next_light,
+                                                 [ACTION_TIME] = play_toggle,
+                                                 [ACTION_TIME_BACK] = step_back,
+                                                 [ACTION_TIME_ON] = step_on,
+                                                 [ACTION_COPY] = copy_view,
+                                                 [ACTION_TEXT_LARGER] = enlarge_words,
+                                                 [ACTION_TEXT_SMALLER] = shrink_words,
+                                                 [ACTION_LANGUAGE] = switch_language,
+                                                 [ACTION_SCENES] = choosing_begin,
+                                                 [ACTION_RECORD] = toggle_recording,
+                                                 [ACTION_CAPTION] = recorder_begin_caption,
+                                                 [ACTION_HELP] = toggle_help,
+                                                 [ACTION_FULL_SCREEN] = toggle_full_screen,
+                                                 [ACTION_RAYS] = toggle_rays,
+                                                 [ACTION_RAY_BACK] = choose_ray_before,
+                                                 [ACTION_RAY_ON] = choose_next_ray,
+                                                 [ACTION_LEAVE] = leave,
+                                                 [ACTION_NONE] = NULL};
+    if (deeds[action]) {
+        deeds[action](view);
+    } else {
         pictures_act(view, action);
-        break;
     }
 }
 

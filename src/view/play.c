@@ -8,7 +8,7 @@ double play_clock(const View *view) {
     if (player_is_on(view)) {
         return metronome_seconds(&view->player.metronome);
     }
-    return recorder_is_on(view) ? metronome_seconds(&view->recorder.metronome) : sight_clock();
+    return recorder_is_on(view) ? metronome_seconds(&view->recorder.metronome) : clock_seconds();
 }
 
 double play_time(const View *view) {

@@ -7,7 +7,7 @@
 
 #include "view/state.h"
 
-/** @return Now on the clock that the scene's time goes by, seconds: a lesson's, or #sight_clock.
+/** @return Now on the clock that the scene's time goes by, seconds: a lesson's, or #clock_seconds.
  *  @param view The view. */
 double play_clock(const View *view);
 

@@ -40,7 +40,7 @@ void player_begin(View *view) {
         view->player =
             (Player){.lesson = lesson,
                      .metronome = {.move = move, .context = view, .motion = {.speed = 1}},
-                     .began = sight_clock()};
+                     .began = clock_seconds()};
         view->stage.caption.title = lesson->title;
     }
 }
@@ -48,7 +48,7 @@ void player_begin(View *view) {
 /** Lets the clock go on. @param[in,out] player The lesson. */
 static void go_on(Player *player) {
     player->is_held = player->is_shooting = false;
-    player->began = sight_clock() - metronome_seconds(&player->metronome);
+    player->began = clock_seconds() - metronome_seconds(&player->metronome);
 }
 
 /** Says what can be done, under the caption's heading. @param[in,out] view The view. */

@@ -22,7 +22,7 @@ typedef struct Player {
     const Lesson *lesson; /**< The lesson; NULL: none is played. */
     Metronome metronome;  /**< Its clock. */
     size_t next;          /**< Its next step. */
-    double began;         /**< When its clock was at 0, on #sight_clock. */
+    double began;         /**< When its clock was at 0, on #clock_seconds. */
     bool is_held;         /**< Whether it waits for Space. */
     bool is_shooting;     /**< Whether it waits for the finished picture, to keep it. */
     Pose kept;            /**< Camera and lights when it was held; owned. */
@@ -40,11 +40,11 @@ bool player_is_on(const View *view);
 /** @return Whether its clock stands still. @param player The lesson. */
 bool player_is_still(const Player *player);
 
-/** Does what is due. @param[in,out] view The view. @param now Now, on #sight_clock. */
+/** Does what is due. @param[in,out] view The view. @param now Now, on #clock_seconds. */
 void player_update(View *view, double now);
 
 /** @return How long nothing is due, seconds, see #stage_delay. @param view The view. @param now
- *  Now, on #sight_clock. */
+ *  Now, on #clock_seconds. */
 double player_delay(const View *view, double now);
 
 /** Keeps the picture if that is wanted and it is finished. @param[in,out] view The view.

@@ -33,13 +33,13 @@ static bool begin(View *view, Error *error) {
                          "a scene from standard input has no file for a lesson to name");
     }
     *recorder = (Recorder){.metronome = {.move = move, .context = view, .motion = {.speed = 1}},
-                           .began = sight_clock()};
+                           .began = clock_seconds()};
     recorder->stream = open_memstream(&recorder->text, &recorder->size);
     if (!recorder->stream) {
         return error_set(error, STATUS_FAILED, "no memory for a lesson");
     }
     motion_forget(&view->motion);
-    timeline_hold(&view->timeline, sight_clock());
+    timeline_hold(&view->timeline, clock_seconds());
     controls_act(view, ACTION_AS_ASKED);
     controls_act(view, ACTION_LAYER);
     controls_act(view, ACTION_HOME);
@@ -56,7 +56,7 @@ static bool begin(View *view, Error *error) {
 /**
  * Finds when something happens, and does what is due before.
  * @param[in,out] recorder  The recording.
- * @param time              When, on #sight_clock; what is done already is not undone.
+ * @param time              When, on #clock_seconds; what is done already is not undone.
  */
 static void go_to(Recorder *recorder, double time) {
     int64_t moment = (int64_t)floor((time - recorder->began) * 1000);
@@ -133,7 +133,7 @@ void recorder_set_speed(View *view, double speed, double time) {
 
 void recorder_note(View *view, const char *words) {
     if (recorder_is_on(view)) {
-        go_to(&view->recorder, sight_clock());
+        go_to(&view->recorder, clock_seconds());
         write_wait(&view->recorder);
         fprintf(view->recorder.stream, "%s\n", words);
     }
@@ -166,7 +166,7 @@ bool recorder_end(View *view, Error *error) {
     if (!recorder_is_on(view)) {
         return true;
     }
-    recorder_release_all(view, sight_clock());
+    recorder_release_all(view, clock_seconds());
     metronome_go(&recorder->metronome, recorder->metronome.now + METRONOME_BEAT);
     timeline_hold(&view->timeline, metronome_seconds(&recorder->metronome));
     bool is_kept = fclose(recorder->stream) == 0;

@@ -29,7 +29,7 @@ typedef struct Recorder {
     size_t size;            /**< Bytes of it. */
     Metronome metronome;    /**< Its clock. */
     int64_t written;        /**< When the last step was, milliseconds. */
-    double began;           /**< When its clock was at 0, on #sight_clock. */
+    double began;           /**< When its clock was at 0, on #clock_seconds. */
     bool is_typing;         /**< Whether a caption is typed: its clock stands still. */
     char typed[TYPED_SIZE]; /**< What was typed of it, UTF-8. */
 } Recorder;
@@ -45,28 +45,28 @@ bool recorder_toggle(View *view, Error *error);
  *  @param[out] error What is wrong. @return Whether all is well. */
 bool recorder_end(View *view, Error *error);
 
-/** Moves what keys move up to now. @param[in,out] view The view. @param now Now, on #sight_clock.
+/** Moves what keys move up to now. @param[in,out] view The view. @param now Now, on #clock_seconds.
  */
 void recorder_update(View *view, double now);
 
 /** @return How long nothing is due, seconds, see #stage_delay. @param view The view. @param now
- *  Now, on #sight_clock. */
+ *  Now, on #clock_seconds. */
 double recorder_delay(const View *view, double now);
 
 /** A key goes down. Only if a lesson is recorded. @param[in,out] view The view. @param action What
- *  it asks for; one that is no move is done by who calls. @param time When, on #sight_clock. */
+ *  it asks for; one that is no move is done by who calls. @param time When, on #clock_seconds. */
 void recorder_press(View *view, Action action, double time);
 
 /** A move's key goes up. Only if a lesson is recorded. @param[in,out] view The view. @param action
- *  The move. @param time When, on #sight_clock. */
+ *  The move. @param time When, on #clock_seconds. */
 void recorder_release(View *view, Action action, double time);
 
 /** No key is held any more. Only if a lesson is recorded. @param[in,out] view The view. @param time
- *  When, on #sight_clock. */
+ *  When, on #clock_seconds. */
 void recorder_release_all(View *view, double time);
 
 /** Moves go faster or slower. Only if a lesson is recorded. @param[in,out] view The view.
- *  @param speed Factor. @param time When, on #sight_clock. */
+ *  @param speed Factor. @param time When, on #clock_seconds. */
 void recorder_set_speed(View *view, double speed, double time);
 
 /** Notes a step with numbers: `turn`, `zoom` or `size`. Nothing unless a lesson is recorded.

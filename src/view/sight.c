@@ -4,19 +4,11 @@
  */
 #include "view/sight.h"
 
-#include <time.h>
-
 /**
  * Seconds after a change that the picture with all its pixels is waited for, before a coarser one
  * is shown instead. Half a frame of a common screen: the other half is left for showing it.
  */
 static const double PATIENCE = 0.008;
-
-double sight_clock(void) {
-    struct timespec time;
-    clock_gettime(CLOCK_MONOTONIC, &time);
-    return (double)time.tv_sec + (double)time.tv_nsec * 1e-9;
-}
 
 bool sight_open(Sight *sight, const Sight *former, const Scene *scene, const RenderSettings *asked,
                 uint32_t pass_event, Error *error) {

@@ -9,6 +9,7 @@
 #ifndef DIOPTRE_VIEW_SIGHT_H
 #define DIOPTRE_VIEW_SIGHT_H
 
+#include "dioptre/clock.h"
 #include "view/canvas.h"
 #include "view/tuning.h"
 
@@ -37,9 +38,6 @@ typedef struct Sight {
     uint32_t pass_event; /**< SDL event that tells of a finished pass; its data1 is the sight. */
     atomic_bool is_told; /**< Whether such an event is on its way. */
 } Sight;
-
-/** @return Seconds on the monotonic clock. */
-double sight_clock(void);
 
 /**
  * Makes what draws a sight; drawing begins with #sight_start. Its tuning and its layer stay.

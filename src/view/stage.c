@@ -88,9 +88,10 @@ void stage_untune(Stage *stage) {
         Sight *sight = &stage->sights[i];
         sight->tuning = (Tuning){0};
         sight->is_tuned = true;
-        sight->layer = LAYER_SHADED;
         if (sight->renderer) {
             sight_set_layer(sight, LAYER_SHADED);
+        } else {
+            sight->layer = LAYER_SHADED;
         }
     }
     stage->split.mode = SPLIT_NONE;
@@ -238,7 +239,7 @@ static void show_huds(Stage *stage, const OverlayScreen *screen) {
                           .has_settings = stage->has_settings,
                           .hides_layer = is_difference,
                           .difference = is_difference && i == 0 ? &stage->split.difference : NULL};
-        hud_update(&stage->huds[i], &facts, sight_clock());
+        hud_update(&stage->huds[i], &facts, clock_seconds());
         hud_show(&stage->huds[i], screen);
     }
 }
@@ -321,7 +322,7 @@ static void show_due(Stage *stage, double now) {
                        stage->display.renderer);
     }
     stage_present(stage);
-    double shown = sight_clock();
+    double shown = clock_seconds();
     latency_shown(&stage->latency, shown);
     stage->first_shown = stage->first_shown > 0 ? stage->first_shown : shown;
 }

@@ -27,7 +27,7 @@ void recorder_begin_caption(View *view) {
         view_note(view, "captions are for lessons that are recorded");
         return;
     }
-    double now = sight_clock();
+    double now = clock_seconds();
     recorder_release_all(view, now);
     recorder_update(view, now);
     recorder->is_typing = true;
@@ -41,7 +41,7 @@ static void end_typing(View *view, bool is_kept) {
     Recorder *recorder = &view->recorder;
     SDL_StopTextInput();
     recorder->is_typing = false;
-    recorder->began = sight_clock() - metronome_seconds(&recorder->metronome);
+    recorder->began = clock_seconds() - metronome_seconds(&recorder->metronome);
     caption_close(&view->stage.caption);
     if (is_kept && recorder->typed[0]) {
         char step[2 * TYPED_SIZE + 64];

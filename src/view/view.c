@@ -125,25 +125,25 @@ static bool wait_for_event(View *view, double now, SDL_Event *event) {
 /** Does one round: moves, draws, shows, and sleeps. @param[in,out] view The view. */
 static void do_round(View *view) {
     Error error = {0};
-    move_by_keys(view, sight_clock());
-    player_update(view, sight_clock());
-    recorder_update(view, sight_clock());
-    if (!scenes_update(view, sight_clock(), &error) && error.status != STATUS_INTERRUPTED) {
+    move_by_keys(view, clock_seconds());
+    player_update(view, clock_seconds());
+    recorder_update(view, clock_seconds());
+    if (!scenes_update(view, clock_seconds(), &error) && error.status != STATUS_INTERRUPTED) {
         view_report(view, &error);
     }
     if (!reloader_is_busy(&view->reloader) && !stage_settle(&view->stage, view->scene, &error)) {
         view_report(view, &error);
     }
-    if (!stage_update(&view->stage, view->scene, sight_clock(), &error)) {
+    if (!stage_update(&view->stage, view->scene, clock_seconds(), &error)) {
         view_report(view, &error);
     }
     snapshot_if_wanted(view);
     if (!player_shoot(view, &error)) {
         view_report(view, &error);
     }
-    update_title(view, sight_clock());
+    update_title(view, clock_seconds());
     SDL_Event event;
-    bool is_event = !view->is_over && wait_for_event(view, sight_clock(), &event);
+    bool is_event = !view->is_over && wait_for_event(view, clock_seconds(), &event);
     while (is_event && !view->is_over) {
         controls_handle(view, &event);
         is_event = SDL_PollEvent(&event);

@@ -27,6 +27,9 @@ wrong "$begin wiat(1)" '1: unknown word `wiat`; did you mean `wait`\?'
 wrong "$begin turn(1)" '1: it is called so: turn\(DEGREES_RIGHT, DEGREES_UP\)'
 wrong "$begin $begin" '1: a file holds one lesson, not two'
 wrong "$begin for i = 1, 70000 do wait(0.001) press \"home\" end" '1: a lesson may have at most 65536 steps'
+wrong "$begin pixel(0.5, 1.5)" '1: pixel must be at least 0 and at most 1, not 1.5'
+wrong "$begin walk(1)" '1: it is called so: walk\(RIGHT, DOWN\)'
+wrong "$begin bar(-1)" '1: bar must be at least 0 and at most 1, not -1'
 wrong "$begin wait(t)" '1: unknown word `t`'
 wrong "lesson { scene = \"$box\", offset = \"nne\" }" '1: offset must be .*; did you mean `none`\?'
 echo "$begin" >"$work/a.lua"
@@ -100,6 +103,7 @@ xdotool key p
 expect_shown saved 'a snapshot of the first caption'
 same "$work/shots/box-0001.bmp" "$work/quick/lesson-0001.bmp" 'is that without hands'
 xdotool keydown d && sleep 0.2 && xdotool keyup d # While it is held, the view is the viewer's.
+xdotool mousemove --window "$window" 200 150 click 1 # But rays would take the keys that follow.
 xdotool key space && sleep 0.3
 xdotool key space && sleep 0.2 # In the middle.
 xdotool keydown Right && sleep 0.3 && xdotool keyup Right
@@ -133,6 +137,10 @@ xdotool keydown Right && sleep 0.2 && xdotool keydown d && sleep 0.1 && xdotool 
 xdotool key Return && sleep 0.2 && xdotool type 'The "end" a' && sleep 0.2 && xdotool key BackSpace BackSpace Return
 xdotool key shift+Up && sleep 0.1
 xdotool mousemove --window "$window" 400 300 mousedown 1 mousemove_relative 37 -21 mouseup 1 click 4
+xdotool key x && sleep 0.3
+xdotool mousemove --window "$window" 400 300 mousedown 1 mousemove --window "$window" 500 300 mouseup 1
+xdotool key BackSpace mousemove --window "$window" 410 320 click 1 && sleep 0.3
+xdotool key ctrl+Right && sleep 0.1 && xdotool key Escape
 xdotool key p && sleep 0.5 && xdotool key r
 expect_shown 'the lesson is in box-lesson-0002.lua' 'r again writes the next free file'
 grep -q 'not yours' "$work/shots/box-lesson-0001.lua" && ok 'never over another' || fail 'over another'
@@ -144,6 +152,10 @@ lesson=$work/shots/box-lesson-0002.lua
 holds "$lesson" '^caption \{ en = "The \\"end\\"", wait = true \}$' 'a caption that was typed'
 holds "$lesson" '^snapshot\(\)$' 'a snapshot'
 holds "$lesson" '^turn\([0-9.-]+, [0-9.-]+\)$' 'the mouse'
+holds "$lesson" '^bar\(0.62[0-9]*\)$' 'the bar between two pictures'
+holds "$lesson" '^pixel\(0.51[0-9]*, 0.53[0-9]*\)$' 'a click on a pixel'
+holds "$lesson" '^walk\(1, 0\)$' 'a step to the pixel beside'
+[ "$(grep -c '^press "rays"$' "$lesson")" = 1 ] && ok 'and Esc, which leaves the rays' || fail "$(grep rays "$lesson")"
 holds "$lesson" '^speed\(4\)$' 'Shift'
 holds "$work/shots/box-lesson-0003.lua" '^release "camera up"$' 'keeps what it has, with keys let go'
 echo 'snapshot()' >>"$lesson"

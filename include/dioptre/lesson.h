@@ -35,6 +35,9 @@ typedef enum {
     LESSON_TURN,    /**< The camera turns: the mouse is dragged. */
     LESSON_ZOOM,    /**< The field of view gets narrower or wider: the wheel. */
     LESSON_SIZE,    /**< The window gets another size. */
+    LESSON_PIXEL,   /**< The rays of a pixel are shown: a click. */
+    LESSON_WALK,    /**< The rays of a pixel beside: Ctrl and an arrow. */
+    LESSON_BAR,     /**< The bar between two pictures is dragged. */
     LESSON_CAPTION, /**< Words at the lower edge. */
     LESSON_SNAPSHOT /**< The finished picture is kept, where that is asked for. */
 } LessonStepKind;
@@ -46,8 +49,10 @@ typedef struct LessonStep {
     int action;          /**< Which, for #LESSON_PRESS and #LESSON_RELEASE: its place in the list
                               of names that the lesson was read with. */
     double right;        /**< Factor of the speed; degrees to the right; notches of the wheel
-                              towards what is seen; width in the screen's units. */
-    double up;           /**< Degrees up; height in the screen's units. */
+                              towards what is seen; width in the screen's units; share of the
+                              picture's width; pixels to the right. */
+    double up;           /**< Degrees up; height in the screen's units; share of the picture's
+                              height, from its upper edge; pixels down. */
     LessonText text;     /**< A caption's words. */
     bool waits;          /**< Whether a caption waits until the class has read it. */
 } LessonStep;

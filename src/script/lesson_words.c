@@ -186,6 +186,33 @@ static int call_size(lua_State *L) {
     return 0;
 }
 
+/** `pixel(X, Y)`, shares of the picture. See lua_CFunction. @param L The state. @return 0 */
+static int call_pixel(lua_State *L) {
+    check_count(L, 2, 2, "pixel(X, Y)");
+    LessonStep step = {.kind = LESSON_PIXEL};
+    step.right = read_number(L, 1, "pixel", 0, 1);
+    step.up = read_number(L, 2, "pixel", 0, 1);
+    add(L, step);
+    return 0;
+}
+
+/** `walk(RIGHT, DOWN)`, pixels. See lua_CFunction. @param L The state. @return 0 */
+static int call_walk(lua_State *L) {
+    check_count(L, 2, 2, "walk(RIGHT, DOWN)");
+    LessonStep step = {.kind = LESSON_WALK};
+    step.right = floor(read_number(L, 1, "walk", -IMAGE_SIZE_MAXIMUM, IMAGE_SIZE_MAXIMUM));
+    step.up = floor(read_number(L, 2, "walk", -IMAGE_SIZE_MAXIMUM, IMAGE_SIZE_MAXIMUM));
+    add(L, step);
+    return 0;
+}
+
+/** `bar(SHARE)` of the window's width. See lua_CFunction. @param L The state. @return 0 */
+static int call_bar(lua_State *L) {
+    check_count(L, 1, 1, "bar(SHARE)");
+    add(L, (LessonStep){.kind = LESSON_BAR, .right = read_number(L, 1, "bar", 0, 1)});
+    return 0;
+}
+
 /** `snapshot()`. See lua_CFunction. @param L The state. @return 0 */
 static int call_snapshot(lua_State *L) {
     check_count(L, 0, 0, "snapshot()");
@@ -199,7 +226,8 @@ static void open_words(lua_State *L) {
         {"lesson", call_lesson}, {"caption", call_caption},  {"wait", call_wait},
         {"press", call_press},   {"release", call_release},  {"hold", call_hold},
         {"speed", call_speed},   {"turn", call_turn},        {"zoom", call_zoom},
-        {"size", call_size},     {"snapshot", call_snapshot}};
+        {"size", call_size},     {"pixel", call_pixel},      {"walk", call_walk},
+        {"bar", call_bar},       {"snapshot", call_snapshot}};
     for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
         lua_register(L, words[i].name, words[i].func);
     }

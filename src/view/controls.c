@@ -22,6 +22,8 @@ static const double FAST = 4;
 static const double FINE = 0.25;
 /** Factor for the width of the field of view with each notch of the wheel away from the user. */
 static const double ZOOM_A_NOTCH = 0.9;
+/** Seconds of a held key that a notch of the wheel brings the second camera as near as. */
+static const double FORWARD_A_NOTCH = 0.125;
 /** Modifiers that make a key one of the window manager's, not ours. */
 static const int FOREIGN_MODIFIERS = KMOD_LALT | KMOD_GUI;
 
@@ -44,13 +46,9 @@ static void toggle_rays(View *view) {
     stage_present(&view->stage);
 }
 
-/** Closes what lies over the picture, or else the window. @param[in,out] view The view. */
+/** Closes the window. @param[in,out] view The view. */
 static void leave(View *view) {
-    if (view->stage.inspector.is_open) {
-        toggle_rays(view);
-    } else {
-        view->is_over = true;
-    }
+    view->is_over = true;
 }
 
 /** Puts the scene's own view back. @param[in,out] view The view. */
@@ -244,16 +242,27 @@ static bool walk(View *view, Action action, int modifiers) {
     int right = (action == ACTION_CAMERA_RIGHT) - (action == ACTION_CAMERA_LEFT);
     int down = (action == ACTION_CAMERA_DOWN) - (action == ACTION_CAMERA_UP);
     bool is_walk = view->stage.inspector.is_open && (modifiers & KMOD_CTRL) && (right || down);
-    if (is_walk) {
-        inspector_walk(&view->stage.inspector, step * right, step * down);
+    if (is_walk && !player_is_on(view)) {
+        char words[STEP_SIZE];
+        snprintf(words, sizeof words, "walk(%d, %d)", step * right, step * down);
+        recorder_note(view, words);
+        controls_walk(view, step * right, step * down);
     }
     return is_walk;
+}
+
+/** @return What a key asks for: to leave is first to leave the rays that are shown, unless a lesson
+ *          shows them. @param view The view. @param key The key. */
+static Action asked(const View *view, SDL_Keysym key) {
+    Action action = keymap_action(key, view->settings->keys_by_letter);
+    bool shows_rays = view->stage.inspector.is_open && !player_is_on(view);
+    return action == ACTION_LEAVE && shows_rays ? ACTION_RAYS : action;
 }
 
 /** A key went down or up. @param[in,out] view The view. @param key The event. */
 static void on_key(View *view, const SDL_KeyboardEvent *key) {
     double time = event_time(key->timestamp);
-    Action action = keymap_action(key->keysym, view->settings->keys_by_letter);
+    Action action = asked(view, key->keysym);
     if (key->type == SDL_KEYDOWN && walk(view, action, key->keysym.mod)) {
         return;
     }
@@ -300,15 +309,31 @@ void controls_move(View *view, Movement light, Movement camera) {
 }
 
 void controls_turn(View *view, double right, double up) {
+    if (view->stage.inspector.is_open) {
+        inspector_turn(&view->stage.inspector, right, up);
+        return;
+    }
     camera_turn(&view->scene->camera, view->home.vertical, right, up);
     view->home.is_camera_moved = true;
     view_changed(view);
 }
 
 void controls_zoom(View *view, double notches) {
+    if (view->stage.inspector.is_open) {
+        inspector_move(&view->stage.inspector, (Movement){.forward = notches * FORWARD_A_NOTCH});
+        return;
+    }
     camera_zoom(&view->scene->camera, pow(ZOOM_A_NOTCH, notches));
     view->home.is_camera_moved = true;
     view_changed(view);
+}
+
+void controls_pick(View *view, double x, double y) {
+    inspector_pick(&view->stage.inspector, x, y);
+}
+
+void controls_walk(View *view, int right, int down) {
+    inspector_walk(&view->stage.inspector, right, down);
 }
 
 /** The window has another size. @param[in,out] view The view. */

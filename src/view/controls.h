@@ -32,12 +32,21 @@ void controls_act(View *view, Action action);
  */
 void controls_move(View *view, Movement light, Movement camera);
 
-/** Turns the camera. @param[in,out] view The view. @param right Degrees to the right. @param up
- *  Degrees up. */
+/** Turns the camera, or the second one around the rays that are shown. @param[in,out] view The
+ * view.
+ *  @param right Degrees to the right. @param up Degrees up. */
 void controls_turn(View *view, double right, double up);
 
-/** Makes the field of view narrower. @param[in,out] view The view. @param notches Notches of the
- *  wheel; below 0: wider. */
+/** Makes the field of view narrower, or brings the second camera nearer to the rays that are shown.
+ *  @param[in,out] view The view. @param notches Notches of the wheel; below 0: the other way. */
 void controls_zoom(View *view, double notches);
+
+/** Shows the rays of a pixel. @param[in,out] view The view. @param x The pixel, as a share of the
+ *  picture's width. @param y As a share of its height, from its upper edge. */
+void controls_pick(View *view, double x, double y);
+
+/** Goes to a pixel beside the one whose rays are shown. @param[in,out] view The view. @param right
+ *  Pixels to the right. @param down Pixels down. */
+void controls_walk(View *view, int right, int down);
 
 #endif

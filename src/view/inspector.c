@@ -11,12 +11,17 @@
 static const double TURN = 45;
 /** How many times as near a second of a held key brings it. */
 static const double NEARER = 2;
-/** Degrees that it turns over the whole width of the window. */
-static const double DRAG = 180;
 /** Share of the window's width that the numbers take, and of both that the picture does. */
 static const double COLUMN = 0.36;
 /** How many times as large as usual for their room letters are, if they fit. */
 static const double LARGER = 1.7;
+
+void inspector_reset(Inspector *inspector) {
+    if (inspector->is_open) {
+        inspector_toggle(inspector);
+    }
+    inspector->has_place = false;
+}
 
 void inspector_toggle(Inspector *inspector) {
     if (inspector->is_open) {
@@ -68,8 +73,8 @@ void inspector_move(Inspector *inspector, Movement by) {
     inspector->is_moved = true;
 }
 
-void inspector_drag(Inspector *inspector, double x, double y) {
-    ray_view_turn(&inspector->view, -DRAG * x, DRAG * y);
+void inspector_turn(Inspector *inspector, double right, double up) {
+    ray_view_turn(&inspector->view, -right, -up);
     inspector->is_moved = true;
 }
 

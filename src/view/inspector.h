@@ -55,6 +55,9 @@ typedef struct Inspected {
  *  @param[in,out] inspector The inspector. */
 void inspector_toggle(Inspector *inspector);
 
+/** Closes it, and forgets which pixel was picked. @param[in,out] inspector The inspector. */
+void inspector_reset(Inspector *inspector);
+
 /** Opens it at a pixel, or goes there. @param[in,out] inspector The inspector. @param x The pixel,
  *  as a share of the picture's width. @param y As a share of its height. */
 void inspector_pick(Inspector *inspector, double x, double y);
@@ -71,9 +74,9 @@ void inspector_choose(Inspector *inspector, int way);
  *  far. */
 void inspector_move(Inspector *inspector, Movement by);
 
-/** Turns the second camera as the mouse drags it. @param[in,out] inspector The inspector. @param x
- *  Shares of the window's width. @param y Shares of its height. */
-void inspector_drag(Inspector *inspector, double x, double y);
+/** Turns the second camera around the rays, as if they were held. @param[in,out] inspector The
+ *  inspector. @param right Degrees to the right. @param up Degrees up. */
+void inspector_turn(Inspector *inspector, double right, double up);
 
 /** The scene, its camera or its lamps have changed. @param[in,out] inspector The inspector. */
 void inspector_outdate(Inspector *inspector);

@@ -8,6 +8,9 @@
 
 #include <stdio.h>
 
+/** Degrees that the second camera turns around rays while the mouse crosses the window. */
+static const double AROUND = 180;
+
 /** @return Width of the window, in the screen's units. @param view The view. */
 static int window_width(const View *view) {
     int width = 1;
@@ -24,8 +27,11 @@ static void click(View *view, int x, int y) {
         room = inspector_inset(room.w, room.h);
     }
     if (SDL_PointInRect(&(SDL_Point){x, y}, &room)) {
-        inspector_pick(&view->stage.inspector, (x - room.x + 0.5) / room.w,
-                       (y - room.y + 0.5) / room.h);
+        char step[STEP_SIZE];
+        double right = (x - room.x + 0.5) / room.w, down = (y - room.y + 0.5) / room.h;
+        snprintf(step, sizeof step, "pixel(%.17g, %.17g)", right, down);
+        recorder_note(view, step);
+        controls_pick(view, right, down);
     }
 }
 
@@ -38,9 +44,10 @@ void mouse_button(View *view, const SDL_MouseButtonEvent *button) {
         click(view, view->click_x, view->click_y);
     }
     double share = (double)button->x / window_width(view);
+    bool is_ours = is_down && !player_is_on(view); // A lesson puts back a view, not what is shown.
     view->stage.split.is_dragged =
-        is_down && !view->stage.inspector.is_open && stage_is_at_bar(&view->stage, share);
-    view->is_click = is_down && !view->stage.split.is_dragged && player_leaves_view(view);
+        is_ours && !view->stage.inspector.is_open && stage_is_at_bar(&view->stage, share);
+    view->is_click = is_ours && !view->stage.split.is_dragged;
     view->click_x = button->x;
     view->click_y = button->y;
 }
@@ -55,25 +62,26 @@ static bool is_still(View *view, const SDL_MouseMotionEvent *mouse) {
     return view->is_click;
 }
 
-/** The mouse was dragged around rays. @param[in,out] view The view. @param mouse The event. */
-static void drag_around(View *view, const SDL_MouseMotionEvent *mouse) {
-    int width = 1, height = 1;
-    SDL_GetWindowSize(view->stage.display.window, &width, &height);
-    inspector_drag(&view->stage.inspector, (double)mouse->xrel / SDL_max(1, width),
-                   (double)mouse->yrel / SDL_max(1, height));
+/** The bar between two pictures is dragged. @param[in,out] view The view. @param share To where, of
+ *  the window's width. */
+static void drag_bar(View *view, double share) {
+    char step[STEP_SIZE];
+    share = SDL_clamp(share, 0, 1);
+    snprintf(step, sizeof step, "bar(%.17g)", share);
+    recorder_note(view, step);
+    stage_move_bar(&view->stage, share);
 }
 
 void mouse_motion(View *view, const SDL_MouseMotionEvent *mouse) {
     int width = window_width(view);
     if (view->stage.split.is_dragged) {
-        stage_move_bar(&view->stage, (double)mouse->x / width);
+        drag_bar(view, (double)mouse->x / width);
     } else if (!(mouse->state & SDL_BUTTON_LMASK) || is_still(view, mouse)) {
         return;
-    } else if (view->stage.inspector.is_open) {
-        drag_around(view, mouse);
     } else if (player_leaves_view(view)) {
         char step[STEP_SIZE];
-        double degrees = view->scene->camera.fov / width;
+        bool is_around = view->stage.inspector.is_open;
+        double degrees = (is_around ? AROUND : view->scene->camera.fov) / width;
         double right = mouse->xrel * degrees, up = -mouse->yrel * degrees;
         snprintf(step, sizeof step, "turn(%.17g, %.17g)", right, up);
         recorder_note(view, step);
@@ -82,9 +90,7 @@ void mouse_motion(View *view, const SDL_MouseMotionEvent *mouse) {
 }
 
 void mouse_wheel(View *view, const SDL_MouseWheelEvent *wheel) {
-    if (view->stage.inspector.is_open) {
-        inspector_move(&view->stage.inspector, (Movement){.forward = (double)wheel->preciseY / 8});
-    } else if (player_leaves_view(view)) {
+    if (player_leaves_view(view)) {
         char step[STEP_SIZE];
         snprintf(step, sizeof step, "zoom(%.17g)", (double)wheel->preciseY);
         recorder_note(view, step);

@@ -146,6 +146,15 @@ static void do_step(View *view, const LessonStep *step) {
     case LESSON_SIZE:
         SDL_SetWindowSize(view->stage.display.window, (int)step->right, (int)step->up);
         break;
+    case LESSON_PIXEL:
+        controls_pick(view, step->right, step->up);
+        break;
+    case LESSON_WALK:
+        controls_walk(view, (int)step->right, (int)step->up);
+        break;
+    case LESSON_BAR:
+        stage_move_bar(&view->stage, step->right);
+        break;
     case LESSON_CAPTION:
         show_caption(view, step);
         break;

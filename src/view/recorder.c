@@ -43,6 +43,7 @@ static bool begin(View *view, Error *error) {
     controls_act(view, ACTION_AS_ASKED);
     controls_act(view, ACTION_LAYER);
     controls_act(view, ACTION_HOME);
+    inspector_reset(&view->stage.inspector);
     LessonFacts facts = {.scene = view->path,
                          .name = view->name,
                          .time = view->timeline.time,

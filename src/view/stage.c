@@ -95,6 +95,7 @@ void stage_untune(Stage *stage) {
         }
     }
     stage->split.mode = SPLIT_NONE;
+    split_move(&stage->split, 0.5);
 }
 
 void stage_split(Stage *stage, int way) {

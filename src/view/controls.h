@@ -18,13 +18,6 @@ enum { STEP_SIZE = 80 };
 void controls_handle(View *view, const SDL_Event *event);
 
 /**
- * Does what a key asks for.
- * @param[in,out] view  The view.
- * @param action        What it asks for, not a move.
- */
-void controls_act(View *view, Action action);
-
-/**
  * Moves the light that keys move, and the camera, along the axes of the picture.
  * @param[in,out] view  The view.
  * @param light         How far the light goes.

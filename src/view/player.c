@@ -6,6 +6,7 @@
 
 #include "dioptre/language.h"
 #include "view/controls.h"
+#include "view/deeds.h"
 #include "view/play.h"
 #include "view/shoot.h"
 
@@ -119,7 +120,7 @@ static void press(View *view, const LessonStep *step) {
     if (action_is_move(action)) {
         motion_press(&metronome->motion, action, metronome_seconds(metronome));
     } else {
-        controls_act(view, action);
+        deeds_do(view, action);
     }
 }
 

@@ -7,6 +7,7 @@
 #include "dioptre/language.h"
 #include "dioptre/text_file.h"
 #include "view/controls.h"
+#include "view/deeds.h"
 #include "view/lesson_text.h"
 #include "view/numbered.h"
 #include "view/play.h"
@@ -40,9 +41,9 @@ static bool begin(View *view, Error *error) {
     }
     motion_forget(&view->motion);
     timeline_hold(&view->timeline, clock_seconds());
-    controls_act(view, ACTION_AS_ASKED);
-    controls_act(view, ACTION_LAYER);
-    controls_act(view, ACTION_HOME);
+    deeds_do(view, ACTION_AS_ASKED);
+    deeds_do(view, ACTION_LAYER);
+    deeds_do(view, ACTION_HOME);
     inspector_reset(&view->stage.inspector);
     LessonFacts facts = {.scene = view->path,
                          .name = view->name,

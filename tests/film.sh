@@ -129,7 +129,7 @@ refused 1 'ffmpeg' 'ffmpeg is no program' faked
 echo 'exec sleep 60' | fake
 (PATH=$work/bin:$PATH exec env --default-signal=INT "$dioptre" animate "$orbits" -s 640x360 --samples 1 -o old.mp4) 2>said &
 pid=$!
-sleep 1.5
+for _ in {1..400}; do pgrep -P $pid -x sleep >/dev/null && break || sleep 0.02; done
 kill -INT $pid
 refused 130 'interrupted: 0 of 250 frames were done; there is no film' 'ffmpeg hangs, and Ctrl-C' ended $pid
 ln -s /dev/full device.mp4
@@ -173,8 +173,9 @@ find killed -name '*.bmp.*' -delete
 expect 0 '' 'SIGKILL costs the frame under way, and no other' diff -r killed whole
 (exec "$dioptre" animate "$orbits" -s 320x180 --samples 1 -o old.mp4) &
 pid=$!
-sleep 1
-encoder=$(pgrep -P $pid -x ffmpeg)
+# As soon as there is an encoder: a quiet machine finishes this film within a second.
+started() { encoder=$(pgrep -P "$1" -x ffmpeg); }
+for _ in {1..400}; do started $pid && break || sleep 0.02; done
 kill -KILL $pid
 { wait $pid; } 2>/dev/null
 holds old.mp4 '^the old film$' 'SIGKILL: the old film is whole'
@@ -185,7 +186,7 @@ rm -f old.mp4.*
 # --- an interrupted film -------------------------------------------------------------------------
 (exec env --default-signal=INT "$dioptre" animate "$orbits" -s 320x180 -o old.mp4) 2>said &
 pid=$!
-sleep 1
+for _ in {1..400}; do started $pid && break || sleep 0.02; done
 kill -INT $pid
 refused 130 'interrupted: [0-9]+ of 250 frames were done; there is no film' 'an interrupted film' ended $pid
 finish

@@ -43,8 +43,9 @@ static const char *engine_reason(const Options *options, const Engine *engine) {
     if (options->engine) {
         return N_("asked for");
     }
-    return engine == engine_list()[0] ? N_("the fastest, and this processor has AVX2")
-                                      : N_("the fastest that this processor can run");
+    return engine == engine_find("auto", NULL)
+               ? N_("the fastest that this processor can run")
+               : N_("double precision, as single precision is estimated to show errors here");
 }
 
 /**

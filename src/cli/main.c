@@ -4,11 +4,13 @@
  */
 #include "cli/commands.h"
 #include "dioptre/language.h"
+#include "script/suggest.h"
 
 #include <libintl.h>
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 /** All commands, ended by NULL. */
 static const Command *const commands[] = {&view_command,
@@ -90,6 +92,27 @@ static int run_command(const Command *command, const Options *options, Error *er
     return status;
 }
 
+/** @return Whether a first word may name a scene: there is such a file, it is standard input, or it
+ *          is written as scenes are. @param word The word. */
+static bool may_be_scene(const char *word) {
+    const char *ending = strrchr(word, '.');
+    return access(word, F_OK) == 0 || strcmp(word, "-") == 0 || strchr(word, '/') ||
+           (ending && strcmp(ending, ".lua") == 0);
+}
+
+/** Says that a first word is no command. @param word The word. @param[out] error What is wrong.
+ *  @return The exit status. */
+static int refuse_word(const char *word, Error *error) {
+    Suggestion suggestion = {.wanted = word};
+    char hint[SUGGEST_HINT_SIZE];
+    for (const Command *const *command = commands; *command; command++) {
+        suggest_try(&suggestion, (*command)->name);
+    }
+    error_set(error, STATUS_USAGE, "'%s' is neither a command nor a scene file%s", word,
+              suggest_hint(&suggestion, hint));
+    return STATUS_USAGE;
+}
+
 /** Does what a command line says. @param argc Number of words. @param argv The words.
  *  @param[out] error What is wrong. @return The exit status. */
 static int run(int argc, char **argv, Error *error) {
@@ -99,6 +122,9 @@ static int run(int argc, char **argv, Error *error) {
     int skip = command ? 1 : 0;
     Options options;
     if (is_scene) {
+        if (!may_be_scene(argv[1])) {
+            return refuse_word(argv[1], error);
+        }
         command = &view_command;
     }
     if (!options_parse(command, argc - skip, argv + skip, &options, error)) {

@@ -15,12 +15,15 @@
 
 /** LANES triangles side by side. */
 typedef struct TriangleBlock {
-    Vector corners[3];         /**< Their corners, in turn. */
+    /** Their corners, in turn. Aligned to a vector, where the compiler asks for less of quad: the
+     *  size of a block must be a whole number of vectors (see #BLOCK_NUMBERS). */
+    _Alignas(sizeof(real)) Vector corners[3];
     uint32_t triangles[LANES]; /**< Their places in the mesh; the last is repeated to fill up. */
 } TriangleBlock;
 
 /** Numbers that a block takes in memory: what a slot's numbers are found by. */
 #define BLOCK_NUMBERS ((int)(sizeof(TriangleBlock) / sizeof(scalar)))
+_Static_assert(sizeof(TriangleBlock) % sizeof(real) == 0, "a block is a whole number of vectors");
 
 /** A place on a picture. */
 typedef struct Spot {

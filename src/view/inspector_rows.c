@@ -23,8 +23,8 @@ static PanelRow *row_new(Inspector *inspector) {
     return row;
 }
 
-/** Adds a row. @param[in,out] inspector The inspector. @param label Its label, in English; NULL: it
- *  is a heading. @param format What it says, as for printf, in the user's language. */
+/** Adds a row. @param[in,out] inspector The inspector. @param label Its label, in English, or "" (of
+ *  which gettext() makes the catalogue's header); NULL: it is a heading. @param format What it says, as for printf, in the user's language. */
 static void __attribute__((format(printf, 3, 4)))
 row_add(Inspector *inspector, const char *label, const char *format, ...) {
     PanelRow *row = row_new(inspector);
@@ -35,7 +35,7 @@ row_add(Inspector *inspector, const char *label, const char *format, ...) {
                       arguments);
         va_end(arguments);
         row->is_heading = label == NULL;
-        SDL_strlcpy(row->label, label ? gettext(label) : "", sizeof row->label);
+        SDL_strlcpy(row->label, label && *label ? gettext(label) : "", sizeof row->label);
     }
 }
 

@@ -8,17 +8,22 @@ CXX       ?= c++
 OBJCOPY   ?= objcopy
 OPTIMIZE  ?= -O3 -g
 SANITIZE  ?=
+# V=1 prints whole commands.
+SAY       = $(if $(V),,@echo "  $(1) $(2:$(CURDIR)/%=%)" &&)
 
 # --- flags ---------------------------------------------------------------------------------------
 WARNINGS  := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion -Wmissing-prototypes -Werror
 # The same bits on every machine and at every width: no contraction, no fast-math (doc/tour.md).
 ARITHMETIC := -ffp-contract=off -fno-math-errno -fno-trapping-math
-CPPFLAGS  := -Iinclude -Isrc -DDIOPTRE_VERSION='"$(VERSION)"' -D_GNU_SOURCE
+# SDL's header would bring in Intel's, half a second per file, for CPU queries that nothing here asks.
+CPPFLAGS  := -Iinclude -Isrc -DDIOPTRE_VERSION='"$(VERSION)"' -D_GNU_SOURCE -DSDL_DISABLE_IMMINTRIN_H
 CFLAGS    = -std=gnu11 $(OPTIMIZE) $(WARNINGS) $(ARITHMETIC) -fPIC -pthread $(SANITIZERS)
 CXXFLAGS  = -std=c++17 $(OPTIMIZE) -Wall -Wextra -Wpedantic -Wshadow -Werror -fPIC -fvisibility=hidden $(SANITIZERS)
 SANITIZERS := $(if $(SANITIZE),-fsanitize=$(SANITIZE) -fno-omit-frame-pointer -fno-sanitize-recover=all)
 PKG_CFLAGS = $(shell pkg-config --cflags $(1) 2>/dev/null)
 PKG_LIBS   = $(shell pkg-config --libs $(1) 2>/dev/null)
+# Asked once: a make that installs packages runs a make of its own afterwards.
+ROOM_CFLAGS := $(call PKG_CFLAGS,sdl2 SDL2_ttf lua5.4)
 # $(call NEED,LIBRARY,PACKAGE): stops with the package's name and not with a compiler's error.
 NEED = @pkg-config --exists $(1) 2>/dev/null || { \
     echo "$(1) is missing: sudo apt-get install pkg-config $(2), or make run, which does that" >&2; exit 1; }
@@ -36,7 +41,8 @@ FLAGS_f32x16 := -DREAL_BITS=32  -DLANES=16
 FLAGS_f32x8  := -DREAL_BITS=32  -DLANES=8
 FLAGS_f64x4  := -DREAL_BITS=64  -DLANES=4
 endif
-ENGINES := f32x16 f32x8 f32x4 f32x1 f64x4 f64x1 f128x1
+# The preferred first. Fewer build faster: make ENGINES="f32x8 f128x1"
+ENGINES ?= f32x8 f32x16 f32x4 f32x1 f64x4 f64x1 f128x1
 
 # --- number types: the objects of src/lab/methods at one of them ------------------------------------
 TYPE_float    := -DREAL_BITS=32
@@ -46,10 +52,10 @@ TYPE_quad     := -DREAL_BITS=128
 TYPES := float double extended quad
 
 # --- sources -------------------------------------------------------------------------------------
-TRACE_SOURCES := $(wildcard src/trace/*.c src/trace/shapes/*.c)
-MODULE_SOURCES := $(wildcard src/assets/*_module.c)
-ROOM_SOURCES  := $(filter-out $(MODULE_SOURCES),$(wildcard src/scene/*.c src/render/*.c src/script/*.c src/assets/*.c src/view/*.c src/lab/*.c src/lab/experiments/*.c))
-METHOD_SOURCES := $(wildcard src/lab/methods/*.c)
+TRACE_SOURCES := $(filter-out src/trace/all.c,$(wildcard src/trace/*.c src/trace/*/*.c))
+MODULE_SOURCES := $(wildcard src/assets/*_plugin.c src/assets/*/*_plugin.c)
+METHOD_SOURCES := $(filter-out src/lab/methods/all.c,$(wildcard src/lab/methods/*.c))
+ROOM_SOURCES  := $(filter-out $(MODULE_SOURCES) src/lab/methods/%,$(foreach room,base scene render script assets view lab,$(wildcard src/$(room)/*.c src/$(room)/*/*.c)))
 CLI_SOURCES   := $(wildcard src/cli/*.c)
 OBJ           := $(BUILD)/obj
 ENGINE_OBJECTS := $(ENGINES:%=$(OBJ)/engine-%.o)
@@ -64,7 +70,7 @@ MESHES_MODULE := $(BUILD)/dioptre-meshes.so
 MODULES       := $(IMAGES_MODULE) $(MESHES_MODULE)
 LANGUAGES     := $(patsubst src/po/%.po,%,$(wildcard src/po/*.po))
 CATALOGUES    := $(LANGUAGES:%=$(BUILD)/locale/%/LC_MESSAGES/dioptre.mo)
-# Words are not looked up while another thread forks: src/assets/language.c.
+# Words are not looked up while another thread forks: src/base/language.c.
 LIBRARIES     = $(call PKG_LIBS,sdl2 SDL2_ttf lua5.4) -ldl -lm -pthread -Wl,--wrap=dcgettext,--wrap=dcngettext
 
 .DEFAULT_GOAL := all
@@ -75,12 +81,12 @@ all: $(PROGRAM) $(MODULES) $(CATALOGUES)
 $(PROGRAM): $(CLI_OBJECTS) $(ROOM_OBJECTS)
 	$(CC) $(CFLAGS) -o $@ $^ $(LIBRARIES)
 
-$(IMAGES_MODULE): src/assets/images_module.cpp src/assets/images_module.h Makefile
+$(IMAGES_MODULE): src/assets/images/image_plugin.cpp src/assets/images/image_plugin.h $(FLAGS)
 	$(call NEED,OpenImageIO,libopenimageio-dev)
 	@mkdir -p $(@D)
 	$(CXX) $(CPPFLAGS) $(CXXFLAGS) $(call PKG_CFLAGS,OpenImageIO) -shared -o $@ $< $(call PKG_LIBS,OpenImageIO)
 
-$(MESHES_MODULE): src/assets/meshes_module.c src/assets/meshes_module.h Makefile
+$(MESHES_MODULE): src/assets/meshes/mesh_plugin.c src/assets/meshes/mesh_plugin.h $(FLAGS)
 	$(call NEED,assimp,libassimp-dev)
 	@mkdir -p $(@D)
 	$(CC) $(CPPFLAGS) $(CFLAGS) -fvisibility=hidden $(call PKG_CFLAGS,assimp) -shared -o $@ $< $(call PKG_LIBS,assimp)
@@ -97,37 +103,41 @@ libraries:
 	$(call NEED,SDL2_ttf,libsdl2-ttf-dev)
 	$(call NEED,lua5.4,liblua5.4-dev)
 
-$(OBJ)/%.o: %.c Makefile | libraries
+# Other flags than last time make everything anew.
+FLAGS     := $(BUILD)/flags
+FLAGS_NOW := $(CC) $(CXX) $(CPPFLAGS) $(CFLAGS) $(CXXFLAGS) $(ROOM_CFLAGS) $(foreach engine,$(ENGINES),$(FLAGS_$(engine)))
+.PHONY: always
+always:
+$(FLAGS): always
 	@mkdir -p $(@D)
-	$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,sdl2 SDL2_ttf lua5.4) -MMD -MP -c -o $@ $<
+	@echo '$(subst ','\'',$(FLAGS_NOW))' | cmp -s - $@ || echo '$(subst ','\'',$(FLAGS_NOW))' >$@
 
-# One relocatable object an engine, with one symbol: everything else in it becomes local.
-define ENGINE_RULES
-$(OBJ)/$(1)/%.o: src/trace/%.c Makefile
-	@mkdir -p $$(@D)
-	$$(CC) $$(CPPFLAGS) $$(CFLAGS) -Wno-psabi $$(FLAGS_$(1)) -DENGINE=engine_$(1) -DENGINE_NAME='"$(1)"' -MMD -MP -c -o $$@ $$<
-$(OBJ)/engine-$(1).o: $(TRACE_SOURCES:src/trace/%.c=$(OBJ)/$(1)/%.o)
-	$$(LD) -r -o $$@.all $$^
-	$$(OBJCOPY) --keep-global-symbol=engine_$(1) $$@.all $$@
-	@rm -f $$@.all
-endef
-$(foreach engine,$(ENGINES),$(eval $(call ENGINE_RULES,$(engine))))
+$(OBJ)/%.o: %.c $(FLAGS) | libraries
+	@mkdir -p $(@D)
+	$(CC) $(CPPFLAGS) $(CFLAGS) $(ROOM_CFLAGS) -MMD -MP -c -o $@ $<
+$(OBJ)/src/render/engines.o: CPPFLAGS += '-DENGINE_LIST(X)=$(foreach engine,$(ENGINES),X($(engine)))'
 
-# The same for the laboratory's methods: one symbol a number type.
-define TYPE_RULES
-$(OBJ)/type-$(1)/%.o: src/lab/methods/%.c Makefile
+# One relocatable object per engine, with one symbol: everything else in it becomes local. The
+# compiler sees all of src/trace as one file; SPLIT=1 compiles file by file, for who edits there.
+# $(call KEEP,SYMBOL): links $^ into $@.
+KEEP = $(LD) -r -o $@.all $(filter %.o,$^) && $(OBJCOPY) --keep-global-symbol=$(1) $@.all $@ && rm -f $@.all
+# $(eval $(call ONE_SYMBOL,OBJECT,FOLDER,SOURCES,FLAGS,SYMBOL))
+define ONE_SYMBOL
+$(OBJ)/$(1)/%.o: $(2)/%.c $(FLAGS)
 	@mkdir -p $$(@D)
-	$$(CC) $$(CPPFLAGS) $$(CFLAGS) $$(TYPE_$(1)) -DLANES=1 -DNUMBER_TYPE=number_$(1) -DNUMBER_TYPE_NAME='"$(subst extended,long double,$(1))"' -MMD -MP -c -o $$@ $$<
-$(OBJ)/type-$(1).o: $(METHOD_SOURCES:src/lab/methods/%.c=$(OBJ)/type-$(1)/%.o)
-	$$(LD) -r -o $$@.all $$^
-	$$(OBJCOPY) --keep-global-symbol=number_$(1) $$@.all $$@
-	@rm -f $$@.all
+	$$(CC) $$(CPPFLAGS) $$(CFLAGS) $(4) -MMD -MP -c -o $$@ $$<
+$(OBJ)/$(1).o: $(if $(SPLIT),$(3:$(2)/%.c=$(OBJ)/$(1)/%.o),$(OBJ)/$(1)/all.o)
+	$$(call KEEP,$(5))
 endef
-$(foreach type,$(TYPES),$(eval $(call TYPE_RULES,$(type))))
+$(foreach engine,$(ENGINES),$(eval $(call ONE_SYMBOL,engine-$(engine),src/trace,$(TRACE_SOURCES),\
+    -Wno-psabi $$(FLAGS_$(engine)) -DENGINE=engine_$(engine) -DENGINE_NAME='"$(engine)"',engine_$(engine))))
+# The same for the laboratory's methods: one symbol per number type.
+$(foreach type,$(TYPES),$(eval $(call ONE_SYMBOL,type-$(type),src/lab/methods,$(METHOD_SOURCES),\
+    $$(TYPE_$(type)) -DLANES=1 -DNUMBER_TYPE=number_$(type) -DNUMBER_TYPE_NAME='"$(subst extended,long double,$(type))"',number_$(type))))
 # Experiments mix double with quad on purpose: what they widen is exact.
 $(OBJ)/src/lab/%.o: CFLAGS += -Wno-double-promotion
 # Its tables say how they came about.
-$(OBJ)/src/lab/csv.o: CPPFLAGS += -DDIOPTRE_FLAGS='"$(OPTIMIZE) $(ARITHMETIC)"'
+$(OBJ)/src/lab/charts/csv.o: CPPFLAGS += -DDIOPTRE_FLAGS='"$(OPTIMIZE) $(ARITHMETIC)"'
 
 -include $(shell find $(OBJ) -name '*.d' 2>/dev/null)
 
@@ -150,7 +160,7 @@ test-packages:
 # pkg-config may come with the packages only: what needs its answers runs in a make of its own.
 .PHONY: run
 run: packages
-	@$(MAKE) --no-print-directory all
+	@$(MAKE) --no-print-directory -j$$(nproc) all
 	@if [ -n "$$DISPLAY$$WAYLAND_DISPLAY" ]; then \
 	    exec $(PROGRAM) view scenes/box.lua; \
 	else \
@@ -168,9 +178,15 @@ clang:
 	@$(MAKE) --no-print-directory BUILD=build/clang CC=clang CXX=clang++ all
 
 # --- tests ---------------------------------------------------------------------------------------
-$(BUILD)/tests/%: tests/%.c $(wildcard tests/*.h) $(ROOM_OBJECTS)
+# All rooms, once, for all test programs.
+ROOMS         := $(BUILD)/tests/librooms.so
+$(ROOMS): $(ROOM_OBJECTS)
 	@mkdir -p $(@D)
-	$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,cmocka sdl2 lua5.4) -Itests -o $@ $< $(ROOM_OBJECTS) $(LIBRARIES) $(call PKG_LIBS,cmocka)
+	$(CC) $(CFLAGS) -shared -o $@ $^ $(LIBRARIES)
+WITH_ROOMS    := -L$(BUILD)/tests -lrooms -Wl,-rpath,'$$ORIGIN:$$ORIGIN/..:$$ORIGIN/tests'
+$(BUILD)/tests/%: tests/%.c $(wildcard tests/*.h) $(ROOMS)
+	@mkdir -p $(@D)
+	$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,cmocka) $(ROOM_CFLAGS) -Itests -o $@ $< $(WITH_ROOMS) $(LIBRARIES) $(call PKG_LIBS,cmocka)
 
 .PHONY: test tests unit-tests
 test: test-packages
@@ -201,18 +217,18 @@ peers: packages
 	    BUILD=$(BUILD) tests/peers/$$script.sh || status=1; done; exit $$status
 
 # Beside the modules, so that it finds them.
-$(BUILD)/peer-embree: tests/peers/embree.c $(ROOM_OBJECTS)
-	$(CC) $(CPPFLAGS) $(CFLAGS) -o $@ $< $(ROOM_OBJECTS) $(LIBRARIES) -lembree3
-$(BUILD)/peer-accuracy: tests/peers/accuracy.c $(wildcard tests/*.h) $(ROOM_OBJECTS)
-	$(CC) $(CPPFLAGS) $(CFLAGS) -Itests -o $@ $< $(ROOM_OBJECTS) $(LIBRARIES) -lembree3 $(call PKG_LIBS,cmocka)
+$(BUILD)/peer-embree: tests/peers/embree.c $(ROOMS)
+	$(CC) $(CPPFLAGS) $(CFLAGS) -o $@ $< $(WITH_ROOMS) $(LIBRARIES) -lembree3
+$(BUILD)/peer-accuracy: tests/peers/accuracy.c $(wildcard tests/*.h) $(ROOMS)
+	$(CC) $(CPPFLAGS) $(CFLAGS) -Itests -o $@ $< $(WITH_ROOMS) $(LIBRARIES) -lembree3 $(call PKG_LIBS,cmocka)
 
 $(BUILD)/peer-fragment: tests/peers/fragment.c
 	$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,sdl2) -o $@ $< $(call PKG_LIBS,sdl2) -lGL
 
 # --- the laboratory ------------------------------------------------------------------------------
 # Beside the modules, so that it finds them.
-$(BUILD)/bench-needs: tests/bench/needs.c $(ROOM_OBJECTS)
-	$(CC) $(CPPFLAGS) $(CFLAGS) -o $@ $< $(ROOM_OBJECTS) $(LIBRARIES)
+$(BUILD)/bench-needs: tests/bench/needs.c $(ROOMS)
+	$(CC) $(CPPFLAGS) $(CFLAGS) -o $@ $< $(WITH_ROOMS) $(LIBRARIES)
 CHARTED := $(addprefix scenes/,$(addsuffix .lua,box glass-sphere mandelbulb figure-16))
 .PHONY: charts
 charts: packages

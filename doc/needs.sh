@@ -10,6 +10,18 @@ rows() {
         timeout 120 "$BUILD/bench-needs" "$scene" || echo "| ${scene##*/} | | took longer than two minutes | | | | | |"
     done >>"$BUILD/needs.md"
 }
+# summary: what the rows so far say together, in a sentence.
+summary() {
+    rows=$(grep -E '^\| [^|]*\.lua \| [^ |]' "$BUILD/needs.md")
+    double=$(echo "$rows" | grep -cE '^\|[^|]*\|[^|]*\| f64' || true)
+    echo "$rows" | sed -E 's/.*\| ([0-9.]+) \|$/\1/' | sort -n | awk -v double="$double" '
+        { times[NR] = $1 }
+        END {
+            printf "\nOver these %d scenes double takes %s to %s times as long as float, in half of them at most %s times. ",
+                NR, times[1], times[NR], times[int((NR + 1) / 2)]
+            printf "Float is enough for %d of them; %d need double.\n", NR - double, double
+        }' | fold -s -w 110 | sed 's/ *$//'
+}
 
 cat >"$BUILD/needs.md" <<'END'
 # What scenes need
@@ -21,12 +33,21 @@ may be off. *Needed*: what `dioptre needs` finds on a sample of one pixel in 64,
 steps that is off at most, and how many rays by half a step or more. *Float, whole picture*: the
 same of float, for all pixels: more than 0.01 % off means that double is needed. *Times*: how many times
 as long double takes with all rays followed 128 turns deep. Rays that passed an edge on its other side are not
-counted, unless the edge is moved by more than 1/64 pixel.
+counted, unless the edge is moved by more than 1/64 pixel. The [glossary](glossary.md) explains the terms.
+
+*Enough* has one meaning for each setting. A depth is enough if deeper rays change no
+pixel of the sample by half a step. A number type is enough if at most one ray in 10,000 is off by half a step or more,
+or goes astray.
+
+The pilot is stricter: its reference also follows rays whose weight is below 0.00015. dioptre ends them there, and no
+setting changes that. Some scenes with very bright light and much glass therefore keep rays that are off in the
+pilot, although their settings are enough. `dioptre needs` says so in words, and counts these rays.
 
 | scene | forecast | needed | pilot: worst | off | float, whole picture: worst | off | times |
 |---|---|---|---|---|---|---|---|
 END
 rows scenes/*.lua
+summary >>"$BUILD/needs.md"
 cat >>"$BUILD/needs.md" <<'END'
 
 Built to fool the forecast (`tests/scenes/`):
@@ -37,7 +58,7 @@ END
 rows tests/scenes/*.lua
 cat >>"$BUILD/needs.md" <<'END'
 
-In words:
+In words, `dioptre needs scenes/box.lua`:
 
 ```
 END

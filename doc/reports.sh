@@ -1,5 +1,6 @@
 #!/bin/sh
-# Writes doc/reports.md: doc/reports.in, with figures from the tables of the laboratory in place of @...@.
+# Writes doc/reports.md: doc/reports.in, with figures from the tables of the laboratory in place of @...@:
+# @TABLE;METHOD;TYPE;STRESS;COLUMN@. STRESS * is the last row of the method; `all` is the worst of all its rows.
 # `make charts` calls it, with --pictures: then what the page shows is drawn anew.
 #   doc/reports.sh [--pictures] [FILE]
 set -eu
@@ -98,6 +99,8 @@ FILENAME ~ /\.csv$/ {
     for (i = 4; i <= count; i++) if (cells[i] != "") {
         table[name ";" cells[1] ";" cells[2] ";" cells[3] ";" heads[i]] = cells[i]
         table[name ";" cells[1] ";" cells[2] ";*;" heads[i]] = cells[i]
+        worst = name ";" cells[1] ";" cells[2] ";all;" heads[i]
+        if (!(worst in table) || cells[i] + 0 > table[worst] + 0) table[worst] = cells[i]
     }
     next
 }

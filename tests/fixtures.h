@@ -19,7 +19,7 @@
 /** Where tests work: a folder that is empty at first and gone at the end. */
 typedef struct Fixture {
     char folder[64];     /**< The folder. */
-    char path[PATH_MAX]; /**< The newest path made by #path_of. */
+    char path[PATH_MAX]; /**< The newest path made by #fixture_path. */
 } Fixture;
 
 /**
@@ -27,7 +27,7 @@ typedef struct Fixture {
  * @param[out] state  The fixture.
  * @return 0 if it was made.
  */
-static inline int enter_folder(void **state) {
+static inline int fixture_set_up(void **state) {
     Fixture *fixture = calloc(1, sizeof *fixture);
     *state = fixture;
     if (!fixture) {
@@ -45,8 +45,8 @@ static inline int enter_folder(void **state) {
  * @param walk  Unused.
  * @return 0 if it was removed.
  */
-static inline int remove_one(const char *path, const struct stat *info, int type,
-                             struct FTW *walk) {
+static inline int remove_entry(const char *path, const struct stat *info, int type,
+                               struct FTW *walk) {
     (void)info;
     (void)type;
     (void)walk;
@@ -54,9 +54,9 @@ static inline int remove_one(const char *path, const struct stat *info, int type
 }
 
 /** Removes the folder with all that is in it. @param state The fixture. @return 0 if it is gone. */
-static inline int leave_folder(void **state) {
+static inline int fixture_tear_down(void **state) {
     Fixture *fixture = *state;
-    int failed = nftw(fixture->folder, remove_one, 8, FTW_DEPTH | FTW_PHYS);
+    int failed = nftw(fixture->folder, remove_entry, 8, FTW_DEPTH | FTW_PHYS);
     free(fixture);
     return failed;
 }
@@ -67,14 +67,14 @@ static inline int leave_folder(void **state) {
  * @param name   The file's name.
  * @return The path, until the next is made; owned by the fixture.
  */
-static inline const char *path_of(void **state, const char *name) {
+static inline const char *fixture_path(void **state, const char *name) {
     Fixture *fixture = *state;
     snprintf(fixture->path, sizeof fixture->path, "%s/%s", fixture->folder, name);
     return fixture->path;
 }
 
 /** Writes a small file. @param path The file. @param bytes Its bytes. @param size How many. */
-static inline void store(const char *path, const void *bytes, size_t size) {
+static inline void write_file(const char *path, const void *bytes, size_t size) {
     FILE *stream = fopen(path, "wb");
     assert_non_null(stream);
     assert_int_equal(fwrite(bytes, 1, size, stream), size);
@@ -85,7 +85,7 @@ static inline void store(const char *path, const void *bytes, size_t size) {
  * Makes a module of the program findable for a test, which lies one folder below the program.
  * @param file  The module's file name.
  */
-static inline void link_module(const char *file) {
+static inline void symlink_plugin(const char *file) {
     char link[PATH_MAX], target[PATH_MAX];
     ssize_t length = readlink("/proc/self/exe", link, sizeof link - 1);
     assert_true(length > 0);
@@ -104,7 +104,7 @@ static inline void link_module(const char *file) {
  * @param height  Pixels.
  * @return The picture.
  */
-static inline Picture make_picture(int width, int height) {
+static inline Picture make_test_picture(int width, int height) {
     Picture picture;
     assert_true(picture_init(&picture, width, height, NULL));
     for (int i = 0; i < width * height * 3; i++) {

@@ -11,94 +11,96 @@
 #include <stdlib.h>
 
 /** How large a scene is, and where. */
-typedef struct World {
+typedef struct Placement {
     double scale;  /**< Length of 1. */
     double offset; /**< How far from the origin, in lengths of 1. */
-} World;
+} Placement;
 
 /** The sizes and places of the acceptance list. */
-static const World worlds[] = {{1, 0},     {1e-3, 0}, {1e3, 0},    {1, 100},  {1e-3, 100},
-                               {1e3, 100}, {1, 1e4},  {1e-3, 1e4}, {1e3, 1e4}};
+static const Placement placements[] = {{1, 0},     {1e-3, 0}, {1e3, 0},    {1, 100},  {1e-3, 100},
+                                       {1e3, 100}, {1, 1e4},  {1e-3, 1e4}, {1e3, 1e4}};
 /** How many there are. */
-enum { WORLDS = sizeof worlds / sizeof *worlds };
+enum { PLACEMENT_COUNT = sizeof placements / sizeof *placements };
 
-/** @return A point of a world. @param world The world. @param p The point, were it at the origin
- *  and of size 1. */
-static inline Vector3 place_in(World world, Vector3 p) {
-    double w = world.offset;
-    return (Vector3){world.scale * (p.x + w), world.scale * (p.y - w), world.scale * (p.z + w)};
+/** @return A point of a world. @param placement The world. @param p The point, were it at the
+ * origin and of size 1. */
+static inline Vec3d placed_point(Placement placement, Vec3d p) {
+    double w = placement.offset;
+    return (Vec3d){placement.scale * (p.x + w), placement.scale * (p.y - w),
+                   placement.scale * (p.z + w)};
 }
 
 /** @return Glass without colour. @param ior Its index. */
-static inline Material glass_of(double ior) {
-    Material material = *(const Material *)material_keyword.defaults;
-    material.transparency = (Color){1, 1, 1};
+static inline SceneMaterial glass_material(double ior) {
+    SceneMaterial material = *(const SceneMaterial *)scene_material_keyword.defaults;
+    material.transparency = (Rgbd){1, 1, 1};
     material.ior = ior;
     return material;
 }
 
 /** @return Something that only shines. @param light How bright. */
-static inline Material shining(Color light) {
-    Material material = *(const Material *)material_keyword.defaults;
-    material.color = (Color){0, 0, 0};
+static inline SceneMaterial emissive_material(Rgbd light) {
+    SceneMaterial material = *(const SceneMaterial *)scene_material_keyword.defaults;
+    material.color = (Rgbd){0, 0, 0};
     material.emission = light;
     return material;
 }
 
 /** Adds a material, that of the next shapes. @param scene The scene. @param material It. */
-static inline void use(Scene *scene, Material material) {
+static inline void use_material(Scene *scene, SceneMaterial material) {
     Error error = {0};
     assert_true(scene_add_material(scene, &material, &error));
 }
 
-/** Adds a sphere. @param scene The scene. @param world Where. @param center Its centre.
+/** Adds a sphere. @param scene The scene. @param placement Where. @param center Its centre.
  *  @param radius Its radius. */
-static inline void add_ball(Scene *scene, World world, Vector3 center, double radius) {
-    SphereParameters ball = {place_in(world, center), world.scale * radius};
-    add_shape(scene, "sphere", &ball);
+static inline void add_placed_sphere(Scene *scene, Placement placement, Vec3d center,
+                                     double radius) {
+    SphereParameters sphere = {placed_point(placement, center), placement.scale * radius};
+    add_shape(scene, "sphere", &sphere);
 }
 
-/** Adds a box. @param scene The scene. @param world Where. @param low Its lowest corner.
+/** Adds a box. @param scene The scene. @param placement Where. @param low Its lowest corner.
  *  @param high Its highest. */
-static inline void add_block(Scene *scene, World world, Vector3 low, Vector3 high) {
-    BoxParameters box = {place_in(world, low), place_in(world, high)};
+static inline void add_placed_box(Scene *scene, Placement placement, Vec3d low, Vec3d high) {
+    BoxParameters box = {placed_point(placement, low), placed_point(placement, high)};
     add_shape(scene, "box", &box);
 }
 
-/** Adds a plane. @param scene The scene. @param world Where. @param point A point of it.
+/** Adds a plane. @param scene The scene. @param placement Where. @param point A point of it.
  *  @param normal Its normal. */
-static inline void add_plane(Scene *scene, World world, Vector3 point, Vector3 normal) {
-    PlaneParameters plane = {place_in(world, point), normal};
+static inline void add_placed_plane(Scene *scene, Placement placement, Vec3d point, Vec3d normal) {
+    PlaneParameters plane = {placed_point(placement, point), normal};
     add_shape(scene, "plane", &plane);
 }
 
-/** Adds a quad. @param scene The scene. @param world Where. @param corner A corner. @param u To the
- *  next. @param v To the other next. */
-static inline void add_panel(Scene *scene, World world, Vector3 corner, Vector3 u, Vector3 v) {
-    QuadParameters quad = {place_in(world, corner), vector3_scale(u, world.scale),
-                           vector3_scale(v, world.scale)};
+/** Adds a quad. @param scene The scene. @param placement Where. @param corner A corner. @param u To
+ * the next. @param v To the other next. */
+static inline void add_placed_quad(Scene *scene, Placement placement, Vec3d corner, Vec3d u,
+                                   Vec3d v) {
+    QuadParameters quad = {placed_point(placement, corner), vec3d_scale(u, placement.scale),
+                           vec3d_scale(v, placement.scale)};
     add_shape(scene, "quad", &quad);
 }
 
-/** Turns the camera. @param scene The scene. @param world Where. @param eye Where it is.
+/** Turns the camera. @param scene The scene. @param placement Where. @param eye Where it is.
  *  @param direction Which way it looks. */
-static inline void aim(Scene *scene, World world, Vector3 eye, Vector3 direction) {
-    Camera *camera = &scene->camera;
-    camera->position = place_in(world, eye);
-    camera->direction = vector3_normalize(direction);
-    Vector3 aside = {1, 0, 0};
-    double along = vector3_dot(aside, camera->direction);
+static inline void set_camera(Scene *scene, Placement placement, Vec3d eye, Vec3d direction) {
+    SceneCamera *camera = &scene->camera;
+    camera->position = placed_point(placement, eye);
+    camera->direction = vec3d_normalize(direction);
+    Vec3d up = {1, 0, 0};
+    double along = vec3d_dot(up, camera->direction);
     if (fabs(along) > 0.9) {
-        aside = (Vector3){0, 0, 1};
-        along = vector3_dot(aside, camera->direction);
+        up = (Vec3d){0, 0, 1};
+        along = vec3d_dot(up, camera->direction);
     }
-    camera->up =
-        vector3_normalize(vector3_subtract(aside, vector3_scale(camera->direction, along)));
+    camera->up = vec3d_normalize(vec3d_subtract(up, vec3d_scale(camera->direction, along)));
 }
 
 /** Fresnel's share in closed form, and the angle behind. @return 1 where there is none.
  *  @param sine Of the angle of incidence. @param from Index there. @param to Index behind. */
-static inline double fresnel(Quadruple sine, double from, double to) {
+static inline double fresnel_closed_form(Quadruple sine, double from, double to) {
     Quadruple s = sine, n = from, m = to;
     Quadruple inner = 1 - (n * s / m) * (n * s / m);
     if (inner < 0) {
@@ -110,37 +112,38 @@ static inline double fresnel(Quadruple sine, double from, double to) {
 }
 
 /** How finely a picture is traced. */
-typedef struct Fineness {
+typedef struct TraceLimits {
     int depth;     /**< How often rays are mirrored or refracted. */
     double cutoff; /**< Weight below which they end. */
-} Fineness;
+} TraceLimits;
 
-/** Traces a picture. @param engine The engine. @param scene The scene. @param fine How finely.
+/** Traces a picture. @param engine The engine. @param scene The scene. @param limits How finely.
  *  @param width Pixels. @param height Pixels. @param[out] rgb Its light. @return The rays. */
-static inline RayCounts trace_picture(const Engine *engine, const Scene *scene, Fineness fine,
+static inline RayCounts trace_picture(const Engine *engine, const Scene *scene, TraceLimits limits,
                                       int width, int height, double *rgb) {
     Error error = {0};
-    TraceSettings settings = {.depth = fine.depth, .cutoff = fine.cutoff, .offset = OFFSET_BOUND};
-    Tracer *tracer = engine->prepare(scene, &settings, &error);
+    TraceSettings settings = {
+        .depth = limits.depth, .cutoff = limits.cutoff, .offset = OFFSET_BOUND};
+    Tracer *tracer = engine->create_tracer(scene, &settings, &error);
     assert_non_null(tracer);
     PixelGrid grid = {.columns = width, .rows = height, .stride = 1};
     RayCounts counts = {0};
-    engine->look(tracer, scene, width, height);
+    engine->set_view(tracer, scene, width, height);
     engine->trace(tracer, &grid, rgb, &counts);
-    engine->release(tracer);
+    engine->destroy(tracer);
     return counts;
 }
 
 /** @return The light of the ray in the middle of the picture. @param engine The engine.
  *  @param scene The scene. @param depth How often it is mirrored or refracted. */
-static inline double light_of(const Engine *engine, const Scene *scene, int depth) {
+static inline double center_radiance(const Engine *engine, const Scene *scene, int depth) {
     double rgb[3];
-    trace_picture(engine, scene, (Fineness){depth, 1e-12}, 1, 1, rgb);
+    trace_picture(engine, scene, (TraceLimits){depth, 1e-12}, 1, 1, rgb);
     return rgb[0];
 }
 
 /** @return A picture's number in steps of 255 of the sRGB curve. @param light Linear light. */
-static inline double steps_of(double light) {
+static inline double srgb_steps(double light) {
     double x = light < 0 ? 0 : light > 1 ? 1 : light;
     return 255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1 / 2.4) - 0.055);
 }

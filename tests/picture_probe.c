@@ -68,6 +68,6 @@ int main(int argc, char **argv) {
             status = 0;
         }
     }
-    picture_release(&picture);
+    picture_deinit(&picture);
     return status;
 }

@@ -17,11 +17,11 @@
 enum { WIDTH = 203, HEIGHT = 157 };
 
 /** @return A scene of this project, run. @param path Its file. */
-static inline Scene *load(const char *path) {
+static inline Scene *load_scene(const char *path) {
     Error error = {0};
     ScriptRequest request = {.path = path,
-                             .seconds = SCRIPT_SECONDS,
-                             .memory = SCRIPT_MEMORY,
+                             .time_limit = SCRIPT_TIME_LIMIT,
+                             .memory_limit = SCRIPT_MEMORY_LIMIT,
                              .shape_keywords = engine_list()[0]->shape_keywords};
     Scene *scene = script_load(&request, &error);
     if (!scene) {
@@ -44,7 +44,7 @@ static inline RenderSettings small_settings(const Scene *scene, const char *engi
 }
 
 /** @return A renderer. @param scene The scene. @param settings What is asked for. */
-static inline Renderer *create(const Scene *scene, const RenderSettings *settings) {
+static inline Renderer *create_renderer(const Scene *scene, const RenderSettings *settings) {
     Error error = {0};
     Renderer *renderer = renderer_create(scene, settings, &error);
     if (!renderer) {
@@ -54,12 +54,12 @@ static inline Renderer *create(const Scene *scene, const RenderSettings *setting
 }
 
 /** @return A picture drawn at once. @param scene The scene. @param settings What is asked for. */
-static inline Picture draw(const Scene *scene, const RenderSettings *settings) {
+static inline Picture draw_picture(const Scene *scene, const RenderSettings *settings) {
     Error error = {0};
     Picture picture;
     assert_true(picture_init(&picture, settings->width, settings->height, &error));
-    Renderer *renderer = create(scene, settings);
-    RenderReport report = renderer_draw(renderer, NULL, &picture);
+    Renderer *renderer = create_renderer(scene, settings);
+    RenderStats report = renderer_render(renderer, NULL, &picture);
     assert_true(report.is_finished);
     renderer_destroy(renderer);
     return picture;
@@ -67,25 +67,25 @@ static inline Picture draw(const Scene *scene, const RenderSettings *settings) {
 
 /** Fails unless two pictures are the same, and gives the second back. @param a One.
  *  @param b The other. */
-static inline void assert_same(const Picture *a, Picture b) {
-    Comparison comparison = picture_compare(a, &b, NULL);
-    assert_int_equal(comparison.worst_step, 0);
+static inline void assert_same_picture(const Picture *a, Picture b) {
+    PictureComparison comparison = picture_compare(a, &b, NULL);
+    assert_int_equal(comparison.max_difference, 0);
     assert_memory_equal(a->pixels, b.pixels, 3 * (size_t)a->width * (size_t)a->height);
-    picture_release(&b);
+    picture_deinit(&b);
 }
 
 /** Draws in the background until it is finished. @param renderer The renderer. @param scene Camera.
  *  @param[out] passes How many different passes were seen. @return The picture. */
 static inline Picture draw_in_background(Renderer *renderer, const Scene *scene, int *passes) {
     Error error = {0};
-    RenderReport report = {0};
+    RenderStats report = {0};
     const struct timespec pause = {.tv_nsec = 200000};
     uint8_t *bgrx = calloc(4, (size_t)WIDTH * HEIGHT);
     assert_true(renderer_start(renderer, scene, WIDTH, HEIGHT, NULL, NULL, &error));
     int last_stride = 0, last_samples = 0;
     *passes = 0;
     while (!report.is_finished) {
-        if (renderer_take(renderer, &report, bgrx, 4 * WIDTH) &&
+        if (renderer_copy_latest(renderer, &report, bgrx, 4 * WIDTH) &&
             (report.stride != last_stride || report.samples != last_samples)) {
             last_stride = report.stride;
             last_samples = report.samples;

@@ -17,28 +17,29 @@ static const char *type_name(const Parameter *row) {
     static const char *const names[] = {[PARAMETER_NUMBER] = "number",
                                         [PARAMETER_INTEGER] = "whole number",
                                         [PARAMETER_BOOLEAN] = "`true` or `false`",
-                                        [PARAMETER_WORD] = "word",
+                                        [PARAMETER_CHOICE] = "word",
                                         [PARAMETER_POINT] = "`{x, y, z}`",
                                         [PARAMETER_VECTOR] = "`{x, y, z}`",
                                         [PARAMETER_DIRECTION] = "`{x, y, z}`, not zero",
                                         [PARAMETER_SCALE] = "number, or `{x, y, z}`; not zero",
-                                        [PARAMETER_PAIR] = "`{u, v}`",
+                                        [PARAMETER_UV] = "`{u, v}`",
                                         [PARAMETER_COLOR] = "colour",
                                         [PARAMETER_MESH] = "name of a model file",
-                                        [PARAMETER_FIELD] = "distance field",
+                                        [PARAMETER_SDF] = "distance field",
                                         [PARAMETER_TEXTURE] = "name of a picture file"};
     return names[row->type];
 }
 
 /** Prints which values a field takes. @param row The field. */
 static void print_range(const Parameter *row) {
-    if (row->type == PARAMETER_WORD) {
-        for (int i = 0; row->words[i]; i++) {
-            printf("%s`\"%s\"`", i ? ", " : "", row->words[i]);
+    if (row->type == PARAMETER_CHOICE) {
+        for (int i = 0; row->choices[i]; i++) {
+            printf("%s`\"%s\"`", i ? ", " : "", row->choices[i]);
         }
     } else if (row->type != PARAMETER_BOOLEAN && row->type != PARAMETER_MESH &&
-               row->type != PARAMETER_TEXTURE && row->type != PARAMETER_FIELD) {
-        printf("%s%.15g to %.15g", row->above_minimum ? "above " : "", row->minimum, row->maximum);
+               row->type != PARAMETER_TEXTURE && row->type != PARAMETER_SDF) {
+        printf("%s%.15g to %.15g", row->excludes_minimum ? "above " : "", row->minimum,
+               row->maximum);
     }
 }
 
@@ -60,17 +61,17 @@ static void print_value(const Parameter *row, const void *values) {
     case PARAMETER_BOOLEAN:
         printf("`%s`", *(const bool *)field ? "true" : "false");
         break;
-    case PARAMETER_WORD:
-        printf("`\"%s\"`", row->words[*(const int *)field]);
+    case PARAMETER_CHOICE:
+        printf("`\"%s\"`", row->choices[*(const int *)field]);
         break;
     case PARAMETER_MESH:
-    case PARAMETER_FIELD:
+    case PARAMETER_SDF:
         printf("none: it must be given");
         break;
     case PARAMETER_TEXTURE:
         printf("none");
         break;
-    case PARAMETER_PAIR:
+    case PARAMETER_UV:
         printf("`{%.15g, %.15g}`", part[0], part[1]);
         break;
     default:
@@ -95,15 +96,15 @@ static void print_keyword(const Keyword *keyword) {
 /** Prints all keywords. @return 0 */
 int main(void) {
     const Keyword *const common[] = {
-        &camera_keyword, &image_keyword,    &light_keyword,     &sun_keyword,
-        &sky_keyword,    &material_keyword, &transform_keyword, NULL};
+        &scene_camera_keyword, &scene_image_keyword,    &scene_light_keyword, &scene_sun_keyword,
+        &scene_sky_keyword,    &scene_material_keyword, &transform_keyword,   NULL};
     for (const Keyword *const *keyword = common; *keyword; keyword++) {
         print_keyword(*keyword);
     }
     for (const Keyword *const *keyword = engine_f32x1.shape_keywords; *keyword; keyword++) {
         print_keyword(*keyword);
     }
-    for (const FieldKind *const *kind = field_kinds; *kind; kind++) {
+    for (const SdfPrimitive *const *kind = sdf_primitives; *kind; kind++) {
         print_keyword(&(*kind)->keyword);
     }
     return 0;

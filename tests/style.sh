@@ -31,8 +31,8 @@ for room in scene trace; do without $room pthread; done
 
 found=$(grep -rnE '\b(switch|case)\b' src/trace/*.c src/trace/shapes | grep -v '^ *\*')
 [ -z "$found" ] && ok 'no switch in the tracer' || fail "a switch in the tracer: $found"
-found=$(grep -rnE '\b(float|double)\b' src/trace/shapes/*.c src/trace/lighting.c src/trace/tracer.c \
-    src/trace/surface.c | grep -vE '^[^:]*:[0-9]+: *(\*|//|/\*)' | grep -vE '\(double\)|double (radius|r)( |;)|const double (parallel|low)')
+found=$(grep -rnE '\b(float|double)\b' src/trace/shapes/*.c src/trace/lights/direct_lighting.c src/trace/tracer/tracer.c \
+    src/trace/materials/material.c | grep -vE '^[^:]*:[0-9]+: *(\*|//|/\*)' | grep -vE '\(double\)|double (radius|r)( |;)|const double (parallel|low)')
 [ -z "$found" ] && ok 'the tracer is written over real' || fail "a bare number type in the tracer: $found"
 found=$(nm -g --defined-only "$BUILD/obj/engine-f32x4.o" | grep -v ' engine_f32x4$')
 [ -z "$found" ] && ok 'an engine shows one symbol' || fail "an engine shows more: $found"

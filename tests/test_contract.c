@@ -7,14 +7,14 @@
  * printed as a table. All rays and parameters are exact in float, so that every engine is asked the
  * same question.
  */
-#include "contract_rows.h"
-#include "field_making.h"
-#include "slowness.h"
+#include "contract_shapes.h"
+#include "sdf_builders.h"
+#include "timeout_factor.h"
 
 /** Rays of each case. */
 enum { RAYS = 20000 };
 /** Rays that leave a surface. */
-enum { LEAVING_RAYS = 1000 };
+enum { OFFSET_RAYS = 1000 };
 
 /** Margin below which a ray grazes: for a sphere, 0.98 radii beside the centre (doc/tour.md). */
 #define GRAZING 0.04
@@ -22,75 +22,75 @@ enum { LEAVING_RAYS = 1000 };
 /* --- one shape in one engine ----------------------------------------------------------------- */
 
 /** A row in an engine. */
-typedef struct Subject {
-    const Row *row;       /**< The row. */
-    const Engine *engine; /**< The engine. */
-    Tracer *tracer;       /**< A scene with this shape alone. */
-} Subject;
+typedef struct ContractRun {
+    const ContractShape *row; /**< The row. */
+    const Engine *engine;     /**< The engine. */
+    Tracer *tracer;           /**< A scene with this shape alone. */
+} ContractRun;
 
 /** Worst errors of a row in an engine. */
-typedef struct Worst {
+typedef struct WorstErrors {
     Quadruple t;      /**< Distance, in half ulps of itself and the shape's size. */
     Quadruple point;  /**< Off the surface, in half ulps of the largest coordinate and the size. */
     Quadruple normal; /**< Normal, half ulps of 1. */
     Quadruple bound;  /**< Off the surface, as a share of the hit's own error bound. */
-} Worst;
+} WorstErrors;
 
 /** What was found, for the table at the end. */
-static Worst worsts[ROW_COUNT][8];
+static WorstErrors worsts[CONTRACT_SHAPE_COUNT][8];
 
 /** Adds a box as a mesh of twelve triangles. @param scene The scene. @param box The box. */
-static void add_box_mesh(Scene *scene, const BoxRow *box) {
+static void add_box_mesh(Scene *scene, const BoxSpec *box) {
     static const MeshTriangle triangles[] = {{{0, 2, 3}}, {{0, 3, 1}}, {{4, 5, 7}}, {{4, 7, 6}},
                                              {{0, 1, 5}}, {{0, 5, 4}}, {{2, 6, 7}}, {{2, 7, 3}},
                                              {{0, 4, 6}}, {{0, 6, 2}}, {{1, 3, 7}}, {{1, 7, 5}}};
     enum { CORNERS = 8, TRIANGLES = sizeof triangles / sizeof *triangles };
-    Vector3 corners[CORNERS];
+    Vec3d corners[CORNERS];
     for (int i = 0; i < CORNERS; i++) {
-        corners[i] =
-            (Vector3){i & 1 ? box->high[0] : box->low[0], i & 2 ? box->high[1] : box->low[1],
-                      i & 4 ? box->high[2] : box->low[2]};
+        corners[i] = (Vec3d){i & 1 ? box->high[0] : box->low[0], i & 2 ? box->high[1] : box->low[1],
+                             i & 4 ? box->high[2] : box->low[2]};
     }
     add_mesh(scene, corners, CORNERS, triangles, TRIANGLES, 2);
 }
 
-/** Adds a ball as a field. @param scene The scene. @param ball The ball. */
-static void add_ball_field(Scene *scene, const SphereRow *ball) {
-    const double *c = ball->center;
-    Field *field = moved(single("sphere", &ball->radius), c[0], c[1], c[2]);
-    add_sdf(scene, (SdfRow){field, CONTRACT_TOLERANCE, 512});
+/** Adds a ball as a field. @param scene The scene. @param sphere The ball. */
+static void add_sphere_sdf(Scene *scene, const SphereSpec *sphere) {
+    const double *c = sphere->center;
+    Sdf *field = translate_sdf(make_sdf("sphere", &sphere->radius), c[0], c[1], c[2]);
+    add_sdf(scene, (SdfShapeParameters){field, CONTRACT_TOLERANCE, 512});
     free(field);
 }
 
-/** @return A tracer with one shape. @param engine The engine. @param row The shape. */
-static Tracer *tracer_with(const Engine *engine, const Row *row) {
+/** @return A tracer with one shape. @param engine The engine. @param shape The shape. */
+static Tracer *tracer_with(const Engine *engine, const ContractShape *shape) {
     Error error = {0};
-    Scene *scene = empty_scene();
-    if (strcmp(row->keyword, "mesh") == 0) {
-        add_box_mesh(scene, row->parameters);
-    } else if (strcmp(row->keyword, "sdf") == 0) {
-        add_ball_field(scene, row->parameters);
+    Scene *scene = create_empty_scene();
+    if (strcmp(shape->keyword, "mesh") == 0) {
+        add_box_mesh(scene, shape->parameters);
+    } else if (strcmp(shape->keyword, "sdf") == 0) {
+        add_sphere_sdf(scene, shape->parameters);
     } else {
-        add_shape(scene, row->keyword, row->parameters);
+        add_shape(scene, shape->keyword, shape->parameters);
     }
-    assert_true(!row->transform || scene_transform_shape(scene, row->transform, &error));
-    Tracer *tracer = prepare(engine, scene);
+    assert_true(!shape->transform || scene_set_last_transform(scene, shape->transform, &error));
+    Tracer *tracer = create_tracer(engine, scene);
     scene_destroy(scene);
     return tracer;
 }
 
 /** A case of the contract. @param subject A row in an engine. @param[in,out] worst Its errors. */
-typedef void (*Case)(const Subject *subject, Worst *worst);
+typedef void (*Case)(const ContractRun *subject, WorstErrors *worst);
 
 /** Runs a case for every row in every engine. @param run The case. */
-static void for_all(Case run) {
-    for (size_t r = 0; r < ROW_COUNT; r++) {
+static void for_every_shape(Case run) {
+    for (size_t r = 0; r < CONTRACT_SHAPE_COUNT; r++) {
         for (size_t e = 0; engine_list()[e]; e++) {
             const Engine *engine = engine_list()[e];
             if (engine_is_supported(engine)) {
-                Subject subject = {&rows[r], engine, tracer_with(engine, &rows[r])};
+                ContractRun subject = {&contract_shapes[r], engine,
+                                       tracer_with(engine, &contract_shapes[r])};
                 run(&subject, &worsts[r][e]);
-                engine->release(subject.tracer);
+                engine->destroy(subject.tracer);
             }
         }
     }
@@ -99,26 +99,26 @@ static void for_all(Case run) {
 /** @return A bound, or how much a row's tolerance is, if that is more. @param subject Row and
  * engine.
  *  @param bound Half ulps. */
-static double at_least_tolerance(const Subject *subject, double bound) {
+static double tolerance_or_bound(const ContractRun *subject, double bound) {
     return fmax(bound, tolerance_of(subject->row) / (double)roundoff(subject->engine));
 }
 
 /** @return Rays for an engine: the slow reference gets fewer. @param subject Row and engine. */
-static size_t ray_count(const Subject *subject) {
+static size_t ray_count(const ContractRun *subject) {
     const Engine *engine = subject->engine;
     // Quad numbers are slow; wide engines give the bits of narrow ones, which other tests compare.
     size_t rays = engine->mantissa_bits > 64 ? RAYS / 10 : engine->lanes > 1 ? RAYS / 4 : RAYS;
-    return rays / SLOWNESS;
+    return rays / TIMEOUT_FACTOR;
 }
 
 /** @return The larger. @param a A number. @param b Another. */
-static Quadruple larger(Quadruple a, Quadruple b) {
+static Quadruple quad_max(Quadruple a, Quadruple b) {
     return a > b ? a : b;
 }
 
 /** @return The largest absolute coordinate. @param v Three numbers. */
-static Quadruple reach(const Quadruple v[3]) {
-    return larger(quad_abs(v[0]), larger(quad_abs(v[1]), quad_abs(v[2])));
+static Quadruple max_coordinate(const Quadruple v[3]) {
+    return quad_max(quad_abs(v[0]), quad_max(quad_abs(v[1]), quad_abs(v[2])));
 }
 
 /**
@@ -128,22 +128,22 @@ static Quadruple reach(const Quadruple v[3]) {
  * @param answer   The engine's answer.
  * @param[in,out] worst  The errors.
  */
-static void check(const Subject *subject, const RayQuery *ray, const RayAnswer *answer,
-                  Worst *worst) {
-    const Row *row = subject->row;
-    Truth truth = row_truth(row, ray);
+static void check_result(const ContractRun *subject, const RayQueryQuad *ray,
+                         const RayResult *answer, WorstErrors *worst) {
+    const ContractShape *shape = subject->row;
+    ExpectedHit expected = contract_expected_hit(shape, ray);
     Quadruple u = roundoff(subject->engine);
     bool is_hit = answer->shape == 0;
-    assert_int_equal(is_hit, answer->blocked);
+    assert_int_equal(is_hit, answer->occluded);
     // So near to the rim that rounding the ray itself decides: either answer is right.
-    Triple d = triple_of(ray->direction);
-    Quadruple sizes = quad_abs(truth.t) * quad_sqrt(dot(d, d)) / row->size;
-    if (truth.margin < 64 * (u * (1 + sizes) + tolerance_of(row))) {
+    Vec3qa d = vec3qa_from_quads(ray->direction);
+    Quadruple sizes = quad_abs(expected.t) * quad_sqrt(vec3qa_dot(d, d)) / shape->size;
+    if (expected.edge_margin < 64 * (u * (1 + sizes) + tolerance_of(shape))) {
         return;
     }
-    if (is_hit != truth.is_hit) {
-        fail_msg("%s in %s: hit %d, truth %d, margin %g, from %g %g %g along %g %g %g", row->name,
-                 subject->engine->name, is_hit, truth.is_hit, (double)truth.margin,
+    if (is_hit != expected.is_hit) {
+        fail_msg("%s in %s: hit %d, truth %d, margin %g, from %g %g %g along %g %g %g", shape->name,
+                 subject->engine->name, is_hit, expected.is_hit, (double)expected.edge_margin,
                  (double)ray->origin[0], (double)ray->origin[1], (double)ray->origin[2],
                  (double)ray->direction[0], (double)ray->direction[1], (double)ray->direction[2]);
     }
@@ -151,38 +151,40 @@ static void check(const Subject *subject, const RayQuery *ray, const RayAnswer *
         assert_true(answer->distance > 1e300);
         return;
     }
-    Triple point = {{answer->point[0], answer->point[1], answer->point[2]}};
-    Quadruple off = row_off(row, &point);
-    worst->point = larger(worst->point, off / (u * (reach(answer->point) + row->size)));
-    worst->bound = larger(worst->bound, off / answer->error);
+    Vec3qa point = {{answer->point[0], answer->point[1], answer->point[2]}};
+    Quadruple off = surface_distance(shape, &point);
+    worst->point =
+        quad_max(worst->point, off / (u * (max_coordinate(answer->point) + shape->size)));
+    worst->bound = quad_max(worst->bound, off / answer->error);
     // Where a ray grazes, its own last bit moves the point: distance and normal say nothing there.
-    if (truth.margin < GRAZING) {
+    if (expected.edge_margin < GRAZING) {
         return;
     }
     // In sizes: a ray that starts close to a surface cannot know its distance better than its
     // place.
-    Quadruple off_t = quad_abs(answer->distance - truth.t) / quad_abs(truth.t) * sizes;
-    worst->t = larger(worst->t, off_t / (u * (sizes + 1)));
-    Triple normal = {{answer->normal[0], answer->normal[1], answer->normal[2]}};
-    Triple difference = minus(normal, truth.normal);
-    Quadruple length = quad_sqrt(dot(normal, normal));
-    worst->normal = larger(worst->normal, larger(quad_abs(length - 1), reach(difference.c)) / u);
+    Quadruple off_t = quad_abs(answer->distance - expected.t) / quad_abs(expected.t) * sizes;
+    worst->t = quad_max(worst->t, off_t / (u * (sizes + 1)));
+    Vec3qa normal = {{answer->normal[0], answer->normal[1], answer->normal[2]}};
+    Vec3qa difference = vec3qa_subtract(normal, expected.normal);
+    Quadruple length = quad_sqrt(vec3qa_dot(normal, normal));
+    worst->normal = quad_max(
+        worst->normal, quad_max(quad_abs(length - 1), max_coordinate(difference.component)) / u);
 }
 
 /** Asks an engine for shadows alone: the same as in its full answers. @param subject Row and
  * engine.
  *  @param rays The rays, in double. @param answers The full answers. @param count How many. */
-static void check_shadows(const Subject *subject, const RayQuery *rays, const RayAnswer *answers,
-                          size_t count) {
-    PlainRay *plain = calloc(count, sizeof *plain);
+static void check_shadows(const ContractRun *subject, const RayQueryQuad *rays,
+                          const RayResult *answers, size_t count) {
+    RayQuery *plain = calloc(count, sizeof *plain);
     bool *shadowed = calloc(count, sizeof *shadowed);
     for (size_t i = 0; i < 3 * count; i++) {
         plain[i / 3].origin[i % 3] = (double)rays[i / 3].origin[i % 3];
         plain[i / 3].direction[i % 3] = (double)rays[i / 3].direction[i % 3];
     }
-    subject->engine->shadowed(subject->tracer, count, plain, shadowed);
+    subject->engine->occluded(subject->tracer, count, plain, shadowed);
     for (size_t i = 0; i < count; i++) {
-        assert_int_equal(shadowed[i], answers[i].blocked);
+        assert_int_equal(shadowed[i], answers[i].occluded);
     }
     free(plain);
     free(shadowed);
@@ -190,40 +192,43 @@ static void check_shadows(const Subject *subject, const RayQuery *rays, const Ra
 
 /** Asks an engine and checks every answer. @param subject Row and engine. @param rays The rays.
  *  @param count How many. @param[in,out] worst The errors. */
-static void ask(const Subject *subject, const RayQuery *rays, size_t count, Worst *worst) {
-    RayAnswer *answers = calloc(count, sizeof *answers);
+static void query_and_check(const ContractRun *subject, const RayQueryQuad *rays, size_t count,
+                            WorstErrors *worst) {
+    RayResult *answers = calloc(count, sizeof *answers);
     subject->engine->intersect(subject->tracer, count, rays, answers);
     check_shadows(subject, rays, answers, count);
     for (size_t i = 0; i < count; i++) {
-        check(subject, &rays[i], &answers[i], worst);
+        check_result(subject, &rays[i], &answers[i], worst);
     }
     free(answers);
 }
 
-/** @return A ray from around a shape to around its middle. @param row The row.
+/** @return A ray from around a shape to around its middle. @param shape The row.
  *  @param[in,out] state A generator. @param distance How far away it starts, in sizes.
  *  @param spread How far beside the middle it aims, in sizes. */
-static RayQuery random_aim(const Row *row, uint64_t *state, double distance, double spread) {
-    RayQuery ray = {0};
+static RayQueryQuad random_ray(const ContractShape *shape, uint64_t *state, double distance,
+                               double spread) {
+    RayQueryQuad ray = {0};
     for (int i = 0; i < 3; i++) {
-        double far = distance * row->size, beside = spread * row->size;
-        ray.origin[i] = (double)(float)(row->center[i] + random_float(state, -far, far));
-        double target = row->center[i] + random_float(state, -beside, beside);
+        double far = distance * shape->size, lateral = spread * shape->size;
+        ray.origin[i] = (double)(float)(shape->center[i] + random_float(state, -far, far));
+        double target = shape->center[i] + random_float(state, -lateral, lateral);
         ray.direction[i] = (double)(float)(target - (double)ray.origin[i]);
     }
     return ray;
 }
 
-/** Asks about random rays. @param subject Row and engine. @param distance See #random_aim.
- *  @param spread See #random_aim. @param[in,out] worst The errors. */
-static void ask_random(const Subject *subject, double distance, double spread, Worst *worst) {
+/** Asks about random rays. @param subject Row and engine. @param distance See #random_ray.
+ *  @param spread See #random_ray. @param[in,out] worst The errors. */
+static void query_random_rays(const ContractRun *subject, double distance, double spread,
+                              WorstErrors *worst) {
     size_t count = ray_count(subject);
-    RayQuery *rays = calloc(count, sizeof *rays);
+    RayQueryQuad *rays = calloc(count, sizeof *rays);
     uint64_t state = 1;
     for (size_t i = 0; i < count; i++) {
-        rays[i] = random_aim(subject->row, &state, distance, spread);
+        rays[i] = random_ray(subject->row, &state, distance, spread);
     }
-    ask(subject, rays, count, worst);
+    query_and_check(subject, rays, count, worst);
     free(rays);
 }
 
@@ -231,9 +236,9 @@ static void ask_random(const Subject *subject, double distance, double spread, W
 
 /** Around it and in it, meeting and missing; the errors go into the table.
  *  @param subject Row and engine. @param[in,out] worst The errors. */
-static void case_near(const Subject *subject, Worst *worst) {
-    ask_random(subject, 4, 1.5, worst);
-    ask_random(subject, 0.5, 2, worst);
+static void case_near(const ContractRun *subject, WorstErrors *worst) {
+    query_random_rays(subject, 4, 1.5, worst);
+    query_random_rays(subject, 0.5, 2, worst);
     bool is_float = subject->engine->mantissa_bits == 24;
     const char *name = subject->engine->name, *shape = subject->row->name;
     // Float takes its differences in double and rounds a few times after; the others have nothing
@@ -243,30 +248,30 @@ static void case_near(const Subject *subject, Worst *worst) {
                      : strcmp(shape, "box") == 0         ? 8
                      : is_float                          ? 4
                                                          : 64;
-    assert_at_most(worst->t, at_least_tolerance(subject, t_bound), "%s in %s, distance, half ulps",
+    assert_at_most(worst->t, tolerance_or_bound(subject, t_bound), "%s in %s, distance, half ulps",
                    shape, name);
-    assert_at_most(worst->point, at_least_tolerance(subject, 8), "%s in %s, point, half ulps",
+    assert_at_most(worst->point, tolerance_or_bound(subject, 8), "%s in %s, point, half ulps",
                    shape, name);
     // Uneven scales turn normals, and their last bits. In quad, what is measured is as much the
     // reference's own error.
     double float_bound = subject->row->transform ? 16 : 6;
     double normal_bound = is_float ? float_bound : subject->engine->mantissa_bits > 64 ? 1024 : 64;
-    assert_at_most(worst->normal, at_least_tolerance(subject, normal_bound),
+    assert_at_most(worst->normal, tolerance_or_bound(subject, normal_bound),
                    "%s in %s, normal, half ulps", shape, name);
     assert_at_most(worst->bound, 1, "%s in %s, point against its own bound", shape, name);
 }
 
 /** A thousand and ten thousand sizes away. @param subject Row and engine.
  *  @param[in,out] unused Not used. */
-static void case_far(const Subject *subject, Worst *unused) {
+static void case_far(const ContractRun *subject, WorstErrors *unused) {
     (void)unused;
     if (subject->engine->mantissa_bits > 64) {
         return; // The reference here is no better than the engine: it would be measuring itself.
     }
     for (double distance = 1e3; distance < 1e5; distance *= 10) {
-        Worst worst = {0};
-        ask_random(subject, distance, 0.5, &worst);
-        assert_at_most(worst.t, at_least_tolerance(subject, 64),
+        WorstErrors worst = {0};
+        query_random_rays(subject, distance, 0.5, &worst);
+        assert_at_most(worst.t, tolerance_or_bound(subject, 64),
                        "%s in %s at %g sizes, distance, half ulps", subject->row->name,
                        subject->engine->name, distance);
         assert_at_most(worst.bound, 1, "%s in %s at %g sizes, point against its own bound",
@@ -275,37 +280,37 @@ static void case_far(const Subject *subject, Worst *unused) {
 }
 
 /** Away from it: nothing is met. @param subject Row and engine. @param[in,out] unused Not used. */
-static void case_behind(const Subject *subject, Worst *unused) {
+static void case_behind(const ContractRun *subject, WorstErrors *unused) {
     (void)unused;
     uint64_t state = 2;
-    for (int n = 0; n < LEAVING_RAYS; n++) {
-        RayQuery ray = random_aim(subject->row, &state, 6, 0.5);
-        Truth ahead = row_truth(subject->row, &ray);
+    for (int n = 0; n < OFFSET_RAYS; n++) {
+        RayQueryQuad ray = random_ray(subject->row, &state, 6, 0.5);
+        ExpectedHit ahead = contract_expected_hit(subject->row, &ray);
         for (int i = 0; i < 3; i++) {
             ray.direction[i] = -ray.direction[i];
         }
-        Truth behind = row_truth(subject->row, &ray);
+        ExpectedHit behind = contract_expected_hit(subject->row, &ray);
         if (ahead.is_hit && !behind.is_hit) {
-            RayAnswer answer;
+            RayResult answer;
             subject->engine->intersect(subject->tracer, 1, &ray, &answer);
             assert_int_equal(answer.shape, -1);
-            assert_false(answer.blocked);
+            assert_false(answer.occluded);
         }
     }
 }
 
 /** A direction of any length: by powers of two the same bits, else the same answer.
  *  @param subject Row and engine. @param[in,out] unused Not used. */
-static void case_length(const Subject *subject, Worst *unused) {
+static void case_length(const ContractRun *subject, WorstErrors *unused) {
     (void)unused;
     uint64_t state = 3;
-    for (int n = 0; n < LEAVING_RAYS; n++) {
-        RayQuery ray = random_aim(subject->row, &state, 5, 1), longer = ray;
+    for (int n = 0; n < OFFSET_RAYS; n++) {
+        RayQueryQuad ray = random_ray(subject->row, &state, 5, 1), longer = ray;
         double factor = ldexp(1, n % 41 - 20);
         for (int i = 0; i < 3; i++) {
             longer.direction[i] *= factor;
         }
-        RayAnswer a, b;
+        RayResult a, b;
         subject->engine->intersect(subject->tracer, 1, &ray, &a);
         subject->engine->intersect(subject->tracer, 1, &longer, &b);
         assert_int_equal(a.shape, b.shape);
@@ -329,8 +334,9 @@ static Quadruple rounded(const Engine *engine, Quadruple x) {
  * @param side    1: outwards; -1: inwards.
  * @param[in,out] state  A generator.
  */
-static RayQuery leaving(const Engine *engine, const RayAnswer *hit, int side, uint64_t *state) {
-    RayQuery ray;
+static RayQueryQuad offset_ray(const Engine *engine, const RayResult *hit, int side,
+                               uint64_t *state) {
+    RayQueryQuad ray;
     Quadruple cosine = 0;
     for (int i = 0; i < 3; i++) {
         ray.origin[i] = rounded(engine, hit->point[i] + side * hit->error * hit->normal[i]);
@@ -345,28 +351,29 @@ static RayQuery leaving(const Engine *engine, const RayAnswer *hit, int side, ui
 
 /** On the surface and leaving it: of 1000 rays outwards none meets it again, and of 1000 inwards
  *  each meets only the far side. @param subject Row and engine. @param[in,out] unused Not used. */
-static void case_leaving(const Subject *subject, Worst *unused) {
+static void case_offset(const ContractRun *subject, WorstErrors *unused) {
     (void)unused;
     uint64_t state = 4;
     int hits_again[2] = {0, 0}, left = 0;
-    while (left < LEAVING_RAYS) {
-        RayQuery ray = random_aim(subject->row, &state, 20, 0.9);
-        RayAnswer hit, again;
+    while (left < OFFSET_RAYS) {
+        RayQueryQuad ray = random_ray(subject->row, &state, 20, 0.9);
+        RayResult hit, again;
         subject->engine->intersect(subject->tracer, 1, &ray, &hit);
         if (hit.shape < 0) {
             continue;
         }
         left++;
-        RayQuery out = leaving(subject->engine, &hit, 1, &state);
+        RayQueryQuad out = offset_ray(subject->engine, &hit, 1, &state);
         subject->engine->intersect(subject->tracer, 1, &out, &again);
-        hits_again[0] += again.shape >= 0 || again.blocked;
-        RayQuery in = leaving(subject->engine, &hit, -1, &state);
+        hits_again[0] += again.shape >= 0 || again.occluded;
+        RayQueryQuad in = offset_ray(subject->engine, &hit, -1, &state);
         subject->engine->intersect(subject->tracer, 1, &in, &again);
-        Truth truth = row_truth(subject->row, &in);
-        bool is_right = again.shape < 0
-                            ? !subject->row->is_solid && !truth.is_hit
-                            : truth.is_hit && quad_abs(again.distance - truth.t) <=
-                                                  truth.t / 100 + 2048 * tolerance_of(subject->row);
+        ExpectedHit expected = contract_expected_hit(subject->row, &in);
+        bool is_right =
+            again.shape < 0
+                ? !subject->row->is_solid && !expected.is_hit
+                : expected.is_hit && quad_abs(again.distance - expected.t) <=
+                                         expected.t / 100 + 2048 * tolerance_of(subject->row);
         hits_again[1] += !is_right;
     }
     assert_at_most(hits_again[0], 0, "%s in %s, met again outwards", subject->row->name,
@@ -378,15 +385,16 @@ static void case_leaving(const Subject *subject, Worst *unused) {
 /** NaN, infinity, zero and axis-parallel directions, with every sign of zero: an answer without
  * NaN, and where the numbers are good, the right one. @param subject Row and engine.
  *  @param[in,out] unused Not used. */
-static void case_degenerate(const Subject *subject, Worst *unused) {
+static void case_degenerate(const ContractRun *subject, WorstErrors *unused) {
     (void)unused;
     static const double odd[] = {0.0, -0.0, 1, -1, NAN, INFINITY, -INFINITY, 1e30, 1e-40};
     enum { ODD = sizeof odd / sizeof *odd };
     for (int n = 0; n < ODD * ODD * ODD * ODD; n++) {
         const double *center = subject->row->center;
-        RayQuery ray = {.direction = {odd[n % ODD], odd[n / ODD % ODD], odd[n / ODD / ODD % ODD]},
-                        .origin = {center[0], center[1], center[2] + odd[n / ODD / ODD / ODD]}};
-        RayAnswer answer;
+        RayQueryQuad ray = {
+            .direction = {odd[n % ODD], odd[n / ODD % ODD], odd[n / ODD / ODD % ODD]},
+            .origin = {center[0], center[1], center[2] + odd[n / ODD / ODD / ODD]}};
+        RayResult answer;
         subject->engine->intersect(subject->tracer, 1, &ray, &answer);
         bool is_finite = true, is_bad = false;
         for (int i = 0; i < 3; i++) {
@@ -405,11 +413,11 @@ static void case_degenerate(const Subject *subject, Worst *unused) {
 
 /** Along the axes, through the middle and beside it. @param subject Row and engine.
  *  @param[in,out] worst The errors. */
-static void case_axes(const Subject *subject, Worst *worst) {
+static void case_axes(const ContractRun *subject, WorstErrors *worst) {
     for (int n = 0; n < 3 * 2 * 2 * 81; n++) {
         int axis = n % 3, up = n / 3 % 2 ? 1 : -1;
         double zero = n / 6 % 2 ? 0.0 : -0.0;
-        RayQuery ray = {.direction = {zero, zero, zero}};
+        RayQueryQuad ray = {.direction = {zero, zero, zero}};
         for (int i = 0; i < 3; i++) {
             ray.origin[i] = subject->row->center[i];
         }
@@ -417,13 +425,13 @@ static void case_axes(const Subject *subject, Worst *worst) {
         ray.origin[axis] -= 8 * up;
         ray.origin[(axis + 1) % 3] += 0.25 * (n / 12 % 9 - 4);
         ray.origin[(axis + 2) % 3] += 0.25 * (n / 108 % 9 - 4);
-        ask(subject, &ray, 1, worst);
+        query_and_check(subject, &ray, 1, worst);
     }
 }
 
 /** Wider engines give the bits of the narrow one. @param subject Row and engine.
  *  @param[in,out] unused Not used. */
-static void case_lanes(const Subject *subject, Worst *unused) {
+static void case_lanes(const ContractRun *subject, WorstErrors *unused) {
     (void)unused;
     Error error;
     const Engine *one = engine_find(subject->engine->mantissa_bits == 24   ? "f32x1"
@@ -432,25 +440,25 @@ static void case_lanes(const Subject *subject, Worst *unused) {
                                     &error);
     Tracer *tracer = tracer_with(one, subject->row);
     uint64_t state = 5;
-    RayQuery rays[101];
-    RayAnswer a[101], b[101];
-    for (int n = 0; n < LEAVING_RAYS / 10; n++) {
+    RayQueryQuad rays[101];
+    RayResult a[101], b[101];
+    for (int n = 0; n < OFFSET_RAYS / 10; n++) {
         size_t count = 1 + (size_t)n % 101;
         for (size_t i = 0; i < count; i++) {
-            rays[i] = random_aim(subject->row, &state, 3 + n, 1.2);
+            rays[i] = random_ray(subject->row, &state, 3 + n, 1.2);
         }
         subject->engine->intersect(subject->tracer, count, rays, a);
         one->intersect(tracer, count, rays, b);
         for (size_t i = 0; i < count; i++) {
             assert_int_equal(a[i].shape, b[i].shape);
-            assert_int_equal(a[i].blocked, b[i].blocked);
+            assert_int_equal(a[i].occluded, b[i].occluded);
             assert_memory_equal(&a[i].distance, &b[i].distance, sizeof a[i].distance);
             assert_memory_equal(a[i].point, b[i].point, sizeof a[i].point);
             assert_memory_equal(a[i].normal, b[i].normal, sizeof a[i].normal);
             assert_memory_equal(&a[i].error, &b[i].error, sizeof a[i].error);
         }
     }
-    one->release(tracer);
+    one->destroy(tracer);
 }
 
 /* --- cmocka ---------------------------------------------------------------------------------- */
@@ -460,81 +468,84 @@ static void test_every_shape_has_a_row(void **state) {
     (void)state;
     for (const Keyword *const *keyword = engine_list()[0]->shape_keywords; *keyword; keyword++) {
         size_t r = 0;
-        while (r < ROW_COUNT && strcmp(rows[r].keyword, (*keyword)->name) != 0) {
+        while (r < CONTRACT_SHAPE_COUNT &&
+               strcmp(contract_shapes[r].keyword, (*keyword)->name) != 0) {
             r++;
         }
-        assert_at_most(r, ROW_COUNT - 1, "the row of %s", (*keyword)->name);
+        assert_at_most(r, CONTRACT_SHAPE_COUNT - 1, "the row of %s", (*keyword)->name);
     }
 }
 
 /** @param state Not used. */
 static void test_near(void **state) {
     (void)state;
-    for_all(case_near);
+    for_every_shape(case_near);
 }
 
 /** @param state Not used. */
 static void test_far(void **state) {
     (void)state;
-    for_all(case_far);
+    for_every_shape(case_far);
 }
 
 /** @param state Not used. */
 static void test_behind(void **state) {
     (void)state;
-    for_all(case_behind);
+    for_every_shape(case_behind);
 }
 
 /** @param state Not used. */
 static void test_length(void **state) {
     (void)state;
-    for_all(case_length);
+    for_every_shape(case_length);
 }
 
 /** @param state Not used. */
-static void test_leaving(void **state) {
+static void test_offset(void **state) {
     (void)state;
-    for_all(case_leaving);
+    for_every_shape(case_offset);
 }
 
 /** @param state Not used. */
 static void test_degenerate(void **state) {
     (void)state;
-    for_all(case_degenerate);
+    for_every_shape(case_degenerate);
 }
 
 /** @param state Not used. */
 static void test_axes(void **state) {
     (void)state;
-    for_all(case_axes);
+    for_every_shape(case_axes);
 }
 
 /** @param state Not used. */
 static void test_lanes(void **state) {
     (void)state;
-    for_all(case_lanes);
+    for_every_shape(case_lanes);
 }
 
 /** Better numbers give better answers: the double engine is not float in disguise.
  *  @param state Not used. */
 static void test_precision(void **state) {
     (void)state;
-    for (size_t r = 0; r < ROW_COUNT; r++) {
+    for (size_t r = 0; r < CONTRACT_SHAPE_COUNT; r++) {
         Quadruple absolute[3] = {0, 0, 0};
         for (size_t e = 0; engine_list()[e]; e++) {
             int bits = engine_list()[e]->mantissa_bits;
             int which = bits == 24 ? 0 : bits == 53 ? 1 : 2;
-            absolute[which] = larger(absolute[which], worsts[r][e].t * roundoff(engine_list()[e]));
+            absolute[which] =
+                quad_max(absolute[which], worsts[r][e].t * roundoff(engine_list()[e]));
         }
-        assert_true(tolerance_of(&rows[r]) > 0 || absolute[1] < absolute[0] / 1e4);
-        assert_true(tolerance_of(&rows[r]) > 0 || absolute[2] < absolute[1] / 1e4);
+        assert_true(tolerance_of(&contract_shapes[r]) > 0 || absolute[1] < absolute[0] / 1e4);
+        assert_true(tolerance_of(&contract_shapes[r]) > 0 || absolute[2] < absolute[1] / 1e4);
     }
 }
 
 /** Works out the matrices of the rows. @param state Not used. @return 0 */
-static int start(void **state) {
+static int init_transforms(void **state) {
     (void)state;
-    Transform *const transforms[] = {&egg, &lean, &squeeze, &tilt};
+    Transform *const transforms[] = {&ellipsoid_transform, &tilted_transform, &squeezed_transform,
+                                     &scaled_transform};
     for (size_t i = 0; i < sizeof transforms / sizeof *transforms; i++) {
         Error error = {0};
         assert_true(transform_keyword.finish(transforms[i], 0, &error));
@@ -546,11 +557,12 @@ static int start(void **state) {
 static int print_table(void **state) {
     (void)state;
     printf("worst errors, half ulps     distance     point    normal   point/bound\n");
-    for (size_t r = 0; r < ROW_COUNT; r++) {
+    for (size_t r = 0; r < CONTRACT_SHAPE_COUNT; r++) {
         for (size_t e = 0; engine_list()[e]; e++) {
-            const Worst *w = &worsts[r][e];
-            printf("  %-17s %-8s %8.2f %9.2f %9.2f %13.3f\n", rows[r].name, engine_list()[e]->name,
-                   (double)w->t, (double)w->point, (double)w->normal, (double)w->bound);
+            const WorstErrors *w = &worsts[r][e];
+            printf("  %-17s %-8s %8.2f %9.2f %9.2f %13.3f\n", contract_shapes[r].name,
+                   engine_list()[e]->name, (double)w->t, (double)w->point, (double)w->normal,
+                   (double)w->bound);
         }
     }
     return 0;
@@ -566,9 +578,9 @@ int main(void) {
         cmocka_unit_test(test_far),
         cmocka_unit_test(test_behind),
         cmocka_unit_test(test_length),
-        cmocka_unit_test(test_leaving),
+        cmocka_unit_test(test_offset),
         cmocka_unit_test(test_degenerate),
         cmocka_unit_test(test_lanes),
     };
-    return cmocka_run_group_tests_name("contract", tests, start, print_table);
+    return cmocka_run_group_tests_name("contract", tests, init_transforms, print_table);
 }

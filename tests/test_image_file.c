@@ -4,7 +4,7 @@
  */
 #include "fixtures.h"
 
-#include "assets/texture_file.h"
+#include "assets/images/texture_file.h"
 #include "dioptre/image_file.h"
 
 #include <dirent.h>
@@ -25,7 +25,7 @@ enum { SMALL_FILE_SIZE = 4096 };
  * @param[out] bytes  Its bytes.
  * @return How many.
  */
-static size_t load(const char *path, uint8_t bytes[SMALL_FILE_SIZE]) {
+static size_t read_file_bytes(const char *path, uint8_t bytes[SMALL_FILE_SIZE]) {
     FILE *stream = fopen(path, "rb");
     assert_non_null(stream);
     size_t size = fread(bytes, 1, SMALL_FILE_SIZE, stream);
@@ -59,16 +59,16 @@ static int count_files(void **state) {
  */
 static int round_trip(const char *path, int width, int height) {
     Error error = {0};
-    Picture picture = make_picture(width, height);
+    Picture picture = make_test_picture(width, height);
     Picture again;
     if (!image_file_write(path, &picture, &error) || !image_file_read(path, &again, &error)) {
         fail_msg("%s", error.message);
     }
     assert_int_equal(again.width, width);
     assert_int_equal(again.height, height);
-    int worst = picture_compare(&picture, &again, NULL).worst_step;
-    picture_release(&picture);
-    picture_release(&again);
+    int worst = picture_compare(&picture, &again, NULL).max_difference;
+    picture_deinit(&picture);
+    picture_deinit(&again);
     return worst;
 }
 
@@ -77,11 +77,11 @@ static int round_trip(const char *path, int width, int height) {
 /** Pictures of all row paddings come back the same. @param state The fixture. */
 static void test_bmp_round_trip(void **state) {
     for (int width = 1; width <= 9; width++) {
-        assert_int_equal(round_trip(path_of(state, "a.bmp"), width, 10 - width), 0);
-        assert_int_equal(round_trip(path_of(state, "UPPER.BMP"), width, width), 0);
+        assert_int_equal(round_trip(fixture_path(state, "a.bmp"), width, 10 - width), 0);
+        assert_int_equal(round_trip(fixture_path(state, "UPPER.BMP"), width, width), 0);
     }
-    assert_int_equal(round_trip(path_of(state, "wide.bmp"), IMAGE_SIZE_MAXIMUM, 1), 0);
-    assert_int_equal(round_trip(path_of(state, "high.bmp"), 1, IMAGE_SIZE_MAXIMUM), 0);
+    assert_int_equal(round_trip(fixture_path(state, "wide.bmp"), IMAGE_SIZE_MAXIMUM, 1), 0);
+    assert_int_equal(round_trip(fixture_path(state, "high.bmp"), 1, IMAGE_SIZE_MAXIMUM), 0);
     assert_int_equal(count_files(state), 4);
 }
 
@@ -100,8 +100,8 @@ static void test_bmp_bytes(void **state) {
     uint8_t pixels[] = {1, 2, 3, 4, 5, 6};
     Picture picture = {.width = 1, .height = 2, .pixels = pixels};
     uint8_t bytes[SMALL_FILE_SIZE];
-    assert_true(image_file_write(path_of(state, "a.bmp"), &picture, NULL));
-    assert_int_equal(load(path_of(state, "a.bmp"), bytes), sizeof expected);
+    assert_true(image_file_write(fixture_path(state, "a.bmp"), &picture, NULL));
+    assert_int_equal(read_file_bytes(fixture_path(state, "a.bmp"), bytes), sizeof expected);
     assert_memory_equal(bytes, expected, sizeof expected);
 }
 
@@ -115,12 +115,12 @@ static void test_bmp_kinds(void **state) {
     memcpy(bytes + 66, "\3\2\1x\6\5\4x", 8);
     static const uint8_t expected[] = {1, 2, 3, 4, 5, 6};
     Picture picture;
-    store(path_of(state, "a.bmp"), bytes, sizeof bytes);
-    assert_true(image_file_read(path_of(state, "a.bmp"), &picture, NULL));
+    write_file(fixture_path(state, "a.bmp"), bytes, sizeof bytes);
+    assert_true(image_file_read(fixture_path(state, "a.bmp"), &picture, NULL));
     assert_int_equal(picture.width, 1);
     assert_int_equal(picture.height, 2);
     assert_memory_equal(picture.pixels, expected, sizeof expected);
-    picture_release(&picture);
+    picture_deinit(&picture);
 }
 
 /** Asserts that a file is refused with a message. @param path The file. */
@@ -151,39 +151,39 @@ static void test_bmp_hostile(void **state) {
         {26, -1},        {30, 1},         {30, 3},           {30, -1},
     };
     uint8_t bytes[SMALL_FILE_SIZE];
-    const char *path = path_of(state, "a.bmp");
+    const char *path = fixture_path(state, "a.bmp");
     assert_int_equal(round_trip(path, 4, 4), 0);
-    size_t size = load(path, bytes);
+    size_t size = read_file_bytes(path, bytes);
     for (size_t i = 0; i < sizeof lies / sizeof *lies; i++) {
         uint8_t lie[SMALL_FILE_SIZE];
         memcpy(lie, bytes, size);
         memcpy(lie + lies[i].at, &lies[i].number, sizeof lies[i].number);
-        store(path, lie, size);
+        write_file(path, lie, size);
         assert_refused(path);
     }
 }
 
 /** A file that ends anywhere before its end is refused. @param state The fixture. */
-static void test_bmp_cut_off(void **state) {
+static void test_bmp_truncated(void **state) {
     uint8_t bytes[SMALL_FILE_SIZE];
-    const char *path = path_of(state, "a.bmp");
+    const char *path = fixture_path(state, "a.bmp");
     assert_int_equal(round_trip(path, 3, 3), 0);
-    size_t size = load(path, bytes);
+    size_t size = read_file_bytes(path, bytes);
     for (size_t cut = 0; cut < size; cut++) {
-        store(path, bytes, cut);
+        write_file(path, bytes, cut);
         assert_refused(path);
     }
 }
 
 /** What is no picture file at all is refused at once. @param state The fixture. */
 static void test_read_what_is_no_file(void **state) {
-    assert_refused(path_of(state, "missing.bmp"));
-    assert_int_equal(mkdir(path_of(state, "folder.bmp"), 0777), 0);
-    assert_refused(path_of(state, "folder.bmp"));
-    assert_int_equal(mkfifo(path_of(state, "fifo.bmp"), 0666), 0);
-    assert_refused(path_of(state, "fifo.bmp"));
-    assert_refused(path_of(state, "a.gif"));
-    assert_refused(path_of(state, "no-ending"));
+    assert_refused(fixture_path(state, "missing.bmp"));
+    assert_int_equal(mkdir(fixture_path(state, "folder.bmp"), 0777), 0);
+    assert_refused(fixture_path(state, "folder.bmp"));
+    assert_int_equal(mkfifo(fixture_path(state, "fifo.bmp"), 0666), 0);
+    assert_refused(fixture_path(state, "fifo.bmp"));
+    assert_refused(fixture_path(state, "a.gif"));
+    assert_refused(fixture_path(state, "no-ending"));
 }
 
 // --- where files go ------------------------------------------------------------------------------
@@ -198,7 +198,7 @@ static void test_read_what_is_no_file(void **state) {
  */
 static void assert_not_written(void **state, const char *path, Status status, const char *words) {
     int files = count_files(state);
-    Picture picture = make_picture(20, 20);
+    Picture picture = make_test_picture(20, 20);
     Error error = {0};
     assert_false(image_file_check(path, &error));
     assert_int_equal(error.status, status);
@@ -207,31 +207,31 @@ static void assert_not_written(void **state, const char *path, Status status, co
     assert_false(image_file_write(path, &picture, &error));
     assert_int_equal(error.status, status);
     assert_non_null(strstr(error.message, words));
-    picture_release(&picture);
+    picture_deinit(&picture);
     assert_int_equal(count_files(state), files);
 }
 
 /** Asserts that a picture can be written. @param path The file. */
 static void assert_written(const char *path) {
-    Picture picture = make_picture(20, 20);
+    Picture picture = make_test_picture(20, 20);
     Error error = {0};
     if (!image_file_check(path, &error) || !image_file_write(path, &picture, &error)) {
         fail_msg("%s", error.message);
     }
-    picture_release(&picture);
+    picture_deinit(&picture);
 }
 
 /** Names without a known ending are refused, and the known ones listed. @param state The fixture.
  */
 static void test_endings(void **state) {
-    assert_not_written(state, path_of(state, "a.gif"), STATUS_USAGE, "png, exr");
-    assert_not_written(state, path_of(state, "bmp"), STATUS_USAGE, ".bmp");
-    assert_not_written(state, path_of(state, "a.bmp/b"), STATUS_USAGE, ".bmp");
+    assert_not_written(state, fixture_path(state, "a.gif"), STATUS_USAGE, "png, exr");
+    assert_not_written(state, fixture_path(state, "bmp"), STATUS_USAGE, ".bmp");
+    assert_not_written(state, fixture_path(state, "a.bmp/b"), STATUS_USAGE, ".bmp");
 }
 
 /** A new file has the user's permissions, a replaced one its own. @param state The fixture. */
 static void test_permissions(void **state) {
-    const char *path = path_of(state, "a.bmp");
+    const char *path = fixture_path(state, "a.bmp");
     struct stat found;
     mode_t old = umask(027);
     assert_written(path);
@@ -252,42 +252,42 @@ static void test_no_permission(void **state) {
     uid_t me = geteuid();
     assert_int_equal(chmod(fixture->folder, 0555), 0);
     assert_int_equal(me == 0 ? seteuid(nobody) : 0, 0);
-    assert_not_written(state, path_of(state, "a.bmp"), STATUS_FAILED, strerror(EACCES));
+    assert_not_written(state, fixture_path(state, "a.bmp"), STATUS_FAILED, strerror(EACCES));
     assert_int_equal(me == 0 ? seteuid(me) : 0, 0);
     assert_int_equal(chmod(fixture->folder, 0777), 0);
-    store(path_of(state, "a.bmp"), "old", 3);
-    assert_int_equal(chmod(path_of(state, "a.bmp"), 0444), 0);
+    write_file(fixture_path(state, "a.bmp"), "old", 3);
+    assert_int_equal(chmod(fixture_path(state, "a.bmp"), 0444), 0);
     assert_int_equal(me == 0 ? seteuid(nobody) : 0, 0);
-    assert_not_written(state, path_of(state, "a.bmp"), STATUS_FAILED, strerror(EACCES));
+    assert_not_written(state, fixture_path(state, "a.bmp"), STATUS_FAILED, strerror(EACCES));
     assert_int_equal(me == 0 ? seteuid(me) : 0, 0);
 }
 
 /** Folders that are not there, and folders in the file's place. @param state The fixture. */
-static void test_wrong_places(void **state) {
+static void test_wrong_paths(void **state) {
     char name[400];
     memset(name, 'x', sizeof name);
     strcpy(name + sizeof name - 5, ".bmp");
-    assert_not_written(state, path_of(state, "none/a.bmp"), STATUS_FAILED, strerror(ENOENT));
-    assert_int_equal(mkdir(path_of(state, "folder.bmp"), 0777), 0);
-    assert_not_written(state, path_of(state, "folder.bmp"), STATUS_FAILED, strerror(EISDIR));
-    assert_not_written(state, path_of(state, name), STATUS_FAILED, strerror(ENAMETOOLONG));
-    assert_written(path_of(state, name + sizeof name - 255)); // 254 bytes: as long as can be.
+    assert_not_written(state, fixture_path(state, "none/a.bmp"), STATUS_FAILED, strerror(ENOENT));
+    assert_int_equal(mkdir(fixture_path(state, "folder.bmp"), 0777), 0);
+    assert_not_written(state, fixture_path(state, "folder.bmp"), STATUS_FAILED, strerror(EISDIR));
+    assert_not_written(state, fixture_path(state, name), STATUS_FAILED, strerror(ENAMETOOLONG));
+    assert_written(fixture_path(state, name + sizeof name - 255)); // 254 bytes: as long as can be.
 }
 
 /** A symbolic link stays, and what it points to is replaced. @param state The fixture. */
 static void test_links(void **state) {
     struct stat found;
-    assert_int_equal(mkdir(path_of(state, "folder"), 0777), 0);
-    assert_int_equal(symlink("folder/a.bmp", path_of(state, "link.bmp")), 0);
-    assert_int_equal(symlink("link.bmp", path_of(state, "second.bmp")), 0);
-    assert_written(path_of(state, "second.bmp")); // Points to nothing yet.
-    assert_written(path_of(state, "second.bmp"));
-    assert_int_equal(lstat(path_of(state, "link.bmp"), &found), 0);
+    assert_int_equal(mkdir(fixture_path(state, "folder"), 0777), 0);
+    assert_int_equal(symlink("folder/a.bmp", fixture_path(state, "link.bmp")), 0);
+    assert_int_equal(symlink("link.bmp", fixture_path(state, "second.bmp")), 0);
+    assert_written(fixture_path(state, "second.bmp")); // Points to nothing yet.
+    assert_written(fixture_path(state, "second.bmp"));
+    assert_int_equal(lstat(fixture_path(state, "link.bmp"), &found), 0);
     assert_true(S_ISLNK(found.st_mode));
-    assert_int_equal(lstat(path_of(state, "folder/a.bmp"), &found), 0);
+    assert_int_equal(lstat(fixture_path(state, "folder/a.bmp"), &found), 0);
     assert_true(S_ISREG(found.st_mode));
-    assert_int_equal(symlink("ring.bmp", path_of(state, "ring.bmp")), 0);
-    assert_not_written(state, path_of(state, "ring.bmp"), STATUS_FAILED, strerror(ELOOP));
+    assert_int_equal(symlink("ring.bmp", fixture_path(state, "ring.bmp")), 0);
+    assert_not_written(state, fixture_path(state, "ring.bmp"), STATUS_FAILED, strerror(ELOOP));
     assert_int_equal(count_files(state), 4);
 }
 
@@ -297,7 +297,7 @@ static void test_devices(void **state) {
     assert_written("/dev/null");
     assert_int_equal(stat("/dev/null", &found), 0);
     assert_true(S_ISCHR(found.st_mode));
-    const char *path = path_of(state, "fifo.bmp");
+    const char *path = fixture_path(state, "fifo.bmp");
     assert_int_equal(mkfifo(path, 0666), 0);
     int reader = open(path, O_RDONLY | O_NONBLOCK);
     uint8_t bytes[SMALL_FILE_SIZE];
@@ -307,30 +307,30 @@ static void test_devices(void **state) {
     close(reader);
     assert_int_equal(lstat(path, &found), 0);
     assert_true(S_ISFIFO(found.st_mode));
-    Picture picture = make_picture(20, 20);
+    Picture picture = make_test_picture(20, 20);
     Error error = {0};
     assert_false(image_file_write("/dev/full", &picture, &error));
     assert_non_null(strstr(error.message, strerror(ENOSPC)));
-    picture_release(&picture);
+    picture_deinit(&picture);
 }
 
 /** What is there already is never written over. @param state The fixture. */
 static void test_never_over(void **state) {
-    Picture picture = make_picture(3, 2);
+    Picture picture = make_test_picture(3, 2);
     Error error = {0};
     bool exists = true;
-    assert_true(image_file_write_new(path_of(state, "a.bmp"), &picture, &exists, &error));
+    assert_true(image_file_write_new(fixture_path(state, "a.bmp"), &picture, &exists, &error));
     assert_false(exists);
-    assert_false(image_file_write_new(path_of(state, "a.bmp"), &picture, &exists, &error));
+    assert_false(image_file_write_new(fixture_path(state, "a.bmp"), &picture, &exists, &error));
     assert_true(exists);
     assert_non_null(strstr(error.message, strerror(EEXIST)));
-    assert_int_equal(symlink("nothing", path_of(state, "b.bmp")), 0);
-    assert_false(image_file_write_new(path_of(state, "b.bmp"), &picture, &exists, &error));
+    assert_int_equal(symlink("nothing", fixture_path(state, "b.bmp")), 0);
+    assert_false(image_file_write_new(fixture_path(state, "b.bmp"), &picture, &exists, &error));
     assert_true(exists);
-    assert_false(image_file_write_new(path_of(state, "no/c.bmp"), &picture, &exists, &error));
+    assert_false(image_file_write_new(fixture_path(state, "no/c.bmp"), &picture, &exists, &error));
     assert_false(exists);
     assert_int_equal(count_files(state), 2);
-    picture_release(&picture);
+    picture_deinit(&picture);
 }
 
 /**
@@ -338,9 +338,9 @@ static void test_never_over(void **state) {
  * @param state  The fixture.
  * @param name   Name of the file.
  */
-static void assert_full_disk_is_seen(void **state, const char *name) {
-    const char *path = path_of(state, name);
-    Picture picture = make_picture(200, 200);
+static void assert_full_disk_is_reported(void **state, const char *name) {
+    const char *path = fixture_path(state, name);
+    Picture picture = make_test_picture(200, 200);
     Error error = {0};
     struct rlimit limit;
     assert_written(path); // The old file; opens the module too.
@@ -359,12 +359,12 @@ static void assert_full_disk_is_seen(void **state, const char *name) {
     assert_int_equal(stat(path, &now), 0);
     assert_int_equal(now.st_ino, old.st_ino);
     assert_int_equal(now.st_size, old.st_size);
-    picture_release(&picture);
+    picture_deinit(&picture);
 }
 
 /** A full disk is seen, and harms nothing. @param state The fixture. */
 static void test_full_disk(void **state) {
-    assert_full_disk_is_seen(state, "a.bmp");
+    assert_full_disk_is_reported(state, "a.bmp");
     assert_int_equal(count_files(state), 1);
 }
 
@@ -374,12 +374,12 @@ static void test_full_disk(void **state) {
 static void test_module_is_missing(void **state) {
     Fixture *fixture = *state;
     Error error = {0};
-    assert_null(images_load_from(fixture->folder, &error));
+    assert_null(image_plugin_load_from(fixture->folder, &error));
     assert_int_equal(error.status, STATUS_FAILED);
     assert_non_null(strstr(error.message, "libopenimageio-dev"));
     assert_non_null(strstr(error.message, ".bmp"));
-    store(path_of(state, "dioptre-images.so"), "no library", 10);
-    assert_null(images_load_from(fixture->folder, &error));
+    write_file(fixture_path(state, "dioptre-images.so"), "no library", 10);
+    assert_null(image_plugin_load_from(fixture->folder, &error));
     assert_non_null(strstr(error.message, "libopenimageio2.4"));
     assert_non_null(strstr(error.message, ".bmp"));
 }
@@ -392,8 +392,8 @@ static void test_module_is_missing(void **state) {
  * @param message  Unused.
  * @return Nothing: it does not return.
  */
-static ImagesReader *open_and_crash(const char *path, const char *format, ImagesHeader *header,
-                                    ImagesMessage *message) {
+static ImageReader *crashing_plugin_open(const char *path, const char *format, ImageHeader *header,
+                                         ImagePluginMessage *message) {
     (void)path;
     (void)format;
     (void)header;
@@ -409,22 +409,22 @@ static ImagesReader *open_and_crash(const char *path, const char *format, Images
  * @param message  Unused.
  * @return Nothing: it does not return.
  */
-static ImagesReader *open_and_interrupt(const char *path, const char *format, ImagesHeader *header,
-                                        ImagesMessage *message) {
+static ImageReader *interrupting_plugin_open(const char *path, const char *format,
+                                             ImageHeader *header, ImagePluginMessage *message) {
     raise(SIGINT);
-    return open_and_crash(path, format, header, message);
+    return crashing_plugin_open(path, format, header, message);
 }
 
 /** What a fake module may take. */
-static const ImagesLimits small_limits = {10, 1 << 20, 1 << 20};
+static const ImageReadLimits small_limits = {10, 1 << 20, 1 << 20};
 
 /** A file that makes the libraries crash does not bring the program down. @param state Unused. */
 static void test_module_crashes(void **state) {
     (void)state;
-    static const ImagesModule module = {.open = open_and_crash};
+    static const ImagePlugin module = {.open = crashing_plugin_open};
     Texture *texture;
     Error error = {0};
-    assert_false(images_child_read(&module, "png", "a.png", &small_limits, &texture, &error));
+    assert_false(image_sandbox_read(&module, "png", "a.png", &small_limits, &texture, &error));
     assert_null(texture);
     assert_int_equal(error.status, STATUS_SCENE);
     assert_non_null(strstr(error.message, "crash"));
@@ -433,10 +433,10 @@ static void test_module_crashes(void **state) {
 /** Ctrl-C while a picture is read says so and blames no file. @param state Unused. */
 static void test_module_interrupted(void **state) {
     (void)state;
-    static const ImagesModule module = {.open = open_and_interrupt};
+    static const ImagePlugin module = {.open = interrupting_plugin_open};
     Texture *texture;
     Error error = {0};
-    assert_false(images_child_read(&module, "png", "a.png", &small_limits, &texture, &error));
+    assert_false(image_sandbox_read(&module, "png", "a.png", &small_limits, &texture, &error));
     assert_int_equal(error.status, STATUS_INTERRUPTED);
 }
 
@@ -448,13 +448,13 @@ static void test_module_interrupted(void **state) {
  * @param message  Unused.
  * @return Nothing: it does not return.
  */
-static ImagesReader *open_and_hang(const char *path, const char *format, ImagesHeader *header,
-                                   ImagesMessage *message) {
+static ImageReader *hanging_plugin_open(const char *path, const char *format, ImageHeader *header,
+                                        ImagePluginMessage *message) {
     (void)header;
     for (;;) {
         sleep(1);
     }
-    return open_and_crash(path, format, header, message);
+    return crashing_plugin_open(path, format, header, message);
 }
 
 /**
@@ -465,8 +465,8 @@ static ImagesReader *open_and_hang(const char *path, const char *format, ImagesH
  * @param[out] message  Whether it got the memory.
  * @return NULL.
  */
-static ImagesReader *open_and_take(const char *path, const char *format, ImagesHeader *header,
-                                   ImagesMessage *message) {
+static ImageReader *greedy_plugin_open(const char *path, const char *format, ImageHeader *header,
+                                       ImagePluginMessage *message) {
     (void)path;
     (void)format;
     (void)header;
@@ -484,19 +484,19 @@ static ImagesReader *open_and_take(const char *path, const char *format, ImagesH
  * @param message      Unused.
  * @return Something.
  */
-static ImagesReader *open_and_lie(const char *path, const char *format, ImagesHeader *header,
-                                  ImagesMessage *message) {
+static ImageReader *lying_plugin_open(const char *path, const char *format, ImageHeader *header,
+                                      ImagePluginMessage *message) {
     (void)path;
     (void)format;
     (void)message;
-    *header = (ImagesHeader){.width = IMAGE_SIZE_MAXIMUM + 1, .height = 1, .band = 1};
-    return (ImagesReader *)header;
+    *header = (ImageHeader){.width = IMAGE_SIZE_MAXIMUM + 1, .height = 1, .strip_rows = 1};
+    return (ImageReader *)header;
 }
 
 /** Reads nothing. @param reader Unused. @param first Unused. @param count Unused.
  *  @param rgb Untouched. @param message Unused. @return true */
-static bool read_nothing(ImagesReader *reader, int first, int count, uint8_t *rgb,
-                         ImagesMessage *message) {
+static bool plugin_read_stub(ImageReader *reader, int first, int count, uint8_t *rgb,
+                             ImagePluginMessage *message) {
     (void)reader;
     (void)first;
     (void)count;
@@ -506,7 +506,7 @@ static bool read_nothing(ImagesReader *reader, int first, int count, uint8_t *rg
 }
 
 /** Closes nothing. @param reader Unused. */
-static void close_nothing(ImagesReader *reader) {
+static void plugin_close_stub(ImageReader *reader) {
     (void)reader;
 }
 
@@ -514,22 +514,24 @@ static void close_nothing(ImagesReader *reader) {
 static void test_module_limits(void **state) {
     (void)state;
     static const struct {
-        ImagesModule module; /**< A module. */
-        ImagesLimits limits; /**< What it may take. */
-        const char *words;   /**< What must be said. */
+        ImagePlugin module;     /**< A module. */
+        ImageReadLimits limits; /**< What it may take. */
+        const char *words;      /**< What must be said. */
     } cases[] = {
-        {{.open = open_and_hang}, {0.3, 1 << 20, 1 << 20}, "more than 0 s"},
-        {{.open = open_and_take}, {10, 1 << 20, 1 << 20}, "got nothing"},
-        {{.open = open_and_lie, .close = close_nothing}, {10, 1 << 20, 1 << 10}, "more than 0 MiB"},
-        {{.open = open_and_lie, .read_steps = read_nothing, .close = close_nothing},
+        {{.open = hanging_plugin_open}, {0.3, 1 << 20, 1 << 20}, "more than 0 s"},
+        {{.open = greedy_plugin_open}, {10, 1 << 20, 1 << 20}, "got nothing"},
+        {{.open = lying_plugin_open, .close = plugin_close_stub},
+         {10, 1 << 20, 1 << 10},
+         "more than 0 MiB"},
+        {{.open = lying_plugin_open, .read_encoded = plugin_read_stub, .close = plugin_close_stub},
          {10, 1 << 20, 1 << 20},
          "go astray"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         Texture *texture;
         Error error = {0};
-        assert_false(images_child_read(&cases[i].module, "png", "a.png", &cases[i].limits, &texture,
-                                       &error));
+        assert_false(image_sandbox_read(&cases[i].module, "png", "a.png", &cases[i].limits,
+                                        &texture, &error));
         assert_null(texture);
         assert_int_equal(error.status, STATUS_SCENE);
         assert_non_null(strstr(error.message, cases[i].words));
@@ -537,10 +539,10 @@ static void test_module_limits(void **state) {
 }
 
 /** Makes the module findable. The tests of it are skipped where it was not built. */
-static void need_module(void) {
-    link_module("dioptre-images.so");
+static void require_plugin(void) {
+    symlink_plugin("dioptre-images.so");
     Error error = {0};
-    if (!images_load(&error)) {
+    if (!image_plugin_load(&error)) {
         print_message("%s\n", error.message);
         skip();
     }
@@ -558,9 +560,9 @@ enum { MODULE_FORMATS = sizeof module_formats / sizeof *module_formats };
 
 /** Pictures come back as they were, as far as the format keeps them. @param state The fixture. */
 static void test_module_round_trip(void **state) {
-    need_module();
+    require_plugin();
     for (int i = 0; i < MODULE_FORMATS; i++) {
-        const char *path = path_of(state, module_formats[i].name);
+        const char *path = fixture_path(state, module_formats[i].name);
         assert_in_range(round_trip(path, 37, 101), 0, module_formats[i].steps);
         assert_in_range(round_trip(path, 1, 1), 0, module_formats[i].steps);
     }
@@ -570,12 +572,12 @@ static void test_module_round_trip(void **state) {
 /** Formats of linear light hold the light that a picture stands for, whatever its own encoding.
  *  @param state The fixture. */
 static void test_module_linear_light(void **state) {
-    need_module();
+    require_plugin();
     static const char *const names[] = {"a.exr", "a.hdr"};
     Encoder srgb;
     encoder_init(&srgb, ENCODING_SRGB);
     for (int i = 0; i < 4; i++) {
-        const char *path = path_of(state, names[i / 2]);
+        const char *path = fixture_path(state, names[i / 2]);
         Encoding encoding = i % 2 ? ENCODING_LINEAR : ENCODING_SRGB;
         uint8_t grey[] = {64, 64, 64};
         Picture picture = {.width = 1, .height = 1, .pixels = grey, .encoding = encoding}, again;
@@ -584,74 +586,75 @@ static void test_module_linear_light(void **state) {
         int wanted = encoder_encode(&srgb, (float)encoding_decode(encoding, grey[0]));
         assert_int_equal(again.encoding, ENCODING_SRGB);
         assert_in_range(again.pixels[0], wanted - 1, wanted + 1); // Radiance rounds to 8 bits.
-        picture_release(&again);
+        picture_deinit(&again);
     }
 }
 
 /** A picture that keeps its light hands it to formats of linear light as it is: not cut at 1, not
  *  rounded to steps; and what no light can be is put right. @param state The fixture. */
 static void test_module_keeps_light(void **state) {
-    need_module();
+    require_plugin();
     static const float light[] = {5.5F, 1e-7F, 0.123456789F, NAN, -1, INFINITY};
-    const char *path = path_of(state, "a.exr");
-    Picture picture = make_picture(2, 1);
+    const char *path = fixture_path(state, "a.exr");
+    Picture picture = make_test_picture(2, 1);
     Texture *texture;
     Error error = {0};
     assert_true(image_file_is_linear(path) && image_file_is_linear("b.HDR"));
     assert_false(image_file_is_linear("a.png") || image_file_is_linear("exr"));
-    assert_true(picture_keep_light(&picture, &error));
-    memcpy(picture.light, light, sizeof light);
+    assert_true(picture_allocate_linear(&picture, &error));
+    memcpy(picture.linear, light, sizeof light);
     assert_true(image_file_write(path, &picture, &error));
     assert_true(texture_file_read(path, &texture, &error));
-    assert_true(texture->is_light && texture->width == 2 && texture->height == 1);
-    assert_memory_equal(texture_light(texture), light, 3 * sizeof *light);
-    assert_true(texture_light(texture)[3] == 0 && texture_light(texture)[4] == 0);
-    assert_true(texture_light(texture)[5] == (float)INTENSITY_MAXIMUM);
+    assert_true(texture->is_hdr && texture->width == 2 && texture->height == 1);
+    assert_memory_equal(texture_hdr_texels(texture), light, 3 * sizeof *light);
+    assert_true(texture_hdr_texels(texture)[3] == 0 && texture_hdr_texels(texture)[4] == 0);
+    assert_true(texture_hdr_texels(texture)[5] == (float)INTENSITY_MAXIMUM);
     texture_release(texture);
-    picture_release(&picture);
+    picture_deinit(&picture);
 }
 
 /** A BMP file becomes a texture without the module. @param state The fixture. */
 static void test_bmp_texture(void **state) {
-    const char *path = path_of(state, "a.bmp");
-    Picture picture = make_picture(5, 3);
+    const char *path = fixture_path(state, "a.bmp");
+    Picture picture = make_test_picture(5, 3);
     Texture *texture;
     Error error = {0};
     assert_true(image_file_write(path, &picture, &error));
     assert_true(texture_file_check(path, &error));
     assert_true(texture_file_read(path, &texture, &error));
-    assert_true(!texture->is_light && texture->width == 5 && texture->height == 3);
-    assert_memory_equal(texture_steps(texture), picture.pixels, 5 * 3 * 3);
+    assert_true(!texture->is_hdr && texture->width == 5 && texture->height == 3);
+    assert_memory_equal(texture_ldr_texels(texture), picture.pixels, 5 * 3 * 3);
     texture_release(texture);
-    picture_release(&picture);
-    assert_false(texture_file_check(path_of(state, "none.bmp"), &error));
-    assert_false(texture_file_read(path_of(state, "none.bmp"), &texture, &error));
+    picture_deinit(&picture);
+    assert_false(texture_file_check(fixture_path(state, "none.bmp"), &error));
+    assert_false(texture_file_read(fixture_path(state, "none.bmp"), &texture, &error));
     assert_null(texture);
 }
 
 /** The same picture gives the same bytes, whenever it is written. @param state The fixture. */
 static void test_module_same_bytes(void **state) {
-    need_module();
+    require_plugin();
     uint8_t first[MODULE_FORMATS][SMALL_FILE_SIZE];
     size_t size[MODULE_FORMATS];
     for (int i = 0; i < MODULE_FORMATS; i++) {
-        round_trip(path_of(state, module_formats[i].name), 10, 10);
-        size[i] = load(path_of(state, module_formats[i].name), first[i]);
+        round_trip(fixture_path(state, module_formats[i].name), 10, 10);
+        size[i] = read_file_bytes(fixture_path(state, module_formats[i].name), first[i]);
     }
     sleep(1); // The clock of a date in a file goes by seconds.
     for (int i = 0; i < MODULE_FORMATS; i++) {
         uint8_t again[SMALL_FILE_SIZE];
-        round_trip(path_of(state, module_formats[i].name), 10, 10);
-        assert_int_equal(load(path_of(state, module_formats[i].name), again), size[i]);
+        round_trip(fixture_path(state, module_formats[i].name), 10, 10);
+        assert_int_equal(read_file_bytes(fixture_path(state, module_formats[i].name), again),
+                         size[i]);
         assert_memory_equal(again, first[i], size[i]);
     }
 }
 
 /** A full disk is seen with every format. @param state The fixture. */
 static void test_module_full_disk(void **state) {
-    need_module();
+    require_plugin();
     for (int i = 0; i < MODULE_FORMATS; i++) {
-        assert_full_disk_is_seen(state, module_formats[i].name);
+        assert_full_disk_is_reported(state, module_formats[i].name);
     }
     assert_int_equal(count_files(state), MODULE_FORMATS);
 }
@@ -659,17 +662,17 @@ static void test_module_full_disk(void **state) {
 /** A file of another format than its name says, or cut off, is refused. @param state The fixture.
  */
 static void test_module_hostile(void **state) {
-    need_module();
+    require_plugin();
     uint8_t bytes[SMALL_FILE_SIZE];
     for (int i = 0; i < MODULE_FORMATS; i++) {
-        const char *path = path_of(state, module_formats[i].name);
+        const char *path = fixture_path(state, module_formats[i].name);
         round_trip(path, 16, 16);
-        size_t size = load(path, bytes);
-        store(path, bytes, size / 8);
+        size_t size = read_file_bytes(path, bytes);
+        write_file(path, bytes, size / 8);
         assert_refused(path);
-        store(path, "BM is no picture of this kind", 29);
+        write_file(path, "BM is no picture of this kind", 29);
         assert_refused(path);
-        store(path, "", 0);
+        write_file(path, "", 0);
         assert_refused(path);
     }
 }
@@ -677,33 +680,35 @@ static void test_module_hostile(void **state) {
 /** Runs the tests. @return How many failed. */
 int main(void) {
     const struct CMUnitTest file_tests[] = {
-        cmocka_unit_test_setup_teardown(test_bmp_round_trip, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(test_bmp_bytes, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(test_bmp_kinds, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(test_bmp_hostile, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(test_bmp_cut_off, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(test_read_what_is_no_file, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(test_endings, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(test_permissions, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(test_no_permission, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(test_wrong_places, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(test_links, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(test_devices, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(test_never_over, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(test_full_disk, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(test_bmp_texture, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(test_bmp_round_trip, fixture_set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_bmp_bytes, fixture_set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_bmp_kinds, fixture_set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_bmp_hostile, fixture_set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_bmp_truncated, fixture_set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_read_what_is_no_file, fixture_set_up,
+                                        fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_endings, fixture_set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_permissions, fixture_set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_no_permission, fixture_set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_wrong_paths, fixture_set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_links, fixture_set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_devices, fixture_set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_never_over, fixture_set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_full_disk, fixture_set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_bmp_texture, fixture_set_up, fixture_tear_down),
     };
     const struct CMUnitTest module_tests[] = {
         cmocka_unit_test(test_module_crashes),
         cmocka_unit_test(test_module_interrupted),
         cmocka_unit_test(test_module_limits),
-        cmocka_unit_test_setup_teardown(test_module_keeps_light, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(test_module_is_missing, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(test_module_round_trip, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(test_module_linear_light, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(test_module_same_bytes, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(test_module_full_disk, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(test_module_hostile, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(test_module_keeps_light, fixture_set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_module_is_missing, fixture_set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_module_round_trip, fixture_set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_module_linear_light, fixture_set_up,
+                                        fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_module_same_bytes, fixture_set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_module_full_disk, fixture_set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_module_hostile, fixture_set_up, fixture_tear_down),
     };
     return cmocka_run_group_tests(file_tests, NULL, NULL) +
            cmocka_run_group_tests(module_tests, NULL, NULL);

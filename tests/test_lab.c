@@ -7,10 +7,10 @@
  * planned with, those of bad ones far enough below what they do that another compiler's last bit
  * does not count.
  */
+#include "lab/charts/metrics.h"
+#include "lab/charts/table.h"
 #include "lab/experiments/experiments.h"
-#include "lab/figures.h"
-#include "lab/score.h"
-#include "lab/table.h"
+#include "lab/score_stats.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -21,7 +21,7 @@
 #include <cmocka.h>
 
 /** Cases of each level here: fewer than the laboratory has, enough for one in a thousand. */
-enum { CASES = 3000 };
+enum { EXPERIMENT_SAMPLES = 3000 };
 
 /** A cliff, or the lack of one. */
 typedef struct Expectation {
@@ -29,25 +29,25 @@ typedef struct Expectation {
     const char *method;     /**< Who. */
     const char *type;       /**< In which number type. */
     double level;           /**< Under which stress. */
-    const char *figure;     /**< What, as the CSV calls it. */
+    const char *metric;     /**< What, as the CSV calls it. */
     double low;             /**< At least so much. */
     double high;            /**< At most so much. */
 } Expectation;
 
 /** Without an upper end. */
-#define ANY HUGE_VAL
+#define ANY_VALUE HUGE_VAL
 
 /** What must come out. */
 static const Expectation expectations[] = {
     // Spheres far away: the quadratic loses them, projection does not.
-    {"sphere-distance", "expanded", "float", 100, "ulps_p999", 300, ANY},
+    {"sphere-distance", "expanded", "float", 100, "ulps_p999", 300, ANY_VALUE},
     {"sphere-distance", "textbook", "float", 1e3, "false_hits", 0.2, 1},
     {"sphere-distance", "textbook", "float", 1e4, "false_misses", 0.1, 0.5},
-    {"sphere-distance", "textbook", "double", 1e4, "ulps_p999", 1e4, ANY},
+    {"sphere-distance", "textbook", "double", 1e4, "ulps_p999", 1e4, ANY_VALUE},
     {"sphere-distance", "textbook", "double", 1e3, "false_misses", 0, 0},
     {"sphere-distance", "relative projection", "float", 1e4, "false_misses", 0, 1e-3},
     {"sphere-distance", "relative projection", "float", 1e3, "ulps_p999", 0, 8},
-    {"sphere-distance", "relative projection", "float", 1.01, "ulps_p999", 20, ANY},
+    {"sphere-distance", "relative projection", "float", 1.01, "ulps_p999", 20, ANY_VALUE},
     {"sphere-distance", "Haines", "float", 1e4, "ulps_p999", 0, 8},
     {"sphere-distance", "mixed", "float", 1e6, "ulps_max", 0, 0.6},
     {"sphere-distance", "mixed", "float", 1e6, "false_misses", 0, 0},
@@ -60,7 +60,7 @@ static const Expectation expectations[] = {
     {"sphere-distance", "dioptre", "double", 1e6, "false_misses", 0, 0},
     // Far from the origin of the world.
     {"sphere-world", "expanded", "float", 1e3, "false_misses", 0.01, 0.2},
-    {"sphere-world", "projection", "float", 1e5, "ulps_p999", 1e3, ANY},
+    {"sphere-world", "projection", "float", 1e5, "ulps_p999", 1e3, ANY_VALUE},
     {"sphere-world", "relative projection", "float", 1e6, "ulps_p999", 0, 8},
     {"sphere-world", "dioptre", "float", 1e6, "ulps_max", 0, 2},
     {"sphere-world", "dioptre", "float", 1e6, "false_misses", 0, 0},
@@ -69,14 +69,14 @@ static const Expectation expectations[] = {
     {"sphere-scale", "dioptre", "float", 1e-6, "ulps_max", 0, 2},
     {"sphere-scale", "dioptre", "float", 1e6, "ulps_max", 0, 2},
     // The ground: nothing in float alone sees it.
-    {"sphere-ground", "relative projection", "float", 1e5, "error_median", 1e-4, ANY},
-    {"sphere-ground", "Haines", "float", 1e5, "error_median", 1e-4, ANY},
+    {"sphere-ground", "relative projection", "float", 1e5, "error_median", 1e-4, ANY_VALUE},
+    {"sphere-ground", "Haines", "float", 1e5, "error_median", 1e-4, ANY_VALUE},
     {"sphere-ground", "compensated", "float", 1e6, "error_p999", 0, 1e-6},
     {"sphere-ground", "mixed", "float", 1e6, "error_max", 0, 6e-8},
     {"sphere-ground", "dioptre", "float", 1e6, "error_max", 0, 2.4e-7},
     // Cylinders.
     {"cylinder-distance", "B^2-AC", "float", 1e4, "false_misses", 0.1, 0.6},
-    {"cylinder-distance", "B^2-AC", "float", 100, "ulps_median", 10, ANY},
+    {"cylinder-distance", "B^2-AC", "float", 100, "ulps_median", 10, ANY_VALUE},
     {"cylinder-distance", "cross product", "float", 1e4, "false_misses", 0, 1e-3},
     {"cylinder-distance", "cross product", "float", 1e4, "error_p999", 0, 4e-7},
     {"cylinder-distance", "dioptre", "float", 1e4, "error_max", 0, 4e-7},
@@ -91,7 +91,7 @@ static const Expectation expectations[] = {
     {"plane-angle", "by its offset", "float", 0.01, "error_p999", 1e-5, 1.4e-3},
     {"plane-angle", "dioptre", "float", 0.01, "error_max", 0, 1e-6},
     {"plane-angle", "dioptre", "double", 0.01, "error_max", 0, 2.6e-12},
-    {"plane-point", "by a point", "float", 1e6, "error_p999", 1e-3, ANY},
+    {"plane-point", "by a point", "float", 1e6, "error_p999", 1e-3, ANY_VALUE},
     {"plane-point", "by its offset", "float", 1e6, "error_max", 0, 4.8e-7},
     {"plane-point", "dioptre", "float", 1e6, "error_max", 0, 4.8e-7},
     {"plane-point", "dioptre", "double", 1e6, "error_max", 0, 8.9e-16},
@@ -117,7 +117,7 @@ static const Expectation expectations[] = {
     {"triangle-small", "Moeller-Trumbore with cut", "float", 1e-3, "false_misses", 1, 1},
     {"triangle-small", "Moeller-Trumbore", "float", 1e-6, "false_misses", 0, 0.01},
     {"triangle-small", "dioptre", "float", 1e-6, "false_misses", 0, 0.01},
-    {"triangle-thin", "watertight", "float", 1e5, "ulps_p999", 500, ANY},
+    {"triangle-thin", "watertight", "float", 1e5, "ulps_p999", 500, ANY_VALUE},
     {"triangle-thin", "dioptre", "float", 1e6, "ulps_max", 0, 2},
     {"triangle-thin", "dioptre", "double", 1e6, "ulps_max", 0, 16},
     // Boxes.
@@ -138,8 +138,8 @@ static const Expectation expectations[] = {
     {"mirror-scale", "no offset", "float", 1, "wrong", 0.2, 0.7},
     {"mirror-scale", "t > 1e-4", "float", 1, "wrong", 0, 0},
     {"mirror-scale", "t > 1e-4", "float", 1e3, "wrong", 0.1, 0.7},
-    {"mirror-scale", "1e-4 N", "float", 1e-6, "error_median", 10, ANY},
-    {"mirror-scale", "256 ulps", "float", 1e-6, "error_median", 1, ANY},
+    {"mirror-scale", "1e-4 N", "float", 1e-6, "error_median", 10, ANY_VALUE},
+    {"mirror-scale", "256 ulps", "float", 1e-6, "error_median", 1, ANY_VALUE},
     {"mirror-scale", "32 u (|P| + R) N", "float", 1e6, "wrong", 0, 0},
     {"mirror-scale", "dioptre", "float", 1e-6, "wrong", 0, 0},
     {"mirror-scale", "dioptre", "float", 1e6, "wrong", 0, 0},
@@ -169,7 +169,7 @@ static const Expectation expectations[] = {
     {"fresnel-out", "exact", "float", 1, "error_max", 0, 1e-5},
     // A thousandth of a texel of 4096 rows: 7.7e-7 radians.
     {"sphere-pole", "acos", "float", 1e-5, "nan", 0.1, 0.7},
-    {"sphere-pole", "acos held", "float", 1e-4, "error_p999", 1e-4, ANY},
+    {"sphere-pole", "acos held", "float", 1e-4, "error_p999", 1e-4, ANY_VALUE},
     {"sphere-pole", "atan2", "float", 1e-4, "error_max", 0, 2.5e-7},
     {"sphere-pole", "dioptre", "float", 1, "error_max", 0, 7.7e-7},
     {"sphere-pole", "dioptre", "float", 1e-7, "nan", 0, 0},
@@ -178,7 +178,7 @@ static const Expectation expectations[] = {
     {"field-normal", "tetrahedral", "float", 1e-2, "error_max", 3e-3, 1e-2},
     {"field-normal", "central", "float", 1e-2, "error_max", 0, 3e-5},
     {"field-normal", "central", "double", 1e-5, "error_max", 0, 1e-10},
-    {"field-normal", "central", "float", 1e-6, "error_max", 0.01, ANY},
+    {"field-normal", "central", "float", 1e-6, "error_max", 0.01, ANY_VALUE},
     {"field-normal", "exact", "float", 1e-3, "error_max", 0, 1e-7},
     {"field-normal", "dioptre", "float", 1e-3, "error_max", 0, 3e-5},
     {"field-normal", "dioptre", "double", 1e-3, "error_max", 0, 1e-10},
@@ -195,10 +195,10 @@ static const Expectation expectations[] = {
 };
 
 /** @return The kind of figure that the CSV calls so. @param column How. */
-static const Figure *find_figure(const char *column) {
-    for (size_t i = 0; i < FIGURE_COUNT; i++) {
-        if (strcmp(figure_at(i)->column, column) == 0) {
-            return figure_at(i);
+static const Metric *find_metric(const char *column) {
+    for (size_t i = 0; i < METRIC_COUNT; i++) {
+        if (strcmp(metric_at(i)->column, column) == 0) {
+            return metric_at(i);
         }
     }
     fail_msg("there is no figure %s", column);
@@ -206,26 +206,30 @@ static const Figure *find_figure(const char *column) {
 }
 
 /** Makes an experiment with fewer cases. @param experiment The experiment. @param threads How many.
- *  @param[out] findings What was found, to be given back. */
-static void make(const Experiment *experiment, int threads, Findings *findings) {
+ *  @param[out] results What was found, to be given back. */
+static void run_small_experiment(const Experiment *experiment, int threads,
+                                 ExperimentResults *results) {
     Error error = {0};
     Experiment small = *experiment;
-    small.cases = small.cases < CASES ? small.cases : CASES;
-    assert_true(experiment_make(&small, threads, NULL, findings, &error));
+    small.sample_count =
+        small.sample_count < EXPERIMENT_SAMPLES ? small.sample_count : EXPERIMENT_SAMPLES;
+    assert_true(experiment_run(&small, threads, NULL, results, &error));
 }
 
-/** Checks one row. @param row The row. @param experiment Its experiment. @param findings What was
+/** Checks one row. @param row The row. @param experiment Its experiment. @param results What was
  *  found in it. */
-static void check(const Expectation *row, const Experiment *experiment, const Findings *findings) {
-    const Finding *finding = findings_find(findings, row->method, row->type, row->level);
-    if (!finding) {
+static void check_expectation(const Expectation *row, const Experiment *experiment,
+                              const ExperimentResults *results) {
+    const MethodResult *result =
+        experiment_results_find(results, row->method, row->type, row->level);
+    if (!result) {
         fail_msg("%s: nothing of %s in %s at %g", row->experiment, row->method, row->type,
                  row->level);
     }
-    double found = find_figure(row->figure)->of(experiment, finding);
+    double found = find_metric(row->metric)->value(experiment, result);
     if (!(found >= row->low && found <= row->high)) {
         fail_msg("%s: %s in %s at %g: %s %g, not from %g to %g", row->experiment, row->method,
-                 row->type, row->level, row->figure, found, row->low, row->high);
+                 row->type, row->level, row->metric, found, row->low, row->high);
     }
 }
 
@@ -233,24 +237,24 @@ static void check(const Expectation *row, const Experiment *experiment, const Fi
 static void test_cliffs(void **state) {
     (void)state;
     for (const Experiment *const *e = experiment_list(); *e; e++) {
-        Findings findings;
+        ExperimentResults results;
         size_t rows = 0;
-        make(*e, 2, &findings);
+        run_small_experiment(*e, 2, &results);
         for (size_t i = 0; i < sizeof expectations / sizeof *expectations; i++) {
             if (strcmp(expectations[i].experiment, (*e)->name) == 0) {
-                check(&expectations[i], *e, &findings);
+                check_expectation(&expectations[i], *e, &results);
                 rows++;
             }
         }
         if (rows == 0) {
             fail_msg("nothing is expected of %s", (*e)->name);
         }
-        findings_release(&findings);
+        experiment_results_deinit(&results);
     }
 }
 
 /** Every row is of an experiment that there is. @param state Not used. */
-static void test_rows_are_used(void **state) {
+static void test_expectations_are_used(void **state) {
     (void)state;
     for (size_t i = 0; i < sizeof expectations / sizeof *expectations; i++) {
         const Experiment *const *e = experiment_list();
@@ -262,54 +266,55 @@ static void test_rows_are_used(void **state) {
 }
 
 /** Every method is asked by some experiment, and its names go into a CSV. @param state Not used. */
-static void test_methods_are_asked(void **state) {
+static void test_methods_are_run(void **state) {
     (void)state;
     for (const Method *const *m = number_types()[0]->methods; *m; m++) {
         const Experiment *const *e = experiment_list();
-        while (*e && strcmp((*e)->family, (*m)->family) != 0) {
+        while (*e && strcmp((*e)->group, (*m)->group) != 0) {
             e++;
         }
         assert_non_null(*e);
         assert_null(strpbrk((*m)->name, ",\"\n"));
-        assert_true((*m)->inputs <= METHOD_NUMBERS_MAXIMUM);
-        assert_true((*m)->outputs <= METHOD_NUMBERS_MAXIMUM);
-        assert_true((size_t)(*m)->inputs * (*e)->parts <= CASE_NUMBERS_MAXIMUM);
+        assert_true((*m)->input_count <= METHOD_NUMBERS_MAXIMUM);
+        assert_true((*m)->output_count <= METHOD_NUMBERS_MAXIMUM);
+        assert_true((size_t)(*m)->input_count * (*e)->queries_per_sample <= SAMPLE_NUMBERS_MAXIMUM);
     }
 }
 
 /** The same figures of one thread and of two. @param state Not used. */
-static void test_same_figures(void **state) {
+static void test_same_metrics(void **state) {
     (void)state;
-    Findings one, two;
-    make(&sphere_world_experiment, 1, &one);
-    make(&sphere_world_experiment, 2, &two);
+    ExperimentResults one, two;
+    run_small_experiment(&sphere_offset_experiment, 1, &one);
+    run_small_experiment(&sphere_offset_experiment, 2, &two);
     size_t count = one.method_count * one.type_count * one.level_count;
     for (size_t i = 0; i < count; i++) {
-        const Finding *a = &one.rows[i], *b = &two.rows[i];
-        assert_int_equal(a->cases, b->cases);
+        const MethodResult *a = &one.rows[i], *b = &two.rows[i];
+        assert_int_equal(a->sample_count, b->sample_count);
         assert_memory_equal(&a->median, &b->median, sizeof a->median);
         assert_memory_equal(&a->maximum, &b->maximum, sizeof a->maximum);
-        assert_memory_equal(a->shares, b->shares, sizeof a->shares);
+        assert_memory_equal(a->outcome_fractions, b->outcome_fractions,
+                            sizeof a->outcome_fractions);
     }
-    findings_release(&one);
-    findings_release(&two);
+    experiment_results_deinit(&one);
+    experiment_results_deinit(&two);
 }
 
 /** An experiment that is stopped leaves nothing and says so. @param state Not used. */
 static void test_stops(void **state) {
     (void)state;
     Error error = {0};
-    Findings findings;
+    ExperimentResults results;
     atomic_bool stop = true;
-    assert_false(experiment_make(&triangle_edges_experiment, 2, &stop, &findings, &error));
+    assert_false(experiment_run(&triangle_edges_experiment, 2, &stop, &results, &error));
     assert_int_equal(error.status, STATUS_INTERRUPTED);
-    assert_null(findings.rows);
+    assert_null(results.rows);
 }
 
 /** Quantiles, shares and means. @param state Not used. */
 static void test_score(void **state) {
     (void)state;
-    Score score = {0};
+    ScoreStats score = {0};
     assert_true(isnan(score_quantile(&score, 0.5)));
     for (int i = 100; i >= 0; i--) {
         score_error(&score, i);
@@ -318,13 +323,13 @@ static void test_score(void **state) {
     assert_true(score_quantile(&score, 0.5) == 50);
     assert_true(score_quantile(&score, 0.999) == 100);
     assert_true(score_quantile(&score, 1) == 100);
-    score_distance(&score, QUAD_NONE, 1);
+    score_distance(&score, QUAD_NO_HIT, 1);
     score_distance(&score, 1, 1);
-    score_distance(&score, 1, QUAD_NONE);
-    assert_true(score_share(&score, OUTCOME_FALSE_MISS) == 0.5);
-    assert_true(score_share(&score, OUTCOME_FALSE_HIT) == 1);
-    assert_true(isnan(score_share(&score, OUTCOME_LEAK)));
-    score_release(&score);
+    score_distance(&score, 1, QUAD_NO_HIT);
+    assert_true(score_fraction(&score, OUTCOME_FALSE_MISS) == 0.5);
+    assert_true(score_fraction(&score, OUTCOME_FALSE_HIT) == 1);
+    assert_true(isnan(score_fraction(&score, OUTCOME_LEAK)));
+    score_deinit(&score);
 }
 
 /** Columns are as wide as they must be, words left, numbers right. @param state Not used. */
@@ -333,7 +338,7 @@ static void test_table(void **state) {
     char *text = NULL;
     size_t size = 0;
     FILE *stream = open_memstream(&text, &size);
-    Table table = table_of(2, 1);
+    Table table = table_make(2, 1);
     table_cell(&table, "who");
     table_cell(&table, "x");
     table_cell(&table, "a");
@@ -343,7 +348,7 @@ static void test_table(void **state) {
     table_print(&table, stream);
     fclose(stream);
     assert_string_equal(text, "who         x\na    1.23e+03\nb           -\n");
-    table_release(&table);
+    table_deinit(&table);
     free(text);
 }
 
@@ -351,8 +356,8 @@ static void test_table(void **state) {
 static void test_quad(void **state) {
     (void)state;
     Quadruple root = quad_sqrt(2);
-    double off = (double)(root * root - 2);
-    assert_true(fabs(off) < 1e-30);
+    double error = (double)(root * root - 2);
+    assert_true(fabs(error) < 1e-30);
     assert_true(quad_sqrt(0) == 0);
     Quadruple negative = quad_sqrt(-1);
     assert_true(negative != negative);
@@ -362,14 +367,10 @@ static void test_quad(void **state) {
 /** Runs the tests. @return How many failed. */
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_cliffs),
-        cmocka_unit_test(test_rows_are_used),
-        cmocka_unit_test(test_methods_are_asked),
-        cmocka_unit_test(test_same_figures),
-        cmocka_unit_test(test_stops),
-        cmocka_unit_test(test_score),
-        cmocka_unit_test(test_table),
-        cmocka_unit_test(test_quad),
+        cmocka_unit_test(test_cliffs),          cmocka_unit_test(test_expectations_are_used),
+        cmocka_unit_test(test_methods_are_run), cmocka_unit_test(test_same_metrics),
+        cmocka_unit_test(test_stops),           cmocka_unit_test(test_score),
+        cmocka_unit_test(test_table),           cmocka_unit_test(test_quad),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,8 +5,8 @@
  */
 #include "testing.h"
 
-#include "assets/child.h"
-#include "dioptre/language.h"
+#include "assets/process/sandbox_process.h"
+#include "base/language.h"
 
 #include <libintl.h>
 #include <locale.h>
@@ -18,7 +18,7 @@
 enum { CHILDREN = 200 };
 
 /** Looks words up until it is told to end. @param context Whether to end. @return NULL */
-static void *look_up(void *context) {
+static void *translate_until_stopped(void *context) {
     atomic_bool *is_over = context;
     while (!atomic_load(is_over)) {
         if (!gettext("no memory for a lesson") || !ngettext(", %d sample", ", %d samples", 2)) {
@@ -29,10 +29,10 @@ static void *look_up(void *context) {
 }
 
 /** Is the child: does what a scene's child does with words. @param context Not used. */
-static void speak(void *context) {
+static void translate_in_child(void *context) {
     (void)context;
     setlocale(LC_CTYPE, "C");
-    language_switch();
+    language_toggle();
     _Exit(gettext("no memory for a lesson") ? EXIT_SUCCESS : EXIT_FAILURE);
 }
 
@@ -43,14 +43,14 @@ static void test_fork(void **state) {
     atomic_bool is_over = false;
     setenv("LANGUAGE", "fr", 1);
     setenv("LC_ALL", "C.UTF-8", 1);
-    language_begin();
+    language_init();
     assert_true(language_is_french());
     for (int i = 0; i < 2; i++) {
-        assert_int_equal(pthread_create(&threads[i], NULL, look_up, &is_over), 0);
+        assert_int_equal(pthread_create(&threads[i], NULL, translate_until_stopped, &is_over), 0);
     }
     int late = 0, detail;
     for (int i = 0; i < CHILDREN && late == 0; i++) {
-        late += child_run(speak, NULL, 5, &detail) != CHILD_ENDED;
+        late += sandbox_process_run(translate_in_child, NULL, 5, &detail) != SANDBOX_PROCESS_EXITED;
     }
     atomic_store(&is_over, true);
     for (int i = 0; i < 2; i++) {

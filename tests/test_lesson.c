@@ -6,25 +6,25 @@
 #include "testing.h"
 
 #include "dioptre/lesson.h"
-#include "view/action.h"
-#include "view/lesson_text.h"
-#include "view/metronome.h"
-#include "view/rows.h"
+#include "view/commands/action.h"
+#include "view/lesson/lesson_writer.h"
+#include "view/lesson/step_clock.h"
+#include "view/panels/word_wrap.h"
 
 #include <stdlib.h>
 
 /** What was moved, in the order in which it was. */
-typedef struct Way {
-    double camera; /**< A number that depends on every movement and on their order. */
-    int count;     /**< How many movements led anywhere. */
-} Way;
+typedef struct MovementLog {
+    double checksum; /**< A number that depends on every movement and on their order. */
+    int count;       /**< How many movements led anywhere. */
+} MovementLog;
 
-/** Moves a #Way. See #MetronomeMover. @param context It. @param light See there. @param camera See
- *  there. */
-static void move(void *context, Movement light, Movement camera) {
-    Way *way = context;
-    way->camera = way->camera * 1.1 + camera.right + 0.3 * light.up;
-    way->count += movement_is_any(camera) || movement_is_any(light);
+/** Moves a #MovementLog. See #StepClockMoveFn. @param context It. @param light See there. @param
+ * camera See there. */
+static void log_movement(void *context, Movement light, Movement camera) {
+    MovementLog *log = context;
+    log->checksum = log->checksum * 1.1 + camera.right + 0.3 * light.up;
+    log->count += movement_is_nonzero(camera) || movement_is_nonzero(light);
 }
 
 /**
@@ -32,9 +32,9 @@ static void move(void *context, Movement light, Movement camera) {
  * @param frame  Milliseconds from one look at the clock to the next.
  * @return What it comes to.
  */
-static Way hold_two(int64_t frame) {
-    Way way = {0};
-    Metronome metronome = {.move = move, .context = &way, .motion = {.speed = 1}};
+static MovementLog hold_two_keys(int64_t frame) {
+    MovementLog log = {0};
+    StepClock step_clock = {.move = log_movement, .context = &log, .held_keys = {.speed = 1}};
     static const struct {
         int64_t time;
         Action action;
@@ -46,37 +46,37 @@ static Way hold_two(int64_t frame) {
     size_t next = 0;
     for (int64_t now = frame; now < 1000 + frame; now += frame) {
         for (; next < 4 && keys[next].time <= now; next++) {
-            metronome_go(&metronome, keys[next].time);
-            (keys[next].is_press ? motion_press : motion_release)(
-                &metronome.motion, keys[next].action, metronome_seconds(&metronome));
+            step_clock_advance(&step_clock, keys[next].time);
+            (keys[next].is_press ? held_keys_press : held_keys_release)(
+                &step_clock.held_keys, keys[next].action, step_clock_seconds(&step_clock));
         }
-        metronome_go(&metronome, now);
+        step_clock_advance(&step_clock, now);
     }
-    return way;
+    return log;
 }
 
 /** Whatever the machine's speed, the same is moved, to the bit. @param state Unused. */
-static void test_metronome(void **state) {
+static void test_step_clock(void **state) {
     (void)state;
     static const int64_t frames[] = {1, 3, 16, 17, 40, 250, 5000};
-    Way exact = hold_two(1);
+    MovementLog exact = hold_two_keys(1);
     assert_true(exact.count > 20);
     for (size_t i = 0; i < sizeof frames / sizeof *frames; i++) {
-        Way way = hold_two(frames[i]);
-        assert_true(way.camera == exact.camera && way.count == exact.count);
+        MovementLog log = hold_two_keys(frames[i]);
+        assert_true(log.checksum == exact.checksum && log.count == exact.count);
     }
 }
 
 /** The clock wakes for beats only while a key is held. @param state Unused. */
-static void test_metronome_next(void **state) {
+static void test_step_clock_next(void **state) {
     (void)state;
-    Way way = {0};
-    Metronome metronome = {.move = move, .context = &way, .motion = {.speed = 1}};
-    metronome_go(&metronome, 100);
-    assert_true(metronome_next(&metronome) == INT64_MAX);
-    motion_press(&metronome.motion, ACTION_CAMERA_UP, metronome_seconds(&metronome));
-    assert_int_equal(metronome_next(&metronome), 112);
-    assert_int_equal(way.count, 0);
+    MovementLog log = {0};
+    StepClock step_clock = {.move = log_movement, .context = &log, .held_keys = {.speed = 1}};
+    step_clock_advance(&step_clock, 100);
+    assert_true(step_clock_next_tick(&step_clock) == INT64_MAX);
+    held_keys_press(&step_clock.held_keys, ACTION_CAMERA_UP, step_clock_seconds(&step_clock));
+    assert_int_equal(step_clock_next_tick(&step_clock), 112);
+    assert_int_equal(log.count, 0);
 }
 
 /** Every action has a name of its own. @param state Unused. */
@@ -91,7 +91,7 @@ static void test_action_names(void **state) {
         }
     }
     assert_string_equal(names[ACTION_LIGHT_LEFT], "light left");
-    assert_true(action_is_taught(ACTION_HOME) && !action_is_taught(ACTION_LEAVE));
+    assert_true(action_is_recorded(ACTION_RESET_VIEW) && !action_is_recorded(ACTION_QUIT));
 }
 
 /** Words are cut at blanks, by letters and not by bytes. @param state Unused. */
@@ -99,23 +99,23 @@ static void test_rows(void **state) {
     (void)state;
     char words[] = "été après été\nneu unteilbaresWort x";
     PanelRow rows[8];
-    assert_int_equal(rows_cut(words, 9, rows, 8), 5);
+    assert_int_equal(word_wrap(words, 9, rows, 8), 5);
     static const char *const expected[] = {"été après", "été", "neu", "unteilbaresWort", "x"};
     for (size_t i = 0; i < 5; i++) {
         assert_string_equal(rows[i].text, expected[i]);
     }
     char more[] = "a b c";
-    assert_int_equal(rows_cut(more, 1, rows, 2), 2);
+    assert_int_equal(word_wrap(more, 1, rows, 2), 2);
 }
 
 /** Words are in the language that is wanted, else in the other. @param state Unused. */
 static void test_words(void **state) {
     (void)state;
-    assert_string_equal(lesson_words(&(LessonText){"one", "un"}, true), "un");
-    assert_string_equal(lesson_words(&(LessonText){"one", "un"}, false), "one");
-    assert_string_equal(lesson_words(&(LessonText){"one", NULL}, true), "one");
-    assert_string_equal(lesson_words(&(LessonText){NULL, "un"}, false), "un");
-    assert_string_equal(lesson_words(&(LessonText){0}, true), "");
+    assert_string_equal(lesson_text_localized(&(LessonText){"one", "un"}, true), "un");
+    assert_string_equal(lesson_text_localized(&(LessonText){"one", "un"}, false), "one");
+    assert_string_equal(lesson_text_localized(&(LessonText){"one", NULL}, true), "one");
+    assert_string_equal(lesson_text_localized(&(LessonText){NULL, "un"}, false), "un");
+    assert_string_equal(lesson_text_localized(&(LessonText){0}, true), "");
 }
 
 /** A full lesson says so. @param state Unused. */
@@ -126,9 +126,9 @@ static void test_full(void **state) {
     char *words = calloc(1, LESSON_TEXT_MAXIMUM);
     assert_non_null(lesson);
     memset(words, 'x', LESSON_TEXT_MAXIMUM - 3);
-    assert_non_null(lesson_keep(lesson, words, &error));
-    assert_string_equal(lesson_keep(lesson, "y", &error), "y");
-    assert_null(lesson_keep(lesson, "", &error));
+    assert_non_null(lesson_store_text(lesson, words, &error));
+    assert_string_equal(lesson_store_text(lesson, "y", &error), "y");
+    assert_null(lesson_store_text(lesson, "", &error));
     const LessonStep step = {.kind = LESSON_SNAPSHOT};
     while (lesson->count < LESSON_STEPS_MAXIMUM) {
         assert_true(lesson_add(lesson, &step, &error));
@@ -145,10 +145,10 @@ static void test_text(void **state) {
     char step[128], *text = NULL;
     size_t size;
     FILE *file = open_memstream(&text, &size);
-    lesson_text_wait(file, 0);
-    lesson_text_wait(file, 3599999);
-    lesson_text_wait(file, 3600017);
-    lesson_text_caption(step, sizeof step, "a \"b\" \\ \n1");
+    lesson_writer_wait(file, 0);
+    lesson_writer_wait(file, 3599999);
+    lesson_writer_wait(file, 3600017);
+    lesson_writer_caption(step, sizeof step, "a \"b\" \\ \n1");
     fclose(file);
     assert_string_equal(text, "wait(3599.999)\nwait(3600)\nwait(0.017)\n");
     assert_string_equal(step, "caption { en = \"a \\\"b\\\" \\\\ \\0101\", wait = true }");
@@ -158,7 +158,7 @@ static void test_text(void **state) {
 /** Runs the tests. @return How many failed. */
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_metronome),    cmocka_unit_test(test_metronome_next),
+        cmocka_unit_test(test_step_clock),   cmocka_unit_test(test_step_clock_next),
         cmocka_unit_test(test_action_names), cmocka_unit_test(test_rows),
         cmocka_unit_test(test_words),        cmocka_unit_test(test_full),
         cmocka_unit_test(test_text)};

@@ -4,29 +4,29 @@
  */
 #include "pictures.h"
 
-#include "trace/sequence.h"
+#include "trace/math/sobol.h"
 
 /** @return A white lamp that does not weaken. @param position Where it is. @param radius Its
  * ball's. */
-static Light lamp_at(Vector3 position, double radius) {
-    return (Light){.color = {1, 1, 1}, .intensity = 1, .position = position, .radius = radius};
+static SceneLight white_point_light(Vec3d position, double radius) {
+    return (SceneLight){.color = {1, 1, 1}, .intensity = 1, .position = position, .radius = radius};
 }
 
 /** Adds a light to a scene. @param scene The scene. @param light The light. */
-static void add_light(Scene *scene, Light light) {
+static void add_light(Scene *scene, SceneLight light) {
     Error error = {0};
     assert_true(scene_add_light(scene, &light, &error));
 }
 
 /** Aims a scene's camera so narrowly that all its rays meet the same point. @param scene The scene.
  *  @param from Where it stands. @param to The point. */
-static void aim_camera(Scene *scene, Vector3 from, Vector3 to) {
+static void aim_camera(Scene *scene, Vec3d from, Vec3d to) {
     Error error = {0};
-    Camera camera = *(const Camera *)camera_keyword.defaults;
+    SceneCamera camera = *(const SceneCamera *)scene_camera_keyword.defaults;
     camera.position = from;
     camera.look_at = to;
     camera.fov = 0.01;
-    assert_true(camera_keyword.finish(&camera, 3, &error));
+    assert_true(scene_camera_keyword.finish(&camera, 3, &error));
     scene->camera = camera;
 }
 
@@ -39,43 +39,43 @@ static double answer_roundoff(const Engine *engine) {
 
 /** A lamp straight above a surface, from 1e-6 to 1e6 away, gives 1 / d^2 to 8 half ulps; one with a
  *  ball never more than at the ball. @param engine The engine. */
-static void irradiance(const Engine *engine) {
+static void check_irradiance(const Engine *engine) {
     for (double away = 1e-6; away < 2e6; away *= 10) {
-        double rgb[3], d = as_float(away);
-        for (int ball = 0; ball < 2; ball++) {
-            double r = ball ? as_float(3 * d) : 0, nearest = ball ? r : d;
-            Scene *scene = empty_scene();
+        double rgb[3], d = round_to_float(away);
+        for (int sphere_index = 0; sphere_index < 2; sphere_index++) {
+            double r = sphere_index ? round_to_float(3 * d) : 0, nearest = sphere_index ? r : d;
+            Scene *scene = create_empty_scene();
             add_shape(scene, "plane", &(PlaneParameters){{0, 0, -d}, {0, 0, 1}});
-            scene->camera.position = (Vector3){0, 0, d};
-            Light light = lamp_at((Vector3){0, 0, 0}, r);
+            scene->camera.position = (Vec3d){0, 0, d};
+            SceneLight light = white_point_light((Vec3d){0, 0, 0}, r);
             light.falloff = FALLOFF_INVERSE_SQUARE;
             add_light(scene, light);
             trace_pixel(engine, scene, rgb);
             double truth = 1 / (nearest * nearest);
             assert_at_most(fabs(rgb[0] / truth - 1), 8 * answer_roundoff(engine),
-                           "%g away, ball %d, in %s", d, ball, engine->name);
+                           "%g away, ball %d, in %s", d, sphere_index, engine->name);
             scene_destroy(scene);
         }
     }
 }
 
-/** See #irradiance. @param state Not used. */
+/** See #check_irradiance. @param state Not used. */
 static void test_irradiance(void **state) {
     (void)state;
-    in_every_engine(irradiance);
+    for_every_engine(check_irradiance);
 }
 
 /** As near as a lamp may come, and as strong as it may be, no light is infinite or not a number.
  *  @param engine The engine. */
-static void stays_finite(const Engine *engine) {
+static void check_finite_light(const Engine *engine) {
     static const double heights[] = {0, 1e-300, 1e-40, 1e-30, 1e-20, 1e-15, 1e-12, 1e-6, 1};
     for (size_t i = 0; i < sizeof heights / sizeof *heights; i++) {
         for (int strong = 0; strong < 2; strong++) {
             double rgb[3];
-            Scene *scene = empty_scene();
-            Light light = lamp_at((Vector3){0, 0, heights[i] - 4}, 0);
+            Scene *scene = create_empty_scene();
+            SceneLight light = white_point_light((Vec3d){0, 0, heights[i] - 4}, 0);
             light.falloff = FALLOFF_INVERSE_SQUARE;
-            light.color = (Color){strong ? INTENSITY_MAXIMUM : 1, 0, 1};
+            light.color = (Rgbd){strong ? INTENSITY_MAXIMUM : 1, 0, 1};
             light.intensity = strong ? INTENSITY_MAXIMUM : 1;
             add_shape(scene, "plane", &(PlaneParameters){{0, 0, -4}, {0, 0, 1}});
             scene->materials[0].specular = 1;
@@ -89,10 +89,10 @@ static void stays_finite(const Engine *engine) {
     }
 }
 
-/** See #stays_finite. @param state Not used. */
+/** See #check_finite_light. @param state Not used. */
 static void test_finite(void **state) {
     (void)state;
-    in_every_engine(stays_finite);
+    for_every_engine(check_finite_light);
 }
 
 /* --- suns ---------------------------------------------------------------------------------------
@@ -100,20 +100,20 @@ static void test_finite(void **state) {
 
 /** A sun lights by the cosine alone, however far away the floor is, and a ball above throws its
  *  shadow along the sun's way (row B4). @param engine The engine. */
-static void sun_lights(const Engine *engine) {
+static void check_sun(const Engine *engine) {
     for (double away = 1; away <= 1e6; away *= 1000) {
         for (int shadow = 0; shadow < 2; shadow++) {
             double rgb[3];
-            Scene *scene = empty_scene();
-            aim_camera(scene, (Vector3){2 * away, away, 0}, (Vector3){0, 0, 0});
-            Light sun = {.kind = LIGHT_SUN, .color = {1, 0.5, 0.25}, .intensity = 2};
-            sun.direction = (Vector3){-3e-3, -4e-3, 0};
+            Scene *scene = create_empty_scene();
+            aim_camera(scene, (Vec3d){2 * away, away, 0}, (Vec3d){0, 0, 0});
+            SceneLight sun = {.kind = SCENE_LIGHT_SUN, .color = {1, 0.5, 0.25}, .intensity = 2};
+            sun.direction = (Vec3d){-3e-3, -4e-3, 0};
             add_light(scene, sun);
             add_shape(scene, "plane", &(PlaneParameters){{0, 0, 0}, {0, 1, 0}});
             // On the way to the sun, or as far on the other side.
             double side = shadow ? 1 : -1;
-            SphereParameters ball = {{side * 3 * away, 4 * away, 0}, 0.5 * away};
-            add_shape(scene, "sphere", &ball);
+            SphereParameters sphere = {{side * 3 * away, 4 * away, 0}, 0.5 * away};
+            add_shape(scene, "sphere", &sphere);
             trace_pixel(engine, scene, rgb);
             for (int c = 0; c < 3; c++) {
                 double truth = shadow ? 0 : 2 * ldexp(0.8, -c);
@@ -125,10 +125,10 @@ static void sun_lights(const Engine *engine) {
     }
 }
 
-/** See #sun_lights. @param state Not used. */
+/** See #check_sun. @param state Not used. */
 static void test_sun(void **state) {
     (void)state;
-    in_every_engine(sun_lights);
+    for_every_engine(check_sun);
 }
 
 /** The keys turn a sun as though it were a lamp nearby, and never to nowhere. @param state Not
@@ -136,15 +136,15 @@ static void test_sun(void **state) {
  */
 static void test_sun_turns(void **state) {
     (void)state;
-    Light sun = {.kind = LIGHT_SUN, .direction = {0, -2, 0}};
-    light_move(&sun, (Vector3){5, 0, 0}, 5);
+    SceneLight sun = {.kind = SCENE_LIGHT_SUN, .direction = {0, -2, 0}};
+    scene_light_move(&sun, (Vec3d){5, 0, 0}, 5);
     assert_at_most(fabs(sun.direction.x + sqrt(0.5)) + fabs(sun.direction.y + sqrt(0.5)), 1e-15,
                    "a sun moved to the right shines to the left");
-    light_move(&sun, vector3_scale(sun.direction, 5), 5);
-    assert_true(vector3_length(sun.direction) > 0.99);
-    Light lamp = lamp_at((Vector3){1, 2, 3}, 0);
-    light_move(&lamp, (Vector3){1, 1, 1}, 5);
-    assert_true(lamp.position.x == 2 && lamp.position.y == 3 && lamp.position.z == 4);
+    scene_light_move(&sun, vec3d_scale(sun.direction, 5), 5);
+    assert_true(vec3d_length(sun.direction) > 0.99);
+    SceneLight light = white_point_light((Vec3d){1, 2, 3}, 0);
+    scene_light_move(&light, (Vec3d){1, 1, 1}, 5);
+    assert_true(light.position.x == 2 && light.position.y == 3 && light.position.z == 4);
 }
 
 /* --- balls of light ----------------------------------------------------------------------------
@@ -152,97 +152,98 @@ static void test_sun_turns(void **state) {
 
 /** A ball is seen as bright as its colour, by the camera and in a mirror, and stands in nobody's
  *  light, its own or another's; a shape before it hides it (row D4). @param engine The engine. */
-static void ball_is_seen(const Engine *engine) {
+static void check_visible_sphere_light(const Engine *engine) {
     double rgb[3];
-    Scene *scene = empty_scene();
-    Light ball = lamp_at((Vector3){0, 0, -3}, 0.5);
-    ball.color = (Color){0.25, 0.5, 4};
-    add_light(scene, ball);
+    Scene *scene = create_empty_scene();
+    SceneLight sphere_light = white_point_light((Vec3d){0, 0, -3}, 0.5);
+    sphere_light.color = (Rgbd){0.25, 0.5, 4};
+    add_light(scene, sphere_light);
     trace_pixel(engine, scene, rgb);
     assert_true(rgb[0] == 0.25 && rgb[1] == 0.5 && rgb[2] == 4);
 
     // A wall behind it, lit past it by a lamp at the eye; and the eye looks past it, too.
-    aim_camera(scene, (Vector3){0, 2, 0}, (Vector3){0, 0, -6});
+    aim_camera(scene, (Vec3d){0, 2, 0}, (Vec3d){0, 0, -6});
     add_shape(scene, "plane", &(PlaneParameters){{0, 0, -6}, {0, 0, 1}});
-    scene->lights[0].color = (Color){0, 0, 0};
-    add_light(scene, lamp_at((Vector3){0, 0, 0}, 0));
+    scene->lights[0].color = (Rgbd){0, 0, 0};
+    add_light(scene, white_point_light((Vec3d){0, 0, 0}, 0));
     trace_pixel(engine, scene, rgb);
     assert_at_most(fabs(rgb[0] - 1), 8 * answer_roundoff(engine), "another's light in %s",
                    engine->name);
     scene->lights[1].intensity = 0;
-    scene->lights[0].color = (Color){1, 1, 1};
+    scene->lights[0].color = (Rgbd){1, 1, 1};
     trace_pixel(engine, scene, rgb);
     assert_at_most(fabs(rgb[0] - 1), 8 * answer_roundoff(engine), "its own light in %s",
                    engine->name);
 
     // The wall becomes a mirror: what the camera at the origin sees in it is the back of the ball.
-    scene->materials[0].reflectivity = (Color){0.5, 0.5, 0.5};
-    scene->materials[0].color = (Color){0, 0, 0};
-    aim_camera(scene, (Vector3){0, 3, -3}, (Vector3){0, 1.5, -6});
+    scene->materials[0].reflectivity = (Rgbd){0.5, 0.5, 0.5};
+    scene->materials[0].color = (Rgbd){0, 0, 0};
+    aim_camera(scene, (Vec3d){0, 3, -3}, (Vec3d){0, 1.5, -6});
     trace_pixel(engine, scene, rgb);
     assert_at_most(fabs(rgb[0] - 0.5), 8 * answer_roundoff(engine), "mirrored in %s", engine->name);
-    aim_camera(scene, (Vector3){0, 0, -12}, (Vector3){0, 0, -3});
+    aim_camera(scene, (Vec3d){0, 0, -12}, (Vec3d){0, 0, -3});
     trace_pixel(engine, scene, rgb);
     assert_at_most(rgb[0], 0, "hidden behind the mirror in %s", engine->name);
     scene_destroy(scene);
 }
 
-/** See #ball_is_seen. @param state Not used. */
-static void test_ball(void **state) {
+/** See #check_visible_sphere_light. @param state Not used. */
+static void test_sphere_light(void **state) {
     (void)state;
-    in_every_engine(ball_is_seen);
+    for_every_engine(check_visible_sphere_light);
 }
 
 /** A ball moves by a new look at the lights alone, and nearer ones hide farther ones. @param engine
  *  The engine. */
-static void ball_moves(const Engine *engine) {
+static void check_moved_sphere_light(const Engine *engine) {
     double rgb[3];
     RayCounts counts = {0};
     PixelGrid grid = {.columns = 1, .rows = 1, .stride = 1};
-    Scene *scene = empty_scene();
+    Scene *scene = create_empty_scene();
     for (int i = 0; i < 2; i++) {
-        add_light(scene, lamp_at((Vector3){0, 0, i ? -9 : -5}, 1));
+        add_light(scene, white_point_light((Vec3d){0, 0, i ? -9 : -5}, 1));
         scene->lights[i].intensity = 1 + i;
     }
-    Tracer *tracer = prepare(engine, scene);
+    Tracer *tracer = create_tracer(engine, scene);
     for (int step = 0; step < 2; step++) {
-        engine->look(tracer, scene, 1, 1);
+        engine->set_view(tracer, scene, 1, 1);
         engine->trace(tracer, &grid, rgb, &counts);
         assert_true(rgb[0] == 1 + step);
-        light_move(&scene->lights[0], (Vector3){3, 0, 0}, 1);
+        scene_light_move(&scene->lights[0], (Vec3d){3, 0, 0}, 1);
     }
-    engine->release(tracer);
+    engine->destroy(tracer);
     scene_destroy(scene);
 }
 
-/** See #ball_moves. @param state Not used. */
-static void test_ball_moves(void **state) {
+/** See #check_moved_sphere_light. @param state Not used. */
+static void test_moved_sphere_light(void **state) {
     (void)state;
-    in_every_engine(ball_moves);
+    for_every_engine(check_moved_sphere_light);
 }
 
 /* --- soft shadows -------------------------------------------------------------------------------
  */
 
 /** What many pixels and samples of one point give. */
-typedef struct Spread {
+typedef struct LightStatistics {
     double mean; /**< Mean of the pixels. */
     double rms;  /**< Of their differences from the truth. */
-} Spread;
+} LightStatistics;
 
 /** Pixels that look at the point, along a side. */
 enum { PIXELS = 16 };
 
 /** @return What soft light gives to one point. @param engine The engine. @param scene The scene.
  *  @param samples Rays a pixel. @param truth What should come out. */
-static Spread soft_light(const Engine *engine, const Scene *scene, int samples, double truth) {
+static LightStatistics sample_soft_light(const Engine *engine, const Scene *scene, int samples,
+                                         double truth) {
     double sums[PIXELS * PIXELS] = {0}, rgb[3 * PIXELS * PIXELS];
     Error error = {0};
     RayCounts counts = {0};
     TraceSettings settings = {.samples = samples, .offset = OFFSET_BOUND};
-    Tracer *tracer = engine->prepare(scene, &settings, &error);
+    Tracer *tracer = engine->create_tracer(scene, &settings, &error);
     assert_non_null(tracer);
-    engine->look(tracer, scene, PIXELS, PIXELS);
+    engine->set_view(tracer, scene, PIXELS, PIXELS);
     PixelGrid grid = {.columns = PIXELS, .rows = PIXELS, .stride = 1};
     for (grid.sample = 0; grid.sample < samples; grid.sample++) {
         engine->trace(tracer, &grid, rgb, &counts);
@@ -250,13 +251,13 @@ static Spread soft_light(const Engine *engine, const Scene *scene, int samples, 
             sums[i] += rgb[i] / samples;
         }
     }
-    Spread spread = {0};
+    LightStatistics spread = {0};
     for (int i = 0; i < PIXELS * PIXELS; i++) {
         spread.mean += sums[i] / (PIXELS * PIXELS);
         spread.rms += (sums[i] - truth) * (sums[i] - truth) / (PIXELS * PIXELS);
     }
     spread.rms = sqrt(spread.rms);
-    engine->release(tracer);
+    engine->destroy(tracer);
     return spread;
 }
 
@@ -267,7 +268,7 @@ static Spread soft_light(const Engine *engine, const Scene *scene, int samples, 
  * @param sine   s: the sine of half the angle that the ball fills.
  * @param slant  The sine of the edge's angle from straight above.
  */
-static double share_past_edge(double sine, double slant) {
+static double visible_light_fraction(double sine, double slant) {
     double area = 0;
     const int steps = 20000;
     for (int i = 0; i < steps; i++) {
@@ -280,19 +281,19 @@ static double share_past_edge(double sine, double slant) {
 
 /** The penumbra of an edge: the share of a ball's light that passes, against the closed form; and
  *  the mean of n samples comes nearer as n grows. @param engine The engine. */
-static void penumbra(const Engine *engine) {
+static void check_penumbra(const Engine *engine) {
     const double radius = 0.5, height = 2;
     bool is_slow = engine->mantissa_bits > 64;
     for (double edge = -0.25; edge <= 0.25; edge += 0.0625) {
-        Scene *scene = empty_scene();
-        aim_camera(scene, (Vector3){3, 0.5, 0}, (Vector3){0, 0, 0});
-        add_light(scene, lamp_at((Vector3){0, height, 0}, radius));
+        Scene *scene = create_empty_scene();
+        aim_camera(scene, (Vec3d){3, 0.5, 0}, (Vec3d){0, 0, 0});
+        add_light(scene, white_point_light((Vec3d){0, height, 0}, radius));
         add_shape(scene, "plane", &(PlaneParameters){{0, 0, 0}, {0, 1, 0}});
         add_shape(scene, "quad", &(QuadParameters){{-50, 1, -50}, {50 + edge, 0, 0}, {0, 0, 100}});
-        double truth = share_past_edge(radius / height, edge / sqrt(1 + edge * edge));
+        double truth = visible_light_fraction(radius / height, edge / sqrt(1 + edge * edge));
         double bounds[] = {0.13, 0.05, 0.022};
         for (int k = 0; k < (is_slow ? 1 : 3); k++) {
-            Spread spread = soft_light(engine, scene, 4 << 2 * k, truth);
+            LightStatistics spread = sample_soft_light(engine, scene, 4 << 2 * k, truth);
             assert_at_most(spread.rms, bounds[k], "edge at %g, %d samples in %s", edge, 4 << 2 * k,
                            engine->name);
             assert_at_most(fabs(spread.mean - truth), bounds[k] / 4, "mean, edge at %g in %s", edge,
@@ -302,26 +303,26 @@ static void penumbra(const Engine *engine) {
     }
 }
 
-/** See #penumbra. @param state Not used. */
+/** See #check_penumbra. @param state Not used. */
 static void test_penumbra(void **state) {
     (void)state;
-    in_every_engine(penumbra);
+    for_every_engine(check_penumbra);
 }
 
 /** Where nothing is in the way, a ball gives what its centre would, however large it is and however
  *  slanted the surface, as long as it is all above it. @param engine The engine. */
-static void ball_as_its_centre(const Engine *engine) {
+static void check_sphere_light_irradiance(const Engine *engine) {
     bool is_slow = engine->mantissa_bits > 64;
     for (int i = 0; i < (is_slow ? 2 : 8); i++) {
         double radius = 0.1 + 0.2 * (i % 4), slant = 0.25 * (i % 3);
-        Scene *scene = empty_scene();
-        aim_camera(scene, (Vector3){3, 0.5, 0}, (Vector3){0, 0, 0});
-        Light light = lamp_at((Vector3){2 * sin(slant), 2 * cos(slant), 0}, radius);
+        Scene *scene = create_empty_scene();
+        aim_camera(scene, (Vec3d){3, 0.5, 0}, (Vec3d){0, 0, 0});
+        SceneLight light = white_point_light((Vec3d){2 * sin(slant), 2 * cos(slant), 0}, radius);
         light.falloff = i < 4 ? FALLOFF_NONE : FALLOFF_INVERSE_SQUARE;
         add_light(scene, light);
         add_shape(scene, "plane", &(PlaneParameters){{0, 0, 0}, {0, 1, 0}});
         double truth = cos(slant) * (i < 4 ? 1 : 0.25);
-        Spread spread = soft_light(engine, scene, 64, truth);
+        LightStatistics spread = sample_soft_light(engine, scene, 64, truth);
         assert_at_most(spread.rms, 0.002, "radius %g, slant %g in %s", radius, slant, engine->name);
         assert_at_most(fabs(spread.mean - truth), 2e-4, "mean, radius %g, slant %g in %s", radius,
                        slant, engine->name);
@@ -329,34 +330,34 @@ static void ball_as_its_centre(const Engine *engine) {
     }
 }
 
-/** See #ball_as_its_centre. @param state Not used. */
-static void test_ball_as_its_centre(void **state) {
+/** See #check_sphere_light_irradiance. @param state Not used. */
+static void test_sphere_light_irradiance(void **state) {
     (void)state;
-    in_every_engine(ball_as_its_centre);
+    for_every_engine(check_sphere_light_irradiance);
 }
 
 /** A surface within a ball is lit by finite light, with hard shadows and with soft ones; so is one
  *  at its very centre. @param engine The engine. */
-static void within_a_ball(const Engine *engine) {
+static void check_inside_sphere_light(const Engine *engine) {
     for (int samples = 1; samples <= 4; samples += 3) {
         for (double height = 0; height < 0.5; height += 0.2) {
-            Scene *scene = empty_scene();
-            aim_camera(scene, (Vector3){0.1, 0.1, 0}, (Vector3){0, 0, 0});
-            Light light = lamp_at((Vector3){0, height, 0}, 0.05);
+            Scene *scene = create_empty_scene();
+            aim_camera(scene, (Vec3d){0.1, 0.1, 0}, (Vec3d){0, 0, 0});
+            SceneLight light = white_point_light((Vec3d){0, height, 0}, 0.05);
             light.falloff = FALLOFF_INVERSE_SQUARE;
             add_light(scene, light);
             add_shape(scene, "plane", &(PlaneParameters){{0, 0, 0}, {0, 1, 0}});
-            Spread spread = soft_light(engine, scene, samples, 0);
+            LightStatistics spread = sample_soft_light(engine, scene, samples, 0);
             assert_at_most(spread.rms, 401, "height %g in %s", height, engine->name);
             scene_destroy(scene);
         }
     }
 }
 
-/** See #within_a_ball. @param state Not used. */
-static void test_within_a_ball(void **state) {
+/** See #check_inside_sphere_light. @param state Not used. */
+static void test_inside_sphere_light(void **state) {
     (void)state;
-    in_every_engine(within_a_ball);
+    for_every_engine(check_inside_sphere_light);
 }
 
 /* --- samples ------------------------------------------------------------------------------------
@@ -364,17 +365,17 @@ static void test_within_a_ball(void **state) {
 
 /** Fails unless each of 2^k rectangles a x b holds one of 2^k points. @param first The first point.
  *  @param k See there. @param seed Which sequence. */
-static void assert_even(uint32_t first, int k, uint32_t seed) {
+static void assert_stratified(uint32_t first, int k, uint32_t seed) {
     static uint8_t seen[1 << 12];
     for (int across = 0; across <= k; across++) {
         memset(seen, 0, sizeof seen);
         for (uint32_t i = 0; i < 1u << k; i++) {
-            SequencePoint point = sequence_point(first + i, seed);
+            SobolPoint point = sobol_point(first + i, seed);
             uint32_t column = (uint32_t)((uint64_t)point.x >> (32 - across));
             uint32_t row = (uint32_t)((uint64_t)point.y >> (32 - (k - across)));
-            uint8_t *place = &seen[column << (k - across) | row];
-            assert_int_equal(*place, 0);
-            *place = 1;
+            uint8_t *cell = &seen[column << (k - across) | row];
+            assert_int_equal(*cell, 0);
+            *cell = 1;
         }
     }
 }
@@ -385,23 +386,23 @@ static void test_sequence(void **state) {
     (void)state;
     for (uint32_t seed = 0; seed < 20; seed++) {
         for (int k = 0; k <= 12; k++) {
-            assert_even(0, k, sequence_hash(seed));
-            assert_even(5u << k, k, sequence_hash(seed));
+            assert_stratified(0, k, hash_u32(seed));
+            assert_stratified(5u << k, k, hash_u32(seed));
         }
     }
 }
 
 /** @return A small scene with soft lamps that are seen, mirrors, a sun and edges; to be given back.
  */
-static Scene *still_life(void) {
-    Scene *scene = empty_scene();
-    scene->camera.position = (Vector3){0, 0, 4};
-    scene->materials[0].reflectivity = (Color){0.3, 0.3, 0.3};
+static Scene *soft_light_scene(void) {
+    Scene *scene = create_empty_scene();
+    scene->camera.position = (Vec3d){0, 0, 4};
+    scene->materials[0].reflectivity = (Rgbd){0.3, 0.3, 0.3};
     scene->materials[0].specular = 0.5;
-    add_light(scene, lamp_at((Vector3){-1.4, 1.2, 1}, 0.4));
-    add_light(scene, lamp_at((Vector3){1.2, 0.2, -1}, 0.2));
-    Light sun = {.kind = LIGHT_SUN, .color = {0.3, 0.3, 0.2}, .intensity = 1};
-    sun.direction = (Vector3){1, -1, -1};
+    add_light(scene, white_point_light((Vec3d){-1.4, 1.2, 1}, 0.4));
+    add_light(scene, white_point_light((Vec3d){1.2, 0.2, -1}, 0.2));
+    SceneLight sun = {.kind = SCENE_LIGHT_SUN, .color = {0.3, 0.3, 0.2}, .intensity = 1};
+    sun.direction = (Vec3d){1, -1, -1};
     add_light(scene, sun);
     add_shape(scene, "plane", &(PlaneParameters){{0, -1, 0}, {0, 1, 0}});
     add_shape(scene, "sphere", &(SphereParameters){{0, -0.4, 0}, 0.6});
@@ -413,24 +414,24 @@ static Scene *still_life(void) {
  *  background. @param state Not used. */
 static void test_same_bits(void **state) {
     (void)state;
-    Scene *scene = still_life();
+    Scene *scene = soft_light_scene();
     for (int bits = 32; bits <= 64; bits *= 2) {
         RenderSettings settings = small_settings(scene, bits == 32 ? "f32x1" : "f64x1", 1);
         settings.samples = 20;
-        Picture narrow = draw(scene, &settings);
+        Picture narrow = draw_picture(scene, &settings);
         for (const Engine *const *engine = engine_list(); *engine; engine++) {
             bool is_other = ((*engine)->mantissa_bits == 24) == (bits == 32);
             if (engine_is_supported(*engine) && is_other && (*engine)->mantissa_bits < 64) {
                 settings.engine = *engine;
                 settings.threads = 3;
-                assert_same(&narrow, draw(scene, &settings));
+                assert_same_picture(&narrow, draw_picture(scene, &settings));
             }
         }
-        Renderer *renderer = create(scene, &settings);
+        Renderer *renderer = create_renderer(scene, &settings);
         int passes;
-        assert_same(&narrow, draw_in_background(renderer, scene, &passes));
+        assert_same_picture(&narrow, draw_in_background(renderer, scene, &passes));
         renderer_destroy(renderer);
-        picture_release(&narrow);
+        picture_deinit(&narrow);
     }
     scene_destroy(scene);
 }
@@ -440,22 +441,22 @@ static void test_same_bits(void **state) {
 static uint64_t count_camera(const Scene *scene, const RenderSettings *settings, Picture *picture) {
     Error error = {0};
     assert_true(picture_init(picture, settings->width, settings->height, &error));
-    Renderer *renderer = create(scene, settings);
-    RenderReport report = renderer_draw(renderer, NULL, picture);
-    assert_true(report.is_finished && report.share == 1);
+    Renderer *renderer = create_renderer(scene, settings);
+    RenderStats report = renderer_render(renderer, NULL, picture);
+    assert_true(report.is_finished && report.progress == 1);
     renderer_destroy(renderer);
     return report.rays.camera;
 }
 
 /** How judged samples compare with all of them. */
-typedef struct Saving {
-    int worst_step; /**< Of 255. */
-    double share;   /**< Share of the samples that were drawn. */
-} Saving;
+typedef struct SampleSaving {
+    int worst_step;  /**< Of 255. */
+    double fraction; /**< Share of the samples that were drawn. */
+} SampleSaving;
 
 /** @return How judged samples compare with all of them. @param scene The scene. @param samples Rays
  * a pixel. */
-static Saving judged_against_full(const Scene *scene, int samples) {
+static SampleSaving adaptive_against_full(const Scene *scene, int samples) {
     Picture full, judged;
     RenderSettings settings = small_settings(scene, "auto", 2);
     settings.samples = samples;
@@ -463,35 +464,36 @@ static Saving judged_against_full(const Scene *scene, int samples) {
     settings.sampling = SAMPLING_FULL;
     uint64_t all = count_camera(scene, &settings, &full);
     assert_int_equal(all, (uint64_t)WIDTH * HEIGHT * (uint64_t)samples);
-    Comparison comparison = picture_compare(&full, &judged, NULL);
-    picture_release(&full);
-    picture_release(&judged);
-    return (Saving){comparison.worst_step, (double)rays / (double)all};
+    PictureComparison comparison = picture_compare(&full, &judged, NULL);
+    picture_deinit(&full);
+    picture_deinit(&judged);
+    return (SampleSaving){comparison.max_difference, (double)rays / (double)all};
 }
 
 /** The judged picture of the box is within two steps of the full one everywhere, for half of the
  *  rays; up to eight samples it is the full one. @param state Not used. */
 static void test_adaptive(void **state) {
     (void)state;
-    Scene *scene = load("scenes/box.lua");
-    Saving few = judged_against_full(scene, 8), many = judged_against_full(scene, 64);
-    assert_true(few.worst_step == 0 && few.share == 1);
+    Scene *scene = load_scene("scenes/box.lua");
+    SampleSaving few = adaptive_against_full(scene, 8), many = adaptive_against_full(scene, 64);
+    assert_true(few.worst_step == 0 && few.fraction == 1);
     assert_at_most(many.worst_step, 2, "steps off in the box");
-    assert_at_most(many.share, 0.5, "share of the samples in the box");
+    assert_at_most(many.fraction, 0.5, "share of the samples in the box");
     scene_destroy(scene);
-    scene = still_life();
-    assert_at_most(judged_against_full(scene, 32).worst_step, 2, "steps off in the still life");
+    scene = soft_light_scene();
+    assert_at_most(adaptive_against_full(scene, 32).worst_step, 2, "steps off in the still life");
     scene_destroy(scene);
 }
 
-/** @return A white line over a black sky, as wide as a share of a pixel. @param share The share. */
-static Scene *thin_line(double share) {
-    Scene *scene = empty_scene();
+/** @return A white line over a black sky, as wide as a share of a pixel. @param fraction The share.
+ */
+static Scene *thin_line_scene(double fraction) {
+    Scene *scene = create_empty_scene();
     double pixel = 2 * tan(scene->camera.fov / 2 * (M_PI / 180)) / WIDTH;
-    scene->materials[0].emission = (Color){1, 1, 1};
+    scene->materials[0].emission = (Rgbd){1, 1, 1};
     // Slanted, so that it passes the pixels at all their places.
-    Vector3 along = {0.6, 0.08, 0}, across = {-0.08 / 0.6053, 0.6 / 0.6053, 0};
-    QuadParameters line = {{-0.3, -0.05, -1}, along, vector3_scale(across, share * pixel)};
+    Vec3d along = {0.6, 0.08, 0}, across = {-0.08 / 0.6053, 0.6 / 0.6053, 0};
+    QuadParameters line = {{-0.3, -0.05, -1}, along, vec3d_scale(across, fraction * pixel)};
     add_shape(scene, "quad", &line);
     return scene;
 }
@@ -501,29 +503,29 @@ static Scene *thin_line(double share) {
 static void test_adaptive_beyond_white(void **state) {
     (void)state;
     Error error = {0};
-    Scene *scene = thin_line(20);
-    scene->materials[0].emission = (Color){9, 9, 9};
-    scene->sky.horizon = scene->sky.zenith = (Color){3, 3, 3};
+    Scene *scene = thin_line_scene(20);
+    scene->materials[0].emission = (Rgbd){9, 9, 9};
+    scene->sky.horizon = scene->sky.zenith = (Rgbd){3, 3, 3};
     RenderSettings settings = small_settings(scene, "auto", 2);
     settings.samples = 64;
     Picture pictures[2] = {0};
     for (int i = 0; i < 2; i++) {
         settings.sampling = i == 0 ? SAMPLING_ADAPTIVE : SAMPLING_FULL;
         assert_true(picture_init(&pictures[i], settings.width, settings.height, &error));
-        assert_true(picture_keep_light(&pictures[i], &error));
-        Renderer *renderer = create(scene, &settings);
-        uint64_t rays = renderer_draw(renderer, NULL, &pictures[i]).rays.camera;
+        assert_true(picture_allocate_linear(&pictures[i], &error));
+        Renderer *renderer = create_renderer(scene, &settings);
+        uint64_t rays = renderer_render(renderer, NULL, &pictures[i]).rays.camera;
         assert_true(i == 1 || rays < (uint64_t)WIDTH * HEIGHT * 64 / 2);
         renderer_destroy(renderer);
     }
     double worst = 0;
     for (int i = 0; i < 3 * WIDTH * HEIGHT; i++) {
-        double judged = (double)pictures[0].light[i], full = (double)pictures[1].light[i];
+        double judged = (double)pictures[0].linear[i], full = (double)pictures[1].linear[i];
         worst = fmax(worst, fabs(judged / full - 1));
     }
     assert_at_most(worst, 0.02, "share of the light that is off");
-    picture_release(&pictures[0]);
-    picture_release(&pictures[1]);
+    picture_deinit(&pictures[0]);
+    picture_deinit(&pictures[1]);
     scene_destroy(scene);
 }
 
@@ -531,13 +533,13 @@ static void test_adaptive_beyond_white(void **state) {
  * pixel's first samples need meet them. @param state Not used. */
 static void test_thin_line(void **state) {
     (void)state;
-    for (double share = 1; share > 1.0 / 12; share /= 1.5) {
-        Scene *scene = thin_line(share);
-        Saving saving = judged_against_full(scene, 64);
-        print_message("line of %.3f pixels: %d steps off, %.3f of the samples\n", share,
-                      saving.worst_step, saving.share);
-        assert_at_most(saving.worst_step, 2, "steps off, line of %g pixels", share);
-        assert_at_most(saving.share, 0.3, "share of the samples");
+    for (double fraction = 1; fraction > 1.0 / 12; fraction /= 1.5) {
+        Scene *scene = thin_line_scene(fraction);
+        SampleSaving saving = adaptive_against_full(scene, 64);
+        print_message("line of %.3f pixels: %d steps off, %.3f of the samples\n", fraction,
+                      saving.worst_step, saving.fraction);
+        assert_at_most(saving.worst_step, 2, "steps off, line of %g pixels", fraction);
+        assert_at_most(saving.fraction, 0.3, "share of the samples");
         scene_destroy(scene);
     }
 }
@@ -549,24 +551,24 @@ static void test_thin_line(void **state) {
  *  double draws; without an offset it does not. @param state Not used. */
 static void test_acne(void **state) {
     (void)state;
-    Scene *scene = still_life();
+    Scene *scene = soft_light_scene();
     scene->shape_count = 0;
-    scene->materials[0].reflectivity = (Color){0, 0, 0};
+    scene->materials[0].reflectivity = (Rgbd){0, 0, 0};
     add_shape(scene, "sphere", &(SphereParameters){{0.3, 0.1, -40.7}, 13.3});
     RenderSettings settings = small_settings(scene, "f64x1", 2);
     settings.samples = 2;
-    Picture truth = draw(scene, &settings);
-    int off[2];
+    Picture truth = draw_picture(scene, &settings);
+    int different[2];
     for (int i = 0; i < 2; i++) {
         settings.engine = engine_find("auto", NULL);
         settings.trace.offset = i ? OFFSET_NONE : OFFSET_BOUND;
-        Picture picture = draw(scene, &settings);
-        off[i] = picture_compare(&truth, &picture, NULL).worst_step;
-        picture_release(&picture);
+        Picture picture = draw_picture(scene, &settings);
+        different[i] = picture_compare(&truth, &picture, NULL).max_difference;
+        picture_deinit(&picture);
     }
-    assert_at_most(off[0], 1, "steps off with the bound");
-    assert_true(off[1] > 20);
-    picture_release(&truth);
+    assert_at_most(different[0], 1, "steps off with the bound");
+    assert_true(different[1] > 20);
+    picture_deinit(&truth);
     scene_destroy(scene);
 }
 
@@ -577,11 +579,11 @@ int main(void) {
         cmocka_unit_test(test_finite),
         cmocka_unit_test(test_sun),
         cmocka_unit_test(test_sun_turns),
-        cmocka_unit_test(test_ball),
-        cmocka_unit_test(test_ball_moves),
+        cmocka_unit_test(test_sphere_light),
+        cmocka_unit_test(test_moved_sphere_light),
         cmocka_unit_test(test_penumbra),
-        cmocka_unit_test(test_ball_as_its_centre),
-        cmocka_unit_test(test_within_a_ball),
+        cmocka_unit_test(test_sphere_light_irradiance),
+        cmocka_unit_test(test_inside_sphere_light),
         cmocka_unit_test(test_sequence),
         cmocka_unit_test(test_same_bits),
         cmocka_unit_test(test_adaptive),

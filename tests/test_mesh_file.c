@@ -4,8 +4,8 @@
  */
 #include "fixtures.h"
 
-#include "assets/mesh_file.h"
-#include "assets/pool.h"
+#include "assets/meshes/mesh_file.h"
+#include "assets/meshes/vertex_welder.h"
 #include "dioptre/parameter.h"
 
 #include <float.h>
@@ -32,19 +32,19 @@
 
 /** Makes a folder, and the module findable. @param state Becomes a #Fixture. @return 0 when it is
  *  there. */
-static int set_up(void **state) {
-    link_module("dioptre-meshes.so");
-    return enter_folder(state);
+static int mesh_fixture_set_up(void **state) {
+    symlink_plugin("dioptre-meshes.so");
+    return fixture_set_up(state);
 }
 
 /** @return The mesh of a file, which must be good and pass all checks. @param path The file. */
-static Mesh *read_good(const char *path) {
+static Mesh *read_valid_mesh(const char *path) {
     Mesh *mesh;
     Error error = {0};
     if (!mesh_file_read(path, NULL, &mesh, &error)) {
         fail_msg("%s: %s", path, error.message);
     }
-    assert_true(mesh_check(mesh, &error));
+    assert_true(mesh_validate(mesh, &error));
     assert_int_equal(mesh->normal_count > 0, mesh->triangle_normals != NULL);
     assert_int_equal(mesh->uv_count > 0, mesh->triangle_uvs != NULL);
     return mesh;
@@ -52,13 +52,13 @@ static Mesh *read_good(const char *path) {
 
 /** @return The mesh of a text. @param state A #Fixture. @param text An OBJ file. */
 static Mesh *read_text(void **state, const char *text) {
-    const char *path = path_of(state, "model.obj");
-    store(path, text, strlen(text));
-    return read_good(path);
+    const char *path = fixture_path(state, "model.obj");
+    write_file(path, text, strlen(text));
+    return read_valid_mesh(path);
 }
 
 /** Checks that a file is refused. @param path The file. @param words What must be said. */
-static void assert_refused(const char *path, const char *words) {
+static void assert_file_refused(const char *path, const char *words) {
     Mesh *mesh = (Mesh *)&mesh;
     Error error = {0};
     bool is_read = mesh_file_read(path, NULL, &mesh, &error);
@@ -71,24 +71,23 @@ static void assert_refused(const char *path, const char *words) {
  *  @param text The text. @param words What must be said. */
 static void assert_text_refused(void **state, const char *name, const char *text,
                                 const char *words) {
-    const char *path = path_of(state, name);
-    store(path, text, strlen(text));
-    assert_refused(path, words);
+    const char *path = fixture_path(state, name);
+    write_file(path, text, strlen(text));
+    assert_file_refused(path, words);
 }
 
 /** @return Twice the area of a triangle, as a vector. @param mesh The mesh. @param i Which. */
-static Vector3 area_of(const Mesh *mesh, size_t i) {
-    const uint32_t *at = mesh->triangles[i].at;
-    const Vector3 *p = mesh->positions;
-    return vector3_cross(vector3_subtract(p[at[1]], p[at[0]]),
-                         vector3_subtract(p[at[2]], p[at[0]]));
+static Vec3d area_of(const Mesh *mesh, size_t i) {
+    const uint32_t *at = mesh->triangles[i].index;
+    const Vec3d *p = mesh->positions;
+    return vec3d_cross(vec3d_subtract(p[at[1]], p[at[0]]), vec3d_subtract(p[at[2]], p[at[0]]));
 }
 
 /** @return The area of a mesh. @param mesh The mesh. */
 static double area_of_all(const Mesh *mesh) {
     double sum = 0;
     for (size_t i = 0; i < mesh->triangle_count; i++) {
-        sum += vector3_length(area_of(mesh, i)) / 2;
+        sum += vec3d_length(area_of(mesh, i)) / 2;
     }
     return sum;
 }
@@ -97,7 +96,7 @@ static double area_of_all(const Mesh *mesh) {
 static double volume_of(const Mesh *mesh) {
     double sum = 0;
     for (size_t i = 0; i < mesh->triangle_count; i++) {
-        sum += vector3_dot(mesh->positions[mesh->triangles[i].at[0]], area_of(mesh, i)) / 6;
+        sum += vec3d_dot(mesh->positions[mesh->triangles[i].index[0]], area_of(mesh, i)) / 6;
     }
     return sum;
 }
@@ -144,15 +143,16 @@ static void test_texts(void **state) {
         bool is_right = mesh->position_count == texts[i].positions &&
                         mesh->triangle_count == texts[i].triangles &&
                         mesh->normal_count == texts[i].normals && mesh->uv_count == texts[i].uvs &&
-                        mesh->repairs.degenerate == texts[i].degenerate &&
-                        mesh->repairs.lost_normals == texts[i].lost;
+                        mesh->repairs.degenerate_triangles == texts[i].degenerate &&
+                        mesh->repairs.missing_normals == texts[i].lost;
         if (!is_right) {
             fail_msg("%s: %zu positions, %zu triangles, %zu normals, %zu uvs, %zu without area, "
                      "%zu without normal",
                      texts[i].text, mesh->position_count, mesh->triangle_count, mesh->normal_count,
-                     mesh->uv_count, mesh->repairs.degenerate, mesh->repairs.lost_normals);
+                     mesh->uv_count, mesh->repairs.degenerate_triangles,
+                     mesh->repairs.missing_normals);
         }
-        mesh_destroy(mesh);
+        mesh_release(mesh);
     }
 }
 
@@ -160,26 +160,26 @@ static void test_texts(void **state) {
  *  #Fixture. */
 static void test_numbers(void **state) {
     Mesh *mesh = read_text(state, "v .1 -.25 3e-5\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    const uint32_t *at = mesh->triangles[0].at;
-    Vector3 p = mesh->positions[at[0]];
+    const uint32_t *at = mesh->triangles[0].index;
+    Vec3d p = mesh->positions[at[0]];
     assert_at_most(fabs(p.x - 0.1), 0.1 * (double)FLT_EPSILON, "x");
     assert_true(p.y == -0.25);
     assert_at_most(fabs(p.z - 3e-5), 3e-5 * (double)FLT_EPSILON, "z");
     assert_true(mesh->positions[at[1]].x == 1 && mesh->positions[at[2]].y == 1);
-    mesh_destroy(mesh);
+    mesh_release(mesh);
     mesh = read_text(state, CUBE);
     assert_true(volume_of(mesh) == 8 && area_of_all(mesh) == 24);
-    mesh_destroy(mesh);
+    mesh_release(mesh);
 }
 
 /** Polygons are cut without gap or overlap, concave ones too. @param state A #Fixture. */
 static void test_concave(void **state) {
     Mesh *mesh = read_text(state, "v 0 0 0\nv 2 2 0\nv 0 1 0\nv -2 2 0\nf 1 2 3 4\n");
     assert_at_most(fabs(area_of_all(mesh) - 2), 1e-12, "area of an arrowhead");
-    mesh_destroy(mesh);
+    mesh_release(mesh);
     mesh = read_text(state, "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 0 4 0\nf 1 2 3 4 5\n");
     assert_at_most(fabs(area_of_all(mesh) - 10), 1e-12, "area of a notched square");
-    mesh_destroy(mesh);
+    mesh_release(mesh);
 }
 
 /** What is missing of a polygon that crosses itself, and so cannot be cut, is counted. @param state
@@ -187,9 +187,11 @@ static void test_concave(void **state) {
 static void test_uncut(void **state) {
     Mesh *mesh = read_text(state, "v 0 1 0\nv 3 0 0\nv 0 0 0\nv 1 2 0\nv 1 3 0\nf 1 2 3 4 5\n" THREE
                                   "f -3 -2 -1\n");
-    assert_int_equal(mesh->triangle_count + mesh->repairs.degenerate + mesh->repairs.uncut, 4);
-    assert_true(mesh->repairs.uncut > 0);
-    mesh_destroy(mesh);
+    assert_int_equal(mesh->triangle_count + mesh->repairs.degenerate_triangles +
+                         mesh->repairs.untriangulated_polygons,
+                     4);
+    assert_true(mesh->repairs.untriangulated_polygons > 0);
+    mesh_release(mesh);
 }
 
 /** Corners keep the normal and the (u, v) that the file gives them; who has none gets his
@@ -197,12 +199,12 @@ static void test_uncut(void **state) {
 static void test_corners(void **state) {
     Mesh *mesh = read_text(state, THREE "vn 0 3 4\nvn 0 0 0\nvt 0.25 0.75\nvt 2 -1\n"
                                         "f 1/1/1 2/2/2 3/1/1\n");
-    const uint32_t *n = mesh->triangle_normals[0].at, *t = mesh->triangle_uvs[0].at;
+    const uint32_t *n = mesh->triangle_normals[0].index, *t = mesh->triangle_uvs[0].index;
     assert_true(mesh->normals[n[0]].y == 0.6 && mesh->normals[n[0]].z == 0.8);
     assert_true(mesh->normals[n[1]].z == 1 && n[2] == n[0]);
     assert_true(mesh->uvs[t[0]].u == 0.25 && mesh->uvs[t[0]].v == 0.75);
     assert_true(mesh->uvs[t[1]].u == 2 && mesh->uvs[t[1]].v == -1 && t[2] == t[0]);
-    mesh_destroy(mesh);
+    mesh_release(mesh);
 }
 
 /** Awkward but legal files give the triangles that they should. @param state Unused. */
@@ -222,13 +224,13 @@ static void test_awkward(void **state) {
                  {MODELS "hand-nonplanar-ngon.obj", 7, 0},
                  {MODELS "obj-hand-mtllib-traversal.obj", 1, 0}};
     for (size_t i = 0; i < COUNT(files); i++) {
-        Mesh *mesh = read_good(files[i].path);
+        Mesh *mesh = read_valid_mesh(files[i].path);
         if (mesh->triangle_count != files[i].triangles ||
-            mesh->repairs.lost_normals != files[i].lost) {
+            mesh->repairs.missing_normals != files[i].lost) {
             fail_msg("%s: %zu triangles, %zu corners without normal", files[i].path,
-                     mesh->triangle_count, mesh->repairs.lost_normals);
+                     mesh->triangle_count, mesh->repairs.missing_normals);
         }
-        mesh_destroy(mesh);
+        mesh_release(mesh);
     }
 }
 
@@ -250,13 +252,13 @@ static void test_formats(void **state) {
          "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA\"}]}"},
     };
     for (size_t i = 0; i < COUNT(files); i++) {
-        const char *path = path_of(state, files[i][0]);
-        store(path, files[i][1], strlen(files[i][1]));
-        Mesh *mesh = read_good(path);
+        const char *path = fixture_path(state, files[i][0]);
+        write_file(path, files[i][1], strlen(files[i][1]));
+        Mesh *mesh = read_valid_mesh(path);
         assert_int_equal(mesh->triangle_count, 1);
-        assert_true(mesh->positions[mesh->triangles[0].at[1]].x == (i == 2 ? 6 : 1));
+        assert_true(mesh->positions[mesh->triangles[0].index[1]].x == (i == 2 ? 6 : 1));
         assert_true(area_of(mesh, 0).z == 1);
-        mesh_destroy(mesh);
+        mesh_release(mesh);
     }
 }
 
@@ -274,14 +276,14 @@ static int compare_edges(const void *a, const void *b) {
 /** A closed model stays closed: each edge belongs to two triangles. @param state Unused. */
 static void test_closed(void **state) {
     (void)state;
-    Mesh *mesh = read_good("scenes/models/spot.obj");
+    Mesh *mesh = read_valid_mesh("scenes/models/spot.obj");
     assert_int_equal(mesh->triangle_count, 5856);
     assert_int_equal(mesh->position_count, 2930);
     assert_int_equal(mesh->uv_count, 3225);
     size_t count = 3 * mesh->triangle_count;
     uint64_t *edges = calloc(count, sizeof *edges);
     for (size_t i = 0; i < count; i++) {
-        const uint32_t *at = mesh->triangles[i / 3].at;
+        const uint32_t *at = mesh->triangles[i / 3].index;
         edges[i] = edge_of(at[i % 3], at[(i + 1) % 3]);
     }
     qsort(edges, count, sizeof *edges, compare_edges);
@@ -289,10 +291,10 @@ static void test_closed(void **state) {
         assert_true(edges[i] == edges[i + 1] && (i == 0 || edges[i] != edges[i - 1]));
     }
     free(edges);
-    mesh_destroy(mesh);
-    mesh = read_good("scenes/models/teapot.obj");
-    assert_int_equal(mesh->triangle_count + mesh->repairs.degenerate, 6320);
-    mesh_destroy(mesh);
+    mesh_release(mesh);
+    mesh = read_valid_mesh("scenes/models/teapot.obj");
+    assert_int_equal(mesh->triangle_count + mesh->repairs.degenerate_triangles, 6320);
+    mesh_release(mesh);
 }
 
 // --- smooth normals ------------------------------------------------------------------------------
@@ -301,20 +303,19 @@ static void test_closed(void **state) {
  *  #Fixture. */
 static void test_smooth_cube(void **state) {
     Mesh *mesh = read_text(state, CUBE);
-    Vector3 normals[8];
+    Vec3d normals[8];
     mesh_smooth_normals(mesh, normals);
     for (size_t i = 0; i < mesh->position_count; i++) {
-        Vector3 wanted = vector3_scale(mesh->positions[i], 1 / sqrt(3));
-        assert_at_most(vector3_length(vector3_subtract(normals[i], wanted)), 4e-16, "corner %zu",
-                       i);
+        Vec3d wanted = vec3d_scale(mesh->positions[i], 1 / sqrt(3));
+        assert_at_most(vec3d_length(vec3d_subtract(normals[i], wanted)), 4e-16, "corner %zu", i);
     }
-    mesh_destroy(mesh);
+    mesh_release(mesh);
 }
 
 /** @return A mesh of triangles. @param positions Its positions. @param position_count How many.
  *  @param triangles Its triangles. @param triangle_count How many. */
-static Mesh *mesh_of(const Vector3 *positions, size_t position_count, const MeshTriangle *triangles,
-                     size_t triangle_count) {
+static Mesh *mesh_from_triangles(const Vec3d *positions, size_t position_count,
+                                 const MeshTriangle *triangles, size_t triangle_count) {
     Error error = {0};
     const Mesh counts = {.position_count = position_count, .triangle_count = triangle_count};
     Mesh *mesh = mesh_create(&counts, &error);
@@ -331,16 +332,16 @@ static void test_smooth_extremes(void **state) {
     for (size_t i = 0; i < COUNT(scales); i++) {
         double s = scales[i];
         // Both sides of a sheet, a triangle without area, and a position that nobody uses.
-        const Vector3 positions[] = {{0, 0, 0}, {s, 0, 0}, {0, s, 0}, {2 * s, 0, 0}, {s, s, s}};
+        const Vec3d positions[] = {{0, 0, 0}, {s, 0, 0}, {0, s, 0}, {2 * s, 0, 0}, {s, s, s}};
         const MeshTriangle triangles[] = {{{0, 1, 2}}, {{0, 2, 1}}, {{0, 1, 3}}};
-        Mesh *mesh = mesh_of(positions, 5, triangles, 3);
-        Vector3 normals[5];
+        Mesh *mesh = mesh_from_triangles(positions, 5, triangles, 3);
+        Vec3d normals[5];
         mesh_smooth_normals(mesh, normals);
         for (size_t k = 0; k < 5; k++) {
-            assert_at_most(fabs(vector3_length(normals[k]) - 1), 1e-15, "length %zu", k);
+            assert_at_most(fabs(vec3d_length(normals[k]) - 1), 1e-15, "length %zu", k);
         }
         assert_true(normals[0].z == 1 && normals[4].y == 1);
-        mesh_destroy(mesh);
+        mesh_release(mesh);
     }
 }
 
@@ -349,51 +350,51 @@ static void test_smooth_extremes(void **state) {
 /** What a mesh must not be is found. @param state Unused. */
 static void test_check(void **state) {
     (void)state;
-    const Vector3 good[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const Vec3d good[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     const MeshTriangle whole = {{0, 1, 2}}, beyond = {{0, 1, 3}};
     const double numbers[] = {NAN, INFINITY, -INFINITY, 2 * LENGTH_MAXIMUM};
     Error error = {0};
-    Mesh *mesh = mesh_of(good, 3, &whole, 1);
-    assert_true(mesh_check(mesh, &error));
+    Mesh *mesh = mesh_from_triangles(good, 3, &whole, 1);
+    assert_true(mesh_validate(mesh, &error));
     for (size_t i = 0; i < COUNT(numbers); i++) {
         mesh->positions[1].y = numbers[i];
-        assert_false(mesh_check(mesh, NULL));
+        assert_false(mesh_validate(mesh, NULL));
     }
-    mesh_destroy(mesh);
-    mesh = mesh_of(good, 3, &beyond, 1);
-    assert_false(mesh_check(mesh, &error));
+    mesh_release(mesh);
+    mesh = mesh_from_triangles(good, 3, &beyond, 1);
+    assert_false(mesh_validate(mesh, &error));
     assert_int_equal(error.status, STATUS_SCENE);
-    mesh_destroy(mesh);
+    mesh_release(mesh);
     const Mesh counts = {
         .position_count = 3, .normal_count = 1, .uv_count = 1, .triangle_count = 1};
     mesh = mesh_create(&counts, &error);
     mesh->normals[0].x = 1;
-    assert_true(mesh_check(mesh, NULL));
+    assert_true(mesh_validate(mesh, NULL));
     mesh->normals[0].x = 0.99;
-    assert_false(mesh_check(mesh, NULL));
+    assert_false(mesh_validate(mesh, NULL));
     mesh->normals[0].x = 1;
     mesh->uvs[0].v = NAN;
-    assert_false(mesh_check(mesh, NULL));
+    assert_false(mesh_validate(mesh, NULL));
     mesh->uvs[0].v = 0;
-    mesh->triangle_uvs[0].at[2] = 1;
-    assert_false(mesh_check(mesh, NULL));
-    mesh_destroy(mesh);
+    mesh->triangle_uvs[0].index[2] = 1;
+    assert_false(mesh_validate(mesh, NULL));
+    mesh_release(mesh);
 }
 
 /** A pool knows its points again, after it has grown too. @param state Unused. */
-static void test_pool(void **state) {
+static void test_vertex_welder(void **state) {
     (void)state;
-    Pool pool = {.width = 2};
-    uint32_t place;
+    VertexWelder pool = {.dimension = 2};
+    uint32_t id;
     for (int round = 0; round < 2; round++) {
         for (uint32_t i = 0; i < 100000; i++) {
             const double point[] = {(double)(i % 317), -(double)(i / 317)};
-            assert_true(pool_add(&pool, point, &place));
-            assert_int_equal(place, i);
+            assert_true(vertex_welder_add(&pool, point, &id));
+            assert_int_equal(id, i);
         }
     }
     assert_int_equal(pool.count, 100000);
-    pool_release(&pool);
+    vertex_welder_deinit(&pool);
 }
 
 // --- what is refused -----------------------------------------------------------------------------
@@ -439,7 +440,7 @@ static void test_hostile(void **state) {
     };
     time_t start = time(NULL);
     for (size_t i = 0; i < COUNT(files); i++) {
-        assert_refused(files[i][0], files[i][1]);
+        assert_file_refused(files[i][0], files[i][1]);
     }
     assert_at_most(time(NULL) - start, 10, "seconds");
 }
@@ -455,67 +456,67 @@ static void test_crash(void **state) {
     memset(bytes, 0, sizeof bytes);
     memcpy(bytes, head, sizeof head - 1);
     bytes[sizeof head - 1 + 36] = 3;
-    store(path_of(state, "a.ply"), bytes, sizeof bytes);
-    assert_refused(path_of(state, "a.ply"), "");
+    write_file(fixture_path(state, "a.ply"), bytes, sizeof bytes);
+    assert_file_refused(fixture_path(state, "a.ply"), "");
 }
 
 /** What is no regular file is refused and not waited for. @param state A #Fixture. */
 static void test_kinds(void **state) {
-    assert_refused(path_of(state, "none.obj"), strerror(ENOENT));
-    assert_int_equal(mkdir(path_of(state, "folder.obj"), 0700), 0);
-    assert_refused(path_of(state, "folder.obj"), "folder");
-    assert_int_equal(mkfifo(path_of(state, "pipe.obj"), 0600), 0);
-    assert_refused(path_of(state, "pipe.obj"), "pipe");
-    assert_int_equal(symlink("/dev/zero", path_of(state, "device.obj")), 0);
-    assert_refused(path_of(state, "device.obj"), "device");
+    assert_file_refused(fixture_path(state, "none.obj"), strerror(ENOENT));
+    assert_int_equal(mkdir(fixture_path(state, "folder.obj"), 0700), 0);
+    assert_file_refused(fixture_path(state, "folder.obj"), "folder");
+    assert_int_equal(mkfifo(fixture_path(state, "pipe.obj"), 0600), 0);
+    assert_file_refused(fixture_path(state, "pipe.obj"), "pipe");
+    assert_int_equal(symlink("/dev/zero", fixture_path(state, "device.obj")), 0);
+    assert_file_refused(fixture_path(state, "device.obj"), "device");
 }
 
 /** Files that a model names are not opened: this one would keep the program waiting. @param state A
  *  #Fixture. */
 static void test_materials_are_not_opened(void **state) {
-    assert_int_equal(mkfifo(path_of(state, "model.mtl"), 0600), 0);
+    assert_int_equal(mkfifo(fixture_path(state, "model.mtl"), 0600), 0);
     time_t start = time(NULL);
-    mesh_destroy(read_text(state, "mtllib model.mtl\n" THREE "usemtl a\nf 1 2 3\n"));
+    mesh_release(read_text(state, "mtllib model.mtl\n" THREE "usemtl a\nf 1 2 3\n"));
     assert_at_most(time(NULL) - start, 2, "seconds");
 }
 
 /** How a file is told on, and what is done to it meanwhile. */
-typedef struct Meddler {
-    const char *path;   /**< The file. */
-    const char *mode;   /**< How it is opened to be changed: `ab`, `wb`; NULL: not at all. */
-    const char *text;   /**< What is written. */
-    int told;           /**< How often it was told. */
-    int ended;          /**< How often it was told that it is over. */
-    double worst_share; /**< A share outside of 0 to 1, if there was one. */
-} Meddler;
+typedef struct FileChanger {
+    const char *path;    /**< The file. */
+    const char *mode;    /**< How it is opened to be changed: `ab`, `wb`; NULL: not at all. */
+    const char *text;    /**< What is written. */
+    int progress_count;  /**< How often it was told. */
+    int end_count;       /**< How often it was told that it is over. */
+    double bad_fraction; /**< A share outside of 0 to 1, if there was one. */
+} FileChanger;
 
 /** Changes the file when it has just been opened. See MeshProgress::tell. @param context A
- * #Meddler.
- *  @param name The file. @param share How much is done. @param seconds Since the start. */
-static void meddle(void *context, const char *name, double share, double seconds) {
-    Meddler *meddler = context;
+ * #FileChanger.
+ *  @param name The file. @param fraction How much is done. @param seconds Since the start. */
+static void change_file(void *context, const char *name, double fraction, double seconds) {
+    FileChanger *changer = context;
     assert_string_equal(name, "model.obj");
-    if (!(share >= 0 && share <= 1) || (meddler->told == 0 && seconds > 0)) {
-        meddler->worst_share = share;
+    if (!(fraction >= 0 && fraction <= 1) || (changer->progress_count == 0 && seconds > 0)) {
+        changer->bad_fraction = fraction;
     }
-    if (meddler->told++ == 0 && meddler->mode) {
+    if (changer->progress_count++ == 0 && changer->mode) {
         // Longer than the clock of a file system needs for a tick.
         nanosleep(&(struct timespec){.tv_nsec = 20000000}, NULL);
-        FILE *file = fopen(meddler->path, meddler->mode);
-        fputs(meddler->text, file);
+        FILE *file = fopen(changer->path, changer->mode);
+        fputs(changer->text, file);
         fclose(file);
     }
 }
 
-/** Notes that it is over. See MeshProgress::end. @param context A #Meddler. */
-static void note_end(void *context) {
-    ((Meddler *)context)->ended++;
+/** Notes that it is over. See MeshProgress::end. @param context A #FileChanger. */
+static void count_end(void *context) {
+    ((FileChanger *)context)->end_count++;
 }
 
 /** A file that changes while it is read is refused; one that does not is told on. @param state A
  *  #Fixture. */
 static void test_changes(void **state) {
-    const char *path = path_of(state, "model.obj");
+    const char *path = fixture_path(state, "model.obj");
     const struct {
         const char *mode, *text, *words;
     } changes[] = {{NULL, NULL, NULL},
@@ -523,40 +524,43 @@ static void test_changes(void **state) {
                    {"wb", "v 0 0 0\n", "shorter"},
                    {"wb", CUBE, "changed"}};
     for (size_t i = 0; i < COUNT(changes); i++) {
-        Meddler meddler = {.path = path, .mode = changes[i].mode, .text = changes[i].text};
-        const MeshProgress progress = {.tell = meddle, .end = note_end, .context = &meddler};
+        FileChanger changer = {.path = path, .mode = changes[i].mode, .text = changes[i].text};
+        const MeshProgress progress = {
+            .report = change_file, .end = count_end, .context = &changer};
         Mesh *mesh;
         Error error = {0};
-        store(path, CUBE, strlen(CUBE));
+        write_file(path, CUBE, strlen(CUBE));
         bool is_read = mesh_file_read(path, &progress, &mesh, &error);
         assert_int_equal(is_read, changes[i].mode == NULL);
         assert_true(is_read || strstr(error.message, changes[i].words));
-        assert_true(meddler.told >= 1 && meddler.ended == 1 && meddler.worst_share == 0);
-        mesh_destroy(mesh);
+        assert_true(changer.progress_count >= 1 && changer.end_count == 1 &&
+                    changer.bad_fraction == 0);
+        mesh_release(mesh);
     }
 }
 
 /** Runs the tests. @return How many failed. */
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(test_texts, set_up, leave_folder),
-        cmocka_unit_test_setup_teardown(test_numbers, set_up, leave_folder),
-        cmocka_unit_test_setup_teardown(test_concave, set_up, leave_folder),
-        cmocka_unit_test_setup_teardown(test_uncut, set_up, leave_folder),
-        cmocka_unit_test_setup_teardown(test_corners, set_up, leave_folder),
-        cmocka_unit_test_setup_teardown(test_awkward, set_up, leave_folder),
-        cmocka_unit_test_setup_teardown(test_formats, set_up, leave_folder),
-        cmocka_unit_test_setup_teardown(test_closed, set_up, leave_folder),
-        cmocka_unit_test_setup_teardown(test_smooth_cube, set_up, leave_folder),
+        cmocka_unit_test_setup_teardown(test_texts, mesh_fixture_set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_numbers, mesh_fixture_set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_concave, mesh_fixture_set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_uncut, mesh_fixture_set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_corners, mesh_fixture_set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_awkward, mesh_fixture_set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_formats, mesh_fixture_set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_closed, mesh_fixture_set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_smooth_cube, mesh_fixture_set_up, fixture_tear_down),
         cmocka_unit_test(test_smooth_extremes),
         cmocka_unit_test(test_check),
-        cmocka_unit_test(test_pool),
-        cmocka_unit_test_setup_teardown(test_refused_texts, set_up, leave_folder),
-        cmocka_unit_test_setup_teardown(test_hostile, set_up, leave_folder),
-        cmocka_unit_test_setup_teardown(test_crash, set_up, leave_folder),
-        cmocka_unit_test_setup_teardown(test_kinds, set_up, leave_folder),
-        cmocka_unit_test_setup_teardown(test_materials_are_not_opened, set_up, leave_folder),
-        cmocka_unit_test_setup_teardown(test_changes, set_up, leave_folder),
+        cmocka_unit_test(test_vertex_welder),
+        cmocka_unit_test_setup_teardown(test_refused_texts, mesh_fixture_set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_hostile, mesh_fixture_set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_crash, mesh_fixture_set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_kinds, mesh_fixture_set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_materials_are_not_opened, mesh_fixture_set_up,
+                                        fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_changes, mesh_fixture_set_up, fixture_tear_down),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -45,7 +45,7 @@ static void test_thresholds(void **state) {
         Encoder encoder;
         encoder_init(&encoder, encodings[i]);
         for (int step = 1; step <= UINT8_MAX; step++) {
-            float light = encoder.threshold[step];
+            float light = encoder.thresholds[step];
             float below = nextafterf(light, 0);
             assert_int_equal(encode_by_definition(encodings[i], light), step);
             assert_int_equal(encode_by_definition(encodings[i], below), step - 1);
@@ -63,8 +63,8 @@ static void test_one_threshold_a_cell(void **state) {
         Encoder encoder;
         encoder_init(&encoder, encodings[i]);
         for (int step = 2; step <= UINT8_MAX; step++) {
-            int cell = (int)(encoder.threshold[step] * 4096);
-            assert_true((int)(encoder.threshold[step - 1] * 4096) < cell);
+            int cell = (int)(encoder.thresholds[step] * 4096);
+            assert_true((int)(encoder.thresholds[step - 1] * 4096) < cell);
         }
     }
 }
@@ -99,7 +99,7 @@ static void test_many_lights(void **state) {
     uint64_t random = 1;
     for (int i = 0; i < 1000000; i++) {
         // Every other one evenly spread; the rest by the spread of floats down to 2^-16.
-        double part = random_share(&random);
+        double part = random_unit_double(&random);
         float light = (float)(i % 2 ? part : exp2(-16 * part));
         if (encoder_encode(&encoder, light) != encode_by_definition(ENCODING_SRGB, light)) {
             fail_msg("%.9g is encoded as %d", (double)light, encoder_encode(&encoder, light));
@@ -112,20 +112,20 @@ static void test_many_lights(void **state) {
 /** Equal pictures differ by nothing. @param state Unused. */
 static void test_compare_equal(void **state) {
     (void)state;
-    Picture picture = make_picture(5, 4);
-    Picture map = make_picture(5, 4);
-    Comparison comparison = picture_compare(&picture, &picture, &map);
+    Picture picture = make_test_picture(5, 4);
+    Picture map = make_test_picture(5, 4);
+    PictureComparison comparison = picture_compare(&picture, &picture, &map);
     assert_int_equal(comparison.width, 5);
     assert_int_equal(comparison.height, 4);
-    assert_int_equal(comparison.worst_step, 0);
-    assert_true(comparison.share_off == 0);
+    assert_int_equal(comparison.max_difference, 0);
+    assert_true(comparison.differing_fraction == 0);
     assert_true(comparison.rmse == 0);
     assert_true(isinf(comparison.psnr) && comparison.psnr > 0);
     for (int i = 0; i < 5 * 4 * 3; i++) {
         assert_int_equal(map.pixels[i], 0);
     }
-    picture_release(&picture);
-    picture_release(&map);
+    picture_deinit(&picture);
+    picture_deinit(&map);
 }
 
 /** Differences are measured as by hand. @param state Unused. */
@@ -139,9 +139,9 @@ static void test_compare_different(void **state) {
     assert_true(picture_init(&map, 4, 1, NULL));
     b.pixels[0] = 1;   // One step off: allowed.
     a.pixels[4] = 255; // All the way off.
-    Comparison comparison = picture_compare(&a, &b, &map);
-    assert_int_equal(comparison.worst_step, 255);
-    assert_true(comparison.share_off == 0.25);
+    PictureComparison comparison = picture_compare(&a, &b, &map);
+    assert_int_equal(comparison.max_difference, 255);
+    assert_true(comparison.differing_fraction == 0.25);
     double step_error = (1.0 + 255.0 * 255.0) / 12;
     assert_true(fabs(comparison.psnr - 10 * log10(255.0 * 255.0 / step_error)) < 1e-12);
     double dim = 1 / 255.0 / 12.92;
@@ -149,9 +149,9 @@ static void test_compare_different(void **state) {
     assert_in_range(map.pixels[0], 1, 254);
     assert_int_equal(map.pixels[3], 255);
     assert_int_equal(map.pixels[6], 0);
-    picture_release(&a);
-    picture_release(&b);
-    picture_release(&map);
+    picture_deinit(&a);
+    picture_deinit(&b);
+    picture_deinit(&map);
 }
 
 /** Runs the tests. @return How many failed. */

@@ -3,7 +3,7 @@
  * @brief Tests of the sandbox that scenes run in: no way out, limits of time, memory and words,
  *        processes.
  */
-#include "dioptre/clock.h"
+#include "base/clock.h"
 #include "scene_files.h"
 
 #include <errno.h>
@@ -17,7 +17,7 @@
 // --- words ---------------------------------------------------------------------------------------
 
 /** What would be a way out is not there. @param state The fixture. */
-static void test_ways_out(void **state) {
+static void test_escapes(void **state) {
     static const char *const words[] = {
         "io",        "os",         "debug",    "package",     "require",
         "load",      "loadstring", "loadfile", "dofile",      "collectgarbage",
@@ -44,7 +44,7 @@ static void test_messages_are_clean(void **state) {
 
 /** Nothing runs past its time: not a loop, nor a call of a library. @param state The fixture. */
 static void test_time_limit(void **state) {
-    static const WrongCase cases[] = {
+    static const InvalidScene cases[] = {
         {"camera {}\nwhile true do\nend", 2, "the scene ran for more than 0.2 s"},
         {"\nlocal function f()\n  while true do pcall(error) end\nend\npcall(f)", 3, "0.2 s"},
         {"while true do\n  pcall(string.rep, 'x', 1e12)\nend", 2, "0.2 s"},
@@ -57,10 +57,11 @@ static void test_time_limit(void **state) {
          3, "0.2 s"},
     };
     for (size_t i = 0; i < COUNT(cases); i++) {
-        double start = clock_seconds();
-        assert_text_refused(*state, cases[i].text, cases[i].line, cases[i].words,
-                            &(ScriptRequest){.seconds = 0.2, .memory = SCRIPT_MEMORY});
-        double taken = clock_seconds() - start;
+        double start = clock_now_seconds();
+        assert_text_refused(
+            *state, cases[i].text, cases[i].line, cases[i].message,
+            &(ScriptRequest){.time_limit = 0.2, .memory_limit = SCRIPT_MEMORY_LIMIT});
+        double taken = clock_now_seconds() - start;
         assert_true(taken > 0.19 && taken < 1.5);
     }
 }
@@ -68,7 +69,7 @@ static void test_time_limit(void **state) {
 /** No scene takes more memory than it may. @param state The fixture. */
 static void test_memory_limit(void **state) {
     static const char words[] = "the scene needs more than 4 MiB of memory";
-    static const WrongCase cases[] = {
+    static const InvalidScene cases[] = {
         {"camera {}\nlocal x = ('x'):rep(1 << 30)", 2, words},
         {"local x = 'x'\nwhile true do\n  x = x .. x\nend", 3, words},
         {"local list = {}\nwhile true do\n  list[#list + 1] = {}\nend", 3, words},
@@ -77,19 +78,20 @@ static void test_memory_limit(void **state) {
         {"local function f()\n  return 1 + f()\nend\nf()", 2, words},
     };
     for (size_t i = 0; i < COUNT(cases); i++) {
-        assert_text_refused(*state, cases[i].text, cases[i].line, cases[i].words,
-                            &(ScriptRequest){.seconds = SCRIPT_SECONDS, .memory = 4 << 20});
+        assert_text_refused(
+            *state, cases[i].text, cases[i].line, cases[i].message,
+            &(ScriptRequest){.time_limit = SCRIPT_TIME_LIMIT, .memory_limit = 4 << 20});
     }
     assert_text_refused(*state, "camera {}", 1, "needs more than 0.000976562 MiB",
-                        &(ScriptRequest){.seconds = SCRIPT_SECONDS, .memory = 1024});
+                        &(ScriptRequest){.time_limit = SCRIPT_TIME_LIMIT, .memory_limit = 1024});
     assert_text_refused(*state, "camera {}", 1, "needs more than 0.0078125 MiB",
-                        &(ScriptRequest){.seconds = SCRIPT_SECONDS, .memory = 8192});
+                        &(ScriptRequest){.time_limit = SCRIPT_TIME_LIMIT, .memory_limit = 8192});
 }
 
 /** A scene that asks for too much, but takes no for an answer, is good. @param state The fixture.
  */
 static void test_refused_memory_can_be_caught(void **state) {
-    Scene *scene = load_good(*state, "camera {}\nassert(not pcall(string.rep, 'x', 1e10))");
+    Scene *scene = load_valid_scene(*state, "camera {}\nassert(not pcall(string.rep, 'x', 1e10))");
     scene_destroy(scene);
 }
 
@@ -98,11 +100,11 @@ static void test_print(void **state) {
     const Fixture *fixture = *state;
     char path[128], got[256] = "";
     snprintf(path, sizeof path, "%s/printed", fixture->folder);
-    int kept = dup(STDERR_FILENO), file = open(path, O_RDWR | O_CREAT | O_TRUNC, 0600);
+    int saved_fd = dup(STDERR_FILENO), file = open(path, O_RDWR | O_CREAT | O_TRUNC, 0600);
     dup2(file, STDERR_FILENO);
-    Scene *scene = load_good(fixture, "camera {} print('one', 2, nil, '\\27[2J')\n"
-                                      "for i = 1, 1e5 do print(('y'):rep(99)) end");
-    dup2(kept, STDERR_FILENO);
+    Scene *scene = load_valid_scene(fixture, "camera {} print('one', 2, nil, '\\27[2J')\n"
+                                             "for i = 1, 1e5 do print(('y'):rep(99)) end");
+    dup2(saved_fd, STDERR_FILENO);
     scene_destroy(scene);
     off_t size = lseek(file, 0, SEEK_END);
     assert_true(size > 65000 && size < 67000);
@@ -111,7 +113,7 @@ static void test_print(void **state) {
     assert_true(pread(file, got, 50, size - 50) == 50);
     assert_non_null(strstr(got, "printed more"));
     close(file);
-    close(kept);
+    close(saved_fd);
 }
 
 // --- processes -----------------------------------------------------------------------------------
@@ -128,7 +130,7 @@ static void test_signals_while_waiting(void **state) {
     sigaction(SIGALRM, &act, &before);
     setitimer(ITIMER_REAL, &fast, NULL);
     assert_text_refused(*state, "while true do end", 1, "0.2 s",
-                        &(ScriptRequest){.seconds = 0.2, .memory = SCRIPT_MEMORY});
+                        &(ScriptRequest){.time_limit = 0.2, .memory_limit = SCRIPT_MEMORY_LIMIT});
     setitimer(ITIMER_REAL, &off, NULL);
     sigaction(SIGALRM, &before, NULL);
     assert_int_equal(waitpid(-1, NULL, WNOHANG), -1);
@@ -139,16 +141,16 @@ static void test_signals_while_waiting(void **state) {
 static void test_children_reaped_by_the_system(void **state) {
     struct sigaction before, act = {.sa_handler = SIG_IGN};
     sigaction(SIGCHLD, &act, &before);
-    scene_destroy(load_good(*state, "camera {}"));
+    scene_destroy(load_valid_scene(*state, "camera {}"));
     assert_text_refused(*state, "while true do end", 1, "0.1 s",
-                        &(ScriptRequest){.seconds = 0.1, .memory = SCRIPT_MEMORY});
+                        &(ScriptRequest){.time_limit = 0.1, .memory_limit = SCRIPT_MEMORY_LIMIT});
     sigaction(SIGCHLD, &before, NULL);
 }
 
 /** @return 0 if all is well. */
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_ways_out),
+        cmocka_unit_test(test_escapes),
         cmocka_unit_test(test_messages_are_clean),
         cmocka_unit_test(test_time_limit),
         cmocka_unit_test(test_memory_limit),
@@ -157,5 +159,5 @@ int main(void) {
         cmocka_unit_test(test_signals_while_waiting),
         cmocka_unit_test(test_children_reaped_by_the_system),
     };
-    return cmocka_run_group_tests_name("sandbox", tests, enter_scene_folder, leave_folder);
+    return cmocka_run_group_tests_name("sandbox", tests, scene_fixture_set_up, fixture_tear_down);
 }

@@ -15,13 +15,13 @@
 /** A scene may be made of files in its folder. @param state Not used. */
 static void test_include(void **state) {
     (void)state;
-    ScriptRequest request = request_for(SCRIPTS "room.lua");
+    ScriptRequest request = script_request_for(SCRIPTS "room.lua");
     Error error = {0};
     Scene *scene = script_load(&request, &error);
     assert_string_equal(error.message, "");
     assert_non_null(scene);
     assert_int_equal(scene->shape_count, 3);
-    assert_int_equal(scene->shapes[2].material, 1);
+    assert_int_equal(scene->shapes[2].material_index, 1);
     assert_color(scene->materials[1].color, 1, 0, 0);
     scene_destroy(scene);
 }
@@ -29,10 +29,10 @@ static void test_include(void **state) {
 /** An error is told in the file that it is in; a ring of files ends. @param state Not used. */
 static void test_wrong_includes(void **state) {
     (void)state;
-    ScriptRequest request = request_for(SCRIPTS "wrong-part.lua");
-    assert_refused(&request, SCRIPTS "parts/wrong.lua:2: ", "radius must be");
-    request = request_for(SCRIPTS "ring.lua");
-    assert_refused(&request, SCRIPTS "ring.lua:3: ", "more than 32 deep");
+    ScriptRequest request = script_request_for(SCRIPTS "wrong-part.lua");
+    assert_scene_refused(&request, SCRIPTS "parts/wrong.lua:2: ", "radius must be");
+    request = script_request_for(SCRIPTS "ring.lua");
+    assert_scene_refused(&request, SCRIPTS "ring.lua:3: ", "more than 32 deep");
 }
 
 /** No file outside the folder can be included, and nothing but text. @param state The fixture. */
@@ -40,18 +40,18 @@ static void test_include_stays_inside(void **state) {
     const Fixture *fixture = *state;
     char path[192], outside[192], text[256];
     snprintf(outside, sizeof outside, "%s-outside.lua", fixture->folder);
-    store_text(outside, "ambient(1)");
+    write_text(outside, "ambient(1)");
     snprintf(path, sizeof path, "%s/link.lua", fixture->folder);
     assert_int_equal(symlink(outside, path), 0);
     snprintf(path, sizeof path, "%s/fifo.lua", fixture->folder);
     assert_int_equal(mkfifo(path, 0600), 0);
     snprintf(path, sizeof path, "%s/compiled.lua", fixture->folder);
-    store_text(path, "\x1BLua");
+    write_text(path, "\x1BLua");
     snprintf(text, sizeof text, "\ninclude '../%s'", strrchr(outside, '/') + 1);
     assert_text_refused(fixture, text, 2, "it lies outside the scene's folder", NULL);
     snprintf(text, sizeof text, "\ninclude '%s'", outside);
     assert_text_refused(fixture, text, 2, "from the scene file", NULL);
-    static const WrongCase cases[] = {
+    static const InvalidScene cases[] = {
         {"\ninclude 'link.lua'", 2, "cannot include `link.lua`: it lies outside"},
         {"\ninclude '/etc/passwd'", 2, "from the scene file"},
         {"\ninclude 'none.lua'", 2, "cannot include `none.lua`: No such file or directory"},
@@ -72,37 +72,37 @@ static void test_include_depth_is_given_back(void **state) {
     const Fixture *fixture = *state;
     char path[128];
     snprintf(path, sizeof path, "%s/broken.lua", fixture->folder);
-    store_text(path, "error('broken')");
+    write_text(path, "error('broken')");
     Scene *scene =
-        load_good(fixture, "camera {}\nfor i = 1, 99 do pcall(include, 'broken.lua') end\n"
-                           "assert(not pcall(include, 'broken.lua'))");
+        load_valid_scene(fixture, "camera {}\nfor i = 1, 99 do pcall(include, 'broken.lua') end\n"
+                                  "assert(not pcall(include, 'broken.lua'))");
     scene_destroy(scene);
 }
 
 /** What is no scene file is refused, and nothing waits. @param state The fixture. */
 static void test_no_scene_files(void **state) {
     const Fixture *fixture = *state;
-    ScriptRequest request = request_for("no/such/file.lua");
-    assert_refused(&request, "no/such/file.lua: ", "No such file or directory");
+    ScriptRequest request = script_request_for("no/such/file.lua");
+    assert_scene_refused(&request, "no/such/file.lua: ", "No such file or directory");
     request.path = fixture->folder;
-    assert_refused(&request, fixture->folder, ": this is a folder");
+    assert_scene_refused(&request, fixture->folder, ": this is a folder");
     request.path = "/dev/zero";
-    assert_refused(&request, "/dev/zero: ", "not a regular file");
+    assert_scene_refused(&request, "/dev/zero: ", "not a regular file");
     char path[128];
     snprintf(path, sizeof path, "%s/fifo", fixture->folder);
     assert_int_equal(mkfifo(path, 0600), 0);
     request.path = path;
-    assert_refused(&request, path, ": not a regular file");
+    assert_scene_refused(&request, path, ": not a regular file");
     assert_text_refused(fixture, "\x1BLuaS\n\n", 1, "compiled Lua", NULL);
     request.path = fixture->path;
-    store(fixture->path, "camera {}\n\nx = '\0'", 18);
-    char place[PATH_MAX + 32];
-    snprintf(place, sizeof place, "%s:3: ", fixture->path);
-    assert_refused(&request, place, "not text");
+    write_file(fixture->path, "camera {}\n\nx = '\0'", 18);
+    char location[PATH_MAX + 32];
+    snprintf(location, sizeof location, "%s:3: ", fixture->path);
+    assert_scene_refused(&request, location, "not text");
     assert_int_equal(truncate(fixture->path, 17 << 20), 0);
-    assert_refused(&request, fixture->path, ": longer than 16 MiB");
+    assert_scene_refused(&request, fixture->path, ": longer than 16 MiB");
     if (geteuid() != 0 && chmod(fixture->path, 0) == 0) {
-        assert_refused(&request, fixture->path, ": Permission denied");
+        assert_scene_refused(&request, fixture->path, ": Permission denied");
         chmod(fixture->path, 0600);
     }
 }
@@ -112,17 +112,17 @@ static void test_long_paths(void **state) {
     static const char *const texts[] = {"\nsphere { radius = -1 }", "\n= 1", "\nlocal x = nil + 1",
                                         "\ninclude 'part.lua'"};
     const Fixture *fixture = *state;
-    char folder[400], path[420], part[420], place[430];
+    char folder[400], path[420], part[420], location[430];
     snprintf(folder, sizeof folder, "%s/%0*d", fixture->folder, 200, 0);
     assert_int_equal(mkdir(folder, 0700), 0);
     snprintf(path, sizeof path, "%s/s.lua", folder);
     snprintf(part, sizeof part, "%s/part.lua", folder);
-    store_text(part, "\nsphere { radius = -1 }");
+    write_text(part, "\nsphere { radius = -1 }");
     for (size_t i = 0; i < COUNT(texts); i++) {
-        store_text(path, texts[i]);
-        ScriptRequest request = request_for(path);
-        snprintf(place, sizeof place, "%s:2: ", i == 3 ? part : path);
-        assert_refused(&request, place, "");
+        write_text(path, texts[i]);
+        ScriptRequest request = script_request_for(path);
+        snprintf(location, sizeof location, "%s:2: ", i == 3 ? part : path);
+        assert_scene_refused(&request, location, "");
     }
 }
 
@@ -132,24 +132,24 @@ static void test_endless_paths(void **state) {
     char path[1500];
     memset(path, 'x', sizeof path);
     path[sizeof path - 1] = '\0';
-    ScriptRequest request = request_for(path);
-    assert_refused(&request, "...xxx", "xxx: File name too long");
+    ScriptRequest request = script_request_for(path);
+    assert_scene_refused(&request, "...xxx", "xxx: File name too long");
 }
 
 /** A scene may come from standard input. @param state The fixture. */
 static void test_standard_input(void **state) {
     const Fixture *fixture = *state;
-    store_text(fixture->path, "camera {} include 'parts/balls.lua'\nballs(2, nil)\nballs(1, 2)");
-    int kept = dup(STDIN_FILENO), file = open(fixture->path, O_RDONLY);
+    write_text(fixture->path, "camera {} include 'parts/balls.lua'\nballs(2, nil)\nballs(1, 2)");
+    int saved_fd = dup(STDIN_FILENO), file = open(fixture->path, O_RDONLY);
     dup2(file, STDIN_FILENO);
-    ScriptRequest request = request_for("-");
+    ScriptRequest request = script_request_for("-");
     request.base_dir = SCRIPTS;
-    assert_refused(&request, SCRIPTS "/parts/balls.lua:3: ", "material must be");
+    assert_scene_refused(&request, SCRIPTS "/parts/balls.lua:3: ", "material must be");
     lseek(STDIN_FILENO, 0, SEEK_SET);
     request.base_dir = NULL;
-    assert_refused(&request, "-:1: ", "cannot include `parts/balls.lua`");
-    dup2(kept, STDIN_FILENO);
-    close(kept);
+    assert_scene_refused(&request, "-:1: ", "cannot include `parts/balls.lua`");
+    dup2(saved_fd, STDIN_FILENO);
+    close(saved_fd);
     close(file);
 }
 
@@ -159,19 +159,19 @@ static void test_time(void **state) {
                                         "camera {} t = 2; local x = t", "camera {} local x = t",
                                         "camera {} local x = _ENV['t']"};
     for (size_t i = 0; i < COUNT(texts); i++) {
-        Scene *scene = load_good(*state, texts[i]);
-        assert_int_equal(scene->reads_time, i >= 3);
+        Scene *scene = load_valid_scene(*state, texts[i]);
+        assert_int_equal(scene->is_time_dependent, i >= 3);
         scene_destroy(scene);
     }
 }
 
 /** @return A scene of a stock. @param path The scene file. @param time Its time, seconds.
- *  @param stock The stock. */
-static Scene *load_at(const char *path, double time, Stock *stock) {
-    ScriptRequest request = request_for(path);
+ *  @param cache The stock. */
+static Scene *load_with_cache(const char *path, double time, AssetCache *cache) {
+    ScriptRequest request = script_request_for(path);
     Error error = {0};
     request.time = time;
-    request.stock = stock;
+    request.cache = cache;
     Scene *scene = script_load(&request, &error);
     assert_string_equal(error.message, "");
     return scene;
@@ -179,7 +179,7 @@ static Scene *load_at(const char *path, double time, Stock *stock) {
 
 /** What no time changes is read once, and shared; what is not named any more is given back.
  *  @param state The fixture. */
-static void test_stock(void **state) {
+static void test_asset_cache(void **state) {
     const Fixture *fixture = *state;
     char path[192];
     Picture picture;
@@ -187,21 +187,21 @@ static void test_stock(void **state) {
     snprintf(path, sizeof path, "%s/p.bmp", fixture->folder);
     assert_true(picture_init(&picture, 2, 1, &error));
     assert_true(image_file_write(path, &picture, &error));
-    picture_release(&picture);
-    store_text(fixture->path, "camera { position = {t, 0, 5} }\n"
+    picture_deinit(&picture);
+    write_text(fixture->path, "camera { position = {t, 0, 5} }\n"
                               "if t ~= 2 then sky { image = 'p.bmp' } end");
-    Stock *stock = stock_create(&error);
-    Scene *first = load_at(fixture->path, 0, stock);
+    AssetCache *cache = asset_cache_create(&error);
+    Scene *first = load_with_cache(fixture->path, 0, cache);
     unlink(fixture->path);
-    Scene *second = load_at(fixture->path, 1, stock);
+    Scene *second = load_with_cache(fixture->path, 1, cache);
     Texture *texture = second->textures[0].texture;
     assert_ptr_equal(first->textures[0].texture, texture);
     assert_true(second->camera.position.x == 1);
     scene_destroy(first);
-    assert_int_equal(texture->owners, 2);
-    scene_destroy(load_at(fixture->path, 2, stock));
-    assert_int_equal(texture->owners, 1);
-    stock_destroy(stock);
+    assert_int_equal(texture->reference_count, 2);
+    scene_destroy(load_with_cache(fixture->path, 2, cache));
+    assert_int_equal(texture->reference_count, 1);
+    asset_cache_destroy(cache);
     assert_int_equal(texture->width, 2);
     scene_destroy(second);
 }
@@ -210,9 +210,9 @@ static void test_stock(void **state) {
 static void test_stop(void **state) {
     const Fixture *fixture = *state;
     atomic_bool stop = true;
-    ScriptRequest request = request_for(fixture->path);
+    ScriptRequest request = script_request_for(fixture->path);
     request.stop = &stop;
-    store_text(fixture->path, "while true do end");
+    write_text(fixture->path, "while true do end");
     Error error = {0};
     alarm(5);
     assert_null(script_load(&request, &error));
@@ -232,8 +232,9 @@ int main(void) {
         cmocka_unit_test(test_endless_paths),
         cmocka_unit_test(test_standard_input),
         cmocka_unit_test(test_time),
-        cmocka_unit_test(test_stock),
+        cmocka_unit_test(test_asset_cache),
         cmocka_unit_test(test_stop),
     };
-    return cmocka_run_group_tests_name("scene_files", tests, enter_scene_folder, leave_folder);
+    return cmocka_run_group_tests_name("scene_files", tests, scene_fixture_set_up,
+                                       fixture_tear_down);
 }

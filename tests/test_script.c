@@ -7,13 +7,13 @@
 // --- helpers -------------------------------------------------------------------------------------
 
 /** @return The parameters of a ball of a scene. @param scene The scene. @param i Which shape. */
-static const Ball *ball_of(const Scene *scene, size_t i) {
+static const TestBall *ball_parameters_of(const Scene *scene, size_t i) {
     assert_true(i < scene->shape_count);
     return scene->shapes[i].parameters;
 }
 
 /** Checks a vector. @param v The vector. @param x Wanted. @param y Wanted. @param z Wanted. */
-static void assert_vector(Vector3 v, double x, double y, double z) {
+static void assert_vector(Vec3d v, double x, double y, double z) {
     assert_true(v.x == x && v.y == y && v.z == z);
 }
 
@@ -21,7 +21,7 @@ static void assert_vector(Vector3 v, double x, double y, double z) {
 
 /** An empty scene with a camera has every default. @param state The fixture. */
 static void test_defaults(void **state) {
-    Scene *scene = load_good(*state, "camera {}");
+    Scene *scene = load_valid_scene(*state, "camera {}");
     assert_true(scene->has_camera);
     assert_vector(scene->camera.direction, 0, 0, -1);
     assert_int_equal(scene->image.width, 800);
@@ -34,7 +34,7 @@ static void test_defaults(void **state) {
 
 /** Every keyword fills its struct. @param state The fixture. */
 static void test_keywords(void **state) {
-    Scene *scene = load_good(
+    Scene *scene = load_valid_scene(
         *state, "camera { position = {0, 0, 6.5}, look_at = {0, 0, 0}, fov = 50 }\n"
                 "image { width = 320, height = 200.0, encoding = 'linear', depth = 5 }\n"
                 "ambient { 0.1, 0.2, 0.3 }\n"
@@ -61,12 +61,12 @@ static void test_keywords(void **state) {
 
 /** A field of every type arrives; finish works on it. @param state The fixture. */
 static void test_field_types(void **state) {
-    Scene *scene =
-        load_good(*state, "camera {}\n"
-                          "sphere { center = {1, -2, 3.5}, radius = 4, axis = {0, 0, 2},\n"
-                          "         tint = {0.25, 0.5, 1}, rings = 3.0, finish = 'glossy' }\n"
-                          "plane { hollow = true }\n");
-    const Ball *ball = ball_of(scene, 0);
+    Scene *scene = load_valid_scene(
+        *state, "camera {}\n"
+                "sphere { center = {1, -2, 3.5}, radius = 4, axis = {0, 0, 2},\n"
+                "         tint = {0.25, 0.5, 1}, rings = 3.0, finish = 'glossy' }\n"
+                "plane { hollow = true }\n");
+    const TestBall *ball = ball_parameters_of(scene, 0);
     assert_vector(ball->center, 1, -2, 3.5);
     assert_vector(ball->axis, 0, 0, 2);
     assert_color(ball->tint, 0.25, 0.5, 1);
@@ -74,22 +74,23 @@ static void test_field_types(void **state) {
     assert_int_equal(ball->rings, 3);
     assert_int_equal(ball->finish, 2);
     assert_false(ball->is_hollow);
-    assert_int_equal(scene->shapes[0].kind, 1);
-    assert_int_equal(scene->shapes[1].kind, 0);
-    assert_true(ball_of(scene, 1)->is_hollow);
-    assert_true(ball_of(scene, 1)->radius == 1);
+    assert_int_equal(scene->shapes[0].class_index, 1);
+    assert_int_equal(scene->shapes[1].class_index, 0);
+    assert_true(ball_parameters_of(scene, 1)->is_hollow);
+    assert_true(ball_parameters_of(scene, 1)->radius == 1);
     scene_destroy(scene);
 }
 
 /** Every shape can be scaled, turned and moved; one that is not carries nothing. A pair is two
  *  numbers. @param state The fixture. */
 static void test_transforms(void **state) {
-    Scene *scene = load_good(*state, "camera {}\n"
-                                     "sphere { spot = {0.25, 1} }\n"
-                                     "sphere { scale = 2 }\n"
-                                     "plane { scale = {1, -2, 3}, rotate = {90, 0, 90},\n"
-                                     "        translate = {4, 5, 6} }\n");
-    assert_true(ball_of(scene, 0)->spot.u == 0.25 && ball_of(scene, 0)->spot.v == 1);
+    Scene *scene = load_valid_scene(*state, "camera {}\n"
+                                            "sphere { spot = {0.25, 1} }\n"
+                                            "sphere { scale = 2 }\n"
+                                            "plane { scale = {1, -2, 3}, rotate = {90, 0, 90},\n"
+                                            "        translate = {4, 5, 6} }\n");
+    assert_true(ball_parameters_of(scene, 0)->uv.u == 0.25 &&
+                ball_parameters_of(scene, 0)->uv.v == 1);
     assert_null(scene->shapes[0].transform);
     const Transform *twice = scene->shapes[1].transform, *all = scene->shapes[2].transform;
     assert_vector(twice->scale, 2, 2, 2);
@@ -98,14 +99,14 @@ static void test_transforms(void **state) {
     // About x, y goes to z and z to -y; then about z, x goes to y and y to -x. Scaled before that.
     const double linear[3][3] = {{0, 0, 3}, {1, 0, 0}, {0, -2, 0}};
     for (int i = 0; i < 9; i++) {
-        assert_true(all->linear[i / 3][i % 3] == linear[i / 3][i % 3]);
+        assert_true(all->matrix[i / 3][i % 3] == linear[i / 3][i % 3]);
     }
     scene_destroy(scene);
 }
 
 /** Materials are handed on by what they return. @param state The fixture. */
 static void test_materials(void **state) {
-    Scene *scene = load_good(
+    Scene *scene = load_valid_scene(
         *state, "camera {}\n"
                 "local looks = { material { specular = 0.5 }, material { reflectivity = 0.8 } }\n"
                 "sphere {}\n"
@@ -116,7 +117,7 @@ static void test_materials(void **state) {
     const size_t wanted[] = {0, 1, 2, 1};
     assert_int_equal(scene->shape_count, COUNT(wanted));
     for (size_t i = 0; i < COUNT(wanted); i++) {
-        assert_int_equal(scene->shapes[i].material, wanted[i]);
+        assert_int_equal(scene->shapes[i].material_index, wanted[i]);
     }
     assert_true(scene->materials[1].specular == 0.5);
     assert_color(scene->materials[2].reflectivity, 0.8, 0.8, 0.8);
@@ -126,7 +127,7 @@ static void test_materials(void **state) {
 /** One colour, written in a way. */
 typedef struct ColorCase {
     const char *text; /**< The scene. */
-    Color wanted;     /**< Its ambient light. */
+    Rgbd wanted;      /**< Its ambient light. */
 } ColorCase;
 
 /** Colours may be written in three ways; the last call counts. @param state The fixture. */
@@ -141,8 +142,8 @@ static void test_colors(void **state) {
          {10 / 255.0 / 12.92, 0.0033465357638991595, 0.21586050011389926}},
     };
     for (size_t i = 0; i < COUNT(cases); i++) {
-        Scene *scene = load_good(*state, cases[i].text);
-        const Color *wanted = &cases[i].wanted;
+        Scene *scene = load_valid_scene(*state, cases[i].text);
+        const Rgbd *wanted = &cases[i].wanted;
         assert_true(fabs(scene->ambient.red - wanted->red) < 1e-16);
         assert_true(fabs(scene->ambient.green - wanted->green) < 1e-16);
         assert_true(fabs(scene->ambient.blue - wanted->blue) < 1e-16);
@@ -152,8 +153,9 @@ static void test_colors(void **state) {
 
 /** Camera, image and sky are replaced by a later call. @param state The fixture. */
 static void test_later_calls_replace(void **state) {
-    Scene *scene = load_good(*state, "camera { fov = 20 } image { width = 5 } sky { color = 1 }\n"
-                                     "camera { fov = 30 } image { depth = 2 } sky {}\n");
+    Scene *scene =
+        load_valid_scene(*state, "camera { fov = 20 } image { width = 5 } sky { color = 1 }\n"
+                                 "camera { fov = 30 } image { depth = 2 } sky {}\n");
     assert_true(scene->camera.fov == 30);
     assert_int_equal(scene->image.width, 800);
     assert_int_equal(scene->image.depth, 2);
@@ -164,28 +166,28 @@ static void test_later_calls_replace(void **state) {
 /** A scene knows the time. @param state The fixture. */
 static void test_time(void **state) {
     const Fixture *fixture = *state;
-    store_text(fixture->path, "camera {} sphere { center = {t, 0, 0} }");
-    ScriptRequest request = request_for(fixture->path);
+    write_text(fixture->path, "camera {} sphere { center = {t, 0, 0} }");
+    ScriptRequest request = script_request_for(fixture->path);
     request.time = 2.5;
     Scene *scene = script_load(&request, NULL);
     assert_non_null(scene);
-    assert_vector(ball_of(scene, 0)->center, 2.5, 0, 0);
+    assert_vector(ball_parameters_of(scene, 0)->center, 2.5, 0, 0);
     scene_destroy(scene);
 }
 
 /** Fields may be inherited, as Lua does it. @param state The fixture. */
 static void test_inherited_fields(void **state) {
-    Scene *scene = load_good(*state, "camera {}\n"
-                                     "local big = { __index = { radius = 7 } }\n"
-                                     "sphere(setmetatable({ rings = 1 }, big))\n");
-    assert_true(ball_of(scene, 0)->radius == 7);
-    assert_int_equal(ball_of(scene, 0)->rings, 1);
+    Scene *scene = load_valid_scene(*state, "camera {}\n"
+                                            "local big = { __index = { radius = 7 } }\n"
+                                            "sphere(setmetatable({ rings = 1 }, big))\n");
+    assert_true(ball_parameters_of(scene, 0)->radius == 7);
+    assert_int_equal(ball_parameters_of(scene, 0)->rings, 1);
     scene_destroy(scene);
 }
 
 /** Random numbers and the order of tables are the same on every run. @param state The fixture. */
 static void test_determinism(void **state) {
-    Scene *scene = load_good(
+    Scene *scene = load_valid_scene(
         *state, "camera {}\n"
                 "sphere { center = {math.random(), math.random(1000), math.random()} }\n"
                 "local word = ''\n"
@@ -199,14 +201,15 @@ static void test_determinism(void **state) {
                 "end\n"
                 "assert(#other == 3 and other[1] == 'number')\n");
     // xoshiro256** from our seed: the same on every machine.
-    assert_vector(ball_of(scene, 0)->center, 0.84161702650617698, 295, 0.33064000904983071);
+    assert_vector(ball_parameters_of(scene, 0)->center, 0.84161702650617698, 295,
+                  0.33064000904983071);
     scene_destroy(scene);
 }
 
 /** Marks before the text do not move its lines. @param state The fixture. */
 static void test_marks_before_the_text(void **state) {
     const char *text = "\xEF\xBB\xBF#!/usr/bin/env dioptre\ncamera {}\n";
-    scene_destroy(load_good(*state, text));
+    scene_destroy(load_valid_scene(*state, text));
     assert_text_refused(*state, "#!/usr/bin/env dioptre\ncamera {}\nx = y", 3, "`y`", NULL);
 }
 
@@ -214,7 +217,7 @@ static void test_marks_before_the_text(void **state) {
 
 /** Words and fields that are not there. @param state The fixture. */
 static void test_unknown_words(void **state) {
-    static const WrongCase cases[] = {
+    static const InvalidScene cases[] = {
         {"camera {}\n\nspere { radius = 1 }", 3, "unknown word `spere`; did you mean `sphere`?"},
         {"Sphere {}", 1, "did you mean `sphere`?"},
         {"camra {}", 1, "did you mean `camera`?"},
@@ -239,7 +242,7 @@ static void test_unknown_words(void **state) {
 
 /** Values of a wrong type. @param state The fixture. */
 static void test_wrong_types(void **state) {
-    static const WrongCase cases[] = {
+    static const InvalidScene cases[] = {
         {"sphere { radius = 'x' }", 1, "radius must be a number, not a string"},
         {"sphere { radius = '1' }", 1, "radius must be a number, not a string"},
         {"sphere { radius = false }", 1, "radius must be a number, not a boolean"},
@@ -280,7 +283,7 @@ static void test_wrong_types(void **state) {
 /** Values that are out of range, or no numbers, or do not fit together. @param state The fixture.
  */
 static void test_wrong_values(void **state) {
-    static const WrongCase cases[] = {
+    static const InvalidScene cases[] = {
         {"sphere { radius = 0 }", 1, "radius must be above 0"},
         {"sphere { spot = {0, 2} }", 1, "spot must be at least 0 and at most 1, not 2"},
         {"sphere { scale = {1, -1e-7, 1} }", 1, "scale must not be nearer to zero than 1e-06"},
@@ -313,7 +316,7 @@ static void test_wrong_values(void **state) {
 
 /** Errors of Lua itself, at the innermost line of the scene. @param state The fixture. */
 static void test_lua_errors(void **state) {
-    static const WrongCase cases[] = {
+    static const InvalidScene cases[] = {
         {"camera {\n  fov = = 2\n}", 2, "unexpected symbol near '='"},
         {"camera {}\nif true then", 2, "'end' expected"},
         {"local x\n\nx.y = 1", 3, "attempt to index a nil value (local 'x')"},
@@ -377,5 +380,5 @@ int main(void) {
         cmocka_unit_test(test_wrong_values),
         cmocka_unit_test(test_lua_errors),
     };
-    return cmocka_run_group_tests_name("script", tests, enter_scene_folder, leave_folder);
+    return cmocka_run_group_tests_name("script", tests, scene_fixture_set_up, fixture_tear_down);
 }

@@ -7,20 +7,20 @@
 
 #include "dioptre/image_file.h"
 #include "dioptre/view.h"
-#include "view/font.h"
-#include "view/help_panel.h"
-#include "view/key_words.h"
-#include "view/keyboard.h"
-#include "view/keymap.h"
-#include "view/latency.h"
-#include "view/motion.h"
-#include "view/panel.h"
-#include "view/pose.h"
-#include "view/scene_text.h"
-#include "view/snapshot.h"
-#include "view/timeline.h"
-#include "view/title.h"
-#include "view/tuning.h"
+#include "view/commands/scene_text.h"
+#include "view/commands/settings_override.h"
+#include "view/commands/snapshot.h"
+#include "view/commands/timeline.h"
+#include "view/commands/view_state.h"
+#include "view/input/held_keys.h"
+#include "view/input/keymap.h"
+#include "view/input/latency.h"
+#include "view/panels/help_panel.h"
+#include "view/panels/key_labels.h"
+#include "view/panels/keyboard_diagram.h"
+#include "view/panels/panel.h"
+#include "view/window/font.h"
+#include "view/window/title.h"
 
 #include <pthread.h>
 #include <stdlib.h>
@@ -34,53 +34,54 @@ static void assert_near(double a, double b) {
     assert_at_most(fabs(a - b), TIME_ROUNDING, "%g should be %g", a, b);
 }
 
-/** @return What the camera is moved by up to a time. @param motion The keys. @param time Seconds.
+/** @return What the camera is moved by up to a time. @param held_keys The keys. @param time
+ * Seconds.
  */
-static Movement take_camera(Motion *motion, double time) {
+static Movement consume_camera_motion(HeldKeys *held_keys, double time) {
     Movement light, camera;
-    motion_take(motion, time, &light, &camera);
-    assert_false(movement_is_any(light));
+    held_keys_consume(held_keys, time, &light, &camera);
+    assert_false(movement_is_nonzero(light));
     return camera;
 }
 
 /** A tap moves by a 60th of a second, however short it is. @param state Unused. */
 static void test_motion_tap(void **state) {
     (void)state;
-    Motion motion = {.speed = 1};
-    assert_false(motion_is_active(&motion));
-    motion_press(&motion, ACTION_CAMERA_UP, 5);
-    motion_release(&motion, ACTION_CAMERA_UP, 5.001);
-    assert_true(motion_is_active(&motion));
-    assert_near(take_camera(&motion, 5.002).up, MOTION_TAP);
-    assert_false(motion_is_active(&motion));
-    assert_false(movement_is_any(take_camera(&motion, 6)));
+    HeldKeys held_keys = {.speed = 1};
+    assert_false(held_keys_is_active(&held_keys));
+    held_keys_press(&held_keys, ACTION_CAMERA_UP, 5);
+    held_keys_release(&held_keys, ACTION_CAMERA_UP, 5.001);
+    assert_true(held_keys_is_active(&held_keys));
+    assert_near(consume_camera_motion(&held_keys, 5.002).up, HELD_KEYS_MINIMUM_HOLD);
+    assert_false(held_keys_is_active(&held_keys));
+    assert_false(movement_is_nonzero(consume_camera_motion(&held_keys, 6)));
 }
 
 /** A key moves by the time that it was held, whenever one looks. @param state Unused. */
 static void test_motion_held(void **state) {
     (void)state;
-    Motion motion = {.speed = 1};
-    motion_press(&motion, ACTION_CAMERA_LEFT, 5);
-    double way = take_camera(&motion, 5).right;
-    assert_near(way, -MOTION_TAP);
+    HeldKeys held_keys = {.speed = 1};
+    held_keys_press(&held_keys, ACTION_CAMERA_LEFT, 5);
+    double way = consume_camera_motion(&held_keys, 5).right;
+    assert_near(way, -HELD_KEYS_MINIMUM_HOLD);
     for (double time = 5.01; time < 5.5; time += 0.0137) {
-        motion_press(&motion, ACTION_CAMERA_LEFT, time); /* the keyboard repeats it */
-        way += take_camera(&motion, time).right;
-        assert_true(motion_is_active(&motion));
+        held_keys_press(&held_keys, ACTION_CAMERA_LEFT, time); /* the keyboard repeats it */
+        way += consume_camera_motion(&held_keys, time).right;
+        assert_true(held_keys_is_active(&held_keys));
     }
-    motion_release(&motion, ACTION_CAMERA_LEFT, 5.5);
-    way += take_camera(&motion, 9).right;
+    held_keys_release(&held_keys, ACTION_CAMERA_LEFT, 5.5);
+    way += consume_camera_motion(&held_keys, 9).right;
     assert_near(way, -0.5);
 }
 
 /** Opposite keys cancel; others add up. @param state Unused. */
 static void test_motion_opposite(void **state) {
     (void)state;
-    Motion motion = {.speed = 1};
-    motion_press(&motion, ACTION_CAMERA_LEFT, 0.1);
-    motion_press(&motion, ACTION_CAMERA_RIGHT, 0.1);
-    motion_press(&motion, ACTION_CAMERA_FORWARD, 0.2);
-    Movement way = take_camera(&motion, 1.3);
+    HeldKeys held_keys = {.speed = 1};
+    held_keys_press(&held_keys, ACTION_CAMERA_LEFT, 0.1);
+    held_keys_press(&held_keys, ACTION_CAMERA_RIGHT, 0.1);
+    held_keys_press(&held_keys, ACTION_CAMERA_FORWARD, 0.2);
+    Movement way = consume_camera_motion(&held_keys, 1.3);
     assert_true(way.right == 0);
     assert_near(way.forward, 1.1);
 }
@@ -88,35 +89,35 @@ static void test_motion_opposite(void **state) {
 /** Shift and Ctrl count from when they are held. @param state Unused. */
 static void test_motion_speed(void **state) {
     (void)state;
-    Motion motion = {.speed = 1};
-    motion_press(&motion, ACTION_CAMERA_BACK, 1);
-    motion_set_speed(&motion, 4, 2);
-    motion_set_speed(&motion, 1, 2.5);
-    assert_near(take_camera(&motion, 3).forward, -(1 + 0.5 * 4 + 0.5));
-    motion_set_speed(&motion, 0.25, 3);
-    motion_release_all(&motion, 3);
-    motion_press(&motion, ACTION_CAMERA_BACK, 4);
-    motion_release_all(&motion, 4);
-    assert_near(take_camera(&motion, 5).forward, -MOTION_TAP / 4);
+    HeldKeys held_keys = {.speed = 1};
+    held_keys_press(&held_keys, ACTION_CAMERA_BACK, 1);
+    held_keys_set_speed(&held_keys, 4, 2);
+    held_keys_set_speed(&held_keys, 1, 2.5);
+    assert_near(consume_camera_motion(&held_keys, 3).forward, -(1 + 0.5 * 4 + 0.5));
+    held_keys_set_speed(&held_keys, 0.25, 3);
+    held_keys_release_all(&held_keys, 3);
+    held_keys_press(&held_keys, ACTION_CAMERA_BACK, 4);
+    held_keys_release_all(&held_keys, 4);
+    assert_near(consume_camera_motion(&held_keys, 5).forward, -HELD_KEYS_MINIMUM_HOLD / 4);
 }
 
 /** Light and camera move each by its own keys. @param state Unused. */
 static void test_motion_two(void **state) {
     (void)state;
-    Motion motion = {.speed = 1};
+    HeldKeys held_keys = {.speed = 1};
     Movement light, camera;
-    motion_press(&motion, ACTION_LIGHT_AWAY, 0);
-    motion_press(&motion, ACTION_CAMERA_DOWN, 0);
-    motion_take(&motion, 2, &light, &camera);
+    held_keys_press(&held_keys, ACTION_LIGHT_AWAY, 0);
+    held_keys_press(&held_keys, ACTION_CAMERA_DOWN, 0);
+    held_keys_consume(&held_keys, 2, &light, &camera);
     assert_near(light.forward, 2);
     assert_near(camera.up, -2);
     assert_true(light.up == 0 && light.right == 0 && camera.forward == 0);
 }
 
-/** @return What a key asks for. @param place Its place. @param letter Its letter. @param by_letter
- *  How the light's keys go. */
-static Action key(SDL_Scancode place, SDL_Keycode letter, bool by_letter) {
-    return keymap_action((SDL_Keysym){.scancode = place, .sym = letter}, by_letter);
+/** @return What a key asks for. @param scancode Its place. @param letter Its letter. @param
+ * by_letter How the light's keys go. */
+static Action key(SDL_Scancode scancode, SDL_Keycode letter, bool by_letter) {
+    return keymap_action((SDL_Keysym){.scancode = scancode, .sym = letter}, by_letter);
 }
 
 /** The light's keys are places, or letters; never both. @param state Unused. */
@@ -157,15 +158,15 @@ static void test_keymap_others(void **state) {
                 {SDLK_PAGEDOWN, ACTION_CAMERA_BACK},
                 {SDLK_p, ACTION_SNAPSHOT},
                 {SDLK_F12, ACTION_SNAPSHOT},
-                {SDLK_HOME, ACTION_HOME},
+                {SDLK_HOME, ACTION_RESET_VIEW},
                 {SDLK_TAB, ACTION_NEXT_LIGHT},
                 {SDLK_F1, ACTION_HELP},
                 {SDLK_h, ACTION_HELP},
                 {SDLK_F11, ACTION_FULL_SCREEN},
-                {SDLK_ESCAPE, ACTION_LEAVE},
-                {SDLK_SPACE, ACTION_TIME},
+                {SDLK_ESCAPE, ACTION_QUIT},
+                {SDLK_SPACE, ACTION_TOGGLE_TIME},
                 {SDLK_r, ACTION_RECORD},
-                {SDLK_f, ACTION_SCENES},
+                {SDLK_f, ACTION_BROWSE_SCENES},
                 {SDLK_RETURN, ACTION_CAPTION},
                 {SDLK_F5, ACTION_NONE},
                 {0, ACTION_NONE}};
@@ -177,7 +178,7 @@ static void test_keymap_others(void **state) {
 
 /** @return The keys that the help names for something. @param rows The help. @param count Its rows.
  *  @param text What they do. */
-static const char *help_keys(const PanelRow *rows, size_t count, const char *text) {
+static const char *help_text_keys(const PanelRow *rows, size_t count, const char *text) {
     for (size_t i = 0; i < count; i++) {
         if (strcmp(rows[i].text, text) == 0) {
             return rows[i].label;
@@ -191,31 +192,31 @@ static const char *help_keys(const PanelRow *rows, size_t count, const char *tex
 static void test_keymap_help(void **state) {
     (void)state;
     PanelRow rows[HELP_ROWS_MAXIMUM];
-    size_t count = keymap_help(false, rows);
+    size_t count = keymap_help_rows(false, rows);
     assert_string_equal(rows[0].text, "Light");
     assert_true(rows[0].is_heading);
     assert_string_equal(rows[1].label, "W  S");
-    assert_string_equal(help_keys(rows, count, "away from you, nearer"), "E  Z");
-    assert_string_equal(help_keys(rows, count, "forward, back"), "Page Up  Page Down");
-    assert_string_equal(help_keys(rows, count, "snapshot"), "P  F12");
-    assert_string_equal(help_keys(rows, count, "leave"), "Esc");
-    count = keymap_help(true, rows);
+    assert_string_equal(help_text_keys(rows, count, "away from you, nearer"), "E  Z");
+    assert_string_equal(help_text_keys(rows, count, "forward, back"), "Page Up  Page Down");
+    assert_string_equal(help_text_keys(rows, count, "snapshot"), "P  F12");
+    assert_string_equal(help_text_keys(rows, count, "leave"), "Esc");
+    count = keymap_help_rows(true, rows);
     assert_string_equal(rows[1].label, "Z  S");
-    assert_string_equal(help_keys(rows, count, "away from you, nearer"), "E  W");
+    assert_string_equal(help_text_keys(rows, count, "away from you, nearer"), "E  W");
 }
 
 /** A panel fits windows down to 320x240, and is drawn in any. @param state Unused. */
 static void test_panel(void **state) {
     (void)state;
     PanelRow rows[HELP_ROWS_MAXIMUM];
-    size_t count = keymap_help(false, rows);
+    size_t count = keymap_help_rows(false, rows);
     static const int sizes[][2] = {{800, 600}, {320, 240}, {3840, 2160}, {200, 2000}, {1, 1}};
-    if (!font_is_there()) {
+    if (!font_is_available()) {
         skip();
     }
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
         SDL_Surface *panel =
-            panel_draw(rows, count, &(PanelRoom){sizes[i][0], sizes[i][1], i % 2 ? 3 : 1});
+            panel_draw(rows, count, &(PanelBounds){sizes[i][0], sizes[i][1], i % 2 ? 3 : 1});
         assert_non_null(panel);
         if (sizes[i][0] > 1) {
             assert_in_range(panel->w, 100, sizes[i][0]);
@@ -229,69 +230,69 @@ static void test_panel(void **state) {
 static void test_help_panel(void **state) {
     (void)state;
     static const int sizes[][2] = {{800, 600}, {3840, 2160}, {1280, 500}, {400, 300}, {300, 900}};
-    if (!font_is_there()) {
+    if (!font_is_available()) {
         skip();
     }
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
         int width = sizes[i][0], height = sizes[i][1];
-        SDL_Surface *panel = help_draw(false, &(PanelRoom){width, height, i % 2 ? 2 : 1});
+        SDL_Surface *panel = help_panel_draw(false, &(PanelBounds){width, height, i % 2 ? 2 : 1});
         assert_non_null(panel);
         assert_in_range(panel->w, 100, width);
         assert_in_range(panel->h, 100, height);
         SDL_FreeSurface(panel);
     }
-    assert_int_equal(keyboard_size(790, 270).x, 788);
-    assert_int_equal(keyboard_size(400, 300).y, 0);
-    SDL_FreeSurface(help_draw(false, &(PanelRoom){1, 1, 1}));
+    assert_int_equal(keyboard_diagram_size(790, 270).x, 788);
+    assert_int_equal(keyboard_diagram_size(400, 300).y, 0);
+    SDL_FreeSurface(help_panel_draw(false, &(PanelBounds){1, 1, 1}));
 }
 
 /** A key says what it means, in its group's colour, wherever it is. @param state Unused. */
 static void test_keyboard_words(void **state) {
     (void)state;
-    KeyMeaning up = keymap_meaning((SDL_Keysym){.scancode = SDL_SCANCODE_W, .sym = SDLK_z}, false);
-    KeyMeaning none =
-        keymap_meaning((SDL_Keysym){.scancode = SDL_SCANCODE_F5, .sym = SDLK_F5}, false);
+    KeyInfo up = keymap_lookup((SDL_Keysym){.scancode = SDL_SCANCODE_W, .sym = SDLK_z}, false);
+    KeyInfo none = keymap_lookup((SDL_Keysym){.scancode = SDL_SCANCODE_F5, .sym = SDLK_F5}, false);
     assert_int_equal(up.action, ACTION_LIGHT_UP);
     assert_int_equal(up.tint, 1);
-    assert_string_equal(key_word(SDL_SCANCODE_W, &up), "up");
-    assert_string_equal(key_word(SDL_SCANCODE_F5, &none), "");
-    assert_string_equal(key_word(SDL_SCANCODE_LSHIFT, &none), "fast");
-    assert_string_equal(key_label(SDL_SCANCODE_LEFT), "←");
+    assert_string_equal(key_action_label(SDL_SCANCODE_W, &up), "up");
+    assert_string_equal(key_action_label(SDL_SCANCODE_F5, &none), "");
+    assert_string_equal(key_action_label(SDL_SCANCODE_LSHIFT, &none), "fast");
+    assert_string_equal(key_cap_label(SDL_SCANCODE_LEFT), "←");
 }
 
 /** What keys change counts, and nothing else; strategies and lights go around, numbers stop at
  * their ends. @param state Unused. */
-static void test_tuning(void **state) {
+static void test_settings_override(void **state) {
     (void)state;
     Error error = {0};
-    Tuning tuning = {0};
+    SettingsOverride overrides = {0};
     RenderSettings now = {.engine = engine_find("f32x1", &error),
                           .samples = 1,
                           .trace = {.offset = OFFSET_BOUND, .epsilon = 1e-4, .depth = 0}};
-    const RenderSettings asked = now;
-    static const Action actions[] = {ACTION_OFFSET,       ACTION_EPSILON_TWICE, ACTION_EPSILON_TEN,
-                                     ACTION_SAMPLES_BACK, ACTION_DEPTH_BACK,    ACTION_LIGHT_BACK,
-                                     ACTION_ENGINE_BACK};
+    const RenderSettings requested = now;
+    static const Action actions[] = {ACTION_OFFSET_NEXT,       ACTION_EPSILON_TWICE,
+                                     ACTION_EPSILON_TEN_TIMES, ACTION_SAMPLES_HALF,
+                                     ACTION_DEPTH_LESS,        ACTION_LIGHT_MODE_PREVIOUS,
+                                     ACTION_ENGINE_PREVIOUS};
     for (size_t i = 0; i < sizeof actions / sizeof *actions; i++) {
-        tuning_change(&tuning, &now, actions[i]);
-        tuning_apply(&tuning, &now);
+        settings_override_change(&overrides, &now, actions[i]);
+        settings_override_apply(&overrides, &now);
         assert_int_equal(now.trace.offset, i == 0 ? OFFSET_NONE : OFFSET_FIXED);
     }
     assert_true(fabs(now.trace.epsilon / 2e-3 - 1) < 1e-12);
     assert_int_equal(now.samples, 1);
     assert_int_equal(now.trace.depth, 0);
-    assert_int_equal(now.light, LIGHT_MODE_NONE);
+    assert_int_equal(now.lighting, LIGHTING_UNLIT);
     assert_true(now.engine->mantissa_bits > 53);
     for (int i = 0; i < 100; i++) {
-        tuning_change(&tuning, &now, ACTION_EPSILON_TENTH);
-        tuning_apply(&tuning, &now);
+        settings_override_change(&overrides, &now, ACTION_EPSILON_TENTH);
+        settings_override_apply(&overrides, &now);
     }
     assert_true(now.trace.epsilon > 0);
-    RenderSettings other = asked;
-    tuning_apply(&(Tuning){0}, &other);
-    assert_memory_equal(&other, &asked, sizeof other);
-    assert_int_equal(action_shifted(ACTION_ENGINE), ACTION_ENGINE_BACK);
-    assert_int_equal(action_shifted(ACTION_HOME), ACTION_HOME);
+    RenderSettings other = requested;
+    settings_override_apply(&(SettingsOverride){0}, &other);
+    assert_memory_equal(&other, &requested, sizeof other);
+    assert_int_equal(action_shifted(ACTION_ENGINE_NEXT), ACTION_ENGINE_PREVIOUS);
+    assert_int_equal(action_shifted(ACTION_RESET_VIEW), ACTION_RESET_VIEW);
 }
 
 /** Median and worst of the waits, and what does not count. @param state Unused. */
@@ -299,19 +300,19 @@ static void test_latency(void **state) {
     (void)state;
     Latency latency = {0};
     assert_int_equal(latency_summary(&latency).count, 0);
-    latency_shown(&latency, 1);
+    latency_on_presented(&latency, 1);
     for (int i = 1; i <= 300; i++) {
-        latency_key(&latency, 10 * i);
-        latency_drawing(&latency);
-        latency_key(&latency, 10 * i + 5); /* came too late for this drawing */
-        latency_shown(&latency, 10 * i + (i <= 200 ? 0.25 : 0.5));
-        latency_forget(&latency);
+        latency_on_key(&latency, 10 * i);
+        latency_on_draw_started(&latency);
+        latency_on_key(&latency, 10 * i + 5); /* came too late for this drawing */
+        latency_on_presented(&latency, 10 * i + (i <= 200 ? 0.25 : 0.5));
+        latency_discard_pending(&latency);
     }
     LatencySummary summary = latency_summary(&latency);
     assert_int_equal(summary.count, 300);
     assert_near(summary.median, 0.25);
     assert_near(summary.worst, 0.5);
-    latency_release(&latency);
+    latency_deinit(&latency);
 }
 
 /** An even number of waits has its median between two; many at once are no harm. @param state
@@ -319,28 +320,28 @@ static void test_latency(void **state) {
 static void test_latency_many(void **state) {
     (void)state;
     Latency latency = {0};
-    for (int i = 0; i < 2 * LATENCY_WAITING_MAXIMUM; i++) {
-        latency_key(&latency, i);
+    for (int i = 0; i < 2 * LATENCY_PENDING_MAXIMUM; i++) {
+        latency_on_key(&latency, i);
     }
-    latency_drawing(&latency);
-    latency_shown(&latency, LATENCY_WAITING_MAXIMUM);
+    latency_on_draw_started(&latency);
+    latency_on_presented(&latency, LATENCY_PENDING_MAXIMUM);
     LatencySummary summary = latency_summary(&latency);
-    assert_int_equal(summary.count, LATENCY_WAITING_MAXIMUM);
-    assert_near(summary.median, (LATENCY_WAITING_MAXIMUM + 1) / 2.0);
-    assert_near(summary.worst, LATENCY_WAITING_MAXIMUM);
-    latency_release(&latency);
+    assert_int_equal(summary.count, LATENCY_PENDING_MAXIMUM);
+    assert_near(summary.median, (LATENCY_PENDING_MAXIMUM + 1) / 2.0);
+    assert_near(summary.worst, LATENCY_PENDING_MAXIMUM);
+    latency_deinit(&latency);
 }
 
 /** @return Whether there is a file. @param folder Its folder. @param name Its name. */
-static bool is_there(const char *folder, const char *name) {
-    char path[NUMBERED_PATH_SIZE];
+static bool file_exists(const char *folder, const char *name) {
+    char path[NUMBERED_FILE_PATH_SIZE];
     snprintf(path, sizeof path, "%s/%s", folder, name);
     return access(path, F_OK) == 0;
 }
 
 /** Removes a file of a folder. @param folder The folder. @param name Its name. */
-static void drop(const char *folder, const char *name) {
-    char path[NUMBERED_PATH_SIZE];
+static void remove_from_folder(const char *folder, const char *name) {
+    char path[NUMBERED_FILE_PATH_SIZE];
     snprintf(path, sizeof path, "%s/%s", folder, name);
     assert_int_equal(unlink(path), 0);
 }
@@ -350,7 +351,7 @@ static void test_snapshot_numbers(void **state) {
     (void)state;
     char folder[] = "/tmp/dioptre-view-XXXXXX";
     assert_non_null(mkdtemp(folder));
-    char path[NUMBERED_PATH_SIZE], link[64];
+    char path[NUMBERED_FILE_PATH_SIZE], link[64];
     snprintf(link, sizeof link, "%s/box-0002.bmp", folder);
     assert_int_equal(symlink("/nowhere/at/all", link), 0);
     Picture picture = {0};
@@ -358,21 +359,21 @@ static void test_snapshot_numbers(void **state) {
     assert_true(picture_init(&picture, 3, 2, &error));
     assert_true(snapshot_write(folder, "box", &picture, path, &error));
     assert_true(snapshot_write(folder, "box", &picture, path, &error));
-    assert_true(is_there(folder, "box-0001.bmp") && is_there(folder, "box-0003.bmp"));
+    assert_true(file_exists(folder, "box-0001.bmp") && file_exists(folder, "box-0003.bmp"));
     assert_non_null(strstr(path, "/box-0003.bmp"));
-    drop(folder, "box-0001.bmp");
-    drop(folder, "box-0002.bmp");
-    drop(folder, "box-0003.bmp");
+    remove_from_folder(folder, "box-0001.bmp");
+    remove_from_folder(folder, "box-0002.bmp");
+    remove_from_folder(folder, "box-0003.bmp");
     assert_int_equal(rmdir(folder), 0);
     assert_false(snapshot_write(folder, "box", &picture, path, &error));
     assert_int_equal(error.status, STATUS_FAILED);
-    picture_release(&picture);
+    picture_deinit(&picture);
 }
 
 /** A folder's name that leaves no room for a file's is told. @param state Unused. */
 static void test_snapshot_long_path(void **state) {
     (void)state;
-    char path[NUMBERED_PATH_SIZE], folder[NUMBERED_PATH_SIZE];
+    char path[NUMBERED_FILE_PATH_SIZE], folder[NUMBERED_FILE_PATH_SIZE];
     memset(folder, 'x', sizeof folder);
     folder[sizeof folder - 1] = '\0';
     Picture picture = {0};
@@ -388,124 +389,126 @@ static void test_snapshot_convert(void **state) {
     static const uint8_t rgb[] = {3, 2, 1, 6, 5, 4};
     Picture picture = {0};
     assert_true(picture_init(&picture, 2, 1, NULL));
-    snapshot_convert(bgrx, &picture);
+    snapshot_from_bgrx(bgrx, &picture);
     assert_memory_equal(picture.pixels, rgb, sizeof rgb);
-    picture_release(&picture);
+    picture_deinit(&picture);
 }
 
 /** @return A scene with a camera at the origin that looks along +x, and one light. */
 static Scene *make_scene(void) {
     Scene *scene = scene_create(NULL);
     assert_non_null(scene);
-    scene->camera = (Camera){.direction = {1, 0, 0}, .up = {0, 1, 0}, .fov = 60, .focus = 10};
+    scene->camera =
+        (SceneCamera){.direction = {1, 0, 0}, .up = {0, 1, 0}, .fov = 60, .target_distance = 10};
     scene->has_camera = true;
-    Light light = *(const Light *)light_keyword.defaults;
+    SceneLight light = *(const SceneLight *)scene_light_keyword.defaults;
     assert_true(scene_add_light(scene, &light, NULL));
     return scene;
 }
 
 /** Fails unless a point is where it should be. @param point It. @param x Where. @param y Where.
  *  @param z Where. */
-static void assert_point(Vector3 point, double x, double y, double z) {
+static void assert_point(Vec3d point, double x, double y, double z) {
     assert_near(point.x, x);
     assert_near(point.y, y);
     assert_near(point.z, z);
 }
 
 /** Things move along the axes of the picture, and go home again. @param state Unused. */
-static void test_pose(void **state) {
+static void test_view_state(void **state) {
     (void)state;
     Scene *scene = make_scene();
-    Pose home;
-    assert_true(pose_save(&home, scene, NULL));
-    assert_point(home.vertical, 0, 1, 0);
-    pose_move(&home, scene, 0, (Movement){.right = 1, .up = 2, .forward = 3},
-              (Movement){.right = 2});
+    ViewState home_view;
+    assert_true(view_state_init(&home_view, scene, NULL));
+    assert_point(home_view.up_axis, 0, 1, 0);
+    view_state_move(&home_view, scene, 0, (Movement){.right = 1, .up = 2, .forward = 3},
+                    (Movement){.right = 2});
     assert_point(scene->lights[0].position, 15, 1.9 + 10, 5);
     assert_point(scene->camera.position, 0, 0, 10);
-    pose_move(&home, scene, 7, (Movement){.up = 1}, (Movement){.up = 1, .forward = -1});
+    view_state_move(&home_view, scene, 7, (Movement){.up = 1}, (Movement){.up = 1, .forward = -1});
     assert_point(scene->lights[0].position, 15, 1.9 + 10, 5);
     assert_point(scene->camera.position, -5, 5, 10);
-    pose_restore(&home, scene);
+    view_state_reset(&home_view, scene);
     assert_point(scene->lights[0].position, 0, 1.9, 0);
     assert_point(scene->camera.position, 0, 0, 0);
-    pose_release(&home);
+    view_state_deinit(&home_view);
     scene_destroy(scene);
 }
 
 /** What the user has moved stays there at other times, and goes home. @param state Unused. */
-static void test_pose_renew(void **state) {
+static void test_view_state_renew(void **state) {
     (void)state;
-    const Light light = {.position = {7, 7, 7}, .intensity = 9};
+    const SceneLight light = {.position = {7, 7, 7}, .intensity = 9};
     Error error = {0};
     for (int moved = 0; moved < 2; moved++) {
         Scene *before = make_scene(), *after = make_scene();
         assert_true(scene_add_light(after, &light, &error));
-        after->camera.position = (Vector3){4, 5, 6};
-        after->lights[0].position = (Vector3){1, 2, 3};
+        after->camera.position = (Vec3d){4, 5, 6};
+        after->lights[0].position = (Vec3d){1, 2, 3};
         after->lights[0].intensity = 0.5;
-        Pose pose;
-        assert_true(pose_save(&pose, before, NULL));
+        ViewState view_state;
+        assert_true(view_state_init(&view_state, before, NULL));
         if (moved) {
-            pose_move(&pose, before, 0, (Movement){.up = 1}, (Movement){.right = 2});
+            view_state_move(&view_state, before, 0, (Movement){.up = 1}, (Movement){.right = 2});
         }
-        Vector3 eye = moved ? before->camera.position : after->camera.position;
-        Vector3 lamp = moved ? before->lights[0].position : after->lights[0].position;
-        assert_true(pose_renew(&pose, before, after, &error));
+        Vec3d eye = moved ? before->camera.position : after->camera.position;
+        Vec3d light_position = moved ? before->lights[0].position : after->lights[0].position;
+        assert_true(view_state_transfer(&view_state, before, after, &error));
         assert_point(after->camera.position, eye.x, eye.y, eye.z);
-        assert_point(after->lights[0].position, lamp.x, lamp.y, lamp.z);
+        assert_point(after->lights[0].position, light_position.x, light_position.y,
+                     light_position.z);
         assert_near(after->lights[0].intensity, 0.5);
         assert_point(after->lights[1].position, 7, 7, 7);
-        pose_restore(&pose, after);
+        view_state_reset(&view_state, after);
         assert_point(after->camera.position, 4, 5, 6);
         assert_point(after->lights[0].position, 1, 2, 3);
-        assert_true(pose_renew(&pose, after, before, &error));
-        assert_false(pose.is_camera_moved || pose.is_light_moved[0]);
-        pose_release(&pose);
+        assert_true(view_state_transfer(&view_state, after, before, &error));
+        assert_false(view_state.is_camera_moved || view_state.is_light_moved[0]);
+        view_state_deinit(&view_state);
         scene_destroy(before);
         scene_destroy(after);
     }
 }
 
 /** The time is held, runs and steps, by milliseconds. @param state Unused. */
-static void test_timeline(void **state) {
+static void test_time_control(void **state) {
     (void)state;
     Timeline timeline = {.time = 1.5};
-    assert_true(timeline_at(&timeline, 100) == 1.5);
+    assert_true(timeline_time_at(&timeline, 100) == 1.5);
     timeline_run(&timeline, 100);
-    assert_true(timeline_at(&timeline, 100.1234567) == 1.623);
+    assert_true(timeline_time_at(&timeline, 100.1234567) == 1.623);
     timeline_run(&timeline, 100.5);
-    assert_true(timeline_at(&timeline, 101) == 2.5);
-    timeline_hold(&timeline, 101.25);
-    assert_true(timeline_at(&timeline, 200) == 2.75);
+    assert_true(timeline_time_at(&timeline, 101) == 2.5);
+    timeline_pause(&timeline, 101.25);
+    assert_true(timeline_time_at(&timeline, 200) == 2.75);
     timeline_step(&timeline, -2, 300);
-    assert_true(timeline_at(&timeline, 400) == 2.67);
+    assert_true(timeline_time_at(&timeline, 400) == 2.67);
     timeline = (Timeline){.time = 0};
     for (int i = 1; i < 1000; i++) {
         timeline_step(&timeline, 1, 0);
         assert_true(timeline.time == i / 25.0); // The very time of a film's frame.
     }
     timeline = (Timeline){.time = 1e300, .is_running = true};
-    assert_true(timeline_at(&timeline, 5) == 1e300);
+    assert_true(timeline_time_at(&timeline, 5) == 1e300);
 }
 
 /** Which way is up is told from the camera, unless it looks steeply. @param state Unused. */
-static void test_pose_vertical(void **state) {
+static void test_view_state_vertical(void **state) {
     (void)state;
-    static const Vector3 rows[][3] = {/* direction, up, vertical */
-                                      {{0.6, -0.64, 0.48}, {0.5, 0.768, 0.4}, {0, 1, 0}},
-                                      {{0, -1, 0}, {0, 0, -1}, {0, 1, 0}},
-                                      {{1, 0, 0}, {0, 0, 1}, {0, 0, 1}},
-                                      {{1, 0, 0}, {0, -1, 0}, {0, -1, 0}},
-                                      {{0, 0, 1}, {-1, 0, 0}, {-1, 0, 0}}};
+    static const Vec3d rows[][3] = {/* direction, up, vertical */
+                                    {{0.6, -0.64, 0.48}, {0.5, 0.768, 0.4}, {0, 1, 0}},
+                                    {{0, -1, 0}, {0, 0, -1}, {0, 1, 0}},
+                                    {{1, 0, 0}, {0, 0, 1}, {0, 0, 1}},
+                                    {{1, 0, 0}, {0, -1, 0}, {0, -1, 0}},
+                                    {{0, 0, 1}, {-1, 0, 0}, {-1, 0, 0}}};
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         Scene *scene = make_scene();
         scene->camera.direction = rows[i][0];
         scene->camera.up = rows[i][1];
-        Pose pose;
-        assert_true(pose_save(&pose, scene, NULL));
-        assert_point(pose.vertical, rows[i][2].x, rows[i][2].y, rows[i][2].z);
-        pose_release(&pose);
+        ViewState view_state;
+        assert_true(view_state_init(&view_state, scene, NULL));
+        assert_point(view_state.up_axis, rows[i][2].x, rows[i][2].y, rows[i][2].z);
+        view_state_deinit(&view_state);
         scene_destroy(scene);
     }
 }
@@ -514,7 +517,7 @@ static void test_pose_vertical(void **state) {
 static void test_scene_text(void **state) {
     (void)state;
     Scene *scene = make_scene();
-    scene->camera.position = (Vector3){0.1, -2, 1e-30};
+    scene->camera.position = (Vec3d){0.1, -2, 1e-30};
     char text[1024] = "";
     FILE *file = fmemopen(text, sizeof text, "w");
     assert_non_null(file);
@@ -531,34 +534,39 @@ static void test_scene_text(void **state) {
 /** The title says how the drawing stands. @param state Unused. */
 static void test_title(void **state) {
     (void)state;
-    RenderReport report = {.seconds = 0.0123,
-                           .rays = {.camera = 500000, .mirror = 45500, .shadow = 500000},
-                           .stride = 1,
-                           .samples = 6};
-    TitleFacts facts = {.name = "box", .width = 800, .height = 600, .note = "", .light_count = 1};
+    RenderStats report = {.seconds = 0.0123,
+                          .rays = {.camera = 500000, .reflection = 45500, .shadow = 500000},
+                          .stride = 1,
+                          .samples = 6};
+    TitleContent content = {
+        .name = "box", .width = 800, .height = 600, .status_text = "", .light_count = 1};
     char title[TITLE_SIZE];
-    title_write(&facts, title);
+    title_write(&content, title);
     assert_string_equal(title, "box — 800×600");
-    facts.report = &report;
-    title_write(&facts, title);
+    content.report = &report;
+    title_write(&content, title);
     assert_string_equal(title, "box — 800×600, pass 1 px, 6 samples, 12.3 ms, 85 Mrays/s");
     report.is_finished = true;
-    facts.light_count = 3;
-    facts.light = 1;
-    facts.note = "saved x.bmp";
-    title_write(&facts, title);
+    content.light_count = 3;
+    content.light = 1;
+    content.status_text = "saved x.bmp";
+    title_write(&content, title);
     assert_string_equal(title, "box — 800×600, pass 1 px, 6 samples, 12.3 ms, 85 Mrays/s, finished"
                                " — light 2 of 3 — saved x.bmp");
     const double time = 3.04;
-    facts = (TitleFacts){
-        .name = "box", .width = 8, .height = 6, .note = "", .time = &time, .is_running = true};
-    title_write(&facts, title);
+    content = (TitleContent){.name = "box",
+                             .width = 8,
+                             .height = 6,
+                             .status_text = "",
+                             .time = &time,
+                             .is_running = true};
+    title_write(&content, title);
     assert_string_equal(title, "box — 8×6 — t 3.04 s, running");
     char name[2 * TITLE_SIZE];
     memset(name, 'n', sizeof name);
     name[sizeof name - 1] = '\0';
-    facts.name = name;
-    title_write(&facts, title);
+    content.name = name;
+    title_write(&content, title);
     assert_int_equal(strlen(title), TITLE_SIZE - 1);
 }
 
@@ -581,21 +589,22 @@ static void test_window(void **state) {
 }
 
 /** Which scenes a window asked for. */
-typedef struct Wishes {
+typedef struct LoadRequests {
     char path[64]; /**< The newest file; empty: none. */
     int count;     /**< How many. */
-} Wishes;
+} LoadRequests;
 
-/** Loads what a window asks for. See #ViewLoader. @param context The #Wishes. @param request What
- * it is. @param stop Unused. @param[out] render How it is drawn. @param[out] error What is wrong.
+/** Loads what a window asks for. See #ViewLoader. @param context The #LoadRequests. @param request
+ * What it is. @param stop Unused. @param[out] render How it is drawn. @param[out] error What is
+ * wrong.
  *  @return A scene; none for a file called wrong. */
-static Scene *grant(void *context, const ViewRequest *request, const atomic_bool *stop,
-                    RenderSettings *render, Error *error) {
+static Scene *load_requested(void *context, const ViewRequest *request, const atomic_bool *stop,
+                             RenderSettings *render, Error *error) {
     (void)stop;
-    Wishes *wishes = context;
-    snprintf(wishes->path, sizeof wishes->path, "%s", request->path ? request->path : "");
-    wishes->count++;
-    if (strcmp(wishes->path, "wrong.lua") == 0) {
+    LoadRequests *requests = context;
+    snprintf(requests->path, sizeof requests->path, "%s", request->path ? request->path : "");
+    requests->count++;
+    if (strcmp(requests->path, "wrong.lua") == 0) {
         error_set(error, STATUS_SCENE, "wrong.lua:1: all of it");
         return NULL;
     }
@@ -606,7 +615,7 @@ static Scene *grant(void *context, const ViewRequest *request, const atomic_bool
 
 /** Drops two files on the window, then closes it, as a thread. @param context Unused.
  *  @return NULL */
-static void *drop_files(void *context) {
+static void *drop_two_files(void *context) {
     (void)context;
     static const char *const files[] = {"other.lua", "wrong.lua"};
     for (size_t i = 0; i < 2; i++) {
@@ -626,19 +635,19 @@ static void test_drop(void **state) {
     (void)state;
     setenv("SDL_VIDEODRIVER", "dummy", 1);
     Scene *scene = make_scene();
-    Wishes wishes = {0};
+    LoadRequests requests = {0};
     ViewSettings settings = {.render = render_settings_default(scene),
                              .path = "test.lua",
                              .snapshot_dir = "/nowhere",
-                             .load = grant,
-                             .context = &wishes};
+                             .load = load_requested,
+                             .loader_context = &requests};
     pthread_t dropper;
-    assert_int_equal(pthread_create(&dropper, NULL, drop_files, NULL), 0);
+    assert_int_equal(pthread_create(&dropper, NULL, drop_two_files, NULL), 0);
     Error error = {0};
-    assert_int_equal(view_run(scene, &settings, NULL, &error), STATUS_DONE);
+    assert_int_equal(view_run(scene, &settings, NULL, &error), STATUS_OK);
     pthread_join(dropper, NULL);
-    assert_int_equal(wishes.count, 2);
-    assert_string_equal(wishes.path, "wrong.lua");
+    assert_int_equal(requests.count, 2);
+    assert_string_equal(requests.path, "wrong.lua");
     scene_destroy(scene);
 }
 
@@ -656,16 +665,16 @@ int main(void) {
         cmocka_unit_test(test_panel),
         cmocka_unit_test(test_help_panel),
         cmocka_unit_test(test_keyboard_words),
-        cmocka_unit_test(test_tuning),
+        cmocka_unit_test(test_settings_override),
         cmocka_unit_test(test_latency),
         cmocka_unit_test(test_latency_many),
         cmocka_unit_test(test_snapshot_numbers),
         cmocka_unit_test(test_snapshot_long_path),
         cmocka_unit_test(test_snapshot_convert),
-        cmocka_unit_test(test_pose),
-        cmocka_unit_test(test_pose_renew),
-        cmocka_unit_test(test_timeline),
-        cmocka_unit_test(test_pose_vertical),
+        cmocka_unit_test(test_view_state),
+        cmocka_unit_test(test_view_state_renew),
+        cmocka_unit_test(test_time_control),
+        cmocka_unit_test(test_view_state_vertical),
         cmocka_unit_test(test_scene_text),
         cmocka_unit_test(test_title),
         cmocka_unit_test(test_window),

@@ -6,7 +6,7 @@
 #ifndef DIOPTRE_TESTING_H
 #define DIOPTRE_TESTING_H
 
-#include "lab/quad.h"
+#include "lab/vec3q.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -29,7 +29,7 @@
     } while (0)
 
 /** @return A number, uniform in 0 to 1. @param[in,out] state A generator (splitmix64). */
-static inline double random_share(uint64_t *state) {
+static inline double random_unit_double(uint64_t *state) {
     uint64_t z = *state += 0x9E3779B97F4A7C15u;
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
     z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
@@ -38,7 +38,7 @@ static inline double random_share(uint64_t *state) {
 
 /** @return A number rounded to float. Kept in memory: gcc 12 leaves out both conversions where it
  * makes vectors of them (-O3 with -fno-trapping-math). @param x It. */
-static inline double as_float(double x) {
+static inline double round_to_float(double x) {
     volatile float rounded = (float)x;
     return (double)rounded;
 }
@@ -46,7 +46,7 @@ static inline double as_float(double x) {
 /** @return A number, uniform in a range and exact in float. @param[in,out] state A generator.
  *  @param low Lowest. @param high Highest. */
 static inline double random_float(uint64_t *state, double low, double high) {
-    return as_float(low + (high - low) * random_share(state));
+    return round_to_float(low + (high - low) * random_unit_double(state));
 }
 
 /** @return Half an ulp of 1 of an engine's number type. @param engine The engine. */
@@ -60,53 +60,53 @@ static inline Quadruple roundoff(const Engine *engine) {
 
 /** As the scene language says a sphere. */
 typedef struct SphereParameters {
-    Vector3 center; /**< Centre. */
-    double radius;  /**< Radius. */
+    Vec3d center;  /**< Centre. */
+    double radius; /**< Radius. */
 } SphereParameters;
 
 /** As the scene language says a plane. */
 typedef struct PlaneParameters {
-    Vector3 point;  /**< A point. */
-    Vector3 normal; /**< Its normal. */
+    Vec3d point;  /**< A point. */
+    Vec3d normal; /**< Its normal. */
 } PlaneParameters;
 
 /** As the scene language says a quad. */
 typedef struct QuadParameters {
-    Vector3 corner; /**< A corner. */
-    Vector3 u;      /**< To the next. */
-    Vector3 v;      /**< To the other next. */
+    Vec3d corner; /**< A corner. */
+    Vec3d u;      /**< To the next. */
+    Vec3d v;      /**< To the other next. */
 } QuadParameters;
 
 /** As the scene language says a box. */
 typedef struct BoxParameters {
-    Vector3 low;  /**< Lowest corner. */
-    Vector3 high; /**< Highest corner. */
+    Vec3d low;  /**< Lowest corner. */
+    Vec3d high; /**< Highest corner. */
 } BoxParameters;
 
 /** As the scene language says a cylinder. */
 typedef struct CylinderParameters {
-    Vector3 base;  /**< Centre of one end. */
-    Vector3 top;   /**< Of the other. */
+    Vec3d base;    /**< Centre of one end. */
+    Vec3d top;     /**< Of the other. */
     double radius; /**< Radius. */
     bool capped;   /**< Whether the ends are closed. */
 } CylinderParameters;
 
 /** As the scene language says a triangle. */
 typedef struct TriangleParameters {
-    Vector3 corners[3]; /**< Corners. */
-    Vector3 normals[3]; /**< Normals there. */
-    Pair places[3];     /**< Places in a picture there. */
-    bool is_smooth;     /**< Whether the normals count. */
+    Vec3d corners[3]; /**< Corners. */
+    Vec3d normals[3]; /**< Normals there. */
+    Uvd uvs[3];       /**< Places in a picture there. */
+    bool is_smooth;   /**< Whether the normals count. */
 } TriangleParameters;
 
 /** @return An empty scene with a camera at the origin that looks along -z; to be given back. Its
  *          depth is said: tracers are asked, and not what scenes need. */
-static inline Scene *empty_scene(void) {
+static inline Scene *create_empty_scene(void) {
     Error error = {0};
     Scene *scene = scene_create(&error);
     assert_non_null(scene);
     scene->image.depth = 5;
-    scene->camera = *(const Camera *)camera_keyword.defaults;
+    scene->camera = *(const SceneCamera *)scene_camera_keyword.defaults;
     return scene;
 }
 
@@ -125,25 +125,25 @@ static inline void add_shape(Scene *scene, const char *name, const void *paramet
 }
 
 /** How the scene language says the surface of a field. */
-typedef struct SdfRow {
-    const Field *field; /**< The field. */
-    double tolerance;   /**< How near is on it. */
-    int max_steps;      /**< After so many a ray is given up. */
-} SdfRow;
+typedef struct SdfShapeParameters {
+    const Sdf *field; /**< The field. */
+    double tolerance; /**< How near is on it. */
+    int max_steps;    /**< After so many a ray is given up. */
+} SdfShapeParameters;
 
 /** Adds the surface of a field to a scene. @param scene The scene. @param row It; copied. */
-static inline void add_sdf(Scene *scene, SdfRow row) {
+static inline void add_sdf(Scene *scene, SdfShapeParameters row) {
     Error error = {0};
-    row.field = scene_keep_field(scene, row.field, &error);
+    row.field = scene_add_sdf(scene, row.field, &error);
     assert_non_null(row.field);
     add_shape(scene, "sdf", &row);
 }
 
 /** How the scene language says a mesh. */
-typedef struct MeshRow {
+typedef struct MeshShapeParameters {
     size_t file; /**< Place of its model in the scene. */
     int normals; /**< 0: the file's; 1: smooth; 2: flat. */
-} MeshRow;
+} MeshShapeParameters;
 
 /**
  * Adds a mesh of its own file to a scene.
@@ -152,15 +152,15 @@ typedef struct MeshRow {
  * @param position_count  How many.
  * @param triangles       Places of corners.
  * @param triangle_count  How many triangles.
- * @param normals         See #MeshRow.
+ * @param normals         See #MeshShapeParameters.
  */
-static inline void add_mesh(Scene *scene, const Vector3 *positions, size_t position_count,
+static inline void add_mesh(Scene *scene, const Vec3d *positions, size_t position_count,
                             const MeshTriangle *triangles, size_t triangle_count, int normals) {
     Error error = {0};
     char name[32];
     snprintf(name, sizeof name, "%zu", scene->mesh_count);
-    SceneFile file = {.path = name, .name = name, .where = "test:1"};
-    MeshRow row = {.normals = normals};
+    SceneFile file = {.path = name, .name = name, .location = "test:1"};
+    MeshShapeParameters row = {.normals = normals};
     assert_true(scene_add_mesh(scene, &file, &row.file, &error));
     Mesh counts = {.position_count = position_count, .triangle_count = triangle_count};
     Mesh *mesh = mesh_create(&counts, &error);
@@ -172,19 +172,20 @@ static inline void add_mesh(Scene *scene, const Vector3 *positions, size_t posit
 }
 
 /** @return A tracer as deep as the scene's picture, to be given back. @param engine The engine.
- *  @param scene The scene. @param tree Whether its shapes get a tree. */
-static inline Tracer *prepare_with_tree(const Engine *engine, const Scene *scene, TreeUse tree) {
+ *  @param scene The scene. @param bvh_use Whether its shapes get a tree. */
+static inline Tracer *create_tracer_with_bvh(const Engine *engine, const Scene *scene,
+                                             BvhMode bvh_use) {
     Error error = {0};
-    TraceSettings settings = {.depth = scene->image.depth, .offset = OFFSET_BOUND, .tree = tree};
-    Tracer *tracer = engine->prepare(scene, &settings, &error);
+    TraceSettings settings = {.depth = scene->image.depth, .offset = OFFSET_BOUND, .bvh = bvh_use};
+    Tracer *tracer = engine->create_tracer(scene, &settings, &error);
     assert_non_null(tracer);
     return tracer;
 }
 
 /** @return The same, with a tree where it pays. @param engine The engine. @param scene The scene.
  */
-static inline Tracer *prepare(const Engine *engine, const Scene *scene) {
-    return prepare_with_tree(engine, scene, TREE_AUTO);
+static inline Tracer *create_tracer(const Engine *engine, const Scene *scene) {
+    return create_tracer_with_bvh(engine, scene, BVH_AUTO);
 }
 
 /** Traces the one pixel of a picture of one. @param engine The engine. @param scene The scene.
@@ -192,10 +193,10 @@ static inline Tracer *prepare(const Engine *engine, const Scene *scene) {
 static inline RayCounts trace_pixel(const Engine *engine, const Scene *scene, double rgb[3]) {
     PixelGrid grid = {.columns = 1, .rows = 1, .stride = 1};
     RayCounts counts = {0};
-    Tracer *tracer = prepare(engine, scene);
-    engine->look(tracer, scene, 1, 1);
+    Tracer *tracer = create_tracer(engine, scene);
+    engine->set_view(tracer, scene, 1, 1);
     engine->trace(tracer, &grid, rgb, &counts);
-    engine->release(tracer);
+    engine->destroy(tracer);
     return counts;
 }
 
@@ -204,20 +205,20 @@ enum { BATCH = 4096 };
 
 /** @return How many rays to ask: the reference engine is a hundred times slower. @param engine It.
  *  @param count For the others. */
-static inline long scaled(const Engine *engine, long count) {
+static inline long ray_count_for(const Engine *engine, long count) {
     return engine->mantissa_bits > 64 ? count / 100 : count;
 }
 
 /** @return A ray from one point towards another. @param from Where. @param to Where to. */
-static inline RayQuery ray_towards(Vector3 from, Vector3 to) {
-    return (RayQuery){{from.x, from.y, from.z}, {to.x - from.x, to.y - from.y, to.z - from.z}};
+static inline RayQueryQuad ray_towards(Vec3d from, Vec3d to) {
+    return (RayQueryQuad){{from.x, from.y, from.z}, {to.x - from.x, to.y - from.y, to.z - from.z}};
 }
 
 /** A test of one engine. @param engine The engine. */
 typedef void (*EngineTest)(const Engine *engine);
 
 /** Runs a test in every engine that this machine can run. @param test The test. */
-static inline void in_every_engine(EngineTest test) {
+static inline void for_every_engine(EngineTest test) {
     for (const Engine *const *engine = engine_list(); *engine; engine++) {
         if (engine_is_supported(*engine)) {
             test(*engine);

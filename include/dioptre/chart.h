@@ -15,7 +15,7 @@ enum { CHART_LABEL_SIZE = 32 };
 
 /** A setting: all others are as the scene has them. */
 typedef struct ChartPoint {
-    const char *group;            /**< What is set, such as `depth`. */
+    const char *setting;          /**< What is set, such as `depth`. */
     char label[CHART_LABEL_SIZE]; /**< To what. */
     const Engine *engine;         /**< The engine. */
     TraceSettings trace;          /**< Depth, offset and tree. */
@@ -24,13 +24,13 @@ typedef struct ChartPoint {
     double seconds;      /**< The processor's time for a megapixel: median of the turns. */
     double seconds_low;  /**< Its lower quartile. */
     double seconds_high; /**< Its upper quartile. */
-    double own;    /**< The error that this setting is for, root of the mean square of linear light:
-                        rounding of engines and offsets, of rays that took the same way; what else
-                        is missing, of depths and tolerances; noise of samples. */
-    double steps;  /**< The largest such error, 8-bit steps; of samples: of whole pixels. */
-    double flips;  /**< Share of the rays that passed an edge on its other side. */
-    double total;  /**< All errors of the picture together, root of the mean square. */
-    bool is_front; /**< Whether nothing is both faster and nearer to the truth. */
+    double own_error;    /**< The error that this setting is for, root of the mean square of linear
+                        light:    rounding of engines and offsets, of rays that took the same way; what
+                        else    is missing, of depths and tolerances; noise of samples. */
+    double max_steps;    /**< The largest such error, 8-bit steps; of samples: of whole pixels. */
+    double edge_flip_fraction; /**< Share of the rays that passed an edge on its other side. */
+    double total_error;        /**< All errors of the picture together, root of the mean square. */
+    bool is_pareto;            /**< Whether nothing is both faster and nearer to the truth. */
 } ChartPoint;
 
 /** What is known of a scene. */
@@ -60,7 +60,7 @@ bool chart_measure(const Scene *scene, const RenderSettings *settings, const ato
  * @param[out] error      What is wrong.
  * @return false if anything is.
  */
-bool chart_keep(const Chart *chart, const char *name, const LabRequest *request, bool *has_chart,
+bool chart_save(const Chart *chart, const char *name, const LabRequest *request, bool *has_chart,
                 Error *error);
 
 #endif

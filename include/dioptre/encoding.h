@@ -12,21 +12,21 @@ typedef enum {
 } Encoding;
 
 /** The last step of a channel: full light. */
-enum { ENCODING_STEP_MAXIMUM = 255 };
+enum { ENCODING_CODE_MAXIMUM = 255 };
 
 /**
  * Encodes light without rounding it to a step.
  * @param encoding  Which curve.
- * @param light     Linear light, 0 to 1.
- * @return 0 to #ENCODING_STEP_MAXIMUM, with a fraction.
+ * @param linear     Linear light, 0 to 1.
+ * @return 0 to #ENCODING_CODE_MAXIMUM, with a fraction.
  */
-double encoding_encode(Encoding encoding, double light);
+double encoding_encode(Encoding encoding, double linear);
 
 /**
  * @return The linear light that a step stands for: the middle of what is shown so.
  * @param encoding  Which curve.
- * @param step      0 to #ENCODING_STEP_MAXIMUM, fractions too.
+ * @param code      0 to #ENCODING_CODE_MAXIMUM, fractions too.
  */
-double encoding_decode(Encoding encoding, double step);
+double encoding_decode(Encoding encoding, double code);
 
 #endif

@@ -12,7 +12,7 @@ enum { ERROR_MESSAGE_SIZE = 1024 };
 
 /** What a command ends with; the numbers are the program's exit statuses. */
 typedef enum {
-    STATUS_DONE = 0,         /**< All was done. */
+    STATUS_OK = 0,           /**< All was done. */
     STATUS_FAILED = 1,       /**< It could not be finished: disk full, no memory. */
     STATUS_USAGE = 2,        /**< The command line is wrong. */
     STATUS_SCENE = 3,        /**< Something is wrong with a scene or a file that it names. */
@@ -21,7 +21,7 @@ typedef enum {
 
 /** One error: a status and a sentence for a person. Starts as `{0}`: no error. */
 typedef struct Error {
-    Status status;                    /**< #STATUS_DONE while nothing went wrong. */
+    Status status;                    /**< #STATUS_OK while nothing went wrong. */
     char message[ERROR_MESSAGE_SIZE]; /**< What went wrong, without a final newline. */
 } Error;
 
@@ -48,6 +48,6 @@ bool error_prefix(Error *error, const char *format, ...) __attribute__((format(p
  * @return What the system says of an error, in the language that the program speaks.
  * @param code  The error: an `errno`.
  */
-const char *error_system(int code);
+const char *error_errno_text(int code);
 
 #endif

@@ -13,19 +13,19 @@
 typedef struct Film Film;
 
 /** How a film is to be. */
-typedef struct FilmShape {
+typedef struct FilmSettings {
     int width;               /**< Pixels, even. */
     int height;              /**< Pixels, even. */
     double fps;              /**< Frames a second. */
     const atomic_bool *stop; /**< Nothing is waited for any more once this is true; or NULL. */
-} FilmShape;
+} FilmSettings;
 
 /** @return Whether a file's ending names a film: mp4 or webm. @param path The file. */
-bool film_is_named(const char *path);
+bool film_has_extension(const char *path);
 
 /**
  * Says whether a film could be written to a path, before time is spent on drawing it.
- * @param path        The file, see #film_is_named.
+ * @param path        The file, see #film_has_extension.
  * @param[out] error  What is wrong or missing (#STATUS_FAILED), such as ffmpeg.
  * @return Whether it could.
  */
@@ -33,12 +33,12 @@ bool film_check(const char *path, Error *error);
 
 /**
  * Begins a film. It is written beside its place.
- * @param path        The file, see #film_is_named.
- * @param shape       How it is to be.
+ * @param path        The file, see #film_has_extension.
+ * @param settings       How it is to be.
  * @param[out] error  What is wrong (#STATUS_FAILED; #STATUS_USAGE for a size that is not even).
  * @return The film, to be ended with #film_commit or #film_discard; NULL if anything is wrong.
  */
-Film *film_begin(const char *path, const FilmShape *shape, Error *error);
+Film *film_begin(const char *path, const FilmSettings *settings, Error *error);
 
 /**
  * Adds a picture at the end.
@@ -47,7 +47,7 @@ Film *film_begin(const char *path, const FilmShape *shape, Error *error);
  * @param[out] error  What is wrong (#STATUS_FAILED): the encoder's own words where it has any.
  * @return false when the film cannot be finished.
  */
-bool film_add(Film *film, const Picture *picture, Error *error);
+bool film_add_frame(Film *film, const Picture *picture, Error *error);
 
 /**
  * Ends a film and moves it into its place. Whatever fails, nothing is left of it.

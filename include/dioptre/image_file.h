@@ -47,7 +47,7 @@ bool image_file_write_new(const char *path, const Picture *picture, bool *exists
 /**
  * Reads a picture of at most #IMAGE_SIZE_MAXIMUM by as many pixels.
  * @param path          The file.
- * @param[out] picture  The picture; give it back with #picture_release.
+ * @param[out] picture  The picture; give it back with #picture_deinit.
  * @param[out] error    What is wrong (#STATUS_SCENE).
  * @return Whether it was read; otherwise the picture is empty.
  */

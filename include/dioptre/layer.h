@@ -9,7 +9,7 @@
 #ifndef DIOPTRE_LAYER_H
 #define DIOPTRE_LAYER_H
 
-#include "dioptre/survey.h"
+#include "dioptre/aov.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -20,7 +20,7 @@ typedef enum Layer {
     LAYER_NORMALS,  /**< The surfaces' unit normals. */
     LAYER_DISTANCE, /**< How far away surfaces are. */
     LAYER_SHAPES,   /**< Which shape is met. */
-    LAYER_PLACE,    /**< Where on a picture: (u, v). */
+    LAYER_UV,       /**< Where on a picture: (u, v). */
     LAYER_RAYS,     /**< How many rays a pixel takes. */
     LAYER_STEPS,    /**< How many steps the camera's ray marches. */
     LAYER_TIME,     /**< How long a pixel takes. */
@@ -30,42 +30,42 @@ typedef enum Layer {
 } Layer;
 
 /** Numbers that are kept of a pixel, at most. */
-enum { LAYER_NUMBERS = 3 };
+enum { LAYER_VALUES = 3 };
 
 /** What the pixels of #LAYER_ACNE are. */
-typedef enum LayerFault {
-    FAULT_NONE, /**< As they should be. */
-    FAULT_ACNE, /**< A ray meets the surface that it leaves: dark where there should be light. */
-    FAULT_LEAK  /**< A ray does not meet what it should: light where it should be dark. */
-} LayerFault;
+typedef enum ShadingArtifact {
+    ARTIFACT_NONE, /**< As they should be. */
+    ARTIFACT_ACNE, /**< A ray meets the surface that it leaves: dark where there should be light. */
+    ARTIFACT_LEAK  /**< A ray does not meet what it should: light where it should be dark. */
+} ShadingArtifact;
 
 /** Where the colours of magnitudes begin and end. */
 typedef struct LayerScale {
-    double low;  /**< The number with the first colour. */
-    double high; /**< The number with the last one. */
-    bool is_log; /**< Whether equal ratios, and not equal differences, are equally far apart. */
-    double rate; /**< Share of the colours that a difference of 1 is, of numbers or logarithms. */
+    double low;   /**< The number with the first colour. */
+    double high;  /**< The number with the last one. */
+    bool is_log;  /**< Whether equal ratios, and not equal differences, are equally far apart. */
+    double slope; /**< Share of the colours that a difference of 1 is, of numbers or logarithms. */
 } LayerScale;
 
 /** How a layer stands. */
-typedef struct LayerReport {
-    Layer layer;      /**< Which. */
-    LayerScale scale; /**< Its colours; of those without a scale, zero. */
-    uint64_t pixels;  /**< Pixels that were looked at. */
-    uint64_t faults; /**< Of these: in #LAYER_ACNE, those with acne; in #LAYER_ERROR, those that are
-                          off by more than a step. */
-    uint64_t leaks;  /**< In #LAYER_ACNE, those that leak. */
-} LayerReport;
+typedef struct LayerStats {
+    Layer layer;              /**< Which. */
+    LayerScale scale;         /**< Its colours; of those without a scale, zero. */
+    uint64_t pixel_count;     /**< Pixels that were looked at. */
+    uint64_t artifact_pixels; /**< Of these: in #LAYER_ACNE, those with acne; in #LAYER_ERROR, those
+                          that are off by more than a step. */
+    uint64_t leak_pixels;     /**< In #LAYER_ACNE, those that leak. */
+} LayerStats;
 
 /** One colour of a legend. */
-typedef struct LayerTick {
+typedef struct LegendEntry {
     uint8_t rgb[3];    /**< The colour. */
     char number[24];   /**< What it stands for, as a number; empty: it is none. */
-    const char *words; /**< What it stands for, in words; NULL: in a number. */
-} LayerTick;
+    const char *label; /**< What it stands for, in words; NULL: in a number. */
+} LegendEntry;
 
 /** Colours of a legend, at most. */
-enum { LAYER_TICKS = 10 };
+enum { LEGEND_ENTRIES_MAXIMUM = 10 };
 
 /** @return A layer's name, such as `distance`. @param layer The layer. */
 const char *layer_name(Layer layer);
@@ -74,19 +74,19 @@ const char *layer_name(Layer layer);
  *  layer. */
 const char *layer_unit(Layer layer);
 
-/** @return What must be wanted of a survey for a layer. See #SURVEY_LIGHT. @param layer It. */
-unsigned layer_wants(Layer layer);
+/** @return What must be wanted of a survey for a layer. See #AOV_RADIANCE. @param layer It. */
+unsigned layer_aov_mask(Layer layer);
 
 /** @return Whether a layer compares with a reference engine. @param layer The layer. */
-bool layer_compares(Layer layer);
+bool layer_needs_reference(Layer layer);
 
 /**
  * Takes the numbers of a layer from a survey. Not for #LAYER_TIME and those that compare.
  * @param layer         The layer.
- * @param point         What is known of the pixel.
- * @param[out] numbers  Its numbers; the first is NaN where there is nothing.
+ * @param sample         What is known of the pixel.
+ * @param[out] values  Its numbers; the first is NaN where there is nothing.
  */
-void layer_numbers(Layer layer, const SurveyPoint *point, float numbers[LAYER_NUMBERS]);
+void layer_values(Layer layer, const AovSample *sample, float values[LAYER_VALUES]);
 
 /** @return A scale with round ends. @param layer The layer. @param low Least number of a picture.
  *  @param high Greatest one; less than the least where there is none. */
@@ -96,19 +96,20 @@ LayerScale layer_scale(Layer layer, double low, double high);
  * Finds the colour of a pixel.
  * @param layer    The layer.
  * @param scale    Its scale.
- * @param numbers  The pixel's numbers.
+ * @param values  The pixel's numbers.
  * @param[out] rgb The colour, sRGB.
  */
-void layer_color(Layer layer, const LayerScale *scale, const float numbers[LAYER_NUMBERS],
+void layer_color(Layer layer, const LayerScale *scale, const float values[LAYER_VALUES],
                  uint8_t rgb[3]);
 
 /**
  * Writes a layer's legend.
  * @param layer       The layer.
  * @param scale       Its scale.
- * @param[out] ticks  The colours, from the highest number to the lowest.
+ * @param[out] entries  The colours, from the highest number to the lowest.
  * @return How many.
  */
-size_t layer_legend(Layer layer, const LayerScale *scale, LayerTick ticks[LAYER_TICKS]);
+size_t layer_legend(Layer layer, const LayerScale *scale,
+                    LegendEntry entries[LEGEND_ENTRIES_MAXIMUM]);
 
 #endif

@@ -44,21 +44,21 @@ typedef enum {
 
 /** One thing that is done. */
 typedef struct LessonStep {
-    LessonStepKind kind; /**< What. */
-    int64_t time;        /**< When, milliseconds from the beginning. */
-    int action;          /**< Which, for #LESSON_PRESS and #LESSON_RELEASE: its place in the list
-                              of names that the lesson was read with. */
-    double right;        /**< Factor of the speed; degrees to the right; notches of the wheel
-                              towards what is seen; width in the screen's units; share of the
-                              picture's width; pixels to the right. */
-    double up;           /**< Degrees up; height in the screen's units; share of the picture's
-                              height, from its upper edge; pixels down. */
-    LessonText text;     /**< A caption's words. */
-    bool waits;          /**< Whether a caption waits until the class has read it. */
+    LessonStepKind kind;   /**< What. */
+    int64_t time;          /**< When, milliseconds from the beginning. */
+    int action;            /**< Which, for #LESSON_PRESS and #LESSON_RELEASE: its place in the list
+                                of names that the lesson was read with. */
+    double x;              /**< Factor of the speed; degrees to the right; notches of the wheel
+                                    towards what is seen; width in the screen's units; share of the
+                                    picture's width; pixels to the right. */
+    double y;              /**< Degrees up; height in the screen's units; share of the picture's
+                                 height, from its upper edge; pixels down. */
+    LessonText text;       /**< A caption's words. */
+    bool waits_for_viewer; /**< Whether a caption waits until the class has read it. */
 } LessonStep;
 
 /** How the scene is drawn at first; where nothing is said, as the command line and it say. */
-typedef struct LessonLook {
+typedef struct LessonSettings {
     int samples;        /**< Rays a pixel; 0: not said. */
     int depth;          /**< How often a ray may be mirrored or refracted; -1: not said. */
     int offset;         /**< An #OffsetStrategy; -1: not said. */
@@ -67,13 +67,13 @@ typedef struct LessonLook {
     int height;         /**< The window's; 0: not said. */
     double time;        /**< The scene's `t`, seconds. */
     const char *engine; /**< The engine's name; NULL: not said. Owned by the lesson. */
-} LessonLook;
+} LessonSettings;
 
 /** A lesson. */
 typedef struct Lesson {
     char scene[PATH_MAX];                   /**< Its scene's file; empty: none was said yet. */
     LessonText title;                       /**< What it is called. */
-    LessonLook look;                        /**< How the scene is drawn at first. */
+    LessonSettings initial_settings;        /**< How the scene is drawn at first. */
     size_t count;                           /**< How many steps. */
     LessonStep steps[LESSON_STEPS_MAXIMUM]; /**< What is done, in the order of time. */
     size_t text_used;                       /**< Bytes of #text that are taken. */
@@ -99,14 +99,14 @@ bool lesson_add(Lesson *lesson, const LessonStep *step, Error *error);
 /**
  * Keeps words.
  * @param[in,out] lesson  The lesson.
- * @param words           UTF-8; copied.
+ * @param text           UTF-8; copied.
  * @param[out] error      That the lesson is full.
  * @return The copy, the lesson's; NULL if there is no room.
  */
-const char *lesson_keep(Lesson *lesson, const char *words, Error *error);
+const char *lesson_store_text(Lesson *lesson, const char *text, Error *error);
 
 /** @return Words in one language, else in the other; empty without any. @param text The words.
  *  @param is_french Whether French is wanted. */
-const char *lesson_words(const LessonText *text, bool is_french);
+const char *lesson_text_localized(const LessonText *text, bool is_french);
 
 #endif

@@ -9,9 +9,9 @@
 
 /** What a light is. */
 typedef enum {
-    LIGHT_POINT, /**< A lamp at a point, or a glowing ball around it (row D4). */
-    LIGHT_SUN    /**< A lamp infinitely far away: its light is parallel (row B4). */
-} LightKind;
+    SCENE_LIGHT_POINT, /**< A lamp at a point, or a glowing ball around it (row D4). */
+    SCENE_LIGHT_SUN    /**< A lamp infinitely far away: its light is parallel (row B4). */
+} SceneLightKind;
 
 /** How light weakens on its way. */
 typedef enum {
@@ -19,36 +19,36 @@ typedef enum {
     FALLOFF_INVERSE_SQUARE /**< With the square of the distance (row A6). */
 } Falloff;
 
-/** A light. Filled through #light_keyword or #sun_keyword. */
-typedef struct Light {
-    LightKind kind;    /**< What it is. */
-    Color color;       /**< Its colour. */
-    double intensity;  /**< Multiplies the colour. */
-    Vector3 position;  /**< A lamp's: where it is. */
-    double radius;     /**< A lamp's: of the ball as which it is seen, scene units; 0: unseen. */
-    int falloff;       /**< A lamp's: a #Falloff. */
-    Vector3 direction; /**< A sun's: the way that its light travels; not zero. */
-} Light;
+/** A light. Filled through #scene_light_keyword or #scene_sun_keyword. */
+typedef struct SceneLight {
+    SceneLightKind kind; /**< What it is. */
+    Rgbd color;          /**< Its colour. */
+    double intensity;    /**< Multiplies the colour. */
+    Vec3d position;      /**< A lamp's: where it is. */
+    double radius;       /**< A lamp's: of the ball as which it is seen, scene units; 0: unseen. */
+    int falloff;         /**< A lamp's: a #Falloff. */
+    Vec3d direction;     /**< A sun's: the way that its light travels; not zero. */
+} SceneLight;
 
 /** The scene language's `light`. */
-extern const Keyword light_keyword;
+extern const Keyword scene_light_keyword;
 
 /** The scene language's `sun`. */
-extern const Keyword sun_keyword;
+extern const Keyword scene_sun_keyword;
 
 /** @return The keyword that says a light in the scene language. @param light The light. */
-const Keyword *light_keyword_of(const Light *light);
+const Keyword *scene_light_keyword_for(const SceneLight *light);
 
 /** @return Whether a light is seen. @param light The light. */
-bool light_is_ball(const Light *light);
+bool scene_light_is_spherical(const SceneLight *light);
 
 /**
  * Moves a lamp. A sun is turned instead, as though it were a lamp not far away, so that the same
  * way moves its shadows alike.
  * @param[in,out] light  The light.
- * @param way            How far, scene units.
+ * @param offset            How far, scene units.
  * @param distance       How far away a sun is taken to be, scene units.
  */
-void light_move(Light *light, Vector3 way, double distance);
+void scene_light_move(SceneLight *light, Vec3d offset, double distance);
 
 #endif

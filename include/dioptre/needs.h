@@ -10,12 +10,12 @@
 #ifndef DIOPTRE_NEEDS_H
 #define DIOPTRE_NEEDS_H
 
-#include "dioptre/forecast.h"
+#include "render/precision_estimate.h"
 
 #include <stdatomic.h>
 
 /** Share of the rays that may be off all the same: as few as a sample can tell from none. */
-#define NEEDS_SHARE 1e-4
+#define NEEDS_FRACTION_MAXIMUM 1e-4
 
 /** Engines that are tried at most. */
 enum { NEEDS_ENGINES = 3 };
@@ -28,53 +28,53 @@ typedef struct NeedsRequest {
     int depth;                  /**< Depth that is wanted; -1: what the scene needs. */
     const TraceSettings *trace; /**< How rays leave surfaces. */
     int threads;                /**< How many work. */
-    bool is_whole; /**< Whether all pixels are tried: to see whether a sample is enough. */
+    bool uses_all_pixels; /**< Whether all pixels are tried: to see whether a sample is enough. */
     const atomic_bool *stop; /**< It is given up once this is true; may be NULL. */
 } NeedsRequest;
 
 /** How something was found to be off. */
 typedef struct NeedsTrial {
-    size_t rays;   /**< How many were compared. */
-    double worst;  /**< By how many steps at most, of those that took the same way. */
-    size_t off;    /**< How many are off by half a step or more. */
-    size_t flips;  /**< How many passed an edge on its other side. */
-    size_t strays; /**< How many of those by more than anybody would miss. */
+    size_t rays;       /**< How many were compared. */
+    double max_steps;  /**< By how many steps at most, of those that took the same way. */
+    size_t visible;    /**< How many are off by half a step or more. */
+    size_t edge_flips; /**< How many passed an edge on its other side. */
+    size_t outliers;   /**< How many of those by more than anybody would miss. */
 } NeedsTrial;
 
 /** An engine that was tried. */
 typedef struct NeedsEngine {
     const Engine *engine; /**< The engine. */
     const Engine
-        *reference;   /**< What it was compared with; NULL: with nothing, it was only timed. */
-    NeedsTrial trial; /**< How it did. */
-    double seconds;   /**< The processor's time for the timed part of the picture. */
+        *reference;     /**< What it was compared with; NULL: with nothing, it was only timed. */
+    NeedsTrial trial;   /**< How it did. */
+    double cpu_seconds; /**< The processor's time for the timed part of the picture. */
 } NeedsEngine;
 
 /** What a scene needs. */
 typedef struct Needs {
-    Forecast forecast;                  /**< What its numbers say. */
+    PrecisionEstimate forecast;         /**< What its numbers say. */
     NeedsEngine engines[NEEDS_ENGINES]; /**< The engines that were tried, the fastest first. */
     int engine_count;                   /**< How many. */
     int engine;                         /**< Which of them is enough. */
     bool is_recursive;                  /**< Whether anything mirrors or lets light through. */
     int depth;                          /**< How deep rays must be followed. */
-    NeedsTrial at_depth;                /**< What following them deeper would change. */
-    NeedsTrial shallower;               /**< What following them once less changes. */
-    NeedsTrial at_cutoff;               /**< What rays that end at the usual weight leave out. */
-    NeedsTrial as_asked;                /**< What the scene's own depth changes. */
-    int depth_asked;                    /**< The scene's own depth; -1: it says none. */
-    bool is_marched;                    /**< Whether it has distance fields. */
+    NeedsTrial depth_trial;             /**< What following them deeper would change. */
+    NeedsTrial shallower_trial;         /**< What following them once less changes. */
+    NeedsTrial cutoff_trial;            /**< What rays that end at the usual weight leave out. */
+    NeedsTrial scene_depth_trial;       /**< What the scene's own depth changes. */
+    int scene_depth;                    /**< The scene's own depth; -1: it says none. */
+    bool has_sdf;                       /**< Whether it has distance fields. */
     double tolerance;                   /**< How many times as coarse as it says they may be. */
-    NeedsTrial at_tolerance;            /**< What that changes. */
-    NeedsTrial offset_none;             /**< What starting rays at the very surface changes. */
-    NeedsTrial offset_fixed;            /**< What starting them one length away changes. */
+    NeedsTrial tolerance_trial;         /**< What that changes. */
+    NeedsTrial offset_none_trial;       /**< What starting rays at the very surface changes. */
+    NeedsTrial offset_fixed_trial;      /**< What starting them one length away changes. */
     int samples;                        /**< Rays a pixel. */
     double samples_rms;                 /**< What edges are still off then, steps: root of the mean
                                              square of the pixels that are off at all. */
-    double samples_share;               /**< Share of the pixels that are off at all. */
-    NeedsTrial total;                   /**< All of it together, against the reference. */
-    double everything;                  /**< The processor's time for everything on, for the timed
-                                             part of the picture. */
+    double samples_fraction;            /**< Share of the pixels that are off at all. */
+    NeedsTrial total_trial;             /**< All of it together, against the reference. */
+    double reference_cpu_seconds;       /**< The processor's time for everything on, for the timed
+                                  part of the picture. */
 } Needs;
 
 /**
@@ -88,11 +88,11 @@ typedef struct Needs {
 bool needs_find(const Scene *scene, const NeedsRequest *request, Needs *needs, Error *error);
 
 /** @return Whether somebody could tell. @param trial What was tried. */
-bool needs_fails(const NeedsTrial *trial);
+bool needs_trial_fails(const NeedsTrial *trial);
 
 /** @return Rays of which at most one is off, as the sample says with 95 % certainty.
  *  @param trial A trial without any that is off. */
-double needs_certainty(const NeedsTrial *trial);
+double needs_trial_certainty(const NeedsTrial *trial);
 
 /**
  * Explains it in a paragraph for a pupil.

@@ -10,7 +10,7 @@
 #define DIOPTRE_PARAMETER_H
 
 #include "dioptre/error.h"
-#include "dioptre/vector3.h"
+#include "dioptre/vec3d.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -21,31 +21,31 @@ typedef enum {
     PARAMETER_NUMBER,    /**< `double` */
     PARAMETER_INTEGER,   /**< `int` */
     PARAMETER_BOOLEAN,   /**< `bool` */
-    PARAMETER_WORD,      /**< `int`: the place of the word in #Parameter.words */
-    PARAMETER_POINT,     /**< `Vector3`, a place: it moves with what it belongs to */
-    PARAMETER_VECTOR,    /**< `Vector3`, any */
-    PARAMETER_DIRECTION, /**< `Vector3`, not zero */
-    PARAMETER_SCALE,     /**< `Vector3`: `{x, y, z}`, or one number for all three */
-    PARAMETER_PAIR,      /**< `Pair`, any */
-    PARAMETER_COLOR,     /**< `Color`: `{r, g, b}`, one number for grey, or `"#rrggbb"` in sRGB */
+    PARAMETER_CHOICE,    /**< `int`: the place of the word in #Parameter.choices */
+    PARAMETER_POINT,     /**< `Vec3d`, a place: it moves with what it belongs to */
+    PARAMETER_VECTOR,    /**< `Vec3d`, any */
+    PARAMETER_DIRECTION, /**< `Vec3d`, not zero */
+    PARAMETER_SCALE,     /**< `Vec3d`: `{x, y, z}`, or one number for all three */
+    PARAMETER_UV,        /**< `Uvd`, any */
+    PARAMETER_COLOR,     /**< `Rgbd`: `{r, g, b}`, one number for grey, or `"#rrggbb"` in sRGB */
     PARAMETER_MESH,      /**< `size_t`: the place in #Scene.meshes of the model file that is named.
                               It has no default: #Keyword.finish sees whether it was given */
-    PARAMETER_FIELD,     /**< `const Field *`: a distance field, kept by the scene; NULL: none */
+    PARAMETER_SDF,       /**< `const Field *`: a distance field, kept by the scene; NULL: none */
     PARAMETER_TEXTURE    /**< `size_t`: the place in #Scene.textures of the picture file that is
                               named, plus one; 0: none is */
 } ParameterType;
 
 /** One field of a keyword: a row of a parameter table. A table ends with a row without a name. */
 typedef struct Parameter {
-    const char *name;         /**< As in a scene file, such as `radius`; NULL ends the table. */
-    ParameterType type;       /**< What may be given. */
-    size_t offset;            /**< Where the value lies in the struct. */
-    double minimum;           /**< Smallest number allowed, for each component. */
-    double maximum;           /**< Largest number allowed, for each component. */
-    bool above_minimum;       /**< Whether the minimum itself is forbidden. */
-    const char *const *words; /**< For #PARAMETER_WORD: the words, ended by NULL. */
-    const char *unit;         /**< For people: `scene units`, `degrees`, ... */
-    const char *help;         /**< For people: what it is, in a few words. */
+    const char *name;           /**< As in a scene file, such as `radius`; NULL ends the table. */
+    ParameterType type;         /**< What may be given. */
+    size_t offset;              /**< Where the value lies in the struct. */
+    double minimum;             /**< Smallest number allowed, for each component. */
+    double maximum;             /**< Largest number allowed, for each component. */
+    bool excludes_minimum;      /**< Whether the minimum itself is forbidden. */
+    const char *const *choices; /**< For #PARAMETER_CHOICE: the words, ended by NULL. */
+    const char *unit;           /**< For people: `scene units`, `degrees`, ... */
+    const char *help;           /**< For people: what it is, in a few words. */
 } Parameter;
 
 /** A keyword of the scene language that fills a struct: its name, fields, defaults and checks. */
@@ -85,15 +85,15 @@ typedef struct Keyword {
  * @param[out] error What is wrong, with the name of the field and the range.
  * @return Whether it is finite and in range.
  */
-bool parameter_check(const Parameter *parameter, double value, Error *error);
+bool parameter_check_range(const Parameter *parameter, double value, Error *error);
 
 /**
  * Moves what a keyword has filled: all places in it, and nothing else.
  * @param keyword         The keyword.
  * @param[in,out] values  Its struct.
- * @param way             How far, scene units.
+ * @param offset             How far, scene units.
  */
-void keyword_move(const Keyword *keyword, void *values, Vector3 way);
+void keyword_translate(const Keyword *keyword, void *values, Vec3d offset);
 
 /**
  * @return The number of rows of a table.

@@ -5,14 +5,14 @@
 #ifndef DIOPTRE_RAY_CHART_H
 #define DIOPTRE_RAY_CHART_H
 
-#include "dioptre/ray_view.h"
+#include "render/orbit_camera.h"
 
 /** What is drawn. */
 typedef struct RayChart {
     const Scene *scene;             /**< The scene. */
     const RenderSettings *settings; /**< How it is traced. */
     const Renderer *renderer;       /**< Who traced it. */
-    const Probe *probe;             /**< The rays, at least one. */
+    const RayTree *probe;           /**< The rays, at least one. */
     const char *title;              /**< Stands over it. */
 } RayChart;
 

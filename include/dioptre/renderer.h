@@ -3,7 +3,7 @@
  * @brief How a picture comes about: threads, blocks, passes.
  *
  * A renderer owns worker threads and a tracer. It draws in passes, coarse blocks first where that
- * is wanted, then every pixel, then sample after sample. It draws either at once (#renderer_draw)
+ * is wanted, then every pixel, then sample after sample. It draws either at once (#renderer_render)
  * or in the background (#renderer_start), with the same bits in the end.
  */
 #ifndef DIOPTRE_RENDERER_H
@@ -26,42 +26,43 @@ typedef enum {
 
 /** Which light there is (row D4). */
 typedef enum {
-    LIGHT_MODE_BOTH,  /**< The lamps, and light from everywhere: the scene's own, the default. */
-    LIGHT_MODE_LAMPS, /**< The lamps alone. */
-    LIGHT_MODE_NONE,  /**< None: things show their own colours, as if cut from paper. */
-    LIGHT_MODE_COUNT  /**< How many there are. */
-} LightMode;
+    LIGHTING_FULL,       /**< The lamps, and light from everywhere: the scene's own, the default. */
+    LIGHTING_NO_AMBIENT, /**< The lamps alone. */
+    LIGHTING_UNLIT,      /**< None: things show their own colours, as if cut from paper. */
+    LIGHTING_MODE_COUNT  /**< How many there are. */
+} LightingMode;
 
 /** What is asked of a renderer besides the scene. */
 typedef struct RenderSettings {
-    const Engine *engine; /**< Which engine. */
-    int threads;          /**< Worker threads, 1 to #THREADS_MAXIMUM. */
-    int width;            /**< Pixels. */
-    int height;           /**< Pixels. */
-    int samples;          /**< Rays a pixel. */
-    Sampling sampling;    /**< Whether every pixel gets that many. */
-    int encoding;         /**< An #Encoding. */
-    LightMode light;      /**< Which light there is. */
-    TraceSettings trace;  /**< Depth, offset and tree; the rest the renderer fills in. */
+    const Engine *engine;  /**< Which engine. */
+    int threads;           /**< Worker threads, 1 to #THREADS_MAXIMUM. */
+    int width;             /**< Pixels. */
+    int height;            /**< Pixels. */
+    int samples;           /**< Rays a pixel. */
+    Sampling sampling;     /**< Whether every pixel gets that many. */
+    int encoding;          /**< An #Encoding. */
+    LightingMode lighting; /**< Which light there is. */
+    TraceSettings trace;   /**< Depth, offset and tree; the rest the renderer fills in. */
 } RenderSettings;
 
 /** How a drawing went. */
-typedef struct RenderReport {
-    double seconds;       /**< Wall-clock time. */
-    double whole_seconds; /**< Of that, until every pixel had its first ray; 0: not yet. */
-    RayCounts rays;       /**< Rays traced. */
-    int stride;           /**< Pixels a block of the newest pass: 8, 4, 2 or 1. */
-    int samples;          /**< Samples a pixel that are in the picture. */
-    double share;         /**< Share of all the work that is done, 0 to 1. */
-    bool is_finished;     /**< Whether this is the last pass. */
-    LayerReport layer;    /**< Which layer is drawn, and what is to be said of it. */
-} RenderReport;
+typedef struct RenderStats {
+    double seconds; /**< Wall-clock time. */
+    double
+        full_resolution_seconds; /**< Of that, until every pixel had its first ray; 0: not yet. */
+    RayCounts rays;              /**< Rays traced. */
+    int stride;                  /**< Pixels a block of the newest pass: 8, 4, 2 or 1. */
+    int samples;                 /**< Samples a pixel that are in the picture. */
+    double progress;             /**< Share of all the work that is done, 0 to 1. */
+    bool is_finished;            /**< Whether this is the last pass. */
+    LayerStats layer;            /**< Which layer is drawn, and what is to be said of it. */
+} RenderStats;
 
 /** A renderer; its inside is its own. */
 typedef struct Renderer Renderer;
 
 /** Told when a pass has ended, from a thread of the renderer. @param context The listener's own. */
-typedef void (*RenderListener)(void *context);
+typedef void (*RenderPassCallback)(void *context);
 
 /**
  * @return Settings as the scene asks for them, with the preferred engine and a thread a core.
@@ -70,7 +71,7 @@ typedef void (*RenderListener)(void *context);
 RenderSettings render_settings_default(const Scene *scene);
 
 /** @return The processors that this process may use, at least 1. */
-int render_processors(void);
+int render_cpu_count(void);
 
 /**
  * Makes a renderer for a scene.
@@ -84,17 +85,17 @@ Renderer *renderer_create(const Scene *scene, const RenderSettings *settings, Er
 /**
  * Makes a renderer for a scene, such as the next one of a film, that shares with another what both
  * of them need: the trees of the same meshes.
- * @param former      The other, perhaps drawing, there during this call; NULL: none.
+ * @param reuse_from      The other, perhaps drawing, there during this call; NULL: none.
  * @param scene       See #renderer_create.
  * @param settings    See #renderer_create.
  * @param[out] error  See #renderer_create.
  * @return See #renderer_create. It does not need the other any more.
  */
-Renderer *renderer_create_after(const Renderer *former, const Scene *scene,
-                                const RenderSettings *settings, Error *error);
+Renderer *renderer_create_reusing(const Renderer *reuse_from, const Scene *scene,
+                                  const RenderSettings *settings, Error *error);
 
 /** @return What a renderer's tracer was made of. @param renderer The renderer. */
-TracerContents renderer_contents(const Renderer *renderer);
+TracerStats renderer_contents(const Renderer *renderer);
 
 /** Stops whatever is drawn and gives a renderer back. @param renderer The renderer, or NULL. */
 void renderer_destroy(Renderer *renderer);
@@ -106,9 +107,9 @@ void renderer_destroy(Renderer *renderer);
  * @param[out] picture   An empty picture of the settings' size for the result, or NULL: only timed.
  *                       What is not drawn stays black. Its encoding becomes the settings'; its
  *                       light is filled, too, if it keeps any.
- * @return How it went; RenderReport.is_finished is false when it was stopped.
+ * @return How it went; RenderStats.is_finished is false when it was stopped.
  */
-RenderReport renderer_draw(Renderer *renderer, const atomic_bool *stop, Picture *picture);
+RenderStats renderer_render(Renderer *renderer, const atomic_bool *stop, Picture *picture);
 
 /**
  * Share of the work that is done, for a progress line.
@@ -123,13 +124,13 @@ double renderer_progress(const Renderer *renderer);
  * @param scene     Camera and lights are taken from it, before this returns; same shapes as before.
  * @param width     Pixels of the picture from now on.
  * @param height    Pixels of the picture from now on.
- * @param listener  Told after each pass, from another thread; may be NULL.
+ * @param callback  Told after each pass, from another thread; may be NULL.
  * @param context   Handed to the listener.
  * @param[out] error  What is wrong.
  * @return false without memory.
  */
 bool renderer_start(Renderer *renderer, const Scene *scene, int width, int height,
-                    RenderListener listener, void *context, Error *error);
+                    RenderPassCallback callback, void *context, Error *error);
 
 /**
  * Draws a layer of the picture in the background from the next #renderer_start on, with one ray a
@@ -145,13 +146,13 @@ void renderer_stop(Renderer *renderer);
 /**
  * Takes the newest finished pass of a drawing in the background.
  * @param renderer       The renderer.
- * @param[out] report    How it stands.
+ * @param[out] stats    How it stands.
  * @param[out] bgrx      Where the pixels go: blue, green, red and an unused byte each; NULL:
  * nowhere.
  * @param pitch          Bytes from a row to the next.
  * @return false while there is no finished pass since #renderer_start: nothing is written then.
  */
-bool renderer_take(Renderer *renderer, RenderReport *report, uint8_t *bgrx, int pitch);
+bool renderer_copy_latest(Renderer *renderer, RenderStats *stats, uint8_t *bgrx, int pitch);
 
 /**
  * Finds the tree of rays of a pixel: those of its first sample, through its centre. A picture of
@@ -160,11 +161,11 @@ bool renderer_take(Renderer *renderer, RenderReport *report, uint8_t *bgrx, int 
  * are those of the newest drawing.
  * @param x              The pixel's column, from the left.
  * @param y              Its row, from the top.
- * @param[in,out] probe  The tree, `{0}` or of another pixel: its room is used again.
+ * @param[in,out] tree  The tree, `{0}` or of another pixel: its room is used again.
  * @param[out] error     What is wrong.
  * @return false without memory for it.
  */
-bool renderer_probe(const Renderer *renderer, int x, int y, Probe *probe, Error *error);
+bool renderer_record_ray_tree(const Renderer *renderer, int x, int y, RayTree *tree, Error *error);
 
 /**
  * Times what `dioptre bench --rays primary` and `--rays random` ask for: nearest hits alone.
@@ -173,6 +174,6 @@ bool renderer_probe(const Renderer *renderer, int x, int y, Probe *probe, Error 
  *                  scene's bounds and directions uniform, from a fixed seed.
  * @return Time and rays.
  */
-RenderReport renderer_cast(Renderer *renderer, bool random);
+RenderStats renderer_benchmark_rays(Renderer *renderer, bool random);
 
 #endif

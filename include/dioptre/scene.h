@@ -11,11 +11,11 @@
 
 #include "dioptre/camera.h"
 #include "dioptre/encoding.h"
-#include "dioptre/field.h"
 #include "dioptre/light.h"
 #include "dioptre/material.h"
 #include "dioptre/mesh.h"
 #include "dioptre/parameter.h"
+#include "dioptre/sdf.h"
 #include "dioptre/texture.h"
 #include "dioptre/transform.h"
 
@@ -25,39 +25,40 @@ enum { IMAGE_SIZE_MAXIMUM = 16384 };
 enum { SAMPLES_MAXIMUM = 65536 };
 /** Largest number of times that a ray may be mirrored or refracted: a guard for the stack. */
 enum { DEPTH_MAXIMUM = 256 };
-/** #Image.depth where nobody says: until no more can be seen (see dioptre/forecast.h). */
-enum { IMAGE_DEPTH_NEEDED = -1 };
+/** #SceneImage.depth where nobody says: until no more can be seen (see
+ * render/precision_estimate.h). */
+enum { IMAGE_DEPTH_AUTO = -1 };
 
-/** Size and quality of the picture that a scene asks for. Filled through #image_keyword. */
-typedef struct Image {
+/** Size and quality of the picture that a scene asks for. Filled through #scene_image_keyword. */
+typedef struct SceneImage {
     int width;    /**< Pixels, 1 to #IMAGE_SIZE_MAXIMUM. */
     int height;   /**< Pixels, 1 to #IMAGE_SIZE_MAXIMUM. */
     int encoding; /**< An #Encoding. */
     int samples;  /**< Rays a pixel, 1 to #SAMPLES_MAXIMUM. */
     int depth;    /**< How often a ray may be mirrored or refracted, 0 to #DEPTH_MAXIMUM, or
-                       #IMAGE_DEPTH_NEEDED. */
-} Image;
+                       #IMAGE_DEPTH_AUTO. */
+} SceneImage;
 
 /** The scene language's `image`. */
-extern const Keyword image_keyword;
+extern const Keyword scene_image_keyword;
 
-/** What a ray that meets nothing sees. Filled through #sky_keyword. */
-typedef struct Sky {
-    Color color;   /**< One colour all around, when `color` was given. */
-    Color horizon; /**< Colour at the horizon and below it. */
-    Color zenith;  /**< Colour straight up; between the two by the sine of the height. */
-    size_t image;  /**< Place in #Scene.textures, plus one, of a panorama; 0: there is none. */
-    double rotate; /**< How far the panorama is turned about y, degrees, to the left. */
-} Sky;
+/** What a ray that meets nothing sees. Filled through #scene_sky_keyword. */
+typedef struct SceneSky {
+    Rgbd color;        /**< One colour all around, when `color` was given. */
+    Rgbd horizon;      /**< Colour at the horizon and below it. */
+    Rgbd zenith;       /**< Colour straight up; between the two by the sine of the height. */
+    size_t texture_id; /**< Place in #Scene.textures, plus one, of a panorama; 0: there is none. */
+    double rotate;     /**< How far the panorama is turned about y, degrees, to the left. */
+} SceneSky;
 
 /** The scene language's `sky`. */
-extern const Keyword sky_keyword;
+extern const Keyword scene_sky_keyword;
 
 /** One shape of a scene: which kind, with what parameters and which material. */
 typedef struct SceneShape {
-    size_t kind;                /**< Place in the engines' list of shape classes. */
+    size_t class_index;         /**< Place in the engines' list of shape classes. */
     const void *parameters;     /**< The class's own parameter struct; owned by the scene. */
-    size_t material;            /**< Place in #Scene.materials. */
+    size_t material_index;      /**< Place in #Scene.materials. */
     const Transform *transform; /**< How it is stretched, turned and moved; NULL: not at all.
                                      Owned by the scene. */
     int line;                   /**< Of the scene file, that it stands in; 0: not known, or in a
@@ -66,9 +67,9 @@ typedef struct SceneShape {
 
 /** A file that a scene names; once, however often it is named. */
 typedef struct SceneFile {
-    const char *path;  /**< Where it is, absolute and without links. */
-    const char *name;  /**< As the scene names it. */
-    const char *where; /**< `FILE:LINE` where it is named first: errors about it begin so. */
+    const char *path;     /**< Where it is, absolute and without links. */
+    const char *name;     /**< As the scene names it. */
+    const char *location; /**< `FILE:LINE` where it is named first: errors about it begin so. */
 } SceneFile;
 
 /** A model file that a scene names. */
@@ -87,15 +88,16 @@ typedef struct SceneTexture {
 
 /** A whole scene. The arrays are owned by the scene. */
 typedef struct Scene {
-    Camera camera;          /**< From where it is seen. */
+    SceneCamera camera;     /**< From where it is seen. */
     bool has_camera;        /**< Whether a camera was given; a scene needs one. */
-    bool reads_time;        /**< Whether its file asked what time it is: else no time changes it. */
-    Image image;            /**< The picture that it asks for. */
-    Color ambient;          /**< Light from everywhere. */
-    Sky sky;                /**< What is behind everything. */
-    Light *lights;          /**< The lamps. */
+    bool is_time_dependent; /**< Whether its file asked what time it is: else no time changes it. */
+    SceneImage image;       /**< The picture that it asks for. */
+    Rgbd ambient;           /**< Light from everywhere. */
+    SceneSky sky;           /**< What is behind everything. */
+    SceneLight *lights;     /**< The lamps. */
     size_t light_count;     /**< How many. */
-    Material *materials;    /**< The surfaces; the first is the matt white of shapes without one. */
+    SceneMaterial
+        *materials;         /**< The surfaces; the first is the matt white of shapes without one. */
     size_t material_count;  /**< How many, at least 1. */
     SceneShape *shapes;     /**< What stands in it. */
     size_t shape_count;     /**< How many. */
@@ -115,13 +117,14 @@ Scene *scene_create(Error *error);
 /**
  * Makes a scene of which all is as in another, but elsewhere: its shapes, camera and lamps.
  * @param scene       The other; its words, as of files, are shared, so it must live as long.
- * @param kinds       The keywords of the shape classes, by #SceneShape.kind.
- * @param way         How far it is moved, scene units.
+ * @param shape_keywords       The keywords of the shape classes, by #SceneShape.class_index.
+ * @param offset         How far it is moved, scene units.
  * @param[out] error  What is wrong.
  * @return The scene, to be given back with #scene_destroy; NULL without memory. Behind its models
  *         stand those that had to be moved themselves.
  */
-Scene *scene_moved(const Scene *scene, const Keyword *const *kinds, Vector3 way, Error *error);
+Scene *scene_translated(const Scene *scene, const Keyword *const *shape_keywords, Vec3d offset,
+                        Error *error);
 
 /** Gives a scene back. @param scene The scene, or NULL. */
 void scene_destroy(Scene *scene);
@@ -133,7 +136,7 @@ void scene_destroy(Scene *scene);
  * @param[out] error     What is wrong.
  * @return false when the scene's memory is full.
  */
-bool scene_add_light(Scene *scene, const Light *light, Error *error);
+bool scene_add_light(Scene *scene, const SceneLight *light, Error *error);
 
 /**
  * Adds a material; its place is #Scene.material_count - 1 afterwards.
@@ -142,49 +145,49 @@ bool scene_add_light(Scene *scene, const Light *light, Error *error);
  * @param[out] error     What is wrong.
  * @return false when the scene's memory is full.
  */
-bool scene_add_material(Scene *scene, const Material *material, Error *error);
+bool scene_add_material(Scene *scene, const SceneMaterial *material, Error *error);
 
 /**
  * Adds a shape.
  * @param[in,out] scene  The scene.
- * @param kind           Its place in the engines' list of shape classes.
+ * @param class_index           Its place in the engines' list of shape classes.
  * @param keyword        The keyword of that class.
  * @param parameters     Its parameter struct, finished; copied.
- * @param material       Place of its material.
+ * @param material_index       Place of its material.
  * @param[out] error     What is wrong.
  * @return false when the scene's memory is full.
  */
-bool scene_add_shape(Scene *scene, size_t kind, const Keyword *keyword, const void *parameters,
-                     size_t material, Error *error);
+bool scene_add_shape(Scene *scene, size_t class_index, const Keyword *keyword,
+                     const void *parameters, size_t material_index, Error *error);
 
 /**
  * Adds a model file, unless it is there already.
  * @param[in,out] scene  The scene.
  * @param file           The file; its words are copied.
- * @param[out] place     Its place in #Scene.meshes.
+ * @param[out] index     Its place in #Scene.meshes.
  * @param[out] error     What is wrong.
  * @return false when the scene's memory is full.
  */
-bool scene_add_mesh(Scene *scene, const SceneFile *file, size_t *place, Error *error);
+bool scene_add_mesh(Scene *scene, const SceneFile *file, size_t *index, Error *error);
 
 /**
  * Adds a picture file, unless it is there already.
  * @param[in,out] scene  The scene.
  * @param file           The file; its words are copied.
- * @param[out] place     Its place in #Scene.textures.
+ * @param[out] index     Its place in #Scene.textures.
  * @param[out] error     What is wrong.
  * @return false when the scene's memory is full.
  */
-bool scene_add_texture(Scene *scene, const SceneFile *file, size_t *place, Error *error);
+bool scene_add_texture(Scene *scene, const SceneFile *file, size_t *index, Error *error);
 
 /**
  * Keeps a distance field.
  * @param[in,out] scene  The scene.
- * @param field          The field; copied.
+ * @param sdf          The field; copied.
  * @param[out] error     What is wrong.
  * @return The copy, owned by the scene; NULL when the scene's memory is full.
  */
-const Field *scene_keep_field(Scene *scene, const Field *field, Error *error);
+const Sdf *scene_add_sdf(Scene *scene, const Sdf *sdf, Error *error);
 
 /**
  * Stretches, turns and moves the shape that was added last.
@@ -193,23 +196,23 @@ const Field *scene_keep_field(Scene *scene, const Field *field, Error *error);
  * @param[out] error     What is wrong.
  * @return false when the scene's memory is full.
  */
-bool scene_transform_shape(Scene *scene, const Transform *transform, Error *error);
+bool scene_set_last_transform(Scene *scene, const Transform *transform, Error *error);
 
 /** @return Whether any shape of a scene mirrors. @param scene A scene. */
-bool scene_has_mirrors(const Scene *scene);
+bool scene_has_reflection(const Scene *scene);
 
 /** @return Whether any shape of a scene shows a picture. @param scene A scene. */
 bool scene_has_textures(const Scene *scene);
 /** @return Whether any shape of a scene lets light through. @param scene A scene. */
-bool scene_has_glass(const Scene *scene);
+bool scene_has_transparency(const Scene *scene);
 
 /** @return Whether any shape of a scene has highlights. @param scene A scene. */
-bool scene_has_highlights(const Scene *scene);
+bool scene_has_specular(const Scene *scene);
 
 /**
  * Bytes of the block that holds a scene: reserved, but only used as far as it is filled. A million
  * spheres fit; a scene file that runs away does not fill the machine.
  */
-#define SCENE_MEMORY ((size_t)256 << 20)
+#define SCENE_MEMORY_SIZE ((size_t)256 << 20)
 
 #endif

@@ -11,38 +11,38 @@
 #include <stdatomic.h>
 
 /** Seconds that a scene file may run, inside library calls too. */
-#define SCRIPT_SECONDS 10.0
+#define SCRIPT_TIME_LIMIT 10.0
 
 /** Bytes that a scene file's own data may take. */
-#define SCRIPT_MEMORY ((size_t)256 << 20)
+#define SCRIPT_MEMORY_LIMIT ((size_t)256 << 20)
 
 /**
  * What a scene file needs that no time changes: its text, and the models and pictures of the scene
  * that was loaded last. Where a file is run again and again, each is read once. What it includes is
  * read by each run, in its child: texts, in less than a millisecond.
  */
-typedef struct Stock Stock;
+typedef struct AssetCache AssetCache;
 
 /**
  * Makes an empty stock, for one scene file.
  * @param[out] error  What is wrong.
- * @return The stock, to be given back with #stock_destroy; NULL without memory.
+ * @return The stock, to be given back with #asset_cache_destroy; NULL without memory.
  */
-Stock *stock_create(Error *error);
+AssetCache *asset_cache_create(Error *error);
 
-/** Gives a stock back. @param stock The stock, or NULL. */
-void stock_destroy(Stock *stock);
+/** Gives a stock back. @param cache The stock, or NULL. */
+void asset_cache_destroy(AssetCache *cache);
 
 /** What to load, and how. */
 typedef struct ScriptRequest {
     const char *path;     /**< The scene file; `-` reads standard input. */
     const char *base_dir; /**< Where the files lie that it names; NULL: beside the scene file. */
     double time;          /**< The scene's `t`, seconds. */
-    double seconds;       /**< How long it may run; #SCRIPT_SECONDS. */
-    size_t memory;        /**< How many bytes its data may take; #SCRIPT_MEMORY. */
+    double time_limit;    /**< How long it may run; #SCRIPT_TIME_LIMIT. */
+    size_t memory_limit;  /**< How many bytes its data may take; #SCRIPT_MEMORY_LIMIT. */
     const Keyword *const *shape_keywords; /**< The shapes it can name, ended by NULL. */
     const MeshProgress *progress; /**< Told how far its model files are read; NULL: nobody is. */
-    Stock *stock;            /**< What an earlier load left, and this one leaves; NULL: nothing. */
+    AssetCache *cache;       /**< What an earlier load left, and this one leaves; NULL: nothing. */
     const atomic_bool *stop; /**< The file is given up once this is true; NULL: never. */
 } ScriptRequest;
 

@@ -15,22 +15,22 @@
 
 /** What a scene file says of it, and the matrix that follows. Filled through #transform_keyword. */
 typedef struct Transform {
-    Vector3 scale;       /**< First it is made so many times as large; negative: mirrored. */
-    Vector3 rotate;      /**< Then turned about x, then y, then z, degrees. */
-    Vector3 translate;   /**< Then moved, scene units. */
-    double linear[3][3]; /**< Scale and rotation as a matrix, row by row; filled by the finish. */
+    Vec3d scale;         /**< First it is made so many times as large; negative: mirrored. */
+    Vec3d rotate;        /**< Then turned about x, then y, then z, degrees. */
+    Vec3d translate;     /**< Then moved, scene units. */
+    double matrix[3][3]; /**< Scale and rotation as a matrix, row by row; filled by the finish. */
 } Transform;
 
 /** @return Where a transform puts a point. @param t The transform. @param p The point. */
-static inline Vector3 transform_point(const Transform *t, Vector3 p) {
+static inline Vec3d transform_point(const Transform *t, Vec3d p) {
     const double v[3] = {p.x, p.y, p.z};
     double out[3] = {t->translate.x, t->translate.y, t->translate.z};
     for (int row = 0; row < 3; row++) {
         for (int column = 0; column < 3; column++) {
-            out[row] += t->linear[row][column] * v[column];
+            out[row] += t->matrix[row][column] * v[column];
         }
     }
-    return (Vector3){out[0], out[1], out[2]};
+    return (Vec3d){out[0], out[1], out[2]};
 }
 
 /** The fields that every shape takes besides its own. */

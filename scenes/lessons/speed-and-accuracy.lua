@@ -18,8 +18,8 @@ caption { wait = true,
   en = "Then more rays a pixel come, each through another place of it. Their mean makes the edges smooth.",
   fr = "Puis viennent d'autres rayons par pixel, chacun par un autre endroit. Leur moyenne rend les bords lisses." }
 caption { wait = true,
-  en = "Four times as many rays take four times as long, and halve the error. That is a poor bargain.",
-  fr = "Quatre fois plus de rayons prennent quatre fois plus de temps et divisent l'erreur par deux. C'est un mauvais marché." }
+  en = "Four times as many rays take about four times as long, but leave more than a quarter of the error. That is expensive.",
+  fr = "Quatre fois plus de rayons prennent environ quatre fois plus de temps, mais laissent plus d'un quart de l'erreur. Le gain coûte cher." }
 press "home"
 caption { wait = true,
   en = "So pixels without an edge get few rays, and those on one get many: nobody sees the difference, and the clock does.",
@@ -41,10 +41,10 @@ caption { wait = true,
   fr = "Les nombres aussi ont une fin. Une moitié de cette image est faite en float, 7 chiffres, l'autre en double, 16. Laquelle ?" }
 press "split"
 caption { wait = true,
-  en = "The difference of the two: blank, but for a few points on edges. Double takes twice the time for that.",
-  fr = "La différence des deux : rien, sauf quelques points sur des bords. Double prend deux fois plus de temps pour cela." }
+  en = "The difference of the two: blank, but for a few points on edges. Double takes more time for that.",
+  fr = "La différence des deux : rien, sauf quelques points sur des bords. Pour cela, double prend plus de temps." }
 press "split"
 press "as at first"
 caption { wait = true,
-  en = "Here float is enough. `dioptre needs` finds out for any scene, and says why.",
-  fr = "Ici, float suffit. `dioptre needs` le découvre pour toute scène, et dit pourquoi." }
+  en = "Here float is enough. `dioptre needs` finds out for any scene: why, and how much time double would take.",
+  fr = "Ici, float suffit. `dioptre needs` le découvre pour toute scène : pourquoi, et combien de temps prendrait double." }

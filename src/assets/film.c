@@ -8,8 +8,8 @@
  */
 #include "dioptre/film.h"
 
-#include "assets/atomic_file.h"
-#include "assets/program.h"
+#include "assets/process/pipe_process.h"
+#include "base/atomic_file.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -21,8 +21,8 @@
 
 /** A kind of film. */
 typedef struct FilmFormat {
-    const char *ending;    /**< Of the file's name, without the dot. */
-    const char *words[16]; /**< How ffmpeg is to encode it, ended by NULL. */
+    const char *extension;     /**< Of the file's name, without the dot. */
+    const char *arguments[16]; /**< How ffmpeg is to encode it, ended by NULL. */
 } FilmFormat;
 
 /** All kinds, ended by one without ending. */
@@ -37,23 +37,23 @@ static const FilmFormat formats[] = {
 };
 
 struct Film {
-    AtomicFile file; /**< Where it will be, and where it is meanwhile. */
-    Program encoder; /**< What writes it. */
-    FilmShape shape; /**< How it is. */
+    AtomicFile file;       /**< Where it will be, and where it is meanwhile. */
+    PipeProcess encoder;   /**< What writes it. */
+    FilmSettings settings; /**< How it is. */
 };
 
 /** @return The kind that a file's ending names, or NULL. @param path The file. */
 static const FilmFormat *find_format(const char *path) {
-    const char *dot = strrchr(path + place_folder_length(path), '.');
-    for (const FilmFormat *format = formats; dot && format->ending; format++) {
-        if (strcasecmp(dot + 1, format->ending) == 0) {
+    const char *dot = strrchr(path + output_path_dir_length(path), '.');
+    for (const FilmFormat *format = formats; dot && format->extension; format++) {
+        if (strcasecmp(dot + 1, format->extension) == 0) {
             return format;
         }
     }
     return NULL;
 }
 
-bool film_is_named(const char *path) {
+bool film_has_extension(const char *path) {
     return find_format(path) != NULL;
 }
 
@@ -63,27 +63,27 @@ bool film_is_named(const char *path) {
  * @param path           The film.
  * @return false, always.
  */
-static bool fail(Error *error, const char *path) {
+static bool set_path_error(Error *error, const char *path) {
     return error_prefix(error, "cannot write '%s': ", path);
 }
 
 bool film_check(const char *path, Error *error) {
-    if (!program_is_there(FFMPEG_PROGRAM)) {
+    if (!pipe_process_is_installed(FFMPEG_PROGRAM)) {
         error_set(error, STATUS_FAILED, "%s is missing: sudo apt-get install %s", FFMPEG_PROGRAM,
                   FFMPEG_PROGRAM);
-        return fail(error, path);
+        return set_path_error(error, path);
     }
-    return atomic_file_check(path, error) || fail(error, path);
+    return atomic_file_check(path, error) || set_path_error(error, path);
 }
 
 /** How the encoder reads frames: plain bytes from its standard input. What it says is an error. */
-static const char *const reading_words[] = {FFMPEG_PROGRAM, "-hide_banner", "-nostats", "-loglevel",
-                                            "error",        "-xerror",      "-y",       "-f",
-                                            "rawvideo",     "-pix_fmt",     "rgb24",    NULL};
+static const char *const input_arguments[] = {
+    FFMPEG_PROGRAM, "-hide_banner", "-nostats", "-loglevel", "error", "-xerror",
+    "-y",           "-f",           "rawvideo", "-pix_fmt",  "rgb24", NULL};
 /** What follows their size and rate. */
-static const char *const pipe_words[] = {"-threads", "1", "-i", "pipe:0", NULL};
+static const char *const pipe_arguments[] = {"-threads", "1", "-i", "pipe:0", NULL};
 /** How it turns them into what players show: in video's own colours, said so. */
-static const char *const color_words[] = {
+static const char *const color_arguments[] = {
     "-an",
     "-filter_threads",
     "1",
@@ -101,19 +101,19 @@ static const char *const color_words[] = {
     "tv",
     NULL};
 /** What makes it write the same bytes each time: one thread, no date, no version. */
-static const char *const exact_words[] = {"-threads",  "1",       "-map_metadata", "-1", "-flags:v",
-                                          "+bitexact", "-fflags", "+bitexact",     NULL};
+static const char *const reproducible_arguments[] = {
+    "-threads", "1", "-map_metadata", "-1", "-flags:v", "+bitexact", "-fflags", "+bitexact", NULL};
 
 /** A command line that grows. */
-typedef struct Words {
-    const char *list[PROGRAM_WORDS_MAXIMUM]; /**< The words, ended by NULL. */
-    int count;                               /**< How many. */
-} Words;
+typedef struct ArgumentList {
+    const char *arguments[PIPE_PROCESS_ARGUMENTS_MAXIMUM]; /**< The words, ended by NULL. */
+    int count;                                             /**< How many. */
+} ArgumentList;
 
-/** Adds words. @param[in,out] words The command line. @param more The words, ended by NULL. */
-static void add(Words *words, const char *const *more) {
-    while (*more && words->count < PROGRAM_WORDS_MAXIMUM - 1) {
-        words->list[words->count++] = *more++;
+/** Adds words. @param[in,out] list The command line. @param more The words, ended by NULL. */
+static void add_arguments(ArgumentList *list, const char *const *more) {
+    while (*more && list->count < PIPE_PROCESS_ARGUMENTS_MAXIMUM - 1) {
+        list->arguments[list->count++] = *more++;
     }
 }
 
@@ -124,30 +124,31 @@ static void add(Words *words, const char *const *more) {
  * @param[out] error    What is wrong.
  * @return Whether it runs.
  */
-static bool start(Film *film, const FilmFormat *format, Error *error) {
-    char size[32], rate[32], place[PATH_MAX + sizeof "file:"];
-    snprintf(size, sizeof size, "%dx%d", film->shape.width, film->shape.height);
-    snprintf(rate, sizeof rate, "%.17g", film->shape.fps);
-    snprintf(place, sizeof place, "file:%s", film->file.temporary);
-    Words words = {.count = 0};
-    add(&words, reading_words);
-    add(&words, (const char *const[]){"-video_size", size, "-framerate", rate, NULL});
-    add(&words, pipe_words);
-    add(&words, color_words);
-    add(&words, exact_words);
-    add(&words, format->words);
-    add(&words, (const char *const[]){place, NULL});
-    return program_start(&film->encoder, film->shape.stop, words.list, error);
+static bool start_encoder(Film *film, const FilmFormat *format, Error *error) {
+    char size[32], rate[32], output[PATH_MAX + sizeof "file:"];
+    snprintf(size, sizeof size, "%dx%d", film->settings.width, film->settings.height);
+    snprintf(rate, sizeof rate, "%.17g", film->settings.fps);
+    snprintf(output, sizeof output, "file:%s", film->file.temporary_path);
+    ArgumentList command_line = {.count = 0};
+    add_arguments(&command_line, input_arguments);
+    add_arguments(&command_line,
+                  (const char *const[]){"-video_size", size, "-framerate", rate, NULL});
+    add_arguments(&command_line, pipe_arguments);
+    add_arguments(&command_line, color_arguments);
+    add_arguments(&command_line, reproducible_arguments);
+    add_arguments(&command_line, format->arguments);
+    add_arguments(&command_line, (const char *const[]){output, NULL});
+    return pipe_process_start(&film->encoder, film->settings.stop, command_line.arguments, error);
 }
 
 /**
  * Says whether a film can have a shape.
- * @param shape       The shape.
+ * @param settings       The shape.
  * @param[out] error  Why not.
  * @return Whether it can.
  */
-static bool check_shape(const FilmShape *shape, Error *error) {
-    int width = shape->width, height = shape->height;
+static bool check_size(const FilmSettings *settings, Error *error) {
+    int width = settings->width, height = settings->height;
     if (width % 2 != 0 || height % 2 != 0) {
         return error_set(error, STATUS_USAGE,
                          "a film's width and height are even numbers, not %dx%d; try --size %dx%d",
@@ -163,49 +164,49 @@ static bool check_shape(const FilmShape *shape, Error *error) {
  * @param[out] error    What is wrong.
  * @return Whether it is open, and no device: an encoder goes back and forth in its file.
  */
-static bool open_file(Film *film, const char *path, Error *error) {
+static bool open_film_file(Film *film, const char *path, Error *error) {
     if (!atomic_file_open(&film->file, path, ATOMIC_REPLACE, error)) {
         return false;
     }
-    if (film->file.temporary[0] == '\0') {
+    if (film->file.temporary_path[0] == '\0') {
         atomic_file_discard(&film->file);
         return error_set(error, STATUS_FAILED, "a film needs a plain file");
     }
     return true;
 }
 
-Film *film_begin(const char *path, const FilmShape *shape, Error *error) {
+Film *film_begin(const char *path, const FilmSettings *settings, Error *error) {
     Film *film = calloc(1, sizeof *film);
     if (!film) {
         error_set(error, STATUS_FAILED, "no memory for a film");
         return NULL;
     }
-    film->shape = *shape;
-    bool is_open = check_shape(shape, error) && open_file(film, path, error);
-    if (!is_open || !start(film, find_format(path), error)) {
+    film->settings = *settings;
+    bool is_open = check_size(settings, error) && open_film_file(film, path, error);
+    if (!is_open || !start_encoder(film, find_format(path), error)) {
         if (is_open) {
             atomic_file_discard(&film->file);
         }
         free(film);
-        fail(error, path);
+        set_path_error(error, path);
         return NULL;
     }
     return film;
 }
 
-bool film_add(Film *film, const Picture *picture, Error *error) {
+bool film_add_frame(Film *film, const Picture *picture, Error *error) {
     size_t size = (size_t)picture->width * (size_t)picture->height * 3;
-    if (picture->width != film->shape.width || picture->height != film->shape.height) {
+    if (picture->width != film->settings.width || picture->height != film->settings.height) {
         return error_set(error, STATUS_SCENE, "a frame of %dx%d in a film of %dx%d", picture->width,
-                         picture->height, film->shape.width, film->shape.height);
+                         picture->height, film->settings.width, film->settings.height);
     }
-    if (program_feed(&film->encoder, picture->pixels, size)) {
+    if (pipe_process_write(&film->encoder, picture->pixels, size)) {
         return true;
     }
-    if (program_finish(&film->encoder, error)) {
+    if (pipe_process_finish(&film->encoder, error)) {
         error_set(error, STATUS_FAILED, "ffmpeg ended before the film did");
     }
-    return fail(error, film->file.place.path);
+    return set_path_error(error, film->file.target.path);
 }
 
 /** @return Whether there is anything in a film's file. @param film The film, ended by ffmpeg.
@@ -218,20 +219,20 @@ static bool check_written(const Film *film, Error *error) {
 
 bool film_commit(Film *film, Error *error) {
     char path[PATH_MAX];
-    snprintf(path, sizeof path, "%s", film->file.place.path);
-    bool is_written = program_finish(&film->encoder, error) && check_written(film, error);
+    snprintf(path, sizeof path, "%s", film->file.target.path);
+    bool is_written = pipe_process_finish(&film->encoder, error) && check_written(film, error);
     if (is_written) {
         is_written = atomic_file_commit(&film->file, error);
     } else {
         atomic_file_discard(&film->file);
     }
     free(film);
-    return is_written || fail(error, path);
+    return is_written || set_path_error(error, path);
 }
 
 void film_discard(Film *film) {
     if (film) {
-        program_kill(&film->encoder);
+        pipe_process_kill(&film->encoder);
         atomic_file_discard(&film->file);
         free(film);
     }

@@ -5,11 +5,11 @@
  * A frame is drawn as `render --time` draws it, bit by bit: only its number says what is in it. So
  * frames may come from several machines, in any order, and a stopped film goes on where it was.
  */
+#include "base/language.h"
 #include "cli/commands.h"
 #include "cli/frames.h"
 #include "dioptre/film.h"
 #include "dioptre/image_file.h"
-#include "dioptre/language.h"
 
 #include <math.h>
 #include <unistd.h>
@@ -20,11 +20,11 @@ typedef struct Animation {
     FrameRange frames;      /**< Which frames. */
     double fps;             /**< Frames a second. */
     bool is_film;           /**< Whether it goes into one file, and not into numbered ones. */
-    bool is_drawn;          /**< Whether frames are drawn, and not read from numbered files. */
+    bool is_rendered;       /**< Whether frames are drawn, and not read from numbered files. */
     FramePattern output;    /**< Numbered files to write, unless #is_film. */
-    FramePattern input;     /**< Numbered files to read, unless #is_drawn. */
+    FramePattern input;     /**< Numbered files to read, unless #is_rendered. */
     Film *film;             /**< The film, once its size is known; owned. */
-    Stock *stock;           /**< What all frames' scenes have in common; owned. */
+    AssetCache *cache;      /**< What all frames' scenes have in common; owned. */
     Scene *scene;           /**< The scene of the frame drawn last; owned. */
     Renderer *renderer;     /**< Who drew it; owned. */
     Picture picture;        /**< The newest frame. */
@@ -40,8 +40,8 @@ typedef struct Animation {
  */
 static bool plan_frames(Animation *animation, Error *error) {
     const Options *options = animation->options;
-    animation->fps = options->fps > 0 ? options->fps : FRAMES_FPS;
-    double seconds = options->seconds >= 0 ? options->seconds : FRAMES_SECONDS;
+    animation->fps = options->fps > 0 ? options->fps : FRAMES_FPS_DEFAULT;
+    double seconds = options->seconds >= 0 ? options->seconds : FRAMES_SECONDS_DEFAULT;
     double count = round(seconds * animation->fps);
     if (!(count >= 1 && count <= FRAMES_MAXIMUM)) {
         return error_set(error, STATUS_USAGE,
@@ -71,18 +71,18 @@ static bool plan_frames(Animation *animation, Error *error) {
 static bool plan_files(Animation *animation, Error *error) {
     const Options *options = animation->options;
     const char *output = options->output, *input = options->arguments[0];
-    if (!output || (!film_is_named(output) && !frames_is_pattern(output))) {
+    if (!output || (!film_has_extension(output) && !frame_pattern_is_in(output))) {
         return error_set(error, STATUS_USAGE,
                          "animate needs -o FILM.mp4, -o FILM.webm or numbered frames such as "
                          "-o frames/%%05d.png");
     }
-    animation->is_film = film_is_named(output);
-    animation->is_drawn = !frames_is_pattern(input);
+    animation->is_film = film_has_extension(output);
+    animation->is_rendered = !frame_pattern_is_in(input);
     if (animation->is_film && options->skip_existing) {
         return error_set(error, STATUS_USAGE, "--skip-existing is for numbered frames");
     }
-    return (animation->is_film || frames_read_pattern(output, &animation->output, error)) &&
-           (animation->is_drawn || frames_read_pattern(input, &animation->input, error));
+    return (animation->is_film || frame_pattern_parse(output, &animation->output, error)) &&
+           (animation->is_rendered || frame_pattern_parse(input, &animation->input, error));
 }
 
 /**
@@ -96,29 +96,29 @@ static bool check_output(const Animation *animation, Error *error) {
     if (animation->is_film) {
         return film_check(animation->options->output, error);
     }
-    return frames_path(&animation->output, animation->frames.last, path, error) &&
+    return frame_pattern_path(&animation->output, animation->frames.last, path, error) &&
            image_file_check(path, error);
 }
 
 /**
  * Draws a frame. Where the scene asks for no time, the frame before is it, too.
  * @param[in,out] animation  The animation.
- * @param order              What is to be drawn.
+ * @param job              What is to be drawn.
  * @param[out] error         What is wrong.
  * @return Whether all of it is drawn.
  */
-static bool draw_frame(Animation *animation, const Order *order, Error *error) {
-    RenderReport report = {.is_finished = true};
-    if (animation->scene && !animation->scene->reads_time) {
+static bool render_frame(Animation *animation, const RenderJob *job, Error *error) {
+    RenderStats report = {.is_finished = true};
+    if (animation->scene && !animation->scene->is_time_dependent) {
         progress_done(animation->progress);
         return true;
     }
-    Scene *scene = command_scene_at(order->options, order->time, animation->stock, NULL, error);
+    Scene *scene = command_load_scene_at(job->options, job->time, animation->cache, NULL, error);
     scene_destroy(animation->scene);
     animation->scene = scene;
-    picture_release(&animation->picture);
+    picture_deinit(&animation->picture);
     return scene &&
-           command_draw(order, scene, &animation->renderer, &animation->picture, &report, error) &&
+           command_render(job, scene, &animation->renderer, &animation->picture, &report, error) &&
            (report.is_finished || error_set(error, STATUS_INTERRUPTED, "interrupted"));
 }
 
@@ -131,8 +131,8 @@ static bool draw_frame(Animation *animation, const Order *order, Error *error) {
  */
 static bool read_frame(Animation *animation, int number, Error *error) {
     char path[PATH_MAX];
-    picture_release(&animation->picture);
-    bool is_read = frames_path(&animation->input, number, path, error) &&
+    picture_deinit(&animation->picture);
+    bool is_read = frame_pattern_path(&animation->input, number, path, error) &&
                    image_file_read(path, &animation->picture, error);
     progress_done(animation->progress);
     return is_read;
@@ -147,28 +147,29 @@ static bool read_frame(Animation *animation, int number, Error *error) {
 static bool add_frame(Animation *animation, Error *error) {
     const Picture *picture = &animation->picture;
     if (!animation->film) {
-        FilmShape shape = {.width = picture->width,
-                           .height = picture->height,
-                           .fps = animation->fps,
-                           .stop = interrupt_flag()};
+        FilmSettings shape = {.width = picture->width,
+                              .height = picture->height,
+                              .fps = animation->fps,
+                              .stop = interrupt_flag()};
         animation->film = film_begin(animation->options->output, &shape, error);
     }
-    return animation->film && film_add(animation->film, picture, error);
+    return animation->film && film_add_frame(animation->film, picture, error);
 }
 
 /**
  * Writes the newest frame where it belongs.
  * @param[in,out] animation  The animation.
- * @param order              What it is.
+ * @param job              What it is.
  * @param[out] error         What is wrong.
  * @return Whether it is there.
  */
-static bool put_frame(Animation *animation, const Order *order, Error *error) {
+static bool write_frame(Animation *animation, const RenderJob *job, Error *error) {
     if (animation->is_film) {
         return add_frame(animation, error);
     }
-    return animation->is_drawn ? command_write(order, animation->scene, &animation->picture, error)
-                               : image_file_write(order->output, &animation->picture, error);
+    return animation->is_rendered
+               ? command_write_image(job, animation->scene, &animation->picture, error)
+               : image_file_write(job->output, &animation->picture, error);
 }
 
 /**
@@ -178,23 +179,23 @@ static bool put_frame(Animation *animation, const Order *order, Error *error) {
  * @param[out] error         What is wrong.
  * @return Whether it is where it belongs.
  */
-static bool make_frame(Animation *animation, int number, Error *error) {
+static bool produce_frame(Animation *animation, int number, Error *error) {
     char path[PATH_MAX];
     const Options *options = animation->options;
-    Order order = {.options = options,
-                   .output = animation->is_film ? options->output : path,
-                   .time = options->time + number / animation->fps,
-                   .progress = animation->progress};
-    if (!animation->is_film && !frames_path(&animation->output, number, path, error)) {
+    RenderJob job = {.options = options,
+                     .output = animation->is_film ? options->output : path,
+                     .time = options->time + number / animation->fps,
+                     .progress = animation->progress};
+    if (!animation->is_film && !frame_pattern_path(&animation->output, number, path, error)) {
         return false;
     }
     if (options->skip_existing && access(path, F_OK) == 0) {
-        progress_leave_out(animation->progress);
+        progress_skip(animation->progress);
         return true;
     }
-    bool is_there = animation->is_drawn ? draw_frame(animation, &order, error)
-                                        : read_frame(animation, number, error);
-    return is_there && put_frame(animation, &order, error);
+    bool is_there = animation->is_rendered ? render_frame(animation, &job, error)
+                                           : read_frame(animation, number, error);
+    return is_there && write_frame(animation, &job, error);
 }
 
 /**
@@ -204,12 +205,12 @@ static bool make_frame(Animation *animation, int number, Error *error) {
  * @param[out] error         What is wrong.
  * @return Whether all are there.
  */
-static bool make_frames(Animation *animation, const atomic_bool *stop, Error *error) {
-    int count = frames_count(&animation->frames);
+static bool produce_frames(Animation *animation, const atomic_bool *stop, Error *error) {
+    int count = frame_range_count(&animation->frames);
     bool is_good = true;
     while (is_good && !atomic_load(stop) && animation->done < count) {
         int number = animation->frames.first + animation->done * animation->frames.step;
-        is_good = make_frame(animation, number, error);
+        is_good = produce_frame(animation, number, error);
         animation->done += is_good;
     }
     return is_good && animation->done == count;
@@ -221,10 +222,10 @@ static bool make_frames(Animation *animation, const atomic_bool *stop, Error *er
  * @param[out] error         What is wrong.
  */
 static void animate(Animation *animation, Error *error) {
-    int count = frames_count(&animation->frames);
+    int count = frame_range_count(&animation->frames);
     const atomic_bool *stop = interrupt_flag();
     animation->progress = progress_begin(animation->options, count);
-    bool is_good = make_frames(animation, stop, error);
+    bool is_good = produce_frames(animation, stop, error);
     if (is_good && animation->film) {
         is_good = film_commit(animation->film, error);
     } else {
@@ -238,7 +239,7 @@ static void animate(Animation *animation, Error *error) {
                       : N_("interrupted: %d of %d frames were done and are kept"),
                   animation->done, count);
     }
-    picture_release(&animation->picture);
+    picture_deinit(&animation->picture);
     renderer_destroy(animation->renderer);
     scene_destroy(animation->scene);
 }
@@ -249,10 +250,10 @@ static int animate_run(const Options *options, Error *error) {
     Animation animation = {.options = options};
     if (plan_files(&animation, error) && plan_frames(&animation, error) &&
         check_output(&animation, error)) {
-        animation.stock = stock_create(error);
-        if (animation.stock) {
+        animation.cache = asset_cache_create(error);
+        if (animation.cache) {
             animate(&animation, error);
-            stock_destroy(animation.stock);
+            asset_cache_destroy(animation.cache);
         }
     }
     return (int)error->status;

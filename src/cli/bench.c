@@ -2,24 +2,24 @@
  * @file
  * @brief `dioptre bench`: how fast a scene is drawn.
  */
+#include "base/language.h"
 #include "cli/commands.h"
-#include "dioptre/language.h"
 
 #include <libintl.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 /** Pictures that are timed when nothing is said. */
-#define BENCH_FRAMES 10
+#define BENCH_FRAMES_DEFAULT 10
 
 /** What was measured. */
-typedef struct Bench {
-    int frames;       /**< Pictures timed. */
-    double ms_min;    /**< Fastest, milliseconds. */
-    double ms_median; /**< Median, milliseconds. */
-    uint64_t rays;    /**< Rays a picture. */
-    uint64_t camera;  /**< Those of them that leave the camera. */
-} Bench;
+typedef struct BenchResult {
+    int frames;           /**< Pictures timed. */
+    double ms_min;        /**< Fastest, milliseconds. */
+    double ms_median;     /**< Median, milliseconds. */
+    uint64_t rays;        /**< Rays a picture. */
+    uint64_t camera_rays; /**< Those of them that leave the camera. */
+} BenchResult;
 
 /** @return Order of two doubles, for qsort. @param a One. @param b The other. */
 static int compare_doubles(const void *a, const void *b) {
@@ -29,9 +29,9 @@ static int compare_doubles(const void *a, const void *b) {
 
 /** Draws, or casts, one picture. @param renderer The renderer. @param rays Which rays.
  *  @return How it went. */
-static RenderReport bench_frame(Renderer *renderer, BenchRays rays) {
-    return rays == BENCH_IMAGE ? renderer_draw(renderer, interrupt_flag(), NULL)
-                               : renderer_cast(renderer, rays == BENCH_RANDOM);
+static RenderStats bench_frame(Renderer *renderer, BenchRays rays) {
+    return rays == BENCH_IMAGE ? renderer_render(renderer, interrupt_flag(), NULL)
+                               : renderer_benchmark_rays(renderer, rays == BENCH_RANDOM);
 }
 
 /**
@@ -39,35 +39,35 @@ static RenderReport bench_frame(Renderer *renderer, BenchRays rays) {
  * @param renderer    The renderer.
  * @param rays        Which rays.
  * @param frames      How many pictures.
- * @param[out] bench  What was measured.
+ * @param[out] result  What was measured.
  * @param[out] error  What is wrong.
  * @return false when interrupted or without memory.
  */
-static bool bench_measure(Renderer *renderer, BenchRays rays, int frames, Bench *bench,
+static bool bench_measure(Renderer *renderer, BenchRays rays, int frames, BenchResult *result,
                           Error *error) {
     double *ms = calloc((size_t)frames, sizeof *ms);
     if (!ms) {
         return error_set(error, STATUS_FAILED, "no memory for %d times", frames);
     }
-    RenderReport report = bench_frame(renderer, rays);
+    RenderStats report = bench_frame(renderer, rays);
     for (int i = 0; i < frames && report.is_finished; i++) {
         report = bench_frame(renderer, rays);
         ms[i] = 1e3 * report.seconds;
     }
     qsort(ms, (size_t)frames, sizeof *ms, compare_doubles);
-    *bench = (Bench){.frames = frames,
-                     .ms_min = ms[0],
-                     .ms_median = (ms[(frames - 1) / 2] + ms[frames / 2]) / 2,
-                     .camera = report.rays.camera,
-                     .rays = ray_counts_sum(&report.rays)};
+    *result = (BenchResult){.frames = frames,
+                            .ms_min = ms[0],
+                            .ms_median = (ms[(frames - 1) / 2] + ms[frames / 2]) / 2,
+                            .camera_rays = report.rays.camera,
+                            .rays = ray_counts_sum(&report.rays)};
     free(ms);
     return report.is_finished || error_set(error, STATUS_INTERRUPTED, "interrupted");
 }
 
-/** Prints what was measured. @param bench It. @param settings Of what. @param options How. */
-static void bench_print(const Bench *bench, const RenderSettings *settings,
+/** Prints what was measured. @param result It. @param settings Of what. @param options How. */
+static void bench_print(const BenchResult *result, const RenderSettings *settings,
                         const Options *options) {
-    double mrays = (double)bench->rays / (1e3 * bench->ms_median);
+    double mrays = (double)result->rays / (1e3 * result->ms_median);
     if (options->json) {
         printf("{\"scene\": ");
         json_print_string(options->arguments[0], stdout);
@@ -75,15 +75,15 @@ static void bench_print(const Bench *bench, const RenderSettings *settings,
                "\"frames\": %d, \"ms_min\": %.6g, \"ms_median\": %.6g, \"rays\": %llu, "
                "\"mrays_per_s\": %.6g, \"samples_per_pixel\": %.6g}\n",
                settings->engine->name, settings->threads, settings->width, settings->height,
-               bench->frames, bench->ms_min, bench->ms_median, (unsigned long long)bench->rays,
-               mrays, (double)bench->camera / settings->width / settings->height);
+               result->frames, result->ms_min, result->ms_median, (unsigned long long)result->rays,
+               mrays, (double)result->camera_rays / settings->width / settings->height);
     } else {
         printf(ngettext("%s: %s, %d thread, ", "%s: %s, %d threads, ",
                         (unsigned long)settings->threads),
                options->arguments[0], settings->engine->name, settings->threads);
         printf(gettext("%d x %d: %.2f ms (fastest %.2f), %llu rays, %.1f Mrays/s\n"),
-               settings->width, settings->height, bench->ms_median, bench->ms_min,
-               (unsigned long long)bench->rays, mrays);
+               settings->width, settings->height, result->ms_median, result->ms_min,
+               (unsigned long long)result->rays, mrays);
     }
 }
 
@@ -94,9 +94,9 @@ static void bench_print(const Bench *bench, const RenderSettings *settings,
  * @param[out] error   That a range was given, or none.
  * @return Whether it is a number.
  */
-static bool bench_frames(const Options *options, int *frames, Error *error) {
+static bool bench_frame_count(const Options *options, int *frames, Error *error) {
     const FrameRange *range = &options->frames;
-    *frames = range->step ? range->first : BENCH_FRAMES;
+    *frames = range->step ? range->first : BENCH_FRAMES_DEFAULT;
     return (range->first == range->last && *frames > 0) ||
            error_set(error, STATUS_USAGE, "bench --frames takes how many, at least 1");
 }
@@ -105,15 +105,16 @@ static bool bench_frames(const Options *options, int *frames, Error *error) {
  *  @param[out] error What is wrong. @return The exit status. */
 static int bench_run(const Options *options, Error *error) {
     int frames;
-    Scene *scene = bench_frames(options, &frames, error) ? command_scene(options, error) : NULL;
+    Scene *scene =
+        bench_frame_count(options, &frames, error) ? command_load_scene(options, error) : NULL;
     if (!scene) {
         return (int)error->status;
     }
-    RenderSettings settings = command_settings(options, scene);
+    RenderSettings settings = command_render_settings(options, scene);
     Renderer *renderer = renderer_create(scene, &settings, error);
-    Bench bench = {0};
-    if (renderer && bench_measure(renderer, options->rays, frames, &bench, error)) {
-        bench_print(&bench, &settings, options);
+    BenchResult result = {0};
+    if (renderer && bench_measure(renderer, options->rays, frames, &result, error)) {
+        bench_print(&result, &settings, options);
     }
     renderer_destroy(renderer);
     scene_destroy(scene);

@@ -3,9 +3,9 @@
  * @brief `dioptre chart`: speed against accuracy.
  */
 #include "dioptre/chart.h"
+#include "base/language.h"
+#include "base/scene_name.h"
 #include "cli/commands.h"
-#include "dioptre/language.h"
-#include "dioptre/scene_name.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -25,17 +25,17 @@ static bool chart_scene(const Options *options, const char *path, const LabReque
     char name[256];
     one.arguments[0] = path;
     one.argument_count = 1;
-    Scene *scene = command_scene(&one, error);
+    Scene *scene = command_load_scene(&one, error);
     if (!scene) {
         return false;
     }
     Chart chart;
-    RenderSettings settings = command_settings(&one, scene);
-    scene_name(path, name, sizeof name);
-    bool is_kept = chart_measure(scene, &settings, request->stop, &chart, error) &&
-                   chart_keep(&chart, name, request, has_chart, error);
+    RenderSettings settings = command_render_settings(&one, scene);
+    scene_name_from_path(path, name, sizeof name);
+    bool is_written = chart_measure(scene, &settings, request->stop, &chart, error) &&
+                      chart_save(&chart, name, request, has_chart, error);
     scene_destroy(scene);
-    return is_kept;
+    return is_written;
 }
 
 /** Charts scenes. @param options The command line. @param request Where to.
@@ -49,25 +49,25 @@ static bool chart_scenes(const Options *options, const LabRequest *request, Erro
         }
         without_chart += !has_chart;
     }
-    return command_has_charts(without_chart, error);
+    return command_check_charts(without_chart, error);
 }
 
 /** Finds the tests whose methods are charted. @param options The command line: its arguments, or
- *  all. @param[out] places Their places: room for all tests. @param[out] error That there is no
+ *  all. @param[out] indices Their places: room for all tests. @param[out] error That there is no
  *  such test. @return How many; 0: something is wrong. */
-static size_t find_kernels(const Options *options, size_t *places, Error *error) {
+static size_t find_timed_tests(const Options *options, size_t *indices, Error *error) {
     size_t count = 0;
     for (size_t i = 0; options->argument_count == 0 && i < lab_test_count(); i++) {
-        if (lab_test(i).is_timed) {
-            places[count++] = i;
+        if (lab_test_at(i).has_benchmark) {
+            indices[count++] = i;
         }
     }
     for (int i = 0; i < options->argument_count; i++) {
         const char *name = options->arguments[i];
-        if (!command_test(name, &places[count], error)) {
+        if (!command_find_test(name, &indices[count], error)) {
             return 0;
         }
-        if (!lab_test(places[count]).is_timed) {
+        if (!lab_test_at(indices[count]).has_benchmark) {
             error_set(error, STATUS_USAGE, "the methods of %s are timed in another test", name);
             return 0;
         }
@@ -78,36 +78,36 @@ static size_t find_kernels(const Options *options, size_t *places, Error *error)
 
 /** Charts methods. @param options The command line. @param request Where to.
  *  @param[out] error What is wrong. @return false if anything is; what was finished is kept. */
-static bool chart_kernels(const Options *options, const LabRequest *request, Error *error) {
-    size_t places[ARGUMENTS_MAXIMUM];
-    size_t count = find_kernels(options, places, error), without_chart = 0;
-    if (count == 0 || !lab_prepare(request, error)) {
+static bool chart_methods(const Options *options, const LabRequest *request, Error *error) {
+    size_t indices[ARGUMENTS_MAXIMUM];
+    size_t count = find_timed_tests(options, indices, error), without_chart = 0;
+    if (count == 0 || !lab_create_folder(request, error)) {
         return false;
     }
     for (size_t i = 0; i < count; i++) {
         bool has_chart = false;
-        if (!lab_time(places[i], request, &has_chart, error)) {
+        if (!lab_benchmark_test(indices[i], request, &has_chart, error)) {
             return false;
         }
         without_chart += !has_chart;
     }
-    return command_has_charts(without_chart, error);
+    return command_check_charts(without_chart, error);
 }
 
 /** Charts scenes or methods. See #Command.run. @param options The command line.
  *  @param[out] error What is wrong; what was finished before is kept. @return The exit status. */
 static int chart_run(const Options *options, Error *error) {
-    LabRequest request = {.folder = options->folder,
+    LabRequest request = {.folder = options->out_dir,
                           .threads = command_threads(options),
                           .stop = interrupt_flag(),
-                          .table = options->quiet ? NULL : stdout};
-    if (!options->folder) {
+                          .table_stream = options->quiet ? NULL : stdout};
+    if (!options->out_dir) {
         error_set(error, STATUS_USAGE, "chart needs --out DIR: where its CSV and SVG files go");
     } else if (options->kernels) {
-        chart_kernels(options, &request, error);
+        chart_methods(options, &request, error);
     } else if (options->argument_count == 0) {
         error_set(error, STATUS_USAGE, "chart needs a scene, or --kernels");
-    } else if (lab_prepare(&request, error)) {
+    } else if (lab_create_folder(&request, error)) {
         chart_scenes(options, &request, error);
     }
     return (int)error->status;
@@ -118,5 +118,5 @@ const Command chart_command = {.name = "chart",
                                .help = N_("says what settings cost and what errors they leave"),
                                .accepts = "UZsASDtjEOXBq",
                                .arguments = 0,
-                               .more_arguments = true,
+                               .accepts_more_arguments = true,
                                .run = chart_run};

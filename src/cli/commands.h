@@ -27,35 +27,35 @@ extern const Command chart_command;   /**< `chart` */
  * @param[out] error  What is wrong.
  * @return The scene, to be given back with #scene_destroy; NULL if anything is wrong.
  */
-Scene *command_scene(const Options *options, Error *error);
+Scene *command_load_scene(const Options *options, Error *error);
 
 /**
  * Loads the scene that a command line names once more, for another time.
  * @param options       The command line.
  * @param time          The scene's `t`, seconds.
- * @param[in,out] stock What an earlier call has left; may be NULL.
+ * @param[in,out] cache What an earlier call has left; may be NULL.
  * @param stop          It is given up once this is true; may be NULL.
  * @param[out] error    What is wrong.
- * @return See #command_scene.
+ * @return See #command_load_scene.
  */
-Scene *command_scene_at(const Options *options, double time, Stock *stock, const atomic_bool *stop,
-                        Error *error);
+Scene *command_load_scene_at(const Options *options, double time, AssetCache *cache,
+                             const atomic_bool *stop, Error *error);
 
 /**
  * @return What a command line asks of the renderer, over what the scene asks for.
  * @param options  The command line.
  * @param scene    The scene.
  */
-RenderSettings command_settings(const Options *options, const Scene *scene);
+RenderSettings command_render_settings(const Options *options, const Scene *scene);
 
 /**
  * Finds a test of the laboratory.
  * @param name        Its name.
- * @param[out] place  Its place.
+ * @param[out] index  Its place.
  * @param[out] error  That there is no such test, and which there are (#STATUS_USAGE).
  * @return Whether there is such a test.
  */
-bool command_test(const char *name, size_t *place, Error *error);
+bool command_find_test(const char *name, size_t *index, Error *error);
 
 /** @return How many threads a command uses. @param options The command line. */
 int command_threads(const Options *options);
@@ -66,7 +66,7 @@ int command_threads(const Options *options);
  * @param[out] error  That they are, and how to get them (#STATUS_FAILED).
  * @return Whether none is.
  */
-bool command_has_charts(size_t count, Error *error);
+bool command_check_charts(size_t count, Error *error);
 
 /**
  * Prints a text as a JSON string, quotes included.
@@ -87,7 +87,7 @@ void print_padded(const char *text, int width);
  * @param text    The text; control characters become `?`.
  * @param stream  Where to.
  */
-void print_clean(const char *text, FILE *stream);
+void print_sanitized(const char *text, FILE *stream);
 
 /**
  * @return A flag that becomes true at SIGINT or SIGTERM from now on.
@@ -95,20 +95,20 @@ void print_clean(const char *text, FILE *stream);
 const atomic_bool *interrupt_flag(void);
 
 /** What is kept to tell how far models are read. */
-typedef struct ModelsProgress {
-    MeshProgress teller; /**< Who tells. */
-    bool is_json;        /**< JSON lines, not one line for people. */
-    bool is_shown;       /**< Whether there is a line to be cleared. */
-} ModelsProgress;
+typedef struct MeshReadProgress {
+    MeshProgress callbacks; /**< Who tells. */
+    bool is_json;           /**< JSON lines, not one line for people. */
+    bool is_shown;          /**< Whether there is a line to be cleared. */
+} MeshReadProgress;
 
 /**
  * Prepares to tell on standard error how far models are read: those that take more than half a
  * second.
- * @param[out] models  What is kept; must stay where it is.
+ * @param[out] progress  What is kept; must stay where it is.
  * @param options      Whether and how.
  * @return Who tells, owned by \p models; NULL where nothing is to be told.
  */
-const MeshProgress *models_progress(ModelsProgress *models, const Options *options);
+const MeshProgress *mesh_read_progress_init(MeshReadProgress *progress, const Options *options);
 
 /** A thread that tells how far one picture or several are. */
 typedef struct Progress Progress;
@@ -123,28 +123,28 @@ Progress *progress_begin(const Options *options, int pictures);
 
 /** The next picture is begun. @param progress What #progress_begin returned, or NULL.
  *  @param renderer Who draws it; must stay there until it is done. */
-void progress_watch(Progress *progress, const Renderer *renderer);
+void progress_set_renderer(Progress *progress, const Renderer *renderer);
 
 /** A picture is done. @param progress What #progress_begin returned, or NULL. */
 void progress_done(Progress *progress);
 
 /** A picture will not be drawn. @param progress What #progress_begin returned, or NULL. */
-void progress_leave_out(Progress *progress);
+void progress_skip(Progress *progress);
 
 /** Ends it and clears its line. @param progress What #progress_begin returned, or NULL. */
 void progress_end(Progress *progress);
 
 /** A picture that is to be drawn. */
-typedef struct Order {
+typedef struct RenderJob {
     const Options *options; /**< The command line. */
     const char *output;     /**< The file that it is meant for. */
     double time;            /**< The scene's `t`, seconds. */
     Progress *progress;     /**< Who tells how far it is; may be NULL. */
-} Order;
+} RenderJob;
 
 /**
  * Draws a scene into a picture.
- * @param order        What is to be drawn.
+ * @param job        What is to be drawn.
  * @param scene        The scene.
  * @param[in,out] renderer  Who drew the picture before, or NULL: what both need is made once. Then
  *                     who drew this one, or NULL; to be given back with #renderer_destroy.
@@ -153,17 +153,17 @@ typedef struct Order {
  * @param[out] error   What is wrong.
  * @return false if it could not be drawn.
  */
-bool command_draw(const Order *order, const Scene *scene, Renderer **renderer, Picture *picture,
-                  RenderReport *report, Error *error);
+bool command_render(const RenderJob *job, const Scene *scene, Renderer **renderer, Picture *picture,
+                    RenderStats *report, Error *error);
 
 /**
  * Writes a picture into its file, with how it came about.
- * @param order            What it is.
+ * @param job            What it is.
  * @param scene            Its scene.
  * @param[in,out] picture  The picture; its notes are not there afterwards.
  * @param[out] error       What is wrong.
  * @return Whether it is there.
  */
-bool command_write(const Order *order, const Scene *scene, Picture *picture, Error *error);
+bool command_write_image(const RenderJob *job, const Scene *scene, Picture *picture, Error *error);
 
 #endif

@@ -2,8 +2,8 @@
  * @file
  * @brief What the commands share.
  */
+#include "base/language.h"
 #include "cli/commands.h"
-#include "dioptre/language.h"
 #include "dioptre/script.h"
 
 #include <ctype.h>
@@ -12,27 +12,27 @@
 /** Set by the signal handler; a signal handler can reach nothing else. */
 static atomic_bool is_interrupted;
 
-Scene *command_scene(const Options *options, Error *error) {
-    return command_scene_at(options, options->time, NULL, NULL, error);
+Scene *command_load_scene(const Options *options, Error *error) {
+    return command_load_scene_at(options, options->time, NULL, NULL, error);
 }
 
-Scene *command_scene_at(const Options *options, double time, Stock *stock, const atomic_bool *stop,
-                        Error *error) {
-    ModelsProgress models;
+Scene *command_load_scene_at(const Options *options, double time, AssetCache *cache,
+                             const atomic_bool *stop, Error *error) {
+    MeshReadProgress mesh_progress;
     // The keywords of an engine that this processor can run: their checks are its code.
     ScriptRequest request = {.path = options->arguments[0],
                              .base_dir = options->base_dir,
                              .time = time,
-                             .seconds = SCRIPT_SECONDS,
-                             .memory = SCRIPT_MEMORY,
+                             .time_limit = SCRIPT_TIME_LIMIT,
+                             .memory_limit = SCRIPT_MEMORY_LIMIT,
                              .shape_keywords = engine_find("auto", NULL)->shape_keywords,
-                             .progress = models_progress(&models, options),
-                             .stock = stock,
+                             .progress = mesh_read_progress_init(&mesh_progress, options),
+                             .cache = cache,
                              .stop = stop};
     return script_load(&request, error);
 }
 
-RenderSettings command_settings(const Options *options, const Scene *scene) {
+RenderSettings command_render_settings(const Options *options, const Scene *scene) {
     RenderSettings settings = render_settings_default(scene);
     settings.engine = options->engine ? options->engine : settings.engine;
     settings.threads = options->threads ? options->threads : settings.threads;
@@ -62,11 +62,11 @@ void json_print_string(const char *text, FILE *stream) {
 }
 
 void print_padded(const char *text, int width) {
-    int letters = language_letters(text);
-    printf("%s%*s", text, letters < width ? width - letters : 0, "");
+    int text_width = language_text_width(text);
+    printf("%s%*s", text, text_width < width ? width - text_width : 0, "");
 }
 
-void print_clean(const char *text, FILE *stream) {
+void print_sanitized(const char *text, FILE *stream) {
     for (const char *c = text; *c; c++) {
         fputc(iscntrl((unsigned char)*c) ? '?' : *c, stream);
     }

@@ -4,7 +4,7 @@
  */
 #include "cli/frames.h"
 
-#include "dioptre/language.h"
+#include "base/language.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -30,26 +30,26 @@ static bool read_number(const char **text, int minimum, int *value) {
     return true;
 }
 
-bool frames_read(const char *text, FrameRange *range, Error *error) {
-    const char *at = text;
+bool frame_range_parse(const char *text, FrameRange *range, Error *error) {
+    const char *next = text;
     *range = (FrameRange){.step = 1};
-    bool is_good = read_number(&at, 0, &range->first);
+    bool is_good = read_number(&next, 0, &range->first);
     range->last = range->first;
-    if (is_good && *at == '-') {
-        at++;
-        is_good = read_number(&at, 0, &range->last);
-        if (is_good && *at == ':') {
-            at++;
-            is_good = read_number(&at, -FRAMES_MAXIMUM, &range->step) && range->step != 0;
+    if (is_good && *next == '-') {
+        next++;
+        is_good = read_number(&next, 0, &range->last);
+        if (is_good && *next == ':') {
+            next++;
+            is_good = read_number(&next, -FRAMES_MAXIMUM, &range->step) && range->step != 0;
         }
     }
-    if (!is_good || *at) {
+    if (!is_good || *next) {
         return error_set(error, STATUS_USAGE,
                          "--frames takes A, A-B or A-B:STEP with whole numbers from 0 to %d, "
                          "not '%s'",
                          FRAMES_MAXIMUM, text);
     }
-    if (frames_count(range) < 1) {
+    if (frame_range_count(range) < 1) {
         return error_set(
             error, STATUS_USAGE,
             range->step > 0 ? N_("--frames %s names no frame; to go backwards, the step is below 0")
@@ -59,37 +59,39 @@ bool frames_read(const char *text, FrameRange *range, Error *error) {
     return true;
 }
 
-int frames_count(const FrameRange *range) {
+int frame_range_count(const FrameRange *range) {
     int count = (range->last - range->first) / range->step + 1;
-    bool is_wrong_way = (range->last - range->first < 0) != (range->step < 0);
-    return is_wrong_way && range->last != range->first ? 0 : count;
+    bool has_wrong_sign = (range->last - range->first < 0) != (range->step < 0);
+    return has_wrong_sign && range->last != range->first ? 0 : count;
 }
 
-bool frames_is_pattern(const char *path) {
+bool frame_pattern_is_in(const char *path) {
     return strchr(path, '%') != NULL;
 }
 
-bool frames_read_pattern(const char *text, FramePattern *pattern, Error *error) {
-    const char *sign = strchr(text, '%'), *at = sign ? sign + 1 : "";
-    *pattern = (FramePattern){.text = text, .has_zeros = *at == '0'};
-    at += *at == '0';
-    if (*at >= '1' && *at <= '9') {
-        pattern->width = *at++ - '0';
+bool frame_pattern_parse(const char *text, FramePattern *pattern, Error *error) {
+    const char *percent = strchr(text, '%'), *next = percent ? percent + 1 : "";
+    *pattern = (FramePattern){.text = text, .is_zero_padded = *next == '0'};
+    next += *next == '0';
+    if (*next >= '1' && *next <= '9') {
+        pattern->width = *next++ - '0';
     }
-    if (*at != 'd' || strchr(at, '%')) {
+    if (*next != 'd' || strchr(next, '%')) {
         return error_set(error, STATUS_USAGE,
                          "'%s' must hold one %%d for the number of a frame, such as %%05d, "
                          "and no other %%",
                          text);
     }
-    pattern->start = (size_t)(sign - text);
-    pattern->end = (size_t)(at + 1 - text);
+    pattern->start = (size_t)(percent - text);
+    pattern->end = (size_t)(next + 1 - text);
     return true;
 }
 
-bool frames_path(const FramePattern *pattern, int number, char path[PATH_MAX], Error *error) {
+bool frame_pattern_path(const FramePattern *pattern, int number, char path[PATH_MAX],
+                        Error *error) {
     char digits[16];
-    snprintf(digits, sizeof digits, pattern->has_zeros ? "%0*d" : "%*d", pattern->width, number);
+    snprintf(digits, sizeof digits, pattern->is_zero_padded ? "%0*d" : "%*d", pattern->width,
+             number);
     int length = snprintf(path, PATH_MAX, "%.*s%s%s", (int)pattern->start, pattern->text, digits,
                           pattern->text + pattern->end);
     return length < PATH_MAX ||

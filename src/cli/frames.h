@@ -11,9 +11,9 @@
 #include <stddef.h>
 
 /** Frames a second where nothing is said: a whole number of milliseconds each. */
-#define FRAMES_FPS 25.0
+#define FRAMES_FPS_DEFAULT 25.0
 /** Seconds of a film where nothing is said. */
-#define FRAMES_SECONDS 10.0
+#define FRAMES_SECONDS_DEFAULT 10.0
 /** Most frames a second. */
 #define FRAMES_FPS_MAXIMUM 1000.0
 /** Largest number of a frame. */
@@ -33,22 +33,22 @@ typedef struct FrameRange {
  * @param[out] error  What is wrong (#STATUS_USAGE).
  * @return Whether it is one, with at least one number.
  */
-bool frames_read(const char *text, FrameRange *range, Error *error);
+bool frame_range_parse(const char *text, FrameRange *range, Error *error);
 
 /** @return How many frames a range has. @param range The range. */
-int frames_count(const FrameRange *range);
+int frame_range_count(const FrameRange *range);
 
 /** A pattern of file names with one number, such as `frames/%05d.png`. */
 typedef struct FramePattern {
-    const char *text; /**< The pattern; not owned. */
-    size_t start;     /**< Bytes of it before the number. */
-    size_t end;       /**< Where it goes on after the number. */
-    int width;        /**< Digits of the number at least. */
-    bool has_zeros;   /**< Whether zeros, and not blanks, fill it up. */
+    const char *text;    /**< The pattern; not owned. */
+    size_t start;        /**< Bytes of it before the number. */
+    size_t end;          /**< Where it goes on after the number. */
+    int width;           /**< Digits of the number at least. */
+    bool is_zero_padded; /**< Whether zeros, and not blanks, fill it up. */
 } FramePattern;
 
 /** @return Whether a path is meant as a pattern: there is a `%` in it. @param path The path. */
-bool frames_is_pattern(const char *path);
+bool frame_pattern_is_in(const char *path);
 
 /**
  * Reads a pattern. It is never handed to printf.
@@ -57,7 +57,7 @@ bool frames_is_pattern(const char *path);
  * @param[out] error    What is wrong (#STATUS_USAGE).
  * @return Whether there is one `%d`, perhaps with a width as in `%5d` or `%05d`, and no other `%`.
  */
-bool frames_read_pattern(const char *text, FramePattern *pattern, Error *error);
+bool frame_pattern_parse(const char *text, FramePattern *pattern, Error *error);
 
 /**
  * Says what the file of a frame is called.
@@ -67,6 +67,6 @@ bool frames_read_pattern(const char *text, FramePattern *pattern, Error *error);
  * @param[out] error  That it is too long.
  * @return Whether it fits.
  */
-bool frames_path(const FramePattern *pattern, int number, char path[PATH_MAX], Error *error);
+bool frame_pattern_path(const FramePattern *pattern, int number, char path[PATH_MAX], Error *error);
 
 #endif

@@ -2,37 +2,38 @@
  * @file
  * @brief `dioptre info`: what a scene uses, and what the tracer leaves out for it.
  */
+#include "base/language.h"
 #include "cli/commands.h"
-#include "dioptre/language.h"
-#include "dioptre/offset.h"
+#include "dioptre/offset_strategy.h"
 
 #include <libintl.h>
 #include <stdio.h>
 #include <string.h>
 
 /** Most kinds of shape that are counted apart, and most things that can be left out. */
-enum { KINDS_MAXIMUM = 64, LEFT_MAXIMUM = 8 };
+enum { SHAPE_CLASSES_MAXIMUM = 64, OMISSIONS_MAXIMUM = 8 };
 
 /** What is said of a scene. */
-typedef struct Info {
-    size_t kinds[KINDS_MAXIMUM]; /**< Shapes of each class. */
-    size_t mirrors;              /**< Shapes that mirror. */
-    size_t glass;                /**< Shapes that let light through. */
-    size_t highlights;           /**< Shapes with highlights. */
-    bool has_gradient;           /**< Whether the sky has two colours. */
-    TracerContents contents;     /**< What the tracer is made of. */
-} Info;
+typedef struct SceneInfo {
+    size_t shape_counts[SHAPE_CLASSES_MAXIMUM]; /**< Shapes of each class. */
+    size_t reflective;                          /**< Shapes that mirror. */
+    size_t transparent;                         /**< Shapes that let light through. */
+    size_t specular;                            /**< Shapes with highlights. */
+    bool has_sky_gradient;                      /**< Whether the sky has two colours. */
+    TracerStats contents;                       /**< What the tracer is made of. */
+} SceneInfo;
 
 /** @return What a scene uses. @param scene The scene. */
-static Info info_of(const Scene *scene) {
-    const Sky *sky = &scene->sky;
-    Info info = {.has_gradient = memcmp(&sky->horizon, &sky->zenith, sizeof sky->zenith) != 0};
+static SceneInfo scene_info(const Scene *scene) {
+    const SceneSky *sky = &scene->sky;
+    SceneInfo info = {.has_sky_gradient =
+                          memcmp(&sky->horizon, &sky->zenith, sizeof sky->zenith) != 0};
     for (size_t i = 0; i < scene->shape_count; i++) {
-        const Material *material = &scene->materials[scene->shapes[i].material];
-        info.kinds[scene->shapes[i].kind]++;
-        info.mirrors += material_is_mirror(material);
-        info.glass += material_is_transparent(material);
-        info.highlights += material->specular > 0;
+        const SceneMaterial *material = &scene->materials[scene->shapes[i].material_index];
+        info.shape_counts[scene->shapes[i].class_index]++;
+        info.reflective += scene_material_is_reflective(material);
+        info.transparent += scene_material_is_transparent(material);
+        info.specular += material->specular > 0;
     }
     return info;
 }
@@ -52,44 +53,45 @@ static const char *engine_reason(const Options *options, const Engine *engine) {
  * Names what the tracer leaves out for a scene, in English.
  * @param scene  The scene.
  * @param info   What it uses.
- * @param left   Room for the names.
+ * @param omissions   Room for the names.
  * @return How many.
  */
-static int info_left_out(const Scene *scene, const Info *info, const char *left[LEFT_MAXIMUM]) {
+static int info_omissions(const Scene *scene, const SceneInfo *info,
+                          const char *omissions[OMISSIONS_MAXIMUM]) {
     int count = 0;
-    if (info->mirrors + info->glass == 0) {
-        left[count++] = N_("recursion");
+    if (info->reflective + info->transparent == 0) {
+        omissions[count++] = N_("recursion");
     }
-    if (info->glass == 0) {
-        left[count++] = N_("media");
+    if (info->transparent == 0) {
+        omissions[count++] = N_("media");
     }
-    if (info->highlights == 0) {
-        left[count++] = N_("highlights");
+    if (info->specular == 0) {
+        omissions[count++] = N_("highlights");
     }
     if (scene->light_count == 0) {
-        left[count++] = N_("shadows");
+        omissions[count++] = N_("shadows");
     }
-    if (!info->has_gradient) {
-        left[count++] = N_("sky gradient");
+    if (!info->has_sky_gradient) {
+        omissions[count++] = N_("sky gradient");
     }
     if (!scene_has_textures(scene)) {
-        left[count++] = N_("textures");
+        omissions[count++] = N_("textures");
     }
-    if (!scene->sky.image) {
-        left[count++] = N_("panorama");
+    if (!scene->sky.texture_id) {
+        omissions[count++] = N_("panorama");
     }
-    if (info->contents.planted == 0) {
-        left[count++] = N_("tree");
+    if (info->contents.in_bvh == 0) {
+        omissions[count++] = N_("tree");
     }
     return count;
 }
 
 /** @return Whether a scene has distance fields. @param scene The scene. @param settings How it
  * would be drawn. */
-static bool info_has_fields(const Scene *scene, const RenderSettings *settings) {
+static bool info_has_sdfs(const Scene *scene, const RenderSettings *settings) {
     const Keyword *const *keywords = settings->engine->shape_keywords;
     for (size_t i = 0; i < scene->shape_count; i++) {
-        if (strcmp(keywords[scene->shapes[i].kind]->name, "sdf") == 0) {
+        if (strcmp(keywords[scene->shapes[i].class_index]->name, "sdf") == 0) {
             return true;
         }
     }
@@ -107,7 +109,8 @@ static void info_print_meshes_json(const Scene *scene) {
         printf(", \"triangles\": %zu, \"positions\": %zu, \"normals\": %zu, \"uvs\": %zu, "
                "\"degenerate\": %zu, \"uncut\": %zu, \"lost_normals\": %zu, \"lost_uvs\": %zu}",
                mesh->triangle_count, mesh->position_count, mesh->normal_count, mesh->uv_count,
-               repairs->degenerate, repairs->uncut, repairs->lost_normals, repairs->lost_uvs);
+               repairs->degenerate_triangles, repairs->untriangulated_polygons,
+               repairs->missing_normals, repairs->missing_uvs);
     }
     printf("]");
 }
@@ -118,10 +121,10 @@ static void info_print_repairs(const MeshRepairs *repairs) {
         size_t count;      /**< How many. */
         const char *words; /**< Of what. */
     } all[] = {
-        {repairs->degenerate, N_("without area, left out")},
-        {repairs->uncut, N_("missing, as polygons cannot be cut")},
-        {repairs->lost_normals, N_("corners given their triangle's normal")},
-        {repairs->lost_uvs, N_("corners given (0, 0) as (u, v)")},
+        {repairs->degenerate_triangles, N_("without area, left out")},
+        {repairs->untriangulated_polygons, N_("missing, as polygons cannot be cut")},
+        {repairs->missing_normals, N_("corners given their triangle's normal")},
+        {repairs->missing_uvs, N_("corners given (0, 0) as (u, v)")},
     };
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
         if (all[i].count > 0) {
@@ -135,7 +138,7 @@ static void info_print_meshes(const Scene *scene) {
     for (size_t i = 0; i < scene->mesh_count; i++) {
         const Mesh *mesh = scene->meshes[i].mesh;
         fputs(gettext("model      "), stdout);
-        print_clean(scene->meshes[i].file.name, stdout);
+        print_sanitized(scene->meshes[i].file.name, stdout);
         printf(ngettext(": %zu triangle", ": %zu triangles", mesh->triangle_count),
                mesh->triangle_count);
         printf(ngettext(", %zu position", ", %zu positions", mesh->position_count),
@@ -149,7 +152,7 @@ static void info_print_meshes(const Scene *scene) {
 
 /** @return How the texels of a picture are kept, in English. @param texture The picture. */
 static const char *texels_name(const Texture *texture) {
-    return texture->is_light ? N_("linear light, floats") : N_("sRGB, 8 bits");
+    return texture->is_hdr ? N_("linear light, floats") : N_("sRGB, 8 bits");
 }
 
 /** Prints the pictures for people, a line each. @param scene The scene. */
@@ -157,9 +160,9 @@ static void info_print_textures(const Scene *scene) {
     for (size_t i = 0; i < scene->texture_count; i++) {
         const Texture *texture = scene->textures[i].texture;
         fputs(gettext("texture    "), stdout);
-        print_clean(scene->textures[i].file.name, stdout);
+        print_sanitized(scene->textures[i].file.name, stdout);
         printf(gettext(": %d x %d, %s, %.1f MB\n"), texture->width, texture->height,
-               gettext(texels_name(texture)), 1e-6 * (double)texture_size(texture));
+               gettext(texels_name(texture)), 1e-6 * (double)texture_block_size(texture));
     }
 }
 
@@ -171,22 +174,22 @@ static void info_print_textures_json(const Scene *scene) {
         printf("%s{\"file\": ", i ? ", " : "");
         json_print_string(scene->textures[i].file.name, stdout);
         printf(", \"width\": %d, \"height\": %d, \"texels\": \"%s\", \"bytes\": %zu}",
-               texture->width, texture->height, texture->is_light ? "light" : "srgb",
-               texture_size(texture));
+               texture->width, texture->height, texture->is_hdr ? "light" : "srgb",
+               texture_block_size(texture));
     }
     printf("]");
 }
 
 /** Prints how shapes are found, and why so, for people. @param contents The tracer's. */
-static void info_print_tree(const TracerContents *contents) {
-    bool has_tree = contents->planted > 0;
-    if (has_tree) {
-        printf(gettext("tree       over %zu shapes; "), contents->planted);
+static void info_print_bvh(const TracerStats *contents) {
+    bool has_bvh = contents->in_bvh > 0;
+    if (has_bvh) {
+        printf(gettext("tree       over %zu shapes; "), contents->in_bvh);
     } else {
         fputs(gettext("no tree    "), stdout);
     }
-    printf(gettext("%zu asked one by one: here a tree pays from %zu on\n"), contents->listed,
-           contents->tree_from);
+    printf(gettext("%zu asked one by one: here a tree pays from %zu on\n"), contents->linear,
+           contents->bvh_threshold);
     if (contents->triangles > 0) {
         printf(gettext("memory     %.1f MB for %zu triangles and their trees: %zu bytes each\n"),
                1e-6 * (double)contents->triangle_bytes, contents->triangles,
@@ -195,27 +198,27 @@ static void info_print_tree(const TracerContents *contents) {
 }
 
 /** Prints how shapes are found, for programs. @param contents The tracer's. */
-static void info_print_tree_json(const TracerContents *contents) {
+static void info_print_bvh_json(const TracerStats *contents) {
     printf(", \"tree\": {\"planted\": %zu, \"listed\": %zu, \"from\": %zu}, "
            "\"triangles\": %zu, \"triangle_bytes\": %zu",
-           contents->planted, contents->listed, contents->tree_from, contents->triangles,
+           contents->in_bvh, contents->linear, contents->bvh_threshold, contents->triangles,
            contents->triangle_bytes);
 }
 
 /** Prints it for programs. @param scene The scene. @param info What it uses.
  *  @param settings How it would be drawn. @param options The command line. */
-static void info_print_json(const Scene *scene, const Info *info, const RenderSettings *settings,
-                            const Options *options) {
-    const char *left[LEFT_MAXIMUM];
-    int left_count = info_left_out(scene, info, left);
+static void info_print_json(const Scene *scene, const SceneInfo *info,
+                            const RenderSettings *settings, const Options *options) {
+    const char *omissions[OMISSIONS_MAXIMUM];
+    int omission_count = info_omissions(scene, info, omissions);
     printf("{\"scene\": ");
     json_print_string(options->arguments[0], stdout);
     printf(", \"shapes\": {");
     const Keyword *const *keywords = settings->engine->shape_keywords;
     const char *comma = "";
     for (size_t kind = 0; keywords[kind]; kind++) {
-        if (info->kinds[kind]) {
-            printf("%s\"%s\": %zu", comma, keywords[kind]->name, info->kinds[kind]);
+        if (info->shape_counts[kind]) {
+            printf("%s\"%s\": %zu", comma, keywords[kind]->name, info->shape_counts[kind]);
             comma = ", ";
         }
     }
@@ -224,31 +227,31 @@ static void info_print_json(const Scene *scene, const Info *info, const RenderSe
            "\"depth\": %d, "
            "\"engine\": \"%s\", \"engine_reason\": \"%s\", \"threads\": %d, \"offset\": \"%s\", "
            "\"left_out\": [",
-           scene->shape_count, scene->light_count, scene->material_count - 1, info->mirrors,
-           info->glass, info->highlights, settings->width, settings->height, settings->samples,
+           scene->shape_count, scene->light_count, scene->material_count - 1, info->reflective,
+           info->transparent, info->specular, settings->width, settings->height, settings->samples,
            settings->trace.depth, settings->engine->name, engine_reason(options, settings->engine),
-           settings->threads, offset_names[settings->trace.offset]);
-    for (int i = 0; i < left_count; i++) {
-        printf("%s\"%s\"", i ? ", " : "", left[i]);
+           settings->threads, offset_strategy_names[settings->trace.offset]);
+    for (int i = 0; i < omission_count; i++) {
+        printf("%s\"%s\"", i ? ", " : "", omissions[i]);
     }
     putchar(']');
     info_print_meshes_json(scene);
     info_print_textures_json(scene);
-    printf(", \"reads_time\": %s, \"stalled\": %llu", scene->reads_time ? "true" : "false",
-           (unsigned long long)info->contents.stalled);
-    info_print_tree_json(&info->contents);
+    printf(", \"reads_time\": %s, \"stalled\": %llu", scene->is_time_dependent ? "true" : "false",
+           (unsigned long long)info->contents.step_limit_count);
+    info_print_bvh_json(&info->contents);
     puts("}");
 }
 
 /** Prints it for people. @param scene The scene. @param info What it uses.
  *  @param settings How it would be drawn. @param options The command line. */
-static void info_print(const Scene *scene, const Info *info, const RenderSettings *settings,
+static void info_print(const Scene *scene, const SceneInfo *info, const RenderSettings *settings,
                        const Options *options) {
     const Keyword *const *keywords = settings->engine->shape_keywords;
     printf(gettext("shapes     %zu:"), scene->shape_count);
     for (size_t kind = 0; keywords[kind]; kind++) {
-        if (info->kinds[kind]) {
-            printf(" %zu %s", info->kinds[kind], keywords[kind]->name);
+        if (info->shape_counts[kind]) {
+            printf(" %zu %s", info->shape_counts[kind], keywords[kind]->name);
         }
     }
     putchar('\n');
@@ -256,45 +259,46 @@ static void info_print(const Scene *scene, const Info *info, const RenderSetting
     info_print_textures(scene);
     printf(gettext("lights     %zu\n"), scene->light_count);
     printf(gettext("materials  %zu\n"), scene->material_count - 1);
-    printf(gettext("mirrors    %zu shapes, glass %zu, depth %d\n"), info->mirrors, info->glass,
-           info->mirrors + info->glass ? settings->trace.depth : 0);
+    printf(gettext("mirrors    %zu shapes, glass %zu, depth %d\n"), info->reflective,
+           info->transparent, info->reflective + info->transparent ? settings->trace.depth : 0);
     printf(gettext("picture    %d x %d, "), settings->width, settings->height);
     printf(ngettext("%d ray a pixel\n", "%d rays a pixel\n", (unsigned long)settings->samples),
            settings->samples);
-    fputs(scene->reads_time ? gettext("time       asked for: frames of a film differ\n")
-                            : gettext("time       not asked for: frames of a film are alike\n"),
+    fputs(scene->is_time_dependent
+              ? gettext("time       asked for: frames of a film differ\n")
+              : gettext("time       not asked for: frames of a film are alike\n"),
           stdout);
     printf(gettext("engine     %s: %s\n"), settings->engine->name,
            gettext(engine_reason(options, settings->engine)));
-    printf(gettext("offset     %s\n"), offset_names[settings->trace.offset]);
-    info_print_tree(&info->contents);
-    if (info_has_fields(scene, settings)) {
+    printf(gettext("offset     %s\n"), offset_strategy_names[settings->trace.offset]);
+    info_print_bvh(&info->contents);
+    if (info_has_sdfs(scene, settings)) {
         printf(gettext("marching   %llu of %zu rays from the eye run out of steps\n"),
-               (unsigned long long)info->contents.stalled,
+               (unsigned long long)info->contents.step_limit_count,
                (size_t)settings->width * (size_t)settings->height);
     }
-    const char *left[LEFT_MAXIMUM];
-    int left_count = info_left_out(scene, info, left);
+    const char *omissions[OMISSIONS_MAXIMUM];
+    int omission_count = info_omissions(scene, info, omissions);
     fputs(gettext("left out   "), stdout);
-    for (int i = 0; i < left_count; i++) {
-        printf("%s%s", i ? ", " : "", gettext(left[i]));
+    for (int i = 0; i < omission_count; i++) {
+        printf("%s%s", i ? ", " : "", gettext(omissions[i]));
     }
-    printf("%s\n", left_count ? "" : gettext("nothing"));
+    printf("%s\n", omission_count ? "" : gettext("nothing"));
 }
 
 /** Tells about a scene. See #Command.run. @param options The command line.
  *  @param[out] error What is wrong. @return The exit status. */
 static int info_run(const Options *options, Error *error) {
-    Scene *scene = command_scene(options, error);
+    Scene *scene = command_load_scene(options, error);
     if (!scene) {
         return (int)error->status;
     }
-    RenderSettings settings = command_settings(options, scene);
+    RenderSettings settings = command_render_settings(options, scene);
     Renderer *renderer = renderer_create(scene, &settings, error);
     if (renderer) {
-        Info info = info_of(scene);
-        if (info_has_fields(scene, &settings)) {
-            renderer_cast(renderer, false);
+        SceneInfo info = scene_info(scene);
+        if (info_has_sdfs(scene, &settings)) {
+            renderer_benchmark_rays(renderer, false);
         }
         info.contents = renderer_contents(renderer);
         options->json ? info_print_json(scene, &info, &settings, options)

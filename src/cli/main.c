@@ -2,9 +2,9 @@
  * @file
  * @brief The program: finds the command and runs it.
  */
+#include "base/language.h"
+#include "base/suggest.h"
 #include "cli/commands.h"
-#include "dioptre/language.h"
-#include "script/suggest.h"
 
 #include <libintl.h>
 #include <signal.h>
@@ -64,8 +64,8 @@ static const Command *find_command(const char *name) {
 /** Says what went wrong; a scene's errors begin with its file. @param error It. */
 static void print_error(const Error *error) {
     if (error->message[0]) {
-        const char *who = error->status == STATUS_SCENE ? "" : "dioptre: ";
-        fprintf(stderr, "%s%s\n", who, error->message);
+        const char *prefix = error->status == STATUS_SCENE ? "" : "dioptre: ";
+        fprintf(stderr, "%s%s\n", prefix, error->message);
     }
 }
 
@@ -73,19 +73,19 @@ static void print_error(const Error *error) {
  *  @param[out] error What is wrong. @return The exit status. */
 static int run_command(const Command *command, const Options *options, Error *error) {
     int more = options->argument_count - command->arguments;
-    if (more > 0 && !command->more_arguments) {
+    if (more > 0 && !command->accepts_more_arguments) {
         error_set(error, STATUS_USAGE, "too many arguments: '%s'",
                   options->arguments[command->arguments]);
         return STATUS_USAGE;
     }
-    if (more + command->optional < 0) {
+    if (more + command->optional_arguments < 0) {
         error_set(error, STATUS_USAGE, "usage: dioptre %s %s (--help says more)", command->name,
                   gettext(command->usage));
         return STATUS_USAGE;
     }
     int status = command->run(options, error);
     // What was printed must have got out: a full disk behind a redirection is an error too.
-    if (fflush(stdout) != 0 && status == STATUS_DONE) {
+    if (fflush(stdout) != 0 && status == STATUS_OK) {
         error_set(error, STATUS_FAILED, "cannot write to standard output");
         return STATUS_FAILED;
     }
@@ -103,7 +103,7 @@ static bool may_be_scene(const char *word) {
 /** Says that a first word is no command. @param word The word. @param[out] error What is wrong.
  *  @return The exit status. */
 static int refuse_word(const char *word, Error *error) {
-    Suggestion suggestion = {.wanted = word};
+    Suggestion suggestion = {.word = word};
     char hint[SUGGEST_HINT_SIZE];
     for (const Command *const *command = commands; *command; command++) {
         suggest_try(&suggestion, (*command)->name);
@@ -115,7 +115,7 @@ static int refuse_word(const char *word, Error *error) {
 
 /** Does what a command line says. @param argc Number of words. @param argv The words.
  *  @param[out] error What is wrong. @return The exit status. */
-static int run(int argc, char **argv, Error *error) {
+static int parse_and_run(int argc, char **argv, Error *error) {
     const Command *command = argc > 1 ? find_command(argv[1]) : NULL;
     // A first word that is neither a command nor an option is a scene to view.
     bool is_scene = !command && argc > 1 && (argv[1][0] != '-' || argv[1][1] == 0);
@@ -132,11 +132,11 @@ static int run(int argc, char **argv, Error *error) {
     }
     if (options.version) {
         printf("dioptre %s\n", DIOPTRE_VERSION);
-        return STATUS_DONE;
+        return STATUS_OK;
     }
     if (options.help) {
         command ? print_command_help(command) : print_help();
-        return STATUS_DONE;
+        return STATUS_OK;
     }
     if (!command) {
         return error_set(error, STATUS_USAGE, "which command? (--help names them)"), STATUS_USAGE;
@@ -152,12 +152,12 @@ static int run(int argc, char **argv, Error *error) {
  */
 int main(int argc, char **argv) {
     Error error = {0};
-    language_begin();
+    language_init();
     // Without this, writing to a pipe whose reader has gone, or a file larger than the system
     // allows, would kill the program unheard.
     signal(SIGPIPE, SIG_IGN);
     signal(SIGXFSZ, SIG_IGN);
-    int status = run(argc, argv, &error);
+    int status = parse_and_run(argc, argv, &error);
     print_error(&error);
     return status;
 }

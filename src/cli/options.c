@@ -4,9 +4,9 @@
  */
 #include "cli/options.h"
 
+#include "base/language.h"
 #include "cli/commands.h"
-#include "dioptre/language.h"
-#include "dioptre/offset.h"
+#include "dioptre/offset_strategy.h"
 
 #include <errno.h>
 #include <getopt.h>
@@ -17,16 +17,16 @@
 #include <string.h>
 
 /** One option. Its key is its short letter, or a capital letter that is not offered as one. */
-typedef struct OptionRow {
+typedef struct OptionSpec {
     char key;          /**< What #Command.accepts names it by. */
     bool is_short;     /**< Whether the key is a short option, too. */
     const char *name;  /**< The long name. */
     const char *value; /**< What its value is called in the help; NULL: it takes none. */
     const char *help;  /**< What it does. */
-} OptionRow;
+} OptionSpec;
 
 /** All options of all commands. */
-static const OptionRow option_rows[] = {
+static const OptionSpec option_specs[] = {
     {'o', true, "output", N_("FILE"), N_("write there; the ending names the format")},
     {'U', false, "out", N_("DIR"), N_("write there; the folder is made where it is not there")},
     {'s', true, "size", N_("WxH"), N_("size of the picture, pixels")},
@@ -68,7 +68,7 @@ static const OptionRow option_rows[] = {
 static const int NAME_WIDTH = 22;
 
 /** How many options there are. */
-enum { OPTION_COUNT = sizeof option_rows / sizeof *option_rows };
+enum { OPTION_COUNT = sizeof option_specs / sizeof *option_specs };
 
 /** @return Whether a command takes an option. @param command The command, or NULL.
  *  @param key The option's key. */
@@ -129,7 +129,7 @@ static bool read_number(const char *name, const char *text, double minimum, doub
  * @param[out] error  What is wrong.
  * @return Whether it is one, in range.
  */
-static bool read_rate(const char *text, double *fps, Error *error) {
+static bool read_fps(const char *text, double *fps, Error *error) {
     Error ignored;
     return (read_number("fps", text, 0, fps, &ignored) && *fps > 0 && *fps <= FRAMES_FPS_MAXIMUM) ||
            error_set(error, STATUS_USAGE, "--fps takes a number above 0, at most %g, not '%s'",
@@ -169,71 +169,72 @@ static bool read_size(const char *text, Options *options, Error *error) {
  * @param name        The option's name.
  * @param text        What was said.
  * @param words       The words, ended by NULL.
- * @param[out] place  Which.
+ * @param[out] index  Which.
  * @param[out] error  What is wrong.
  * @return Whether it is one of them.
  */
-static bool read_word(const char *name, const char *text, const char *const *words, int *place,
+static bool read_word(const char *name, const char *text, const char *const *words, int *index,
                       Error *error) {
-    char known[128] = "";
+    char choices[128] = "";
     for (int i = 0; words[i]; i++) {
         if (strcmp(text, words[i]) == 0) {
-            *place = i;
+            *index = i;
             return true;
         }
-        const char *glue = i == 0 ? "" : words[i + 1] ? ", " : gettext(" or ");
-        strncat(known, glue, sizeof known - strlen(known) - 1);
-        strncat(known, words[i], sizeof known - strlen(known) - 1);
+        const char *separator = i == 0 ? "" : words[i + 1] ? ", " : gettext(" or ");
+        strncat(choices, separator, sizeof choices - strlen(choices) - 1);
+        strncat(choices, words[i], sizeof choices - strlen(choices) - 1);
     }
-    return error_set(error, STATUS_USAGE, "--%s takes %s, not '%s'", name, known, text);
+    return error_set(error, STATUS_USAGE, "--%s takes %s, not '%s'", name, choices, text);
 }
 
-/** Takes an option whose value is a word. @param row The option. @param text Its value.
+/** Takes an option whose value is a word. @param option The option. @param text Its value.
  *  @param[out] options Gets it. @param[out] error What is wrong. @return Whether it is good. */
-static bool take_word(const OptionRow *row, const char *text, Options *options, Error *error) {
+static bool set_word_option(const OptionSpec *option, const char *text, Options *options,
+                            Error *error) {
     static const char *const rays[] = {"image", "primary", "random", NULL};
     static const char *const styles[] = {"auto", "json", "none", NULL};
     static const char *const samplings[] = {"adaptive", "full", NULL};
     static const char *const keys[] = {"places", "letters", NULL};
-    int place = 0;
-    switch (row->key) {
+    int index = 0;
+    switch (option->key) {
     case 'O':
-        return read_word(row->name, text, offset_names, &options->offset, error);
+        return read_word(option->name, text, offset_strategy_names, &options->offset, error);
     case 'S':
-        if (!read_word(row->name, text, samplings, &place, error)) {
+        if (!read_word(option->name, text, samplings, &index, error)) {
             return false;
         }
-        options->sampling = (Sampling)place;
+        options->sampling = (Sampling)index;
         return true;
     case 'R':
-        if (!read_word(row->name, text, rays, &place, error)) {
+        if (!read_word(option->name, text, rays, &index, error)) {
             return false;
         }
-        options->rays = (BenchRays)place;
+        options->rays = (BenchRays)index;
         return true;
     case 'P':
-        if (!read_word(row->name, text, styles, &place, error)) {
+        if (!read_word(option->name, text, styles, &index, error)) {
             return false;
         }
-        options->progress = (ProgressStyle)place;
+        options->progress = (ProgressStyle)index;
         return true;
     default:
-        if (!read_word(row->name, text, keys, &place, error)) {
+        if (!read_word(option->name, text, keys, &index, error)) {
             return false;
         }
-        options->by_letter = place == 1;
+        options->keys_by_letter = index == 1;
         return true;
     }
 }
 
 /** @return Where an option's value goes as it is; NULL: it is no text. @param key The option's key.
  *  @param options The options. */
-static const char **text_place(char key, Options *options) {
+static const char **text_option_target(char key, Options *options) {
     switch (key) {
     case 'o':
         return &options->output;
     case 'U':
-        return &options->folder;
+        return &options->out_dir;
     case 'B':
         return &options->base_dir;
     case 'M':
@@ -249,45 +250,46 @@ static const char **text_place(char key, Options *options) {
     }
 }
 
-/** Takes an option that has a value. @param row The option. @param text Its value.
+/** Takes an option that has a value. @param option The option. @param text Its value.
  *  @param[out] options Gets it. @param[out] error What is wrong. @return Whether it is good. */
-static bool take_value(const OptionRow *row, const char *text, Options *options, Error *error) {
-    const char **place = text_place(row->key, options);
-    if (place) {
-        *place = text;
+static bool set_value_option(const OptionSpec *option, const char *text, Options *options,
+                             Error *error) {
+    const char **target = text_option_target(option->key, options);
+    if (target) {
+        *target = text;
         return true;
     }
-    switch (row->key) {
+    switch (option->key) {
     case 's':
         return read_size(text, options, error);
     case 'A':
-        return read_integer(row->name, text, 1, SAMPLES_MAXIMUM, &options->samples, error);
+        return read_integer(option->name, text, 1, SAMPLES_MAXIMUM, &options->samples, error);
     case 'D':
-        return read_integer(row->name, text, 0, DEPTH_MAXIMUM, &options->depth, error);
+        return read_integer(option->name, text, 0, DEPTH_MAXIMUM, &options->depth, error);
     case 'j':
-        return read_integer(row->name, text, 1, THREADS_MAXIMUM, &options->threads, error);
+        return read_integer(option->name, text, 1, THREADS_MAXIMUM, &options->threads, error);
     case 'F':
-        return frames_read(text, &options->frames, error);
+        return frame_range_parse(text, &options->frames, error);
     case 'C':
-        return read_number(row->name, text, 0, &options->seconds, error);
+        return read_number(option->name, text, 0, &options->seconds, error);
     case 'G':
-        return read_rate(text, &options->fps, error);
+        return read_fps(text, &options->fps, error);
     case 'T':
-        return read_integer(row->name, text, 0, UINT8_MAX, &options->threshold, error);
+        return read_integer(option->name, text, 0, UINT8_MAX, &options->threshold, error);
     case 't':
-        return read_number(row->name, text, -HUGE_VAL, &options->time, error);
+        return read_number(option->name, text, -HUGE_VAL, &options->time, error);
     case 'X':
-        return read_number(row->name, text, 0, &options->epsilon, error);
+        return read_number(option->name, text, 0, &options->epsilon, error);
     case 'E':
         options->engine = strcmp(text, "auto") == 0 ? NULL : engine_find(text, error);
         return options->engine || strcmp(text, "auto") == 0;
     default:
-        return take_word(row, text, options, error);
+        return set_word_option(option, text, options, error);
     }
 }
 
 /** Takes an option that has no value. @param key Its key. @param[out] options Gets it. */
-static void take_flag(char key, Options *options) {
+static void set_flag_option(char key, Options *options) {
     options->json = options->json || key == 'J';
     options->timing = options->timing || key == 'L';
     options->kernels = options->kernels || key == 'Z';
@@ -299,21 +301,22 @@ static void take_flag(char key, Options *options) {
 
 /** Tables as getopt_long wants them. */
 typedef struct GetoptTables {
-    char letters[2 * OPTION_COUNT + 2];    /**< Short options; first a colon: it prints nothing. */
-    struct option names[OPTION_COUNT + 1]; /**< Long options. */
+    char short_options[2 * OPTION_COUNT +
+                       2]; /**< Short options; first a colon: it prints nothing. */
+    struct option long_options[OPTION_COUNT + 1]; /**< Long options. */
 } GetoptTables;
 
 /** @return The tables of all options. */
 static GetoptTables getopt_tables(void) {
-    GetoptTables tables = {.letters = ":"};
-    char *letter = tables.letters + 1;
+    GetoptTables tables = {.short_options = ":"};
+    char *letter = tables.short_options + 1;
     for (int i = 0; i < OPTION_COUNT; i++) {
-        const OptionRow *row = &option_rows[i];
-        tables.names[i] = (struct option){row->name, row->value ? required_argument : no_argument,
-                                          NULL, row->key};
-        if (row->is_short) {
-            *letter++ = row->key;
-            if (row->value) {
+        const OptionSpec *spec = &option_specs[i];
+        tables.long_options[i] = (struct option){
+            spec->name, spec->value ? required_argument : no_argument, NULL, spec->key};
+        if (spec->is_short) {
+            *letter++ = spec->key;
+            if (spec->value) {
                 *letter++ = ':';
             }
         }
@@ -322,10 +325,10 @@ static GetoptTables getopt_tables(void) {
 }
 
 /** @return The option with a key, or NULL. @param key The key. */
-static const OptionRow *option_row(int key) {
+static const OptionSpec *find_option(int key) {
     for (int i = 0; i < OPTION_COUNT; i++) {
-        if (option_rows[i].key == key) {
-            return &option_rows[i];
+        if (option_specs[i].key == key) {
+            return &option_specs[i];
         }
     }
     return NULL;
@@ -340,23 +343,23 @@ static const OptionRow *option_row(int key) {
  * @param[out] error    What is wrong.
  * @return Whether it is good.
  */
-static bool take_option(const Command *command, int key, const char *word, Options *options,
-                        Error *error) {
-    const OptionRow *row = key == '?' || key == ':' ? NULL : option_row(key);
+static bool set_option(const Command *command, int key, const char *word, Options *options,
+                       Error *error) {
+    const OptionSpec *option = key == '?' || key == ':' ? NULL : find_option(key);
     if (key == ':') {
         return error_set(error, STATUS_USAGE, "%s needs a value", word);
     }
-    if (!row) {
+    if (!option) {
         return error_set(error, STATUS_USAGE, "there is no option %s", word);
     }
     if (!command_accepts(command, key)) {
         return error_set(error, STATUS_USAGE, "%s does not take --%s",
-                         command ? command->name : "dioptre", row->name);
+                         command ? command->name : "dioptre", option->name);
     }
-    if (row->value) {
-        return take_value(row, optarg, options, error);
+    if (option->value) {
+        return set_value_option(option, optarg, options, error);
     }
-    take_flag(row->key, options);
+    set_flag_option(option->key, options);
     return true;
 }
 
@@ -365,8 +368,8 @@ bool options_parse(const Command *command, int argc, char **argv, Options *optio
     *options = (Options){.depth = -1, .offset = -1, .epsilon = -1, .seconds = -1};
     optind = 1;
     int key = 0;
-    while ((key = getopt_long(argc, argv, tables.letters, tables.names, NULL)) != -1) {
-        if (!take_option(command, key, argv[optind - 1], options, error)) {
+    while ((key = getopt_long(argc, argv, tables.short_options, tables.long_options, NULL)) != -1) {
+        if (!set_option(command, key, argv[optind - 1], options, error)) {
             return false;
         }
     }
@@ -381,14 +384,14 @@ bool options_parse(const Command *command, int argc, char **argv, Options *optio
 
 void options_print(const Command *command) {
     for (int i = 0; i < OPTION_COUNT; i++) {
-        const OptionRow *row = &option_rows[i];
-        if (command_accepts(command, row->key)) {
+        const OptionSpec *option = &option_specs[i];
+        if (command_accepts(command, option->key)) {
             char name[64];
-            snprintf(name, sizeof name, "--%s %s", row->name,
-                     row->value ? gettext(row->value) : "");
-            printf("  %c%c ", row->is_short ? '-' : ' ', row->is_short ? row->key : ' ');
+            snprintf(name, sizeof name, "--%s %s", option->name,
+                     option->value ? gettext(option->value) : "");
+            printf("  %c%c ", option->is_short ? '-' : ' ', option->is_short ? option->key : ' ');
             print_padded(name, NAME_WIDTH);
-            printf(" %s\n", gettext(row->help));
+            printf(" %s\n", gettext(option->help));
         }
     }
 }

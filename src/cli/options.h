@@ -31,7 +31,7 @@ typedef struct Options {
     const char *arguments[ARGUMENTS_MAXIMUM]; /**< Scene or picture files, or tests. */
     int argument_count;                       /**< How many. */
     const char *output;                       /**< `-o`: file to write. */
-    const char *folder;                       /**< `--out`: folder to write into. */
+    const char *out_dir;                      /**< `--out`: folder to write into. */
     const char *base_dir;                     /**< `--base-dir` */
     const char *svg;                          /**< `--svg`: drawing to write. */
     const char *map;                          /**< `--map`: difference picture to write. */
@@ -56,7 +56,7 @@ typedef struct Options {
     bool skip_existing;                       /**< `--skip-existing` */
     bool quiet;                               /**< `--quiet` */
     bool json;                                /**< `--json` */
-    bool by_letter;                           /**< `--keys letters` */
+    bool keys_by_letter;                      /**< `--keys letters` */
     bool timing;                              /**< `--timing` */
     bool kernels;                             /**< `--kernels` */
     bool help;                                /**< `--help` */
@@ -65,13 +65,13 @@ typedef struct Options {
 
 /** A command. */
 typedef struct Command {
-    const char *name;    /**< Such as `render`. */
-    const char *usage;   /**< Its arguments, such as `SCENE -o FILE`, in English. */
-    const char *help;    /**< What it does, in one line, in English. */
-    const char *accepts; /**< Keys of the options it takes; see #options_parse. */
-    int arguments;       /**< How many arguments it takes. */
-    int optional;        /**< How many of them may be left out. */
-    bool more_arguments; /**< Whether it takes more than that, too. */
+    const char *name;            /**< Such as `render`. */
+    const char *usage;           /**< Its arguments, such as `SCENE -o FILE`, in English. */
+    const char *help;            /**< What it does, in one line, in English. */
+    const char *accepts;         /**< Keys of the options it takes; see #options_parse. */
+    int arguments;               /**< How many arguments it takes. */
+    int optional_arguments;      /**< How many of them may be left out. */
+    bool accepts_more_arguments; /**< Whether it takes more than that, too. */
     /**
      * Does it.
      * @param options     What the command line says.

@@ -5,7 +5,7 @@
 #ifndef DIOPTRE_CLI_PROBE_H
 #define DIOPTRE_CLI_PROBE_H
 
-#include "dioptre/ray_view.h"
+#include "render/orbit_camera.h"
 
 /** What is told. */
 typedef struct ProbeReport {
@@ -14,7 +14,7 @@ typedef struct ProbeReport {
     RenderSettings settings; /**< How it is drawn. */
     int x;                   /**< The pixel's column. */
     int y;                   /**< Its row. */
-    const Probe *probe;      /**< Its rays, at least one. */
+    const RayTree *tree;     /**< Its rays, at least one. */
 } ProbeReport;
 
 /** Tells it in words. @param report What is told. */
@@ -24,11 +24,11 @@ void probe_print(const ProbeReport *report);
 void probe_print_json(const ProbeReport *report);
 
 /** A light in 8-bit steps. */
-typedef struct ProbeSteps {
-    int step[3]; /**< Red, green and blue, 0 to 255. */
-} ProbeSteps;
+typedef struct ProbePixel {
+    int channels[3]; /**< Red, green and blue, 0 to 255. */
+} ProbePixel;
 
 /** @return The pixel as a picture of one sample shows it. @param report What is told. */
-ProbeSteps probe_steps(const ProbeReport *report);
+ProbePixel probe_pixel(const ProbeReport *report);
 
 #endif

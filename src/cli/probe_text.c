@@ -2,10 +2,10 @@
  * @file
  * @brief The rays of a pixel in words.
  */
+#include "base/language.h"
 #include "cli/commands.h"
 #include "cli/probe.h"
-#include "dioptre/language.h"
-#include "dioptre/offset.h"
+#include "dioptre/offset_strategy.h"
 
 #include <libintl.h>
 #include <stdio.h>
@@ -17,42 +17,43 @@ enum { INDENT_MAXIMUM = 24 };
 /** Letters that what a line tells takes. */
 enum { LABEL_WIDTH = 14 };
 /** Longest name of a part of the sum, bytes. */
-enum { PART_SIZE = 64 };
+enum { TERM_NAME_SIZE = 64 };
 
-ProbeSteps probe_steps(const ProbeReport *report) {
+ProbePixel probe_pixel(const ProbeReport *report) {
     Encoder encoder;
-    Color light = report->probe->rays[0].color;
+    Rgbd light = report->tree->nodes[0].color;
     encoder_init(&encoder, (Encoding)report->settings.encoding);
-    return (ProbeSteps){{encoder_encode(&encoder, (float)light.red),
+    return (ProbePixel){{encoder_encode(&encoder, (float)light.red),
                          encoder_encode(&encoder, (float)light.green),
                          encoder_encode(&encoder, (float)light.blue)}};
 }
 
-/** Begins a line under a ray. @param indent Columns. @param what What it tells. */
-static void begin_line(int indent, const char *what) {
+/** Begins a line under a ray. @param indent Columns. @param label What it tells. */
+static void begin_line(int indent, const char *label) {
     printf("%*s", indent, "");
-    print_padded(gettext(what), LABEL_WIDTH);
+    print_padded(gettext(label), LABEL_WIDTH);
 }
 
-/** Prints a line of three numbers. @param indent Columns. @param what What they are. @param x One.
+/** Prints a line of three numbers. @param indent Columns. @param label What they are. @param x One.
  *  @param y One. @param z One. @param words What follows. */
-static void print_three(int indent, const char *what, double x, double y, double z,
+static void print_three(int indent, const char *label, double x, double y, double z,
                         const char *words) {
-    begin_line(indent, what);
+    begin_line(indent, label);
     printf("%12.6g%12.6g%12.6g%s%s\n", x, y, z, *words ? "  " : "", *words ? gettext(words) : "");
 }
 
-/** Prints a line of a colour. @param indent Columns. @param what What it is. @param color It.
+/** Prints a line of a colour. @param indent Columns. @param label What it is. @param color It.
  *  @param words What follows. */
-static void print_color(int indent, const char *what, Color color, const char *words) {
-    print_three(indent, what, color.red, color.green, color.blue, words);
+static void print_color(int indent, const char *label, Rgbd color, const char *words) {
+    print_three(indent, label, color.red, color.green, color.blue, words);
 }
 
 /** Prints what becomes of a ray at glass. @param indent Columns. @param surface The surface. */
-static void print_glass(int indent, const ProbeSurface *surface) {
+static void print_glass(int indent, const RayTreeSurface *surface) {
     begin_line(indent, N_("index"));
-    printf(gettext("%12.6g before it, %.6g behind it"), surface->before, surface->behind);
-    puts(surface->is_hidden ? gettext(": a later shape is there, and this surface is not") : "");
+    printf(gettext("%12.6g before it, %.6g behind it"), surface->ior_from, surface->ior_to);
+    puts(surface->is_overridden ? gettext(": a later shape is there, and this surface is not")
+                                : "");
     begin_line(indent, N_("Fresnel"));
     if (surface->is_total) {
         printf(gettext("%12d: all is mirrored, the angle is too flat to get out\n"), 1);
@@ -63,16 +64,16 @@ static void print_glass(int indent, const ProbeSurface *surface) {
 }
 
 /** Prints how far from a surface rays start. @param indent Columns. @param surface The surface. */
-static void print_epsilon(int indent, const ProbeSurface *surface) {
+static void print_epsilon(int indent, const RayTreeSurface *surface) {
     begin_line(indent, N_("epsilon"));
     printf(gettext("%12.4g = %.4g ulps: so far from it the next rays start\n"), surface->epsilon,
            surface->ulps);
 }
 
 /** Prints the numbers of a surface that was met. @param indent Columns. @param ray The ray. */
-static void print_surface(int indent, const ProbeRay *ray) {
+static void print_surface(int indent, const RayTreeNode *ray) {
     begin_line(indent, N_("angle"));
-    printf(gettext("%12.6g degrees from the normal"), ray_angle(ray));
+    printf(gettext("%12.6g degrees from the normal"), ray_incidence_angle(ray));
     puts(ray->surface.is_inside ? gettext(", from inside") : "");
     if (ray->surface.is_transparent) {
         print_glass(indent, &ray->surface);
@@ -81,7 +82,7 @@ static void print_surface(int indent, const ProbeRay *ray) {
 }
 
 /** Prints where a ray met something. @param indent Columns. @param ray The ray. */
-static void print_where(int indent, const ProbeRay *ray) {
+static void print_hit(int indent, const RayTreeNode *ray) {
     begin_line(indent, N_("distance"));
     printf("%12.6g\n", ray->distance);
     print_three(indent, N_("point"), ray->point.x, ray->point.y, ray->point.z, "");
@@ -89,25 +90,26 @@ static void print_where(int indent, const ProbeRay *ray) {
 }
 
 /** @return Columns of a ray's lines. @param ray The ray. */
-static int ray_indent(const ProbeRay *ray) {
+static int ray_indent(const RayTreeNode *ray) {
     int indent = INDENT * ray->depth;
     return indent < INDENT_MAXIMUM ? indent : INDENT_MAXIMUM;
 }
 
-/** Prints a shadow ray. @param report What is told. @param place Which. */
-static void print_shadow(const ProbeReport *report, size_t place) {
-    const ProbeRay *ray = &report->probe->rays[place];
+/** Prints a shadow ray. @param report What is told. @param index Which. */
+static void print_shadow(const ProbeReport *report, size_t index) {
+    const RayTreeNode *ray = &report->tree->nodes[index];
     int indent = ray_indent(ray);
-    char name[RAY_NAME_SIZE];
-    printf("%*s%zu  ", indent, "", place);
-    printf(gettext("shadow ray to lamp %d: "), ray->lamp + 1);
+    char name[RAY_HIT_NAME_SIZE];
+    printf("%*s%zu  ", indent, "", index);
+    printf(gettext("shadow ray to lamp %d: "), ray->light + 1);
     if (ray->shape >= 0) {
-        ray_name_met(report->scene, ray, name);
+        ray_hit_name(report->scene, ray, name);
         printf(gettext("%s is in its way, at %.6g\n"), name, ray->distance);
     } else if (ray->is_hit) {
         puts(gettext("nothing is left of the light behind glass"));
     } else {
-        bool is_filtered = ray->passed.red < 1 || ray->passed.green < 1 || ray->passed.blue < 1;
+        bool is_filtered = ray->transmittance.red < 1 || ray->transmittance.green < 1 ||
+                           ray->transmittance.blue < 1;
         fputs(is_filtered ? gettext("only glass is in its way") : gettext("nothing is in its way"),
               stdout);
         isinf(ray->limit) ? puts("") : printf(gettext(", over %.6g\n"), ray->limit);
@@ -115,89 +117,90 @@ static void print_shadow(const ProbeReport *report, size_t place) {
     }
 }
 
-/** Prints a ray that looks. @param report What is told. @param place Which. */
-static void print_look(const ProbeReport *report, size_t place) {
-    static const char *const names[] = {[PROBE_CAMERA] = N_("camera ray meets %s\n"),
-                                        [PROBE_MIRROR] = N_("mirrored ray meets %s\n"),
-                                        [PROBE_REFRACT] = N_("refracted ray meets %s\n")};
-    const ProbeRay *ray = &report->probe->rays[place];
+/** Prints a ray that looks. @param report What is told. @param index Which. */
+static void print_traced_ray(const ProbeReport *report, size_t index) {
+    static const char *const names[] = {[RAY_CAMERA] = N_("camera ray meets %s\n"),
+                                        [RAY_REFLECTION] = N_("mirrored ray meets %s\n"),
+                                        [RAY_REFRACTION] = N_("refracted ray meets %s\n")};
+    const RayTreeNode *ray = &report->tree->nodes[index];
     int indent = ray_indent(ray), inner = indent + INDENT;
-    char name[RAY_NAME_SIZE];
-    ray_name_met(report->scene, ray, name);
-    printf("%*s%zu  ", indent, "", place);
+    char name[RAY_HIT_NAME_SIZE];
+    ray_hit_name(report->scene, ray, name);
+    printf("%*s%zu  ", indent, "", index);
     printf(gettext(names[ray->kind]), name);
     if (ray->is_hit) {
-        print_where(inner, ray);
+        print_hit(inner, ray);
     }
     if (ray->shape >= 0) {
         print_surface(inner, ray);
     }
-    if (ray->kind != PROBE_CAMERA) {
+    if (ray->kind != RAY_CAMERA) {
         begin_line(inner, N_("weight"));
-        printf(gettext("%12.6g of the pixel at most\n"), ray->weight);
-        print_color(inner, N_("share"), ray->share, "");
+        printf(gettext("%12.6g of the pixel at most\n"), ray->throughput);
+        print_color(inner, N_("share"), ray->weight, "");
     }
     print_color(inner, N_("brings back"), ray->color, "");
 }
 
 /** Prints the rays, each behind the one that it comes from. @param report What is told. */
 static void print_rays(const ProbeReport *report) {
-    for (size_t i = 0; i < report->probe->count; i++) {
-        if (report->probe->rays[i].kind == PROBE_SHADOW) {
+    for (size_t i = 0; i < report->tree->count; i++) {
+        if (report->tree->nodes[i].kind == RAY_SHADOW) {
             print_shadow(report, i);
         } else {
-            print_look(report, i);
+            print_traced_ray(report, i);
         }
     }
 }
 
 /** @return What a surface sends back of light of its own and of light from everywhere.
  *  @param surface The surface. */
-static Color light_of_itself(const ProbeSurface *surface) {
-    const Color *body = &surface->body, *ambient = &surface->ambient, *own = &surface->emission;
-    return (Color){own->red + body->red * ambient->red, own->green + body->green * ambient->green,
-                   own->blue + body->blue * ambient->blue};
+static Rgbd emitted_and_ambient(const RayTreeSurface *surface) {
+    const Rgbd *albedo = &surface->albedo, *ambient = &surface->ambient, *own = &surface->emission;
+    return (Rgbd){own->red + albedo->red * ambient->red,
+                  own->green + albedo->green * ambient->green,
+                  own->blue + albedo->blue * ambient->blue};
 }
 
 /** @return a times b, primary by primary. @param a Light. @param b Shares. */
-static Color color_times(Color a, Color b) {
-    return (Color){a.red * b.red, a.green * b.green, a.blue * b.blue};
+static Rgbd multiply_colors(Rgbd a, Rgbd b) {
+    return (Rgbd){a.red * b.red, a.green * b.green, a.blue * b.blue};
 }
 
 /** Prints how the camera's ray got its colour. @param report What is told. */
 static void print_sum(const ProbeReport *report) {
-    const ProbeRay *camera = &report->probe->rays[0];
-    char what[PART_SIZE];
+    const RayTreeNode *camera = &report->tree->nodes[0];
+    char label[TERM_NAME_SIZE];
     fputs(gettext("\nThe sum of ray 0, linear light:\n"), stdout);
     if (camera->shape < 0) {
-        print_color(INDENT, camera->is_hit ? N_("the lamp") : N_("the sky"), camera->own, "");
-    } else if (!camera->surface.is_hidden) {
-        print_color(INDENT, N_("of itself"), light_of_itself(&camera->surface),
+        print_color(INDENT, camera->is_hit ? N_("the lamp") : N_("the sky"), camera->local_color,
+                    "");
+    } else if (!camera->surface.is_overridden) {
+        print_color(INDENT, N_("of itself"), emitted_and_ambient(&camera->surface),
                     N_("its own light and that from everywhere"));
     }
-    for (size_t i = 1; i < report->probe->count; i++) {
-        const ProbeRay *ray = &report->probe->rays[i];
+    for (size_t i = 1; i < report->tree->count; i++) {
+        const RayTreeNode *ray = &report->tree->nodes[i];
         if (ray->parent == 0) {
-            snprintf(what, sizeof what, gettext("+ ray %zu"), i);
-            print_color(INDENT, what, color_times(ray->color, ray->share),
-                        ray->kind == PROBE_SHADOW ? ""
-                                                  : N_("what it brings back, times its share"));
+            snprintf(label, sizeof label, gettext("+ ray %zu"), i);
+            print_color(INDENT, label, multiply_colors(ray->color, ray->weight),
+                        ray->kind == RAY_SHADOW ? "" : N_("what it brings back, times its share"));
         }
     }
     print_color(INDENT, N_("= the pixel"), camera->color, "");
-    ProbeSteps pixel = probe_steps(report);
-    printf("%*s%12d%12d%12d  ", INDENT + LABEL_WIDTH, "", pixel.step[0], pixel.step[1],
-           pixel.step[2]);
-    printf(gettext("of 255 in the picture: #%02x%02x%02x\n"), (unsigned)pixel.step[0],
-           (unsigned)pixel.step[1], (unsigned)pixel.step[2]);
+    ProbePixel pixel = probe_pixel(report);
+    printf("%*s%12d%12d%12d  ", INDENT + LABEL_WIDTH, "", pixel.channels[0], pixel.channels[1],
+           pixel.channels[2]);
+    printf(gettext("of 255 in the picture: #%02x%02x%02x\n"), (unsigned)pixel.channels[0],
+           (unsigned)pixel.channels[1], (unsigned)pixel.channels[2]);
 }
 
 void probe_print(const ProbeReport *report) {
     const RenderSettings *settings = &report->settings;
-    print_clean(report->path, stdout);
+    print_sanitized(report->path, stdout);
     printf(gettext(": pixel %d %d of %d x %d, engine %s, offset %s, depth %d\n"), report->x,
            report->y, settings->width, settings->height, settings->engine->name,
-           offset_names[settings->trace.offset], settings->trace.depth);
+           offset_strategy_names[settings->trace.offset], settings->trace.depth);
     if (settings->samples > 1) {
         printf(
             gettext(

@@ -2,8 +2,8 @@
  * @file
  * @brief Progress on standard error, with an estimate.
  */
+#include "base/clock.h"
 #include "cli/commands.h"
-#include "dioptre/clock.h"
 
 #include <libintl.h>
 #include <pthread.h>
@@ -21,41 +21,41 @@ struct Progress {
     int done;                 /**< How many of them are done. */
     bool is_film;             /**< Whether there are several. */
     bool is_json;             /**< JSON lines, not one line for people. */
-    bool is_over;             /**< Whether to end. */
+    bool is_ended;            /**< Whether to end. */
     pthread_mutex_t mutex;    /**< Guards all of it. */
-    pthread_cond_t is_told;   /**< Told when it is over. */
+    pthread_cond_t wake;      /**< Told when it is over. */
     pthread_t thread;         /**< Who tells. */
-    double start;             /**< When it began, on #clock_seconds. */
+    double start;             /**< When it began, on #clock_now_seconds. */
 };
 
 /** @return Seconds since the start. @param progress The progress. */
 static double progress_seconds(const Progress *progress) {
-    return clock_seconds() - progress->start;
+    return clock_now_seconds() - progress->start;
 }
 
 /** @return The share of all pictures that is done, 0 to 1. @param progress The progress. */
-static double progress_share(const Progress *progress) {
-    double under_way = progress->renderer ? renderer_progress(progress->renderer) : 0;
-    return progress->pictures > 0 ? (progress->done + under_way) / progress->pictures : 1;
+static double progress_fraction(const Progress *progress) {
+    double current_fraction = progress->renderer ? renderer_progress(progress->renderer) : 0;
+    return progress->pictures > 0 ? (progress->done + current_fraction) / progress->pictures : 1;
 }
 
 /** Tells once. @param progress The progress. */
-static void progress_tell(const Progress *progress) {
-    double share = progress_share(progress), seconds = progress_seconds(progress);
-    double left = share > 0 ? seconds / share - seconds : 0;
+static void progress_print(const Progress *progress) {
+    double fraction = progress_fraction(progress), seconds = progress_seconds(progress);
+    double seconds_left = fraction > 0 ? seconds / fraction - seconds : 0;
     if (progress->is_json) {
         fputc('{', stderr);
         if (progress->is_film) {
             fprintf(stderr, "\"done\": %d, \"frames\": %d, ", progress->done, progress->pictures);
         }
-        fprintf(stderr, "\"share\": %.4f, \"seconds\": %.2f, \"seconds_left\": %.2f}\n", share,
-                seconds, left);
+        fprintf(stderr, "\"share\": %.4f, \"seconds\": %.2f, \"seconds_left\": %.2f}\n", fraction,
+                seconds, seconds_left);
     } else {
         fputc('\r', stderr);
         if (progress->is_film) {
             fprintf(stderr, gettext("%d of %d frames, "), progress->done, progress->pictures);
         }
-        fprintf(stderr, gettext("%3.0f %%, %.0f s left"), 100 * share, left);
+        fprintf(stderr, gettext("%3.0f %%, %.0f s left"), 100 * fraction, seconds_left);
         fputs(" \033[K", stderr);
     }
     fflush(stderr);
@@ -65,15 +65,15 @@ static void progress_tell(const Progress *progress) {
 static void *progress_main(void *argument) {
     Progress *progress = argument;
     pthread_mutex_lock(&progress->mutex);
-    while (!progress->is_over) {
+    while (!progress->is_ended) {
         struct timespec until;
         clock_gettime(CLOCK_REALTIME, &until);
         until.tv_nsec += PROGRESS_NANOSECONDS;
         until.tv_sec += until.tv_nsec / 1000000000L;
         until.tv_nsec %= 1000000000L;
-        pthread_cond_timedwait(&progress->is_told, &progress->mutex, &until);
-        if (!progress->is_over) {
-            progress_tell(progress);
+        pthread_cond_timedwait(&progress->wake, &progress->mutex, &until);
+        if (!progress->is_ended) {
+            progress_print(progress);
         }
     }
     pthread_mutex_unlock(&progress->mutex);
@@ -81,71 +81,74 @@ static void *progress_main(void *argument) {
 }
 
 /** @return Whether progress is to be told. @param options Whether and how. */
-static bool is_wanted(const Options *options) {
-    bool is_read = options->progress == PROGRESS_JSON ||
-                   (options->progress == PROGRESS_AUTO && isatty(STDERR_FILENO));
-    return is_read && !options->quiet;
+static bool progress_is_wanted(const Options *options) {
+    bool is_shown = options->progress == PROGRESS_JSON ||
+                    (options->progress == PROGRESS_AUTO && isatty(STDERR_FILENO));
+    return is_shown && !options->quiet;
 }
 
 /**
  * Tells how far a model file is read, if that takes long enough to be felt. See MeshProgress::tell.
  * @param context  The progress.
  * @param name     The file.
- * @param share    How much is done.
+ * @param fraction    How much is done.
  * @param seconds  Since the start.
  */
-static void models_tell(void *context, const char *name, double share, double seconds) {
+static void mesh_read_progress_print(void *context, const char *name, double fraction,
+                                     double seconds) {
     /** Seconds after which people want to know. */
-    const double patience = 0.5;
-    ModelsProgress *models = context;
-    double left = share > 0 ? seconds / share - seconds : 0;
-    if (seconds < patience) {
+    const double delay = 0.5;
+    MeshReadProgress *progress = context;
+    double seconds_left = fraction > 0 ? seconds / fraction - seconds : 0;
+    if (seconds < delay) {
         return;
     }
-    if (models->is_json) {
+    if (progress->is_json) {
         fputs("{\"model\": ", stderr);
         json_print_string(name, stderr);
-        fprintf(stderr, ", \"share\": %.4f, \"seconds\": %.2f, \"seconds_left\": %.2f}\n", share,
-                seconds, left);
+        fprintf(stderr, ", \"share\": %.4f, \"seconds\": %.2f, \"seconds_left\": %.2f}\n", fraction,
+                seconds, seconds_left);
     } else {
         fputc('\r', stderr);
-        print_clean(name, stderr);
-        fprintf(stderr, gettext(": %3.0f %%, %.0f s left"), 100 * share, left);
+        print_sanitized(name, stderr);
+        fprintf(stderr, gettext(": %3.0f %%, %.0f s left"), 100 * fraction, seconds_left);
         fputs(" \033[K", stderr);
     }
-    models->is_shown = true;
+    progress->is_shown = true;
     fflush(stderr);
 }
 
 /** Clears the line, if there is one. See MeshProgress::end. @param context The progress. */
-static void models_end(void *context) {
-    ModelsProgress *models = context;
-    if (models->is_shown && !models->is_json) {
+static void mesh_read_progress_clear(void *context) {
+    MeshReadProgress *progress = context;
+    if (progress->is_shown && !progress->is_json) {
         fputs("\r\033[K", stderr);
         fflush(stderr);
     }
-    models->is_shown = false;
+    progress->is_shown = false;
 }
 
-const MeshProgress *models_progress(ModelsProgress *models, const Options *options) {
-    *models = (ModelsProgress){
-        .teller = {.tell = models_tell, .end = models_end, .context = models},
+const MeshProgress *mesh_read_progress_init(MeshReadProgress *progress, const Options *options) {
+    *progress = (MeshReadProgress){
+        .callbacks = {.report = mesh_read_progress_print,
+                      .end = mesh_read_progress_clear,
+                      .context = progress},
         .is_json = options->progress == PROGRESS_JSON,
     };
-    return is_wanted(options) ? &models->teller : NULL;
+    return progress_is_wanted(options) ? &progress->callbacks : NULL;
 }
 
 Progress *progress_begin(const Options *options, int pictures) {
-    Progress *progress = is_wanted(options) ? calloc(1, sizeof *progress) : NULL;
+    Progress *progress = progress_is_wanted(options) ? calloc(1, sizeof *progress) : NULL;
     if (!progress) {
         return NULL;
     }
     progress->pictures = pictures;
     progress->is_film = pictures > 1;
     progress->is_json = options->progress == PROGRESS_JSON;
-    progress->start = clock_seconds();
+    progress->start = clock_now_seconds();
     pthread_mutex_init(&progress->mutex, NULL);
-    pthread_cond_init(&progress->is_told, NULL);
+    pthread_cond_init(&progress->wake, NULL);
     if (pthread_create(&progress->thread, NULL, progress_main, progress) != 0) {
         free(progress);
         return NULL;
@@ -158,28 +161,28 @@ Progress *progress_begin(const Options *options, int pictures) {
  * @param progress  The progress, or NULL.
  * @param renderer  Who draws the picture under way; NULL: nobody.
  * @param done      How many pictures more are done.
- * @param left_out  How many pictures less there will be.
+ * @param skipped  How many pictures less there will be.
  */
-static void progress_change(Progress *progress, const Renderer *renderer, int done, int left_out) {
+static void progress_update(Progress *progress, const Renderer *renderer, int done, int skipped) {
     if (progress) {
         pthread_mutex_lock(&progress->mutex);
         progress->renderer = renderer;
         progress->done += done;
-        progress->pictures -= left_out;
+        progress->pictures -= skipped;
         pthread_mutex_unlock(&progress->mutex);
     }
 }
 
-void progress_watch(Progress *progress, const Renderer *renderer) {
-    progress_change(progress, renderer, 0, 0);
+void progress_set_renderer(Progress *progress, const Renderer *renderer) {
+    progress_update(progress, renderer, 0, 0);
 }
 
 void progress_done(Progress *progress) {
-    progress_change(progress, NULL, 1, 0);
+    progress_update(progress, NULL, 1, 0);
 }
 
-void progress_leave_out(Progress *progress) {
-    progress_change(progress, NULL, 0, 1);
+void progress_skip(Progress *progress) {
+    progress_update(progress, NULL, 0, 1);
 }
 
 void progress_end(Progress *progress) {
@@ -187,12 +190,12 @@ void progress_end(Progress *progress) {
         return;
     }
     pthread_mutex_lock(&progress->mutex);
-    progress->is_over = true;
-    pthread_cond_signal(&progress->is_told);
+    progress->is_ended = true;
+    pthread_cond_signal(&progress->wake);
     pthread_mutex_unlock(&progress->mutex);
     pthread_join(progress->thread, NULL);
     if (progress->is_json) {
-        progress_tell(progress);
+        progress_print(progress);
     } else {
         fputs("\r\033[K", stderr);
     }

@@ -2,57 +2,57 @@
  * @file
  * @brief `dioptre render`: one picture, no window.
  */
+#include "base/language.h"
 #include "cli/commands.h"
-#include "cli/notes.h"
+#include "cli/render_metadata.h"
 #include "dioptre/image_file.h"
-#include "dioptre/language.h"
 
 #include <stdio.h>
 
-bool command_draw(const Order *order, const Scene *scene, Renderer **renderer, Picture *picture,
-                  RenderReport *report, Error *error) {
-    RenderSettings settings = command_settings(order->options, scene);
+bool command_render(const RenderJob *job, const Scene *scene, Renderer **renderer, Picture *picture,
+                    RenderStats *report, Error *error) {
+    RenderSettings settings = command_render_settings(job->options, scene);
     if (!picture_init(picture, settings.width, settings.height, error) ||
-        (image_file_is_linear(order->output) && !picture_keep_light(picture, error))) {
+        (image_file_is_linear(job->output) && !picture_allocate_linear(picture, error))) {
         return false;
     }
-    Renderer *former = *renderer;
-    *renderer = renderer_create_after(former, scene, &settings, error);
-    renderer_destroy(former);
+    Renderer *previous = *renderer;
+    *renderer = renderer_create_reusing(previous, scene, &settings, error);
+    renderer_destroy(previous);
     if (*renderer) {
-        progress_watch(order->progress, *renderer);
-        *report = renderer_draw(*renderer, interrupt_flag(), picture);
-        progress_done(order->progress);
+        progress_set_renderer(job->progress, *renderer);
+        *report = renderer_render(*renderer, interrupt_flag(), picture);
+        progress_done(job->progress);
     }
     return *renderer != NULL;
 }
 
-bool command_write(const Order *order, const Scene *scene, Picture *picture, Error *error) {
-    Notes notes;
-    RenderSettings settings = command_settings(order->options, scene);
-    notes_make(&notes, order->options, order->time, &settings);
-    picture->notes = notes.rows;
-    bool is_written = image_file_write(order->output, picture, error);
-    picture->notes = NULL;
+bool command_write_image(const RenderJob *job, const Scene *scene, Picture *picture, Error *error) {
+    RenderMetadata metadata;
+    RenderSettings settings = command_render_settings(job->options, scene);
+    render_metadata_init(&metadata, job->options, job->time, &settings);
+    picture->metadata = metadata.entries;
+    bool is_written = image_file_write(job->output, picture, error);
+    picture->metadata = NULL;
     return is_written;
 }
 
 /** Draws and writes. @param scene The scene. @param options The command line.
  *  @param[out] error What is wrong. */
 static void render_scene(const Scene *scene, const Options *options, Error *error) {
-    Order order = {.options = options, .output = options->output, .time = options->time};
+    RenderJob job = {.options = options, .output = options->output, .time = options->time};
     Picture picture = {0};
     Renderer *renderer = NULL;
-    RenderReport report = {0};
-    order.progress = progress_begin(options, 1);
-    bool is_done = command_draw(&order, scene, &renderer, &picture, &report, error);
+    RenderStats report = {0};
+    job.progress = progress_begin(options, 1);
+    bool is_done = command_render(&job, scene, &renderer, &picture, &report, error);
     renderer_destroy(renderer);
-    progress_end(order.progress);
-    is_done = is_done && command_write(&order, scene, &picture, error);
-    picture_release(&picture);
+    progress_end(job.progress);
+    is_done = is_done && command_write_image(&job, scene, &picture, error);
+    picture_deinit(&picture);
     if (is_done && !report.is_finished) {
         error_set(error, STATUS_INTERRUPTED, "interrupted: %s has %.0f %% of the picture",
-                  options->output, 100 * report.share);
+                  options->output, 100 * report.progress);
     }
 }
 
@@ -66,7 +66,7 @@ static int render_run(const Options *options, Error *error) {
     if (!image_file_check(options->output, error)) {
         return (int)error->status;
     }
-    Scene *scene = command_scene(options, error);
+    Scene *scene = command_load_scene(options, error);
     if (scene) {
         render_scene(scene, options, error);
         scene_destroy(scene);

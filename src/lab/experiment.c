@@ -4,16 +4,16 @@
  */
 #include "lab/experiment.h"
 
-#include "render/workers.h"
+#include "render/thread_pool.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 /** Cases that are posed before any method is asked: they stay in the cache. */
-enum { CHUNK = 64 };
+enum { SAMPLE_CHUNK = 64 };
 /** Quad numbers are a hundred times slower: of so many cases they get one. */
-enum { QUAD_SHARE = 16 };
+enum { QUAD_SAMPLE_DIVISOR = 16 };
 
 extern const NumberType number_float;    /**< 24 bits. */
 extern const NumberType number_double;   /**< 53 bits. */
@@ -24,37 +24,39 @@ const NumberType *const *number_types(void) {
     static const NumberType *const types[] = {&number_float, &number_double, &number_extended,
                                               &number_quad, NULL};
     // Where long double is double or quad under another name it says nothing of its own.
-    static const NumberType *const few[] = {&number_float, &number_double, &number_quad, NULL};
+    static const NumberType *const types_without_extended[] = {&number_float, &number_double,
+                                                               &number_quad, NULL};
     bool is_own = number_extended.mantissa_bits != number_double.mantissa_bits &&
                   number_extended.mantissa_bits != number_quad.mantissa_bits;
-    return is_own ? types : few;
+    return is_own ? types : types_without_extended;
 }
 
 /** Most methods of a family, with the engine. */
 enum { METHODS_MAXIMUM = 16 };
 
 /** Somebody who is asked: a method in a number type, or an engine. */
-typedef struct Subject {
+typedef struct MethodSubject {
     const Experiment *experiment; /**< In this experiment. */
-    const Setting *setting;       /**< Where. */
+    const ExperimentSetup *setup; /**< Where. */
     const Method *method;         /**< The method; NULL: the engine is asked. */
     const Engine *engine;         /**< The engine of the type; NULL: there is none. */
     Tracer *tracer;               /**< Its tracer, or NULL. */
-} Subject;
+} MethodSubject;
 
 /** An experiment that is being made. */
-typedef struct Making {
-    const Experiment *experiment;   /**< The experiment. */
-    const atomic_bool *stop;        /**< Whether to give up. */
-    size_t places[METHODS_MAXIMUM]; /**< The methods of the family, by #NumberType.methods. */
-    size_t place_count;             /**< How many; whoever comes after them is an engine. */
-    Findings *findings;             /**< What was found. */
-    atomic_bool has_failed;         /**< Whether there was no memory. */
-} Making;
+typedef struct ExperimentRun {
+    const Experiment *experiment; /**< The experiment. */
+    const atomic_bool *stop;      /**< Whether to give up. */
+    size_t
+        method_indices[METHODS_MAXIMUM]; /**< The methods of the family, by #NumberType.methods. */
+    size_t method_count;                 /**< How many; whoever comes after them is an engine. */
+    ExperimentResults *results;          /**< What was found. */
+    atomic_bool has_failed;              /**< Whether there was no memory. */
+} ExperimentRun;
 
 /** @return The engine of one ray at a time with a number type; NULL: there is none.
  *  @param type The number type. */
-static const Engine *engine_of(const NumberType *type) {
+static const Engine *scalar_engine_for(const NumberType *type) {
     for (const Engine *const *engine = engine_list(); *engine; engine++) {
         if ((*engine)->lanes == 1 && (*engine)->mantissa_bits == type->mantissa_bits) {
             return *engine;
@@ -64,76 +66,82 @@ static const Engine *engine_of(const NumberType *type) {
 }
 
 /** Asks an engine for the nearest hit. @param subject Who. @param question A ray, to begin with.
- *  @param[out] distance How far, or #QUAD_NONE. */
-static void ask_distance(const Subject *subject, const Quadruple *question, Quadruple *distance) {
-    RayQuery ray;
-    RayAnswer answer;
+ *  @param[out] distance How far, or #QUAD_NO_HIT. */
+static void query_engine_distance(const MethodSubject *subject, const Quadruple *question,
+                                  Quadruple *distance) {
+    RayQueryQuad ray;
+    RayResult answer;
     memcpy(ray.origin, question, sizeof ray.origin);
     memcpy(ray.direction, question + 3, sizeof ray.direction);
     subject->engine->intersect(subject->tracer, 1, &ray, &answer);
-    *distance = answer.shape < 0 ? QUAD_NONE : answer.distance;
+    *distance = answer.shape < 0 ? QUAD_NO_HIT : answer.distance;
 }
 
-/** Asks somebody all questions of a case. @param subject Who. @param posed The case.
- *  @param[out] answers The answers. */
-static void ask(const Subject *subject, const Case *posed, Quadruple *answers) {
+/** Asks somebody all questions of a case. @param subject Who. @param sample The case.
+ *  @param[out] outputs The answers. */
+static void query_subject(const MethodSubject *subject, const ExperimentSample *sample,
+                          Quadruple *outputs) {
     const Experiment *experiment = subject->experiment;
     if (subject->method) {
-        subject->setting->type->ask(subject->method, experiment->parts, posed->questions, answers);
-    } else if (experiment->ask) {
-        experiment->ask(subject->engine, subject->tracer, posed, answers);
+        subject->setup->type->evaluate(subject->method, experiment->queries_per_sample,
+                                       sample->inputs, outputs);
+    } else if (experiment->query_engine) {
+        experiment->query_engine(subject->engine, subject->tracer, sample, outputs);
     } else {
-        ask_distance(subject, posed->questions, answers);
+        query_engine_distance(subject, sample->inputs, outputs);
     }
 }
 
 /** @return Cases for a number type. @param experiment The experiment. @param type The type. */
-static size_t case_count(const Experiment *experiment, const NumberType *type) {
+static size_t sample_count_for(const Experiment *experiment, const NumberType *type) {
     bool is_quad = type->mantissa_bits > 64;
-    return is_quad ? (experiment->cases + QUAD_SHARE - 1) / QUAD_SHARE : experiment->cases;
+    return is_quad ? (experiment->sample_count + QUAD_SAMPLE_DIVISOR - 1) / QUAD_SAMPLE_DIVISOR
+                   : experiment->sample_count;
 }
 
 /** Writes down what a score has come to. @param[in,out] score The score; sorted.
- *  @param[out] finding Where to. */
-static void conclude(Score *score, Finding *finding) {
-    finding->median = score_quantile(score, 0.5);
-    finding->p999 = score_quantile(score, 0.999);
-    finding->maximum = score_quantile(score, 1);
+ *  @param[out] result Where to. */
+static void summarize_score(ScoreStats *score, MethodResult *result) {
+    result->median = score_quantile(score, 0.5);
+    result->p999 = score_quantile(score, 0.999);
+    result->maximum = score_quantile(score, 1);
     for (int i = 0; i < OUTCOME_COUNT; i++) {
-        finding->shares[i] = score_share(score, (Outcome)i);
+        result->outcome_fractions[i] = score_fraction(score, (Outcome)i);
     }
-    finding->work = score->worked ? score->work / (double)score->worked : (double)NAN;
+    result->mean_cost =
+        score->cost_count ? score->cost_sum / (double)score->cost_count : (double)NAN;
 }
 
-/** @return Whether an experiment is to be given up. @param making The experiment. */
-static bool is_stopped(const Making *making) {
-    return making->stop && atomic_load(making->stop);
+/** @return Whether an experiment is to be given up. @param run The experiment. */
+static bool run_is_stopped(const ExperimentRun *run) {
+    return run->stop && atomic_load(run->stop);
 }
 
 /**
  * Asks everybody about a number of cases.
- * @param making        The experiment.
+ * @param run        The experiment.
  * @param subjects      Who is asked, as many as methods.
- * @param setting       Where.
+ * @param setup       Where.
  * @param[out] scores  A score each.
  */
-static void ask_all(const Making *making, const Subject *subjects, const Setting *setting,
-                    Score *scores) {
-    const Experiment *experiment = making->experiment;
+static void score_samples(const ExperimentRun *run, const MethodSubject *subjects,
+                          const ExperimentSetup *setup, ScoreStats *scores) {
+    const Experiment *experiment = run->experiment;
     static const uint64_t seed = 20261121;
     Random random = {seed};
-    Quadruple answers[CASE_PARTS_MAXIMUM * METHOD_NUMBERS_MAXIMUM];
-    Case cases[CHUNK];
-    for (size_t left = case_count(experiment, setting->type); left > 0 && !is_stopped(making);) {
-        size_t count = left < CHUNK ? left : CHUNK;
+    Quadruple outputs[SAMPLE_QUERIES_MAXIMUM * METHOD_NUMBERS_MAXIMUM];
+    ExperimentSample samples[SAMPLE_CHUNK];
+    for (size_t left = sample_count_for(experiment, setup->type);
+         left > 0 && !run_is_stopped(run);) {
+        size_t count = left < SAMPLE_CHUNK ? left : SAMPLE_CHUNK;
         for (size_t i = 0; i < count; i++) {
-            cases[i] = (Case){0};
-            experiment->pose(setting, &random, &cases[i]);
+            samples[i] = (ExperimentSample){0};
+            experiment->generate(setup, &random, &samples[i]);
         }
-        for (size_t m = 0; m < making->findings->method_count; m++) {
+        for (size_t m = 0; m < run->results->method_count; m++) {
             for (size_t i = 0; i < count && (subjects[m].method || subjects[m].tracer); i++) {
-                ask(&subjects[m], &cases[i], answers);
-                experiment->judge(&cases[i], answers, &scores[m]);
+                query_subject(&subjects[m], &samples[i], outputs);
+                experiment->score_sample(&samples[i], outputs, &scores[m]);
             }
         }
         left -= count;
@@ -144,98 +152,101 @@ static void ask_all(const Making *making, const Subject *subjects, const Setting
  * Makes the tracer of an engine.
  * @param experiment  The experiment.
  * @param engine      The engine; may be NULL.
- * @param setting     Where.
+ * @param setup     Where.
  * @return The tracer, or NULL where there is none.
  */
-static Tracer *tracer_of(const Experiment *experiment, const Engine *engine,
-                         const Setting *setting) {
+static Tracer *create_level_tracer(const Experiment *experiment, const Engine *engine,
+                                   const ExperimentSetup *setup) {
     Error error = {0};
     TraceSettings settings = {.offset = OFFSET_BOUND};
-    Scene *scene = engine && experiment->scene ? experiment->scene(setting, &error) : NULL;
-    Tracer *tracer = scene ? engine->prepare(scene, &settings, &error) : NULL;
+    Scene *scene =
+        engine && experiment->create_scene ? experiment->create_scene(setup, &error) : NULL;
+    Tracer *tracer = scene ? engine->create_tracer(scene, &settings, &error) : NULL;
     scene_destroy(scene);
     return tracer;
 }
 
-/** @return A method in a number type; NULL for the engine. @param making The experiment.
+/** @return A method in a number type; NULL for the engine. @param run The experiment.
  *  @param type The type. @param m Which, of those that are asked. */
-static const Method *method_at(const Making *making, const NumberType *type, size_t m) {
-    return m < making->place_count ? type->methods[making->places[m]] : NULL;
+static const Method *run_method_at(const ExperimentRun *run, const NumberType *type, size_t m) {
+    return m < run->method_count ? type->methods[run->method_indices[m]] : NULL;
 }
 
-/** Writes down what came of all that were asked. @param[in,out] making The experiment.
+/** Writes down what came of all that were asked. @param[in,out] run The experiment.
  *  @param subjects Who. @param[in,out] scores Their scores; given back. @param index The piece. */
-static void conclude_all(Making *making, const Subject *subjects, Score *scores, size_t index) {
-    Findings *findings = making->findings;
-    const Setting *setting = subjects->setting;
-    for (size_t m = 0; m < findings->method_count; m++) {
+static void store_results(ExperimentRun *run, const MethodSubject *subjects, ScoreStats *scores,
+                          size_t index) {
+    ExperimentResults *results = run->results;
+    const ExperimentSetup *setup = subjects->setup;
+    for (size_t m = 0; m < results->method_count; m++) {
         const Method *method = subjects[m].method;
-        bool is_asked = method || subjects[m].tracer;
-        Finding *finding =
-            findings_at(findings, m, index % findings->type_count, index / findings->type_count);
-        *finding = (Finding){.method = method ? method->name : OWN_METHOD,
-                             .label = method ? method->label : OWN_METHOD,
-                             .type = setting->type->name,
-                             .mantissa_bits = setting->type->mantissa_bits,
-                             .level = setting->level,
-                             .cases = is_asked ? case_count(making->experiment, setting->type) : 0};
-        conclude(&scores[m], finding);
-        if (scores[m].is_full) {
-            atomic_store(&making->has_failed, true);
+        bool is_included = method || subjects[m].tracer;
+        MethodResult *result = experiment_results_at(results, m, index % results->type_count,
+                                                     index / results->type_count);
+        *result = (MethodResult){
+            .method = method ? method->name : TRACER_METHOD,
+            .label = method ? method->label : TRACER_METHOD,
+            .type = setup->type->name,
+            .mantissa_bits = setup->type->mantissa_bits,
+            .level = setup->level,
+            .sample_count = is_included ? sample_count_for(run->experiment, setup->type) : 0};
+        summarize_score(&scores[m], result);
+        if (scores[m].is_out_of_memory) {
+            atomic_store(&run->has_failed, true);
         }
-        score_release(&scores[m]);
+        score_deinit(&scores[m]);
     }
 }
 
-/** Makes an experiment at one level in one number type, in a world. @param[in,out] making The
- *  experiment. @param setting Where. @param index Which piece. */
-static void make_in(Making *making, const Setting *setting, size_t index) {
-    const Engine *engine = engine_of(setting->type);
-    Tracer *tracer = tracer_of(making->experiment, engine, setting);
-    Subject subjects[METHODS_MAXIMUM];
-    Score scores[METHODS_MAXIMUM] = {{0}};
-    for (size_t m = 0; m < making->findings->method_count; m++) {
-        const Method *method = method_at(making, setting->type, m);
-        subjects[m] = (Subject){making->experiment, setting, method, engine, tracer};
+/** Makes an experiment at one level in one number type, in a world. @param[in,out] run The
+ *  experiment. @param setup Where. @param index Which piece. */
+static void run_level(ExperimentRun *run, const ExperimentSetup *setup, size_t index) {
+    const Engine *engine = scalar_engine_for(setup->type);
+    Tracer *tracer = create_level_tracer(run->experiment, engine, setup);
+    MethodSubject subjects[METHODS_MAXIMUM];
+    ScoreStats scores[METHODS_MAXIMUM] = {{0}};
+    for (size_t m = 0; m < run->results->method_count; m++) {
+        const Method *method = run_method_at(run, setup->type, m);
+        subjects[m] = (MethodSubject){run->experiment, setup, method, engine, tracer};
     }
-    ask_all(making, subjects, setting, scores);
-    conclude_all(making, subjects, scores, index);
+    score_samples(run, subjects, setup, scores);
+    store_results(run, subjects, scores, index);
     if (tracer) {
-        engine->release(tracer);
+        engine->destroy(tracer);
     }
 }
 
-/** Makes an experiment at one level in one number type. See WorkersJob. @param context The
- *  #Making. @param index Which piece: its type counts up first. */
-static void make_piece(void *context, size_t index) {
-    Making *making = context;
-    const Experiment *experiment = making->experiment;
-    size_t types = making->findings->type_count;
+/** Makes an experiment at one level in one number type. See ThreadPoolTask. @param context The
+ *  #ExperimentRun. @param index Which piece: its type counts up first. */
+static void run_level_task(void *context, size_t index) {
+    ExperimentRun *run = context;
+    const Experiment *experiment = run->experiment;
+    size_t types = run->results->type_count;
     double level = experiment->levels[index / types];
-    void *world = experiment->build ? experiment->build(level) : NULL;
-    if (experiment->build && !world) {
-        atomic_store(&making->has_failed, true);
+    void *shared = experiment->create_shared ? experiment->create_shared(level) : NULL;
+    if (experiment->create_shared && !shared) {
+        atomic_store(&run->has_failed, true);
         return;
     }
-    make_in(making, &(Setting){number_types()[index % types], level, world}, index);
-    free(world);
+    run_level(run, &(ExperimentSetup){number_types()[index % types], level, shared}, index);
+    free(shared);
 }
 
-/** Finds who is to be asked. @param[in,out] making The experiment. @return How many, the engine
+/** Finds who is to be asked. @param[in,out] run The experiment. @return How many, the engine
  *  counted. */
-static size_t find_methods(Making *making) {
+static size_t find_group_methods(ExperimentRun *run) {
     const Method *const *methods = number_float.methods;
     for (size_t i = 0; methods[i]; i++) {
-        bool is_asked = strcmp(methods[i]->family, making->experiment->family) == 0;
-        if (is_asked && making->place_count < METHODS_MAXIMUM - 1) {
-            making->places[making->place_count++] = i;
+        bool is_included = strcmp(methods[i]->group, run->experiment->group) == 0;
+        if (is_included && run->method_count < METHODS_MAXIMUM - 1) {
+            run->method_indices[run->method_count++] = i;
         }
     }
-    return making->place_count + (making->experiment->scene != NULL);
+    return run->method_count + (run->experiment->create_scene != NULL);
 }
 
 /** @return How many number types there are. */
-static size_t type_count(void) {
+static size_t number_type_count(void) {
     size_t count = 0;
     while (number_types()[count]) {
         count++;
@@ -243,51 +254,52 @@ static size_t type_count(void) {
     return count;
 }
 
-/** Does all pieces of work. @param[in,out] making The experiment. @param threads How many at once.
+/** Does all pieces of work. @param[in,out] run The experiment. @param threads How many at once.
  *  @param[out] error What is wrong. @return Whether all was done. */
-static bool make_all(Making *making, int threads, Error *error) {
-    Findings *findings = making->findings;
-    Workers *workers = workers_create(threads, error);
+static bool run_all_levels(ExperimentRun *run, int threads, Error *error) {
+    ExperimentResults *results = run->results;
+    ThreadPool *workers = thread_pool_create(threads, error);
     if (!workers) {
         return false;
     }
-    workers_run(workers, findings->type_count * findings->level_count, make_piece, making);
-    workers_destroy(workers);
-    if (is_stopped(making)) {
+    thread_pool_run(workers, results->type_count * results->level_count, run_level_task, run);
+    thread_pool_destroy(workers);
+    if (run_is_stopped(run)) {
         return error_set(error, STATUS_INTERRUPTED, "interrupted");
     }
-    return !atomic_load(&making->has_failed) ||
-           error_set(error, STATUS_FAILED, "no memory for what %s finds", making->experiment->name);
+    return !atomic_load(&run->has_failed) ||
+           error_set(error, STATUS_FAILED, "no memory for what %s finds", run->experiment->name);
 }
 
-bool experiment_make(const Experiment *experiment, int threads, const atomic_bool *stop,
-                     Findings *findings, Error *error) {
-    Making making = {.experiment = experiment, .stop = stop, .findings = findings};
-    *findings = (Findings){.method_count = find_methods(&making),
-                           .type_count = type_count(),
-                           .level_count = experiment->level_count};
-    size_t rows = findings->method_count * findings->type_count * findings->level_count;
-    findings->rows = calloc(rows, sizeof *findings->rows);
-    if (!findings->rows) {
+bool experiment_run(const Experiment *experiment, int threads, const atomic_bool *stop,
+                    ExperimentResults *results, Error *error) {
+    ExperimentRun run = {.experiment = experiment, .stop = stop, .results = results};
+    *results = (ExperimentResults){.method_count = find_group_methods(&run),
+                                   .type_count = number_type_count(),
+                                   .level_count = experiment->level_count};
+    size_t rows = results->method_count * results->type_count * results->level_count;
+    results->rows = calloc(rows, sizeof *results->rows);
+    if (!results->rows) {
         return error_set(error, STATUS_FAILED, "no memory for what %s finds", experiment->name);
     }
-    if (!make_all(&making, threads, error)) {
-        findings_release(findings);
+    if (!run_all_levels(&run, threads, error)) {
+        experiment_results_deinit(results);
         return false;
     }
     return true;
 }
 
-Finding *findings_at(const Findings *findings, size_t method, size_t type, size_t level) {
-    return &findings->rows[(method * findings->type_count + type) * findings->level_count + level];
+MethodResult *experiment_results_at(const ExperimentResults *results, size_t method, size_t type,
+                                    size_t level) {
+    return &results->rows[(method * results->type_count + type) * results->level_count + level];
 }
 
-const Finding *findings_find(const Findings *findings, const char *method, const char *type,
-                             double level) {
-    size_t count = findings->method_count * findings->type_count * findings->level_count;
+const MethodResult *experiment_results_find(const ExperimentResults *results, const char *method,
+                                            const char *type, double level) {
+    size_t count = results->method_count * results->type_count * results->level_count;
     for (size_t i = 0; i < count; i++) {
-        const Finding *row = &findings->rows[i];
-        if (row->cases > 0 && row->level == level && strcmp(row->method, method) == 0 &&
+        const MethodResult *row = &results->rows[i];
+        if (row->sample_count > 0 && row->level == level && strcmp(row->method, method) == 0 &&
             strcmp(row->type, type) == 0) {
             return row;
         }
@@ -295,7 +307,7 @@ const Finding *findings_find(const Findings *findings, const char *method, const
     return NULL;
 }
 
-void findings_release(Findings *findings) {
-    free(findings->rows);
-    *findings = (Findings){0};
+void experiment_results_deinit(ExperimentResults *results) {
+    free(results->rows);
+    *results = (ExperimentResults){0};
 }

@@ -11,55 +11,55 @@
 
 #include "lab/methods/method.h"
 #include "lab/random.h"
-#include "lab/score.h"
+#include "lab/score_stats.h"
 
 #include <stdatomic.h>
 
 /** Most questions of a case. */
-enum { CASE_PARTS_MAXIMUM = 12 };
+enum { SAMPLE_QUERIES_MAXIMUM = 12 };
 /** Most numbers of a case's truth. */
-enum { CASE_TRUTH_MAXIMUM = 12 };
+enum { SAMPLE_EXPECTED_MAXIMUM = 12 };
 /** Most numbers of a case's questions. */
-enum { CASE_NUMBERS_MAXIMUM = CASE_PARTS_MAXIMUM * METHOD_NUMBERS_MAXIMUM };
+enum { SAMPLE_NUMBERS_MAXIMUM = SAMPLE_QUERIES_MAXIMUM * METHOD_NUMBERS_MAXIMUM };
 
 /** Questions that are asked together, and what is true. */
-typedef struct Case {
-    Quadruple questions[CASE_NUMBERS_MAXIMUM]; /**< One after the other, rounded to the type. */
-    Quadruple truth[CASE_TRUTH_MAXIMUM];       /**< What the experiment needs to judge. */
-} Case;
+typedef struct ExperimentSample {
+    Quadruple inputs[SAMPLE_NUMBERS_MAXIMUM];    /**< One after the other, rounded to the type. */
+    Quadruple expected[SAMPLE_EXPECTED_MAXIMUM]; /**< What the experiment needs to judge. */
+} ExperimentSample;
 
 /** Where an experiment is made. */
-typedef struct Setting {
+typedef struct ExperimentSetup {
     const NumberType *type; /**< What the numbers of questions must be rounded to. */
     double level;           /**< The stress. */
-    const void *world;      /**< What #Experiment.build has made, or NULL. */
-} Setting;
+    const void *shared;     /**< What #Experiment.create_shared has made, or NULL. */
+} ExperimentSetup;
 
 /** In place of a level: the one at which a method is best, where the stress is its own choice. */
-#define TIMED_BEST (-1.0)
+#define TIMED_LEVEL_BEST (-1.0)
 
 /** An experiment. */
 typedef struct Experiment {
-    const char *name;     /**< As on the command line, such as `sphere-distance`. */
-    const char *title;    /**< What it shows. */
-    const char *family;   /**< Whose methods are asked. */
-    const char *stress;   /**< What grows, with its unit. */
-    const char *error;    /**< What the error is, with its unit; NULL: none is measured. */
-    bool is_relative;     /**< Whether errors are relative, so that ulps make sense. */
-    const char *work;     /**< What an answer costs, such as `steps`; NULL: nothing is counted. */
-    const double *levels; /**< Of the stress, in the order in which they are asked. */
-    size_t level_count;   /**< How many. */
-    size_t cases;         /**< How many a level. */
-    size_t parts;         /**< Questions of a case, at least 1. */
-    double timed;         /**< The level at which methods are held against their time: where they
-                               differ; #TIMED_BEST: each at the one that suits it; 0: none. */
+    const char *name;        /**< As on the command line, such as `sphere-distance`. */
+    const char *title;       /**< What it shows. */
+    const char *group;       /**< Whose methods are asked. */
+    const char *difficulty;  /**< What grows, with its unit. */
+    const char *error_label; /**< What the error is, with its unit; NULL: none is measured. */
+    bool is_relative;        /**< Whether errors are relative, so that ulps make sense. */
+    const char *cost_label; /**< What an answer costs, such as `steps`; NULL: nothing is counted. */
+    const double *levels;   /**< Of the stress, in the order in which they are asked. */
+    size_t level_count;     /**< How many. */
+    size_t sample_count;    /**< How many a level. */
+    size_t queries_per_sample; /**< Questions of a case, at least 1. */
+    double timed_level; /**< The level at which methods are held against their time: where they
+                       differ; #TIMED_LEVEL_BEST: each at the one that suits it; 0: none. */
 
     /**
      * Makes what all cases of a level have in common; NULL: there is no such thing.
      * @param level  The stress.
      * @return It, to be given back with free; NULL without memory.
      */
-    void *(*build)(double level);
+    void *(*create_shared)(double level);
 
     /**
      * Makes a case.
@@ -67,7 +67,7 @@ typedef struct Experiment {
      * @param[in,out] random  Where it comes from.
      * @param[out] posed      The case; all zero before.
      */
-    void (*pose)(const Setting *setting, Random *random, Case *posed);
+    void (*generate)(const ExperimentSetup *setting, Random *random, ExperimentSample *posed);
 
     /**
      * Judges answers.
@@ -75,7 +75,8 @@ typedef struct Experiment {
      * @param answers        Those to its questions, one after the other.
      * @param[in,out] score  Errors and outcomes are added to it.
      */
-    void (*judge)(const Case *posed, const Quadruple *answers, Score *score);
+    void (*score_sample)(const ExperimentSample *posed, const Quadruple *answers,
+                         ScoreStats *score);
 
     /**
      * Makes the scene in which the tracer's own engines meet the same thing; NULL: they have no
@@ -84,7 +85,7 @@ typedef struct Experiment {
      * @param[out] error  What is wrong.
      * @return The scene, to be given back with scene_destroy; NULL if anything is wrong.
      */
-    Scene *(*scene)(const Setting *setting, Error *error);
+    Scene *(*create_scene)(const ExperimentSetup *setting, Error *error);
 
     /**
      * Asks an engine instead of a method; NULL: a question begins with a ray's origin and
@@ -92,39 +93,40 @@ typedef struct Experiment {
      * @param engine        The engine.
      * @param tracer        The tracer of the scene.
      * @param posed         The case.
-     * @param[out] answers  What #judge wants.
+     * @param[out] answers  What #score_sample wants.
      */
-    void (*ask)(const Engine *engine, Tracer *tracer, const Case *posed, Quadruple *answers);
+    void (*query_engine)(const Engine *engine, Tracer *tracer, const ExperimentSample *posed,
+                         Quadruple *answers);
 } Experiment;
 
 /** How many things an array has. */
 #define COUNT_OF(array) (sizeof(array) / sizeof *(array))
 
 /** The name under which the tracer's own engines appear among the methods. */
-#define OWN_METHOD "dioptre"
+#define TRACER_METHOD "dioptre"
 
 /** A method in a number type at a level of stress. */
-typedef struct Finding {
-    const char *method;           /**< Its name, or #OWN_METHOD. */
-    const char *label;            /**< The same, short. */
-    const char *type;             /**< The number type. */
-    int mantissa_bits;            /**< Of the number type. */
-    double level;                 /**< The stress. */
-    size_t cases;                 /**< How often it was asked; 0: not at all. */
-    double median;                /**< Error; NaN where there is none, here and below. */
-    double p999;                  /**< Error that one in a thousand exceeds. */
-    double maximum;               /**< Largest error. */
-    double shares[OUTCOME_COUNT]; /**< Outcomes, 0 to 1. */
-    double work;                  /**< Mean cost of an answer. */
-} Finding;
+typedef struct MethodResult {
+    const char *method;                      /**< Its name, or #TRACER_METHOD. */
+    const char *label;                       /**< The same, short. */
+    const char *type;                        /**< The number type. */
+    int mantissa_bits;                       /**< Of the number type. */
+    double level;                            /**< The stress. */
+    size_t sample_count;                     /**< How often it was asked; 0: not at all. */
+    double median;                           /**< Error; NaN where there is none, here and below. */
+    double p999;                             /**< Error that one in a thousand exceeds. */
+    double maximum;                          /**< Largest error. */
+    double outcome_fractions[OUTCOME_COUNT]; /**< Outcomes, 0 to 1. */
+    double mean_cost;                        /**< Mean cost of an answer. */
+} MethodResult;
 
 /** All that was found in an experiment: method by method, in each type by type, level by level. */
-typedef struct Findings {
-    Finding *rows;       /**< The findings; owned. */
+typedef struct ExperimentResults {
+    MethodResult *rows;  /**< The findings; owned. */
     size_t method_count; /**< Methods. */
     size_t type_count;   /**< Number types. */
     size_t level_count;  /**< Levels. */
-} Findings;
+} ExperimentResults;
 
 /** @return The number types there are, the narrowest first; ended by NULL. */
 const NumberType *const *number_types(void);
@@ -137,29 +139,30 @@ const Experiment *const *experiment_list(void);
  * @param experiment     The experiment.
  * @param threads        How many work at once.
  * @param stop           It is given up once this is true; may be NULL.
- * @param[out] findings  What was found, to be given back with #findings_release.
+ * @param[out] results  What was found, to be given back with #experiment_results_deinit.
  * @param[out] error     What is wrong: #STATUS_INTERRUPTED, or no memory.
  * @return false if anything is wrong: then there are no findings.
  */
-bool experiment_make(const Experiment *experiment, int threads, const atomic_bool *stop,
-                     Findings *findings, Error *error);
+bool experiment_run(const Experiment *experiment, int threads, const atomic_bool *stop,
+                    ExperimentResults *results, Error *error);
 
-/** @return A finding. @param findings All of them. @param method Its place. @param type Its place.
+/** @return A finding. @param results All of them. @param method Its place. @param type Its place.
  *  @param level Its place. */
-Finding *findings_at(const Findings *findings, size_t method, size_t type, size_t level);
+MethodResult *experiment_results_at(const ExperimentResults *results, size_t method, size_t type,
+                                    size_t level);
 
 /**
  * Finds a finding by names: for tests.
- * @param findings  All of them.
+ * @param results  All of them.
  * @param method    The method.
  * @param type      The number type.
  * @param level     The stress.
  * @return The finding, or NULL.
  */
-const Finding *findings_find(const Findings *findings, const char *method, const char *type,
-                             double level);
+const MethodResult *experiment_results_find(const ExperimentResults *results, const char *method,
+                                            const char *type, double level);
 
-/** Gives findings back. @param[in,out] findings What was found. */
-void findings_release(Findings *findings);
+/** Gives findings back. @param[in,out] results What was found. */
+void experiment_results_deinit(ExperimentResults *results);
 
 #endif

@@ -4,9 +4,9 @@
  */
 #include "dioptre/lab.h"
 
-#include "lab/gnuplot.h"
-#include "lab/kernel.h"
-#include "lab/report.h"
+#include "lab/charts/experiment_report.h"
+#include "lab/charts/gnuplot.h"
+#include "lab/microbenchmark.h"
 
 #include <errno.h>
 #include <limits.h>
@@ -22,70 +22,70 @@ size_t lab_test_count(void) {
     return count;
 }
 
-LabTest lab_test(size_t place) {
-    const Experiment *experiment = experiment_list()[place];
-    return (LabTest){experiment->name, experiment->title, experiment->timed != 0};
+LabTest lab_test_at(size_t index) {
+    const Experiment *experiment = experiment_list()[index];
+    return (LabTest){experiment->name, experiment->title, experiment->timed_level != 0};
 }
 
-bool lab_prepare(const LabRequest *request, Error *error) {
+bool lab_create_folder(const LabRequest *request, Error *error) {
     struct stat found;
     if (mkdir(request->folder, 0777) != 0 && errno != EEXIST) {
         return error_set(error, STATUS_FAILED, "cannot make the folder '%s': %s", request->folder,
-                         error_system(errno));
+                         error_errno_text(errno));
     }
     if (stat(request->folder, &found) != 0 || !S_ISDIR(found.st_mode)) {
         return error_set(error, STATUS_FAILED, "'%s' is no folder", request->folder);
     }
     return access(request->folder, W_OK | X_OK) == 0 ||
            error_set(error, STATUS_FAILED, "cannot write into the folder '%s': %s", request->folder,
-                     error_system(errno));
+                     error_errno_text(errno));
 }
 
 /** Puts a path together. @param request In its folder. @param experiment Of what.
  *  @param ending Of its name. @param[out] path The path. @param[out] error That it is too long.
  *  @return Whether there is room for it. */
-static bool make_path(const LabRequest *request, const Experiment *experiment, const char *ending,
-                      char path[PATH_MAX], Error *error) {
+static bool result_path(const LabRequest *request, const Experiment *experiment, const char *ending,
+                        char path[PATH_MAX], Error *error) {
     int length = snprintf(path, PATH_MAX, "%s/%s.%s", request->folder, experiment->name, ending);
     return (length > 0 && length < PATH_MAX) ||
            error_set(error, STATUS_FAILED, "the folder's name is too long");
 }
 
-/** Keeps what was found. @param experiment The experiment. @param findings It. @param request How.
+/** Keeps what was found. @param experiment The experiment. @param results It. @param request How.
  *  @param[out] has_chart Whether there is an SVG. @param[out] error What is wrong.
  *  @return false if anything is wrong. */
-static bool keep(const Experiment *experiment, const Findings *findings, const LabRequest *request,
-                 bool *has_chart, Error *error) {
+static bool save_results(const Experiment *experiment, const ExperimentResults *results,
+                         const LabRequest *request, bool *has_chart, Error *error) {
     char csv[PATH_MAX], svg[PATH_MAX];
-    if (request->table) {
-        report_print(experiment, findings, request->table);
+    if (request->table_stream) {
+        experiment_report_print(experiment, results, request->table_stream);
     }
-    if (!make_path(request, experiment, "csv", csv, error) ||
-        !make_path(request, experiment, "svg", svg, error) ||
-        !report_write(experiment, findings, csv, error)) {
+    if (!result_path(request, experiment, "csv", csv, error) ||
+        !result_path(request, experiment, "svg", svg, error) ||
+        !experiment_report_write_csv(experiment, results, csv, error)) {
         return false;
     }
-    *has_chart = gnuplot_is_there();
-    return !*has_chart ||
-           report_draw(experiment, findings, &(ChartFiles){csv, svg}, request->stop, error);
+    *has_chart = gnuplot_is_available();
+    return !*has_chart || experiment_report_draw(experiment, results, &(ReportPaths){csv, svg},
+                                                 request->stop, error);
 }
 
-bool lab_make(size_t place, const LabRequest *request, bool *has_chart, Error *error) {
-    const Experiment *experiment = experiment_list()[place];
-    Findings findings;
+bool lab_run_test(size_t index, const LabRequest *request, bool *has_chart, Error *error) {
+    const Experiment *experiment = experiment_list()[index];
+    ExperimentResults results;
     *has_chart = false;
-    if (!experiment_make(experiment, request->threads, request->stop, &findings, error)) {
+    if (!experiment_run(experiment, request->threads, request->stop, &results, error)) {
         return false;
     }
-    bool is_kept = keep(experiment, &findings, request, has_chart, error);
-    findings_release(&findings);
-    return is_kept;
+    bool is_saved = save_results(experiment, &results, request, has_chart, error);
+    experiment_results_deinit(&results);
+    return is_saved;
 }
 
-bool lab_time(size_t place, const LabRequest *request, bool *has_chart, Error *error) {
-    const Experiment *experiment = experiment_list()[place];
-    Kernel kernel;
+bool lab_benchmark_test(size_t index, const LabRequest *request, bool *has_chart, Error *error) {
+    const Experiment *experiment = experiment_list()[index];
+    Microbenchmark benchmark;
     *has_chart = false;
-    return kernel_measure(experiment, request->threads, request->stop, &kernel, error) &&
-           kernel_keep(&kernel, experiment, request, has_chart, error);
+    return microbenchmark_measure(experiment, request->threads, request->stop, &benchmark, error) &&
+           microbenchmark_save(&benchmark, experiment, request, has_chart, error);
 }

@@ -14,27 +14,27 @@ uint64_t random_bits(Random *random) {
     return z ^ (z >> 31);
 }
 
-double random_share(Random *random) {
+double random_unit(Random *random) {
     return (double)(random_bits(random) >> 11) * 0x1p-53;
 }
 
-double random_between(Random *random, double low, double high) {
-    return low + (high - low) * random_share(random);
+double random_range(Random *random, double low, double high) {
+    return low + (high - low) * random_unit(random);
 }
 
-Quad3 random_direction(Random *random) {
+Vec3q random_direction(Random *random) {
     for (;;) {
-        double x = random_between(random, -1, 1), y = random_between(random, -1, 1);
-        double z = random_between(random, -1, 1), length_squared = x * x + y * y + z * z;
+        double x = random_range(random, -1, 1), y = random_range(random, -1, 1);
+        double z = random_range(random, -1, 1), length_squared = x * x + y * y + z * z;
         if (length_squared <= 1 && length_squared > 1e-6) {
-            return quad3_normalize((Quad3){x, y, z});
+            return vec3q_normalize((Vec3q){x, y, z});
         }
     }
 }
 
-Quad3 random_across(Random *random, Quad3 axis, double radius) {
+Vec3q random_in_disc(Random *random, Vec3q axis, double radius) {
     // What another direction has across this one: no way round is preferred.
-    Quad3 other = random_direction(random);
-    Quad3 first = quad3_normalize(quad3_subtract(other, quad3_scale(axis, quad3_dot(axis, other))));
-    return quad3_scale(first, radius * sqrt(random_share(random)));
+    Vec3q other = random_direction(random);
+    Vec3q first = vec3q_normalize(vec3q_subtract(other, vec3q_scale(axis, vec3q_dot(axis, other))));
+    return vec3q_scale(first, radius * sqrt(random_unit(random)));
 }

@@ -6,7 +6,7 @@
 #ifndef DIOPTRE_LAB_RANDOM_H
 #define DIOPTRE_LAB_RANDOM_H
 
-#include "lab/quad.h"
+#include "lab/vec3q.h"
 
 #include <stdint.h>
 
@@ -19,14 +19,14 @@ typedef struct Random {
 uint64_t random_bits(Random *random);
 
 /** @return A number, uniform in 0 to 1. @param[in,out] random The sequence. */
-double random_share(Random *random);
+double random_unit(Random *random);
 
 /** @return A number, uniform in a range. @param[in,out] random The sequence. @param low Its lowest.
  *  @param high Its highest. */
-double random_between(Random *random, double low, double high);
+double random_range(Random *random, double low, double high);
 
 /** @return A direction, uniform on the sphere, of length 1. @param[in,out] random The sequence. */
-Quad3 random_direction(Random *random);
+Vec3q random_direction(Random *random);
 
 /**
  * @return A vector across a direction, uniform in the disc of a radius.
@@ -34,6 +34,6 @@ Quad3 random_direction(Random *random);
  * @param axis            The direction, of length 1.
  * @param radius          The disc's.
  */
-Quad3 random_across(Random *random, Quad3 axis, double radius);
+Vec3q random_in_disc(Random *random, Vec3q axis, double radius);
 
 #endif

@@ -10,36 +10,36 @@
 
 /** Cells that the light from 0 to 1 is cut into: so fine that each holds at most one threshold,
  *  as the narrowest step, at the dark end of sRGB, is 1 / (12.92 * 255) wide. */
-enum { CELLS = 4096 };
+enum { ENCODER_CELLS = 4096 };
 
 /**
  * Finds where a step begins. The curve backwards comes within a float or two of it; from there the
  * neighbours are tried, with the curve forwards, which is what the step is defined by.
  * @param encoding  Which curve.
- * @param step      1 to 255.
+ * @param code      1 to 255.
  * @return The smallest float whose light is rounded to this step or a higher one.
  */
-static float find_threshold(Encoding encoding, int step) {
-    double border = step - 0.5;
-    float light = (float)encoding_decode(encoding, border);
-    while (encoding_encode(encoding, (double)light) >= border) {
-        light = nextafterf(light, 0.0F);
+static float find_threshold(Encoding encoding, int code) {
+    double border = code - 0.5;
+    float linear = (float)encoding_decode(encoding, border);
+    while (encoding_encode(encoding, (double)linear) >= border) {
+        linear = nextafterf(linear, 0.0F);
     }
-    while (encoding_encode(encoding, (double)light) < border) {
-        light = nextafterf(light, 1.0F);
+    while (encoding_encode(encoding, (double)linear) < border) {
+        linear = nextafterf(linear, 1.0F);
     }
-    return light;
+    return linear;
 }
 
 void encoder_init(Encoder *encoder, Encoding encoding) {
-    encoder->threshold[0] = 0;
-    for (int step = 1; step <= ENCODING_STEP_MAXIMUM; step++) {
-        encoder->threshold[step] = find_threshold(encoding, step);
+    encoder->thresholds[0] = 0;
+    for (int code = 1; code <= ENCODING_CODE_MAXIMUM; code++) {
+        encoder->thresholds[code] = find_threshold(encoding, code);
     }
-    encoder->threshold[ENCODING_STEP_MAXIMUM + 1] = INFINITY;
-    int step = 0;
-    for (int i = 0; i <= CELLS; i++) {
-        step += (float)i / CELLS >= encoder->threshold[step + 1];
-        encoder->cell[i] = (uint8_t)step;
+    encoder->thresholds[ENCODING_CODE_MAXIMUM + 1] = INFINITY;
+    int code = 0;
+    for (int i = 0; i <= ENCODER_CELLS; i++) {
+        code += (float)i / ENCODER_CELLS >= encoder->thresholds[code + 1];
+        encoder->first_codes[i] = (uint8_t)code;
     }
 }

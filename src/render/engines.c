@@ -7,31 +7,28 @@
 #include <stdio.h>
 #include <string.h>
 
-extern const Engine engine_f32x8;  /**< Eight floats at once. */
-extern const Engine engine_f32x16; /**< Sixteen floats at once. */
-extern const Engine engine_f32x4;  /**< Four floats at once. */
-extern const Engine engine_f32x1;  /**< Float, one ray after the other. */
-extern const Engine engine_f64x4;  /**< Four doubles at once. */
-extern const Engine engine_f64x1;  /**< Double, one ray after the other. */
-extern const Engine engine_f128x1; /**< Quad: the reference. */
+/** Declares an engine. The makefile lists them: ENGINE_LIST(X) is X(name) for each. @param name Its
+ *  name. */
+#define DECLARE(name) extern const Engine engine_##name;
+ENGINE_LIST(DECLARE)
+
+/** The address of an engine, and a comma. @param name Its name. */
+#define ADDRESS(name) &engine_##name,
 
 const Engine *const *engine_list(void) {
-    static const Engine *const engines[] = {
-        &engine_f32x8, &engine_f32x16, &engine_f32x4,  &engine_f32x1,
-        &engine_f64x4, &engine_f64x1,  &engine_f128x1, NULL};
+    static const Engine *const engines[] = {ENGINE_LIST(ADDRESS) NULL};
     return engines;
 }
 
 /** @return What an engine needs of the processor and it does not have; NULL where it can run.
  *  @param engine The engine. */
-static const char *engine_lacks(const Engine *engine) {
+static const char *engine_missing_feature(const Engine *engine) {
 #if defined(__x86_64__)
-    bool is_avx2 = engine == &engine_f32x8 || engine == &engine_f64x4;
-    bool is_avx512 = engine == &engine_f32x16;
-    if (is_avx2 && !__builtin_cpu_supports("avx2")) {
+    if (engine->needs == ENGINE_NEEDS_AVX2 && !__builtin_cpu_supports("avx2")) {
         return "AVX2";
     }
-    if (is_avx512 && !(__builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))) {
+    if (engine->needs == ENGINE_NEEDS_AVX512 &&
+        !(__builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))) {
         return "AVX-512";
     }
 #else
@@ -41,7 +38,7 @@ static const char *engine_lacks(const Engine *engine) {
 }
 
 bool engine_is_supported(const Engine *engine) {
-    return engine_lacks(engine) == NULL;
+    return engine_missing_feature(engine) == NULL;
 }
 
 /** @return The first engine that this machine can run; there is always one. Sixteen lanes are for
@@ -55,7 +52,7 @@ static const Engine *engine_preferred(void) {
 }
 
 /** Says which engines there are. @param name What was asked for. @param[out] error The message. */
-static void engine_unknown(const char *name, Error *error) {
+static void error_unknown_engine(const char *name, Error *error) {
     char names[128] = "";
     for (const Engine *const *engine = engine_list(); *engine; engine++) {
         strncat(names, " ", sizeof names - strlen(names) - 1);
@@ -74,10 +71,10 @@ const Engine *engine_find(const char *name, Error *error) {
                 return *engine;
             }
             error_set(error, STATUS_USAGE, "engine %s needs a processor with %s", name,
-                      engine_lacks(*engine));
+                      engine_missing_feature(*engine));
             return NULL;
         }
     }
-    engine_unknown(name, error);
+    error_unknown_engine(name, error);
     return NULL;
 }

@@ -17,13 +17,13 @@ static const uint8_t viridis[][3] = {{0x44, 0x01, 0x54}, {0x47, 0x2d, 0x7b}, {0x
                                      {0x2c, 0x72, 0x8e}, {0x21, 0x91, 0x8c}, {0x28, 0xae, 0x80},
                                      {0x5e, 0xc9, 0x62}, {0xad, 0xdc, 0x30}, {0xfd, 0xe7, 0x25}};
 
-/** See #palette_signed. */
+/** See #palette_diverging. */
 static const uint8_t blue_white_red[][3] = {
     {0x05, 0x30, 0x61}, {0x21, 0x66, 0xac}, {0x67, 0xa9, 0xcf}, {0xf7, 0xf7, 0xf7},
     {0xef, 0x8a, 0x62}, {0xb2, 0x18, 0x2b}, {0x67, 0x00, 0x1f}};
 
 /** The eight of Okabe and Ito but black, with grey; then the same, darker. */
-static const uint8_t kinds[PALETTE_KINDS][3] = {
+static const uint8_t categories[PALETTE_CATEGORIES][3] = {
     {0x56, 0xb4, 0xe9}, {0xe6, 0x9f, 0x00}, {0x00, 0x9e, 0x73}, {0xf0, 0xe4, 0x42},
     {0x00, 0x72, 0xb2}, {0xd5, 0x5e, 0x00}, {0xcc, 0x79, 0xa7}, {0xc8, 0xc8, 0xc8},
     {0x2b, 0x5a, 0x75}, {0x73, 0x50, 0x00}, {0x00, 0x4f, 0x3a}, {0x78, 0x72, 0x21},
@@ -35,19 +35,19 @@ static const uint8_t kinds[PALETTE_KINDS][3] = {
 
 const Palette palette_cividis = PALETTE_OF(cividis);
 const Palette palette_viridis = PALETTE_OF(viridis);
-const Palette palette_signed = PALETTE_OF(blue_white_red);
+const Palette palette_diverging = PALETTE_OF(blue_white_red);
 
-void palette_color(const Palette *palette, double share, uint8_t rgb[3]) {
+void palette_color(const Palette *palette, double fraction, uint8_t rgb[3]) {
     double last = (double)(palette->count - 1);
-    double place = share > 0 ? (share < 1 ? share * last : last) : 0;
-    size_t below = (size_t)place < palette->count - 1 ? (size_t)place : palette->count - 2;
-    double part = place - (double)below;
+    double position = fraction > 0 ? (fraction < 1 ? fraction * last : last) : 0;
+    size_t below = (size_t)position < palette->count - 1 ? (size_t)position : palette->count - 2;
+    double weight = position - (double)below;
     for (int i = 0; i < 3; i++) {
         double a = palette->colors[below][i], b = palette->colors[below + 1][i];
-        rgb[i] = (uint8_t)(a + (b - a) * part + 0.5);
+        rgb[i] = (uint8_t)(a + (b - a) * weight + 0.5);
     }
 }
 
-void palette_kind(unsigned number, uint8_t rgb[3]) {
-    memcpy(rgb, kinds[number % PALETTE_KINDS], sizeof kinds[0]);
+void palette_category(unsigned index, uint8_t rgb[3]) {
+    memcpy(rgb, categories[index % PALETTE_CATEGORIES], sizeof categories[0]);
 }

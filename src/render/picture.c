@@ -21,16 +21,16 @@ bool picture_init(Picture *picture, int width, int height, Error *error) {
     return true;
 }
 
-bool picture_keep_light(Picture *picture, Error *error) {
-    size_t row = (size_t)picture->width * CHANNELS * sizeof *picture->light;
-    picture->light = calloc((size_t)picture->height, row);
-    return picture->light ||
+bool picture_allocate_linear(Picture *picture, Error *error) {
+    size_t row = (size_t)picture->width * CHANNELS * sizeof *picture->linear;
+    picture->linear = calloc((size_t)picture->height, row);
+    return picture->linear ||
            error_set(error, STATUS_FAILED, "no memory for the light of a picture of %d x %d pixels",
                      picture->width, picture->height);
 }
 
-void picture_release(Picture *picture) {
+void picture_deinit(Picture *picture) {
     free(picture->pixels);
-    free(picture->light);
+    free(picture->linear);
     *picture = (Picture){0};
 }

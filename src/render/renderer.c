@@ -2,14 +2,14 @@
  * @file
  * @brief The renderer: settings, life, and drawing at once.
  */
-#include "render/renderer.h"
+#include "render/renderer_internal.h"
 
-#include "dioptre/forecast.h"
+#include "render/precision_estimate.h"
 
 #include <sched.h>
 #include <stdlib.h>
 
-int render_processors(void) {
+int render_cpu_count(void) {
     cpu_set_t set;
     if (sched_getaffinity(0, sizeof set, &set) != 0) {
         return 1;
@@ -23,49 +23,51 @@ RenderSettings render_settings_default(const Scene *scene) {
     const double report_epsilon = 1e-4;
     /** Of half a pixel, that marched rays may end before a surface (doc/marching.md). */
     const double footprint = 0.125;
-    Forecast forecast = forecast_of(scene);
+    PrecisionEstimate estimate = precision_estimate_of(scene);
     int depth = scene->image.depth;
     return (RenderSettings){
-        .engine = forecast_engine(&forecast),
-        .threads = render_processors(),
+        .engine = precision_estimate_engine(&estimate),
+        .threads = render_cpu_count(),
         .width = scene->image.width,
         .height = scene->image.height,
         .samples = scene->image.samples,
         .encoding = scene->image.encoding,
-        .trace = {.depth = depth == IMAGE_DEPTH_NEEDED ? forecast.depth : depth,
+        .trace = {.depth = depth == IMAGE_DEPTH_AUTO ? estimate.depth : depth,
                   .offset = OFFSET_BOUND,
                   .epsilon = report_epsilon,
                   .footprint = footprint},
     };
 }
 
-/** Lets workers do what a crew is asked to. See #Crew.run. @param workers The workers.
- *  @param count Pieces. @param job Does one. @param context Handed to it. */
-static void crew_workers_run(void *workers, size_t count, void (*job)(void *, size_t),
-                             void *context) {
-    workers_run(workers, count, job, context);
+/** Lets workers do what a crew is asked to. See #ParallelFor.run. @param thread_pool The workers.
+ *  @param count Pieces. @param task Does one. @param context Handed to it. */
+static void parallel_for_thread_pool(void *thread_pool, size_t count, void (*task)(void *, size_t),
+                                     void *context) {
+    thread_pool_run(thread_pool, count, task, context);
 }
 
-bool renderer_judges(const Renderer *renderer) {
-    return renderer->settings.samples > TALLY_LEAST &&
+bool renderer_is_adaptive(const Renderer *renderer) {
+    return renderer->settings.samples > ADAPTIVE_SAMPLES_MINIMUM &&
            renderer->settings.sampling == SAMPLING_ADAPTIVE;
 }
 
-TraceSettings renderer_trace_settings(const Renderer *renderer, const Renderer *former) {
+TraceSettings renderer_trace_settings(const Renderer *renderer, const Renderer *reuse_from) {
     const RenderSettings *settings = &renderer->settings;
     TraceSettings trace = settings->trace;
     trace.samples = settings->samples;
-    trace.crew = (Crew){renderer->workers, settings->threads, crew_workers_run};
-    trace.former = former && former->settings.engine == settings->engine ? former->tracer : NULL;
+    trace.parallel_for =
+        (ParallelFor){renderer->thread_pool, settings->threads, parallel_for_thread_pool};
+    trace.reuse_from =
+        reuse_from && reuse_from->settings.engine == settings->engine ? reuse_from->tracer : NULL;
     return trace;
 }
 
-Scene renderer_scene(const Renderer *renderer, const Scene *scene) {
-    const Color white = {1, 1, 1}, black = {0, 0, 0};
+Scene renderer_lit_scene(const Renderer *renderer, const Scene *scene) {
+    const Rgbd white = {1, 1, 1}, black = {0, 0, 0};
     Scene lit = *scene;
-    if (renderer->settings.light == LIGHT_MODE_LAMPS) {
+    if (renderer->settings.lighting == LIGHTING_NO_AMBIENT) {
         lit.ambient = black;
-    } else if (renderer->settings.light == LIGHT_MODE_NONE) {
+    } else if (renderer->settings.lighting == LIGHTING_UNLIT) {
         lit.ambient = white;
         lit.light_count = 0;
     }
@@ -73,111 +75,113 @@ Scene renderer_scene(const Renderer *renderer, const Scene *scene) {
 }
 
 Renderer *renderer_create(const Scene *scene, const RenderSettings *settings, Error *error) {
-    return renderer_create_after(NULL, scene, settings, error);
+    return renderer_create_reusing(NULL, scene, settings, error);
 }
 
-Renderer *renderer_create_after(const Renderer *former, const Scene *scene,
-                                const RenderSettings *settings, Error *error) {
+Renderer *renderer_create_reusing(const Renderer *reuse_from, const Scene *scene,
+                                  const RenderSettings *settings, Error *error) {
     Renderer *renderer = calloc(1, sizeof *renderer);
     if (!renderer) {
         error_set(error, STATUS_FAILED, "no memory for a renderer");
         return NULL;
     }
     renderer->settings = *settings;
-    background_init(&renderer->background);
+    background_renderer_init(&renderer->background);
     encoder_init(&renderer->encoder, (Encoding)settings->encoding);
-    renderer->workers = workers_create(settings->threads, error);
-    bool has_room = !renderer_judges(renderer) ||
-                    tally_resize(&renderer->tally, settings->width, settings->height, true, error);
-    if (renderer->workers && has_room) {
-        TraceSettings trace = renderer_trace_settings(renderer, former);
-        Scene lit = renderer_scene(renderer, scene);
-        renderer->tracer = settings->engine->prepare(&lit, &trace, error);
+    renderer->thread_pool = thread_pool_create(settings->threads, error);
+    bool has_memory = !renderer_is_adaptive(renderer) ||
+                      sample_accumulator_resize(&renderer->accumulator, settings->width,
+                                                settings->height, true, error);
+    if (renderer->thread_pool && has_memory) {
+        TraceSettings trace = renderer_trace_settings(renderer, reuse_from);
+        Scene lit = renderer_lit_scene(renderer, scene);
+        renderer->tracer = settings->engine->create_tracer(&lit, &trace, error);
     }
     if (!renderer->tracer) {
         renderer_destroy(renderer);
         return NULL;
     }
-    settings->engine->look(renderer->tracer, scene, settings->width, settings->height);
+    settings->engine->set_view(renderer->tracer, scene, settings->width, settings->height);
     return renderer;
 }
 
-TracerContents renderer_contents(const Renderer *renderer) {
-    return renderer->settings.engine->contents(renderer->tracer);
+TracerStats renderer_contents(const Renderer *renderer) {
+    return renderer->settings.engine->stats(renderer->tracer);
 }
 
 void renderer_destroy(Renderer *renderer) {
     if (renderer) {
-        background_release(&renderer->background);
-        layering_release(renderer);
-        workers_destroy(renderer->workers);
-        tally_release(&renderer->tally);
-        renderer->settings.engine->release(renderer->tracer);
+        background_renderer_deinit(&renderer->background);
+        layer_renderer_deinit(renderer);
+        thread_pool_destroy(renderer->thread_pool);
+        sample_accumulator_deinit(&renderer->accumulator);
+        renderer->settings.engine->destroy(renderer->tracer);
         free(renderer);
     }
 }
 
-Drawing renderer_drawing(Renderer *renderer, int width, int height, const atomic_bool *stop) {
-    return (Drawing){.engine = renderer->settings.engine,
-                     .tracer = renderer->tracer,
-                     .encoder = &renderer->encoder,
-                     .judge = &renderer->encoder,
-                     .width = width,
-                     .height = height,
-                     .stop = stop,
-                     .samples = renderer->settings.samples,
-                     .done = &renderer->done,
-                     .all = &renderer->all};
+RenderPass renderer_make_pass(Renderer *renderer, int width, int height, const atomic_bool *stop) {
+    return (RenderPass){.engine = renderer->settings.engine,
+                        .tracer = renderer->tracer,
+                        .encoder = &renderer->encoder,
+                        .adaptive_encoder = &renderer->encoder,
+                        .width = width,
+                        .height = height,
+                        .stop = stop,
+                        .samples = renderer->settings.samples,
+                        .rays_done = &renderer->rays_done,
+                        .rays_total = &renderer->rays_total};
 }
 
 /**
  * Draws a picture whose pixels are judged, by passes from one judgement to the next.
  * @param renderer  The renderer.
- * @param drawing   The drawing.
+ * @param pass   The drawing.
  * @return false when it was stopped.
  */
-static bool draw_judged(Renderer *renderer, Drawing *drawing) {
+static bool render_adaptive(Renderer *renderer, RenderPass *pass) {
     int samples = renderer->settings.samples;
-    bool is_whole = true;
-    drawing->tally = &renderer->tally;
-    drawing->is_shown = true;
-    for (int first = 0; is_whole && first < samples; first = drawing->pass.last + 1) {
-        int next = first == 0 ? tally_first(samples) : 2 * first;
-        drawing->pass = (Pass){1, first, (next < samples ? next : samples) - 1};
-        is_whole = drawing_pass(drawing, renderer->workers);
+    bool is_complete = true;
+    pass->accumulator = &renderer->accumulator;
+    pass->has_previous = true;
+    for (int first = 0; is_complete && first < samples; first = pass->range.last_sample + 1) {
+        int end = first == 0 ? adaptive_first_samples(samples) : 2 * first;
+        pass->range = (PassRange){1, first, (end < samples ? end : samples) - 1};
+        is_complete = render_pass_run(pass, renderer->thread_pool);
     }
-    return is_whole;
+    return is_complete;
 }
 
-RenderReport renderer_draw(Renderer *renderer, const atomic_bool *stop, Picture *picture) {
+RenderStats renderer_render(Renderer *renderer, const atomic_bool *stop, Picture *picture) {
     const RenderSettings *settings = &renderer->settings;
-    double start = clock_seconds();
-    Drawing drawing = renderer_drawing(renderer, settings->width, settings->height, stop);
-    drawing.picture = picture;
-    drawing.pass = (Pass){.stride = 1, .first = 0, .last = settings->samples - 1};
-    Encoder seen;
-    if (picture && picture->light) {
+    double start = clock_now_seconds();
+    RenderPass pass = renderer_make_pass(renderer, settings->width, settings->height, stop);
+    pass.picture = picture;
+    pass.range = (PassRange){.stride = 1, .first_sample = 0, .last_sample = settings->samples - 1};
+    Encoder srgb;
+    if (picture && picture->linear) {
         // Linear light has no steps of its own: what counts are those in which it will be seen.
-        encoder_init(&seen, ENCODING_SRGB);
-        drawing.judge = &seen;
+        encoder_init(&srgb, ENCODING_SRGB);
+        pass.adaptive_encoder = &srgb;
     }
     size_t pixels = (size_t)settings->width * (size_t)settings->height;
-    atomic_store(&renderer->done, 0);
-    atomic_store(&renderer->all, pixels * (size_t)settings->samples);
+    atomic_store(&renderer->rays_done, 0);
+    atomic_store(&renderer->rays_total, pixels * (size_t)settings->samples);
     if (picture) {
         picture->encoding = (Encoding)settings->encoding;
     }
-    bool is_finished = renderer_judges(renderer) ? draw_judged(renderer, &drawing)
-                                                 : drawing_pass(&drawing, renderer->workers);
-    return (RenderReport){.seconds = clock_seconds() - start,
-                          .rays = drawing_rays(&drawing),
-                          .stride = 1,
-                          .samples = settings->samples,
-                          .share = renderer_progress(renderer),
-                          .is_finished = is_finished};
+    bool is_finished = renderer_is_adaptive(renderer)
+                           ? render_adaptive(renderer, &pass)
+                           : render_pass_run(&pass, renderer->thread_pool);
+    return (RenderStats){.seconds = clock_now_seconds() - start,
+                         .rays = render_pass_ray_counts(&pass),
+                         .stride = 1,
+                         .samples = settings->samples,
+                         .progress = renderer_progress(renderer),
+                         .is_finished = is_finished};
 }
 
 double renderer_progress(const Renderer *renderer) {
-    size_t all = atomic_load(&renderer->all);
-    return all ? (double)atomic_load(&renderer->done) / (double)all : 0;
+    size_t total = atomic_load(&renderer->rays_total);
+    return total ? (double)atomic_load(&renderer->rays_done) / (double)total : 0;
 }

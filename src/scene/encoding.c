@@ -15,25 +15,25 @@
 /** Exponent of the power. */
 #define SRGB_GAMMA 2.4
 /** How far the power is shifted down, so that the two pieces meet. */
-#define SRGB_SHIFT 0.055
+#define SRGB_OFFSET 0.055
 
-double encoding_encode(Encoding encoding, double light) {
+double encoding_encode(Encoding encoding, double linear) {
     if (encoding == ENCODING_LINEAR) {
-        return ENCODING_STEP_MAXIMUM * light;
+        return ENCODING_CODE_MAXIMUM * linear;
     }
-    if (light <= SRGB_LINEAR_END) {
-        return ENCODING_STEP_MAXIMUM * (SRGB_SLOPE * light);
+    if (linear <= SRGB_LINEAR_END) {
+        return ENCODING_CODE_MAXIMUM * (SRGB_SLOPE * linear);
     }
-    return ENCODING_STEP_MAXIMUM * ((1 + SRGB_SHIFT) * pow(light, 1 / SRGB_GAMMA) - SRGB_SHIFT);
+    return ENCODING_CODE_MAXIMUM * ((1 + SRGB_OFFSET) * pow(linear, 1 / SRGB_GAMMA) - SRGB_OFFSET);
 }
 
-double encoding_decode(Encoding encoding, double step) {
-    double encoded = step / ENCODING_STEP_MAXIMUM;
+double encoding_decode(Encoding encoding, double code) {
+    double encoded = code / ENCODING_CODE_MAXIMUM;
     if (encoding == ENCODING_LINEAR) {
         return encoded;
     }
     if (encoded <= SRGB_ENCODED_END) {
         return encoded / SRGB_SLOPE;
     }
-    return pow((encoded + SRGB_SHIFT) / (1 + SRGB_SHIFT), SRGB_GAMMA);
+    return pow((encoded + SRGB_OFFSET) / (1 + SRGB_OFFSET), SRGB_GAMMA);
 }

@@ -14,7 +14,7 @@ Lesson *lesson_create(Error *error) {
         error_set(error, STATUS_FAILED, "no memory for a lesson");
         return NULL;
     }
-    lesson->look = (LessonLook){.depth = -1, .offset = -1, .epsilon = -1};
+    lesson->initial_settings = (LessonSettings){.depth = -1, .offset = -1, .epsilon = -1};
     return lesson;
 }
 
@@ -33,20 +33,20 @@ bool lesson_add(Lesson *lesson, const LessonStep *step, Error *error) {
     return true;
 }
 
-const char *lesson_keep(Lesson *lesson, const char *words, Error *error) {
-    size_t size = strlen(words) + 1;
+const char *lesson_store_text(Lesson *lesson, const char *text, Error *error) {
+    size_t size = strlen(text) + 1;
     if (size > LESSON_TEXT_MAXIMUM - lesson->text_used) {
         error_set(error, STATUS_SCENE, "the words of a lesson may take at most %d bytes",
                   LESSON_TEXT_MAXIMUM);
         return NULL;
     }
-    char *kept = lesson->text + lesson->text_used;
-    memcpy(kept, words, size);
+    char *copy = lesson->text + lesson->text_used;
+    memcpy(copy, text, size);
     lesson->text_used += size;
-    return kept;
+    return copy;
 }
 
-const char *lesson_words(const LessonText *text, bool is_french) {
+const char *lesson_text_localized(const LessonText *text, bool is_french) {
     const char *wanted = is_french ? text->french : text->english;
     const char *other = wanted ? wanted : text->english ? text->english : text->french;
     return other ? other : "";

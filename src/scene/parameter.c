@@ -3,17 +3,17 @@
  * @brief Parameter tables.
  */
 #include "dioptre/parameter.h"
-#include "dioptre/language.h"
+#include "base/language.h"
 
-bool parameter_check(const Parameter *parameter, double value, Error *error) {
+bool parameter_check_range(const Parameter *parameter, double value, Error *error) {
     if (!isfinite(value)) {
         return error_set(error, STATUS_SCENE, "%s must be a finite number", parameter->name);
     }
-    bool is_low =
-        parameter->above_minimum ? value <= parameter->minimum : value < parameter->minimum;
-    if (is_low || value > parameter->maximum) {
+    bool is_below =
+        parameter->excludes_minimum ? value <= parameter->minimum : value < parameter->minimum;
+    if (is_below || value > parameter->maximum) {
         return error_set(error, STATUS_SCENE,
-                         parameter->above_minimum
+                         parameter->excludes_minimum
                              ? N_("%s must be above %g and at most %g, not %g")
                              : N_("%s must be at least %g and at most %g, not %g"),
                          parameter->name, parameter->minimum, parameter->maximum, value);
@@ -21,11 +21,11 @@ bool parameter_check(const Parameter *parameter, double value, Error *error) {
     return true;
 }
 
-void keyword_move(const Keyword *keyword, void *values, Vector3 way) {
+void keyword_translate(const Keyword *keyword, void *values, Vec3d offset) {
     for (const Parameter *row = keyword->parameters; row->name; row++) {
         if (row->type == PARAMETER_POINT) {
-            Vector3 *place = (Vector3 *)((char *)values + row->offset);
-            *place = vector3_add(*place, way);
+            Vec3d *point = (Vec3d *)((char *)values + row->offset);
+            *point = vec3d_add(*point, offset);
         }
     }
 }

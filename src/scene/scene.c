@@ -9,7 +9,7 @@
 #include <sys/mman.h>
 
 /** A scene at the head of its block, with what is handed out of it piece by piece. */
-typedef struct Block {
+typedef struct SceneArena {
     Scene scene;           /**< What the callers see; first, so that its address is the block's. */
     size_t used;           /**< Bytes handed out, this header included. */
     size_t light_capacity; /**< Lamps that fit before the array must grow. */
@@ -17,30 +17,30 @@ typedef struct Block {
     size_t shape_capacity;    /**< Shapes that fit. */
     size_t mesh_capacity;     /**< Models that fit. */
     size_t texture_capacity;  /**< Pictures that fit. */
-} Block;
+} SceneArena;
 
 /**
  * Hands out memory of a scene's block; it is given back with the block only.
- * @param block       The block.
+ * @param arena       The block.
  * @param size        Bytes.
  * @param[out] error  What is wrong.
  * @return The memory, zero and aligned for any type; NULL when the block is full.
  */
-static void *block_allocate(Block *block, size_t size, Error *error) {
-    size_t start = (block->used + alignof(max_align_t) - 1) & ~(alignof(max_align_t) - 1);
-    if (size > SCENE_MEMORY - start) {
+static void *scene_arena_allocate(SceneArena *arena, size_t size, Error *error) {
+    size_t start = (arena->used + alignof(max_align_t) - 1) & ~(alignof(max_align_t) - 1);
+    if (size > SCENE_MEMORY_SIZE - start) {
         error_set(error, STATUS_SCENE,
                   "the scene has more shapes, lights and materials than %zu MiB hold",
-                  SCENE_MEMORY >> 20);
+                  SCENE_MEMORY_SIZE >> 20);
         return NULL;
     }
-    block->used = start + size;
-    return (char *)block + start;
+    arena->used = start + size;
+    return (char *)arena + start;
 }
 
 /**
  * Finds room for one more item in an array of the block, which doubles when it is full.
- * @param block           The block.
+ * @param arena           The block.
  * @param[in,out] array   Address of the array.
  * @param[in,out] capacity  Items that fit.
  * @param count           Items that are in it.
@@ -48,143 +48,145 @@ static void *block_allocate(Block *block, size_t size, Error *error) {
  * @param[out] error      What is wrong.
  * @return Where the item goes; NULL when the block is full.
  */
-static void *block_append(Block *block, void **array, size_t *capacity, size_t count, size_t size,
-                          Error *error) {
+static void *scene_arena_append(SceneArena *arena, void **array, size_t *capacity, size_t count,
+                                size_t size, Error *error) {
     /** Items of a new array: enough for most scenes. */
     const size_t first_capacity = 16;
     if (count == *capacity) {
-        size_t wanted = count ? 2 * count : first_capacity;
-        void *larger = block_allocate(block, wanted * size, error);
-        if (!larger) {
+        size_t new_capacity = count ? 2 * count : first_capacity;
+        void *new_array = scene_arena_allocate(arena, new_capacity * size, error);
+        if (!new_array) {
             return NULL;
         }
         if (count) {
-            memcpy(larger, *array, count * size);
+            memcpy(new_array, *array, count * size);
         }
-        *array = larger;
-        *capacity = wanted;
+        *array = new_array;
+        *capacity = new_capacity;
     }
     return (char *)*array + count * size;
 }
 
 /** @return A block of which nothing is handed out; NULL without memory. @param[out] error What is
  *  wrong. */
-static Block *block_create(Error *error) {
-    Block *block = mmap(NULL, SCENE_MEMORY, PROT_READ | PROT_WRITE,
-                        MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-    if (block == MAP_FAILED) {
+static SceneArena *scene_arena_create(Error *error) {
+    SceneArena *arena = mmap(NULL, SCENE_MEMORY_SIZE, PROT_READ | PROT_WRITE,
+                             MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (arena == MAP_FAILED) {
         error_set(error, STATUS_FAILED, "no memory for a scene");
         return NULL;
     }
-    block->used = sizeof *block;
-    return block;
+    arena->used = sizeof *arena;
+    return arena;
 }
 
 Scene *scene_create(Error *error) {
-    Block *block = block_create(error);
-    if (!block) {
+    SceneArena *arena = scene_arena_create(error);
+    if (!arena) {
         return NULL;
     }
-    block->scene.image = *(const Image *)image_keyword.defaults;
-    block->scene.sky = *(const Sky *)sky_keyword.defaults;
-    scene_add_material(&block->scene, material_keyword.defaults, error);
-    return &block->scene;
+    arena->scene.image = *(const SceneImage *)scene_image_keyword.defaults;
+    arena->scene.sky = *(const SceneSky *)scene_sky_keyword.defaults;
+    scene_add_material(&arena->scene, scene_material_keyword.defaults, error);
+    return &arena->scene;
 }
 
 void scene_destroy(Scene *scene) {
     if (scene) {
         for (size_t i = 0; i < scene->mesh_count; i++) {
-            mesh_destroy(scene->meshes[i].mesh);
+            mesh_release(scene->meshes[i].mesh);
         }
         for (size_t i = 0; i < scene->texture_count; i++) {
             texture_release(scene->textures[i].texture);
         }
-        munmap(scene, SCENE_MEMORY);
+        munmap(scene, SCENE_MEMORY_SIZE);
     }
 }
 
-bool scene_add_light(Scene *scene, const Light *light, Error *error) {
-    Block *block = (Block *)scene;
+bool scene_add_light(Scene *scene, const SceneLight *light, Error *error) {
+    SceneArena *arena = (SceneArena *)scene;
     void *array = scene->lights;
-    Light *place = block_append(block, &array, &block->light_capacity, scene->light_count,
-                                sizeof *light, error);
-    if (place) {
-        *place = *light;
+    SceneLight *slot = scene_arena_append(arena, &array, &arena->light_capacity, scene->light_count,
+                                          sizeof *light, error);
+    if (slot) {
+        *slot = *light;
         scene->lights = array;
         scene->light_count++;
     }
-    return place != NULL;
+    return slot != NULL;
 }
 
-bool scene_add_material(Scene *scene, const Material *material, Error *error) {
-    Block *block = (Block *)scene;
+bool scene_add_material(Scene *scene, const SceneMaterial *material, Error *error) {
+    SceneArena *arena = (SceneArena *)scene;
     void *array = scene->materials;
-    Material *place = block_append(block, &array, &block->material_capacity, scene->material_count,
-                                   sizeof *material, error);
-    if (place) {
-        *place = *material;
+    SceneMaterial *slot = scene_arena_append(arena, &array, &arena->material_capacity,
+                                             scene->material_count, sizeof *material, error);
+    if (slot) {
+        *slot = *material;
         scene->materials = array;
         scene->material_count++;
     }
-    return place != NULL;
+    return slot != NULL;
 }
 
-bool scene_add_shape(Scene *scene, size_t kind, const Keyword *keyword, const void *parameters,
-                     size_t material, Error *error) {
-    Block *block = (Block *)scene;
+bool scene_add_shape(Scene *scene, size_t class_index, const Keyword *keyword,
+                     const void *parameters, size_t material_index, Error *error) {
+    SceneArena *arena = (SceneArena *)scene;
     void *array = scene->shapes;
-    void *copy = block_allocate(block, keyword->size, error);
-    SceneShape *place = copy ? block_append(block, &array, &block->shape_capacity,
-                                            scene->shape_count, sizeof *place, error)
-                             : NULL;
-    if (place) {
+    void *copy = scene_arena_allocate(arena, keyword->size, error);
+    SceneShape *slot = copy ? scene_arena_append(arena, &array, &arena->shape_capacity,
+                                                 scene->shape_count, sizeof *slot, error)
+                            : NULL;
+    if (slot) {
         memcpy(copy, parameters, keyword->size);
-        *place = (SceneShape){.kind = kind, .parameters = copy, .material = material};
+        *slot = (SceneShape){
+            .class_index = class_index, .parameters = copy, .material_index = material_index};
         scene->shapes = array;
         scene->shape_count++;
     }
-    return place != NULL;
+    return slot != NULL;
 }
 
 /**
  * Copies words into a scene.
- * @param block       Its block.
- * @param words       The words.
+ * @param arena       Its block.
+ * @param string       The words.
  * @param[out] error  What is wrong.
  * @return The copy, owned by the scene; NULL when the block is full.
  */
-static const char *copy_words(Block *block, const char *words, Error *error) {
-    size_t size = strlen(words) + 1;
-    char *copy = block_allocate(block, size, error);
-    return copy ? memcpy(copy, words, size) : NULL;
+static const char *scene_arena_copy_string(SceneArena *arena, const char *string, Error *error) {
+    size_t size = strlen(string) + 1;
+    char *copy = scene_arena_allocate(arena, size, error);
+    return copy ? memcpy(copy, string, size) : NULL;
 }
 
 /**
  * Copies what is known of a file into a scene.
- * @param block       Its block.
+ * @param arena       Its block.
  * @param file        The file.
  * @param[out] copy   Where to.
  * @param[out] error  What is wrong.
  * @return false when the block is full.
  */
-static bool copy_file(Block *block, const SceneFile *file, SceneFile *copy, Error *error) {
-    *copy = (SceneFile){.path = copy_words(block, file->path, error),
-                        .name = copy_words(block, file->name, error),
-                        .where = copy_words(block, file->where, error)};
-    return copy->path && copy->name && copy->where;
+static bool scene_arena_copy_file(SceneArena *arena, const SceneFile *file, SceneFile *copy,
+                                  Error *error) {
+    *copy = (SceneFile){.path = scene_arena_copy_string(arena, file->path, error),
+                        .name = scene_arena_copy_string(arena, file->name, error),
+                        .location = scene_arena_copy_string(arena, file->location, error)};
+    return copy->path && copy->name && copy->location;
 }
 
-bool scene_add_mesh(Scene *scene, const SceneFile *file, size_t *place, Error *error) {
-    Block *block = (Block *)scene;
-    for (*place = 0; *place < scene->mesh_count; (*place)++) {
-        if (strcmp(scene->meshes[*place].file.path, file->path) == 0) {
+bool scene_add_mesh(Scene *scene, const SceneFile *file, size_t *index, Error *error) {
+    SceneArena *arena = (SceneArena *)scene;
+    for (*index = 0; *index < scene->mesh_count; (*index)++) {
+        if (strcmp(scene->meshes[*index].file.path, file->path) == 0) {
             return true;
         }
     }
     void *array = scene->meshes;
-    SceneMesh *added =
-        block_append(block, &array, &block->mesh_capacity, scene->mesh_count, sizeof *added, error);
-    if (!added || !copy_file(block, file, &added->file, error)) {
+    SceneMesh *added = scene_arena_append(arena, &array, &arena->mesh_capacity, scene->mesh_count,
+                                          sizeof *added, error);
+    if (!added || !scene_arena_copy_file(arena, file, &added->file, error)) {
         return false;
     }
     scene->meshes = array;
@@ -192,17 +194,17 @@ bool scene_add_mesh(Scene *scene, const SceneFile *file, size_t *place, Error *e
     return true;
 }
 
-bool scene_add_texture(Scene *scene, const SceneFile *file, size_t *place, Error *error) {
-    Block *block = (Block *)scene;
-    for (*place = 0; *place < scene->texture_count; (*place)++) {
-        if (strcmp(scene->textures[*place].file.path, file->path) == 0) {
+bool scene_add_texture(Scene *scene, const SceneFile *file, size_t *index, Error *error) {
+    SceneArena *arena = (SceneArena *)scene;
+    for (*index = 0; *index < scene->texture_count; (*index)++) {
+        if (strcmp(scene->textures[*index].file.path, file->path) == 0) {
             return true;
         }
     }
     void *array = scene->textures;
-    SceneTexture *added = block_append(block, &array, &block->texture_capacity,
-                                       scene->texture_count, sizeof *added, error);
-    if (!added || !copy_file(block, file, &added->file, error)) {
+    SceneTexture *added = scene_arena_append(arena, &array, &arena->texture_capacity,
+                                             scene->texture_count, sizeof *added, error);
+    if (!added || !scene_arena_copy_file(arena, file, &added->file, error)) {
         return false;
     }
     scene->textures = array;
@@ -210,14 +212,14 @@ bool scene_add_texture(Scene *scene, const SceneFile *file, size_t *place, Error
     return true;
 }
 
-const Field *scene_keep_field(Scene *scene, const Field *field, Error *error) {
-    size_t size = field_size(field->count);
-    Field *copy = block_allocate((Block *)scene, size, error);
-    return copy ? memcpy(copy, field, size) : NULL;
+const Sdf *scene_add_sdf(Scene *scene, const Sdf *sdf, Error *error) {
+    size_t size = sdf_size(sdf->node_count);
+    Sdf *copy = scene_arena_allocate((SceneArena *)scene, size, error);
+    return copy ? memcpy(copy, sdf, size) : NULL;
 }
 
-bool scene_transform_shape(Scene *scene, const Transform *transform, Error *error) {
-    Transform *copy = block_allocate((Block *)scene, sizeof *copy, error);
+bool scene_set_last_transform(Scene *scene, const Transform *transform, Error *error) {
+    Transform *copy = scene_arena_allocate((SceneArena *)scene, sizeof *copy, error);
     if (copy) {
         *copy = *transform;
         scene->shapes[scene->shape_count - 1].transform = copy;
@@ -230,7 +232,7 @@ bool scene_transform_shape(Scene *scene, const Transform *transform, Error *erro
 
 /**
  * Copies an array into a block.
- * @param block           The block.
+ * @param arena           The block.
  * @param array           The array.
  * @param count           Items that are in it.
  * @param size            Bytes an item.
@@ -238,70 +240,71 @@ bool scene_transform_shape(Scene *scene, const Transform *transform, Error *erro
  * @param[out] error      What is wrong.
  * @return The copy; NULL when the block is full.
  */
-static void *block_copy(Block *block, const void *array, size_t count, size_t size,
-                        size_t *capacity, Error *error) {
-    void *copy = block_allocate(block, count * size, error);
+static void *scene_arena_copy(SceneArena *arena, const void *array, size_t count, size_t size,
+                              size_t *capacity, Error *error) {
+    void *copy = scene_arena_allocate(arena, count * size, error);
     *capacity = count;
     return copy && count ? memcpy(copy, array, count * size) : copy;
 }
 
-/** Copies the lamps, materials and pictures of a scene. @param block The block of the new scene.
+/** Copies the lamps, materials and pictures of a scene. @param arena The block of the new scene.
  *  @param scene The scene. @param[out] error What is wrong. @return false without memory. */
-static bool copy_arrays(Block *block, const Scene *scene, Error *error) {
-    Scene *copy = &block->scene;
-    copy->lights = block_copy(block, scene->lights, scene->light_count, sizeof *copy->lights,
-                              &block->light_capacity, error);
-    copy->materials = block_copy(block, scene->materials, scene->material_count,
-                                 sizeof *copy->materials, &block->material_capacity, error);
-    copy->textures = block_copy(block, scene->textures, scene->texture_count,
-                                sizeof *copy->textures, &block->texture_capacity, error);
+static bool scene_copy_arrays(SceneArena *arena, const Scene *scene, Error *error) {
+    Scene *copy = &arena->scene;
+    copy->lights = scene_arena_copy(arena, scene->lights, scene->light_count, sizeof *copy->lights,
+                                    &arena->light_capacity, error);
+    copy->materials = scene_arena_copy(arena, scene->materials, scene->material_count,
+                                       sizeof *copy->materials, &arena->material_capacity, error);
+    copy->textures = scene_arena_copy(arena, scene->textures, scene->texture_count,
+                                      sizeof *copy->textures, &arena->texture_capacity, error);
     if (!copy->lights || !copy->materials || !copy->textures) {
         return false;
     }
     copy->texture_count = scene->texture_count;
     for (size_t i = 0; i < copy->texture_count; i++) {
-        texture_share(copy->textures[i].texture);
+        texture_retain(copy->textures[i].texture);
     }
     return true;
 }
 
 /** Copies the models of a scene twice: as they are, and behind them places for those that are
- *  moved. @param block The block of the new scene. @param scene The scene. @param[out] error What
+ *  moved. @param arena The block of the new scene. @param scene The scene. @param[out] error What
  *  is wrong. @return false without memory. */
-static bool copy_meshes(Block *block, const Scene *scene, Error *error) {
+static bool scene_copy_meshes(SceneArena *arena, const Scene *scene, Error *error) {
     size_t count = scene->mesh_count;
-    block->mesh_capacity = 2 * count;
-    SceneMesh *meshes = block_allocate(block, 2 * count * sizeof *meshes, error);
+    arena->mesh_capacity = 2 * count;
+    SceneMesh *meshes = scene_arena_allocate(arena, 2 * count * sizeof *meshes, error);
     for (size_t i = 0; meshes && i < count; i++) {
         SceneFile file = scene->meshes[i].file;
-        meshes[i] = (SceneMesh){file, mesh_share(scene->meshes[i].mesh)};
+        meshes[i] = (SceneMesh){file, mesh_retain(scene->meshes[i].mesh)};
         meshes[count + i] = (SceneMesh){.file = file};
     }
-    block->scene.meshes = meshes;
-    block->scene.mesh_count = meshes ? 2 * count : 0;
+    arena->scene.meshes = meshes;
+    arena->scene.mesh_count = meshes ? 2 * count : 0;
     return meshes != NULL;
 }
 
 /** Lets a shape show the moved one of a model, which is made when first asked for. @param scene The
- *  moved scene. @param[in,out] place Of the model. @param way How far. @param[out] error What is
+ *  moved scene. @param[in,out] index Of the model. @param offset How far. @param[out] error What is
  *  wrong. @return false without memory. */
-static bool move_mesh(Scene *scene, size_t *place, Vector3 way, Error *error) {
-    const Mesh *mesh = scene->meshes[*place].mesh;
-    *place += scene->mesh_count / 2;
-    SceneMesh *moved = &scene->meshes[*place];
+static bool scene_translate_mesh(Scene *scene, size_t *index, Vec3d offset, Error *error) {
+    const Mesh *mesh = scene->meshes[*index].mesh;
+    *index += scene->mesh_count / 2;
+    SceneMesh *moved = &scene->meshes[*index];
     if (!moved->mesh) {
-        moved->mesh = mesh_moved(mesh, way, error);
+        moved->mesh = mesh_translated(mesh, offset, error);
     }
     return moved->mesh != NULL;
 }
 
-/** Lets a shape be the surface of a moved field. @param scene The moved scene. @param[in,out] field
- *  The field. @param way How far. @param[out] error What is wrong. @return false without memory. */
-static bool move_field(Scene *scene, const Field **field, Vector3 way, Error *error) {
-    Field *moved = block_allocate((Block *)scene, field_size(2 * (*field)->count), error);
+/** Lets a shape be the surface of a moved field. @param scene The moved scene. @param[in,out] sdf
+ *  The field. @param offset How far. @param[out] error What is wrong. @return false without memory.
+ */
+static bool scene_translate_sdf(Scene *scene, const Sdf **sdf, Vec3d offset, Error *error) {
+    Sdf *moved = scene_arena_allocate((SceneArena *)scene, sdf_size(2 * (*sdf)->node_count), error);
     if (moved) {
-        field_move(moved, *field, way);
-        *field = moved;
+        sdf_translate(moved, *sdf, offset);
+        *sdf = moved;
     }
     return moved != NULL;
 }
@@ -311,20 +314,20 @@ static bool move_field(Scene *scene, const Field **field, Vector3 way, Error *er
  * @param scene       The moved scene.
  * @param keyword     The shape's keyword.
  * @param values      Its struct.
- * @param way         How far.
+ * @param offset         How far.
  * @param[out] error  What is wrong.
  * @return false without memory.
  */
-static bool move_shape(Scene *scene, const Keyword *keyword, void *values, Vector3 way,
-                       Error *error) {
+static bool scene_translate_shape(Scene *scene, const Keyword *keyword, void *values, Vec3d offset,
+                                  Error *error) {
     bool is_moved = true;
-    keyword_move(keyword, values, way);
+    keyword_translate(keyword, values, offset);
     for (const Parameter *row = keyword->parameters; row->name && is_moved; row++) {
         void *value = (char *)values + row->offset;
         if (row->type == PARAMETER_MESH) {
-            is_moved = move_mesh(scene, value, way, error);
-        } else if (row->type == PARAMETER_FIELD) {
-            is_moved = move_field(scene, value, way, error);
+            is_moved = scene_translate_mesh(scene, value, offset, error);
+        } else if (row->type == PARAMETER_SDF) {
+            is_moved = scene_translate_sdf(scene, value, offset, error);
         }
     }
     return is_moved;
@@ -332,50 +335,53 @@ static bool move_shape(Scene *scene, const Keyword *keyword, void *values, Vecto
 
 /** Adds a shape to a moved scene. Of one that is transformed only the transform moves: its own
  * space stays. @param scene The moved scene. @param shape The shape. @param keyword Its keyword.
- * @param way How far. @param[out] error What is wrong. @return false without memory. */
-static bool add_moved(Scene *scene, const SceneShape *shape, const Keyword *keyword, Vector3 way,
-                      Error *error) {
-    if (!scene_add_shape(scene, shape->kind, keyword, shape->parameters, shape->material, error)) {
+ * @param offset How far. @param[out] error What is wrong. @return false without memory. */
+static bool scene_add_translated(Scene *scene, const SceneShape *shape, const Keyword *keyword,
+                                 Vec3d offset, Error *error) {
+    if (!scene_add_shape(scene, shape->class_index, keyword, shape->parameters,
+                         shape->material_index, error)) {
         return false;
     }
     if (shape->transform) {
         Transform transform = *shape->transform;
-        keyword_move(&transform_keyword, &transform, way);
-        return scene_transform_shape(scene, &transform, error);
+        keyword_translate(&transform_keyword, &transform, offset);
+        return scene_set_last_transform(scene, &transform, error);
     }
     void *values = (void *)scene->shapes[scene->shape_count - 1].parameters;
-    return move_shape(scene, keyword, values, way, error);
+    return scene_translate_shape(scene, keyword, values, offset, error);
 }
 
-Scene *scene_moved(const Scene *scene, const Keyword *const *kinds, Vector3 way, Error *error) {
-    Block *block = block_create(error);
-    if (!block) {
+Scene *scene_translated(const Scene *scene, const Keyword *const *shape_keywords, Vec3d offset,
+                        Error *error) {
+    SceneArena *arena = scene_arena_create(error);
+    if (!arena) {
         return NULL;
     }
-    Scene *moved = &block->scene;
+    Scene *moved = &arena->scene;
     *moved = *scene;
     moved->shape_count = moved->mesh_count = moved->texture_count = 0;
-    bool is_made = copy_arrays(block, scene, error) && copy_meshes(block, scene, error);
+    bool is_made = scene_copy_arrays(arena, scene, error) && scene_copy_meshes(arena, scene, error);
     for (size_t i = 0; i < scene->shape_count && is_made; i++) {
         const SceneShape *shape = &scene->shapes[i];
-        is_made = add_moved(moved, shape, kinds[shape->kind], way, error);
+        is_made =
+            scene_add_translated(moved, shape, shape_keywords[shape->class_index], offset, error);
     }
     if (!is_made) {
         scene_destroy(moved);
         return NULL;
     }
-    keyword_move(&camera_keyword, &moved->camera, way);
+    keyword_translate(&scene_camera_keyword, &moved->camera, offset);
     for (size_t i = 0; i < moved->light_count; i++) {
-        keyword_move(light_keyword_of(&moved->lights[i]), &moved->lights[i], way);
+        keyword_translate(scene_light_keyword_for(&moved->lights[i]), &moved->lights[i], offset);
     }
     return moved;
 }
 
-/** @return Whether the material of any shape is of a kind. @param scene The scene. @param is_it
+/** @return Whether the material of any shape is of a kind. @param scene The scene. @param predicate
  *  Whether one is. */
-static bool scene_has_any(const Scene *scene, bool (*is_it)(const Material *)) {
+static bool scene_has_material(const Scene *scene, bool (*predicate)(const SceneMaterial *)) {
     for (size_t i = 0; i < scene->shape_count; i++) {
-        if (is_it(&scene->materials[scene->shapes[i].material])) {
+        if (predicate(&scene->materials[scene->shapes[i].material_index])) {
             return true;
         }
     }
@@ -384,24 +390,24 @@ static bool scene_has_any(const Scene *scene, bool (*is_it)(const Material *)) {
 
 bool scene_has_textures(const Scene *scene) {
     for (size_t i = 0; i < scene->shape_count; i++) {
-        if (scene->materials[scene->shapes[i].material].texture > 0) {
+        if (scene->materials[scene->shapes[i].material_index].texture_id > 0) {
             return true;
         }
     }
     return false;
 }
 
-bool scene_has_mirrors(const Scene *scene) {
-    return scene_has_any(scene, material_is_mirror);
+bool scene_has_reflection(const Scene *scene) {
+    return scene_has_material(scene, scene_material_is_reflective);
 }
 
-bool scene_has_glass(const Scene *scene) {
-    return scene_has_any(scene, material_is_transparent);
+bool scene_has_transparency(const Scene *scene) {
+    return scene_has_material(scene, scene_material_is_transparent);
 }
 
-bool scene_has_highlights(const Scene *scene) {
+bool scene_has_specular(const Scene *scene) {
     for (size_t i = 0; i < scene->shape_count; i++) {
-        if (scene->materials[scene->shapes[i].material].specular > 0) {
+        if (scene->materials[scene->shapes[i].material_index].specular > 0) {
             return true;
         }
     }

@@ -8,14 +8,14 @@
 
 #include <sys/mman.h>
 
-size_t texture_size(const Texture *head) {
-    size_t channel = head->is_light ? sizeof(float) : sizeof(uint8_t);
+size_t texture_block_size(const Texture *head) {
+    size_t channel = head->is_hdr ? sizeof(float) : sizeof(uint8_t);
     return sizeof *head + (size_t)head->width * (size_t)head->height * TEXEL_CHANNELS * channel;
 }
 
-Texture *texture_create(int width, int height, bool is_light, Error *error) {
-    const Texture head = {.width = width, .height = height, .is_light = is_light, .owners = 1};
-    Texture *texture = mmap(NULL, texture_size(&head), PROT_READ | PROT_WRITE,
+Texture *texture_create(int width, int height, bool is_hdr, Error *error) {
+    const Texture head = {.width = width, .height = height, .is_hdr = is_hdr, .reference_count = 1};
+    Texture *texture = mmap(NULL, texture_block_size(&head), PROT_READ | PROT_WRITE,
                             MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (texture == MAP_FAILED) {
         error_set(error, STATUS_FAILED, "no memory for a picture of %d x %d pixels", width, height);
@@ -25,28 +25,28 @@ Texture *texture_create(int width, int height, bool is_light, Error *error) {
     return texture;
 }
 
-Texture *texture_share(Texture *texture) {
+Texture *texture_retain(Texture *texture) {
     if (texture) {
-        atomic_fetch_add(&texture->owners, 1);
+        atomic_fetch_add(&texture->reference_count, 1);
     }
     return texture;
 }
 
 void texture_release(Texture *texture) {
-    if (texture && atomic_fetch_sub(&texture->owners, 1) == 1) {
-        munmap(texture, texture_size(texture));
+    if (texture && atomic_fetch_sub(&texture->reference_count, 1) == 1) {
+        munmap(texture, texture_block_size(texture));
     }
 }
 
-void texture_tame(Texture *texture) {
+void texture_sanitize(Texture *texture) {
     const float brightest = (float)INTENSITY_MAXIMUM;
-    if (!texture->is_light) {
+    if (!texture->is_hdr) {
         return;
     }
-    float *light = texture_light(texture);
+    float *texels = texture_hdr_texels(texture);
     size_t count = (size_t)texture->width * (size_t)texture->height * TEXEL_CHANNELS;
     for (size_t i = 0; i < count; i++) {
-        float clean = light[i] > 0 ? light[i] : 0; // 0 for NaN, too.
-        light[i] = clean < brightest ? clean : brightest;
+        float clean = texels[i] > 0 ? texels[i] : 0; // 0 for NaN, too.
+        texels[i] = clean < brightest ? clean : brightest;
     }
 }

@@ -35,36 +35,36 @@ static const Parameter transform_parameters[] = {
 static const Transform transform_defaults = {.scale = {1, 1, 1}};
 
 /** A rotation about an axis. */
-typedef struct Turn {
+typedef struct CosineSine {
     double cosine; /**< Of its angle. */
     double sine;   /**< Of its angle. */
-} Turn;
+} CosineSine;
 
 /** @return A rotation; exact for whole quarters, so that a turned box stays along the axes.
  *  @param degrees Its angle. */
-static Turn turn_of(double degrees) {
-    static const Turn quarters[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
-    double quarter = degrees / 90;
-    if (quarter == floor(quarter)) {
-        return quarters[((int)quarter % 4 + 4) % 4];
+static CosineSine cosine_sine_of(double degrees) {
+    static const CosineSine quarters[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+    double quarters_turned = degrees / 90;
+    if (quarters_turned == floor(quarters_turned)) {
+        return quarters[((int)quarters_turned % 4 + 4) % 4];
     }
     double angle = remainder(degrees, 360) * (M_PI / 180);
-    return (Turn){cos(angle), sin(angle)};
+    return (CosineSine){cos(angle), sin(angle)};
 }
 
 /**
  * Turns what a matrix makes about an axis: two of its rows change.
- * @param[in,out] linear  The matrix.
+ * @param[in,out] matrix  The matrix.
  * @param axis            0, 1 or 2 for x, y or z.
  * @param degrees         The angle; from y to z, z to x or x to y.
  */
-static void linear_turn(double linear[3][3], int axis, double degrees) {
-    Turn turn = turn_of(degrees);
-    double *from = linear[(axis + 1) % 3], *to = linear[(axis + 2) % 3];
+static void matrix_rotate(double matrix[3][3], int axis, double degrees) {
+    CosineSine rotation = cosine_sine_of(degrees);
+    double *row_u = matrix[(axis + 1) % 3], *row_v = matrix[(axis + 2) % 3];
     for (int column = 0; column < 3; column++) {
-        double u = from[column], v = to[column];
-        from[column] = turn.cosine * u - turn.sine * v;
-        to[column] = turn.sine * u + turn.cosine * v;
+        double u = row_u[column], v = row_v[column];
+        row_u[column] = rotation.cosine * u - rotation.sine * v;
+        row_v[column] = rotation.sine * u + rotation.cosine * v;
     }
 }
 
@@ -78,16 +78,16 @@ static void linear_turn(double linear[3][3], int axis, double degrees) {
 static bool transform_finish(void *values, uint64_t given, Error *error) {
     (void)given;
     Transform *transform = values;
-    const Vector3 s = transform->scale, angles = transform->rotate;
+    const Vec3d s = transform->scale, angles = transform->rotate;
     if (!(fmin(fabs(s.x), fmin(fabs(s.y), fabs(s.z))) >= SCALE_MINIMUM)) {
         return error_set(error, STATUS_SCENE, "scale must not be nearer to zero than %g",
                          SCALE_MINIMUM);
     }
     const double scaled[3][3] = {{s.x, 0, 0}, {0, s.y, 0}, {0, 0, s.z}};
-    memcpy(transform->linear, scaled, sizeof scaled);
-    linear_turn(transform->linear, 0, angles.x);
-    linear_turn(transform->linear, 1, angles.y);
-    linear_turn(transform->linear, 2, angles.z);
+    memcpy(transform->matrix, scaled, sizeof scaled);
+    matrix_rotate(transform->matrix, 0, angles.x);
+    matrix_rotate(transform->matrix, 1, angles.y);
+    matrix_rotate(transform->matrix, 2, angles.z);
     return true;
 }
 

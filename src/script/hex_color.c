@@ -13,12 +13,12 @@
  * @return The linear light of an encoded part of a colour, 0 to 1.
  * @param text  Two hexadecimal digits, and then anything.
  */
-static double read_part(const char *text) {
+static double read_channel(const char *text) {
     char digits[] = {text[0], text[1], '\0'};
     return encoding_decode(ENCODING_SRGB, (double)strtol(digits, NULL, 16));
 }
 
-bool hex_color_read(const char *text, size_t length, Color *color) {
+bool hex_color_read(const char *text, size_t length, Rgbd *color) {
     if (length != 7 || text[0] != '#') {
         return false;
     }
@@ -27,6 +27,6 @@ bool hex_color_read(const char *text, size_t length, Color *color) {
             return false;
         }
     }
-    *color = (Color){read_part(text + 1), read_part(text + 3), read_part(text + 5)};
+    *color = (Rgbd){read_channel(text + 1), read_channel(text + 3), read_channel(text + 5)};
     return true;
 }

@@ -5,7 +5,7 @@
 #ifndef SCRIPT_HEX_COLOR_H
 #define SCRIPT_HEX_COLOR_H
 
-#include "dioptre/vector3.h"
+#include "dioptre/vec3d.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -17,6 +17,6 @@
  * @param[out] color  Its linear light, by the exact curve; each part 0 to 1.
  * @return Whether the text is such a colour.
  */
-bool hex_color_read(const char *text, size_t length, Color *color);
+bool hex_color_read(const char *text, size_t length, Rgbd *color);
 
 #endif

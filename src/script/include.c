@@ -4,10 +4,10 @@
  */
 #include "script/include.h"
 
-#include "script/file.h"
-#include "script/raise.h"
-#include "script/run.h"
-#include "script/sandbox.h"
+#include "script/asset_path.h"
+#include "script/lua_error.h"
+#include "script/script_run.h"
+#include "script/script_sandbox.h"
 
 #include <lauxlib.h>
 #include <string.h>
@@ -18,19 +18,20 @@ static int call_include(lua_State *L);
  * Reads a file to include.
  * @param request      What was asked for.
  * @param name         The file's name.
- * @param[out] source  Its text; to be released.
- * @param[out] shown   Its path as the user knows it.
+ * @param[out] text  Its text; to be released.
+ * @param[out] display_path   Its path as the user knows it.
  * @param[out] error   What is wrong.
  * @return false if it cannot be included.
  */
-static bool read_file(const ScriptRequest *request, const char *name, Source *source,
-                      char shown[PATH_MAX], Error *error) {
-    char real[PATH_MAX];
-    if (!file_find(request, name, shown, real, error) || !source_read(source, real, error)) {
+static bool read_file(const ScriptRequest *request, const char *name, ScriptText *text,
+                      char display_path[PATH_MAX], Error *error) {
+    char real_path[PATH_MAX];
+    if (!asset_path_resolve(request, name, display_path, real_path, error) ||
+        !script_text_read(text, real_path, error)) {
         return false;
     }
-    if (!source_check_text(source, NULL, error)) {
-        source_release(source);
+    if (!script_text_check(text, NULL, error)) {
+        script_text_deinit(text);
         return false;
     }
     return true;
@@ -42,14 +43,14 @@ static bool read_file(const ScriptRequest *request, const char *name, Source *so
  * @param name  The file's name.
  */
 static void load_file(lua_State *L, const char *name) {
-    const Run *run = sandbox_of(L)->context;
-    char shown[PATH_MAX];
-    Source source;
+    const ScriptRun *run = script_sandbox_of(L)->context;
+    char display_path[PATH_MAX];
+    ScriptText text;
     Error error = {0};
-    if (read_file(run->request, name, &source, shown, &error)) {
-        sandbox_load(L, &source, shown);
+    if (read_file(run->request, name, &text, display_path, &error)) {
+        script_sandbox_load(L, &text, display_path);
     } else {
-        raise_error(L, "cannot include `%s`: %s", name, error.message);
+        lua_error_tr(L, "cannot include `%s`: %s", name, error.message);
     }
 }
 
@@ -78,11 +79,11 @@ static int call_include(lua_State *L) {
     size_t length;
     const char *name = luaL_checklstring(L, 1, &length);
     if (length != strlen(name)) {
-        return raise_error(L, "cannot include a file with a zero byte in its name");
+        return lua_error_tr(L, "cannot include a file with a zero byte in its name");
     }
     if (count_depth(L) > INCLUDE_DEPTH_MAXIMUM) {
-        return raise_error(L, "files include each other more than %d deep; is this a ring?",
-                           INCLUDE_DEPTH_MAXIMUM);
+        return lua_error_tr(L, "files include each other more than %d deep; is this a ring?",
+                            INCLUDE_DEPTH_MAXIMUM);
     }
     lua_settop(L, 1);
     load_file(L, name);

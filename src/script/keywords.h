@@ -9,7 +9,7 @@
 
 /**
  * Makes the keywords global words of a state: those of every scene, and those of the shapes that
- * its #Run can name.
+ * its #ScriptRun can name.
  * @param L  The state.
  */
 void keywords_open(lua_State *L);

@@ -6,7 +6,7 @@
 #define SCRIPT_LESSON_FIELDS_H
 
 #include "dioptre/lesson.h"
-#include "script/read.h"
+#include "script/read_parameters.h"
 
 /**
  * Reads what `lesson` was called with: `{ scene = "FILE.lua", title = ..., ... }`. Raises an error
@@ -14,7 +14,7 @@
  * @param L               The state; the table is the only argument.
  * @param[in,out] lesson  The lesson.
  */
-void lesson_fields_read_lesson(lua_State *L, Lesson *lesson);
+void lesson_fields_read(lua_State *L, Lesson *lesson);
 
 /**
  * Reads what `caption` was called with: words, or `{ en = ..., fr = ..., wait = true }`. Raises an

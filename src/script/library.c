@@ -4,12 +4,12 @@
  */
 #include "script/library.h"
 
-#include "script/order.h"
-#include "script/raise.h"
-#include "script/run.h"
-#include "script/sandbox.h"
-#include "script/suggest.h"
-#include "script/text.h"
+#include "base/suggest.h"
+#include "script/lua_error.h"
+#include "script/ordered_pairs.h"
+#include "script/sanitize.h"
+#include "script/script_run.h"
+#include "script/script_sandbox.h"
 
 #include <lauxlib.h>
 #include <libintl.h>
@@ -19,7 +19,7 @@
 #include <unistd.h>
 
 /** Base functions that read nothing and undo nothing here. `pairs` and `next` are our own. */
-static const char *const base_words[] = {
+static const char *const base_functions[] = {
     "assert", "error",  "getmetatable", "ipairs",   "pcall",    "rawequal", "rawget", "rawlen",
     "rawset", "select", "setmetatable", "tonumber", "tostring", "type",     "xpcall"};
 
@@ -52,20 +52,20 @@ static void write_error(const char *text, size_t length) {
  * @param text     Any bytes.
  * @param length   How many.
  */
-static void print_text(Sandbox *sandbox, const char *text, size_t length) {
-    char clean[1024];
+static void print_sanitized_text(ScriptSandbox *sandbox, const char *text, size_t length) {
+    char sanitized[1024];
     /** An escaped byte takes four. */
-    const size_t piece_maximum = sizeof clean / 4 - 1;
-    while (length > 0 && sandbox->printed < LIBRARY_PRINT_MAXIMUM) {
+    const size_t piece_maximum = sizeof sanitized / 4 - 1;
+    while (length > 0 && sandbox->bytes_printed < LIBRARY_PRINT_MAXIMUM) {
         size_t piece = length < piece_maximum ? length : piece_maximum;
-        text_clean(clean, sizeof clean, text, piece);
-        write_error(clean, strlen(clean));
+        sanitize_text(sanitized, sizeof sanitized, text, piece);
+        write_error(sanitized, strlen(sanitized));
         text += piece;
         length -= piece;
-        sandbox->printed += strlen(clean);
-        if (sandbox->printed >= LIBRARY_PRINT_MAXIMUM) {
-            const char *last = gettext("\n(the scene printed more, which is left out)\n");
-            write_error(last, strlen(last));
+        sandbox->bytes_printed += strlen(sanitized);
+        if (sandbox->bytes_printed >= LIBRARY_PRINT_MAXIMUM) {
+            const char *notice = gettext("\n(the scene printed more, which is left out)\n");
+            write_error(notice, strlen(notice));
         }
     }
 }
@@ -76,16 +76,16 @@ static void print_text(Sandbox *sandbox, const char *text, size_t length) {
  * @return 0: no results.
  */
 static int library_print(lua_State *L) {
-    Sandbox *sandbox = sandbox_of(L);
+    ScriptSandbox *sandbox = script_sandbox_of(L);
     int count = lua_gettop(L);
     for (int i = 1; i <= count; i++) {
         size_t length;
         const char *text = luaL_tolstring(L, i, &length);
-        print_text(sandbox, text, length);
-        print_text(sandbox, i < count ? "\t" : "", i < count);
+        print_sanitized_text(sandbox, text, length);
+        print_sanitized_text(sandbox, i < count ? "\t" : "", i < count);
         lua_pop(L, 1);
     }
-    print_text(sandbox, "\n", 1);
+    print_sanitized_text(sandbox, "\n", 1);
     return 0;
 }
 
@@ -114,7 +114,7 @@ static int library_setmetatable(lua_State *L) {
     if (lua_istable(L, 2)) {
         lua_pushliteral(L, "__gc");
         if (lua_rawget(L, 2) != LUA_TNIL) {
-            return raise_error(L, "a scene may not use __gc: nobody knows when it would run");
+            return lua_error_tr(L, "a scene may not use __gc: nobody knows when it would run");
         }
         lua_settop(L, 2);
     }
@@ -128,13 +128,13 @@ static int library_setmetatable(lua_State *L) {
  *           is the first upvalue.
  * @return Not at all, or 1 for a key that is no word: nil.
  */
-static int library_unknown(lua_State *L) {
+static int index_unknown(lua_State *L) {
     if (lua_type(L, 2) != LUA_TSTRING) {
         lua_pushnil(L);
         return 1;
     }
     Suggestion suggestion = {.prefix = lua_tostring(L, lua_upvalueindex(1)),
-                             .wanted = lua_tostring(L, 2)};
+                             .word = lua_tostring(L, 2)};
     lua_pushnil(L);
     while (lua_next(L, 1)) {
         lua_pop(L, 1);
@@ -143,24 +143,24 @@ static int library_unknown(lua_State *L) {
         }
     }
     char hint[SUGGEST_HINT_SIZE];
-    return raise_error(L, "unknown word `%s%s`%s", suggestion.prefix, suggestion.wanted,
-                       suggest_hint(&suggestion, hint));
+    return lua_error_tr(L, "unknown word `%s%s`%s", suggestion.prefix, suggestion.word,
+                        suggest_hint(&suggestion, hint));
 }
 
 /**
  * Finds a global word that is not in their table: a scene's `t`, the time. It is not kept there so
  * that it is seen whether a scene asks for it. Any other raises an error. An `__index` metamethod;
  * see lua_CFunction.
- * @param L  The state, with the table and the word; #library_unknown's upvalue.
+ * @param L  The state, with the table and the word; #index_unknown's upvalue.
  * @return 1: the time.
  */
-static int library_global(lua_State *L) {
-    const Run *run = sandbox_of(L)->context;
+static int index_global(lua_State *L) {
+    const ScriptRun *run = script_sandbox_of(L)->context;
     bool is_time = lua_type(L, 2) == LUA_TSTRING && strcmp(lua_tostring(L, 2), "t") == 0;
     if (!is_time || !run->scene) {
-        return library_unknown(L);
+        return index_unknown(L);
     }
-    run->scene->reads_time = true;
+    run->scene->is_time_dependent = true;
     lua_pushnumber(L, run->request->time);
     return 1;
 }
@@ -169,12 +169,13 @@ static int library_global(lua_State *L) {
  * Makes a table of the language ask a function about words that it does not have.
  * @param L        The state, with the table on top.
  * @param name     Its name.
- * @param dot      What stands between it and the word.
+ * @param separator      What stands between it and the word.
  * @param unknown  The function, which raises errors.
  */
-static void make_strict(lua_State *L, const char *name, const char *dot, lua_CFunction unknown) {
+static void make_strict(lua_State *L, const char *name, const char *separator,
+                        lua_CFunction unknown) {
     lua_createtable(L, 0, 2);
-    lua_pushfstring(L, "%s%s", name, dot);
+    lua_pushfstring(L, "%s%s", name, separator);
     lua_pushcclosure(L, unknown, 1);
     lua_setfield(L, -2, "__index");
     lua_pushboolean(L, false);
@@ -182,8 +183,8 @@ static void make_strict(lua_State *L, const char *name, const char *dot, lua_CFu
     lua_setmetatable(L, -2);
 }
 
-void library_make_strict(lua_State *L, const char *name, const char *dot) {
-    make_strict(L, name, dot, library_unknown);
+void library_make_strict(lua_State *L, const char *name, const char *separator) {
+    make_strict(L, name, separator, index_unknown);
 }
 
 /**
@@ -192,7 +193,7 @@ void library_make_strict(lua_State *L, const char *name, const char *dot) {
  * @param name      Its name.
  * @param function  Ours.
  */
-static void wrap(lua_State *L, const char *name, lua_CFunction function) {
+static void override_function(lua_State *L, const char *name, lua_CFunction function) {
     lua_getfield(L, -1, name);
     lua_pushcclosure(L, function, 1);
     lua_setfield(L, -2, name);
@@ -204,15 +205,15 @@ static void wrap(lua_State *L, const char *name, lua_CFunction function) {
  */
 static void open_base(lua_State *L) {
     luaL_requiref(L, LUA_GNAME, luaopen_base, 0);
-    for (size_t i = 0; i < sizeof base_words / sizeof *base_words; i++) {
-        lua_getfield(L, -1, base_words[i]);
-        lua_setfield(L, -3, base_words[i]);
+    for (size_t i = 0; i < sizeof base_functions / sizeof *base_functions; i++) {
+        lua_getfield(L, -1, base_functions[i]);
+        lua_setfield(L, -3, base_functions[i]);
     }
     lua_pop(L, 1);
-    wrap(L, "setmetatable", library_setmetatable);
+    override_function(L, "setmetatable", library_setmetatable);
     lua_pushcfunction(L, library_print);
     lua_setfield(L, -2, "print");
-    order_open(L);
+    ordered_pairs_open(L);
 }
 
 /**
@@ -227,19 +228,19 @@ static void open_library(lua_State *L, const luaL_Reg *library) {
 }
 
 /** Makes random numbers the same on every run. @param L The state, with the words on top. */
-static void tame_random(lua_State *L) {
+static void seed_random(lua_State *L) {
     /** Any number does. */
     const lua_Integer seed = 20210101;
     lua_getfield(L, -1, LUA_MATHLIBNAME);
     lua_getfield(L, -1, "randomseed");
     lua_pushinteger(L, seed);
     lua_call(L, 1, 0);
-    wrap(L, "randomseed", library_randomseed);
+    override_function(L, "randomseed", library_randomseed);
     lua_pop(L, 1);
 }
 
 /** Takes what could be a way out of `string`. @param L The state, with the words on top. */
-static void tame_string(lua_State *L) {
+static void restrict_string(lua_State *L) {
     lua_getfield(L, -1, LUA_STRLIBNAME);
     lua_pushnil(L);
     lua_setfield(L, -2, "dump");
@@ -258,8 +259,8 @@ void library_open(lua_State *L) {
     for (size_t i = 0; i < sizeof libraries / sizeof *libraries; i++) {
         open_library(L, &libraries[i]);
     }
-    tame_random(L);
-    tame_string(L);
-    make_strict(L, "", "", library_global);
+    seed_random(L);
+    restrict_string(L);
+    make_strict(L, "", "", index_global);
     lua_rawseti(L, LUA_REGISTRYINDEX, LUA_RIDX_GLOBALS);
 }

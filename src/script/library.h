@@ -22,8 +22,8 @@ void library_open(lua_State *L);
  * Makes a table of the language raise errors about words that it does not have.
  * @param L     The state, with the table on top.
  * @param name  Its name; nothing for the global words.
- * @param dot   What stands between the name and a word.
+ * @param separator   What stands between the name and a word.
  */
-void library_make_strict(lua_State *L, const char *name, const char *dot);
+void library_make_strict(lua_State *L, const char *name, const char *separator);
 
 #endif

@@ -7,196 +7,200 @@
  */
 #include "dioptre/view.h"
 
-#include "view/controls.h"
-#include "view/interrupt.h"
-#include "view/play.h"
-#include "view/scenes.h"
-#include "view/shoot.h"
-#include "view/state.h"
-#include "view/title.h"
-#include "view/video.h"
+#include "view/app.h"
+#include "view/commands/snapshot_command.h"
+#include "view/commands/time_control.h"
+#include "view/input/input.h"
+#include "view/input/signal_thread.h"
+#include "view/loading/current_scene.h"
+#include "view/window/title.h"
+#include "view/window/video.h"
 
 #include <libintl.h>
 #include <stdarg.h>
 #include <string.h>
 
 /** Seconds from one move of held keys to the next: a frame of a common screen. */
-static const double STEP = 0.016;
+static const double MOVE_INTERVAL = 0.016;
 /** Seconds that a title stands at least while a picture is drawn, so that it can be read. */
-static const double TITLE_SECONDS = 0.25;
+static const double TITLE_INTERVAL = 0.25;
 
-void view_note(View *view, const char *format, ...) {
+void app_set_status(App *app, const char *format, ...) {
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(view->note, sizeof view->note, gettext(format), arguments);
+    vsnprintf(app->status_text, sizeof app->status_text, gettext(format), arguments);
     va_end(arguments);
-    view->title_due = 0;
+    app->next_title_time = 0;
 }
 
-void view_hush(View *view) {
-    view->note[0] = '\0';
-    view->title_due = 0;
+void app_clear_status(App *app) {
+    app->status_text[0] = '\0';
+    app->next_title_time = 0;
 }
 
-void view_changed(View *view) {
-    stage_change(&view->stage);
-    if (!view->wants_snapshot) {
-        view->note[0] = '\0';
+void app_on_view_changed(App *app) {
+    window_invalidate(&app->window);
+    if (!app->wants_snapshot) {
+        app->status_text[0] = '\0';
     }
-    if (!view->is_wrong) {
-        stage_say(&view->stage, "");
+    if (!app->has_load_error) {
+        window_set_notice(&app->window, "");
     }
 }
 
-void view_report(View *view, const Error *error) {
+void app_report_error(App *app, const Error *error) {
     fprintf(stderr, "dioptre: %s\n", error->message);
-    view_note(view, "%.*s", NOTE_SIZE - 1, error->message);
-    stage_say(&view->stage, error->message);
+    app_set_status(app, "%.*s", STATUS_TEXT_SIZE - 1, error->message);
+    window_set_notice(&app->window, error->message);
 }
 
-/** Moves things as far as the keys were held. @param[in,out] view The view. @param now Seconds. */
-static void move_by_keys(View *view, double now) {
-    if (now >= view->next_step && stage_is_ready(&view->stage) && motion_is_active(&view->motion)) {
+/** Moves things as far as the keys were held. @param[in,out] app The view. @param now Seconds. */
+static void apply_held_keys(App *app, double now) {
+    if (now >= app->next_move_time && window_is_ready(&app->window) &&
+        held_keys_is_active(&app->held_keys)) {
         Movement light, camera;
-        motion_take(&view->motion, now, &light, &camera);
-        controls_move(view, light, camera);
-        view->next_step = now + STEP;
+        held_keys_consume(&app->held_keys, now, &light, &camera);
+        app_move(app, light, camera);
+        app->next_move_time = now + MOVE_INTERVAL;
     }
 }
 
 /** Takes a snapshot if one is wanted and the picture is finished, with nothing on the move.
- *  @param[in,out] view The view. */
-static void snapshot_if_wanted(View *view) {
-    bool is_at_rest = stage_is_finished(&view->stage) && !motion_is_active(&view->motion) &&
-                      play_is_at_rest(view);
-    if (view->wants_snapshot && is_at_rest) {
+ *  @param[in,out] app The view. */
+static void take_pending_snapshot(App *app) {
+    bool is_settled = window_is_finished(&app->window) && !held_keys_is_active(&app->held_keys) &&
+                      time_control_is_settled(app);
+    if (app->wants_snapshot && is_settled) {
         Error error = {0};
-        view->wants_snapshot = false;
-        if (!shoot(view, view->settings->snapshot_dir, view->name, &error)) {
-            view_report(view, &error);
+        app->wants_snapshot = false;
+        if (!snapshot_take(app, app->settings->snapshot_dir, app->name, &error)) {
+            app_report_error(app, &error);
         }
     }
 }
 
-/** Brings the title up to date. @param[in,out] view The view. @param now Now, seconds. */
-static void update_title(View *view, double now) {
-    const Stage *stage = &view->stage;
-    const Sight *sight = &stage->sights[0];
-    if (now < view->title_due && !stage_is_finished(stage)) {
+/** Brings the title up to date. @param[in,out] app The view. @param now Now, seconds. */
+static void update_title(App *app, double now) {
+    const Window *window = &app->window;
+    const Viewport *viewport = &window->viewports[0];
+    if (now < app->next_title_time && !window_is_finished(window)) {
         return;
     }
-    TitleFacts facts = {.name = view->name,
-                        .width = sight->width,
-                        .height = sight->height,
-                        .report = stage->first_shown > 0 ? &sight->report : NULL,
-                        .time = view->scene->reads_time ? &view->time : NULL,
-                        .is_running = view->timeline.is_running,
-                        .is_recorded = recorder_is_on(view),
-                        .light = view->light,
-                        .light_count = view->scene->light_count,
-                        .note = view->note};
+    TitleContent content = {.name = app->name,
+                            .width = viewport->width,
+                            .height = viewport->height,
+                            .report = window->first_present_time > 0 ? &viewport->report : NULL,
+                            .time = app->scene->is_time_dependent ? &app->scene_time : NULL,
+                            .is_running = app->timeline.is_running,
+                            .is_recording = recorder_is_active(app),
+                            .light = app->selected_light,
+                            .light_count = app->scene->light_count,
+                            .status_text = app->status_text};
     char title[TITLE_SIZE];
-    title_write(&facts, title);
-    if (strcmp(title, SDL_GetWindowTitle(stage->display.window)) != 0) {
-        SDL_SetWindowTitle(stage->display.window, title);
+    title_write(&content, title);
+    if (strcmp(title, SDL_GetWindowTitle(window->sdl.window)) != 0) {
+        SDL_SetWindowTitle(window->sdl.window, title);
     }
-    view->title_due = now + TITLE_SECONDS;
+    app->next_title_time = now + TITLE_INTERVAL;
 }
 
 /**
  * Sleeps until there is something to do.
- * @param[in,out] view        The view.
+ * @param[in,out] app        The view.
  * @param now         Now, seconds.
  * @param[out] event  The event that came.
  * @return Whether one came.
  */
-static bool wait_for_event(View *view, double now, SDL_Event *event) {
-    double delay = fmin(stage_delay(&view->stage, now), scenes_delay(view, now));
-    if (motion_is_active(&view->motion) && stage_is_ready(&view->stage)) {
-        delay = fmin(delay, fmax(0, view->next_step - now));
+static bool wait_for_event(App *app, double now, SDL_Event *event) {
+    double delay = fmin(window_timeout(&app->window, now), current_scene_timeout(app, now));
+    if (held_keys_is_active(&app->held_keys) && window_is_ready(&app->window)) {
+        delay = fmin(delay, fmax(0, app->next_move_time - now));
     }
-    delay = fmin(delay, fmin(player_delay(view, now), recorder_delay(view, now)));
+    delay = fmin(delay, fmin(player_timeout(app, now), recorder_timeout(app, now)));
     if (isinf(delay)) {
         return SDL_WaitEvent(event);
     }
     return SDL_WaitEventTimeout(event, (int)ceil(delay * 1000));
 }
 
-/** Does one round: moves, draws, shows, and sleeps. @param[in,out] view The view. */
-static void do_round(View *view) {
+/** Does one round: moves, draws, shows, and sleeps. @param[in,out] app The view. */
+static void run_frame(App *app) {
     Error error = {0};
-    move_by_keys(view, clock_seconds());
-    player_update(view, clock_seconds());
-    recorder_update(view, clock_seconds());
-    if (!scenes_update(view, clock_seconds(), &error) && error.status != STATUS_INTERRUPTED) {
-        view_report(view, &error);
+    apply_held_keys(app, clock_now_seconds());
+    player_update(app, clock_now_seconds());
+    recorder_update(app, clock_now_seconds());
+    if (!current_scene_update(app, clock_now_seconds(), &error) &&
+        error.status != STATUS_INTERRUPTED) {
+        app_report_error(app, &error);
     }
-    if (!reloader_is_busy(&view->reloader) && !stage_settle(&view->stage, view->scene, &error)) {
-        view_report(view, &error);
+    if (!scene_loader_is_busy(&app->loader) &&
+        !window_update_renderers(&app->window, app->scene, &error)) {
+        app_report_error(app, &error);
     }
-    if (!stage_update(&view->stage, view->scene, clock_seconds(), &error)) {
-        view_report(view, &error);
+    if (!window_update(&app->window, app->scene, clock_now_seconds(), &error)) {
+        app_report_error(app, &error);
     }
-    snapshot_if_wanted(view);
-    if (!player_shoot(view, &error)) {
-        view_report(view, &error);
+    take_pending_snapshot(app);
+    if (!player_capture(app, &error)) {
+        app_report_error(app, &error);
     }
-    update_title(view, clock_seconds());
+    update_title(app, clock_now_seconds());
     SDL_Event event;
-    bool is_event = !view->is_over && wait_for_event(view, clock_seconds(), &event);
-    while (is_event && !view->is_over) {
-        controls_handle(view, &event);
+    bool is_event = !app->should_quit && wait_for_event(app, clock_now_seconds(), &event);
+    while (is_event && !app->should_quit) {
+        input_handle_event(app, &event);
         is_event = SDL_PollEvent(&event);
     }
 }
 
-/** Prints what was measured, as one line of JSON. @param[in,out] view The view. */
-static void print_timing(View *view) {
-    LatencySummary waits = latency_summary(&view->stage.latency);
-    double first = view->stage.first_shown - view->settings->launched;
+/** Prints what was measured, as one line of JSON. @param[in,out] app The view. */
+static void print_timing(App *app) {
+    LatencySummary summary = latency_summary(&app->window.latency);
+    double first = app->window.first_present_time - app->settings->launch_time;
     printf("{\"first_picture_ms\": %.1f, \"keys\": %zu, \"key_to_picture_ms_median\": %.1f, "
            "\"key_to_picture_ms_worst\": %.1f}\n",
-           first * 1e3, waits.count, waits.median * 1e3, waits.worst * 1e3);
+           first * 1e3, summary.count, summary.median * 1e3, summary.worst * 1e3);
     fflush(stdout);
 }
 
 /**
  * Opens the window, lives its life and closes it.
- * @param[in,out] view       The view, with SDL up.
+ * @param[in,out] app       The view, with SDL up.
  * @param stop               The window closes once this is true; may be NULL.
- * @param[in,out] interrupt  The signals, blocked.
+ * @param[in,out] signal_thread  The signals, blocked.
  * @param[out] error         What is wrong.
  * @return What the program should end with.
  */
-static Status live(View *view, const atomic_bool *stop, Interrupt *interrupt, Error *error) {
-    const ViewSettings *settings = view->settings;
-    view->first_event = SDL_RegisterEvents(EVENT_COUNT);
-    view->reloader.event = view->first_event + EVENT_SCENE;
-    interrupt_watch(interrupt, view->first_event + EVENT_INTERRUPT);
-    scenes_begin(view);
-    if (!pose_save(&view->home, view->scene, error) ||
-        !stage_open(&view->stage, view->scene, &settings->render, view->name,
-                    view->first_event + EVENT_PASS, error)) {
+static Status run_event_loop(App *app, const atomic_bool *stop, SignalThread *signal_thread,
+                             Error *error) {
+    const ViewSettings *settings = app->settings;
+    app->first_event = SDL_RegisterEvents(EVENT_COUNT);
+    app->loader.event = app->first_event + EVENT_SCENE_LOADED;
+    signal_thread_start(signal_thread, app->first_event + EVENT_SIGNAL);
+    current_scene_begin(app);
+    if (!view_state_init(&app->home_view, app->scene, error) ||
+        !window_open(&app->window, app->scene, &settings->render, app->name,
+                     app->first_event + EVENT_PASS_FINISHED, error)) {
         return error->status;
     }
-    player_begin(view);
-    while (!view->is_over) {
-        do_round(view);
+    player_begin(app);
+    while (!app->should_quit) {
+        run_frame(app);
         if (stop && atomic_load(stop)) {
-            view->is_over = true;
-            view->status = STATUS_INTERRUPTED;
+            app->should_quit = true;
+            app->exit_status = STATUS_INTERRUPTED;
         }
     }
-    if (!recorder_end(view, error)) {
-        view->status = error->status;
+    if (!recorder_end(app, error)) {
+        app->exit_status = error->status;
     }
-    if (view->wants_snapshot) {
+    if (app->wants_snapshot) {
         fprintf(stderr, gettext("dioptre: no snapshot: the picture was not finished\n"));
     }
-    if (settings->is_timed) {
-        print_timing(view);
+    if (settings->prints_timing) {
+        print_timing(app);
     }
-    return view->status;
+    return app->exit_status;
 }
 
 const char *const *view_actions(int *move_count) {
@@ -211,24 +215,25 @@ bool view_is_possible(void) {
 }
 
 Status view_run(Scene *scene, const ViewSettings *settings, const atomic_bool *stop, Error *error) {
-    View view = {.settings = settings,
-                 .scene = scene,
-                 .motion = {.speed = 1},
-                 .timeline = {.time = settings->time},
-                 .time = settings->time,
-                 .reloader = {.settings = settings}};
-    view.stage.help.by_letter = settings->keys_by_letter;
+    App app = {.settings = settings,
+               .scene = scene,
+               .held_keys = {.speed = 1},
+               .timeline = {.time = settings->initial_time},
+               .scene_time = settings->initial_time,
+               .loader = {.settings = settings}};
+    app.window.help.by_letter = settings->keys_by_letter;
     Status status = STATUS_FAILED;
-    Interrupt interrupt;
-    interrupt_block(&interrupt);
+    SignalThread signal_thread;
+    signal_thread_block(&signal_thread);
     if (video_start(error)) {
-        status = live(&view, stop, &interrupt, error);
-        player_end(&view);
-        scenes_end(&view); // The scene that it may still make shares with what the stage draws.
-        stage_close(&view.stage);
+        status = run_event_loop(&app, stop, &signal_thread, error);
+        player_end(&app);
+        current_scene_end(
+            &app); // The scene that it may still make shares with what the stage draws.
+        window_close(&app.window);
     }
-    interrupt_release(&interrupt);
+    signal_thread_stop(&signal_thread);
     SDL_Quit();
-    pose_release(&view.home);
+    view_state_deinit(&app.home_view);
     return status;
 }

@@ -13,14 +13,14 @@
 #define REAL_BITS 32
 #endif
 #define LANES 1
-#include "../src/trace/bounds.c"
-#include "../src/trace/field.c"
-#include "../src/trace/field_bulb.c"
-#include "../src/trace/field_solids.c"
-#include "../src/trace/march.c"
-#include "../src/trace/march_field.c"
+#include "../src/trace/sdf/sdf_mandelbulb.c"
+#include "../src/trace/sdf/sdf_solids.c"
+#include "../src/trace/sdf/sdf_vm.c"
+#include "../src/trace/sdf/sphere_tracer.c"
+#include "../src/trace/sdf/sphere_tracer_init.c"
+#include "../src/trace/shapes/aabb.c"
 
-#include "field_making.h"
+#include "sdf_builders.h"
 
 #include <time.h>
 
@@ -28,43 +28,44 @@
 
 /** What a tape does at first, once it is counted. */
 static struct {
-    void (*run)(FieldMachine *machine, const FieldCode *code); /**< The step itself. */
-    int count;                                                 /**< How often it was done. */
-} counted;
+    void (*run)(SdfVm *machine, const SdfInstruction *code); /**< The step itself. */
+    int count;                                               /**< How often it was done. */
+} count_state;
 
-/** Counts, and does the step. See #FieldCode.run. @param m See there. @param code See there. */
-static void counted_run(FieldMachine *m, const FieldCode *code) {
-    counted.count++;
-    counted.run(m, code);
+/** Counts, and does the step. See #SdfInstruction.execute. @param m See there. @param code See
+ * there. */
+static void counted_run(SdfVm *m, const SdfInstruction *code) {
+    count_state.count++;
+    count_state.run(m, code);
 }
 
 /** Marches to a plane. @param way What the way is called. @param relaxation See
- *  #Marching.relaxation. @param degrees The angle. */
+ *  #SphereTracer.relaxation. @param degrees The angle. */
 static void steps_print(const char *way, double relaxation, double degrees) {
     const double eps = 1e-4, angle = degrees * M_PI / 180;
     // A ball far away makes the field's box as high as where the ray starts.
-    Field *ground = moved(single("box", (double[]){4096, 16, 4096}), 0, -8, 0);
-    Field *both = joined(FIELD_JOIN_UNION, ground, moved(single("sphere", NULL), -1900, 1, 0), 0);
-    FieldCode *codes = calloc((size_t)both->count, sizeof *codes);
-    Stalls stalls = {0};
-    Marching marching = {.codes = codes,
-                         .tolerance = (scalar)eps,
-                         .relaxation = (scalar)relaxation,
-                         .max_steps = 1000000,
-                         .stalls = &stalls};
-    Bounds box;
-    marching_init(&marching, both, &box);
-    counted.run = codes[0].run;
-    counted.count = 0;
-    codes[0].run = counted_run;
-    Ray ray = ray_of((Vector){0, 1, 0}, (Vector){(scalar)cos(angle), (scalar)-sin(angle), 0});
-    March march;
-    bool is_met = march_run(&marching, &ray, 1, INFINITE, false, &march);
-    double law = log(1 / (double)marching.tolerance) / -log(1 - sin(angle)),
+    Sdf *ground = moved(single("box", (double[]){4096, 16, 4096}), 0, -8, 0);
+    Sdf *both = joined(SDF_COMBINE_UNION, ground, moved(single("sphere", NULL), -1900, 1, 0), 0);
+    SdfInstruction *codes = calloc((size_t)both->node_count, sizeof *codes);
+    StepLimitCounter step_limit = {0};
+    SphereTracer sphere_tracer = {.program = codes,
+                                  .tolerance = (scalar)eps,
+                                  .relaxation = (scalar)relaxation,
+                                  .max_steps = 1000000,
+                                  .step_limit_counter = &step_limit};
+    Aabbs box;
+    sphere_tracer_init(&sphere_tracer, both, &box);
+    count_state.run = codes[0].execute;
+    count_state.count = 0;
+    codes[0].execute = counted_run;
+    Ray ray = ray_of((Vec3){0, 1, 0}, (Vec3){(scalar)cos(angle), (scalar)-sin(angle), 0});
+    SphereTrace march;
+    bool is_met = sphere_trace_run(&sphere_tracer, &ray, 1, INFINITE, false, &march);
+    double law = log(1 / (double)sphere_tracer.tolerance) / -log(1 - sin(angle)),
            truth = -1 / (double)ray.direction.y;
-    double error =
-        fabs((double)march_distance(&march) - truth) * sin(angle) / (double)marching.tolerance;
-    printf("%s,%g,%d,%.1f,%.3f\n", way, degrees, is_met ? counted.count : -1, law, error);
+    double error = fabs((double)sphere_trace_distance(&march) - truth) * sin(angle) /
+                   (double)sphere_tracer.tolerance;
+    printf("%s,%g,%d,%.1f,%.3f\n", way, degrees, is_met ? count_state.count : -1, law, error);
     free(codes);
     free(both);
 }
@@ -90,54 +91,55 @@ static void steps_print_all(void) {
 enum { POINTS = 4096, ROUNDS = 50 };
 
 /** A surface. */
-typedef struct Surface {
-    const char *name;    /**< Its name. */
-    FieldCode *codes;    /**< Its tape. */
-    int count;           /**< How long it is. */
-    Vector at[POINTS];   /**< Points near it, rounded. */
-    double n[POINTS][3]; /**< Their normals, true. */
-} Surface;
+typedef struct SampledSurface {
+    const char *name;      /**< Its name. */
+    SdfInstruction *codes; /**< Its tape. */
+    int count;             /**< How long it is. */
+    Vec3 at[POINTS];       /**< Points near it, rounded. */
+    double n[POINTS][3];   /**< Their normals, true. */
+} SampledSurface;
 
 /** @return What a field says. @param s The field. @param p Where. */
-static real says(const Surface *s, Vector p) {
-    return field_distance(s->codes, s->count, p, 1);
+static real sdf_value(const SampledSurface *s, Vec3 p) {
+    return sdf_distance(s->codes, s->count, p, 1);
 }
 
 /** @return The normal by derivatives that are carried along. @param s The field. @param p Where.
  *  @param h Not used. */
-static Vector exact_normal(const Surface *s, Vector p, real h) {
+static Vec3 exact_normal(const SampledSurface *s, Vec3 p, real h) {
     (void)h;
-    return field_sample(s->codes, s->count, p, 1).gradient;
+    return sdf_sample(s->codes, s->count, p, 1).gradient;
 }
 
 /** @return The normal by six points. @param s The field. @param p Where. @param h How far. */
-static Vector central_normal(const Surface *s, Vector p, real h) {
-    return (Vector){says(s, (Vector){p.x + h, p.y, p.z}) - says(s, (Vector){p.x - h, p.y, p.z}),
-                    says(s, (Vector){p.x, p.y + h, p.z}) - says(s, (Vector){p.x, p.y - h, p.z}),
-                    says(s, (Vector){p.x, p.y, p.z + h}) - says(s, (Vector){p.x, p.y, p.z - h})};
+static Vec3 central_normal(const SampledSurface *s, Vec3 p, real h) {
+    return (Vec3){sdf_value(s, (Vec3){p.x + h, p.y, p.z}) - sdf_value(s, (Vec3){p.x - h, p.y, p.z}),
+                  sdf_value(s, (Vec3){p.x, p.y + h, p.z}) - sdf_value(s, (Vec3){p.x, p.y - h, p.z}),
+                  sdf_value(s, (Vec3){p.x, p.y, p.z + h}) -
+                      sdf_value(s, (Vec3){p.x, p.y, p.z - h})};
 }
 
 /** @return The normal by four points, one of them the point itself. @param s The field. @param p
  *  Where. @param h How far. */
-static Vector forward_normal(const Surface *s, Vector p, real h) {
-    real here = says(s, p);
-    return (Vector){says(s, (Vector){p.x + h, p.y, p.z}) - here,
-                    says(s, (Vector){p.x, p.y + h, p.z}) - here,
-                    says(s, (Vector){p.x, p.y, p.z + h}) - here};
+static Vec3 forward_normal(const SampledSurface *s, Vec3 p, real h) {
+    real here = sdf_value(s, p);
+    return (Vec3){sdf_value(s, (Vec3){p.x + h, p.y, p.z}) - here,
+                  sdf_value(s, (Vec3){p.x, p.y + h, p.z}) - here,
+                  sdf_value(s, (Vec3){p.x, p.y, p.z + h}) - here};
 }
 
 /** @return The normal by the corners of a tetrahedron. @param s The field. @param p Where.
  *  @param h How far. */
-static Vector tetrahedron_normal(const Surface *s, Vector p, real h) {
-    real a = says(s, (Vector){p.x + h, p.y - h, p.z - h});
-    real b = says(s, (Vector){p.x - h, p.y - h, p.z + h});
-    real c = says(s, (Vector){p.x - h, p.y + h, p.z - h});
-    real d = says(s, (Vector){p.x + h, p.y + h, p.z + h});
-    return (Vector){a - b - c + d, -a - b + c + d, -a + b - c + d};
+static Vec3 tetrahedron_normal(const SampledSurface *s, Vec3 p, real h) {
+    real a = sdf_value(s, (Vec3){p.x + h, p.y - h, p.z - h});
+    real b = sdf_value(s, (Vec3){p.x - h, p.y - h, p.z + h});
+    real c = sdf_value(s, (Vec3){p.x - h, p.y + h, p.z - h});
+    real d = sdf_value(s, (Vec3){p.x + h, p.y + h, p.z + h});
+    return (Vec3){a - b - c + d, -a - b + c + d, -a + b - c + d};
 }
 
 /** @return Seconds of this process. */
-static double now(void) {
+static double process_seconds(void) {
     struct timespec t;
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
@@ -145,28 +147,28 @@ static double now(void) {
 
 /** @return The angle between a normal and the true one, radians. @param n The normal. @param truth
  *  The true one, one long. */
-static double turned(Vector n, const double *truth) {
-    Vector3 normal = {(double)n.x, (double)n.y, (double)n.z};
-    double length = vector3_length(normal);
-    Vector3 off = vector3_subtract(vector3_scale(normal, 1 / length),
-                                   (Vector3){truth[0], truth[1], truth[2]});
-    return length > 0 ? 2 * asin(fmin(1, 0.5 * vector3_length(off))) : M_PI;
+static double normal_angle(Vec3 n, const double *truth) {
+    Vec3d normal = {(double)n.x, (double)n.y, (double)n.z};
+    double length = vec3d_length(normal);
+    Vec3d difference =
+        vec3d_subtract(vec3d_scale(normal, 1 / length), (Vec3d){truth[0], truth[1], truth[2]});
+    return length > 0 ? 2 * asin(fmin(1, 0.5 * vec3d_length(difference))) : M_PI;
 }
 
 /** Measures a way. @param s The field. @param way Its name. @param normal It. @param h How far. */
-static void normals_print(const Surface *s, const char *way,
-                          Vector (*normal)(const Surface *, Vector, real), double h) {
+static void normals_print(const SampledSurface *s, const char *way,
+                          Vec3 (*normal)(const SampledSurface *, Vec3, real), double h) {
     double worst = 0, fastest = HUGE_VAL;
     static volatile real sink;
     for (int i = 0; i < POINTS; i++) {
-        worst = fmax(worst, turned(normal(s, s->at[i], (real)h), s->n[i]));
+        worst = fmax(worst, normal_angle(normal(s, s->at[i], (real)h), s->n[i]));
     }
     for (int round = 0; round < ROUNDS; round++) {
-        double start = now();
+        double start = process_seconds();
         for (int i = 0; i < POINTS; i++) {
             sink = normal(s, s->at[i], (real)h).x;
         }
-        fastest = fmin(fastest, (now() - start) / POINTS);
+        fastest = fmin(fastest, (process_seconds() - start) / POINTS);
     }
     (void)sink;
     printf("%s,%s,%g,%.2f,%.3g\n", s->name, way, h, 1e9 * fastest, worst);
@@ -174,7 +176,7 @@ static void normals_print(const Surface *s, const char *way,
 
 /** Puts points on a surface by its own equation. @param[in,out] s The surface. @param ring Major
  *  radius of a ring of 0.25; 0: a ball of 1. */
-static void points_put(Surface *s, double ring) {
+static void place_points(SampledSurface *s, double ring) {
     uint64_t seed = 1;
     for (int i = 0; i < POINTS; i++) {
         double turn = 2 * M_PI * random_share(&seed), around = 2 * M_PI * random_share(&seed);
@@ -184,19 +186,19 @@ static void points_put(Surface *s, double ring) {
         n[0] = across * cos(turn);
         n[1] = up;
         n[2] = across * sin(turn);
-        s->at[i] = (Vector){(real)(ring * cos(turn) + radius * n[0]), (real)(radius * n[1]),
-                            (real)(ring * sin(turn) + radius * n[2])};
+        s->at[i] = (Vec3){(real)(ring * cos(turn) + radius * n[0]), (real)(radius * n[1]),
+                          (real)(ring * sin(turn) + radius * n[2])};
     }
 }
 
 /** Prints all ways for a field. @param name Its name. @param field It; given back. @param ring See
- *  points_put(). */
-static void surface_print(const char *name, Field *field, double ring) {
-    static Surface s;
-    s = (Surface){.name = name, .count = field->count};
-    s.codes = calloc((size_t)field->count, sizeof *s.codes);
-    field_code(s.codes, field);
-    points_put(&s, ring);
+ *  place_points(). */
+static void surface_print(const char *name, Sdf *field, double ring) {
+    static SampledSurface s;
+    s = (SampledSurface){.name = name, .count = field->node_count};
+    s.codes = calloc((size_t)field->node_count, sizeof *s.codes);
+    sdf_compile(s.codes, field);
+    place_points(&s, ring);
     normals_print(&s, "exact", exact_normal, 0);
     for (double h = 0.1; h > 5e-7; h /= sqrt(10)) {
         normals_print(&s, "central", central_normal, h);
@@ -215,8 +217,8 @@ int main(int count, char **arguments) {
         printf("field,way,h,ns,error\n");
         surface_print("ball", single("sphere", NULL), 0);
         surface_print("ring", single("torus", (double[]){1, 0.25}), 1);
-        Field *near = joined(FIELD_JOIN_SMOOTH, single("torus", (double[]){1, 0.25}),
-                             moved(single("sphere", NULL), 0, 9, 0), 0.25);
+        Sdf *near = joined(SDF_COMBINE_SMOOTH_UNION, single("torus", (double[]){1, 0.25}),
+                           moved(single("sphere", NULL), 0, 9, 0), 0.25);
         surface_print("melted", near, 1);
     }
     return 0;

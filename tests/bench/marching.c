@@ -18,15 +18,15 @@
 enum { TURNS = 3 };
 
 /** A way to march. */
-typedef struct Way {
+typedef struct SphereTracingSetting {
     const char *what;  /**< What is varied. */
     double value;      /**< How much. */
     double relaxation; /**< See #TraceSettings.relaxation. */
     double footprint;  /**< See #TraceSettings.footprint. */
-} Way;
+} SphereTracingSetting;
 
 /** All of them. */
-static const Way ways[] = {
+static const SphereTracingSetting settings_tried[] = {
     {"relaxation", 1, 1, 0},
     {"relaxation", 1.2, 1.2, 0},
     {"relaxation", 1.6, 1.6, 0},
@@ -38,26 +38,27 @@ static const Way ways[] = {
     {"footprint", 0.5, 0, 0.5},
 };
 /** How many. */
-enum { WAYS = sizeof ways / sizeof *ways };
+enum { SETTING_COUNT = sizeof settings_tried / sizeof *settings_tried };
 
 /** @return A renderer of the scene's size, one ray a pixel, one thread; NULL if anything is wrong.
- *  @param scene The scene. @param engine The engine. @param way How it marches. @param[out] error
+ *  @param scene The scene. @param engine The engine. @param log How it marches. @param[out] error
  *  What is wrong. */
-static Renderer *renderer_of(const Scene *scene, const Engine *engine, Way way, Error *error) {
+static Renderer *renderer_of(const Scene *scene, const Engine *engine, SphereTracingSetting log,
+                             Error *error) {
     RenderSettings settings = render_settings_default(scene);
     settings.engine = engine;
     settings.threads = 1;
     settings.samples = 1;
-    settings.trace.relaxation = way.relaxation;
-    settings.trace.footprint = way.footprint;
+    settings.trace.relaxation = log.relaxation;
+    settings.trace.footprint = log.footprint;
     return renderer_create(scene, &settings, error);
 }
 
 /** @return Processor time of a picture, seconds: the machine may be shared. @param renderer Draws
  *  it. */
-static double picture_time(Renderer *renderer) {
+static double picture_cpu_seconds(Renderer *renderer) {
     clock_t start = clock();
-    renderer_draw(renderer, NULL, NULL);
+    renderer_render(renderer, NULL, NULL);
     return (double)(clock() - start) / CLOCKS_PER_SEC;
 }
 
@@ -65,55 +66,55 @@ static double picture_time(Renderer *renderer) {
  *  What is wrong. */
 static Scene *scene_of(const char *path, Error *error) {
     const ScriptRequest request = {.path = path,
-                                   .seconds = SCRIPT_SECONDS,
-                                   .memory = SCRIPT_MEMORY,
+                                   .time_limit = SCRIPT_TIME_LIMIT,
+                                   .memory_limit = SCRIPT_MEMORY_LIMIT,
                                    .shape_keywords = engine_list()[0]->shape_keywords};
     return script_load(&request, error);
 }
 
 /** Measures all ways. @param path The scene's file. @param renderers One for each way. @param truth
  *  What is compared with. @param[in,out] picture Room for a picture. */
-static void ways_measure(const char *path, Renderer **renderers, const Picture *truth,
-                         Picture *picture) {
-    double fastest[WAYS];
+static void measure_settings(const char *path, Renderer **renderers, const Picture *truth,
+                             Picture *picture) {
+    double fastest[SETTING_COUNT];
     for (int turn = 0; turn < TURNS; turn++) {
-        for (int i = 0; i < WAYS; i++) {
-            double seconds = picture_time(renderers[i]);
+        for (int i = 0; i < SETTING_COUNT; i++) {
+            double seconds = picture_cpu_seconds(renderers[i]);
             fastest[i] = turn == 0 || seconds < fastest[i] ? seconds : fastest[i];
         }
     }
-    for (int i = 0; i < WAYS; i++) {
-        renderer_draw(renderers[i], NULL, picture);
-        Comparison c = picture_compare(picture, truth, NULL);
-        printf("%s,%s,%g,%.4g,%.4f,%d\n", path, ways[i].what, ways[i].value, 1e3 * fastest[i],
-               100 * c.share_off, c.worst_step);
+    for (int i = 0; i < SETTING_COUNT; i++) {
+        renderer_render(renderers[i], NULL, picture);
+        PictureComparison c = picture_compare(picture, truth, NULL);
+        printf("%s,%s,%g,%.4g,%.4f,%d\n", path, settings_tried[i].what, settings_tried[i].value,
+               1e3 * fastest[i], 100 * c.differing_fraction, c.max_difference);
         fflush(stdout);
     }
 }
 
 /** Measures a scene. @param path Its file. @param engine The engine. @param[out] error What is
  *  wrong. @return false if anything is. */
-static bool scene_measure(const char *path, const Engine *engine, Error *error) {
-    const Way truly = {"truth", 0, 1, 0};
-    Renderer *renderers[WAYS] = {NULL}, *truth = NULL;
+static bool measure_scene(const char *path, const Engine *engine, Error *error) {
+    const SphereTracingSetting truly = {"truth", 0, 1, 0};
+    Renderer *renderers[SETTING_COUNT] = {NULL}, *truth = NULL;
     Picture reference = {0}, picture = {0};
     Scene *scene = scene_of(path, error);
     bool is_good = scene && (truth = renderer_of(scene, engine_find("f64x4", error), truly, error));
-    for (int i = 0; i < WAYS && is_good; i++) {
-        is_good = (renderers[i] = renderer_of(scene, engine, ways[i], error)) != NULL;
+    for (int i = 0; i < SETTING_COUNT && is_good; i++) {
+        is_good = (renderers[i] = renderer_of(scene, engine, settings_tried[i], error)) != NULL;
     }
     is_good = is_good && picture_init(&reference, scene->image.width, scene->image.height, error) &&
               picture_init(&picture, scene->image.width, scene->image.height, error);
     if (is_good) {
-        renderer_draw(truth, NULL, &reference);
-        ways_measure(path, renderers, &reference, &picture);
+        renderer_render(truth, NULL, &reference);
+        measure_settings(path, renderers, &reference, &picture);
     }
-    for (int i = 0; i < WAYS; i++) {
+    for (int i = 0; i < SETTING_COUNT; i++) {
         renderer_destroy(renderers[i]);
     }
     renderer_destroy(truth);
-    picture_release(&reference);
-    picture_release(&picture);
+    picture_deinit(&reference);
+    picture_deinit(&picture);
     scene_destroy(scene);
     return is_good;
 }
@@ -125,7 +126,7 @@ int main(int count, char **arguments) {
     const Engine *engine = count > 2 ? engine_find(arguments[1], &error) : NULL;
     bool is_good = engine != NULL;
     for (int i = 2; is_good && i < count; i++) {
-        is_good = scene_measure(arguments[i], engine, &error);
+        is_good = measure_scene(arguments[i], engine, &error);
     }
     if (!is_good) {
         fprintf(stderr, "marching: %s\n", count > 2 ? error.message : "ENGINE SCENE...");

@@ -6,7 +6,7 @@
 #include "dioptre/needs.h"
 #include "dioptre/renderer.h"
 #include "dioptre/script.h"
-#include "lab/strays.h"
+#include "lab/needs/outliers.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -16,7 +16,7 @@ enum { TRIED_WIDTH = 320 };
 
 /** @return What a scene needs. @param scene The scene. @param[out] needs It. @param[out] error What
  * is wrong. */
-static bool find(const Scene *scene, Needs *needs, Error *error) {
+static bool find_needs(const Scene *scene, Needs *needs, Error *error) {
     RenderSettings settings = render_settings_default(scene);
     int height = TRIED_WIDTH * scene->image.height / scene->image.width;
     NeedsRequest request = {.width = TRIED_WIDTH,
@@ -32,44 +32,51 @@ static bool find(const Scene *scene, Needs *needs, Error *error) {
 /** Compares float with double for all pixels, as deep as is needed. @param scene The scene.
  *  @param depth How deep. @param[out] trial How float does. @param[out] error What is wrong.
  *  @return false if anything is. */
-static bool verify(const Scene *scene, int depth, NeedsTrial *trial, Error *error) {
+static bool verify_float(const Scene *scene, int depth, NeedsTrial *trial, Error *error) {
     RenderSettings settings = render_settings_default(scene);
-    Pixels pixels;
-    Shot shot, truth;
+    PixelSet pixels;
+    SampledRender render, truth;
     int height = TRIED_WIDTH * scene->image.height / scene->image.width;
-    Manner manner = {.engine = engine_find("auto", NULL), .trace = settings.trace, .rays = 1};
-    manner.trace.depth = depth;
-    manner.trace.samples = settings.samples;
-    Manner reference = manner;
+    Variant variant = {
+        .engine = engine_find("auto", NULL), .trace = settings.trace, .samples_traced = 1};
+    variant.trace.depth = depth;
+    variant.trace.samples = settings.samples;
+    Variant reference = variant;
     reference.engine = engine_find("f64x1", NULL);
-    if (!pixels_make(&pixels, TRIED_WIDTH, height, pixel_is_any, NULL, error)) {
+    if (!pixel_set_init(&pixels, TRIED_WIDTH, height, pixel_is_any, NULL, error)) {
         return false;
     }
-    Studio studio = {scene, &pixels, settings.threads, NULL};
-    if (!shot_take(&studio, &manner, &shot, error) ||
-        !shot_take(&studio, &reference, &truth, error)) {
+    RenderContext render_context = {scene, &pixels, settings.threads, NULL};
+    if (!render_samples(&render_context, &variant, &render, error) ||
+        !render_samples(&render_context, &reference, &truth, error)) {
         return false;
     }
-    Contrast contrast = contrast_of(&shot, &truth, &truth, (Encoding)scene->image.encoding);
-    *trial = (NeedsTrial){.rays = contrast.rays, .worst = contrast.worst, .off = contrast.off};
-    bool is_counted = strays_count(&studio, &reference, &truth, &shot, &trial->strays, error);
-    shot_release(&shot);
-    shot_release(&truth);
-    pixels_release(&pixels);
+    ImageDifference difference =
+        image_difference_of(&render, &truth, &truth, (Encoding)scene->image.encoding);
+    *trial = (NeedsTrial){
+        .rays = difference.rays, .max_steps = difference.max_steps, .visible = difference.visible};
+    bool is_counted =
+        outliers_count(&render_context, &reference, &truth, &render, &trial->outliers, error);
+    sampled_render_deinit(&render);
+    sampled_render_deinit(&truth);
+    pixel_set_deinit(&pixels);
     return is_counted;
 }
 
-/** Prints a scene's row. @param name The scene. @param pilot What a sample says. @param whole What
- *  all pixels say of float. */
-static void row_print(const char *name, const Needs *pilot, const NeedsTrial *whole) {
-    const NeedsEngine *chosen = &pilot->engines[pilot->engine];
-    double seconds = pilot->engines[pilot->engine < 2 ? pilot->engine : 1].seconds;
+/** Prints a scene's row. @param name The scene. @param sampled_needs What a sample says. @param
+ * whole What all pixels say of float. */
+static void row_print(const char *name, const Needs *sampled_needs, const NeedsTrial *whole) {
+    const NeedsEngine *chosen = &sampled_needs->engines[sampled_needs->engine];
+    double seconds =
+        sampled_needs->engines[sampled_needs->engine < 2 ? sampled_needs->engine : 1].cpu_seconds;
     printf("| %s | %s, %.2g | %s, depth %d | %.2g | %zu of %zu | %.2g | %.2g %% | %.1f |\n", name,
-           forecast_engine(&pilot->forecast)->name, forecast_steps(&pilot->forecast),
-           chosen->engine->name, pilot->depth, pilot->total.worst,
-           pilot->total.off + pilot->total.strays, pilot->total.rays, whole->worst,
-           100 * (double)(whole->off + whole->strays) / (double)whole->rays,
-           pilot->everything / seconds);
+           precision_estimate_engine(&sampled_needs->forecast)->name,
+           precision_estimate_error(&sampled_needs->forecast), chosen->engine->name,
+           sampled_needs->depth, sampled_needs->total_trial.max_steps,
+           sampled_needs->total_trial.visible + sampled_needs->total_trial.outliers,
+           sampled_needs->total_trial.rays, whole->max_steps,
+           100 * (double)(whole->visible + whole->outliers) / (double)whole->rays,
+           sampled_needs->reference_cpu_seconds / seconds);
     fflush(stdout);
 }
 
@@ -78,20 +85,21 @@ static void row_print(const char *name, const Needs *pilot, const NeedsTrial *wh
 int main(int argc, char **argv) {
     for (int i = 1; i < argc; i++) {
         Error error = {0};
-        Needs pilot;
+        Needs sampled_needs;
         NeedsTrial whole;
         ScriptRequest request = {.path = argv[i],
-                                 .seconds = SCRIPT_SECONDS,
-                                 .memory = SCRIPT_MEMORY,
+                                 .time_limit = SCRIPT_TIME_LIMIT,
+                                 .memory_limit = SCRIPT_MEMORY_LIMIT,
                                  .shape_keywords = engine_find("f32x1", NULL)->shape_keywords};
         Scene *scene = script_load(&request, &error);
-        if (!scene || !find(scene, &pilot, &error) || !verify(scene, pilot.depth, &whole, &error)) {
+        if (!scene || !find_needs(scene, &sampled_needs, &error) ||
+            !verify_float(scene, sampled_needs.depth, &whole, &error)) {
             fprintf(stderr, "%s: %s\n", argv[i], error.message);
             scene_destroy(scene);
             return 1;
         }
         const char *slash = strrchr(argv[i], '/');
-        row_print(slash ? slash + 1 : argv[i], &pilot, &whole);
+        row_print(slash ? slash + 1 : argv[i], &sampled_needs, &whole);
         scene_destroy(scene);
     }
     return 0;

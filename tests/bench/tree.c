@@ -16,43 +16,45 @@
 enum { TURNS = 5, FRAMES = 6 };
 
 /** What was measured of one number of shapes. */
-typedef struct Match {
-    double list;    /**< Fastest picture without a tree, seconds. */
-    double tree;    /**< Fastest picture with a tree, seconds. */
-    double lowest;  /**< Lowest ratio of list to tree of any turn. */
-    double highest; /**< Highest ratio of list to tree of any turn. */
-} Match;
+typedef struct ListBvhTimes {
+    double list_seconds; /**< Fastest picture without a tree, seconds. */
+    double bvh_seconds;  /**< Fastest picture with a tree, seconds. */
+    double lowest;       /**< Lowest ratio of list to tree of any turn. */
+    double highest;      /**< Highest ratio of list to tree of any turn. */
+} ListBvhTimes;
 
 /** @return A renderer of one thread at 800 x 600; NULL if anything is wrong. @param scene The
  * scene.
- *  @param engine The engine. @param tree Whether there is a tree. @param[out] error What is wrong.
+ *  @param engine The engine. @param bvh_use Whether there is a tree. @param[out] error What is
+ * wrong.
  */
-static Renderer *renderer_of(const Scene *scene, const Engine *engine, TreeUse tree, Error *error) {
+static Renderer *renderer_of(const Scene *scene, const Engine *engine, BvhMode bvh_use,
+                             Error *error) {
     RenderSettings settings = render_settings_default(scene);
     settings.engine = engine;
     settings.threads = 1;
-    settings.trace.tree = tree;
+    settings.trace.bvh = bvh_use;
     return renderer_create(scene, &settings, error);
 }
 
 /** @return Seconds of the fastest of some pictures. @param renderer Draws them. */
-static double turn_take(Renderer *renderer) {
-    double fastest = renderer_draw(renderer, NULL, NULL).seconds;
+static double fastest_picture(Renderer *renderer) {
+    double fastest = renderer_render(renderer, NULL, NULL).seconds;
     for (int i = 1; i < FRAMES; i++) {
-        double seconds = renderer_draw(renderer, NULL, NULL).seconds;
+        double seconds = renderer_render(renderer, NULL, NULL).seconds;
         fastest = seconds < fastest ? seconds : fastest;
     }
     return fastest;
 }
 
 /** @return How list and tree compare. @param list Draws without a tree. @param tree Draws with. */
-static Match renderers_compare(Renderer *list, Renderer *tree) {
-    Match result = {HUGE_VAL, HUGE_VAL, HUGE_VAL, 0};
+static ListBvhTimes compare_renderers(Renderer *list, Renderer *tree) {
+    ListBvhTimes result = {HUGE_VAL, HUGE_VAL, HUGE_VAL, 0};
     for (int i = 0; i < TURNS; i++) {
-        double with_list = turn_take(list), with_tree = turn_take(tree);
+        double with_list = fastest_picture(list), with_tree = fastest_picture(tree);
         double ratio = with_list / with_tree;
-        result.list = with_list < result.list ? with_list : result.list;
-        result.tree = with_tree < result.tree ? with_tree : result.tree;
+        result.list_seconds = with_list < result.list_seconds ? with_list : result.list_seconds;
+        result.bvh_seconds = with_tree < result.bvh_seconds ? with_tree : result.bvh_seconds;
         result.lowest = ratio < result.lowest ? ratio : result.lowest;
         result.highest = ratio > result.highest ? ratio : result.highest;
     }
@@ -62,20 +64,21 @@ static Match renderers_compare(Renderer *list, Renderer *tree) {
 /** Measures a scene with one number of shapes. @param path The scene. @param name Its name.
  *  @param engine The engine. @param shapes How many. @param[out] error What is wrong.
  *  @return false if anything is. */
-static bool number_measure(const char *path, const char *name, const Engine *engine, int shapes,
-                           Error *error) {
+static bool measure_shape_count(const char *path, const char *name, const Engine *engine,
+                                int shapes, Error *error) {
     const ScriptRequest request = {.path = path,
                                    .time = shapes,
-                                   .seconds = SCRIPT_SECONDS,
-                                   .memory = SCRIPT_MEMORY,
+                                   .time_limit = SCRIPT_TIME_LIMIT,
+                                   .memory_limit = SCRIPT_MEMORY_LIMIT,
                                    .shape_keywords = engine->shape_keywords};
     Scene *scene = script_load(&request, error);
-    Renderer *list = scene ? renderer_of(scene, engine, TREE_NEVER, error) : NULL;
-    Renderer *tree = list ? renderer_of(scene, engine, TREE_ALWAYS, error) : NULL;
+    Renderer *list = scene ? renderer_of(scene, engine, BVH_NEVER, error) : NULL;
+    Renderer *tree = list ? renderer_of(scene, engine, BVH_ALWAYS, error) : NULL;
     if (tree) {
-        Match c = renderers_compare(list, tree);
-        printf("%s,%s,%d,%.4g,%.4g,%.3f,%.3f,%.3f\n", engine->name, name, shapes, 1e3 * c.list,
-               1e3 * c.tree, c.list / c.tree, c.lowest, c.highest);
+        ListBvhTimes c = compare_renderers(list, tree);
+        printf("%s,%s,%d,%.4g,%.4g,%.3f,%.3f,%.3f\n", engine->name, name, shapes,
+               1e3 * c.list_seconds, 1e3 * c.bvh_seconds, c.list_seconds / c.bvh_seconds, c.lowest,
+               c.highest);
     }
     renderer_destroy(tree);
     renderer_destroy(list);
@@ -92,7 +95,7 @@ int main(int count, char **arguments) {
     const Engine *engine = count == 4 ? engine_find(arguments[1], &error) : NULL;
     bool is_good = engine != NULL;
     for (size_t i = 0; is_good && i < sizeof numbers / sizeof *numbers; i++) {
-        is_good = number_measure(arguments[2], arguments[3], engine, numbers[i], &error);
+        is_good = measure_shape_count(arguments[2], arguments[3], engine, numbers[i], &error);
     }
     if (!is_good) {
         fprintf(stderr, "tree: %s\n", engine || count == 4 ? error.message : "ENGINE SCENE NAME");

@@ -7,7 +7,7 @@
  *
  * Usage: `edges OURS.bmp THEIRS.bmp`; prints the pixels, those off, and those off and on no edge.
  */
-#include "assets/bmp.h"
+#include "assets/images/bmp.h"
 
 #include <fcntl.h>
 #include <stdlib.h>
@@ -54,9 +54,9 @@ static int difference(const uint8_t *a, const uint8_t *b) {
 static bool is_on_edge(const Picture *picture, int x, int y) {
     uint8_t low[CHANNELS] = {UINT8_MAX, UINT8_MAX, UINT8_MAX};
     uint8_t high[CHANNELS] = {0};
-    for (int place = 0; place < 9; place++) {
-        int column = x + place % 3 - 1;
-        int row = y + place / 3 - 1;
+    for (int index = 0; index < 9; index++) {
+        int column = x + index % 3 - 1;
+        int row = y + index / 3 - 1;
         bool is_inside =
             row >= 0 && row < picture->height && column >= 0 && column < picture->width;
         if (!is_inside || (column == x && row == y)) {
@@ -71,14 +71,14 @@ static bool is_on_edge(const Picture *picture, int x, int y) {
     return difference(low, high) > EDGE_STEPS;
 }
 
-/** @return The counts over all pixels. @param ours Our picture. @param theirs A peer's. */
-static Counts count(const Picture *ours, const Picture *theirs) {
-    Counts counts = {.pixels = (long)ours->width * ours->height};
-    for (int y = 0; y < ours->height; y++) {
-        for (int x = 0; x < ours->width; x++) {
-            if (difference(pixel_at(ours, x, y), pixel_at(theirs, x, y)) > STEPS_ALLOWED) {
+/** @return The counts over all pixels. @param image Our picture. @param other_image A peer's. */
+static Counts count(const Picture *image, const Picture *other_image) {
+    Counts counts = {.pixels = (long)image->width * image->height};
+    for (int y = 0; y < image->height; y++) {
+        for (int x = 0; x < image->width; x++) {
+            if (difference(pixel_at(image, x, y), pixel_at(other_image, x, y)) > STEPS_ALLOWED) {
                 counts.off++;
-                counts.elsewhere += !is_on_edge(ours, x, y);
+                counts.elsewhere += !is_on_edge(image, x, y);
             }
         }
     }
@@ -113,15 +113,15 @@ int main(int count_of_arguments, char **arguments) {
         fprintf(stderr, "usage: edges OURS.bmp THEIRS.bmp\n");
         return EXIT_FAILURE;
     }
-    Picture ours = read_or_exit(arguments[1]);
-    Picture theirs = read_or_exit(arguments[2]);
-    if (ours.width != theirs.width || ours.height != theirs.height) {
+    Picture image = read_or_exit(arguments[1]);
+    Picture other_image = read_or_exit(arguments[2]);
+    if (image.width != other_image.width || image.height != other_image.height) {
         fprintf(stderr, "edges: the pictures are not of the same size\n");
         return EXIT_FAILURE;
     }
-    Counts counts = count(&ours, &theirs);
+    Counts counts = count(&image, &other_image);
     printf("%ld %ld %ld\n", counts.pixels, counts.off, counts.elsewhere);
-    picture_release(&ours);
-    picture_release(&theirs);
+    picture_deinit(&image);
+    picture_deinit(&other_image);
     return EXIT_SUCCESS;
 }

@@ -38,23 +38,23 @@ enum { PACKET = 8 };
 enum { ROUNDS = 9 };
 
 /** What the two are asked. */
-typedef struct Rays {
-    PlainRay *plain;                /**< The rays as ours are asked; all in float. */
+typedef struct RayBatch {
+    RayQuery *plain;                /**< The rays as ours are asked; all in float. */
     struct RTCRay *single;          /**< The same for Embree. */
     float (*directions)[3][PACKET]; /**< Their directions, packet by packet. */
-} Rays;
+} RayBatch;
 
 /** What was answered. */
-typedef struct Answers {
-    int *shapes;            /**< Ours: what each ray meets, or -1. */
-    double *distances;      /**< Ours: how far. */
-    float *their_distances; /**< Embree's: how far, or infinity. */
-    bool *shadowed;         /**< Ours: whether anything is met. */
-    bool *their_shadowed;   /**< Embree's. */
-} Answers;
+typedef struct RayResults {
+    int *shapes;             /**< Ours: what each ray meets, or -1. */
+    double *distances;       /**< Ours: how far. */
+    float *embree_distances; /**< Embree's: how far, or infinity. */
+    bool *occluded;          /**< Ours: whether anything is met. */
+    bool *embree_occluded;   /**< Embree's. */
+} RayResults;
 
 /** The two, and what they are asked. */
-typedef struct Arena {
+typedef struct BenchmarkScene {
     Scene *scene;         /**< The scene: a mesh. */
     const Engine *engine; /**< Our engine. */
     Tracer *tracer;       /**< Ours. */
@@ -62,10 +62,10 @@ typedef struct Arena {
     RTCDevice device;     /**< Embree. */
     RTCScene embree;      /**< Its scene. */
     float *positions;     /**< The mesh's, as Embree takes them. */
-    ssize_t their_bytes;  /**< What Embree takes: counted by its device. */
-    Rays rays;            /**< The rays. */
-    Answers answers;      /**< What both said. */
-} Arena;
+    ssize_t embree_bytes; /**< What Embree takes: counted by its device. */
+    RayBatch rays;        /**< The rays. */
+    RayResults answers;   /**< What both said. */
+} BenchmarkScene;
 
 /** Ends the program. @param what What is wrong. */
 static _Noreturn void fail(const char *what) {
@@ -75,7 +75,7 @@ static _Noreturn void fail(const char *what) {
 
 /** @return Memory, zero; without it the program ends. @param count How many. @param size Bytes of
  *  each. */
-static void *allocate(size_t count, size_t size) {
+static void *allocate_or_exit(size_t count, size_t size) {
     /** Bytes: what the widest vectors of either want. */
     const size_t alignment = 64;
     size_t bytes = (count * size + alignment - 1) / alignment * alignment;
@@ -99,55 +99,55 @@ static size_t bytes_held(void) {
 
 // --- building ------------------------------------------------------------------------------------
 
-/** Builds our tracer. @param arena The arena. @return Seconds. */
-static double build_ours(Arena *arena) {
+/** Builds our tracer. @param bench The arena. @return Seconds. */
+static double build_dioptre(BenchmarkScene *bench) {
     const TraceSettings settings = {.depth = 1, .offset = OFFSET_BOUND};
     Error error = {0};
-    if (arena->tracer) {
-        arena->engine->release(arena->tracer);
+    if (bench->tracer) {
+        bench->engine->release(bench->tracer);
     }
     size_t before = bytes_held();
     double start = seconds();
-    arena->tracer = arena->engine->prepare(arena->scene, &settings, &error);
+    bench->tracer = bench->engine->prepare(bench->scene, &settings, &error);
     double end = seconds();
-    arena->bytes = bytes_held() - before;
-    return arena->tracer ? end - start : (fail(error.message), 0);
+    bench->bytes = bytes_held() - before;
+    return bench->tracer ? end - start : (fail(error.message), 0);
 }
 
-/** @return Embree's triangles: it only looks at the scene's memory. @param arena The arena. */
-static RTCGeometry geometry_make(const Arena *arena) {
-    const Mesh *mesh = arena->scene->meshes[0].mesh;
-    RTCGeometry geometry = rtcNewGeometry(arena->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+/** @return Embree's triangles: it only looks at the scene's memory. @param bench The arena. */
+static RTCGeometry geometry_make(const BenchmarkScene *bench) {
+    const Mesh *mesh = bench->scene->meshes[0].mesh;
+    RTCGeometry geometry = rtcNewGeometry(bench->device, RTC_GEOMETRY_TYPE_TRIANGLE);
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                               arena->positions, 0, 3 * sizeof(float), mesh->position_count);
+                               bench->positions, 0, 3 * sizeof(float), mesh->position_count);
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                mesh->triangles, 0, sizeof *mesh->triangles, mesh->triangle_count);
     return geometry;
 }
 
-/** Builds Embree's tree. @param arena The arena. @return Seconds. */
-static double build_theirs(Arena *arena) {
-    if (arena->embree) {
-        rtcReleaseScene(arena->embree);
+/** Builds Embree's tree. @param bench The arena. @return Seconds. */
+static double build_embree(BenchmarkScene *bench) {
+    if (bench->embree) {
+        rtcReleaseScene(bench->embree);
     }
-    arena->their_bytes = 0;
-    arena->embree = rtcNewScene(arena->device);
-    rtcSetSceneFlags(arena->embree, RTC_SCENE_FLAG_ROBUST);
-    RTCGeometry geometry = geometry_make(arena);
+    bench->their_bytes = 0;
+    bench->embree = rtcNewScene(bench->device);
+    rtcSetSceneFlags(bench->embree, RTC_SCENE_FLAG_ROBUST);
+    RTCGeometry geometry = geometry_make(bench);
     double start = seconds();
     rtcCommitGeometry(geometry);
-    rtcAttachGeometry(arena->embree, geometry);
+    rtcAttachGeometry(bench->embree, geometry);
     rtcReleaseGeometry(geometry);
-    rtcCommitScene(arena->embree);
+    rtcCommitScene(bench->embree);
     double end = seconds();
-    return rtcGetDeviceError(arena->device) ? (fail("Embree builds nothing"), 0) : end - start;
+    return rtcGetDeviceError(bench->device) ? (fail("Embree builds nothing"), 0) : end - start;
 }
 
 /** Counts what Embree takes. See RTCMemoryMonitorFunction. @param context The arena. @param bytes
  *  How much more. @param is_after Not used. @return That it may. */
-static bool count_theirs(void *context, ssize_t bytes, bool is_after) {
+static bool count_embree_memory(void *context, ssize_t bytes, bool is_after) {
     (void)is_after;
-    ((Arena *)context)->their_bytes += bytes;
+    ((BenchmarkScene *)context)->their_bytes += bytes;
     return true;
 }
 
@@ -155,14 +155,14 @@ static bool count_theirs(void *context, ssize_t bytes, bool is_after) {
  */
 static float *positions_round(const Scene *scene) {
     Mesh *mesh = scene->meshes[0].mesh;
-    float *positions = allocate(3 * mesh->position_count + 1, sizeof *positions);
+    float *positions = allocate_or_exit(3 * mesh->position_count + 1, sizeof *positions);
     for (size_t i = 0; i < mesh->position_count; i++) {
-        Vector3 *at = &mesh->positions[i];
+        Vec3d *at = &mesh->positions[i];
         float *to = positions + 3 * i;
         to[0] = (float)at->x;
         to[1] = (float)at->y;
         to[2] = (float)at->z;
-        *at = (Vector3){(double)to[0], (double)to[1], (double)to[2]};
+        *at = (Vec3d){(double)to[0], (double)to[1], (double)to[2]};
     }
     return positions;
 }
@@ -171,7 +171,7 @@ static float *positions_round(const Scene *scene) {
 
 /** Puts a ray where both find it. @param rays The rays. @param i Its place. @param origin Where it
  *  starts. @param direction Which way. */
-static void rays_put(Rays *rays, size_t i, const float origin[3], const float direction[3]) {
+static void set_ray(RayBatch *rays, size_t i, const float origin[3], const float direction[3]) {
     rays->single[i] = (struct RTCRay){.org_x = origin[0],
                                       .org_y = origin[1],
                                       .org_z = origin[2],
@@ -188,7 +188,7 @@ static void rays_put(Rays *rays, size_t i, const float origin[3], const float di
 }
 
 /** Rounds a vector to float. @param v The vector. @param[out] to Its parts. */
-static void vector_round(Vector3 v, float to[3]) {
+static void vector_round(Vec3d v, float to[3]) {
     to[0] = (float)v.x;
     to[1] = (float)v.y;
     to[2] = (float)v.z;
@@ -197,11 +197,11 @@ static void vector_round(Vector3 v, float to[3]) {
 /** Makes the ray of a pixel, to the bit as our engines do: whether it is, #compare finds out.
  *  @param camera The camera. @param column The pixel's. @param row The pixel's. @param[out]
  *  direction Which way it goes. */
-static void pixel_direction(const Camera *camera, int column, int row, float direction[3]) {
+static void pixel_direction(const SceneCamera *camera, int column, int row, float direction[3]) {
     double half_pixel = tan(camera->fov / 2 * (M_PI / 180)) / SIZE;
     float right[3], up[3], forward[3], square = 0;
-    vector_round(vector3_scale(camera_right(camera), half_pixel), right);
-    vector_round(vector3_scale(camera->up, half_pixel), up);
+    vector_round(vec3d_scale(scene_camera_right(camera), half_pixel), right);
+    vector_round(vec3d_scale(camera->up, half_pixel), up);
     vector_round(camera->direction, forward);
     float x = (float)(2 * column + 1 - SIZE), y = (float)(SIZE - 2 * row - 1);
     for (int axis = 0; axis < 3; axis++) {
@@ -214,42 +214,42 @@ static void pixel_direction(const Camera *camera, int column, int row, float dir
     }
 }
 
-/** Looks at the middle of the model. @param arena The arena. @param distance From how far, in
+/** Looks at the middle of the model. @param bench The arena. @param distance From how far, in
  *  halves of the diagonal of its box. */
-static void look(Arena *arena, double distance) {
-    Camera *camera = &arena->scene->camera;
-    Vector3 low, high;
-    arena->engine->bounds(arena->tracer, &low, &high);
-    double away = distance * vector3_length(vector3_subtract(high, low)) / 2;
-    Vector3 middle = vector3_scale(vector3_add(low, high), 0.5);
-    camera->position = vector3_add(middle, vector3_scale(camera->direction, -away));
-    arena->engine->look(arena->tracer, arena->scene, SIZE, SIZE);
+static void aim_camera(BenchmarkScene *bench, double distance) {
+    SceneCamera *camera = &bench->scene->camera;
+    Vec3d low, high;
+    bench->engine->bounds(bench->tracer, &low, &high);
+    double away = distance * vec3d_length(vec3d_subtract(high, low)) / 2;
+    Vec3d middle = vec3d_scale(vec3d_add(low, high), 0.5);
+    camera->position = vec3d_add(middle, vec3d_scale(camera->direction, -away));
+    bench->engine->look(bench->tracer, bench->scene, SIZE, SIZE);
 }
 
-/** Makes the rays of all pixels, tile by tile as our engine answers them. @param arena The arena.
+/** Makes the rays of all pixels, tile by tile as our engine answers them. @param bench The arena.
  */
-static void rays_of_picture(Arena *arena) {
+static void rays_of_picture(BenchmarkScene *bench) {
     float origin[3], direction[3];
-    vector_round(arena->scene->camera.position, origin);
+    vector_round(bench->scene->camera.position, origin);
     for (size_t i = 0; i < RAYS; i++) {
         int tile = (int)(i / TILE_RAYS), within = (int)(i % TILE_RAYS);
         int column = tile % (SIZE / TILE) * TILE + within % TILE;
         int row = tile / (SIZE / TILE) * TILE + within / TILE;
-        pixel_direction(&arena->scene->camera, column, row, direction);
-        rays_put(&arena->rays, i, origin, direction);
+        pixel_direction(&bench->scene->camera, column, row, direction);
+        set_ray(&bench->rays, i, origin, direction);
     }
 }
 
-/** Makes the rays of a picture that shows the whole model. @param arena The arena. */
-static void rays_of_whole(Arena *arena) {
-    look(arena, 2.5);
-    rays_of_picture(arena);
+/** Makes the rays of a picture that shows the whole model. @param bench The arena. */
+static void rays_of_whole(BenchmarkScene *bench) {
+    aim_camera(bench, 2.5);
+    rays_of_picture(bench);
 }
 
-/** Makes the rays of a picture that the model fills. @param arena The arena. */
-static void rays_of_close(Arena *arena) {
-    look(arena, 0.9);
-    rays_of_picture(arena);
+/** Makes the rays of a picture that the model fills. @param bench The arena. */
+static void rays_of_close(BenchmarkScene *bench) {
+    aim_camera(bench, 0.9);
+    rays_of_picture(bench);
 }
 
 /**
@@ -264,29 +264,29 @@ static double random_uniform(uint64_t *state) {
     return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
 }
 
-/** Makes rays from anywhere in the model's box to anywhere. @param arena The arena. */
-static void rays_at_random(Arena *arena) {
+/** Makes rays from anywhere in the model's box to anywhere. @param bench The arena. */
+static void rays_at_random(BenchmarkScene *bench) {
     uint64_t state = 1;
-    Vector3 low, high;
-    arena->engine->bounds(arena->tracer, &low, &high);
+    Vec3d low, high;
+    bench->engine->bounds(bench->tracer, &low, &high);
     for (size_t i = 0; i < RAYS; i++) {
         double height = 2 * random_uniform(&state) - 1, angle = 2 * M_PI * random_uniform(&state);
         double across = sqrt(1 - height * height);
-        Vector3 from = {low.x + (high.x - low.x) * random_uniform(&state),
-                        low.y + (high.y - low.y) * random_uniform(&state),
-                        low.z + (high.z - low.z) * random_uniform(&state)};
+        Vec3d from = {low.x + (high.x - low.x) * random_uniform(&state),
+                      low.y + (high.y - low.y) * random_uniform(&state),
+                      low.z + (high.z - low.z) * random_uniform(&state)};
         float origin[3], direction[3];
         vector_round(from, origin);
-        vector_round((Vector3){across * cos(angle), height, across * sin(angle)}, direction);
-        rays_put(&arena->rays, i, origin, direction);
+        vector_round((Vec3d){across * cos(angle), height, across * sin(angle)}, direction);
+        set_ray(&bench->rays, i, origin, direction);
     }
 }
 
 // --- asking --------------------------------------------------------------------------------------
 
-/** Casts a picture. @param arena The arena. @return Seconds. */
-static double cast_ours(Arena *arena) {
-    const Answers *answers = &arena->answers;
+/** Casts a picture. @param bench The arena. @return Seconds. */
+static double trace_dioptre(BenchmarkScene *bench) {
+    const RayResults *answers = &bench->answers;
     double start = seconds();
     for (int i = 0; i < RAYS / TILE_RAYS; i++) {
         PixelGrid tile = {.x = i % (SIZE / TILE) * TILE,
@@ -294,14 +294,14 @@ static double cast_ours(Arena *arena) {
                           .columns = TILE,
                           .rows = TILE,
                           .stride = 1};
-        arena->engine->cast(arena->tracer, &tile, answers->shapes + (size_t)i * TILE_RAYS,
+        bench->engine->cast(bench->tracer, &tile, answers->shapes + (size_t)i * TILE_RAYS,
                             answers->distances + (size_t)i * TILE_RAYS);
     }
     return seconds() - start;
 }
 
 /** @return Eight rays of Embree's from the camera, without directions. @param rays The rays. */
-static struct RTCRayHit8 packet_begin(const Rays *rays) {
+static struct RTCRayHit8 packet_begin(const RayBatch *rays) {
     struct RTCRayHit8 packet = {0};
     for (int i = 0; i < PACKET; i++) {
         packet.ray.org_x[i] = rays->single[0].org_x;
@@ -313,70 +313,70 @@ static struct RTCRayHit8 packet_begin(const Rays *rays) {
     return packet;
 }
 
-/** Casts a picture by Embree's packets. @param arena The arena. @return Seconds. */
-static double cast_theirs(Arena *arena) {
+/** Casts a picture by Embree's packets. @param bench The arena. @return Seconds. */
+static double trace_embree(BenchmarkScene *bench) {
     /** Which rays of a packet are there: all. */
     static const _Alignas(32) int valid[PACKET] = {-1, -1, -1, -1, -1, -1, -1, -1};
-    _Alignas(32) struct RTCRayHit8 packet = packet_begin(&arena->rays);
+    _Alignas(32) struct RTCRayHit8 packet = packet_begin(&bench->rays);
     struct RTCIntersectContext context;
     double start = seconds();
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     for (size_t p = 0; p < RAYS / PACKET; p++) {
-        memcpy(packet.ray.dir_x, arena->rays.directions[p][0], sizeof packet.ray.dir_x);
-        memcpy(packet.ray.dir_y, arena->rays.directions[p][1], sizeof packet.ray.dir_y);
-        memcpy(packet.ray.dir_z, arena->rays.directions[p][2], sizeof packet.ray.dir_z);
+        memcpy(packet.ray.dir_x, bench->rays.directions[p][0], sizeof packet.ray.dir_x);
+        memcpy(packet.ray.dir_y, bench->rays.directions[p][1], sizeof packet.ray.dir_y);
+        memcpy(packet.ray.dir_z, bench->rays.directions[p][2], sizeof packet.ray.dir_z);
         for (int i = 0; i < PACKET; i++) {
             packet.ray.tfar[i] = INFINITY;
             packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
         }
-        rtcIntersect8(valid, arena->embree, &context, &packet);
-        memcpy(arena->answers.their_distances + p * PACKET, packet.ray.tfar,
+        rtcIntersect8(valid, bench->embree, &context, &packet);
+        memcpy(bench->answers.their_distances + p * PACKET, packet.ray.tfar,
                sizeof packet.ray.tfar);
     }
     return seconds() - start;
 }
 
-/** Asks for the nearest hits of any rays. @param arena The arena. @return Seconds. */
-static double nearest_ours(Arena *arena) {
+/** Asks for the nearest hits of any rays. @param bench The arena. @return Seconds. */
+static double closest_hits_dioptre(BenchmarkScene *bench) {
     double start = seconds();
-    arena->engine->nearest(arena->tracer, RAYS, arena->rays.plain, arena->answers.shapes,
-                           arena->answers.distances);
+    bench->engine->nearest(bench->tracer, RAYS, bench->rays.plain, bench->answers.shapes,
+                           bench->answers.distances);
     return seconds() - start;
 }
 
-/** Asks Embree for the nearest hits of any rays. @param arena The arena. @return Seconds. */
-static double nearest_theirs(Arena *arena) {
+/** Asks Embree for the nearest hits of any rays. @param bench The arena. @return Seconds. */
+static double closest_hits_embree(BenchmarkScene *bench) {
     struct RTCIntersectContext context;
     struct RTCRayHit query = {0};
     double start = seconds();
     rtcInitIntersectContext(&context);
     for (size_t i = 0; i < RAYS; i++) {
-        query.ray = arena->rays.single[i];
+        query.ray = bench->rays.single[i];
         query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
         query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-        rtcIntersect1(arena->embree, &context, &query);
-        arena->answers.their_distances[i] = query.ray.tfar;
+        rtcIntersect1(bench->embree, &context, &query);
+        bench->answers.their_distances[i] = query.ray.tfar;
     }
     return seconds() - start;
 }
 
-/** Asks whether any rays meet anything. @param arena The arena. @return Seconds. */
-static double shadowed_ours(Arena *arena) {
+/** Asks whether any rays meet anything. @param bench The arena. @return Seconds. */
+static double occluded_dioptre(BenchmarkScene *bench) {
     double start = seconds();
-    arena->engine->shadowed(arena->tracer, RAYS, arena->rays.plain, arena->answers.shadowed);
+    bench->engine->shadowed(bench->tracer, RAYS, bench->rays.plain, bench->answers.shadowed);
     return seconds() - start;
 }
 
-/** Asks Embree whether any rays meet anything. @param arena The arena. @return Seconds. */
-static double shadowed_theirs(Arena *arena) {
+/** Asks Embree whether any rays meet anything. @param bench The arena. @return Seconds. */
+static double occluded_embree(BenchmarkScene *bench) {
     struct RTCIntersectContext context;
     double start = seconds();
     rtcInitIntersectContext(&context);
     for (size_t i = 0; i < RAYS; i++) {
-        struct RTCRay ray = arena->rays.single[i];
-        rtcOccluded1(arena->embree, &context, &ray);
-        arena->answers.their_shadowed[i] = ray.tfar < 0;
+        struct RTCRay ray = bench->rays.single[i];
+        rtcOccluded1(bench->embree, &context, &ray);
+        bench->answers.their_shadowed[i] = ray.tfar < 0;
     }
     return seconds() - start;
 }
@@ -384,11 +384,11 @@ static double shadowed_theirs(Arena *arena) {
 // --- comparing -----------------------------------------------------------------------------------
 
 /** How two sets of answers differ. */
-typedef struct Verdict {
-    size_t differ; /**< Rays that are answered differently. */
-    size_t ours;   /**< Those of them that ours answers wrongly. */
-    size_t theirs; /**< Those of them that Embree answers wrongly. */
-} Verdict;
+typedef struct Agreement {
+    size_t different;    /**< Rays that are answered differently. */
+    size_t dioptre_only; /**< Those of them that ours answers wrongly. */
+    size_t embree_only;  /**< Those of them that Embree answers wrongly. */
+} Agreement;
 
 /** @return Whether two distances, or both misses, are the same. @param a One. @param b The other.
  *  @param bound How far apart they may be. */
@@ -399,21 +399,21 @@ static bool is_same(double a, double b, double bound) {
 /**
  * Finds how far a distance may be off: as far as the point off the surface, by our engine's bound,
  * along a ray that meets the surface at a slant.
- * @param arena     The arena.
+ * @param bench     The arena.
  * @param i         The ray.
  * @param distance  Ours; the same must come out again, or the rays are not the same.
  * @return How far, in lengths of the direction; any number where nothing is met.
  */
-static double distance_bound(const Arena *arena, size_t i, double distance) {
-    const PlainRay *ray = &arena->rays.plain[i];
-    RayQuery query;
-    RayAnswer answer;
+static double distance_bound(const BenchmarkScene *bench, size_t i, double distance) {
+    const RayQuery *ray = &bench->rays.plain[i];
+    RayQueryQuad query;
+    RayResult answer;
     double slant = 0;
     for (int axis = 0; axis < 3; axis++) {
         query.origin[axis] = (Quadruple)ray->origin[axis];
         query.direction[axis] = (Quadruple)ray->direction[axis];
     }
-    arena->engine->intersect(arena->tracer, 1, &query, &answer);
+    bench->engine->intersect(bench->tracer, 1, &query, &answer);
     if (answer.shape >= 0 ? (double)answer.distance != distance : isfinite(distance)) {
         fail("the rays are not the same");
     }
@@ -423,66 +423,67 @@ static double distance_bound(const Arena *arena, size_t i, double distance) {
     return (double)answer.error / fabs(slant);
 }
 
-/** Asks an engine of more digits who is right about a ray. @param arena The arena. @param exact
+/** Asks an engine of more digits who is right about a ray. @param bench The arena. @param exact
  *  It, and its tracer. @param i The ray. @param bound How far distances may be off. @param[in,out]
  *  verdict The counts. */
-static void settle(const Arena *arena, const Arena *exact, size_t i, double bound,
-                   Verdict *verdict) {
+static void decide_by_wider_engine(const BenchmarkScene *bench, const BenchmarkScene *exact,
+                                   size_t i, double bound, Agreement *agreement) {
     int shape;
     double truth;
-    exact->engine->nearest(exact->tracer, 1, &arena->rays.plain[i], &shape, &truth);
-    verdict->differ++;
-    verdict->ours += !is_same(arena->answers.distances[i], truth, bound);
-    verdict->theirs += !is_same((double)arena->answers.their_distances[i], truth, bound);
+    exact->engine->nearest(exact->tracer, 1, &bench->rays.plain[i], &shape, &truth);
+    agreement->differ++;
+    agreement->ours += !is_same(bench->answers.distances[i], truth, bound);
+    agreement->theirs += !is_same((double)bench->answers.their_distances[i], truth, bound);
 }
 
-/** @return How the distances differ, by more than both may be off. @param arena The arena. @param
+/** @return How the distances differ, by more than both may be off. @param bench The arena. @param
  *  exact An engine of more digits, and its tracer. */
-static Verdict compare_distances(const Arena *arena, const Arena *exact) {
-    Verdict verdict = {0};
+static Agreement compare_distances(const BenchmarkScene *bench, const BenchmarkScene *exact) {
+    Agreement agreement = {0};
     for (size_t i = 0; i < RAYS; i++) {
-        double ours = arena->answers.distances[i];
-        double bound = distance_bound(arena, i, ours);
-        if (!is_same(ours, (double)arena->answers.their_distances[i], 2 * bound)) {
-            settle(arena, exact, i, bound, &verdict);
+        double dioptre = bench->answers.distances[i];
+        double bound = distance_bound(bench, i, dioptre);
+        if (!is_same(dioptre, (double)bench->answers.their_distances[i], 2 * bound)) {
+            decide_by_wider_engine(bench, exact, i, bound, &agreement);
         }
     }
-    return verdict;
+    return agreement;
 }
 
-/** @return How the shadows differ. @param arena The arena. @param exact See #compare_distances. */
-static Verdict compare_shadows(const Arena *arena, const Arena *exact) {
-    Verdict verdict = {0};
+/** @return How the shadows differ. @param bench The arena. @param exact See #compare_distances. */
+static Agreement compare_shadows(const BenchmarkScene *bench, const BenchmarkScene *exact) {
+    Agreement agreement = {0};
     for (size_t i = 0; i < RAYS; i++) {
-        bool truth, ours = arena->answers.shadowed[i], theirs = arena->answers.their_shadowed[i];
-        if (ours != theirs) {
-            exact->engine->shadowed(exact->tracer, 1, &arena->rays.plain[i], &truth);
-            verdict.differ++;
-            verdict.ours += ours != truth;
-            verdict.theirs += theirs != truth;
+        bool truth, dioptre = bench->answers.shadowed[i], embree = bench->answers.their_shadowed[i];
+        if (dioptre != embree) {
+            exact->engine->shadowed(exact->tracer, 1, &bench->rays.plain[i], &truth);
+            agreement.differ++;
+            agreement.ours += dioptre != truth;
+            agreement.theirs += embree != truth;
         }
     }
-    return verdict;
+    return agreement;
 }
 
 // --- bouts ---------------------------------------------------------------------------------------
 
 /** Something that both do in turn. */
-typedef struct Bout {
-    const char *name;                                 /**< For the table. */
-    void (*ready)(Arena *arena);                      /**< Makes the rays; NULL: it has none. */
-    double (*ours)(Arena *arena);                     /**< Ours; says how long. */
-    double (*theirs)(Arena *arena);                   /**< Embree's. */
-    Verdict (*compare)(const Arena *, const Arena *); /**< Compares; NULL: nothing to compare. */
-} Bout;
+typedef struct BenchmarkCase {
+    const char *name;                             /**< For the table. */
+    void (*prepare)(BenchmarkScene *arena);       /**< Makes the rays; NULL: it has none. */
+    double (*run_dioptre)(BenchmarkScene *arena); /**< Ours; says how long. */
+    double (*run_embree)(BenchmarkScene *arena);  /**< Embree's. */
+    Agreement (*compare)(const BenchmarkScene *,
+                         const BenchmarkScene *); /**< Compares; NULL: nothing to compare. */
+} BenchmarkCase;
 
 /** All of them. */
-static const Bout bouts[] = {
-    {"build", NULL, build_ours, build_theirs, NULL},
-    {"primary", rays_of_whole, cast_ours, cast_theirs, compare_distances},
-    {"close", rays_of_close, cast_ours, cast_theirs, compare_distances},
-    {"random", rays_at_random, nearest_ours, nearest_theirs, compare_distances},
-    {"shadow", rays_at_random, shadowed_ours, shadowed_theirs, compare_shadows}};
+static const BenchmarkCase bouts[] = {
+    {"build", NULL, build_dioptre, build_embree, NULL},
+    {"primary", rays_of_whole, trace_dioptre, trace_embree, compare_distances},
+    {"close", rays_of_close, trace_dioptre, trace_embree, compare_distances},
+    {"random", rays_at_random, closest_hits_dioptre, closest_hits_embree, compare_distances},
+    {"shadow", rays_at_random, occluded_dioptre, occluded_embree, compare_shadows}};
 
 /** @return Order of two doubles, for qsort. @param a One. @param b The other. */
 static int compare_doubles(const void *a, const void *b) {
@@ -490,43 +491,44 @@ static int compare_doubles(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-/** Lets both do something in turn, and prints how long it took. @param arena The arena. @param bout
- *  What they do. */
-static void bout_run(Arena *arena, const Bout *bout) {
-    double ours = HUGE_VAL, theirs = HUGE_VAL, ratios[ROUNDS];
+/** Lets both do something in turn, and prints how long it took. @param bench The arena. @param
+ * benchmark What they do. */
+static void benchmark_case_run(BenchmarkScene *bench, const BenchmarkCase *benchmark) {
+    double dioptre = HUGE_VAL, embree = HUGE_VAL, ratios[ROUNDS];
     for (int round = 0; round < ROUNDS; round++) {
-        double our_time = bout->ours(arena), their_time = bout->theirs(arena);
-        ours = fmin(ours, our_time);
-        theirs = fmin(theirs, their_time);
+        double our_time = benchmark->ours(bench), their_time = benchmark->theirs(bench);
+        dioptre = fmin(dioptre, our_time);
+        embree = fmin(embree, their_time);
         ratios[round] = their_time / our_time;
     }
     qsort(ratios, ROUNDS, sizeof *ratios, compare_doubles);
-    bool has_rays = bout->ready != NULL;
-    printf("%-14s %9.2f %9.2f %7.2f %7.2f  %s\n", bout->name,
-           has_rays ? 1e-6 * RAYS / ours : 1e3 * ours,
-           has_rays ? 1e-6 * RAYS / theirs : 1e3 * theirs, theirs / ours, ratios[ROUNDS / 2],
+    bool has_rays = benchmark->ready != NULL;
+    printf("%-14s %9.2f %9.2f %7.2f %7.2f  %s\n", benchmark->name,
+           has_rays ? 1e-6 * RAYS / dioptre : 1e3 * dioptre,
+           has_rays ? 1e-6 * RAYS / embree : 1e3 * embree, embree / dioptre, ratios[ROUNDS / 2],
            has_rays ? "Mrays/s" : "ms");
     fflush(stdout);
 }
 
-/** Lets both do everything, and prints how they did. @param arena The arena, without trees. @param
+/** Lets both do everything, and prints how they did. @param bench The arena, without trees. @param
  *  exact An engine of more digits, and its tracer. */
-static void bouts_run(Arena *arena, const Arena *exact) {
+static void benchmark_run_all(BenchmarkScene *bench, const BenchmarkScene *exact) {
     for (size_t i = 0; i < sizeof bouts / sizeof *bouts; i++) {
         if (bouts[i].ready) {
-            bouts[i].ready(arena);
+            bouts[i].ready(bench);
         }
-        bout_run(arena, &bouts[i]);
+        benchmark_case_run(bench, &bouts[i]);
         if (bouts[i].compare) {
-            Verdict verdict = bouts[i].compare(arena, exact);
-            printf("%s-differ %zu %zu %zu\n", bouts[i].name, verdict.differ, verdict.ours,
-                   verdict.theirs);
+            Agreement agreement = bouts[i].compare(bench, exact);
+            printf("%s-differ %zu %zu %zu\n", bouts[i].name, agreement.differ, agreement.ours,
+                   agreement.theirs);
         }
     }
-    double triangles = (double)arena->scene->meshes[0].mesh->triangle_count;
-    double ours = (double)arena->bytes / triangles, theirs = (double)arena->their_bytes / triangles;
-    printf("%-14s %9.2f %9.2f %7.2f %7.2f  %s\n", "memory", ours, theirs, theirs / ours,
-           theirs / ours, "bytes a triangle");
+    double triangles = (double)bench->scene->meshes[0].mesh->triangle_count;
+    double dioptre = (double)bench->bytes / triangles,
+           embree = (double)bench->their_bytes / triangles;
+    printf("%-14s %9.2f %9.2f %7.2f %7.2f  %s\n", "memory", dioptre, embree, embree / dioptre,
+           embree / dioptre, "bytes a triangle");
 }
 
 // --- the arena -----------------------------------------------------------------------------------
@@ -537,8 +539,8 @@ static Scene *scene_load(const char *path, const char *folder) {
     Error error = {0};
     const ScriptRequest request = {.path = path,
                                    .base_dir = folder,
-                                   .seconds = SCRIPT_SECONDS,
-                                   .memory = SCRIPT_MEMORY,
+                                   .seconds = SCRIPT_TIME_LIMIT,
+                                   .memory = SCRIPT_MEMORY_LIMIT,
                                    .shape_keywords = engine_find("auto", &error)->shape_keywords};
     Scene *scene = script_load(&request, &error);
     if (!scene) {
@@ -547,50 +549,50 @@ static Scene *scene_load(const char *path, const char *folder) {
     if (scene->mesh_count != 1 || scene->shape_count != 1) {
         fail("a scene of one mesh is needed");
     }
-    camera_turn(&scene->camera, (Vector3){0, 1, 0}, 25, -15);
+    scene_camera_rotate(&scene->camera, (Vec3d){0, 1, 0}, 25, -15);
     return scene;
 }
 
-/** Begins an arena: both are there, without trees. @param[out] arena The arena. @param scene The
+/** Begins an arena: both are there, without trees. @param[out] bench The arena. @param scene The
  *  scene. @param engine Our engine. */
-static void arena_begin(Arena *arena, Scene *scene, const char *engine) {
+static void benchmark_scene_init(BenchmarkScene *bench, Scene *scene, const char *engine) {
     Error error = {0};
-    *arena = (Arena){.scene = scene, .engine = engine_find(engine, &error)};
-    if (!arena->engine) {
+    *bench = (BenchmarkScene){.scene = scene, .engine = engine_find(engine, &error)};
+    if (!bench->engine) {
         fail(error.message);
     }
-    arena->device = rtcNewDevice("threads=1,start_threads=1,set_affinity=0");
-    if (!arena->device) {
+    bench->device = rtcNewDevice("threads=1,start_threads=1,set_affinity=0");
+    if (!bench->device) {
         fail("Embree cannot be started");
     }
-    rtcSetDeviceMemoryMonitorFunction(arena->device, count_theirs, arena);
-    arena->positions = positions_round(scene);
-    Rays *rays = &arena->rays;
-    rays->plain = allocate(RAYS, sizeof *rays->plain);
-    rays->single = allocate(RAYS, sizeof *rays->single);
-    rays->directions = allocate(RAYS / PACKET, sizeof *rays->directions);
-    Answers *answers = &arena->answers;
-    answers->shapes = allocate(RAYS, sizeof *answers->shapes);
-    answers->distances = allocate(RAYS, sizeof *answers->distances);
-    answers->their_distances = allocate(RAYS, sizeof *answers->their_distances);
-    answers->shadowed = allocate(RAYS, sizeof *answers->shadowed);
-    answers->their_shadowed = allocate(RAYS, sizeof *answers->their_shadowed);
+    rtcSetDeviceMemoryMonitorFunction(bench->device, count_embree_memory, bench);
+    bench->positions = positions_round(scene);
+    RayBatch *rays = &bench->rays;
+    rays->plain = allocate_or_exit(RAYS, sizeof *rays->plain);
+    rays->single = allocate_or_exit(RAYS, sizeof *rays->single);
+    rays->directions = allocate_or_exit(RAYS / PACKET, sizeof *rays->directions);
+    RayResults *answers = &bench->answers;
+    answers->shapes = allocate_or_exit(RAYS, sizeof *answers->shapes);
+    answers->distances = allocate_or_exit(RAYS, sizeof *answers->distances);
+    answers->their_distances = allocate_or_exit(RAYS, sizeof *answers->their_distances);
+    answers->shadowed = allocate_or_exit(RAYS, sizeof *answers->shadowed);
+    answers->their_shadowed = allocate_or_exit(RAYS, sizeof *answers->their_shadowed);
 }
 
-/** Gives back what an arena holds but the scene. @param arena The arena. */
-static void arena_end(Arena *arena) {
-    arena->engine->release(arena->tracer);
-    rtcReleaseScene(arena->embree);
-    rtcReleaseDevice(arena->device);
-    free(arena->positions);
-    free(arena->rays.plain);
-    free(arena->rays.single);
-    free(arena->rays.directions);
-    free(arena->answers.shapes);
-    free(arena->answers.distances);
-    free(arena->answers.their_distances);
-    free(arena->answers.shadowed);
-    free(arena->answers.their_shadowed);
+/** Gives back what an arena holds but the scene. @param bench The arena. */
+static void benchmark_scene_deinit(BenchmarkScene *bench) {
+    bench->engine->release(bench->tracer);
+    rtcReleaseScene(bench->embree);
+    rtcReleaseDevice(bench->device);
+    free(bench->positions);
+    free(bench->rays.plain);
+    free(bench->rays.single);
+    free(bench->rays.directions);
+    free(bench->answers.shapes);
+    free(bench->answers.distances);
+    free(bench->answers.their_distances);
+    free(bench->answers.shadowed);
+    free(bench->answers.their_shadowed);
 }
 
 /**
@@ -604,12 +606,12 @@ int main(int count, char **arguments) {
         fail("usage: peer-embree SCENE FOLDER ENGINE");
     }
     Scene *scene = scene_load(arguments[1], arguments[2]);
-    Arena arena, exact = {.scene = scene, .engine = engine_find("f64x4", NULL)};
-    arena_begin(&arena, scene, arguments[3]);
-    build_ours(&exact);
-    bouts_run(&arena, &exact);
+    BenchmarkScene bench, exact = {.scene = scene, .engine = engine_find("f64x4", NULL)};
+    benchmark_scene_init(&bench, scene, arguments[3]);
+    build_dioptre(&exact);
+    benchmark_run_all(&bench, &exact);
     exact.engine->release(exact.tracer);
-    arena_end(&arena);
+    benchmark_scene_deinit(&bench);
     scene_destroy(scene);
     return EXIT_SUCCESS;
 }

@@ -26,15 +26,15 @@ static const char *const vertex_shader =
     "}\n";
 
 /** Says what is wrong and ends the program. @param what What. @param why More of it. */
-static _Noreturn void give_up(const char *what, const char *why) {
+static _Noreturn void exit_with_error(const char *what, const char *why) {
     fprintf(stderr, "fragment: %s: %s\n", what, why);
     exit(1);
 }
 
 /** Ends the program if a call of SDL failed. @param is_good Whether it did not. */
-static void need(bool is_good) {
+static void check_sdl(bool is_good) {
     if (!is_good) {
-        give_up("SDL", SDL_GetError());
+        exit_with_error("SDL", SDL_GetError());
     }
 }
 
@@ -49,7 +49,7 @@ static void add_shader(GLuint program, GLenum kind, int count, const char *const
     glGetShaderiv(shader, GL_COMPILE_STATUS, &is_good);
     if (!is_good) {
         glGetShaderInfoLog(shader, sizeof log, NULL, log);
-        give_up("shader", log);
+        exit_with_error("shader", log);
     }
     glAttachShader(program, shader);
     glDeleteShader(shader);
@@ -62,7 +62,7 @@ static GLuint use_program(int count, char **files) {
     GLuint program = glCreateProgram();
     for (int i = 0; i < count && i + 1 < PARTS_MAXIMUM; i++) {
         parts[i + 1] = SDL_LoadFile(files[i], NULL);
-        need(parts[i + 1] != NULL);
+        check_sdl(parts[i + 1] != NULL);
     }
     add_shader(program, GL_VERTEX_SHADER, 1, &vertex_shader);
     add_shader(program, GL_FRAGMENT_SHADER, count + 1, parts);
@@ -88,7 +88,7 @@ static void use_buffer(int width, int height) {
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colors);
     glViewport(0, 0, width, height);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-        give_up("OpenGL", "no buffer to draw into");
+        exit_with_error("OpenGL", "no buffer to draw into");
     }
 }
 
@@ -113,7 +113,7 @@ static int compare_numbers(const void *a, const void *b) {
 static double time_frames(int count) {
     double *times = calloc((size_t)count, sizeof *times);
     if (!times) {
-        give_up("times", "no memory");
+        exit_with_error("times", "no memory");
     }
     time_frame();
     for (int i = 0; i < count; i++) {
@@ -134,7 +134,7 @@ static void save_picture(const char *path, int width, int height) {
     }
     SDL_Surface *surface = SDL_CreateRGBSurfaceWithFormatFrom(
         pixels, width, height, 8 * CHANNELS, width * CHANNELS, SDL_PIXELFORMAT_RGB24);
-    need(pixels && surface && SDL_SaveBMP(surface, path) == 0);
+    check_sdl(pixels && surface && SDL_SaveBMP(surface, path) == 0);
     SDL_FreeSurface(surface);
     free(pixels);
 }
@@ -145,16 +145,16 @@ int main(int count, char **arguments) {
     int width = count > 5 ? atoi(arguments[1]) : 0, height = count > 5 ? atoi(arguments[2]) : 0;
     int frames = count > 5 ? atoi(arguments[3]) : 0;
     if (width < 1 || height < 1 || frames < 1) {
-        give_up("usage", "peer-fragment WIDTH HEIGHT FRAMES PICTURE.bmp SHADER.frag...");
+        exit_with_error("usage", "peer-fragment WIDTH HEIGHT FRAMES PICTURE.bmp SHADER.frag...");
     }
-    need(SDL_Init(SDL_INIT_VIDEO) == 0);
+    check_sdl(SDL_Init(SDL_INIT_VIDEO) == 0);
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_CORE);
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 3);
     SDL_Window *window =
         SDL_CreateWindow("fragment", 0, 0, 64, 64, SDL_WINDOW_OPENGL | SDL_WINDOW_HIDDEN);
     SDL_GLContext context = window ? SDL_GL_CreateContext(window) : NULL;
-    need(context != NULL);
+    check_sdl(context != NULL);
     GLuint program = use_program(count - 5, arguments + 5);
     use_buffer(width, height);
     glUniform2f(glGetUniformLocation(program, "size"), (float)width, (float)height);

@@ -2,126 +2,129 @@
  * @file
  * @brief Experiments on cylinders: their wall from far away, and the rim of closed ones.
  */
-#include "dioptre/language.h"
+#include "base/language.h"
 #include "lab/experiments/experiments.h"
-#include "lab/experiments/pose.h"
+#include "lab/experiments/sample_writer.h"
 
 /* --- the wall, from far away --- */
 
 /** Radii. */
 static const double distances[] = {2, 10, 1e2, 1e3, 1e4};
 
-/** @return Where a ray first meets an upright wall of radius 1 around the y axis; #QUAD_NONE:
+/** @return Where a ray first meets an upright wall of radius 1 around the y axis; #QUAD_NO_HIT:
  *          nowhere. @param o Where it starts. @param d Which way. */
-static Quadruple wall_truth(Quad3 o, Quad3 d) {
+static Quadruple cylinder_wall_expected(Vec3q o, Vec3q d) {
     Quadruple a = d.x * d.x + d.z * d.z, b = -(o.x * d.x + o.z * d.z);
     Quadruple cross = d.x * o.z - d.z * o.x, c = o.x * o.x + o.z * o.z - 1;
     Quadruple discriminant = a - cross * cross;
     if (discriminant < 0) {
-        return QUAD_NONE;
+        return QUAD_NO_HIT;
     }
     Quadruple root = quad_sqrt(discriminant), sum = b > 0 ? b + root : b - root;
     Quadruple near = b > 0 ? c / sum : sum / a, far = b > 0 ? sum / a : c / sum;
-    return near > 0 ? near : far > 0 ? far : QUAD_NONE;
+    return near > 0 ? near : far > 0 ? far : QUAD_NO_HIT;
 }
 
-/** Poses a wall far away, that rays cross at up to 45 degrees. See #Experiment.pose.
- *  @param setting Where. @param[in,out] random Where it comes from. @param[out] posed The case. */
-static void pose_wall(const Setting *setting, Random *random, Case *posed) {
-    Writer writer = {setting->type, posed->questions};
-    Quad3 around = random_direction(random);
-    around = quad3_normalize((Quad3){around.x, 0, around.z});
-    Quad3 origin = rounded(setting->type, quad3_scale(around, setting->level));
-    Quadruple beside = random_between(random, -1.02, 1.02);
-    Quadruple up = random_between(random, -setting->level, setting->level);
-    Quad3 target = {-around.z * beside, up, around.x * beside};
-    write_vector(&writer, origin);
-    Quad3 direction = write_vector(&writer, quad3_normalize(quad3_subtract(target, origin)));
-    write_vector(&writer, (Quad3){0, 0, 0});
-    write_number(&writer, 1);
-    posed->truth[0] = wall_truth(origin, direction);
+/** Poses a wall far away, that rays cross at up to 45 degrees. See #Experiment.generate.
+ *  @param setup Where. @param[in,out] random Where it comes from. @param[out] sample The case. */
+static void generate_wall(const ExperimentSetup *setup, Random *random, ExperimentSample *sample) {
+    SampleWriter writer = {setup->type, sample->inputs};
+    Vec3q around = random_direction(random);
+    around = vec3q_normalize((Vec3q){around.x, 0, around.z});
+    Vec3q origin = vec3q_round(setup->type, vec3q_scale(around, setup->level));
+    Quadruple lateral = random_range(random, -1.02, 1.02);
+    Quadruple up = random_range(random, -setup->level, setup->level);
+    Vec3q target = {-around.z * lateral, up, around.x * lateral};
+    sample_writer_vec3(&writer, origin);
+    Vec3q direction = sample_writer_vec3(&writer, vec3q_normalize(vec3q_subtract(target, origin)));
+    sample_writer_vec3(&writer, (Vec3q){0, 0, 0});
+    sample_writer_number(&writer, 1);
+    sample->expected[0] = cylinder_wall_expected(origin, direction);
 }
 
-/** @return A pipe that is longer than rays go up or down. See #Experiment.scene. @param setting
- *  Where. @param[out] error What is wrong. */
-static Scene *scene_wall(const Setting *setting, Error *error) {
-    double reach = 4 * setting->level;
-    StageValue values[] = {
-        {"base", {0, -reach, 0}}, {"top", {0, reach, 0}}, {"radius", {1}}, {"capped", {0}}, {0}};
-    return stage_with("cylinder", values, error);
+/** @return A pipe that is longer than rays go up or down. See #Experiment.create_scene. @param
+ * setup Where. @param[out] error What is wrong. */
+static Scene *scene_wall(const ExperimentSetup *setup, Error *error) {
+    double half_length = 4 * setup->level;
+    FixtureValue values[] = {{"base", {0, -half_length, 0}},
+                             {"top", {0, half_length, 0}},
+                             {"radius", {1}},
+                             {"capped", {0}},
+                             {0}};
+    return scene_fixture_with_shape("cylinder", values, error);
 }
 
 const Experiment cylinder_distance_experiment = {
     .name = "cylinder-distance",
     .title = N_("The wall of a cylinder, seen from far away"),
-    .family = "cylinder-wall",
-    .stress = N_("distance / radius"),
-    .error = N_("error of the distance t, relative to t"),
+    .group = "cylinder-wall",
+    .difficulty = N_("distance / radius"),
+    .error_label = N_("error of the distance t, relative to t"),
     .is_relative = true,
     .levels = distances,
     .level_count = COUNT_OF(distances),
-    .cases = 20000,
-    .parts = 1,
-    .timed = 1e3,
-    .pose = pose_wall,
-    .judge = judge_distance,
-    .scene = scene_wall,
+    .sample_count = 20000,
+    .queries_per_sample = 1,
+    .timed_level = 1e3,
+    .generate = generate_wall,
+    .score_sample = score_expected_distance,
+    .create_scene = scene_wall,
 };
 
 /* --- the rim of a closed one --- */
 
 /** Radii. */
-static const double offsets[] = {1, 10, 1e2, 1e3, 1e4};
+static const double origin_distances[] = {1, 10, 1e2, 1e3, 1e4};
 /** Height of the cylinder, radii: a place that float holds plus this is one that it holds, too. */
 enum { HEIGHT = 2 };
 
 /** @return The foot of the cylinder: at whole coordinates, so that its top is exact.
  *  @param level Radii from the origin. */
-static Quad3 foot_of(double level) {
-    Quad3 place = place_far(level);
-    return (Quad3){(int)place.x, (int)place.y, (int)place.z};
+static Vec3q cylinder_base(double level) {
+    Vec3q position = far_point(level);
+    return (Vec3q){(int)position.x, (int)position.y, (int)position.z};
 }
 
-/** Poses a ray from inside to the rim. See #Experiment.pose. @param setting Where.
- *  @param[in,out] random Where it comes from. @param[out] posed The case. */
-static void pose_rim(const Setting *setting, Random *random, Case *posed) {
-    Writer writer = {setting->type, posed->questions};
-    Quad3 foot = foot_of(setting->level), up = {0, 1, 0};
-    Quad3 inside = random_across(random, up, 0.7);
-    inside.y = random_between(random, 0.3, HEIGHT - 0.3);
-    Quad3 origin = write_vector(&writer, quad3_add(foot, inside));
-    Quad3 rim = quad3_normalize(random_across(random, up, 1));
-    rim.y = random_share(random) < 0.5 ? 0 : HEIGHT;
-    Quad3 target = quad3_add(foot, rim);
-    write_vector(&writer, quad3_normalize(quad3_subtract(target, origin)));
-    write_vector(&writer, foot);
-    write_number(&writer, 1);
-    write_number(&writer, HEIGHT);
+/** Poses a ray from inside to the rim. See #Experiment.generate. @param setup Where.
+ *  @param[in,out] random Where it comes from. @param[out] sample The case. */
+static void generate_rim(const ExperimentSetup *setup, Random *random, ExperimentSample *sample) {
+    SampleWriter writer = {setup->type, sample->inputs};
+    Vec3q base = cylinder_base(setup->level), up = {0, 1, 0};
+    Vec3q inside = random_in_disc(random, up, 0.7);
+    inside.y = random_range(random, 0.3, HEIGHT - 0.3);
+    Vec3q origin = sample_writer_vec3(&writer, vec3q_add(base, inside));
+    Vec3q rim = vec3q_normalize(random_in_disc(random, up, 1));
+    rim.y = random_unit(random) < 0.5 ? 0 : HEIGHT;
+    Vec3q target = vec3q_add(base, rim);
+    sample_writer_vec3(&writer, vec3q_normalize(vec3q_subtract(target, origin)));
+    sample_writer_vec3(&writer, base);
+    sample_writer_number(&writer, 1);
+    sample_writer_number(&writer, HEIGHT);
 }
 
-/** @return The closed cylinder. See #Experiment.scene. @param setting Where. @param[out] error What
- *  is wrong. */
-static Scene *scene_rim(const Setting *setting, Error *error) {
-    Quad3 foot = foot_of(setting->level);
-    StageValue values[] = {
+/** @return The closed cylinder. See #Experiment.create_scene. @param setup Where. @param[out] error
+ * What is wrong. */
+static Scene *scene_rim(const ExperimentSetup *setup, Error *error) {
+    Vec3q base = cylinder_base(setup->level);
+    FixtureValue values[] = {
         {.name = "base"}, {.name = "top"}, {"radius", {1}}, {"capped", {1}}, {0}};
-    to_numbers(foot, values[0].numbers);
-    to_numbers(quad3_add(foot, (Quad3){0, HEIGHT, 0}), values[1].numbers);
-    return stage_with("cylinder", values, error);
+    vec3q_to_doubles(base, values[0].components);
+    vec3q_to_doubles(vec3q_add(base, (Vec3q){0, HEIGHT, 0}), values[1].components);
+    return scene_fixture_with_shape("cylinder", values, error);
 }
 
 const Experiment cylinder_rim_experiment = {
     .name = "cylinder-rim",
     .title = N_("Rays from inside a closed cylinder, aimed at its rim"),
-    .family = "cylinder-solid",
-    .stress = N_("distance from the origin / radius"),
-    .levels = offsets,
-    .level_count = COUNT_OF(offsets),
-    .cases = 50000,
-    .parts = 1,
-    .timed = 1,
-    .pose = pose_rim,
-    .judge = judge_count,
-    .scene = scene_rim,
-    .ask = ask_count,
+    .group = "cylinder-solid",
+    .difficulty = N_("distance from the origin / radius"),
+    .levels = origin_distances,
+    .level_count = COUNT_OF(origin_distances),
+    .sample_count = 50000,
+    .queries_per_sample = 1,
+    .timed_level = 1,
+    .generate = generate_rim,
+    .score_sample = score_hit_count,
+    .create_scene = scene_rim,
+    .query_engine = query_hit_count,
 };

@@ -8,7 +8,7 @@
 #include "lab/experiment.h"
 
 extern const Experiment sphere_distance_experiment;   /**< Spheres far from the eye. */
-extern const Experiment sphere_world_experiment;      /**< Spheres far from the origin. */
+extern const Experiment sphere_offset_experiment;     /**< Spheres far from the origin. */
 extern const Experiment sphere_scale_experiment;      /**< Spheres small and large. */
 extern const Experiment sphere_ground_experiment;     /**< Spheres that one stands on. */
 extern const Experiment cylinder_distance_experiment; /**< A pipe far from the eye. */
@@ -23,15 +23,15 @@ extern const Experiment box_touch_experiment;         /**< Rays that just touch 
 extern const Experiment box_flat_experiment;          /**< Flat boxes. */
 extern const Experiment cube_edges_experiment;        /**< Edges of a cube. */
 extern const Experiment mirror_scale_experiment;      /**< Leaving mirrors, small and large. */
-extern const Experiment mirror_world_experiment;      /**< Leaving mirrors far from the origin. */
+extern const Experiment mirror_offset_experiment;     /**< Leaving mirrors far from the origin. */
 extern const Experiment glass_scale_experiment;       /**< Into glass, small and large. */
-extern const Experiment glass_world_experiment;       /**< Into glass far from the origin. */
+extern const Experiment glass_offset_experiment;      /**< Into glass far from the origin. */
 extern const Experiment mirror_bounces_experiment;    /**< From mirror to mirror. */
 extern const Experiment fresnel_into_experiment;      /**< Share of mirrored light, from air. */
 extern const Experiment fresnel_out_experiment;       /**< From inside glass. */
 extern const Experiment sphere_pole_experiment;       /**< Latitude near a pole. */
-extern const Experiment field_normal_experiment;      /**< Normals of fields. */
-extern const Experiment field_cells_experiment;       /**< Fields that are repeated. */
-extern const Experiment marching_angle_experiment;    /**< Marching under small angles. */
+extern const Experiment sdf_normal_experiment;        /**< Normals of fields. */
+extern const Experiment sdf_repetition_experiment;    /**< Fields that are repeated. */
+extern const Experiment sphere_tracing_angle_experiment; /**< Marching under small angles. */
 
 #endif

@@ -2,76 +2,80 @@
  * @file
  * @brief An experiment on the normals of distance fields: how far apart should the field be asked?
  */
-#include "dioptre/language.h"
+#include "base/language.h"
 #include "lab/experiments/experiments.h"
-#include "lab/experiments/pose.h"
+#include "lab/experiments/sample_writer.h"
 
 /** Radii of the ball. */
-static const double steps[] = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10};
+static const double step_lengths[] = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10};
 
-/** Poses a point of a ball. See #Experiment.pose. @param setting Where. @param[in,out] random Where
- *  it comes from. @param[out] posed The case. */
-static void pose(const Setting *setting, Random *random, Case *posed) {
-    Writer writer = {setting->type, posed->questions};
-    Quad3 point = write_vector(&writer, random_direction(random));
-    write_vector(&writer, (Quad3){0, 0, 0});
-    write_number(&writer, 1);
-    write_number(&writer, setting->level);
-    Quad3 normal = quad3_normalize(point);
-    posed->truth[0] = normal.x;
-    posed->truth[1] = normal.y;
-    posed->truth[2] = normal.z;
+/** Poses a point of a ball. See #Experiment.generate. @param setup Where. @param[in,out] random
+ * Where it comes from. @param[out] sample The case. */
+static void generate_normal(const ExperimentSetup *setup, Random *random,
+                            ExperimentSample *sample) {
+    SampleWriter writer = {setup->type, sample->inputs};
+    Vec3q point = sample_writer_vec3(&writer, random_direction(random));
+    sample_writer_vec3(&writer, (Vec3q){0, 0, 0});
+    sample_writer_number(&writer, 1);
+    sample_writer_number(&writer, setup->level);
+    Vec3q normal = vec3q_normalize(point);
+    sample->expected[0] = normal.x;
+    sample->expected[1] = normal.y;
+    sample->expected[2] = normal.z;
 }
 
 /** Judges a direction: the sine of the angle to the true one, or 2 minus it beyond a right angle.
- *  See #Experiment.judge. @param posed The case. @param answers The direction. @param[in,out] score
- *  The score. */
-static void judge(const Case *posed, const Quadruple *answers, Score *score) {
-    Quad3 truth = quad3_of(posed->truth), found = quad3_of(answers);
+ *  See #Experiment.score_sample. @param sample The case. @param outputs The direction.
+ * @param[in,out] score The score. */
+static void score_normal(const ExperimentSample *sample, const Quadruple *outputs,
+                         ScoreStats *score) {
+    Vec3q truth = vec3q_from_array(sample->expected), found = vec3q_from_array(outputs);
     bool is_number = quad_is_number(found.x);
     score_outcome(score, OUTCOME_NAN, !is_number);
     if (is_number) {
-        Quad3 across = quad3_cross(truth, quad3_normalize(found));
-        Quadruple sine = quad3_length(across);
-        score_error(score, quad3_dot(truth, found) > 0 ? sine : 2 - sine);
+        Vec3q across = vec3q_cross(truth, vec3q_normalize(found));
+        Quadruple sine = vec3q_length(across);
+        score_error(score, vec3q_dot(truth, found) > 0 ? sine : 2 - sine);
     }
 }
 
-/** @return The ball as a field. See #Experiment.scene. @param setting Not looked at. @param[out]
- *  error What is wrong. */
-static Scene *scene(const Setting *setting, Error *error) {
-    const StageValue values[] = {{"radius", {1}}, {0}};
-    (void)setting;
-    return stage_with_field("distance.sphere", values, (Vector3){0, 0, 0}, error);
+/** @return The ball as a field. See #Experiment.create_scene. @param setup Not looked at.
+ * @param[out] error What is wrong. */
+static Scene *normal_scene(const ExperimentSetup *setup, Error *error) {
+    const FixtureValue values[] = {{"radius", {1}}, {0}};
+    (void)setup;
+    return scene_fixture_with_sdf("distance.sphere", values, (Vec3d){0, 0, 0}, error);
 }
 
 /** Asks an engine for the normal where a ray meets the ball that comes straight down to the point.
- *  See #Experiment.ask. @param engine The engine. @param tracer Its tracer. @param posed The case.
- *  @param[out] answers The direction. */
-static void ask(const Engine *engine, Tracer *tracer, const Case *posed, Quadruple *answers) {
-    RayAnswer answer;
-    Quad3 point = quad3_of(posed->questions);
+ *  See #Experiment.query_engine. @param engine The engine. @param tracer Its tracer. @param sample
+ * The case.
+ *  @param[out] outputs The direction. */
+static void query_normal(const Engine *engine, Tracer *tracer, const ExperimentSample *sample,
+                         Quadruple *outputs) {
+    RayResult answer;
+    Vec3q point = vec3q_from_array(sample->inputs);
     // Four times as far is exact.
-    const Quad3 ray[2] = {quad3_scale(point, 4), quad3_scale(point, -1)};
-    engine_ask(engine, tracer, ray, &answer);
+    const Vec3q ray[2] = {vec3q_scale(point, 4), vec3q_scale(point, -1)};
+    intersect_ray(engine, tracer, ray, &answer);
     for (int i = 0; i < 3; i++) {
-        answers[i] = answer.shape < 0 ? (Quadruple)__builtin_nan("") : answer.normal[i];
+        outputs[i] = answer.shape < 0 ? (Quadruple)__builtin_nan("") : answer.normal[i];
     }
 }
 
-const Experiment field_normal_experiment = {
+const Experiment sdf_normal_experiment = {
     .name = "field-normal",
     .title = N_("Normals of a ball's distance field, by differences over a length"),
-    .family = "gradient",
-    .stress = N_("length of the difference / radius"),
-    .error = N_("error of the angle, radians"),
-    .levels = steps,
-    .level_count = COUNT_OF(steps),
-    .cases = 5000,
-    .parts = 1,
-    .timed = TIMED_BEST,
-    .pose = pose,
-    .judge = judge,
-    .scene = scene,
-    .ask = ask,
+    .group = "gradient",
+    .difficulty = N_("length of the difference / radius"),
+    .error_label = N_("error of the angle, radians"),
+    .levels = step_lengths,
+    .level_count = COUNT_OF(step_lengths),
+    .sample_count = 5000,
+    .queries_per_sample = 1,
+    .timed_level = TIMED_LEVEL_BEST,
+    .generate = generate_normal,
+    .score_sample = score_normal,
+    .create_scene = normal_scene,
+    .query_engine = query_normal,
 };

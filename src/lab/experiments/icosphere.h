@@ -6,21 +6,21 @@
 #ifndef DIOPTRE_LAB_EXPERIMENTS_ICOSPHERE_H
 #define DIOPTRE_LAB_EXPERIMENTS_ICOSPHERE_H
 
-#include "lab/quad.h"
+#include "lab/vec3q.h"
 
 /** How often faces are cut into four, and what comes of it. */
-enum { ICOSPHERE_CUTS = 3, ICOSPHERE_FACES = 1280, ICOSPHERE_CORNERS = 642 };
+enum { ICOSPHERE_SUBDIVISIONS = 3, ICOSPHERE_FACES = 1280, ICOSPHERE_CORNERS = 642 };
 /** Most triangles around a corner. */
 enum { ICOSPHERE_VALENCE = 6 };
 
 /** A closed surface. */
 typedef struct Icosphere {
-    Quad3 corners[ICOSPHERE_CORNERS];                 /**< Where its corners are. */
-    int corner_count;                                 /**< How many. */
-    int faces[ICOSPHERE_FACES][3];                    /**< Three corners each. */
-    int face_count;                                   /**< How many. */
-    int around[ICOSPHERE_CORNERS][ICOSPHERE_VALENCE]; /**< The faces around each corner. */
-    int valence[ICOSPHERE_CORNERS];                   /**< How many. */
+    Vec3q vertices[ICOSPHERE_CORNERS];                      /**< Where its corners are. */
+    int vertex_count;                                       /**< How many. */
+    int faces[ICOSPHERE_FACES][3];                          /**< Three corners each. */
+    int face_count;                                         /**< How many. */
+    int vertex_faces[ICOSPHERE_CORNERS][ICOSPHERE_VALENCE]; /**< The faces around each corner. */
+    int valence[ICOSPHERE_CORNERS];                         /**< How many. */
 } Icosphere;
 
 /**
@@ -28,6 +28,6 @@ typedef struct Icosphere {
  * @param center  Its centre; corners are rounded to float.
  * @return It, to be given back with free; NULL without memory.
  */
-Icosphere *icosphere_create(Quad3 center);
+Icosphere *icosphere_create(Vec3q center);
 
 #endif

@@ -2,43 +2,44 @@
  * @file
  * @brief Experiments on spheres: far from the eye, far from the origin, small, large, underfoot.
  */
-#include "dioptre/language.h"
+#include "base/language.h"
 #include "lab/experiments/experiments.h"
-#include "lab/experiments/pose.h"
+#include "lab/experiments/sample_writer.h"
 
 /** A sphere that is looked at. */
-typedef struct View {
-    Quad3 center;     /**< Where it is. */
+typedef struct SphereView {
+    Vec3q center;     /**< Where it is. */
     Quadruple radius; /**< How large. */
     double distance;  /**< From its centre to the eye, radii. */
-} View;
+} SphereView;
 
 /** Radii around the centre that rays aim at: a few pass beside the sphere. */
-#define AIM 1.02
+#define AIM_RADIUS 1.02
 
 /** Writes a question. @param type The number type. @param ray Where it starts, and which way.
- *  @param view The sphere. @param[out] posed The case. */
-static void write_question(const NumberType *type, const Quad3 ray[2], const View *view,
-                           Case *posed) {
-    Writer writer = {type, posed->questions};
-    Quad3 origin = write_vector(&writer, ray[0]);
-    Quad3 direction = write_vector(&writer, ray[1]);
-    Quad3 center = write_vector(&writer, view->center);
-    Quadruple radius = write_number(&writer, view->radius);
-    posed->truth[0] = sphere_truth(origin, direction, center, radius);
+ *  @param view The sphere. @param[out] sample The case. */
+static void sphere_write_input(const NumberType *type, const Vec3q ray[2], const SphereView *view,
+                               ExperimentSample *sample) {
+    SampleWriter writer = {type, sample->inputs};
+    Vec3q origin = sample_writer_vec3(&writer, ray[0]);
+    Vec3q direction = sample_writer_vec3(&writer, ray[1]);
+    Vec3q center = sample_writer_vec3(&writer, view->center);
+    Quadruple radius = sample_writer_number(&writer, view->radius);
+    sample->expected[0] = sphere_expected(origin, direction, center, radius);
 }
 
 /** Poses a ray from around a sphere to a disc around its centre. @param type The number type.
- *  @param view The sphere. @param[in,out] random Where it comes from. @param[out] posed The case.
+ *  @param view The sphere. @param[in,out] random Where it comes from. @param[out] sample The case.
  */
-static void pose_view(const NumberType *type, const View *view, Random *random, Case *posed) {
-    Quad3 outwards = random_direction(random);
-    Quad3 origin = quad3_add(view->center, quad3_scale(outwards, view->distance * view->radius));
-    origin = rounded(type, origin);
-    Quad3 aim = random_across(random, outwards, AIM);
-    Quad3 target = quad3_add(view->center, quad3_scale(aim, view->radius));
-    Quad3 direction = quad3_normalize(quad3_subtract(target, origin));
-    write_question(type, (const Quad3[]){origin, direction}, view, posed);
+static void generate_view(const NumberType *type, const SphereView *view, Random *random,
+                          ExperimentSample *sample) {
+    Vec3q outwards = random_direction(random);
+    Vec3q origin = vec3q_add(view->center, vec3q_scale(outwards, view->distance * view->radius));
+    origin = vec3q_round(type, origin);
+    Vec3q aim = random_in_disc(random, outwards, AIM_RADIUS);
+    Vec3q target = vec3q_add(view->center, vec3q_scale(aim, view->radius));
+    Vec3q direction = vec3q_normalize(vec3q_subtract(target, origin));
+    sphere_write_input(type, (const Vec3q[]){origin, direction}, view, sample);
 }
 
 /* --- far from the eye ---------------------------------------------------------------------------
@@ -47,155 +48,160 @@ static void pose_view(const NumberType *type, const View *view, Random *random, 
 /** Radii. */
 static const double distances[] = {1.01, 2, 10, 1e2, 1e3, 1e4, 1e5, 1e6};
 
-/** Poses a sphere far away. See #Experiment.pose. @param setting Where.
- *  @param[in,out] random Where it comes from. @param[out] posed The case. */
-static void pose_distance(const Setting *setting, Random *random, Case *posed) {
-    View view = {.radius = 1, .distance = setting->level};
-    pose_view(setting->type, &view, random, posed);
+/** Poses a sphere far away. See #Experiment.generate. @param setup Where.
+ *  @param[in,out] random Where it comes from. @param[out] sample The case. */
+static void generate_distance(const ExperimentSetup *setup, Random *random,
+                              ExperimentSample *sample) {
+    SphereView view = {.radius = 1, .distance = setup->level};
+    generate_view(setup->type, &view, random, sample);
 }
 
-/** @return Its scene. See #Experiment.scene. @param setting Where. @param[out] error What is
+/** @return Its scene. See #Experiment.create_scene. @param setup Where. @param[out] error What is
  *  wrong. */
-static Scene *scene_distance(const Setting *setting, Error *error) {
-    (void)setting;
-    return sphere_scene((Quad3){0, 0, 0}, 1, error);
+static Scene *scene_distance(const ExperimentSetup *setup, Error *error) {
+    (void)setup;
+    return sphere_scene((Vec3q){0, 0, 0}, 1, error);
 }
 
 const Experiment sphere_distance_experiment = {
     .name = "sphere-distance",
     .title = N_("A sphere, seen from far away"),
-    .family = "sphere",
-    .stress = N_("distance / radius"),
-    .error = N_("error of the distance t, relative to t"),
+    .group = "sphere",
+    .difficulty = N_("distance / radius"),
+    .error_label = N_("error of the distance t, relative to t"),
     .is_relative = true,
     .levels = distances,
     .level_count = COUNT_OF(distances),
-    .cases = 50000,
-    .parts = 1,
-    .timed = 1e2,
-    .pose = pose_distance,
-    .judge = judge_distance,
-    .scene = scene_distance,
+    .sample_count = 50000,
+    .queries_per_sample = 1,
+    .timed_level = 1e2,
+    .generate = generate_distance,
+    .score_sample = score_expected_distance,
+    .create_scene = scene_distance,
 };
 
 /* --- far from the origin of the world ------------------------------------------------------------
  */
 
 /** Radii. */
-static const double offsets[] = {1, 10, 1e2, 1e3, 1e4, 1e5, 1e6};
+static const double origin_distances[] = {1, 10, 1e2, 1e3, 1e4, 1e5, 1e6};
 
-/** Poses a sphere, ten radii away, far from the origin. See #Experiment.pose. @param setting Where.
- *  @param[in,out] random Where it comes from. @param[out] posed
+/** Poses a sphere, ten radii away, far from the origin. See #Experiment.generate. @param setup
+ * Where.
+ *  @param[in,out] random Where it comes from. @param[out] sample
  *  The case. */
-static void pose_world(const Setting *setting, Random *random, Case *posed) {
-    View view = {.center = place_far(setting->level), .radius = 1, .distance = 10};
-    pose_view(setting->type, &view, random, posed);
+static void generate_offset(const ExperimentSetup *setup, Random *random,
+                            ExperimentSample *sample) {
+    SphereView view = {.center = far_point(setup->level), .radius = 1, .distance = 10};
+    generate_view(setup->type, &view, random, sample);
 }
 
-/** @return Its scene. See #Experiment.scene. @param setting Where. @param[out] error What is wrong.
+/** @return Its scene. See #Experiment.create_scene. @param setup Where. @param[out] error What is
+ * wrong.
  */
-static Scene *scene_world(const Setting *setting, Error *error) {
-    return sphere_scene(place_far(setting->level), 1, error);
+static Scene *offset_scene(const ExperimentSetup *setup, Error *error) {
+    return sphere_scene(far_point(setup->level), 1, error);
 }
 
-const Experiment sphere_world_experiment = {
+const Experiment sphere_offset_experiment = {
     .name = "sphere-world",
     .title = N_("A sphere and an eye ten radii away, both far from the origin of the world"),
-    .family = "sphere",
-    .stress = N_("distance from the origin / radius"),
-    .error = N_("error of the distance t, relative to t"),
+    .group = "sphere",
+    .difficulty = N_("distance from the origin / radius"),
+    .error_label = N_("error of the distance t, relative to t"),
     .is_relative = true,
-    .levels = offsets,
-    .level_count = COUNT_OF(offsets),
-    .cases = 20000,
-    .parts = 1,
-    .pose = pose_world,
-    .judge = judge_distance,
-    .scene = scene_world,
+    .levels = origin_distances,
+    .level_count = COUNT_OF(origin_distances),
+    .sample_count = 20000,
+    .queries_per_sample = 1,
+    .generate = generate_offset,
+    .score_sample = score_expected_distance,
+    .create_scene = offset_scene,
 };
 
 /* --- small and large -----------------------------------------------------------------------------
  */
 
 /** Scene units; as powers of two the figures would be the same to the bit. */
-static const double scales[] = {1e-6, 1e-4, 1e-2, 1, 1e2, 1e4, 1e6};
+static const double sphere_radii[] = {1e-6, 1e-4, 1e-2, 1, 1e2, 1e4, 1e6};
 
-/** Poses a sphere, ten radii away. See #Experiment.pose. @param setting Where.
- *  @param[in,out] random Where it comes from. @param[out] posed The case. */
-static void pose_scale(const Setting *setting, Random *random, Case *posed) {
-    View view = {.radius = number_types()[0]->round(setting->level), .distance = 10};
-    pose_view(setting->type, &view, random, posed);
+/** Poses a sphere, ten radii away. See #Experiment.generate. @param setup Where.
+ *  @param[in,out] random Where it comes from. @param[out] sample The case. */
+static void generate_scale(const ExperimentSetup *setup, Random *random, ExperimentSample *sample) {
+    SphereView view = {.radius = number_types()[0]->round(setup->level), .distance = 10};
+    generate_view(setup->type, &view, random, sample);
 }
 
-/** @return Its scene. See #Experiment.scene. @param setting Where. @param[out] error What is
+/** @return Its scene. See #Experiment.create_scene. @param setup Where. @param[out] error What is
  *  wrong. */
-static Scene *scene_scale(const Setting *setting, Error *error) {
-    return sphere_scene((Quad3){0, 0, 0}, (double)number_types()[0]->round(setting->level), error);
+static Scene *scene_scale(const ExperimentSetup *setup, Error *error) {
+    return sphere_scene((Vec3q){0, 0, 0}, (double)number_types()[0]->round(setup->level), error);
 }
 
 const Experiment sphere_scale_experiment = {
     .name = "sphere-scale",
     .title = N_("A sphere, small and large, ten radii away"),
-    .family = "sphere",
-    .stress = N_("radius, scene units"),
-    .error = N_("error of the distance t, relative to t"),
+    .group = "sphere",
+    .difficulty = N_("radius, scene units"),
+    .error_label = N_("error of the distance t, relative to t"),
     .is_relative = true,
-    .levels = scales,
-    .level_count = COUNT_OF(scales),
-    .cases = 20000,
-    .parts = 1,
-    .pose = pose_scale,
-    .judge = judge_distance,
-    .scene = scene_scale,
+    .levels = sphere_radii,
+    .level_count = COUNT_OF(sphere_radii),
+    .sample_count = 20000,
+    .queries_per_sample = 1,
+    .generate = generate_scale,
+    .score_sample = score_expected_distance,
+    .create_scene = scene_scale,
 };
 
 /* --- underfoot
  * ------------------------------------------------------------------------------------ */
 
 /** Radii, in heights of the eye. */
-static const double grounds[] = {1e1, 1e2, 1e3, 1e4, 1e5, 1e6};
+static const double ground_radii[] = {1e1, 1e2, 1e3, 1e4, 1e5, 1e6};
 
 /** @return The middle of the earth: straight down along no axis. @param radius Its radius. */
-static Quad3 earth_of(double radius) {
-    return place_far(radius);
+static Vec3q ground_center(double radius) {
+    return far_point(radius);
 }
 
 /** Poses an eye one unit above a large sphere, looking down at 5 to 90 degrees. See
- *  #Experiment.pose. @param setting Where.
+ *  #Experiment.generate. @param setup Where.
  *  @param[in,out] random
- *  Where it comes from. @param[out] posed The case. */
-static void pose_ground(const Setting *setting, Random *random, Case *posed) {
-    View view = {.center = earth_of(setting->level), .radius = setting->level};
+ *  Where it comes from. @param[out] sample The case. */
+static void generate_ground(const ExperimentSetup *setup, Random *random,
+                            ExperimentSample *sample) {
+    SphereView view = {.center = ground_center(setup->level), .radius = setup->level};
     // Somewhere on the ground, so that no one rounding of the eye's place decides all.
-    Quad3 walk = random_across(random, (Quad3){0, 1, 0}, 10);
-    Quad3 up = quad3_normalize(quad3_subtract(walk, view.center));
-    Quad3 origin = quad3_add(view.center, quad3_scale(up, setting->level + 1));
-    Quad3 along = quad3_normalize(random_across(random, up, 1));
-    double down = random_between(random, 0.087, 1); // The sine of 5 degrees, to 1.
-    Quad3 direction = quad3_subtract(quad3_scale(along, quad_sqrt(1 - (Quadruple)down * down)),
-                                     quad3_scale(up, down));
-    write_question(setting->type, (const Quad3[]){origin, direction}, &view, posed);
+    Vec3q walk = random_in_disc(random, (Vec3q){0, 1, 0}, 10);
+    Vec3q up = vec3q_normalize(vec3q_subtract(walk, view.center));
+    Vec3q origin = vec3q_add(view.center, vec3q_scale(up, setup->level + 1));
+    Vec3q along = vec3q_normalize(random_in_disc(random, up, 1));
+    double down = random_range(random, 0.087, 1); // The sine of 5 degrees, to 1.
+    Vec3q direction = vec3q_subtract(vec3q_scale(along, quad_sqrt(1 - (Quadruple)down * down)),
+                                     vec3q_scale(up, down));
+    sphere_write_input(setup->type, (const Vec3q[]){origin, direction}, &view, sample);
 }
 
-/** @return Its scene. See #Experiment.scene. @param setting Where. @param[out] error What is
+/** @return Its scene. See #Experiment.create_scene. @param setup Where. @param[out] error What is
  *  wrong. */
-static Scene *scene_ground(const Setting *setting, Error *error) {
-    return sphere_scene(earth_of(setting->level), setting->level, error);
+static Scene *scene_ground(const ExperimentSetup *setup, Error *error) {
+    return sphere_scene(ground_center(setup->level), setup->level, error);
 }
 
 const Experiment sphere_ground_experiment = {
     .name = "sphere-ground",
     .title = N_("A sphere as the ground, the eye one unit above it"),
-    .family = "sphere",
-    .stress = N_("radius / height of the eye"),
-    .error = N_("error of the distance t, relative to t"),
+    .group = "sphere",
+    .difficulty = N_("radius / height of the eye"),
+    .error_label = N_("error of the distance t, relative to t"),
     .is_relative = true,
-    .levels = grounds,
-    .level_count = COUNT_OF(grounds),
-    .cases = 20000,
-    .parts = 1,
-    .timed = 1e5,
-    .pose = pose_ground,
-    .judge = judge_distance,
-    .scene = scene_ground,
+    .levels = ground_radii,
+    .level_count = COUNT_OF(ground_radii),
+    .sample_count = 20000,
+    .queries_per_sample = 1,
+    .timed_level = 1e5,
+    .generate = generate_ground,
+    .score_sample = score_expected_distance,
+    .create_scene = scene_ground,
 };

@@ -2,311 +2,324 @@
  * @file
  * @brief Experiments on triangles: the edges and corners that they share, small ones, thin ones.
  */
-#include "dioptre/language.h"
+#include "base/language.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/icosphere.h"
-#include "lab/experiments/pose.h"
+#include "lab/experiments/sample_writer.h"
 
 /* --- a closed surface, from inside --- */
 
 /** Radii. */
-static const double offsets[] = {1, 10, 1e2, 1e3, 1e4};
+static const double origin_distances[] = {1, 10, 1e2, 1e3, 1e4};
 
-/** @return The closed surface. See #Experiment.build. @param level Its distance from the origin. */
-static void *build_ball(double level) {
-    return icosphere_create(place_far(level));
+/** @return The closed surface. See #Experiment.create_shared. @param level Its distance from the
+ * origin. */
+static void *build_icosphere(double level) {
+    return icosphere_create(far_point(level));
 }
 
-/** @return Where a ray starts: somewhere in the middle half of the ball. @param setting Where.
+/** @return Where a ray starts: somewhere in the middle half of the ball. @param setup Where.
  *  @param[in,out] random Where it comes from. */
-static Quad3 start_inside(const Setting *setting, Random *random) {
-    Quad3 beside = quad3_scale(random_direction(random), random_between(random, 0, 0.5));
-    return rounded(setting->type, quad3_add(place_far(setting->level), beside));
+static Vec3q random_origin_inside(const ExperimentSetup *setup, Random *random) {
+    Vec3q lateral = vec3q_scale(random_direction(random), random_range(random, 0, 0.5));
+    return vec3q_round(setup->type, vec3q_add(far_point(setup->level), lateral));
 }
 
 /** Writes the question whether a ray meets a face. @param[in,out] writer Where to. @param ball The
  *  surface. @param ray Where it starts, and which way. @param face The face; -1: none, a triangle
  *  without area. */
-static void write_face(Writer *writer, const Icosphere *ball, const Quad3 ray[2], int face) {
-    write_vector(writer, ray[0]);
-    write_vector(writer, ray[1]);
+static void write_face_input(SampleWriter *writer, const Icosphere *ball, const Vec3q ray[2],
+                             int face) {
+    sample_writer_vec3(writer, ray[0]);
+    sample_writer_vec3(writer, ray[1]);
     for (int k = 0; k < 3; k++) {
-        write_vector(writer, ball->corners[face < 0 ? 0 : ball->faces[face][k]]);
+        sample_writer_vec3(writer, ball->vertices[face < 0 ? 0 : ball->faces[face][k]]);
     }
 }
 
-/** Writes the questions about all faces around one corner or two, #CASE_PARTS_MAXIMUM in all.
- *  @param setting Where. @param ray Where it starts, and which way. @param ends The corners.
- *  @param[out] posed The case. */
-static void write_faces(const Setting *setting, const Quad3 ray[2], const int ends[2],
-                        Case *posed) {
-    const Icosphere *ball = setting->world;
-    Writer writer = {setting->type, posed->questions};
+/** Writes the questions about all faces around one corner or two, #SAMPLE_QUERIES_MAXIMUM in all.
+ *  @param setup Where. @param ray Where it starts, and which way. @param ends The corners.
+ *  @param[out] sample The case. */
+static void write_fan_faces(const ExperimentSetup *setup, const Vec3q ray[2], const int ends[2],
+                            ExperimentSample *sample) {
+    const Icosphere *ball = setup->shared;
+    SampleWriter writer = {setup->type, sample->inputs};
     int count = 0;
     for (int end = 0; end < 2; end++) {
         for (int i = 0; i < ball->valence[ends[end]]; i++) {
-            int face = ball->around[ends[end]][i];
+            int face = ball->vertex_faces[ends[end]][i];
             const int *corners = ball->faces[face];
-            bool is_asked = end == 1 && (corners[0] == ends[0] || corners[1] == ends[0] ||
-                                         corners[2] == ends[0]);
-            if (!is_asked) {
-                write_face(&writer, ball, ray, face);
+            bool is_included = end == 1 && (corners[0] == ends[0] || corners[1] == ends[0] ||
+                                            corners[2] == ends[0]);
+            if (!is_included) {
+                write_face_input(&writer, ball, ray, face);
                 count++;
             }
         }
     }
-    for (; count < CASE_PARTS_MAXIMUM; count++) {
-        write_face(&writer, ball, ray, -1);
+    for (; count < SAMPLE_QUERIES_MAXIMUM; count++) {
+        write_face_input(&writer, ball, ray, -1);
     }
 }
 
-/** Poses a ray to an edge or a corner. @param setting Where. @param[in,out] random Where it comes
- *  from. @param share How far along an edge it aims, 0 for its end. @param[out] posed The case. */
-static void pose_at(const Setting *setting, Random *random, Quadruple share, Case *posed) {
-    const Icosphere *ball = setting->world;
+/** Poses a ray to an edge or a corner. @param setup Where. @param[in,out] random Where it comes
+ *  from. @param fraction How far along an edge it aims, 0 for its end. @param[out] sample The case.
+ */
+static void generate_edge_ray(const ExperimentSetup *setup, Random *random, Quadruple fraction,
+                              ExperimentSample *sample) {
+    const Icosphere *ball = setup->shared;
     const int *face = ball->faces[random_bits(random) % ICOSPHERE_FACES];
     size_t first = random_bits(random) % 3;
-    const int ends[2] = {face[first], share == 0 ? face[first] : face[(first + 1) % 3]};
-    Quad3 a = ball->corners[ends[0]], b = ball->corners[ends[1]];
-    Quad3 target = quad3_add(a, quad3_scale(quad3_subtract(b, a), share));
-    Quad3 origin = start_inside(setting, random);
-    Quad3 direction = quad3_normalize(quad3_subtract(target, origin));
-    write_faces(setting, (const Quad3[]){origin, direction}, ends, posed);
+    const int ends[2] = {face[first], fraction == 0 ? face[first] : face[(first + 1) % 3]};
+    Vec3q a = ball->vertices[ends[0]], b = ball->vertices[ends[1]];
+    Vec3q target = vec3q_add(a, vec3q_scale(vec3q_subtract(b, a), fraction));
+    Vec3q origin = random_origin_inside(setup, random);
+    Vec3q direction = vec3q_normalize(vec3q_subtract(target, origin));
+    write_fan_faces(setup, (const Vec3q[]){origin, direction}, ends, sample);
 }
 
-/** Poses a ray to an edge. See #Experiment.pose. @param setting Where. @param[in,out] random Where
- *  it comes from. @param[out] posed The case. */
-static void pose_edge(const Setting *setting, Random *random, Case *posed) {
-    pose_at(setting, random, random_between(random, 0.01, 0.99), posed);
+/** Poses a ray to an edge. See #Experiment.generate. @param setup Where. @param[in,out] random
+ * Where it comes from. @param[out] sample The case. */
+static void generate_edge(const ExperimentSetup *setup, Random *random, ExperimentSample *sample) {
+    generate_edge_ray(setup, random, random_range(random, 0.01, 0.99), sample);
 }
 
-/** Poses a ray to a corner. See #Experiment.pose. @param setting Where. @param[in,out] random Where
- *  it comes from. @param[out] posed The case. */
-static void pose_corner(const Setting *setting, Random *random, Case *posed) {
-    pose_at(setting, random, 0, posed);
+/** Poses a ray to a corner. See #Experiment.generate. @param setup Where. @param[in,out] random
+ * Where it comes from. @param[out] sample The case. */
+static void generate_corner(const ExperimentSetup *setup, Random *random,
+                            ExperimentSample *sample) {
+    generate_edge_ray(setup, random, 0, sample);
 }
 
-/** Judges how many faces were met: one, where a ray leaves a closed surface. See #Experiment.judge.
- *  @param posed Not looked at. @param answers A distance each. @param[in,out] score The score. */
-static void judge_faces(const Case *posed, const Quadruple *answers, Score *score) {
-    (void)posed;
+/** Judges how many faces were met: one, where a ray leaves a closed surface. See
+ * #Experiment.score_sample.
+ *  @param sample Not looked at. @param outputs A distance each. @param[in,out] score The score. */
+static void score_faces(const ExperimentSample *sample, const Quadruple *outputs,
+                        ScoreStats *score) {
+    (void)sample;
     int count = 0;
-    for (int i = 0; i < CASE_PARTS_MAXIMUM; i++) {
-        count += answers[i] < QUAD_NONE;
+    for (int i = 0; i < SAMPLE_QUERIES_MAXIMUM; i++) {
+        count += outputs[i] < QUAD_NO_HIT;
     }
     score_outcome(score, OUTCOME_LEAK, count == 0);
-    if (answers[1] != COUNT_UNKNOWN) {
+    if (outputs[1] != COUNT_UNKNOWN) {
         score_outcome(score, OUTCOME_DOUBLE_HIT, count > 1);
     }
 }
 
-/** @return The ball as a model. See #Experiment.scene. @param setting Where. @param[out] error What
- *  is wrong. */
-static Scene *scene_ball(const Setting *setting, Error *error) {
-    const Icosphere *ball = setting->world;
+/** @return The ball as a model. See #Experiment.create_scene. @param setup Where. @param[out] error
+ * What is wrong. */
+static Scene *icosphere_scene(const ExperimentSetup *setup, Error *error) {
+    const Icosphere *ball = setup->shared;
     Mesh counts = {.position_count = ICOSPHERE_CORNERS, .triangle_count = ICOSPHERE_FACES};
     Mesh *mesh = mesh_create(&counts, error);
     if (!mesh) {
         return NULL;
     }
     for (int i = 0; i < ICOSPHERE_CORNERS; i++) {
-        Quad3 c = ball->corners[i];
-        mesh->positions[i] = (Vector3){(double)c.x, (double)c.y, (double)c.z};
+        Vec3q c = ball->vertices[i];
+        mesh->positions[i] = (Vec3d){(double)c.x, (double)c.y, (double)c.z};
     }
     for (int i = 0; i < ICOSPHERE_FACES; i++) {
         const int *f = ball->faces[i];
         mesh->triangles[i] = (MeshTriangle){{(uint32_t)f[0], (uint32_t)f[1], (uint32_t)f[2]}};
     }
-    return stage_with_mesh(mesh, error);
+    return scene_fixture_with_mesh(mesh, error);
 }
 
-/** Asks an engine for the nearest face of the whole ball. See #Experiment.ask. @param engine The
- *  engine. @param tracer Its tracer. @param posed The case. @param[out] answers One of them. */
-static void ask_ball(const Engine *engine, Tracer *tracer, const Case *posed, Quadruple *answers) {
-    RayAnswer answer;
-    const Quad3 ray[2] = {quad3_of(posed->questions), quad3_of(posed->questions + 3)};
-    engine_ask(engine, tracer, ray, &answer);
-    for (int i = 0; i < CASE_PARTS_MAXIMUM; i++) {
-        answers[i] = QUAD_NONE;
+/** Asks an engine for the nearest face of the whole ball. See #Experiment.query_engine. @param
+ * engine The engine. @param tracer Its tracer. @param sample The case. @param[out] outputs One of
+ * them. */
+static void query_icosphere(const Engine *engine, Tracer *tracer, const ExperimentSample *sample,
+                            Quadruple *outputs) {
+    RayResult answer;
+    const Vec3q ray[2] = {vec3q_from_array(sample->inputs), vec3q_from_array(sample->inputs + 3)};
+    intersect_ray(engine, tracer, ray, &answer);
+    for (int i = 0; i < SAMPLE_QUERIES_MAXIMUM; i++) {
+        outputs[i] = QUAD_NO_HIT;
     }
     if (answer.shape >= 0) {
-        answers[0] = answer.distance;
-        answers[1] = COUNT_UNKNOWN;
+        outputs[0] = answer.distance;
+        outputs[1] = COUNT_UNKNOWN;
     }
 }
 
 const Experiment triangle_edges_experiment = {
     .name = "triangle-edges",
     .title = N_("Rays from inside a closed surface of 1280 triangles, aimed at their edges"),
-    .family = "triangle",
-    .stress = N_("distance from the origin / radius"),
-    .levels = offsets,
-    .level_count = COUNT_OF(offsets),
-    .cases = 10000,
-    .parts = CASE_PARTS_MAXIMUM,
-    .timed = 1,
-    .build = build_ball,
-    .pose = pose_edge,
-    .judge = judge_faces,
-    .scene = scene_ball,
-    .ask = ask_ball,
+    .group = "triangle",
+    .difficulty = N_("distance from the origin / radius"),
+    .levels = origin_distances,
+    .level_count = COUNT_OF(origin_distances),
+    .sample_count = 10000,
+    .queries_per_sample = SAMPLE_QUERIES_MAXIMUM,
+    .timed_level = 1,
+    .create_shared = build_icosphere,
+    .generate = generate_edge,
+    .score_sample = score_faces,
+    .create_scene = icosphere_scene,
+    .query_engine = query_icosphere,
 };
 
 const Experiment triangle_corners_experiment = {
     .name = "triangle-corners",
     .title = N_("Rays from inside a closed surface of 1280 triangles, aimed at their corners"),
-    .family = "triangle",
-    .stress = N_("distance from the origin / radius"),
-    .levels = offsets,
-    .level_count = COUNT_OF(offsets),
-    .cases = 10000,
-    .parts = CASE_PARTS_MAXIMUM,
-    .build = build_ball,
-    .pose = pose_corner,
-    .judge = judge_faces,
-    .scene = scene_ball,
-    .ask = ask_ball,
+    .group = "triangle",
+    .difficulty = N_("distance from the origin / radius"),
+    .levels = origin_distances,
+    .level_count = COUNT_OF(origin_distances),
+    .sample_count = 10000,
+    .queries_per_sample = SAMPLE_QUERIES_MAXIMUM,
+    .create_shared = build_icosphere,
+    .generate = generate_corner,
+    .score_sample = score_faces,
+    .create_scene = icosphere_scene,
+    .query_engine = query_icosphere,
 };
 
 /* --- one triangle --- */
 
 /** A triangle that is looked at. */
-typedef struct Single {
-    Quad3 corners[3]; /**< Its corners, exact in float. */
+typedef struct TestTriangle {
+    Vec3q corners[3]; /**< Its corners, exact in float. */
     double distance;  /**< From where. */
     double sine;      /**< Of the angle under which it is met. */
-} Single;
+} TestTriangle;
 
-/** @return Where a ray meets a triangle, in quad precision; #QUAD_NONE: nowhere. @param o Where it
- *  starts. @param d Which way. @param c The corners. */
-static Quadruple triangle_truth(Quad3 o, Quad3 d, const Quad3 c[3]) {
-    Quad3 e1 = quad3_subtract(c[1], c[0]), e2 = quad3_subtract(c[2], c[0]);
-    Quad3 p = quad3_cross(d, e2), s = quad3_subtract(o, c[0]), r = quad3_cross(s, e1);
-    Quadruple determinant = quad3_dot(e1, p);
-    Quadruple u = quad3_dot(s, p) / determinant, v = quad3_dot(d, r) / determinant;
-    Quadruple t = quad3_dot(e2, r) / determinant;
-    return u >= 0 && v >= 0 && u + v <= 1 && t > 0 ? t : QUAD_NONE;
+/** @return Where a ray meets a triangle, in quad precision; #QUAD_NO_HIT: nowhere. @param o Where
+ * it starts. @param d Which way. @param c The corners. */
+static Quadruple triangle_expected(Vec3q o, Vec3q d, const Vec3q c[3]) {
+    Vec3q e1 = vec3q_subtract(c[1], c[0]), e2 = vec3q_subtract(c[2], c[0]);
+    Vec3q p = vec3q_cross(d, e2), s = vec3q_subtract(o, c[0]), r = vec3q_cross(s, e1);
+    Quadruple determinant = vec3q_dot(e1, p);
+    Quadruple u = vec3q_dot(s, p) / determinant, v = vec3q_dot(d, r) / determinant;
+    Quadruple t = vec3q_dot(e2, r) / determinant;
+    return u >= 0 && v >= 0 && u + v <= 1 && t > 0 ? t : QUAD_NO_HIT;
 }
 
-/** Poses a ray to somewhere inside a triangle. @param setting Where. @param single The triangle.
- *  @param[in,out] random Where it comes from. @param[out] posed The case. */
-static void pose_single(const Setting *setting, const Single *single, Random *random, Case *posed) {
-    const Quad3 *c = single->corners;
-    Quad3 e1 = quad3_subtract(c[1], c[0]), e2 = quad3_subtract(c[2], c[0]);
-    Quadruple u = random_share(random), v = random_share(random) * (1 - (double)u);
-    Quad3 target = quad3_add(c[0], quad3_add(quad3_scale(e1, u), quad3_scale(e2, v)));
-    Quad3 normal = quad3_normalize(quad3_cross(e1, e2));
-    Quad3 along = quad3_normalize(random_across(random, normal, 1));
+/** Poses a ray to somewhere inside a triangle. @param setup Where. @param single The triangle.
+ *  @param[in,out] random Where it comes from. @param[out] sample The case. */
+static void generate_triangle_ray(const ExperimentSetup *setup, const TestTriangle *single,
+                                  Random *random, ExperimentSample *sample) {
+    const Vec3q *c = single->corners;
+    Vec3q e1 = vec3q_subtract(c[1], c[0]), e2 = vec3q_subtract(c[2], c[0]);
+    Quadruple u = random_unit(random), v = random_unit(random) * (1 - (double)u);
+    Vec3q target = vec3q_add(c[0], vec3q_add(vec3q_scale(e1, u), vec3q_scale(e2, v)));
+    Vec3q normal = vec3q_normalize(vec3q_cross(e1, e2));
+    Vec3q along = vec3q_normalize(random_in_disc(random, normal, 1));
     Quadruple cosine = quad_sqrt(1 - (Quadruple)single->sine * single->sine);
-    Quad3 away = quad3_add(quad3_scale(normal, single->sine), quad3_scale(along, cosine));
-    Writer writer = {setting->type, posed->questions};
-    Quad3 origin = write_vector(&writer, quad3_add(target, quad3_scale(away, single->distance)));
-    Quad3 direction = write_vector(&writer, quad3_normalize(quad3_subtract(target, origin)));
+    Vec3q away = vec3q_add(vec3q_scale(normal, single->sine), vec3q_scale(along, cosine));
+    SampleWriter writer = {setup->type, sample->inputs};
+    Vec3q origin =
+        sample_writer_vec3(&writer, vec3q_add(target, vec3q_scale(away, single->distance)));
+    Vec3q direction = sample_writer_vec3(&writer, vec3q_normalize(vec3q_subtract(target, origin)));
     for (int k = 0; k < 3; k++) {
-        write_vector(&writer, c[k]);
+        sample_writer_vec3(&writer, c[k]);
     }
-    posed->truth[0] = triangle_truth(origin, direction, c);
+    sample->expected[0] = triangle_expected(origin, direction, c);
 }
 
 /** @return The scene of a triangle. @param single The triangle. @param[out] error What is wrong. */
-static Scene *single_scene(const Single *single, Error *error) {
-    StageValue values[] = {{.name = "a"}, {.name = "b"}, {.name = "c"}, {0}};
+static Scene *test_triangle_scene(const TestTriangle *single, Error *error) {
+    FixtureValue values[] = {{.name = "a"}, {.name = "b"}, {.name = "c"}, {0}};
     for (int k = 0; k < 3; k++) {
-        to_numbers(single->corners[k], values[k].numbers);
+        vec3q_to_doubles(single->corners[k], values[k].components);
     }
-    return stage_with("triangle", values, error);
+    return scene_fixture_with_shape("triangle", values, error);
 }
 
 /** @return A right triangle, in no special direction, all float. @param a A leg. @param b The
  *  other. */
-static Single right_triangle(double a, double b) {
+static TestTriangle right_triangle(double a, double b) {
     const NumberType *narrowest = number_types()[0];
-    Quad3 x = quad3_normalize((Quad3){0.8, 0.36, -0.48});
-    Quad3 y = quad3_normalize(quad3_cross(x, (Quad3){0.3, 0.9, 0.2}));
-    return (Single){.corners = {{0, 0, 0},
-                                rounded(narrowest, quad3_scale(x, a)),
-                                rounded(narrowest, quad3_scale(y, b))}};
+    Vec3q x = vec3q_normalize((Vec3q){0.8, 0.36, -0.48});
+    Vec3q y = vec3q_normalize(vec3q_cross(x, (Vec3q){0.3, 0.9, 0.2}));
+    return (TestTriangle){.corners = {{0, 0, 0},
+                                      vec3q_round(narrowest, vec3q_scale(x, a)),
+                                      vec3q_round(narrowest, vec3q_scale(y, b))}};
 }
 
 /** Scene units. */
-static const double legs[] = {1, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6};
+static const double leg_lengths[] = {1, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6};
 
 /** @return A small triangle. @param leg How small. */
-static Single small_triangle(double leg) {
-    Single single = right_triangle(leg, leg);
+static TestTriangle small_triangle(double leg) {
+    TestTriangle single = right_triangle(leg, leg);
     single.distance = 3 * leg;
     single.sine = 0.8;
     return single;
 }
 
-/** Poses a small triangle. See #Experiment.pose. @param setting Where. @param[in,out] random Where
- *  it comes from. @param[out] posed The case. */
-static void pose_small(const Setting *setting, Random *random, Case *posed) {
-    Single single = small_triangle(setting->level);
-    pose_single(setting, &single, random, posed);
+/** Poses a small triangle. See #Experiment.generate. @param setup Where. @param[in,out] random
+ * Where it comes from. @param[out] sample The case. */
+static void generate_small(const ExperimentSetup *setup, Random *random, ExperimentSample *sample) {
+    TestTriangle single = small_triangle(setup->level);
+    generate_triangle_ray(setup, &single, random, sample);
 }
 
-/** @return Its scene. See #Experiment.scene. @param setting Where. @param[out] error What is wrong.
+/** @return Its scene. See #Experiment.create_scene. @param setup Where. @param[out] error What is
+ * wrong.
  */
-static Scene *scene_small(const Setting *setting, Error *error) {
-    Single single = small_triangle(setting->level);
-    return single_scene(&single, error);
+static Scene *scene_small(const ExperimentSetup *setup, Error *error) {
+    TestTriangle single = small_triangle(setup->level);
+    return test_triangle_scene(&single, error);
 }
 
 const Experiment triangle_small_experiment = {
     .name = "triangle-small",
     .title = N_("A right triangle, ever smaller, three legs away"),
-    .family = "triangle",
-    .stress = N_("leg, scene units"),
-    .error = N_("error of the distance t, relative to t"),
+    .group = "triangle",
+    .difficulty = N_("leg, scene units"),
+    .error_label = N_("error of the distance t, relative to t"),
     .is_relative = true,
-    .levels = legs,
-    .level_count = COUNT_OF(legs),
-    .cases = 5000,
-    .parts = 1,
-    .pose = pose_small,
-    .judge = judge_distance,
-    .scene = scene_small,
+    .levels = leg_lengths,
+    .level_count = COUNT_OF(leg_lengths),
+    .sample_count = 5000,
+    .queries_per_sample = 1,
+    .generate = generate_small,
+    .score_sample = score_expected_distance,
+    .create_scene = scene_small,
 };
 
 /** Length over width. */
 static const double aspects[] = {1, 10, 1e2, 1e3, 1e4, 1e5, 1e6};
 
 /** @return A thin triangle. @param aspect How thin. */
-static Single thin_triangle(double aspect) {
-    Single single = right_triangle(1, 1 / aspect);
+static TestTriangle thin_triangle(double aspect) {
+    TestTriangle single = right_triangle(1, 1 / aspect);
     single.distance = 10;
     single.sine = 0.1;
     return single;
 }
 
-/** Poses a thin triangle. See #Experiment.pose. @param setting Where. @param[in,out] random Where
- *  it comes from. @param[out] posed The case. */
-static void pose_thin(const Setting *setting, Random *random, Case *posed) {
-    Single single = thin_triangle(setting->level);
-    pose_single(setting, &single, random, posed);
+/** Poses a thin triangle. See #Experiment.generate. @param setup Where. @param[in,out] random Where
+ *  it comes from. @param[out] sample The case. */
+static void generate_thin(const ExperimentSetup *setup, Random *random, ExperimentSample *sample) {
+    TestTriangle single = thin_triangle(setup->level);
+    generate_triangle_ray(setup, &single, random, sample);
 }
 
-/** @return Its scene. See #Experiment.scene. @param setting Where. @param[out] error What is wrong.
+/** @return Its scene. See #Experiment.create_scene. @param setup Where. @param[out] error What is
+ * wrong.
  */
-static Scene *scene_thin(const Setting *setting, Error *error) {
-    Single single = thin_triangle(setting->level);
-    return single_scene(&single, error);
+static Scene *scene_thin(const ExperimentSetup *setup, Error *error) {
+    TestTriangle single = thin_triangle(setup->level);
+    return test_triangle_scene(&single, error);
 }
 
 const Experiment triangle_thin_experiment = {
     .name = "triangle-thin",
     .title = N_("A right triangle of length 1, ever thinner, ten units away, under six degrees"),
-    .family = "triangle",
-    .stress = N_("length / width"),
-    .error = N_("error of the distance t, relative to t"),
+    .group = "triangle",
+    .difficulty = N_("length / width"),
+    .error_label = N_("error of the distance t, relative to t"),
     .is_relative = true,
     .levels = aspects,
     .level_count = COUNT_OF(aspects),
-    .cases = 5000,
-    .parts = 1,
-    .timed = 1e4,
-    .pose = pose_thin,
-    .judge = judge_distance,
-    .scene = scene_thin,
+    .sample_count = 5000,
+    .queries_per_sample = 1,
+    .timed_level = 1e4,
+    .generate = generate_thin,
+    .score_sample = score_expected_distance,
+    .create_scene = scene_thin,
 };

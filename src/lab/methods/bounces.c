@@ -4,32 +4,32 @@
  */
 #include "lab/methods/bounces.h"
 
-/** @return How far a ball is; #INFINITE: it is not met. @param q The question. @param ray The ray.
- *  @param ball Which. */
-static real distance_to(const BouncesQuestion *q, const Bouncing *ray, int ball) {
-    Vector f = vector_subtract(q->centers[ball], ray->origin);
-    real l = vector_dot(f, ray->direction);
-    Vector v = vector_subtract(vector_scale(ray->direction, l), f);
-    real h_squared = q->radius * q->radius - vector_dot(v, v);
+/** @return How far a ball is; #INFINITE: it is not met. @param in The question. @param ray The ray.
+ *  @param sphere Which. */
+static real bounces_sphere_distance(const BouncesInput *in, const BounceRay *ray, int sphere) {
+    Vec3 f = vec3_subtract(in->centers[sphere], ray->origin);
+    real l = vec3_dot(f, ray->direction);
+    Vec3 v = vec3_subtract(vec3_scale(ray->direction, l), f);
+    real h_squared = in->radius * in->radius - vec3_dot(v, v);
     real t = l - real_sqrt(h_squared);
-    return h_squared > 0 && t > 0 && ball != ray->ball ? t : INFINITE;
+    return h_squared > 0 && t > 0 && sphere != ray->sphere ? t : INFINITE;
 }
 
-void bounce(const BouncesQuestion *q, Bouncing *ray) {
+void bounces_reflect(const BouncesInput *in, BounceRay *ray) {
     real nearest = INFINITE;
-    int ball = -1;
+    int sphere = -1;
     for (int i = 0; i < 4; i++) {
-        real t = distance_to(q, ray, i);
-        ball = t < nearest ? i : ball;
+        real t = bounces_sphere_distance(in, ray, i);
+        sphere = t < nearest ? i : sphere;
         nearest = real_min(t, nearest);
     }
-    if (ball < 0) {
+    if (sphere < 0) {
         real nan = INFINITE - INFINITE;
-        ray->direction = (Vector){nan, nan, nan};
+        ray->direction = (Vec3){nan, nan, nan};
         return;
     }
-    Vector d = ray->direction;
-    Vector point = vector_add(ray->origin, vector_scale(d, nearest));
-    Vector n = vector_normalize(vector_subtract(point, q->centers[ball]));
-    *ray = (Bouncing){point, vector_add(d, vector_scale(n, -2 * vector_dot(d, n))), ball};
+    Vec3 d = ray->direction;
+    Vec3 point = vec3_add(ray->origin, vec3_scale(d, nearest));
+    Vec3 n = vec3_normalize(vec3_subtract(point, in->centers[sphere]));
+    *ray = (BounceRay){point, vec3_add(d, vec3_scale(n, -2 * vec3_dot(d, n))), sphere};
 }

@@ -6,31 +6,31 @@
 #define DIOPTRE_LAB_METHODS_BOUNCES_H
 
 #include "lab/methods/method.h"
-#include "trace/vector.h"
+#include "trace/math/vec3.h"
 
 /** A ray between four balls. */
-typedef struct BouncesQuestion {
-    Vector origin;     /**< Where it starts. */
-    Vector direction;  /**< Which way, of length 1 but for rounding. */
-    Vector centers[4]; /**< The balls' centres. */
+typedef struct BouncesInput {
+    Vec3 origin;       /**< Where it starts. */
+    Vec3 direction;    /**< Which way, of length 1 but for rounding. */
+    Vec3 centers[4];   /**< The balls' centres. */
     real radius;       /**< Their radius. */
-    real count;        /**< How often it is mirrored. */
-} BouncesQuestion;
+    real bounce_count; /**< How often it is mirrored. */
+} BouncesInput;
 
 /** Where it goes then. */
-typedef struct BouncesAnswer {
-    Vector direction; /**< NaN where it leaves the balls before. */
-} BouncesAnswer;
+typedef struct BouncesOutput {
+    Vec3 direction; /**< NaN where it leaves the balls before. */
+} BouncesOutput;
 
 /** A ray that is mirrored. */
-typedef struct Bouncing {
-    Vector origin;    /**< Where it starts. */
-    Vector direction; /**< Which way. */
-    int ball;         /**< The ball that it comes from; -1: none. */
-} Bouncing;
+typedef struct BounceRay {
+    Vec3 origin;    /**< Where it starts. */
+    Vec3 direction; /**< Which way. */
+    int sphere;     /**< The ball that it comes from; -1: none. */
+} BounceRay;
 
 /** Mirrors a ray at the ball that it meets first, and moves it there.
- *  @param q The question. @param[in,out] ray The ray; its direction NaN where it meets none. */
-void bounce(const BouncesQuestion *q, Bouncing *ray);
+ *  @param in The question. @param[in,out] ray The ray; its direction NaN where it meets none. */
+void bounces_reflect(const BouncesInput *in, BounceRay *ray);
 
 #endif

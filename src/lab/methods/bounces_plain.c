@@ -9,20 +9,20 @@
  */
 #include "lab/methods/bounces.h"
 
-/** Asks it. See #Method.run. @param question A #BouncesQuestion. @param[out] answer A
- * #BouncesAnswer. */
-static void run(const void *question, void *answer) {
-    const BouncesQuestion *q = question;
-    Bouncing ray = {q->origin, q->direction, -1};
-    for (int i = 0; i < (int)q->count; i++) {
-        bounce(q, &ray);
+/** Asks it. See #Method.run. @param input A #BouncesInput. @param[out] output A
+ * #BouncesOutput. */
+static void bounces_plain_run(const void *input, void *output) {
+    const BouncesInput *in = input;
+    BounceRay ray = {in->origin, in->direction, -1};
+    for (int i = 0; i < (int)in->bounce_count; i++) {
+        bounces_reflect(in, &ray);
     }
-    ((BouncesAnswer *)answer)->direction = ray.direction;
+    ((BouncesOutput *)output)->direction = ray.direction;
 }
 
-const Method bounces_plain = {.family = "bounces",
+const Method bounces_plain = {.group = "bounces",
                               .name = "plain",
                               .label = "plain",
-                              .inputs = NUMBERS_OF(BouncesQuestion),
-                              .outputs = NUMBERS_OF(BouncesAnswer),
-                              .run = run};
+                              .input_count = NUMBERS_IN(BouncesInput),
+                              .output_count = NUMBERS_IN(BouncesOutput),
+                              .run = bounces_plain_run};

@@ -6,33 +6,34 @@
 #define DIOPTRE_LAB_METHODS_BOX_H
 
 #include "lab/methods/method.h"
-#include "trace/vector.h"
+#include "trace/math/vec3.h"
 
 /** A ray and a box. */
-typedef struct BoxQuestion {
-    Vector origin;    /**< Where the ray starts. */
-    Vector direction; /**< Which way. */
-    Vector low;       /**< Lowest corner. */
-    Vector high;      /**< Highest corner. */
-} BoxQuestion;
+typedef struct BoxInput {
+    Vec3 origin;    /**< Where the ray starts. */
+    Vec3 direction; /**< Which way. */
+    Vec3 low;       /**< Lowest corner. */
+    Vec3 high;      /**< Highest corner. */
+} BoxInput;
 
 /** Where it is met. */
-typedef struct BoxAnswer {
+typedef struct BoxOutput {
     real distance; /**< Of the nearest meeting ahead; #INFINITE: there is none. */
     real count;    /**< How often its surface is met ahead: from inside it must be once. */
-} BoxAnswer;
+} BoxOutput;
 
 /** The interval of a ray between two parallel planes, or in a box. */
-typedef struct Slab {
+typedef struct SlabInterval {
     real near; /**< Where it begins. */
     real far;  /**< Where it ends. */
-} Slab;
+} SlabInterval;
 
-/** @return What a box answers. @param inside Where the ray is inside. */
-static inline BoxAnswer box_answer(Slab inside) {
-    int is_met = inside.near <= inside.far && inside.far >= 0;
-    return (BoxAnswer){.distance = is_met ? (inside.near > 0 ? inside.near : inside.far) : INFINITE,
-                       .count = is_met ? (inside.near > 0 ? 2 : 1) : 0};
+/** @return What a box answers. @param interval Where the ray is inside. */
+static inline BoxOutput box_output_of(SlabInterval interval) {
+    int is_met = interval.near <= interval.far && interval.far >= 0;
+    return (BoxOutput){.distance =
+                           is_met ? (interval.near > 0 ? interval.near : interval.far) : INFINITE,
+                       .count = is_met ? (interval.near > 0 ? 2 : 1) : 0};
 }
 
 #endif

@@ -10,37 +10,38 @@
  */
 #include "lab/methods/box.h"
 
-/** Cuts an interval. @param[in,out] inside The interval. @param origin Of the ray, along an axis.
+/** Cuts an interval. @param[in,out] interval The interval. @param origin Of the ray, along an axis.
  *  @param direction Of the ray. @param low Where the slab begins. @param high Where it ends. */
-static void cut(Slab *inside, real origin, real direction, real low, real high) {
+static void box_slabs_robust_clip(SlabInterval *interval, real origin, real direction, real low,
+                                  real high) {
     const real gamma = 3 * ROUNDOFF / (1 - 3 * ROUNDOFF);
     real inverse = 1 / direction;
     real enter = ((inverse < 0 ? high : low) - origin) * inverse;
     real leave = ((inverse < 0 ? low : high) - origin) * inverse * (1 + 2 * gamma);
-    inside->near = enter > inside->near ? enter : inside->near;
-    inside->far = leave < inside->far ? leave : inside->far;
+    interval->near = enter > interval->near ? enter : interval->near;
+    interval->far = leave < interval->far ? leave : interval->far;
 }
 
-/** Asks it. See #Method.run. @param question A #BoxQuestion. @param[out] answer A #BoxAnswer. */
-static void run(const void *question, void *answer) {
-    const BoxQuestion *q = question;
-    Slab inside = {-INFINITE, INFINITE};
-    cut(&inside, q->origin.x, q->direction.x, q->low.x, q->high.x);
-    cut(&inside, q->origin.y, q->direction.y, q->low.y, q->high.y);
-    cut(&inside, q->origin.z, q->direction.z, q->low.z, q->high.z);
-    *(BoxAnswer *)answer = box_answer(inside);
+/** Asks it. See #Method.run. @param input A #BoxInput. @param[out] output A #BoxOutput. */
+static void box_slabs_robust_run(const void *input, void *output) {
+    const BoxInput *in = input;
+    SlabInterval interval = {-INFINITE, INFINITE};
+    box_slabs_robust_clip(&interval, in->origin.x, in->direction.x, in->low.x, in->high.x);
+    box_slabs_robust_clip(&interval, in->origin.y, in->direction.y, in->low.y, in->high.y);
+    box_slabs_robust_clip(&interval, in->origin.z, in->direction.z, in->low.z, in->high.z);
+    *(BoxOutput *)output = box_output_of(interval);
 }
 
-const Method box_slabs_robust = {.family = "box-slabs",
+const Method box_slabs_robust = {.group = "box-slabs",
                                  .name = "far(1+2g3)",
                                  .label = "far(1+2g3)",
-                                 .inputs = NUMBERS_OF(BoxQuestion),
-                                 .outputs = NUMBERS_OF(BoxAnswer),
-                                 .run = run};
+                                 .input_count = NUMBERS_IN(BoxInput),
+                                 .output_count = NUMBERS_IN(BoxOutput),
+                                 .run = box_slabs_robust_run};
 
-const Method box_cube_slabs = {.family = "box-cube",
+const Method box_cube_slabs = {.group = "box-cube",
                                .name = "slabs",
                                .label = "slabs",
-                               .inputs = NUMBERS_OF(BoxQuestion),
-                               .outputs = NUMBERS_OF(BoxAnswer),
-                               .run = run};
+                               .input_count = NUMBERS_IN(BoxInput),
+                               .output_count = NUMBERS_IN(BoxOutput),
+                               .run = box_slabs_robust_run};

@@ -6,21 +6,21 @@
 #define DIOPTRE_LAB_METHODS_CYLINDER_H
 
 #include "lab/methods/method.h"
-#include "trace/vector.h"
+#include "trace/math/vec3.h"
 
 /** A ray and a cylinder. */
-typedef struct CylinderQuestion {
-    Vector origin;    /**< Where the ray starts. */
-    Vector direction; /**< Which way. */
-    Vector base;      /**< The centre of the cylinder's base; its axis goes up from there. */
-    real radius;      /**< Its radius. */
-    real height;      /**< Its height; the wall alone has none. */
-} CylinderQuestion;
+typedef struct CylinderInput {
+    Vec3 origin;    /**< Where the ray starts. */
+    Vec3 direction; /**< Which way. */
+    Vec3 base;      /**< The centre of the cylinder's base; its axis goes up from there. */
+    real radius;    /**< Its radius. */
+    real height;    /**< Its height; the wall alone has none. */
+} CylinderInput;
 
 /** Where it is met. */
-typedef struct CylinderAnswer {
+typedef struct CylinderOutput {
     real distance; /**< Of the nearest meeting ahead; #INFINITE: there is none. */
     real count;    /**< How often a solid is met ahead: from inside it must be once. */
-} CylinderAnswer;
+} CylinderOutput;
 
 #endif

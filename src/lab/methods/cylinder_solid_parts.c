@@ -7,49 +7,49 @@
  */
 #include "lab/methods/cylinder.h"
 
-/** Takes a meeting. @param found The answer. @param is_met Whether there is one. @param distance
+/** Takes a meeting. @param out The answer. @param is_met Whether there is one. @param distance
  *  How far. */
-static void take(CylinderAnswer *found, int is_met, real distance) {
+static void cylinder_keep_nearest(CylinderOutput *out, int is_met, real distance) {
     if (is_met && distance > 0) {
-        found->count += 1;
-        found->distance = real_min(distance, found->distance);
+        out->count += 1;
+        out->distance = real_min(distance, out->distance);
     }
 }
 
-/** Asks one end. @param q The question. @param height Of the end above the base. @param found The
+/** Asks one end. @param in The question. @param height Of the end above the base. @param out The
  *  answer. */
-static void meet_end(const CylinderQuestion *q, real height, CylinderAnswer *found) {
-    real t = (q->base.y + height - q->origin.y) / q->direction.y;
-    Vector point = vector_add(q->origin, vector_scale(q->direction, t));
-    real x = point.x - q->base.x, z = point.z - q->base.z;
-    take(found, x * x + z * z <= q->radius * q->radius, t);
+static void cylinder_intersect_cap(const CylinderInput *in, real height, CylinderOutput *out) {
+    real t = (in->base.y + height - in->origin.y) / in->direction.y;
+    Vec3 point = vec3_add(in->origin, vec3_scale(in->direction, t));
+    real x = point.x - in->base.x, z = point.z - in->base.z;
+    cylinder_keep_nearest(out, x * x + z * z <= in->radius * in->radius, t);
 }
 
-/** Asks the wall. @param q The question. @param t How far a root is. @param found The answer. */
-static void meet_wall(const CylinderQuestion *q, real t, CylinderAnswer *found) {
-    real y = q->origin.y + q->direction.y * t - q->base.y;
-    take(found, y >= 0 && y <= q->height, t);
+/** Asks the wall. @param in The question. @param t How far a root is. @param out The answer. */
+static void cylinder_intersect_wall(const CylinderInput *in, real t, CylinderOutput *out) {
+    real y = in->origin.y + in->direction.y * t - in->base.y;
+    cylinder_keep_nearest(out, y >= 0 && y <= in->height, t);
 }
 
-/** Asks it. See #Method.run. @param question A #CylinderQuestion. @param[out] answer A
- * #CylinderAnswer. */
-static void run(const void *question, void *answer) {
-    const CylinderQuestion *q = question;
-    CylinderAnswer *found = answer;
-    *found = (CylinderAnswer){.distance = INFINITE};
-    real x = q->origin.x - q->base.x, z = q->origin.z - q->base.z;
-    real dx = q->direction.x, dz = q->direction.z;
-    real a = dx * dx + dz * dz, b = x * dx + z * dz, c = x * x + z * z - q->radius * q->radius;
+/** Asks it. See #Method.run. @param input A #CylinderInput. @param[out] output A
+ * #CylinderOutput. */
+static void cylinder_solid_parts_run(const void *input, void *output) {
+    const CylinderInput *in = input;
+    CylinderOutput *out = output;
+    *out = (CylinderOutput){.distance = INFINITE};
+    real x = in->origin.x - in->base.x, z = in->origin.z - in->base.z;
+    real dx = in->direction.x, dz = in->direction.z;
+    real a = dx * dx + dz * dz, b = x * dx + z * dz, c = x * x + z * z - in->radius * in->radius;
     real root = real_sqrt(b * b - a * c);
-    meet_wall(q, (-b - root) / a, found);
-    meet_wall(q, (-b + root) / a, found);
-    meet_end(q, 0, found);
-    meet_end(q, q->height, found);
+    cylinder_intersect_wall(in, (-b - root) / a, out);
+    cylinder_intersect_wall(in, (-b + root) / a, out);
+    cylinder_intersect_cap(in, 0, out);
+    cylinder_intersect_cap(in, in->height, out);
 }
 
-const Method cylinder_solid_parts = {.family = "cylinder-solid",
+const Method cylinder_solid_parts = {.group = "cylinder-solid",
                                      .name = "three parts",
                                      .label = "three parts",
-                                     .inputs = NUMBERS_OF(CylinderQuestion),
-                                     .outputs = NUMBERS_OF(CylinderAnswer),
-                                     .run = run};
+                                     .input_count = NUMBERS_IN(CylinderInput),
+                                     .output_count = NUMBERS_IN(CylinderOutput),
+                                     .run = cylinder_solid_parts_run};

@@ -9,26 +9,26 @@
  */
 #include "lab/methods/cylinder.h"
 
-/** Asks it. See #Method.run. @param question A #CylinderQuestion. @param[out] answer A
- * #CylinderAnswer. */
-static void run(const void *question, void *answer) {
-    const CylinderQuestion *q = question;
-    real x = q->origin.x - q->base.x, z = q->origin.z - q->base.z;
-    real dx = q->direction.x, dz = q->direction.z;
+/** Asks it. See #Method.run. @param input A #CylinderInput. @param[out] output A
+ * #CylinderOutput. */
+static void cylinder_wall_cross_run(const void *input, void *output) {
+    const CylinderInput *in = input;
+    real x = in->origin.x - in->base.x, z = in->origin.z - in->base.z;
+    real dx = in->direction.x, dz = in->direction.z;
     real a = dx * dx + dz * dz, b = -(x * dx + z * dz), cross = dx * z - dz * x;
-    real c = x * x + z * z - q->radius * q->radius;
-    real discriminant = a * q->radius * q->radius - cross * cross;
+    real c = x * x + z * z - in->radius * in->radius;
+    real discriminant = a * in->radius * in->radius - cross * cross;
     real root = real_sqrt(discriminant), sum = b > 0 ? b + root : b - root;
     real near = b > 0 ? c / sum : sum / a, far = b > 0 ? sum / a : c / sum;
     real ahead = near > 0 ? near : far > 0 ? far : INFINITE;
-    CylinderAnswer *found = answer;
-    found->distance = discriminant >= 0 ? ahead : INFINITE;
-    found->count = (real)((discriminant >= 0) * ((near > 0) + (far > 0)));
+    CylinderOutput *out = output;
+    out->distance = discriminant >= 0 ? ahead : INFINITE;
+    out->count = (real)((discriminant >= 0) * ((near > 0) + (far > 0)));
 }
 
-const Method cylinder_wall_cross = {.family = "cylinder-wall",
+const Method cylinder_wall_cross = {.group = "cylinder-wall",
                                     .name = "cross product",
                                     .label = "cross product",
-                                    .inputs = NUMBERS_OF(CylinderQuestion),
-                                    .outputs = NUMBERS_OF(CylinderAnswer),
-                                    .run = run};
+                                    .input_count = NUMBERS_IN(CylinderInput),
+                                    .output_count = NUMBERS_IN(CylinderOutput),
+                                    .run = cylinder_wall_cross_run};

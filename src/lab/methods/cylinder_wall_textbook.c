@@ -8,25 +8,25 @@
  */
 #include "lab/methods/cylinder.h"
 
-/** Asks it. See #Method.run. @param question A #CylinderQuestion. @param[out] answer A
- * #CylinderAnswer. */
-static void run(const void *question, void *answer) {
-    const CylinderQuestion *q = question;
-    real x = q->origin.x - q->base.x, z = q->origin.z - q->base.z;
-    real dx = q->direction.x, dz = q->direction.z;
-    real a = dx * dx + dz * dz, b = x * dx + z * dz, c = x * x + z * z - q->radius * q->radius;
+/** Asks it. See #Method.run. @param input A #CylinderInput. @param[out] output A
+ * #CylinderOutput. */
+static void cylinder_wall_textbook_run(const void *input, void *output) {
+    const CylinderInput *in = input;
+    real x = in->origin.x - in->base.x, z = in->origin.z - in->base.z;
+    real dx = in->direction.x, dz = in->direction.z;
+    real a = dx * dx + dz * dz, b = x * dx + z * dz, c = x * x + z * z - in->radius * in->radius;
     real discriminant = b * b - a * c;
     real root = real_sqrt(discriminant);
     real near = (-b - root) / a, far = (-b + root) / a;
     real ahead = near > 0 ? near : far > 0 ? far : INFINITE;
-    CylinderAnswer *found = answer;
-    found->distance = discriminant >= 0 ? ahead : INFINITE;
-    found->count = (real)((discriminant >= 0) * ((near > 0) + (far > 0)));
+    CylinderOutput *out = output;
+    out->distance = discriminant >= 0 ? ahead : INFINITE;
+    out->count = (real)((discriminant >= 0) * ((near > 0) + (far > 0)));
 }
 
-const Method cylinder_wall_textbook = {.family = "cylinder-wall",
+const Method cylinder_wall_textbook = {.group = "cylinder-wall",
                                        .name = "B^2-AC",
                                        .label = "B^2-AC",
-                                       .inputs = NUMBERS_OF(CylinderQuestion),
-                                       .outputs = NUMBERS_OF(CylinderAnswer),
-                                       .run = run};
+                                       .input_count = NUMBERS_IN(CylinderInput),
+                                       .output_count = NUMBERS_IN(CylinderOutput),
+                                       .run = cylinder_wall_textbook_run};

@@ -6,23 +6,23 @@
 #define DIOPTRE_LAB_METHODS_FRESNEL_H
 
 #include "lab/methods/method.h"
-#include "trace/root.h"
+#include "trace/math/simd_sqrt.h"
 
 /** Light at a surface. */
-typedef struct FresnelQuestion {
+typedef struct FresnelInput {
     real cosine; /**< Of the angle between the ray that comes and the normal, 0 to 1. */
     real index;  /**< Index beyond the surface over the index on the ray's side. */
-} FresnelQuestion;
+} FresnelInput;
 
 /** Share of light. */
-typedef struct FresnelAnswer {
-    real mirrored; /**< 0 to 1. */
-} FresnelAnswer;
+typedef struct FresnelOutput {
+    real reflectance; /**< 0 to 1. */
+} FresnelOutput;
 
 /** @return The square of the refracted ray's cosine; negative: there is none, all is mirrored.
- *  @param q The question. */
-static inline real refracted_squared(const FresnelQuestion *q) {
-    return 1 - (1 - q->cosine) * (1 + q->cosine) / (q->index * q->index);
+ *  @param in The question. */
+static inline real fresnel_cosine_t_squared(const FresnelInput *in) {
+    return 1 - (1 - in->cosine) * (1 + in->cosine) / (in->index * in->index);
 }
 
 #endif

@@ -6,18 +6,20 @@
  */
 #include "lab/methods/fresnel.h"
 
-/** Asks it. See #Method.run. @param question A #FresnelQuestion. @param[out] answer A
- * #FresnelAnswer. */
-static void run(const void *question, void *answer) {
-    const FresnelQuestion *q = question;
-    real squared = refracted_squared(q), c = q->cosine, n = q->index, ct = real_sqrt(squared);
+/** Asks it. See #Method.run. @param input A #FresnelInput. @param[out] output A
+ * #FresnelOutput. */
+static void fresnel_exact_run(const void *input, void *output) {
+    const FresnelInput *in = input;
+    real cosine_t_squared = fresnel_cosine_t_squared(in), c = in->cosine, n = in->index,
+         ct = real_sqrt(cosine_t_squared);
     real along = (c - n * ct) / (c + n * ct), across = (n * c - ct) / (n * c + ct);
-    ((FresnelAnswer *)answer)->mirrored = squared > 0 ? (along * along + across * across) / 2 : 1;
+    ((FresnelOutput *)output)->reflectance =
+        cosine_t_squared > 0 ? (along * along + across * across) / 2 : 1;
 }
 
-const Method fresnel_exact = {.family = "fresnel",
+const Method fresnel_exact = {.group = "fresnel",
                               .name = "exact",
                               .label = "exact",
-                              .inputs = NUMBERS_OF(FresnelQuestion),
-                              .outputs = NUMBERS_OF(FresnelAnswer),
-                              .run = run};
+                              .input_count = NUMBERS_IN(FresnelInput),
+                              .output_count = NUMBERS_IN(FresnelOutput),
+                              .run = fresnel_exact_run};

@@ -7,18 +7,19 @@
  */
 #include "lab/methods/fresnel.h"
 
-/** Asks it. See #Method.run. @param question A #FresnelQuestion. @param[out] answer A
- * #FresnelAnswer. */
-static void run(const void *question, void *answer) {
-    const FresnelQuestion *q = question;
-    real squared = refracted_squared(q), root = (q->index - 1) / (q->index + 1);
-    real c = q->index < 1 ? real_sqrt(squared) : q->cosine, m = 1 - c, r0 = root * root;
-    ((FresnelAnswer *)answer)->mirrored = squared > 0 ? r0 + (1 - r0) * m * m * m * m * m : 1;
+/** Asks it. See #Method.run. @param input A #FresnelInput. @param[out] output A
+ * #FresnelOutput. */
+static void fresnel_schlick_run(const void *input, void *output) {
+    const FresnelInput *in = input;
+    real cosine_t_squared = fresnel_cosine_t_squared(in), root = (in->index - 1) / (in->index + 1);
+    real c = in->index < 1 ? real_sqrt(cosine_t_squared) : in->cosine, m = 1 - c, r0 = root * root;
+    ((FresnelOutput *)output)->reflectance =
+        cosine_t_squared > 0 ? r0 + (1 - r0) * m * m * m * m * m : 1;
 }
 
-const Method fresnel_schlick = {.family = "fresnel",
+const Method fresnel_schlick = {.group = "fresnel",
                                 .name = "Schlick",
                                 .label = "Schlick",
-                                .inputs = NUMBERS_OF(FresnelQuestion),
-                                .outputs = NUMBERS_OF(FresnelAnswer),
-                                .run = run};
+                                .input_count = NUMBERS_IN(FresnelInput),
+                                .output_count = NUMBERS_IN(FresnelOutput),
+                                .run = fresnel_schlick_run};

@@ -6,27 +6,27 @@
 #define DIOPTRE_LAB_METHODS_GRADIENT_H
 
 #include "lab/methods/method.h"
-#include "trace/vector.h"
+#include "trace/math/vec3.h"
 
 /** A point of the surface of a ball. */
-typedef struct GradientQuestion {
-    Vector point;  /**< The point. */
-    Vector center; /**< The ball's centre. */
-    real radius;   /**< Its radius. */
-    real step;     /**< How far around the point the field is asked: h. */
-} GradientQuestion;
+typedef struct GradientInput {
+    Vec3 point;  /**< The point. */
+    Vec3 center; /**< The ball's centre. */
+    real radius; /**< Its radius. */
+    real step;   /**< How far around the point the field is asked: h. */
+} GradientInput;
 
 /** A normal, of length 1 but for rounding. */
-typedef struct GradientAnswer {
-    Vector normal; /**< It. */
-} GradientAnswer;
+typedef struct GradientOutput {
+    Vec3 normal; /**< It. */
+} GradientOutput;
 
-/** @return How far a point is from the ball. @param q The question. @param dx How far beside its
+/** @return How far a point is from the ball. @param in The question. @param dx How far beside its
  *  point, along x. @param dy Along y. @param dz Along z. */
-static inline real field_at(const GradientQuestion *q, real dx, real dy, real dz) {
-    Vector beside = vector_add(q->point, (Vector){dx, dy, dz});
-    Vector arm = vector_subtract(beside, q->center);
-    return real_sqrt(vector_dot(arm, arm)) - q->radius;
+static inline real gradient_sphere_sdf(const GradientInput *in, real dx, real dy, real dz) {
+    Vec3 position = vec3_add(in->point, (Vec3){dx, dy, dz});
+    Vec3 local = vec3_subtract(position, in->center);
+    return real_sqrt(vec3_dot(local, local)) - in->radius;
 }
 
 #endif

@@ -6,20 +6,20 @@
  */
 #include "lab/methods/gradient.h"
 
-/** Asks it. See #Method.run. @param question A #GradientQuestion. @param[out] answer A
- * #GradientAnswer. */
-static void run(const void *question, void *answer) {
-    const GradientQuestion *q = question;
-    real h = q->step;
-    Vector n = {field_at(q, h, 0, 0) - field_at(q, -h, 0, 0),
-                field_at(q, 0, h, 0) - field_at(q, 0, -h, 0),
-                field_at(q, 0, 0, h) - field_at(q, 0, 0, -h)};
-    ((GradientAnswer *)answer)->normal = vector_normalize(n);
+/** Asks it. See #Method.run. @param input A #GradientInput. @param[out] output A
+ * #GradientOutput. */
+static void gradient_central_run(const void *input, void *output) {
+    const GradientInput *in = input;
+    real h = in->step;
+    Vec3 n = {gradient_sphere_sdf(in, h, 0, 0) - gradient_sphere_sdf(in, -h, 0, 0),
+              gradient_sphere_sdf(in, 0, h, 0) - gradient_sphere_sdf(in, 0, -h, 0),
+              gradient_sphere_sdf(in, 0, 0, h) - gradient_sphere_sdf(in, 0, 0, -h)};
+    ((GradientOutput *)output)->normal = vec3_normalize(n);
 }
 
-const Method gradient_central = {.family = "gradient",
+const Method gradient_central = {.group = "gradient",
                                  .name = "central",
                                  .label = "central",
-                                 .inputs = NUMBERS_OF(GradientQuestion),
-                                 .outputs = NUMBERS_OF(GradientAnswer),
-                                 .run = run};
+                                 .input_count = NUMBERS_IN(GradientInput),
+                                 .output_count = NUMBERS_IN(GradientOutput),
+                                 .run = gradient_central_run};

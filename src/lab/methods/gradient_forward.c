@@ -6,19 +6,19 @@
  */
 #include "lab/methods/gradient.h"
 
-/** Asks it. See #Method.run. @param question A #GradientQuestion. @param[out] answer A
- * #GradientAnswer. */
-static void run(const void *question, void *answer) {
-    const GradientQuestion *q = question;
-    real h = q->step, here = field_at(q, 0, 0, 0);
-    Vector n = {field_at(q, h, 0, 0) - here, field_at(q, 0, h, 0) - here,
-                field_at(q, 0, 0, h) - here};
-    ((GradientAnswer *)answer)->normal = vector_normalize(n);
+/** Asks it. See #Method.run. @param input A #GradientInput. @param[out] output A
+ * #GradientOutput. */
+static void gradient_forward_run(const void *input, void *output) {
+    const GradientInput *in = input;
+    real h = in->step, here = gradient_sphere_sdf(in, 0, 0, 0);
+    Vec3 n = {gradient_sphere_sdf(in, h, 0, 0) - here, gradient_sphere_sdf(in, 0, h, 0) - here,
+              gradient_sphere_sdf(in, 0, 0, h) - here};
+    ((GradientOutput *)output)->normal = vec3_normalize(n);
 }
 
-const Method gradient_forward = {.family = "gradient",
+const Method gradient_forward = {.group = "gradient",
                                  .name = "forward",
                                  .label = "forward",
-                                 .inputs = NUMBERS_OF(GradientQuestion),
-                                 .outputs = NUMBERS_OF(GradientAnswer),
-                                 .run = run};
+                                 .input_count = NUMBERS_IN(GradientInput),
+                                 .output_count = NUMBERS_IN(GradientOutput),
+                                 .run = gradient_forward_run};

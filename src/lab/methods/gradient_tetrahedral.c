@@ -10,19 +10,20 @@
  */
 #include "lab/methods/gradient.h"
 
-/** Asks it. See #Method.run. @param question A #GradientQuestion. @param[out] answer A
- * #GradientAnswer. */
-static void run(const void *question, void *answer) {
-    const GradientQuestion *q = question;
-    real h = q->step, a = field_at(q, h, -h, -h), b = field_at(q, -h, -h, h);
-    real c = field_at(q, -h, h, -h), d = field_at(q, h, h, h);
-    Vector n = {a - b - c + d, -a - b + c + d, -a + b - c + d};
-    ((GradientAnswer *)answer)->normal = vector_normalize(n);
+/** Asks it. See #Method.run. @param input A #GradientInput. @param[out] output A
+ * #GradientOutput. */
+static void gradient_tetrahedral_run(const void *input, void *output) {
+    const GradientInput *in = input;
+    real h = in->step, a = gradient_sphere_sdf(in, h, -h, -h),
+         b = gradient_sphere_sdf(in, -h, -h, h);
+    real c = gradient_sphere_sdf(in, -h, h, -h), d = gradient_sphere_sdf(in, h, h, h);
+    Vec3 n = {a - b - c + d, -a - b + c + d, -a + b - c + d};
+    ((GradientOutput *)output)->normal = vec3_normalize(n);
 }
 
-const Method gradient_tetrahedral = {.family = "gradient",
+const Method gradient_tetrahedral = {.group = "gradient",
                                      .name = "tetrahedral",
                                      .label = "tetrahedral",
-                                     .inputs = NUMBERS_OF(GradientQuestion),
-                                     .outputs = NUMBERS_OF(GradientAnswer),
-                                     .run = run};
+                                     .input_count = NUMBERS_IN(GradientInput),
+                                     .output_count = NUMBERS_IN(GradientOutput),
+                                     .run = gradient_tetrahedral_run};

@@ -3,10 +3,10 @@
  * @brief A method: one way of answering a question that every ray tracer asks, in every number
  *        type.
  *
- * The files of this folder are written over `real` (trace/real.h) as the tracer is, and compiled
- * once a number type. A method is one file with one `const Method`, and two lines in registry.h and
- * registry.c. What it is asked and what it answers are structs of nothing but `real`s, which all
- * methods of a family share (sphere.h, triangle.h, ...).
+ * The files of this folder are written over `real` (trace/math/real.h) as the tracer is, and
+ * compiled once a number type. A method is one file with one `const Method`, and two lines in
+ * registry.h and registry.c. What it is asked and what it answers are structs of nothing but
+ * `real`s, which all methods of a family share (sphere.h, triangle.h, ...).
  */
 #ifndef DIOPTRE_LAB_METHODS_METHOD_H
 #define DIOPTRE_LAB_METHODS_METHOD_H
@@ -15,11 +15,11 @@
 
 /** A method. */
 typedef struct Method {
-    const char *family; /**< Those that are asked the same, such as `sphere`. */
-    const char *name;   /**< Such as `textbook`. */
-    const char *label;  /**< The same in a chart, as short as can be. */
-    int inputs;         /**< Numbers of a question. */
-    int outputs;        /**< Numbers of an answer. */
+    const char *group; /**< Those that are asked the same, such as `sphere`. */
+    const char *name;  /**< Such as `textbook`. */
+    const char *label; /**< The same in a chart, as short as can be. */
+    int input_count;   /**< Numbers of a question. */
+    int output_count;  /**< Numbers of an answer. */
     /**
      * Answers a question.
      * @param question     The family's struct of questions, in the number type.
@@ -29,7 +29,7 @@ typedef struct Method {
 } Method;
 
 /** How many numbers a struct of nothing but `real`s has. */
-#define NUMBERS_OF(type) ((int)(sizeof(type) / sizeof(real)))
+#define NUMBERS_IN(type) ((int)(sizeof(type) / sizeof(real)))
 
 /** Most numbers of a question or an answer. */
 enum { METHOD_NUMBERS_MAXIMUM = 24 };
@@ -50,24 +50,25 @@ typedef struct NumberType {
      * @param questions     The numbers of each, which the type can hold.
      * @param[out] answers  The numbers of each answer, exactly.
      */
-    void (*ask)(const Method *method, size_t count, const Quadruple *questions, Quadruple *answers);
+    void (*evaluate)(const Method *method, size_t count, const Quadruple *questions,
+                     Quadruple *answers);
 
     /**
-     * Makes questions what methods want, for #repeat.
+     * Makes questions what methods want, for #evaluate_packed.
      * @param method     One of #methods.
      * @param count      How many questions.
      * @param questions  The numbers of each, which the type can hold.
      * @return They, to be given back with free; NULL without memory.
      */
-    void *(*pack)(const Method *method, size_t count, const Quadruple *questions);
+    void *(*pack_inputs)(const Method *method, size_t count, const Quadruple *questions);
 
     /**
      * Asks a method one question after the other and forgets the answers: for a clock.
      * @param method  One of #methods.
      * @param count   How many questions.
-     * @param packed  They, from #pack.
+     * @param packed  They, from #pack_inputs.
      */
-    void (*repeat)(const Method *method, size_t count, const void *packed);
+    void (*evaluate_packed)(const Method *method, size_t count, const void *packed);
 } NumberType;
 
 #endif

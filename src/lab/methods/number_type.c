@@ -3,7 +3,7 @@
  * @brief The number type that this folder is compiled for, as an object.
  */
 #include "lab/methods/registry.h"
-#include "trace/real.h"
+#include "trace/math/real.h"
 
 #include <stdlib.h>
 
@@ -13,44 +13,45 @@ static Quadruple number_round(Quadruple x) {
 }
 
 /**
- * Asks a method. See #NumberType.ask.
+ * Asks a method. See #NumberType.evaluate.
  * @param method        The method.
  * @param count         How many questions.
- * @param questions     The numbers of each.
- * @param[out] answers  The numbers of each answer.
+ * @param inputs     The numbers of each.
+ * @param[out] outputs  The numbers of each answer.
  */
-static void number_ask(const Method *method, size_t count, const Quadruple *questions,
-                       Quadruple *answers) {
-    real question[METHOD_NUMBERS_MAXIMUM], answer[METHOD_NUMBERS_MAXIMUM];
+static void number_evaluate(const Method *method, size_t count, const Quadruple *inputs,
+                            Quadruple *outputs) {
+    real input[METHOD_NUMBERS_MAXIMUM], output[METHOD_NUMBERS_MAXIMUM];
     for (size_t n = 0; n < count; n++) {
-        for (int i = 0; i < method->inputs; i++) {
-            question[i] = (scalar)*questions++;
+        for (int i = 0; i < method->input_count; i++) {
+            input[i] = (scalar)*inputs++;
         }
-        method->run(question, answer);
-        for (int i = 0; i < method->outputs; i++) {
-            *answers++ = (Quadruple)answer[i];
+        method->run(input, output);
+        for (int i = 0; i < method->output_count; i++) {
+            *outputs++ = (Quadruple)output[i];
         }
     }
 }
 
-/** @return Questions as methods want them. See #NumberType.pack. @param method The method.
- *  @param count How many. @param questions The numbers of each. */
-static void *number_pack(const Method *method, size_t count, const Quadruple *questions) {
-    size_t numbers = count * (size_t)method->inputs;
+/** @return Questions as methods want them. See #NumberType.pack_inputs. @param method The method.
+ *  @param count How many. @param inputs The numbers of each. */
+static void *number_pack(const Method *method, size_t count, const Quadruple *inputs) {
+    size_t numbers = count * (size_t)method->input_count;
     real *packed = calloc(numbers, sizeof *packed);
     for (size_t i = 0; packed && i < numbers; i++) {
-        packed[i] = (scalar)questions[i];
+        packed[i] = (scalar)inputs[i];
     }
     return packed;
 }
 
-/** Asks a method and forgets the answers. See #NumberType.repeat. @param method The method.
+/** Asks a method and forgets the answers. See #NumberType.evaluate_packed. @param method The
+ * method.
  *  @param count How many questions. @param packed They. */
-static void number_repeat(const Method *method, size_t count, const void *packed) {
-    real answer[METHOD_NUMBERS_MAXIMUM];
+static void number_evaluate_packed(const Method *method, size_t count, const void *packed) {
+    real output[METHOD_NUMBERS_MAXIMUM];
     const real *question = packed;
-    for (size_t n = 0; n < count; n++, question += method->inputs) {
-        method->run(question, answer);
+    for (size_t n = 0; n < count; n++, question += method->input_count) {
+        method->run(question, output);
     }
 }
 
@@ -61,6 +62,6 @@ const NumberType NUMBER_TYPE = {.name = NUMBER_TYPE_NAME,
                                 .mantissa_bits = MANTISSA_BITS,
                                 .methods = method_list,
                                 .round = number_round,
-                                .ask = number_ask,
-                                .pack = number_pack,
-                                .repeat = number_repeat};
+                                .evaluate = number_evaluate,
+                                .pack_inputs = number_pack,
+                                .evaluate_packed = number_evaluate_packed};

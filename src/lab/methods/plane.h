@@ -6,20 +6,20 @@
 #define DIOPTRE_LAB_METHODS_PLANE_H
 
 #include "lab/methods/method.h"
-#include "trace/vector.h"
+#include "trace/math/vec3.h"
 
 /** A ray and a plane. */
-typedef struct PlaneQuestion {
-    Vector origin;    /**< Where the ray starts: P0. */
-    Vector direction; /**< Which way: d. */
-    Vector point;     /**< A point of the plane: Q. */
-    Vector normal;    /**< Its normal: N. */
-    real offset;      /**< N.Q, worked out once and better than the number type could. */
-} PlaneQuestion;
+typedef struct PlaneInput {
+    Vec3 origin;    /**< Where the ray starts: P0. */
+    Vec3 direction; /**< Which way: d. */
+    Vec3 point;     /**< A point of the plane: Q. */
+    Vec3 normal;    /**< Its normal: N. */
+    real offset;    /**< N.Q, worked out once and better than the number type could. */
+} PlaneInput;
 
 /** How far it is; NaN or infinite where the ray runs along it. */
-typedef struct PlaneAnswer {
+typedef struct PlaneOutput {
     real distance; /**< In lengths of the direction. */
-} PlaneAnswer;
+} PlaneOutput;
 
 #endif

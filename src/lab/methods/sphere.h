@@ -6,24 +6,24 @@
 #define DIOPTRE_LAB_METHODS_SPHERE_H
 
 #include "lab/methods/method.h"
-#include "trace/vector.h"
+#include "trace/math/vec3.h"
 
 /** A ray and a sphere. */
-typedef struct SphereQuestion {
-    Vector origin;    /**< Where the ray starts: P0. */
-    Vector direction; /**< Which way, of length 1 but for rounding: d. */
-    Vector center;    /**< The sphere's centre: C. */
-    real radius;      /**< Its radius: R. */
-} SphereQuestion;
+typedef struct SphereInput {
+    Vec3 origin;    /**< Where the ray starts: P0. */
+    Vec3 direction; /**< Which way, of length 1 but for rounding: d. */
+    Vec3 center;    /**< The sphere's centre: C. */
+    real radius;    /**< Its radius: R. */
+} SphereInput;
 
 /** How far it is, or #INFINITE where the ray misses. */
-typedef struct SphereAnswer {
+typedef struct SphereOutput {
     real distance; /**< In lengths of the direction. */
-} SphereAnswer;
+} SphereOutput;
 
 /** @return The nearest of two roots that lies ahead, or #INFINITE. @param near The smaller root.
  *  @param far The larger. */
-static inline real nearest_ahead(real near, real far) {
+static inline real sphere_nearest_root(real near, real far) {
     return near > 0 ? near : far > 0 ? far : INFINITE;
 }
 

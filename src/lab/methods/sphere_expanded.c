@@ -9,24 +9,25 @@
  */
 #include "lab/methods/sphere.h"
 
-/** Asks it. See #Method.run. @param question A #SphereQuestion. @param[out] answer A
- *  #SphereAnswer. */
-static void run(const void *question, void *answer) {
-    const SphereQuestion *q = question;
-    Vector p = q->origin, d = q->direction, center = q->center;
-    real a = vector_dot(d, d);
-    real b = 2 * (vector_dot(d, p) - vector_dot(d, center));
-    real c = vector_dot(p, p) + vector_dot(center, center) - 2 * vector_dot(p, center) -
-             q->radius * q->radius;
+/** Asks it. See #Method.run. @param input A #SphereInput. @param[out] output A
+ *  #SphereOutput. */
+static void sphere_expanded_run(const void *input, void *output) {
+    const SphereInput *in = input;
+    Vec3 p = in->origin, d = in->direction, center = in->center;
+    real a = vec3_dot(d, d);
+    real b = 2 * (vec3_dot(d, p) - vec3_dot(d, center));
+    real c = vec3_dot(p, p) + vec3_dot(center, center) - 2 * vec3_dot(p, center) -
+             in->radius * in->radius;
     real discriminant = b * b - 4 * a * c;
     real root = real_sqrt(discriminant);
-    ((SphereAnswer *)answer)->distance =
-        discriminant >= 0 ? nearest_ahead((-b - root) / (2 * a), (-b + root) / (2 * a)) : INFINITE;
+    ((SphereOutput *)output)->distance =
+        discriminant >= 0 ? sphere_nearest_root((-b - root) / (2 * a), (-b + root) / (2 * a))
+                          : INFINITE;
 }
 
-const Method sphere_expanded = {.family = "sphere",
+const Method sphere_expanded = {.group = "sphere",
                                 .name = "expanded",
                                 .label = "expanded",
-                                .inputs = NUMBERS_OF(SphereQuestion),
-                                .outputs = NUMBERS_OF(SphereAnswer),
-                                .run = run};
+                                .input_count = NUMBERS_IN(SphereInput),
+                                .output_count = NUMBERS_IN(SphereOutput),
+                                .run = sphere_expanded_run};

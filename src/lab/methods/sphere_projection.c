@@ -9,22 +9,23 @@
  */
 #include "lab/methods/sphere.h"
 
-/** Asks it. See #Method.run. @param question A #SphereQuestion. @param[out] answer A
- *  #SphereAnswer. */
-static void run(const void *question, void *answer) {
-    const SphereQuestion *q = question;
-    Vector d = q->direction;
-    real l = vector_dot(vector_subtract(q->center, q->origin), d);
-    Vector nearest = vector_add(q->origin, vector_scale(d, l));
-    Vector v = vector_subtract(nearest, q->center);
-    real h_squared = q->radius * q->radius - vector_dot(v, v);
+/** Asks it. See #Method.run. @param input A #SphereInput. @param[out] output A
+ *  #SphereOutput. */
+static void sphere_projection_run(const void *input, void *output) {
+    const SphereInput *in = input;
+    Vec3 d = in->direction;
+    real l = vec3_dot(vec3_subtract(in->center, in->origin), d);
+    Vec3 nearest = vec3_add(in->origin, vec3_scale(d, l));
+    Vec3 v = vec3_subtract(nearest, in->center);
+    real h_squared = in->radius * in->radius - vec3_dot(v, v);
     real h = real_sqrt(h_squared);
-    ((SphereAnswer *)answer)->distance = h_squared >= 0 ? nearest_ahead(l - h, l + h) : INFINITE;
+    ((SphereOutput *)output)->distance =
+        h_squared >= 0 ? sphere_nearest_root(l - h, l + h) : INFINITE;
 }
 
-const Method sphere_projection = {.family = "sphere",
+const Method sphere_projection = {.group = "sphere",
                                   .name = "projection",
                                   .label = "projection",
-                                  .inputs = NUMBERS_OF(SphereQuestion),
-                                  .outputs = NUMBERS_OF(SphereAnswer),
-                                  .run = run};
+                                  .input_count = NUMBERS_IN(SphereInput),
+                                  .output_count = NUMBERS_IN(SphereOutput),
+                                  .run = sphere_projection_run};

@@ -9,21 +9,22 @@
  */
 #include "lab/methods/sphere.h"
 
-/** Asks it. See #Method.run. @param question A #SphereQuestion. @param[out] answer A
- *  #SphereAnswer. */
-static void run(const void *question, void *answer) {
-    const SphereQuestion *q = question;
-    Vector d = q->direction, f = vector_subtract(q->center, q->origin);
-    real l = vector_dot(f, d);
-    Vector v = vector_subtract(vector_scale(d, l), f);
-    real h_squared = q->radius * q->radius - vector_dot(v, v);
+/** Asks it. See #Method.run. @param input A #SphereInput. @param[out] output A
+ *  #SphereOutput. */
+static void sphere_projection_relative_run(const void *input, void *output) {
+    const SphereInput *in = input;
+    Vec3 d = in->direction, f = vec3_subtract(in->center, in->origin);
+    real l = vec3_dot(f, d);
+    Vec3 v = vec3_subtract(vec3_scale(d, l), f);
+    real h_squared = in->radius * in->radius - vec3_dot(v, v);
     real h = real_sqrt(h_squared);
-    ((SphereAnswer *)answer)->distance = h_squared >= 0 ? nearest_ahead(l - h, l + h) : INFINITE;
+    ((SphereOutput *)output)->distance =
+        h_squared >= 0 ? sphere_nearest_root(l - h, l + h) : INFINITE;
 }
 
-const Method sphere_projection_relative = {.family = "sphere",
+const Method sphere_projection_relative = {.group = "sphere",
                                            .name = "relative projection",
                                            .label = "relative",
-                                           .inputs = NUMBERS_OF(SphereQuestion),
-                                           .outputs = NUMBERS_OF(SphereAnswer),
-                                           .run = run};
+                                           .input_count = NUMBERS_IN(SphereInput),
+                                           .output_count = NUMBERS_IN(SphereOutput),
+                                           .run = sphere_projection_relative_run};

@@ -9,23 +9,24 @@
  */
 #include "lab/methods/sphere.h"
 
-/** Asks it. See #Method.run. @param question A #SphereQuestion. @param[out] answer A
- *  #SphereAnswer. */
-static void run(const void *question, void *answer) {
-    const SphereQuestion *q = question;
-    Vector f = vector_subtract(q->origin, q->center), d = q->direction;
-    real a = vector_dot(d, d);
-    real b = 2 * vector_dot(f, d);
-    real c = vector_dot(f, f) - q->radius * q->radius;
+/** Asks it. See #Method.run. @param input A #SphereInput. @param[out] output A
+ *  #SphereOutput. */
+static void sphere_textbook_run(const void *input, void *output) {
+    const SphereInput *in = input;
+    Vec3 f = vec3_subtract(in->origin, in->center), d = in->direction;
+    real a = vec3_dot(d, d);
+    real b = 2 * vec3_dot(f, d);
+    real c = vec3_dot(f, f) - in->radius * in->radius;
     real discriminant = b * b - 4 * a * c;
     real root = real_sqrt(discriminant);
-    ((SphereAnswer *)answer)->distance =
-        discriminant >= 0 ? nearest_ahead((-b - root) / (2 * a), (-b + root) / (2 * a)) : INFINITE;
+    ((SphereOutput *)output)->distance =
+        discriminant >= 0 ? sphere_nearest_root((-b - root) / (2 * a), (-b + root) / (2 * a))
+                          : INFINITE;
 }
 
-const Method sphere_textbook = {.family = "sphere",
+const Method sphere_textbook = {.group = "sphere",
                                 .name = "textbook",
                                 .label = "textbook",
-                                .inputs = NUMBERS_OF(SphereQuestion),
-                                .outputs = NUMBERS_OF(SphereAnswer),
-                                .run = run};
+                                .input_count = NUMBERS_IN(SphereInput),
+                                .output_count = NUMBERS_IN(SphereOutput),
+                                .run = sphere_textbook_run};

@@ -11,28 +11,28 @@
 
 /** @return The determinant of three columns. @param a The first. @param b The second. @param c The
  *  third. */
-static real determinant_of(Vector a, Vector b, Vector c) {
+static real triangle_determinant(Vec3 a, Vec3 b, Vec3 c) {
     return a.x * (b.y * c.z - b.z * c.y) - b.x * (a.y * c.z - a.z * c.y) +
            c.x * (a.y * b.z - a.z * b.y);
 }
 
-/** Asks it. See #Method.run. @param question A #TriangleQuestion. @param[out] answer A
- * #TriangleAnswer. */
-static void run(const void *question, void *answer) {
-    const TriangleQuestion *q = question;
-    Vector e1 = vector_subtract(q->b, q->a), e2 = vector_subtract(q->c, q->a);
-    Vector s = vector_subtract(q->origin, q->a), back = vector_scale(q->direction, -1);
-    real determinant = determinant_of(e1, e2, back);
-    real u = determinant_of(s, e2, back) / determinant;
-    real v = determinant_of(e1, s, back) / determinant;
-    real t = determinant_of(e1, e2, s) / determinant;
+/** Asks it. See #Method.run. @param input A #TriangleInput. @param[out] output A
+ * #TriangleOutput. */
+static void triangle_cramer_run(const void *input, void *output) {
+    const TriangleInput *in = input;
+    Vec3 e1 = vec3_subtract(in->b, in->a), e2 = vec3_subtract(in->c, in->a);
+    Vec3 s = vec3_subtract(in->origin, in->a), back = vec3_scale(in->direction, -1);
+    real determinant = triangle_determinant(e1, e2, back);
+    real u = triangle_determinant(s, e2, back) / determinant;
+    real v = triangle_determinant(e1, s, back) / determinant;
+    real t = triangle_determinant(e1, e2, s) / determinant;
     int is_met = determinant != 0 && u >= 0 && v >= 0 && u + v <= 1 && t > 0;
-    ((TriangleAnswer *)answer)->distance = is_met ? t : INFINITE;
+    ((TriangleOutput *)output)->distance = is_met ? t : INFINITE;
 }
 
-const Method triangle_cramer = {.family = "triangle",
+const Method triangle_cramer = {.group = "triangle",
                                 .name = "Cramer",
                                 .label = "Cramer",
-                                .inputs = NUMBERS_OF(TriangleQuestion),
-                                .outputs = NUMBERS_OF(TriangleAnswer),
-                                .run = run};
+                                .input_count = NUMBERS_IN(TriangleInput),
+                                .output_count = NUMBERS_IN(TriangleOutput),
+                                .run = triangle_cramer_run};

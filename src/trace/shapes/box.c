@@ -18,8 +18,8 @@
 
 /** What a scene file says of a box. */
 typedef struct BoxParameters {
-    Vector3 min; /**< Lowest corner. */
-    Vector3 max; /**< Highest corner. */
+    Vec3d min; /**< Lowest corner. */
+    Vec3d max; /**< Highest corner. */
 } BoxParameters;
 
 /** A box. @extends Shape */
@@ -30,12 +30,12 @@ typedef struct Box {
 } Box;
 
 /** Where LANES rays enter and leave a box. */
-typedef struct Slabs {
+typedef struct BoxInterval {
     real near;         /**< Where they are between all pairs of planes. */
     real far;          /**< Where they no longer are. */
     integer near_axis; /**< The axis whose pair they enter last. */
     integer far_axis;  /**< The axis whose pair they leave first. */
-} Slabs;
+} BoxInterval;
 
 /** Fields of `box`. */
 static const Parameter box_parameters[] = {{.name = "min",
@@ -84,22 +84,23 @@ static void box_init(Shape *self, const void *parameters) {
 
 /**
  * Narrows an interval to the part of the rays between one pair of planes.
- * @param[in,out] slabs  The interval.
+ * @param[in,out] interval  The interval.
  * @param axis     0, 1 or 2 for x, y or z.
  * @param low      The lower plane.
  * @param high     The higher plane.
  * @param origin   Where the rays start, along the axis.
  * @param inverse  1 / direction, along the axis.
  */
-INLINE void slabs_clip(Slabs *slabs, int axis, scalar low, scalar high, real origin, real inverse) {
+INLINE void box_interval_clip(BoxInterval *interval, int axis, scalar low, scalar high, real origin,
+                              real inverse) {
     mask is_downwards = inverse < 0;
     real enter = (real_select(is_downwards, real_of(high), real_of(low)) - origin) * inverse;
     real leave = (real_select(is_downwards, real_of(low), real_of(high)) - origin) * inverse;
-    mask is_later = enter > slabs->near, is_earlier = leave < slabs->far;
-    slabs->near = real_select(is_later, enter, slabs->near);
-    slabs->near_axis = integer_select(is_later, integer_of(axis), slabs->near_axis);
-    slabs->far = real_select(is_earlier, leave, slabs->far);
-    slabs->far_axis = integer_select(is_earlier, integer_of(axis), slabs->far_axis);
+    mask is_later = enter > interval->near, is_earlier = leave < interval->far;
+    interval->near = real_select(is_later, enter, interval->near);
+    interval->near_axis = integer_select(is_later, integer_of(axis), interval->near_axis);
+    interval->far = real_select(is_earlier, leave, interval->far);
+    interval->far_axis = integer_select(is_earlier, integer_of(axis), interval->far_axis);
 }
 
 /**
@@ -107,7 +108,7 @@ INLINE void slabs_clip(Slabs *slabs, int axis, scalar low, scalar high, real ori
  *         it one that came in.
  * @param ray  The rays.
  */
-INLINE mask ray_is_number(const Ray *ray) {
+INLINE mask ray_has_no_nan(const Ray *ray) {
     real sum = (ray->origin.x + ray->origin.y + ray->origin.z) +
                (ray->direction.x + ray->direction.y + ray->direction.z);
     return sum == sum;
@@ -118,16 +119,17 @@ INLINE mask ray_is_number(const Ray *ray) {
  * @param box         The box.
  * @param ray         The rays.
  * @param active      The lanes that count.
- * @param[out] slabs  Where.
+ * @param[out] interval  Where.
  * @return The lanes whose line meets the box.
  */
-INLINE mask box_slabs(const Box *box, const Ray *ray, mask active, Slabs *slabs) {
+INLINE mask box_intersect(const Box *box, const Ray *ray, mask active, BoxInterval *interval) {
     const scalar *low = box->low, *high = box->high;
-    *slabs = (Slabs){real_of(-INFINITE), real_of(INFINITE), integer_of(0), integer_of(0)};
-    slabs_clip(slabs, 0, low[0], high[0], ray->origin.x, ray->inverse.x);
-    slabs_clip(slabs, 1, low[1], high[1], ray->origin.y, ray->inverse.y);
-    slabs_clip(slabs, 2, low[2], high[2], ray->origin.z, ray->inverse.z);
-    return active & ray_is_number(ray) & (slabs->far > 0) & (slabs->near <= slabs->far * BOX_SLACK);
+    *interval = (BoxInterval){real_of(-INFINITE), real_of(INFINITE), integer_of(0), integer_of(0)};
+    box_interval_clip(interval, 0, low[0], high[0], ray->origin.x, ray->inverse_direction.x);
+    box_interval_clip(interval, 1, low[1], high[1], ray->origin.y, ray->inverse_direction.y);
+    box_interval_clip(interval, 2, low[2], high[2], ray->origin.z, ray->inverse_direction.z);
+    return active & ray_has_no_nan(ray) & (interval->far > 0) &
+           (interval->near <= interval->far * BOX_SLACK);
 }
 
 /**
@@ -138,24 +140,24 @@ INLINE mask box_slabs(const Box *box, const Ray *ray, mask active, Slabs *slabs)
  * @param face      The axis of the face.
  * @param is_high   Whether it is the face with the highest coordinate.
  */
-INLINE void box_put_on_face(Hit *found, const Box *box, integer face, mask is_high) {
+INLINE void box_snap_to_face(Hit *found, const Box *box, integer face, mask is_high) {
     real *point[3] = {&found->point.x, &found->point.y, &found->point.z};
     real *normal[3] = {&found->normal.x, &found->normal.y, &found->normal.z};
     real sign = real_select(is_high, real_of(1), real_of(-1));
     for (int axis = 0; axis < 3; axis++) {
-        mask here = face == integer_of(axis);
+        mask is_face_axis = face == integer_of(axis);
         real low = real_of(box->low[axis]), high = real_of(box->high[axis]);
         real inside = real_min(real_max(*point[axis], low), high);
-        *point[axis] = real_select(here, real_select(is_high, high, low), inside);
-        *normal[axis] = real_select(here, sign, real_of(0));
+        *point[axis] = real_select(is_face_axis, real_select(is_high, high, low), inside);
+        *normal[axis] = real_select(is_face_axis, sign, real_of(0));
     }
 }
 
 /** @return Whether rays go up along an axis. @param ray The rays. @param axis The axis, a lane. */
-INLINE mask box_goes_up(const Ray *ray, integer axis) {
+INLINE mask ray_goes_up_along(const Ray *ray, integer axis) {
     mask x = axis == integer_of(0), y = axis == integer_of(1);
-    return (x & (ray->inverse.x > 0)) | (y & (ray->inverse.y > 0)) |
-           (mask_not(x | y) & (ray->inverse.z > 0));
+    return (x & (ray->inverse_direction.x > 0)) | (y & (ray->inverse_direction.y > 0)) |
+           (mask_not(x | y) & (ray->inverse_direction.z > 0));
 }
 
 /** @return The lanes where the box is nearer. See #ShapeClass.is_hit. @callgraph
@@ -163,65 +165,65 @@ INLINE mask box_goes_up(const Ray *ray, integer axis) {
  */
 static mask box_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
     const Box *box = (const Box *)self;
-    Slabs slabs;
-    mask crosses = box_slabs(box, ray, active, &slabs);
-    mask is_outside = slabs.near > 0;
-    real distance = real_select(is_outside, slabs.near, slabs.far);
-    mask nearer = hit_is_nearer(hit, crosses, distance, self->place);
+    BoxInterval interval;
+    mask crosses = box_intersect(box, ray, active, &interval);
+    mask is_outside = interval.near > 0;
+    real distance = real_select(is_outside, interval.near, interval.far);
+    mask nearer = hit_is_nearer(hit, crosses, distance, self->index);
     if (!any(nearer)) {
         return nearer;
     }
     // Entering upwards or leaving downwards, a ray is on the low face of the axis.
-    integer face = integer_select(is_outside, slabs.near_axis, slabs.far_axis);
-    mask goes_up = box_goes_up(ray, face);
+    integer face = integer_select(is_outside, interval.near_axis, interval.far_axis);
+    mask goes_up = ray_goes_up_along(ray, face);
     mask is_high = (is_outside & mask_not(goes_up)) | (mask_not(is_outside) & goes_up);
-    Hit found = hit_nothing(distance);
-    found.point = vector_add(ray->origin, vector_scale(ray->direction, distance));
-    box_put_on_face(&found, box, face, is_high);
-    found.error = BOX_ERROR * ROUNDOFF * vector_largest(found.point);
-    found.shape = integer_of(self->place);
-    hit_take(hit, nearer, &found);
+    Hit found = hit_none(distance);
+    found.point = vec3_add(ray->origin, vec3_scale(ray->direction, distance));
+    box_snap_to_face(&found, box, face, is_high);
+    found.error = BOX_ERROR * ROUNDOFF * vec3_max_abs(found.point);
+    found.shape = integer_of(self->index);
+    hit_update(hit, nearer, &found);
     return nearer;
 }
 
-/** @return The lanes where the box is on the way. See #ShapeClass.is_blocking.
+/** @return The lanes where the box is on the way. See #ShapeClass.is_occluding.
  *  @param self The box. @param ray The rays. @param active The lanes. @param limit The way's end.
  */
-static mask box_is_blocking(const Shape *self, const Ray *ray, mask active, real limit) {
-    Slabs slabs;
-    mask crosses = box_slabs((const Box *)self, ray, active, &slabs);
-    return crosses & (real_select(slabs.near > 0, slabs.near, slabs.far) < limit);
+static mask box_is_occluding(const Shape *self, const Ray *ray, mask active, real limit) {
+    BoxInterval interval;
+    mask crosses = box_intersect((const Box *)self, ray, active, &interval);
+    return crosses & (real_select(interval.near > 0, interval.near, interval.far) < limit);
 }
 
 /** @return The box around a box. @param self The box. */
-static Bounds box_bounds(const Shape *self) {
+static Aabbs box_bounds(const Shape *self) {
     const scalar *low = ((const Box *)self)->low, *high = ((const Box *)self)->high;
-    return bounds_around((Vector3){(double)low[0], (double)low[1], (double)low[2]},
-                         (Vector3){(double)high[0], (double)high[1], (double)high[2]});
+    return aabbs_from_corners((Vec3d){(double)low[0], (double)low[1], (double)low[2]},
+                              (Vec3d){(double)high[0], (double)high[1], (double)high[2]});
 }
 
 /**
- * @return Where on a picture points of a box lie. Each face shows all of the picture, as upright_of
- *         says. See #ShapeClass.texture_place.
+ * @return Where on a picture points of a box lie. Each face shows all of the picture, as
+ * uv_frame_of says. See #ShapeClass.texture_uv.
  * @param self   The box.
  * @param hit    The points.
  * @param lanes  Not looked at.
  */
-static TexturePlace box_texture_place(const Shape *self, const Hit *hit, mask lanes) {
+static TextureUv box_texture_uv(const Shape *self, const Hit *hit, mask lanes) {
     (void)lanes;
     const Box *box = (const Box *)self;
     const real zero = real_of(0), one = real_of(1), half = real_of((scalar)0.5f);
-    Vector n = hit->normal;
+    Vec3 n = hit->normal;
     real x = (hit->point.x - box->low[0]) / real_of(box->high[0] - box->low[0]);
     real y = (hit->point.y - box->low[1]) / real_of(box->high[1] - box->low[1]);
     real z = (hit->point.z - box->low[2]) / real_of(box->high[2] - box->low[2]);
     mask on_x = real_abs(n.x) > half, on_y = real_abs(n.y) > half;
     real along_z = real_select(n.x > zero, one - z, z),
          along_x = real_select(n.z < zero, one - x, x);
-    return (TexturePlace){.u = real_select(on_x, along_z, real_select(on_y, x, along_x)),
-                          .v = real_select(on_y, real_select(n.y > zero, one - z, z), y),
-                          .around_u = mask_of(false),
-                          .around_v = mask_of(false)};
+    return (TextureUv){.u = real_select(on_x, along_z, real_select(on_y, x, along_x)),
+                       .v = real_select(on_y, real_select(n.y > zero, one - z, z), y),
+                       .wrap_u = mask_of(false),
+                       .wrap_v = mask_of(false)};
 }
 
 const ShapeClass box_class = {
@@ -235,7 +237,7 @@ const ShapeClass box_class = {
     .is_flat = true,
     .init = box_init,
     .is_hit = box_is_hit,
-    .is_blocking = box_is_blocking,
+    .is_occluding = box_is_occluding,
     .bounds = box_bounds,
-    .texture_place = box_texture_place,
+    .texture_uv = box_texture_uv,
 };

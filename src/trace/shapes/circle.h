@@ -5,7 +5,7 @@
 #ifndef DIOPTRE_TRACE_SHAPES_CIRCLE_H
 #define DIOPTRE_TRACE_SHAPES_CIRCLE_H
 
-#include "trace/vector.h"
+#include "trace/math/vec3.h"
 
 /**
  * @return How far a circle reaches from its centre along x, y and z: radius * sqrt(1 - n_i^2), by
@@ -13,9 +13,9 @@
  * @param normal  The circle's unit normal.
  * @param radius  Its radius, scene units.
  */
-static inline Vector3 circle_reach(WidePoint normal, wide_scalar radius) {
+static inline Vec3d circle_extent(Vec3sw normal, wide_scalar radius) {
     double x = (double)normal.x, y = (double)normal.y, z = (double)normal.z, r = (double)radius;
-    return (Vector3){r * sqrt(y * y + z * z), r * sqrt(z * z + x * x), r * sqrt(x * x + y * y)};
+    return (Vec3d){r * sqrt(y * y + z * z), r * sqrt(z * z + x * x), r * sqrt(x * x + y * y)};
 }
 
 #endif

@@ -7,22 +7,22 @@
  * the outline of a far disk is as good as that of a near one.
  */
 #include "trace/shapes/circle.h"
-#include "trace/shapes/flat.h"
+#include "trace/shapes/plane_equation.h"
 #include "trace/shapes/registry.h"
-#include "trace/shapes/upright.h"
+#include "trace/shapes/uv_frame.h"
 
 /** What a scene file says of a disk. */
 typedef struct DiskParameters {
-    Vector3 center; /**< Its centre. */
-    Vector3 normal; /**< Its normal, of any length. */
-    double radius;  /**< Its radius, scene units. */
+    Vec3d center;  /**< Its centre. */
+    Vec3d normal;  /**< Its normal, of any length. */
+    double radius; /**< Its radius, scene units. */
 } DiskParameters;
 
 /** A disk. @extends Shape */
 typedef struct Disk {
-    Shape base;         /**< What all shapes have. */
-    Flat flat;          /**< The plane that it lies in; its anchor is the centre. */
-    wide_scalar radius; /**< Its radius. */
+    Shape base;          /**< What all shapes have. */
+    PlaneEquation plane; /**< The plane that it lies in; its anchor is the centre. */
+    wide_scalar radius;  /**< Its radius. */
 } Disk;
 
 /** Fields of `disk`. */
@@ -56,7 +56,7 @@ static const DiskParameters disk_defaults = {.normal = {0, 1, 0}, .radius = 1};
 static void disk_init(Shape *self, const void *parameters) {
     Disk *disk = (Disk *)self;
     const DiskParameters *p = parameters;
-    disk->flat = flat_of(p->center, wide_point_of(vector3_scaled(p->normal)));
+    disk->plane = plane_equation_of(p->center, vec3sw_of(vec3d_scale_exponent(p->normal)));
     disk->radius = (wide_scalar)p->radius;
 }
 
@@ -67,14 +67,15 @@ static void disk_init(Shape *self, const void *parameters) {
  * @param active         The lanes that count.
  * @param[out] distance  Where it crosses the disk's plane.
  */
-INLINE mask disk_crosses(const Disk *disk, const Ray *ray, mask active, real *distance) {
-    Crossing crossing = flat_crossing(&disk->flat, ray);
-    *distance = crossing_distance(&crossing);
+INLINE mask disk_intersect(const Disk *disk, const Ray *ray, mask active, real *distance) {
+    PlaneHit plane_hit = plane_equation_intersect(&disk->plane, ray);
+    *distance = plane_hit_distance(&plane_hit);
     // From the centre to the point is direction * height / slope - to_anchor; here times the slope.
-    WideVector along = wide_scale(vector_widen(ray->direction), crossing.height);
-    WideVector arm = wide_add_scaled(along, crossing.to_anchor, -crossing.slope);
-    wide reach = crossing.slope * wide_of(disk->radius);
-    return active & narrow_mask(wide_at_most(wide_dot(arm, arm), reach * reach));
+    Vec3w scaled_direction = vec3w_scale(vec3_widen(ray->direction), plane_hit.height);
+    Vec3w from_center = vec3w_add_scaled(scaled_direction, plane_hit.to_anchor, -plane_hit.slope);
+    wide scaled_radius = plane_hit.slope * wide_of(disk->radius);
+    return active & narrow_mask(wide_less_equal(vec3w_dot(from_center, from_center),
+                                                scaled_radius * scaled_radius));
 }
 
 /** @return The lanes where the disk is nearer. See #ShapeClass.is_hit. @callgraph
@@ -83,42 +84,42 @@ INLINE mask disk_crosses(const Disk *disk, const Ray *ray, mask active, real *di
 static mask disk_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
     const Disk *disk = (const Disk *)self;
     real distance;
-    mask crosses = disk_crosses(disk, ray, active, &distance);
-    mask nearer = hit_is_nearer(hit, crosses, distance, self->place);
+    mask crosses = disk_intersect(disk, ray, active, &distance);
+    mask nearer = hit_is_nearer(hit, crosses, distance, self->index);
     if (any(nearer)) {
-        Hit found = flat_hit(&disk->flat, ray, distance, self->place);
-        hit_take(hit, nearer, &found);
+        Hit found = plane_equation_hit(&disk->plane, ray, distance, self->index);
+        hit_update(hit, nearer, &found);
     }
     return nearer;
 }
 
-/** @return The lanes where the disk is on the way. See #ShapeClass.is_blocking.
+/** @return The lanes where the disk is on the way. See #ShapeClass.is_occluding.
  *  @param self The disk. @param ray The rays. @param active The lanes. @param limit The way's end.
  */
-static mask disk_is_blocking(const Shape *self, const Ray *ray, mask active, real limit) {
+static mask disk_is_occluding(const Shape *self, const Ray *ray, mask active, real limit) {
     real distance;
-    mask crosses = disk_crosses((const Disk *)self, ray, active, &distance);
+    mask crosses = disk_intersect((const Disk *)self, ray, active, &distance);
     return crosses & (distance > 0) & (distance < limit);
 }
 
 /** @return The box around a disk. @param self The disk. */
-static Bounds disk_bounds(const Shape *self) {
+static Aabbs disk_bounds(const Shape *self) {
     const Disk *disk = (const Disk *)self;
-    Vector3 center = vector3_of(disk->flat.wide_anchor);
-    Vector3 reach = circle_reach(disk->flat.wide_normal, disk->radius);
-    return bounds_around(vector3_subtract(center, reach), vector3_add(center, reach));
+    Vec3d center = vec3d_of(disk->plane.wide_anchor);
+    Vec3d extent = circle_extent(disk->plane.wide_normal, disk->radius);
+    return aabbs_from_corners(vec3d_subtract(center, extent), vec3d_add(center, extent));
 }
 
 /** @return Where on a picture points of a disk lie: on the circle that just fits into it. See
- *  #ShapeClass.texture_place. @param self The disk. @param hit The points. @param lanes Not looked
+ *  #ShapeClass.texture_uv. @param self The disk. @param hit The points. @param lanes Not looked
  *  at. */
-static TexturePlace disk_texture_place(const Shape *self, const Hit *hit, mask lanes) {
+static TextureUv disk_texture_uv(const Shape *self, const Hit *hit, mask lanes) {
     (void)lanes;
     const Disk *disk = (const Disk *)self;
-    Upright upright = upright_of(disk->flat.wide_normal);
-    WideVector arm =
-        wide_subtract(vector_widen(hit->point), wide_vector_of(disk->flat.wide_anchor));
-    return circle_texture_place(wide_scale(arm, wide_of(1 / disk->radius)), &upright);
+    UvFrame frame = uv_frame_of(disk->plane.wide_normal);
+    Vec3w from_center =
+        vec3w_subtract(vec3_widen(hit->point), vec3w_splat(disk->plane.wide_anchor));
+    return circle_texture_uv(vec3w_scale(from_center, wide_of(1 / disk->radius)), &frame);
 }
 
 const ShapeClass disk_class = {
@@ -131,7 +132,7 @@ const ShapeClass disk_class = {
     .is_flat = true,
     .init = disk_init,
     .is_hit = disk_is_hit,
-    .is_blocking = disk_is_blocking,
+    .is_occluding = disk_is_occluding,
     .bounds = disk_bounds,
-    .texture_place = disk_texture_place,
+    .texture_uv = disk_texture_uv,
 };

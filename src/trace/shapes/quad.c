@@ -2,25 +2,25 @@
  * @file
  * @brief Quad: a parallelogram, seen from both sides.
  */
-#include "trace/shapes/flat.h"
+#include "trace/shapes/plane_equation.h"
 #include "trace/shapes/registry.h"
-#include "trace/shapes/shear.h"
+#include "trace/shapes/watertight.h"
 
 /** Corners of a quad. */
 enum { QUAD_CORNERS = 4 };
 
 /** What a scene file says of a quad. */
 typedef struct QuadParameters {
-    Vector3 corner; /**< One corner. */
-    Vector3 u;      /**< From it to the next. */
-    Vector3 v;      /**< From it to the one on the other side. */
+    Vec3d corner; /**< One corner. */
+    Vec3d u;      /**< From it to the next. */
+    Vec3d v;      /**< From it to the one on the other side. */
 } QuadParameters;
 
 /** A quad. @extends Shape */
 typedef struct Quad {
     Shape base;                   /**< What all shapes have. */
-    Flat flat;                    /**< The plane that it lies in; its normal is u x v. */
-    Corner corners[QUAD_CORNERS]; /**< Its corners, in turn. */
+    PlaneEquation plane;          /**< The plane that it lies in; its normal is u x v. */
+    Vertex corners[QUAD_CORNERS]; /**< Its corners, in turn. */
 } Quad;
 
 /** Fields of `quad`. */
@@ -62,8 +62,8 @@ static bool quad_finish(void *values, uint64_t given, Error *error) {
     const QuadParameters *p = values;
     /** Sine of the angle below which two edges count as parallel: a double cannot tell less. */
     const double parallel = 1e-12;
-    Vector3 normal = vector3_cross(vector3_normalize(p->u), vector3_normalize(p->v));
-    return vector3_length(normal) > parallel ||
+    Vec3d normal = vec3d_cross(vec3d_normalize(p->u), vec3d_normalize(p->v));
+    return vec3d_length(normal) > parallel ||
            error_set(error, STATUS_SCENE, "quad has no area: u and v are parallel");
 }
 
@@ -71,13 +71,13 @@ static bool quad_finish(void *values, uint64_t given, Error *error) {
 static void quad_init(Shape *self, const void *parameters) {
     Quad *quad = (Quad *)self;
     const QuadParameters *p = parameters;
-    Vector3 next = vector3_add(p->corner, p->u), last = vector3_add(p->corner, p->v);
-    WidePoint u = wide_point_of(vector3_scaled(p->u)), v = wide_point_of(vector3_scaled(p->v));
-    quad->flat = flat_of(p->corner, wide_point_cross(u, v));
-    quad->corners[0] = corner_of(p->corner);
-    quad->corners[1] = corner_of(next);
-    quad->corners[2] = corner_of(vector3_add(next, p->v));
-    quad->corners[3] = corner_of(last);
+    Vec3d next = vec3d_add(p->corner, p->u), last = vec3d_add(p->corner, p->v);
+    Vec3sw u = vec3sw_of(vec3d_scale_exponent(p->u)), v = vec3sw_of(vec3d_scale_exponent(p->v));
+    quad->plane = plane_equation_of(p->corner, vec3sw_cross(u, v));
+    quad->corners[0] = vertex_of(p->corner);
+    quad->corners[1] = vertex_of(next);
+    quad->corners[2] = vertex_of(vec3d_add(next, p->v));
+    quad->corners[3] = vertex_of(last);
 }
 
 /** @return The lanes where the quad is nearer. See #ShapeClass.is_hit. @callgraph
@@ -85,52 +85,52 @@ static void quad_init(Shape *self, const void *parameters) {
  */
 static mask quad_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
     const Quad *quad = (const Quad *)self;
-    mask inside = shear_is_inside(quad->corners, QUAD_CORNERS, ray, active);
+    mask inside = polygon_contains_ray(quad->corners, QUAD_CORNERS, ray, active);
     if (!any(inside)) {
         return inside;
     }
-    real distance = flat_distance(&quad->flat, ray);
-    mask nearer = hit_is_nearer(hit, inside, distance, self->place);
+    real distance = plane_equation_distance(&quad->plane, ray);
+    mask nearer = hit_is_nearer(hit, inside, distance, self->index);
     if (any(nearer)) {
-        Hit found = flat_hit(&quad->flat, ray, distance, self->place);
-        hit_take(hit, nearer, &found);
+        Hit found = plane_equation_hit(&quad->plane, ray, distance, self->index);
+        hit_update(hit, nearer, &found);
     }
     return nearer;
 }
 
-/** @return The lanes where the quad is on the way. See #ShapeClass.is_blocking.
+/** @return The lanes where the quad is on the way. See #ShapeClass.is_occluding.
  *  @param self The quad. @param ray The rays. @param active The lanes. @param limit The way's end.
  */
-static mask quad_is_blocking(const Shape *self, const Ray *ray, mask active, real limit) {
+static mask quad_is_occluding(const Shape *self, const Ray *ray, mask active, real limit) {
     const Quad *quad = (const Quad *)self;
-    mask inside = shear_is_inside(quad->corners, QUAD_CORNERS, ray, active);
+    mask inside = polygon_contains_ray(quad->corners, QUAD_CORNERS, ray, active);
     if (!any(inside)) {
         return inside;
     }
-    real distance = flat_distance(&quad->flat, ray);
+    real distance = plane_equation_distance(&quad->plane, ray);
     return inside & (distance > 0) & (distance < limit);
 }
 
 /** @return The box around a quad. @param self The quad. */
-static Bounds quad_bounds(const Shape *self) {
-    return corners_bounds(((const Quad *)self)->corners, QUAD_CORNERS);
+static Aabbs quad_bounds(const Shape *self) {
+    return vertices_bounds(((const Quad *)self)->corners, QUAD_CORNERS);
 }
 
 /** @return Where on a picture points of a quad lie: how much of u and v it takes to get there. See
- *  #ShapeClass.texture_place. @param self The quad. @param hit The points. @param lanes Not looked
+ *  #ShapeClass.texture_uv. @param self The quad. @param hit The points. @param lanes Not looked
  *  at. */
-static TexturePlace quad_texture_place(const Shape *self, const Hit *hit, mask lanes) {
+static TextureUv quad_texture_uv(const Shape *self, const Hit *hit, mask lanes) {
     (void)lanes;
     const Quad *quad = (const Quad *)self;
-    WidePoint corner = corner_widen(quad->corners[0]);
-    WidePoint u = wide_point_subtract(corner_widen(quad->corners[1]), corner);
-    WidePoint v = wide_point_subtract(corner_widen(quad->corners[3]), corner);
-    Shares shares = shares_of(u, v);
-    WideVector arm = wide_subtract(vector_widen(hit->point), wide_vector_of(corner));
-    return (TexturePlace){.u = narrow(wide_dot(arm, wide_vector_of(shares.of_first))),
-                          .v = narrow(wide_dot(arm, wide_vector_of(shares.of_second))),
-                          .around_u = mask_of(false),
-                          .around_v = mask_of(false)};
+    Vec3sw corner = vertex_widen(quad->corners[0]);
+    Vec3sw u = vec3sw_subtract(vertex_widen(quad->corners[1]), corner);
+    Vec3sw v = vec3sw_subtract(vertex_widen(quad->corners[3]), corner);
+    DualBasis dual_basis = dual_basis_of(u, v);
+    Vec3w from_corner = vec3w_subtract(vec3_widen(hit->point), vec3w_splat(corner));
+    return (TextureUv){.u = narrow(vec3w_dot(from_corner, vec3w_splat(dual_basis.first))),
+                       .v = narrow(vec3w_dot(from_corner, vec3w_splat(dual_basis.second))),
+                       .wrap_u = mask_of(false),
+                       .wrap_v = mask_of(false)};
 }
 
 const ShapeClass quad_class = {
@@ -144,7 +144,7 @@ const ShapeClass quad_class = {
     .is_flat = true,
     .init = quad_init,
     .is_hit = quad_is_hit,
-    .is_blocking = quad_is_blocking,
+    .is_occluding = quad_is_occluding,
     .bounds = quad_bounds,
-    .texture_place = quad_texture_place,
+    .texture_uv = quad_texture_uv,
 };

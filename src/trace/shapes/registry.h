@@ -5,7 +5,7 @@
 #ifndef DIOPTRE_TRACE_SHAPES_REGISTRY_H
 #define DIOPTRE_TRACE_SHAPES_REGISTRY_H
 
-#include "trace/shape.h"
+#include "trace/shapes/shape.h"
 
 extern const ShapeClass sphere_class;   /**< `sphere` */
 extern const ShapeClass plane_class;    /**< `plane`: without end */

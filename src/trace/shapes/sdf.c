@@ -7,24 +7,24 @@
  */
 #include "trace/shapes/sdf.h"
 
-#include "trace/march.h"
-#include "trace/model.h"
+#include "trace/mesh/mesh_bvh.h"
+#include "trace/sdf/sphere_tracer.h"
 #include "trace/shapes/registry.h"
 
 /** Tolerances that a hit is moved at most to be on the surface. */
-#define REFINE_TOLERANCES 64
+#define SPHERE_TRACE_REFINE_TOLERANCES 64
 
 /** The surface of a field. @extends Shape */
-typedef struct Sdf {
-    Shape base;        /**< What all shapes have. */
-    Marching marching; /**< The field; its tape lies behind this object. */
-    Bounds box;        /**< A box that holds all points within the tolerance. */
-} Sdf;
+typedef struct SdfShape {
+    Shape base;          /**< What all shapes have. */
+    SphereTracer tracer; /**< The field; its tape lies behind this object. */
+    Aabbs box;           /**< A box that holds all points within the tolerance. */
+} SdfShape;
 
 /** Fields of `sdf`. */
-static const Parameter sdf_parameters[] = {
+static const Parameter sdf_shape_parameters[] = {
     {.name = "field",
-     .type = PARAMETER_FIELD,
+     .type = PARAMETER_SDF,
      .offset = offsetof(SdfParameters, field),
      .unit = "field",
      .help = "the field; it may also stand first, without a name"},
@@ -45,40 +45,41 @@ static const Parameter sdf_parameters[] = {
     {0}};
 
 /** A tolerance that no pixel shows. */
-static const SdfParameters sdf_defaults = {.tolerance = 1e-4, .max_steps = 512};
+static const SdfParameters sdf_shape_defaults = {.tolerance = 1e-4, .max_steps = 512};
 
 /** Refuses shapes without a field. See #Keyword.finish. @param[in,out] values An #SdfParameters.
  *  @param given Not looked at. @param[out] error What is wrong. @return Whether there is one. */
-static bool sdf_finish(void *values, uint64_t given, Error *error) {
+static bool sdf_shape_finish(void *values, uint64_t given, Error *error) {
     (void)given;
     return ((SdfParameters *)values)->field ||
            error_set(error, STATUS_SCENE,
                      "sdf needs a field, such as sdf { distance.sphere { radius = 1 } }");
 }
 
-/** @return Bytes of the tape. See #ShapeClass.tail. @param parameters An #SdfParameters. */
-static size_t sdf_tail(const void *parameters) {
-    return (size_t)((const SdfParameters *)parameters)->field->count * sizeof(FieldCode);
+/** @return Bytes of the tape. See #ShapeClass.tail_size. @param parameters An #SdfParameters. */
+static size_t sdf_shape_tail(const void *parameters) {
+    return (size_t)((const SdfParameters *)parameters)->field->node_count * sizeof(SdfInstruction);
 }
 
 /** Makes it. @param self The shape. @param parameters An #SdfParameters. */
-static void sdf_init(Shape *self, const void *parameters) {
-    Sdf *sdf = (Sdf *)self;
+static void sdf_shape_init(Shape *self, const void *parameters) {
+    SdfShape *shape = (SdfShape *)self;
     const SdfParameters *p = parameters;
-    sdf->marching = (Marching){
-        .codes = shape_tail(self), .tolerance = (scalar)p->tolerance, .max_steps = p->max_steps};
-    marching_init(&sdf->marching, p->field, &sdf->box);
+    shape->tracer = (SphereTracer){
+        .program = shape_tail(self), .tolerance = (scalar)p->tolerance, .max_steps = p->max_steps};
+    sphere_tracer_init(&shape->tracer, p->field, &shape->box);
 }
 
-/** Finds where to count. See #ShapeClass.bind. @param self The shape. @param said As the scene has
- *  it. @param models All models. @param[out] error Not used. @return true */
-static bool sdf_bind(Shape *self, const SceneShape *said, Models *models, Error *error) {
+/** Finds where to count. See #ShapeClass.bind_mesh. @param self The shape. @param scene_shape As
+ * the scene has it. @param cache All models. @param[out] error Not used. @return true */
+static bool sdf_shape_bind(Shape *self, const SceneShape *scene_shape, MeshBvhCache *cache,
+                           Error *error) {
     (void)error;
-    Marching *marching = &((Sdf *)self)->marching;
-    marching->stalls = &models->stalls;
-    marching->relaxation = models->relaxation;
+    SphereTracer *tracer = &((SdfShape *)self)->tracer;
+    tracer->step_limit_counter = &cache->step_limit_counter;
+    tracer->relaxation = cache->relaxation;
     // A transformed shape does not know where the eye is.
-    marching->footprint = said->transform ? NULL : &models->footprint;
+    tracer->footprint = scene_shape->transform ? NULL : &cache->footprint;
     return true;
 }
 
@@ -87,105 +88,106 @@ static bool sdf_bind(Shape *self, const SceneShape *said, Models *models, Error 
 /**
  * Brings rays that have arrived nearer to the surface, by the derivative along the ray (Newton): by
  * a few tolerances at most, and only where it helps.
- * @param marching  The field.
- * @param[in,out] march  The rays.
- * @param[in,out] here   What the field says where they are.
+ * @param tracer  The field.
+ * @param[in,out] trace  The rays.
+ * @param[in,out] sample   What the field says where they are.
  * @param tolerance The tolerance there.
  */
-INLINE void march_refine(const Marching *marching, March *march, FieldSample *here,
-                         real tolerance) {
-    real slope = vector_dot(here->gradient, march->direction);
-    real change = -here->distance / slope;
-    mask is_small = march->found & (real_abs(change) <= REFINE_TOLERANCES * tolerance);
+INLINE void sphere_trace_refine(const SphereTracer *tracer, SphereTrace *trace, SdfSample *sample,
+                                real tolerance) {
+    real slope = vec3_dot(sample->gradient, trace->unit_direction);
+    real change = -sample->distance / slope;
+    mask is_small =
+        trace->arrived & (real_abs(change) <= SPHERE_TRACE_REFINE_TOLERANCES * tolerance);
     if (!any(is_small)) {
         return;
     }
-    real way = real_select(is_small, march->way + change, march->way);
-    FieldSample there =
-        field_sample(marching->codes, marching->count, march_point(march, way), march->found);
-    mask is_nearer = is_small & (real_abs(there.distance) < real_abs(here->distance)) & (way > 0);
-    march->way = real_select(is_nearer, way, march->way);
-    here->distance = real_select(is_nearer, there.distance, here->distance);
-    here->gradient = vector_select(is_nearer, there.gradient, here->gradient);
+    real t = real_select(is_small, trace->t + change, trace->t);
+    SdfSample refined = sdf_sample(tracer->program, tracer->instruction_count,
+                                   sphere_trace_point(trace, t), trace->arrived);
+    mask is_nearer = is_small & (real_abs(refined.distance) < real_abs(sample->distance)) & (t > 0);
+    trace->t = real_select(is_nearer, t, trace->t);
+    sample->distance = real_select(is_nearer, refined.distance, sample->distance);
+    sample->gradient = vec3_select(is_nearer, refined.gradient, sample->gradient);
 }
 
-/** @return What rays have met. @param sdf The shape. @param march The rays. @param here What the
- *  field says there. @param tolerance The tolerance there. @param distance How far it is. */
-INLINE Hit sdf_hit(const Sdf *sdf, const March *march, const FieldSample *here, real tolerance,
-                   real distance) {
-    const Marching *marching = &sdf->marching;
+/** @return What rays have met. @param shape The shape. @param trace The rays. @param sample What
+ * the field says there. @param tolerance The tolerance there. @param distance How far it is. */
+INLINE Hit sdf_shape_make_hit(const SdfShape *shape, const SphereTrace *trace,
+                              const SdfSample *sample, real tolerance, real distance) {
+    const SphereTracer *tracer = &shape->tracer;
     // Where the field is level in all directions, as in the middle of a ball, any normal is right.
-    real square = vector_dot(here->gradient, here->gradient);
-    Vector gradient =
-        vector_select(square > 0, here->gradient, vector_scale(march->direction, real_of(-1)));
-    Vector normal = vector_normalize(gradient), point = march_point(march, march->way);
-    Hit found = hit_nothing(distance);
-    point = vector_subtract(point, vector_scale(normal, here->distance));
-    found.point = march_scene_point(marching, march, point);
-    found.normal = march_scene_direction(marching, normal);
-    found.error = ERROR_TOLERANCES * real_max(tolerance * marching->scale,
-                                              FIELD_ERROR * ROUNDOFF * vector_largest(found.point));
-    found.shape = integer_of(sdf->base.place);
+    real square = vec3_dot(sample->gradient, sample->gradient);
+    Vec3 gradient =
+        vec3_select(square > 0, sample->gradient, vec3_scale(trace->unit_direction, real_of(-1)));
+    Vec3 normal = vec3_normalize(gradient), point = sphere_trace_point(trace, trace->t);
+    Hit found = hit_none(distance);
+    point = vec3_subtract(point, vec3_scale(normal, sample->distance));
+    found.point = sphere_trace_world_point(tracer, trace, point);
+    found.normal = sphere_trace_world_direction(tracer, normal);
+    found.error = SDF_ERROR_TOLERANCES * real_max(tolerance * tracer->scale,
+                                                  SDF_ERROR * ROUNDOFF * vec3_max_abs(found.point));
+    found.shape = integer_of(shape->base.index);
     return found;
 }
 
 /** @return The lanes where the shape is nearer. See #ShapeClass.is_hit. @callgraph
  *  @param self The shape. @param ray The rays. @param active The lanes. @param[in,out] hit The hit.
  */
-static mask sdf_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
-    const Sdf *sdf = (const Sdf *)self;
-    const Marching *marching = &sdf->marching;
-    March march;
-    if (!march_run(marching, ray, active, hit->distance, false, &march)) {
+static mask sdf_shape_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
+    const SdfShape *shape = (const SdfShape *)self;
+    const SphereTracer *tracer = &shape->tracer;
+    SphereTrace trace;
+    if (!sphere_trace_run(tracer, ray, active, hit->distance, false, &trace)) {
         return mask_of(false);
     }
-    Vector point = march_point(&march, march.way);
-    real tolerance = march_tolerance(marching, &march, march.way, point);
-    FieldSample here = field_sample(marching->codes, marching->count, point, march.found);
-    march_refine(marching, &march, &here, tolerance);
-    real distance = march_distance(&march);
-    mask nearer = hit_is_nearer(hit, march.found, distance, self->place);
-    Hit found = sdf_hit(sdf, &march, &here, tolerance, distance);
-    hit_take(hit, nearer, &found);
+    Vec3 point = sphere_trace_point(&trace, trace.t);
+    real tolerance = sphere_trace_tolerance(tracer, &trace, trace.t, point);
+    SdfSample sample = sdf_sample(tracer->program, tracer->instruction_count, point, trace.arrived);
+    sphere_trace_refine(tracer, &trace, &sample, tolerance);
+    real distance = sphere_trace_distance(&trace);
+    mask nearer = hit_is_nearer(hit, trace.arrived, distance, self->index);
+    Hit found = sdf_shape_make_hit(shape, &trace, &sample, tolerance, distance);
+    hit_update(hit, nearer, &found);
     return nearer;
 }
 
-/** @return The lanes where the shape is on the way. See #ShapeClass.is_blocking.
+/** @return The lanes where the shape is on the way. See #ShapeClass.is_occluding.
  *  @param self The shape. @param ray The rays. @param active The lanes. @param limit The way's end.
  */
-static mask sdf_is_blocking(const Shape *self, const Ray *ray, mask active, real limit) {
-    March march;
-    if (!march_run(&((const Sdf *)self)->marching, ray, active, limit, true, &march)) {
+static mask sdf_shape_is_occluding(const Shape *self, const Ray *ray, mask active, real limit) {
+    SphereTrace trace;
+    if (!sphere_trace_run(&((const SdfShape *)self)->tracer, ray, active, limit, true, &trace)) {
         return mask_of(false);
     }
-    real distance = march_distance(&march);
-    return march.found & (distance > 0) & (distance < limit);
+    real distance = sphere_trace_distance(&trace);
+    return trace.arrived & (distance > 0) & (distance < limit);
 }
 
-/** @return How many steps rays take to it. See #ShapeClass.steps. @param self The shape.
+/** @return How many steps rays take to it. See #ShapeClass.count_steps. @param self The shape.
  *  @param ray The rays. @param active The lanes. @param limit The way's end. */
-static real sdf_steps(const Shape *self, const Ray *ray, mask active, real limit) {
-    return march_count(&((const Sdf *)self)->marching, ray, active, limit);
+static real sdf_shape_steps(const Shape *self, const Ray *ray, mask active, real limit) {
+    return sphere_trace_count_steps(&((const SdfShape *)self)->tracer, ray, active, limit);
 }
 
 /** @return The box around the shape. @param self The shape. */
-static Bounds sdf_bounds(const Shape *self) {
-    return ((const Sdf *)self)->box;
+static Aabbs sdf_shape_bounds(const Shape *self) {
+    return ((const SdfShape *)self)->box;
 }
 
 const ShapeClass sdf_class = {
     .keyword = {.name = "sdf",
                 .help = "the surface of a distance field, found by marching",
-                .parameters = sdf_parameters,
+                .parameters = sdf_shape_parameters,
                 .size = sizeof(SdfParameters),
-                .defaults = &sdf_defaults,
-                .finish = sdf_finish},
-    .size = sizeof(Sdf),
-    .tail = sdf_tail,
-    .init = sdf_init,
-    .bind = sdf_bind,
-    .is_hit = sdf_is_hit,
-    .is_blocking = sdf_is_blocking,
-    .bounds = sdf_bounds,
-    .steps = sdf_steps,
+                .defaults = &sdf_shape_defaults,
+                .finish = sdf_shape_finish},
+    .size = sizeof(SdfShape),
+    .tail_size = sdf_shape_tail,
+    .init = sdf_shape_init,
+    .bind_mesh = sdf_shape_bind,
+    .is_hit = sdf_shape_is_hit,
+    .is_occluding = sdf_shape_is_occluding,
+    .bounds = sdf_shape_bounds,
+    .count_steps = sdf_shape_steps,
 };

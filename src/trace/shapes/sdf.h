@@ -5,13 +5,13 @@
 #ifndef DIOPTRE_TRACE_SHAPES_SDF_H
 #define DIOPTRE_TRACE_SHAPES_SDF_H
 
-#include "trace/field.h"
+#include "trace/sdf/sdf_program.h"
 
 /** What a scene file says of an `sdf`. */
 typedef struct SdfParameters {
-    const Field *field; /**< Its field; the scene's. */
-    double tolerance;   /**< How near to the surface is on it. */
-    int max_steps;      /**< Steps after which a ray is given up. */
+    const Sdf *field; /**< Its field; the scene's. */
+    double tolerance; /**< How near to the surface is on it. */
+    int max_steps;    /**< Steps after which a ray is given up. */
 } SdfParameters;
 
 #endif

@@ -10,7 +10,7 @@
  */
 #include "trace/shapes/sphere.h"
 
-#include "trace/angle.h"
+#include "trace/math/angle.h"
 #include "trace/shapes/registry.h"
 
 /** Half ulps of the coordinates, and of the radius, that a point can be off the sphere. */
@@ -19,17 +19,17 @@
 /** A sphere. @extends Shape */
 typedef struct Sphere {
     Shape base;         /**< What all shapes have. */
-    WidePoint center;   /**< Its centre. */
+    Vec3sw center;      /**< Its centre. */
     wide_scalar radius; /**< Its radius. */
 } Sphere;
 
 /** Where LANES rays cross a sphere. */
-typedef struct Chord {
-    Vector away; /**< From the chord's middle to the centre. */
-    real half;   /**< Half the chord, in lengths of the direction. */
-    real near;   /**< The smaller root. */
-    real far;    /**< The larger root. */
-} Chord;
+typedef struct SphereRoots {
+    Vec3 mid_to_center; /**< From the chord's middle to the centre. */
+    real half_chord;    /**< Half the chord, in lengths of the direction. */
+    real near;          /**< The smaller root. */
+    real far;           /**< The larger root. */
+} SphereRoots;
 
 /** Fields of `sphere`. */
 static const Parameter sphere_parameters[] = {{.name = "center",
@@ -55,7 +55,7 @@ static const SphereParameters sphere_defaults = {.radius = 1};
 static void sphere_init(Shape *self, const void *parameters) {
     Sphere *sphere = (Sphere *)self;
     const SphereParameters *p = parameters;
-    sphere->center = wide_point_of(p->center);
+    sphere->center = vec3sw_of(p->center);
     sphere->radius = (wide_scalar)p->radius;
 }
 
@@ -64,21 +64,22 @@ static void sphere_init(Shape *self, const void *parameters) {
  * @param sphere      The sphere.
  * @param ray         The rays.
  * @param active      The lanes that count.
- * @param[out] chord  The roots; NaN in lanes that miss.
+ * @param[out] roots  The roots; NaN in lanes that miss.
  * @return The lanes whose line, forwards or backwards, meets the sphere.
  */
-INLINE mask sphere_chord(const Sphere *sphere, const Ray *ray, mask active, Chord *chord) {
+INLINE mask sphere_intersect(const Sphere *sphere, const Ray *ray, mask active,
+                             SphereRoots *roots) {
     // The point of the line that is nearest to the centre.
-    WideVector direction = vector_widen(ray->direction);
-    WideVector to_center = wide_subtract(wide_vector_of(sphere->center), vector_widen(ray->origin));
-    wide per_length_squared = 1 / wide_dot(direction, direction);
-    wide middle = wide_dot(to_center, direction) * per_length_squared;
-    WideVector away = wide_add_scaled(to_center, direction, -middle);
+    Vec3w direction = vec3_widen(ray->direction);
+    Vec3w to_center = vec3w_subtract(vec3w_splat(sphere->center), vec3_widen(ray->origin));
+    wide per_length_squared = 1 / vec3w_dot(direction, direction);
+    wide middle = vec3w_dot(to_center, direction) * per_length_squared;
+    Vec3w mid_to_center = vec3w_add_scaled(to_center, direction, -middle);
 
     // Half the chord, from the right triangle of radius and distance.
     wide radius_squared = wide_of(sphere->radius * sphere->radius);
-    wide half_squared = radius_squared - wide_dot(away, away);
-    mask crosses = active & narrow_mask(wide_at_most(wide_of(0), half_squared));
+    wide half_squared = radius_squared - vec3w_dot(mid_to_center, mid_to_center);
+    mask crosses = active & narrow_mask(wide_less_equal(wide_of(0), half_squared));
     if (!any(crosses)) {
         return crosses;
     }
@@ -89,12 +90,12 @@ INLINE mask sphere_chord(const Sphere *sphere, const Ray *ray, mask active, Chor
     real to_middle = narrow(middle);
     mask is_ahead = to_middle > 0;
     real sum = to_middle + real_select(is_ahead, half, -half);
-    wide power = wide_dot(to_center, to_center) - radius_squared;
-    real quotient = narrow(power * per_length_squared / widen(sum));
-    chord->near = real_select(is_ahead, quotient, sum);
-    chord->far = real_select(is_ahead, sum, quotient);
-    chord->away = vector_narrow(away);
-    chord->half = half;
+    wide center_power = vec3w_dot(to_center, to_center) - radius_squared;
+    real quotient = narrow(center_power * per_length_squared / widen(sum));
+    roots->near = real_select(is_ahead, quotient, sum);
+    roots->far = real_select(is_ahead, sum, quotient);
+    roots->mid_to_center = vec3_narrow(mid_to_center);
+    roots->half_chord = half;
     return crosses;
 }
 
@@ -104,76 +105,75 @@ INLINE mask sphere_chord(const Sphere *sphere, const Ray *ray, mask active, Chor
  */
 static mask sphere_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
     const Sphere *sphere = (const Sphere *)self;
-    Chord chord;
-    mask crosses = sphere_chord(sphere, ray, active, &chord);
+    SphereRoots roots;
+    mask crosses = sphere_intersect(sphere, ray, active, &roots);
     if (!any(crosses)) {
         return crosses;
     }
-    mask is_outside = chord.near > 0;
-    real distance = real_select(is_outside, chord.near, chord.far);
-    mask nearer = hit_is_nearer(hit, crosses, distance, self->place);
+    mask is_outside = roots.near > 0;
+    real distance = real_select(is_outside, roots.near, roots.far);
+    mask nearer = hit_is_nearer(hit, crosses, distance, self->index);
     if (!any(nearer)) {
         return nearer;
     }
 
     // From the centre to the point: never a difference of large numbers, and never zero.
-    real half = real_select(is_outside, -chord.half, chord.half);
-    Vector arm = vector_subtract(vector_scale(ray->direction, half), chord.away);
+    real half = real_select(is_outside, -roots.half_chord, roots.half_chord);
+    Vec3 from_center = vec3_subtract(vec3_scale(ray->direction, half), roots.mid_to_center);
     // The point is put back on the sphere: one radius long in the direction of the arm.
-    Vector normal = vector_normalize(arm);
+    Vec3 normal = vec3_normalize(from_center);
     real radius = real_of((scalar)sphere->radius);
-    Vector point =
-        vector_add(vector_of_point(point_narrow(sphere->center)), vector_scale(normal, radius));
+    Vec3 point = vec3_add(vec3_splat(vec3s_narrow(sphere->center)), vec3_scale(normal, radius));
     Hit found = {distance,
                  point,
                  normal,
-                 SPHERE_ERROR * ROUNDOFF * (vector_largest(point) + radius),
-                 integer_of(self->place),
+                 SPHERE_ERROR * ROUNDOFF * (vec3_max_abs(point) + radius),
+                 integer_of(self->index),
                  integer_of(0)};
-    hit_take(hit, nearer, &found);
+    hit_update(hit, nearer, &found);
     return nearer;
 }
 
-/** @return The lanes where a root lies on the way. See #ShapeClass.is_blocking.
+/** @return The lanes where a root lies on the way. See #ShapeClass.is_occluding.
  *  @param self The sphere. @param ray The rays. @param active The lanes. @param limit The way's
  * end.
  */
-static mask sphere_is_blocking(const Shape *self, const Ray *ray, mask active, real limit) {
-    Chord chord;
-    mask crosses = sphere_chord((const Sphere *)self, ray, active, &chord);
+static mask sphere_is_occluding(const Shape *self, const Ray *ray, mask active, real limit) {
+    SphereRoots roots;
+    mask crosses = sphere_intersect((const Sphere *)self, ray, active, &roots);
     if (!any(crosses)) {
         return crosses;
     }
-    real distance = real_select(chord.near > 0, chord.near, chord.far);
+    real distance = real_select(roots.near > 0, roots.near, roots.far);
     return crosses & (distance > 0) & (distance < limit);
 }
 
 /** @return The box around a sphere. @param self The sphere. */
-static Bounds sphere_bounds(const Shape *self) {
+static Aabbs sphere_bounds(const Shape *self) {
     const Sphere *sphere = (const Sphere *)self;
-    Vector3 center = {(double)sphere->center.x, (double)sphere->center.y, (double)sphere->center.z};
+    Vec3d center = {(double)sphere->center.x, (double)sphere->center.y, (double)sphere->center.z};
     double r = (double)sphere->radius;
-    return bounds_around(vector3_subtract(center, (Vector3){r, r, r}),
-                         vector3_add(center, (Vector3){r, r, r}));
+    return aabbs_from_corners(vec3d_subtract(center, (Vec3d){r, r, r}),
+                              vec3d_add(center, (Vec3d){r, r, r}));
 }
 
 /**
  * @return Where on a picture points of a sphere lie: by longitude and latitude, like the earth on a
  *         map. The latitude by the arc tangent of its two legs, as an arc cosine is NaN where a
- *         rounded normal is longer than 1. See #ShapeClass.texture_place.
+ *         rounded normal is longer than 1. See #ShapeClass.texture_uv.
  * @param self   Not looked at.
  * @param hit    The points.
  * @param lanes  Not looked at.
  */
-static TexturePlace sphere_texture_place(const Shape *self, const Hit *hit, mask lanes) {
+static TextureUv sphere_texture_uv(const Shape *self, const Hit *hit, mask lanes) {
     (void)self;
     (void)lanes;
-    Vector n = hit->normal;
+    Vec3 n = hit->normal;
     real across = real_sqrt(n.x * n.x + n.z * n.z);
-    return (TexturePlace){.u = angle_in_turns(n.x, n.z) + real_of((scalar)0.5f),
-                          .v = 1 - 2 * angle_in_turns(across, n.y),
-                          .around_u = mask_of(true),
-                          .around_v = mask_of(false)};
+    return (TextureUv){.u = real_atan2_turns(n.x, n.z) + real_of((scalar)0.5f),
+                       .v = 1 - 2 * real_atan2_turns(across, n.y),
+                       .wrap_u = mask_of(true),
+                       .wrap_v = mask_of(false)};
 }
 
 const ShapeClass sphere_class = {
@@ -185,7 +185,7 @@ const ShapeClass sphere_class = {
     .size = sizeof(Sphere),
     .init = sphere_init,
     .is_hit = sphere_is_hit,
-    .is_blocking = sphere_is_blocking,
+    .is_occluding = sphere_is_occluding,
     .bounds = sphere_bounds,
-    .texture_place = sphere_texture_place,
+    .texture_uv = sphere_texture_uv,
 };

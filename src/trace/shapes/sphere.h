@@ -5,12 +5,12 @@
 #ifndef DIOPTRE_TRACE_SHAPES_SPHERE_H
 #define DIOPTRE_TRACE_SHAPES_SPHERE_H
 
-#include "dioptre/vector3.h"
+#include "dioptre/vec3d.h"
 
 /** What a scene file says of a sphere. */
 typedef struct SphereParameters {
-    Vector3 center; /**< Its centre. */
-    double radius;  /**< Its radius, scene units. */
+    Vec3d center;  /**< Its centre. */
+    double radius; /**< Its radius, scene units. */
 } SphereParameters;
 
 #endif

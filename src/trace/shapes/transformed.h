@@ -5,7 +5,7 @@
 #ifndef DIOPTRE_TRACE_SHAPES_TRANSFORMED_H
 #define DIOPTRE_TRACE_SHAPES_TRANSFORMED_H
 
-#include "trace/shape.h"
+#include "trace/shapes/shape.h"
 
 /** What a transformed shape is made of. */
 typedef struct TransformedParameters {
@@ -18,6 +18,6 @@ typedef struct TransformedParameters {
 extern const ShapeClass transformed_class;
 
 /** The same, around shapes that take whole packets of rays. */
-extern const ShapeClass transformed_packets_class;
+extern const ShapeClass transformed_packet_class;
 
 #endif

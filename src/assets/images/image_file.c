@@ -1,0 +1,202 @@
+/**
+ * @file
+ * @brief Picture files: which ending means which format.
+ */
+#include "dioptre/image_file.h"
+
+#include "assets/images/bmp.h"
+#include "assets/images/image_format.h"
+#include "assets/images/texture_file.h"
+#include "base/atomic_file.h"
+#include "base/regular_file.h"
+
+#include <errno.h>
+#include <libintl.h>
+#include <string.h>
+#include <unistd.h>
+
+/**
+ * Puts before an error that a file was to be read.
+ * @param[in,out] error  The error; may be NULL.
+ * @param path           The file.
+ * @return false, always.
+ */
+static bool set_read_error(Error *error, const char *path) {
+    return error_prefix(error, "cannot read '%s': ", path);
+}
+
+/**
+ * Puts before an error that a file was to be written.
+ * @param[in,out] error  The error; may be NULL.
+ * @param path           The file.
+ * @return false, always.
+ */
+static bool set_write_error(Error *error, const char *path) {
+    return error_prefix(error, "cannot write '%s': ", path);
+}
+
+/**
+ * Finds the format that a file is to be written in.
+ * @param path        The file; what is no plain file, such as `/dev/stdout`, may have no ending
+ *                    and then gets a BMP.
+ * @param[out] error  Which endings there are (#STATUS_USAGE).
+ * @return The format, or NULL.
+ */
+static const ImageFormat *format_to_write(const char *path, Error *error) {
+    const ImageFormat *format = image_format_by_extension(path);
+    OutputPath output = {.mode = 0};
+    if (!format && output_path_resolve(&output, path) && output_path_is_direct(&output)) {
+        return image_format_bmp();
+    }
+    if (format && !format->is_read_only) {
+        return format;
+    }
+    error_set(error, STATUS_USAGE, "its name must end in .%s", gettext(IMAGE_WRITE_EXTENSIONS));
+    return NULL;
+}
+
+bool image_file_is_linear(const char *path) {
+    const ImageFormat *format = image_format_by_extension(path);
+    return format && format->is_linear;
+}
+
+/**
+ * Says whether a format's module is there, if it needs one.
+ * @param format       The format.
+ * @param[out] plugin  The module; NULL for a format that needs none.
+ * @param[out] error   What is missing.
+ * @return Whether it is.
+ */
+static bool load_plugin(const ImageFormat *format, const ImagePlugin **plugin, Error *error) {
+    *plugin = format->plugin_name ? image_plugin_load(error) : NULL;
+    return *plugin || !format->plugin_name;
+}
+
+bool image_file_check(const char *path, Error *error) {
+    const ImagePlugin *plugin;
+    const ImageFormat *format = format_to_write(path, error);
+    bool can_be_written =
+        format && atomic_file_check(path, error) && load_plugin(format, &plugin, error);
+    return can_be_written || set_write_error(error, path);
+}
+
+/**
+ * Writes a picture in a format.
+ * @param format      The format.
+ * @param picture     The picture.
+ * @param stream      Where to.
+ * @param[out] error  Why not.
+ * @return Whether all was handed to the stream.
+ */
+static bool write_format(const ImageFormat *format, const Picture *picture, FILE *stream,
+                         Error *error) {
+    const ImagePlugin *plugin;
+    if (picture->width > IMAGE_SIZE_MAXIMUM || picture->height > IMAGE_SIZE_MAXIMUM) {
+        return error_set(error, STATUS_FAILED, "%d x %d pixels: each must be at most %d",
+                         picture->width, picture->height, IMAGE_SIZE_MAXIMUM);
+    }
+    if (!load_plugin(format, &plugin, error)) {
+        return false;
+    }
+    return plugin ? image_plugin_write(plugin, format->plugin_name, format->is_linear, picture,
+                                       stream, error)
+                  : bmp_write(picture, stream, error);
+}
+
+/**
+ * Writes a picture beside its place and moves it there.
+ * @param file        The file, begun; ended here.
+ * @param format      The format.
+ * @param picture     The picture.
+ * @param[out] error  Why not.
+ * @return Whether it is there, all of it.
+ */
+static bool write_and_commit(AtomicFile *file, const ImageFormat *format, const Picture *picture,
+                             Error *error) {
+    if (!write_format(format, picture, file->stream, error)) {
+        atomic_file_discard(file);
+        return false;
+    }
+    return atomic_file_commit(file, error);
+}
+
+bool image_file_write(const char *path, const Picture *picture, Error *error) {
+    AtomicFile file;
+    const ImageFormat *format = format_to_write(path, error);
+    bool is_written = format && atomic_file_open(&file, path, ATOMIC_REPLACE, error) &&
+                      write_and_commit(&file, format, picture, error);
+    return is_written || set_write_error(error, path);
+}
+
+bool image_file_write_new(const char *path, const Picture *picture, bool *exists, Error *error) {
+    AtomicFile file;
+    bool is_written = atomic_file_open(&file, path, ATOMIC_NEW, error) &&
+                      write_and_commit(&file, image_format_bmp(), picture, error);
+    *exists = !is_written && file.exists;
+    return is_written || set_write_error(error, path);
+}
+
+/** What reading a picture to be compared may take: the largest that can be written. */
+static const ImageReadLimits compare_limits = {
+    60, (size_t)8 << 30,
+    sizeof(Texture) +
+        TEXEL_CHANNELS * sizeof(float) * (size_t)IMAGE_SIZE_MAXIMUM *IMAGE_SIZE_MAXIMUM};
+
+/**
+ * Makes a picture of 8-bit steps of a texture.
+ * @param texture       The texture.
+ * @param[out] picture  The picture.
+ * @param[out] error    What is wrong.
+ * @return false without memory.
+ */
+static bool picture_from_texture(const Texture *texture, Picture *picture, Error *error) {
+    if (!picture_init(picture, texture->width, texture->height, error)) {
+        return false;
+    }
+    size_t count = (size_t)texture->width * (size_t)texture->height * TEXEL_CHANNELS;
+    if (!texture->is_hdr) {
+        memcpy(picture->pixels, texture_ldr_texels(texture), count);
+        return true;
+    }
+    Encoder encoder;
+    encoder_init(&encoder, ENCODING_SRGB);
+    for (size_t i = 0; i < count; i++) {
+        picture->pixels[i] = encoder_encode(&encoder, texture_hdr_texels(texture)[i]);
+    }
+    return true;
+}
+
+/**
+ * Reads an open picture file.
+ * @param format        Its format.
+ * @param file          The file.
+ * @param[out] picture  The picture.
+ * @param[out] error    What is wrong.
+ * @return Whether it was read; otherwise the picture is empty.
+ */
+static bool read_open_file(const ImageFormat *format, int file, Picture *picture, Error *error) {
+    if (!format->plugin_name) {
+        return bmp_read(file, picture, error);
+    }
+    Texture *texture;
+    bool is_read = texture_file_read_open(format, file, &compare_limits, &texture, error) &&
+                   picture_from_texture(texture, picture, error);
+    texture_release(texture);
+    return is_read;
+}
+
+bool image_file_read(const char *path, Picture *picture, Error *error) {
+    *picture = (Picture){0};
+    struct stat found;
+    const ImageFormat *format = image_format_by_extension(path);
+    if (!format) {
+        error_set(error, STATUS_SCENE, "its name must end in .%s", gettext(IMAGE_READ_EXTENSIONS));
+        return set_read_error(error, path);
+    }
+    int file = regular_file_open(path, &found, error);
+    bool is_read = file >= 0 && read_open_file(format, file, picture, error);
+    if (file >= 0) {
+        close(file);
+    }
+    return is_read || set_read_error(error, path);
+}

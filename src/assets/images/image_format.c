@@ -1,0 +1,44 @@
+/**
+ * @file
+ * @brief Formats of picture files: which ending means which.
+ */
+#include "assets/images/image_format.h"
+
+#include "base/output_path.h"
+
+#include <string.h>
+#include <strings.h>
+
+/**
+ * All formats; the last has no ending. OpenImageIO knows some hundred more. Targa is left out on
+ * purpose: its reader in OpenImageIO 2.4 has known holes (CVE-2023-22845, CVE-2023-24473).
+ */
+static const ImageFormat formats[] = {
+    {.extension = "bmp"},
+    {.extension = "png", .plugin_name = "png"},
+    {.extension = "exr", .plugin_name = "openexr", .is_linear = true},
+    {.extension = "jpg", .plugin_name = "jpeg"},
+    {.extension = "jpeg", .plugin_name = "jpeg"},
+    {.extension = "tif", .plugin_name = "tiff"},
+    {.extension = "tiff", .plugin_name = "tiff"},
+    {.extension = "hdr", .plugin_name = "hdr", .is_linear = true},
+    {.extension = "ppm", .plugin_name = "pnm", .is_read_only = true},
+    {.extension = "pgm", .plugin_name = "pnm", .is_read_only = true},
+    {.extension = "pnm", .plugin_name = "pnm", .is_read_only = true},
+    {0},
+};
+
+const ImageFormat *image_format_bmp(void) {
+    return &formats[0];
+}
+
+const ImageFormat *image_format_by_extension(const char *path) {
+    const char *name = path + output_path_dir_length(path);
+    const char *dot = strrchr(name, '.');
+    for (const ImageFormat *format = formats; dot && format->extension; format++) {
+        if (strcasecmp(dot + 1, format->extension) == 0) {
+            return format;
+        }
+    }
+    return NULL;
+}

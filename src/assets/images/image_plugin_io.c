@@ -1,0 +1,214 @@
+/**
+ * @file
+ * @brief Opens the picture module and moves pictures across its border.
+ */
+#include "assets/images/image_plugin_io.h"
+
+#include "assets/plugin.h"
+#include "base/language.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+/** Bytes a pixel in a #Picture. */
+enum { CHANNELS = 3 };
+
+/** The picture module. */
+static const Plugin image_plugin = {.file = "dioptre-images.so",
+                                    .symbol = IMAGE_PLUGIN_SYMBOL,
+                                    .version = IMAGE_PLUGIN_VERSION,
+                                    .purpose = N_("all formats but BMP"),
+                                    .library = "OpenImageIO",
+                                    .build_package = "libopenimageio-dev",
+                                    .runtime_package = "libopenimageio2.4",
+                                    .fallback_hint =
+                                        N_("; names that end in .bmp work without it")};
+
+/**
+ * Forgets what the user's environment would have OpenImageIO load or do: whoever sends a scene to
+ * a class must not choose which code runs there.
+ */
+static void clear_plugin_environment(void) {
+    unsetenv("OIIO_LIBRARY_PATH");
+    unsetenv("OPENIMAGEIO_OPTIONS");
+}
+
+const ImagePlugin *image_plugin_load_from(const char *folder, Error *error) {
+    clear_plugin_environment();
+    return plugin_open_from(&image_plugin, folder, error);
+}
+
+const ImagePlugin *image_plugin_load(Error *error) {
+    clear_plugin_environment();
+    return plugin_open(&image_plugin, error);
+}
+
+/** What is said of a picture that says nothing of itself. */
+static const MetadataEntry no_metadata[] = {{0}};
+
+/**
+ * @return The light that the steps of a picture stand for, to be freed; NULL without memory.
+ * @param picture  The picture.
+ */
+static float *decode_picture(const Picture *picture) {
+    size_t count = (size_t)picture->width * (size_t)picture->height * CHANNELS;
+    float *linear = malloc(count * sizeof *linear), table[UINT8_MAX + 1];
+    for (int step = 0; step <= UINT8_MAX; step++) {
+        table[step] = (float)encoding_decode(picture->encoding, step);
+    }
+    for (size_t i = 0; linear && i < count; i++) {
+        linear[i] = table[picture->pixels[i]];
+    }
+    return linear;
+}
+
+/**
+ * Makes a picture file in memory.
+ * @param plugin      The module.
+ * @param format      The format.
+ * @param picture     The picture.
+ * @param linear       Its linear light, for a format that holds it; else NULL.
+ * @param[out] file   The file, to be given back.
+ * @param[out] error  What is wrong.
+ * @return Whether it was made.
+ */
+static bool encode(const ImagePlugin *plugin, const char *format, const Picture *picture,
+                   const float *linear, EncodedImage *file, Error *error) {
+    ImagePluginSource source = {.width = picture->width,
+                                .height = picture->height,
+                                .encoded = picture->pixels,
+                                .linear = linear,
+                                .metadata = picture->metadata ? picture->metadata : no_metadata};
+    ImagePluginMessage message;
+    return plugin->encode(format, &source, file, &message) ||
+           error_set(error, STATUS_FAILED, "%s", message.text);
+}
+
+bool image_plugin_write(const ImagePlugin *plugin, const char *format, bool is_linear,
+                        const Picture *picture, FILE *stream, Error *error) {
+    EncodedImage file;
+    float *decoded = is_linear && !picture->linear ? decode_picture(picture) : NULL;
+    const float *linear = !is_linear ? NULL : decoded ? decoded : picture->linear;
+    if (is_linear && !linear) {
+        return error_set(error, STATUS_FAILED, "no memory");
+    }
+    bool is_encoded = encode(plugin, format, picture, linear, &file, error);
+    free(decoded);
+    if (!is_encoded) {
+        return false;
+    }
+    bool is_fine = fwrite(file.bytes, 1, file.size, stream) == file.size ||
+                   error_set(error, STATUS_FAILED, "%s", error_errno_text(errno));
+    plugin->free_encoded(&file);
+    return is_fine;
+}
+
+/** Steps of the curve that numbers finer than 8 bits are decoded by. */
+enum { SRGB16_MAXIMUM = 65535 };
+
+/** A picture that is being read, band by band. */
+typedef struct ImageDecoder {
+    const ImagePlugin *plugin; /**< The module. */
+    ImageReader *reader;       /**< The open file. */
+    ImageHeader header;        /**< What is known of it. */
+    float *
+        decode_table; /**< For #PIXEL_FORMAT_SRGB16: the light of each of #SRGB16_MAXIMUM; owned. */
+    Texture *texture; /**< Where the texels go. */
+} ImageDecoder;
+
+/**
+ * Decodes numbers of 16 bits and the like.
+ * @param table          The light of each of #SRGB16_MAXIMUM steps.
+ * @param[in,out] linear  Numbers from 0 to 1; light afterwards.
+ * @param count          How many.
+ */
+static void decode_srgb16(const float *table, float *linear, size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        float clamped = linear[i] > 0 ? (linear[i] < 1 ? linear[i] : 1) : 0;
+        linear[i] = table[(unsigned)(clamped * SRGB16_MAXIMUM + 0.5F)];
+    }
+}
+
+/**
+ * Reads a band of rows.
+ * @param decoder       The picture that is being read.
+ * @param first         First row.
+ * @param[out] message  What is wrong.
+ * @return Whether it was read.
+ */
+static bool read_strip(const ImageDecoder *decoder, int first, ImagePluginMessage *message) {
+    int left = decoder->header.height - first;
+    int count = left < decoder->header.strip_rows ? left : decoder->header.strip_rows;
+    size_t row = (size_t)decoder->header.width * CHANNELS, start = (size_t)first * row;
+    if (decoder->header.format == PIXEL_FORMAT_SRGB8) {
+        uint8_t *encoded = texture_ldr_texels(decoder->texture) + start;
+        return decoder->plugin->read_encoded(decoder->reader, first, count, encoded, message);
+    }
+    float *linear = texture_hdr_texels(decoder->texture) + start;
+    bool is_read = decoder->plugin->read_linear(decoder->reader, first, count, linear, message);
+    if (is_read && decoder->decode_table) {
+        decode_srgb16(decoder->decode_table, linear, row * (size_t)count);
+    }
+    return is_read;
+}
+
+/**
+ * Reads all bands.
+ * @param decoder     The picture that is being read.
+ * @param[out] error  What is wrong.
+ * @return Whether all were read.
+ */
+static bool read_strips(const ImageDecoder *decoder, Error *error) {
+    ImagePluginMessage message;
+    for (int first = 0; first < decoder->header.height; first += decoder->header.strip_rows) {
+        if (!read_strip(decoder, first, &message)) {
+            return error_set(error, STATUS_SCENE, "%s", message.text);
+        }
+    }
+    return true;
+}
+
+/**
+ * Makes ready to read, once the header is known.
+ * @param[in,out] decoder  The picture that is being read.
+ * @param capacity             Bytes that fit where it goes.
+ * @param[out] error       What is wrong.
+ * @return false if it does not fit, or without memory.
+ */
+static bool prepare_decoder(ImageDecoder *decoder, size_t capacity, Error *error) {
+    const ImageHeader *header = &decoder->header;
+    Texture head = {.width = header->width,
+                    .height = header->height,
+                    .is_hdr = header->format != PIXEL_FORMAT_SRGB8,
+                    .reference_count = 1};
+    if (texture_block_size(&head) > capacity) {
+        return error_set(error, STATUS_SCENE, "its %d x %d pixels take more than %zu MiB",
+                         head.width, head.height, capacity >> 20);
+    }
+    *decoder->texture = head;
+    if (header->format == PIXEL_FORMAT_SRGB16) {
+        decoder->decode_table = malloc((SRGB16_MAXIMUM + 1) * sizeof *decoder->decode_table);
+        for (int i = 0; decoder->decode_table && i <= SRGB16_MAXIMUM; i++) {
+            double step = (double)i * ENCODING_CODE_MAXIMUM / SRGB16_MAXIMUM;
+            decoder->decode_table[i] = (float)encoding_decode(ENCODING_SRGB, step);
+        }
+    }
+    return header->format != PIXEL_FORMAT_SRGB16 || decoder->decode_table ||
+           error_set(error, STATUS_FAILED, "no memory");
+}
+
+bool image_plugin_read(const ImageReadRequest *request, Texture *texture, Error *error) {
+    ImagePluginMessage message;
+    const ImagePlugin *plugin = request->plugin;
+    ImageDecoder decoder = {.plugin = plugin, .texture = texture};
+    decoder.reader = plugin->open(request->path, request->format, &decoder.header, &message);
+    if (!decoder.reader) {
+        return error_set(error, STATUS_SCENE, "%s", message.text);
+    }
+    bool is_read =
+        prepare_decoder(&decoder, request->texture_capacity, error) && read_strips(&decoder, error);
+    free(decoder.decode_table);
+    plugin->close(decoder.reader);
+    return is_read;
+}

@@ -1,0 +1,103 @@
+/**
+ * @file
+ * @brief Pictures that a scene names: from the path to a texture.
+ */
+#include "assets/images/texture_file.h"
+
+#include "assets/images/bmp.h"
+#include "base/regular_file.h"
+
+#include <libintl.h>
+#include <string.h>
+#include <unistd.h>
+
+/** What reading a picture of a scene may take. */
+static const ImageReadLimits scene_limits = {TEXTURE_FILE_TIME_LIMIT, TEXTURE_FILE_MEMORY_LIMIT,
+                                             TEXTURE_FILE_CAPACITY};
+
+/**
+ * Finds the format of a file.
+ * @param path        The file.
+ * @param[out] error  Which endings there are.
+ * @return The format, or NULL.
+ */
+static const ImageFormat *find_format(const char *path, Error *error) {
+    const ImageFormat *format = image_format_by_extension(path);
+    if (!format) {
+        error_set(error, STATUS_SCENE, "a picture's name must end in .%s",
+                  gettext(IMAGE_READ_EXTENSIONS));
+    }
+    return format;
+}
+
+bool texture_file_check(const char *path, Error *error) {
+    struct stat found;
+    int file = find_format(path, error) ? regular_file_open(path, &found, error) : -1;
+    if (file >= 0) {
+        close(file);
+    }
+    return file >= 0;
+}
+
+/**
+ * Reads an open BMP file.
+ * @param file        The file.
+ * @param[out] error  What is wrong.
+ * @return The picture, or NULL.
+ */
+static Texture *read_bmp(int file, Error *error) {
+    Picture picture;
+    Texture *texture = NULL;
+    if (bmp_read(file, &picture, error)) {
+        texture = texture_create(picture.width, picture.height, false, error);
+    }
+    if (texture) {
+        memcpy(texture_ldr_texels(texture), picture.pixels,
+               texture_block_size(texture) - sizeof *texture);
+    }
+    picture_deinit(&picture);
+    return texture;
+}
+
+bool texture_file_read_open(const ImageFormat *format, int file, const ImageReadLimits *limits,
+                            Texture **texture, Error *error) {
+    char path[sizeof "/proc/self/fd/-2147483648"];
+    snprintf(path, sizeof path, "/proc/self/fd/%d", file);
+    *texture = NULL;
+    const ImagePlugin *plugin = image_plugin_load(error);
+    return plugin && image_sandbox_read(plugin, format->plugin_name, path, limits, texture, error);
+}
+
+/**
+ * Reads an open file.
+ * @param format        Its format.
+ * @param file          The file.
+ * @param[out] texture  The picture.
+ * @param[out] error    What is wrong.
+ * @return Whether it was read.
+ */
+static bool read_open_file(const ImageFormat *format, int file, Texture **texture, Error *error) {
+    if (format->plugin_name) {
+        return texture_file_read_open(format, file, &scene_limits, texture, error);
+    }
+    *texture = read_bmp(file, error);
+    return *texture != NULL;
+}
+
+bool texture_file_read(const char *path, Texture **texture, Error *error) {
+    *texture = NULL;
+    struct stat before;
+    const ImageFormat *format = find_format(path, error);
+    int file = format ? regular_file_open(path, &before, error) : -1;
+    if (file < 0) {
+        return false;
+    }
+    bool is_read = read_open_file(format, file, texture, error);
+    if (is_read && !regular_file_is_unchanged(file, &before, error)) {
+        texture_release(*texture);
+        *texture = NULL;
+        is_read = false;
+    }
+    close(file);
+    return is_read;
+}

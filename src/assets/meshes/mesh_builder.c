@@ -1,0 +1,287 @@
+/**
+ * @file
+ * @brief Makes a mesh of triangles that come one by one.
+ */
+#include "assets/meshes/mesh_builder.h"
+
+#include "base/language.h"
+#include "dioptre/parameter.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/** Triangles that fit at first. */
+enum { FIRST_CAPACITY = 1024 };
+/** A triangle none of whose corners has a place. */
+#define NO_INDICES ((MeshTriangle){{VERTEX_WELDER_NONE, VERTEX_WELDER_NONE, VERTEX_WELDER_NONE}})
+
+void mesh_builder_init(MeshBuilder *builder, Error *error) {
+    *builder = (MeshBuilder){.positions = {.dimension = 3},
+                             .normals = {.dimension = 3},
+                             .uvs = {.dimension = 2},
+                             .error = error};
+}
+
+void mesh_builder_deinit(MeshBuilder *builder) {
+    vertex_welder_deinit(&builder->positions);
+    vertex_welder_deinit(&builder->normals);
+    vertex_welder_deinit(&builder->uvs);
+    free(builder->triangles);
+    free(builder->triangle_normals);
+    free(builder->triangle_uvs);
+    *builder = (MeshBuilder){0};
+}
+
+/** Says that there is no memory. @param builder The builder. @return false, always. */
+static bool set_out_of_memory(MeshBuilder *builder) {
+    return error_set(builder->error, STATUS_SCENE, "it needs more memory than a model may take");
+}
+
+/** @return Whether numbers are finite and not too large. @param numbers They. @param count How
+ * many.
+ */
+static bool are_in_range(const double *numbers, int count) {
+    for (int i = 0; i < count; i++) {
+        if (!(fabs(numbers[i]) <= LENGTH_MAXIMUM)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/** @return Three numbers as a vector. @param numbers They. */
+static Vec3d vector_from_array(const double numbers[3]) {
+    return (Vec3d){numbers[0], numbers[1], numbers[2]};
+}
+
+/**
+ * @return A vector at right angles to a triangle, of twice its area. Exactly zero where the corners
+ *         lie on a line and are floats of like size: their differences and products fit a double.
+ * @param a  A corner.
+ * @param b  Another.
+ * @param c  The third.
+ */
+static Vec3d area_vector(Vec3d a, Vec3d b, Vec3d c) {
+    return vec3d_cross(vec3d_subtract(b, a), vec3d_subtract(c, a));
+}
+
+/**
+ * Makes an array of triangles longer.
+ * @param array     The array.
+ * @param capacity  How many shall fit.
+ * @return false without memory.
+ */
+static bool resize_triangles(MeshTriangle **array, size_t capacity) {
+    MeshTriangle *resized = realloc(*array, capacity * sizeof *resized);
+    if (resized) {
+        *array = resized;
+    }
+    return resized != NULL;
+}
+
+/** Makes room for one more triangle. @param builder The builder. @return false without memory. */
+static bool grow(MeshBuilder *builder) {
+    if (builder->count < builder->capacity) {
+        return true;
+    }
+    size_t capacity = builder->capacity ? 2 * builder->capacity : FIRST_CAPACITY;
+    if (!resize_triangles(&builder->triangles, capacity) ||
+        !resize_triangles(&builder->triangle_normals, capacity) ||
+        !resize_triangles(&builder->triangle_uvs, capacity)) {
+        return false;
+    }
+    builder->capacity = capacity;
+    return true;
+}
+
+/**
+ * Adds a corner's normal, if it has one that says a direction.
+ * @param builder     The builder.
+ * @param corner      The corner.
+ * @param[out] index  Its place; untouched where there is none.
+ * @return false without memory.
+ */
+static bool add_normal(MeshBuilder *builder, const MeshCorner *corner, uint32_t *index) {
+    builder->has_normals |= corner->has_normal;
+    Vec3d normal = vector_from_array(corner->normal);
+    if (!corner->has_normal || !are_in_range(corner->normal, 3) || !(vec3d_length(normal) > 0)) {
+        return true;
+    }
+    normal = vec3d_normalize(normal);
+    return vertex_welder_add(&builder->normals, (const double[]){normal.x, normal.y, normal.z},
+                             index);
+}
+
+/**
+ * Adds a corner's (u, v), if it has one.
+ * @param builder     The builder.
+ * @param corner      The corner.
+ * @param[out] index  Its place; untouched where there is none.
+ * @return false without memory.
+ */
+static bool add_uv(MeshBuilder *builder, const MeshCorner *corner, uint32_t *index) {
+    builder->has_uvs |= corner->has_uv;
+    return !corner->has_uv || !are_in_range(corner->uv, 2) ||
+           vertex_welder_add(&builder->uvs, corner->uv, index);
+}
+
+/**
+ * Adds a triangle that has an area.
+ * @param builder  The builder.
+ * @param corners  Its corners.
+ * @return false without memory.
+ */
+static bool append_triangle(MeshBuilder *builder, const MeshCorner corners[3]) {
+    MeshTriangle position_indices, normal_indices = NO_INDICES, uv_indices = NO_INDICES;
+    bool is_added = grow(builder);
+    for (int k = 0; is_added && k < 3; k++) {
+        is_added = vertex_welder_add(&builder->positions, corners[k].position,
+                                     &position_indices.index[k]) &&
+                   add_normal(builder, &corners[k], &normal_indices.index[k]) &&
+                   add_uv(builder, &corners[k], &uv_indices.index[k]);
+    }
+    if (!is_added) {
+        return set_out_of_memory(builder);
+    }
+    builder->triangles[builder->count] = position_indices;
+    builder->triangle_normals[builder->count] = normal_indices;
+    builder->triangle_uvs[builder->count] = uv_indices;
+    builder->count++;
+    return true;
+}
+
+bool mesh_builder_add(void *context, const MeshCorner corners[3]) {
+    MeshBuilder *builder = context;
+    for (int k = 0; k < 3; k++) {
+        const double *position = corners[k].position;
+        if (!are_in_range(position, 3)) {
+            return error_set(builder->error, STATUS_SCENE,
+                             "a vertex lies at (%g, %g, %g): coordinates must be finite and at "
+                             "most %g",
+                             position[0], position[1], position[2], LENGTH_MAXIMUM);
+        }
+    }
+    Vec3d area =
+        area_vector(vector_from_array(corners[0].position), vector_from_array(corners[1].position),
+                    vector_from_array(corners[2].position));
+    if (!(vec3d_length(area) > 0)) {
+        builder->repairs.degenerate_triangles++;
+        return true;
+    }
+    return append_triangle(builder, corners);
+}
+
+/** @return A position. @param builder The builder. @param index Its place. */
+static Vec3d position_at(const MeshBuilder *builder, uint32_t index) {
+    return vector_from_array(builder->positions.points + builder->positions.dimension * index);
+}
+
+/**
+ * Puts a triangle's own normal where a corner lacks one.
+ * @param builder  The builder.
+ * @param i        The triangle.
+ * @return false without memory.
+ */
+static bool fill_missing_normals(MeshBuilder *builder, size_t i) {
+    const uint32_t *indices = builder->triangles[i].index;
+    Vec3d area = area_vector(position_at(builder, indices[0]), position_at(builder, indices[1]),
+                             position_at(builder, indices[2]));
+    Vec3d normal = vec3d_normalize(area);
+    const double numbers[] = {normal.x, normal.y, normal.z};
+    for (int k = 0; k < 3; k++) {
+        uint32_t *index = &builder->triangle_normals[i].index[k];
+        if (*index == VERTEX_WELDER_NONE && !vertex_welder_add(&builder->normals, numbers, index)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/**
+ * Puts (0, 0) where a corner lacks a (u, v).
+ * @param builder  The builder.
+ * @param i        The triangle.
+ * @return false without memory.
+ */
+static bool fill_missing_uvs(MeshBuilder *builder, size_t i) {
+    for (int k = 0; k < 3; k++) {
+        uint32_t *index = &builder->triangle_uvs[i].index[k];
+        if (*index == VERTEX_WELDER_NONE &&
+            !vertex_welder_add(&builder->uvs, (const double[]){0, 0}, index)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/**
+ * @return How many corners have no place.
+ * @param triangles  Their triangles.
+ * @param count      How many triangles.
+ */
+static size_t count_missing(const MeshTriangle *triangles, size_t count) {
+    size_t missing = 0;
+    for (size_t i = 0; i < count; i++) {
+        for (int k = 0; k < 3; k++) {
+            missing += triangles[i].index[k] == VERTEX_WELDER_NONE;
+        }
+    }
+    return missing;
+}
+
+/** Puts in what corners lack and others have. @param builder The builder. @return false without
+ *  memory. */
+static bool fill_missing(MeshBuilder *builder) {
+    MeshRepairs *repairs = &builder->repairs;
+    size_t count = builder->count;
+    repairs->missing_normals =
+        builder->has_normals ? count_missing(builder->triangle_normals, count) : 0;
+    repairs->missing_uvs = builder->has_uvs ? count_missing(builder->triangle_uvs, count) : 0;
+    bool has_memory = true;
+    for (size_t i = 0; has_memory && i < count; i++) {
+        has_memory = (builder->normals.count == 0 || fill_missing_normals(builder, i)) &&
+                     (builder->uvs.count == 0 || fill_missing_uvs(builder, i));
+    }
+    return has_memory || set_out_of_memory(builder);
+}
+
+bool mesh_builder_finish(MeshBuilder *builder, Mesh *counts) {
+    if (builder->count == 0) {
+        return error_set(builder->error, STATUS_SCENE,
+                         builder->repairs.degenerate_triangles
+                             ? N_("there is no triangle in it that has an area")
+                             : N_("there is no triangle in it"));
+    }
+    bool is_complete = fill_missing(builder);
+    *counts = (Mesh){.position_count = builder->positions.count,
+                     .normal_count = builder->normals.count,
+                     .uv_count = builder->uvs.count,
+                     .triangle_count = builder->count,
+                     .repairs = builder->repairs};
+    return is_complete;
+}
+
+/** Copies triangles. @param[out] to Where to; NULL: nowhere. @param from They. @param count How
+ *  many. */
+static void copy_triangles(MeshTriangle *to, const MeshTriangle *from, size_t count) {
+    if (to) {
+        memcpy(to, from, count * sizeof *to);
+    }
+}
+
+void mesh_builder_copy(const MeshBuilder *builder, Mesh *mesh) {
+    const double *p = builder->positions.points, *n = builder->normals.points;
+    const double *uv = builder->uvs.points;
+    for (size_t i = 0; i < mesh->position_count; i++) {
+        mesh->positions[i] = vector_from_array(p + 3 * i);
+    }
+    for (size_t i = 0; i < mesh->normal_count; i++) {
+        mesh->normals[i] = vector_from_array(n + 3 * i);
+    }
+    for (size_t i = 0; i < mesh->uv_count; i++) {
+        mesh->uvs[i] = (MeshUv){uv[2 * i], uv[2 * i + 1]};
+    }
+    copy_triangles(mesh->triangles, builder->triangles, builder->count);
+    copy_triangles(mesh->triangle_normals, builder->triangle_normals, builder->count);
+    copy_triangles(mesh->triangle_uvs, builder->triangle_uvs, builder->count);
+}

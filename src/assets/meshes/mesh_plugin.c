@@ -1,0 +1,330 @@
+/**
+ * @file
+ * @brief The model module: assimp behind a border of our own.
+ *
+ * Part of `dioptre-meshes.so` and not of the program. It runs in a child process, and what it hands
+ * over is looked at there and again outside.
+ */
+#include "assets/meshes/mesh_plugin.h"
+
+#include <assimp/cfileio.h>
+#include <assimp/cimport.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <ctype.h>
+#include <libintl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/** Bytes of the name that assimp is given for the file, such as `model.obj`. */
+enum { NAME_SIZE = 32 };
+/** How much of the whole work it is to read the file. */
+#define READ_FRACTION 0.5
+/** Triangles that are handed over between two tellings. */
+enum { PROGRESS_INTERVAL = 4096 };
+
+/** The file as assimp sees it, and the only one that it can see. */
+typedef struct MemoryFile {
+    char name[NAME_SIZE]; /**< What assimp calls it. */
+    const char *bytes;    /**< Its bytes. */
+    size_t size;          /**< How many. */
+    size_t offset;        /**< What is read next. */
+    const MeshSink *sink; /**< Who is told how far it is. */
+    struct aiFile file;   /**< The same in assimp's words. */
+} MemoryFile;
+
+/** @return The model file behind one of assimp's. @param file The file. */
+static MemoryFile *memory_file_of(struct aiFile *file) {
+    return (MemoryFile *)(void *)file->UserData;
+}
+
+/** Reads on. See aiFileReadProc. @param file The file. @param[out] to Where to. @param size Bytes a
+ *  piece. @param count How many pieces. @return How many whole pieces there were. */
+static size_t read_bytes(struct aiFile *file, char *to, size_t size, size_t count) {
+    MemoryFile *memory = memory_file_of(file);
+    size_t left = memory->size - memory->offset;
+    size_t pieces = size ? left / size : 0;
+    pieces = pieces < count ? pieces : count;
+    memcpy(to, memory->bytes + memory->offset, pieces * size);
+    memory->offset += pieces * size;
+    double fraction = (double)memory->offset / (double)(memory->size + 1);
+    memory->sink->report_progress(memory->sink->context, READ_FRACTION * fraction);
+    return pieces;
+}
+
+/** Writes nothing. See aiFileWriteProc. @param file Not used. @param from Not used. @param size Not
+ *  used. @param count Not used. @return 0 */
+static size_t write_nothing(struct aiFile *file, const char *from, size_t size, size_t count) {
+    (void)file, (void)from, (void)size, (void)count;
+    return 0;
+}
+
+/** @return What is read next. See aiFileTellProc. @param file The file. */
+static size_t tell_offset(struct aiFile *file) {
+    return memory_file_of(file)->offset;
+}
+
+/** @return Its bytes. See aiFileTellProc. @param file The file. */
+static size_t tell_size(struct aiFile *file) {
+    return memory_file_of(file)->size;
+}
+
+/** Goes elsewhere in the file. See aiFileSeek. @param file The file. @param offset How far.
+ *  @param origin From where; backwards from the end too. @return Whether there is such a place. */
+static enum aiReturn seek_to(struct aiFile *file, size_t offset, enum aiOrigin origin) {
+    MemoryFile *memory = memory_file_of(file);
+    size_t start = origin == aiOrigin_SET   ? 0
+                   : origin == aiOrigin_CUR ? memory->offset
+                                            : memory->size;
+    size_t position = start + offset; // Unsigned, and so right for steps back, too.
+    if (position > memory->size) {
+        return aiReturn_FAILURE;
+    }
+    memory->offset = position;
+    return aiReturn_SUCCESS;
+}
+
+/** Does nothing. See aiFileFlushProc. @param file Not used. */
+static void flush_nothing(struct aiFile *file) {
+    (void)file;
+}
+
+/** Opens the model file, and no other. See aiFileOpenProc. @param system Where it is known.
+ *  @param name What is asked for. @param mode Not used. @return The file, or NULL. */
+static struct aiFile *open_model(struct aiFileIO *system, const char *name, const char *mode) {
+    (void)mode;
+    MemoryFile *memory = (MemoryFile *)(void *)system->UserData;
+    memory->offset = 0;
+    return strcmp(name, memory->name) == 0 ? &memory->file : NULL;
+}
+
+/** Closes nothing. See aiFileCloseProc. @param system Not used. @param file Not used. */
+static void close_nothing(struct aiFileIO *system, struct aiFile *file) {
+    (void)system, (void)file;
+}
+
+/**
+ * Puts words into a report, in one line.
+ * @param[out] result  The report.
+ * @param words        The words.
+ * @return false, always.
+ */
+static bool set_failure(MeshImportResult *result, const char *words) {
+    snprintf(result->message, sizeof result->message, "%s", words);
+    for (char *c = result->message; *c; c++) {
+        *c = *c == '\n' || *c == '\r' ? ' ' : *c;
+    }
+    return false;
+}
+
+/**
+ * Puts into a report what assimp says is wrong.
+ * @param[out] result  The report.
+ * @return false, always.
+ */
+static bool set_import_failure(MeshImportResult *result) {
+    const char *words = aiGetErrorString();
+    if (strstr(words, "bad_alloc")) {
+        return set_failure(result, gettext("it needs more memory than a model may take"));
+    }
+    return set_failure(
+        result, words[0] ? words : gettext("the library that reads models does not say why not"));
+}
+
+/**
+ * @return Whether a number begins with its decimal point at a place.
+ * @param source  The text.
+ * @param i       The place.
+ */
+static bool is_bare_decimal_point(const MeshSource *source, size_t i) {
+    const char *bytes = source->bytes;
+    if (bytes[i] != '.' || i == 0 || i + 1 >= source->size) {
+        return false;
+    }
+    char before = bytes[i - 1];
+    bool is_start = before == ' ' || before == '\t' || before == '-' || before == '+';
+    return is_start && isdigit((unsigned char)bytes[i + 1]);
+}
+
+/**
+ * Writes a nought before each number that begins with its decimal point. assimp 5.2 does not count
+ * them as numbers in an OBJ file, and leaves the whole vertex out.
+ * @param source     The text.
+ * @param[out] size  Bytes of the new one.
+ * @return The new text, to be freed; NULL without memory.
+ */
+static char *add_leading_zeros(const MeshSource *source, size_t *size) {
+    size_t count = 0;
+    for (size_t i = 0; i < source->size; i++) {
+        count += is_bare_decimal_point(source, i);
+    }
+    char *text = malloc(source->size + count + 1);
+    char *next = text;
+    for (size_t i = 0; text && i < source->size; i++) {
+        if (is_bare_decimal_point(source, i)) {
+            *next++ = '0';
+        }
+        *next++ = source->bytes[i];
+    }
+    *size = source->size + count;
+    return text;
+}
+
+/**
+ * Has assimp read a file.
+ * @param memory        The file.
+ * @param is_glTF      Whether its parts are placed by a tree of nodes.
+ * @return What it made of it, to be released; NULL with words in aiGetErrorString.
+ */
+static const struct aiScene *import(MemoryFile *memory, bool is_glTF) {
+    memory->file = (struct aiFile){.ReadProc = read_bytes,
+                                   .WriteProc = write_nothing,
+                                   .TellProc = tell_offset,
+                                   .FileSizeProc = tell_size,
+                                   .SeekProc = seek_to,
+                                   .FlushProc = flush_nothing,
+                                   .UserData = (void *)memory};
+    struct aiFileIO system = {
+        .OpenProc = open_model, .CloseProc = close_nothing, .UserData = (void *)memory};
+    return aiImportFileEx(memory->name, is_glTF ? aiProcess_PreTransformVertices : 0, &system);
+}
+
+/**
+ * @return How many triangles a model has.
+ * @param scene     The model.
+ * @param counts_polygons  Whether polygons count as those that they can be cut into.
+ */
+static size_t count_triangles(const struct aiScene *scene, bool counts_polygons) {
+    size_t count = 0;
+    for (unsigned i = 0; i < scene->mNumMeshes; i++) {
+        const struct aiMesh *mesh = scene->mMeshes[i];
+        for (unsigned j = 0; j < mesh->mNumFaces; j++) {
+            unsigned corners = mesh->mFaces[j].mNumIndices;
+            count += corners == 3 ? 1 : counts_polygons && corners > 3 ? corners - 2 : 0;
+        }
+    }
+    return count;
+}
+
+/**
+ * @return One corner.
+ * @param mesh  What it is a corner of.
+ * @param i     Its place there.
+ */
+static MeshCorner corner_of(const struct aiMesh *mesh, unsigned i) {
+    struct aiVector3D position = mesh->mVertices[i];
+    MeshCorner corner = {.position = {(double)position.x, (double)position.y, (double)position.z},
+                         .has_normal = mesh->mNormals != NULL,
+                         .has_uv = mesh->mTextureCoords[0] != NULL};
+    if (corner.has_normal) {
+        struct aiVector3D normal = mesh->mNormals[i];
+        corner.normal[0] = (double)normal.x;
+        corner.normal[1] = (double)normal.y;
+        corner.normal[2] = (double)normal.z;
+    }
+    if (corner.has_uv) {
+        corner.uv[0] = (double)mesh->mTextureCoords[0][i].x;
+        corner.uv[1] = (double)mesh->mTextureCoords[0][i].y;
+    }
+    return corner;
+}
+
+/**
+ * Hands a triangle over.
+ * @param mesh         What it is in.
+ * @param face         Its corners, three.
+ * @param sink         Who takes it.
+ * @param[out] result  What is wrong.
+ * @return false if it names a corner that is not there, or no more is wanted.
+ */
+static bool emit_triangle(const struct aiMesh *mesh, const struct aiFace *face,
+                          const MeshSink *sink, MeshImportResult *result) {
+    MeshCorner corners[3];
+    for (int k = 0; k < 3; k++) {
+        if (face->mIndices[k] >= mesh->mNumVertices) {
+            return set_failure(result, gettext("a face names a vertex that is not there"));
+        }
+        corners[k] = corner_of(mesh, face->mIndices[k]);
+    }
+    return sink->add_triangle(sink->context, corners);
+}
+
+/**
+ * Hands all triangles over.
+ * @param scene        The model.
+ * @param sink         Who takes them.
+ * @param[out] result  What is wrong.
+ * @return Whether all were taken.
+ */
+static bool emit_triangles(const struct aiScene *scene, const MeshSink *sink,
+                           MeshImportResult *result) {
+    size_t total = count_triangles(scene, false), done = 0;
+    for (unsigned i = 0; i < scene->mNumMeshes; i++) {
+        const struct aiMesh *mesh = scene->mMeshes[i];
+        for (unsigned j = 0; j < mesh->mNumFaces; j++) {
+            const struct aiFace *face = &mesh->mFaces[j];
+            if (face->mNumIndices != 3) {
+                continue;
+            }
+            if (!emit_triangle(mesh, face, sink, result)) {
+                return false;
+            }
+            if (++done % PROGRESS_INTERVAL == 0) {
+                double fraction = (double)done / (double)total;
+                sink->report_progress(sink->context,
+                                      READ_FRACTION + (1 - READ_FRACTION) * fraction);
+            }
+        }
+    }
+    return true;
+}
+
+/**
+ * Cuts the polygons of a model into triangles and hands all over.
+ * @param scene        The model; released.
+ * @param sink         Who takes them.
+ * @param[out] result  What went otherwise than it should.
+ * @return Whether all were taken.
+ */
+static bool triangulate_and_emit(const struct aiScene *scene, const MeshSink *sink,
+                                 MeshImportResult *result) {
+    size_t expected = count_triangles(scene, true);
+    const struct aiScene *triangulated = aiApplyPostProcessing(scene, aiProcess_Triangulate);
+    if (!triangulated) { // assimp has released it.
+        return set_import_failure(result);
+    }
+    size_t found = count_triangles(triangulated, false);
+    result->untriangulated_polygons = found < expected ? expected - found : 0;
+    bool is_done = emit_triangles(triangulated, sink, result);
+    aiReleaseImport(triangulated);
+    return is_done;
+}
+
+/**
+ * Is MeshPlugin::read: reads a model and hands its triangles over.
+ * @param source       The file.
+ * @param sink         Who takes the triangles.
+ * @param[out] result  What went otherwise than it should.
+ * @return Whether all were handed over.
+ */
+static bool read_model(const MeshSource *source, const MeshSink *sink, MeshImportResult *result) {
+    *result = (MeshImportResult){0};
+    bool is_text = strcmp(source->extension, "obj") == 0;
+    bool is_glTF = strncmp(source->extension, "gl", 2) == 0;
+    MemoryFile memory = {.bytes = source->bytes, .size = source->size, .sink = sink};
+    snprintf(memory.name, sizeof memory.name, "model.%s", source->extension);
+    char *text = is_text ? add_leading_zeros(source, &memory.size) : NULL;
+    if (is_text && !text) {
+        return set_failure(result, gettext("it needs more memory than a model may take"));
+    }
+    memory.bytes = text ? text : memory.bytes;
+    const struct aiScene *scene = import(&memory, is_glTF);
+    bool is_done = scene ? triangulate_and_emit(scene, sink, result) : set_import_failure(result);
+    free(text);
+    return is_done;
+}
+
+/** The one thing of the module that is seen from outside: #MESH_PLUGIN_SYMBOL. */
+__attribute__((visibility("default"))) extern const MeshPlugin dioptre_mesh_plugin;
+const MeshPlugin dioptre_mesh_plugin = {.version = MESH_PLUGIN_VERSION, .read = read_model};

@@ -1,0 +1,61 @@
+/**
+ * @file
+ * @brief What a picture file says of how its picture came about.
+ */
+#include "cli/render_metadata.h"
+
+#include "cli/commands.h"
+#include "dioptre/offset_strategy.h"
+
+#include <ctype.h>
+#include <stdarg.h>
+#include <string.h>
+
+/**
+ * Adds a note. Of what is not printable ASCII, not every format can tell what it means.
+ * @param[in,out] metadata  The notes.
+ * @param name           What it is.
+ * @param format         The text, as for printf.
+ */
+__attribute__((format(printf, 3, 4))) static void
+add_entry(RenderMetadata *metadata, const char *name, const char *format, ...) {
+    char *text = metadata->texts[metadata->count];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, RENDER_METADATA_TEXT_SIZE, format, arguments);
+    va_end(arguments);
+    for (char *c = text; *c; c++) {
+        *c = isascii(*c) && isprint(*c) ? *c : '?';
+    }
+    metadata->entries[metadata->count++] = (MetadataEntry){name, text};
+}
+
+/** @return A file's name without its folder. @param path The file; `-` is standard input. */
+static const char *base_name_of(const char *path) {
+    const char *slash = strrchr(path, '/');
+    return strcmp(path, "-") == 0 ? "standard input" : slash ? slash + 1 : path;
+}
+
+void render_metadata_init(RenderMetadata *metadata, const Options *options, double time,
+                          const RenderSettings *settings) {
+    const char *scene = base_name_of(options->arguments[0]);
+    const TraceSettings *trace = &settings->trace;
+    char offset[64];
+    *metadata = (RenderMetadata){.count = 0};
+    int length = snprintf(offset, sizeof offset, "%s", offset_strategy_names[trace->offset]);
+    if (trace->offset == OFFSET_FIXED) {
+        snprintf(offset + length, sizeof offset - (size_t)length, " %g", trace->epsilon);
+    }
+    add_entry(metadata, "Software", "dioptre " DIOPTRE_VERSION);
+    add_entry(metadata, "ImageDescription",
+              "scene %s, time %g s, engine %s, %dx%d, samples %d, depth %d, offset %s", scene, time,
+              settings->engine->name, settings->width, settings->height, settings->samples,
+              trace->depth, offset);
+    add_entry(metadata, "dioptre:scene", "%s", scene);
+    add_entry(metadata, "dioptre:time", "%g", time);
+    add_entry(metadata, "dioptre:engine", "%s", settings->engine->name);
+    add_entry(metadata, "dioptre:size", "%dx%d", settings->width, settings->height);
+    add_entry(metadata, "dioptre:samples", "%d", settings->samples);
+    add_entry(metadata, "dioptre:depth", "%d", trace->depth);
+    add_entry(metadata, "dioptre:offset", "%s", offset);
+}

@@ -1,0 +1,349 @@
+/**
+ * @file
+ * @brief Measuring what the settings of a scene cost, and what errors they leave.
+ *
+ * One setting is changed at a time (Hairer, Wanner, *Solving Ordinary Differential Equations II*,
+ * 1996, draw work against precision so). All are timed in turn, again and again, so that a clock
+ * that drifts drifts for all.
+ */
+#include "dioptre/chart.h"
+
+#include "lab/needs/image_difference.h"
+#include "lab/needs/scaled_tolerance_scene.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/** How many times as large an error may be and count as the same. */
+#define EQUAL_ERROR_FACTOR 1.01
+
+/** How often each setting is timed. */
+enum { TURNS = 5 };
+
+/** Depth and samples of the truth. */
+enum { REFERENCE_MAX_DEPTH = 128, REFERENCE_SAMPLES = 64 };
+
+/** Of a group's own errors, which kind they are. */
+typedef enum {
+    ERROR_KIND_ROUNDING, /**< The same rays in quad. */
+    ERROR_KIND_MODEL,    /**< In the same numbers, but everything followed. */
+    ERROR_KIND_SAMPLING  /**< Many samples. */
+} ErrorKind;
+
+/** A measurement under way. */
+typedef struct ChartMeasurement {
+    const Scene *scene;             /**< The scene. */
+    const RenderSettings *settings; /**< How it would be drawn. */
+    const atomic_bool *stop;        /**< Whether to give up. */
+    PixelSet timed_pixels;          /**< The pixels that are timed. */
+    PixelSet error_pixels;          /**< Those whose errors are measured. */
+    PixelSet quad_pixels;           /**< Those that quad is asked about. */
+    Chart *chart;                   /**< What is known. */
+} ChartMeasurement;
+
+/** @return Whether a pixel is timed: whole blocks, here and there. See #PixelTest.
+ *  @param context Not looked at. @param x Its column. @param y Its row. */
+static bool pixel_is_in_timed_set(const void *context, int x, int y) {
+    (void)context;
+    return (x / 64 + 5 * (y / 16)) % 16 == 0;
+}
+
+/** @return Whether quad is asked about a pixel. See #PixelTest. @param context Not looked at.
+ *  @param x Its column. @param y Its row. */
+static bool pixel_is_in_quad_set(const void *context, int x, int y) {
+    return pixel_is_sampled(context, x, y) && (x / 8 + y / 8) % 4 == 0;
+}
+
+/** Adds a setting. @param[in,out] measure The measurement. @param group What is set.
+ *  @param label To what. @return It, as the scene has all others; NULL: there are too many. */
+static ChartPoint *add_setting(ChartMeasurement *measure, const char *group, const char *label) {
+    static ChartPoint none; // What cannot be kept is set here and forgotten.
+    Chart *chart = measure->chart;
+    ChartPoint *point =
+        chart->count < CHART_POINTS_MAXIMUM ? &chart->points[chart->count++] : &none;
+    *point = (ChartPoint){.setting = group,
+                          .engine = measure->settings->engine,
+                          .trace = measure->settings->trace,
+                          .samples = measure->settings->samples,
+                          .tolerance = 1};
+    snprintf(point->label, sizeof point->label, "%s", label);
+    return point;
+}
+
+/** Adds the engines. @param[in,out] measure The measurement. */
+static void engines_add(ChartMeasurement *measure) {
+    for (const Engine *const *engine = engine_list(); *engine; engine++) {
+        if (engine_is_supported(*engine) && (*engine)->mantissa_bits <= 53) {
+            add_setting(measure, "engine", (*engine)->name)->engine = *engine;
+        }
+    }
+}
+
+/** Adds ways to leave a surface. @param[in,out] measure The measurement. */
+static void offsets_add(ChartMeasurement *measure) {
+    add_setting(measure, "offset", "none")->trace.offset = OFFSET_NONE;
+    for (double epsilon = 1e-6; epsilon < 0.05; epsilon *= 10) {
+        char label[CHART_LABEL_SIZE];
+        snprintf(label, sizeof label, "fixed %.0e", epsilon);
+        ChartPoint *point = add_setting(measure, "offset", label);
+        point->trace.offset = OFFSET_FIXED;
+        point->trace.epsilon = epsilon;
+    }
+    add_setting(measure, "offset", "bound")->trace.offset = OFFSET_BOUND;
+}
+
+/** Adds depths. @param[in,out] measure The measurement. */
+static void depths_add(ChartMeasurement *measure) {
+    static const int depths[] = {0, 1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 64};
+    bool is_recursive =
+        scene_has_reflection(measure->scene) || scene_has_transparency(measure->scene);
+    for (size_t i = 0; is_recursive && i < sizeof depths / sizeof *depths; i++) {
+        char label[CHART_LABEL_SIZE];
+        snprintf(label, sizeof label, "depth %d", depths[i]);
+        add_setting(measure, "depth", label)->trace.depth = depths[i];
+    }
+}
+
+/** Adds samples. @param[in,out] measure The measurement. */
+static void samples_add(ChartMeasurement *measure) {
+    for (int samples = 1; samples <= REFERENCE_SAMPLES / 4; samples *= 2) {
+        char label[CHART_LABEL_SIZE];
+        snprintf(label, sizeof label, "%d ray%s", samples, samples == 1 ? "" : "s");
+        add_setting(measure, "samples", label)->samples = samples;
+    }
+}
+
+/** Adds tolerances. @param[in,out] measure The measurement. */
+static void tolerances_add(ChartMeasurement *measure) {
+    bool is_marched = scene_has_tolerances(measure->scene, engine_list()[0]->shape_keywords);
+    for (double factor = 0.25; is_marched && factor <= 256; factor *= 4) {
+        char label[CHART_LABEL_SIZE];
+        snprintf(label, sizeof label, "tolerance x %g", factor);
+        add_setting(measure, "tolerance", label)->tolerance = factor;
+    }
+}
+
+/** Adds the tree. @param[in,out] measure The measurement. */
+static void bvh_modes_add(ChartMeasurement *measure) {
+    add_setting(measure, "tree", "no tree")->trace.bvh = BVH_NEVER;
+    add_setting(measure, "tree", "tree")->trace.bvh = BVH_ALWAYS;
+}
+
+/** Shoots a setting. @param measure The measurement. @param pixels Which pixels. @param point The
+ *  setting. @param[out] render The shot. @param[out] error What is wrong. @return false if anything
+ *  is. */
+static bool point_render(const ChartMeasurement *measure, const PixelSet *pixels,
+                         const ChartPoint *point, SampledRender *render, Error *error) {
+    ScaledToleranceScene scaled;
+    if (!scaled_tolerance_scene_init(&scaled, measure->scene, point->engine->shape_keywords,
+                                     point->tolerance, error)) {
+        return false;
+    }
+    const Scene *scene = point->tolerance == 1 ? measure->scene : &scaled.scene;
+    RenderContext render_context = {scene, pixels, measure->settings->threads, measure->stop};
+    Variant variant = {
+        .engine = point->engine, .trace = point->trace, .samples_traced = point->samples};
+    variant.trace.samples = point->samples;
+    bool is_taken = render_samples(&render_context, &variant, render, error);
+    scaled_tolerance_scene_deinit(&scaled);
+    return is_taken;
+}
+
+/** @return Order of two numbers, for qsort. @param a One. @param b The other. */
+static int compare_numbers(const void *a, const void *b) {
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/** Times all settings in turn. @param[in,out] measure The measurement. @param[out] error What is
+ *  wrong. @return false if anything is. */
+static bool time_points(ChartMeasurement *measure, Error *error) {
+    Chart *chart = measure->chart;
+    double seconds[CHART_POINTS_MAXIMUM][TURNS];
+    double megapixels = 1e-6 * (double)measure->timed_pixels.count;
+    for (int turn = 0; turn < TURNS; turn++) {
+        for (size_t i = 0; i < chart->count; i++) {
+            SampledRender render;
+            if (!point_render(measure, &measure->timed_pixels, &chart->points[i], &render, error)) {
+                return false;
+            }
+            seconds[i][turn] = render.cpu_seconds / megapixels;
+            sampled_render_deinit(&render);
+        }
+    }
+    for (size_t i = 0; i < chart->count; i++) {
+        qsort(seconds[i], TURNS, sizeof **seconds, compare_numbers);
+        chart->points[i].seconds_low = seconds[i][TURNS / 4];
+        chart->points[i].seconds = seconds[i][TURNS / 2];
+        chart->points[i].seconds_high = seconds[i][TURNS - 1 - TURNS / 4];
+    }
+    return true;
+}
+
+/** Takes the mean of the samples of each pixel: then a shot has one ray a pixel. Trails are lost.
+ *  @param[in,out] render The shot. @param pixels How many pixels. */
+static void average_samples(SampledRender *render, size_t pixels) {
+    size_t samples = render->ray_count / pixels;
+    for (size_t i = 0; i < 3 * pixels; i++) {
+        double sum = 0;
+        for (size_t sample = 0; sample < samples; sample++) {
+            sum += render->rgb[3 * pixels * sample + i];
+        }
+        render->rgb[i] = sum / (double)samples;
+    }
+    render->ray_count = pixels;
+}
+
+/** @return Of which kind a group's own errors are. @param group The group. */
+static ErrorKind error_kind_of(const char *group) {
+    bool is_truncation = strcmp(group, "depth") == 0 || strcmp(group, "tolerance") == 0;
+    return strcmp(group, "samples") == 0 ? ERROR_KIND_SAMPLING
+           : is_truncation               ? ERROR_KIND_MODEL
+                                         : ERROR_KIND_ROUNDING;
+}
+
+/** @return What a setting's own error is measured against. @param point The setting. @param kind Of
+ *  its error. */
+static ChartPoint reference_of(const ChartPoint *point, ErrorKind kind) {
+    ChartPoint truth = *point;
+    if (kind == ERROR_KIND_ROUNDING) {
+        truth.engine = engine_find("f128x1", NULL);
+        truth.trace.offset = OFFSET_BOUND;
+    } else if (kind == ERROR_KIND_MODEL) {
+        truth.trace.depth =
+            strcmp(point->setting, "depth") == 0 ? REFERENCE_MAX_DEPTH : truth.trace.depth;
+        truth.tolerance = 1.0 / 16;
+    } else {
+        truth.samples = REFERENCE_SAMPLES;
+    }
+    return truth;
+}
+
+/** Finds a setting's own error. @param measure The measurement. @param[in,out] point The setting.
+ *  @param[out] error What is wrong. @return false if anything is. */
+static bool point_measure_own_error(const ChartMeasurement *measure, ChartPoint *point,
+                                    Error *error) {
+    ErrorKind kind = error_kind_of(point->setting);
+    ChartPoint mine = *point;
+    mine.samples = kind == ERROR_KIND_SAMPLING ? point->samples : 1;
+    ChartPoint other = reference_of(&mine, kind);
+    const PixelSet *pixels =
+        kind == ERROR_KIND_ROUNDING ? &measure->quad_pixels : &measure->error_pixels;
+    SampledRender render, reference_render;
+    if (!point_render(measure, pixels, &mine, &render, error)) {
+        return false;
+    }
+    bool is_done = point_render(measure, pixels, &other, &reference_render, error);
+    if (is_done) {
+        if (kind == ERROR_KIND_SAMPLING) {
+            average_samples(&render, pixels->count);
+            average_samples(&reference_render, pixels->count);
+        }
+        bool compares_paths =
+            kind == ERROR_KIND_ROUNDING || strcmp(point->setting, "tolerance") == 0;
+        Encoding encoding = (Encoding)measure->settings->encoding;
+        ImageDifference difference = image_difference_of(
+            &render, &reference_render, compares_paths ? &reference_render : NULL, encoding);
+        bool uses_total_error = strcmp(point->setting, "offset") == 0 || kind == ERROR_KIND_MODEL;
+        // Rays that met their own surface, or passed it, took another way: that is the error.
+        point->own_error = uses_total_error ? difference.total_rms : difference.same_path_rms;
+        point->max_steps = difference.max_steps;
+        point->edge_flip_fraction = (double)difference.edge_flips / (double)difference.rays;
+        sampled_render_deinit(&reference_render);
+    }
+    sampled_render_deinit(&render);
+    return is_done;
+}
+
+/** Finds the error of a setting's whole picture. @param measure The measurement. @param
+ * reference_render The picture as it should be. @param[in,out] point The setting. @param[out] error
+ * What is wrong.
+ *  @return false if anything is. */
+static bool point_measure_total_error(const ChartMeasurement *measure,
+                                      const SampledRender *reference_render, ChartPoint *point,
+                                      Error *error) {
+    SampledRender render;
+    if (!point_render(measure, &measure->error_pixels, point, &render, error)) {
+        return false;
+    }
+    average_samples(&render, measure->error_pixels.count);
+    Encoding encoding = (Encoding)measure->settings->encoding;
+    point->total_error = image_difference_of(&render, reference_render, NULL, encoding).total_rms;
+    sampled_render_deinit(&render);
+    return true;
+}
+
+/** Finds all errors. @param[in,out] measure The measurement. @param[out] error What is wrong.
+ *  @return false if anything is. */
+static bool points_measure_errors(ChartMeasurement *measure, Error *error) {
+    SampledRender reference_render;
+    ChartPoint best = {.engine = engine_find("f64x1", NULL),
+                       .trace = measure->settings->trace,
+                       .samples = REFERENCE_SAMPLES,
+                       .tolerance = 1.0 / 16};
+    best.trace.depth = REFERENCE_MAX_DEPTH;
+    best.trace.offset = OFFSET_BOUND;
+    if (!point_render(measure, &measure->error_pixels, &best, &reference_render, error)) {
+        return false;
+    }
+    average_samples(&reference_render, measure->error_pixels.count);
+    bool is_done = true;
+    for (size_t i = 0; is_done && i < measure->chart->count; i++) {
+        ChartPoint *point = &measure->chart->points[i];
+        is_done = point_measure_own_error(measure, point, error) &&
+                  point_measure_total_error(measure, &reference_render, point, error);
+    }
+    sampled_render_deinit(&reference_render);
+    return is_done;
+}
+
+/** Finds the settings that nothing beats in both time and error. @param[in,out] chart The chart. */
+static void find_pareto_front(Chart *chart) {
+    for (size_t i = 0; i < chart->count; i++) {
+        ChartPoint *point = &chart->points[i];
+        point->is_pareto = true;
+        for (size_t k = 0; k < chart->count; k++) {
+            const ChartPoint *other = &chart->points[k];
+            bool beats = other->seconds < point->seconds &&
+                         other->total_error <= EQUAL_ERROR_FACTOR * point->total_error;
+            point->is_pareto = point->is_pareto && !beats;
+        }
+    }
+}
+
+/** Measures everything. @param[in,out] measure The measurement, with its pixels. @param[out] error
+ *  What is wrong. @return false if anything is. */
+static bool measure_all(ChartMeasurement *measure, Error *error) {
+    engines_add(measure);
+    offsets_add(measure);
+    depths_add(measure);
+    samples_add(measure);
+    tolerances_add(measure);
+    bvh_modes_add(measure);
+    if (!time_points(measure, error) || !points_measure_errors(measure, error)) {
+        return false;
+    }
+    find_pareto_front(measure->chart);
+    return true;
+}
+
+bool chart_measure(const Scene *scene, const RenderSettings *settings, const atomic_bool *stop,
+                   Chart *chart, Error *error) {
+    ChartMeasurement measure = {.scene = scene, .settings = settings, .stop = stop, .chart = chart};
+    int width = settings->width, height = settings->height;
+    *chart = (Chart){.count = 0};
+    bool is_done =
+        pixel_set_init(&measure.timed_pixels, width, height, pixel_is_in_timed_set, NULL, error) &&
+        pixel_set_init(&measure.error_pixels, width, height, pixel_is_sampled, NULL, error) &&
+        pixel_set_init(&measure.quad_pixels, width, height, pixel_is_in_quad_set, NULL, error) &&
+        ((measure.quad_pixels.count > 0 && measure.timed_pixels.count > 0) ||
+         error_set(error, STATUS_USAGE, "a picture of %d x %d has too few pixels for a chart",
+                   width, height)) &&
+        measure_all(&measure, error);
+    pixel_set_deinit(&measure.timed_pixels);
+    pixel_set_deinit(&measure.error_pixels);
+    pixel_set_deinit(&measure.quad_pixels);
+    return is_done;
+}

@@ -1,0 +1,224 @@
+/**
+ * @file
+ * @brief What is known of a scene's settings, as a table, as CSV, as a chart.
+ */
+#include "dioptre/chart.h"
+
+#include "base/language.h"
+#include "lab/charts/csv.h"
+#include "lab/charts/gnuplot.h"
+#include "lab/charts/plot.h"
+#include "lab/charts/table.h"
+
+#include <libintl.h>
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+/** Columns of the CSV that charts are drawn from. */
+enum { COLUMN_SECONDS = 4, COLUMN_OWN_ERROR = 7, COLUMN_TOTAL_ERROR = 10 };
+
+/** Prints a table. @param chart What is known. @param name The scene. @param stream Where to. */
+static void chart_print_table(const Chart *chart, const char *name, FILE *stream) {
+    static const char *const heads[] = {
+        N_("setting"),   "",          N_("s/megapixel"), N_("from"),  N_("to"),
+        N_("own error"), N_("steps"), N_("flips"),       N_("total"), N_("front")};
+    Table table = table_make(sizeof heads / sizeof *heads, 2);
+    for (size_t i = 0; i < sizeof heads / sizeof *heads; i++) {
+        table_cell(&table, "%s", heads[i][0] ? gettext(heads[i]) : "");
+    }
+    for (size_t i = 0; i < chart->count; i++) {
+        const ChartPoint *point = &chart->points[i];
+        table_cell(&table, "%s", point->setting);
+        table_cell(&table, "%s", point->label);
+        table_number(&table, point->seconds);
+        table_number(&table, point->seconds_low);
+        table_number(&table, point->seconds_high);
+        table_number(&table, point->own_error);
+        table_number(&table, point->max_steps);
+        table_number(&table, point->edge_flip_fraction);
+        table_number(&table, point->total_error);
+        table_cell(&table, "%s", point->is_pareto ? gettext("yes") : "");
+    }
+    fprintf(stream, "%s\n", name);
+    table_print(&table, stream);
+    table_deinit(&table);
+}
+
+/** Writes a setting's row. @param csv The table. @param group Its first cell. @param series Its
+ *  second. @param point The setting. */
+static void write_csv_row(Csv *csv, const char *group, const char *series,
+                          const ChartPoint *point) {
+    csv_text(csv, group);
+    csv_text(csv, series);
+    csv_text(csv, point->label);
+    const double numbers[] = {point->seconds,    point->seconds_low, point->seconds_high,
+                              point->own_error,  point->max_steps,   point->edge_flip_fraction,
+                              point->total_error};
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
+        csv_number(csv, numbers[i]);
+    }
+    csv_end_row(csv);
+}
+
+/** A line of points. */
+typedef struct Series {
+    const ChartPoint *points[CHART_POINTS_MAXIMUM]; /**< The points. */
+    double x[CHART_POINTS_MAXIMUM];                 /**< Their time. */
+    double own_error[CHART_POINTS_MAXIMUM];         /**< Their own errors. */
+    double total_error[CHART_POINTS_MAXIMUM];       /**< Their whole errors. */
+    size_t count;                                   /**< How many. */
+} Series;
+
+/** Adds a point to a line. @param[in,out] series The line. @param point The point. */
+static void series_add(Series *series, const ChartPoint *point) {
+    series->points[series->count] = point;
+    series->x[series->count] = point->seconds;
+    series->own_error[series->count] = point->own_error;
+    series->total_error[series->count] = point->total_error;
+    series->count++;
+}
+
+/** @return Order of two settings by their time, for qsort. @param a One. @param b The other. */
+static int compare_points(const void *a, const void *b) {
+    double x = (*(const ChartPoint *const *)a)->seconds;
+    double y = (*(const ChartPoint *const *)b)->seconds;
+    return (x > y) - (x < y);
+}
+
+/** @return The front, the fastest first. @param chart What is known. */
+static Series pareto_front_of(const Chart *chart) {
+    Series pareto_front = {.count = 0}, sorted = {.count = 0};
+    for (size_t i = 0; i < chart->count; i++) {
+        if (chart->points[i].is_pareto) {
+            series_add(&pareto_front, &chart->points[i]);
+        }
+    }
+    qsort(pareto_front.points, pareto_front.count, sizeof *pareto_front.points, compare_points);
+    for (size_t i = 0; i < pareto_front.count; i++) {
+        series_add(&sorted, pareto_front.points[i]);
+    }
+    return sorted;
+}
+
+/** Writes the table. @param chart What is known. @param name The scene. @param path The file.
+ *  @param[out] error What is wrong. @return Whether it is there. */
+static bool chart_write_csv(const Chart *chart, const char *name, const char *path, Error *error) {
+    Csv csv;
+    char title[256];
+    snprintf(title, sizeof title, "%s: what settings cost and what errors they leave", name);
+    if (!csv_begin(&csv, path, title, error)) {
+        return false;
+    }
+    static const char *const heads[] = {"group",       "series",       "setting", "seconds",
+                                        "seconds_low", "seconds_high", "own_rms", "own_steps",
+                                        "flips",       "total_rms"};
+    for (size_t i = 0; i < sizeof heads / sizeof *heads; i++) {
+        csv_text(&csv, heads[i]);
+    }
+    csv_end_row(&csv);
+    for (size_t i = 0; i < chart->count; i++) {
+        write_csv_row(&csv, chart->points[i].setting, "all", &chart->points[i]);
+    }
+    Series pareto_front = pareto_front_of(chart);
+    for (size_t i = 0; i < pareto_front.count; i++) {
+        write_csv_row(&csv, "front", "all", pareto_front.points[i]);
+        write_csv_row(&csv, "front", pareto_front.points[i]->label, pareto_front.points[i]);
+    }
+    return csv_commit(&csv, error);
+}
+
+/** @return The points of a group. @param chart What is known. @param[in,out] next The first point
+ *  of the group; then of the next. */
+static Series take_group_series(const Chart *chart, size_t *next) {
+    Series series = {.count = 0};
+    const char *group = chart->points[*next].setting;
+    while (*next < chart->count && strcmp(chart->points[*next].setting, group) == 0) {
+        series_add(&series, &chart->points[(*next)++]);
+    }
+    return series;
+}
+
+/** Most lines that are not of the front. */
+enum { GROUP_SERIES_MAXIMUM = 8 };
+
+/** What a chart is drawn of. */
+typedef struct SettingsChart {
+    Series group_series[GROUP_SERIES_MAXIMUM]; /**< A line each. */
+    size_t group_count;                        /**< How many. */
+    Series pareto_front;                       /**< The front. */
+    Plot plot;                                 /**< Lines that point to all that. */
+} SettingsChart;
+
+/** Adds a line. @param[in,out] panel To it. @param label Its name. @param group First cell of its
+ *  rows. @param series Their points. @param key Second cell. @param column Of its y. */
+static void panel_add_series(PlotPanel *panel, const char *label, const char *group,
+                             const char *key, const Series *series, int column) {
+    if (panel->series_count < PLOT_SERIES_MAXIMUM) {
+        panel->series[panel->series_count] =
+            (PlotSeries){.label = label,
+                         .row_keys = {group, key},
+                         .y_column = column,
+                         .x = series->x,
+                         .y = column == COLUMN_OWN_ERROR ? series->own_error : series->total_error,
+                         .count = series->count,
+                         .style = (int)panel->series_count};
+        panel->series_count++;
+    }
+}
+
+/** Lays out the chart. @param[out] layout What it is drawn of. @param chart What is known.
+ *  @param title Over it. @param csv Its table. */
+static void chart_layout_init(SettingsChart *layout, const Chart *chart, const char *title,
+                              const char *csv) {
+    *layout = (SettingsChart){.pareto_front = pareto_front_of(chart)};
+    layout->plot = (Plot){.title = title, .csv = csv, .panel_count = 2, .columns = 2};
+    PlotPanel *own = &layout->plot.panels[0], *total = &layout->plot.panels[1];
+    *own = (PlotPanel){.title = "each error alone: rounding, model, noise",
+                       .x_label = "CPU seconds a megapixel",
+                       .y_label = "error, rms of linear light",
+                       .x_column = COLUMN_SECONDS};
+    *total = *own;
+    total->title = "all errors together; the front, which nothing beats";
+    for (size_t next = 0; next < chart->count && layout->group_count < GROUP_SERIES_MAXIMUM;) {
+        const char *group = chart->points[next].setting;
+        Series *series = &layout->group_series[layout->group_count++];
+        *series = take_group_series(chart, &next);
+        panel_add_series(own, group, group, "all", series, COLUMN_OWN_ERROR);
+        panel_add_series(total, group, group, "all", series, COLUMN_TOTAL_ERROR);
+    }
+    panel_add_series(total, "front", "front", "all", &layout->pareto_front, COLUMN_TOTAL_ERROR);
+    plot_set_common_y_range(own, 1);
+    plot_set_common_y_range(total, 1);
+}
+
+/** Puts the front into words. @param chart What is known. @param name The scene.
+ *  @param[out] title The words; cut to their size. @param size Bytes of them. */
+static void pareto_caption(const Chart *chart, const char *name, char *title, size_t size) {
+    Series pareto_front = pareto_front_of(chart);
+    snprintf(title, size, "%s; front:", name);
+    for (size_t i = 0; i < pareto_front.count; i++) {
+        size_t length = strlen(title);
+        snprintf(title + length, size - length, "%s %s", i ? "," : "",
+                 pareto_front.points[i]->label);
+    }
+}
+
+bool chart_save(const Chart *chart, const char *name, const LabRequest *request, bool *has_chart,
+                Error *error) {
+    char csv[PATH_MAX], svg[PATH_MAX], title[200];
+    int length = snprintf(csv, sizeof csv, "%s/%s.csv", request->folder, name);
+    snprintf(svg, sizeof svg, "%.*s.svg", length > 4 ? length - 4 : 0, csv);
+    *has_chart = gnuplot_is_available();
+    if (request->table_stream) {
+        chart_print_table(chart, name, request->table_stream);
+    }
+    if (length >= PATH_MAX) {
+        return error_set(error, STATUS_FAILED, "the folder's name is too long");
+    }
+    SettingsChart layout;
+    pareto_caption(chart, name, title, sizeof title);
+    chart_layout_init(&layout, chart, title, csv);
+    return chart_write_csv(chart, name, csv, error) &&
+           (!*has_chart || plot_draw(&layout.plot, svg, request->stop, error));
+}

@@ -1,0 +1,43 @@
+/**
+ * @file
+ * @brief Tables for people: columns of the width that they need, words to the left, numbers to the
+ *        right.
+ */
+#ifndef DIOPTRE_LAB_CHARTS_TABLE_H
+#define DIOPTRE_LAB_CHARTS_TABLE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+/** Longest text of a cell, bytes with its final zero. */
+enum { TABLE_CELL_SIZE = 48 };
+
+/** A table that is being filled. */
+typedef struct Table {
+    char (*cells)[TABLE_CELL_SIZE]; /**< Row by row, the heading first; owned. */
+    size_t columns;                 /**< How many columns. */
+    size_t text_columns;            /**< How many of them, the first ones, hold words. */
+    size_t count;                   /**< Cells so far. */
+    size_t capacity;                /**< Cells that there is room for. */
+} Table;
+
+/** @return A table without cells, to be given back with #table_deinit. @param columns How many
+ *  columns. @param words How many of them, the first ones, hold words. */
+Table table_make(size_t columns, size_t words);
+
+/** Adds a cell. @param[in,out] table The table; without memory the cell is left out.
+ *  @param format Its text, as for printf. */
+void table_cell(Table *table, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/** Adds a number with three digits. @param[in,out] table The table. @param number It; NaN: a dash.
+ */
+void table_number(Table *table, double number);
+
+/** Prints a table. @param table The table. @param stream Where to. */
+void table_print(const Table *table, FILE *stream);
+
+/** Gives the cells back. @param[in,out] table The table. */
+void table_deinit(Table *table);
+
+#endif

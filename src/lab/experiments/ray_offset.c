@@ -1,0 +1,243 @@
+/**
+ * @file
+ * @brief Experiments on rays that leave a surface: mirrored ones meet it again (acne), refracted
+ *        ones do not come out where they should.
+ */
+#include "base/language.h"
+#include "lab/experiments/experiments.h"
+#include "lab/experiments/sample_writer.h"
+
+/** Index of glass over air, upside down: as Snell's law wants it for a ray that goes in. */
+#define IOR_RATIO (1 / 1.5)
+/** Of the way through the glass, what a second ray may be off. */
+#define DISTANCE_TOLERANCE 0.01
+
+/** A sphere that rays meet and leave. */
+typedef struct OffsetSphere {
+    Vec3q center;     /**< Where, exact in float. */
+    Quadruple radius; /**< How large, exact in float. */
+    double ior_ratio; /**< For refraction: #IOR_RATIO; 0: it mirrors. */
+} OffsetSphere;
+
+/** @return How far it is through the glass. @param point Where a ray meets the sphere, from its
+ *  centre, over the radius. @param direction Which way it goes, of length 1. */
+static Quadruple chord_length(Vec3q point, Vec3q direction) {
+    // The refracted ray's cosine by Snell; the way is the chord of the sphere.
+    Quadruple cosine = -vec3q_dot(point, direction);
+    return 2 * quad_sqrt(1 - (Quadruple)IOR_RATIO * IOR_RATIO * (1 - cosine * cosine));
+}
+
+/** Poses a ray to a ball from three radii away. @param setup Where. @param sphere The ball.
+ *  @param[in,out] random Where it comes from. @param[out] sample The case. */
+static void generate_offset_ray(const ExperimentSetup *setup, const OffsetSphere *sphere,
+                                Random *random, ExperimentSample *sample) {
+    SampleWriter writer = {setup->type, sample->inputs};
+    Vec3q outwards = random_direction(random);
+    Vec3q position = vec3q_add(sphere->center, vec3q_scale(outwards, 3 * sphere->radius));
+    Vec3q origin = sample_writer_vec3(&writer, position);
+    Vec3q lateral = random_in_disc(random, outwards, 0.95);
+    Vec3q target = vec3q_add(sphere->center, vec3q_scale(lateral, sphere->radius));
+    Vec3q direction = sample_writer_vec3(&writer, vec3q_normalize(vec3q_subtract(target, origin)));
+    sample_writer_vec3(&writer, sphere->center);
+    sample_writer_number(&writer, sphere->radius);
+    sample_writer_number(&writer, sphere->ior_ratio);
+    Quadruple t = sphere_expected(origin, direction, sphere->center, sphere->radius);
+    Vec3q point = vec3q_add(origin, vec3q_scale(direction, t));
+    Vec3q radial = vec3q_scale(vec3q_subtract(point, sphere->center), 1 / sphere->radius);
+    sample->expected[0] = sphere->radius;
+    sample->expected[1] = sphere->radius * chord_length(radial, vec3q_normalize(direction));
+}
+
+/** Judges a second ray. @param sample The case. @param is_wrong Whether it met what it should not.
+ *  @param shift How far it was moved. @param[in,out] score The score. */
+static void score_second_hit(const ExperimentSample *sample, bool is_wrong, Quadruple shift,
+                             ScoreStats *score) {
+    score_outcome(score, OUTCOME_WRONG, is_wrong);
+    score_error(score, shift / sample->expected[0]);
+}
+
+/** Judges a mirrored ray: it meets nothing. See #Experiment.score_sample. @param sample The case.
+ *  @param outputs Distance and shift. @param[in,out] score The score. */
+static void score_reflected(const ExperimentSample *sample, const Quadruple *outputs,
+                            ScoreStats *score) {
+    score_second_hit(sample, outputs[0] < QUAD_NO_HIT, outputs[1], score);
+}
+
+/** Judges a refracted ray: it meets the other side. See #Experiment.score_sample. @param sample The
+ * case.
+ *  @param outputs Distance and shift. @param[in,out] score The score. */
+static void score_refracted(const ExperimentSample *sample, const Quadruple *outputs,
+                            ScoreStats *score) {
+    Quadruple difference = quad_abs(outputs[0] - sample->expected[1]);
+    score_second_hit(sample, !(difference < DISTANCE_TOLERANCE * sample->expected[1]), outputs[1],
+                     score);
+}
+
+/** @return A ray's direction after a surface, of length 1. @param d Before. @param n The surface's
+ *  normal, outwards. @param ratio See #OffsetSphere. */
+static Vec3q redirected(Vec3q d, Vec3q n, Quadruple ratio) {
+    Quadruple cosine = -vec3q_dot(d, n);
+    if (ratio == 0) {
+        return vec3q_normalize(vec3q_add(d, vec3q_scale(n, 2 * cosine)));
+    }
+    Quadruple k = 1 - ratio * ratio * (1 - cosine * cosine);
+    Vec3q outgoing = vec3q_scale(n, ratio * cosine - quad_sqrt(k));
+    return vec3q_normalize(vec3q_add(vec3q_scale(d, ratio), outgoing));
+}
+
+/** @return Where the tracer starts a second ray (src/trace/tracer/ray_offset.h). @param hit The
+ * hit.
+ *  @param d Which way the second ray goes. */
+static Vec3q tracer_ray_origin(const RayResult *hit, Vec3q d) {
+    Vec3q point = vec3q_from_array(hit->point), n = vec3q_from_array(hit->normal);
+    Quadruple cosine = vec3q_dot(d, n), transmit_offset = 2 * hit->error;
+    if (cosine > 0) {
+        return vec3q_add(point, vec3q_scale(n, hit->error));
+    }
+    const Quadruple least = 0.0625;
+    return vec3q_add(point, vec3q_scale(d, transmit_offset / (-cosine > least ? -cosine : least)));
+}
+
+/** Asks an engine for both rays. See #Experiment.query_engine. @param engine The engine. @param
+ * tracer Its tracer. @param sample The case. @param[out] outputs Distance and shift. */
+static void query_second_ray(const Engine *engine, Tracer *tracer, const ExperimentSample *sample,
+                             Quadruple *outputs) {
+    const Quadruple *q = sample->inputs;
+    const Vec3q first[2] = {vec3q_from_array(q), vec3q_from_array(q + 3)};
+    RayResult hit, again;
+    intersect_ray(engine, tracer, first, &hit);
+    Vec3q outgoing = redirected(first[1], vec3q_from_array(hit.normal), q[10]);
+    Vec3q start = tracer_ray_origin(&hit, outgoing);
+    intersect_ray(engine, tracer, (const Vec3q[]){start, outgoing}, &again);
+    outputs[0] = again.shape < 0 ? QUAD_NO_HIT : again.distance;
+    outputs[1] = vec3q_length(vec3q_subtract(start, vec3q_from_array(hit.point)));
+}
+
+/* --- small and large --- */
+
+/** Scene units. */
+static const double sphere_radii[] = {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1,
+                                      10,   1e2,  1e3,  1e4,  1e5,  1e6};
+
+/** @return A ball that lies one radius beside the origin. @param radius Its radius. @param ratio
+ *  See #OffsetSphere. */
+static OffsetSphere offset_sphere_at(double radius, double ratio) {
+    return (OffsetSphere){far_point(radius), number_types()[0]->round(radius), ratio};
+}
+
+/** Poses a mirror, small or large. See #Experiment.generate. @param setup Where. @param[in,out]
+ * random Where it comes from. @param[out] sample The case. */
+static void generate_mirror_scale(const ExperimentSetup *setup, Random *random,
+                                  ExperimentSample *sample) {
+    OffsetSphere sphere = offset_sphere_at(setup->level, 0);
+    generate_offset_ray(setup, &sphere, random, sample);
+}
+
+/** Poses a ball of glass, small or large. See #Experiment.generate. @param setup Where.
+ *  @param[in,out] random Where it comes from. @param[out] sample The case. */
+static void generate_glass_scale(const ExperimentSetup *setup, Random *random,
+                                 ExperimentSample *sample) {
+    OffsetSphere sphere = offset_sphere_at(setup->level, IOR_RATIO);
+    generate_offset_ray(setup, &sphere, random, sample);
+}
+
+/** @return Its scene. See #Experiment.create_scene. @param setup Where. @param[out] error What is
+ * wrong.
+ */
+static Scene *scene_scale(const ExperimentSetup *setup, Error *error) {
+    OffsetSphere sphere = offset_sphere_at(setup->level, 0);
+    return sphere_scene(sphere.center, (double)sphere.radius, error);
+}
+
+const Experiment mirror_scale_experiment = {
+    .name = "mirror-scale",
+    .title = N_("Rays that leave a mirroring sphere, small and large: which meet it again?"),
+    .group = "leaving",
+    .difficulty = N_("radius, scene units"),
+    .error_label = N_("shift of the start over the radius"),
+    .levels = sphere_radii,
+    .level_count = COUNT_OF(sphere_radii),
+    .sample_count = 10000,
+    .queries_per_sample = 1,
+    .timed_level = 1e3,
+    .generate = generate_mirror_scale,
+    .score_sample = score_reflected,
+    .create_scene = scene_scale,
+    .query_engine = query_second_ray,
+};
+
+const Experiment glass_scale_experiment = {
+    .name = "glass-scale",
+    .title = N_("Rays that go into a sphere of glass, small and large: which come out wrong?"),
+    .group = "leaving",
+    .difficulty = N_("radius, scene units"),
+    .error_label = N_("shift of the start over the radius"),
+    .levels = sphere_radii,
+    .level_count = COUNT_OF(sphere_radii),
+    .sample_count = 10000,
+    .queries_per_sample = 1,
+    .timed_level = 1e3,
+    .generate = generate_glass_scale,
+    .score_sample = score_refracted,
+    .create_scene = scene_scale,
+    .query_engine = query_second_ray,
+};
+
+/* --- far from the origin of the world --- */
+
+/** Radii. */
+static const double offsets[] = {1, 10, 1e2, 1e3, 1e4, 1e5};
+
+/** Poses a mirror far away. See #Experiment.generate. @param setup Where. @param[in,out] random
+ * Where it comes from. @param[out] sample The case. */
+static void generate_mirror_offset(const ExperimentSetup *setup, Random *random,
+                                   ExperimentSample *sample) {
+    generate_offset_ray(setup, &(OffsetSphere){far_point(setup->level), 1, 0}, random, sample);
+}
+
+/** Poses a ball of glass far away. See #Experiment.generate. @param setup Where. @param[in,out]
+ * random Where it comes from. @param[out] sample The case. */
+static void generate_glass_offset(const ExperimentSetup *setup, Random *random,
+                                  ExperimentSample *sample) {
+    generate_offset_ray(setup, &(OffsetSphere){far_point(setup->level), 1, IOR_RATIO}, random,
+                        sample);
+}
+
+/** @return Its scene. See #Experiment.create_scene. @param setup Where. @param[out] error What is
+ * wrong.
+ */
+static Scene *offset_scene(const ExperimentSetup *setup, Error *error) {
+    return sphere_scene(far_point(setup->level), 1, error);
+}
+
+const Experiment mirror_offset_experiment = {
+    .name = "mirror-world",
+    .title = N_("Rays that leave a mirroring sphere far from the origin: which meet it again?"),
+    .group = "leaving",
+    .difficulty = N_("distance from the origin / radius"),
+    .error_label = N_("shift of the start over the radius"),
+    .levels = offsets,
+    .level_count = COUNT_OF(offsets),
+    .sample_count = 10000,
+    .queries_per_sample = 1,
+    .generate = generate_mirror_offset,
+    .score_sample = score_reflected,
+    .create_scene = offset_scene,
+    .query_engine = query_second_ray,
+};
+
+const Experiment glass_offset_experiment = {
+    .name = "glass-world",
+    .title = N_("Rays that go into a sphere of glass far from the origin: which come out wrong?"),
+    .group = "leaving",
+    .difficulty = N_("distance from the origin / radius"),
+    .error_label = N_("shift of the start over the radius"),
+    .levels = offsets,
+    .level_count = COUNT_OF(offsets),
+    .sample_count = 10000,
+    .queries_per_sample = 1,
+    .generate = generate_glass_offset,
+    .score_sample = score_refracted,
+    .create_scene = offset_scene,
+    .query_engine = query_second_ray,
+};

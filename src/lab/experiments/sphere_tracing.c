@@ -1,0 +1,79 @@
+/**
+ * @file
+ * @brief An experiment on marching: how many steps does it take down to the ground, and how far off
+ *        does it stop?
+ */
+#include "base/language.h"
+#include "lab/experiments/experiments.h"
+#include "lab/experiments/sample_writer.h"
+
+#include <math.h>
+
+/** Degrees. */
+static const double angles[] = {30, 10, 3, 1, 0.3, 0.1};
+/** How near is on the surface, heights of the eye. */
+#define TOLERANCE 1e-4
+
+/** Poses an eye one unit above the ground. See #Experiment.generate. @param setup Where.
+ *  @param[in,out] random Where it comes from. @param[out] sample The case. */
+static void generate_grazing(const ExperimentSetup *setup, Random *random,
+                             ExperimentSample *sample) {
+    SampleWriter writer = {setup->type, sample->inputs};
+    double angle = setup->level * random_range(random, 0.99, 1.01) * M_PI / 180;
+    Vec3q origin = sample_writer_vec3(&writer, (Vec3q){0, random_range(random, 0.99, 1.01), 0});
+    Vec3q direction = sample_writer_vec3(&writer, (Vec3q){cos(angle), -sin(angle), 0});
+    sample_writer_number(&writer, TOLERANCE);
+    sample->expected[0] = origin.y / -direction.y;
+}
+
+/** Judges where and after how many steps a ray stopped. See #Experiment.score_sample. @param sample
+ * The case. @param outputs Distance and steps. @param[in,out] score The score. */
+static void score_grazing(const ExperimentSample *sample, const Quadruple *outputs,
+                          ScoreStats *score) {
+    score_outcome(score, OUTCOME_FALSE_MISS, !(outputs[0] < QUAD_NO_HIT));
+    if (outputs[0] < QUAD_NO_HIT) {
+        score_error(score, quad_abs(outputs[0] - sample->expected[0]));
+        if (quad_is_number(outputs[1])) {
+            score_cost(score, outputs[1]);
+        }
+    }
+}
+
+/** @return The ground: a box that no ray comes to the end of, and not larger, for what it measures
+ *          is as rounded as it is large. See #Experiment.create_scene. @param setup Where.
+ *  @param[out] error What is wrong. */
+static Scene *floor_scene(const ExperimentSetup *setup, Error *error) {
+    double half_length = 1.1 / tan(setup->level * M_PI / 180);
+    const FixtureValue values[] = {{"size", {2 * half_length, 2, 2}}, {0}};
+    return scene_fixture_with_sdf("distance.box", values, (Vec3d){0, -1, 0}, error);
+}
+
+/** Asks an engine for the distance; it does not say its steps. See #Experiment.query_engine. @param
+ * engine The engine. @param tracer Its tracer. @param sample The case. @param[out] outputs Distance
+ * and steps. */
+static void query_grazing(const Engine *engine, Tracer *tracer, const ExperimentSample *sample,
+                          Quadruple *outputs) {
+    RayResult answer;
+    const Vec3q ray[2] = {vec3q_from_array(sample->inputs), vec3q_from_array(sample->inputs + 3)};
+    intersect_ray(engine, tracer, ray, &answer);
+    outputs[0] = answer.shape < 0 ? QUAD_NO_HIT : answer.distance;
+    outputs[1] = (Quadruple)__builtin_nan("");
+}
+
+const Experiment sphere_tracing_angle_experiment = {
+    .name = "marching-angle",
+    .title = N_("Marching down to the ground under ever smaller angles"),
+    .group = "marching",
+    .difficulty = N_("angle between ray and ground, degrees"),
+    .error_label = N_("error of the distance t, heights of the eye"),
+    .cost_label = N_("steps of a ray"),
+    .levels = angles,
+    .level_count = COUNT_OF(angles),
+    .sample_count = 400,
+    .queries_per_sample = 1,
+    .timed_level = 1,
+    .generate = generate_grazing,
+    .score_sample = score_grazing,
+    .create_scene = floor_scene,
+    .query_engine = query_grazing,
+};

@@ -1,0 +1,26 @@
+/**
+ * @file
+ * @brief Triangle by Möller and Trumbore's products, edges and corners counted in.
+ *
+ *   u >= 0,  v >= 0,  u + v <= 1
+ *
+ * Both neighbours of an edge may still round themselves away from it.
+ */
+#include "lab/methods/triangle.h"
+
+/** Asks it. See #Method.run. @param input A #TriangleInput. @param[out] output A
+ * #TriangleOutput. */
+static void triangle_moller_trumbore_run(const void *input, void *output) {
+    const TriangleInput *in = input;
+    TriangleSolution found = triangle_moller_trumbore_solve(in);
+    int is_met = found.determinant != 0 && found.u >= 0 && found.v >= 0 && found.u + found.v <= 1 &&
+                 found.distance > 0;
+    ((TriangleOutput *)output)->distance = is_met ? found.distance : INFINITE;
+}
+
+const Method triangle_moller_trumbore = {.group = "triangle",
+                                         .name = "Moeller-Trumbore",
+                                         .label = "Moeller-T.",
+                                         .input_count = NUMBERS_IN(TriangleInput),
+                                         .output_count = NUMBERS_IN(TriangleOutput),
+                                         .run = triangle_moller_trumbore_run};

@@ -1,0 +1,55 @@
+/**
+ * @file
+ * @brief Speed against accuracy of the methods: what a test costs, and what it leaves of errors.
+ */
+#ifndef DIOPTRE_LAB_MICROBENCHMARK_H
+#define DIOPTRE_LAB_MICROBENCHMARK_H
+
+#include "dioptre/lab.h"
+#include "lab/experiment.h"
+
+/** Most points: methods times number types. */
+enum { MICROBENCHMARK_POINTS_MAXIMUM = 64 };
+
+/** A method in a number type. */
+typedef struct MicrobenchmarkPoint {
+    MethodResult result; /**< What it does wrong, at a level of stress. */
+    double ns;      /**< What a test costs, nanoseconds of the processor: median of the turns. */
+    double ns_low;  /**< Its lower quartile. */
+    double ns_high; /**< Its upper quartile. */
+    double failure_fraction; /**< The largest of its shares of false hits, false misses, leaks,
+                          wrong surfaces and what is no number; NaN where none is counted. */
+} MicrobenchmarkPoint;
+
+/** All methods of a family. */
+typedef struct Microbenchmark {
+    MicrobenchmarkPoint
+        points[MICROBENCHMARK_POINTS_MAXIMUM]; /**< Method by method, type by type. */
+    size_t count;                              /**< How many. */
+} Microbenchmark;
+
+/**
+ * Measures the methods of an experiment, at its level #Experiment.timed_level.
+ * @param experiment   The experiment.
+ * @param threads      How many find errors at once; time is measured on one.
+ * @param stop         It is given up once this is true; may be NULL.
+ * @param[out] benchmark  What was found.
+ * @param[out] error   What is wrong: #STATUS_INTERRUPTED, or no memory.
+ * @return false if anything is wrong.
+ */
+bool microbenchmark_measure(const Experiment *experiment, int threads, const atomic_bool *stop,
+                            Microbenchmark *benchmark, Error *error);
+
+/**
+ * Keeps what was found: prints a table, writes `benchmark-NAME.csv` and `benchmark-NAME.svg`.
+ * @param benchmark          What was found.
+ * @param experiment      The experiment.
+ * @param request         Where to.
+ * @param[out] has_chart  Whether there is an SVG; there is none where gnuplot is missing.
+ * @param[out] error      What is wrong.
+ * @return false if anything is.
+ */
+bool microbenchmark_save(const Microbenchmark *benchmark, const Experiment *experiment,
+                         const LabRequest *request, bool *has_chart, Error *error);
+
+#endif

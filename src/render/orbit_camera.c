@@ -1,0 +1,293 @@
+/**
+ * @file
+ * @brief Looking at the rays of a pixel from beside.
+ */
+#include "render/orbit_camera.h"
+
+#include "base/language.h"
+#include "render/renderer_internal.h"
+
+#include <libintl.h>
+#include <stdio.h>
+
+/** Horizontal field of view of the second camera, degrees. */
+static const double ORBIT_FOV = 40;
+/** Ways from the eye to the first hit: what is farther from there is not looked at. */
+static const double MAX_DISTANCE_FACTOR = 2;
+/** How many times as large as the rays the picture is. */
+static const double FIT_MARGIN = 1.25;
+/** Degrees that the second camera tilts at most. */
+static const double ORBIT_TILT_MAXIMUM = 89;
+/** What is nearer to the second camera, in radii, is cut off. */
+static const double NEAR_PLANE = 1e-3;
+
+/** How often a view is fitted to its points. */
+enum { FIT_ITERATIONS = 4 };
+/** Points of a tree that are looked at, at most. */
+enum { RAY_POINTS_MAXIMUM = 64 };
+
+/** Points of a tree: where its rays start and where they hit. */
+typedef struct RayPoints {
+    Vec3d points[RAY_POINTS_MAXIMUM]; /**< The points. */
+    size_t count;                     /**< How many. */
+} RayPoints;
+
+/** @return The way from one point to another, scene units. @param a One. @param b The other. */
+static double points_distance(Vec3d a, Vec3d b) {
+    return vec3d_length(vec3d_subtract(a, b));
+}
+
+/** @return The point of a ray at a distance. @param ray The ray. @param distance It. */
+static Vec3d ray_at(const RayTreeNode *ray, double distance) {
+    return vec3d_add(ray->origin, vec3d_scale(ray->direction, distance));
+}
+
+/** @return How far a ray goes: to what it hit, to its lamp, or without end. @param ray The ray. */
+static double ray_length(const RayTreeNode *ray) {
+    return fmin(ray->distance, ray->limit);
+}
+
+/** Adds a point that is near enough. @param[in,out] points The points. @param point The point.
+ *  @param center Where the camera's ray hit. @param radius How far counts as near. */
+static void ray_points_add(RayPoints *points, Vec3d point, Vec3d center, double radius) {
+    if (points->count < RAY_POINTS_MAXIMUM && points_distance(point, center) <= radius) {
+        points->points[points->count++] = point;
+    }
+}
+
+/** @return The points of a tree that are looked at. @param tree The tree. @param radius How far
+ *  from the first hit. */
+static RayPoints ray_points_of(const RayTree *tree, double radius) {
+    RayPoints points = {.count = 0};
+    const RayTreeNode *camera = &tree->nodes[0];
+    Vec3d first = ray_at(camera, fmin(ray_length(camera), radius));
+    ray_points_add(&points, camera->origin, first, HUGE_VAL);
+    ray_points_add(&points, first, first, HUGE_VAL);
+    for (size_t i = 1; i < tree->count; i++) {
+        const RayTreeNode *ray = &tree->nodes[i];
+        ray_points_add(&points, ray_at(ray, fmin(ray_length(ray), radius)), first, radius);
+    }
+    return points;
+}
+
+/** @return Which way a view looks, one long. @param orbit The view. */
+static Vec3d orbit_camera_direction(const OrbitCamera *orbit) {
+    double pan = orbit->pan * (M_PI / 180), tilt = orbit->tilt * (M_PI / 180);
+    return (Vec3d){sin(pan) * cos(tilt), sin(tilt), -cos(pan) * cos(tilt)};
+}
+
+/** @return Where the camera of a view is. @param orbit The view. @param half Half of the smaller
+ *  field of view, radians. */
+static Vec3d orbit_camera_position(const OrbitCamera *orbit, double half) {
+    double distance = FIT_MARGIN * orbit->radius / (sin(half) * orbit->zoom);
+    return vec3d_subtract(orbit->target, vec3d_scale(orbit_camera_direction(orbit), distance));
+}
+
+/** @return How many of some points a view sees. @param renderer Who traces. @param orbit The view.
+ *  @param points The points. */
+static size_t count_visible(const Renderer *renderer, const OrbitCamera *orbit,
+                            const RayPoints *points) {
+    /** A point is seen that is not behind something by more than this share of the way. */
+    const double tolerance = 1e-3;
+    RayQuery rays[RAY_POINTS_MAXIMUM];
+    int shapes[RAY_POINTS_MAXIMUM];
+    double distances[RAY_POINTS_MAXIMUM];
+    Vec3d origin = orbit_camera_position(orbit, ORBIT_FOV / 2 * (M_PI / 180));
+    for (size_t i = 0; i < points->count; i++) {
+        Vec3d to = vec3d_subtract(points->points[i], origin);
+        rays[i] = (RayQuery){{origin.x, origin.y, origin.z}, {to.x, to.y, to.z}};
+    }
+    renderer->settings.engine->closest_hits(renderer->tracer, points->count, rays, shapes,
+                                            distances);
+    size_t visible = 0;
+    for (size_t i = 0; i < points->count; i++) {
+        visible += distances[i] >= 1 - tolerance;
+    }
+    return visible;
+}
+
+/** Turns a view to where it sees most points. @param renderer Who traces. @param[in,out] orbit The
+ *  view; it looks the camera's way. @param points The points. */
+static void choose_angles(const Renderer *renderer, OrbitCamera *orbit, const RayPoints *points) {
+    static const double pans[] = {-50, 50, -80, 80, -25, 25, -115, 115};
+    static const double tilts[] = {-18, -40, -5, -65};
+    double initial_pan = orbit->pan;
+    OrbitCamera best = *orbit;
+    size_t best_count = 0;
+    for (size_t i = 0; i < sizeof pans / sizeof *pans * (sizeof tilts / sizeof *tilts); i++) {
+        orbit->pan = initial_pan + pans[i % (sizeof pans / sizeof *pans)];
+        orbit->tilt = tilts[i / (sizeof pans / sizeof *pans)];
+        size_t count = count_visible(renderer, orbit, points);
+        if (i == 0 || count > best_count) {
+            best = *orbit;
+            best_count = count;
+        }
+    }
+    *orbit = best;
+}
+
+void orbit_camera_rotate(OrbitCamera *orbit, double pan, double tilt) {
+    orbit->pan = remainder(orbit->pan + pan, 360);
+    orbit->tilt = fmin(fmax(orbit->tilt + tilt, -ORBIT_TILT_MAXIMUM), ORBIT_TILT_MAXIMUM);
+}
+
+void orbit_camera_zoom(OrbitCamera *orbit, double factor) {
+    /** Times as near, or as far, as at first. */
+    const double range = 50;
+    orbit->zoom = fmin(fmax(orbit->zoom * factor, 1 / range), range);
+}
+
+ProjectedView orbit_camera_project(const OrbitCamera *orbit, int width, int height) {
+    double half = ORBIT_FOV / 2 * (M_PI / 180), pan = orbit->pan * (M_PI / 180);
+    double half_height = atan(tan(half) * height / width);
+    Vec3d direction = orbit_camera_direction(orbit), right = {cos(pan), 0, sin(pan)};
+    SceneCamera camera = {.position = orbit_camera_position(orbit, fmin(half, half_height)),
+                          .direction = direction,
+                          .up = vec3d_cross(right, direction),
+                          .fov = ORBIT_FOV};
+    camera.target_distance = points_distance(camera.position, orbit->target);
+    camera.look_at = orbit->target;
+    return (ProjectedView){camera, width, height};
+}
+
+/** @return A point as the camera has it: to the right, up, and ahead. @param camera The camera.
+ *  @param point The point. */
+static Vec3d to_camera_space(const SceneCamera *camera, Vec3d point) {
+    Vec3d from = vec3d_subtract(point, camera->position);
+    return (Vec3d){vec3d_dot(from, scene_camera_right(camera)), vec3d_dot(from, camera->up),
+                   vec3d_dot(from, camera->direction)};
+}
+
+/** Brings a view nearer, and aside, to where its points fill the picture. @param[in,out] orbit The
+ *  view. @param points The points. @param width Pixels of the picture. @param height Pixels. */
+static void orbit_camera_fit_points(OrbitCamera *orbit, const RayPoints *points, int width,
+                                    int height) {
+    ProjectedView view = orbit_camera_project(orbit, width, height);
+    double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
+    for (size_t i = 0; i < points->count; i++) {
+        Vec3d p = to_camera_space(&view.camera, points->points[i]);
+        const double projected[] = {p.x / p.z, p.y / p.z};
+        for (int axis = 0; axis < 2; axis++) {
+            low[axis] = fmin(low[axis], projected[axis]);
+            high[axis] = fmax(high[axis], projected[axis]);
+        }
+    }
+    double offset_right = view.camera.target_distance * (low[0] + high[0]) / 2;
+    double offset_up = view.camera.target_distance * (low[1] + high[1]) / 2,
+           edge = tan(ORBIT_FOV / 2 * (M_PI / 180));
+    Vec3d right = vec3d_scale(scene_camera_right(&view.camera), offset_right);
+    orbit->target =
+        vec3d_add(orbit->target, vec3d_add(right, vec3d_scale(view.camera.up, offset_up)));
+    double across = (high[0] - low[0]) / 2 / edge,
+           down = (high[1] - low[1]) / 2 * width / height / edge;
+    orbit->radius *= FIT_MARGIN * fmax(fmax(across, down), NEAR_PLANE);
+}
+
+OrbitCamera orbit_camera_fit(const Renderer *renderer, const SceneCamera *camera,
+                             const RayTree *tree, int width, int height) {
+    double first = ray_length(&tree->nodes[0]);
+    OrbitCamera orbit = {.zoom = 1,
+                         .ray_length_maximum = MAX_DISTANCE_FACTOR *
+                                               (isfinite(first) ? first : camera->target_distance)};
+    RayPoints points = ray_points_of(tree, orbit.ray_length_maximum);
+    Vec3d low = points.points[0], high = low;
+    for (size_t i = 1; i < points.count; i++) {
+        low = vec3d_min(low, points.points[i]);
+        high = vec3d_max(high, points.points[i]);
+    }
+    orbit.target = vec3d_scale(vec3d_add(low, high), 0.5);
+    for (size_t i = 0; i < points.count; i++) {
+        orbit.radius = fmax(orbit.radius, points_distance(points.points[i], orbit.target));
+    }
+    orbit.pan = atan2(camera->direction.x, -camera->direction.z) * (180 / M_PI);
+    choose_angles(renderer, &orbit, &points);
+    // What is nearer grows faster: a few turns come near enough.
+    for (int turn = 0; turn < FIT_ITERATIONS; turn++) {
+        orbit_camera_fit_points(&orbit, &points, width, height);
+    }
+    return orbit;
+}
+
+/** Projects a point. @param view The camera. @param p The point, see #to_camera_space; it is ahead.
+ *  @param[out] x Pixels. @param[out] y Pixels. */
+static void project_point(const ProjectedView *view, Vec3d p, double *x, double *y) {
+    double pixel = 2 * tan(view->camera.fov / 2 * (M_PI / 180)) / view->width;
+    *x = view->width / 2.0 + p.x / p.z / pixel;
+    *y = view->height / 2.0 - p.y / p.z / pixel;
+}
+
+bool projected_view_point(const ProjectedView *view, Vec3d point, double *x, double *y) {
+    Vec3d p = to_camera_space(&view->camera, point);
+    if (p.z <= NEAR_PLANE * view->camera.target_distance) {
+        return false;
+    }
+    project_point(view, p, x, y);
+    return true;
+}
+
+/** @return The point of a line where it comes before the camera. @param behind Its end behind the
+ *  camera. @param ahead Its other end. @param near_plane How far ahead points must be. */
+static Vec3d clip_to_near(Vec3d behind, Vec3d ahead, double near_plane) {
+    double t = (near_plane - behind.z) / (ahead.z - behind.z);
+    Vec3d along = vec3d_scale(vec3d_subtract(ahead, behind), t);
+    Vec3d point = vec3d_add(behind, along);
+    point.z = near_plane;
+    return point;
+}
+
+bool orbit_camera_project_ray(const OrbitCamera *orbit, const ProjectedView *view,
+                              const RayTreeNode *ray, ProjectedRay *projected) {
+    double length = ray_length(ray), near_plane = NEAR_PLANE * view->camera.target_distance;
+    Vec3d from = to_camera_space(&view->camera, ray->origin);
+    Vec3d to = to_camera_space(&view->camera, ray_at(ray, fmin(length, orbit->ray_length_maximum)));
+    projected->is_truncated = length > orbit->ray_length_maximum;
+    if (from.z <= near_plane && to.z <= near_plane) {
+        return false;
+    }
+    if (from.z < near_plane) {
+        from = clip_to_near(from, to, near_plane);
+    } else if (to.z < near_plane) {
+        to = clip_to_near(to, from, near_plane);
+    }
+    project_point(view, from, &projected->x[0], &projected->y[0]);
+    project_point(view, to, &projected->x[1], &projected->y[1]);
+    return true;
+}
+
+const RayStyle *ray_styles(void) {
+    static const RayStyle styles[RAY_STYLE_COUNT] = {
+        {0x000000, 0, 0, N_("camera ray")},          {0x0072B2, 0, 0, N_("mirrored ray")},
+        {0x009E73, 8, 2, N_("refracted ray")},       {0xE69F00, 3, 2, N_("shadow ray: lit")},
+        {0xCC79A7, 1, 2, N_("shadow ray: blocked")},
+    };
+    return styles;
+}
+
+const RayStyle *ray_style(const RayTreeNode *ray) {
+    static const int indices[] = {
+        [RAY_CAMERA] = 0, [RAY_REFLECTION] = 1, [RAY_REFRACTION] = 2, [RAY_SHADOW] = 3};
+    return &ray_styles()[indices[ray->kind] + (ray->kind == RAY_SHADOW && ray->is_hit)];
+}
+
+const char *ray_hit_keyword(const Scene *scene, const RayTreeNode *ray) {
+    // The keywords are the same in every engine.
+    return engine_list()[0]->shape_keywords[scene->shapes[ray->shape].class_index]->name;
+}
+
+void ray_hit_name(const Scene *scene, const RayTreeNode *ray, char name[RAY_HIT_NAME_SIZE]) {
+    if (!ray->is_hit) {
+        snprintf(name, RAY_HIT_NAME_SIZE, "%s", gettext("nothing but the sky"));
+    } else if (ray->shape < 0) {
+        snprintf(name, RAY_HIT_NAME_SIZE, gettext("lamp %d"), ray->light + 1);
+    } else if (scene->shapes[ray->shape].line > 0) {
+        snprintf(name, RAY_HIT_NAME_SIZE, gettext("the %s of line %d"), ray_hit_keyword(scene, ray),
+                 scene->shapes[ray->shape].line);
+    } else {
+        snprintf(name, RAY_HIT_NAME_SIZE, gettext("%s number %d"), ray_hit_keyword(scene, ray),
+                 ray->shape + 1);
+    }
+}
+
+double ray_incidence_angle(const RayTreeNode *ray) {
+    return acos(fmin(1, ray->surface.cosine)) * (180 / M_PI);
+}

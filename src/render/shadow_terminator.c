@@ -1,0 +1,57 @@
+/**
+ * @file
+ * @brief Flat faces that are lit as though they were round.
+ */
+#include "render/shadow_terminator.h"
+
+#include <math.h>
+
+/** Most faces that are looked at: enough for a share, and no time to speak of. */
+enum { FACES_SAMPLED = 20000 };
+
+/** Sine of the angle behind a face at which its turned normals no longer see a lamp, about. */
+#define TERMINATOR_SINE 0.1
+
+/** A face. */
+typedef struct Face {
+    Vec3d corner; /**< One of its corners. */
+    Vec3d normal; /**< Its own, one long. */
+    double area;  /**< Its area. */
+} Face;
+
+/** @return A face as it stands in the scene. @param instance The model. @param index Which. */
+static Face face_at(const MeshInstance *instance, size_t index) {
+    Vec3d corners[3];
+    for (int i = 0; i < 3; i++) {
+        Vec3d corner = instance->mesh->positions[instance->mesh->triangles[index].index[i]];
+        corners[i] = instance->transform ? transform_point(instance->transform, corner) : corner;
+    }
+    Vec3d normal =
+        vec3d_cross(vec3d_subtract(corners[1], corners[0]), vec3d_subtract(corners[2], corners[0]));
+    return (Face){corners[0], vec3d_normalize(normal), vec3d_length(normal) / 2};
+}
+
+/** @return The share of a face that float lights and double does not. @param instance The model.
+ *  @param face The face. @param light The lamp. */
+static double face_lit_wrongly(const MeshInstance *instance, const Face *face,
+                               const SceneLight *light) {
+    Vec3d to_light = light->kind == SCENE_LIGHT_SUN ? vec3d_scale(light->direction, -1)
+                                                    : vec3d_subtract(light->position, face->corner);
+    double sine_behind = -vec3d_dot(vec3d_normalize(to_light), face->normal);
+    double edge = sqrt(2 * face->area);
+    bool is_affected = sine_behind > 0 && sine_behind < TERMINATOR_SINE && edge > 0;
+    return is_affected ? fmin(1, instance->ray_offset / (edge * sine_behind)) : 0;
+}
+
+double shadow_terminator_fraction(const MeshInstance *instance) {
+    size_t count = instance->mesh->triangle_count, stride = count / FACES_SAMPLED + 1;
+    double area = 0, affected = 0;
+    for (size_t i = 0; i < count; i += stride) {
+        Face face = face_at(instance, i);
+        area += face.area;
+        for (size_t k = 0; k < instance->scene->light_count; k++) {
+            affected += face.area * face_lit_wrongly(instance, &face, &instance->scene->lights[k]);
+        }
+    }
+    return area > 0 ? affected / area : 0;
+}

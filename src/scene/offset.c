@@ -1,8 +1,0 @@
-/**
- * @file
- * @brief What the offset strategies are called.
- */
-#include "dioptre/offset.h"
-
-const char *const offset_names[] = {
-    [OFFSET_NONE] = "none", [OFFSET_FIXED] = "fixed", [OFFSET_BOUND] = "bound", NULL};

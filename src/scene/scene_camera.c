@@ -1,0 +1,187 @@
+/**
+ * @file
+ * @brief The camera.
+ */
+#include "dioptre/camera.h"
+
+/** Narrowest field of view, degrees: a telescope; below it float cannot tell pixels apart. */
+#define FOV_MINIMUM 0.01
+/** Widest field of view, degrees: at 180 the picture plane would be infinitely wide. */
+#define FOV_MAXIMUM 175.0
+/** Steepest look by the keys and the mouse, degrees above or below the horizon. */
+#define ROTATED_TILT_MAXIMUM 89.0
+/** Degrees to radians. */
+#define RADIANS_PER_DEGREE (M_PI / 180)
+
+/** Rows of #scene_camera_parameters by place: which bit of `given` stands for which field. */
+enum { ROW_POSITION, ROW_LOOK_AT, ROW_DIRECTION, ROW_UP, ROW_PAN, ROW_TILT, ROW_FOV };
+
+/** Fields of `camera`. */
+static const Parameter scene_camera_parameters[] = {
+    [ROW_POSITION] = {.name = "position",
+                      .type = PARAMETER_POINT,
+                      .offset = offsetof(SceneCamera, position),
+                      .minimum = -LENGTH_MAXIMUM,
+                      .maximum = LENGTH_MAXIMUM,
+                      .unit = "scene units",
+                      .help = "where the eye is"},
+    [ROW_LOOK_AT] = {.name = "look_at",
+                     .type = PARAMETER_POINT,
+                     .offset = offsetof(SceneCamera, look_at),
+                     .minimum = -LENGTH_MAXIMUM,
+                     .maximum = LENGTH_MAXIMUM,
+                     .unit = "scene units",
+                     .help = "a point in the middle of the picture"},
+    [ROW_DIRECTION] = {.name = "direction",
+                       .type = PARAMETER_DIRECTION,
+                       .offset = offsetof(SceneCamera, direction),
+                       .minimum = -LENGTH_MAXIMUM,
+                       .maximum = LENGTH_MAXIMUM,
+                       .unit = "any length",
+                       .help = "which way it looks, instead of look_at"},
+    [ROW_UP] = {.name = "up",
+                .type = PARAMETER_DIRECTION,
+                .offset = offsetof(SceneCamera, up),
+                .minimum = -LENGTH_MAXIMUM,
+                .maximum = LENGTH_MAXIMUM,
+                .unit = "any length",
+                .help = "which way is up in the picture"},
+    [ROW_PAN] = {.name = "pan",
+                 .type = PARAMETER_NUMBER,
+                 .offset = offsetof(SceneCamera, pan),
+                 .minimum = -36000,
+                 .maximum = 36000,
+                 .unit = "degrees",
+                 .help = "turn to the right from -z, instead of look_at"},
+    [ROW_TILT] = {.name = "tilt",
+                  .type = PARAMETER_NUMBER,
+                  .offset = offsetof(SceneCamera, tilt),
+                  .minimum = -90,
+                  .maximum = 90,
+                  .unit = "degrees",
+                  .help = "turn up from the horizon, with pan"},
+    [ROW_FOV] = {.name = "fov",
+                 .type = PARAMETER_NUMBER,
+                 .offset = offsetof(SceneCamera, fov),
+                 .minimum = FOV_MINIMUM,
+                 .maximum = FOV_MAXIMUM,
+                 .unit = "degrees",
+                 .help = "horizontal field of view"},
+    {0}};
+
+/** A camera at the origin that looks along -z. */
+static const SceneCamera scene_camera_defaults = {.look_at = {0, 0, -1},
+                                                  .direction = {0, 0, -1},
+                                                  .up = {0, 1, 0},
+                                                  .fov = 46,
+                                                  .target_distance = 1};
+
+/**
+ * @return The direction of two angles (row B2), a unit vector.
+ * @param pan   Degrees to the right of -z.
+ * @param tilt  Degrees above the horizon.
+ */
+static Vec3d direction_from_pan_tilt(double pan, double tilt) {
+    double pan_radians = pan * RADIANS_PER_DEGREE;
+    double tilt_radians = tilt * RADIANS_PER_DEGREE;
+    return (Vec3d){cos(tilt_radians) * sin(pan_radians), sin(tilt_radians),
+                   -cos(tilt_radians) * cos(pan_radians)};
+}
+
+/**
+ * @return The part of `up` at right angles to `direction`, a unit vector. Where the two are
+ *         parallel, the axis least aligned with the direction takes the place of `up`.
+ * @param direction  A unit vector.
+ * @param up         Any vector but zero.
+ */
+static Vec3d orthogonal_up(Vec3d direction, Vec3d up) {
+    /** Sine of the angle below which two directions count as parallel: 1e-9 of a radian. */
+    const double parallel_tolerance = 1e-9;
+    Vec3d right = vec3d_cross(direction, vec3d_normalize(up));
+    if (!(vec3d_length(right) > parallel_tolerance)) {
+        double x = fabs(direction.x), y = fabs(direction.y), z = fabs(direction.z);
+        Vec3d axis = z <= x && z <= y ? (Vec3d){0, 0, 1}
+                     : x <= y         ? (Vec3d){1, 0, 0}
+                                      : (Vec3d){0, 1, 0};
+        /* Looking straight down with y up, -z is the top of the picture, as on a map. */
+        axis = y > x && y > z ? (Vec3d){0, 0, direction.y > 0 ? 1 : -1} : axis;
+        right = vec3d_cross(direction, axis);
+    }
+    return vec3d_normalize(vec3d_cross(vec3d_normalize(right), direction));
+}
+
+/**
+ * Works out direction, up and focus. See #Keyword.finish.
+ * @param[in,out] values  A #SceneCamera.
+ * @param given           Which rows were given.
+ * @param[out] error      What is wrong.
+ * @return false where the fields do not fit together.
+ */
+static bool scene_camera_finish(void *values, uint64_t given, Error *error) {
+    SceneCamera *camera = values;
+    bool by_point = given >> ROW_LOOK_AT & 1, by_direction = given >> ROW_DIRECTION & 1;
+    bool by_angles = (given >> ROW_PAN | given >> ROW_TILT) & 1;
+    if (by_point + by_direction + by_angles > 1) {
+        return error_set(error, STATUS_SCENE,
+                         "camera takes only one of look_at, direction, and pan with tilt");
+    }
+    if (by_point) {
+        camera->direction = vec3d_subtract(camera->look_at, camera->position);
+    } else if (by_angles) {
+        camera->direction = direction_from_pan_tilt(camera->pan, camera->tilt);
+    }
+    double distance = vec3d_length(camera->direction);
+    if (!(distance > 0)) {
+        return error_set(error, STATUS_SCENE, "camera must not look at its own position");
+    }
+    camera->target_distance = by_point ? distance : 1;
+    camera->direction = vec3d_normalize(camera->direction);
+    camera->up = orthogonal_up(camera->direction, camera->up);
+    return true;
+}
+
+const Keyword scene_camera_keyword = {.name = "camera",
+                                      .help = "from where, and which way, the picture is taken",
+                                      .parameters = scene_camera_parameters,
+                                      .size = sizeof(SceneCamera),
+                                      .defaults = &scene_camera_defaults,
+                                      .finish = scene_camera_finish};
+
+Vec3d scene_camera_right(const SceneCamera *camera) {
+    return vec3d_cross(camera->direction, camera->up);
+}
+
+void scene_camera_move(SceneCamera *camera, double right, double up, double forward) {
+    Vec3d offset =
+        vec3d_add(vec3d_scale(scene_camera_right(camera), right),
+                  vec3d_add(vec3d_scale(camera->up, up), vec3d_scale(camera->direction, forward)));
+    camera->position = vec3d_add(camera->position, offset);
+}
+
+/**
+ * @return v turned about an axis (Rodrigues' formula).
+ * @param v      Any vector.
+ * @param axis   A unit vector.
+ * @param angle  Degrees, counter-clockwise for who sees the axis come towards them.
+ */
+static Vec3d rotate_about_axis(Vec3d v, Vec3d axis, double angle) {
+    double cosine = cos(angle * RADIANS_PER_DEGREE), sine = sin(angle * RADIANS_PER_DEGREE);
+    Vec3d along = vec3d_scale(axis, vec3d_dot(axis, v) * (1 - cosine));
+    return vec3d_add(vec3d_add(vec3d_scale(v, cosine), along),
+                     vec3d_scale(vec3d_cross(axis, v), sine));
+}
+
+void scene_camera_rotate(SceneCamera *camera, Vec3d vertical, double pan, double tilt) {
+    double sine_of_tilt = fmin(1, fmax(-1, vec3d_dot(camera->direction, vertical)));
+    double old_tilt = asin(sine_of_tilt) / RADIANS_PER_DEGREE;
+    double new_tilt = fmin(ROTATED_TILT_MAXIMUM, fmax(-ROTATED_TILT_MAXIMUM, old_tilt + tilt));
+    Vec3d direction =
+        rotate_about_axis(camera->direction, scene_camera_right(camera), new_tilt - old_tilt);
+    camera->direction = vec3d_normalize(rotate_about_axis(direction, vertical, -pan));
+    camera->up = orthogonal_up(camera->direction, vertical);
+}
+
+void scene_camera_zoom(SceneCamera *camera, double factor) {
+    double half_angle = atan(tan(camera->fov / 2 * RADIANS_PER_DEGREE) * factor);
+    camera->fov = fmin(FOV_MAXIMUM, fmax(FOV_MINIMUM, 2 * half_angle / RADIANS_PER_DEGREE));
+}

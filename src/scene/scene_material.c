@@ -1,0 +1,138 @@
+/**
+ * @file
+ * @brief Materials.
+ */
+#include "dioptre/material.h"
+
+/**
+ * Largest weight of a term. Not 1: a teacher may overdo a highlight to show it.
+ */
+#define WEIGHT_MAXIMUM 1000.0
+/** Sharpest highlight: at this exponent it is smaller than a pixel, and float has run out. */
+#define SHININESS_MAXIMUM 1e6
+/** Most that reflectivity and transparency may be together: 1, and what writing 0.9 and 0.1 in
+ *  binary adds. */
+#define REFLECTANCE_SUM_MAXIMUM (1 + 1e-9)
+/** Least index of refraction; things optically thinner than air exist for X-rays only, and in
+ * class.
+ */
+#define IOR_MINIMUM 0.01
+/** Largest index of refraction: far above diamond's 2.4. */
+#define IOR_MAXIMUM 100.0
+
+/** Fields of `material`. */
+static const Parameter scene_material_parameters[] = {
+    {.name = "color",
+     .type = PARAMETER_COLOR,
+     .offset = offsetof(SceneMaterial, color),
+     .minimum = 0,
+     .maximum = 1,
+     .unit = "share",
+     .help = "light that a matt surface sends back"},
+    {.name = "texture",
+     .type = PARAMETER_TEXTURE,
+     .offset = offsetof(SceneMaterial, texture_id),
+     .unit = "file",
+     .help = "a picture that multiplies color"},
+    {.name = "ambient",
+     .type = PARAMETER_NUMBER,
+     .offset = offsetof(SceneMaterial, ambient),
+     .minimum = 0,
+     .maximum = WEIGHT_MAXIMUM,
+     .unit = "weight",
+     .help = "of the light from everywhere"},
+    {.name = "diffuse",
+     .type = PARAMETER_NUMBER,
+     .offset = offsetof(SceneMaterial, diffuse),
+     .minimum = 0,
+     .maximum = WEIGHT_MAXIMUM,
+     .unit = "weight",
+     .help = "of each light's matt shine"},
+    {.name = "specular",
+     .type = PARAMETER_NUMBER,
+     .offset = offsetof(SceneMaterial, specular),
+     .minimum = 0,
+     .maximum = WEIGHT_MAXIMUM,
+     .unit = "weight",
+     .help = "of each light's highlight"},
+    {.name = "shininess",
+     .type = PARAMETER_NUMBER,
+     .offset = offsetof(SceneMaterial, shininess),
+     .minimum = 0,
+     .maximum = SHININESS_MAXIMUM,
+     .unit = "exponent",
+     .help = "the larger, the smaller the highlight"},
+    {.name = "reflectivity",
+     .type = PARAMETER_COLOR,
+     .offset = offsetof(SceneMaterial, reflectivity),
+     .minimum = 0,
+     .maximum = 1,
+     .unit = "share",
+     .help = "of light that is mirrored"},
+    {.name = "transparency",
+     .type = PARAMETER_COLOR,
+     .offset = offsetof(SceneMaterial, transparency),
+     .minimum = 0,
+     .maximum = 1,
+     .unit = "share",
+     .help = "of light that is let through"},
+    {.name = "ior",
+     .type = PARAMETER_NUMBER,
+     .offset = offsetof(SceneMaterial, ior),
+     .minimum = IOR_MINIMUM,
+     .maximum = IOR_MAXIMUM,
+     .unit = "times that of air",
+     .help = "index of refraction inside"},
+    {.name = "emission",
+     .type = PARAMETER_COLOR,
+     .offset = offsetof(SceneMaterial, emission),
+     .minimum = 0,
+     .maximum = INTENSITY_MAXIMUM,
+     .unit = "linear light",
+     .help = "light of its own"},
+    {0}};
+
+/** Matt white. */
+static const SceneMaterial scene_material_defaults = {
+    .color = {1, 1, 1}, .ambient = 1, .diffuse = 1, .shininess = 50, .ior = 1.5};
+
+/**
+ * Refuses surfaces that send back more light than they get. See #Keyword.finish.
+ * @param[in,out] values  A #SceneMaterial.
+ * @param given           Not looked at.
+ * @param[out] error      What is wrong.
+ * @return Whether reflectivity and transparency are at most 1 together.
+ */
+static bool scene_material_finish(void *values, uint64_t given, Error *error) {
+    (void)given;
+    const SceneMaterial *m = values;
+    const Rgbd *reflected = &m->reflectivity, *transmitted = &m->transparency;
+    double maximum =
+        fmax(reflected->red + transmitted->red,
+             fmax(reflected->green + transmitted->green, reflected->blue + transmitted->blue));
+    return maximum <= REFLECTANCE_SUM_MAXIMUM ||
+           error_set(error, STATUS_SCENE,
+                     "reflectivity and transparency are %g together; they must be at most 1 in "
+                     "red, green and blue",
+                     maximum);
+}
+
+const Keyword scene_material_keyword = {.name = "material",
+                                        .help = "what a surface does with light",
+                                        .parameters = scene_material_parameters,
+                                        .size = sizeof(SceneMaterial),
+                                        .defaults = &scene_material_defaults,
+                                        .finish = scene_material_finish};
+
+/** @return Whether there is anything of any primary. @param color Shares. */
+static bool rgbd_is_nonzero(const Rgbd *color) {
+    return color->red > 0 || color->green > 0 || color->blue > 0;
+}
+
+bool scene_material_is_reflective(const SceneMaterial *material) {
+    return rgbd_is_nonzero(&material->reflectivity);
+}
+
+bool scene_material_is_transparent(const SceneMaterial *material) {
+    return rgbd_is_nonzero(&material->transparency);
+}

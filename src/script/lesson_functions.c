@@ -1,0 +1,242 @@
+/**
+ * @file
+ * @brief The words of lessons. Each adds a step at the time that the words `wait` and `hold` have
+ *        brought it to; `lesson`, the first, says which scene it is about.
+ */
+#include "script/lesson_functions.h"
+
+#include "base/language.h"
+#include "base/suggest.h"
+#include "script/lesson_fields.h"
+#include "script/lua_error.h"
+#include "script/script_sandbox.h"
+
+#include <lauxlib.h>
+#include <libintl.h>
+#include <math.h>
+#include <string.h>
+
+/** Fastest that moves may be asked to go. */
+static const double SPEED_MAXIMUM = 1000;
+/** Slowest that they may. */
+static const double SPEED_MINIMUM = 0.001;
+/** Farthest that the camera turns in one step, degrees. */
+static const double TURN_MAXIMUM = 360;
+/** Most notches of the wheel in one step. */
+static const double NOTCHES_MAXIMUM = 1000;
+
+/** @return The lesson that a state reads; raises an error before the word `lesson`.
+ *  @param L The state. */
+static LessonBuilder *current_builder(lua_State *L) {
+    LessonBuilder *builder = ((ScriptRun *)script_sandbox_of(L)->context)->lesson_builder;
+    if (!builder->lesson->scene[0]) {
+        lua_error_tr(L, "a lesson begins with lesson { scene = \"FILE.lua\" }");
+    }
+    return builder;
+}
+
+/** Adds a step to the lesson, now. @param L The state. @param step The step; its time is set. */
+static void add_step(lua_State *L, LessonStep step) {
+    LessonBuilder *builder = current_builder(L);
+    Error error = {0};
+    step.time = builder->time;
+    if (!lesson_add(builder->lesson, &step, &error)) {
+        lua_error_tr(L, "%s", error.message);
+    }
+}
+
+/**
+ * Reads a number that a word was called with; raises an error about anything else.
+ * @param L        The state.
+ * @param index    Which of the values.
+ * @param name     What to call it in errors.
+ * @param minimum  Smallest.
+ * @param maximum  Largest.
+ * @return The number.
+ */
+static double read_number(lua_State *L, int index, const char *name, double minimum,
+                          double maximum) {
+    const Parameter row = {
+        .name = name, .type = PARAMETER_NUMBER, .minimum = minimum, .maximum = maximum};
+    double value = 0;
+    read_value(L, index, &row, &value);
+    return value;
+}
+
+/** Raises an error unless a word was called with a number of values. @param L The state.
+ *  @param minimum Fewest. @param maximum Most. @param usage How it is called. */
+static void check_argument_count(lua_State *L, int minimum, int maximum, const char *usage) {
+    current_builder(L);
+    if (lua_gettop(L) < minimum || lua_gettop(L) > maximum) {
+        lua_error_tr(L, "it is called so: %s", usage);
+    }
+}
+
+/**
+ * Reads the name of an action; raises an error about any other.
+ * @param L        The state, with the name first.
+ * @param is_move  Whether only moves will do.
+ * @return Its place in the list.
+ */
+static int read_action(lua_State *L, bool is_move) {
+    const ActionNames *actions = current_builder(L)->actions;
+    Suggestion suggestion = {.word = luaL_checkstring(L, 1)};
+    for (int i = 0; actions->names[i] && (!is_move || i < actions->move_count); i++) {
+        if (strcmp(actions->names[i], suggestion.word) == 0) {
+            return i;
+        }
+        suggest_try(&suggestion, actions->names[i]);
+    }
+    char hint[SUGGEST_HINT_SIZE];
+    return lua_error_tr(L,
+                        is_move ? N_("there is no move `%s`%s") : N_("there is no action `%s`%s"),
+                        suggestion.word, suggest_hint(&suggestion, hint));
+}
+
+/** Lets time go by. @param L The state. @param index Which value says how much, seconds. */
+static void advance_time(lua_State *L, int index) {
+    double seconds = read_number(L, index, "seconds", 0, LESSON_WAIT_MAXIMUM);
+    current_builder(L)->time += llround(seconds * 1000);
+}
+
+/** `lesson { scene = ..., ... }`. See lua_CFunction. @param L The state. @return 0 */
+static int call_lesson(lua_State *L) {
+    Lesson *lesson = ((ScriptRun *)script_sandbox_of(L)->context)->lesson_builder->lesson;
+    if (lesson->scene[0]) {
+        return lua_error_tr(L, "a file holds one lesson, not two");
+    }
+    lesson_fields_read(L, lesson);
+    return 0;
+}
+
+/** `caption { en = ..., fr = ..., wait = true }` or `caption "..."`. See lua_CFunction.
+ *  @param L The state. @return 0 */
+static int call_caption(lua_State *L) {
+    check_argument_count(L, 1, 1, "caption { en = \"...\", fr = \"...\", wait = true }");
+    LessonStep step = {.kind = LESSON_CAPTION};
+    lesson_fields_read_caption(L, current_builder(L)->lesson, &step);
+    add_step(L, step);
+    return 0;
+}
+
+/** `wait(SECONDS)`. See lua_CFunction. @param L The state. @return 0 */
+static int call_wait(lua_State *L) {
+    check_argument_count(L, 1, 1, "wait(SECONDS)");
+    advance_time(L, 1);
+    return 0;
+}
+
+/** `press "ACTION"`. See lua_CFunction. @param L The state. @return 0 */
+static int call_press(lua_State *L) {
+    check_argument_count(L, 1, 1, "press \"ACTION\"");
+    add_step(L, (LessonStep){.kind = LESSON_PRESS, .action = read_action(L, false)});
+    return 0;
+}
+
+/** `release "MOVE"`. See lua_CFunction. @param L The state. @return 0 */
+static int call_release(lua_State *L) {
+    check_argument_count(L, 1, 1, "release \"MOVE\"");
+    add_step(L, (LessonStep){.kind = LESSON_RELEASE, .action = read_action(L, true)});
+    return 0;
+}
+
+/** `hold("MOVE", SECONDS)`: press, wait and release. See lua_CFunction. @param L The state.
+ *  @return 0 */
+static int call_hold(lua_State *L) {
+    check_argument_count(L, 2, 2, "hold(\"MOVE\", SECONDS)");
+    int move = read_action(L, true);
+    add_step(L, (LessonStep){.kind = LESSON_PRESS, .action = move});
+    advance_time(L, 2);
+    add_step(L, (LessonStep){.kind = LESSON_RELEASE, .action = move});
+    return 0;
+}
+
+/** `speed(FACTOR)`. See lua_CFunction. @param L The state. @return 0 */
+static int call_speed(lua_State *L) {
+    check_argument_count(L, 1, 1, "speed(FACTOR)");
+    double factor = read_number(L, 1, "speed", SPEED_MINIMUM, SPEED_MAXIMUM);
+    add_step(L, (LessonStep){.kind = LESSON_SPEED, .x = factor});
+    return 0;
+}
+
+/** `turn(RIGHT, UP)`, degrees. See lua_CFunction. @param L The state. @return 0 */
+static int call_turn(lua_State *L) {
+    check_argument_count(L, 2, 2, "turn(DEGREES_RIGHT, DEGREES_UP)");
+    LessonStep step = {.kind = LESSON_TURN};
+    step.x = read_number(L, 1, "turn", -TURN_MAXIMUM, TURN_MAXIMUM);
+    step.y = read_number(L, 2, "turn", -TURN_MAXIMUM, TURN_MAXIMUM);
+    add_step(L, step);
+    return 0;
+}
+
+/** `zoom(NOTCHES)`. See lua_CFunction. @param L The state. @return 0 */
+static int call_zoom(lua_State *L) {
+    check_argument_count(L, 1, 1, "zoom(NOTCHES)");
+    double notches = read_number(L, 1, "zoom", -NOTCHES_MAXIMUM, NOTCHES_MAXIMUM);
+    add_step(L, (LessonStep){.kind = LESSON_ZOOM, .x = notches});
+    return 0;
+}
+
+/** `size(WIDTH, HEIGHT)`. See lua_CFunction. @param L The state. @return 0 */
+static int call_size(lua_State *L) {
+    check_argument_count(L, 2, 2, "size(WIDTH, HEIGHT)");
+    LessonStep step = {.kind = LESSON_SIZE};
+    step.x = floor(read_number(L, 1, "size", 1, IMAGE_SIZE_MAXIMUM));
+    step.y = floor(read_number(L, 2, "size", 1, IMAGE_SIZE_MAXIMUM));
+    add_step(L, step);
+    return 0;
+}
+
+/** `pixel(X, Y)`, shares of the picture. See lua_CFunction. @param L The state. @return 0 */
+static int call_pixel(lua_State *L) {
+    check_argument_count(L, 2, 2, "pixel(X, Y)");
+    LessonStep step = {.kind = LESSON_PIXEL};
+    step.x = read_number(L, 1, "pixel", 0, 1);
+    step.y = read_number(L, 2, "pixel", 0, 1);
+    add_step(L, step);
+    return 0;
+}
+
+/** `walk(RIGHT, DOWN)`, pixels. See lua_CFunction. @param L The state. @return 0 */
+static int call_walk(lua_State *L) {
+    check_argument_count(L, 2, 2, "walk(RIGHT, DOWN)");
+    LessonStep step = {.kind = LESSON_WALK};
+    step.x = floor(read_number(L, 1, "walk", -IMAGE_SIZE_MAXIMUM, IMAGE_SIZE_MAXIMUM));
+    step.y = floor(read_number(L, 2, "walk", -IMAGE_SIZE_MAXIMUM, IMAGE_SIZE_MAXIMUM));
+    add_step(L, step);
+    return 0;
+}
+
+/** `bar(SHARE)` of the window's width. See lua_CFunction. @param L The state. @return 0 */
+static int call_bar(lua_State *L) {
+    check_argument_count(L, 1, 1, "bar(SHARE)");
+    add_step(L, (LessonStep){.kind = LESSON_BAR, .x = read_number(L, 1, "bar", 0, 1)});
+    return 0;
+}
+
+/** `snapshot()`. See lua_CFunction. @param L The state. @return 0 */
+static int call_snapshot(lua_State *L) {
+    check_argument_count(L, 0, 0, "snapshot()");
+    add_step(L, (LessonStep){.kind = LESSON_SNAPSHOT});
+    return 0;
+}
+
+/** Makes the words of lessons known. See #ScriptDialect.open. @param L The state. */
+static void register_functions(lua_State *L) {
+    static const luaL_Reg functions[] = {
+        {"lesson", call_lesson}, {"caption", call_caption},  {"wait", call_wait},
+        {"press", call_press},   {"release", call_release},  {"hold", call_hold},
+        {"speed", call_speed},   {"turn", call_turn},        {"zoom", call_zoom},
+        {"size", call_size},     {"pixel", call_pixel},      {"walk", call_walk},
+        {"bar", call_bar},       {"snapshot", call_snapshot}};
+    for (size_t i = 0; i < sizeof functions / sizeof *functions; i++) {
+        lua_register(L, functions[i].name, functions[i].func);
+    }
+}
+
+/** Sees that there is a lesson. See #ScriptDialect.check. @param L The state. */
+static void check_lesson(lua_State *L) {
+    current_builder(L);
+}
+
+const ScriptDialect lesson_dialect = {.open = register_functions, .check = check_lesson};

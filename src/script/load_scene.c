@@ -1,0 +1,154 @@
+/**
+ * @file
+ * @brief Scene files, from the path to the finished scene.
+ */
+#include "dioptre/script.h"
+
+#include "assets/images/texture_file.h"
+#include "assets/meshes/mesh_file.h"
+#include "script/asset_cache.h"
+#include "script/sandboxed_run.h"
+#include "script/sanitize.h"
+
+#include <string.h>
+
+/**
+ * Says in an error which file it is about. A library's words may hold anything that is in the file.
+ * @param file           The file.
+ * @param[in,out] error  What is wrong with it; may be NULL.
+ * @return false, always.
+ */
+static bool set_file_error(const SceneFile *file, Error *error) {
+    char name[SANITIZED_PATH_SIZE], message[ERROR_MESSAGE_SIZE];
+    if (error) {
+        sanitize_path(name, file->name);
+        sanitize_text(message, sizeof message, error->message, strlen(error->message));
+        error_set(error, error->status, "%s: %s: %s", file->location, name, message);
+    }
+    return false;
+}
+
+/**
+ * Reads the model files that a scene names and that are not there yet.
+ * @param[in,out] scene  The scene.
+ * @param progress       Who is told how far it is; NULL: nobody.
+ * @param[out] error     What is wrong, with the line that names the file.
+ * @return Whether all were read.
+ */
+static bool read_meshes(Scene *scene, const MeshProgress *progress, Error *error) {
+    for (size_t i = 0; i < scene->mesh_count; i++) {
+        SceneMesh *scene_mesh = &scene->meshes[i];
+        if (!scene_mesh->mesh &&
+            !mesh_file_read(scene_mesh->file.path, progress, &scene_mesh->mesh, error)) {
+            return set_file_error(&scene_mesh->file, error);
+        }
+    }
+    return true;
+}
+
+/**
+ * Reads the picture files that a scene names and that are not there yet.
+ * @param[in,out] scene  The scene.
+ * @param[out] error     What is wrong, with the line that names the file.
+ * @return Whether all were read.
+ */
+static bool read_textures(Scene *scene, Error *error) {
+    for (size_t i = 0; i < scene->texture_count; i++) {
+        SceneTexture *scene_texture = &scene->textures[i];
+        if (!scene_texture->texture &&
+            !texture_file_read(scene_texture->file.path, &scene_texture->texture, error)) {
+            return set_file_error(&scene_texture->file, error);
+        }
+    }
+    return true;
+}
+
+/**
+ * Finds the model of a shape.
+ * @param scene    The scene.
+ * @param shape    The shape.
+ * @param keyword  What its class says of itself.
+ * @return The model that it shows; NULL if shapes of its class show none.
+ */
+static const SceneMesh *mesh_of_shape(const Scene *scene, const SceneShape *shape,
+                                      const Keyword *keyword) {
+    for (const Parameter *row = keyword->parameters; row->name; row++) {
+        if (row->type == PARAMETER_MESH) {
+            size_t index;
+            memcpy(&index, (const char *)shape->parameters + row->offset, sizeof index);
+            return &scene->meshes[index];
+        }
+    }
+    return NULL;
+}
+
+/**
+ * Sees that each model with a picture on it says where the picture goes.
+ * @param scene       The scene, with its models.
+ * @param keywords    The shapes' classes.
+ * @param[out] error  Which does not, with the line that names it.
+ * @return Whether all do.
+ */
+static bool check_textured_meshes(const Scene *scene, const Keyword *const *keywords,
+                                  Error *error) {
+    for (size_t i = 0; i < scene->shape_count; i++) {
+        const SceneShape *shape = &scene->shapes[i];
+        size_t texture = scene->materials[shape->material_index].texture_id;
+        const SceneMesh *scene_mesh =
+            texture > 0 ? mesh_of_shape(scene, shape, keywords[shape->class_index]) : NULL;
+        if (scene_mesh && scene_mesh->mesh->uv_count == 0) {
+            error_set(error, STATUS_SCENE, "it has no (u, v) to lay the picture %s on it",
+                      scene->textures[texture - 1].file.name);
+            return set_file_error(&scene_mesh->file, error);
+        }
+    }
+    return true;
+}
+
+/**
+ * Reads all files that a scene names, but for those that an earlier one has left.
+ * @param request        What was asked for; its stock holds this scene's files afterwards.
+ * @param[in,out] scene  The scene.
+ * @param[out] error     What is wrong, with the line that names the file.
+ * @return Whether all are there.
+ */
+static bool read_files(const ScriptRequest *request, Scene *scene, Error *error) {
+    asset_cache_fill_scene(request->cache, scene);
+    return read_meshes(scene, request->progress, error) &&
+           check_textured_meshes(scene, request->shape_keywords, error) &&
+           read_textures(scene, error) && asset_cache_store(request->cache, scene, error);
+}
+
+/**
+ * Makes the scene that a text describes.
+ * @param request     What to load.
+ * @param text      The text.
+ * @param[out] error  What is wrong.
+ * @return The scene; NULL if anything is wrong.
+ */
+static Scene *load_text(const ScriptRequest *request, const ScriptText *text, Error *error) {
+    Scene *scene = scene_create(error);
+    ScriptResult *result = scene ? script_result_create(request->path, error) : NULL;
+    ScriptRun run = {.request = request,
+                     .dialect = &scene_dialect,
+                     .text = text,
+                     .scene = scene,
+                     .result = result};
+    if (!result || !script_run_sandboxed(&run, error) || !read_files(request, scene, error)) {
+        scene_destroy(scene);
+        scene = NULL;
+    }
+    script_result_destroy(result);
+    return scene;
+}
+
+Scene *script_load(const ScriptRequest *request, Error *error) {
+    ScriptText uncached = {0};
+    ScriptText *text = request->cache ? asset_cache_text(request->cache) : &uncached;
+    if (!text->text && !script_text_load(request->path, text, error)) {
+        return NULL;
+    }
+    Scene *scene = load_text(request, text, error);
+    script_text_deinit(&uncached);
+    return scene;
+}

@@ -1,0 +1,88 @@
+/**
+ * @file
+ * @brief Names of files in the tables of a scene.
+ */
+#include "assets/images/texture_file.h"
+#include "assets/meshes/mesh_file.h"
+#include "base/language.h"
+#include "script/asset_path.h"
+#include "script/lua_error.h"
+#include "script/read_parameters.h"
+#include "script/sanitize.h"
+#include "script/script_run.h"
+#include "script/script_sandbox.h"
+
+#include <lauxlib.h>
+#include <string.h>
+
+/** A kind of file that a scene can name. */
+typedef struct AssetKind {
+    const char *expected; /**< What a name must be, in words. */
+    /** Says whether a file may be of this kind, by its name and kind. @param path The file.
+     *  @param[out] error Why not. @return Whether it may. */
+    bool (*check)(const char *path, Error *error);
+    /** Notes it, once. @param scene The scene. @param file The file. @param[out] place Its place.
+     *  @param[out] error What is wrong. @return false when the scene is full. */
+    bool (*add)(Scene *scene, const SceneFile *file, size_t *place, Error *error);
+} AssetKind;
+
+/**
+ * Notes a file in the scene, unless it is there already.
+ * @param L            The state.
+ * @param kind         What kind of file it is.
+ * @param name         The file's name.
+ * @param real_path         Where it is.
+ * @param[out] index   Its place in the scene.
+ * @param[out] error   What is wrong.
+ * @return false when the scene is full.
+ */
+static bool add_asset(lua_State *L, const AssetKind *kind, const char *name, const char *real_path,
+                      size_t *index, Error *error) {
+    const ScriptSandbox *sandbox = script_sandbox_of(L);
+    const ScriptRun *run = sandbox->context;
+    char where[SANITIZED_PATH_SIZE + sizeof ":-2147483648"];
+    script_result_format_location(sandbox->result, script_sandbox_location(L), where, sizeof where);
+    SceneFile file = {.path = real_path, .name = name, .location = where};
+    return kind->add(run->scene, &file, index, error);
+}
+
+/**
+ * Reads the name of a file as its place in the scene.
+ * @param L      The state.
+ * @param index  Where the name is.
+ * @param row    What it should be.
+ * @param kind   What kind of file it names.
+ * @return Its place.
+ */
+static size_t read_asset_name(lua_State *L, int index, const Parameter *row,
+                              const AssetKind *kind) {
+    const ScriptRun *run = script_sandbox_of(L)->context;
+    char display_path[PATH_MAX], real_path[PATH_MAX];
+    size_t length, asset_index = 0;
+    Error error = {0};
+    if (lua_type(L, index) != LUA_TSTRING) {
+        read_type_error(L, index, row, kind->expected);
+    }
+    const char *name = lua_tolstring(L, index, &length);
+    if (length != strlen(name)) {
+        lua_error_tr(L, "%s must not have a zero byte in its name", row->name);
+    }
+    bool is_added = asset_path_resolve(run->request, name, display_path, real_path, &error) &&
+                    kind->check(real_path, &error) &&
+                    add_asset(L, kind, name, real_path, &asset_index, &error);
+    if (!is_added) {
+        lua_error_tr(L, "%s: %s", name, error.message);
+    }
+    return asset_index;
+}
+
+void read_mesh_name(lua_State *L, int index, const Parameter *row, void *field) {
+    static const AssetKind kind = {N_("the name of a model file"), mesh_file_check, scene_add_mesh};
+    *(size_t *)field = read_asset_name(L, index, row, &kind);
+}
+
+void read_texture_name(lua_State *L, int index, const Parameter *row, void *field) {
+    static const AssetKind kind = {N_("the name of a picture file"), texture_file_check,
+                                   scene_add_texture};
+    *(size_t *)field = read_asset_name(L, index, row, &kind) + 1;
+}

@@ -1,0 +1,396 @@
+/**
+ * @file
+ * @brief From a Lua table to a C struct, by a parameter table.
+ */
+#include "script/read_parameters.h"
+
+#include "base/language.h"
+#include "base/suggest.h"
+#include "script/hex_color.h"
+#include "script/lua_error.h"
+#include "script/script_run.h"
+#include "script/script_sandbox.h"
+#include "script/sdf_binding.h"
+
+#include <lauxlib.h>
+#include <libintl.h>
+#include <string.h>
+
+const char *read_describe(lua_State *L, int index) {
+    static const char *const type_names[LUA_NUMTYPES] = {
+        [LUA_TNIL] = N_("nothing"),       [LUA_TBOOLEAN] = N_("a boolean"),
+        [LUA_TNUMBER] = N_("a number"),   [LUA_TSTRING] = N_("a string"),
+        [LUA_TTABLE] = N_("a table"),     [LUA_TFUNCTION] = N_("a function"),
+        [LUA_TTHREAD] = N_("a coroutine")};
+    int type = lua_type(L, index);
+    const char *description = type == LUA_TNONE ? type_names[LUA_TNIL] : type_names[type];
+    if (sdf_binding_test(L, index)) {
+        description = N_("a distance field");
+    }
+    if (description) {
+        return lua_pushstring(L, gettext(description));
+    }
+    // Things of the scene carry the name of their keyword.
+    bool is_named = luaL_getmetafield(L, index, "__name") == LUA_TSTRING;
+    const char *name = is_named ? lua_tostring(L, -1) : "userdata";
+    return lua_pushfstring(L, gettext(strchr("aeiou", name[0]) ? N_("an %s") : N_("a %s")), name);
+}
+
+void read_type_error(lua_State *L, int index, const Parameter *row, const char *expected) {
+    lua_error_tr(L, "%s must be %s, not %s", row->name, gettext(expected), read_describe(L, index));
+}
+
+/**
+ * @return A number, finite and in range; raises an error about any other.
+ * @param L      The state.
+ * @param index  Where it is; a number.
+ * @param row    What it should be.
+ */
+static double read_number_in_range(lua_State *L, int index, const Parameter *row) {
+    Error error = {0};
+    double value = lua_tonumber(L, index);
+    if (!parameter_check_range(row, value, &error)) {
+        lua_error_tr(L, "%s", error.message);
+    }
+    return value;
+}
+
+/** What a list of numbers should be. */
+typedef struct NumberList {
+    int count;            /**< How many numbers. */
+    const char *expected; /**< The same in words. */
+} NumberList;
+
+/** `{x, y, z}` */
+static const NumberList vector_list = {3, N_("three numbers {x, y, z}")};
+/** `{x, y, z}` or one number. */
+static const NumberList scale_list = {3, N_("one number, or three numbers {x, y, z}")};
+/** `{u, v}` */
+static const NumberList pair_list = {2, N_("two numbers {u, v}")};
+/** `{red, green, blue}` and what else makes a colour. */
+static const NumberList color_list = {
+    3, N_("a colour ({red, green, blue}, one number, or \"#rrggbb\")")};
+
+/** @return How many things a table holds. @param L The state. @param index Where it is. */
+static lua_Integer count_entries(lua_State *L, int index) {
+    lua_Integer count = 0;
+    lua_pushnil(L);
+    while (lua_next(L, index)) {
+        lua_pop(L, 1);
+        count++;
+    }
+    return count;
+}
+
+/**
+ * Reads `{a, b, c}`.
+ * @param L             The state.
+ * @param index         Where it is, of any type.
+ * @param row           What it should be.
+ * @param list          How many numbers.
+ * @param[out] numbers  The numbers, each in range.
+ */
+static void read_list(lua_State *L, int index, const Parameter *row, const NumberList *list,
+                      double *numbers) {
+    if (!lua_istable(L, index)) {
+        read_type_error(L, index, row, list->expected);
+    }
+    lua_Integer count = count_entries(L, index);
+    for (int i = 0; i < list->count; i++) {
+        if (lua_geti(L, index, i + 1) == LUA_TNIL || count > list->count) {
+            lua_error_tr(L, "%s must be %s; there are %lld things between the braces", row->name,
+                         gettext(list->expected), (long long)count);
+        }
+        if (lua_type(L, -1) != LUA_TNUMBER) {
+            lua_error_tr(L, "%s must be %s; number %d of them is %s", row->name,
+                         gettext(list->expected), i + 1, read_describe(L, lua_gettop(L)));
+        }
+        numbers[i] = read_number_in_range(L, -1, row);
+        lua_pop(L, 1);
+    }
+}
+
+/** Reads a `double`. See #ReadFunction. @param L See there. @param index See there.
+ *  @param row See there. @param[out] field See there. */
+static void read_number(lua_State *L, int index, const Parameter *row, void *field) {
+    if (lua_type(L, index) != LUA_TNUMBER) {
+        read_type_error(L, index, row, N_("a number"));
+    }
+    *(double *)field = read_number_in_range(L, index, row);
+}
+
+/** Reads an `int`. See #ReadFunction. @param L See there. @param index See there.
+ *  @param row See there. @param[out] field See there. */
+static void read_integer(lua_State *L, int index, const Parameter *row, void *field) {
+    double value;
+    read_number(L, index, row, &value);
+    if (value != floor(value)) {
+        lua_error_tr(L, "%s must be a whole number, not %.14g", row->name, value);
+    }
+    *(int *)field = (int)value;
+}
+
+/** Reads a `bool`. See #ReadFunction. @param L See there. @param index See there.
+ *  @param row See there. @param[out] field See there. */
+static void read_boolean(lua_State *L, int index, const Parameter *row, void *field) {
+    if (!lua_isboolean(L, index)) {
+        read_type_error(L, index, row, N_("true or false"));
+    }
+    *(bool *)field = lua_toboolean(L, index);
+}
+
+/**
+ * Puts the words of a row on the stack, for an error: `` `none` or `inverse_square` ``.
+ * @param L      The state.
+ * @param words  The words, ended by NULL; at least one.
+ * @return The text, valid while it is on the stack.
+ */
+static const char *list_words(lua_State *L, const char *const *words) {
+    luaL_Buffer list;
+    luaL_buffinit(L, &list);
+    for (size_t i = 0; words[i]; i++) {
+        const char *separator = i == 0 ? "" : words[i + 1] ? ", " : gettext(" or ");
+        luaL_addstring(&list, separator);
+        luaL_addchar(&list, '`');
+        luaL_addstring(&list, words[i]);
+        luaL_addchar(&list, '`');
+    }
+    luaL_pushresult(&list);
+    return lua_tostring(L, -1);
+}
+
+/** Reads a word as its place. See #ReadFunction. @param L See there. @param index See there.
+ *  @param row See there. @param[out] field See there. */
+static void read_word(lua_State *L, int index, const Parameter *row, void *field) {
+    if (lua_type(L, index) != LUA_TSTRING) {
+        read_type_error(L, index, row, list_words(L, row->choices));
+    }
+    Suggestion suggestion = {.word = lua_tostring(L, index)};
+    for (int i = 0; row->choices[i]; i++) {
+        if (strcmp(row->choices[i], suggestion.word) == 0) {
+            *(int *)field = i;
+            return;
+        }
+        suggest_try(&suggestion, row->choices[i]);
+    }
+    char hint[SUGGEST_HINT_SIZE];
+    lua_error_tr(L, "%s must be %s, not `%s`%s", row->name, list_words(L, row->choices),
+                 suggestion.word, suggest_hint(&suggestion, hint));
+}
+
+/** Reads a `Vec3d`. See #ReadFunction. @param L See there. @param index See there.
+ *  @param row See there. @param[out] field See there. */
+static void read_vector(lua_State *L, int index, const Parameter *row, void *field) {
+    double xyz[3];
+    read_list(L, index, row, &vector_list, xyz);
+    *(Vec3d *)field = (Vec3d){xyz[0], xyz[1], xyz[2]};
+}
+
+/** Reads a `Vec3d` that may be one number. See #ReadFunction. @param L See there.
+ *  @param index See there. @param row See there. @param[out] field See there. */
+static void read_scale(lua_State *L, int index, const Parameter *row, void *field) {
+    double xyz[3];
+    if (lua_type(L, index) == LUA_TNUMBER) {
+        xyz[0] = xyz[1] = xyz[2] = read_number_in_range(L, index, row);
+    } else {
+        read_list(L, index, row, &scale_list, xyz);
+    }
+    *(Vec3d *)field = (Vec3d){xyz[0], xyz[1], xyz[2]};
+}
+
+/** Reads a `Uvd`. See #ReadFunction. @param L See there. @param index See there.
+ *  @param row See there. @param[out] field See there. */
+static void read_pair(lua_State *L, int index, const Parameter *row, void *field) {
+    double uv[2];
+    read_list(L, index, row, &pair_list, uv);
+    *(Uvd *)field = (Uvd){uv[0], uv[1]};
+}
+
+/** Reads a `Vec3d` that is not zero. See #ReadFunction. @param L See there. @param index See there.
+ *  @param row See there. @param[out] field See there. */
+static void read_direction(lua_State *L, int index, const Parameter *row, void *field) {
+    Vec3d direction;
+    read_vector(L, index, row, &direction);
+    if (!(vec3d_length(direction) > 0)) {
+        lua_error_tr(L, "%s must not be zero: it says a direction", row->name);
+    }
+    *(Vec3d *)field = direction;
+}
+
+/**
+ * Reads a colour given as text.
+ * @param L      The state.
+ * @param index  Where it is; a string.
+ * @param row    What it should be.
+ * @return The colour, in range.
+ */
+static Rgbd read_hex_color(lua_State *L, int index, const Parameter *row) {
+    size_t length;
+    const char *text = lua_tolstring(L, index, &length);
+    Rgbd color = {0};
+    if (!hex_color_read(text, length, &color)) {
+        lua_error_tr(L, "%s must be a colour such as \"#ff8000\", not \"%s\"", row->name, text);
+    }
+    const double parts[] = {color.red, color.green, color.blue};
+    for (int i = 0; i < 3; i++) {
+        lua_pushnumber(L, parts[i]);
+        read_number_in_range(L, -1, row);
+        lua_pop(L, 1);
+    }
+    return color;
+}
+
+/** Reads a `Rgbd`. See #ReadFunction. @param L See there. @param index See there.
+ *  @param row See there. @param[out] field See there. */
+static void read_color(lua_State *L, int index, const Parameter *row, void *field) {
+    double rgb[3];
+    int type = lua_type(L, index);
+    if (type == LUA_TSTRING) {
+        *(Rgbd *)field = read_hex_color(L, index, row);
+    } else if (type == LUA_TNUMBER) {
+        double grey = read_number_in_range(L, index, row);
+        *(Rgbd *)field = (Rgbd){grey, grey, grey};
+    } else {
+        read_list(L, index, row, &color_list, rgb);
+        *(Rgbd *)field = (Rgbd){rgb[0], rgb[1], rgb[2]};
+    }
+}
+
+/** Reads a distance field, which the scene keeps. See #ReadFunction. @param L See there. @param
+ * index See there. @param row See there. @param[out] field See there. */
+static void read_field(lua_State *L, int index, const Parameter *row, void *field) {
+    const Sdf *sdf = sdf_binding_test(L, index);
+    Error error = {0};
+    if (!sdf) {
+        read_type_error(L, index, row, N_("a distance field"));
+    }
+    const Sdf *kept =
+        scene_add_sdf(((ScriptRun *)script_sandbox_of(L)->context)->scene, sdf, &error);
+    if (!kept) {
+        lua_error_tr(L, "%s", error.message);
+    }
+    *(const Sdf **)field = kept;
+}
+
+/** How a value of a type is read: #read_value of one type. */
+typedef void ReadFunction(lua_State *L, int index, const Parameter *row, void *field);
+
+void read_value(lua_State *L, int index, const Parameter *row, void *field) {
+    static ReadFunction *const readers[] = {[PARAMETER_NUMBER] = read_number,
+                                            [PARAMETER_INTEGER] = read_integer,
+                                            [PARAMETER_BOOLEAN] = read_boolean,
+                                            [PARAMETER_CHOICE] = read_word,
+                                            [PARAMETER_POINT] = read_vector,
+                                            [PARAMETER_VECTOR] = read_vector,
+                                            [PARAMETER_DIRECTION] = read_direction,
+                                            [PARAMETER_SCALE] = read_scale,
+                                            [PARAMETER_UV] = read_pair,
+                                            [PARAMETER_COLOR] = read_color,
+                                            [PARAMETER_MESH] = read_mesh_name,
+                                            [PARAMETER_SDF] = read_field,
+                                            [PARAMETER_TEXTURE] = read_texture_name};
+    readers[row->type](L, index, row, field);
+}
+
+/**
+ * Says whether keywords have a field.
+ * @param keywords  The keywords whose fields may stand in one table, ended by NULL.
+ * @param extra     A field beyond theirs; NULL: none.
+ * @param[in,out] suggestion  The field; where it is none of these, the nearest is noted.
+ * @return Whether one has.
+ */
+static bool has_field(const Keyword *const *keywords, const char *extra, Suggestion *suggestion) {
+    for (; *keywords; keywords++) {
+        for (const Parameter *row = (*keywords)->parameters; row->name; row++) {
+            if (strcmp(row->name, suggestion->word) == 0) {
+                return true;
+            }
+            suggest_try(suggestion, row->name);
+        }
+    }
+    if (extra) {
+        suggest_try(suggestion, extra);
+    }
+    return extra && strcmp(extra, suggestion->word) == 0;
+}
+
+/** @return Whether a keyword's first field may stand first in the braces without its name.
+ *  @param keyword The keyword. */
+static bool has_positional_field(const Keyword *keyword) {
+    return keyword->parameters->type == PARAMETER_SDF;
+}
+
+/** @return Whether the key on top of the stack is 1, where a keyword's first field may stand.
+ *  @param L The state. @param keyword The keyword. */
+static bool is_positional_key(lua_State *L, const Keyword *keyword) {
+    return has_positional_field(keyword) && lua_isinteger(L, -1) && lua_tointeger(L, -1) == 1;
+}
+
+/**
+ * Puts a field of the table on the stack.
+ * @param L        The state; the table is the first argument.
+ * @param keyword  The keyword.
+ * @param i        Which of its fields.
+ * @return Whether it is there.
+ */
+static bool push_field(lua_State *L, const Keyword *keyword, int i) {
+    bool is_named = lua_getfield(L, 1, keyword->parameters[i].name) != LUA_TNIL;
+    if (i > 0 || !has_positional_field(keyword)) {
+        return is_named;
+    }
+    bool is_positional = lua_geti(L, 1, 1) != LUA_TNIL;
+    if (is_named && is_positional) {
+        lua_error_tr(L, "%s takes one %s, not two", keyword->name, keyword->parameters->name);
+    }
+    lua_pushvalue(L, is_positional ? -1 : -2);
+    return is_named || is_positional;
+}
+
+void read_check_arguments(lua_State *L, const Keyword *const *keywords, const char *extra) {
+    const char *name = keywords[0]->name;
+    if (lua_gettop(L) != 1 || !lua_istable(L, 1)) {
+        lua_error_tr(L, "%s takes its fields in braces: %s { ... }", name, name);
+    }
+    read_check_table(L, 1, keywords, extra);
+}
+
+void read_check_table(lua_State *L, int index, const Keyword *const *keywords, const char *extra) {
+    const char *name = keywords[0]->name;
+    lua_pushnil(L);
+    while (lua_next(L, index)) {
+        lua_pop(L, 1);
+        if (is_positional_key(L, keywords[0])) {
+            continue;
+        }
+        if (lua_type(L, -1) != LUA_TSTRING) {
+            lua_error_tr(L, "%s takes fields with names, such as `%s = ...`; one has none", name,
+                         keywords[0]->parameters->name);
+        }
+        char hint[SUGGEST_HINT_SIZE];
+        Suggestion suggestion = {.word = lua_tostring(L, -1)};
+        if (!has_field(keywords, extra, &suggestion)) {
+            lua_error_tr(L, "%s has no field `%s`%s", name, suggestion.word,
+                         suggest_hint(&suggestion, hint));
+        }
+    }
+}
+
+void *read_fields(lua_State *L, const Keyword *keyword, uint64_t *given_mask) {
+    char *values = lua_newuserdatauv(L, keyword->size, 0);
+    const int top = lua_gettop(L);
+    Error error = {0};
+    memcpy(values, keyword->defaults, keyword->size);
+    *given_mask = 0;
+    for (int i = 0; keyword->parameters[i].name; i++) {
+        const Parameter *row = &keyword->parameters[i];
+        if (push_field(L, keyword, i)) {
+            read_value(L, lua_gettop(L), row, values + row->offset);
+            *given_mask |= (uint64_t)1 << i;
+        }
+        lua_settop(L, top);
+    }
+    if (keyword->finish && !keyword->finish(values, *given_mask, &error)) {
+        lua_error_tr(L, "%s", error.message);
+    }
+    return values;
+}

@@ -1,0 +1,123 @@
+/**
+ * @file
+ * @brief What the child that runs a scene tells the parent.
+ */
+#include "script/script_result.h"
+
+#include "script/sanitize.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+
+ScriptResult *script_result_create(const char *path, Error *error) {
+    ScriptResult *result = mmap(NULL, sizeof *result, PROT_READ | PROT_WRITE,
+                                MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (result == MAP_FAILED) {
+        error_set(error, STATUS_FAILED, "no memory to run a scene");
+        return NULL;
+    }
+    result->location = SOURCE_LOCATION_START;
+    script_result_add_file(result, path);
+    return result;
+}
+
+void script_result_destroy(ScriptResult *result) {
+    if (result) {
+        munmap(result, sizeof *result);
+    }
+}
+
+/**
+ * Makes up the name by which Lua knows a file. Lua would cut a long one, and two files could then
+ * look the same to us; so a long path is told by its number.
+ * @param[out] chunk_name  The name.
+ * @param path        The file.
+ * @param number      Its place in #ScriptResult.files.
+ */
+static void make_chunk_name(char chunk_name[CHUNK_NAME_SIZE], const char *path, int number) {
+    /** Bytes of a long path's end that are kept, for who prints such a name. */
+    const size_t tail_length = 40;
+    size_t length = strlen(path);
+    if (length + 2 <= CHUNK_NAME_SIZE) {
+        snprintf(chunk_name, CHUNK_NAME_SIZE, "=%s", path);
+    } else {
+        snprintf(chunk_name, CHUNK_NAME_SIZE, "=#%d...%s", number, path + length - tail_length);
+    }
+}
+
+const ScriptFile *script_result_add_file(ScriptResult *result, const char *path) {
+    for (int i = 0; i < result->file_count; i++) {
+        if (strcmp(result->files[i].path, path) == 0) {
+            return &result->files[i];
+        }
+    }
+    if (result->file_count == SCRIPT_FILES_MAXIMUM) {
+        return NULL;
+    }
+    ScriptFile *file = &result->files[result->file_count];
+    snprintf(file->path, sizeof file->path, "%s", path);
+    make_chunk_name(file->chunk_name, path, result->file_count);
+    result->file_count++;
+    return file;
+}
+
+int script_result_find_file(const ScriptResult *result, const char *name) {
+    for (int i = 0; i < result->file_count; i++) {
+        if (strcmp(result->files[i].chunk_name + 1, name) == 0) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+/**
+ * Reads `NAME:LINE: ` of one file.
+ * @param name         The name that Lua calls it.
+ * @param text         A message.
+ * @param[out] line    The line, from 1.
+ * @return Bytes read; 0 if the message does not begin so.
+ */
+static size_t parse_line(const char *name, const char *text, int *line) {
+    size_t length = strlen(name);
+    if (strncmp(text, name, length) != 0 || text[length] != ':') {
+        return 0;
+    }
+    const char *digits = text + length + 1;
+    char *end;
+    long number = strtol(digits, &end, 10);
+    if (end == digits || number < 1 || number > INT_MAX || strncmp(end, ": ", 2) != 0) {
+        return 0;
+    }
+    *line = (int)number;
+    return (size_t)(end + 2 - text);
+}
+
+size_t script_result_parse_location(const ScriptResult *result, const char *text,
+                                    SourceLocation *location) {
+    for (int i = 0; i < result->file_count; i++) {
+        int line;
+        size_t length = parse_line(result->files[i].chunk_name + 1, text, &line);
+        if (length > 0) {
+            *location = (SourceLocation){i, line};
+            return length;
+        }
+    }
+    return 0;
+}
+
+void script_result_format_location(const ScriptResult *result, SourceLocation location, char *text,
+                                   size_t size) {
+    char path[SANITIZED_PATH_SIZE];
+    sanitize_path(path, result->files[location.file].path);
+    snprintf(text, size, "%s:%d", path, location.line);
+}
+
+void script_result_fail(ScriptResult *result, SourceLocation location, const char *text,
+                        size_t length) {
+    char prefix[ERROR_MESSAGE_SIZE], message[ERROR_MESSAGE_SIZE];
+    script_result_format_location(result, location, prefix, sizeof prefix);
+    sanitize_text(message, sizeof message, text, length);
+    error_set(&result->error, STATUS_SCENE, "%s: %s", prefix, message);
+}

@@ -1,0 +1,122 @@
+/**
+ * @file
+ * @brief What the child does.
+ */
+#include "script/script_run.h"
+
+#include "script/include.h"
+#include "script/keywords.h"
+#include "script/library.h"
+#include "script/lua_error.h"
+#include "script/lua_messages.h"
+#include "script/script_sandbox.h"
+#include "script/sdf_binding.h"
+
+#include <lauxlib.h>
+#include <libintl.h>
+#include <locale.h>
+#include <stdio.h>
+#include <string.h>
+
+/** Makes a scene's words known. See #ScriptDialect.open. @param L The state. */
+static void open_scene(lua_State *L) {
+    keywords_open(L);
+    sdf_binding_open(L);
+    include_open(L);
+}
+
+/** Sees that a scene has a camera. See #ScriptDialect.check. @param L The state. */
+static void check_scene(lua_State *L) {
+    if (!((ScriptRun *)script_sandbox_of(L)->context)->scene->has_camera) {
+        lua_error_tr(L, "there is no camera in the scene; "
+                        "try camera { position = {0, 0, 5}, look_at = {0, 0, 0} }");
+    }
+}
+
+const ScriptDialect scene_dialect = {.open = open_scene, .check = check_scene};
+
+/**
+ * Does all that may raise an error: sets the state up and runs the text. See lua_CFunction.
+ * @param L  The state.
+ * @return 0: no results.
+ */
+static int run_protected(lua_State *L) {
+    ScriptRun *run = script_sandbox_of(L)->context;
+    library_open(L);
+    run->dialect->open(L);
+    script_sandbox_track_location(L);
+    ScriptText text = *run->text;
+    script_sandbox_load(L, &text, run->request->path);
+    lua_call(L, 0, 0);
+    run->dialect->check(L);
+    return 0;
+}
+
+/**
+ * Writes an error that nothing caught into the report. Takes no memory of the state, since that
+ * may be what the error is about. See lua_pcall.
+ * @param L  The state, with the error on its stack.
+ * @return 1: the error.
+ */
+static int handle_error(lua_State *L) {
+    ScriptResult *result = script_sandbox_of(L)->result;
+    char description[ERROR_MESSAGE_SIZE];
+    size_t length;
+    const char *text = description;
+    if (lua_type(L, 1) == LUA_TSTRING) {
+        text = lua_tolstring(L, 1, &length);
+    } else {
+        length = (size_t)snprintf(description, sizeof description,
+                                  gettext("error was called with a %s, not with words"),
+                                  luaL_typename(L, 1));
+    }
+    SourceLocation location = script_sandbox_location(L);
+    size_t start = script_result_parse_location(result, text, &location);
+    char translated[ERROR_MESSAGE_SIZE];
+    if (lua_message_translate(text + start, translated, sizeof translated)) {
+        script_result_fail(result, location, translated, strlen(translated));
+    } else {
+        script_result_fail(result, location, text + start, length - start);
+    }
+    return 1;
+}
+
+/**
+ * Sees that a report tells what a run came to.
+ * @param sandbox  The sandbox of the run.
+ * @param status   What lua_pcall gave.
+ */
+static void finish_result(const ScriptSandbox *sandbox, int status) {
+    ScriptResult *result = sandbox->result;
+    char message[ERROR_MESSAGE_SIZE];
+    if (status == LUA_ERRMEM) {
+        script_sandbox_memory_message(sandbox, message, sizeof message);
+        script_result_fail(result, sandbox->out_of_memory_at, message, strlen(message));
+    } else if (status != LUA_OK && result->error.status == STATUS_OK) {
+        const char *message_overflow = gettext("too many errors at once");
+        script_result_fail(result, result->location, message_overflow, strlen(message_overflow));
+    }
+}
+
+/** Runs the same scene whatever the user's system speaks; its errors alone are in that language. */
+static void use_c_locale(void) {
+    static const int categories[] = {LC_COLLATE, LC_CTYPE, LC_MONETARY, LC_NUMERIC, LC_TIME};
+    for (size_t i = 0; i < sizeof categories / sizeof *categories; i++) {
+        setlocale(categories[i], "C");
+    }
+}
+
+void script_run_execute(ScriptRun *run) {
+    ScriptSandbox sandbox = {
+        .result = run->result, .context = run, .memory_limit = run->request->memory_limit};
+    int status = LUA_ERRMEM;
+    use_c_locale();
+    if (script_sandbox_init(&sandbox)) {
+        lua_State *L = sandbox.lua;
+        lua_pushcfunction(L, handle_error);
+        lua_pushcfunction(L, run_protected);
+        status = lua_pcall(L, 0, 0, 1);
+    }
+    finish_result(&sandbox, status);
+    run->result->is_done = true;
+}

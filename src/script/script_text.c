@@ -1,0 +1,174 @@
+/**
+ * @file
+ * @brief The text of a scene file.
+ */
+#include "script/script_text.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/** What Windows puts before a text in UTF-8. */
+static const char byte_order_mark[] = "\xEF\xBB\xBF";
+
+/**
+ * Says whether an open file may be read as a scene.
+ * @param file        The file.
+ * @param[out] error  Why not.
+ * @return Whether it is a regular file.
+ */
+static bool check_regular(int file, Error *error) {
+    struct stat info;
+    if (fstat(file, &info) != 0) {
+        return error_set(error, STATUS_SCENE, "%s", error_errno_text(errno));
+    }
+    if (S_ISDIR(info.st_mode)) {
+        return error_set(error, STATUS_SCENE, "this is a folder, not a scene file");
+    }
+    if (!S_ISREG(info.st_mode)) {
+        return error_set(error, STATUS_SCENE,
+                         "not a regular file (to read from a pipe, name the scene -)");
+    }
+    return true;
+}
+
+/**
+ * Opens a scene file, without waiting.
+ * @param path        Where it is; `-` is standard input.
+ * @param[out] error  What is wrong.
+ * @return A file descriptor; -1 if it cannot be opened or is no regular file.
+ */
+static int open_script(const char *path, Error *error) {
+    if (strcmp(path, "-") == 0) {
+        return STDIN_FILENO;
+    }
+    int file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+    if (file < 0) {
+        error_set(error, STATUS_SCENE, "%s", error_errno_text(errno));
+        return -1;
+    }
+    if (!check_regular(file, error)) {
+        close(file);
+        return -1;
+    }
+    return file;
+}
+
+/**
+ * Makes room for more of a file, twice as much each time.
+ * @param[in,out] script    What was read so far.
+ * @param[in,out] capacity  Bytes that fit.
+ * @param[out] error        What is wrong.
+ * @return false when it is too long already, or without memory.
+ */
+static bool grow(ScriptText *script, size_t *capacity, Error *error) {
+    /** Bytes at first: most scenes fit. */
+    const size_t first_capacity = 16384;
+    if (script->size > SCRIPT_TEXT_MAXIMUM) {
+        return error_set(error, STATUS_SCENE, "longer than %zu MiB", SCRIPT_TEXT_MAXIMUM >> 20);
+    }
+    size_t new_capacity = *capacity ? 2 * *capacity : first_capacity;
+    char *larger = realloc(script->text, new_capacity);
+    if (!larger) {
+        return error_set(error, STATUS_FAILED, "no memory for a scene file");
+    }
+    script->text = larger;
+    *capacity = new_capacity;
+    return true;
+}
+
+/**
+ * Reads an open file to its end.
+ * @param[in,out] script  What was read; grows.
+ * @param file            The file.
+ * @param[out] error      What is wrong.
+ * @return Whether it was read whole.
+ */
+static bool read_all(ScriptText *script, int file, Error *error) {
+    size_t capacity = 0;
+    for (;;) {
+        if (script->size == capacity && !grow(script, &capacity, error)) {
+            return false;
+        }
+        ssize_t count = read(file, script->text + script->size, capacity - script->size);
+        if (count == 0) {
+            return script->size <= SCRIPT_TEXT_MAXIMUM || grow(script, &capacity, error);
+        }
+        if (count < 0 && errno != EINTR) {
+            return error_set(error, STATUS_SCENE, "%s", error_errno_text(errno));
+        }
+        script->size += count > 0 ? (size_t)count : 0;
+    }
+}
+
+bool script_text_read(ScriptText *script, const char *path, Error *error) {
+    *script = (ScriptText){0};
+    int file = open_script(path, error);
+    if (file < 0) {
+        return false;
+    }
+    bool is_read = read_all(script, file, error);
+    if (!is_read) {
+        script_text_deinit(script);
+    }
+    if (file != STDIN_FILENO) {
+        close(file);
+    }
+    return is_read;
+}
+
+/**
+ * @return The number of the line that a byte of a file is in, from 1.
+ * @param script  The file.
+ * @param byte    One of its bytes.
+ */
+static int line_number_of(const ScriptText *script, const char *byte) {
+    int line = 1;
+    for (const char *c = script->text; c < byte; c++) {
+        line += *c == '\n';
+    }
+    return line;
+}
+
+bool script_text_check(const ScriptText *script, int *line, Error *error) {
+    /** First byte of all compiled Lua (LUA_SIGNATURE). */
+    const char bytecode_signature = '\x1B';
+    size_t size;
+    const char *text = script_text_body(script, &size);
+    const char *zero = size ? memchr(text, '\0', size) : NULL;
+    bool is_bytecode = size > 0 && text[0] == bytecode_signature;
+    if (line) {
+        *line = zero && !is_bytecode ? line_number_of(script, zero) : 1;
+    }
+    if (is_bytecode) {
+        return error_set(error, STATUS_SCENE,
+                         "this is compiled Lua, which is not run; a scene is a text");
+    }
+    if (zero) {
+        return error_set(error, STATUS_SCENE,
+                         "this is not text in UTF-8 (there is a zero byte in it)");
+    }
+    return true;
+}
+
+const char *script_text_body(const ScriptText *script, size_t *size) {
+    const size_t mark_length = strlen(byte_order_mark);
+    bool is_marked =
+        script->size >= mark_length && memcmp(script->text, byte_order_mark, mark_length) == 0;
+    size_t start = is_marked ? mark_length : 0;
+    if (start < script->size && script->text[start] == '#') {
+        while (start < script->size && script->text[start] != '\n') {
+            start++;
+        }
+    }
+    *size = script->size - start;
+    return script->text + start;
+}
+
+void script_text_deinit(ScriptText *script) {
+    free(script->text);
+    *script = (ScriptText){0};
+}

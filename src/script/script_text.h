@@ -1,0 +1,52 @@
+/**
+ * @file
+ * @brief The text of a scene file.
+ */
+#ifndef DIOPTRE_SCRIPT_SCRIPT_TEXT_H
+#define DIOPTRE_SCRIPT_SCRIPT_TEXT_H
+
+#include "dioptre/error.h"
+
+#include <stddef.h>
+
+/** Longest scene file, bytes: more than anybody writes, less than would be felt. */
+#define SCRIPT_TEXT_MAXIMUM ((size_t)16 << 20)
+
+/** A file that was read whole. */
+typedef struct ScriptText {
+    char *text;  /**< Its bytes; owned. */
+    size_t size; /**< How many. */
+} ScriptText;
+
+/**
+ * Reads a file. Only a regular file is opened, so that no FIFO or device can keep the program
+ * waiting.
+ * @param[out] script  The file; give it back with #script_text_deinit.
+ * @param path         Where it is; `-` reads standard input to its end.
+ * @param[out] error   What is wrong, without the path.
+ * @return false if it cannot be read, or is longer than #SCRIPT_TEXT_MAXIMUM.
+ */
+bool script_text_read(ScriptText *script, const char *path, Error *error);
+
+/**
+ * Says whether a file holds text, as against compiled Lua, a picture, or text in UTF-16.
+ * @param script      The file.
+ * @param[out] line   Where it does not, from 1; may be NULL.
+ * @param[out] error  What is wrong, without path and line.
+ * @return Whether it does.
+ */
+bool script_text_check(const ScriptText *script, int *line, Error *error);
+
+/**
+ * Finds the Lua text in a file: after the mark that Windows puts before UTF-8, and after a first
+ * line for the shell (`#!/usr/bin/dioptre`), whose end stays so that lines keep their numbers.
+ * @param script     The file.
+ * @param[out] size  Bytes of it.
+ * @return The text, not ended by a zero; owned by the source.
+ */
+const char *script_text_body(const ScriptText *script, size_t *size);
+
+/** Gives a file's text back. @param script What #script_text_read filled. */
+void script_text_deinit(ScriptText *script);
+
+#endif

@@ -1,0 +1,193 @@
+/**
+ * @file
+ * @brief Building a tree: a binary one, whose levels are then merged into wide nodes.
+ */
+#include "trace/bvh/bvh_split.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/** Pieces of work a thread that the upper levels are split into: enough to even out their sizes. */
+enum { TASKS_PER_THREAD = 16 };
+/** Fewer items than these are not worth a piece of their own. */
+enum { TASK_MIN_ITEMS = 1024 };
+/** Bytes: the widest vector of any engine. */
+#define BVH_NODE_ALIGNMENT 64
+
+/* --- from binary to wide --------------------------------------------------------------------- */
+
+/** Children of a wide node, as parts of the binary tree. */
+typedef struct CollapsedChildren {
+    uint32_t nodes[BVH_WIDTH]; /**< Places of the parts. */
+    int count;                 /**< How many. */
+} CollapsedChildren;
+
+/** @return The child with the largest box that can be opened; -1: none. @param builder The builder.
+ *  @param children The children. */
+static int collapsed_children_largest(const BvhBuilder *builder,
+                                      const CollapsedChildren *children) {
+    int largest = -1;
+    scalar area = -1;
+    for (int i = 0; i < children->count; i++) {
+        const BuildNode *node = &builder->nodes[children->nodes[i]];
+        if (node->right_child && build_aabb_half_area(&node->box) > area) {
+            area = build_aabb_half_area(&node->box);
+            largest = i;
+        }
+    }
+    return largest;
+}
+
+/** @return The children of a part: opened, the largest first, until the node is full.
+ *  @param builder The builder. @param build_index The part. */
+static CollapsedChildren collapsed_children_of(const BvhBuilder *builder, uint32_t build_index) {
+    CollapsedChildren children = {.nodes = {build_index}, .count = 1};
+    int expand = collapsed_children_largest(builder, &children);
+    while (expand >= 0 && children.count < BVH_WIDTH) {
+        uint32_t expanded = children.nodes[expand];
+        children.nodes[expand] = expanded + 1;
+        children.nodes[children.count++] = builder->nodes[expanded].right_child;
+        expand = collapsed_children_largest(builder, &children);
+    }
+    return children;
+}
+
+/** Counts the nodes and blocks that a part needs. @param builder The builder. @param build_index
+ * The part.
+ */
+static void bvh_count_nodes(BvhBuilder *builder, uint32_t build_index) {
+    CollapsedChildren children = collapsed_children_of(builder, build_index);
+    builder->bvh->node_count++;
+    for (int i = 0; i < children.count; i++) {
+        const BuildNode *node = &builder->nodes[children.nodes[i]];
+        if (node->right_child) {
+            bvh_count_nodes(builder, children.nodes[i]);
+        } else {
+            builder->bvh->block_count += block_count_for(builder, node->ref_count);
+        }
+    }
+}
+
+/** @return The word of a leaf, whose blocks are filled. @param builder The builder.
+ *  @param node The part. */
+static uint32_t bvh_make_leaf(BvhBuilder *builder, const BuildNode *node) {
+    Bvh *bvh = builder->bvh;
+    size_t first_block = bvh->block_count, block_count = block_count_for(builder, node->ref_count);
+    for (size_t i = 0; i < block_count * bvh->block_size; i++) {
+        size_t item = i < node->ref_count ? i : node->ref_count - 1u;
+        bvh->item_indices[first_block * bvh->block_size + i] =
+            builder->refs[node->first_ref + item].item;
+    }
+    bvh->block_count += block_count;
+    return BVH_LEAF_BIT | (uint32_t)(first_block << BVH_LEAF_COUNT_BITS) | (uint32_t)block_count;
+}
+
+/** Puts a box into a node. @param[in,out] node The node. @param i Which child. @param box The box.
+ */
+static void bvh_node_set_box(BvhNode *node, int i, const BuildAabb *box) {
+    Aabb *block = &node->bounds[i / LANES];
+    for (int axis = 0; axis < 3; axis++) {
+        real_set_lane(&block->planes[axis], i % LANES, box->low[axis]);
+        real_set_lane(&block->planes[axis + 3], i % LANES, box->high[axis]);
+    }
+}
+
+/**
+ * Makes the wide nodes of a part, each before its children.
+ * @param builder  The builder.
+ * @param build_index    The part.
+ * @return Place of its node.
+ */
+static uint32_t bvh_make_nodes(BvhBuilder *builder, uint32_t build_index) {
+    uint32_t node_index = (uint32_t)builder->bvh->node_count++;
+    BvhNode *node = &builder->bvh->nodes[node_index];
+    CollapsedChildren children = collapsed_children_of(builder, build_index);
+    BuildAabb nothing = build_aabb_empty();
+    for (int i = 0; i < BVH_WIDTH; i++) {
+        if (i >= children.count) {
+            node->children[i] = BVH_LEAF_BIT;
+            bvh_node_set_box(node, i, &nothing);
+            continue;
+        }
+        const BuildNode *child = &builder->nodes[children.nodes[i]];
+        bvh_node_set_box(node, i, &child->box);
+        node->children[i] = child->right_child ? bvh_make_nodes(builder, children.nodes[i])
+                                               : bvh_make_leaf(builder, child);
+    }
+    return node_index;
+}
+
+/* --- all of it ------------------------------------------------------------------------------- */
+
+/** Fills the references. @param builder The builder. @param boxes The items' boxes.
+ *  @param count How many. */
+static void prim_refs_fill(BvhBuilder *builder, const Aabbs *boxes, size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        PrimRef *ref = &builder->refs[i];
+        ref->item = (uint32_t)i;
+        ref->box = (BuildAabb){{0}, {0}};
+        for (int axis = 0; axis < 3; axis++) {
+            ref->box.low[axis] = boxes[i].low[axis];
+            ref->box.high[axis] = boxes[i].high[axis];
+        }
+    }
+}
+
+/** Turns the binary tree into the wide one. @param builder The builder. @return false without
+ *  memory. */
+static bool bvh_collapse(BvhBuilder *builder) {
+    Bvh *bvh = builder->bvh;
+    bvh_count_nodes(builder, 0);
+    bvh->nodes = aligned_alloc(BVH_NODE_ALIGNMENT,
+                               (bvh->node_count * sizeof(BvhNode) + BVH_NODE_ALIGNMENT - 1) /
+                                   BVH_NODE_ALIGNMENT * BVH_NODE_ALIGNMENT);
+    bvh->item_indices = malloc(bvh->block_count * bvh->block_size * sizeof *bvh->item_indices);
+    if (!bvh->nodes || !bvh->item_indices || bvh->block_count >= BVH_MAX_BLOCKS) {
+        return false;
+    }
+    bvh->node_count = bvh->block_count = 0;
+    bvh_make_nodes(builder, 0);
+    return true;
+}
+
+bool bvh_build(Bvh *bvh, const Aabbs *boxes, size_t count, size_t block_size,
+               const ParallelFor *parallel_for) {
+    *bvh = (Bvh){.block_size = block_size};
+    if (count >= BVH_MAX_BLOCKS) {
+        return false;
+    }
+    size_t task_count = TASKS_PER_THREAD *
+                        (size_t)(parallel_for->thread_count > 1 ? parallel_for->thread_count : 1);
+    BvhBuilder builder = {.refs = malloc(count * sizeof(PrimRef)),
+                          .nodes = calloc(2 * count, sizeof(BuildNode)),
+                          .tasks = calloc(4 * task_count, sizeof(SubtreeTask)),
+                          .task_capacity = 4 * task_count,
+                          .task_max_items = count / task_count > TASK_MIN_ITEMS ? count / task_count
+                                                                                : TASK_MIN_ITEMS,
+                          .block_shift = __builtin_ctzll(block_size),
+                          .bvh = bvh};
+    bool is_built = builder.refs && builder.nodes && builder.tasks;
+    if (is_built) {
+        prim_refs_fill(&builder, boxes, count);
+        bvh_build_binary(&builder, count, parallel_for);
+        is_built = bvh_collapse(&builder);
+    }
+    free(builder.refs);
+    free(builder.nodes);
+    free(builder.tasks);
+    if (!is_built) {
+        bvh_deinit(bvh);
+    }
+    return is_built;
+}
+
+void bvh_deinit(Bvh *bvh) {
+    free(bvh->nodes);
+    free(bvh->item_indices);
+    *bvh = (Bvh){0};
+}
+
+size_t bvh_memory_size(const Bvh *bvh) {
+    return bvh->node_count * sizeof *bvh->nodes +
+           (bvh->item_indices ? bvh->block_count * bvh->block_size * sizeof *bvh->item_indices : 0);
+}

@@ -1,0 +1,254 @@
+/**
+ * @file
+ * @brief Splitting items in two, again and again, where that costs rays least.
+ *
+ * The cost of a box is its area, to which the number of rays that meet it is in proportion, times
+ * the blocks of items in it (the surface-area heuristic). Where to split is looked for between bins
+ * (Wald, *On fast Construction of SAH-based Bounding Volume Hierarchies*, 2007).
+ */
+#include "trace/bvh/bvh_split.h"
+
+/** Bins an axis in which splits are looked for: more gain nothing (measured). */
+enum { SAH_BINS = 16 };
+/** Items that are split well with half the bins. */
+enum { SAH_FEW_ITEMS = 32 };
+/** Levels of binary splits by cost; below, halves by number need at most 32 more. */
+enum { SAH_MAX_DEPTH = BVH_MAX_DEPTH - 32 };
+/** Cost of a node's test in those of a block (measured: leaves of more than a block hardly pay). */
+#define SAH_NODE_COST ((scalar)0.25)
+
+/* --- where to split -------------------------------------------------------------------------- */
+
+/** What falls into a bin. */
+typedef struct SahBin {
+    BuildAabb box; /**< The box around it. */
+    size_t count;  /**< How many items. */
+} SahBin;
+
+/** How middles fall into bins along each axis. */
+typedef struct SahBinning {
+    int bin_count;                 /**< How many bins an axis, at most #SAH_BINS. */
+    scalar low[BUILD_AABB_SIZE];   /**< Twice the lowest middle. */
+    scalar scale[BUILD_AABB_SIZE]; /**< Bins a unit of twice the middle; 0 where all are about the
+                                    same: no number says how many. */
+} SahBinning;
+
+/** The best place to split. */
+typedef struct SahSplit {
+    int axis;    /**< Along which axis; -1: nowhere. */
+    int bin;     /**< The first bin of the right side. */
+    scalar cost; /**< Area times blocks, both sides. */
+} SahSplit;
+
+/** @return How middles fall into bins. @param doubled_centroids Twice the middles of all items.
+ *  @param count How many items. */
+static SahBinning sah_binning_of(const BuildAabb *doubled_centroids, size_t count) {
+    /** Keeps the highest middle inside the last bin, whatever is rounded. */
+    const scalar inside = (scalar)0.99999;
+    SahBinning binning = {.bin_count = count > SAH_FEW_ITEMS ? SAH_BINS : SAH_BINS / 2};
+    for (int i = 0; i < BUILD_AABB_SIZE; i++) {
+        scalar width = doubled_centroids->high[i] - doubled_centroids->low[i];
+        binning.low[i] = doubled_centroids->low[i];
+        scalar scale = (scalar)binning.bin_count * inside / width;
+        binning.scale[i] = width > 0 && width < INFINITE && scale < INFINITE ? scale : 0;
+    }
+    return binning;
+}
+
+/** @return The bin of an item. @param b How items fall. @param box The item's box. @param axis
+ * Along which axis. */
+static inline int sah_bin_index(const SahBinning *b, const BuildAabb *box, int axis) {
+    return (int)((box->low[axis] + box->high[axis] - b->low[axis]) * b->scale[axis]);
+}
+
+/**
+ * Counts items into bins, along all axes at once.
+ * @param refs  The items.
+ * @param count       How many.
+ * @param binning     How they fall.
+ * @param[out] bins   The bins.
+ */
+static void sah_bins_fill(const PrimRef *refs, size_t count, const SahBinning *binning,
+                          SahBin bins[3][SAH_BINS]) {
+    for (int axis = 0; axis < 3; axis++) {
+        for (int i = 0; i < binning->bin_count; i++) {
+            bins[axis][i] = (SahBin){.box = build_aabb_empty()};
+        }
+    }
+    for (size_t i = 0; i < count; i++) {
+        const BuildAabb *box = &refs[i].box;
+        for (int axis = 0; axis < 3; axis++) {
+            SahBin *bin = &bins[axis][sah_bin_index(binning, box, axis)];
+            build_aabb_extend(&bin->box, box);
+            bin->count++;
+        }
+    }
+}
+
+/**
+ * Looks for the best split along one axis: areas and numbers of the right sides are summed up from
+ * the right, those of the left sides from the left.
+ * @param builder  The builder.
+ * @param bins     The axis's bins.
+ * @param count    How many.
+ * @param axis     The axis.
+ * @param[in,out] best  The best choice so far.
+ */
+static void sah_best_split_on_axis(const BvhBuilder *builder, const SahBin *bins, int count,
+                                   int axis, SahSplit *best) {
+    scalar right_cost[SAH_BINS];
+    BuildAabb right = build_aabb_empty(), left = build_aabb_empty();
+    size_t right_count = 0, left_count = 0;
+    for (int i = count - 1; i > 0; i--) {
+        build_aabb_extend(&right, &bins[i].box);
+        right_count += bins[i].count;
+        right_cost[i] = right_count ? build_aabb_half_area(&right) *
+                                          (scalar)block_count_for(builder, right_count)
+                                    : INFINITE;
+    }
+    for (int i = 1; i < count; i++) {
+        build_aabb_extend(&left, &bins[i - 1].box);
+        left_count += bins[i - 1].count;
+        if (left_count == 0) {
+            continue;
+        }
+        scalar cost = build_aabb_half_area(&left) * (scalar)block_count_for(builder, left_count) +
+                      right_cost[i];
+        if (cost < best->cost) {
+            *best = (SahSplit){axis, i, cost};
+        }
+    }
+}
+
+/**
+ * @return Where to split a part.
+ * @param builder  The builder.
+ * @param node    The part.
+ * @param binning  How its items fall into bins.
+ */
+static SahSplit sah_best_split(const BvhBuilder *builder, const BuildNode *node,
+                               const SahBinning *binning) {
+    SahBin bins[3][SAH_BINS];
+    SahSplit best = {.axis = -1, .cost = INFINITE};
+    sah_bins_fill(builder->refs + node->first_ref, node->ref_count, binning, bins);
+    for (int axis = 0; axis < 3; axis++) {
+        if (binning->scale[axis] > 0) {
+            sah_best_split_on_axis(builder, bins[axis], binning->bin_count, axis, &best);
+        }
+    }
+    return best;
+}
+
+/* --- splitting ------------------------------------------------------------------------------- */
+
+/** Swaps two items. @param a One. @param b The other. */
+static inline void prim_refs_swap(PrimRef *a, PrimRef *b) {
+    PrimRef other = *a;
+    *a = *b;
+    *b = other;
+}
+
+/**
+ * Sorts the items of a part to the two sides of a split.
+ * @param refs  The items.
+ * @param count       How many.
+ * @param binning     How they fall into bins.
+ * @param split      Where to split.
+ * @return How many are on the left.
+ */
+static size_t prim_refs_partition(PrimRef *refs, size_t count, const SahBinning *binning,
+                                  const SahSplit *split) {
+    size_t left = 0;
+    // Every item is swapped, so that nothing is guessed: which side is as likely as not.
+    for (size_t i = 0; i < count; i++) {
+        bool is_left = sah_bin_index(binning, &refs[i].box, split->axis) < split->bin;
+        prim_refs_swap(&refs[left], &refs[i]);
+        left += is_left;
+    }
+    return left;
+}
+
+/** Works out a part's box and that of twice its middles. @param builder The builder.
+ *  @param[in,out] node The part. @param[out] doubled_centroids The middles. */
+static void build_node_compute_bounds(const BvhBuilder *builder, BuildNode *node,
+                                      BuildAabb *doubled_centroids) {
+    node->box = *doubled_centroids = build_aabb_empty();
+    for (size_t i = 0; i < node->ref_count; i++) {
+        const BuildAabb *box = &builder->refs[node->first_ref + i].box;
+        build_aabb_extend(&node->box, box);
+        build_aabb_extend_centroid(doubled_centroids, box);
+    }
+}
+
+/**
+ * Decides how a part is split: by cost, by halves where that finds nothing, or not at all.
+ * @param builder  The builder.
+ * @param node    The part, measured.
+ * @param doubled_centroids  Twice the middles of its items.
+ * @param level    How deep it lies.
+ * @return How many items go to the left; 0: it stays a leaf.
+ */
+static size_t build_node_partition(const BvhBuilder *builder, const BuildNode *node,
+                                   const BuildAabb *doubled_centroids, int level) {
+    size_t blocks = block_count_for(builder, node->ref_count);
+    if (blocks == 1) {
+        return 0;
+    }
+    SahBinning binning = sah_binning_of(doubled_centroids, node->ref_count);
+    SahSplit split = {.axis = -1};
+    if (level < SAH_MAX_DEPTH) {
+        split = sah_best_split(builder, node, &binning);
+    }
+    if (split.axis >= 0) {
+        scalar area = build_aabb_half_area(&node->box);
+        bool is_leaf = blocks <= BVH_LEAF_MAX_BLOCKS &&
+                       area * (scalar)blocks <= area * SAH_NODE_COST + split.cost;
+        return is_leaf ? 0
+                       : prim_refs_partition(builder->refs + node->first_ref, node->ref_count,
+                                             &binning, &split);
+    }
+    return blocks <= BVH_LEAF_MAX_BLOCKS ? 0 : node->ref_count / 2;
+}
+
+/**
+ * Builds the binary tree over a part. Parts no larger than the builder's grain are put aside as
+ * pieces, while there is a list of them.
+ * @param builder  The builder.
+ * @param node_index    Where its node goes; first and count are filled.
+ * @param level    How deep it lies.
+ * @param defers_tasks   Whether to put pieces aside.
+ */
+static void build_node_build(BvhBuilder *builder, uint32_t node_index, int level,
+                             bool defers_tasks) {
+    BuildNode *node = &builder->nodes[node_index];
+    if (defers_tasks && node->ref_count <= builder->task_max_items &&
+        builder->task_count < builder->task_capacity) {
+        builder->tasks[builder->task_count++] = (SubtreeTask){node_index, level};
+        return;
+    }
+    BuildAabb doubled_centroids;
+    build_node_compute_bounds(builder, node, &doubled_centroids);
+    size_t left = build_node_partition(builder, node, &doubled_centroids, level);
+    if (left == 0) {
+        return;
+    }
+    node->right_child = node_index + 2 * (uint32_t)left;
+    builder->nodes[node_index + 1] =
+        (BuildNode){.first_ref = node->first_ref, .ref_count = (uint32_t)left};
+    builder->nodes[node->right_child] = (BuildNode){.first_ref = node->first_ref + (uint32_t)left,
+                                                    .ref_count = node->ref_count - (uint32_t)left};
+    build_node_build(builder, node_index + 1, level + 1, defers_tasks);
+    build_node_build(builder, node->right_child, level + 1, defers_tasks);
+}
+
+/** Builds one piece. A job of the crew. @param context The builder. @param index Which piece. */
+static void subtree_task_run(void *context, size_t index) {
+    BvhBuilder *builder = context;
+    build_node_build(builder, builder->tasks[index].node, builder->tasks[index].depth, false);
+}
+
+void bvh_build_binary(BvhBuilder *builder, size_t count, const ParallelFor *parallel_for) {
+    builder->nodes[0] = (BuildNode){.ref_count = (uint32_t)count};
+    build_node_build(builder, 0, 0, true);
+    parallel_for_run(parallel_for, builder->task_count, subtree_task_run, builder);
+}

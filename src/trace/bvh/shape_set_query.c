@@ -1,0 +1,242 @@
+/**
+ * @file
+ * @brief Asking the shapes of a scene: what a packet of rays meets first, and what blocks it.
+ */
+#include "trace/bvh/shape_set.h"
+
+/* --- the shapes that are not in a tree ------------------------------------------------------- */
+
+/** The shapes of a block that a packet may meet. */
+typedef struct Candidates {
+    unsigned remaining; /**< Bit i set: shape i of the block is still to be asked. */
+    real near;          /**< For each shape of the block: it is nowhere met nearer than this. */
+} Candidates;
+
+/**
+ * @return The shapes of a block that a packet may meet. A packet of one ray asks every shape
+ * itself.
+ * @param set   The shapes.
+ * @param intervals  What is known of the packet.
+ * @param block  Which block of boxes.
+ */
+static Candidates linear_candidates(const ShapeSet *set, const PacketIntervals *intervals,
+                                    size_t block) {
+    if (LANES == 1) {
+        return (Candidates){1, real_of(0)};
+    }
+    Candidates candidates;
+    size_t remaining = set->linear_count - block * LANES;
+    unsigned valid = remaining < LANES ? (1u << remaining) - 1 : ALL_LANES;
+    mask may_meet =
+        packet_intervals_may_hit(intervals, &set->linear_bounds[block], &candidates.near);
+    candidates.remaining = mask_bits(may_meet) & valid;
+    return candidates;
+}
+
+/** Takes the nearest of the candidates out of them, so that what it hides need not be asked.
+ *  @param[in,out] candidates At least one. @return Its place in the block. */
+static int candidates_pop_nearest(Candidates *candidates) {
+    int best = __builtin_ctz(candidates->remaining);
+    for (unsigned remaining = candidates->remaining; remaining; remaining &= remaining - 1) {
+        int other = __builtin_ctz(remaining);
+        bool is_nearer = real_lane(candidates->near, other) < real_lane(candidates->near, best);
+        best = is_nearer ? other : best;
+    }
+    candidates->remaining &= ~(1u << best);
+    return best;
+}
+
+/**
+ * Asks one shape about the rays of a packet that have met nothing nearer.
+ * @param shape   The shape.
+ * @param near    It is nowhere met nearer than this.
+ * @param packet  The rays.
+ * @param[in,out] hits  What they have met so far.
+ */
+static void shape_closest_hits(const Shape *shape, scalar near, const Packet *packet, Hit *hits) {
+    if (shape->class->closest_hits) {
+        shape->class->closest_hits(shape, packet, hits);
+        return;
+    }
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        mask pending = packet->active[v] & (hits[v].distance >= real_of(near));
+        if (LANES == 1 || any(pending)) {
+            shape->class->is_hit(shape, &packet->rays[v], packet->active[v], &hits[v]);
+        }
+    }
+}
+
+/**
+ * Asks one shape whether it blocks the rays of a packet that are not blocked yet.
+ * @param shape   The shape.
+ * @param packet  The rays.
+ * @param[in,out] occluded  Those that are blocked.
+ */
+static void shape_occluded(const Shape *shape, const Packet *packet, mask *occluded) {
+    if (shape->class->occluded) {
+        shape->class->occluded(shape, packet, occluded);
+        return;
+    }
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        mask pending = packet->active[v] & mask_not(occluded[v]);
+        if (any(pending)) {
+            occluded[v] |=
+                shape->class->is_occluding(shape, &packet->rays[v], pending, packet->limit[v]);
+        }
+    }
+}
+
+/* --- the shapes of the tree ------------------------------------------------------------------ */
+
+/** Asks the shapes of a leaf about rays. See #BvhIntersector.intersect_leaf. @param items The list.
+ *  @param leaf The leaf. @param rays The rays. @param[in,out] found The hits. */
+static void leaf_closest_hits(const void *items, BvhLeaf leaf, const BvhLeafRays *rays,
+                              void *found) {
+    const ShapeSet *set = items;
+    const Ray *ray = &rays->packet->rays[rays->vector];
+    Hit *hit = (Hit *)found + rays->vector;
+    mask active = mask_of_bits(rays->lane_bits);
+    for (size_t i = leaf.first_block; i < leaf.first_block + leaf.block_count; i++) {
+        const Shape *shape = set->shapes[set->bvh.item_indices[i]];
+        shape->class->is_hit(shape, ray, active, hit);
+    }
+    rays->limits[rays->vector] = hit->distance;
+}
+
+/** Asks the shapes of a leaf whether they block rays. See #BvhIntersector.intersect_leaf. @param
+ * items The list.
+ *  @param leaf The leaf. @param rays The rays. @param[in,out] found What is blocked. */
+static void leaf_occluded(const void *items, BvhLeaf leaf, const BvhLeafRays *rays, void *found) {
+    const ShapeSet *set = items;
+    const Ray *ray = &rays->packet->rays[rays->vector];
+    real limit = rays->packet->limit[rays->vector];
+    mask *occluded = (mask *)found + rays->vector, active = mask_of_bits(rays->lane_bits);
+    for (size_t i = leaf.first_block; i < leaf.first_block + leaf.block_count; i++) {
+        const Shape *shape = set->shapes[set->bvh.item_indices[i]];
+        mask pending = active & mask_not(*occluded);
+        if (any(pending)) {
+            *occluded |= shape->class->is_occluding(shape, ray, pending, limit);
+        }
+    }
+    rays->limits[rays->vector] = real_select(*occluded, real_of(-1), limit);
+}
+
+/** Asks the shapes of the tree, if there is one, what rays meet. @param set The shapes.
+ *  @param packet The rays. @param[in,out] hits What they have met so far. */
+static void set_bvh_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits) {
+    const BvhIntersector callback = {
+        .items = set, .prefers_vectors = true, .intersect_leaf = leaf_closest_hits};
+    real limits[PACKET_VECTORS];
+    if (set->bvh.nodes) {
+        for (int v = 0; v < PACKET_VECTORS; v++) {
+            limits[v] = hits[v].distance;
+        }
+        bvh_traverse(&set->bvh, packet, limits, &callback, hits);
+    }
+}
+
+/** Asks the shapes of the tree, if there is one, which rays they block. @param set The shapes.
+ *  @param packet The rays. @param[in,out] occluded Those that are blocked. */
+static void set_bvh_occluded(const ShapeSet *set, const Packet *packet, mask *occluded) {
+    const BvhIntersector callback = {
+        .items = set, .prefers_vectors = true, .intersect_leaf = leaf_occluded};
+    real limits[PACKET_VECTORS];
+    if (set->bvh.nodes) {
+        for (int v = 0; v < PACKET_VECTORS; v++) {
+            limits[v] = real_select(occluded[v], real_of(-1), packet->limit[v]);
+        }
+        bvh_traverse(&set->bvh, packet, limits, &callback, occluded);
+    }
+}
+
+/** A visit under way. */
+typedef struct VisitRequest {
+    ShapeVisitor visitor; /**< Who is asked. */
+    void *found;          /**< Handed to it. */
+} VisitRequest;
+
+/** Visits the shapes of a leaf. See #BvhIntersector.intersect_leaf. @param items The list. @param
+ * leaf The leaf.
+ *  @param rays The rays; they look all of the way. @param[in,out] found A #VisitRequest. */
+static void leaf_visit(const void *items, BvhLeaf leaf, const BvhLeafRays *rays, void *found) {
+    const ShapeSet *set = items;
+    const VisitRequest *visit = found;
+    for (size_t i = leaf.first_block; i < leaf.first_block + leaf.block_count; i++) {
+        const Shape *shape = set->shapes[set->bvh.item_indices[i]];
+        visit->visitor(shape, rays->packet, rays->vector, mask_of_bits(rays->lane_bits),
+                       visit->found);
+    }
+}
+
+/** Visits the shapes of the tree, if there is one. @param set The shapes. @param packet The rays.
+ *  @param visit The visit. */
+static void set_bvh_visit(const ShapeSet *set, const Packet *packet, VisitRequest *visit) {
+    const BvhIntersector callback = {
+        .items = set, .prefers_vectors = true, .intersect_leaf = leaf_visit};
+    real limits[PACKET_VECTORS];
+    if (set->bvh.nodes) {
+        for (int v = 0; v < PACKET_VECTORS; v++) {
+            limits[v] = packet->limit[v];
+        }
+        bvh_traverse(&set->bvh, packet, limits, &callback, visit);
+    }
+}
+
+/* --- all shapes ------------------------------------------------------------------------------ */
+
+void shape_set_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits) {
+    PacketIntervals intervals = {0};
+    if (LANES > 1 && set->linear_count > 0) {
+        intervals = packet_intervals(packet);
+    }
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        hits[v] = hit_none(packet->limit[v]);
+    }
+    for (size_t block = 0; block < aabb_pack_count(set->linear_count); block++) {
+        Candidates candidates = linear_candidates(set, &intervals, block);
+        while (candidates.remaining) {
+            int lane = candidates_pop_nearest(&candidates);
+            const Shape *shape = set->linear[block * LANES + (size_t)lane];
+            shape_closest_hits(shape, real_lane(candidates.near, lane), packet, hits);
+        }
+    }
+    set_bvh_closest_hits(set, packet, hits);
+}
+
+void shape_set_occluded(const ShapeSet *set, const Packet *packet, mask *occluded) {
+    PacketIntervals intervals = {0};
+    if (LANES > 1 && set->linear_count > 0) {
+        intervals = packet_intervals(packet);
+    }
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        occluded[v] = mask_of(false);
+    }
+    for (size_t block = 0; block < aabb_pack_count(set->linear_count); block++) {
+        unsigned remaining = linear_candidates(set, &intervals, block).remaining;
+        for (; remaining; remaining &= remaining - 1) {
+            size_t index = block * LANES + (size_t)__builtin_ctz(remaining);
+            shape_occluded(set->linear[index], packet, occluded);
+        }
+    }
+    set_bvh_occluded(set, packet, occluded);
+}
+
+void shape_set_visit(const ShapeSet *set, const Packet *packet, ShapeVisitor visitor, void *found) {
+    PacketIntervals intervals = {0};
+    if (LANES > 1 && set->linear_count > 0) {
+        intervals = packet_intervals(packet);
+    }
+    for (size_t block = 0; block < aabb_pack_count(set->linear_count); block++) {
+        unsigned remaining = linear_candidates(set, &intervals, block).remaining;
+        for (; remaining; remaining &= remaining - 1) {
+            const Shape *shape = set->linear[block * LANES + (size_t)__builtin_ctz(remaining)];
+            for (int v = 0; v < PACKET_VECTORS; v++) {
+                if (any(packet->active[v])) {
+                    visitor(shape, packet, v, packet->active[v], found);
+                }
+            }
+        }
+    }
+    VisitRequest visit = {visitor, found};
+    set_bvh_visit(set, packet, &visit);
+}

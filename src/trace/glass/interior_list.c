@@ -1,0 +1,149 @@
+/**
+ * @file
+ * @brief Which transparent shapes rays are inside of.
+ */
+#include "trace/glass/interior_list.h"
+
+#include <stdlib.h>
+
+/** Takes the indices of a scene's shapes. @param[out] dielectrics What the scene has. @param scene
+ * The scene. @return false without memory. */
+static bool iors_init(Dielectrics *dielectrics, const Scene *scene) {
+    dielectrics->iors = calloc(scene->shape_count + 1, sizeof *dielectrics->iors);
+    if (!dielectrics->iors) {
+        return false;
+    }
+    dielectrics->iors[0] = 1;
+    for (size_t i = 0; i < scene->shape_count; i++) {
+        const SceneMaterial *material = &scene->materials[scene->shapes[i].material_index];
+        bool is_glass = scene_material_is_transparent(material);
+        dielectrics->iors[i + 1] = is_glass ? (scalar)material->ior : 0;
+    }
+    return true;
+}
+
+/** See #ShapePredicate. @return Whether a shape is transparent. @param shape The shape. @param
+ * context A #Dielectrics. */
+static bool shape_is_transparent(const Shape *shape, const void *context) {
+    const Dielectrics *dielectrics = context;
+    return dielectrics->iors[shape->index + 1] > 0;
+}
+
+/** See #ShapePredicate. @return Whether a shape is not transparent. @param shape The shape.
+ *  @param context A #Dielectrics. */
+static bool shape_is_opaque(const Shape *shape, const void *context) {
+    return !shape_is_transparent(shape, context);
+}
+
+bool dielectrics_init(Dielectrics *dielectrics, const Scene *scene, const ShapeSet *shapes,
+                      const TraceSettings *settings) {
+    *dielectrics = (Dielectrics){.camera_interior = interior_list_empty()};
+    return !scene_has_transparency(scene) ||
+           (iors_init(dielectrics, scene) &&
+            shape_set_filter(&dielectrics->transparent, shapes, shape_is_transparent, dielectrics,
+                             settings) &&
+            shape_set_filter(&dielectrics->opaque, shapes, shape_is_opaque, dielectrics, settings));
+}
+
+/** Tinted shapes from which on nobody looks whether a later shape meets them: one may. */
+enum { MAX_TINTED_SHAPES = 1000 };
+
+/** @return Whether two boxes have a point in common. @param a A box. @param b Another. */
+static bool aabbs_overlap(const Aabbs *a, const Aabbs *b) {
+    bool overlap = true;
+    for (int axis = 0; axis < 3; axis++) {
+        overlap = overlap && a->low[axis] <= b->high[axis] && b->low[axis] <= a->high[axis];
+    }
+    return overlap;
+}
+
+/** @return Whether a surface takes a share of the light that goes through. @param s The surface. */
+static bool material_is_tinted(const Material *s) {
+    return s->transmittance.red < 1 || s->transmittance.green < 1 || s->transmittance.blue < 1;
+}
+
+void dielectrics_find_overrides(Dielectrics *dielectrics, const Material *materials) {
+    Aabbs tinted[MAX_TINTED_SHAPES];
+    size_t count = 0;
+    for (size_t i = 0; !dielectrics->may_override && i < dielectrics->transparent.count; i++) {
+        const Shape *shape = dielectrics->transparent.shapes[i];
+        Aabbs box = shape->class->bounds(shape);
+        for (size_t other = 0; other < count; other++) {
+            dielectrics->may_override =
+                dielectrics->may_override || aabbs_overlap(&tinted[other], &box);
+        }
+        if (material_is_tinted(&materials[shape->material])) {
+            tinted[count++] = box;
+            dielectrics->may_override = dielectrics->may_override || count == MAX_TINTED_SHAPES;
+        }
+    }
+}
+
+void dielectrics_deinit(Dielectrics *dielectrics) {
+    free(dielectrics->iors);
+    dielectrics->iors = NULL;
+    shape_set_deinit(&dielectrics->transparent);
+    shape_set_deinit(&dielectrics->opaque);
+}
+
+/** @return The lanes in which rays meet a shape from inside. @param ray The rays. @param hit_lanes
+ * The lanes that meet it. @param hit Where. */
+INLINE mask is_hit_from_inside(const Ray *ray, mask hit_lanes, const Hit *hit) {
+    return hit_lanes & (vec3_dot(ray->direction, hit->normal) > 0);
+}
+
+/* --- the camera ------------------------------------------------------------------------------ */
+
+/** @return Rays along an axis. @param origin Where they start. @param axis 0 to 5: x, y, z, -x, -y,
+ *  -z. */
+static Ray axis_ray(Vec3 origin, int axis) {
+    real along = real_of(axis < 3 ? 1 : -1), zero = real_of(0);
+    Vec3 direction = {axis % 3 == 0 ? along : zero, axis % 3 == 1 ? along : zero,
+                      axis % 3 == 2 ? along : zero};
+    return ray_of(origin, direction);
+}
+
+/** @return Whether a point is inside of a shape. @param shape The shape. @param point The point. */
+static mask shape_contains(const Shape *shape, Vec3 point) {
+    mask inside = mask_of(false);
+    Hit nearest = hit_none(real_of(INFINITE));
+    for (int axis = 0; axis < 6; axis++) {
+        Ray ray = axis_ray(point, axis);
+        mask nearer = shape->class->is_hit(shape, &ray, mask_of(true), &nearest);
+        inside = is_hit_from_inside(&ray, nearer, &nearest) | (inside & mask_not(nearer));
+    }
+    return inside;
+}
+
+void dielectrics_set_camera(Dielectrics *dielectrics, Vec3 camera_position) {
+    dielectrics->camera_interior = interior_list_empty();
+    for (size_t i = 0; i < dielectrics->transparent.count; i++) {
+        const Shape *shape = dielectrics->transparent.shapes[i];
+        interior_list_insert(&dielectrics->camera_interior, shape_contains(shape, camera_position),
+                             integer_of(shape->index));
+    }
+}
+
+/* --- jumps ----------------------------------------------------------------------------------- */
+
+/** Asks whether a shape's surface lies in jumps. See #ShapeVisitor. @param shape The shape.
+ *  @param segments The jumps, backwards. @param v Which vector. @param active Which lanes.
+ *  @param[in,out] found A #InteriorList for each vector: what the rays are inside of. */
+static void segment_cross_shape(const Shape *shape, const Packet *segments, int v, mask active,
+                                void *found) {
+    InteriorList *interior = (InteriorList *)found + v;
+    const Ray *ray = &segments->rays[v];
+    Hit hit = hit_none(segments->limit[v]);
+    mask crossed = shape->class->is_hit(shape, ray, active, &hit);
+    if (any(crossed)) {
+        mask inside = is_hit_from_inside(ray, crossed, &hit);
+        integer shape_index = integer_of(shape->index);
+        interior_list_insert(interior, inside, shape_index);
+        interior_list_remove(interior, crossed & mask_not(inside), shape_index);
+    }
+}
+
+void dielectrics_cross_segments(const Dielectrics *dielectrics, const Packet *segments,
+                                InteriorList *interior) {
+    shape_set_visit(&dielectrics->transparent, segments, segment_cross_shape, interior);
+}

@@ -1,0 +1,154 @@
+/**
+ * @file
+ * @brief Light and shadow.
+ */
+#include "trace/lights/light.h"
+#include "trace/lights/shadow_transmittance.h"
+#include "trace/tracer/aov.h"
+#include "trace/tracer/path_hash.h"
+#include "trace/tracer/ray_tree_recorder.h"
+
+/**
+ * @return max(0, r . v)^shininess, Phong's highlight, where r is the lamp's light mirrored.
+ * @param surface      The points.
+ * @param v        Which vector of them.
+ * @param to_light  Unit directions to the lamp.
+ * @param cosine   n . l
+ * @param shininess  The exponent.
+ */
+INLINE real phong_specular(const SurfaceHit *surface, int v, Vec3 to_light, real cosine,
+                           real shininess) {
+    Vec3 reflected = vec3_subtract(vec3_scale(surface->n_front[v], 2 * cosine), to_light);
+    real along = real_max(-vec3_dot(reflected, surface->packet->rays[v].direction), real_of(0));
+    return real_pow(real_min(along, real_of(1)), shininess);
+}
+
+/** @return The light of a lamp that reaches points, but for its distance. @param light The lamp.
+ *  @param sample What it would give. @param v Which vector of points. @param surface The points. */
+INLINE Rgb light_sample_intensity(const Light *light, const LightSample *sample, int v,
+                                  const SurfaceHit *surface) {
+    return surface->interior ? rgb_multiply(light->intensity, sample->transmittance[v])
+                             : light->intensity;
+}
+
+/**
+ * Adds one lamp's highlights, where the surface has any.
+ * @param light     The lamp.
+ * @param sample    What it would give.
+ * @param v        Which vector of points.
+ * @param unoccluded  The points that it reaches.
+ * @param attenuation    What is left of its light at that distance.
+ * @param surface      The points.
+ * @param[in,out] lighting  The sums.
+ */
+INLINE void light_sample_add_specular(const Light *light, const LightSample *sample, int v,
+                                      mask unoccluded, real attenuation, const SurfaceHit *surface,
+                                      DirectLighting *lighting) {
+    MaterialPack material =
+        material_pack_gather(surface->materials, &surface->material_ids[v], unoccluded);
+    mask shiny = unoccluded & (rgb_max(material.specular) > real_of(0));
+    if (any(shiny)) {
+        Vec3 to_light = light_direction(light, sample, v, surface->hits[v].point);
+        real bright = phong_specular(surface, v, to_light, sample->cosine[v], material.shininess);
+        bright = real_select(shiny, attenuation * bright, real_of(0));
+        lighting->specular[v] =
+            rgb_add(lighting->specular[v],
+                    rgb_scale(light_sample_intensity(light, sample, v, surface), bright));
+    }
+}
+
+/**
+ * Adds what one lamp gives to the points that it reaches.
+ * @param light     The lamp.
+ * @param sample    What it would give, with the rays.
+ * @param occluded  Where something is in the way.
+ * @param has_specular   Whether highlights are wanted.
+ * @param surface      The points.
+ * @param[in,out] lighting  The sums.
+ */
+INLINE void light_sample_add(const Light *light, const LightSample *sample, const mask *occluded,
+                             bool has_specular, const SurfaceHit *surface,
+                             DirectLighting *lighting) {
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        mask unoccluded = sample->shadow_rays.active[v] & mask_not(occluded[v]);
+        if (!any(unoccluded)) {
+            continue;
+        }
+        real attenuation = light_attenuation(light, sample, v);
+        real bright = real_select(unoccluded, attenuation * sample->cosine[v], real_of(0));
+        lighting->diffuse[v] =
+            rgb_add(lighting->diffuse[v],
+                    rgb_scale(light_sample_intensity(light, sample, v, surface), bright));
+        if (has_specular) {
+            light_sample_add_specular(light, sample, v, unoccluded, attenuation, surface, lighting);
+        }
+    }
+}
+
+/** Leaves points without light. @param[out] lighting What they get. */
+INLINE void direct_lighting_clear(DirectLighting *lighting) {
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        Rgb black = {real_of(0), real_of(0), real_of(0)};
+        lighting->diffuse[v] = lighting->specular[v] = black;
+    }
+}
+
+/**
+ * Notes the shadow rays to a lamp; for a probe, with what this lamp alone gives. Never a part of
+ * its caller, which is called for every picture.
+ * @param shapes     The shapes.
+ * @param lights    The lamps.
+ * @param light_index   Which of them.
+ * @param sample    What it would give, with the rays.
+ * @param occluded  Where something is in the way.
+ * @param has_specular   Whether highlights are wanted.
+ * @param surface      The points.
+ */
+static __attribute__((noinline)) void light_sample_record(const ShapeSet *shapes,
+                                                          const Light *lights, size_t light_index,
+                                                          const LightSample *sample,
+                                                          const mask *occluded, bool has_specular,
+                                                          const SurfaceHit *surface) {
+    const Recorders *recorders = surface->packet->context.recorders;
+    if (recorders->path_hashes) {
+        path_hash_add_shadows(surface, &sample->shadow_rays, occluded,
+                              surface->interior ? sample->transmittance : NULL);
+    }
+    if (recorders->aovs) {
+        aov_record_shadows(surface, light_index, &sample->shadow_rays, occluded);
+    }
+    if (recorders->ray_tree) {
+        DirectLighting light_only;
+        direct_lighting_clear(&light_only);
+        light_sample_add(&lights[light_index], sample, occluded, has_specular, surface,
+                         &light_only);
+        ray_tree_record_shadow(shapes, surface, light_index, sample, occluded[0], &light_only);
+    }
+}
+
+uint64_t shade_direct(const ShapeSet *shapes, const Light *lights, size_t light_count,
+                      const RayOffset *offset, bool has_specular, const SurfaceHit *surface,
+                      DirectLighting *lighting) {
+    uint64_t rays = 0;
+    direct_lighting_clear(lighting);
+    for (size_t i = 0; i < light_count; i++) {
+        LightSample sample;
+        mask occluded[PACKET_VECTORS];
+        light_sample_packet(&lights[i], i, offset, surface, &sample);
+        unsigned count = packet_active_count(&sample.shadow_rays);
+        if (count > 0) {
+            shape_set_occluded(surface->interior ? &surface->dielectrics->opaque : shapes,
+                               &sample.shadow_rays, occluded);
+            if (surface->interior) {
+                shadow_transmittance_find(shapes, offset, surface, &sample.shadow_rays, occluded,
+                                          sample.transmittance);
+            }
+            if (surface->packet->context.recorders) {
+                light_sample_record(shapes, lights, i, &sample, occluded, has_specular, surface);
+            }
+            light_sample_add(&lights[i], &sample, occluded, has_specular, surface, lighting);
+            rays += count;
+        }
+    }
+    return rays;
+}

@@ -1,0 +1,49 @@
+/**
+ * @file
+ * @brief Lighting: what the lamps give to the points that a packet of rays has met.
+ */
+#ifndef DIOPTRE_TRACE_LIGHTS_DIRECT_LIGHTING_H
+#define DIOPTRE_TRACE_LIGHTS_DIRECT_LIGHTING_H
+
+#include "trace/glass/interior_list.h"
+#include "trace/materials/material_ids.h"
+#include "trace/tracer/ray_offset.h"
+
+/** A light in the engine's number type: see trace/lights/light.h. */
+typedef struct Light Light;
+
+/** The points that a packet of rays has met. */
+typedef struct SurfaceHit {
+    const Material *materials;                /**< All materials of the scene. */
+    const Packet *packet;                     /**< The rays, of unit direction. */
+    const Dielectrics *dielectrics;           /**< What the scene has of glass. */
+    const InteriorList *interior;             /**< What the rays are in; NULL: there is no glass. */
+    Hit hits[PACKET_VECTORS];                 /**< Where. */
+    mask is_hit[PACKET_VECTORS];              /**< Which rays met anything. */
+    mask needs_light[PACKET_VECTORS];         /**< Which of the points ask for light. */
+    MaterialIds material_ids[PACKET_VECTORS]; /**< What they met is made of. */
+    Vec3 n_front[PACKET_VECTORS]; /**< The normals, turned to where the rays come from. */
+} SurfaceHit;
+
+/** What the lamps give, before the surfaces weigh it. */
+typedef struct DirectLighting {
+    Rgb diffuse[PACKET_VECTORS];  /**< Sum of V L f max(0, n . l). */
+    Rgb specular[PACKET_VECTORS]; /**< Sum of V L f max(0, r . v)^shininess. */
+} DirectLighting;
+
+/**
+ * Adds up the light of all lamps (rows A3 to A6, C4).
+ * @param shapes        The shapes, which may stand in the way.
+ * @param lights       The lamps.
+ * @param light_count  How many.
+ * @param offset   Where shadow rays start.
+ * @param has_specular      Whether any surface has highlights; otherwise they are not computed.
+ * @param surface         The points.
+ * @param[out] lighting  What they get.
+ * @return How many shadow rays were traced.
+ */
+uint64_t shade_direct(const ShapeSet *shapes, const Light *lights, size_t light_count,
+                      const RayOffset *offset, bool has_specular, const SurfaceHit *surface,
+                      DirectLighting *lighting);
+
+#endif

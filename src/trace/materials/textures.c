@@ -1,0 +1,168 @@
+/**
+ * @file
+ * @brief Pictures on surfaces and in the sky.
+ */
+#include "trace/materials/textures.h"
+
+#include "trace/math/angle.h"
+
+#include <stdlib.h>
+
+/** Degrees of a whole turn. */
+#define TURN_DEGREES 360
+
+/** @return Places for the pictures of all materials; NULL without memory. @param scene The scene.
+ */
+static Texture **material_maps_of(const Scene *scene) {
+    Texture **maps = calloc(scene->material_count, sizeof *maps);
+    for (size_t i = 0; maps && i < scene->material_count; i++) {
+        size_t texture_index = scene->materials[i].texture_id;
+        maps[i] = texture_index ? texture_retain(scene->textures[texture_index - 1].texture) : NULL;
+    }
+    return maps;
+}
+
+bool textures_init(Textures *textures, const Scene *scene, Error *error) {
+    const SceneSky *sky = &scene->sky;
+    *textures = (Textures){.material_count = scene->material_count};
+    textures->sky_rotation = (scalar)(sky->rotate / TURN_DEGREES + 0.5);
+    for (int step = 0; step < TEXEL_LEVELS; step++) {
+        textures->srgb_to_linear[step] = (scalar)encoding_decode(ENCODING_SRGB, step);
+    }
+    if (sky->texture_id) {
+        textures->sky = texture_retain(scene->textures[sky->texture_id - 1].texture);
+    }
+    if (scene_has_textures(scene)) {
+        textures->material_maps = material_maps_of(scene);
+        return textures->material_maps || error_set(error, STATUS_FAILED, "no memory for pictures");
+    }
+    return true;
+}
+
+void textures_deinit(Textures *textures) {
+    for (size_t i = 0; textures->material_maps && i < textures->material_count; i++) {
+        texture_release(textures->material_maps[i]);
+    }
+    free(textures->material_maps);
+    texture_release(textures->sky);
+    *textures = (Textures){0};
+}
+
+/** Where LANES points lie along one edge of a picture. */
+typedef struct TexelAxis {
+    real first;    /**< The texel whose middle is just before; -1 to #size - 1. */
+    real fraction; /**< How far from there to the middle of the next, 0 to 1. */
+    mask wraps;    /**< Where the last texel is followed by the first. */
+    int size;      /**< How many texels. */
+} TexelAxis;
+
+/**
+ * @return Where points lie along an edge.
+ * @param position      0 at its beginning, 1 at its end.
+ * @param wraps  Where it goes on beyond.
+ * @param size    How many texels it has.
+ */
+INLINE TexelAxis texel_axis_of(real position, mask wraps, int size) {
+    position = real_select(wraps, position - real_floor(position), position);
+    position = real_min(real_max(position, real_of(0)), real_of(1)); // 0 where it is no number.
+    real texel = position * (scalar)size - (scalar)0.5f;
+    real first = real_floor(texel);
+    return (TexelAxis){first, texel - first, wraps, size};
+}
+
+/** @return A texel along an edge. @param row Where. @param lane Which point's. @param next Whether
+ *  the second of the two that it lies between. */
+INLINE size_t texel_axis_at(const TexelAxis *row, int lane, bool next) {
+    int texel = (int)real_lane(row->first, lane) + next, last = row->size - 1;
+    bool is_wrapped = mask_lane(row->wraps, lane);
+    return (size_t)(texel < 0      ? (is_wrapped ? last : 0)
+                    : texel > last ? (is_wrapped ? 0 : last)
+                                   : texel);
+}
+
+/** @return A texel's light. @param textures The pictures. @param texture One of them.
+ *  @param column Which texel. @param row Which, from the top. */
+INLINE Rgbs texel_color(const Textures *textures, const Texture *texture, size_t column,
+                        size_t row) {
+    size_t index = (row * (size_t)texture->width + column) * TEXEL_CHANNELS;
+    if (texture->is_hdr) {
+        const float *light = texture_hdr_texels(texture) + index;
+        return (Rgbs){(scalar)light[0], (scalar)light[1], (scalar)light[2]};
+    }
+    const uint8_t *steps = texture_ldr_texels(texture) + index;
+    const scalar *light = textures->srgb_to_linear;
+    return (Rgbs){light[steps[0]], light[steps[1]], light[steps[2]]};
+}
+
+/** @return Light between two lights. @param a One. @param b The other. @param fraction How near to
+ * the second. */
+INLINE Rgb rgb_lerp(Rgb a, Rgb b, real fraction) {
+    return (Rgb){a.red + (b.red - a.red) * fraction, a.green + (b.green - a.green) * fraction,
+                 a.blue + (b.blue - a.blue) * fraction};
+}
+
+/**
+ * @return What a picture shows: between the four texels around each point.
+ * @param textures  The pictures.
+ * @param texture   One of them.
+ * @param uv     Where.
+ * @param lanes     The lanes that count.
+ */
+static Rgb texture_sample_bilinear(const Textures *textures, const Texture *texture,
+                                   const TextureUv *uv, mask lanes) {
+    const Rgb black = {real_of(0), real_of(0), real_of(0)};
+    Rgb texels[4] = {black, black, black, black};
+    TexelAxis x_axis = texel_axis_of(uv->u, uv->wrap_u, texture->width);
+    TexelAxis y_axis = texel_axis_of(1 - uv->v, uv->wrap_v, texture->height);
+    for (unsigned remaining = mask_bits(lanes); remaining; remaining &= remaining - 1) {
+        int lane = __builtin_ctz(remaining);
+        size_t columns[2] = {texel_axis_at(&x_axis, lane, 0), texel_axis_at(&x_axis, lane, 1)};
+        size_t rows[2] = {texel_axis_at(&y_axis, lane, 0), texel_axis_at(&y_axis, lane, 1)};
+        for (int k = 0; k < 4; k++) {
+            Rgbs color = texel_color(textures, texture, columns[k & 1], rows[k >> 1]);
+            real_set_lane(&texels[k].red, lane, color.red);
+            real_set_lane(&texels[k].green, lane, color.green);
+            real_set_lane(&texels[k].blue, lane, color.blue);
+        }
+    }
+    Rgb upper = rgb_lerp(texels[0], texels[1], x_axis.fraction);
+    Rgb lower = rgb_lerp(texels[2], texels[3], x_axis.fraction);
+    return rgb_lerp(upper, lower, y_axis.fraction);
+}
+
+/** @return What the pictures show at LANES points; 1 where there is none. @param textures The
+ *  pictures. @param shapes The shapes. @param hit The points. @param hit_lanes The lanes that met
+ * any. */
+static Rgb texture_colors_at(const Textures *textures, const ShapeSet *shapes, const Hit *hit,
+                             mask hit_lanes) {
+    Rgb color = {real_of(1), real_of(1), real_of(1)};
+    for (mask remaining = hit_lanes; any(remaining);) {
+        int shape_index = integer_lane(hit->shape, mask_first(remaining));
+        const Shape *shape = shapes->shapes[shape_index];
+        const Texture *texture = textures->material_maps[shape->material];
+        mask same = remaining & (hit->shape == integer_of(shape_index));
+        if (texture) {
+            TextureUv uv = shape_texture_uv(shape, hit, same);
+            color = rgb_select(same, texture_sample_bilinear(textures, texture, &uv, same), color);
+        }
+        remaining &= mask_not(same);
+    }
+    return color;
+}
+
+void textures_sample(const Textures *textures, const ShapeSet *shapes, const SurfaceHit *surface,
+                     Rgb *colors) {
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        colors[v] = texture_colors_at(textures, shapes, &surface->hits[v], surface->is_hit[v]);
+    }
+}
+
+Rgb textures_sample_sky(const Textures *textures, Vec3 direction, mask lanes) {
+    real x = direction.x, z = direction.z;
+    real horizontal = real_sqrt(x * x + z * z);
+    TextureUv uv = {.u = real_atan2_turns(x, -z) + real_of(textures->sky_rotation),
+                    .v = 1 - 2 * real_atan2_turns(horizontal, direction.y),
+                    .wrap_u = mask_of(true),
+                    .wrap_v = mask_of(false)};
+    return texture_sample_bilinear(textures, textures->sky, &uv, lanes);
+}

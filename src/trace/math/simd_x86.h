@@ -1,0 +1,69 @@
+/**
+ * @file
+ * @brief Processor instructions: where there is one for what a tracer needs, it is named here, and
+ *        nowhere else.
+ *
+ * The smaller and larger are `a < b ? a : b` and `a > b ? a : b` to the bit, as the instructions
+ * define them. What has no name here for an engine, real.h does lane by lane.
+ */
+#ifndef DIOPTRE_TRACE_MATH_SIMD_X86_H
+#define DIOPTRE_TRACE_MATH_SIMD_X86_H
+
+// The header of all of Intel's instructions takes the compiler a third of a second: engines of one
+// lane do without it, and those of SSE2 take the header of that.
+#if LANES > 1 && defined(__AVX2__)
+#include <immintrin.h>
+#elif LANES > 1 && defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+#if LANES == 16 && defined(__AVX512DQ__)
+/** Bit i set where lane i of the mask m is. */
+#define LANES_BITS(m) (unsigned)_mm512_movepi32_mask((__m512i)(m))
+/** Bit i set where a is at most b in lane i: no mask need be made of it first. */
+#define LANES_LESS_EQUAL_BITS(a, b)                                                                \
+    (unsigned)_mm512_cmp_ps_mask((__m512)(a), (__m512)(b), _CMP_LE_OQ)
+/** For each lane the number at its place. */
+#define LANES_GATHER(base, places)                                                                 \
+    (real) _mm512_i32gather_ps((__m512i)(places), base, sizeof(scalar))
+/** a where the mask m is set, b elsewhere: one instruction, too. */
+#define LANES_SELECT(m, a, b) (real)(((m) & (mask)(a)) | (~(m) & (mask)(b)))
+/** The smaller; b where they cannot be compared. */
+#define LANES_MIN(a, b) (real) _mm512_min_ps((__m512)(a), (__m512)(b))
+/** The larger; b where they cannot be compared. */
+#define LANES_MAX(a, b) (real) _mm512_max_ps((__m512)(a), (__m512)(b))
+#elif LANES == 8 && defined(__AVX2__)
+/** Bit i set where lane i of the mask m is. */
+#define LANES_BITS(m) (unsigned)_mm256_movemask_ps((__m256)(m))
+/** For each lane the number at its place. */
+#define LANES_GATHER(base, places)                                                                 \
+    (real) _mm256_i32gather_ps(base, (__m256i)(places), sizeof(scalar))
+/** a where the mask m is set, b elsewhere. */
+#define LANES_SELECT(m, a, b) (real) _mm256_blendv_ps((__m256)(b), (__m256)(a), (__m256)(m))
+/** The smaller; b where they cannot be compared. */
+#define LANES_MIN(a, b) (real) _mm256_min_ps((__m256)(a), (__m256)(b))
+/** The larger; b where they cannot be compared. */
+#define LANES_MAX(a, b) (real) _mm256_max_ps((__m256)(a), (__m256)(b))
+#elif LANES == 4 && REAL_BITS == 64 && defined(__AVX2__)
+#define LANES_BITS(m) (unsigned)_mm256_movemask_pd((__m256d)(m))
+#define LANES_GATHER(base, places)                                                                 \
+    (real) _mm256_i64gather_pd(base, (__m256i)(places), sizeof(scalar))
+#define LANES_SELECT(m, a, b) (real) _mm256_blendv_pd((__m256d)(b), (__m256d)(a), (__m256d)(m))
+#define LANES_MIN(a, b) (real) _mm256_min_pd((__m256d)(a), (__m256d)(b))
+#define LANES_MAX(a, b) (real) _mm256_max_pd((__m256d)(a), (__m256d)(b))
+#elif LANES == 4 && REAL_BITS == 32 && defined(__SSE2__)
+#define LANES_BITS(m) (unsigned)_mm_movemask_ps((__m128)(m))
+#define LANES_SELECT(m, a, b) (real)(((m) & (mask)(a)) | (~(m) & (mask)(b)))
+#define LANES_MIN(a, b) (real) _mm_min_ps((__m128)(a), (__m128)(b))
+#define LANES_MAX(a, b) (real) _mm_max_ps((__m128)(a), (__m128)(b))
+#elif LANES > 1
+#define LANES_SELECT(m, a, b) (real)(((m) & (mask)(a)) | (~(m) & (mask)(b)))
+#define LANES_MIN(a, b) real_select((a) < (b), a, b)
+#define LANES_MAX(a, b) real_select((a) > (b), a, b)
+#else
+#define LANES_SELECT(m, a, b) ((m) ? (a) : (b))
+#define LANES_MIN(a, b) ((a) < (b) ? (a) : (b))
+#define LANES_MAX(a, b) ((a) > (b) ? (a) : (b))
+#endif
+
+#endif

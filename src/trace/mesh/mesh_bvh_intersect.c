@@ -1,0 +1,374 @@
+/**
+ * @file
+ * @brief Which triangles of a model rays meet.
+ *
+ * A packet takes the triangles of a block one after the other; a single ray takes all of them at
+ * once. Both do the same operations in the same order.
+ */
+#include "trace/mesh/mesh_bvh_hit.h"
+#include "trace/mesh/triangle_pack.h"
+
+/** What is worked out of the triangles of a block when the first of them is met. */
+typedef struct TriangleBlockPlanes {
+    size_t block_index; /**< Which block; #TRIANGLE_BLOCK_NONE: none. */
+    Aabb boxes;         /**< Their boxes. */
+    Vec3w normals;      /**< Normals of their planes, of any length. */
+} TriangleBlockPlanes;
+
+/** Larger than the place of any block. */
+#define TRIANGLE_BLOCK_NONE SIZE_MAX
+
+/** What the rays of a packet have met of a model; how far away, their limits say. */
+typedef struct MeshBvhHits {
+    integer slots[PACKET_VECTORS]; /**< Which triangle, by its place in the blocks; -1: none. */
+    TriangleBlockPlanes planes;    /**< Those of the last block of which one was met. */
+} MeshBvhHits;
+
+/** @return All triangles of a block. @param block The block. */
+INLINE TrianglePack triangle_block_load(const TriangleBlock *block) {
+    return (TrianglePack){{block->corners[0], block->corners[1], block->corners[2]}};
+}
+
+/** @return A corner of one triangle in all lanes. @param block A block. @param i Which corner.
+ *  @param lane Which of its triangles. */
+INLINE Vec3 triangle_block_corner(const TriangleBlock *block, int i, int lane) {
+    const Vec3 *corners = &block->corners[i];
+    return (Vec3){real_of(real_at(&corners->x, lane)), real_of(real_at(&corners->y, lane)),
+                  real_of(real_at(&corners->z, lane))};
+}
+
+/* --- a packet against the triangles of a leaf ------------------------------------------------ */
+
+/** @return The lanes in which a triangle comes before what was met: nearer, or as near and earlier
+ * in the mesh. @param mesh_bvh The model. @param met The lanes that meet it. @param distance How
+ * far away. @param slot Its place. @param limit How far away what was met is. @param slots Which it
+ * is.
+ */
+INLINE mask triangle_slot_is_nearer(const MeshBvh *mesh_bvh, mask met, real distance, size_t slot,
+                                    real limit, const integer *slots) {
+    mask nearer = met & (distance < limit), tie = met & (distance == limit);
+    uint32_t triangle = mesh_bvh->blocks[slot / LANES].triangle_ids[slot % LANES];
+    while (any(tie)) {
+        int lane = mask_first(tie);
+        int other = integer_at(slots, lane);
+        bool is_first =
+            other < 0 || triangle < mesh_bvh->blocks[other / LANES].triangle_ids[other % LANES];
+        mask_set_lane(&nearer, lane, is_first);
+        mask_set_lane(&tie, lane, false);
+    }
+    return nearer;
+}
+
+/** Works out the planes of a block. @param mesh_bvh The model. @param b The block.
+ *  @param[out] planes Its planes. */
+static void triangle_block_compute_planes(const MeshBvh *mesh_bvh, size_t b,
+                                          TriangleBlockPlanes *planes) {
+    TrianglePack corners = triangle_block_load(&mesh_bvh->blocks[b]);
+    planes->block_index = b;
+    planes->boxes = triangle_pack_bounds(&corners);
+    planes->normals = triangle_pack_normal(&corners);
+}
+
+/** @return How far away rays cross the plane of a triangle. @param block The triangle's block.
+ *  @param normals Normals of the block's. @param lane Which. @param ray The rays. */
+INLINE real triangle_block_plane_distance(const TriangleBlock *block, const Vec3w *normals,
+                                          int lane, const Ray *ray) {
+    Vec3w normal = {wide_of(wide_at(&normals->x, lane)), wide_of(wide_at(&normals->y, lane)),
+                    wide_of(wide_at(&normals->z, lane))};
+    return ray_plane_distance(normal, vec3_widen(triangle_block_corner(block, 0, lane)), ray);
+}
+
+/** Takes a triangle where it comes before what was met. @param mesh_bvh The model. @param b Its
+ * block.
+ *  @param lane Its place there. @param rays The rays. @param inside Those that pass inside of it.
+ *  @param[in,out] hits What was met. */
+static void mesh_bvh_accept_triangle(const MeshBvh *mesh_bvh, size_t b, int lane,
+                                     const BvhLeafRays *rays, mask inside, MeshBvhHits *hits) {
+    if (hits->planes.block_index != b) {
+        triangle_block_compute_planes(mesh_bvh, b, &hits->planes);
+    }
+    const Ray *ray = &rays->packet->rays[rays->vector];
+    real near, *limit = &rays->limits[rays->vector];
+    Aabb box = aabb_splat_lane(&hits->planes.boxes, lane);
+    inside &= slab_intersects(ray, &box, *limit, &near);
+    if (any(inside)) {
+        real distance =
+            triangle_block_plane_distance(&mesh_bvh->blocks[b], &hits->planes.normals, lane, ray);
+        inside &= distance > 0;
+        distance = real_max(distance, near);
+        size_t slot = b * LANES + (size_t)lane;
+        integer *slots = &hits->slots[rays->vector];
+        mask nearer = triangle_slot_is_nearer(mesh_bvh, inside, distance, slot, *limit, slots);
+        *limit = real_select(nearer, distance, *limit);
+        *slots = integer_select(nearer, integer_of((int)slot), *slots);
+    }
+}
+
+/** Which rays pass inside of which triangles of a block. */
+typedef struct TriangleBlockInside {
+    unsigned triangle_bits;   /**< Bit i set: some ray passes inside of triangle i. */
+    uint16_t ray_bits[LANES]; /**< For each triangle: bit i set: ray i does. */
+} TriangleBlockInside;
+
+/** @return Which rays pass inside of the triangles of a block. @param block The block. @param ray
+ *  The rays. @param axis The axis that they run mainly along. @param active Those that count. */
+INLINE TriangleBlockInside triangle_block_inside(const TriangleBlock *block, const Ray *ray,
+                                                 int axis, mask active) {
+    TriangleBlockInside inside = {0};
+    RayShear shear = ray_shear_of(ray, axis);
+    for (int lane = 0; lane < LANES; lane++) {
+        /* What repeats only fills the block up. */
+        if (lane > 0 && block->triangle_ids[lane] == block->triangle_ids[lane - 1]) {
+            break;
+        }
+        ShearedVertex sheared[3];
+        for (int i = 0; i < 3; i++) {
+            sheared[i] =
+                ray_shear_vertex(permute_axes(triangle_block_corner(block, i, lane), axis), &shear);
+        }
+        inside.ray_bits[lane] =
+            (uint16_t)mask_bits(active & edge_functions_contain_ray(sheared, 3));
+        inside.triangle_bits |= (unsigned)(inside.ray_bits[lane] != 0) << lane;
+    }
+    return inside;
+}
+
+/** Asks the triangles of a block, one by one, about the rays that run mainly along one axis.
+ *  @param mesh_bvh The model. @param b The block. @param rays The rays. @param axis The axis.
+ *  @param active The lanes. @param[in,out] hits What was met. */
+INLINE void triangle_block_intersect_along(const MeshBvh *mesh_bvh, size_t b,
+                                           const BvhLeafRays *rays, int axis, mask active,
+                                           MeshBvhHits *hits) {
+    const Ray *ray = &rays->packet->rays[rays->vector];
+    TriangleBlockInside inside = triangle_block_inside(&mesh_bvh->blocks[b], ray, axis, active);
+    for (unsigned left = inside.triangle_bits; left; left &= left - 1) {
+        int lane = __builtin_ctz(left);
+        mesh_bvh_accept_triangle(mesh_bvh, b, lane, rays, mask_of_bits(inside.ray_bits[lane]),
+                                 hits);
+    }
+}
+
+/** Asks the triangles of a leaf, one by one, about rays. @param mesh_bvh The model. @param leaf The
+ *  leaf. @param rays The rays. @param[in,out] hits What was met. */
+static void mesh_leaf_intersect_packet(const MeshBvh *mesh_bvh, BvhLeaf leaf,
+                                       const BvhLeafRays *rays, MeshBvhHits *hits) {
+    DominantAxes axes =
+        ray_dominant_axes(&rays->packet->rays[rays->vector], mask_of_bits(rays->lane_bits));
+    bool any_x = any(axes.x), any_y = any(axes.y), any_z = any(axes.z);
+    for (size_t b = leaf.first_block; b < leaf.first_block + leaf.block_count; b++) {
+        if (any_x) {
+            triangle_block_intersect_along(mesh_bvh, b, rays, 0, axes.x, hits);
+        }
+        if (any_y) {
+            triangle_block_intersect_along(mesh_bvh, b, rays, 1, axes.y, hits);
+        }
+        if (any_z) {
+            triangle_block_intersect_along(mesh_bvh, b, rays, 2, axes.z, hits);
+        }
+    }
+}
+
+/* --- one ray against the triangles of a leaf ------------------------------------------------- */
+
+/** @return One ray in all lanes. @param ray The rays. @param lane Which of them. */
+INLINE Ray ray_splat_lane(const Ray *ray, int lane) {
+    const Vec3 *o = &ray->origin, *d = &ray->direction, *i = &ray->inverse_direction;
+    return (Ray){{real_of(real_at(&o->x, lane)), real_of(real_at(&o->y, lane)),
+                  real_of(real_at(&o->z, lane))},
+                 {real_of(real_at(&d->x, lane)), real_of(real_at(&d->y, lane)),
+                  real_of(real_at(&d->z, lane))},
+                 {real_of(real_at(&i->x, lane)), real_of(real_at(&i->y, lane)),
+                  real_of(real_at(&i->z, lane))}};
+}
+
+/** @return The triangles of a block that a ray passes inside of, within their boxes. @param block
+ *  The block. @param ray The ray, in all lanes. @param limit How far it looks. @param[out] near It
+ *  meets each no nearer than this. */
+INLINE unsigned triangle_block_intersect_single(const TriangleBlock *block, const Ray *ray,
+                                                scalar limit, real *near) {
+    TrianglePack corners = triangle_block_load(block);
+    DominantAxes axes = ray_dominant_axes(ray, mask_of(true));
+    mask inside = mask_lane(axes.x, 0)   ? triangle_pack_contains_ray(&corners, ray, 0)
+                  : mask_lane(axes.y, 0) ? triangle_pack_contains_ray(&corners, ray, 1)
+                                         : triangle_pack_contains_ray(&corners, ray, 2);
+    if (any(inside)) {
+        Aabb boxes = triangle_pack_bounds(&corners);
+        inside &= slab_intersects(ray, &boxes, real_of(limit), near);
+    }
+    return mask_bits(inside);
+}
+
+/** @return A lane of vectors, exactly. @param v The vectors. @param lane Which. */
+INLINE Vec3sw vec3_lane_widen(const Vec3 *v, int lane) {
+    return (Vec3sw){(wide_scalar)real_at(&v->x, lane), (wide_scalar)real_at(&v->y, lane),
+                    (wide_scalar)real_at(&v->z, lane)};
+}
+
+/** @return How far away one ray crosses the plane of one triangle: #triangle_block_plane_distance
+ * for one.
+ *  @param block The triangle's block. @param lane Which of it. @param rays The rays.
+ *  @param r Which of them. */
+INLINE scalar triangle_single_distance(const TriangleBlock *block, int lane, const Ray *rays,
+                                       int r) {
+    Vec3sw a = vec3_lane_widen(&block->corners[0], lane);
+    Vec3sw u = vec3sw_subtract(vec3_lane_widen(&block->corners[1], lane), a);
+    Vec3sw v = vec3sw_subtract(vec3_lane_widen(&block->corners[2], lane), a);
+    Vec3sw normal = vec3sw_cross(u, v);
+    Vec3sw to_corner = vec3sw_subtract(a, vec3_lane_widen(&rays->origin, r));
+    return (scalar)(vec3sw_dot(normal, to_corner) /
+                    vec3sw_dot(normal, vec3_lane_widen(&rays->direction, r)));
+}
+
+/** What one ray has met. */
+typedef struct ClosestTriangle {
+    scalar distance; /**< How far away. */
+    int slot;        /**< Which triangle; -1: none. */
+} ClosestTriangle;
+
+/** Takes a triangle where it comes before what was met. @param mesh_bvh The model. @param slot The
+ *  triangle. @param distance How far away it is met. @param[in,out] best What was met. */
+INLINE void closest_triangle_update(const MeshBvh *mesh_bvh, int slot, scalar distance,
+                                    ClosestTriangle *best) {
+    uint32_t triangle = mesh_bvh->blocks[slot / LANES].triangle_ids[slot % LANES];
+    bool is_first =
+        best->slot < 0 ||
+        triangle < mesh_bvh->blocks[best->slot / LANES].triangle_ids[best->slot % LANES];
+    if (distance < best->distance || (distance == best->distance && is_first)) {
+        *best = (ClosestTriangle){distance, slot};
+    }
+}
+
+/** Takes the nearest of some triangles of a block. @param mesh_bvh The model. @param b The block.
+ *  @param inside Which of its triangles are met. @param near No nearer than this. @param rays The
+ *  rays. @param r Which of them. @param[in,out] best What was met. */
+INLINE void closest_triangle_update_from_block(const MeshBvh *mesh_bvh, size_t b, unsigned inside,
+                                               const real *near, const Ray *rays, int r,
+                                               ClosestTriangle *best) {
+    for (; inside; inside &= inside - 1) {
+        int lane = __builtin_ctz(inside);
+        scalar distance = triangle_single_distance(&mesh_bvh->blocks[b], lane, rays, r);
+        scalar nearest = real_at(near, lane);
+        if (distance > 0) {
+            distance = distance > nearest ? distance : nearest;
+            closest_triangle_update(mesh_bvh, (int)(b * LANES) + lane, distance, best);
+        }
+    }
+}
+
+/** Asks the triangles of a leaf, side by side, about one ray. @param mesh_bvh The model. @param
+ * leaf The leaf. @param rays The rays. @param lane Which of them. @param[in,out] hits What was met.
+ */
+static void mesh_leaf_intersect_single(const MeshBvh *mesh_bvh, BvhLeaf leaf,
+                                       const BvhLeafRays *rays, int lane, MeshBvhHits *hits) {
+    const Ray *rays_vector = &rays->packet->rays[rays->vector];
+    real *limits = &rays->limits[rays->vector];
+    integer *slots = &hits->slots[rays->vector];
+    Ray ray = ray_splat_lane(rays_vector, lane);
+    ClosestTriangle best = {real_at(limits, lane), integer_at(slots, lane)};
+    for (size_t b = leaf.first_block; b < leaf.first_block + leaf.block_count; b++) {
+        real near = real_of(0);
+        unsigned inside =
+            triangle_block_intersect_single(&mesh_bvh->blocks[b], &ray, best.distance, &near);
+        closest_triangle_update_from_block(mesh_bvh, b, inside, &near, rays_vector, lane, &best);
+    }
+    real_set_lane(limits, lane, best.distance);
+    integer_set_lane(slots, lane, best.slot);
+}
+
+/* --- leaves ---------------------------------------------------------------------------------- */
+
+/** @return Whether a leaf is asked ray by ray, all its triangles at once, rather than triangle by
+ *  triangle, all rays at once: whichever is less work. @param lanes How many rays. */
+INLINE bool mesh_leaf_prefers_single(int lanes) {
+    /** Rays a block for which the two are about as quick (measured): blocks are not always full. */
+    const int break_even = 3 * LANES / 8;
+    return lanes <= break_even || LANES == 1;
+}
+
+/** Asks a leaf about rays. See #BvhIntersector.intersect_leaf. @param items The model. @param leaf
+ * The leaf.
+ *  @param rays The rays. @param[in,out] results A #MeshBvhHits. */
+static void mesh_leaf_intersect(const void *items, BvhLeaf leaf, const BvhLeafRays *rays,
+                                void *results) {
+    if (mesh_leaf_prefers_single(__builtin_popcount(rays->lane_bits))) {
+        for (unsigned left = rays->lane_bits; left; left &= left - 1) {
+            mesh_leaf_intersect_single(items, leaf, rays, __builtin_ctz(left), results);
+        }
+    } else {
+        mesh_leaf_intersect_packet(items, leaf, rays, results);
+    }
+}
+
+/** Asks a leaf about shadow rays: those that meet anything look no further. See
+ * #BvhIntersector.intersect_leaf.
+ *  @param items The model. @param leaf The leaf. @param rays The rays. @param[in,out] results A
+ *  #MeshBvhHits. */
+static void mesh_leaf_occluded(const void *items, BvhLeaf leaf, const BvhLeafRays *rays,
+                               void *results) {
+    mesh_leaf_intersect(items, leaf, rays, results);
+    real *limits = &rays->limits[rays->vector];
+    const real *ray_limits = &rays->packet->limit[rays->vector];
+    for (unsigned left = rays->lane_bits; left; left &= left - 1) {
+        int lane = __builtin_ctz(left);
+        if (real_at(limits, lane) < real_at(ray_limits, lane)) {
+            real_set_lane(limits, lane, -1);
+        }
+    }
+}
+
+/* --- all of it ------------------------------------------------------------------------------- */
+
+/** Begins what the rays of a packet have met. @param[out] hits Nothing yet. */
+static void mesh_bvh_hits_init(MeshBvhHits *hits) {
+    hits->planes.block_index = TRIANGLE_BLOCK_NONE;
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        hits->slots[v] = integer_of(-1);
+    }
+}
+
+void mesh_bvh_closest_hits(const MeshBvh *mesh_bvh, const Packet *packet, int shape_index,
+                           Hit *hits) {
+    const BvhIntersector intersector = {.items = mesh_bvh,
+                                        .blocks = mesh_bvh->blocks,
+                                        .block_bytes = sizeof *mesh_bvh->blocks,
+                                        .intersect_leaf = mesh_leaf_intersect};
+    real limits[PACKET_VECTORS];
+    MeshBvhHits results;
+    mesh_bvh_hits_init(&results);
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        limits[v] = hits[v].distance;
+    }
+    bvh_traverse(&mesh_bvh->bvh, packet, limits, &intersector, &results);
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        mask met = packet->active[v] & (results.slots[v] >= integer_of(0));
+        mask nearer = hit_is_nearer(&hits[v], met, limits[v], shape_index);
+        if (any(nearer)) {
+            Hit hit = hit_none(limits[v]);
+            hit.shape = integer_of(shape_index);
+            if (packet->wants_points) {
+                hit = mesh_bvh_hit(mesh_bvh, &packet->rays[v], limits[v], results.slots[v], nearer,
+                                   shape_index);
+            }
+            hit_update(&hits[v], nearer, &hit);
+            hits[v].primitive = integer_select(nearer, hit.primitive, hits[v].primitive);
+        }
+    }
+}
+
+void mesh_bvh_occluded(const MeshBvh *mesh_bvh, const Packet *packet, mask *occluded) {
+    const BvhIntersector intersector = {.items = mesh_bvh,
+                                        .blocks = mesh_bvh->blocks,
+                                        .block_bytes = sizeof *mesh_bvh->blocks,
+                                        .intersect_leaf = mesh_leaf_occluded};
+    real limits[PACKET_VECTORS];
+    MeshBvhHits results;
+    mesh_bvh_hits_init(&results);
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        limits[v] = real_select(occluded[v], real_of(-1), packet->limit[v]);
+    }
+    bvh_traverse(&mesh_bvh->bvh, packet, limits, &intersector, &results);
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        // A way may end before it begins: what is met says more than where it ends.
+        occluded[v] |= packet->active[v] & (results.slots[v] >= integer_of(0)) & (limits[v] < 0);
+    }
+}

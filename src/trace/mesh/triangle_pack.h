@@ -1,0 +1,94 @@
+/**
+ * @file
+ * @brief Triangles by their corners, a triangle in each lane.
+ *
+ * Whether a ray passes inside a triangle is decided watertight, as for every polygon (shear.h); how
+ * far away, by the plane through its corners, taken in the wide precision relative to the ray's
+ * origin: the differences of float corners are exact there.
+ *
+ * From far away the rounding of the first is larger than small triangles, and rays pass inside that
+ * the triangle's box is not on the way of; whether a tree asks about them would hang on its other
+ * boxes. So a triangle is met within its own box only: then no tree can make a difference.
+ */
+#ifndef DIOPTRE_TRACE_MESH_TRIANGLE_PACK_H
+#define DIOPTRE_TRACE_MESH_TRIANGLE_PACK_H
+
+#include "trace/bvh/slab.h"
+#include "trace/shapes/watertight.h"
+
+/** Three corners in each lane. */
+typedef struct TrianglePack {
+    Vec3 corners[3]; /**< The corners, in turn. */
+} TrianglePack;
+
+/** Finds how far beside the rays the corners lie. @param triangle Triangles. @param ray Rays.
+ *  @param axis The axis that they run mainly along. @param[out] sheared Three. */
+INLINE void triangle_pack_shear(const TrianglePack *triangle, const Ray *ray, int axis,
+                                ShearedVertex *sheared) {
+    RayShear shear = ray_shear_of(ray, axis);
+    for (int i = 0; i < 3; i++) {
+        sheared[i] = ray_shear_vertex(permute_axes(triangle->corners[i], axis), &shear);
+    }
+}
+
+/** @return The lanes whose ray passes inside its triangle or through an edge.
+ *  @param triangle Triangles. @param ray Rays. @param axis The axis that they run mainly along. */
+INLINE mask triangle_pack_contains_ray(const TrianglePack *triangle, const Ray *ray, int axis) {
+    ShearedVertex sheared[3];
+    triangle_pack_shear(triangle, ray, axis, sheared);
+    return edge_functions_contain_ray(sheared, 3);
+}
+
+/** @return Normals of the planes through triangles, of any length. @param triangle Triangles. */
+INLINE Vec3w triangle_pack_normal(const TrianglePack *triangle) {
+    Vec3w a = vec3_widen(triangle->corners[0]);
+    Vec3w u = vec3w_subtract(vec3_widen(triangle->corners[1]), a);
+    Vec3w v = vec3w_subtract(vec3_widen(triangle->corners[2]), a);
+    return vec3w_cross(u, v);
+}
+
+/** @return How far away rays cross planes. @param normal The planes' normals, of any length.
+ *  @param point A point of each. @param ray Rays. */
+INLINE real ray_plane_distance(Vec3w normal, Vec3w point, const Ray *ray) {
+    Vec3w to_anchor = vec3w_subtract(point, vec3_widen(ray->origin));
+    return narrow(vec3w_dot(normal, to_anchor) / vec3w_dot(normal, vec3_widen(ray->direction)));
+}
+
+/** Finds the extent of three corners along an axis, as #vertices_bounds does to the last bit.
+ *  @param a A corner. @param b Another. @param c The last. @param[out] low Its lower end.
+ *  @param[out] high Its higher end. */
+INLINE void triangle_pack_axis_bounds(real a, real b, real c, real *low, real *high) {
+    real lowest = real_min(a, real_min(b, c)), highest = real_max(a, real_max(b, c));
+    real slack = AABB_ROUNDINGS * AABB_ROUNDOFF * real_max(highest, -lowest);
+    *low = lowest - slack;
+    *high = highest + slack;
+}
+
+/** @return The boxes around triangles. @param triangle Triangles. */
+INLINE Aabb triangle_pack_bounds(const TrianglePack *triangle) {
+    const Vec3 *a = &triangle->corners[0], *b = &triangle->corners[1], *c = &triangle->corners[2];
+    Aabb boxes;
+    triangle_pack_axis_bounds(a->x, b->x, c->x, &boxes.planes[0], &boxes.planes[3]);
+    triangle_pack_axis_bounds(a->y, b->y, c->y, &boxes.planes[1], &boxes.planes[4]);
+    triangle_pack_axis_bounds(a->z, b->z, c->z, &boxes.planes[2], &boxes.planes[5]);
+    return boxes;
+}
+
+/** @return Unit normals of the planes through triangles. @param triangle Triangles. */
+INLINE Vec3 triangle_pack_unit_normal(const TrianglePack *triangle) {
+    Vec3w n = triangle_pack_normal(triangle);
+    wide scale = 1 / wide_sqrt(vec3w_dot(n, n));
+    return (Vec3){narrow(n.x * scale), narrow(n.y * scale), narrow(n.z * scale)};
+}
+
+/** @return The share of each corner in the places where rays meet triangles: the areas between the
+ *  ray and the sides opposite. @param triangle Triangles. @param ray Rays.
+ *  @param axis The axis that the rays run mainly along. */
+INLINE Vec3 triangle_pack_barycentrics(const TrianglePack *triangle, const Ray *ray, int axis) {
+    ShearedVertex sheared[3];
+    triangle_pack_shear(triangle, ray, axis, sheared);
+    return (Vec3){edge_function(sheared[1], sheared[2]), edge_function(sheared[2], sheared[0]),
+                  edge_function(sheared[0], sheared[1])};
+}
+
+#endif

@@ -1,0 +1,154 @@
+/**
+ * @file
+ * @brief The Mandelbulb: a bound of its distance by its potential.
+ */
+#include "trace/sdf/sdf_vm.h"
+
+/** LANES complex numbers. */
+typedef struct Complex {
+    real re; /**< Real part. */
+    real im; /**< Imaginary part. */
+} Complex;
+
+/** Where a number is nearer to 2 than to 1; any place near it would do. */
+#define SQRT_OF_2 ((scalar)1.4142135f)
+/** The natural logarithm of 2 in three pieces: their sum is right in every number type. */
+#define LN_OF_2                                                                                    \
+    ((scalar)0x1.62e42fefa39efp-1 + (scalar)0x1.abc9e3b39803fp-56 + (scalar)0x1.7b57a079a1934p-111)
+
+/** @return The highest binary digit of a number. @param n At least 1. */
+static inline int highest_bit(int n) {
+    int bit = 1;
+    while (bit <= n / 2) {
+        bit *= 2;
+    }
+    return bit;
+}
+
+/** @return a times b. @param a Numbers. @param b Others. */
+INLINE Complex complex_multiply(Complex a, Complex b) {
+    return (Complex){a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+}
+
+/** @return z^n, by the binary digits of n, highest first. @param z Numbers. @param n At least 1. */
+INLINE Complex complex_power(Complex z, int n) {
+    Complex power = z;
+    for (int bit = highest_bit(n) / 2; bit > 0; bit /= 2) {
+        power = complex_multiply(power, power);
+        power = n & bit ? complex_multiply(power, z) : power;
+    }
+    return power;
+}
+
+/** @return r^n, by the binary digits of n, highest first. @param r Numbers. @param n At least 1. */
+INLINE real real_integer_power(real r, int n) {
+    real power = r;
+    for (int bit = highest_bit(n) / 2; bit > 0; bit /= 2) {
+        power = power * power;
+        power = n & bit ? power * r : power;
+    }
+    return power;
+}
+
+/** Terms of the series for the logarithm that are enough. */
+enum { LN_SERIES_TERMS = REAL_BITS == 32 ? 5 : REAL_BITS == 64 ? 10 : 22 };
+
+/** @return The natural logarithms: powers of 2 are taken off until a number is near 1; there it is
+ *          2 (y + y^3/3 + y^5/5 + ...) of y = (x - 1) / (x + 1). @param x Numbers, 2^-64 to 2^127.
+ */
+INLINE real real_ln(real x) {
+    const real one = real_of(1), zero = real_of(0);
+    mask is_small = x < one;
+    real exponent = real_select(is_small, real_of(-64), zero);
+    x = real_select(is_small, x * (scalar)0x1p64f, x);
+    for (int bit = 64; bit > 0; bit /= 2) {
+        const scalar root = (scalar)(1ull << bit / 2), power = bit > 1 ? root * root : 2;
+        mask has = x >= real_of(power);
+        x = real_select(has, x * (1 / power), x);
+        exponent = real_select(has, exponent + (scalar)bit, exponent);
+    }
+    mask is_above = x > real_of(SQRT_OF_2);
+    x = real_select(is_above, x * (scalar)0.5f, x);
+    exponent = real_select(is_above, exponent + one, exponent);
+    real y = (x - one) / (x + one), square = y * y, sum = zero;
+    for (int k = LN_SERIES_TERMS; k >= 0; k--) {
+        sum = 1 / real_of((scalar)(2 * k + 1)) + square * sum;
+    }
+    return exponent * LN_OF_2 + 2 * (y * sum);
+}
+
+/** The orbit of LANES points. */
+typedef struct MandelbulbOrbit {
+    Vec3 z;          /**< Where they are. */
+    real radius;     /**< How far from zero. */
+    real derivative; /**< How much farther than the first points they would be apart. */
+    real potential;  /**< Of the surface, at their iterate. */
+} MandelbulbOrbit;
+
+/**
+ * @return z^n + c: the distance from zero to the n-th power, both angles times n. They come as
+ * powers of complex numbers, so that no sine is needed.
+ * @param z  Points.
+ * @param c  What is added.
+ * @param n  The power.
+ */
+INLINE Vec3 mandelbulb_iterate(Vec3 z, Vec3 c, int n) {
+    real across = real_sqrt(z.x * z.x + z.z * z.z);
+    Complex polar = complex_power((Complex){z.y, across}, n);
+    Complex azimuth = {real_divide_or_zero(z.z, across), real_divide_or_zero(z.x, across)};
+    azimuth.re = real_select(across > 0, azimuth.re, real_of(1));
+    azimuth = complex_power(azimuth, n);
+    return vec3_add((Vec3){polar.im * azimuth.im, polar.re, polar.im * azimuth.re}, c);
+}
+
+/** Goes on with orbits that are still near zero. @param[in,out] orbit The orbits. @param c Where
+ *  they began. @param n The power. @param iterating The lanes that go on. */
+INLINE void mandelbulb_orbit_step(MandelbulbOrbit *orbit, Vec3 c, int n, mask iterating) {
+    real factor = (scalar)n * real_integer_power(orbit->radius, n - 1);
+    Vec3 z = mandelbulb_iterate(orbit->z, c, n);
+    orbit->z = vec3_select(iterating, z, orbit->z);
+    orbit->radius = real_select(iterating, real_sqrt(vec3_dot(z, z)), orbit->radius);
+    orbit->derivative = real_select(iterating, factor * orbit->derivative + 1, orbit->derivative);
+    orbit->potential = real_select(iterating, orbit->potential * (scalar)n, orbit->potential);
+}
+
+/** @return The bound of the distance to a Mandelbulb. @param p Points. @param operands The step's.
+ *  @param active The lanes that count. */
+INLINE real mandelbulb_distance(Vec3 p, const scalar *operands, mask active) {
+    const int n = (int)operands[0], iterations = (int)operands[1];
+    const real escape = real_of(operands[4]);
+    real length = real_sqrt(vec3_dot(p, p));
+    MandelbulbOrbit orbit = {p, length, real_of(1), real_of(operands[5])};
+    mask iterating = active & (length < escape);
+    for (int i = 1; i < iterations && any(iterating); i++) {
+        mandelbulb_orbit_step(&orbit, p, n, iterating);
+        iterating = iterating & (orbit.radius < escape);
+    }
+    real radius = real_max(orbit.radius, real_of((scalar)0x1p-60f));
+    real above = real_ln(real_min(radius, real_of((scalar)0x1p100f))) - orbit.potential;
+    real estimate = operands[3] * above * radius / orbit.derivative;
+    return real_max(estimate, length - operands[2]);
+}
+
+/** Step of the differences that stand for the derivatives of a Mandelbulb: it has edges of every
+ *  size, and smaller ones than this are smoothed in its shading. */
+#define MANDELBULB_GRADIENT_STEP ((scalar)0x1p-11f)
+
+/** @return Half the difference of the distances a step away, both ways. @param vm Where.
+ *  @param step The step. @param operands The step's of the tape. */
+INLINE real mandelbulb_central_difference(const SdfVm *vm, Vec3 step, const scalar *operands) {
+    return mandelbulb_distance(vec3_add(vm->point, step), operands, vm->active) -
+           mandelbulb_distance(vec3_subtract(vm->point, step), operands, vm->active);
+}
+
+void sdf_op_mandelbulb(SdfVm *vm, const SdfInstruction *instruction) {
+    const scalar *operands = instruction->operands;
+    vm->sample.distance = mandelbulb_distance(vm->point, operands, vm->active);
+    if (vm->wants_gradient) {
+        const real h = real_of(MANDELBULB_GRADIENT_STEP), zero = real_of(0);
+        Vec3 difference = {mandelbulb_central_difference(vm, (Vec3){h, zero, zero}, operands),
+                           mandelbulb_central_difference(vm, (Vec3){zero, h, zero}, operands),
+                           mandelbulb_central_difference(vm, (Vec3){zero, zero, h}, operands)};
+        vm->sample.gradient = vec3_scale(difference, 1 / (2 * h));
+    }
+}

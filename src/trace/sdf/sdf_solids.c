@@ -1,0 +1,140 @@
+/**
+ * @file
+ * @brief Distances of solids, by the formulas of Inigo Quilez (*Distance functions*); the
+ * derivatives follow from them.
+ */
+#include "trace/sdf/sdf_vm.h"
+
+void sdf_op_sphere(SdfVm *vm, const SdfInstruction *instruction) {
+    real length = real_sqrt(vec3_dot(vm->point, vm->point));
+    vm->sample.distance = length - instruction->operands[0];
+    if (vm->wants_gradient) {
+        vm->sample.gradient = vec3_scale(vm->point, real_divide_or_zero(real_of(1), length));
+    }
+}
+
+/** @return Which way the largest component lies: 1 along the first axis that has it.
+ *  @param v Vectors. @param largest Their largest component. */
+INLINE Vec3 unit_axis_of_largest(Vec3 v, real largest) {
+    const real zero = real_of(0), one = real_of(1);
+    mask is_x = v.x >= largest, is_y = mask_not(is_x) & (v.y >= largest);
+    return (Vec3){real_select(is_x, one, zero), real_select(is_y, one, zero),
+                  real_select(is_x | is_y, zero, one)};
+}
+
+/**
+ * @return How far points are from the corner at zero of a box that fills all that is negative.
+ * @param v        The points.
+ * @param wants_gradient  Whether the gradient is wanted.
+ */
+INLINE SdfSample sdf_octant_sample(Vec3 v, bool wants_gradient) {
+    const real zero = real_of(0);
+    Vec3 out = {real_max(v.x, zero), real_max(v.y, zero), real_max(v.z, zero)};
+    real length = real_sqrt(vec3_dot(out, out));
+    real largest = real_max(v.x, real_max(v.y, v.z));
+    SdfSample sample = {.distance = length + real_min(largest, zero)};
+    if (wants_gradient) {
+        sample.gradient =
+            vec3_select(length > 0, vec3_scale(out, real_divide_or_zero(real_of(1), length)),
+                        unit_axis_of_largest(v, largest));
+    }
+    return sample;
+}
+
+/** @return The sample of a box around zero. @param p Points. @param half Half its edges.
+ *  @param wants_gradient Whether the gradient is wanted. */
+INLINE SdfSample sdf_box_sample(Vec3 p, Vec3 half, bool wants_gradient) {
+    SdfSample sample = sdf_octant_sample(vec3_subtract(vec3_abs(p), half), wants_gradient);
+    if (wants_gradient) {
+        sample.gradient = vec3_multiply(sample.gradient, vec3_signs(p));
+    }
+    return sample;
+}
+
+void sdf_op_box(SdfVm *vm, const SdfInstruction *instruction) {
+    vm->sample =
+        sdf_box_sample(vm->point, vec3_from_scalars(instruction->operands), vm->wants_gradient);
+}
+
+void sdf_op_box_frame(SdfVm *vm, const SdfInstruction *instruction) {
+    real half_thickness = real_of(instruction->operands[3]);
+    Vec3 thick = {half_thickness, half_thickness, half_thickness};
+    Vec3 p = vec3_subtract(vec3_abs(vm->point), vec3_from_scalars(instruction->operands));
+    Vec3 middle = vec3_add(p, thick), q = vec3_subtract(vec3_abs(middle), thick);
+    Vec3 signs = vec3_signs(middle);
+    SdfSample bars[3] = {sdf_octant_sample((Vec3){p.x, q.y, q.z}, vm->wants_gradient),
+                         sdf_octant_sample((Vec3){q.x, p.y, q.z}, vm->wants_gradient),
+                         sdf_octant_sample((Vec3){q.x, q.y, p.z}, vm->wants_gradient)};
+    if (vm->wants_gradient) {
+        // Across a bar the distance was folded at its middle.
+        const real one = real_of(1);
+        Vec3 bar_signs[3] = {
+            {one, signs.y, signs.z}, {signs.x, one, signs.z}, {signs.x, signs.y, one}};
+        for (int i = 0; i < 3; i++) {
+            bars[i].gradient = vec3_multiply(bars[i].gradient, bar_signs[i]);
+        }
+    }
+    vm->sample = sdf_sample_nearer(sdf_sample_nearer(bars[0], bars[1], vm->wants_gradient), bars[2],
+                                   vm->wants_gradient);
+    if (vm->wants_gradient) {
+        vm->sample.gradient = vec3_multiply(vm->sample.gradient, vec3_signs(vm->point));
+    }
+}
+
+void sdf_op_torus(SdfVm *vm, const SdfInstruction *instruction) {
+    Vec3 p = vm->point;
+    real axis = real_sqrt(p.x * p.x + p.z * p.z), across = axis - instruction->operands[0];
+    real length = real_sqrt(across * across + p.y * p.y);
+    vm->sample.distance = length - instruction->operands[1];
+    if (vm->wants_gradient) {
+        real radial = real_divide_or_zero(real_divide_or_zero(across, length), axis);
+        vm->sample.gradient = (Vec3){p.x * radial, real_divide_or_zero(p.y, length), p.z * radial};
+    }
+}
+
+/**
+ * @return How deep points are within the holes of one size along one axis: between the two sides of
+ *         a hole positive.
+ * @param x            Coordinates, in half edges of the sponge.
+ * @param per_cell     How many cells are as wide as the sponge.
+ * @param[out] slope   1 or -1: how that changes with the coordinate.
+ */
+INLINE real menger_hole_depth(real x, scalar per_cell, real *slope) {
+    real cells = x * per_cell, cell = 2 * real_floor((scalar)0.5f * cells + (scalar)0.5f);
+    real in_cell = cells - cell, folded = 3 * real_abs(in_cell) - 2;
+    *slope = real_sign(folded) * real_sign(in_cell);
+    return (real_abs(folded) - 1) / real_of(3 * per_cell);
+}
+
+/** @return What the holes of one size cut out: square, along all three axes; positive inside them.
+ *  @param p Points, in half edges of the sponge. @param per_cell Cells as wide as the sponge. */
+INLINE SdfSample menger_holes_sample(Vec3 p, scalar per_cell) {
+    Vec3 slope, depth = {menger_hole_depth(p.x, per_cell, &slope.x),
+                         menger_hole_depth(p.y, per_cell, &slope.y),
+                         menger_hole_depth(p.z, per_cell, &slope.z)};
+    // A point is in a hole along some axis if it is between the sides along the two others: the
+    // middle one of three numbers decides.
+    real low = real_min(depth.x, depth.y), high = real_max(depth.x, depth.y);
+    real middle = real_max(low, real_min(high, depth.z));
+    Vec3 to_middle = {-real_abs(depth.x - middle), -real_abs(depth.y - middle),
+                      -real_abs(depth.z - middle)};
+    return (SdfSample){middle, vec3_multiply(unit_axis_of_largest(to_middle, real_of(0)), slope)};
+}
+
+void sdf_op_menger(SdfVm *vm, const SdfInstruction *instruction) {
+    const real one = real_of(1), half = real_of(instruction->operands[0]);
+    Vec3 p = vec3_scale(vm->point, one / half);
+    SdfSample sponge = sdf_box_sample(p, (Vec3){one, one, one}, vm->wants_gradient);
+    scalar per_cell = 1;
+    for (int i = 0; i < (int)instruction->operands[1]; i++) {
+        SdfSample holes = menger_holes_sample(p, per_cell);
+        mask is_cut = holes.distance > sponge.distance;
+        sponge.distance = real_select(is_cut, holes.distance, sponge.distance);
+        if (vm->wants_gradient) {
+            sponge.gradient = vec3_select(is_cut, holes.gradient, sponge.gradient);
+        }
+        per_cell *= 3;
+    }
+    vm->sample = sponge;
+    vm->sample.distance = sponge.distance * half;
+}

@@ -1,0 +1,297 @@
+/**
+ * @file
+ * @brief What the steps of distance fields do.
+ *
+ * A lane's answer never depends on the other lanes: what a step leaves out for want of a lane that
+ * needs it changes no lane.
+ */
+#include "trace/sdf/sdf_vm.h"
+
+/** Runs steps one after the other. @param vm What they work on. @param program The steps.
+ *  @param count How many. */
+static void sdf_vm_run(SdfVm *vm, const SdfInstruction *program, int count) {
+    for (const SdfInstruction *instruction = program; instruction < program + count;
+         instruction += 1 + instruction->body_count) {
+        instruction->execute(vm, instruction);
+    }
+}
+
+/* --- operations on one field ------------------------------------------------------------------ */
+
+/** Moves the surface outwards. See #SdfInstruction.execute. @param vm See there. @param instruction
+ * See there. */
+static void sdf_op_round(SdfVm *vm, const SdfInstruction *instruction) {
+    vm->sample.distance = vm->sample.distance - instruction->operands[0];
+}
+
+/** @return Three rows of a matrix with a vector. @param rows The matrix. @param v Vectors. */
+INLINE Vec3 matrix_rows_apply(const scalar *rows, Vec3 v) {
+    return (Vec3){rows[0] * v.x + rows[1] * v.y + rows[2] * v.z,
+                  rows[3] * v.x + rows[4] * v.y + rows[5] * v.z,
+                  rows[6] * v.x + rows[7] * v.y + rows[8] * v.z};
+}
+
+/** @return The same with its columns. @param rows The matrix. @param v Vectors. */
+INLINE Vec3 matrix_columns_apply(const scalar *rows, Vec3 v) {
+    return (Vec3){rows[0] * v.x + rows[3] * v.y + rows[6] * v.z,
+                  rows[1] * v.x + rows[4] * v.y + rows[7] * v.z,
+                  rows[2] * v.x + rows[5] * v.y + rows[8] * v.z};
+}
+
+/** Scales, turns and moves: the point goes the other way. See #SdfInstruction.execute. @param vm
+ * See there.
+ *  @param instruction See there. */
+static void sdf_op_transform(SdfVm *vm, const SdfInstruction *instruction) {
+    const Vec3 outer_point = vm->point;
+    const scalar *n = instruction->operands;
+    vm->point = matrix_rows_apply(n, vec3_subtract(outer_point, vec3_from_scalars(n + 9)));
+    sdf_vm_run(vm, instruction + 1, instruction->body_count);
+    vm->point = outer_point;
+    vm->sample.distance = vm->sample.distance * n[12];
+    if (vm->wants_gradient) {
+        vm->sample.gradient =
+            vec3_scale(matrix_columns_apply(n, vm->sample.gradient), real_of(n[12]));
+    }
+}
+
+/**
+ * @return How far points are beside a box, along the axis where it is most; negative inside.
+ * @param corners  The box: three lowest coordinates, three highest.
+ * @param p        Points.
+ */
+INLINE real box_chebyshev_distance(const scalar *corners, Vec3 p) {
+    real x = real_max(corners[0] - p.x, p.x - corners[3]);
+    real y = real_max(corners[1] - p.y, p.y - corners[4]);
+    real z = real_max(corners[2] - p.z, p.z - corners[5]);
+    return real_max(x, real_max(y, z));
+}
+
+/** @return Distances that are at least those to the field's box: both are bounds of it.
+ *  @param distance Distances. @param box_distance What box_chebyshev_distance() says. */
+INLINE real max_with_box_distance(real distance, real box_distance) {
+    return real_select(box_distance > 0, real_max(distance, box_distance), distance);
+}
+
+/** The cells of a repeated field around LANES points, along one axis. */
+typedef struct RepeatCells {
+    real cell;          /**< Number of the cell that each is in. */
+    real neighbor_step; /**< 1 or -1: on which side of its middle. */
+    real period;        /**< From one to the next; 0: there is one only. */
+    real limit;         /**< Number of the last one. */
+    int count;          /**< How many are to be asked. */
+} RepeatCells;
+
+/** @return The cells around points. @param x Coordinates. @param operands Those of the step for
+ *  this axis: every third. */
+INLINE RepeatCells repeat_cells_of(real x, const scalar *operands) {
+    real half = real_of(operands[3]), limit = real_of(operands[6]);
+    if (!(operands[0] > 0)) {
+        return (RepeatCells){real_of(0), real_of(1), real_of(0), real_of(0), 1};
+    }
+    real own = real_floor(x / real_of(operands[0]) + ((scalar)0.5f - half)) + half;
+    own = real_max(-limit, real_min(own, limit));
+    return (RepeatCells){own, real_sign(x - own * operands[0]), real_of(operands[0]), limit,
+                         1 + (int)operands[9]};
+}
+
+/** @return Coordinates as seen from a cell. @param cells The cells. @param x Coordinates.
+ *  @param which 0: the own one, 1: the nearer neighbour, 2: the farther. */
+INLINE real repeat_cells_local_coordinate(const RepeatCells *cells, real x, int which) {
+    const scalar steps[3] = {0, 1, -1};
+    real number = cells->cell + cells->neighbor_step * steps[which];
+    number = real_max(-cells->limit, real_min(number, cells->limit));
+    return x - number * cells->period;
+}
+
+/**
+ * Takes a copy of a repeated field into account, if it can be nearer than those so far.
+ * @param vm        The machine, at the copy's own point.
+ * @param instruction     The step.
+ * @param nearest  The nearest so far.
+ */
+INLINE void sdf_vm_run_copy(SdfVm *vm, const SdfInstruction *instruction, SdfSample *nearest) {
+    const mask all = vm->active;
+    real box_distance = box_chebyshev_distance(instruction->operands + 12, vm->point);
+    vm->active = all & mask_not((box_distance > 0) & (box_distance >= nearest->distance));
+    if (any(vm->active)) {
+        sdf_vm_run(vm, instruction + 1, instruction->body_count);
+        real distance = max_with_box_distance(vm->sample.distance, box_distance);
+        mask is_nearer = vm->active & (distance < nearest->distance);
+        nearest->distance = real_select(is_nearer, distance, nearest->distance);
+        if (vm->wants_gradient) {
+            nearest->gradient = vec3_select(is_nearer, vm->sample.gradient, nearest->gradient);
+        }
+    }
+    vm->active = all;
+}
+
+/** Repeats a field: the nearest of the copies in the cells around. See #SdfInstruction.execute.
+ * @param vm See there. @param instruction See there. */
+static void sdf_op_repeat(SdfVm *vm, const SdfInstruction *instruction) {
+    const Vec3 p = vm->point;
+    const real none = real_of(0);
+    RepeatCells x = repeat_cells_of(p.x, instruction->operands),
+                y = repeat_cells_of(p.y, instruction->operands + 1),
+                z = repeat_cells_of(p.z, instruction->operands + 2);
+    SdfSample nearest = {real_of(INFINITE), {none, none, none}};
+    for (int i = 0; i < x.count * y.count * z.count; i++) {
+        vm->point = (Vec3){repeat_cells_local_coordinate(&x, p.x, i % x.count),
+                           repeat_cells_local_coordinate(&y, p.y, i / x.count % y.count),
+                           repeat_cells_local_coordinate(&z, p.z, i / x.count / y.count)};
+        sdf_vm_run_copy(vm, instruction, &nearest);
+    }
+    vm->point = p;
+    vm->sample = nearest;
+}
+
+/* --- operations on two fields ----------------------------------------------------------------- */
+
+/**
+ * Runs a body only where it can change something.
+ * @param vm        The machine.
+ * @param instruction     The step.
+ * @param[in,out] needed  Lanes where it may; afterwards those that count.
+ * @param box_distance   How far the points are beside its box.
+ * @param[out] body  What it says.
+ * @return Whether it was run.
+ */
+INLINE bool sdf_vm_run_body(SdfVm *vm, const SdfInstruction *instruction, mask *needed,
+                            real box_distance, SdfSample *body) {
+    const mask all = vm->active;
+    *needed = *needed & all;
+    if (!any(*needed)) {
+        return false;
+    }
+    vm->active = *needed;
+    sdf_vm_run(vm, instruction + 1, instruction->body_count);
+    vm->active = all;
+    *body = vm->sample;
+    body->distance = max_with_box_distance(body->distance, box_distance);
+    return true;
+}
+
+/** The nearer of two fields. See #SdfInstruction.execute. @param vm See there. @param instruction
+ * See there. */
+static void sdf_op_union(SdfVm *vm, const SdfInstruction *instruction) {
+    SdfSample first = vm->sample, second;
+    real box_distance = box_chebyshev_distance(instruction->operands, vm->point);
+    mask needed = mask_not((box_distance > 0) & (box_distance >= first.distance));
+    if (sdf_vm_run_body(vm, instruction, &needed, box_distance, &second)) {
+        second.distance = real_select(needed, second.distance, first.distance);
+        second = sdf_sample_nearer(first, second, vm->wants_gradient);
+    } else {
+        second = first;
+    }
+    vm->sample = second;
+}
+
+/** The nearer of two fields, whose seam is filled. See #SdfInstruction.execute. @param vm See
+ * there.
+ *  @param instruction See there. */
+static void sdf_op_smooth_union(SdfVm *vm, const SdfInstruction *instruction) {
+    SdfSample first = vm->sample, second;
+    const real radius = real_of(instruction->operands[6]), zero = real_of(0);
+    real box_distance = box_chebyshev_distance(instruction->operands, vm->point);
+    mask needed = mask_not((box_distance > 0) & (box_distance >= first.distance + radius));
+    if (!sdf_vm_run_body(vm, instruction, &needed, box_distance, &second)) {
+        vm->sample = first;
+        return;
+    }
+    real gap = real_abs(first.distance - second.distance);
+    real blend = real_max(radius - gap, zero) / radius;
+    SdfSample blended = sdf_sample_nearer(first, second, vm->wants_gradient);
+    blended.distance = blended.distance - blend * blend * radius * (scalar)0.25f;
+    if (vm->wants_gradient) {
+        // The farther one has half the share.
+        mask is_second = second.distance < first.distance;
+        Vec3 far = vec3_select(is_second, first.gradient, second.gradient);
+        Vec3 near = vec3_scale(blended.gradient, 1 - (scalar)0.5f * blend);
+        blended.gradient = vec3_add(near, vec3_scale(far, (scalar)0.5f * blend));
+    }
+    vm->sample.distance = real_select(needed, blended.distance, first.distance);
+    if (vm->wants_gradient) {
+        vm->sample.gradient = vec3_select(needed, blended.gradient, first.gradient);
+    }
+}
+
+/** @return The farther of two samples. @param a A sample. @param b Another. @param wants_gradient
+ * Whether gradients are wanted. */
+INLINE SdfSample sdf_sample_farther(SdfSample a, SdfSample b, bool wants_gradient) {
+    SdfSample farther = {.distance = real_max(b.distance, a.distance)};
+    if (wants_gradient) {
+        farther.gradient = vec3_select(b.distance > a.distance, b.gradient, a.gradient);
+    }
+    return farther;
+}
+
+/** What is in both of two fields. See #SdfInstruction.execute. @param vm See there. @param
+ * instruction See there. */
+static void sdf_op_intersection(SdfVm *vm, const SdfInstruction *instruction) {
+    SdfSample first = vm->sample;
+    sdf_vm_run(vm, instruction + 1, instruction->body_count);
+    vm->sample = sdf_sample_farther(first, vm->sample, vm->wants_gradient);
+}
+
+/** What is in one field and not in the other. See #SdfInstruction.execute. @param vm See there.
+ *  @param instruction See there. */
+static void sdf_op_difference(SdfVm *vm, const SdfInstruction *instruction) {
+    SdfSample first = vm->sample, second;
+    real box_distance = box_chebyshev_distance(instruction->operands, vm->point);
+    mask needed = mask_not((box_distance > 0) & (first.distance >= -box_distance));
+    if (sdf_vm_run_body(vm, instruction, &needed, box_distance, &second)) {
+        second.distance = real_select(needed, -second.distance, first.distance);
+        second.gradient =
+            vm->wants_gradient ? vec3_scale(second.gradient, real_of(-1)) : first.gradient;
+        first = sdf_sample_farther(first, second, vm->wants_gradient);
+    }
+    vm->sample = first;
+}
+
+/* --- tapes ------------------------------------------------------------------------------------ */
+
+void sdf_compile(SdfInstruction *program, const Sdf *sdf) {
+    static void (*const handlers[])(SdfVm *, const SdfInstruction *) = {
+        [SDF_SPHERE] = sdf_op_sphere,
+        [SDF_BOX] = sdf_op_box,
+        [SDF_BOX_FRAME] = sdf_op_box_frame,
+        [SDF_TORUS] = sdf_op_torus,
+        [SDF_MENGER] = sdf_op_menger,
+        [SDF_MANDELBULB] = sdf_op_mandelbulb,
+        [SDF_ROUND] = sdf_op_round,
+        [SDF_TRANSFORM] = sdf_op_transform,
+        [SDF_REPEAT] = sdf_op_repeat,
+        [SDF_UNION] = sdf_op_union,
+        [SDF_SMOOTH_UNION] = sdf_op_smooth_union,
+        [SDF_INTERSECTION] = sdf_op_intersection,
+        [SDF_DIFFERENCE] = sdf_op_difference};
+    for (int i = 0; i < sdf->node_count; i++) {
+        const SdfNode *node = &sdf->nodes[i];
+        program[i].execute = handlers[node->op];
+        program[i].body_count = node->body_count;
+        for (int n = 0; n < SDF_OPERANDS; n++) {
+            program[i].operands[n] = (scalar)node->operands[n];
+        }
+    }
+}
+
+/** @return What a tape says of points. @param program The tape. @param count How many steps.
+ *  @param point The points. @param active The lanes that count. @param wants_gradient Whether
+ * gradients are wanted. */
+static SdfSample sdf_evaluate(const SdfInstruction *program, int count, Vec3 point, mask active,
+                              bool wants_gradient) {
+    const real zero = real_of(0);
+    SdfVm vm = {.point = point,
+                .sample = {zero, {zero, zero, zero}},
+                .active = active,
+                .wants_gradient = wants_gradient};
+    sdf_vm_run(&vm, program, count);
+    return vm.sample;
+}
+
+real sdf_distance(const SdfInstruction *program, int count, Vec3 point, mask active) {
+    return sdf_evaluate(program, count, point, active, false).distance;
+}
+
+SdfSample sdf_sample(const SdfInstruction *program, int count, Vec3 point, mask active) {
+    return sdf_evaluate(program, count, point, active, true);
+}

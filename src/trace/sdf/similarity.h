@@ -1,0 +1,98 @@
+/**
+ * @file
+ * @brief Where a field stands: points and rays are taken to it once, not at every step.
+ */
+#ifndef DIOPTRE_TRACE_SDF_SIMILARITY_H
+#define DIOPTRE_TRACE_SDF_SIMILARITY_H
+
+#include "dioptre/sdf.h"
+#include "trace/math/vec3.h"
+
+/** How a field is scaled, turned and moved. */
+typedef struct Similarity {
+    bool is_present;    /**< Whether it is at all. */
+    Vec3sw rows[3];     /**< From outside: the rotation the other way, divided by the scale. */
+    Vec3sw translation; /**< Where its zero stands. */
+    wide_scalar scale;  /**< How many times as large it is. */
+} Similarity;
+
+/** @return That of a field as it is. */
+static inline Similarity similarity_identity(void) {
+    return (Similarity){false, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}, 1};
+}
+
+/** @return A vector as the field sees it. @param similarity The placing. @param v Any vector. */
+static inline Vec3sw similarity_direction_to_local_s(const Similarity *similarity, Vec3sw v) {
+    return (Vec3sw){vec3sw_dot(similarity->rows[0], v), vec3sw_dot(similarity->rows[1], v),
+                    vec3sw_dot(similarity->rows[2], v)};
+}
+
+/** @return A vector of the field as it is outside: the inverse is the transpose times the square of
+ *          the scale. @param similarity The placing. @param v Any vector. */
+static inline Vec3sw similarity_direction_to_world_s(const Similarity *similarity, Vec3sw v) {
+    Vec3sw sum = {0, 0, 0}, zero = {0, 0, 0};
+    const wide_scalar factors[3] = {v.x, v.y, v.z};
+    for (int i = 0; i < 3; i++) {
+        Vec3sw part =
+            vec3sw_scale(similarity->rows[i], factors[i] * similarity->scale * similarity->scale);
+        sum = vec3sw_subtract(sum, vec3sw_subtract(zero, part));
+    }
+    return sum;
+}
+
+/** Puts what is placed into what a #SDF_TRANSFORM step says. @param[in,out] similarity The outer
+ * one; then both. @param numbers Those of the step, which stands inside. */
+static inline void similarity_append(Similarity *similarity, const double *numbers) {
+    // N2 (N1 (p - m1) - m2) = N2 N1 (p - (m1 + N1^-1 m2))
+    const Vec3sw zero = {0, 0, 0};
+    Vec3sw rows[3], translation = vec3sw_of((Vec3d){numbers[9], numbers[10], numbers[11]});
+    Vec3sw local_translation = similarity_direction_to_world_s(similarity, translation);
+    for (int i = 0; i < 3; i++) {
+        const wide_scalar row[3] = {(wide_scalar)numbers[3 * i], (wide_scalar)numbers[3 * i + 1],
+                                    (wide_scalar)numbers[3 * i + 2]};
+        rows[i] = zero;
+        for (int k = 0; k < 3; k++) {
+            Vec3sw part = vec3sw_scale(similarity->rows[k], -row[k]);
+            rows[i] = vec3sw_subtract(rows[i], part);
+        }
+    }
+    similarity->is_present = true;
+    similarity->translation =
+        vec3sw_subtract(similarity->translation, vec3sw_subtract(zero, local_translation));
+    similarity->scale *= (wide_scalar)numbers[12];
+    for (int i = 0; i < 3; i++) {
+        similarity->rows[i] = rows[i];
+    }
+}
+
+/** @return Directions as the field sees them, over its scale. @param similarity The placing.
+ *  @param v Directions. */
+INLINE Vec3w similarity_direction_to_local(const Similarity *similarity, Vec3w v) {
+    return (Vec3w){vec3w_dot(vec3w_splat(similarity->rows[0]), v),
+                   vec3w_dot(vec3w_splat(similarity->rows[1]), v),
+                   vec3w_dot(vec3w_splat(similarity->rows[2]), v)};
+}
+
+/** @return Points as the field sees them. @param similarity The placing. @param v Points. */
+INLINE Vec3w similarity_point_to_local(const Similarity *similarity, Vec3w v) {
+    return similarity_direction_to_local(similarity,
+                                         vec3w_subtract(v, vec3w_splat(similarity->translation)));
+}
+
+/** @return Directions of the field, as long, outside. @param similarity The placing. @param v
+ * Directions. */
+INLINE Vec3w similarity_direction_to_world(const Similarity *similarity, Vec3w v) {
+    const wide scale = wide_of(similarity->scale);
+    Vec3w sum = vec3w_scale(vec3w_splat(similarity->rows[0]), v.x * scale);
+    sum = vec3w_add_scaled(sum, vec3w_splat(similarity->rows[1]), v.y * scale);
+    return vec3w_add_scaled(sum, vec3w_splat(similarity->rows[2]), v.z * scale);
+}
+
+/** @return Points of the field, outside. @param similarity The placing. @param v Points. */
+INLINE Vec3w similarity_point_to_world(const Similarity *similarity, Vec3w v) {
+    Vec3w turned = similarity_direction_to_world(similarity, v);
+    return vec3w_add_scaled(vec3w_splat(similarity->translation), turned,
+                            wide_of(similarity->scale));
+}
+
+#endif

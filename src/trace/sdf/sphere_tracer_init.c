@@ -1,0 +1,144 @@
+/**
+ * @file
+ * @brief Marching: how a field is made ready for rays. What it is placed by, and how it is
+ *        repeated, is taken off its tape: a ray is brought to the tape once, and not at each step.
+ */
+#include "trace/sdf/sphere_tracer.h"
+
+/** A tape that is taken apart from its beginning. */
+typedef struct TransformHoist {
+    const Sdf *sdf; /**< The field. */
+    int first_node; /**< The first step that is left. */
+    Vec3d low;      /**< Lowest corner of a box around the solid of what is left. */
+    Vec3d high;     /**< Highest corner. */
+} TransformHoist;
+
+/** @return The first step that is left, if it is of a kind and all others are its body; else NULL.
+ *  @param hoist What is left. @param op The kind. */
+static const SdfNode *transform_hoist_match(const TransformHoist *hoist, SdfOp op) {
+    const SdfNode *node = &hoist->sdf->nodes[hoist->first_node];
+    bool is_whole =
+        node->op == op && node->body_count == hoist->sdf->node_count - hoist->first_node - 1;
+    return is_whole ? node : NULL;
+}
+
+/** Goes on to the body of a step. @param[in,out] hoist What is left. @param box Six numbers of
+ *  the step: the box of its body. */
+static void transform_hoist_enter_body(TransformHoist *hoist, const double *box) {
+    hoist->first_node++;
+    hoist->low = (Vec3d){box[0], box[1], box[2]};
+    hoist->high = (Vec3d){box[3], box[4], box[5]};
+}
+
+/** @return Where what is left stands; it is taken off. @param[in,out] hoist What is left. */
+static Similarity transform_hoist_similarity(TransformHoist *hoist) {
+    Similarity similarity = similarity_identity();
+    const SdfNode *node;
+    while ((node = transform_hoist_match(hoist, SDF_TRANSFORM))) {
+        similarity_append(&similarity, node->operands);
+        transform_hoist_enter_body(hoist, node->operands + 13);
+    }
+    return similarity;
+}
+
+/** @return Whether copies stay within their cells. @param numbers Those of a #SDF_REPEAT step. */
+static bool repeat_copies_fit_cells(const double *numbers) {
+    bool stays = true;
+    for (int axis = 0; axis < 3; axis++) {
+        double half = 0.5 * numbers[axis],
+               magnitude = fmax(-numbers[12 + axis], numbers[15 + axis]);
+        stays = stays && (numbers[axis] == 0 || magnitude <= half);
+    }
+    return stays;
+}
+
+/** @return How what is left is repeated; it is taken off where copies stay within their cells.
+ *  @param[in,out] hoist What is left. */
+static RepeatGrid transform_hoist_grid(TransformHoist *hoist) {
+    RepeatGrid grid = {.is_repeated = false};
+    const SdfNode *node = transform_hoist_match(hoist, SDF_REPEAT);
+    if (!node || !repeat_copies_fit_cells(node->operands)) {
+        return grid;
+    }
+    grid.is_repeated = true;
+    for (int axis = 0; axis < 3; axis++) {
+        grid.period[axis] = (scalar)node->operands[axis];
+        grid.half[axis] = (scalar)node->operands[3 + axis];
+        grid.limit[axis] = (scalar)node->operands[6 + axis];
+    }
+    transform_hoist_enter_body(hoist, node->operands + 12);
+    return grid;
+}
+
+/** Puts a ball around the copies of a lattice. @param[in,out] grid The lattice. @param inner
+ *  Where copies stand. @param low Lowest corner of the copy's box. @param high Highest. */
+static void repeat_grid_compute_sphere(RepeatGrid *grid, const Similarity *inner, Vec3d low,
+                                       Vec3d high) {
+    Vec3d half = vec3d_scale(vec3d_subtract(high, low), 0.5);
+    double radius = vec3d_length(half) * (double)inner->scale;
+    grid->radius = INFINITE;
+    if (radius < HUGE_VAL) {
+        Vec3sw middle = vec3sw_of(vec3d_add(low, half)), zero = {0, 0, 0};
+        Vec3sw local_center = vec3sw_subtract(zero, similarity_direction_to_world_s(inner, middle));
+        grid->center = vec3s_narrow(vec3sw_subtract(inner->translation, local_center));
+        grid->radius = (scalar)radius;
+    }
+}
+
+/** @return The largest coordinate of a box that ends. @param box The box. */
+static scalar aabbs_magnitude(const Aabbs *box) {
+    scalar magnitude = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        magnitude =
+            box->high[axis] < INFINITE && box->high[axis] > magnitude ? box->high[axis] : magnitude;
+        magnitude =
+            -box->low[axis] < INFINITE && -box->low[axis] > magnitude ? -box->low[axis] : magnitude;
+    }
+    return magnitude;
+}
+
+/** @return A box moved out on all sides. @param box The box. @param by How far. */
+static Aabbs aabbs_expanded(Aabbs box, scalar by) {
+    for (int axis = 0; axis < 3; axis++) {
+        box.low[axis] -= by;
+        box.high[axis] += by;
+    }
+    return box;
+}
+
+/** @return A box for each lane. @param box The box. */
+static Aabb aabb_splat(Aabbs box) {
+    Aabb block;
+    for (int axis = 0; axis < 3; axis++) {
+        block.planes[axis] = real_of(box.low[axis]);
+        block.planes[axis + 3] = real_of(box.high[axis]);
+    }
+    return block;
+}
+
+void sphere_tracer_init(SphereTracer *tracer, const Sdf *sdf, Aabbs *bounds) {
+    TransformHoist hoist = {sdf, 0, sdf->low, sdf->high};
+    *bounds = aabbs_from_corners(sdf->low, sdf->high);
+    scalar roundings = SDF_ERROR * ROUNDOFF * aabbs_magnitude(bounds);
+    tracer->tolerance = tracer->tolerance > roundings ? tracer->tolerance : roundings;
+    // So much larger than the field's that where a ray enters a box is outside.
+    scalar margin = SDF_ERROR_TOLERANCES * (scalar)sdf->bound_slack * tracer->tolerance;
+    *bounds = aabbs_expanded(*bounds, margin);
+    tracer->outer = transform_hoist_similarity(&hoist);
+    scalar scale = (scalar)tracer->outer.scale;
+    Aabbs all = aabbs_from_corners(hoist.low, hoist.high);
+    tracer->grid_box = aabb_splat(aabbs_expanded(all, margin / scale));
+    tracer->grid = transform_hoist_grid(&hoist);
+    tracer->inner = similarity_identity();
+    if (tracer->grid.is_repeated) {
+        tracer->inner = transform_hoist_similarity(&hoist);
+        repeat_grid_compute_sphere(&tracer->grid, &tracer->inner, hoist.low, hoist.high);
+    }
+    tracer->scale = scale * (scalar)tracer->inner.scale;
+    Aabbs one = aabbs_from_corners(hoist.low, hoist.high);
+    tracer->box = aabb_splat(aabbs_expanded(one, margin / tracer->scale));
+    tracer->bound_slack = (scalar)sdf->bound_slack;
+    sdf_compile(tracer->program, sdf);
+    tracer->program += hoist.first_node;
+    tracer->instruction_count = sdf->node_count - hoist.first_node;
+}

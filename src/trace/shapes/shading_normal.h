@@ -1,0 +1,37 @@
+/**
+ * @file
+ * @brief Interpolated normals, kept on the side of the surface where they make sense.
+ */
+#ifndef DIOPTRE_TRACE_SHAPES_SHADING_NORMAL_H
+#define DIOPTRE_TRACE_SHAPES_SHADING_NORMAL_H
+
+#include "trace/math/vec3.h"
+
+/** Cosine of the angle to the plane's normal that an interpolated normal has at least, about: it
+ *  stays on the side of the surface that the ray comes from. */
+#define SHADING_NORMAL_MIN_COSINE ((scalar)0.0625f)
+
+/**
+ * @return A normal that looks to the same side of the surface as the plane's own does, from the
+ *         plane and from the ray: else a ray could be mirrored into the surface. One long.
+ * @param normal     An interpolated normal.
+ * @param flat       The plane's normal.
+ * @param direction  Which way the rays go.
+ */
+INLINE Vec3 shading_normal_keep_side(Vec3 normal, Vec3 flat, Vec3 direction) {
+    const real minimum = real_of(SHADING_NORMAL_MIN_COSINE), zero = real_of(0);
+    real shortfall = real_max(minimum - vec3_dot(normal, flat), zero);
+    normal = vec3_add(normal, vec3_scale(flat, shortfall));
+
+    // Where the ray sees its back, it is bent until the ray just sees its front. The direction is
+    // made about one long, or its square could vanish.
+    real largest = vec3_max_abs(direction);
+    Vec3 scaled_direction = {direction.x / largest, direction.y / largest, direction.z / largest};
+    real along = vec3_dot(normal, scaled_direction), side = vec3_dot(flat, scaled_direction);
+    Vec3 bent = vec3_add(normal, vec3_scale(scaled_direction,
+                                            -along / vec3_dot(scaled_direction, scaled_direction)));
+    bent = vec3_add(bent, vec3_scale(flat, minimum));
+    return vec3_normalize(vec3_select(along * side > zero, normal, bent));
+}
+
+#endif

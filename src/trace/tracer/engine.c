@@ -1,0 +1,195 @@
+/**
+ * @file
+ * @brief The engine: the tracer of this number type and width as an object.
+ */
+#include "trace/rebase.h"
+#include "trace/tracer/aov.h"
+#include "trace/tracer/query.h"
+#include "trace/tracer/tile.h"
+
+#include <stdlib.h>
+
+/**
+ * Weight below which a ray cannot change the picture: half a step of 8 bits, 1 / 510, at the dark
+ * end of the sRGB curve, where the slope is 12.92.
+ */
+#define THROUGHPUT_CUTOFF 1.5e-4
+
+/** @return The sky in the engine's number type. @param sky The sky. */
+static Sky sky_of(const SceneSky *sky) {
+    Rgbd zenith_minus_horizon = {sky->zenith.red - sky->horizon.red,
+                                 sky->zenith.green - sky->horizon.green,
+                                 sky->zenith.blue - sky->horizon.blue};
+    bool is_gradient = zenith_minus_horizon.red != 0 || zenith_minus_horizon.green != 0 ||
+                       zenith_minus_horizon.blue != 0;
+    return (Sky){rgb_splat(rgbs_of(sky->horizon)), rgb_splat(rgbs_of(zenith_minus_horizon)),
+                 is_gradient};
+}
+
+/** Gives a tracer back. See #Engine.destroy. @param tracer The tracer, or NULL. */
+static void engine_destroy_tracer(Tracer *tracer) {
+    if (tracer) {
+        shape_set_deinit(&tracer->shapes);
+        mesh_bvh_cache_deinit(&tracer->meshes);
+        textures_deinit(&tracer->textures);
+        dielectrics_deinit(&tracer->dielectrics);
+        free(tracer->materials);
+        free(tracer->lights);
+        emitter_spheres_deinit(&tracer->emitters);
+        free(tracer);
+    }
+}
+
+/** @return Memory for things that hold vectors, zero. @param size Bytes. */
+static void *simd_allocate(size_t size) {
+    /** Bytes: the widest vector of any engine. */
+    const size_t alignment = 64;
+    return aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+}
+
+/** Takes camera, lights and size anew. See #Engine.set_view.
+ *  @param tracer The tracer. @param scene The scene. @param width Pixels. @param height Pixels. */
+static void engine_set_view(Tracer *tracer, const Scene *scene, int width, int height) {
+    Vec3d shift = vec3d_scale(tracer->origin, -1);
+    SceneCamera camera = scene->camera;
+    keyword_translate(&scene_camera_keyword, &camera, shift);
+    tracer->camera = camera_of(&camera, width, height);
+    footprint_set_camera(&tracer->meshes.footprint, &tracer->camera);
+    dielectrics_set_camera(&tracer->dielectrics, tracer->camera.origin);
+    for (size_t i = 0; i < tracer->light_count; i++) {
+        SceneLight light = scene->lights[i];
+        keyword_translate(scene_light_keyword_for(&light), &light, shift);
+        tracer->lights[i] = light_of(&light, tracer->samples);
+        tracer->has_soft_shadows = tracer->has_soft_shadows || tracer->lights[i].is_soft;
+    }
+    emitter_spheres_set(&tracer->emitters, scene, tracer->origin);
+}
+
+/** @return A tracer whose shapes are there, without camera; NULL without memory.
+ *  @param scene The scene. @param settings What is asked for. @param[out] error What is wrong. */
+static Tracer *tracer_create(const Scene *scene, const TraceSettings *settings, Error *error) {
+    Tracer *tracer = simd_allocate(sizeof *tracer);
+    if (!tracer) {
+        error_set(error, STATUS_FAILED, "no memory for a tracer");
+        return NULL;
+    }
+    const MeshBvhCache *reuse_from = settings->reuse_from ? &settings->reuse_from->meshes : NULL;
+    bool is_recursive = scene_has_reflection(scene) || scene_has_transparency(scene);
+    *tracer =
+        (Tracer){.sky = sky_of(&scene->sky),
+                 .light_count = scene->light_count,
+                 .depth = is_recursive ? settings->depth : 0,
+                 .cutoff = (scalar)(settings->cutoff > 0 ? settings->cutoff : THROUGHPUT_CUTOFF),
+                 .samples = settings->samples,
+                 .has_specular = scene_has_specular(scene),
+                 .ray_offset = {settings->offset, (scalar)settings->epsilon}};
+    tracer->lights = simd_allocate((scene->light_count + 1) * sizeof(Light));
+    tracer->materials = simd_allocate(scene->material_count * sizeof(Material));
+    if (!tracer->lights || !tracer->materials ||
+        !emitter_spheres_init(&tracer->emitters, scene, error) ||
+        !textures_init(&tracer->textures, scene, error) ||
+        !mesh_bvh_cache_init(&tracer->meshes, scene, reuse_from, settings, error) ||
+        !shape_set_init(&tracer->shapes, scene, &tracer->meshes, settings, error) ||
+        !dielectrics_init(&tracer->dielectrics, scene, &tracer->shapes, settings)) {
+        error_set(error, STATUS_FAILED, "no memory for the scene");
+        engine_destroy_tracer(tracer);
+        return NULL;
+    }
+    return tracer;
+}
+
+/** @return The same, with coordinates that begin elsewhere. @param scene The scene. @param settings
+ *  What is asked for. @param origin Where in the scene. @param[out] error What is wrong. */
+static Tracer *tracer_create_at(const Scene *scene, const TraceSettings *settings, Vec3d origin,
+                                Error *error) {
+    Scene *local_scene = scene_translated(scene, shape_keywords, vec3d_scale(origin, -1), error);
+    Tracer *tracer = local_scene ? tracer_create(local_scene, settings, error) : NULL;
+    if (tracer) {
+        tracer->origin = origin;
+    }
+    scene_destroy(local_scene);
+    return tracer;
+}
+
+/** How often the origin is moved at most: very far away, where a scene's size is not seen in the
+ *  engine's numbers, the first move only comes near. */
+enum { MAX_ORIGIN_MOVES = 4 };
+
+/** @return A tracer for a scene. See #Engine.create_tracer.
+ *  @param scene The scene. @param settings What is asked for. @param[out] error What is wrong. */
+static Tracer *engine_create_tracer(const Scene *scene, const TraceSettings *settings,
+                                    Error *error) {
+    Tracer *tracer = tracer_create(scene, settings, error);
+    for (int moves = 0; tracer && moves < MAX_ORIGIN_MOVES; moves++) {
+        Vec3d offset = rebase_offset(&tracer->shapes);
+        if (vec3d_max_abs(offset) == 0) {
+            break;
+        }
+        Vec3d origin = vec3d_add(tracer->origin, offset);
+        engine_destroy_tracer(tracer);
+        tracer = tracer_create_at(scene, settings, origin, error);
+    }
+    if (tracer) {
+        for (size_t i = 0; i < scene->material_count; i++) {
+            tracer->materials[i] = material_of(&scene->materials[i], scene->ambient);
+        }
+        dielectrics_find_overrides(&tracer->dielectrics, tracer->materials);
+        engine_set_view(tracer, scene, scene->image.width, scene->image.height);
+    }
+    return tracer;
+}
+
+/** Finds the box of all bounded shapes. See #Engine.bounds. @param tracer The tracer.
+ *  @param[out] low Its lowest corner. @param[out] high Its highest. */
+static void engine_bounds(const Tracer *tracer, Vec3d *low, Vec3d *high) {
+    rebase_bounds(&tracer->shapes, low, high);
+    *low = vec3d_add(*low, tracer->origin);
+    *high = vec3d_add(*high, tracer->origin);
+}
+
+/** Says what a tracer was made of. See #Engine.stats. @param tracer The tracer. @return It. */
+static TracerStats engine_stats(const Tracer *tracer) {
+    const ShapeSet *shapes = &tracer->shapes;
+    TracerStats stats = {.linear = shapes->linear_count,
+                         .in_bvh = shapes->count - shapes->linear_count,
+                         .bvh_threshold = shapes->bvh_threshold};
+    stats.step_limit_count = step_limit_counter_load(&tracer->meshes.step_limit_counter);
+    for (size_t i = 0; i < tracer->meshes.count; i++) {
+        const MeshBvh *model = tracer->meshes.entries[i];
+        stats.triangles += model ? model->triangle_count : 0;
+        stats.triangle_bytes += model ? mesh_bvh_memory_size(model) : 0;
+    }
+    return stats;
+}
+
+/** What the processor must be able to do: that for which this file is compiled. */
+#if defined(__AVX512DQ__)
+#define ENGINE_NEEDS ENGINE_NEEDS_AVX512
+#elif defined(__AVX2__)
+#define ENGINE_NEEDS ENGINE_NEEDS_AVX2
+#else
+#define ENGINE_NEEDS ENGINE_NEEDS_NOTHING
+#endif
+
+/** This engine. */
+extern const Engine ENGINE;
+
+const Engine ENGINE = {
+    .name = ENGINE_NAME,
+    .lanes = LANES,
+    .mantissa_bits = MANTISSA_BITS,
+    .needs = ENGINE_NEEDS,
+    .shape_keywords = shape_keywords,
+    .create_tracer = engine_create_tracer,
+    .set_view = engine_set_view,
+    .trace = trace_tile,
+    .trace_primary = trace_tile_primary,
+    .trace_aovs = aov_trace,
+    .closest_hits = query_closest_hits,
+    .occluded = query_occluded,
+    .intersect = query_intersect,
+    .bounds = engine_bounds,
+    .stats = engine_stats,
+    .measure = shape_measure,
+    .destroy = engine_destroy_tracer,
+};

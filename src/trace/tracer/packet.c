@@ -1,0 +1,144 @@
+/**
+ * @file
+ * @brief Packets and their intervals.
+ */
+#include "trace/tracer/packet.h"
+
+#include "trace/bvh/slab.h"
+
+unsigned packet_active_count(const Packet *packet) {
+    unsigned count = 0;
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        count += mask_count(packet->active[v]);
+    }
+    return count;
+}
+
+/** @return The smallest lane, found by halves. @param x Numbers. */
+INLINE scalar real_reduce_min(real x) {
+#if LANES == 16
+    x = real_min(
+        x, __builtin_shufflevector(x, x, 8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4, 5, 6, 7));
+    x = real_min(
+        x, __builtin_shufflevector(x, x, 4, 5, 6, 7, 0, 1, 2, 3, 12, 13, 14, 15, 8, 9, 10, 11));
+    x = real_min(
+        x, __builtin_shufflevector(x, x, 2, 3, 0, 1, 6, 7, 4, 5, 10, 11, 8, 9, 14, 15, 12, 13));
+    x = real_min(
+        x, __builtin_shufflevector(x, x, 1, 0, 3, 2, 5, 4, 7, 6, 9, 8, 11, 10, 13, 12, 15, 14));
+#elif LANES == 8
+    x = real_min(x, __builtin_shufflevector(x, x, 4, 5, 6, 7, 0, 1, 2, 3));
+    x = real_min(x, __builtin_shufflevector(x, x, 2, 3, 0, 1, 6, 7, 4, 5));
+    x = real_min(x, __builtin_shufflevector(x, x, 1, 0, 3, 2, 5, 4, 7, 6));
+#elif LANES == 4
+    x = real_min(x, __builtin_shufflevector(x, x, 2, 3, 0, 1));
+    x = real_min(x, __builtin_shufflevector(x, x, 1, 0, 3, 2));
+#endif
+    return real_lane(x, 0);
+}
+
+/** @return The largest lane. @param x Numbers. */
+INLINE scalar real_reduce_max(real x) {
+    return -real_reduce_min(-x);
+}
+
+/**
+ * @return A coordinate of a vector.
+ * @param v     The vectors.
+ * @param axis  0, 1 or 2 for x, y or z.
+ */
+INLINE real vec3_component(const Vec3 *v, int axis) {
+    return axis == 0 ? v->x : axis == 1 ? v->y : v->z;
+}
+
+/** The intervals that the rays of each lane lie in, along one axis. */
+typedef struct LaneIntervals {
+    real origin_low;   /**< Lowest origins. */
+    real origin_high;  /**< Highest origins. */
+    real inverse_low;  /**< Lowest 1 / direction. */
+    real inverse_high; /**< Highest 1 / direction. */
+} LaneIntervals;
+
+/** Widens intervals by one ray a lane. @param[in,out] s The intervals.
+ *  @param origin Where the rays start, along the axis. @param inverse 1 / direction. */
+INLINE void lane_intervals_extend(LaneIntervals *s, real origin, real inverse) {
+    s->origin_low = real_min(origin, s->origin_low);
+    s->origin_high = real_max(origin, s->origin_high);
+    s->inverse_low = real_min(inverse, s->inverse_low);
+    s->inverse_high = real_max(inverse, s->inverse_high);
+}
+
+/** @return The intervals along one axis. @param packet The packet. @param axis The axis. */
+INLINE AxisInterval packet_axis_interval(const Packet *packet, int axis) {
+    const real most = real_of(INFINITE), least = real_of(-INFINITE);
+    LaneIntervals s = {most, least, most, least};
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        mask active = packet->active[v];
+        unsigned bits = mask_bits(active);
+        real origin = vec3_component(&packet->rays[v].origin, axis);
+        real inverse = vec3_component(&packet->rays[v].inverse_direction, axis);
+        if (bits == ALL_LANES) {
+            lane_intervals_extend(&s, origin, inverse);
+        } else if (bits != 0) {
+            int first = mask_first(active);
+            lane_intervals_extend(&s,
+                                  real_select(active, origin, real_of(real_lane(origin, first))),
+                                  real_select(active, inverse, real_of(real_lane(inverse, first))));
+        }
+    }
+    return (AxisInterval){real_reduce_min(s.origin_low), real_reduce_max(s.origin_high),
+                          real_reduce_min(s.inverse_low), real_reduce_max(s.inverse_high)};
+}
+
+PacketIntervals packet_intervals(const Packet *packet) {
+    real limit = real_of(0);
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        limit = real_max(real_select(packet->active[v], packet->limit[v], real_of(0)), limit);
+    }
+    return (PacketIntervals){{packet_axis_interval(packet, 0), packet_axis_interval(packet, 1),
+                              packet_axis_interval(packet, 2)},
+                             real_reduce_max(limit)};
+}
+
+/**
+ * Narrows the interval of distances in which any ray can be between two planes, where all go up
+ * along the axis. A comparison that is false for NaN leaves the interval as it is.
+ * @param[in,out] near  Earliest distance, for each box.
+ * @param[in,out] far   Latest distance.
+ * @param interval  The rays.
+ * @param low   The lower planes.
+ * @param high  The higher planes.
+ */
+INLINE void interval_clip_positive(real *near, real *far, const AxisInterval *interval, real low,
+                                   real high) {
+    real max_inverse = real_of(interval->inverse_high),
+         min_inverse = real_of(interval->inverse_low);
+    real to_low = low - real_of(interval->origin_high),
+         to_high = high - real_of(interval->origin_low);
+    real enter = to_low * real_select(to_low > 0, min_inverse, max_inverse);
+    real leave = to_high * real_select(to_high > 0, max_inverse, min_inverse);
+    *near = real_max(enter, *near);
+    *far = real_min(leave, *far);
+}
+
+/** @return The span of the same rays seen in a mirror: up is down. @param interval A span. */
+static AxisInterval axis_interval_negated(const AxisInterval *interval) {
+    return (AxisInterval){-interval->origin_high, -interval->origin_low, -interval->inverse_high,
+                          -interval->inverse_low};
+}
+
+mask packet_intervals_may_hit(const PacketIntervals *intervals, const Aabb *boxes, real *nearest) {
+    real near = real_of(0), far = real_of(intervals->limit);
+    for (int axis = 0; axis < 3; axis++) {
+        const AxisInterval *interval = &intervals->axis[axis];
+        if (interval->inverse_low > 0) {
+            interval_clip_positive(&near, &far, interval, boxes->planes[axis],
+                                   boxes->planes[axis + 3]);
+        } else if (interval->inverse_high < 0) {
+            AxisInterval negated = axis_interval_negated(interval);
+            interval_clip_positive(&near, &far, &negated, -boxes->planes[axis + 3],
+                                   -boxes->planes[axis]);
+        }
+    }
+    *nearest = near * (1 - SLAB_SLACK);
+    return *nearest <= far * (1 + SLAB_SLACK);
+}

@@ -1,0 +1,67 @@
+/**
+ * @file
+ * @brief What is noted of a ray's way.
+ */
+#include "trace/tracer/path_hash.h"
+
+/** Steps that a component of a normal, or a share of light, is told apart in; the two together with
+ *  #QUANTIZE_OFFSET put no step where scenes have their normals. */
+#define QUANTIZE_SCALE 3.71
+/** Where the steps begin. */
+#define QUANTIZE_OFFSET 4.63
+
+/** @return A number in few steps: roundings hardly ever change it, an edge does. @param x It, from
+ *  -1 to 1. */
+static uint64_t quantize(scalar x) {
+    double level = (double)x * QUANTIZE_SCALE + QUANTIZE_OFFSET;
+    return level > 0 && level < 16 ? (uint64_t)level : 15;
+}
+
+/** Goes on with a trail. @param[in,out] path_hash The trail. @param event What is noted. */
+static void path_hash_add(uint64_t *path_hash, uint64_t event) {
+    // Steele, Lea, Flood, Fast Splittable Pseudorandom Number Generators, 2014: splitmix64.
+    uint64_t z = (*path_hash + event + 1) * 0x9E3779B97F4A7C15u;
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
+    *path_hash = z ^ (z >> 31);
+}
+
+/** @return Three numbers in few steps each. @param x One. @param y One. @param z One.
+ *  @param i The lane. */
+static uint64_t quantize_lanes(real x, real y, real z, int i) {
+    return quantize(real_lane(x, i)) << 8 | quantize(real_lane(y, i)) << 4 |
+           quantize(real_lane(z, i));
+}
+
+void path_hash_add_surfaces(const SurfaceHit *surface) {
+    const SampleContext *context = &surface->packet->context;
+    for (int i = 0; i < PACKET_RAYS; i++) {
+        const Vec3 *normal = &surface->n_front[i / LANES];
+        int lane = i % LANES;
+        if (!mask_lane(surface->packet->active[i / LANES], lane)) {
+            continue;
+        }
+        uint64_t event = (uint64_t)context->bounce << 48;
+        if (mask_lane(surface->is_hit[i / LANES], lane)) {
+            uint64_t shape = (uint64_t)integer_lane(surface->hits[i / LANES].shape, lane) + 1;
+            event |= shape << 12 | quantize_lanes(normal->x, normal->y, normal->z, lane);
+        }
+        path_hash_add(&context->recorders->path_hashes[i], event);
+    }
+}
+
+void path_hash_add_shadows(const SurfaceHit *surface, const Packet *shadow, const mask *occluded,
+                           const Rgb *transmittance) {
+    for (int i = 0; i < PACKET_RAYS; i++) {
+        int v = i / LANES, lane = i % LANES;
+        if (!mask_lane(shadow->active[v], lane)) {
+            continue;
+        }
+        bool is_occluded = mask_lane(occluded[v], lane);
+        uint64_t event = is_occluded ? UINT64_C(1) << 40 : UINT64_C(1) << 41;
+        if (!is_occluded && transmittance) {
+            event |= quantize_lanes(transmittance[v].red, transmittance[v].green,
+                                    transmittance[v].blue, lane);
+        }
+        path_hash_add(&surface->packet->context.recorders->path_hashes[i], event);
+    }
+}

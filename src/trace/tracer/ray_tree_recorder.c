@@ -1,0 +1,273 @@
+/**
+ * @file
+ * @brief Noting the rays of one pixel.
+ */
+#include "trace/tracer/ray_tree_recorder.h"
+
+#include "trace/lights/emitter_spheres.h"
+
+#include <stdlib.h>
+
+/** Rays for which there is room at first. */
+enum { RAY_TREE_INITIAL_CAPACITY = 64 };
+
+/* --- out of the engine's numbers -------------------------------------------------------------- */
+
+/** @return The vector in the first lane. @param v Vectors. */
+static Vec3d vec3_first_lane(Vec3 v) {
+    return (Vec3d){(double)real_lane(v.x, 0), (double)real_lane(v.y, 0), (double)real_lane(v.z, 0)};
+}
+
+/** @return The light in the first lane. @param color Light. */
+static Rgbd rgb_first_lane(Rgb color) {
+    return (Rgbd){(double)real_lane(color.red, 0), (double)real_lane(color.green, 0),
+                  (double)real_lane(color.blue, 0)};
+}
+
+/** @return The number in the first lane. @param x Numbers. */
+static double real_first_lane(real x) {
+    return (double)real_lane(x, 0);
+}
+
+/** @return A length in units of the last place of a number of the engine. @param length It.
+ *  @param x The number. */
+static double in_ulps(double length, double x) {
+    int exponent;
+    frexp(x, &exponent);
+    return x > 0 ? length / ldexp(1, exponent - MANTISSA_BITS) : 0;
+}
+
+/* --- the list of rays ------------------------------------------------------------------------- */
+
+/** Makes room for one more ray. @param[in,out] ray_tree The tree. @return false without memory. */
+static bool ray_tree_reserve(RayTree *ray_tree) {
+    if (ray_tree->count < ray_tree->capacity) {
+        return true;
+    }
+    size_t capacity = ray_tree->capacity ? 2 * ray_tree->capacity : RAY_TREE_INITIAL_CAPACITY;
+    RayTreeNode *rays =
+        capacity <= RAY_TREE_MAX_NODES ? realloc(ray_tree->nodes, capacity * sizeof *rays) : NULL;
+    if (rays) {
+        ray_tree->nodes = rays;
+        ray_tree->capacity = capacity;
+    }
+    return rays != NULL;
+}
+
+/** Adds a ray as a child of the current one. @param[in,out] ray_tree The tree. @param kind What it
+ * is.
+ *  @param ray Where it goes, in the first lane. @param limit How far, in lengths of its direction.
+ *  @return It; NULL without memory. */
+static RayTreeNode *ray_tree_add(RayTree *ray_tree, RayType kind, const Ray *ray, real limit) {
+    ray_tree->is_truncated = ray_tree->is_truncated || !ray_tree_reserve(ray_tree);
+    if (ray_tree->is_truncated) {
+        return NULL;
+    }
+    bool is_first = ray_tree->count == 0;
+    Vec3d direction = vec3_first_lane(ray->direction);
+    RayTreeNode *added = &ray_tree->nodes[ray_tree->count++];
+    *added = (RayTreeNode){.parent = is_first ? -1 : ray_tree->current,
+                           .kind = kind,
+                           .depth = is_first ? 0 : ray_tree->nodes[ray_tree->current].depth + 1,
+                           .origin = vec3_first_lane(ray->origin),
+                           .direction = vec3d_normalize(vec3d_scale_exponent(direction)),
+                           .limit = real_first_lane(limit) * vec3d_length(direction),
+                           .shape = -1,
+                           .light = -1,
+                           .distance = HUGE_VAL};
+    return added;
+}
+
+/** @return The ray that is being followed; NULL where memory did not do. @param ray_tree The tree.
+ */
+static RayTreeNode *ray_tree_current(const RayTree *ray_tree) {
+    return ray_tree->is_truncated ? NULL : &ray_tree->nodes[ray_tree->current];
+}
+
+void ray_tree_push(RayTree *ray_tree, RayType kind, const Packet *packet, Rgb weight,
+                   real throughput) {
+    RayTreeNode *ray = ray_tree_add(ray_tree, kind, &packet->rays[0], packet->limit[0]);
+    if (ray) {
+        ray->weight = rgb_first_lane(weight);
+        ray->throughput = real_first_lane(throughput);
+        ray_tree->current = (int)(ray - ray_tree->nodes);
+    }
+}
+
+void ray_tree_pop(RayTree *ray_tree, Rgb color) {
+    RayTreeNode *ray = ray_tree_current(ray_tree);
+    if (ray) {
+        ray->color = rgb_first_lane(color);
+        ray->local_color = ray->shape < 0 ? ray->color : ray->local_color;
+        ray_tree->current = ray->parent;
+    }
+}
+
+/* --- what the current ray met ----------------------------------------------------------------- */
+
+/** Notes where a ray met something. @param[in,out] ray The ray. @param hit Where, if anywhere.
+ *  @param length Of its direction in the engine. */
+static void ray_tree_node_set_hit(RayTreeNode *ray, const Hit *hit, double length) {
+    int shape = integer_lane(hit->shape, 0), sphere = emitter_sphere_index(shape);
+    ray->is_hit = shape >= 0 || sphere >= 0;
+    if (ray->is_hit) {
+        ray->shape = shape >= 0 ? shape : -1;
+        ray->light = shape >= 0 ? ray->light : sphere;
+        ray->distance = real_first_lane(hit->distance) * length;
+        ray->point = vec3_first_lane(hit->point);
+        ray->normal = vec3_first_lane(hit->normal);
+    }
+}
+
+void ray_tree_record_surface(const SurfaceHit *surface, const RayOffset *offset) {
+    RayTreeNode *ray = ray_tree_current(surface->packet->context.recorders->ray_tree);
+    const Hit *hit = &surface->hits[0];
+    if (!ray) {
+        return;
+    }
+    ray_tree_node_set_hit(ray, hit, 1);
+    if (ray->shape >= 0) {
+        real along = vec3_dot(surface->packet->rays[0].direction, surface->n_front[0]);
+        double epsilon = real_first_lane(ray_offset_length(offset, hit));
+        ray->surface = (RayTreeSurface){
+            .epsilon = epsilon,
+            .ulps = in_ulps(epsilon, real_first_lane(vec3_max_abs(hit->point))),
+            .cosine = -real_first_lane(along),
+            .is_inside = vec3d_dot(vec3_first_lane(surface->n_front[0]), ray->normal) < 0};
+    }
+}
+
+void ray_tree_record_dielectric(const SurfaceHit *surface, const DielectricHit *dielectric) {
+    RayTreeNode *ray = ray_tree_current(surface->packet->context.recorders->ray_tree);
+    MaterialPack material =
+        material_pack_gather(surface->materials, &surface->material_ids[0], surface->is_hit[0]);
+    mask is_transmitted = surface->is_hit[0] & (rgb_max(material.transmittance) > 0);
+    if (!ray || !mask_lane(is_transmitted, 0)) {
+        return;
+    }
+    InteriorList interior = surface->interior[0];
+    integer shape_before = interior_list_cross(&interior, &surface->packet->rays[0],
+                                               &surface->hits[0], is_transmitted);
+    integer shape_behind = interior_list_top(&dielectric->interior[0]);
+    RayTreeSurface *record = &ray->surface;
+    record->is_transparent = true;
+    record->is_overridden = mask_lane(dielectric->is_overridden[0], 0);
+    record->is_total = !mask_lane(dielectric->is_transmitted[0], 0);
+    record->ior_from = real_first_lane(dielectrics_ior(surface->dielectrics, shape_before));
+    record->ior_to = real_first_lane(dielectrics_ior(surface->dielectrics, shape_behind));
+    record->fresnel = real_first_lane(dielectric->reflectance[0]);
+}
+
+/* --- light ------------------------------------------------------------------------------------ */
+
+/** Finds what is in the way of a shadow ray. @param shapes All shapes. @param surface The surface
+ * that it comes from. @param shadow It. @param[out] hit What it meets first, if anything: of shapes
+ * that light goes through, only where no other is in the way. */
+static void occluder_find(const ShapeSet *shapes, const SurfaceHit *surface, const Packet *shadow,
+                          Hit *hit) {
+    Packet rays = *shadow;
+    Hit hits[PACKET_VECTORS];
+    rays.wants_points = true;
+    shape_set_closest_hits(surface->interior ? &surface->dielectrics->opaque : shapes, &rays, hits);
+    if (integer_lane(hits[0].shape, 0) < 0 && surface->interior) {
+        shape_set_closest_hits(&surface->dielectrics->transparent, &rays, hits);
+    }
+    *hit = hits[0];
+}
+
+void ray_tree_record_shadow(const ShapeSet *shapes, const SurfaceHit *surface, size_t light_index,
+                            const LightSample *sample, mask occluded,
+                            const DirectLighting *lighting) {
+    const Packet *shadow = &sample->shadow_rays;
+    RayTree *ray_tree = surface->packet->context.recorders->ray_tree;
+    RayTreeNode *ray = ray_tree_add(ray_tree, RAY_SHADOW, &shadow->rays[0], shadow->limit[0]);
+    if (!ray) {
+        return;
+    }
+    const Rgbd one = {1, 1, 1};
+    ray->light = (int)light_index;
+    ray->throughput = ray_tree->nodes[ray->parent].throughput;
+    ray->weight = one;
+    ray->diffuse = rgb_first_lane(lighting->diffuse[0]);
+    ray->specular = rgb_first_lane(lighting->specular[0]);
+    ray->transmittance = surface->interior ? rgb_first_lane(sample->transmittance[0]) : one;
+    if (mask_lane(occluded, 0)) {
+        Hit hit;
+        occluder_find(shapes, surface, shadow, &hit);
+        ray_tree_node_set_hit(ray, &hit, vec3d_length(vec3_first_lane(shadow->rays[0].direction)));
+        ray->is_hit = true;
+        ray->transmittance = (Rgbd){0, 0, 0};
+    }
+}
+
+/** @return The same light in all lanes. @param color Light, in numbers of the engine. */
+static Rgb rgb_of_color(Rgbd color) {
+    return rgb_splat(rgbs_of(color));
+}
+
+/** Works out what each shadow ray of a surface adds to its colour. @param ray_tree The tree.
+ *  @param parent_index The place of the ray that met the surface. @param material The surface. */
+static void ray_tree_weight_shadows(RayTree *ray_tree, int parent_index,
+                                    const MaterialPack *material) {
+    for (size_t i = (size_t)parent_index + 1; i < ray_tree->count; i++) {
+        RayTreeNode *ray = &ray_tree->nodes[i];
+        Rgb diffuse = rgb_scale(rgb_of_color(ray->diffuse), material->diffuse);
+        Rgb specular = rgb_multiply(material->specular, rgb_of_color(ray->specular));
+        ray->local_color =
+            rgb_first_lane(rgb_add(rgb_multiply(material->albedo, diffuse), specular));
+        ray->color = ray->local_color;
+    }
+}
+
+void ray_tree_record_shading(const SurfaceHit *surface, const DielectricHit *dielectric,
+                             const Rgb *texture_color, Rgb color) {
+    RayTree *ray_tree = surface->packet->context.recorders->ray_tree;
+    RayTreeNode *ray = ray_tree_current(ray_tree);
+    if (!ray) {
+        return;
+    }
+    MaterialPack material =
+        material_pack_gather(surface->materials, &surface->material_ids[0], surface->is_hit[0]);
+    material.albedo =
+        texture_color ? rgb_multiply(material.albedo, texture_color[0]) : material.albedo;
+    RayTreeSurface *record = &ray->surface;
+    record->emission = rgb_first_lane(material.emission);
+    record->albedo = rgb_first_lane(material.albedo);
+    record->specular = rgb_first_lane(material.specular);
+    record->ambient = rgb_first_lane(material.ambient);
+    record->diffuse = real_first_lane(material.diffuse);
+    record->reflect_weight = rgb_first_lane(dielectric_hit_reflectance(dielectric, 0, &material));
+    if (record->is_transparent) {
+        record->refract_weight =
+            rgb_first_lane(dielectric_hit_transmittance(dielectric, 0, &material));
+    }
+    ray->local_color = rgb_first_lane(color);
+    // The newest rays are this surface's shadow rays: none has gone on from it yet.
+    ray_tree_weight_shadows(ray_tree, ray_tree->current, &material);
+}
+
+/* --- the end ---------------------------------------------------------------------------------- */
+
+/** @return The place of a lamp's ball among the lamps. @param sphere Which of the balls.
+ *  @param lights The lamps. @param count How many. */
+static int light_of_sphere(int sphere, const Light *lights, size_t count) {
+    int light_index = -1;
+    for (size_t i = 0; i < count && sphere >= 0; i++) {
+        if (lights[i].radius > 0) {
+            sphere--;
+            light_index = (int)i;
+        }
+    }
+    return light_index;
+}
+
+void ray_tree_finish(RayTree *ray_tree, Vec3d origin, const Light *lights, size_t count) {
+    for (size_t i = 0; i < ray_tree->count; i++) {
+        RayTreeNode *ray = &ray_tree->nodes[i];
+        ray->origin = vec3d_add(ray->origin, origin);
+        ray->point = vec3d_add(ray->point, origin);
+        if (ray->kind != RAY_SHADOW) {
+            ray->light = light_of_sphere(ray->light, lights, count);
+        }
+    }
+}

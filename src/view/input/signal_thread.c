@@ -1,0 +1,86 @@
+/**
+ * @file
+ * @brief Ctrl-C, and its kin, as an event of the window.
+ */
+#include "view/input/signal_thread.h"
+
+#include "dioptre/error.h"
+
+#include <SDL.h>
+#include <unistd.h>
+
+/** Sent to the waiting thread, and to nobody else, to end it. By default it does nothing. */
+static const int WAKE_SIGNAL = SIGURG;
+
+/**
+ * Adds a signal to those waited for, unless the program was started with it ignored, as `nohup`
+ * and shell scripts in the background do.
+ * @param[in,out] signals  The set.
+ * @param number           The signal.
+ */
+static void add_unless_ignored(sigset_t *signals, int number) {
+    struct sigaction action;
+    if (sigaction(number, NULL, &action) == 0 && action.sa_handler != SIG_IGN) {
+        sigaddset(signals, number);
+    }
+}
+
+void signal_thread_block(SignalThread *signal_thread) {
+    *signal_thread = (SignalThread){0};
+    sigemptyset(&signal_thread->signals);
+    add_unless_ignored(&signal_thread->signals, SIGINT);
+    add_unless_ignored(&signal_thread->signals, SIGTERM);
+    add_unless_ignored(&signal_thread->signals, SIGHUP);
+    sigaddset(&signal_thread->signals, WAKE_SIGNAL);
+    pthread_sigmask(SIG_BLOCK, &signal_thread->signals, &signal_thread->previous_mask);
+}
+
+/** @return The next signal that comes; #WAKE_SIGNAL: the thread should end. @param signal_thread
+ * The signals.
+ */
+static int next_signal(SignalThread *signal_thread) {
+    int number = 0;
+    while (sigwait(&signal_thread->signals, &number) != 0 ||
+           (number == WAKE_SIGNAL && !atomic_load(&signal_thread->should_stop))) {
+    }
+    return number;
+}
+
+/**
+ * Waits for signals, as a thread.
+ * @param context  The #SignalThread.
+ * @return NULL
+ */
+static void *signal_thread_main(void *context) {
+    SignalThread *signal_thread = context;
+    if (next_signal(signal_thread) == WAKE_SIGNAL) {
+        return NULL;
+    }
+    SDL_Event event = {.type = signal_thread->event};
+    SDL_PushEvent(&event);
+    /* Who asks twice does not want to wait for anything. */
+    if (next_signal(signal_thread) == WAKE_SIGNAL) {
+        return NULL;
+    }
+    _exit(STATUS_INTERRUPTED);
+}
+
+bool signal_thread_start(SignalThread *signal_thread, uint32_t event) {
+    signal_thread->event = event;
+    signal_thread->is_started =
+        pthread_create(&signal_thread->thread, NULL, signal_thread_main, signal_thread) == 0;
+    if (!signal_thread->is_started) {
+        pthread_sigmask(SIG_SETMASK, &signal_thread->previous_mask, NULL);
+    }
+    return signal_thread->is_started;
+}
+
+void signal_thread_stop(SignalThread *signal_thread) {
+    if (signal_thread->is_started) {
+        atomic_store(&signal_thread->should_stop, true);
+        pthread_kill(signal_thread->thread, WAKE_SIGNAL);
+        pthread_join(signal_thread->thread, NULL);
+        signal_thread->is_started = false;
+    }
+    pthread_sigmask(SIG_SETMASK, &signal_thread->previous_mask, NULL);
+}

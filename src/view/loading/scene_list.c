@@ -1,0 +1,217 @@
+/**
+ * @file
+ * @brief Finding and drawing scenes in a thread.
+ */
+#include "view/loading/scene_list.h"
+
+#include "base/data_dir.h"
+#include "base/language.h"
+#include "base/scene_name.h"
+
+#include <SDL.h>
+#include <dirent.h>
+#include <libintl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+/** How much less than others the thread, and what it starts, gets of the processors. */
+static const int THREAD_NICENESS = 15;
+
+void scene_list_lock(SceneList *list) {
+    pthread_mutex_lock(&list->mutex);
+}
+
+void scene_list_unlock(SceneList *list) {
+    pthread_mutex_unlock(&list->mutex);
+}
+
+/** Tells the window that there is news. @param list The list. */
+static void push_list_event(const SceneList *list) {
+    SDL_Event event = {.type = list->event};
+    SDL_PushEvent(&event);
+}
+
+/** @return Whether a file of a folder may be a scene, for scandir. @param entry The file. */
+static int is_scene_file(const struct dirent *entry) {
+    const char *dot = strrchr(entry->d_name, '.');
+    return entry->d_name[0] != '.' && dot && strcmp(dot, ".lua") == 0;
+}
+
+/**
+ * Reads what a scene says of itself: the first sentence of the comment that it begins with.
+ * @param path        Its file.
+ * @param[out] title  What it says; empty: nothing.
+ */
+static void read_title(const char *path, char title[SCENE_ENTRY_TITLE_SIZE]) {
+    char line[SCENE_ENTRY_TITLE_SIZE];
+    size_t used = 0;
+    FILE *file = fopen(path, "re");
+    title[0] = '\0';
+    while (file && fgets(line, sizeof line, file) && strncmp(line, "-- ", 3) == 0) {
+        line[strcspn(line, "\r\n")] = '\0';
+        int added = snprintf(title + used, SCENE_ENTRY_TITLE_SIZE - used, "%s%s", used ? " " : "",
+                             line + 3);
+        used = SDL_min(used + (size_t)added, SCENE_ENTRY_TITLE_SIZE - 1);
+    }
+    if (file) {
+        fclose(file);
+    }
+    char *end = strstr(title, ". ");
+    if (end) {
+        end[1] = '\0';
+    }
+}
+
+/** Adds a scene to the list. @param[in,out] list The list, locked, with room. @param folder Its
+ *  folder, with a slash at its end, or empty. @param file The file's name. */
+static void add_entry(SceneList *list, const char *folder, const char *file) {
+    SceneEntry *scene = &list->scenes[list->count];
+    size_t size = strlen(folder) + strlen(file) + 1;
+    *scene = (SceneEntry){.path = malloc(size)};
+    if (scene->path) {
+        snprintf(scene->path, size, "%s%s", folder, file);
+        scene_name_from_path(scene->path, scene->name, sizeof scene->name);
+        list->count++;
+    }
+}
+
+/** Lists the scenes of a folder, by their names. @param[in,out] list The list. @param folder The
+ *  folder, with a slash at its end; empty: the current one. */
+static void list_folder(SceneList *list, const char *folder) {
+    struct dirent **files = NULL;
+    int count = scandir(folder[0] ? folder : ".", &files, is_scene_file, alphasort);
+    scene_list_lock(list);
+    for (int i = 0; i < count; i++) {
+        if (list->count < SCENE_LIST_MAXIMUM) {
+            add_entry(list, folder, files[i]->d_name);
+        }
+        free(files[i]);
+    }
+    scene_list_unlock(list);
+    free(files);
+}
+
+/** Finds all scenes. @param[in,out] list The list. */
+static void find_scenes(SceneList *list) {
+    char installed[PATH_MAX + 1], scene_folder[PATH_MAX], installed_folder[PATH_MAX];
+    list_folder(list, list->folder);
+    if (data_dir_scenes(installed) && realpath(installed, installed_folder) &&
+        realpath(list->folder[0] ? list->folder : ".", scene_folder) &&
+        strcmp(scene_folder, installed_folder) != 0) {
+        snprintf(installed, sizeof installed, "%.*s/", PATH_MAX - 1, installed_folder);
+        list_folder(list, installed);
+    }
+}
+
+/**
+ * Draws a scene.
+ * @param list          The list.
+ * @param path          The scene's file.
+ * @param[out] picture  The picture, or nothing.
+ * @param[out] error    What is wrong with the scene.
+ */
+static void draw_thumbnail(const SceneList *list, const char *path, Picture *picture,
+                           Error *error) {
+    const ViewSettings *settings = list->settings;
+    RenderSettings render;
+    Scene *scene =
+        settings->preview(settings->loader_context, path, &list->should_stop, &render, error);
+    if (!scene) {
+        return;
+    }
+    render.threads = 1;
+    render.samples = SDL_min(render.samples, 2);
+    render.width = THUMBNAIL_WIDTH;
+    render.height = THUMBNAIL_HEIGHT;
+    Renderer *renderer = renderer_create(scene, &render, error);
+    if (renderer && picture_init(picture, render.width, render.height, error)) {
+        renderer_render(renderer, &list->should_stop, picture);
+    }
+    renderer_destroy(renderer);
+    scene_destroy(scene);
+}
+
+/** @return An error without the folder that it begins with: its file is seen to be one of the list.
+ *  @param scene The scene. @param message The error. */
+static const char *strip_folder(const SceneEntry *scene, const char *message) {
+    const char *slash = strrchr(scene->path, '/');
+    size_t length = slash ? (size_t)(slash + 1 - scene->path) : 0;
+    return strncmp(message, scene->path, length) == 0 ? message + length : message;
+}
+
+/** Draws the next scene of the list. @param[in,out] list The list. @param index Which. */
+static void load_entry(SceneList *list, size_t index) {
+    SceneEntry *scene = &list->scenes[index];
+    Picture picture = {0};
+    Error error = {0};
+    char title[SCENE_ENTRY_TITLE_SIZE];
+    read_title(scene->path, title);
+    draw_thumbnail(list, scene->path, &picture, &error);
+    scene_list_lock(list);
+    scene->picture = picture;
+    scene->is_loaded = true;
+    SDL_strlcpy(scene->title, picture.pixels ? title : strip_folder(scene, error.message),
+                SCENE_ENTRY_TITLE_SIZE);
+    scene_list_unlock(list);
+    push_list_event(list);
+}
+
+/** The thread's life. @param context The #SceneList. @return NULL */
+static void *scene_list_main(void *context) {
+    SceneList *list = context;
+    setpriority(PRIO_PROCESS, (id_t)gettid(), THREAD_NICENESS); // In Linux, of this thread alone.
+    find_scenes(list);
+    push_list_event(list);
+    for (size_t i = 0; i < list->count && !atomic_load(&list->should_stop); i++) {
+        load_entry(list, i);
+    }
+    atomic_store(&list->is_running, false);
+    push_list_event(list);
+    return NULL;
+}
+
+bool scene_list_start(SceneList *list, const ViewSettings *settings, uint32_t event,
+                      const char *path) {
+    const char *slash = strrchr(path, '/');
+    *list = (SceneList){.settings = settings, .event = event};
+    snprintf(list->folder, sizeof list->folder, "%.*s", slash ? (int)(slash + 1 - path) : 0, path);
+    list->scenes = calloc(SCENE_LIST_MAXIMUM, sizeof *list->scenes);
+    if (!list->scenes) {
+        return false;
+    }
+    pthread_mutex_init(&list->mutex, NULL);
+    atomic_store(&list->is_running, true);
+    list->is_started = pthread_create(&list->thread, NULL, scene_list_main, list) == 0;
+    if (!list->is_started) {
+        pthread_mutex_destroy(&list->mutex);
+        free(list->scenes);
+        *list = (SceneList){0};
+    }
+    return list->is_started;
+}
+
+void scene_list_request_stop(SceneList *list) {
+    atomic_store(&list->should_stop, true);
+}
+
+bool scene_list_is_busy(const SceneList *list) {
+    return list->is_started && atomic_load(&list->is_running);
+}
+
+void scene_list_deinit(SceneList *list) {
+    if (!list->is_started) {
+        return;
+    }
+    scene_list_request_stop(list);
+    pthread_join(list->thread, NULL);
+    for (size_t i = 0; i < list->count; i++) {
+        picture_deinit(&list->scenes[i].picture);
+        free(list->scenes[i].path);
+    }
+    pthread_mutex_destroy(&list->mutex);
+    free(list->scenes);
+    *list = (SceneList){0};
+}

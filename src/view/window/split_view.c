@@ -1,0 +1,88 @@
+/**
+ * @file
+ * @brief Two pictures in one window.
+ */
+#include "view/window/split_view.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/** Share of the window at its left and right end where the bar does not go. */
+static const double BAR_MARGIN = 0.02;
+
+void split_view_deinit(SplitView *split) {
+    streaming_texture_release(&split->difference_texture);
+    free(split->pixels);
+    split->pixels = NULL;
+    split->pixel_capacity = 0;
+}
+
+int split_view_column(const SplitView *split, int width) {
+    return (int)(split->bar_position * width + 0.5);
+}
+
+void split_view_move_bar(SplitView *split, double fraction) {
+    split->bar_position = SDL_clamp(fraction, BAR_MARGIN, 1 - BAR_MARGIN);
+}
+
+/** Takes what both sights have drawn. @param[in,out] split The split. @param left The left one.
+ *  @param right The right one. @return false without memory, or while one has drawn nothing. */
+static bool copy_both(SplitView *split, const Viewport *left, const Viewport *right) {
+    size_t pixels = (size_t)left->width * (size_t)left->height;
+    if (left->width != right->width || left->height != right->height) {
+        return false;
+    }
+    if (split->pixel_capacity < pixels) {
+        free(split->pixels);
+        split->pixels = malloc(2 * 4 * pixels);
+        split->pixel_capacity = split->pixels ? pixels : 0;
+    }
+    RenderStats report;
+    int pitch = 4 * left->width;
+    return split->pixels && renderer_copy_latest(left->renderer, &report, split->pixels, pitch) &&
+           renderer_copy_latest(right->renderer, &report, split->pixels + 4 * pixels, pitch);
+}
+
+bool split_view_compose(SplitView *split, const Viewport *left, const Viewport *right,
+                        uint8_t *bgrx, int pitch) {
+    if (!copy_both(split, left, right)) {
+        return false;
+    }
+    size_t row = 4 * (size_t)left->width, picture_bytes = row * (size_t)left->height;
+    const uint8_t *a = split->pixels, *b = split->pixels + picture_bytes;
+    if (split->mode == SPLIT_DIFFERENCE) {
+        split->difference = difference_map_draw(a, b, picture_bytes / 4, split->pixels);
+    }
+    bool is_bar = split->mode == SPLIT_BAR;
+    size_t left_bytes = is_bar ? 4 * (size_t)split_view_column(split, left->width) : row;
+    for (int y = 0; y < left->height; y++, a += row, b += row) {
+        uint8_t *destination = bgrx + (ptrdiff_t)y * pitch;
+        memcpy(destination, a, left_bytes);
+        memcpy(destination + left_bytes, b + left_bytes, row - left_bytes);
+    }
+    return true;
+}
+
+void split_view_update_difference(SplitView *split, const Viewport *left, const Viewport *right,
+                                  SDL_Renderer *renderer) {
+    int pitch = 0;
+    uint8_t *pixels = streaming_texture_lock(&split->difference_texture, renderer, left->width,
+                                             left->height, &pitch);
+    if (pixels) {
+        split_view_compose(split, left, right, pixels, pitch);
+        streaming_texture_unlock(&split->difference_texture);
+    }
+}
+
+void split_view_draw_bar(const SplitView *split, SDL_Renderer *renderer) {
+    int width = 0, height = 0;
+    SDL_GetRendererOutputSize(renderer, &width, &height);
+    int thick = SDL_max(1, height / 400), x = split_view_column(split, width);
+    // Dark beside light: it is seen on any picture.
+    SDL_Rect dark = {x - 2 * thick, 0, 4 * thick, height},
+             light = {x - thick, 0, 2 * thick, height};
+    SDL_SetRenderDrawColor(renderer, 0, 0, 0, SDL_ALPHA_OPAQUE);
+    SDL_RenderFillRect(renderer, &dark);
+    SDL_SetRenderDrawColor(renderer, UINT8_MAX, UINT8_MAX, UINT8_MAX, SDL_ALPHA_OPAQUE);
+    SDL_RenderFillRect(renderer, &light);
+}

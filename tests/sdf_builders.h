@@ -1,0 +1,79 @@
+/**
+ * @file
+ * @brief Fields for tests, made as scene files make them.
+ */
+#ifndef TESTS_SDF_BUILDERS_H
+#define TESTS_SDF_BUILDERS_H
+
+#include "testing.h"
+
+#include <stdlib.h>
+
+/** @return Room for a field. @param steps Its steps. */
+static inline Sdf *allocate_sdf(int steps) {
+    return calloc(1, sdf_size(steps));
+}
+
+/** @return A field of one step. @param name Its keyword after the dot. @param values Its numbers;
+ *  NULL: the defaults. */
+static inline Sdf *make_sdf(const char *name, const void *values) {
+    Sdf *field = allocate_sdf(1);
+    for (size_t i = 0; sdf_primitives[i]; i++) {
+        const Keyword *keyword = &sdf_primitives[i]->keyword;
+        if (strcmp(strchr(keyword->name, '.') + 1, name) == 0) {
+            sdf_primitives[i]->create(field, values ? values : keyword->defaults);
+        }
+    }
+    assert_int_equal(field->node_count, 1);
+    return field;
+}
+
+/** @return A field, moved, turned and scaled. @param field The field; given back.
+ *  @param transform How. */
+static inline Sdf *transform_sdf(Sdf *field, Transform transform) {
+    Error error = {0};
+    Sdf *out = allocate_sdf(field->node_count + 1);
+    assert_true(transform_keyword.finish(&transform, 0, &error));
+    assert_true(sdf_transform(out, field, &transform, &error));
+    free(field);
+    return out;
+}
+
+/** @return A field, moved. @param field The field; given back. @param x To the right. @param y Up.
+ *  @param z Towards the viewer. */
+static inline Sdf *translate_sdf(Sdf *field, double x, double y, double z) {
+    return transform_sdf(field, (Transform){.scale = {1, 1, 1}, .translate = {x, y, z}});
+}
+
+/** @return Two fields in one. @param join How. @param a A field; given back. @param b Another;
+ *  given back. @param radius Of a smooth union. */
+static inline Sdf *join_sdfs(SdfCombination join, Sdf *a, Sdf *b, double radius) {
+    Error error = {0};
+    const Sdf *both[] = {a, b};
+    Sdf *out = allocate_sdf(sdf_combined_capacity(both, 2));
+    assert_true(sdf_combine(out, join, both, 2, radius, &error));
+    free(a);
+    free(b);
+    return out;
+}
+
+/** @return A field, repeated. @param field The field; given back. @param repeat How. */
+static inline Sdf *repeat_sdf(Sdf *field, SdfRepetition repeat) {
+    Error error = {0};
+    Sdf *out = allocate_sdf(field->node_count + 1);
+    if (!sdf_repeat(out, field, &repeat, &error)) {
+        fail_msg("%s", error.message);
+    }
+    free(field);
+    return out;
+}
+
+/** @return A field, rounded. @param field The field; given back. @param radius By how much. */
+static inline Sdf *round_sdf(Sdf *field, double radius) {
+    Sdf *out = allocate_sdf(field->node_count + 1);
+    sdf_round(out, field, radius);
+    free(field);
+    return out;
+}
+
+#endif

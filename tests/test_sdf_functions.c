@@ -1,0 +1,370 @@
+/**
+ * @file
+ * @brief Distance fields keep what they promise: none changes faster than the point moves, exact
+ * ones say the very distance, their derivatives are theirs, and bad ones are refused.
+ *
+ * The tape is compiled into this test in double, one lane.
+ */
+#define REAL_BITS 64
+#define LANES 1
+#include "../src/trace/sdf/sdf_mandelbulb.c"
+#include "../src/trace/sdf/sdf_solids.c"
+#include "../src/trace/sdf/sdf_vm.c"
+
+#include "sdf_builders.h"
+
+/** Pairs of points for each field. */
+enum { PAIRS = 1000000 };
+/** Points for each field whose truth is known. */
+enum { POINTS = 100000 };
+
+/** A field under test. */
+typedef struct SdfCase {
+    const char *name;      /**< Its name. */
+    Sdf *field;            /**< The field; owned. */
+    SdfInstruction *codes; /**< Its tape; owned. */
+    double size;           /**< How far from zero it is tried. */
+    /** @return The true distance of a point outside; NULL: it is a bound. @param p The point. */
+    double (*truth)(Vec3d p);
+} SdfCase;
+
+/* --- truths, by formulas of their own ----------------------------------------------------------
+ */
+
+/** @return Distance of a point to a box by its nearest point. @param p The point. @param low Lowest
+ *  corner. @param high Highest. */
+static double box_distance(Vec3d p, Vec3d low, Vec3d high) {
+    Vec3d nearest = vec3d_min(vec3d_max(p, low), high);
+    return vec3d_length(vec3d_subtract(p, nearest));
+}
+
+/** @return See #SdfCase.truth: a ball of radius 1. @param p See there. */
+static double sphere_distance(Vec3d p) {
+    return fmax(vec3d_length(p) - 1, 0);
+}
+
+/** @return See #SdfCase.truth: a box of 1, 2, 3. @param p See there. */
+static double box_sdf_distance(Vec3d p) {
+    return box_distance(p, (Vec3d){-0.5, -1, -1.5}, (Vec3d){0.5, 1, 1.5});
+}
+
+/** @return See #SdfCase.truth: a frame of 1, 2, 3 with bars of 0.25: all 12. @param p See there. */
+static double frame_distance(Vec3d p) {
+    const double half[3] = {0.5, 1, 1.5}, thick = 0.25;
+    double minimum = HUGE_VAL;
+    for (int n = 0; n < 12; n++) {
+        int along = n / 4;
+        double low[3], high[3];
+        for (int axis = 0; axis < 3; axis++) {
+            bool is_up = axis == (along + 1) % 3 ? n & 1 : n & 2;
+            low[axis] = axis == along || !is_up ? -half[axis] : half[axis] - thick;
+            high[axis] = axis == along || is_up ? half[axis] : -half[axis] + thick;
+        }
+        Vec3d a = {low[0], low[1], low[2]}, b = {high[0], high[1], high[2]};
+        minimum = fmin(minimum, box_distance(p, a, b));
+    }
+    return minimum;
+}
+
+/** @return See #SdfCase.truth: a ring of 1 and 0.25, by its nearest middle. @param p See there. */
+static double torus_distance(Vec3d p) {
+    double axis = hypot(p.x, p.z), turn = atan2(p.z, p.x);
+    Vec3d middle = {cos(turn), 0, sin(turn)};
+    return fmax(vec3d_length(vec3d_subtract(p, axis > 0 ? middle : (Vec3d){1, 0, 0})) - 0.25, 0);
+}
+
+/** @return See #SdfCase.truth: small boxes beside the middle of cells of 1, all 125 around.
+ *  @param p See there. */
+static double box_grid_distance(Vec3d p) {
+    double minimum = HUGE_VAL;
+    for (int n = 0; n < 125; n++) {
+        Vec3d cell = {round(p.x) + n % 5 - 2, round(p.y) + n / 5 % 5 - 2, round(p.z) + n / 25 - 2};
+        Vec3d low = vec3d_add(cell, (Vec3d){0.2, -0.1, -0.45});
+        Vec3d high = vec3d_add(cell, (Vec3d){0.5, 0.2, -0.25});
+        minimum = fmin(minimum, box_distance(p, low, high));
+    }
+    return minimum;
+}
+
+/** @return See #SdfCase.truth: balls of 0.75 in cells of 1, five by four by one. @param p See
+ * there.
+ */
+static double ball_grid_distance(Vec3d p) {
+    double minimum = HUGE_VAL;
+    for (int n = 0; n < 20; n++) {
+        Vec3d center = {n % 5 - 2, n / 5 - 1.5, 0};
+        minimum = fmin(minimum, vec3d_length(vec3d_subtract(p, center)) - 0.75);
+    }
+    return fmax(minimum, 0);
+}
+
+/* --- the fields ---------------------------------------------------------------------------------
+ */
+
+/** Numbers of the fields, as the scene language has them. */
+static const struct {
+    double sphere;    /**< Radius. */
+    double ring[2];   /**< Major and minor. */
+    double box[4];    /**< Edges, and how thick bars are. */
+    double little[4]; /**< The same of a little box. */
+} numbers = {1, {1, 0.25}, {1, 2, 3, 0.25}, {0.3, 0.3, 0.2, 0}};
+
+/** Turned and moved. */
+static const Transform leaning = {
+    .scale = {2, 2, 2}, .rotate = {30, 45, 60}, .translate = {0.5, -1, 0.25}};
+
+/** @return A little box beside zero. */
+static Sdf *small_box(void) {
+    return translate_sdf(make_sdf("box", numbers.little), 0.35, 0.05, -0.35);
+}
+
+/** The fields under test. */
+static SdfCase subjects[16];
+/** How many. */
+static size_t subject_count;
+
+/** Adds a field. @param name Its name. @param field It; taken. @param size How far it is tried.
+ *  @param truth Its truth, or NULL. */
+static void add_sdf_case(const char *name, Sdf *field, double size, double (*truth)(Vec3d)) {
+    SdfCase *subject = &subjects[subject_count++];
+    *subject = (SdfCase){name, field, calloc((size_t)field->node_count, sizeof(SdfInstruction)),
+                         size, truth};
+    sdf_compile(subject->codes, field);
+    assert_int_equal(field->is_exact, truth != NULL);
+}
+
+/** Makes the fields. @param state Not used. @return 0 */
+static int create_sdfs(void **state) {
+    (void)state;
+    const double *box = numbers.box;
+    add_sdf_case("sphere", make_sdf("sphere", &numbers.sphere), 3, sphere_distance);
+    add_sdf_case("box", make_sdf("box", box), 3, box_sdf_distance);
+    add_sdf_case("box frame", make_sdf("box_frame", box), 3, frame_distance);
+    add_sdf_case("torus", make_sdf("torus", numbers.ring), 3, torus_distance);
+    add_sdf_case("repeated boxes", repeat_sdf(small_box(), (SdfRepetition){{1, 1, 1}, {0, 0, 0}}),
+                 3, box_grid_distance);
+    Sdf *sphere =
+        transform_sdf(make_sdf("sphere", &numbers.sphere), (Transform){.scale = {.75, .75, .75}});
+    add_sdf_case("counted balls", repeat_sdf(sphere, (SdfRepetition){{1, 1, 1}, {5, 4, 1}}), 4,
+                 ball_grid_distance);
+    add_sdf_case("Menger sponge", make_sdf("menger", NULL), 1, NULL);
+    add_sdf_case("Mandelbulb", make_sdf("mandelbulb", NULL), 1.5, NULL);
+    add_sdf_case("Mandelbulb, coarse", make_sdf("mandelbulb", (int[]){8, 4}), 1.5, NULL);
+    add_sdf_case("Mandelbulb of power 2", make_sdf("mandelbulb", (int[]){2, 10}), 2.5, NULL);
+    add_sdf_case("leaning sponge", transform_sdf(make_sdf("menger", NULL), leaning), 3, NULL);
+    add_sdf_case("smooth union",
+                 join_sdfs(SDF_COMBINE_SMOOTH_UNION, make_sdf("box", box),
+                           translate_sdf(make_sdf("sphere", &numbers.sphere), 1, 0, 0), 0.5),
+                 3, NULL);
+    add_sdf_case("intersection",
+                 join_sdfs(SDF_COMBINE_INTERSECTION, transform_sdf(make_sdf("box", box), leaning),
+                           make_sdf("torus", numbers.ring), 0),
+                 3, NULL);
+    add_sdf_case("difference",
+                 join_sdfs(SDF_COMBINE_DIFFERENCE, make_sdf("box", box),
+                           repeat_sdf(small_box(), (SdfRepetition){{1, 1, 0}, {0, 3, 0}}), 0),
+                 3, NULL);
+    add_sdf_case("rounded sponge",
+                 round_sdf(transform_sdf(make_sdf("menger", NULL), leaning), 0.05), 3, NULL);
+    return 0;
+}
+
+/** Gives the fields back. @param state Not used. @return 0 */
+static int destroy_sdfs(void **state) {
+    (void)state;
+    for (size_t i = 0; i < subject_count; i++) {
+        free(subjects[i].field);
+        free(subjects[i].codes);
+    }
+    return 0;
+}
+
+/** @return What a field says. @param subject The field. @param p Where. */
+static double sdf_value(const SdfCase *subject, Vec3d p) {
+    return sdf_distance(subject->codes, subject->field->node_count, vec3_of(p), 1);
+}
+
+/** @return A point in a cube around zero. @param[in,out] seed A generator. @param size Half its
+ *  edge. */
+static Vec3d random_point(uint64_t *seed, double size) {
+    return (Vec3d){size * (2 * random_unit_double(seed) - 1),
+                   size * (2 * random_unit_double(seed) - 1),
+                   size * (2 * random_unit_double(seed) - 1)};
+}
+
+/* --- the promises -------------------------------------------------------------------------------
+ */
+
+/** @return Whether a field is a Mandelbulb. @param subject The field. */
+static bool is_mandelbulb(const SdfCase *subject) {
+    return subject->field->nodes[0].op == SDF_MANDELBULB;
+}
+
+/** @return The share of points from which a step that the field allows leads into its solid.
+ *  @param subject The field. */
+static double overstep_fraction(const SdfCase *subject) {
+    uint64_t seed = 1;
+    int tried = 0, wrong = 0;
+    while (tried < PAIRS) {
+        Vec3d p = random_point(&seed, subject->size), direction = random_point(&seed, 1);
+        double allowed = sdf_value(subject, p), length = vec3d_length(direction);
+        if (allowed > 0 && length > 0) {
+            direction = vec3d_scale(direction, random_unit_double(&seed) * allowed / length);
+            wrong += sdf_value(subject, vec3d_add(p, direction)) < 0;
+            tried++;
+        }
+    }
+    return (double)wrong / tried;
+}
+
+/** The Mandelbulb is a bound up to four iterations; then it grows hairs that its estimate does not
+ *  see in one of ten thousand places. @param state Not used. */
+static void test_mandelbulb(void **state) {
+    (void)state;
+    for (size_t i = 0; i < subject_count; i++) {
+        if (is_mandelbulb(&subjects[i])) {
+            bool is_coarse = subjects[i].field->nodes[0].operands[1] <= 4;
+            double fraction = overstep_fraction(&subjects[i]);
+            printf("  %-22s steps into it: %g\n", subjects[i].name, fraction);
+            assert_at_most(fraction, is_coarse ? 0 : 2e-4, "%s, steps into it", subjects[i].name);
+        }
+    }
+}
+
+/** |f(p) - f(q)| <= |p - q|, near and far, on the surface and off it. @param state Not used. */
+static void test_lipschitz(void **state) {
+    (void)state;
+    for (size_t i = 0; i < subject_count; i++) {
+        const SdfCase *subject = &subjects[i];
+        uint64_t seed = i;
+        double worst = 0;
+        if (is_mandelbulb(subject)) {
+            continue; // An estimate: see test_mandelbulb().
+        }
+        for (int n = 0; n < PAIRS; n++) {
+            Vec3d p = random_point(&seed, subject->size);
+            double far = subject->size * exp(-14 * random_unit_double(&seed));
+            Vec3d step = random_point(&seed, far), q = vec3d_add(p, step);
+            double length = vec3d_length(vec3d_subtract(q, p));
+            double change = fabs(sdf_value(subject, p) - sdf_value(subject, q));
+            // The roundings of points and distances, too.
+            worst = fmax(worst, (change - 1e-14 * subject->size) / length);
+        }
+        printf("  %-22s |f(p) - f(q)| / |p - q| at most %.9f\n", subject->name, worst);
+        assert_at_most(worst, 1 + 1e-9, "%s, change over way", subject->name);
+    }
+}
+
+/** Exact fields say the distance; bounds are not asked. @param state Not used. */
+static void test_distances(void **state) {
+    (void)state;
+    for (size_t i = 0; i < subject_count; i++) {
+        const SdfCase *subject = &subjects[i];
+        uint64_t seed = i;
+        for (int n = 0; subject->truth && n < POINTS; n++) {
+            Vec3d p = random_point(&seed, subject->size);
+            double truth = subject->truth(p), value = sdf_value(subject, p);
+            assert_at_most(fabs(fmax(value, 0) - truth), 1e-14, "%s at %g %g %g", subject->name,
+                           p.x, p.y, p.z);
+        }
+    }
+}
+
+/** No solid reaches out of its box: outside, the field is at least the distance over its slack.
+ *  @param state Not used. */
+static void test_boxes(void **state) {
+    (void)state;
+    for (size_t i = 0; i < subject_count; i++) {
+        const SdfCase *subject = &subjects[i];
+        const Sdf *field = subject->field;
+        uint64_t seed = i;
+        for (int n = 0; n < POINTS; n++) {
+            Vec3d p = random_point(&seed, 2 * subject->size);
+            double lateral = box_distance(p, field->low, field->high);
+            assert_at_most(lateral / field->bound_slack - 1e-14, fmax(sdf_value(subject, p), 0),
+                           "%s beside its box", subject->name);
+        }
+    }
+}
+
+/** Derivatives that are carried along agree with differences. @param state Not used. */
+static void test_gradients(void **state) {
+    (void)state;
+    const double h = 1e-6;
+    for (size_t i = 0; i < subject_count; i++) {
+        const SdfCase *subject = &subjects[i];
+        uint64_t seed = i;
+        int wrong = 0;
+        for (int n = 0; n < POINTS / 10; n++) {
+            Vec3d p = random_point(&seed, subject->size);
+            SdfSample here = sdf_sample(subject->codes, subject->field->node_count, vec3_of(p), 1);
+            assert_true(here.distance == sdf_value(subject, p));
+            const double carried[3] = {here.gradient.x, here.gradient.y, here.gradient.z};
+            for (int axis = 0; axis < 3; axis++) {
+                Vec3d step = {axis == 0 ? h : 0, axis == 1 ? h : 0, axis == 2 ? h : 0};
+                double up = sdf_value(subject, vec3d_add(p, step));
+                double down = sdf_value(subject, vec3d_subtract(p, step));
+                wrong += !(fabs((up - down) / (2 * h) - carried[axis]) < 1e-4);
+            }
+        }
+        // Between two points of a difference there may be an edge; a Mandelbulb has them
+        // everywhere.
+        double fraction = is_mandelbulb(subject) ? 0.1 : 2e-4;
+        printf("  %-22s gradients unlike differences: %g\n", subject->name, wrong / (0.3 * POINTS));
+        assert_at_most(wrong / (0.3 * POINTS), fraction, "%s, gradients", subject->name);
+    }
+}
+
+/* --- limits --------------------------------------------------------------------------------------
+ */
+
+/** Ten thousand fields are refused; a long chain of unions is not deep. @param state Not used. */
+static void test_limits(void **state) {
+    (void)state;
+    Error error = {0};
+    Sdf *chain = make_sdf("sphere", NULL);
+    for (int n = 1; n < 200; n++) {
+        chain = join_sdfs(SDF_COMBINE_UNION, make_sdf("sphere", NULL), chain, 0);
+    }
+    assert_int_equal(chain->depth, 1);
+    const Sdf *many[40];
+    for (int n = 0; n < 40; n++) {
+        many[n] = chain;
+    }
+    Sdf *out = allocate_sdf(SDF_NODES_MAXIMUM);
+    assert_false(sdf_combine(out, SDF_COMBINE_UNION, many, 40, 0, &error));
+    assert_non_null(strstr(error.message, "4096"));
+    free(chain);
+    Sdf *deep = make_sdf("sphere", NULL);
+    for (int n = 0; n < SDF_DEPTH_MAXIMUM; n++) {
+        deep = translate_sdf(deep, 0.1, 0, 0);
+    }
+    assert_false(sdf_transform(out, deep, transform_keyword.defaults, &error));
+    assert_non_null(strstr(error.message, "deep"));
+    free(deep);
+    free(out);
+}
+
+/** Copies may overlap their neighbours, but no more. @param state Not used. */
+static void test_overlap(void **state) {
+    (void)state;
+    Error error = {0};
+    Sdf *sphere = make_sdf("sphere", NULL), *out = allocate_sdf(2);
+    assert_true(sdf_repeat(out, sphere, &(SdfRepetition){.period = {1, 0, 0}}, &error));
+    assert_false(sdf_repeat(out, sphere, &(SdfRepetition){.period = {0.99, 0, 0}}, &error));
+    assert_non_null(strstr(error.message, "overlap"));
+    assert_false(sdf_repeat(out, sphere, &(SdfRepetition){{3, 3, 3}, {1.5, 0, 0}}, &error));
+    free(sphere);
+    free(out);
+}
+
+/** Runs the tests. @return 0 if fields keep their promises. */
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_lipschitz), cmocka_unit_test(test_mandelbulb),
+        cmocka_unit_test(test_distances), cmocka_unit_test(test_boxes),
+        cmocka_unit_test(test_gradients), cmocka_unit_test(test_limits),
+        cmocka_unit_test(test_overlap),
+    };
+    return cmocka_run_group_tests_name("fields", tests, create_sdfs, destroy_sdfs);
+}

@@ -1,0 +1,478 @@
+/**
+ * @file
+ * @brief Marching: fields beside their analytic twins, in every engine. Nothing is tunnelled,
+ * nothing is met twice, and the distance is as good as the tolerance promises.
+ */
+#include "sdf_builders.h"
+
+/** Rays of each comparison; `SDF_RAYS` in the environment asks for others. */
+enum { RAYS = 100000 };
+/** As in scene files. */
+static const SdfShapeParameters usual = {.tolerance = 1e-4, .max_steps = 512};
+
+/** A field and shapes that are the same. */
+typedef struct TwinTracers {
+    const char *name;      /**< Their name. */
+    const Engine *engine;  /**< The engine. */
+    Tracer *sphere_traced; /**< A scene with the field. */
+    Tracer *analytic;      /**< A scene with the shapes. */
+    double size;           /**< Rays come from so far, and aim at less. */
+} TwinTracers;
+
+/** What comparing twins came to. */
+typedef struct TwinComparison {
+    long tunnelled_count;      /**< Rays that go through the shape and did not meet the field. */
+    long wrong_count;          /**< Rays that met the field and go by at a distance. */
+    double max_distance_error; /**< Worst error of the distance times the sine, in tolerances. */
+    double max_normal_error;   /**< Worst error of the normal, radians. */
+} TwinComparison;
+
+/** @return A tracer with the surface of a field; the field is given back. @param engine The engine.
+ *  @param field The field. @param row How near, and how many steps. */
+static Tracer *marched(const Engine *engine, Sdf *field, SdfShapeParameters row) {
+    Scene *scene = create_empty_scene();
+    row.field = field;
+    add_sdf(scene, row);
+    Tracer *tracer = create_tracer(engine, scene);
+    scene_destroy(scene);
+    free(field);
+    return tracer;
+}
+
+/** @return a . b @param a Three numbers. @param b Three numbers. */
+static double dot(const Quadruple *a, const Quadruple *b) {
+    return (double)(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
+}
+
+/** @return The length of a - b. @param a Three numbers. @param b Three numbers. */
+static double distance_between(const Quadruple *a, const Quadruple *b) {
+    Quadruple difference[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+    return sqrt(dot(difference, difference));
+}
+
+/** @return Sine of the angle at which a ray meets a surface. @param ray The ray. @param hit Where.
+ */
+static double sine(const RayQueryQuad *ray, const RayResult *hit) {
+    return fabs(dot(ray->direction, hit->normal)) / sqrt(dot(ray->direction, ray->direction));
+}
+
+/**
+ * @return Whether a ray goes into a shape for so long that nobody can say it just touches it.
+ * @param tracers  The shape.
+ * @param ray    The ray.
+ * @param hit    Where it meets it first.
+ */
+static bool passes_clearly_through(const TwinTracers *tracers, const RayQueryQuad *ray,
+                                   const RayResult *hit) {
+    RayQueryQuad inside = *ray;
+    RayResult out;
+    double length = sqrt(dot(ray->direction, ray->direction));
+    double step = 16 * usual.tolerance / (length * fmax(sine(ray, hit), 1e-3));
+    for (int i = 0; i < 3; i++) {
+        inside.origin[i] = hit->point[i] + step * ray->direction[i];
+    }
+    tracers->engine->intersect(tracers->analytic, 1, &inside, &out);
+    return out.shape == hit->shape && dot(ray->direction, out.normal) > 0;
+}
+
+/**
+ * @return Whether a ray would meet a shape if it were two tolerances nearer: who goes by within the
+ *         tolerance counts as a hit.
+ * @param tracers  The shape.
+ * @param ray    The ray.
+ * @param hit    Where it meets the field.
+ */
+static bool nearly_touches(const TwinTracers *tracers, const RayQueryQuad *ray,
+                           const RayResult *hit) {
+    RayQueryQuad nearer = *ray;
+    RayResult answer;
+    for (int i = 0; i < 3; i++) {
+        nearer.origin[i] -= 2 * usual.tolerance * hit->normal[i];
+    }
+    tracers->engine->intersect(tracers->analytic, 1, &nearer, &answer);
+    return answer.shape >= 0;
+}
+
+/** @return A ray from around towards the middle. @param tracers What it aims at. @param[in,out]
+ * seed A generator. */
+static RayQueryQuad random_ray(const TwinTracers *tracers, uint64_t *seed) {
+    RayQueryQuad ray;
+    for (int i = 0; i < 3; i++) {
+        ray.origin[i] = random_float(seed, -tracers->size, tracers->size);
+        ray.direction[i] =
+            round_to_float(random_float(seed, -1, 1) * 0.4 * tracers->size - (double)ray.origin[i]);
+    }
+    return ray;
+}
+
+/** @return Whether a ray starts within the tolerance of a surface: then it is on it, and leaves it.
+ *  @param ray The ray. @param truth What it meets. */
+static bool starts_on_surface(const RayQueryQuad *ray, const RayResult *truth) {
+    double length = sqrt(dot(ray->direction, ray->direction));
+    return truth->shape >= 0 &&
+           (double)truth->distance * length * sine(ray, truth) <= usual.tolerance;
+}
+
+/** Compares one answer with its twin. @param tracers What was asked. @param ray The ray.
+ *  @param it What marching found. @param truth What there is. @param[in,out] result The errors. */
+static void compare_one(const TwinTracers *tracers, const RayQueryQuad *ray, const RayResult *it,
+                        const RayResult *truth, TwinComparison *result) {
+    assert_int_equal(it->shape >= 0, it->occluded);
+    if (starts_on_surface(ray, truth)) {
+        return;
+    }
+    if (truth->shape >= 0 && it->shape >= 0) {
+        double length = sqrt(dot(ray->direction, ray->direction));
+        double error = fabs((double)(it->distance - truth->distance)) * length;
+        double turn = distance_between(it->normal, truth->normal);
+        if (error < 0.01 * tracers->size && passes_clearly_through(tracers, ray, truth)) {
+            result->max_distance_error =
+                fmax(result->max_distance_error, error * sine(ray, truth) / usual.tolerance);
+            result->max_normal_error =
+                fmax(result->max_normal_error, sine(ray, truth) > 0.1 ? turn : 0);
+        }
+    } else if (truth->shape >= 0) {
+        result->tunnelled_count += passes_clearly_through(tracers, ray, truth);
+    } else if (it->shape >= 0) {
+        result->wrong_count += !nearly_touches(tracers, ray, it);
+    }
+}
+
+/** @return What comparing twins came to; both are given back. @param tracers The twins. */
+static TwinComparison compare(const TwinTracers *tracers) {
+    const char *message = getenv("SDF_RAYS");
+    long count = ray_count_for(tracers->engine, message ? atol(message) : RAYS);
+    TwinComparison result = {0};
+    uint64_t seed = 1;
+    static RayQueryQuad rays[BATCH];
+    static RayResult found[BATCH], truth[BATCH];
+    for (long done = 0; done < count; done += BATCH) {
+        for (int i = 0; i < BATCH; i++) {
+            rays[i] = random_ray(tracers, &seed);
+        }
+        tracers->engine->intersect(tracers->sphere_traced, BATCH, rays, found);
+        tracers->engine->intersect(tracers->analytic, BATCH, rays, truth);
+        for (int i = 0; i < BATCH; i++) {
+            compare_one(tracers, &rays[i], &found[i], &truth[i], &result);
+        }
+    }
+    printf("  %-16s %-7s t %.3f tolerances / sine, normal %.1e rad, tunnelled %ld, wrong %ld\n",
+           tracers->name, tracers->engine->name, result.max_distance_error, result.max_normal_error,
+           result.tunnelled_count, result.wrong_count);
+    tracers->engine->destroy(tracers->sphere_traced);
+    tracers->engine->destroy(tracers->analytic);
+    return result;
+}
+
+/** Asserts that a field is as good as its twin. @param tracers The twins. */
+static void assert_alike(const TwinTracers *tracers) {
+    TwinComparison result = compare(tracers);
+    assert_at_most(result.tunnelled_count, 0, "%s in %s, tunnelled", tracers->name,
+                   tracers->engine->name);
+    assert_at_most(result.wrong_count, 0, "%s in %s, wrong", tracers->name, tracers->engine->name);
+    assert_at_most(result.max_distance_error, 1.01, "%s in %s, distance", tracers->name,
+                   tracers->engine->name);
+    assert_at_most(result.max_normal_error, 1e-4, "%s in %s, normal", tracers->name,
+                   tracers->engine->name);
+}
+
+/** A ball. @param engine The engine. */
+static void sphere_twins(const Engine *engine) {
+    Scene *scene = create_empty_scene();
+    add_shape(scene, "sphere", &(SphereParameters){{0, 0, 0}, 1});
+    assert_alike(&(TwinTracers){"sphere", engine, marched(engine, make_sdf("sphere", NULL), usual),
+                                create_tracer(engine, scene), 4});
+    scene_destroy(scene);
+}
+
+/** A box. @param engine The engine. */
+static void box_twins(const Engine *engine) {
+    Scene *scene = create_empty_scene();
+    add_shape(scene, "box", &(BoxParameters){{-0.5, -1, -1.5}, {0.5, 1, 1.5}});
+    Sdf *box = make_sdf("box", (double[]){1, 2, 3});
+    assert_alike(&(TwinTracers){"box", engine, marched(engine, box, usual),
+                                create_tracer(engine, scene), 4});
+    scene_destroy(scene);
+}
+
+/** The top of a box that is as large as the ground. @param engine The engine. */
+static void ground_twins(const Engine *engine) {
+    Scene *scene = create_empty_scene();
+    add_shape(scene, "box", &(BoxParameters){{-64, -8, -64}, {64, 0, 64}});
+    Sdf *box = translate_sdf(make_sdf("box", (double[]){128, 8, 128}), 0, -4, 0);
+    SdfShapeParameters patient = {.tolerance = usual.tolerance, .max_steps = 20000};
+    assert_alike(&(TwinTracers){"ground", engine, marched(engine, box, patient),
+                                create_tracer(engine, scene), 4});
+    scene_destroy(scene);
+}
+
+/** Repeated balls beside the middle of their cells, which the shortcut of asking the own cell only
+ *  gets wrong, and the same as a list. @param engine The engine. */
+static void repeated_twins(const Engine *engine) {
+    Scene *scene = create_empty_scene();
+    for (int n = 0; n < 7 * 7 * 7; n++) {
+        Vec3d center = {n % 7 - 3 + 0.25, n / 7 % 7 - 3 - 0.125, n / 49 - 3 + 0.0625};
+        add_shape(scene, "sphere", &(SphereParameters){center, 0.25});
+    }
+    Sdf *sphere = translate_sdf(make_sdf("sphere", (double[]){0.25}), 0.25, -0.125, 0.0625);
+    Sdf *all = repeat_sdf(sphere, (SdfRepetition){{1, 1, 1}, {7, 7, 7}});
+    assert_alike(&(TwinTracers){"repeated balls", engine, marched(engine, all, usual),
+                                create_tracer(engine, scene), 6});
+    scene_destroy(scene);
+}
+
+/** Repeated balls that stand leaning in their cells, and all of them leaning: what is done to the
+ *  ray once, before its first step. @param engine The engine. */
+static void leaning_twins(const Engine *engine) {
+    Error error = {0};
+    Scene *scene = create_empty_scene();
+    Transform inner = {
+        .scale = {0.5, 0.5, 0.5}, .rotate = {50, 0, 70}, .translate = {0.125, -0.25, 0}};
+    Transform outer = {
+        .scale = {1.25, 1.25, 1.25}, .rotate = {20, 30, 40}, .translate = {0.5, 0.25, -0.25}};
+    assert_true(transform_keyword.finish(&outer, 0, &error));
+    for (int n = 0; n < 4 * 4 * 4; n++) {
+        Vec3d p = vec3d_add((Vec3d){n % 4 - 1.5, n / 4 % 4 - 1.5, n / 16 - 1.5}, inner.translate);
+        const double(*m)[3] = (const double(*)[3])outer.matrix;
+        Vec3d turned = {m[0][0] * p.x + m[0][1] * p.y + m[0][2] * p.z,
+                        m[1][0] * p.x + m[1][1] * p.y + m[1][2] * p.z,
+                        m[2][0] * p.x + m[2][1] * p.y + m[2][2] * p.z};
+        add_shape(scene, "sphere", &(SphereParameters){vec3d_add(turned, outer.translate), 0.3125});
+    }
+    Sdf *sphere = transform_sdf(make_sdf("sphere", (double[]){0.5}), inner);
+    Sdf *all = transform_sdf(repeat_sdf(sphere, (SdfRepetition){{1, 1, 1}, {4, 4, 4}}), outer);
+    assert_alike(&(TwinTracers){"leaning balls", engine, marched(engine, all, usual),
+                                create_tracer(engine, scene), 6});
+    scene_destroy(scene);
+}
+
+/** Balls that reach into the cells around, so that all neighbours are asked. @param engine The
+ *  engine. */
+static void reaching_twins(const Engine *engine) {
+    Scene *scene = create_empty_scene();
+    for (int n = 0; n < 5 * 5 * 5; n++) {
+        Vec3d center = {n % 5 - 2 + 0.375, n / 5 % 5 - 2 - 0.4375, n / 25 - 2 + 0.5};
+        add_shape(scene, "sphere", &(SphereParameters){center, 0.25});
+    }
+    Sdf *sphere = translate_sdf(make_sdf("sphere", (double[]){0.25}), 0.375, -0.4375, 0.5);
+    Sdf *all = repeat_sdf(sphere, (SdfRepetition){{1, 1, 1}, {5, 5, 5}});
+    assert_alike(&(TwinTracers){"reaching balls", engine, marched(engine, all, usual),
+                                create_tracer(engine, scene), 5});
+    scene_destroy(scene);
+}
+
+/** Twins in every engine. @param state Not used. */
+static void test_twins(void **state) {
+    (void)state;
+    for_every_engine(sphere_twins);
+    for_every_engine(box_twins);
+    for_every_engine(ground_twins);
+    for_every_engine(repeated_twins);
+    for_every_engine(leaning_twins);
+    for_every_engine(reaching_twins);
+}
+
+/* --- leaving a surface -------------------------------------------------------------------------
+ */
+
+/** @return A box with a ball in it and a groove, turned: something that has all kinds of edges. */
+static Sdf *edged_solid(void) {
+    Sdf *box = make_sdf("box", (double[]){1.5, 1, 1});
+    Sdf *sphere = translate_sdf(make_sdf("sphere", (double[]){0.5}), 0.25, 0.5, 0);
+    Sdf *both = join_sdfs(SDF_COMBINE_SMOOTH_UNION, box, sphere, 0.25);
+    Sdf *ring = translate_sdf(make_sdf("torus", (double[]){0.75, 0.125}), 0, 0, 0.5);
+    Transform leaning = {.scale = {1, 1, 1}, .rotate = {20, 30, 40}, .translate = {0.5, 0, 0}};
+    return transform_sdf(join_sdfs(SDF_COMBINE_DIFFERENCE, both, ring, 0), leaning);
+}
+
+/** Rays that leave a ball outwards meet nothing, and inwards the other side, from inside.
+ *  @param engine The engine. */
+static void check_offset_rays(const Engine *engine) {
+    Tracer *tracer = marched(engine, make_sdf("sphere", NULL), usual);
+    uint64_t seed = 1;
+    const TwinTracers aim = {.size = 4};
+    for (long left = 0; left < ray_count_for(engine, RAYS);) {
+        RayQueryQuad ray = random_ray(&aim, &seed), second_ray;
+        RayResult hit, again;
+        engine->intersect(tracer, 1, &ray, &hit);
+        if (hit.shape < 0) {
+            continue;
+        }
+        left++;
+        int side = left % 2 ? 1 : -1;
+        for (int i = 0; i < 3; i++) {
+            second_ray.origin[i] = hit.point[i] + side * hit.error * hit.normal[i];
+            second_ray.direction[i] = random_float(&seed, -1, 1);
+        }
+        double cosine = dot(second_ray.direction, hit.normal) * side;
+        for (int i = 0; i < 3; i++) {
+            second_ray.direction[i] =
+                cosine > 0 ? second_ray.direction[i] : -second_ray.direction[i];
+        }
+        engine->intersect(tracer, 1, &second_ray, &again);
+        assert_int_equal(again.shape, side > 0 ? -1 : 0);
+        if (side < 0) {
+            // A chord of a ball is as long as twice the cosine.
+            double length = sqrt(dot(second_ray.direction, second_ray.direction));
+            double chord = 2 * fabs(cosine) / length;
+            double way = (double)again.distance * length;
+            assert_at_most(fabs(way - chord), 0.02 + 0.02 * chord, "chord in %s", engine->name);
+        }
+    }
+    engine->destroy(tracer);
+}
+
+/** No acne, in any engine. @param state Not used. */
+static void test_offset_rays(void **state) {
+    (void)state;
+    for_every_engine(check_offset_rays);
+}
+
+/* --- the same bits ------------------------------------------------------------------------------
+ */
+
+/** Wide engines give the bits of narrow ones. @param engine The engine. */
+static void check_lane_widths(const Engine *engine) {
+    Error error = {0};
+    const Engine *narrow = engine_find(engine->mantissa_bits == 24   ? "f32x1"
+                                       : engine->mantissa_bits == 53 ? "f64x1"
+                                                                     : "f128x1",
+                                       &error);
+    Sdf *(*const things[])(void) = {edged_solid};
+    const TwinTracers aim = {.size = 4};
+    uint64_t seed = 3;
+    static RayQueryQuad rays[BATCH];
+    static RayResult a[BATCH], b[BATCH];
+    for (int kind = 0; kind < 3; kind++) {
+        Sdf *fields[2];
+        for (int i = 0; i < 2; i++) {
+            fields[i] = kind == 0   ? things[0]()
+                        : kind == 1 ? make_sdf("mandelbulb", (int[]){8, 5})
+                                    : repeat_sdf(make_sdf("menger", NULL),
+                                                 (SdfRepetition){{1.5, 0, 1.25}, {0, 0, 2}});
+        }
+        Tracer *wide = marched(engine, fields[0], usual);
+        Tracer *one = marched(narrow, fields[1], usual);
+        int count = (int)ray_count_for(engine, BATCH);
+        for (int i = 0; i < count; i++) {
+            rays[i] = random_ray(&aim, &seed);
+        }
+        engine->intersect(wide, (size_t)count, rays, a);
+        narrow->intersect(one, (size_t)count, rays, b);
+        for (int i = 0; i < count; i++) {
+            assert_int_equal(a[i].shape, b[i].shape);
+            assert_memory_equal(&a[i].distance, &b[i].distance, sizeof a[i].distance);
+            assert_memory_equal(a[i].point, b[i].point, sizeof a[i].point);
+            assert_memory_equal(a[i].normal, b[i].normal, sizeof a[i].normal);
+        }
+        engine->destroy(wide);
+        narrow->destroy(one);
+    }
+}
+
+/** @param state Not used. */
+static void test_same_bits(void **state) {
+    (void)state;
+    for_every_engine(check_lane_widths);
+}
+
+/* --- the footprint of pixels ---------------------------------------------------------------------
+ */
+
+/** @return A tracer with the surface of a field, seen from zero in a picture of 800 pixels; the
+ *          field is given back. @param engine The engine. @param field The field.
+ *  @param footprint See #TraceSettings.footprint. */
+static Tracer *tracer_with_footprint(const Engine *engine, Sdf *field, double footprint) {
+    Error error = {0};
+    Scene *scene = create_empty_scene();
+    SdfShapeParameters row = {field, usual.tolerance, usual.max_steps};
+    add_sdf(scene, row);
+    TraceSettings settings = {.offset = OFFSET_BOUND, .footprint = footprint};
+    Tracer *tracer = engine->create_tracer(scene, &settings, &error);
+    assert_non_null(tracer);
+    engine->set_view(tracer, scene, 800, 600);
+    scene_destroy(scene);
+    free(field);
+    return tracer;
+}
+
+/** Balls without end: every ray meets one, if what is smaller than the footprint is left out; else
+ *  some go on for ever. What is met is no farther from a ball than the footprint. @param engine The
+ *  engine. */
+static void check_footprint_culling(const Engine *engine) {
+    const double share = 4, fov = ((const SceneCamera *)scene_camera_keyword.defaults)->fov;
+    const double spread = share * tan(0.5 * fov * M_PI / 180) / 800;
+    const SdfRepetition endless = {{1, 1, 1}, {0, 0, 0}};
+    uint64_t stalled[2];
+    for (int with = 0; with < 2; with++) {
+        Sdf *sphere = translate_sdf(make_sdf("sphere", (double[]){0.0625}), 0.25, 0.125, 0.25);
+        Tracer *tracer =
+            tracer_with_footprint(engine, repeat_sdf(sphere, endless), with ? share : 0);
+        uint64_t seed = 5;
+        for (long i = 0; i < ray_count_for(engine, RAYS) / 10; i++) {
+            RayQueryQuad ray = random_ray(&(TwinTracers){.size = 4}, &seed);
+            RayQuery plain = {.origin = {0, 0, 0}};
+            int shape;
+            double t, length = sqrt(dot(ray.direction, ray.direction)), error = 0;
+            for (int axis = 0; axis < 3; axis++) {
+                plain.direction[axis] = (double)ray.direction[axis];
+            }
+            engine->closest_hits(tracer, 1, &plain, &shape, &t);
+            for (int axis = 0; shape >= 0 && axis < 3; axis++) {
+                double x = t * plain.direction[axis] - (axis == 1 ? 0.125 : 0.25);
+                error += (x - floor(x + 0.5)) * (x - floor(x + 0.5));
+            }
+            double tolerance = fmax(usual.tolerance, with * spread * t * length);
+            double maximum = 1.01 * tolerance + 1e-6 * t * length;
+            assert_at_most(shape >= 0 ? fabs(sqrt(error) - 0.0625) : 0, maximum, "off in %s",
+                           engine->name);
+        }
+        stalled[with] = engine->stats(tracer).step_limit_count;
+        engine->destroy(tracer);
+    }
+    assert_true(stalled[0] > 0 || engine->mantissa_bits > 64); // That one is asked too little.
+    assert_int_equal(stalled[1], 0);
+}
+
+/** @param state Not used. */
+static void test_footprint(void **state) {
+    (void)state;
+    for_every_engine(check_footprint_culling);
+}
+
+/* --- running out of steps ------------------------------------------------------------------------
+ */
+
+/** Rays that run out of steps are counted, and are no hits unless they came near. @param engine The
+ *  engine. */
+static void check_step_limit(const Engine *engine) {
+    SdfShapeParameters hasty = {.tolerance = usual.tolerance, .max_steps = 3};
+    Tracer *tracer = marched(engine, make_sdf("sphere", NULL), hasty);
+    RayQueryQuad grazing = {{-4, 0.75, 0.75}, {1, 0, 0}}, straight = {{-4, 0, 0}, {1, 0, 0}};
+    RayResult answer;
+    engine->intersect(tracer, 1, &grazing, &answer);
+    assert_int_equal(answer.shape, -1);
+    assert_true(engine->stats(tracer).step_limit_count > 0);
+    engine->destroy(tracer);
+    tracer = marched(engine, make_sdf("sphere", NULL), hasty);
+    engine->intersect(tracer, 1, &straight, &answer);
+    assert_int_equal(answer.shape, 0);
+    assert_int_equal(engine->stats(tracer).step_limit_count, 0);
+    engine->destroy(tracer);
+}
+
+/** @param state Not used. */
+static void test_step_limit(void **state) {
+    (void)state;
+    for_every_engine(check_step_limit);
+}
+
+/** Runs the tests. @return 0 if marching is right. */
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_twins),      cmocka_unit_test(test_offset_rays),
+        cmocka_unit_test(test_same_bits),  cmocka_unit_test(test_footprint),
+        cmocka_unit_test(test_step_limit),
+    };
+    return cmocka_run_group_tests_name("marching", tests, NULL, NULL);
+}

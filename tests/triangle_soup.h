@@ -1,0 +1,178 @@
+/**
+ * @file
+ * @brief Triangles for tests: closed, flat, or one by one.
+ */
+#ifndef TESTS_TRIANGLE_SOUP_H
+#define TESTS_TRIANGLE_SOUP_H
+
+#include "testing.h"
+
+#include <stdlib.h>
+
+/** Triangles that share their corners. */
+typedef struct TriangleSoup {
+    Vec3d *positions;        /**< The corners; owned. */
+    size_t position_count;   /**< How many. */
+    MeshTriangle *triangles; /**< Places of corners; owned. */
+    size_t triangle_count;   /**< How many. */
+} TriangleSoup;
+
+/** @return Triangles that share nothing, their corners still zero; to be given back.
+ *  @param count How many. */
+static inline TriangleSoup triangle_soup_create(size_t count) {
+    TriangleSoup t = {calloc(3 * count, sizeof *t.positions), 3 * count,
+                      calloc(count, sizeof *t.triangles), count};
+    assert_non_null(t.positions);
+    assert_non_null(t.triangles);
+    for (uint32_t i = 0; i < 3 * count; i++) {
+        t.triangles[i / 3].index[i % 3] = i;
+    }
+    return t;
+}
+
+/** Gives triangles back. @param t The triangles. */
+static inline void triangle_soup_destroy(TriangleSoup *t) {
+    free(t->positions);
+    free(t->triangles);
+    *t = (TriangleSoup){0};
+}
+
+/** @return A corner. @param t Triangles. @param i Which triangle. @param corner 0 to 2. */
+static inline Vec3d triangle_soup_vertex(const TriangleSoup *t, size_t i, size_t corner) {
+    return t->positions[t->triangles[i].index[corner]];
+}
+
+/** Adds triangles as a mesh to a scene. @param scene The scene. @param t The triangles.
+ *  @param normals See #MeshShapeParameters. */
+static inline void add_triangle_soup(Scene *scene, const TriangleSoup *t, int normals) {
+    add_mesh(scene, t->positions, t->position_count, t->triangles, t->triangle_count, normals);
+}
+
+/** Orders corners, for qsort. @param a One. @param b The other. @return See qsort. */
+static inline int compare_vertices(const void *a, const void *b) {
+    const Vec3d *p = *(const Vec3d *const *)a, *q = *(const Vec3d *const *)b;
+    if (p->x != q->x) {
+        return p->x < q->x ? -1 : 1;
+    }
+    if (p->y != q->y) {
+        return p->y < q->y ? -1 : 1;
+    }
+    return (p->z > q->z) - (p->z < q->z);
+}
+
+/** Makes triangles share the corners that are the same. @param t Triangles that share nothing. */
+static inline void triangle_soup_weld(TriangleSoup *t) {
+    const Vec3d **sorted = calloc(t->position_count, sizeof *sorted);
+    Vec3d *shared = calloc(t->position_count, sizeof *shared);
+    size_t count = 0;
+    assert_true(sorted && shared);
+    for (size_t i = 0; i < t->position_count; i++) {
+        sorted[i] = &t->positions[i];
+    }
+    qsort(sorted, t->position_count, sizeof *sorted, compare_vertices);
+    for (size_t i = 0; i < t->position_count; i++) {
+        if (i == 0 || compare_vertices(&sorted[i - 1], &sorted[i]) != 0) {
+            shared[count++] = *sorted[i];
+        }
+        size_t at = (size_t)(sorted[i] - t->positions);
+        t->triangles[at / 3].index[at % 3] = (uint32_t)(count - 1);
+    }
+    free(sorted);
+    free(t->positions);
+    t->positions = shared;
+    t->position_count = count;
+}
+
+/* --- a closed mesh --------------------------------------------------------------------------- */
+
+/** Radius of an icosphere. */
+#define ICOSPHERE_RADIUS 2
+
+/** @return A point as far from the zero as the mesh is, exact in float, the same for both faces of
+ *          an edge. @param a One end. @param b The other. */
+static inline Vec3d sphere_midpoint(Vec3d a, Vec3d b) {
+    Vec3d m = vec3d_scale(vec3d_normalize(vec3d_add(a, b)), ICOSPHERE_RADIUS);
+    return (Vec3d){round_to_float(m.x), round_to_float(m.y), round_to_float(m.z)};
+}
+
+/** Adds a face, divided. @param[in,out] t Triangles with room; their number is raised.
+ *  @param a A corner. @param b A corner. @param c A corner. @param times How often it is divided.
+ */
+static inline void icosphere_add_face(TriangleSoup *t, Vec3d a, Vec3d b, Vec3d c, int times) {
+    if (times == 0) {
+        const Vec3d face[3] = {a, b, c};
+        memcpy(&t->positions[3 * t->triangle_count++], face, sizeof face);
+        return;
+    }
+    Vec3d ab = sphere_midpoint(a, b), bc = sphere_midpoint(b, c), ca = sphere_midpoint(c, a);
+    icosphere_add_face(t, a, ab, ca, times - 1);
+    icosphere_add_face(t, ab, b, bc, times - 1);
+    icosphere_add_face(t, ca, bc, c, times - 1);
+    icosphere_add_face(t, ab, bc, ca, times - 1);
+}
+
+/** @return A corner of an icosahedron. @param which 0 to 11. */
+static inline Vec3d icosahedron_vertex(int which) {
+    double golden = (which & 1 ? -1 : 1) * (1 + sqrt(5)) / 2, one = which & 2 ? -1 : 1;
+    Vec3d v = which < 4   ? (Vec3d){0, one, golden}
+              : which < 8 ? (Vec3d){golden, 0, one}
+                          : (Vec3d){one, golden, 0};
+    return sphere_midpoint(v, v);
+}
+
+/** Adds a face of an icosahedron where three corners are neighbours, its front outwards.
+ *  @param[in,out] t See #icosphere_add_face. @param a A corner. @param b A corner. @param c A
+ * corner.
+ *  @param times How often it is divided. */
+static inline void icosahedron_add_face(TriangleSoup *t, Vec3d a, Vec3d b, Vec3d c, int times) {
+    /** Squared edge of an icosahedron of radius 2, with room: the next distance is 10.5. */
+    const double edge = 5;
+    Vec3d ab = vec3d_subtract(b, a), bc = vec3d_subtract(c, b), ca = vec3d_subtract(a, c);
+    if (vec3d_dot(ab, ab) < edge && vec3d_dot(bc, bc) < edge && vec3d_dot(ca, ca) < edge) {
+        bool is_outwards = vec3d_dot(vec3d_cross(ab, bc), a) > 0;
+        icosphere_add_face(t, a, is_outwards ? b : c, is_outwards ? c : b, times);
+    }
+}
+
+/** @return A closed mesh of 20 * 4^times faces around the zero, to be given back.
+ *  @param times How often each face of an icosahedron is divided into four. */
+static inline TriangleSoup icosphere_triangles(int times) {
+    size_t count = (size_t)20 << 2 * times;
+    TriangleSoup t = triangle_soup_create(count);
+    t.triangle_count = 0;
+    for (int i = 0; i < 12; i++) {
+        for (int j = 0; j < i; j++) {
+            for (int k = 0; k < j; k++) {
+                icosahedron_add_face(&t, icosahedron_vertex(i), icosahedron_vertex(j),
+                                     icosahedron_vertex(k), times);
+            }
+        }
+    }
+    assert_int_equal(t.triangle_count, count);
+    triangle_soup_weld(&t);
+    return t;
+}
+
+/* --- a flat mesh ----------------------------------------------------------------------------- */
+
+/** @return A square of side 4 around the zero, cut into cells of two triangles each; to be given
+ *          back. @param axis The axis that it stands across. @param height Where on that axis.
+ *  @param cells How many cells a side. */
+static inline TriangleSoup grid_triangles(int axis, double height, size_t cells) {
+    static const int corners[6][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}};
+    TriangleSoup t = triangle_soup_create(2 * cells * cells);
+    for (size_t i = 0; i < t.position_count; i++) {
+        size_t cell = i / 6;
+        double at[3];
+        at[axis] = height;
+        at[(axis + 1) % 3] =
+            4.0 * (double)(cell % cells + (size_t)corners[i % 6][0]) / (double)cells - 2;
+        at[(axis + 2) % 3] =
+            4.0 * (double)(cell / cells + (size_t)corners[i % 6][1]) / (double)cells - 2;
+        t.positions[i] = (Vec3d){at[0], at[1], at[2]};
+    }
+    triangle_soup_weld(&t);
+    return t;
+}
+
+#endif

@@ -14,12 +14,12 @@ enum { RAYS_PER_QUERY = 64 };
 
 /* --- answers --------------------------------------------------------------------------------- */
 
-/** @return Whether two numbers are the same bits; NaN is not. @param a One. @param b The other. */
+/** @return Whether two numbers are the same bits; NaN is not. */
 static inline bool same_bits(Quadruple a, Quadruple b) {
     return a == b && signbit((double)a) == signbit((double)b);
 }
 
-/** @return Whether two answers are the same bits. @param a One. @param b The other. */
+/** @return Whether two answers are the same bits. */
 static inline bool same_result(const RayResult *a, const RayResult *b) {
     bool same =
         a->shape == b->shape && a->occluded == b->occluded && same_bits(a->distance, b->distance);
@@ -29,8 +29,7 @@ static inline bool same_result(const RayResult *a, const RayResult *b) {
     return same;
 }
 
-/** Fails unless answers are the same bits. @param engine Who was asked. @param what What.
- *  @param count How many. @param got What it said. @param wanted What it should say. */
+/** Fails unless answers are the same bits. */
 static inline void assert_same_results(const Engine *engine, const char *what, int count,
                                        const RayResult *got, const RayResult *wanted) {
     int different = 0, first = -1;
@@ -50,7 +49,7 @@ static inline void assert_same_results(const Engine *engine, const char *what, i
 /** A test of one number type. @param reference The engine of one lane. */
 typedef void (*TypeTest)(const Engine *reference);
 
-/** Runs a test for every number type. @param test The test. */
+/** Runs a test for every number type. */
 static inline void for_every_type(TypeTest test) {
     for (const Engine *const *engine = engine_list(); *engine; engine++) {
         if ((*engine)->lanes == 1) {
@@ -59,14 +58,15 @@ static inline void for_every_type(TypeTest test) {
     }
 }
 
-/** @return Whether an engine has the same numbers as another, and this machine can run it.
- *  @param engine It. @param reference The other. */
+/** @return Whether an engine has the same numbers as another, and this machine can run it. */
 static inline bool engine_matches_type(const Engine *engine, const Engine *reference) {
     return engine->mantissa_bits == reference->mantissa_bits && engine_is_supported(engine);
 }
 
-/** @return Batches to ask, at least one. @param reference Whose number type: double takes half as
- *  many, quad two hundredths. @param count For float. */
+/**
+ * @return Batches to ask, at least one.
+ * @param reference  Whose number type: double takes half as many, quad two hundredths.
+ */
 static inline int batch_count(const Engine *reference, int count) {
     int slowness = reference->mantissa_bits > 64   ? 200
                    : reference->mantissa_bits > 24 ? 2 * TIMEOUT_FACTOR
@@ -74,7 +74,7 @@ static inline int batch_count(const Engine *reference, int count) {
     return count > slowness ? count / slowness : 1;
 }
 
-/** @return Rays of a batch. @param reference Whose number type. */
+/** @return Rays of a batch. */
 static inline int batch_size(const Engine *reference) {
     return reference->mantissa_bits > 64 ? BATCH / 32 : BATCH;
 }
@@ -82,11 +82,8 @@ static inline int batch_size(const Engine *reference) {
 /**
  * Asks a scene in every engine of a number type, rays together and a few of them one by one.
  * @param reference  The engine of one lane.
- * @param what       What is asked, for the message.
- * @param tracers    One for each engine of #engine_list.
- * @param count      How many rays.
- * @param rays       The rays.
- * @param wanted     What all must say.
+ * @param what  What is asked, for the message.
+ * @param tracers  One for each engine of #engine_list.
  */
 static inline void assert_engines_agree(const Engine *reference, const char *what,
                                         Tracer *const *tracers, int count, const RayQueryQuad *rays,
@@ -114,8 +111,11 @@ static inline void assert_engines_agree(const Engine *reference, const char *wha
 /** Engines at most, with the NULL. */
 enum { ENGINES_MAXIMUM = 16 };
 
-/** Prepares a scene in every engine of a number type. @param reference The engine of one lane.
- *  @param scene The scene. @param[out] tracers One for each of #engine_list, or NULL. */
+/**
+ * Prepares a scene in every engine of a number type.
+ * @param reference  The engine of one lane.
+ * @param[out] tracers  One for each of #engine_list, or NULL.
+ */
 static inline void create_tracers(const Engine *reference, const Scene *scene,
                                   Tracer *tracers[ENGINES_MAXIMUM]) {
     memset(tracers, 0, ENGINES_MAXIMUM * sizeof *tracers);
@@ -127,7 +127,7 @@ static inline void create_tracers(const Engine *reference, const Scene *scene,
     }
 }
 
-/** Gives tracers back. @param tracers See #create_tracers. */
+/** Gives tracers back. */
 static inline void destroy_tracers(Tracer *tracers[ENGINES_MAXIMUM]) {
     for (size_t e = 0; engine_list()[e]; e++) {
         engine_list()[e]->destroy(tracers[e]);
@@ -150,21 +150,23 @@ typedef enum {
 /** Half the side of the box that all test scenes lie in. */
 #define SCENE_REACH 2
 
-/** Fills three numbers. @param[in,out] state A generator. @param extent The largest. @param[out] v
- *  The numbers. */
+/** Fills three numbers. */
 static inline void random_point(uint64_t *state, double extent, Quadruple v[3]) {
     for (int i = 0; i < 3; i++) {
         v[i] = random_float(state, -extent, extent);
     }
 }
 
-/** @return A coordinate on which faces of the test scenes lie. @param[in,out] state A generator. */
+/** @return A coordinate on which faces of the test scenes lie. */
 static inline double random_face_coordinate(uint64_t *state) {
     return floor(random_unit_double(state) * 33 - 16) / 8;
 }
 
-/** Aims a ray. @param[in,out] ray The ray, its start set. @param target Where to. @param[in,out]
- * state A generator. @param spread How far beside the target at most. */
+/**
+ * Aims a ray.
+ * @param[in,out] ray  The ray, its start set.
+ * @param spread  How far beside the target at most.
+ */
 static inline void aim_ray(RayQueryQuad *ray, const Quadruple target[3], uint64_t *state,
                            double spread) {
     for (int i = 0; i < 3; i++) {
@@ -173,8 +175,8 @@ static inline void aim_ray(RayQueryQuad *ray, const Quadruple target[3], uint64_
     }
 }
 
-/** Makes rays of one packet, from one point to neighbouring ones. @param[in,out] state A generator.
- *  @param[out] rays The rays. @param away How far away they start. */
+/** Makes rays of one packet, from one point to neighbouring ones. @param away How far away they
+ *  start. */
 static inline void fill_coherent(uint64_t *state, RayQueryQuad *rays, double away) {
     Quadruple eye[3], target[3];
     random_point(state, away, eye);
@@ -186,8 +188,7 @@ static inline void fill_coherent(uint64_t *state, RayQueryQuad *rays, double awa
     }
 }
 
-/** Makes rays along an axis, all the same way or not. @param[in,out] state A generator.
- *  @param[out] rays The rays. */
+/** Makes rays along an axis, all the same way or not. */
 static inline void fill_axis(uint64_t *state, RayQueryQuad *rays) {
     bool is_coherent = random_unit_double(state) < 0.5;
     int ways = (int)(24 * random_unit_double(state));
@@ -206,8 +207,7 @@ static inline void fill_axis(uint64_t *state, RayQueryQuad *rays) {
     }
 }
 
-/** Makes rays that run in a plane in which faces lie. @param[in,out] state A generator.
- *  @param[out] rays The rays. */
+/** Makes rays that run in a plane in which faces lie. */
 static inline void fill_in_plane(uint64_t *state, RayQueryQuad *rays) {
     int axis = (int)(3 * random_unit_double(state));
     double level = random_face_coordinate(state);
@@ -218,8 +218,7 @@ static inline void fill_in_plane(uint64_t *state, RayQueryQuad *rays) {
     }
 }
 
-/** Makes rays from points that other rays met. @param[in,out] state A generator. @param[out] rays
- *  The rays. @param engine Who finds the points. @param tracer What they lie on. */
+/** Makes rays from points that other rays met. @param engine Who finds the points. */
 static inline void fill_surface(uint64_t *state, RayQueryQuad *rays, const Engine *engine,
                                 const Tracer *tracer) {
     RayResult answers[RAYS_PER_QUERY];
@@ -233,9 +232,7 @@ static inline void fill_surface(uint64_t *state, RayQueryQuad *rays, const Engin
     }
 }
 
-/** Makes a batch of rays. @param kind How they go. @param[in,out] state A generator. @param[out]
- * rays The rays. @param count How many. @param engine Who finds points on the scene. @param tracer
- * The scene. */
+/** Makes a batch of rays. @param engine Who finds points on the scene. */
 static inline void fill_rays(RayKind kind, uint64_t *state, RayQueryQuad *rays, int count,
                              const Engine *engine, const Tracer *tracer) {
     for (int i = 0; i < count; i += RAYS_PER_QUERY) {
@@ -259,12 +256,12 @@ static inline void fill_rays(RayKind kind, uint64_t *state, RayQueryQuad *rays, 
     }
 }
 
-/** @return A point rounded to float. @param v It. */
+/** @return A point rounded to float. */
 static inline Vec3d point_as_float(Vec3d v) {
     return (Vec3d){round_to_float(v.x), round_to_float(v.y), round_to_float(v.z)};
 }
 
-/** @return A point of the test scenes. @param[in,out] state A generator. */
+/** @return A point of the test scenes. */
 static inline Vec3d point_in_scene(uint64_t *state) {
     return (Vec3d){random_float(state, -1.6, 1.6), random_float(state, -1.6, 1.6),
                    random_float(state, -1.6, 1.6)};

@@ -38,52 +38,51 @@ typedef struct ContractShape {
     bool is_solid;          /**< Whether it has an inside. */
     double size;            /**< Its radius, about. */
     double center[3];       /**< Its middle. */
-    /** @return What quad precision says. @param parameters The shape. @param ray The ray. */
+    /** @return What quad precision says. */
     ExpectedHit (*expected_hit)(const void *parameters, const RayQueryQuad *ray);
-    /** @return The plane next to a point that touches the shape. @param parameters The shape.
-     *  @param point The point. */
+    /** @return The plane next to a point that touches the shape. */
     TangentPlane (*tangent)(const void *parameters, const Vec3qa *point);
     const Transform *transform; /**< What becomes of it; NULL: nothing. */
 } ContractShape;
 
 /* --- quad precision -------------------------------------------------------------------------- */
 
-/** @return a - b. @param a A point. @param b A point. */
+/** @return a - b. */
 static Vec3qa vec3qa_subtract(Vec3qa a, Vec3qa b) {
     return (Vec3qa){{a.component[0] - b.component[0], a.component[1] - b.component[1],
                      a.component[2] - b.component[2]}};
 }
 
-/** @return a . b @param a A vector. @param b A vector. */
+/** @return a . b */
 static Quadruple vec3qa_dot(Vec3qa a, Vec3qa b) {
     return a.component[0] * b.component[0] + a.component[1] * b.component[1] +
            a.component[2] * b.component[2];
 }
 
-/** @return a x b @param a A vector. @param b A vector. */
+/** @return a x b */
 static Vec3qa vec3qa_cross(Vec3qa a, Vec3qa b) {
     return (Vec3qa){{a.component[1] * b.component[2] - a.component[2] * b.component[1],
                      a.component[2] * b.component[0] - a.component[0] * b.component[2],
                      a.component[0] * b.component[1] - a.component[1] * b.component[0]}};
 }
 
-/** @return v one long. @param v A vector. */
+/** @return v one long. */
 static Vec3qa vec3qa_normalize(Vec3qa v) {
     Quadruple length = quad_sqrt(vec3qa_dot(v, v));
     return (Vec3qa){{v.component[0] / length, v.component[1] / length, v.component[2] / length}};
 }
 
-/** @return A vector exactly. @param v Three numbers. */
+/** @return A vector exactly. */
 static Vec3qa vec3qa_from_doubles(const double v[3]) {
     return (Vec3qa){{v[0], v[1], v[2]}};
 }
 
-/** @return A vector. @param v Three numbers. */
+/** @return A vector. */
 static Vec3qa vec3qa_from_quads(const Quadruple v[3]) {
     return (Vec3qa){{v[0], v[1], v[2]}};
 }
 
-/** @return origin + t direction @param ray The ray. @param t How far. */
+/** @return origin + t direction */
 static Vec3qa ray_point(const RayQueryQuad *ray, Quadruple t) {
     Vec3qa o = vec3qa_from_quads(ray->origin), d = vec3qa_from_quads(ray->direction);
     return (Vec3qa){{o.component[0] + t * d.component[0], o.component[1] + t * d.component[1],
@@ -98,7 +97,7 @@ typedef struct SphereSpec {
     double radius;    /**< Radius. */
 } SphereSpec;
 
-/** @return See #ContractShape.expected_hit. @param parameters The sphere. @param ray The ray. */
+/** @return See #ContractShape.expected_hit. */
 static ExpectedHit sphere_expected_hit(const void *parameters, const RayQueryQuad *ray) {
     const SphereSpec *s = parameters;
     Vec3qa f = vec3qa_subtract(vec3qa_from_quads(ray->origin), vec3qa_from_doubles(s->center)),
@@ -118,7 +117,7 @@ static ExpectedHit sphere_expected_hit(const void *parameters, const RayQueryQua
     return expected;
 }
 
-/** @return See #ContractShape.tangent. @param parameters The sphere. @param point The point. */
+/** @return See #ContractShape.tangent. */
 static TangentPlane sphere_tangent(const void *parameters, const Vec3qa *point) {
     const SphereSpec *s = parameters;
     Vec3qa local = vec3qa_subtract(*point, vec3qa_from_doubles(s->center));
@@ -134,8 +133,7 @@ typedef struct PlaneSpec {
     double normal[3]; /**< The normal. */
 } PlaneSpec;
 
-/** @return Where a ray meets a plane. @param point A point. @param normal Its normal.
- *  @param ray The ray. */
+/** @return Where a ray meets a plane. */
 static ExpectedHit flat_expected_hit(Vec3qa point, Vec3qa normal, const RayQueryQuad *ray) {
     Vec3qa n = vec3qa_normalize(normal), d = vec3qa_normalize(vec3qa_from_quads(ray->direction));
     Quadruple sine = vec3qa_dot(n, d), slope = vec3qa_dot(n, vec3qa_from_quads(ray->direction));
@@ -147,20 +145,22 @@ static ExpectedHit flat_expected_hit(Vec3qa point, Vec3qa normal, const RayQuery
     return expected;
 }
 
-/** @return See #ContractShape.expected_hit. @param parameters The plane. @param ray The ray. */
+/** @return See #ContractShape.expected_hit. */
 static ExpectedHit plane_expected_hit(const void *parameters, const RayQueryQuad *ray) {
     const PlaneSpec *p = parameters;
     return flat_expected_hit(vec3qa_from_doubles(p->point), vec3qa_from_doubles(p->normal), ray);
 }
 
-/** @return The plane itself. @param on A point of it. @param normal Its normal.
- *  @param point The point next to it. */
+/**
+ * @return The plane itself.
+ * @param point  The point next to it.
+ */
 static TangentPlane flat_tangent(Vec3qa on, Vec3qa normal, const Vec3qa *point) {
     Vec3qa n = vec3qa_normalize(normal);
     return (TangentPlane){quad_abs(vec3qa_dot(n, vec3qa_subtract(*point, on))), n};
 }
 
-/** @return See #ContractShape.tangent. @param parameters The plane. @param point The point. */
+/** @return See #ContractShape.tangent. */
 static TangentPlane plane_tangent(const void *parameters, const Vec3qa *point) {
     const PlaneSpec *p = parameters;
     return flat_tangent(vec3qa_from_doubles(p->point), vec3qa_from_doubles(p->normal), point);
@@ -173,12 +173,12 @@ typedef struct QuadSpec {
     double v[3];      /**< To the other next. */
 } QuadSpec;
 
-/** @return The smaller. @param a A number. @param b Another. */
+/** @return The smaller. */
 static Quadruple quad_min(Quadruple a, Quadruple b) {
     return a < b ? a : b;
 }
 
-/** @return See #ContractShape.expected_hit. @param parameters The quad. @param ray The ray. */
+/** @return See #ContractShape.expected_hit. */
 static ExpectedHit quad_expected_hit(const void *parameters, const RayQueryQuad *ray) {
     const QuadSpec *q = parameters;
     Vec3qa u = vec3qa_from_doubles(q->u), v = vec3qa_from_doubles(q->v), n = vec3qa_cross(u, v);
@@ -192,7 +192,7 @@ static ExpectedHit quad_expected_hit(const void *parameters, const RayQueryQuad 
     return expected;
 }
 
-/** @return See #ContractShape.tangent. @param parameters The quad. @param point The point. */
+/** @return See #ContractShape.tangent. */
 static TangentPlane quad_tangent(const void *parameters, const Vec3qa *point) {
     const QuadSpec *q = parameters;
     return flat_tangent(vec3qa_from_doubles(q->corner),
@@ -200,8 +200,7 @@ static TangentPlane quad_tangent(const void *parameters, const Vec3qa *point) {
 }
 
 /** @return A truth whose margin is no larger than the sine of the angle at which the ray meets the
- *          surface: where that is small, the last bit of a ray that was turned moves the point far.
- *  @param expected The truth. @param ray The ray. */
+ *  surface: where that is small, the last bit of a ray that was turned moves the point far. */
 static ExpectedHit limit_grazing_margin(ExpectedHit expected, const RayQueryQuad *ray) {
     if (expected.is_hit) {
         Quadruple sine = quad_abs(
@@ -220,7 +219,7 @@ typedef struct DiskSpec {
     double radius;    /**< Radius. */
 } DiskSpec;
 
-/** @return See #ContractShape.expected_hit. @param parameters The disk. @param ray The ray. */
+/** @return See #ContractShape.expected_hit. */
 static ExpectedHit disk_expected_hit(const void *parameters, const RayQueryQuad *ray) {
     const DiskSpec *d = parameters;
     ExpectedHit expected =
@@ -232,7 +231,7 @@ static ExpectedHit disk_expected_hit(const void *parameters, const RayQueryQuad 
     return expected;
 }
 
-/** @return See #ContractShape.tangent. @param parameters The disk. @param point The point. */
+/** @return See #ContractShape.tangent. */
 static TangentPlane disk_tangent(const void *parameters, const Vec3qa *point) {
     const DiskSpec *d = parameters;
     return flat_tangent(vec3qa_from_doubles(d->center), vec3qa_from_doubles(d->normal), point);
@@ -247,7 +246,7 @@ typedef struct TriangleSpec {
     bool has_uvs;         /**< Whether the places do. */
 } TriangleSpec;
 
-/** @return See #ContractShape.expected_hit. @param parameters The triangle. @param ray The ray. */
+/** @return See #ContractShape.expected_hit. */
 static ExpectedHit triangle_expected_hit(const void *parameters, const RayQueryQuad *ray) {
     const TriangleSpec *t = parameters;
     Vec3qa a = vec3qa_from_doubles(t->corners[0]),
@@ -263,7 +262,7 @@ static ExpectedHit triangle_expected_hit(const void *parameters, const RayQueryQ
     return expected;
 }
 
-/** @return See #ContractShape.tangent. @param parameters The triangle. @param point The point. */
+/** @return See #ContractShape.tangent. */
 static TangentPlane triangle_tangent(const void *parameters, const Vec3qa *point) {
     const TriangleSpec *t = parameters;
     Vec3qa a = vec3qa_from_doubles(t->corners[0]);
@@ -291,16 +290,14 @@ typedef struct CylinderCandidate {
     Vec3qa normal;     /**< The normal. */
 } CylinderCandidate;
 
-/** @return v without what of it runs along an axis. @param v A vector. @param axis A unit vector.
- */
+/** @return v without what of it runs along an axis. */
 static Vec3qa reject_from_axis(Vec3qa v, Vec3qa axis) {
     Quadruple s = vec3qa_dot(v, axis);
     return vec3qa_subtract(
         v, (Vec3qa){{s * axis.component[0], s * axis.component[1], s * axis.component[2]}});
 }
 
-/** Takes a candidate if it is ahead, on the surface and the nearest so far.
- *  @param[in,out] expected The nearest. @param candidate It. */
+/** Takes a candidate if it is ahead, on the surface and the nearest so far. */
 static void keep_nearest(ExpectedHit *expected, const CylinderCandidate *candidate) {
     expected->edge_margin = quad_min(expected->edge_margin, quad_abs(candidate->edge_distance));
     if (candidate->t > 0 && candidate->edge_distance >= 0 &&
@@ -309,8 +306,7 @@ static void keep_nearest(ExpectedHit *expected, const CylinderCandidate *candida
     }
 }
 
-/** Considers both ends of a cylinder. @param c The cylinder. @param axis Its axis.
- *  @param length From base to top. @param ray The ray. @param[in,out] expected The nearest. */
+/** Considers both ends of a cylinder. @param length From base to top. */
 static void keep_nearest_cap(const CylinderSpec *c, Vec3qa axis, Quadruple length,
                              const RayQueryQuad *ray, ExpectedHit *expected) {
     Vec3qa from_base =
@@ -329,8 +325,7 @@ static void keep_nearest_cap(const CylinderSpec *c, Vec3qa axis, Quadruple lengt
     }
 }
 
-/** @return See #ContractShape.expected_hit: the textbook's four surfaces, one after the other.
- *  @param parameters The cylinder. @param ray The ray. */
+/** @return See #ContractShape.expected_hit: the textbook's four surfaces, one after the other. */
 static ExpectedHit cylinder_expected_hit(const void *parameters, const RayQueryQuad *ray) {
     const CylinderSpec *cylinder = parameters;
     Vec3qa way = vec3qa_subtract(vec3qa_from_doubles(cylinder->top),
@@ -361,7 +356,7 @@ static ExpectedHit cylinder_expected_hit(const void *parameters, const RayQueryQ
     return limit_grazing_margin(expected, ray);
 }
 
-/** @return See #ContractShape.tangent. @param parameters The cylinder. @param point The point. */
+/** @return See #ContractShape.tangent. */
 static TangentPlane cylinder_tangent(const void *parameters, const Vec3qa *point) {
     const CylinderSpec *c = parameters;
     Vec3qa way = vec3qa_subtract(vec3qa_from_doubles(c->top), vec3qa_from_doubles(c->base)),
@@ -384,7 +379,7 @@ typedef struct BoxSpec {
     double high[3]; /**< Highest corner. */
 } BoxSpec;
 
-/** @return See #ContractShape.expected_hit. @param parameters The box. @param ray The ray. */
+/** @return See #ContractShape.expected_hit. */
 static ExpectedHit box_expected_hit(const void *parameters, const RayQueryQuad *ray) {
     const BoxSpec *b = parameters;
     Quadruple near = -HUGE_VAL, far = HUGE_VAL, size = 0;
@@ -416,7 +411,7 @@ static ExpectedHit box_expected_hit(const void *parameters, const RayQueryQuad *
     return expected;
 }
 
-/** @return See #ContractShape.tangent. @param parameters The box. @param point The point. */
+/** @return See #ContractShape.tangent. */
 static TangentPlane box_tangent(const void *parameters, const Vec3qa *point) {
     const BoxSpec *b = parameters;
     TangentPlane tangent = {.distance = HUGE_VAL};
@@ -439,7 +434,7 @@ typedef struct AffineMap {
     Vec3qa translation; /**< The move. */
 } AffineMap;
 
-/** @return What a row is transformed by; nothing changes without. @param shape The row. */
+/** @return What a row is transformed by; nothing changes without. */
 static AffineMap affine_of_shape(const ContractShape *shape) {
     AffineMap affine = {{{{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}}, {{0, 0, 0}}};
     const Transform *t = shape->transform;
@@ -452,8 +447,7 @@ static AffineMap affine_of_shape(const ContractShape *shape) {
     return affine;
 }
 
-/** @return The vector that the matrix makes into another, by Cramer's rule. @param affine The
- *          matrix. @param v The other. */
+/** @return The vector that the matrix makes into another, by Cramer's rule. */
 static Vec3qa apply_inverse(const AffineMap *affine, Vec3qa v) {
     const Vec3qa *m = affine->row;
     Vec3qa x = vec3qa_cross(m[1], m[2]), y = vec3qa_cross(m[2], m[0]), z = vec3qa_cross(m[0], m[1]);
@@ -468,8 +462,7 @@ static Vec3qa apply_inverse(const AffineMap *affine, Vec3qa v) {
 }
 
 /** @return A normal of the shape before it is transformed as one after it, and how far a plane one
- *          away is then: its length is the inverse of that. @param affine The matrix.
- *  @param n The normal. */
+ *  away is then: its length is the inverse of that. */
 static Vec3qa transform_normal(const AffineMap *affine, Vec3qa n) {
     Vec3qa normal;
     for (int i = 0; i < 3; i++) {
@@ -479,8 +472,7 @@ static Vec3qa transform_normal(const AffineMap *affine, Vec3qa n) {
     return normal;
 }
 
-/** @return What quad precision says of a ray and a row. @param shape The row. @param ray The ray.
- */
+/** @return What quad precision says of a ray and a row. */
 static ExpectedHit contract_expected_hit(const ContractShape *shape, const RayQueryQuad *ray) {
     if (!shape->transform) {
         return shape->expected_hit(shape->parameters, ray);
@@ -497,7 +489,7 @@ static ExpectedHit contract_expected_hit(const ContractShape *shape, const RayQu
     return limit_grazing_margin(expected, ray);
 }
 
-/** @return How far a point is off a row's surface. @param shape The row. @param point The point. */
+/** @return How far a point is off a row's surface. */
 static Quadruple surface_distance(const ContractShape *shape, const Vec3qa *point) {
     AffineMap affine = affine_of_shape(shape);
     Vec3qa inner = apply_inverse(&affine, vec3qa_subtract(*point, affine.translation));
@@ -667,7 +659,7 @@ static const ContractShape contract_shapes[] = {
 };
 
 /** @return How far off a row's hits may be where they are found step by step; 0: they are solved.
- *  @param shape The row. */
+ */
 static double tolerance_of(const ContractShape *shape) {
     return strcmp(shape->keyword, "sdf") == 0 ? CONTRACT_TOLERANCE : 0;
 }

@@ -22,11 +22,7 @@ typedef struct Fixture {
     char path[PATH_MAX]; /**< The newest path made by #fixture_path. */
 } Fixture;
 
-/**
- * Makes the folder of a test or a group of tests.
- * @param[out] state  The fixture.
- * @return 0 if it was made.
- */
+/** Makes the folder of a test or a group of tests. @return 0 if it was made. */
 static inline int fixture_set_up(void **state) {
     Fixture *fixture = calloc(1, sizeof *fixture);
     *state = fixture;
@@ -37,14 +33,7 @@ static inline int fixture_set_up(void **state) {
     return mkdtemp(fixture->folder) ? 0 : -1;
 }
 
-/**
- * Removes one file or folder, for nftw.
- * @param path  The file.
- * @param info  Unused.
- * @param type  Unused.
- * @param walk  Unused.
- * @return 0 if it was removed.
- */
+/** Removes one file or folder, for nftw. @return 0 if it was removed. */
 static inline int remove_entry(const char *path, const struct stat *info, int type,
                                struct FTW *walk) {
     (void)info;
@@ -53,7 +42,7 @@ static inline int remove_entry(const char *path, const struct stat *info, int ty
     return remove(path);
 }
 
-/** Removes the folder with all that is in it. @param state The fixture. @return 0 if it is gone. */
+/** Removes the folder with all that is in it. @return 0 if it is gone. */
 static inline int fixture_tear_down(void **state) {
     Fixture *fixture = *state;
     int failed = nftw(fixture->folder, remove_entry, 8, FTW_DEPTH | FTW_PHYS);
@@ -61,19 +50,15 @@ static inline int fixture_tear_down(void **state) {
     return failed;
 }
 
-/**
- * Makes the path of a file in the folder.
- * @param state  The fixture.
- * @param name   The file's name.
- * @return The path, until the next is made; owned by the fixture.
- */
+/** Makes the path of a file in the folder. @return The path, until the next is made; owned by the
+ *  fixture. */
 static inline const char *fixture_path(void **state, const char *name) {
     Fixture *fixture = *state;
     snprintf(fixture->path, sizeof fixture->path, "%s/%s", fixture->folder, name);
     return fixture->path;
 }
 
-/** Writes a small file. @param path The file. @param bytes Its bytes. @param size How many. */
+/** Writes a small file. */
 static inline void write_file(const char *path, const void *bytes, size_t size) {
     FILE *stream = fopen(path, "wb");
     assert_non_null(stream);
@@ -81,10 +66,7 @@ static inline void write_file(const char *path, const void *bytes, size_t size) 
     assert_int_equal(fclose(stream), 0);
 }
 
-/**
- * Makes a module of the program findable for a test, which lies one folder below the program.
- * @param file  The module's file name.
- */
+/** Makes a module of the program findable for a test, which lies one folder below the program. */
 static inline void symlink_plugin(const char *file) {
     char link[PATH_MAX], target[PATH_MAX];
     ssize_t length = readlink("/proc/self/exe", link, sizeof link - 1);
@@ -98,12 +80,7 @@ static inline void symlink_plugin(const char *file) {
     }
 }
 
-/**
- * Makes a picture in which every byte is another.
- * @param width   Pixels.
- * @param height  Pixels.
- * @return The picture.
- */
+/** Makes a picture in which every byte is another. @return The picture. */
 static inline Picture make_test_picture(int width, int height) {
     Picture picture;
     assert_true(picture_init(&picture, width, height, NULL));

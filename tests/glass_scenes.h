@@ -22,15 +22,17 @@ static const Placement placements[] = {{1, 0},     {1e-3, 0}, {1e3, 0},    {1, 1
 /** How many there are. */
 enum { PLACEMENT_COUNT = sizeof placements / sizeof *placements };
 
-/** @return A point of a world. @param placement The world. @param p The point, were it at the
- * origin and of size 1. */
+/**
+ * @return A point of a world.
+ * @param p  The point, were it at the origin and of size 1.
+ */
 static inline Vec3d placed_point(Placement placement, Vec3d p) {
     double w = placement.offset;
     return (Vec3d){placement.scale * (p.x + w), placement.scale * (p.y - w),
                    placement.scale * (p.z + w)};
 }
 
-/** @return Glass without colour. @param ior Its index. */
+/** @return Glass without colour. */
 static inline SceneMaterial glass_material(double ior) {
     SceneMaterial material = *(const SceneMaterial *)scene_material_keyword.defaults;
     material.transparency = (Rgbd){1, 1, 1};
@@ -38,7 +40,7 @@ static inline SceneMaterial glass_material(double ior) {
     return material;
 }
 
-/** @return Something that only shines. @param light How bright. */
+/** @return Something that only shines. */
 static inline SceneMaterial emissive_material(Rgbd light) {
     SceneMaterial material = *(const SceneMaterial *)scene_material_keyword.defaults;
     material.color = (Rgbd){0, 0, 0};
@@ -46,36 +48,32 @@ static inline SceneMaterial emissive_material(Rgbd light) {
     return material;
 }
 
-/** Adds a material, that of the next shapes. @param scene The scene. @param material It. */
+/** Adds a material, that of the next shapes. */
 static inline void use_material(Scene *scene, SceneMaterial material) {
     Error error = {0};
     assert_true(scene_add_material(scene, &material, &error));
 }
 
-/** Adds a sphere. @param scene The scene. @param placement Where. @param center Its centre.
- *  @param radius Its radius. */
+/** Adds a sphere. */
 static inline void add_placed_sphere(Scene *scene, Placement placement, Vec3d center,
                                      double radius) {
     SphereParameters sphere = {placed_point(placement, center), placement.scale * radius};
     add_shape(scene, "sphere", &sphere);
 }
 
-/** Adds a box. @param scene The scene. @param placement Where. @param low Its lowest corner.
- *  @param high Its highest. */
+/** Adds a box. */
 static inline void add_placed_box(Scene *scene, Placement placement, Vec3d low, Vec3d high) {
     BoxParameters box = {placed_point(placement, low), placed_point(placement, high)};
     add_shape(scene, "box", &box);
 }
 
-/** Adds a plane. @param scene The scene. @param placement Where. @param point A point of it.
- *  @param normal Its normal. */
+/** Adds a plane. */
 static inline void add_placed_plane(Scene *scene, Placement placement, Vec3d point, Vec3d normal) {
     PlaneParameters plane = {placed_point(placement, point), normal};
     add_shape(scene, "plane", &plane);
 }
 
-/** Adds a quad. @param scene The scene. @param placement Where. @param corner A corner. @param u To
- * the next. @param v To the other next. */
+/** Adds a quad. @param v To the other next. */
 static inline void add_placed_quad(Scene *scene, Placement placement, Vec3d corner, Vec3d u,
                                    Vec3d v) {
     QuadParameters quad = {placed_point(placement, corner), vec3d_scale(u, placement.scale),
@@ -83,8 +81,7 @@ static inline void add_placed_quad(Scene *scene, Placement placement, Vec3d corn
     add_shape(scene, "quad", &quad);
 }
 
-/** Turns the camera. @param scene The scene. @param placement Where. @param eye Where it is.
- *  @param direction Which way it looks. */
+/** Turns the camera. @param direction Which way it looks. */
 static inline void set_camera(Scene *scene, Placement placement, Vec3d eye, Vec3d direction) {
     SceneCamera *camera = &scene->camera;
     camera->position = placed_point(placement, eye);
@@ -98,8 +95,11 @@ static inline void set_camera(Scene *scene, Placement placement, Vec3d eye, Vec3
     camera->up = vec3d_normalize(vec3d_subtract(up, vec3d_scale(camera->direction, along)));
 }
 
-/** Fresnel's share in closed form, and the angle behind. @return 1 where there is none.
- *  @param sine Of the angle of incidence. @param from Index there. @param to Index behind. */
+/**
+ * Fresnel's share in closed form, and the angle behind.
+ * @return 1 where there is none.
+ * @param sine  Of the angle of incidence.
+ */
 static inline double fresnel_closed_form(Quadruple sine, double from, double to) {
     Quadruple s = sine, n = from, m = to;
     Quadruple inner = 1 - (n * s / m) * (n * s / m);
@@ -117,8 +117,7 @@ typedef struct TraceLimits {
     double cutoff; /**< Weight below which they end. */
 } TraceLimits;
 
-/** Traces a picture. @param engine The engine. @param scene The scene. @param limits How finely.
- *  @param width Pixels. @param height Pixels. @param[out] rgb Its light. @return The rays. */
+/** Traces a picture. @return The rays. */
 static inline RayCounts trace_picture(const Engine *engine, const Scene *scene, TraceLimits limits,
                                       int width, int height, double *rgb) {
     Error error = {0};
@@ -134,15 +133,17 @@ static inline RayCounts trace_picture(const Engine *engine, const Scene *scene, 
     return counts;
 }
 
-/** @return The light of the ray in the middle of the picture. @param engine The engine.
- *  @param scene The scene. @param depth How often it is mirrored or refracted. */
+/**
+ * @return The light of the ray in the middle of the picture.
+ * @param depth  How often it is mirrored or refracted.
+ */
 static inline double center_radiance(const Engine *engine, const Scene *scene, int depth) {
     double rgb[3];
     trace_picture(engine, scene, (TraceLimits){depth, 1e-12}, 1, 1, rgb);
     return rgb[0];
 }
 
-/** @return A picture's number in steps of 255 of the sRGB curve. @param light Linear light. */
+/** @return A picture's number in steps of 255 of the sRGB curve. */
 static inline double srgb_steps(double light) {
     double x = light < 0 ? 0 : light > 1 ? 1 : light;
     return 255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1 / 2.4) - 0.055);

@@ -21,7 +21,7 @@ static const ColorRange ranges[] = {
     {.name = "white", .low = {225, 190, 190}, .high = {255, 255, 255}}, /* the highlight */
 };
 
-/** @return Whether a pixel is in a range. @param pixel Its channels. @param range The range. */
+/** @return Whether a pixel is in a range. */
 static bool is_in(const uint8_t pixel[3], const ColorRange *range) {
     for (int i = 0; i < 3; i++) {
         if (pixel[i] < range->low[i] || pixel[i] > range->high[i]) {
@@ -31,8 +31,7 @@ static bool is_in(const uint8_t pixel[3], const ColorRange *range) {
     return true;
 }
 
-/** Prints the middle of the pixels of a range, x and y, and their number. @param picture Where.
- *  @param range Which. */
+/** Prints the middle of the pixels of a range, x and y, and their number. */
 static void print_middle(const Picture *picture, const ColorRange *range) {
     double x_sum = 0, y_sum = 0, count = 0;
     const uint8_t *pixel = picture->pixels;
@@ -48,12 +47,8 @@ static void print_middle(const Picture *picture, const ColorRange *range) {
     printf("%.3f %.3f %.0f\n", x_sum / count, y_sum / count, count);
 }
 
-/**
- * The program: `picture_probe FILE COLOR`.
- * @param argc  Number of words.
- * @param argv  The words.
- * @return 0, or 1 for a file or a colour that there is not.
- */
+/** The program: `picture_probe FILE COLOR`. @return 0, or 1 for a file or a colour that there is
+ *  not. */
 int main(int argc, char **argv) {
     Picture picture = {0};
     Error error = {0};

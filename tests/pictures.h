@@ -16,7 +16,7 @@
 /** Size of the test pictures: not a multiple of any block. */
 enum { WIDTH = 203, HEIGHT = 157 };
 
-/** @return A scene of this project, run. @param path Its file. */
+/** @return A scene of this project, run. */
 static inline Scene *load_scene(const char *path) {
     Error error = {0};
     ScriptRequest request = {.path = path,
@@ -30,8 +30,7 @@ static inline Scene *load_scene(const char *path) {
     return scene;
 }
 
-/** @return Settings for a small picture. @param scene The scene. @param engine The engine's name.
- *  @param threads Threads. */
+/** @return Settings for a small picture. */
 static inline RenderSettings small_settings(const Scene *scene, const char *engine, int threads) {
     Error error = {0};
     RenderSettings settings = render_settings_default(scene);
@@ -43,7 +42,7 @@ static inline RenderSettings small_settings(const Scene *scene, const char *engi
     return settings;
 }
 
-/** @return A renderer. @param scene The scene. @param settings What is asked for. */
+/** @return A renderer. */
 static inline Renderer *create_renderer(const Scene *scene, const RenderSettings *settings) {
     Error error = {0};
     Renderer *renderer = renderer_create(scene, settings, &error);
@@ -53,7 +52,7 @@ static inline Renderer *create_renderer(const Scene *scene, const RenderSettings
     return renderer;
 }
 
-/** @return A picture drawn at once. @param scene The scene. @param settings What is asked for. */
+/** @return A picture drawn at once. */
 static inline Picture draw_picture(const Scene *scene, const RenderSettings *settings) {
     Error error = {0};
     Picture picture;
@@ -65,8 +64,7 @@ static inline Picture draw_picture(const Scene *scene, const RenderSettings *set
     return picture;
 }
 
-/** Fails unless two pictures are the same, and gives the second back. @param a One.
- *  @param b The other. */
+/** Fails unless two pictures are the same, and gives the second back. */
 static inline void assert_same_picture(const Picture *a, Picture b) {
     PictureComparison comparison = picture_compare(a, &b, NULL);
     assert_int_equal(comparison.max_difference, 0);
@@ -74,8 +72,11 @@ static inline void assert_same_picture(const Picture *a, Picture b) {
     picture_deinit(&b);
 }
 
-/** Draws in the background until it is finished. @param renderer The renderer. @param scene Camera.
- *  @param[out] passes How many different passes were seen. @return The picture. */
+/**
+ * Draws in the background until it is finished.
+ * @param[out] passes  How many different passes were seen.
+ * @return The picture.
+ */
 static inline Picture draw_in_background(Renderer *renderer, const Scene *scene, int *passes) {
     Error error = {0};
     RenderStats report = {0};

@@ -12,7 +12,7 @@
 /** Any engine: the keywords of the shapes are the same in all. */
 extern const Engine engine_f32x1;
 
-/** @return What a field of a type takes, for people. @param row The field. */
+/** @return What a field of a type takes, for people. */
 static const char *type_name(const Parameter *row) {
     static const char *const names[] = {[PARAMETER_NUMBER] = "number",
                                         [PARAMETER_INTEGER] = "whole number",
@@ -30,7 +30,7 @@ static const char *type_name(const Parameter *row) {
     return names[row->type];
 }
 
-/** Prints which values a field takes. @param row The field. */
+/** Prints which values a field takes. */
 static void print_range(const Parameter *row) {
     if (row->type == PARAMETER_CHOICE) {
         for (int i = 0; row->choices[i]; i++) {
@@ -43,7 +43,7 @@ static void print_range(const Parameter *row) {
     }
 }
 
-/** Prints the value of a field. @param row The field. @param values The struct that it lies in. */
+/** Prints the value of a field. @param values The struct that it lies in. */
 static void print_value(const Parameter *row, const void *values) {
     const void *field = (const char *)values + row->offset;
     const double *part = field;
@@ -79,7 +79,7 @@ static void print_value(const Parameter *row, const void *values) {
     }
 }
 
-/** Prints the table of a keyword. @param keyword The keyword. */
+/** Prints the table of a keyword. */
 static void print_keyword(const Keyword *keyword) {
     printf("<!-- table: %s -->\n`%s`: %s.\n\n", keyword->name, keyword->name, keyword->help);
     printf("| field | takes | unit | range | default | meaning |\n|---|---|---|---|---|---|\n");

@@ -63,9 +63,7 @@ static const TestBall ball_defaults = {.radius = 1, .axis = {0, 1, 0}, .tint = {
 /** Bits of the rows that were given: hollow and rings. */
 enum { HAS_RINGS = 1 << 4, HAS_HOLLOW = 1 << 5 };
 
-/** Works the diameter out; rings do not go with hollow. See #Keyword.finish. @param values A
- * #TestBall.
- *  @param given See there. @param error See there. @return See there. */
+/** Works the diameter out; rings do not go with hollow. See #Keyword.finish. @return See there. */
 static inline bool ball_finish(void *values, uint64_t given, Error *error) {
     TestBall *ball = values;
     ball->diameter = 2 * ball->radius;
@@ -91,8 +89,7 @@ static const Keyword *const shapes[] = {&other_keyword, &ball_keyword, NULL};
 
 // --- helpers -------------------------------------------------------------------------------------
 
-/** Makes a folder, and the path of a scene file in it. @param[out] state The fixture.
- *  @return 0 when it is there. */
+/** Makes a folder, and the path of a scene file in it. @return 0 when it is there. */
 static inline int scene_fixture_set_up(void **state) {
     bool is_made = fixture_set_up(state) == 0;
     if (is_made) {
@@ -101,12 +98,12 @@ static inline int scene_fixture_set_up(void **state) {
     return is_made ? 0 : -1;
 }
 
-/** Writes a text file. @param path Where. @param text What. */
+/** Writes a text file. */
 static inline void write_text(const char *path, const char *text) {
     write_file(path, text, strlen(text));
 }
 
-/** @return What to ask for, with limits that are wide enough. @param path The scene file. */
+/** @return What to ask for, with limits that are wide enough. */
 static inline ScriptRequest script_request_for(const char *path) {
     return (ScriptRequest){.path = path,
                            .time_limit = SCRIPT_TIME_LIMIT,
@@ -114,7 +111,7 @@ static inline ScriptRequest script_request_for(const char *path) {
                            .shape_keywords = shapes};
 }
 
-/** @return The scene of a text, which must be good. @param fixture Where. @param text The text. */
+/** @return The scene of a text, which must be good. */
 static inline Scene *load_valid_scene(const Fixture *fixture, const char *text) {
     Error error = {0};
     write_text(fixture->path, text);
@@ -129,9 +126,8 @@ static inline Scene *load_valid_scene(const Fixture *fixture, const char *text) 
 
 /**
  * Checks that a scene is refused.
- * @param request  What to load.
- * @param location    How the message must begin.
- * @param words    What must be in it.
+ * @param location  How the message must begin.
+ * @param words  What must be in it.
  */
 static inline void assert_scene_refused(const ScriptRequest *request, const char *location,
                                         const char *words) {
@@ -147,10 +143,8 @@ static inline void assert_scene_refused(const ScriptRequest *request, const char
 /**
  * Checks that a text is refused.
  * @param fixture  Where to put it.
- * @param text     The text.
- * @param line     The line that must be named.
- * @param words    What must be said.
- * @param limits   Its seconds and memory count; NULL: wide enough.
+ * @param line  The line that must be named.
+ * @param limits  Its seconds and memory count; NULL: wide enough.
  */
 static inline void assert_text_refused(const Fixture *fixture, const char *text, int line,
                                        const char *words, const ScriptRequest *limits) {
@@ -165,7 +159,7 @@ static inline void assert_text_refused(const Fixture *fixture, const char *text,
     assert_scene_refused(&request, location, words);
 }
 
-/** Checks a colour. @param c The colour. @param r Wanted. @param g Wanted. @param b Wanted. */
+/** Checks a colour. */
 static inline void assert_color(Rgbd c, double r, double g, double b) {
     assert_true(c.red == r && c.green == g && c.blue == b);
 }
@@ -177,8 +171,7 @@ typedef struct InvalidScene {
     const char *message; /**< What must be said. */
 } InvalidScene;
 
-/** Each wrong text is refused with its line and the right words. @param state The fixture.
- *  @param cases The texts. @param count How many. */
+/** Each wrong text is refused with its line and the right words. */
 static inline void assert_all_refused(void **state, const InvalidScene *cases, size_t count) {
     for (size_t i = 0; i < count; i++) {
         assert_text_refused(*state, cases[i].text, cases[i].line, cases[i].message, NULL);

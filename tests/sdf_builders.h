@@ -9,7 +9,7 @@
 
 #include <stdlib.h>
 
-/** @return Room for a field. @param steps Its steps. */
+/** @return Room for a field. */
 static inline Sdf *allocate_sdf(int steps) {
     return calloc(1, sdf_size(steps));
 }
@@ -28,8 +28,7 @@ static inline Sdf *make_sdf(const char *name, const void *values) {
     return field;
 }
 
-/** @return A field, moved, turned and scaled. @param field The field; given back.
- *  @param transform How. */
+/** @return A field, moved, turned and scaled. */
 static inline Sdf *transform_sdf(Sdf *field, Transform transform) {
     Error error = {0};
     Sdf *out = allocate_sdf(field->node_count + 1);
@@ -39,14 +38,15 @@ static inline Sdf *transform_sdf(Sdf *field, Transform transform) {
     return out;
 }
 
-/** @return A field, moved. @param field The field; given back. @param x To the right. @param y Up.
- *  @param z Towards the viewer. */
+/** @return A field, moved. */
 static inline Sdf *translate_sdf(Sdf *field, double x, double y, double z) {
     return transform_sdf(field, (Transform){.scale = {1, 1, 1}, .translate = {x, y, z}});
 }
 
-/** @return Two fields in one. @param join How. @param a A field; given back. @param b Another;
- *  given back. @param radius Of a smooth union. */
+/**
+ * @return Two fields in one.
+ * @param radius  Of a smooth union.
+ */
 static inline Sdf *join_sdfs(SdfCombination join, Sdf *a, Sdf *b, double radius) {
     Error error = {0};
     const Sdf *both[] = {a, b};
@@ -57,7 +57,7 @@ static inline Sdf *join_sdfs(SdfCombination join, Sdf *a, Sdf *b, double radius)
     return out;
 }
 
-/** @return A field, repeated. @param field The field; given back. @param repeat How. */
+/** @return A field, repeated. */
 static inline Sdf *repeat_sdf(Sdf *field, SdfRepetition repeat) {
     Error error = {0};
     Sdf *out = allocate_sdf(field->node_count + 1);
@@ -68,7 +68,7 @@ static inline Sdf *repeat_sdf(Sdf *field, SdfRepetition repeat) {
     return out;
 }
 
-/** @return A field, rounded. @param field The field; given back. @param radius By how much. */
+/** @return A field, rounded. */
 static inline Sdf *round_sdf(Sdf *field, double radius) {
     Sdf *out = allocate_sdf(field->node_count + 1);
     sdf_round(out, field, radius);

@@ -22,14 +22,13 @@ typedef struct ThingSet {
     void (*add)(Scene *scene, size_t i); /**< Adds shape i, always the same. */
 } ThingSet;
 
-/** @return A corner on whose coordinates other faces lie, too. @param[in,out] state A generator. */
+/** @return A corner on whose coordinates other faces lie, too. */
 static Vec3d corner_in_scene(uint64_t *state) {
     return (Vec3d){random_face_coordinate(state), random_face_coordinate(state),
                    random_face_coordinate(state)};
 }
 
-/** Turns, stretches and moves the newest shape. @param scene The scene. @param[in,out] state A
- *  generator. */
+/** Turns, stretches and moves the newest shape. */
 static void transform_last_shape(Scene *scene, uint64_t *state) {
     Error error = {0};
     Transform how = {{random_float(state, 0.2, 0.6), -random_float(state, 0.2, 0.4), 0.25},
@@ -40,8 +39,7 @@ static void transform_last_shape(Scene *scene, uint64_t *state) {
     assert_true(scene_set_last_transform(scene, &how, &error));
 }
 
-/** Adds a small closed mesh, half of them transformed. @param scene The scene. @param i Its number.
- *  @param[in,out] state A generator. */
+/** Adds a small closed mesh, half of them transformed. */
 static void add_sphere_mesh(Scene *scene, size_t i, uint64_t *state) {
     TriangleSoup sphere_soup = icosphere_triangles(1);
     Vec3d move = point_in_scene(state);
@@ -56,7 +54,7 @@ static void add_sphere_mesh(Scene *scene, size_t i, uint64_t *state) {
     triangle_soup_destroy(&sphere_soup);
 }
 
-/** Adds one of many different shapes. @param scene The scene. @param i Which; always the same. */
+/** Adds one of many different shapes. @param i Which; always the same. */
 static void add_varied_shape(Scene *scene, size_t i) {
     uint64_t seed = i + 1, *state = &seed;
     Vec3d at = point_in_scene(state), corner = corner_in_scene(state);
@@ -87,7 +85,7 @@ static void add_varied_shape(Scene *scene, size_t i) {
 }
 
 /** Adds a rectangle that lies in the same plane as all others, as a quad or a mesh: they cover each
- *  other, at equal distances. @param scene The scene. @param i Which; always the same. */
+ *  other, at equal distances. @param i Which; always the same. */
 static void add_coplanar_rectangle(Scene *scene, size_t i) {
     uint64_t state = i + 1;
     Vec3d corner = {random_face_coordinate(&state), 0, random_face_coordinate(&state)};
@@ -107,7 +105,7 @@ static void add_coplanar_rectangle(Scene *scene, size_t i) {
     triangle_soup_destroy(&grid);
 }
 
-/** @return A world's things, each a shape of its own, to be given back. @param things The world. */
+/** @return A world's things, each a shape of its own, to be given back. */
 static Scene *separate_scene(const ThingSet *things) {
     Scene *scene = create_empty_scene();
     for (size_t i = 0; i < things->count; i++) {
@@ -124,8 +122,7 @@ static Scene *separate_scene(const ThingSet *things) {
     return scene;
 }
 
-/** @return A world as it is asked with a tree, to be given back: triangles are one mesh.
- *  @param things The world. */
+/** @return A world as it is asked with a tree, to be given back: triangles are one mesh. */
 static Scene *combined_scene(const ThingSet *things) {
     if (!things->mesh) {
         return separate_scene(things);
@@ -135,10 +132,12 @@ static Scene *combined_scene(const ThingSet *things) {
     return scene;
 }
 
-/** Asks each of a world's things. @param engine An engine of one lane. @param tracer The things
- *  apart, without a tree. @param things The world. @param count How many rays. @param rays The
- * rays.
- *  @param[out] answers What must be said of all together. */
+/**
+ * Asks each of a world's things.
+ * @param engine  An engine of one lane.
+ * @param tracer  The things apart, without a tree.
+ * @param[out] answers  What must be said of all together.
+ */
 static void query_each_shape(const Engine *engine, const Tracer *tracer, const ThingSet *things,
                              int count, const RayQueryQuad *rays, RayResult *answers) {
     engine->intersect(tracer, (size_t)count, rays, answers);
@@ -150,9 +149,11 @@ static void query_each_shape(const Engine *engine, const Tracer *tracer, const T
     }
 }
 
-/** Compares a world in every engine of a number type with its things, each asked by itself.
- *  @param reference The engine of one lane. @param things The world.
- *  @param batches Batches of rays of each kind, in float. */
+/**
+ * Compares a world in every engine of a number type with its things, each asked by itself.
+ * @param reference  The engine of one lane.
+ * @param batches  Batches of rays of each kind, in float.
+ */
 static void compare_bvh_with_list(const Engine *reference, const ThingSet *things, int batches) {
     Scene *together = combined_scene(things), *apart = separate_scene(things);
     Tracer *tracers[ENGINES_MAXIMUM];
@@ -242,8 +243,7 @@ static void check_meshes(const Engine *reference) {
 /* --- ties ------------------------------------------------------------------------------------ */
 
 /** Asks scenes whose surfaces coincide: all engines say the same, and the first shape is met.
- *  @param reference The engine of one lane. @param what For the messages. @param scene The scene.
- */
+ *  @param reference The engine of one lane. */
 static void check_ties(const Engine *reference, const char *what, const Scene *scene) {
     Tracer *tracers[ENGINES_MAXIMUM];
     create_tracers(reference, scene, tracers);
@@ -305,7 +305,7 @@ static void check_repeated_meshes(const Engine *reference) {
 }
 
 /** @return A grid across y, each triangle twice, once turned over; to be given back. Of the two,
- * the first faces up where the sum of the cell's places is even. @param cells Cells a side. */
+ *  the first faces up where the sum of the cell's places is even. */
 static TriangleSoup two_sided_grid_triangles(size_t cells) {
     TriangleSoup once = grid_triangles(1, 0, cells),
                  twice = triangle_soup_create(2 * once.triangle_count);
@@ -323,8 +323,7 @@ static TriangleSoup two_sided_grid_triangles(size_t cells) {
     return twice;
 }
 
-/** Of triangles that coincide within a mesh, the first is met: its normal says which.
- *  @param engine The engine. */
+/** Of triangles that coincide within a mesh, the first is met: its normal says which. */
 static void check_first_triangle(const Engine *engine) {
     enum { CELLS = 16 };
     TriangleSoup grid = two_sided_grid_triangles(CELLS);
@@ -360,8 +359,8 @@ static void check_first_triangle(const Engine *engine) {
 /** Half ulps that a normal's length may be off. */
 #define NORMAL_ERROR 4
 
-/** Checks a normal's length and side. @param engine The engine. @param ray The ray.
- *  @param answer What it met. @param outwards 1: the ray leaves the mesh; -1: it enters it. */
+/** Checks a normal's length and side. @param outwards 1: the ray leaves the mesh; -1: it enters it.
+ */
 static void assert_normal(const Engine *engine, const RayQueryQuad *ray, const RayResult *answer,
                           int outwards) {
     Quadruple squared = 0, along = 0;
@@ -377,9 +376,8 @@ static void assert_normal(const Engine *engine, const RayQueryQuad *ray, const R
     }
 }
 
-/** Aims a packet from inside a mesh at the corner of a face and at its edges. @param mesh The mesh.
- *  @param[in,out] state A generator. @param at_corner Whether at the corner alone.
- *  @param[out] rays The rays. */
+/** Aims a packet from inside a mesh at the corner of a face and at its edges. @param at_corner
+ *  Whether at the corner alone. */
 static void fill_edges(const TriangleSoup *mesh, uint64_t *state, bool at_corner,
                        RayQueryQuad *rays) {
     double middle[3];
@@ -396,7 +394,7 @@ static void fill_edges(const TriangleSoup *mesh, uint64_t *state, bool at_corner
     }
 }
 
-/** @return Rays to aim at the edges of one mesh. @param engine The engine. */
+/** @return Rays to aim at the edges of one mesh. */
 static long edge_rays(const Engine *engine) {
     return (engine->mantissa_bits > 64 ? 4000
             : engine->lanes == 1       ? 50000
@@ -405,8 +403,7 @@ static long edge_rays(const Engine *engine) {
 }
 
 /** From inside a closed mesh, rays aimed at its edges and corners: not one gets out, and normals
- * are good. @param engine The engine. @param mesh The mesh. @param normals See
- * #MeshShapeParameters. */
+ *  are good. */
 static void check_edges(const Engine *engine, const TriangleSoup *mesh, int normals) {
     Scene *scene = create_empty_scene();
     add_triangle_soup(scene, mesh, normals);
@@ -432,7 +429,7 @@ static void check_edges(const Engine *engine, const TriangleSoup *mesh, int norm
     scene_destroy(scene);
 }
 
-/** Meshes of 1,280 and 20,480 triangles, flat and smooth. @param engine The engine. */
+/** Meshes of 1,280 and 20,480 triangles, flat and smooth. */
 static void check_closed_meshes(const Engine *engine) {
     for (int times = 3; times <= 5; times += 2) {
         TriangleSoup mesh = icosphere_triangles(times);
@@ -443,7 +440,7 @@ static void check_closed_meshes(const Engine *engine) {
 }
 
 /** Rays that meet a smooth mesh near its outline: no normal is seen from behind, although some of
- *  those at the corners are. @param engine The engine. */
+ *  those at the corners are. */
 static void check_outline_normals(const Engine *engine) {
     TriangleSoup mesh = icosphere_triangles(1);
     Scene *scene = create_empty_scene();
@@ -475,8 +472,11 @@ static void check_outline_normals(const Engine *engine) {
 /** Pixels a side of the pictures. */
 enum { SIDE = 48 };
 
-/** Draws a scene. @param engine The engine. @param scene The scene. @param bvh_use Whether its
- * shapes get a tree. @param[out] rgb Its colours. @return The rays that it took. */
+/**
+ * Draws a scene.
+ * @param bvh_use  Whether its shapes get a tree.
+ * @return The rays that it took.
+ */
 static RayCounts draw_scene(const Engine *engine, const Scene *scene, BvhMode bvh_use,
                             double rgb[3 * SIDE * SIDE]) {
     PixelGrid grid = {.columns = SIDE, .rows = SIDE, .stride = 1};
@@ -488,7 +488,7 @@ static RayCounts draw_scene(const Engine *engine, const Scene *scene, BvhMode bv
     return counts;
 }
 
-/** Adds a lamp. @param scene The scene. @param position Where it is. */
+/** Adds a lamp. */
 static void add_point_light(Scene *scene, Vec3d position) {
     Error error = {0};
     SceneLight light = *(const SceneLight *)scene_light_keyword.defaults;
@@ -513,7 +513,7 @@ static Scene *lit_scene(void) {
 }
 
 /** A picture with mirrors and shadows is the same, bit by bit, with a tree and without: also for
- *  shadow rays, which end at a lamp. @param engine The engine. */
+ *  shadow rays, which end at a lamp. */
 static void check_same_pictures(const Engine *engine) {
     Scene *scene = lit_scene();
     static double list[3 * SIDE * SIDE], tree[3 * SIDE * SIDE];
@@ -526,7 +526,7 @@ static void check_same_pictures(const Engine *engine) {
 }
 
 /** Inside a closed mesh, transformed, everything is lit by a lamp inside and dark by one outside.
- *  @param engine The engine. */
+ */
 static void check_shadow_distance(const Engine *engine) {
     Error error = {0};
     static double rgb[3 * SIDE * SIDE];
@@ -551,8 +551,7 @@ static void check_shadow_distance(const Engine *engine) {
     triangle_soup_destroy(&mesh);
 }
 
-/** The box of all shapes holds all that is met, and is no larger than it must be. @param engine The
- * engine. */
+/** The box of all shapes holds all that is met, and is no larger than it must be. */
 static void check_bounds(const Engine *engine) {
     TriangleSoup sphere_soup = icosphere_triangles(2);
     for (int many = 0; many < 2; many++) {
@@ -592,7 +591,7 @@ static void check_bounds(const Engine *engine) {
 }
 
 /** Two shapes of the same file, one of them twice as large and elsewhere: each is met where the
- * same triangles would be, made so by hand. @param engine The engine. */
+ *  same triangles would be, made so by hand. */
 static void check_instances(const Engine *engine) {
     Error error = {0};
     TriangleSoup sphere_soup = icosphere_triangles(2);
@@ -638,19 +637,19 @@ static void check_instances(const Engine *engine) {
 
 /* --- all of them ----------------------------------------------------------------------------- */
 
-/** See #check_shapes. @param state Not used. */
+/** See #check_shapes. */
 static void test_shapes(void **state) {
     (void)state;
     for_every_type(check_shapes);
 }
 
-/** See #check_meshes. @param state Not used. */
+/** See #check_meshes. */
 static void test_meshes(void **state) {
     (void)state;
     for_every_type(check_meshes);
 }
 
-/** See #check_coplanar_grids. @param state Not used. */
+/** See #check_coplanar_grids. */
 static void test_ties(void **state) {
     (void)state;
     for_every_type(check_coplanar);
@@ -658,38 +657,38 @@ static void test_ties(void **state) {
     for_every_type(check_repeated_meshes);
 }
 
-/** See #check_first_triangle. @param state Not used. */
+/** See #check_first_triangle. */
 static void test_first_triangle(void **state) {
     (void)state;
     for_every_engine(check_first_triangle);
 }
 
-/** See #check_closed_meshes. @param state Not used. */
+/** See #check_closed_meshes. */
 static void test_closed_meshes(void **state) {
     (void)state;
     for_every_engine(check_closed_meshes);
 }
 
-/** See #check_outline_normals. @param state Not used. */
+/** See #check_outline_normals. */
 static void test_outline(void **state) {
     (void)state;
     for_every_engine(check_outline_normals);
 }
 
-/** See #check_same_pictures. @param state Not used. */
+/** See #check_same_pictures. */
 static void test_shadows(void **state) {
     (void)state;
     for_every_engine(check_same_pictures);
     for_every_engine(check_shadow_distance);
 }
 
-/** See #check_bounds. @param state Not used. */
+/** See #check_bounds. */
 static void test_bounds(void **state) {
     (void)state;
     for_every_engine(check_bounds);
 }
 
-/** See #check_instances. @param state Not used. */
+/** See #check_instances. */
 static void test_instances(void **state) {
     (void)state;
     for_every_engine(check_instances);

@@ -14,12 +14,10 @@
 
 /* --- how triangles lie ----------------------------------------------------------------------- */
 
-/** Makes the corners of a case. @param[in,out] state A generator. @param i Which triangle.
- *  @param count How many. @param[out] corners Three. */
+/** Makes the corners of a case. */
 typedef void (*Layout)(uint64_t *state, size_t i, size_t count, Vec3d *corners);
 
-/** Makes a small triangle somewhere. See #Layout. @param state See there. @param middle Where.
- *  @param size How large. @param corners See there. */
+/** Makes a small triangle somewhere. See #Layout. */
 static void triangle_at(uint64_t *state, Vec3d middle, double size, Vec3d *corners) {
     for (int k = 0; k < 3; k++) {
         Vec3d lateral = {random_float(state, -1, 1), random_float(state, -1, 1),
@@ -28,8 +26,7 @@ static void triangle_at(uint64_t *state, Vec3d middle, double size, Vec3d *corne
     }
 }
 
-/** All the same. See #Layout. @param state Not used. @param i Not used. @param count Not used.
- *  @param corners See there. */
+/** All the same. See #Layout. */
 static void layout_identical(uint64_t *state, size_t i, size_t count, Vec3d *corners) {
     (void)state, (void)i, (void)count;
     corners[0] = (Vec3d){0, 0, 1};
@@ -37,8 +34,7 @@ static void layout_identical(uint64_t *state, size_t i, size_t count, Vec3d *cor
     corners[2] = (Vec3d){0, 1, 0};
 }
 
-/** One inside the other, the middles of all boxes the same. See #Layout. @param state Not used.
- *  @param i See there. @param count See there. @param corners See there. */
+/** One inside the other, the middles of all boxes the same. See #Layout. */
 static void layout_nested(uint64_t *state, size_t i, size_t count, Vec3d *corners) {
     (void)state;
     double size = (double)(i + 1) / (double)count;
@@ -47,29 +43,25 @@ static void layout_nested(uint64_t *state, size_t i, size_t count, Vec3d *corner
     corners[2] = (Vec3d){size, -size, size};
 }
 
-/** Anywhere. See #Layout. @param state See there. @param i Not used. @param count Not used.
- *  @param corners See there. */
+/** Anywhere. See #Layout. */
 static void layout_random(uint64_t *state, size_t i, size_t count, Vec3d *corners) {
     (void)i, (void)count;
     triangle_at(state, point_in_scene(state), 0.02, corners);
 }
 
-/** One huge, the others tiny. See #Layout. @param state See there. @param i See there. @param count
- *  See there. @param corners See there. */
+/** One huge, the others tiny. See #Layout. */
 static void layout_one_huge(uint64_t *state, size_t i, size_t count, Vec3d *corners) {
     (void)count;
     triangle_at(state, point_in_scene(state), i == 77 ? 1e4 : 1e-3, corners);
 }
 
-/** Along a line, in order. See #Layout. @param state See there. @param i See there. @param count
- *  See there. @param corners See there. */
+/** Along a line, in order. See #Layout. */
 static void layout_line(uint64_t *state, size_t i, size_t count, Vec3d *corners) {
     double along = 4 * (double)i / (double)count - 2;
     triangle_at(state, (Vec3d){along, along / 2, -along}, 0.01, corners);
 }
 
-/** Anywhere, all of it tiny. See #Layout. @param state See there. @param i Not used. @param count
- *  Not used. @param corners See there. */
+/** Anywhere, all of it tiny. See #Layout. */
 static void layout_tiny(uint64_t *state, size_t i, size_t count, Vec3d *corners) {
     layout_random(state, i, count, corners);
     for (int k = 0; k < 3; k++) {
@@ -77,8 +69,7 @@ static void layout_tiny(uint64_t *state, size_t i, size_t count, Vec3d *corners)
     }
 }
 
-/** Anywhere, all of it huge. See #Layout. @param state See there. @param i Not used. @param count
- *  Not used. @param corners See there. */
+/** Anywhere, all of it huge. See #Layout. */
 static void layout_huge(uint64_t *state, size_t i, size_t count, Vec3d *corners) {
     layout_random(state, i, count, corners);
     for (int k = 0; k < 3; k++) {
@@ -88,15 +79,14 @@ static void layout_huge(uint64_t *state, size_t i, size_t count, Vec3d *corners)
 
 /** From the largest number there is to the smallest, by powers of two: bins split off a few
  *  triangles at a time, and binary trees of such become as deep as there are powers. See #Layout.
- *  @param state See there. @param i See there. @param count See there. @param corners See there. */
+ */
 static void layout_powers(uint64_t *state, size_t i, size_t count, Vec3d *corners) {
     double size = exp2(48 - 1100 * (double)i / (double)count);
     triangle_at(state, (Vec3d){size, 0, 0}, 0.2 * size, corners);
 }
 
 /** A flat mesh whose corners are a little off the plane: less than any number that has a finite
- *  inverse. See #Layout. @param state See there. @param i See there. @param count See there.
- *  @param corners See there. */
+ *  inverse. See #Layout. */
 static void layout_nearly_flat(uint64_t *state, size_t i, size_t count, Vec3d *corners) {
     layout_random(state, i, count, corners);
     for (int k = 0; k < 3; k++) {
@@ -126,16 +116,13 @@ static const BuilderCase builder_cases[] = {
     {"nearly flat triangles", layout_nearly_flat, 2000, 16},
 };
 
-/** Does what a crew is asked to. See #ParallelFor.run. @param workers The threads. @param count See
- * there.
- *  @param job See there. @param context See there. */
+/** Does what a crew is asked to. See #ParallelFor.run. */
 static void run_parallel_for(void *workers, size_t count, void (*job)(void *, size_t),
                              void *context) {
     thread_pool_run(workers, count, job, context);
 }
 
-/** @return A tracer that several threads prepared, to be given back. @param engine The engine.
- *  @param scene The scene. @param threads How many. */
+/** @return A tracer that several threads prepared, to be given back. */
 static Tracer *create_tracer_with_threads(const Engine *engine, const Scene *scene, int threads) {
     Error error = {0};
     ThreadPool *workers = thread_pool_create(threads, &error);
@@ -148,7 +135,7 @@ static Tracer *create_tracer_with_threads(const Engine *engine, const Scene *sce
     return tracer;
 }
 
-/** @return The largest coordinate of a triangle. @param corners Its corners. */
+/** @return The largest coordinate of a triangle. */
 static double largest_coordinate(const Vec3d *corners) {
     double largest = 0;
     for (int k = 0; k < 3; k++) {
@@ -157,8 +144,7 @@ static double largest_coordinate(const Vec3d *corners) {
     return largest;
 }
 
-/** Aims a ray at the middle of a triangle, from about above it. @param corners The triangle.
- *  @param[in,out] state A generator. @param[out] ray The ray. */
+/** Aims a ray at the middle of a triangle, from about above it. */
 static void aim_at_triangle(const Vec3d *corners, uint64_t *state, RayQueryQuad *ray) {
     double size = largest_coordinate(corners);
     Vec3d sides[2], middle = {0, 0, 0};
@@ -178,9 +164,8 @@ static void aim_at_triangle(const Vec3d *corners, uint64_t *state, RayQueryQuad 
     }
 }
 
-/** Fills a packet: the first ray, or all of them, aimed at triangles. @param mesh The triangles.
- *  @param[in,out] state A generator. @param is_coherent Whether the others go beside the first.
- *  @param[out] rays The rays. */
+/** Fills a packet: the first ray, or all of them, aimed at triangles. @param is_coherent Whether
+ *  the others go beside the first. */
 static void fill_aimed(const TriangleSoup *mesh, uint64_t *state, bool is_coherent,
                        RayQueryQuad *rays) {
     for (int i = 0; i < RAYS_PER_QUERY; i++) {
@@ -203,9 +188,7 @@ static void fill_aimed(const TriangleSoup *mesh, uint64_t *state, bool is_cohere
 }
 
 /** Checks a case in all engines of a number type: what is aimed at is met or hidden, and all say
- * the same, whoever built the tree. @param reference The engine of one lane. @param builder The
- * case.
- *  @param mesh Its triangles. @param scene The scene. */
+ *  the same, whoever built the tree. @param reference The engine of one lane. */
 static void check_build_case(const Engine *reference, const BuilderCase *builder,
                              const TriangleSoup *mesh, const Scene *scene) {
     Tracer *tracers[ENGINES_MAXIMUM], *alone = create_tracer(reference, scene);
@@ -258,7 +241,7 @@ static void check_hard_triangles(const Engine *reference) {
     }
 }
 
-/** See #check_hard_triangles. @param state Not used. */
+/** See #check_hard_triangles. */
 static void test_bvh_builder(void **state) {
     (void)state;
     for_every_type(check_hard_triangles);

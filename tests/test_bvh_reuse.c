@@ -9,8 +9,7 @@ typedef struct BvhBuildCounter {
     int count; /**< Trees so far. */
 } BvhBuildCounter;
 
-/** Builds a tree. See #ParallelFor.run. @param workers A #BvhBuildCounter. @param count See there.
- * @param job See there. @param context See there. */
+/** Builds a tree. See #ParallelFor.run. */
 static void count_build(void *workers, size_t count, void (*job)(void *, size_t), void *context) {
     ((BvhBuildCounter *)workers)->count++;
     for (size_t i = 0; i < count; i++) {
@@ -34,8 +33,7 @@ static Mesh *sphere_mesh_with_uvs(void) {
     return mesh;
 }
 
-/** Adds a mesh that is there already to a scene, turned. @param scene The scene. @param mesh The
- *  mesh. @param normals See #MeshShapeParameters. @param degrees How far it is turned. */
+/** Adds a mesh that is there already to a scene, turned. @param degrees How far it is turned. */
 static void add_turned_mesh(Scene *scene, Mesh *mesh, int normals, double degrees) {
     Error error = {0};
     char name[32];
@@ -50,18 +48,21 @@ static void add_turned_mesh(Scene *scene, Mesh *mesh, int normals, double degree
     assert_true(scene_set_last_transform(scene, &transform, &error));
 }
 
-/** @return A scene with one mesh, to be given back. @param mesh The mesh. @param normals See
- *  #MeshShapeParameters. @param degrees How far it is turned. */
+/**
+ * @return A scene with one mesh, to be given back.
+ * @param degrees  How far it is turned.
+ */
 static Scene *scene_with(Mesh *mesh, int normals, double degrees) {
     Scene *scene = create_empty_scene();
     add_turned_mesh(scene, mesh, normals, degrees);
     return scene;
 }
 
-/** Prepares a scene and gives it back. @param engine The engine. @param scene The scene.
- *  @param reuse_from See #TraceSettings.reuse_from. @param[out] trees How many trees were built for
- * it.
- *  @return The tracer, to be given back. */
+/**
+ * Prepares a scene and gives it back.
+ * @param[out] trees  How many trees were built for it.
+ * @return The tracer, to be given back.
+ */
 static Tracer *create_tracer_reusing(const Engine *engine, Scene *scene, const Tracer *reuse_from,
                                      int *trees) {
     Error error = {0};
@@ -76,8 +77,7 @@ static Tracer *create_tracer_reusing(const Engine *engine, Scene *scene, const T
     return tracer;
 }
 
-/** Fails unless two tracers answer the same, to the bit. @param engine The engine. @param got One.
- *  @param wanted The other. */
+/** Fails unless two tracers answer the same, to the bit. */
 static void assert_same_tracers(const Engine *engine, const Tracer *got, const Tracer *wanted) {
     uint64_t state = 5;
     RayQueryQuad rays[RAYS_PER_QUERY];
@@ -91,8 +91,7 @@ static void assert_same_tracers(const Engine *engine, const Tracer *got, const T
     assert_true(expected[0].shape == 0);
 }
 
-/** A mesh that is turned keeps its tree, and its tree outlives the frame that it was built for.
- *  @param engine The engine. */
+/** A mesh that is turned keeps its tree, and its tree outlives the frame that it was built for. */
 static void check_turned_reuse(const Engine *engine) {
     int first, second, alone;
     Mesh *mesh = sphere_mesh_with_uvs();
@@ -109,8 +108,7 @@ static void check_turned_reuse(const Engine *engine) {
     engine->destroy(lonely);
 }
 
-/** What differs is built anew: other normals, another mesh; but not the same in another order.
- *  @param engine The engine. */
+/** What differs is built anew: other normals, another mesh; but not the same in another order. */
 static void check_different_meshes(const Engine *engine) {
     int trees;
     Mesh *one = sphere_mesh_with_uvs(), *two = sphere_mesh_with_uvs();
@@ -134,7 +132,7 @@ static void check_different_meshes(const Engine *engine) {
 }
 
 /** A mesh that begins to wear a picture needs its places there; a mesh that wore one has what a
- * bare one needs. @param engine The engine. */
+ *  bare one needs. */
 static void check_textured_reuse(const Engine *engine) {
     int trees;
     Error error = {0};
@@ -156,19 +154,19 @@ static void check_textured_reuse(const Engine *engine) {
     mesh_release(mesh);
 }
 
-/** See #check_turned_reuse. @param state Not used. */
+/** See #check_turned_reuse. */
 static void test_turned(void **state) {
     (void)state;
     for_every_engine(check_turned_reuse);
 }
 
-/** See #check_different_meshes. @param state Not used. */
+/** See #check_different_meshes. */
 static void test_others(void **state) {
     (void)state;
     for_every_engine(check_different_meshes);
 }
 
-/** See #check_textured_reuse. @param state Not used. */
+/** See #check_textured_reuse. */
 static void test_textured(void **state) {
     (void)state;
     for_every_engine(check_textured_reuse);

@@ -39,7 +39,7 @@ typedef struct WorstErrors {
 /** What was found, for the table at the end. */
 static WorstErrors worsts[CONTRACT_SHAPE_COUNT][8];
 
-/** Adds a box as a mesh of twelve triangles. @param scene The scene. @param box The box. */
+/** Adds a box as a mesh of twelve triangles. */
 static void add_box_mesh(Scene *scene, const BoxSpec *box) {
     static const MeshTriangle triangles[] = {{{0, 2, 3}}, {{0, 3, 1}}, {{4, 5, 7}}, {{4, 7, 6}},
                                              {{0, 1, 5}}, {{0, 5, 4}}, {{2, 6, 7}}, {{2, 7, 3}},
@@ -53,7 +53,7 @@ static void add_box_mesh(Scene *scene, const BoxSpec *box) {
     add_mesh(scene, corners, CORNERS, triangles, TRIANGLES, 2);
 }
 
-/** Adds a ball as a field. @param scene The scene. @param sphere The ball. */
+/** Adds a ball as a field. */
 static void add_sphere_sdf(Scene *scene, const SphereSpec *sphere) {
     const double *c = sphere->center;
     Sdf *field = translate_sdf(make_sdf("sphere", &sphere->radius), c[0], c[1], c[2]);
@@ -61,7 +61,7 @@ static void add_sphere_sdf(Scene *scene, const SphereSpec *sphere) {
     free(field);
 }
 
-/** @return A tracer with one shape. @param engine The engine. @param shape The shape. */
+/** @return A tracer with one shape. */
 static Tracer *tracer_with(const Engine *engine, const ContractShape *shape) {
     Error error = {0};
     Scene *scene = create_empty_scene();
@@ -78,10 +78,10 @@ static Tracer *tracer_with(const Engine *engine, const ContractShape *shape) {
     return tracer;
 }
 
-/** A case of the contract. @param subject A row in an engine. @param[in,out] worst Its errors. */
+/** A case of the contract. @param subject A row in an engine. */
 typedef void (*Case)(const ContractRun *subject, WorstErrors *worst);
 
-/** Runs a case for every row in every engine. @param run The case. */
+/** Runs a case for every row in every engine. */
 static void for_every_shape(Case run) {
     for (size_t r = 0; r < CONTRACT_SHAPE_COUNT; r++) {
         for (size_t e = 0; engine_list()[e]; e++) {
@@ -96,14 +96,12 @@ static void for_every_shape(Case run) {
     }
 }
 
-/** @return A bound, or how much a row's tolerance is, if that is more. @param subject Row and
- * engine.
- *  @param bound Half ulps. */
+/** @return A bound, or how much a row's tolerance is, if that is more. */
 static double tolerance_or_bound(const ContractRun *subject, double bound) {
     return fmax(bound, tolerance_of(subject->row) / (double)roundoff(subject->engine));
 }
 
-/** @return Rays for an engine: the slow reference gets fewer. @param subject Row and engine. */
+/** @return Rays for an engine: the slow reference gets fewer. */
 static size_t ray_count(const ContractRun *subject) {
     const Engine *engine = subject->engine;
     // Quad numbers are slow; wide engines give the bits of narrow ones, which other tests compare.
@@ -111,23 +109,17 @@ static size_t ray_count(const ContractRun *subject) {
     return rays / TIMEOUT_FACTOR;
 }
 
-/** @return The larger. @param a A number. @param b Another. */
+/** @return The larger. */
 static Quadruple quad_max(Quadruple a, Quadruple b) {
     return a > b ? a : b;
 }
 
-/** @return The largest absolute coordinate. @param v Three numbers. */
+/** @return The largest absolute coordinate. */
 static Quadruple max_coordinate(const Quadruple v[3]) {
     return quad_max(quad_abs(v[0]), quad_max(quad_abs(v[1]), quad_abs(v[2])));
 }
 
-/**
- * Holds an answer against the truth.
- * @param subject  Row and engine.
- * @param ray      The ray.
- * @param answer   The engine's answer.
- * @param[in,out] worst  The errors.
- */
+/** Holds an answer against the truth. */
 static void check_result(const ContractRun *subject, const RayQueryQuad *ray,
                          const RayResult *answer, WorstErrors *worst) {
     const ContractShape *shape = subject->row;
@@ -171,9 +163,7 @@ static void check_result(const ContractRun *subject, const RayQueryQuad *ray,
         worst->normal, quad_max(quad_abs(length - 1), max_coordinate(difference.component)) / u);
 }
 
-/** Asks an engine for shadows alone: the same as in its full answers. @param subject Row and
- * engine.
- *  @param rays The rays, in double. @param answers The full answers. @param count How many. */
+/** Asks an engine for shadows alone: the same as in its full answers. */
 static void check_shadows(const ContractRun *subject, const RayQueryQuad *rays,
                           const RayResult *answers, size_t count) {
     RayQuery *plain = calloc(count, sizeof *plain);
@@ -190,8 +180,7 @@ static void check_shadows(const ContractRun *subject, const RayQueryQuad *rays,
     free(shadowed);
 }
 
-/** Asks an engine and checks every answer. @param subject Row and engine. @param rays The rays.
- *  @param count How many. @param[in,out] worst The errors. */
+/** Asks an engine and checks every answer. */
 static void query_and_check(const ContractRun *subject, const RayQueryQuad *rays, size_t count,
                             WorstErrors *worst) {
     RayResult *answers = calloc(count, sizeof *answers);
@@ -203,9 +192,11 @@ static void query_and_check(const ContractRun *subject, const RayQueryQuad *rays
     free(answers);
 }
 
-/** @return A ray from around a shape to around its middle. @param shape The row.
- *  @param[in,out] state A generator. @param distance How far away it starts, in sizes.
- *  @param spread How far beside the middle it aims, in sizes. */
+/**
+ * @return A ray from around a shape to around its middle.
+ * @param distance  How far away it starts, in sizes.
+ * @param spread  How far beside the middle it aims, in sizes.
+ */
 static RayQueryQuad random_ray(const ContractShape *shape, uint64_t *state, double distance,
                                double spread) {
     RayQueryQuad ray = {0};
@@ -218,8 +209,7 @@ static RayQueryQuad random_ray(const ContractShape *shape, uint64_t *state, doub
     return ray;
 }
 
-/** Asks about random rays. @param subject Row and engine. @param distance See #random_ray.
- *  @param spread See #random_ray. @param[in,out] worst The errors. */
+/** Asks about random rays. */
 static void query_random_rays(const ContractRun *subject, double distance, double spread,
                               WorstErrors *worst) {
     size_t count = ray_count(subject);
@@ -234,8 +224,7 @@ static void query_random_rays(const ContractRun *subject, double distance, doubl
 
 /* --- the cases ------------------------------------------------------------------------------- */
 
-/** Around it and in it, meeting and missing; the errors go into the table.
- *  @param subject Row and engine. @param[in,out] worst The errors. */
+/** Around it and in it, meeting and missing; the errors go into the table. */
 static void case_near(const ContractRun *subject, WorstErrors *worst) {
     query_random_rays(subject, 4, 1.5, worst);
     query_random_rays(subject, 0.5, 2, worst);
@@ -261,8 +250,7 @@ static void case_near(const ContractRun *subject, WorstErrors *worst) {
     assert_at_most(worst->bound, 1, "%s in %s, point against its own bound", shape, name);
 }
 
-/** A thousand and ten thousand sizes away. @param subject Row and engine.
- *  @param[in,out] unused Not used. */
+/** A thousand and ten thousand sizes away. */
 static void case_far(const ContractRun *subject, WorstErrors *unused) {
     (void)unused;
     if (subject->engine->mantissa_bits > 64) {
@@ -279,7 +267,7 @@ static void case_far(const ContractRun *subject, WorstErrors *unused) {
     }
 }
 
-/** Away from it: nothing is met. @param subject Row and engine. @param[in,out] unused Not used. */
+/** Away from it: nothing is met. */
 static void case_behind(const ContractRun *subject, WorstErrors *unused) {
     (void)unused;
     uint64_t state = 2;
@@ -299,8 +287,7 @@ static void case_behind(const ContractRun *subject, WorstErrors *unused) {
     }
 }
 
-/** A direction of any length: by powers of two the same bits, else the same answer.
- *  @param subject Row and engine. @param[in,out] unused Not used. */
+/** A direction of any length: by powers of two the same bits, else the same answer. */
 static void case_length(const ContractRun *subject, WorstErrors *unused) {
     (void)unused;
     uint64_t state = 3;
@@ -320,7 +307,7 @@ static void case_length(const ContractRun *subject, WorstErrors *unused) {
     }
 }
 
-/** @return A number rounded to an engine's type. @param engine The engine. @param x The number. */
+/** @return A number rounded to an engine's type. */
 static Quadruple rounded(const Engine *engine, Quadruple x) {
     return engine->mantissa_bits == 24   ? (Quadruple)(float)x
            : engine->mantissa_bits == 53 ? (Quadruple)(double)x
@@ -330,9 +317,7 @@ static Quadruple rounded(const Engine *engine, Quadruple x) {
 /**
  * @return A ray that leaves a hit on one side, from a point moved by the hit's own error bound.
  * @param engine  The engine, to whose numbers it is rounded.
- * @param hit     The hit.
- * @param side    1: outwards; -1: inwards.
- * @param[in,out] state  A generator.
+ * @param side  1: outwards; -1: inwards.
  */
 static RayQueryQuad offset_ray(const Engine *engine, const RayResult *hit, int side,
                                uint64_t *state) {
@@ -350,7 +335,7 @@ static RayQueryQuad offset_ray(const Engine *engine, const RayResult *hit, int s
 }
 
 /** On the surface and leaving it: of 1000 rays outwards none meets it again, and of 1000 inwards
- *  each meets only the far side. @param subject Row and engine. @param[in,out] unused Not used. */
+ *  each meets only the far side. */
 static void case_offset(const ContractRun *subject, WorstErrors *unused) {
     (void)unused;
     uint64_t state = 4;
@@ -383,8 +368,7 @@ static void case_offset(const ContractRun *subject, WorstErrors *unused) {
 }
 
 /** NaN, infinity, zero and axis-parallel directions, with every sign of zero: an answer without
- * NaN, and where the numbers are good, the right one. @param subject Row and engine.
- *  @param[in,out] unused Not used. */
+ *  NaN, and where the numbers are good, the right one. */
 static void case_degenerate(const ContractRun *subject, WorstErrors *unused) {
     (void)unused;
     static const double odd[] = {0.0, -0.0, 1, -1, NAN, INFINITY, -INFINITY, 1e30, 1e-40};
@@ -411,8 +395,7 @@ static void case_degenerate(const ContractRun *subject, WorstErrors *unused) {
     }
 }
 
-/** Along the axes, through the middle and beside it. @param subject Row and engine.
- *  @param[in,out] worst The errors. */
+/** Along the axes, through the middle and beside it. */
 static void case_axes(const ContractRun *subject, WorstErrors *worst) {
     for (int n = 0; n < 3 * 2 * 2 * 81; n++) {
         int axis = n % 3, up = n / 3 % 2 ? 1 : -1;
@@ -429,8 +412,7 @@ static void case_axes(const ContractRun *subject, WorstErrors *worst) {
     }
 }
 
-/** Wider engines give the bits of the narrow one. @param subject Row and engine.
- *  @param[in,out] unused Not used. */
+/** Wider engines give the bits of the narrow one. */
 static void case_lanes(const ContractRun *subject, WorstErrors *unused) {
     (void)unused;
     Error error;
@@ -463,7 +445,7 @@ static void case_lanes(const ContractRun *subject, WorstErrors *unused) {
 
 /* --- cmocka ---------------------------------------------------------------------------------- */
 
-/** Every class has a row. @param state Not used. */
+/** Every class has a row. */
 static void test_every_shape_has_a_row(void **state) {
     (void)state;
     for (const Keyword *const *keyword = engine_list()[0]->shape_keywords; *keyword; keyword++) {
@@ -524,8 +506,7 @@ static void test_lanes(void **state) {
     for_every_shape(case_lanes);
 }
 
-/** Better numbers give better answers: the double engine is not float in disguise.
- *  @param state Not used. */
+/** Better numbers give better answers: the double engine is not float in disguise. */
 static void test_precision(void **state) {
     (void)state;
     for (size_t r = 0; r < CONTRACT_SHAPE_COUNT; r++) {
@@ -541,7 +522,7 @@ static void test_precision(void **state) {
     }
 }
 
-/** Works out the matrices of the rows. @param state Not used. @return 0 */
+/** Works out the matrices of the rows. @return 0 */
 static int init_transforms(void **state) {
     (void)state;
     Transform *const transforms[] = {&ellipsoid_transform, &tilted_transform, &squeezed_transform,
@@ -553,7 +534,7 @@ static int init_transforms(void **state) {
     return 0;
 }
 
-/** Prints the table of worst errors. @param state Not used. @return 0 */
+/** Prints the table of worst errors. @return 0 */
 static int print_table(void **state) {
     (void)state;
     printf("worst errors, half ulps     distance     point    normal   point/bound\n");

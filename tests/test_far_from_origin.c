@@ -68,8 +68,7 @@ static const char scene_text[] =
 static const char mesh_text[] = "v %.0f %.0f %.0f\nv %.0f %.0f %.0f\nv %.0f %.0f %.0f\n"
                                 "v %.0f %.0f %.0f\nf 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\n";
 
-/** Writes a model. @param path The file. @param x Where it begins. @param y Where. @param z Where.
- */
+/** Writes a model. */
 static void write_mesh_file(const char *path, double x, double y, double z) {
     char text[512];
     int size =
@@ -77,8 +76,11 @@ static void write_mesh_file(const char *path, double x, double y, double z) {
     write_file(path, text, (size_t)size);
 }
 
-/** Writes the scene with its files, and reads it. @return The scene. @param state The folder.
- *  @param distance How far from zero. */
+/**
+ * Writes the scene with its files, and reads it.
+ * @return The scene.
+ * @param distance  How far from zero.
+ */
 static Scene *scene_at_offset(void **state, double distance) {
     Error error = {0};
     char text[sizeof scene_text + 64];
@@ -92,7 +94,7 @@ static Scene *scene_at_offset(void **state, double distance) {
     return load_scene(fixture_path(state, "far.lua"));
 }
 
-/** @return Largest difference of two pixels, in steps. @param a One. @param b The other. */
+/** @return Largest difference of two pixels, in steps. */
 static int steps_between(const uint8_t *a, const uint8_t *b) {
     int largest = 0;
     for (int i = 0; i < 3; i++) {
@@ -102,7 +104,7 @@ static int steps_between(const uint8_t *a, const uint8_t *b) {
 }
 
 /** @return Whether an edge passes beside a pixel: whether one of its neighbours is another colour.
- *  @param picture The picture. @param x Column. @param y Row. */
+ */
 static bool is_on_edge(const Picture *picture, int x, int y) {
     const uint8_t *here = picture->pixels + 3 * (y * picture->width + x);
     bool is_edge = false;
@@ -116,8 +118,11 @@ static bool is_on_edge(const Picture *picture, int x, int y) {
     return is_edge;
 }
 
-/** Compares two pictures. @param near One. @param far The other. @param[out] elsewhere Pixels that
- *  are off by more than a step and on no edge. @return All that are off by more than a step. */
+/**
+ * Compares two pictures.
+ * @param[out] elsewhere  Pixels that are off by more than a step and on no edge.
+ * @return All that are off by more than a step.
+ */
 static int count_different_pixels(const Picture *near, const Picture *far, int *elsewhere) {
     int different = 0;
     *elsewhere = 0;
@@ -130,8 +135,7 @@ static int count_different_pixels(const Picture *near, const Picture *far, int *
     return different;
 }
 
-/** The picture is the same, but for rays that pass an edge within the roundings. @param state The
- *  folder. */
+/** The picture is the same, but for rays that pass an edge within the roundings. */
 static void test_pictures(void **state) {
     static const char *const engines[] = {"f32x1", "f32x4", "f32x8", "f32x16", "f64x1", "f64x4"};
     for (size_t e = 0; e < sizeof engines / sizeof *engines; e++) {
@@ -165,9 +169,7 @@ static void test_pictures(void **state) {
 }
 
 /** Asks rays around a scene and the same scene far away: they meet the same shape at the same
- * place.
- *  @param engine The engine. @param near The scene at zero. @param far The other. @param distance
- *  How far that is. */
+ *  place. @param distance How far that is. */
 static void compare_answers(const Engine *engine, const Scene *near, const Scene *far,
                             double distance) {
     static RayQueryQuad rays[2][BATCH];
@@ -226,7 +228,7 @@ static void test_answers(void **state) {
     scene_destroy(near);
 }
 
-/** The box around all shapes is said in the scene's own coordinates. @param state The folder. */
+/** The box around all shapes is said in the scene's own coordinates. */
 static void test_bounds(void **state) {
     const Engine *engine = engine_list()[0];
     Scene *near = scene_at_offset(state, 0), *far = scene_at_offset(state, 1e5);
@@ -246,7 +248,7 @@ static void test_bounds(void **state) {
 }
 
 /** A copy of a scene that was moved there and back is the same picture, and shares what it does not
- *  own. @param state The folder. */
+ *  own. */
 static void test_moved(void **state) {
     Error error = {0};
     const Keyword *const *kinds = engine_list()[0]->shape_keywords;

@@ -19,8 +19,10 @@ typedef struct Measurement {
     double limit; /**< The most that is allowed. */
 } Measurement;
 
-/** @return A mark in a world. @param engine The engine. @param placement The world. @param single
- * In float at the origin. @param better Otherwise. */
+/**
+ * @return A mark in a world.
+ * @param single  In float at the origin.
+ */
 static double error_limit(const Engine *engine, Placement placement, double single, double better) {
     double mark = engine->mantissa_bits == 24 ? single : better;
     return mark * (1 + placement.offset * (double)roundoff(engine));
@@ -32,13 +34,12 @@ static double error_limit(const Engine *engine, Placement placement, double sing
 /** Size of the pictures. */
 enum { WIDTH = 32, HEIGHT = 24, PIXELS = WIDTH * HEIGHT };
 
-/** @return How many times smaller an engine's pictures are: quad is slow. @param engine It. */
+/** @return How many times smaller an engine's pictures are: quad is slow. */
 static int picture_divisor(const Engine *engine) {
     return engine->mantissa_bits > 64 ? 3 : 1;
 }
 
-/** A sky, a chequered wall that shines, a floor in lamplight. @return It. @param placement Where.
- */
+/** A sky, a chequered wall that shines, a floor in lamplight. @return It. */
 static Scene *checker_scene(Placement placement) {
     Error error = {0};
     Scene *scene = create_empty_scene();
@@ -60,8 +61,10 @@ static Scene *checker_scene(Placement placement) {
     return scene;
 }
 
-/** @return Pixels of two pictures that differ by half a step or more. @param a One.
- *  @param b The other. @param count How many numbers each has. */
+/**
+ * @return Pixels of two pictures that differ by half a step or more.
+ * @param count  How many numbers each has.
+ */
 static int count_different_pixels(const double *a, const double *b, int count) {
     int different = 0;
     for (int i = 0; i < count; i++) {
@@ -70,8 +73,7 @@ static int count_different_pixels(const double *a, const double *b, int count) {
     return different;
 }
 
-/** Index 1 and no tint: the picture without the ball. @return Numbers that are off by a step.
- *  @param engine The engine. @param placement Where. */
+/** Index 1 and no tint: the picture without the ball. @return Numbers that are off by a step. */
 static Measurement check_air_sphere(const Engine *engine, Placement placement) {
     static double without[3 * PIXELS], with[3 * PIXELS];
     Scene *scene = checker_scene(placement);
@@ -89,8 +91,7 @@ static Measurement check_air_sphere(const Engine *engine, Placement placement) {
 /* --- b, c: which way rays leave a ball ---------------------------------------------------------
  */
 
-/** @return How far a ray passes from the ball's middle. @param scene The scene. @param placement
- * Its world. */
+/** @return How far a ray passes from the ball's middle. */
 static double impact_parameter(const Scene *scene, Placement placement) {
     Vec3d center = placed_point(placement, (Vec3d){0, 0, 0}), eye = scene->camera.position;
     Vec3d direction = scene->camera.direction;
@@ -108,10 +109,7 @@ static double deviation(double b) {
  * A ray that passes below the middle of a ball leaves it upwards. The sky shows which way: it is as
  * bright as its y; what the ball mirrors goes down, where it is black.
  * @return How far the brightness is off, as an angle.
- * @param engine  The engine.
- * @param placement   Where.
- * @param b       How far below.
- * @param tilt    How far downwards the ray comes, radians: so that it leaves at a small angle.
+ * @param tilt  How far downwards the ray comes, radians: so that it leaves at a small angle.
  */
 static double exit_error(const Engine *engine, Placement placement, double b, double tilt) {
     Scene *scene = create_empty_scene();
@@ -129,8 +127,7 @@ static double exit_error(const Engine *engine, Placement placement, double b, do
     return error / (kept * kept * cos(deviation(sine) - tilt));
 }
 
-/** Every ray leaves at 2 (i - r). @return The largest error, radians. @param engine The engine.
- *  @param placement Where. */
+/** Every ray leaves at 2 (i - r). @return The largest error, radians. */
 static Measurement max_exit_error(const Engine *engine, Placement placement) {
     double worst = 0;
     for (int i = 1; i <= 32; i++) {
@@ -141,8 +138,12 @@ static Measurement max_exit_error(const Engine *engine, Placement placement) {
     return (Measurement){worst, error_limit(engine, placement, 1e-5, 1e-13)};
 }
 
-/** A ball with half a wall behind it that shines, and a ray below the middle. @return The scene.
- *  @param placement Where. @param below How far below it comes. @param away How far the wall is. */
+/**
+ * A ball with half a wall behind it that shines, and a ray below the middle.
+ * @return The scene.
+ * @param below  How far below it comes.
+ * @param away  How far the wall is.
+ */
 static Scene *half_wall_scene(Placement placement, double below, double away) {
     Scene *scene = create_empty_scene();
     use_material(scene, glass_material(GLASS));
@@ -153,8 +154,7 @@ static Scene *half_wall_scene(Placement placement, double below, double away) {
     return scene;
 }
 
-/** @return Whether the ray meets the upper half, though it comes from below. @param engine The
- *  engine. @param scene A #half_wall_scene, given back. @param placement Its world. */
+/** @return Whether the ray meets the upper half, though it comes from below. */
 static bool image_is_inverted(const Engine *engine, Scene *scene, Placement placement) {
     double kept = 1 - fresnel_closed_form(impact_parameter(scene, placement), 1, GLASS);
     double light = center_radiance(engine, scene, 2) / (kept * kept);
@@ -163,18 +163,17 @@ static bool image_is_inverted(const Engine *engine, Scene *scene, Placement plac
     return light > 0.5;
 }
 
-/** @return How far from the ball's middle something is, along z and as the scene has it. @param
- * world Where.
- *  @param away How far it should be. */
+/**
+ * @return How far from the ball's middle something is, along z and as the scene has it.
+ * @param away  How far it should be.
+ */
 static double depth_of(Placement placement, double away) {
     double here = placed_point(placement, (Vec3d){0, 0, -away}).z;
     return (placed_point(placement, (Vec3d){0, 0, 0}).z - here) / placement.scale;
 }
 
 /** A ball turns pictures upside down behind its focus, n R / (2 (n - 1)) behind the middle for rays
- *  near the axis. @return How far the focus is off. @param engine The engine. @param placement
- * Where.
- */
+ *  near the axis. @return How far the focus is off. */
 static Measurement focus(const Engine *engine, Placement placement) {
     // Such a ray passes the middle on the way out as far as on the way in.
     const double below = 0.125, truth = below / sin(deviation(below));
@@ -195,8 +194,7 @@ static Measurement focus(const Engine *engine, Placement placement) {
 /* --- d: total reflection -----------------------------------------------------------------------
  */
 
-/** No ray that came from outside is reflected totally in a ball. @return How many are.
- *  @param engine The engine. @param placement Where. */
+/** No ray that came from outside is reflected totally in a ball. @return How many are. */
 static Measurement count_total_reflections(const Engine *engine, Placement placement) {
     static double rgb[3 * 4 * PIXELS];
     Scene *scene = create_empty_scene();
@@ -219,7 +217,7 @@ static Measurement count_total_reflections(const Engine *engine, Placement place
 }
 
 /** In glass, a bubble mirrors all light that comes beyond 2/3 of its radius. @return How far from
- *  there it begins to. @param engine The engine. @param placement Where. */
+ *  there it begins to. */
 static Measurement bubble_ring(const Engine *engine, Placement placement) {
     double inner = 0, outer = 1;
     for (int i = 0; i < 24; i++) {
@@ -250,10 +248,12 @@ static double hollow_deviation(double b, double hole) {
     return 2 * (asin(b) - asin(b / GLASS) + asin(b / (GLASS * hole)) - asin(b / hole));
 }
 
-/** A hole is a ball of air after the glass. The ray comes upwards, and what is mirrored goes down.
- *  @return How far the ray behind is off, radians. @param engine The engine. @param placement
- * Where.
- *  @param hole Radius of the hole. @param b How far below the middle. */
+/**
+ * A hole is a ball of air after the glass. The ray comes upwards, and what is mirrored goes down.
+ * @return How far the ray behind is off, radians.
+ * @param hole  Radius of the hole.
+ * @param b  How far below the middle.
+ */
 static double hollow_error(const Engine *engine, Placement placement, double hole, double b) {
     const double tilt = -0.5;
     Scene *scene = create_empty_scene();
@@ -275,7 +275,7 @@ static double hollow_error(const Engine *engine, Placement placement, double hol
 }
 
 /** Hollow balls, from thick ones to those that are hardly there and turn nothing. @return The
- *  largest error, radians. @param engine The engine. @param placement Where. */
+ *  largest error, radians. */
 static Measurement hollow_sphere_error(const Engine *engine, Placement placement) {
     double worst = 0;
     static const double holes[] = {0.7, 0.99, 0.9999};
@@ -289,8 +289,8 @@ static Measurement hollow_sphere_error(const Engine *engine, Placement placement
 /* --- f: the white furnace ----------------------------------------------------------------------
  */
 
-/** Where light 1 comes from everywhere, glass is not seen: no light is lost and none made.
- *  @return The largest error of a pixel. @param engine The engine. @param placement Where. */
+/** Where light 1 comes from everywhere, glass is not seen: no light is lost and none made. @return
+ *  The largest error of a pixel. */
 static Measurement furnace_test(const Engine *engine, Placement placement) {
     static double rgb[3 * PIXELS];
     Scene *scene = create_empty_scene();
@@ -316,7 +316,7 @@ static Measurement furnace_test(const Engine *engine, Placement placement) {
  */
 
 /** What is missing in the furnace at a depth: the orders that were not followed, (1 - F) F^(d - 1).
- *  @return The largest error against that. @param engine The engine. @param placement Where. */
+ *  @return The largest error against that. */
 static Measurement depths(const Engine *engine, Placement placement) {
     double worst = 0;
     for (int depth = 1; depth <= 8; depth++) {
@@ -352,7 +352,7 @@ static const AcceptancePoint points[] = {{"a ball of air: steps off", check_air_
                                          {"f white furnace: light off", furnace_test},
                                          {"g depth: light off", depths}};
 
-/** Measures the list. @param engine The engine. */
+/** Measures the list. */
 static void acceptance(const Engine *engine) {
     for (size_t p = 0; p < sizeof points / sizeof *points; p++) {
         for (int w = 0; w < PLACEMENT_COUNT; w++) {

@@ -19,12 +19,7 @@ enum { SMALL_FILE_SIZE = 4096 };
 
 // --- helpers -------------------------------------------------------------------------------------
 
-/**
- * Reads a small file.
- * @param path        The file.
- * @param[out] bytes  Its bytes.
- * @return How many.
- */
+/** Reads a small file. @return How many. */
 static size_t read_file_bytes(const char *path, uint8_t bytes[SMALL_FILE_SIZE]) {
     FILE *stream = fopen(path, "rb");
     assert_non_null(stream);
@@ -33,11 +28,8 @@ static size_t read_file_bytes(const char *path, uint8_t bytes[SMALL_FILE_SIZE]) 
     return size;
 }
 
-/**
- * Counts what is in the folder, so that forgotten temporary files are seen.
- * @param state  The fixture.
- * @return How many files.
- */
+/** Counts what is in the folder, so that forgotten temporary files are seen. @return How many
+ *  files. */
 static int count_files(void **state) {
     Fixture *fixture = *state;
     DIR *folder = opendir(fixture->folder);
@@ -50,12 +42,7 @@ static int count_files(void **state) {
     return count;
 }
 
-/**
- * Writes a picture, reads it again and compares.
- * @param path    The file.
- * @param width   Pixels.
- * @param height  Pixels.
- * @return Largest difference of a channel, steps.
+/** Writes a picture, reads it again and compares. @return Largest difference of a channel, steps.
  */
 static int round_trip(const char *path, int width, int height) {
     Error error = {0};
@@ -74,7 +61,7 @@ static int round_trip(const char *path, int width, int height) {
 
 // --- BMP -----------------------------------------------------------------------------------------
 
-/** Pictures of all row paddings come back the same. @param state The fixture. */
+/** Pictures of all row paddings come back the same. */
 static void test_bmp_round_trip(void **state) {
     for (int width = 1; width <= 9; width++) {
         assert_int_equal(round_trip(fixture_path(state, "a.bmp"), width, 10 - width), 0);
@@ -85,7 +72,7 @@ static void test_bmp_round_trip(void **state) {
     assert_int_equal(count_files(state), 4);
 }
 
-/** The bytes of a file are those of the format. @param state The fixture. */
+/** The bytes of a file are those of the format. */
 static void test_bmp_bytes(void **state) {
     static const uint8_t expected[] = {
         'B', 'M', 62, 0, 0, 0, 0, 0, 0, 0, 54, 0, 0,
@@ -105,7 +92,7 @@ static void test_bmp_bytes(void **state) {
     assert_memory_equal(bytes, expected, sizeof expected);
 }
 
-/** The other kinds of BMP are read: 32 bits, masks, top row first. @param state The fixture. */
+/** The other kinds of BMP are read: 32 bits, masks, top row first. */
 static void test_bmp_kinds(void **state) {
     uint8_t bytes[78] = {
         'B', 'M', 78, 0, 0, 0,    0,    0,    0,    0, 66, 0,  0, 0, 40, 0, 0,
@@ -123,7 +110,7 @@ static void test_bmp_kinds(void **state) {
     picture_deinit(&picture);
 }
 
-/** Asserts that a file is refused with a message. @param path The file. */
+/** Asserts that a file is refused with a message. */
 static void assert_refused(const char *path) {
     Error error = {0};
     Picture picture;
@@ -136,7 +123,7 @@ static void assert_refused(const char *path) {
     assert_true(strlen(error.message) > strlen("cannot read '': ") + strlen(path));
 }
 
-/** Headers that lie are refused. @param state The fixture. */
+/** Headers that lie are refused. */
 static void test_bmp_hostile(void **state) {
     static const struct {
         size_t at;      /**< Where the header is changed. */
@@ -163,7 +150,7 @@ static void test_bmp_hostile(void **state) {
     }
 }
 
-/** A file that ends anywhere before its end is refused. @param state The fixture. */
+/** A file that ends anywhere before its end is refused. */
 static void test_bmp_truncated(void **state) {
     uint8_t bytes[SMALL_FILE_SIZE];
     const char *path = fixture_path(state, "a.bmp");
@@ -175,7 +162,7 @@ static void test_bmp_truncated(void **state) {
     }
 }
 
-/** What is no picture file at all is refused at once. @param state The fixture. */
+/** What is no picture file at all is refused at once. */
 static void test_read_what_is_no_file(void **state) {
     assert_refused(fixture_path(state, "missing.bmp"));
     assert_int_equal(mkdir(fixture_path(state, "folder.bmp"), 0777), 0);
@@ -189,12 +176,10 @@ static void test_read_what_is_no_file(void **state) {
 // --- where files go ------------------------------------------------------------------------------
 
 /**
- * Asserts that a picture cannot be written, that this is said before and after, and that nothing
- * is left of it.
- * @param state   The fixture.
- * @param path    The file.
+ * Asserts that a picture cannot be written, that this is said before and after, and that nothing is
+ * left of it.
  * @param status  What it should lead to.
- * @param words   What the message should say.
+ * @param words  What the message should say.
  */
 static void assert_not_written(void **state, const char *path, Status status, const char *words) {
     int files = count_files(state);
@@ -211,7 +196,7 @@ static void assert_not_written(void **state, const char *path, Status status, co
     assert_int_equal(count_files(state), files);
 }
 
-/** Asserts that a picture can be written. @param path The file. */
+/** Asserts that a picture can be written. */
 static void assert_written(const char *path) {
     Picture picture = make_test_picture(20, 20);
     Error error = {0};
@@ -221,15 +206,14 @@ static void assert_written(const char *path) {
     picture_deinit(&picture);
 }
 
-/** Names without a known ending are refused, and the known ones listed. @param state The fixture.
- */
+/** Names without a known ending are refused, and the known ones listed. */
 static void test_endings(void **state) {
     assert_not_written(state, fixture_path(state, "a.gif"), STATUS_USAGE, "png, exr");
     assert_not_written(state, fixture_path(state, "bmp"), STATUS_USAGE, ".bmp");
     assert_not_written(state, fixture_path(state, "a.bmp/b"), STATUS_USAGE, ".bmp");
 }
 
-/** A new file has the user's permissions, a replaced one its own. @param state The fixture. */
+/** A new file has the user's permissions, a replaced one its own. */
 static void test_permissions(void **state) {
     const char *path = fixture_path(state, "a.bmp");
     struct stat found;
@@ -245,7 +229,7 @@ static void test_permissions(void **state) {
     assert_int_equal(count_files(state), 1);
 }
 
-/** Who may not write does not, and is told so. @param state The fixture. */
+/** Who may not write does not, and is told so. */
 static void test_no_permission(void **state) {
     Fixture *fixture = *state;
     const uid_t nobody = 65534;
@@ -262,7 +246,7 @@ static void test_no_permission(void **state) {
     assert_int_equal(me == 0 ? seteuid(me) : 0, 0);
 }
 
-/** Folders that are not there, and folders in the file's place. @param state The fixture. */
+/** Folders that are not there, and folders in the file's place. */
 static void test_wrong_paths(void **state) {
     char name[400];
     memset(name, 'x', sizeof name);
@@ -274,7 +258,7 @@ static void test_wrong_paths(void **state) {
     assert_written(fixture_path(state, name + sizeof name - 255)); // 254 bytes: as long as can be.
 }
 
-/** A symbolic link stays, and what it points to is replaced. @param state The fixture. */
+/** A symbolic link stays, and what it points to is replaced. */
 static void test_links(void **state) {
     struct stat found;
     assert_int_equal(mkdir(fixture_path(state, "folder"), 0777), 0);
@@ -291,7 +275,7 @@ static void test_links(void **state) {
     assert_int_equal(count_files(state), 4);
 }
 
-/** Devices and FIFOs are written to, not replaced. @param state The fixture. */
+/** Devices and FIFOs are written to, not replaced. */
 static void test_devices(void **state) {
     struct stat found;
     assert_written("/dev/null");
@@ -314,7 +298,7 @@ static void test_devices(void **state) {
     picture_deinit(&picture);
 }
 
-/** What is there already is never written over. @param state The fixture. */
+/** What is there already is never written over. */
 static void test_never_over(void **state) {
     Picture picture = make_test_picture(3, 2);
     Error error = {0};
@@ -333,11 +317,8 @@ static void test_never_over(void **state) {
     picture_deinit(&picture);
 }
 
-/**
- * Asserts that a disk that fills up is seen, and that the old file stays.
- * @param state  The fixture.
- * @param name   Name of the file.
- */
+/** Asserts that a disk that fills up is seen, and that the old file stays. @param name Name of the
+ *  file. */
 static void assert_full_disk_is_reported(void **state, const char *name) {
     const char *path = fixture_path(state, name);
     Picture picture = make_test_picture(200, 200);
@@ -362,7 +343,7 @@ static void assert_full_disk_is_reported(void **state, const char *name) {
     picture_deinit(&picture);
 }
 
-/** A full disk is seen, and harms nothing. @param state The fixture. */
+/** A full disk is seen, and harms nothing. */
 static void test_full_disk(void **state) {
     assert_full_disk_is_reported(state, "a.bmp");
     assert_int_equal(count_files(state), 1);
@@ -370,7 +351,7 @@ static void test_full_disk(void **state) {
 
 // --- the picture module --------------------------------------------------------------------------
 
-/** A module that is not there, or is none, is missed in words. @param state The fixture. */
+/** A module that is not there, or is none, is missed in words. */
 static void test_module_is_missing(void **state) {
     Fixture *fixture = *state;
     Error error = {0};
@@ -384,14 +365,7 @@ static void test_module_is_missing(void **state) {
     assert_non_null(strstr(error.message, ".bmp"));
 }
 
-/**
- * Stands for a module that a file brings down.
- * @param path     Unused.
- * @param format   Unused.
- * @param header   Unused.
- * @param message  Unused.
- * @return Nothing: it does not return.
- */
+/** Stands for a module that a file brings down. @return Nothing: it does not return. */
 static ImageReader *crashing_plugin_open(const char *path, const char *format, ImageHeader *header,
                                          ImagePluginMessage *message) {
     (void)path;
@@ -401,14 +375,7 @@ static ImageReader *crashing_plugin_open(const char *path, const char *format, I
     abort();
 }
 
-/**
- * Stands for a module that Ctrl-C stops.
- * @param path     Unused.
- * @param format   Unused.
- * @param header   Unused.
- * @param message  Unused.
- * @return Nothing: it does not return.
- */
+/** Stands for a module that Ctrl-C stops. @return Nothing: it does not return. */
 static ImageReader *interrupting_plugin_open(const char *path, const char *format,
                                              ImageHeader *header, ImagePluginMessage *message) {
     raise(SIGINT);
@@ -418,7 +385,7 @@ static ImageReader *interrupting_plugin_open(const char *path, const char *forma
 /** What a fake module may take. */
 static const ImageReadLimits small_limits = {10, 1 << 20, 1 << 20};
 
-/** A file that makes the libraries crash does not bring the program down. @param state Unused. */
+/** A file that makes the libraries crash does not bring the program down. */
 static void test_module_crashes(void **state) {
     (void)state;
     static const ImagePlugin module = {.open = crashing_plugin_open};
@@ -430,7 +397,7 @@ static void test_module_crashes(void **state) {
     assert_non_null(strstr(error.message, "crash"));
 }
 
-/** Ctrl-C while a picture is read says so and blames no file. @param state Unused. */
+/** Ctrl-C while a picture is read says so and blames no file. */
 static void test_module_interrupted(void **state) {
     (void)state;
     static const ImagePlugin module = {.open = interrupting_plugin_open};
@@ -440,14 +407,7 @@ static void test_module_interrupted(void **state) {
     assert_int_equal(error.status, STATUS_INTERRUPTED);
 }
 
-/**
- * Stands for a module that never comes to an end.
- * @param path     Unused.
- * @param format   Unused.
- * @param header   Unused.
- * @param message  Unused.
- * @return Nothing: it does not return.
- */
+/** Stands for a module that never comes to an end. @return Nothing: it does not return. */
 static ImageReader *hanging_plugin_open(const char *path, const char *format, ImageHeader *header,
                                         ImagePluginMessage *message) {
     (void)header;
@@ -459,9 +419,6 @@ static ImageReader *hanging_plugin_open(const char *path, const char *format, Im
 
 /**
  * Stands for a module that takes much memory.
- * @param path          Unused.
- * @param format        Unused.
- * @param header        Unused.
  * @param[out] message  Whether it got the memory.
  * @return NULL.
  */
@@ -476,14 +433,7 @@ static ImageReader *greedy_plugin_open(const char *path, const char *format, Ima
     return NULL;
 }
 
-/**
- * Stands for a module that a file leads astray.
- * @param path         Unused.
- * @param format       Unused.
- * @param[out] header  What no picture is.
- * @param message      Unused.
- * @return Something.
- */
+/** Stands for a module that a file leads astray. @return Something. */
 static ImageReader *lying_plugin_open(const char *path, const char *format, ImageHeader *header,
                                       ImagePluginMessage *message) {
     (void)path;
@@ -493,8 +443,7 @@ static ImageReader *lying_plugin_open(const char *path, const char *format, Imag
     return (ImageReader *)header;
 }
 
-/** Reads nothing. @param reader Unused. @param first Unused. @param count Unused.
- *  @param rgb Untouched. @param message Unused. @return true */
+/** Reads nothing. @return true */
 static bool plugin_read_stub(ImageReader *reader, int first, int count, uint8_t *rgb,
                              ImagePluginMessage *message) {
     (void)reader;
@@ -505,12 +454,12 @@ static bool plugin_read_stub(ImageReader *reader, int first, int count, uint8_t 
     return true;
 }
 
-/** Closes nothing. @param reader Unused. */
+/** Closes nothing. */
 static void plugin_close_stub(ImageReader *reader) {
     (void)reader;
 }
 
-/** Time, memory and what a child leaves are checked. @param state Unused. */
+/** Time, memory and what a child leaves are checked. */
 static void test_module_limits(void **state) {
     (void)state;
     static const struct {
@@ -558,7 +507,7 @@ static const struct {
 /** How many there are. */
 enum { MODULE_FORMATS = sizeof module_formats / sizeof *module_formats };
 
-/** Pictures come back as they were, as far as the format keeps them. @param state The fixture. */
+/** Pictures come back as they were, as far as the format keeps them. */
 static void test_module_round_trip(void **state) {
     require_plugin();
     for (int i = 0; i < MODULE_FORMATS; i++) {
@@ -569,8 +518,7 @@ static void test_module_round_trip(void **state) {
     assert_int_equal(count_files(state), MODULE_FORMATS);
 }
 
-/** Formats of linear light hold the light that a picture stands for, whatever its own encoding.
- *  @param state The fixture. */
+/** Formats of linear light hold the light that a picture stands for, whatever its own encoding. */
 static void test_module_linear_light(void **state) {
     require_plugin();
     static const char *const names[] = {"a.exr", "a.hdr"};
@@ -591,7 +539,7 @@ static void test_module_linear_light(void **state) {
 }
 
 /** A picture that keeps its light hands it to formats of linear light as it is: not cut at 1, not
- *  rounded to steps; and what no light can be is put right. @param state The fixture. */
+ *  rounded to steps; and what no light can be is put right. */
 static void test_module_keeps_light(void **state) {
     require_plugin();
     static const float light[] = {5.5F, 1e-7F, 0.123456789F, NAN, -1, INFINITY};
@@ -613,7 +561,7 @@ static void test_module_keeps_light(void **state) {
     picture_deinit(&picture);
 }
 
-/** A BMP file becomes a texture without the module. @param state The fixture. */
+/** A BMP file becomes a texture without the module. */
 static void test_bmp_texture(void **state) {
     const char *path = fixture_path(state, "a.bmp");
     Picture picture = make_test_picture(5, 3);
@@ -631,7 +579,7 @@ static void test_bmp_texture(void **state) {
     assert_null(texture);
 }
 
-/** The same picture gives the same bytes, whenever it is written. @param state The fixture. */
+/** The same picture gives the same bytes, whenever it is written. */
 static void test_module_same_bytes(void **state) {
     require_plugin();
     uint8_t first[MODULE_FORMATS][SMALL_FILE_SIZE];
@@ -650,7 +598,7 @@ static void test_module_same_bytes(void **state) {
     }
 }
 
-/** A full disk is seen with every format. @param state The fixture. */
+/** A full disk is seen with every format. */
 static void test_module_full_disk(void **state) {
     require_plugin();
     for (int i = 0; i < MODULE_FORMATS; i++) {
@@ -659,8 +607,7 @@ static void test_module_full_disk(void **state) {
     assert_int_equal(count_files(state), MODULE_FORMATS);
 }
 
-/** A file of another format than its name says, or cut off, is refused. @param state The fixture.
- */
+/** A file of another format than its name says, or cut off, is refused. */
 static void test_module_hostile(void **state) {
     require_plugin();
     uint8_t bytes[SMALL_FILE_SIZE];

@@ -22,31 +22,34 @@ static Scene *pond_scene(double ior, bool from_above) {
     return scene;
 }
 
-/** @return The share that the pond mirrors. @param engine The engine. @param scene A pond.
- *  @param direction Which way the camera looks, one long. */
+/**
+ * @return The share that the pond mirrors.
+ * @param direction  Which way the camera looks, one long.
+ */
 static double measured_reflectance(const Engine *engine, Scene *scene, Vec3d direction) {
     set_camera(scene, here, vec3d_scale(direction, -1), direction);
     scene->camera.direction = direction;
     return center_radiance(engine, scene, 1);
 }
 
-/** @return A direction at an angle to the vertical, downwards or upwards, exact in float. @param
- *  degrees The angle. @param downwards Which of the two. */
+/**
+ * @return A direction at an angle to the vertical, downwards or upwards, exact in float.
+ * @param downwards  Which of the two.
+ */
 static Vec3d slanted_direction(double degrees, bool downwards) {
     double angle = degrees * M_PI / 180;
     return (Vec3d){round_to_float(sin(angle)), round_to_float(downwards ? -cos(angle) : cos(angle)),
                    0};
 }
 
-/** @return The sine of the angle between a direction and the vertical. @param direction The
- * direction. */
+/** @return The sine of the angle between a direction and the vertical. */
 static Quadruple sine_of(Vec3d direction) {
     Quadruple x = direction.x, y = direction.y;
     return quad_abs(x) / quad_sqrt(x * x + y * y);
 }
 
 /** The shares of light mirrored are Fresnel's, from above and from below, also beyond where there
- *  is no refraction; at right angles, and the same both ways. @param engine The engine. */
+ *  is no refraction; at right angles, and the same both ways. */
 static void check_fresnel(const Engine *engine) {
     const double u = fmax((double)roundoff(engine), 0x1p-53);
     double worst = 0;
@@ -91,9 +94,7 @@ enum { SIZE = 24, NUMBERS = 3 * SIZE * SIZE };
 /** A scene, built one way or the other. */
 typedef void (*Builder)(Scene *scene, Placement world);
 
-/** A checkered background and a lamp around what is built. @return The scene. @param placement
- * Where.
- *  @param build Builds glass. */
+/** A checkered background and a lamp around what is built. @return The scene. */
 static Scene *glass_test_scene(Placement placement, Builder build) {
     Scene *scene = create_empty_scene();
     scene->sky.horizon = (Rgbd){0.4, 0.5, 0.6};
@@ -109,7 +110,7 @@ static Scene *glass_test_scene(Placement placement, Builder build) {
 }
 
 /** Fails unless two ways to build glass look the same. @return Pixels that differ by more than one
- *  step. @param engine The engine. @param placement Where. @param a One way. @param b The other. */
+ *  step. */
 static int scene_difference(const Engine *engine, Placement placement, Builder a, Builder b) {
     static double rgb[2][NUMBERS];
     const Builder both[] = {a, b};
@@ -125,34 +126,33 @@ static int scene_difference(const Engine *engine, Placement placement, Builder a
     return different;
 }
 
-/** A box of liquid. @param scene The scene. @param placement Where. */
+/** A box of liquid. */
 static void build_liquid(Scene *scene, Placement placement) {
     use_material(scene, glass_material(1.5));
     add_placed_box(scene, placement, (Vec3d){-1, -1, -1}, (Vec3d){1, 1, 1});
 }
 
-/** The same with a ball of the same index in it. @param scene The scene. @param placement Where. */
+/** The same with a ball of the same index in it. */
 static void build_ball_in_liquid(Scene *scene, Placement placement) {
     build_liquid(scene, placement);
     add_placed_sphere(scene, placement, (Vec3d){0.1, 0.2, 0}, 0.6);
 }
 
-/** The same, the ball first. @param scene The scene. @param placement Where. */
+/** The same, the ball first. */
 static void build_ball_before_liquid(Scene *scene, Placement placement) {
     use_material(scene, glass_material(1.5));
     add_placed_sphere(scene, placement, (Vec3d){0.1, 0.2, 0}, 0.6);
     build_liquid(scene, placement);
 }
 
-/** The same, in two halves that touch. @param scene The scene. @param placement Where. */
+/** The same, in two halves that touch. */
 static void build_two_halves(Scene *scene, Placement placement) {
     use_material(scene, glass_material(1.5));
     add_placed_box(scene, placement, (Vec3d){-1, -1, -1}, (Vec3d){1.0 / 3, 1, 1});
     add_placed_box(scene, placement, (Vec3d){1.0 / 3, -1, -1}, (Vec3d){1, 1, 1});
 }
 
-/** The same, in four quarters around one edge, in another order. @param scene The scene.
- *  @param placement Where. */
+/** The same, in four quarters around one edge, in another order. */
 static void build_four_quarters(Scene *scene, Placement placement) {
     use_material(scene, glass_material(1.5));
     add_placed_box(scene, placement, (Vec3d){0.3, -1, -1}, (Vec3d){1, 1, 0.2});
@@ -161,21 +161,20 @@ static void build_four_quarters(Scene *scene, Placement placement) {
     add_placed_box(scene, placement, (Vec3d){0.3, -1, 0.2}, (Vec3d){1, 1, 1});
 }
 
-/** The same, in two that overlap. @param scene The scene. @param placement Where. */
+/** The same, in two that overlap. */
 static void build_two_overlapping(Scene *scene, Placement placement) {
     use_material(scene, glass_material(1.5));
     add_placed_box(scene, placement, (Vec3d){-1, -1, -1}, (Vec3d){0.5, 1, 1});
     add_placed_box(scene, placement, (Vec3d){-0.5, -1, -1}, (Vec3d){1, 1, 1});
 }
 
-/** The same twice, in the same place. @param scene The scene. @param placement Where. */
+/** The same twice, in the same place. */
 static void build_twice(Scene *scene, Placement placement) {
     build_liquid(scene, placement);
     build_liquid(scene, placement);
 }
 
-/** The same, and one of another index that a later one hides. @param scene The scene.
- *  @param placement Where. */
+/** The same, and one of another index that a later one hides. */
 static void build_hidden(Scene *scene, Placement placement) {
     use_material(scene, glass_material(2.4));
     scene->materials[scene->material_count - 1].transparency = (Rgbd){0.5, 0.3, 0.1};
@@ -184,8 +183,7 @@ static void build_hidden(Scene *scene, Placement placement) {
     build_liquid(scene, placement);
 }
 
-/** A ball of glass, hollow, with water that fills the hole: the water's wall is the hole's.
- *  @param scene The scene. @param placement Where. */
+/** A ball of glass, hollow, with water that fills the hole: the water's wall is the hole's. */
 static void build_filled_hole(Scene *scene, Placement placement) {
     use_material(scene, glass_material(1.5));
     add_placed_sphere(scene, placement, (Vec3d){0, 0, 0}, 1);
@@ -195,7 +193,7 @@ static void build_filled_hole(Scene *scene, Placement placement) {
     add_placed_sphere(scene, placement, (Vec3d){0, 0, 0}, 0.8);
 }
 
-/** The same without the hole. @param scene The scene. @param placement Where. */
+/** The same without the hole. */
 static void build_filled(Scene *scene, Placement placement) {
     use_material(scene, glass_material(1.5));
     add_placed_sphere(scene, placement, (Vec3d){0, 0, 0}, 1);
@@ -203,7 +201,7 @@ static void build_filled(Scene *scene, Placement placement) {
     add_placed_sphere(scene, placement, (Vec3d){0, 0, 0}, 0.8);
 }
 
-/** Glass beside water that touches it. @param scene The scene. @param placement Where. */
+/** Glass beside water that touches it. */
 static void build_glass_and_water(Scene *scene, Placement placement) {
     use_material(scene, glass_material(1.5));
     add_placed_box(scene, placement, (Vec3d){-1, -1, -1}, (Vec3d){0.3, 1, 1});
@@ -211,8 +209,7 @@ static void build_glass_and_water(Scene *scene, Placement placement) {
     add_placed_box(scene, placement, (Vec3d){0.3, -1, -1}, (Vec3d){1, 1, 1});
 }
 
-/** The same, the other first, and the glass reaches under the water. @param scene The scene.
- *  @param placement Where. */
+/** The same, the other first, and the glass reaches under the water. */
 static void build_water_over_glass(Scene *scene, Placement placement) {
     use_material(scene, glass_material(1.5));
     add_placed_box(scene, placement, (Vec3d){-1, -1, -1}, (Vec3d){1, 1, 1});
@@ -220,9 +217,7 @@ static void build_water_over_glass(Scene *scene, Placement placement) {
     add_placed_box(scene, placement, (Vec3d){0.3, -1, -1}, (Vec3d){1, 1, 1});
 }
 
-/** A glass box turned. @param scene The scene. @param placement Where. @param low Its lowest
- * corner.
- *  @param high Its highest. */
+/** A glass box turned. */
 static void add_turned_box(Scene *scene, Placement placement, Vec3d low, Vec3d high) {
     Error error = {0};
     Transform transform = *(const Transform *)transform_keyword.defaults;
@@ -234,13 +229,13 @@ static void add_turned_box(Scene *scene, Placement placement, Vec3d low, Vec3d h
     assert_true(scene_set_last_transform(scene, &transform, &error));
 }
 
-/** A turned box. @param scene The scene. @param placement Where. */
+/** A turned box. */
 static void build_turned(Scene *scene, Placement placement) {
     use_material(scene, glass_material(1.5));
     add_turned_box(scene, placement, (Vec3d){-1, -1, -1}, (Vec3d){1, 1, 1});
 }
 
-/** The same in two halves. @param scene The scene. @param placement Where. */
+/** The same in two halves. */
 static void build_turned_halves(Scene *scene, Placement placement) {
     use_material(scene, glass_material(1.5));
     add_turned_box(scene, placement, (Vec3d){-1, -1, -1}, (Vec3d){1, 1.0 / 3, 1});
@@ -267,7 +262,7 @@ static const EquivalentScenes pairs[] = {
     {"water over glass", build_glass_and_water, build_water_over_glass},
     {"turned halves that touch", build_turned, build_turned_halves}};
 
-/** Glass that is built in another way looks the same, within a step. @param engine The engine. */
+/** Glass that is built in another way looks the same, within a step. */
 static void check_equivalent_scenes(const Engine *engine) {
     for (size_t p = 0; p < sizeof pairs / sizeof *pairs; p++) {
         for (int w = 0; w < PLACEMENT_COUNT; w++) {
@@ -290,8 +285,7 @@ static void test_equivalent_scenes(void **state) {
     for_every_engine(check_equivalent_scenes);
 }
 
-/** Air in air bends nothing, to the last bit: the sky, which only asks which way a ray goes.
- *  @param engine The engine. */
+/** Air in air bends nothing, to the last bit: the sky, which only asks which way a ray goes. */
 static void check_air_is_exact(const Engine *engine) {
     static double rgb[2][NUMBERS];
     for (int w = 0; w < PLACEMENT_COUNT; w++) {
@@ -315,7 +309,7 @@ static void test_air_is_exact(void **state) {
 }
 
 /** From glass into water that touches it there is no air between: past the critical angle to air,
- *  light goes on. @param engine The engine. */
+ *  light goes on. */
 static void check_touching_dielectrics(const Engine *engine) {
     for (int w = 0; w < PLACEMENT_COUNT; w++) {
         Scene *scene = create_empty_scene();
@@ -344,7 +338,7 @@ static void test_no_air_between(void **state) {
 }
 
 /** From inside a box, light goes out up to the critical angle and no farther; from the middle of a
- *  ball in all directions. @param engine The engine. */
+ *  ball in all directions. */
 static void check_camera_inside(const Engine *engine) {
     for (int w = 0; w < PLACEMENT_COUNT; w++) {
         for (int degrees = 1; degrees < 45; degrees += 4) {
@@ -375,8 +369,7 @@ static void test_camera_inside(void **state) {
     for_every_engine(check_camera_inside);
 }
 
-/** Whoever leaves a shape was in it, even if nothing told so: the back of a pane is glass.
- *  @param engine The engine. */
+/** Whoever leaves a shape was in it, even if nothing told so: the back of a pane is glass. */
 static void check_exit_of_pane(const Engine *engine) {
     double rgb[3];
     Scene *scene = create_empty_scene();
@@ -401,7 +394,7 @@ static void test_back_of_a_pane(void **state) {
 enum { NESTED_SPHERES = 10 };
 
 /** More shapes in one another than a ray remembers: those that come last count, and nothing is
- *  lost. @param engine The engine. */
+ *  lost. */
 static void check_nesting_overflow(const Engine *engine) {
     Scene *scene = create_empty_scene();
     scene->sky.horizon = scene->sky.zenith = (Rgbd){1, 1, 1};
@@ -449,8 +442,10 @@ static const ShadowFilterCase betweens[] = {
     {"a ball whose upper half is hidden", 1, 1, 0, false, 0.4, 0.5},
     {"one whose middle is hidden", 2, 1, 0, false, 0.3, 0}};
 
-/** @return A floor under a lamp, and what is between. @param placement Where. @param row What.
- *  @param specular Weight of the floor's highlight. */
+/**
+ * @return A floor under a lamp, and what is between.
+ * @param specular  Weight of the floor's highlight.
+ */
 static Scene *light_scene(Placement placement, const ShadowFilterCase *row, double specular) {
     Error error = {0};
     Scene *scene = create_empty_scene();
@@ -482,8 +477,7 @@ static Scene *light_scene(Placement placement, const ShadowFilterCase *row, doub
     return scene;
 }
 
-/** A lamp's light loses its share at each surface, in each colour, matt and in highlights.
- *  @param engine The engine. */
+/** A lamp's light loses its share at each surface, in each colour, matt and in highlights. */
 static void check_shadow_transmittance(const Engine *engine) {
     static const double tint[] = {0.5, 0.75, 0.125};
     for (size_t r = 0; r < sizeof betweens / sizeof *betweens; r++) {
@@ -517,7 +511,7 @@ static void test_filtered_light(void **state) {
  */
 
 /** As deep as a scene may ask for, on the stack that a thread has: a stack of panes, then mirrors.
- *  @param engine The engine. */
+ */
 static void check_maximum_depth(const Engine *engine) {
 #ifdef __SANITIZE_ADDRESS__
     const int depth = 64; // Its frames are three times as large.

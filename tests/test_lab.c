@@ -194,7 +194,7 @@ static const Expectation expectations[] = {
     {"marching-angle", "dioptre", "float", 0.1, "false_misses", 0, 0},
 };
 
-/** @return The kind of figure that the CSV calls so. @param column How. */
+/** @return The kind of figure that the CSV calls so. */
 static const Metric *find_metric(const char *column) {
     for (size_t i = 0; i < METRIC_COUNT; i++) {
         if (strcmp(metric_at(i)->column, column) == 0) {
@@ -205,8 +205,7 @@ static const Metric *find_metric(const char *column) {
     return NULL;
 }
 
-/** Makes an experiment with fewer cases. @param experiment The experiment. @param threads How many.
- *  @param[out] results What was found, to be given back. */
+/** Makes an experiment with fewer cases. @param[out] results What was found, to be given back. */
 static void run_small_experiment(const Experiment *experiment, int threads,
                                  ExperimentResults *results) {
     Error error = {0};
@@ -216,8 +215,7 @@ static void run_small_experiment(const Experiment *experiment, int threads,
     assert_true(experiment_run(&small, threads, NULL, results, &error));
 }
 
-/** Checks one row. @param row The row. @param experiment Its experiment. @param results What was
- *  found in it. */
+/** Checks one row. @param results What was found in it. */
 static void check_expectation(const Expectation *row, const Experiment *experiment,
                               const ExperimentResults *results) {
     const MethodResult *result =
@@ -233,7 +231,7 @@ static void check_expectation(const Expectation *row, const Experiment *experime
     }
 }
 
-/** Every experiment finds what it is there for. @param state Not used. */
+/** Every experiment finds what it is there for. */
 static void test_cliffs(void **state) {
     (void)state;
     for (const Experiment *const *e = experiment_list(); *e; e++) {
@@ -253,7 +251,7 @@ static void test_cliffs(void **state) {
     }
 }
 
-/** Every row is of an experiment that there is. @param state Not used. */
+/** Every row is of an experiment that there is. */
 static void test_expectations_are_used(void **state) {
     (void)state;
     for (size_t i = 0; i < sizeof expectations / sizeof *expectations; i++) {
@@ -265,7 +263,7 @@ static void test_expectations_are_used(void **state) {
     }
 }
 
-/** Every method is asked by some experiment, and its names go into a CSV. @param state Not used. */
+/** Every method is asked by some experiment, and its names go into a CSV. */
 static void test_methods_are_run(void **state) {
     (void)state;
     for (const Method *const *m = number_types()[0]->methods; *m; m++) {
@@ -281,7 +279,7 @@ static void test_methods_are_run(void **state) {
     }
 }
 
-/** The same figures of one thread and of two. @param state Not used. */
+/** The same figures of one thread and of two. */
 static void test_same_metrics(void **state) {
     (void)state;
     ExperimentResults one, two;
@@ -300,7 +298,7 @@ static void test_same_metrics(void **state) {
     experiment_results_deinit(&two);
 }
 
-/** An experiment that is stopped leaves nothing and says so. @param state Not used. */
+/** An experiment that is stopped leaves nothing and says so. */
 static void test_stops(void **state) {
     (void)state;
     Error error = {0};
@@ -311,7 +309,7 @@ static void test_stops(void **state) {
     assert_null(results.rows);
 }
 
-/** Quantiles, shares and means. @param state Not used. */
+/** Quantiles, shares and means. */
 static void test_score(void **state) {
     (void)state;
     ScoreStats score = {0};
@@ -332,7 +330,7 @@ static void test_score(void **state) {
     score_deinit(&score);
 }
 
-/** Columns are as wide as they must be, words left, numbers right. @param state Not used. */
+/** Columns are as wide as they must be, words left, numbers right. */
 static void test_table(void **state) {
     (void)state;
     char *text = NULL;
@@ -352,7 +350,7 @@ static void test_table(void **state) {
     free(text);
 }
 
-/** Roots and angles of quads. @param state Not used. */
+/** Roots and angles of quads. */
 static void test_quad(void **state) {
     (void)state;
     Quadruple root = quad_sqrt(2);

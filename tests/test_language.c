@@ -17,7 +17,7 @@
 /** How many children are made. */
 enum { CHILDREN = 200 };
 
-/** Looks words up until it is told to end. @param context Whether to end. @return NULL */
+/** Looks words up until it is told to end. @return NULL */
 static void *translate_until_stopped(void *context) {
     atomic_bool *is_over = context;
     while (!atomic_load(is_over)) {
@@ -28,7 +28,7 @@ static void *translate_until_stopped(void *context) {
     return NULL;
 }
 
-/** Is the child: does what a scene's child does with words. @param context Not used. */
+/** Is the child: does what a scene's child does with words. */
 static void translate_in_child(void *context) {
     (void)context;
     setlocale(LC_CTYPE, "C");
@@ -36,7 +36,7 @@ static void translate_in_child(void *context) {
     _Exit(gettext("no memory for a lesson") ? EXIT_SUCCESS : EXIT_FAILURE);
 }
 
-/** No child waits for a thread that it does not have. @param state Unused. */
+/** No child waits for a thread that it does not have. */
 static void test_fork(void **state) {
     (void)state;
     pthread_t threads[2];

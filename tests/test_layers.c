@@ -17,8 +17,7 @@ typedef struct AovImage {
     RayCounts ray_counts;                      /**< Those traced for the light. */
 } AovImage;
 
-/** @return A picture surveyed, to be freed. @param engine The engine. @param scene The scene.
- *  @param wanted See #Engine.trace_aovs. */
+/** @return A picture surveyed, to be freed. */
 static AovImage *trace_aov_image(const Engine *engine, const Scene *scene, unsigned wanted) {
     AovImage *found = calloc(1, sizeof *found);
     PixelGrid grid = {.columns = AOV_WIDTH, .rows = AOV_HEIGHT, .stride = 1};
@@ -33,8 +32,7 @@ static AovImage *trace_aov_image(const Engine *engine, const Scene *scene, unsig
 
 /* --- surveys ---------------------------------------------------------------------------------- */
 
-/** @return The way of a pixel's ray from a camera at the origin that looks along -z, one long.
- *  @param camera The camera. @param i Which pixel. */
+/** @return The way of a pixel's ray from a camera at the origin that looks along -z, one long. */
 static Vec3d pixel_direction(const SceneCamera *camera, int i) {
     double half = tan(camera->fov / 2 * (M_PI / 180)) / AOV_WIDTH;
     double x = (2 * (i % AOV_WIDTH) + 1 - AOV_WIDTH) * half,
@@ -42,8 +40,7 @@ static Vec3d pixel_direction(const SceneCamera *camera, int i) {
     return vec3d_scale((Vec3d){x, y, -1}, 1 / sqrt(x * x + y * y + 1));
 }
 
-/** Distance, normal and shape of a ball and of nothing, by their closed form. @param engine The
- *  engine. */
+/** Distance, normal and shape of a ball and of nothing, by their closed form. */
 static void check_sphere_aovs(const Engine *engine) {
     Scene *scene = create_empty_scene();
     const SphereParameters far = {{0, 0, -50}, 1}, near = {{0.3, -0.2, -4}, 1.5};
@@ -81,18 +78,18 @@ static void check_sphere_aovs(const Engine *engine) {
     scene_destroy(scene);
 }
 
-/** See #check_sphere_aovs. @param state The fixture. */
+/** See #check_sphere_aovs. */
 static void test_sphere_aovs(void **state) {
     (void)state;
     for_every_engine(check_sphere_aovs);
 }
 
-/** @return Whether an engine is the slow one, which has other tests. @param engine The engine. */
+/** @return Whether an engine is the slow one, which has other tests. */
 static bool is_slow(const Engine *engine) {
     return engine->mantissa_bits > 64;
 }
 
-/** The light, and the sum of all rays, are those of the picture. @param engine The engine. */
+/** The light, and the sum of all rays, are those of the picture. */
 static void check_ray_counts(const Engine *engine) {
     static const char *const scenes[] = {"scenes/box.lua", "scenes/glass-sphere.lua",
                                          "scenes/lamps.lua"};
@@ -116,13 +113,13 @@ static void check_ray_counts(const Engine *engine) {
     }
 }
 
-/** See #check_ray_counts. @param state The fixture. */
+/** See #check_ray_counts. */
 static void test_rays(void **state) {
     (void)state;
     for_every_engine(check_ray_counts);
 }
 
-/** Shape and place are what #Engine.intersect says of the same ray. @param engine The engine. */
+/** Shape and place are what #Engine.intersect says of the same ray. */
 static void check_aov_uvs(const Engine *engine) {
     Scene *scene = create_empty_scene();
     const SphereParameters sphere = {{0, 0, -4}, 1};
@@ -146,13 +143,13 @@ static void check_aov_uvs(const Engine *engine) {
     scene_destroy(scene);
 }
 
-/** See #check_aov_uvs. @param state The fixture. */
+/** See #check_aov_uvs. */
 static void test_uvs(void **state) {
     (void)state;
     for_every_engine(check_aov_uvs);
 }
 
-/** Adds a lamp. @param scene The scene. @param position Where. */
+/** Adds a lamp. */
 static void add_point_light(Scene *scene, Vec3d position) {
     Error error = {0};
     SceneLight light = {
@@ -161,7 +158,7 @@ static void add_point_light(Scene *scene, Vec3d position) {
 }
 
 /** A wall is lit by one lamp and not by another behind a smaller wall; and a mirror's next surface
- *  is known. @param engine The engine. */
+ *  is known. */
 static void check_lights_and_mirrors(const Engine *engine) {
     Scene *scene = create_empty_scene();
     const QuadParameters wall = {{-9, -9, -8}, {18, 0, 0}, {0, 18, 0}};
@@ -185,14 +182,13 @@ static void check_lights_and_mirrors(const Engine *engine) {
     scene_destroy(scene);
 }
 
-/** See #check_lights_and_mirrors. @param state The fixture. */
+/** See #check_lights_and_mirrors. */
 static void test_lights(void **state) {
     (void)state;
     for_every_engine(check_lights_and_mirrors);
 }
 
-/** Steps are the same at every width, and there where something is marched. @param state The
- *  fixture. */
+/** Steps are the same at every width, and there where something is marched. */
 static void test_steps(void **state) {
     (void)state;
     static const char *const scenes[] = {"scenes/cube-frame.lua", "scenes/endless-frames.lua",
@@ -232,8 +228,7 @@ typedef struct LayerImage {
     uint8_t *bgrx; /**< Room for them; NULL: nobody wants them. */
 } LayerImage;
 
-/** Draws a layer to its end. @param renderer What draws. @param scene Camera and lights.
- *  @param layer Which. @param image Its size. @return How it stands. */
+/** Draws a layer to its end. @return How it stands. */
 static RenderStats draw_layer(Renderer *renderer, const Scene *scene, Layer layer,
                               LayerImage image) {
     Error error = {0};
@@ -254,10 +249,11 @@ static RenderStats draw_layer(Renderer *renderer, const Scene *scene, Layer laye
 /** The scene with mirrors that most is asked of. */
 static const char BOX[] = "scenes/box.lua";
 
-/** @return How a layer stands when it is finished. @param path The scene. @param engine The
- * engine's name.
- *  @param offset How rays leave surfaces. @param epsilon How far, where that is fixed.
- *  @param layer Which layer. @param image Its size. */
+/**
+ * @return How a layer stands when it is finished.
+ * @param offset  How rays leave surfaces.
+ * @param epsilon  How far, where that is fixed.
+ */
 static LayerStats finished_report(const char *path, const char *engine, OffsetStrategy offset,
                                   double epsilon, Layer layer, LayerImage image) {
     Scene *scene = load_scene(path);
@@ -272,9 +268,8 @@ static LayerStats finished_report(const char *path, const char *engine, OffsetSt
     return report;
 }
 
-/** Rays that start where they hit make acne, in float a hundredth of the box; a fixed epsilon
- *  that is far too large makes leaks; a bound on the error makes neither. @param state The fixture.
- */
+/** Rays that start where they hit make acne, in float a hundredth of the box; a fixed epsilon that
+ *  is far too large makes leaks; a bound on the error makes neither. */
 static void test_faults(void **state) {
     (void)state;
     const LayerImage large = {800, 600, NULL};
@@ -292,8 +287,7 @@ static void test_faults(void **state) {
     }
 }
 
-/** Errors against quad: a few pixels on edges in float, many with acne. @param state The fixture.
- */
+/** Errors against quad: a few pixels on edges in float, many with acne. */
 static void test_errors(void **state) {
     (void)state;
     const LayerImage small = {WIDTH, HEIGHT, NULL};
@@ -305,7 +299,7 @@ static void test_errors(void **state) {
 }
 
 /** Every layer comes to its end with its colours, in any order, and the light is drawn afterwards
- *  as if there were none. @param state The fixture. */
+ *  as if there were none. */
 static void test_layers(void **state) {
     (void)state;
     Scene *scene = load_scene("scenes/glass-sphere.lua");
@@ -343,14 +337,13 @@ static void test_layers(void **state) {
     scene_destroy(scene);
 }
 
-/** @return How light a colour is, 0 to 255. @param rgb The colour. */
+/** @return How light a colour is, 0 to 255. */
 static double lightness(const uint8_t rgb[3]) {
     return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
 }
 
 /** Larger numbers are lighter, so that they are told apart without hues, too. Scales hold all
- * numbers, their ends are round, and their legends go down from one end to the other. @param state
- * The fixture. */
+ *  numbers, their ends are round, and their legends go down from one end to the other. */
 static void test_legends(void **state) {
     (void)state;
     static const double ends[][2] = {{0, 0},         {1, 1},     {4.37, 9.01}, {1, 40},
@@ -383,7 +376,7 @@ static void test_legends(void **state) {
 }
 
 /** A difference is white where there is none, red where the first is brighter, blue where the
- * second is; one step is no fault, two are. @param state The fixture. */
+ *  second is; one step is no fault, two are. */
 static void test_difference(void **state) {
     (void)state;
     uint8_t a[] = {9, 9, 9, 0, 9, 8, 9, 0, 9, 9, 19, 0, 0, 0, 0, 0};

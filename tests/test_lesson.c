@@ -19,8 +19,7 @@ typedef struct MovementLog {
     int count;       /**< How many movements led anywhere. */
 } MovementLog;
 
-/** Moves a #MovementLog. See #StepClockMoveFn. @param context It. @param light See there. @param
- * camera See there. */
+/** Moves a #MovementLog. See #StepClockMoveFn. */
 static void log_movement(void *context, Movement light, Movement camera) {
     MovementLog *log = context;
     log->checksum = log->checksum * 1.1 + camera.right + 0.3 * light.up;
@@ -55,7 +54,7 @@ static MovementLog hold_two_keys(int64_t frame) {
     return log;
 }
 
-/** Whatever the machine's speed, the same is moved, to the bit. @param state Unused. */
+/** Whatever the machine's speed, the same is moved, to the bit. */
 static void test_step_clock(void **state) {
     (void)state;
     static const int64_t frames[] = {1, 3, 16, 17, 40, 250, 5000};
@@ -67,7 +66,7 @@ static void test_step_clock(void **state) {
     }
 }
 
-/** The clock wakes for beats only while a key is held. @param state Unused. */
+/** The clock wakes for beats only while a key is held. */
 static void test_step_clock_next(void **state) {
     (void)state;
     MovementLog log = {0};
@@ -79,7 +78,7 @@ static void test_step_clock_next(void **state) {
     assert_int_equal(log.count, 0);
 }
 
-/** Every action has a name of its own. @param state Unused. */
+/** Every action has a name of its own. */
 static void test_action_names(void **state) {
     (void)state;
     const char *const *names = action_names();
@@ -94,7 +93,7 @@ static void test_action_names(void **state) {
     assert_true(action_is_recorded(ACTION_RESET_VIEW) && !action_is_recorded(ACTION_QUIT));
 }
 
-/** Words are cut at blanks, by letters and not by bytes. @param state Unused. */
+/** Words are cut at blanks, by letters and not by bytes. */
 static void test_rows(void **state) {
     (void)state;
     char words[] = "été après été\nneu unteilbaresWort x";
@@ -108,7 +107,7 @@ static void test_rows(void **state) {
     assert_int_equal(word_wrap(more, 1, rows, 2), 2);
 }
 
-/** Words are in the language that is wanted, else in the other. @param state Unused. */
+/** Words are in the language that is wanted, else in the other. */
 static void test_words(void **state) {
     (void)state;
     assert_string_equal(lesson_text_localized(&(LessonText){"one", "un"}, true), "un");
@@ -118,7 +117,7 @@ static void test_words(void **state) {
     assert_string_equal(lesson_text_localized(&(LessonText){0}, true), "");
 }
 
-/** A full lesson says so. @param state Unused. */
+/** A full lesson says so. */
 static void test_full(void **state) {
     (void)state;
     Error error = {0};
@@ -139,7 +138,7 @@ static void test_full(void **state) {
     free(words);
 }
 
-/** What is recorded can be read by Lua. @param state Unused. */
+/** What is recorded can be read by Lua. */
 static void test_text(void **state) {
     (void)state;
     char step[128], *text = NULL;

@@ -6,20 +6,18 @@
 
 #include "trace/math/sobol.h"
 
-/** @return A white lamp that does not weaken. @param position Where it is. @param radius Its
- * ball's. */
+/** @return A white lamp that does not weaken. */
 static SceneLight white_point_light(Vec3d position, double radius) {
     return (SceneLight){.color = {1, 1, 1}, .intensity = 1, .position = position, .radius = radius};
 }
 
-/** Adds a light to a scene. @param scene The scene. @param light The light. */
+/** Adds a light to a scene. */
 static void add_light(Scene *scene, SceneLight light) {
     Error error = {0};
     assert_true(scene_add_light(scene, &light, &error));
 }
 
-/** Aims a scene's camera so narrowly that all its rays meet the same point. @param scene The scene.
- *  @param from Where it stands. @param to The point. */
+/** Aims a scene's camera so narrowly that all its rays meet the same point. */
 static void aim_camera(Scene *scene, Vec3d from, Vec3d to) {
     Error error = {0};
     SceneCamera camera = *(const SceneCamera *)scene_camera_keyword.defaults;
@@ -30,7 +28,7 @@ static void aim_camera(Scene *scene, Vec3d from, Vec3d to) {
     scene->camera = camera;
 }
 
-/** @return Half an ulp of what an engine answers, which is at most a double. @param engine It. */
+/** @return Half an ulp of what an engine answers, which is at most a double. */
 static double answer_roundoff(const Engine *engine) {
     return engine->mantissa_bits == 24 ? 0x1p-24 : 0x1p-53;
 }
@@ -38,7 +36,7 @@ static double answer_roundoff(const Engine *engine) {
 /* --- how bright ------------------------------------------------------------------------------- */
 
 /** A lamp straight above a surface, from 1e-6 to 1e6 away, gives 1 / d^2 to 8 half ulps; one with a
- *  ball never more than at the ball. @param engine The engine. */
+ *  ball never more than at the ball. */
 static void check_irradiance(const Engine *engine) {
     for (double away = 1e-6; away < 2e6; away *= 10) {
         double rgb[3], d = round_to_float(away);
@@ -59,14 +57,13 @@ static void check_irradiance(const Engine *engine) {
     }
 }
 
-/** See #check_irradiance. @param state Not used. */
+/** See #check_irradiance. */
 static void test_irradiance(void **state) {
     (void)state;
     for_every_engine(check_irradiance);
 }
 
-/** As near as a lamp may come, and as strong as it may be, no light is infinite or not a number.
- *  @param engine The engine. */
+/** As near as a lamp may come, and as strong as it may be, no light is infinite or not a number. */
 static void check_finite_light(const Engine *engine) {
     static const double heights[] = {0, 1e-300, 1e-40, 1e-30, 1e-20, 1e-15, 1e-12, 1e-6, 1};
     for (size_t i = 0; i < sizeof heights / sizeof *heights; i++) {
@@ -89,7 +86,7 @@ static void check_finite_light(const Engine *engine) {
     }
 }
 
-/** See #check_finite_light. @param state Not used. */
+/** See #check_finite_light. */
 static void test_finite(void **state) {
     (void)state;
     for_every_engine(check_finite_light);
@@ -99,7 +96,7 @@ static void test_finite(void **state) {
  */
 
 /** A sun lights by the cosine alone, however far away the floor is, and a ball above throws its
- *  shadow along the sun's way (row B4). @param engine The engine. */
+ *  shadow along the sun's way (row B4). */
 static void check_sun(const Engine *engine) {
     for (double away = 1; away <= 1e6; away *= 1000) {
         for (int shadow = 0; shadow < 2; shadow++) {
@@ -125,15 +122,13 @@ static void check_sun(const Engine *engine) {
     }
 }
 
-/** See #check_sun. @param state Not used. */
+/** See #check_sun. */
 static void test_sun(void **state) {
     (void)state;
     for_every_engine(check_sun);
 }
 
-/** The keys turn a sun as though it were a lamp nearby, and never to nowhere. @param state Not
- * used.
- */
+/** The keys turn a sun as though it were a lamp nearby, and never to nowhere. */
 static void test_sun_turns(void **state) {
     (void)state;
     SceneLight sun = {.kind = SCENE_LIGHT_SUN, .direction = {0, -2, 0}};
@@ -151,7 +146,7 @@ static void test_sun_turns(void **state) {
  */
 
 /** A ball is seen as bright as its colour, by the camera and in a mirror, and stands in nobody's
- *  light, its own or another's; a shape before it hides it (row D4). @param engine The engine. */
+ *  light, its own or another's; a shape before it hides it (row D4). */
 static void check_visible_sphere_light(const Engine *engine) {
     double rgb[3];
     Scene *scene = create_empty_scene();
@@ -187,14 +182,13 @@ static void check_visible_sphere_light(const Engine *engine) {
     scene_destroy(scene);
 }
 
-/** See #check_visible_sphere_light. @param state Not used. */
+/** See #check_visible_sphere_light. */
 static void test_sphere_light(void **state) {
     (void)state;
     for_every_engine(check_visible_sphere_light);
 }
 
-/** A ball moves by a new look at the lights alone, and nearer ones hide farther ones. @param engine
- *  The engine. */
+/** A ball moves by a new look at the lights alone, and nearer ones hide farther ones. */
 static void check_moved_sphere_light(const Engine *engine) {
     double rgb[3];
     RayCounts counts = {0};
@@ -215,7 +209,7 @@ static void check_moved_sphere_light(const Engine *engine) {
     scene_destroy(scene);
 }
 
-/** See #check_moved_sphere_light. @param state Not used. */
+/** See #check_moved_sphere_light. */
 static void test_moved_sphere_light(void **state) {
     (void)state;
     for_every_engine(check_moved_sphere_light);
@@ -233,8 +227,7 @@ typedef struct LightStatistics {
 /** Pixels that look at the point, along a side. */
 enum { PIXELS = 16 };
 
-/** @return What soft light gives to one point. @param engine The engine. @param scene The scene.
- *  @param samples Rays a pixel. @param truth What should come out. */
+/** @return What soft light gives to one point. */
 static LightStatistics sample_soft_light(const Engine *engine, const Scene *scene, int samples,
                                          double truth) {
     double sums[PIXELS * PIXELS] = {0}, rgb[3 * PIXELS * PIXELS];
@@ -280,7 +273,7 @@ static double visible_light_fraction(double sine, double slant) {
 }
 
 /** The penumbra of an edge: the share of a ball's light that passes, against the closed form; and
- *  the mean of n samples comes nearer as n grows. @param engine The engine. */
+ *  the mean of n samples comes nearer as n grows. */
 static void check_penumbra(const Engine *engine) {
     const double radius = 0.5, height = 2;
     bool is_slow = engine->mantissa_bits > 64;
@@ -303,14 +296,14 @@ static void check_penumbra(const Engine *engine) {
     }
 }
 
-/** See #check_penumbra. @param state Not used. */
+/** See #check_penumbra. */
 static void test_penumbra(void **state) {
     (void)state;
     for_every_engine(check_penumbra);
 }
 
 /** Where nothing is in the way, a ball gives what its centre would, however large it is and however
- *  slanted the surface, as long as it is all above it. @param engine The engine. */
+ *  slanted the surface, as long as it is all above it. */
 static void check_sphere_light_irradiance(const Engine *engine) {
     bool is_slow = engine->mantissa_bits > 64;
     for (int i = 0; i < (is_slow ? 2 : 8); i++) {
@@ -330,14 +323,14 @@ static void check_sphere_light_irradiance(const Engine *engine) {
     }
 }
 
-/** See #check_sphere_light_irradiance. @param state Not used. */
+/** See #check_sphere_light_irradiance. */
 static void test_sphere_light_irradiance(void **state) {
     (void)state;
     for_every_engine(check_sphere_light_irradiance);
 }
 
 /** A surface within a ball is lit by finite light, with hard shadows and with soft ones; so is one
- *  at its very centre. @param engine The engine. */
+ *  at its very centre. */
 static void check_inside_sphere_light(const Engine *engine) {
     for (int samples = 1; samples <= 4; samples += 3) {
         for (double height = 0; height < 0.5; height += 0.2) {
@@ -354,7 +347,7 @@ static void check_inside_sphere_light(const Engine *engine) {
     }
 }
 
-/** See #check_inside_sphere_light. @param state Not used. */
+/** See #check_inside_sphere_light. */
 static void test_inside_sphere_light(void **state) {
     (void)state;
     for_every_engine(check_inside_sphere_light);
@@ -363,8 +356,7 @@ static void test_inside_sphere_light(void **state) {
 /* --- samples ------------------------------------------------------------------------------------
  */
 
-/** Fails unless each of 2^k rectangles a x b holds one of 2^k points. @param first The first point.
- *  @param k See there. @param seed Which sequence. */
+/** Fails unless each of 2^k rectangles a x b holds one of 2^k points. */
 static void assert_stratified(uint32_t first, int k, uint32_t seed) {
     static uint8_t seen[1 << 12];
     for (int across = 0; across <= k; across++) {
@@ -380,8 +372,7 @@ static void assert_stratified(uint32_t first, int k, uint32_t seed) {
     }
 }
 
-/** Any 2^k points from a multiple of 2^k on lie evenly, in every scrambling. @param state Not used.
- */
+/** Any 2^k points from a multiple of 2^k on lie evenly, in every scrambling. */
 static void test_sequence(void **state) {
     (void)state;
     for (uint32_t seed = 0; seed < 20; seed++) {
@@ -411,7 +402,7 @@ static Scene *soft_light_scene(void) {
 }
 
 /** Soft shadows and judged samples are the same bits with any lanes and threads, and in the
- *  background. @param state Not used. */
+ *  background. */
 static void test_same_bits(void **state) {
     (void)state;
     Scene *scene = soft_light_scene();
@@ -436,8 +427,7 @@ static void test_same_bits(void **state) {
     scene_destroy(scene);
 }
 
-/** @return Rays from the camera that a picture took. @param scene The scene. @param settings What
- * is asked for. @param[out] picture The picture. */
+/** @return Rays from the camera that a picture took. */
 static uint64_t count_camera(const Scene *scene, const RenderSettings *settings, Picture *picture) {
     Error error = {0};
     assert_true(picture_init(picture, settings->width, settings->height, &error));
@@ -454,8 +444,7 @@ typedef struct SampleSaving {
     double fraction; /**< Share of the samples that were drawn. */
 } SampleSaving;
 
-/** @return How judged samples compare with all of them. @param scene The scene. @param samples Rays
- * a pixel. */
+/** @return How judged samples compare with all of them. */
 static SampleSaving adaptive_against_full(const Scene *scene, int samples) {
     Picture full, judged;
     RenderSettings settings = small_settings(scene, "auto", 2);
@@ -471,7 +460,7 @@ static SampleSaving adaptive_against_full(const Scene *scene, int samples) {
 }
 
 /** The judged picture of the box is within two steps of the full one everywhere, for half of the
- *  rays; up to eight samples it is the full one. @param state Not used. */
+ *  rays; up to eight samples it is the full one. */
 static void test_adaptive(void **state) {
     (void)state;
     Scene *scene = load_scene("scenes/box.lua");
@@ -485,8 +474,7 @@ static void test_adaptive(void **state) {
     scene_destroy(scene);
 }
 
-/** @return A white line over a black sky, as wide as a share of a pixel. @param fraction The share.
- */
+/** @return A white line over a black sky, as wide as a share of a pixel. */
 static Scene *thin_line_scene(double fraction) {
     Scene *scene = create_empty_scene();
     double pixel = 2 * tan(scene->camera.fov / 2 * (M_PI / 180)) / WIDTH;
@@ -499,7 +487,7 @@ static Scene *thin_line_scene(double fraction) {
 }
 
 /** A picture that keeps its light is judged by its light: where all of it is brighter than white,
- * an edge gets all samples, too. @param state Not used. */
+ *  an edge gets all samples, too. */
 static void test_adaptive_beyond_white(void **state) {
     (void)state;
     Error error = {0};
@@ -530,7 +518,7 @@ static void test_adaptive_beyond_white(void **state) {
 }
 
 /** Lines as thin as an eleventh of a pixel are not missed anywhere on their way, though no one
- * pixel's first samples need meet them. @param state Not used. */
+ *  pixel's first samples need meet them. */
 static void test_thin_line(void **state) {
     (void)state;
     for (double fraction = 1; fraction > 1.0 / 12; fraction /= 1.5) {
@@ -548,7 +536,7 @@ static void test_thin_line(void **state) {
  */
 
 /** Lone convex shapes, lit by a sun, a lamp and a soft lamp, have no dark points: float draws what
- *  double draws; without an offset it does not. @param state Not used. */
+ *  double draws; without an offset it does not. */
 static void test_acne(void **state) {
     (void)state;
     Scene *scene = soft_light_scene();

@@ -30,14 +30,13 @@
 
 // --- helpers -------------------------------------------------------------------------------------
 
-/** Makes a folder, and the module findable. @param state Becomes a #Fixture. @return 0 when it is
- *  there. */
+/** Makes a folder, and the module findable. @return 0 when it is there. */
 static int mesh_fixture_set_up(void **state) {
     symlink_plugin("dioptre-meshes.so");
     return fixture_set_up(state);
 }
 
-/** @return The mesh of a file, which must be good and pass all checks. @param path The file. */
+/** @return The mesh of a file, which must be good and pass all checks. */
 static Mesh *read_valid_mesh(const char *path) {
     Mesh *mesh;
     Error error = {0};
@@ -50,14 +49,14 @@ static Mesh *read_valid_mesh(const char *path) {
     return mesh;
 }
 
-/** @return The mesh of a text. @param state A #Fixture. @param text An OBJ file. */
+/** @return The mesh of a text. */
 static Mesh *read_text(void **state, const char *text) {
     const char *path = fixture_path(state, "model.obj");
     write_file(path, text, strlen(text));
     return read_valid_mesh(path);
 }
 
-/** Checks that a file is refused. @param path The file. @param words What must be said. */
+/** Checks that a file is refused. */
 static void assert_file_refused(const char *path, const char *words) {
     Mesh *mesh = (Mesh *)&mesh;
     Error error = {0};
@@ -67,8 +66,7 @@ static void assert_file_refused(const char *path, const char *words) {
     }
 }
 
-/** Checks that a text is refused. @param state A #Fixture. @param name Its file.
- *  @param text The text. @param words What must be said. */
+/** Checks that a text is refused. */
 static void assert_text_refused(void **state, const char *name, const char *text,
                                 const char *words) {
     const char *path = fixture_path(state, name);
@@ -76,14 +74,14 @@ static void assert_text_refused(void **state, const char *name, const char *text
     assert_file_refused(path, words);
 }
 
-/** @return Twice the area of a triangle, as a vector. @param mesh The mesh. @param i Which. */
+/** @return Twice the area of a triangle, as a vector. */
 static Vec3d area_of(const Mesh *mesh, size_t i) {
     const uint32_t *at = mesh->triangles[i].index;
     const Vec3d *p = mesh->positions;
     return vec3d_cross(vec3d_subtract(p[at[1]], p[at[0]]), vec3d_subtract(p[at[2]], p[at[0]]));
 }
 
-/** @return The area of a mesh. @param mesh The mesh. */
+/** @return The area of a mesh. */
 static double area_of_all(const Mesh *mesh) {
     double sum = 0;
     for (size_t i = 0; i < mesh->triangle_count; i++) {
@@ -92,7 +90,7 @@ static double area_of_all(const Mesh *mesh) {
     return sum;
 }
 
-/** @return The volume of a closed mesh. @param mesh The mesh. */
+/** @return The volume of a closed mesh. */
 static double volume_of(const Mesh *mesh) {
     double sum = 0;
     for (size_t i = 0; i < mesh->triangle_count; i++) {
@@ -136,7 +134,7 @@ static const struct {
     {"v 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 0 4 0\nf 1 2 3 4 5\n", 5, 3, 0, 0, 0, 0},
 };
 
-/** Texts give what they must. @param state A #Fixture. */
+/** Texts give what they must. */
 static void test_texts(void **state) {
     for (size_t i = 0; i < COUNT(texts); i++) {
         Mesh *mesh = read_text(state, texts[i].text);
@@ -156,8 +154,7 @@ static void test_texts(void **state) {
     }
 }
 
-/** Coordinates and orientation are the file's; the library holds them in float. @param state A
- *  #Fixture. */
+/** Coordinates and orientation are the file's; the library holds them in float. */
 static void test_numbers(void **state) {
     Mesh *mesh = read_text(state, "v .1 -.25 3e-5\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     const uint32_t *at = mesh->triangles[0].index;
@@ -172,7 +169,7 @@ static void test_numbers(void **state) {
     mesh_release(mesh);
 }
 
-/** Polygons are cut without gap or overlap, concave ones too. @param state A #Fixture. */
+/** Polygons are cut without gap or overlap, concave ones too. */
 static void test_concave(void **state) {
     Mesh *mesh = read_text(state, "v 0 0 0\nv 2 2 0\nv 0 1 0\nv -2 2 0\nf 1 2 3 4\n");
     assert_at_most(fabs(area_of_all(mesh) - 2), 1e-12, "area of an arrowhead");
@@ -182,8 +179,7 @@ static void test_concave(void **state) {
     mesh_release(mesh);
 }
 
-/** What is missing of a polygon that crosses itself, and so cannot be cut, is counted. @param state
- * A #Fixture. */
+/** What is missing of a polygon that crosses itself, and so cannot be cut, is counted. */
 static void test_uncut(void **state) {
     Mesh *mesh = read_text(state, "v 0 1 0\nv 3 0 0\nv 0 0 0\nv 1 2 0\nv 1 3 0\nf 1 2 3 4 5\n" THREE
                                   "f -3 -2 -1\n");
@@ -195,7 +191,7 @@ static void test_uncut(void **state) {
 }
 
 /** Corners keep the normal and the (u, v) that the file gives them; who has none gets his
- *  triangle's. @param state A #Fixture. */
+ *  triangle's. */
 static void test_corners(void **state) {
     Mesh *mesh = read_text(state, THREE "vn 0 3 4\nvn 0 0 0\nvt 0.25 0.75\nvt 2 -1\n"
                                         "f 1/1/1 2/2/2 3/1/1\n");
@@ -207,7 +203,7 @@ static void test_corners(void **state) {
     mesh_release(mesh);
 }
 
-/** Awkward but legal files give the triangles that they should. @param state Unused. */
+/** Awkward but legal files give the triangles that they should. */
 static void test_awkward(void **state) {
     (void)state;
     static const struct {
@@ -234,7 +230,7 @@ static void test_awkward(void **state) {
     }
 }
 
-/** PLY, STL and glTF are read too. @param state A #Fixture. */
+/** PLY, STL and glTF are read too. */
 static void test_formats(void **state) {
     static const char *const files[][2] = {
         {"a.ply", PLY_HEAD "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
@@ -262,18 +258,18 @@ static void test_formats(void **state) {
     }
 }
 
-/** @return An edge's number, the same both ways. @param a One end. @param b The other. */
+/** @return An edge's number, the same both ways. */
 static uint64_t edge_of(uint32_t a, uint32_t b) {
     return a < b ? (uint64_t)a << 32 | b : (uint64_t)b << 32 | a;
 }
 
-/** @return Order of two edges, for qsort. @param a One. @param b The other. */
+/** @return Order of two edges, for qsort. */
 static int compare_edges(const void *a, const void *b) {
     uint64_t x = *(const uint64_t *)a, y = *(const uint64_t *)b;
     return (x > y) - (x < y);
 }
 
-/** A closed model stays closed: each edge belongs to two triangles. @param state Unused. */
+/** A closed model stays closed: each edge belongs to two triangles. */
 static void test_closed(void **state) {
     (void)state;
     Mesh *mesh = read_valid_mesh("scenes/models/spot.obj");
@@ -299,8 +295,7 @@ static void test_closed(void **state) {
 
 // --- smooth normals ------------------------------------------------------------------------------
 
-/** A cube's smooth normals point away from its middle, however its sides are cut. @param state A
- *  #Fixture. */
+/** A cube's smooth normals point away from its middle, however its sides are cut. */
 static void test_smooth_cube(void **state) {
     Mesh *mesh = read_text(state, CUBE);
     Vec3d normals[8];
@@ -312,8 +307,7 @@ static void test_smooth_cube(void **state) {
     mesh_release(mesh);
 }
 
-/** @return A mesh of triangles. @param positions Its positions. @param position_count How many.
- *  @param triangles Its triangles. @param triangle_count How many. */
+/** @return A mesh of triangles. */
 static Mesh *mesh_from_triangles(const Vec3d *positions, size_t position_count,
                                  const MeshTriangle *triangles, size_t triangle_count) {
     Error error = {0};
@@ -325,7 +319,7 @@ static Mesh *mesh_from_triangles(const Vec3d *positions, size_t position_count,
     return mesh;
 }
 
-/** Where a mean makes no sense there is a unit normal all the same. @param state Unused. */
+/** Where a mean makes no sense there is a unit normal all the same. */
 static void test_smooth_extremes(void **state) {
     (void)state;
     const double scales[] = {1, 1e15, 1e-15};
@@ -347,7 +341,7 @@ static void test_smooth_extremes(void **state) {
 
 // --- checks --------------------------------------------------------------------------------------
 
-/** What a mesh must not be is found. @param state Unused. */
+/** What a mesh must not be is found. */
 static void test_check(void **state) {
     (void)state;
     const Vec3d good[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
@@ -381,7 +375,7 @@ static void test_check(void **state) {
     mesh_release(mesh);
 }
 
-/** A pool knows its points again, after it has grown too. @param state Unused. */
+/** A pool knows its points again, after it has grown too. */
 static void test_vertex_welder(void **state) {
     (void)state;
     VertexWelder pool = {.dimension = 2};
@@ -399,7 +393,7 @@ static void test_vertex_welder(void **state) {
 
 // --- what is refused -----------------------------------------------------------------------------
 
-/** Broken texts are refused with a reason. @param state A #Fixture. */
+/** Broken texts are refused with a reason. */
 static void test_refused_texts(void **state) {
     static const char *const broken[][3] = {
         {"a.obj", "", "small"},
@@ -427,7 +421,7 @@ static void test_refused_texts(void **state) {
     }
 }
 
-/** Hostile files are refused with a reason, soon. @param state Unused. */
+/** Hostile files are refused with a reason, soon. */
 static void test_hostile(void **state) {
     (void)state;
     static const char *const files[][2] = {
@@ -446,7 +440,7 @@ static void test_hostile(void **state) {
 }
 
 /** A model that makes the library crash does not bring the program down: a binary PLY that ends
- *  before its faces do. @param state A #Fixture. */
+ *  before its faces do. */
 static void test_crash(void **state) {
     static const char head[] =
         "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\n"
@@ -460,7 +454,7 @@ static void test_crash(void **state) {
     assert_file_refused(fixture_path(state, "a.ply"), "");
 }
 
-/** What is no regular file is refused and not waited for. @param state A #Fixture. */
+/** What is no regular file is refused and not waited for. */
 static void test_kinds(void **state) {
     assert_file_refused(fixture_path(state, "none.obj"), strerror(ENOENT));
     assert_int_equal(mkdir(fixture_path(state, "folder.obj"), 0700), 0);
@@ -471,8 +465,7 @@ static void test_kinds(void **state) {
     assert_file_refused(fixture_path(state, "device.obj"), "device");
 }
 
-/** Files that a model names are not opened: this one would keep the program waiting. @param state A
- *  #Fixture. */
+/** Files that a model names are not opened: this one would keep the program waiting. */
 static void test_materials_are_not_opened(void **state) {
     assert_int_equal(mkfifo(fixture_path(state, "model.mtl"), 0600), 0);
     time_t start = time(NULL);
@@ -490,9 +483,8 @@ typedef struct FileChanger {
     double bad_fraction; /**< A share outside of 0 to 1, if there was one. */
 } FileChanger;
 
-/** Changes the file when it has just been opened. See MeshProgress::tell. @param context A
- * #FileChanger.
- *  @param name The file. @param fraction How much is done. @param seconds Since the start. */
+/** Changes the file when it has just been opened. See MeshProgress::tell. @param fraction How much
+ *  is done. */
 static void change_file(void *context, const char *name, double fraction, double seconds) {
     FileChanger *changer = context;
     assert_string_equal(name, "model.obj");
@@ -508,13 +500,12 @@ static void change_file(void *context, const char *name, double fraction, double
     }
 }
 
-/** Notes that it is over. See MeshProgress::end. @param context A #FileChanger. */
+/** Notes that it is over. See MeshProgress::end. */
 static void count_end(void *context) {
     ((FileChanger *)context)->end_count++;
 }
 
-/** A file that changes while it is read is refused; one that does not is told on. @param state A
- *  #Fixture. */
+/** A file that changes while it is read is refused; one that does not is told on. */
 static void test_changes(void **state) {
     const char *path = fixture_path(state, "model.obj");
     const struct {

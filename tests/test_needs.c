@@ -15,7 +15,7 @@
 /** Pixels of the pictures that are tried. */
 enum { WIDTH = 96, HEIGHT = 72 };
 
-/** @return A scene from its file. @param path The file. */
+/** @return A scene from its file. */
 static Scene *load_scene(const char *path) {
     Error error = {0};
     ScriptRequest request = {.path = path,
@@ -29,8 +29,11 @@ static Scene *load_scene(const char *path) {
     return scene;
 }
 
-/** Shoots all pixels of a small picture of a scene. @param scene The scene. @param engine The
- *  engine. @param offset How rays leave surfaces. @param pixels The pixels. @return The shot. */
+/**
+ * Shoots all pixels of a small picture of a scene.
+ * @param offset  How rays leave surfaces.
+ * @return The shot.
+ */
 static SampledRender render_all_pixels(const Scene *scene, const char *engine,
                                        OffsetStrategy offset, const PixelSet *pixels) {
     SampledRender render;
@@ -48,8 +51,7 @@ static SampledRender render_all_pixels(const Scene *scene, const char *engine,
 
 /* --- trails ----------------------------------------------------------------------------------- */
 
-/** Trails are the same at every width; in double they differ from float only at edges.
- *  @param state The fixture. */
+/** Trails are the same at every width; in double they differ from float only at edges. */
 static void test_path_hashes_agree(void **state) {
     (void)state;
     static const char *const scenes[] = {"scenes/box.lua", "scenes/glass-sphere.lua",
@@ -77,7 +79,7 @@ static void test_path_hashes_agree(void **state) {
 }
 
 /** Trails of chosen pixels are those of the whole picture, and shapes, faces and shadows have
- *  different ones. @param state The fixture. */
+ *  different ones. */
 static void test_path_hashes_differ(void **state) {
     (void)state;
     Scene *scene = load_scene("scenes/box.lua");
@@ -109,8 +111,7 @@ static void test_path_hashes_differ(void **state) {
     scene_destroy(scene);
 }
 
-/** Black points are strays: no edge is near them. Float's flips are not. @param state The fixture.
- */
+/** Black points are strays: no edge is near them. Float's flips are not. */
 static void test_outliers_are_no_edges(void **state) {
     (void)state;
     Scene *scene = load_scene("scenes/box.lua");
@@ -166,7 +167,7 @@ static const ExpectedForecast expected[] = {
     {"tests/scenes/deep-mirrors.lua", false, PRECISION_RAY_DIVERGENCE},
     {"tests/scenes/thin-shells.lua", false, PRECISION_THIN_GLASS}};
 
-/** The engine is chosen by the scene's numbers. @param state The fixture. */
+/** The engine is chosen by the scene's numbers. */
 static void test_forecasts(void **state) {
     (void)state;
     for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
@@ -183,8 +184,7 @@ static void test_forecasts(void **state) {
     }
 }
 
-/** Depth is the script's where it says one, else what the largest share asks for.
- *  @param state The fixture. */
+/** Depth is the script's where it says one, else what the largest share asks for. */
 static void test_depths(void **state) {
     (void)state;
     Scene *scene = load_scene("scenes/orbits.lua");
@@ -203,8 +203,10 @@ static void test_depths(void **state) {
 
 /* --- needs ------------------------------------------------------------------------------------ */
 
-/** @return What a scene needs. @param scene The scene. @param is_whole Whether all pixels are
- *  tried. */
+/**
+ * @return What a scene needs.
+ * @param is_whole  Whether all pixels are tried.
+ */
 static Needs needs_of(const Scene *scene, bool is_whole) {
     Needs needs;
     Error error = {0};
@@ -222,7 +224,7 @@ static Needs needs_of(const Scene *scene, bool is_whole) {
     return needs;
 }
 
-/** What a pilot finds holds for whole pictures. @param state The fixture. */
+/** What a pilot finds holds for whole pictures. */
 static void test_sparse_pixels_suffice(void **state) {
     (void)state;
     static const char *const scenes[] = {"scenes/box.lua",

@@ -15,8 +15,7 @@ enum { ENCODINGS = sizeof encodings / sizeof *encodings };
 
 /**
  * Encodes as the standard says it, with the widest numbers there are.
- * @param encoding  Which curve.
- * @param light     Linear light, 0 to 1.
+ * @param light  Linear light, 0 to 1.
  * @return The nearest step, 0 to 255.
  */
 static int encode_by_definition(Encoding encoding, float light) {
@@ -25,7 +24,7 @@ static int encode_by_definition(Encoding encoding, float light) {
     return (int)lroundl(255 * (encoding == ENCODING_LINEAR ? x : encoded));
 }
 
-/** The light that a step stands for is encoded as that step. @param state Unused. */
+/** The light that a step stands for is encoded as that step. */
 static void test_steps_round_trip(void **state) {
     (void)state;
     for (int i = 0; i < ENCODINGS; i++) {
@@ -38,7 +37,7 @@ static void test_steps_round_trip(void **state) {
     }
 }
 
-/** Each step begins at the very float that the standard says. @param state Unused. */
+/** Each step begins at the very float that the standard says. */
 static void test_thresholds(void **state) {
     (void)state;
     for (int i = 0; i < ENCODINGS; i++) {
@@ -56,7 +55,7 @@ static void test_thresholds(void **state) {
     }
 }
 
-/** No cell of the table holds two thresholds: the look-up depends on it. @param state Unused. */
+/** No cell of the table holds two thresholds: the look-up depends on it. */
 static void test_one_threshold_a_cell(void **state) {
     (void)state;
     for (int i = 0; i < ENCODINGS; i++) {
@@ -69,7 +68,7 @@ static void test_one_threshold_a_cell(void **state) {
     }
 }
 
-/** Any number at all is encoded. @param state Unused. */
+/** Any number at all is encoded. */
 static void test_odd_lights(void **state) {
     (void)state;
     static const struct {
@@ -90,8 +89,7 @@ static void test_odd_lights(void **state) {
     }
 }
 
-/** A million floats from 0 to 1, of all sizes, are encoded as by definition. @param state Unused.
- */
+/** A million floats from 0 to 1, of all sizes, are encoded as by definition. */
 static void test_many_lights(void **state) {
     (void)state;
     Encoder encoder;
@@ -109,7 +107,7 @@ static void test_many_lights(void **state) {
 
 // --- comparison ----------------------------------------------------------------------------------
 
-/** Equal pictures differ by nothing. @param state Unused. */
+/** Equal pictures differ by nothing. */
 static void test_compare_equal(void **state) {
     (void)state;
     Picture picture = make_test_picture(5, 4);
@@ -128,7 +126,7 @@ static void test_compare_equal(void **state) {
     picture_deinit(&map);
 }
 
-/** Differences are measured as by hand. @param state Unused. */
+/** Differences are measured as by hand. */
 static void test_compare_different(void **state) {
     (void)state;
     Picture a;

@@ -16,30 +16,29 @@
  */
 
 /** @return A number, rounded as the engine would. For +, - and * that is exact in double, as 53
- * bits are more than twice 24 and 2. @param engine The engine. @param x It. */
+ *  bits are more than twice 24 and 2. */
 static double round_to_engine(const Engine *engine, double x) {
     return engine->mantissa_bits == 24 ? round_to_float(x) : x;
 }
 
-/** @return a + b. @param e The engine. @param a Light. @param b More. */
+/** @return a + b. */
 static Rgbd rounded_sum(const Engine *e, Rgbd a, Rgbd b) {
     return (Rgbd){round_to_engine(e, a.red + b.red), round_to_engine(e, a.green + b.green),
                   round_to_engine(e, a.blue + b.blue)};
 }
 
-/** @return a times b. @param e The engine. @param a Light. @param b Shares. */
+/** @return a times b. */
 static Rgbd rounded_product(const Engine *e, Rgbd a, Rgbd b) {
     return (Rgbd){round_to_engine(e, a.red * b.red), round_to_engine(e, a.green * b.green),
                   round_to_engine(e, a.blue * b.blue)};
 }
 
-/** @return The same in all primaries. @param x A number. */
+/** @return The same in all primaries. */
 static Rgbd grey_color(double x) {
     return (Rgbd){x, x, x};
 }
 
-/** Fails unless two colours are the same to the bit. @param a One. @param b The other.
- *  @param what What they are. @param index Of which ray. */
+/** Fails unless two colours are the same to the bit. */
 static void assert_same_color(Rgbd a, Rgbd b, const char *what, size_t index) {
     if (a.red != b.red || a.green != b.green || a.blue != b.blue) {
         fail_msg("%s of ray %zu: %a %a %a, not %a %a %a", what, index, a.red, a.green, a.blue,
@@ -47,8 +46,10 @@ static void assert_same_color(Rgbd a, Rgbd b, const char *what, size_t index) {
     }
 }
 
-/** @return What the body of a surface sends back, worked out again. @param e The engine.
- *  @param tree The tree. @param index The ray that met it. */
+/**
+ * @return What the body of a surface sends back, worked out again.
+ * @param index  The ray that met it.
+ */
 static Rgbd expected_diffuse(const Engine *e, const RayTree *tree, size_t index) {
     const RayTreeSurface *s = &tree->nodes[index].surface;
     Rgbd diffuse = grey_color(0), shine = grey_color(0);
@@ -67,8 +68,7 @@ static Rgbd expected_diffuse(const Engine *e, const RayTree *tree, size_t index)
     return rounded_sum(e, color, rounded_product(e, s->specular, shine));
 }
 
-/** @return A ray's colour, worked out again. @param e The engine. @param tree The tree.
- *  @param index Which ray. */
+/** @return A ray's colour, worked out again. */
 static Rgbd expected_color(const Engine *e, const RayTree *tree, size_t index) {
     Rgbd color = tree->nodes[index].local_color;
     for (size_t i = index + 1; i < tree->count; i++) {
@@ -80,12 +80,12 @@ static Rgbd expected_color(const Engine *e, const RayTree *tree, size_t index) {
     return color;
 }
 
-/** @return The largest primary. @param color A colour. */
+/** @return The largest primary. */
 static double largest_channel(Rgbd color) {
     return fmax(color.red, fmax(color.green, color.blue));
 }
 
-/** Checks a ray's place in the tree. @param e The engine. @param tree The tree. @param i Which. */
+/** Checks a ray's place in the tree. */
 static void check_tree_links(const Engine *e, const RayTree *tree, size_t i) {
     const RayTreeNode *ray = &tree->nodes[i];
     assert_int_equal(ray->kind == RAY_CAMERA, i == 0);
@@ -102,8 +102,7 @@ static void check_tree_links(const Engine *e, const RayTree *tree, size_t i) {
     assert_at_most(fabs(vec3d_length(ray->direction) - 1), 1e-6, "length of a direction");
 }
 
-/** Checks that a tree adds up. @param e The engine. @param tree The tree. @param counts The rays
- *  that the tracer counted. */
+/** Checks that a tree adds up. @param counts The rays that the tracer counted. */
 static void check_sums(const Engine *e, const RayTree *tree, const RayCounts *counts) {
     RayCounts seen = {0};
     for (size_t i = 0; i < tree->count; i++) {
@@ -139,7 +138,7 @@ typedef struct QueryRun {
     size_t rays;          /**< Rays that were noted so far. */
 } QueryRun;
 
-/** Probes pixels of a patch. @param run Who is asked. @param pixels How many. */
+/** Probes pixels of a patch. */
 static void probe_patch(QueryRun *run, int pixels) {
     double patch[3 * PATCH_SIZE * PATCH_SIZE];
     RayCounts counts = {0};
@@ -174,8 +173,11 @@ static void probe_patch(QueryRun *run, int pixels) {
     ray_tree_deinit(&tree);
 }
 
-/** Probes pixels of a scene. @param scene The scene. @param name An engine. @param samples Rays a
- *  pixel: with more than one, shadows are soft. @param pixels How many. @return Rays noted. */
+/**
+ * Probes pixels of a scene.
+ * @param samples  Rays a pixel: with more than one, shadows are soft.
+ * @return Rays noted.
+ */
 static size_t probe_scene(const Scene *scene, const char *name, int samples, int pixels) {
     /** Pixels of a patch that are probed. */
     const int share = 8;
@@ -197,7 +199,7 @@ static size_t probe_scene(const Scene *scene, const char *name, int samples, int
 }
 
 /** In every scene, the rays noted of a pixel are those of the picture, and add up to it.
- *  PROBE_PIXELS in the environment says how many pixels of each scene. @param state Not used. */
+ *  PROBE_PIXELS in the environment says how many pixels of each scene. */
 static void test_sums(void **state) {
     (void)state;
     glob_t scenes;
@@ -227,14 +229,13 @@ enum { SMALL_SIZE = 33 };
 /** Roundings that closed forms are allowed, in halves of an ulp of 1. */
 #define ROUNDINGS 16
 
-/** @return The engine that is asked for closed forms. @param name Its name. */
+/** @return The engine that is asked for closed forms. */
 static const Engine *engine_named(const char *name) {
     Error error = {0};
     return engine_find(name, &error);
 }
 
-/** Probes the middle of a scene's picture. @param engine The engine. @param scene The scene.
- *  @param trace How. @return The tree. */
+/** Probes the middle of a scene's picture. @return The tree. */
 static RayTree probe_middle(const Engine *engine, const Scene *scene, TraceSettings trace) {
     Error error = {0};
     RayTree tree = {0};
@@ -256,22 +257,19 @@ static RayTree probe_middle(const Engine *engine, const Scene *scene, TraceSetti
     return tree;
 }
 
-/** Fails unless a number is a closed form's. @param engine Who computed it. @param x The number.
- *  @param truth The closed form's, of the size of 1. @param what What it is. */
+/** Fails unless a number is a closed form's. @param truth The closed form's, of the size of 1. */
 static void assert_closed_form(const Engine *engine, double x, double truth, const char *what) {
     assert_at_most(fabs(x - truth), ROUNDINGS * (double)roundoff(engine), "%s", what);
 }
 
-/** Fails unless a vector is a closed form's. @param engine Who computed it. @param v The vector.
- *  @param truth The closed form's. @param what What it is. */
+/** Fails unless a vector is a closed form's. */
 static void assert_vector(const Engine *engine, Vec3d v, Vec3d truth, const char *what) {
     assert_closed_form(engine, v.x, truth.x, what);
     assert_closed_form(engine, v.y, truth.y, what);
     assert_closed_form(engine, v.z, truth.z, what);
 }
 
-/** @return A child of a ray. @param tree The tree. @param parent The ray. @param kind Of which
- *  kind. @param number Which of them. */
+/** @return A child of a ray. */
 static const RayTreeNode *child_of(const RayTree *tree, int parent, RayType kind, int number) {
     for (size_t i = 0; i < tree->count; i++) {
         const RayTreeNode *ray = &tree->nodes[i];
@@ -295,8 +293,7 @@ static Scene *glass_sphere_scene(Vec3d eye) {
     return scene;
 }
 
-/** Where glass is met at 30 degrees, angles are Snell's and shares Fresnel's. @param engine Who is
- *  asked. */
+/** Where glass is met at 30 degrees, angles are Snell's and shares Fresnel's. */
 static void check_glass(const Engine *engine) {
     Scene *scene = glass_sphere_scene((Vec3d){0.5, 0, 5});
     RayTree tree = probe_middle(engine, scene, (TraceSettings){.offset = OFFSET_BOUND});
@@ -329,7 +326,7 @@ static void check_glass(const Engine *engine) {
     scene_destroy(scene);
 }
 
-/** From inside at an angle of sine 0.9 all is mirrored. @param engine Who is asked. */
+/** From inside at an angle of sine 0.9 all is mirrored. */
 static void check_total(const Engine *engine) {
     Scene *scene = glass_sphere_scene((Vec3d){0.9, 0, 0});
     RayTree tree = probe_middle(engine, scene, (TraceSettings){.offset = OFFSET_BOUND});
@@ -367,7 +364,7 @@ static Scene *mirror_and_lights_scene(void) {
 }
 
 /** A mirror sends straight back; a lamp at 5 with cosine 0.8 gives that, one behind a ball nothing.
- *  @param engine Who is asked. */
+ */
 static void check_mirror(const Engine *engine) {
     Scene *scene = mirror_and_lights_scene();
     double epsilon = 0x1p-10;
@@ -395,7 +392,7 @@ static void check_mirror(const Engine *engine) {
     scene_destroy(scene);
 }
 
-/** Angles, shares, distances and weights are those of closed forms. @param state Not used. */
+/** Angles, shares, distances and weights are those of closed forms. */
 static void test_closed_forms(void **state) {
     (void)state;
     static const char *const names[] = {"f32x1", "f32x8", "f64x1", "f64x4"};
@@ -409,7 +406,7 @@ static void test_closed_forms(void **state) {
     }
 }
 
-/** Places are the scene's, also where the tracer counts from elsewhere. @param state Not used. */
+/** Places are the scene's, also where the tracer counts from elsewhere. */
 static void test_far_away(void **state) {
     (void)state;
     const Placement far = {1, 1e6};
@@ -426,7 +423,7 @@ static void test_far_away(void **state) {
     scene_destroy(scene);
 }
 
-/** A lamp that is seen is named. @param state Not used. */
+/** A lamp that is seen is named. */
 static void test_visible_light(void **state) {
     (void)state;
     Error error = {0};
@@ -451,7 +448,7 @@ static void test_visible_light(void **state) {
 /* --- looking at the rays -----------------------------------------------------------------------
  */
 
-/** A camera sees what its ray hits in the middle of the ray's pixel. @param state Not used. */
+/** A camera sees what its ray hits in the middle of the ray's pixel. */
 static void test_projection(void **state) {
     (void)state;
     Error error = {0};
@@ -480,8 +477,7 @@ static void test_projection(void **state) {
     scene_destroy(scene);
 }
 
-/** The second camera has the eye and the first hit in its picture, whatever its shape.
- *  @param state Not used. */
+/** The second camera has the eye and the first hit in its picture, whatever its shape. */
 static void test_view(void **state) {
     (void)state;
     static const char *const paths[] = {"scenes/box.lua", "scenes/glass-sphere.lua",
@@ -510,7 +506,7 @@ static void test_view(void **state) {
     }
 }
 
-/** The window's numbers are those of the pixel, and follow the light. @param state Not used. */
+/** The window's numbers are those of the pixel, and follow the light. */
 static void test_inspector(void **state) {
     (void)state;
     Error error = {0};

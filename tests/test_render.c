@@ -7,7 +7,7 @@
 
 #include <glob.h>
 
-/** 1, 2, 3 and 8 threads draw the same picture. @param state Not used. */
+/** 1, 2, 3 and 8 threads draw the same picture. */
 static void test_threads(void **state) {
     (void)state;
     Scene *scene = load_scene("scenes/box.lua");
@@ -23,8 +23,7 @@ static void test_threads(void **state) {
 }
 
 /** Sixteen lanes, eight, four and one draw the same picture of every scene there is: of lists of
- *  shapes and of trees, of mirrors, glass, models, pictures and lamps.
- *  @param state Not used. */
+ *  shapes and of trees, of mirrors, glass, models, pictures and lamps. */
 static void test_lanes(void **state) {
     (void)state;
     glob_t scenes;
@@ -57,13 +56,12 @@ static void test_lanes(void **state) {
     globfree(&scenes);
 }
 
-/** @return A point moved away from the origin. @param v The point. @param factor How many times. */
+/** @return A point moved away from the origin. */
 static Vec3d scaled_point(Vec3d v, double factor) {
     return vec3d_scale(v, factor);
 }
 
-/** Makes a whole scene larger. Shape parameters hold nothing but lengths and points here.
- *  @param scene The scene. @param factor How many times. */
+/** Makes a whole scene larger. Shape parameters hold nothing but lengths and points here. */
 static void scale_scene(Scene *scene, double factor) {
     scene->camera.position = scaled_point(scene->camera.position, factor);
     for (size_t i = 0; i < scene->light_count; i++) {
@@ -86,7 +84,7 @@ static void scale_scene(Scene *scene, double factor) {
 }
 
 /** A scene a power of two larger or smaller is bitwise the same picture: nothing in it is absolute.
- *  @param state Not used. */
+ */
 static void test_scale(void **state) {
     (void)state;
     static const char *const scenes[] = {"scenes/box.lua", "scenes/figure-09.lua"};
@@ -106,7 +104,7 @@ static void test_scale(void **state) {
 }
 
 /** What passes in the background end in is what is drawn at once, bit for bit; also after it was
- *  stopped half-way, and after the camera has gone away and come back. @param state Not used. */
+ *  stopped half-way, and after the camera has gone away and come back. */
 static void test_background(void **state) {
     (void)state;
     Scene *scene = load_scene("scenes/box.lua");
@@ -135,7 +133,7 @@ static void test_background(void **state) {
     scene_destroy(scene);
 }
 
-/** A drawing that is stopped says so and keeps what is finished. @param state Not used. */
+/** A drawing that is stopped says so and keeps what is finished. */
 static void test_stop(void **state) {
     (void)state;
     Scene *scene = load_scene("scenes/box.lua");
@@ -149,7 +147,7 @@ static void test_stop(void **state) {
     scene_destroy(scene);
 }
 
-/** Pictures of one pixel, one row and one column. @param state Not used. */
+/** Pictures of one pixel, one row and one column. */
 static void test_small_sizes(void **state) {
     (void)state;
     static const int sizes[][2] = {{1, 1}, {1, 9}, {9, 1}, {8, 4}, {65, 17}};
@@ -167,7 +165,7 @@ static void test_small_sizes(void **state) {
 }
 
 /** The camera's rays mirror each other, bit for bit: a scene that is the same on both sides gives a
- *  picture that is. @param state Not used. */
+ *  picture that is. */
 static void test_symmetry(void **state) {
     (void)state;
     Error error = {0};
@@ -190,7 +188,7 @@ static void test_symmetry(void **state) {
 }
 
 /** Facing mirrors: the n-th image is rho^n as bright (closed form). One sees a glowing wall behind
- *  itself in two mirrors; each order of it is a step darker. @param engine The engine. */
+ *  itself in two mirrors; each order of it is a step darker. */
 static void check_facing_mirrors(const Engine *engine) {
     const double share = 0.5;
     Error error = {0};
@@ -239,7 +237,7 @@ static Scene *wall_with_lights_scene(double away) {
 }
 
 /** Point lights add, weaken with the square of the distance and with the cosine, to a few ulps of
- *  the closed form, from 1e-6 to 1e6 away (rows A3, A5, A6). @param engine The engine. */
+ *  the closed form, from 1e-6 to 1e6 away (rows A3, A5, A6). */
 static void check_irradiance(const Engine *engine) {
     for (double away = 1e-6; away <= 1e6; away *= 100) {
         double rgb[3];
@@ -263,7 +261,7 @@ static void test_irradiance(void **state) {
 }
 
 /** No offset shows the black points of report C, the default shows none: a lit ball without
- *  neighbours, seen from its lamp, has no dark pixel. @param state Not used. */
+ *  neighbours, seen from its lamp, has no dark pixel. */
 static void test_acne(void **state) {
     (void)state;
     Error error = {0};
@@ -290,8 +288,7 @@ static void test_acne(void **state) {
     scene_destroy(scene);
 }
 
-/** @return A plane and many spheres. @param count How many. @param is_mirror Whether they mirror.
- */
+/** @return A plane and many spheres. */
 static Scene *many_spheres_scene(size_t count, bool is_mirror) {
     Scene *scene = create_empty_scene();
     const Rgbd half = {0.5, 0.5, 0.5};
@@ -318,7 +315,7 @@ static TracerStats scene_contents(Scene *scene, int depth) {
     return contents;
 }
 
-/** With a tree and without, the picture is the same, in every engine. @param engine The engine. */
+/** With a tree and without, the picture is the same, in every engine. */
 static void check_bvh_keeps_picture(const Engine *engine) {
     if (engine->mantissa_bits > 100) {
         return; // As the others of one lane, but slow.
@@ -333,14 +330,14 @@ static void check_bvh_keeps_picture(const Engine *engine) {
     scene_destroy(scene);
 }
 
-/** See #check_bvh_keeps_picture. @param state Not used. */
+/** See #check_bvh_keeps_picture. */
 static void test_bvh(void **state) {
     (void)state;
     for_every_engine(check_bvh_keeps_picture);
 }
 
 /** A scene gets a tree from as many shapes on as it says: from fewer where they mirror; shapes
- *  without an end do not count. @param state Not used. */
+ *  without an end do not count. */
 static void test_bvh_threshold(void **state) {
     (void)state;
     size_t matt = scene_contents(many_spheres_scene(1, false), 5).bvh_threshold;

@@ -8,9 +8,7 @@
 
 /* --- spheres --------------------------------------------------------------------------------- */
 
-/** @return Distance to a sphere at the origin, in quad. @param ray The ray. @param radius Its
- * radius.
- */
+/** @return Distance to a sphere at the origin, in quad. */
 static Quadruple sphere_distance(const RayQueryQuad *ray, Quadruple radius) {
     Quadruple a = 0, b = 0, c = -radius * radius;
     for (int i = 0; i < 3; i++) {
@@ -24,7 +22,7 @@ static Quadruple sphere_distance(const RayQueryQuad *ray, Quadruple radius) {
 }
 
 /** The ground: a sphere of radius 100 to 1e6, seen from 1 above it, where every formula in float
- *  alone is wrong by 1e-3 (doc/tour.md, where float fails). @param engine The engine. */
+ *  alone is wrong by 1e-3 (doc/tour.md, where float fails). */
 static void ground_sphere(const Engine *engine) {
     uint64_t state = 1;
     for (double radius = 1e2; radius <= 1e6; radius *= 10) {
@@ -54,7 +52,7 @@ static void ground_sphere(const Engine *engine) {
 }
 
 /** A sphere 1e3 to 1e6 radii away: none missed, none met that is not there, 0.1 % beside the rim.
- *  @param engine The engine. */
+ */
 static void far_sphere(const Engine *engine) {
     uint64_t state = 2;
     for (double away = 1e3; away <= 1e6; away *= 10) {
@@ -100,7 +98,7 @@ static Scene *quad_room(void) {
     return scene;
 }
 
-/** @return A corner of that room, 0 to 7. @param which Which. */
+/** @return A corner of that room, 0 to 7. */
 static Vec3d room_corner(unsigned which) {
     Vec3d p = {-1.25, 0.5, 3.75};
     p = which & 1 ? vec3d_add(p, (Vec3d){2.5, 0.25, 0.5}) : p;
@@ -108,8 +106,10 @@ static Vec3d room_corner(unsigned which) {
     return which & 4 ? vec3d_add(p, (Vec3d){0.125, -0.5, 2.25}) : p;
 }
 
-/** @return A target: a corner of the room, or a point of one of its edges.
- *  @param[in,out] state A generator. @param at_corner Which of the two. */
+/**
+ * @return A target: a corner of the room, or a point of one of its edges.
+ * @param at_corner  Which of the two.
+ */
 static Vec3d room_target(uint64_t *state, bool at_corner) {
     unsigned corner = (unsigned)(8 * random_unit_double(state));
     Vec3d from = room_corner(corner);
@@ -122,7 +122,7 @@ static Vec3d room_target(uint64_t *state, bool at_corner) {
 }
 
 /** From inside the closed room, rays aimed at its edges and corners: not one gets out. A million of
- *  each (a hundredth in quad). @param engine The engine. */
+ *  each (a hundredth in quad). */
 static void watertight_quads(const Engine *engine) {
     Scene *scene = quad_room();
     Tracer *tracer = create_tracer(engine, scene);
@@ -151,7 +151,7 @@ static void watertight_quads(const Engine *engine) {
     scene_destroy(scene);
 }
 
-/** Two quads in one plane: the first is seen everywhere, no speckles. @param engine The engine. */
+/** Two quads in one plane: the first is seen everywhere, no speckles. */
 static void coincident_quads(const Engine *engine) {
     Scene *scene = create_empty_scene();
     QuadParameters first = {{-1, -1, -3}, {2, 0, 0}, {0, 2, 0}};
@@ -175,7 +175,7 @@ static void coincident_quads(const Engine *engine) {
 /* --- planes ---------------------------------------------------------------------------------- */
 
 /** A floor whose point lies a million away, seen at 30 to 0.001 degrees from 1 above: the distance
- * is right to some ulps over the sine of the angle. @param engine The engine. */
+ *  is right to some ulps over the sine of the angle. */
 static void grazing_plane(const Engine *engine) {
     Scene *scene = create_empty_scene();
     PlaneParameters floor = {{1e6, -1, -1e6}, {0, 1, 0}};
@@ -204,7 +204,7 @@ static void grazing_plane(const Engine *engine) {
 /* --- boxes ----------------------------------------------------------------------------------- */
 
 /** Rays that truly touch a box, at corners, along edges and in the planes of its faces, with every
- *  sign of zero: none is missed. @param engine The engine. */
+ *  sign of zero: none is missed. */
 static void touching_box(const Engine *engine) {
     Scene *scene = create_empty_scene();
     BoxParameters box = {{-1, -1, -1}, {1, 1, 1}};
@@ -243,7 +243,7 @@ static void touching_box(const Engine *engine) {
 /* --- cylinders ------------------------------------------------------------------------------- */
 
 /** A cylinder 1e2 to 1e4 radii away: none missed, none met that is not there, 0.1 % beside its
- *  outline. @param engine The engine. */
+ *  outline. */
 static void far_cylinder(const Engine *engine) {
     uint64_t state = 7;
     for (double away = 1e2; away <= 1e4; away *= 10) {
@@ -268,7 +268,7 @@ static void far_cylinder(const Engine *engine) {
 }
 
 /** Along the axis of a cylinder, exactly and 1e-4 radians beside: a capped one is met at its ends,
- * a pipe lets through what goes through. @param engine The engine. */
+ *  a pipe lets through what goes through. */
 static void cylinder_along_axis(const Engine *engine) {
     for (int capped = 0; capped < 2; capped++) {
         Scene *scene = create_empty_scene();
@@ -299,7 +299,7 @@ static void cylinder_along_axis(const Engine *engine) {
 }
 
 /** From inside a capped cylinder, a million rays aimed at its rims (a hundredth in quad): not one
- *  gets out. @param engine The engine. */
+ *  gets out. */
 static void watertight_rim(const Engine *engine) {
     Scene *scene = create_empty_scene();
     CylinderParameters drum = {{1, 2, 3}, {2.5, 2.75, 1.25}, 1.5, true};
@@ -335,14 +335,13 @@ static void watertight_rim(const Engine *engine) {
 
 /* --- triangles ------------------------------------------------------------------------------- */
 
-/** @return How many rays at a mesh: without packets each asks all of its triangles.
- *  @param engine The engine. */
+/** @return How many rays at a mesh: without packets each asks all of its triangles. */
 static long mesh_rays(const Engine *engine) {
     return engine->mantissa_bits > 64 ? 640 : engine->lanes == 1 ? 20032 : 1000000;
 }
 
 /** From inside a closed mesh, rays aimed at its edges and corners, 64 at one of them: not one gets
- *  out. @param engine The engine. */
+ *  out. */
 static void watertight_triangles(const Engine *engine) {
     enum { TOGETHER = 64 };
     TriangleSoup mesh = icosphere_triangles(3);
@@ -386,13 +385,7 @@ static void watertight_triangles(const Engine *engine) {
     scene_destroy(scene);
 }
 
-/**
- * Holds what a sliver answered against its corners.
- * @param engine  The engine.
- * @param sliver  The triangle.
- * @param ray     The ray.
- * @param answer  The answer: a hit.
- */
+/** Holds what a sliver answered against its corners. */
 static void check_sliver(const Engine *engine, const TriangleParameters *sliver,
                          const RayQueryQuad *ray, const RayResult *answer) {
     const Vec3d *v = sliver->corners, n = {(double)answer->normal[0], (double)answer->normal[1],
@@ -423,8 +416,7 @@ static void check_sliver(const Engine *engine, const TriangleParameters *sliver,
     }
 }
 
-/** One triangle, a hundred long, seen at an angle. @param engine The engine. @param aspect How many
- *  times as long as wide. @param degrees The angle. @param[in,out] state A generator. */
+/** One triangle, a hundred long, seen at an angle. @param aspect How many times as long as wide. */
 static void sliver_triangle(const Engine *engine, double aspect, double degrees, uint64_t *state) {
     Scene *scene = create_empty_scene();
     TriangleParameters sliver = {
@@ -455,8 +447,7 @@ static void sliver_triangle(const Engine *engine, double aspect, double degrees,
 }
 
 /** Triangles as narrow as a millionth of their length, seen at 30 to 0.1 degrees: what is met lies
- *  between their corners, and the normal is a number and on the right side. @param engine The
- *  engine. */
+ *  between their corners, and the normal is a number and on the right side. */
 static void sliver_triangles(const Engine *engine) {
     uint64_t state = 11;
     for (double aspect = 1; aspect <= 1e6; aspect *= 10) {
@@ -468,8 +459,7 @@ static void sliver_triangles(const Engine *engine) {
 
 /* --- packets --------------------------------------------------------------------------------- */
 
-/** Adds a round shape, turned and unevenly scaled. @param scene The scene. @param i Its number.
- *  @param[in,out] state A generator. */
+/** Adds a round shape, turned and unevenly scaled. */
 static void add_turned(Scene *scene, int i, uint64_t *state) {
     Error error = {0};
     CylinderParameters tube = {{0, -0.5, 0}, {0, 0.5, 0.25}, 0.375, i % 2};
@@ -484,7 +474,7 @@ static void add_turned(Scene *scene, int i, uint64_t *state) {
 }
 
 /** Two hundred shapes of all kinds, packets and single rays: the intervals of a packet drop
- * nothing, axis-parallel rays included. @param engine The engine. */
+ *  nothing, axis-parallel rays included. */
 static void packets_drop_nothing(const Engine *engine) {
     Scene *scene = create_empty_scene();
     uint64_t state = 6;

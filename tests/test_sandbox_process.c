@@ -10,12 +10,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/** Work that dies of a signal. @param context The signal's number. */
+/** Work that dies of a signal. */
 static void abort_task(void *context) {
     raise(*(int *)context);
 }
 
-/** Work that takes for ever. @param context Not used. */
+/** Work that takes for ever. */
 static void hang_task(void *context) {
     (void)context;
     for (;;) {
@@ -23,7 +23,7 @@ static void hang_task(void *context) {
     }
 }
 
-/** How a child ended is told. @param state Not used. */
+/** How a child ended is told. */
 static void test_child_ends(void **state) {
     (void)state;
     int detail, signals[] = {SIGINT, SIGKILL, SIGTERM, SIGCHLD};
@@ -40,7 +40,7 @@ static void test_child_ends(void **state) {
     assert_int_equal(sandbox_process_run(hang_task, NULL, -1, &detail), SANDBOX_PROCESS_TIMED_OUT);
 }
 
-/** A child does not outlive the program. @param state Not used. */
+/** A child does not outlive the program. */
 static void test_child_dies_with_its_parent(void **state) {
     (void)state;
     int ends[2], detail;

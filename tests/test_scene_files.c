@@ -12,7 +12,7 @@
 /** Where the scene files of these tests lie, from the top of the sources. */
 #define SCRIPTS "tests/scripts/"
 
-/** A scene may be made of files in its folder. @param state Not used. */
+/** A scene may be made of files in its folder. */
 static void test_include(void **state) {
     (void)state;
     ScriptRequest request = script_request_for(SCRIPTS "room.lua");
@@ -26,7 +26,7 @@ static void test_include(void **state) {
     scene_destroy(scene);
 }
 
-/** An error is told in the file that it is in; a ring of files ends. @param state Not used. */
+/** An error is told in the file that it is in; a ring of files ends. */
 static void test_wrong_includes(void **state) {
     (void)state;
     ScriptRequest request = script_request_for(SCRIPTS "wrong-part.lua");
@@ -35,7 +35,7 @@ static void test_wrong_includes(void **state) {
     assert_scene_refused(&request, SCRIPTS "ring.lua:3: ", "more than 32 deep");
 }
 
-/** No file outside the folder can be included, and nothing but text. @param state The fixture. */
+/** No file outside the folder can be included, and nothing but text. */
 static void test_include_stays_inside(void **state) {
     const Fixture *fixture = *state;
     char path[192], outside[192], text[256];
@@ -67,7 +67,7 @@ static void test_include_stays_inside(void **state) {
     unlink(outside);
 }
 
-/** Includes that fail in pcall do not count as depth. @param state The fixture. */
+/** Includes that fail in pcall do not count as depth. */
 static void test_include_depth_is_given_back(void **state) {
     const Fixture *fixture = *state;
     char path[128];
@@ -79,7 +79,7 @@ static void test_include_depth_is_given_back(void **state) {
     scene_destroy(scene);
 }
 
-/** What is no scene file is refused, and nothing waits. @param state The fixture. */
+/** What is no scene file is refused, and nothing waits. */
 static void test_no_scene_files(void **state) {
     const Fixture *fixture = *state;
     ScriptRequest request = script_request_for("no/such/file.lua");
@@ -107,7 +107,7 @@ static void test_no_scene_files(void **state) {
     }
 }
 
-/** The whole path is told, although Lua cuts names at 60. @param state The fixture. */
+/** The whole path is told, although Lua cuts names at 60. */
 static void test_long_paths(void **state) {
     static const char *const texts[] = {"\nsphere { radius = -1 }", "\n= 1", "\nlocal x = nil + 1",
                                         "\ninclude 'part.lua'"};
@@ -126,7 +126,7 @@ static void test_long_paths(void **state) {
     }
 }
 
-/** A path that would leave no room for words is told by its end. @param state The fixture. */
+/** A path that would leave no room for words is told by its end. */
 static void test_endless_paths(void **state) {
     (void)state;
     char path[1500];
@@ -136,7 +136,7 @@ static void test_endless_paths(void **state) {
     assert_scene_refused(&request, "...xxx", "xxx: File name too long");
 }
 
-/** A scene may come from standard input. @param state The fixture. */
+/** A scene may come from standard input. */
 static void test_standard_input(void **state) {
     const Fixture *fixture = *state;
     write_text(fixture->path, "camera {} include 'parts/balls.lua'\nballs(2, nil)\nballs(1, 2)");
@@ -153,7 +153,7 @@ static void test_standard_input(void **state) {
     close(file);
 }
 
-/** Whether a scene asks for the time is known. @param state The fixture. */
+/** Whether a scene asks for the time is known. */
 static void test_time(void **state) {
     static const char *const texts[] = {"camera {}", "camera {} local t = 1; local x = t",
                                         "camera {} t = 2; local x = t", "camera {} local x = t",
@@ -165,8 +165,7 @@ static void test_time(void **state) {
     }
 }
 
-/** @return A scene of a stock. @param path The scene file. @param time Its time, seconds.
- *  @param cache The stock. */
+/** @return A scene of a stock. */
 static Scene *load_with_cache(const char *path, double time, AssetCache *cache) {
     ScriptRequest request = script_request_for(path);
     Error error = {0};
@@ -177,8 +176,7 @@ static Scene *load_with_cache(const char *path, double time, AssetCache *cache) 
     return scene;
 }
 
-/** What no time changes is read once, and shared; what is not named any more is given back.
- *  @param state The fixture. */
+/** What no time changes is read once, and shared; what is not named any more is given back. */
 static void test_asset_cache(void **state) {
     const Fixture *fixture = *state;
     char path[192];
@@ -206,7 +204,7 @@ static void test_asset_cache(void **state) {
     scene_destroy(second);
 }
 
-/** A scene is given up when asked, long before its time is over. @param state The fixture. */
+/** A scene is given up when asked, long before its time is over. */
 static void test_stop(void **state) {
     const Fixture *fixture = *state;
     atomic_bool stop = true;

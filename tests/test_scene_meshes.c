@@ -29,8 +29,7 @@ static const Parameter statue_parameters[] = {
 /** A statue as it is when nothing is said. */
 static const TestStatue statue_defaults = {.scale = 1};
 
-/** Wants a file. See #Keyword.finish. @param values Not used. @param given See there. @param error
- *  See there. @return See there. */
+/** Wants a file. See #Keyword.finish. @return See there. */
 static bool statue_finish(void *values, uint64_t given, Error *error) {
     (void)values;
     return (given & 1) || error_set(error, STATUS_SCENE, "statue needs a file");
@@ -47,15 +46,14 @@ static const Keyword *const shapes[] = {&statue_keyword, NULL};
 
 // --- helpers -------------------------------------------------------------------------------------
 
-/** Makes a folder with a scene's folder in it, and the module findable. @param state Becomes a
- *  #Fixture. @return 0 when they are there. */
+/** Makes a folder with a scene's folder in it, and the module findable. @return 0 when they are
+ *  there. */
 static int scene_mesh_set_up(void **state) {
     symlink_plugin("dioptre-meshes.so");
     return fixture_set_up(state) == 0 ? mkdir(fixture_path(state, "scene"), 0700) : -1;
 }
 
-/** Writes a file into the scene's folder. @param state A #Fixture. @param name Its name. @param
- * text What is in it. @return Its path. */
+/** Writes a file into the scene's folder. @return Its path. */
 static const char *write_beside_scene(void **state, const char *name, const char *text) {
     char inside[PATH_MAX / 2];
     snprintf(inside, sizeof inside, "scene/%s", name);
@@ -63,8 +61,7 @@ static const char *write_beside_scene(void **state, const char *name, const char
     return ((Fixture *)*state)->path;
 }
 
-/** Loads a scene. @param state A #Fixture. @param text Its text. @param progress Who is told.
- *  @param[out] error What is wrong. @return The scene, or NULL. */
+/** Loads a scene. @return The scene, or NULL. */
 static Scene *load_scene(void **state, const char *text, const MeshProgress *progress,
                          Error *error) {
     const ScriptRequest request = {.path = write_beside_scene(state, "scene.lua", text),
@@ -75,7 +72,7 @@ static Scene *load_scene(void **state, const char *text, const MeshProgress *pro
     return script_load(&request, error);
 }
 
-/** @return A scene that must be good. @param state A #Fixture. @param text Its text. */
+/** @return A scene that must be good. */
 static Scene *load_valid_scene(void **state, const char *text) {
     Error error = {0};
     Scene *scene = load_scene(state, text, NULL, &error);
@@ -85,8 +82,7 @@ static Scene *load_valid_scene(void **state, const char *text) {
     return scene;
 }
 
-/** Checks that a scene is refused. @param state A #Fixture. @param text Its text. @param line The
- *  line that must be blamed. @param words What must follow it. */
+/** Checks that a scene is refused. @param line The line that must be blamed. */
 static void assert_scene_refused(void **state, const char *text, int line, const char *words) {
     Error error = {0};
     char wanted[PATH_MAX + 256];
@@ -100,7 +96,7 @@ static void assert_scene_refused(void **state, const char *text, int line, const
     }
 }
 
-/** @return The parameters of a shape. @param scene The scene. @param i Which. */
+/** @return The parameters of a shape. */
 static const TestStatue *statue_parameters_of(const Scene *scene, size_t i) {
     return scene->shapes[i].parameters;
 }
@@ -108,7 +104,7 @@ static const TestStatue *statue_parameters_of(const Scene *scene, size_t i) {
 // --- tests ---------------------------------------------------------------------------------------
 
 /** A model is found beside the scene file, in a folder below it, and in a file that is included;
- *  named twice in different ways, it is read once. @param state A #Fixture. */
+ *  named twice in different ways, it is read once. */
 static void test_once(void **state) {
     mkdir(fixture_path(state, "scene/models"), 0700);
     write_beside_scene(state, "a.obj", TRIANGLE);
@@ -136,7 +132,7 @@ static void test_once(void **state) {
     scene_destroy(scene);
 }
 
-/** Many models find room. @param state A #Fixture. */
+/** Many models find room. */
 static void test_many(void **state) {
     for (int i = 1; i <= 40; i++) {
         char name[32];
@@ -153,7 +149,7 @@ static void test_many(void **state) {
     scene_destroy(scene);
 }
 
-/** What cannot be a model is refused where it is named. @param state A #Fixture. */
+/** What cannot be a model is refused where it is named. */
 static void test_refused_names(void **state) {
     char text[256];
     write_beside_scene(state, "../outside.obj", TRIANGLE);
@@ -183,8 +179,7 @@ static void test_refused_names(void **state) {
     assert_scene_refused(state, "camera {}\nstatue {}", 2, "statue needs a file");
 }
 
-/** What is wrong inside a model is blamed on the line that names it first. @param state A #Fixture.
- */
+/** What is wrong inside a model is blamed on the line that names it first. */
 static void test_refused_models(void **state) {
     write_beside_scene(state, "good.obj", TRIANGLE);
     write_beside_scene(state, "empty.obj", "v 0 0 0\nv 1 0 0\np 1\n");
@@ -200,15 +195,14 @@ static void test_refused_models(void **state) {
     assert_null(strchr(error.message, '\033'));
 }
 
-/** A model that a failing scene names is not read. @param state A #Fixture. */
+/** A model that a failing scene names is not read. */
 static void test_scene_comes_first(void **state) {
     write_beside_scene(state, "empty.obj", "p 1\n");
     assert_scene_refused(state, "camera {}\nstatue { file = 'empty.obj' }\nerror('of mine')", 3,
                          "of mine");
 }
 
-/** Counts. See MeshProgress::tell. @param context How often. @param name Not used. @param fraction
- * Not used. @param seconds Not used. */
+/** Counts. See MeshProgress::tell. */
 static void count_progress(void *context, const char *name, double fraction, double seconds) {
     (void)name, (void)fraction, (void)seconds;
     ++*(int *)context;
@@ -219,7 +213,7 @@ static void check_progress_end(void *context) {
     assert_true(*(int *)context > 0);
 }
 
-/** Who wants to know is told. @param state A #Fixture. */
+/** Who wants to know is told. */
 static void test_progress(void **state) {
     int progress_count = 0;
     const MeshProgress progress = {

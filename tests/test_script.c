@@ -6,20 +6,20 @@
 
 // --- helpers -------------------------------------------------------------------------------------
 
-/** @return The parameters of a ball of a scene. @param scene The scene. @param i Which shape. */
+/** @return The parameters of a ball of a scene. */
 static const TestBall *ball_parameters_of(const Scene *scene, size_t i) {
     assert_true(i < scene->shape_count);
     return scene->shapes[i].parameters;
 }
 
-/** Checks a vector. @param v The vector. @param x Wanted. @param y Wanted. @param z Wanted. */
+/** Checks a vector. */
 static void assert_vector(Vec3d v, double x, double y, double z) {
     assert_true(v.x == x && v.y == y && v.z == z);
 }
 
 // --- what scenes can say -------------------------------------------------------------------------
 
-/** An empty scene with a camera has every default. @param state The fixture. */
+/** An empty scene with a camera has every default. */
 static void test_defaults(void **state) {
     Scene *scene = load_valid_scene(*state, "camera {}");
     assert_true(scene->has_camera);
@@ -32,7 +32,7 @@ static void test_defaults(void **state) {
     scene_destroy(scene);
 }
 
-/** Every keyword fills its struct. @param state The fixture. */
+/** Every keyword fills its struct. */
 static void test_keywords(void **state) {
     Scene *scene = load_valid_scene(
         *state, "camera { position = {0, 0, 6.5}, look_at = {0, 0, 0}, fov = 50 }\n"
@@ -59,7 +59,7 @@ static void test_keywords(void **state) {
     scene_destroy(scene);
 }
 
-/** A field of every type arrives; finish works on it. @param state The fixture. */
+/** A field of every type arrives; finish works on it. */
 static void test_field_types(void **state) {
     Scene *scene = load_valid_scene(
         *state, "camera {}\n"
@@ -82,7 +82,7 @@ static void test_field_types(void **state) {
 }
 
 /** Every shape can be scaled, turned and moved; one that is not carries nothing. A pair is two
- *  numbers. @param state The fixture. */
+ *  numbers. */
 static void test_transforms(void **state) {
     Scene *scene = load_valid_scene(*state, "camera {}\n"
                                             "sphere { spot = {0.25, 1} }\n"
@@ -104,7 +104,7 @@ static void test_transforms(void **state) {
     scene_destroy(scene);
 }
 
-/** Materials are handed on by what they return. @param state The fixture. */
+/** Materials are handed on by what they return. */
 static void test_materials(void **state) {
     Scene *scene = load_valid_scene(
         *state, "camera {}\n"
@@ -130,7 +130,7 @@ typedef struct ColorCase {
     Rgbd wanted;      /**< Its ambient light. */
 } ColorCase;
 
-/** Colours may be written in three ways; the last call counts. @param state The fixture. */
+/** Colours may be written in three ways; the last call counts. */
 static void test_colors(void **state) {
     static const ColorCase cases[] = {
         {"camera {} ambient { 0.15, 0.25, 0.5 }", {0.15, 0.25, 0.5}},
@@ -151,7 +151,7 @@ static void test_colors(void **state) {
     }
 }
 
-/** Camera, image and sky are replaced by a later call. @param state The fixture. */
+/** Camera, image and sky are replaced by a later call. */
 static void test_later_calls_replace(void **state) {
     Scene *scene =
         load_valid_scene(*state, "camera { fov = 20 } image { width = 5 } sky { color = 1 }\n"
@@ -163,7 +163,7 @@ static void test_later_calls_replace(void **state) {
     scene_destroy(scene);
 }
 
-/** A scene knows the time. @param state The fixture. */
+/** A scene knows the time. */
 static void test_time(void **state) {
     const Fixture *fixture = *state;
     write_text(fixture->path, "camera {} sphere { center = {t, 0, 0} }");
@@ -175,7 +175,7 @@ static void test_time(void **state) {
     scene_destroy(scene);
 }
 
-/** Fields may be inherited, as Lua does it. @param state The fixture. */
+/** Fields may be inherited, as Lua does it. */
 static void test_inherited_fields(void **state) {
     Scene *scene = load_valid_scene(*state, "camera {}\n"
                                             "local big = { __index = { radius = 7 } }\n"
@@ -185,7 +185,7 @@ static void test_inherited_fields(void **state) {
     scene_destroy(scene);
 }
 
-/** Random numbers and the order of tables are the same on every run. @param state The fixture. */
+/** Random numbers and the order of tables are the same on every run. */
 static void test_determinism(void **state) {
     Scene *scene = load_valid_scene(
         *state, "camera {}\n"
@@ -206,7 +206,7 @@ static void test_determinism(void **state) {
     scene_destroy(scene);
 }
 
-/** Marks before the text do not move its lines. @param state The fixture. */
+/** Marks before the text do not move its lines. */
 static void test_marks_before_the_text(void **state) {
     const char *text = "\xEF\xBB\xBF#!/usr/bin/env dioptre\ncamera {}\n";
     scene_destroy(load_valid_scene(*state, text));
@@ -215,7 +215,7 @@ static void test_marks_before_the_text(void **state) {
 
 // --- what is said of wrong scenes ----------------------------------------------------------------
 
-/** Words and fields that are not there. @param state The fixture. */
+/** Words and fields that are not there. */
 static void test_unknown_words(void **state) {
     static const InvalidScene cases[] = {
         {"camera {}\n\nspere { radius = 1 }", 3, "unknown word `spere`; did you mean `sphere`?"},
@@ -240,7 +240,7 @@ static void test_unknown_words(void **state) {
     assert_all_refused(state, cases, COUNT(cases));
 }
 
-/** Values of a wrong type. @param state The fixture. */
+/** Values of a wrong type. */
 static void test_wrong_types(void **state) {
     static const InvalidScene cases[] = {
         {"sphere { radius = 'x' }", 1, "radius must be a number, not a string"},
@@ -280,8 +280,7 @@ static void test_wrong_types(void **state) {
     assert_all_refused(state, cases, COUNT(cases));
 }
 
-/** Values that are out of range, or no numbers, or do not fit together. @param state The fixture.
- */
+/** Values that are out of range, or no numbers, or do not fit together. */
 static void test_wrong_values(void **state) {
     static const InvalidScene cases[] = {
         {"sphere { radius = 0 }", 1, "radius must be above 0"},
@@ -314,7 +313,7 @@ static void test_wrong_values(void **state) {
     assert_all_refused(state, cases, COUNT(cases));
 }
 
-/** Errors of Lua itself, at the innermost line of the scene. @param state The fixture. */
+/** Errors of Lua itself, at the innermost line of the scene. */
 static void test_lua_errors(void **state) {
     static const InvalidScene cases[] = {
         {"camera {\n  fov = = 2\n}", 2, "unexpected symbol near '='"},

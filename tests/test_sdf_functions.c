@@ -24,31 +24,30 @@ typedef struct SdfCase {
     Sdf *field;            /**< The field; owned. */
     SdfInstruction *codes; /**< Its tape; owned. */
     double size;           /**< How far from zero it is tried. */
-    /** @return The true distance of a point outside; NULL: it is a bound. @param p The point. */
+    /** @return The true distance of a point outside; NULL: it is a bound. */
     double (*truth)(Vec3d p);
 } SdfCase;
 
 /* --- truths, by formulas of their own ----------------------------------------------------------
  */
 
-/** @return Distance of a point to a box by its nearest point. @param p The point. @param low Lowest
- *  corner. @param high Highest. */
+/** @return Distance of a point to a box by its nearest point. */
 static double box_distance(Vec3d p, Vec3d low, Vec3d high) {
     Vec3d nearest = vec3d_min(vec3d_max(p, low), high);
     return vec3d_length(vec3d_subtract(p, nearest));
 }
 
-/** @return See #SdfCase.truth: a ball of radius 1. @param p See there. */
+/** @return See #SdfCase.truth: a ball of radius 1. */
 static double sphere_distance(Vec3d p) {
     return fmax(vec3d_length(p) - 1, 0);
 }
 
-/** @return See #SdfCase.truth: a box of 1, 2, 3. @param p See there. */
+/** @return See #SdfCase.truth: a box of 1, 2, 3. */
 static double box_sdf_distance(Vec3d p) {
     return box_distance(p, (Vec3d){-0.5, -1, -1.5}, (Vec3d){0.5, 1, 1.5});
 }
 
-/** @return See #SdfCase.truth: a frame of 1, 2, 3 with bars of 0.25: all 12. @param p See there. */
+/** @return See #SdfCase.truth: a frame of 1, 2, 3 with bars of 0.25: all 12. */
 static double frame_distance(Vec3d p) {
     const double half[3] = {0.5, 1, 1.5}, thick = 0.25;
     double minimum = HUGE_VAL;
@@ -66,15 +65,14 @@ static double frame_distance(Vec3d p) {
     return minimum;
 }
 
-/** @return See #SdfCase.truth: a ring of 1 and 0.25, by its nearest middle. @param p See there. */
+/** @return See #SdfCase.truth: a ring of 1 and 0.25, by its nearest middle. */
 static double torus_distance(Vec3d p) {
     double axis = hypot(p.x, p.z), turn = atan2(p.z, p.x);
     Vec3d middle = {cos(turn), 0, sin(turn)};
     return fmax(vec3d_length(vec3d_subtract(p, axis > 0 ? middle : (Vec3d){1, 0, 0})) - 0.25, 0);
 }
 
-/** @return See #SdfCase.truth: small boxes beside the middle of cells of 1, all 125 around.
- *  @param p See there. */
+/** @return See #SdfCase.truth: small boxes beside the middle of cells of 1, all 125 around. */
 static double box_grid_distance(Vec3d p) {
     double minimum = HUGE_VAL;
     for (int n = 0; n < 125; n++) {
@@ -86,9 +84,7 @@ static double box_grid_distance(Vec3d p) {
     return minimum;
 }
 
-/** @return See #SdfCase.truth: balls of 0.75 in cells of 1, five by four by one. @param p See
- * there.
- */
+/** @return See #SdfCase.truth: balls of 0.75 in cells of 1, five by four by one. */
 static double ball_grid_distance(Vec3d p) {
     double minimum = HUGE_VAL;
     for (int n = 0; n < 20; n++) {
@@ -123,8 +119,11 @@ static SdfCase subjects[16];
 /** How many. */
 static size_t subject_count;
 
-/** Adds a field. @param name Its name. @param field It; taken. @param size How far it is tried.
- *  @param truth Its truth, or NULL. */
+/**
+ * Adds a field.
+ * @param size  How far it is tried.
+ * @param truth  Its truth, or NULL.
+ */
 static void add_sdf_case(const char *name, Sdf *field, double size, double (*truth)(Vec3d)) {
     SdfCase *subject = &subjects[subject_count++];
     *subject = (SdfCase){name, field, calloc((size_t)field->node_count, sizeof(SdfInstruction)),
@@ -133,7 +132,7 @@ static void add_sdf_case(const char *name, Sdf *field, double size, double (*tru
     assert_int_equal(field->is_exact, truth != NULL);
 }
 
-/** Makes the fields. @param state Not used. @return 0 */
+/** Makes the fields. @return 0 */
 static int create_sdfs(void **state) {
     (void)state;
     const double *box = numbers.box;
@@ -169,7 +168,7 @@ static int create_sdfs(void **state) {
     return 0;
 }
 
-/** Gives the fields back. @param state Not used. @return 0 */
+/** Gives the fields back. @return 0 */
 static int destroy_sdfs(void **state) {
     (void)state;
     for (size_t i = 0; i < subject_count; i++) {
@@ -179,13 +178,12 @@ static int destroy_sdfs(void **state) {
     return 0;
 }
 
-/** @return What a field says. @param subject The field. @param p Where. */
+/** @return What a field says. */
 static double sdf_value(const SdfCase *subject, Vec3d p) {
     return sdf_distance(subject->codes, subject->field->node_count, vec3_of(p), 1);
 }
 
-/** @return A point in a cube around zero. @param[in,out] seed A generator. @param size Half its
- *  edge. */
+/** @return A point in a cube around zero. */
 static Vec3d random_point(uint64_t *seed, double size) {
     return (Vec3d){size * (2 * random_unit_double(seed) - 1),
                    size * (2 * random_unit_double(seed) - 1),
@@ -195,13 +193,12 @@ static Vec3d random_point(uint64_t *seed, double size) {
 /* --- the promises -------------------------------------------------------------------------------
  */
 
-/** @return Whether a field is a Mandelbulb. @param subject The field. */
+/** @return Whether a field is a Mandelbulb. */
 static bool is_mandelbulb(const SdfCase *subject) {
     return subject->field->nodes[0].op == SDF_MANDELBULB;
 }
 
-/** @return The share of points from which a step that the field allows leads into its solid.
- *  @param subject The field. */
+/** @return The share of points from which a step that the field allows leads into its solid. */
 static double overstep_fraction(const SdfCase *subject) {
     uint64_t seed = 1;
     int tried = 0, wrong = 0;
@@ -218,7 +215,7 @@ static double overstep_fraction(const SdfCase *subject) {
 }
 
 /** The Mandelbulb is a bound up to four iterations; then it grows hairs that its estimate does not
- *  see in one of ten thousand places. @param state Not used. */
+ *  see in one of ten thousand places. */
 static void test_mandelbulb(void **state) {
     (void)state;
     for (size_t i = 0; i < subject_count; i++) {
@@ -231,7 +228,7 @@ static void test_mandelbulb(void **state) {
     }
 }
 
-/** |f(p) - f(q)| <= |p - q|, near and far, on the surface and off it. @param state Not used. */
+/** |f(p) - f(q)| <= |p - q|, near and far, on the surface and off it. */
 static void test_lipschitz(void **state) {
     (void)state;
     for (size_t i = 0; i < subject_count; i++) {
@@ -255,7 +252,7 @@ static void test_lipschitz(void **state) {
     }
 }
 
-/** Exact fields say the distance; bounds are not asked. @param state Not used. */
+/** Exact fields say the distance; bounds are not asked. */
 static void test_distances(void **state) {
     (void)state;
     for (size_t i = 0; i < subject_count; i++) {
@@ -270,8 +267,7 @@ static void test_distances(void **state) {
     }
 }
 
-/** No solid reaches out of its box: outside, the field is at least the distance over its slack.
- *  @param state Not used. */
+/** No solid reaches out of its box: outside, the field is at least the distance over its slack. */
 static void test_boxes(void **state) {
     (void)state;
     for (size_t i = 0; i < subject_count; i++) {
@@ -287,7 +283,7 @@ static void test_boxes(void **state) {
     }
 }
 
-/** Derivatives that are carried along agree with differences. @param state Not used. */
+/** Derivatives that are carried along agree with differences. */
 static void test_gradients(void **state) {
     (void)state;
     const double h = 1e-6;
@@ -318,7 +314,7 @@ static void test_gradients(void **state) {
 /* --- limits --------------------------------------------------------------------------------------
  */
 
-/** Ten thousand fields are refused; a long chain of unions is not deep. @param state Not used. */
+/** Ten thousand fields are refused; a long chain of unions is not deep. */
 static void test_limits(void **state) {
     (void)state;
     Error error = {0};
@@ -345,7 +341,7 @@ static void test_limits(void **state) {
     free(out);
 }
 
-/** Copies may overlap their neighbours, but no more. @param state Not used. */
+/** Copies may overlap their neighbours, but no more. */
 static void test_overlap(void **state) {
     (void)state;
     Error error = {0};

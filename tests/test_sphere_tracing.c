@@ -27,8 +27,10 @@ typedef struct TwinComparison {
     double max_normal_error;   /**< Worst error of the normal, radians. */
 } TwinComparison;
 
-/** @return A tracer with the surface of a field; the field is given back. @param engine The engine.
- *  @param field The field. @param row How near, and how many steps. */
+/**
+ * @return A tracer with the surface of a field; the field is given back.
+ * @param row  How near, and how many steps.
+ */
 static Tracer *marched(const Engine *engine, Sdf *field, SdfShapeParameters row) {
     Scene *scene = create_empty_scene();
     row.field = field;
@@ -39,28 +41,25 @@ static Tracer *marched(const Engine *engine, Sdf *field, SdfShapeParameters row)
     return tracer;
 }
 
-/** @return a . b @param a Three numbers. @param b Three numbers. */
+/** @return a . b */
 static double dot(const Quadruple *a, const Quadruple *b) {
     return (double)(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
 }
 
-/** @return The length of a - b. @param a Three numbers. @param b Three numbers. */
+/** @return The length of a - b. */
 static double distance_between(const Quadruple *a, const Quadruple *b) {
     Quadruple difference[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
     return sqrt(dot(difference, difference));
 }
 
-/** @return Sine of the angle at which a ray meets a surface. @param ray The ray. @param hit Where.
- */
+/** @return Sine of the angle at which a ray meets a surface. */
 static double sine(const RayQueryQuad *ray, const RayResult *hit) {
     return fabs(dot(ray->direction, hit->normal)) / sqrt(dot(ray->direction, ray->direction));
 }
 
 /**
  * @return Whether a ray goes into a shape for so long that nobody can say it just touches it.
- * @param tracers  The shape.
- * @param ray    The ray.
- * @param hit    Where it meets it first.
+ * @param hit  Where it meets it first.
  */
 static bool passes_clearly_through(const TwinTracers *tracers, const RayQueryQuad *ray,
                                    const RayResult *hit) {
@@ -78,9 +77,7 @@ static bool passes_clearly_through(const TwinTracers *tracers, const RayQueryQua
 /**
  * @return Whether a ray would meet a shape if it were two tolerances nearer: who goes by within the
  *         tolerance counts as a hit.
- * @param tracers  The shape.
- * @param ray    The ray.
- * @param hit    Where it meets the field.
+ * @param hit  Where it meets the field.
  */
 static bool nearly_touches(const TwinTracers *tracers, const RayQueryQuad *ray,
                            const RayResult *hit) {
@@ -93,8 +90,7 @@ static bool nearly_touches(const TwinTracers *tracers, const RayQueryQuad *ray,
     return answer.shape >= 0;
 }
 
-/** @return A ray from around towards the middle. @param tracers What it aims at. @param[in,out]
- * seed A generator. */
+/** @return A ray from around towards the middle. */
 static RayQueryQuad random_ray(const TwinTracers *tracers, uint64_t *seed) {
     RayQueryQuad ray;
     for (int i = 0; i < 3; i++) {
@@ -106,15 +102,14 @@ static RayQueryQuad random_ray(const TwinTracers *tracers, uint64_t *seed) {
 }
 
 /** @return Whether a ray starts within the tolerance of a surface: then it is on it, and leaves it.
- *  @param ray The ray. @param truth What it meets. */
+ */
 static bool starts_on_surface(const RayQueryQuad *ray, const RayResult *truth) {
     double length = sqrt(dot(ray->direction, ray->direction));
     return truth->shape >= 0 &&
            (double)truth->distance * length * sine(ray, truth) <= usual.tolerance;
 }
 
-/** Compares one answer with its twin. @param tracers What was asked. @param ray The ray.
- *  @param it What marching found. @param truth What there is. @param[in,out] result The errors. */
+/** Compares one answer with its twin. */
 static void compare_one(const TwinTracers *tracers, const RayQueryQuad *ray, const RayResult *it,
                         const RayResult *truth, TwinComparison *result) {
     assert_int_equal(it->shape >= 0, it->occluded);
@@ -138,7 +133,7 @@ static void compare_one(const TwinTracers *tracers, const RayQueryQuad *ray, con
     }
 }
 
-/** @return What comparing twins came to; both are given back. @param tracers The twins. */
+/** @return What comparing twins came to; both are given back. */
 static TwinComparison compare(const TwinTracers *tracers) {
     const char *message = getenv("SDF_RAYS");
     long count = ray_count_for(tracers->engine, message ? atol(message) : RAYS);
@@ -164,7 +159,7 @@ static TwinComparison compare(const TwinTracers *tracers) {
     return result;
 }
 
-/** Asserts that a field is as good as its twin. @param tracers The twins. */
+/** Asserts that a field is as good as its twin. */
 static void assert_alike(const TwinTracers *tracers) {
     TwinComparison result = compare(tracers);
     assert_at_most(result.tunnelled_count, 0, "%s in %s, tunnelled", tracers->name,
@@ -176,7 +171,7 @@ static void assert_alike(const TwinTracers *tracers) {
                    tracers->engine->name);
 }
 
-/** A ball. @param engine The engine. */
+/** A ball. */
 static void sphere_twins(const Engine *engine) {
     Scene *scene = create_empty_scene();
     add_shape(scene, "sphere", &(SphereParameters){{0, 0, 0}, 1});
@@ -185,7 +180,7 @@ static void sphere_twins(const Engine *engine) {
     scene_destroy(scene);
 }
 
-/** A box. @param engine The engine. */
+/** A box. */
 static void box_twins(const Engine *engine) {
     Scene *scene = create_empty_scene();
     add_shape(scene, "box", &(BoxParameters){{-0.5, -1, -1.5}, {0.5, 1, 1.5}});
@@ -195,7 +190,7 @@ static void box_twins(const Engine *engine) {
     scene_destroy(scene);
 }
 
-/** The top of a box that is as large as the ground. @param engine The engine. */
+/** The top of a box that is as large as the ground. */
 static void ground_twins(const Engine *engine) {
     Scene *scene = create_empty_scene();
     add_shape(scene, "box", &(BoxParameters){{-64, -8, -64}, {64, 0, 64}});
@@ -207,7 +202,7 @@ static void ground_twins(const Engine *engine) {
 }
 
 /** Repeated balls beside the middle of their cells, which the shortcut of asking the own cell only
- *  gets wrong, and the same as a list. @param engine The engine. */
+ *  gets wrong, and the same as a list. */
 static void repeated_twins(const Engine *engine) {
     Scene *scene = create_empty_scene();
     for (int n = 0; n < 7 * 7 * 7; n++) {
@@ -222,7 +217,7 @@ static void repeated_twins(const Engine *engine) {
 }
 
 /** Repeated balls that stand leaning in their cells, and all of them leaning: what is done to the
- *  ray once, before its first step. @param engine The engine. */
+ *  ray once, before its first step. */
 static void leaning_twins(const Engine *engine) {
     Error error = {0};
     Scene *scene = create_empty_scene();
@@ -246,8 +241,7 @@ static void leaning_twins(const Engine *engine) {
     scene_destroy(scene);
 }
 
-/** Balls that reach into the cells around, so that all neighbours are asked. @param engine The
- *  engine. */
+/** Balls that reach into the cells around, so that all neighbours are asked. */
 static void reaching_twins(const Engine *engine) {
     Scene *scene = create_empty_scene();
     for (int n = 0; n < 5 * 5 * 5; n++) {
@@ -261,7 +255,7 @@ static void reaching_twins(const Engine *engine) {
     scene_destroy(scene);
 }
 
-/** Twins in every engine. @param state Not used. */
+/** Twins in every engine. */
 static void test_twins(void **state) {
     (void)state;
     for_every_engine(sphere_twins);
@@ -285,8 +279,7 @@ static Sdf *edged_solid(void) {
     return transform_sdf(join_sdfs(SDF_COMBINE_DIFFERENCE, both, ring, 0), leaning);
 }
 
-/** Rays that leave a ball outwards meet nothing, and inwards the other side, from inside.
- *  @param engine The engine. */
+/** Rays that leave a ball outwards meet nothing, and inwards the other side, from inside. */
 static void check_offset_rays(const Engine *engine) {
     Tracer *tracer = marched(engine, make_sdf("sphere", NULL), usual);
     uint64_t seed = 1;
@@ -322,7 +315,7 @@ static void check_offset_rays(const Engine *engine) {
     engine->destroy(tracer);
 }
 
-/** No acne, in any engine. @param state Not used. */
+/** No acne, in any engine. */
 static void test_offset_rays(void **state) {
     (void)state;
     for_every_engine(check_offset_rays);
@@ -331,7 +324,7 @@ static void test_offset_rays(void **state) {
 /* --- the same bits ------------------------------------------------------------------------------
  */
 
-/** Wide engines give the bits of narrow ones. @param engine The engine. */
+/** Wide engines give the bits of narrow ones. */
 static void check_lane_widths(const Engine *engine) {
     Error error = {0};
     const Engine *narrow = engine_find(engine->mantissa_bits == 24   ? "f32x1"
@@ -380,8 +373,7 @@ static void test_same_bits(void **state) {
  */
 
 /** @return A tracer with the surface of a field, seen from zero in a picture of 800 pixels; the
- *          field is given back. @param engine The engine. @param field The field.
- *  @param footprint See #TraceSettings.footprint. */
+ *  field is given back. */
 static Tracer *tracer_with_footprint(const Engine *engine, Sdf *field, double footprint) {
     Error error = {0};
     Scene *scene = create_empty_scene();
@@ -397,8 +389,7 @@ static Tracer *tracer_with_footprint(const Engine *engine, Sdf *field, double fo
 }
 
 /** Balls without end: every ray meets one, if what is smaller than the footprint is left out; else
- *  some go on for ever. What is met is no farther from a ball than the footprint. @param engine The
- *  engine. */
+ *  some go on for ever. What is met is no farther from a ball than the footprint. */
 static void check_footprint_culling(const Engine *engine) {
     const double share = 4, fov = ((const SceneCamera *)scene_camera_keyword.defaults)->fov;
     const double spread = share * tan(0.5 * fov * M_PI / 180) / 800;
@@ -443,8 +434,7 @@ static void test_footprint(void **state) {
 /* --- running out of steps ------------------------------------------------------------------------
  */
 
-/** Rays that run out of steps are counted, and are no hits unless they came near. @param engine The
- *  engine. */
+/** Rays that run out of steps are counted, and are no hits unless they came near. */
 static void check_step_limit(const Engine *engine) {
     SdfShapeParameters hasty = {.tolerance = usual.tolerance, .max_steps = 3};
     Tracer *tracer = marched(engine, make_sdf("sphere", NULL), hasty);

@@ -24,8 +24,11 @@ typedef struct DiskParameters {
     double radius; /**< Its radius. */
 } DiskParameters;
 
-/** Adds a picture to a scene. @param scene The scene. @param texture The picture; the scene's from
- *  now on. @return What materials and the sky call it. */
+/**
+ * Adds a picture to a scene.
+ * @param texture  The picture; the scene's from now on.
+ * @return What materials and the sky call it.
+ */
 static size_t add_texture(Scene *scene, Texture *texture) {
     char name[32];
     size_t index;
@@ -37,8 +40,8 @@ static size_t add_texture(Scene *scene, Texture *texture) {
     return index + 1;
 }
 
-/** Makes the next shapes of a scene show a picture, in full light from everywhere. @param scene The
- *  scene. @param texture The picture; the scene's from now on. */
+/** Makes the next shapes of a scene show a picture, in full light from everywhere. @param texture
+ *  The picture; the scene's from now on. */
 static void use_texture(Scene *scene, Texture *texture) {
     Error error = {0};
     SceneMaterial material = *(const SceneMaterial *)scene_material_keyword.defaults;
@@ -47,8 +50,7 @@ static void use_texture(Scene *scene, Texture *texture) {
     assert_true(scene_add_material(scene, &material, &error));
 }
 
-/** @return A picture of 8-bit steps. @param width Texels. @param height Texels. @param steps They.
- */
+/** @return A picture of 8-bit steps. */
 static Texture *encoded_texture(int width, int height, const uint8_t *steps) {
     Texture *texture = texture_create(width, height, false, NULL);
     assert_non_null(texture);
@@ -56,7 +58,7 @@ static Texture *encoded_texture(int width, int height, const uint8_t *steps) {
     return texture;
 }
 
-/** @return A picture of light. @param width Texels. @param height Texels. @param light It. */
+/** @return A picture of light. */
 static Texture *linear_texture(int width, int height, const float *light) {
     Texture *texture = texture_create(width, height, true, NULL);
     assert_non_null(texture);
@@ -70,8 +72,10 @@ static Texture *four_texels(void) {
     return linear_texture(2, 2, light);
 }
 
-/** @return What an engine answers to one ray. @param engine The engine. @param scene The scene.
- *  @param from Where the ray starts. @param to Where it goes. */
+/**
+ * @return What an engine answers to one ray.
+ * @param from  Where the ray starts.
+ */
 static RayResult query_ray(const Engine *engine, const Scene *scene, Vec3d from, Vec3d to) {
     RayQueryQuad query = ray_towards(from, to);
     RayResult answer;
@@ -81,9 +85,12 @@ static RayResult query_ray(const Engine *engine, const Scene *scene, Vec3d from,
     return answer;
 }
 
-/** Checks where on a picture a ray meets a scene of one shape. @param engine The engine.
- *  @param scene The scene. @param from Where the ray starts. @param to Where it goes.
- *  @param u Where it must be. @param v Where it must be. */
+/**
+ * Checks where on a picture a ray meets a scene of one shape.
+ * @param from  Where the ray starts.
+ * @param u  Where it must be.
+ * @param v  Where it must be.
+ */
 static void assert_uv(const Engine *engine, const Scene *scene, Vec3d from, Vec3d to, double u,
                       double v) {
     /** Roundings of the point, of the shape's own numbers and of the angle. */
@@ -105,8 +112,7 @@ typedef struct UvCase {
     double v;   /**< Where on the picture it must be. */
 } UvCase;
 
-/** Checks places on one shape. @param engine The engine. @param name The shape's keyword.
- *  @param parameters Its parameters. @param cases The places. @param count How many. */
+/** Checks places on one shape. */
 static void check_uvs(const Engine *engine, const char *name, const void *parameters,
                       const UvCase *cases, size_t count) {
     Scene *scene = create_empty_scene();
@@ -123,8 +129,7 @@ static void check_uvs(const Engine *engine, const char *name, const void *parame
 
 // --- places on shapes ----------------------------------------------------------------------------
 
-/** A sphere is a globe: Greenwich in front, east to the right, north up. @param engine The engine.
- */
+/** A sphere is a globe: Greenwich in front, east to the right, north up. */
 static void check_sphere(const Engine *engine) {
     const SphereParameters sphere = {.radius = 1};
     const Vec3d zero = {0, 0, 0};
@@ -135,7 +140,7 @@ static void check_sphere(const Engine *engine) {
     check_uvs(engine, "sphere", &sphere, cases, COUNT(cases));
 }
 
-/** Every other shape has its picture where the reference says. @param engine The engine. */
+/** Every other shape has its picture where the reference says. */
 static void check_flat_shapes(const Engine *engine) {
     const QuadParameters quad = {{1, 2, 0}, {2, 0, 0}, {1, 4, 0}};
     const UvCase on_quad[] = {{{1.5, 3, 1}, {1.5, 3, 0}, 0.125, 0.25},
@@ -155,7 +160,7 @@ static void check_flat_shapes(const Engine *engine) {
     check_uvs(engine, "plane", &wall, on_wall, COUNT(on_wall));
 }
 
-/** Each face of a box shows all of the picture, upright from outside. @param engine The engine. */
+/** Each face of a box shows all of the picture, upright from outside. */
 static void check_box(const Engine *engine) {
     const BoxParameters box = {{0, 0, 0}, {2, 4, 8}};
     const UvCase cases[] = {
@@ -167,7 +172,7 @@ static void check_box(const Engine *engine) {
     check_uvs(engine, "box", &box, cases, COUNT(cases));
 }
 
-/** A cylinder has its picture around it, and one on each end. @param engine The engine. */
+/** A cylinder has its picture around it, and one on each end. */
 static void check_cylinder(const Engine *engine) {
     const CylinderParameters cylinder = {{0, 1, 0}, {0, 5, 0}, 2, true};
     const UvCase cases[] = {
@@ -179,7 +184,7 @@ static void check_cylinder(const Engine *engine) {
     check_uvs(engine, "cylinder", &cylinder, cases, COUNT(cases));
 }
 
-/** A triangle has the places of its corners. @param engine The engine. */
+/** A triangle has the places of its corners. */
 static void check_triangle(const Engine *engine) {
     const TriangleParameters triangle = {.corners = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}},
                                          .uvs = {{0, 1}, {2, 1}, {0, -3}}};
@@ -189,7 +194,7 @@ static void check_triangle(const Engine *engine) {
     check_uvs(engine, "triangle", &triangle, cases, COUNT(cases));
 }
 
-/** A mesh has the places of its file, whichever triangle is met. @param engine The engine. */
+/** A mesh has the places of its file, whichever triangle is met. */
 static void check_mesh(const Engine *engine) {
     const Vec3d positions[] = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
     const MeshTriangle triangles[] = {{{0, 1, 2}}, {{0, 2, 3}}};
@@ -220,7 +225,7 @@ static void check_mesh(const Engine *engine) {
     }
 }
 
-/** A shape that is turned and moved takes its picture with it. @param engine The engine. */
+/** A shape that is turned and moved takes its picture with it. */
 static void check_transformed(const Engine *engine) {
     const SphereParameters sphere = {.radius = 1};
     Scene *scene = create_empty_scene();
@@ -240,7 +245,7 @@ static void check_transformed(const Engine *engine) {
     scene_destroy(scene);
 }
 
-/** All shapes have their pictures where the reference says. @param state Not used. */
+/** All shapes have their pictures where the reference says. */
 static void test_uvs(void **state) {
     (void)state;
     for_every_engine(check_sphere);
@@ -254,8 +259,11 @@ static void test_uvs(void **state) {
 
 // --- how exact they are --------------------------------------------------------------------------
 
-/** A ray from a direction to the middle of a sphere. @param state A generator. @param kind 0: from
- *  anywhere; 1: near a pole; 2: near the seam. @return The ray; its start is exact in float. */
+/**
+ * A ray from a direction to the middle of a sphere.
+ * @param kind  0: from anywhere; 1: near a pole; 2: near the seam.
+ * @return The ray; its start is exact in float.
+ */
 static RayQueryQuad ray_to_middle(uint64_t *state, int kind) {
     double across = kind == 1 ? pow(10, -8 * random_unit_double(state)) : 1;
     double x = across * (random_unit_double(state) - 0.5),
@@ -277,8 +285,7 @@ typedef struct UvErrors {
     double vertical;   /**< Upwards. */
 } UvErrors;
 
-/** Measures an answer against the closed form. @param query The ray. @param answer The answer.
- *  @param[in,out] worst The worst so far. */
+/** Measures an answer against the closed form. */
 static void measure_uv_error(const RayQueryQuad *query, const RayResult *answer, UvErrors *worst) {
     long double x = (long double)query->origin[0], y = (long double)query->origin[1];
     long double z = (long double)query->origin[2], across = hypotl(x, z);
@@ -293,8 +300,7 @@ static void measure_uv_error(const RayQueryQuad *query, const RayResult *answer,
     assert_true(answer->uv[1] >= 0 && answer->uv[1] <= 1);
 }
 
-/** Places on a sphere are no number nowhere, and right to a thousandth of a texel. @param engine
- * The engine. */
+/** Places on a sphere are no number nowhere, and right to a thousandth of a texel. */
 static void check_sphere_exactness(const Engine *engine) {
     /** Texels of a map that a place may be off. */
     const double float_bound = 1e-3, double_bound = 1e-12;
@@ -327,7 +333,7 @@ static void check_sphere_exactness(const Engine *engine) {
     scene_destroy(scene);
 }
 
-/** Places on a sphere are exact. @param state Not used. */
+/** Places on a sphere are exact. */
 static void test_sphere_exactness(void **state) {
     (void)state;
     for_every_engine(check_sphere_exactness);
@@ -335,8 +341,7 @@ static void test_sphere_exactness(void **state) {
 
 // --- what pictures show --------------------------------------------------------------------------
 
-/** @return What a picture on a quad shows. @param engine The engine. @param texture The picture;
- *  given back. @param u Where. @param v Where. @param[out] rgb What is seen. */
+/** @return What a picture on a quad shows. */
 static void sample_quad_texture(const Engine *engine, Texture *texture, double u, double v,
                                 double rgb[3]) {
     Scene *scene = create_empty_scene();
@@ -347,8 +352,7 @@ static void sample_quad_texture(const Engine *engine, Texture *texture, double u
     scene_destroy(scene);
 }
 
-/** Checks what four texels show. @param engine The engine. @param u Where. @param v Where.
- *  @param red What must be seen. */
+/** Checks what four texels show. */
 static void assert_red(const Engine *engine, double u, double v, double red) {
     double rgb[3];
     sample_quad_texture(engine, four_texels(), u, v, rgb);
@@ -357,8 +361,7 @@ static void assert_red(const Engine *engine, double u, double v, double red) {
     assert_true(rgb[1] == 0 && rgb[2] == 0);
 }
 
-/** Between texels the light is between theirs; at edges that end it is the last's. @param engine
- * The engine. */
+/** Between texels the light is between theirs; at edges that end it is the last's. */
 static void check_bilinear(const Engine *engine) {
     assert_red(engine, 0.25, 0.75, 1); // The middles of texels: what they are.
     assert_red(engine, 0.75, 0.75, 2);
@@ -372,7 +375,7 @@ static void check_bilinear(const Engine *engine) {
     assert_red(engine, 0.984375, 0.015625, 4);
 }
 
-/** 8-bit steps are decoded by the exact curve, and light stays as it is. @param engine It. */
+/** 8-bit steps are decoded by the exact curve, and light stays as it is. */
 static void check_steps(const Engine *engine) {
     double rgb[3];
     for (int step = 0; step<256; step += engine->mantissa_bits> 64 ? 51 : 1) {
@@ -389,7 +392,7 @@ static void check_steps(const Engine *engine) {
     assert_true(rgb[0] == 1000 && rgb[1] == 0.5 && rgb[2] == (double)1e-6F);
 }
 
-/** A picture that is repeated has no seam: also left of zero, and far away. @param engine It. */
+/** A picture that is repeated has no seam: also left of zero, and far away. */
 static void check_repeated(const Engine *engine) {
     static const double far[] = {0, -1, 5, -1024};
     for (size_t i = 0; i < COUNT(far); i++) {
@@ -412,7 +415,7 @@ static void check_repeated(const Engine *engine) {
     }
 }
 
-/** A material's picture multiplies its colour, and nothing else. @param engine The engine. */
+/** A material's picture multiplies its colour, and nothing else. */
 static void check_multiplied(const Engine *engine) {
     static const float half[] = {0.5F, 0.25F, 0.125F};
     Scene *scene = create_empty_scene();
@@ -432,8 +435,7 @@ static void check_multiplied(const Engine *engine) {
     scene_destroy(scene);
 }
 
-/** Coordinates of any size show something, and no number of theirs is beyond a picture's end.
- *  @param engine The engine. */
+/** Coordinates of any size show something, and no number of theirs is beyond a picture's end. */
 static void check_far_away(const Engine *engine) {
     static const double far[] = {1e6, -1e9, 1e15, -1e15};
     for (size_t i = 0; i < COUNT(far); i++) {
@@ -450,7 +452,7 @@ static void check_far_away(const Engine *engine) {
     }
 }
 
-/** Pictures show what they should. @param state Not used. */
+/** Pictures show what they should. */
 static void test_samples(void **state) {
     (void)state;
     for_every_engine(check_bilinear);
@@ -462,9 +464,12 @@ static void test_samples(void **state) {
 
 // --- the sky -------------------------------------------------------------------------------------
 
-/** @return What is seen of a panorama: eight columns of red light, 0 to 7, and rows of green, 0 to
- * 3 from the top. @param engine The engine. @param direction Which way one looks. @param rotate How
- *  far it is turned, degrees. @param[out] rgb What is seen. */
+/**
+ * @return What is seen of a panorama: eight columns of red light, 0 to 7, and rows of green, 0 to 3
+ *         from the top.
+ * @param direction  Which way one looks.
+ * @param rotate  How far it is turned, degrees.
+ */
 static void sample_panorama(const Engine *engine, Vec3d direction, double rotate, double rgb[3]) {
     float light[4 * 8 * 3] = {0};
     for (int i = 0; i < 4 * 8; i++) {
@@ -485,8 +490,7 @@ static void sample_panorama(const Engine *engine, Vec3d direction, double rotate
     scene_destroy(scene);
 }
 
-/** Checks a direction. @param engine The engine. @param direction Which way. @param rotate Degrees.
- *  @param red What must be seen. @param green What must be seen. */
+/** Checks a direction. */
 static void assert_sky(const Engine *engine, Vec3d direction, double rotate, double red,
                        double green) {
     double rgb[3], bound = 64 * fmax((double)roundoff(engine), 1e-15);
@@ -496,8 +500,7 @@ static void assert_sky(const Engine *engine, Vec3d direction, double rotate, dou
                    green);
 }
 
-/** The middle of a panorama is ahead, its right half to the right, its seam behind. @param engine
- *  The engine. */
+/** The middle of a panorama is ahead, its right half to the right, its seam behind. */
 static void check_sky(const Engine *engine) {
     assert_sky(engine, (Vec3d){0, 0, -1}, 0, 3.5, 1.5);
     assert_sky(engine, (Vec3d){1, 0, 0}, 0, 5.5, 1.5);
@@ -515,7 +518,7 @@ static void check_sky(const Engine *engine) {
     assert_true(rgb[1] == 3 && rgb[0] >= 0 && rgb[0] <= 7);
 }
 
-/** A panorama is where it should be. @param state Not used. */
+/** A panorama is where it should be. */
 static void test_sky(void **state) {
     (void)state;
     for_every_engine(check_sky);
@@ -523,8 +526,7 @@ static void test_sky(void **state) {
 
 // --- all float engines the same ------------------------------------------------------------------
 
-/** Asks random rays about textured shapes. @param engine The engine. @param[out] answers What it
- *  says; #BATCH. */
+/** Asks random rays about textured shapes. */
 static void query_random_rays(const Engine *engine, RayResult *answers) {
     Scene *scene = create_empty_scene();
     uint64_t state = 11;
@@ -548,7 +550,7 @@ static void query_random_rays(const Engine *engine, RayResult *answers) {
     scene_destroy(scene);
 }
 
-/** Lanes make no difference to places, to the bit. @param state Not used. */
+/** Lanes make no difference to places, to the bit. */
 static void test_same_bits(void **state) {
     (void)state;
     static RayResult first[BATCH], other[BATCH];
@@ -569,7 +571,7 @@ static void test_same_bits(void **state) {
 
 // --- textures themselves -------------------------------------------------------------------------
 
-/** What no light can be is put right. @param state Not used. */
+/** What no light can be is put right. */
 static void test_sanitize(void **state) {
     (void)state;
     const float light[] = {NAN, -1, INFINITY, -INFINITY, 1e30F, 0.25F};
@@ -581,7 +583,7 @@ static void test_sanitize(void **state) {
     texture_release(texture);
 }
 
-/** A texture lives as long as anybody holds it. @param state Not used. */
+/** A texture lives as long as anybody holds it. */
 static void test_owners(void **state) {
     (void)state;
     double rgb[3];

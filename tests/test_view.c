@@ -29,14 +29,12 @@
 /** How far a sum of a few times may be off, seconds. */
 static const double TIME_ROUNDING = 1e-12;
 
-/** Fails unless two numbers are equal up to rounding. @param a One. @param b The other. */
+/** Fails unless two numbers are equal up to rounding. */
 static void assert_near(double a, double b) {
     assert_at_most(fabs(a - b), TIME_ROUNDING, "%g should be %g", a, b);
 }
 
-/** @return What the camera is moved by up to a time. @param held_keys The keys. @param time
- * Seconds.
- */
+/** @return What the camera is moved by up to a time. */
 static Movement consume_camera_motion(HeldKeys *held_keys, double time) {
     Movement light, camera;
     held_keys_consume(held_keys, time, &light, &camera);
@@ -44,7 +42,7 @@ static Movement consume_camera_motion(HeldKeys *held_keys, double time) {
     return camera;
 }
 
-/** A tap moves by a 60th of a second, however short it is. @param state Unused. */
+/** A tap moves by a 60th of a second, however short it is. */
 static void test_motion_tap(void **state) {
     (void)state;
     HeldKeys held_keys = {.speed = 1};
@@ -57,7 +55,7 @@ static void test_motion_tap(void **state) {
     assert_false(movement_is_nonzero(consume_camera_motion(&held_keys, 6)));
 }
 
-/** A key moves by the time that it was held, whenever one looks. @param state Unused. */
+/** A key moves by the time that it was held, whenever one looks. */
 static void test_motion_held(void **state) {
     (void)state;
     HeldKeys held_keys = {.speed = 1};
@@ -74,7 +72,7 @@ static void test_motion_held(void **state) {
     assert_near(way, -0.5);
 }
 
-/** Opposite keys cancel; others add up. @param state Unused. */
+/** Opposite keys cancel; others add up. */
 static void test_motion_opposite(void **state) {
     (void)state;
     HeldKeys held_keys = {.speed = 1};
@@ -86,7 +84,7 @@ static void test_motion_opposite(void **state) {
     assert_near(way.forward, 1.1);
 }
 
-/** Shift and Ctrl count from when they are held. @param state Unused. */
+/** Shift and Ctrl count from when they are held. */
 static void test_motion_speed(void **state) {
     (void)state;
     HeldKeys held_keys = {.speed = 1};
@@ -101,7 +99,7 @@ static void test_motion_speed(void **state) {
     assert_near(consume_camera_motion(&held_keys, 5).forward, -HELD_KEYS_MINIMUM_HOLD / 4);
 }
 
-/** Light and camera move each by its own keys. @param state Unused. */
+/** Light and camera move each by its own keys. */
 static void test_motion_two(void **state) {
     (void)state;
     HeldKeys held_keys = {.speed = 1};
@@ -114,13 +112,15 @@ static void test_motion_two(void **state) {
     assert_true(light.up == 0 && light.right == 0 && camera.forward == 0);
 }
 
-/** @return What a key asks for. @param scancode Its place. @param letter Its letter. @param
- * by_letter How the light's keys go. */
+/**
+ * @return What a key asks for.
+ * @param by_letter  How the light's keys go.
+ */
 static Action key(SDL_Scancode scancode, SDL_Keycode letter, bool by_letter) {
     return keymap_action((SDL_Keysym){.scancode = scancode, .sym = letter}, by_letter);
 }
 
-/** The light's keys are places, or letters; never both. @param state Unused. */
+/** The light's keys are places, or letters; never both. */
 static void test_keymap_light(void **state) {
     (void)state;
     /* The keys of an AZERTY keyboard: the same either way. */
@@ -144,7 +144,7 @@ static void test_keymap_light(void **state) {
     assert_int_equal(key(SDL_SCANCODE_S, SDLK_o, false), ACTION_LIGHT_DOWN);
 }
 
-/** The other keys go by what is printed on them. @param state Unused. */
+/** The other keys go by what is printed on them. */
 static void test_keymap_others(void **state) {
     (void)state;
     static const struct {
@@ -176,8 +176,7 @@ static void test_keymap_others(void **state) {
     }
 }
 
-/** @return The keys that the help names for something. @param rows The help. @param count Its rows.
- *  @param text What they do. */
+/** @return The keys that the help names for something. */
 static const char *help_text_keys(const PanelRow *rows, size_t count, const char *text) {
     for (size_t i = 0; i < count; i++) {
         if (strcmp(rows[i].text, text) == 0) {
@@ -188,7 +187,7 @@ static const char *help_text_keys(const PanelRow *rows, size_t count, const char
     return "";
 }
 
-/** The help names the keys as they are printed on a US keyboard, SDL's own. @param state Unused. */
+/** The help names the keys as they are printed on a US keyboard, SDL's own. */
 static void test_keymap_help(void **state) {
     (void)state;
     PanelRow rows[HELP_ROWS_MAXIMUM];
@@ -205,7 +204,7 @@ static void test_keymap_help(void **state) {
     assert_string_equal(help_text_keys(rows, count, "away from you, nearer"), "E  W");
 }
 
-/** A panel fits windows down to 320x240, and is drawn in any. @param state Unused. */
+/** A panel fits windows down to 320x240, and is drawn in any. */
 static void test_panel(void **state) {
     (void)state;
     PanelRow rows[HELP_ROWS_MAXIMUM];
@@ -226,7 +225,7 @@ static void test_panel(void **state) {
     }
 }
 
-/** The help fits windows, with the keyboard where that can be read. @param state Unused. */
+/** The help fits windows, with the keyboard where that can be read. */
 static void test_help_panel(void **state) {
     (void)state;
     static const int sizes[][2] = {{800, 600}, {3840, 2160}, {1280, 500}, {400, 300}, {300, 900}};
@@ -246,7 +245,7 @@ static void test_help_panel(void **state) {
     SDL_FreeSurface(help_panel_draw(false, &(PanelBounds){1, 1, 1}));
 }
 
-/** A key says what it means, in its group's colour, wherever it is. @param state Unused. */
+/** A key says what it means, in its group's colour, wherever it is. */
 static void test_keyboard_words(void **state) {
     (void)state;
     KeyInfo up = keymap_lookup((SDL_Keysym){.scancode = SDL_SCANCODE_W, .sym = SDLK_z}, false);
@@ -260,7 +259,7 @@ static void test_keyboard_words(void **state) {
 }
 
 /** What keys change counts, and nothing else; strategies and lights go around, numbers stop at
- * their ends. @param state Unused. */
+ *  their ends. */
 static void test_settings_override(void **state) {
     (void)state;
     Error error = {0};
@@ -295,7 +294,7 @@ static void test_settings_override(void **state) {
     assert_int_equal(action_shifted(ACTION_RESET_VIEW), ACTION_RESET_VIEW);
 }
 
-/** Median and worst of the waits, and what does not count. @param state Unused. */
+/** Median and worst of the waits, and what does not count. */
 static void test_latency(void **state) {
     (void)state;
     Latency latency = {0};
@@ -315,8 +314,7 @@ static void test_latency(void **state) {
     latency_deinit(&latency);
 }
 
-/** An even number of waits has its median between two; many at once are no harm. @param state
- *  Unused. */
+/** An even number of waits has its median between two; many at once are no harm. */
 static void test_latency_many(void **state) {
     (void)state;
     Latency latency = {0};
@@ -332,21 +330,21 @@ static void test_latency_many(void **state) {
     latency_deinit(&latency);
 }
 
-/** @return Whether there is a file. @param folder Its folder. @param name Its name. */
+/** @return Whether there is a file. */
 static bool file_exists(const char *folder, const char *name) {
     char path[NUMBERED_FILE_PATH_SIZE];
     snprintf(path, sizeof path, "%s/%s", folder, name);
     return access(path, F_OK) == 0;
 }
 
-/** Removes a file of a folder. @param folder The folder. @param name Its name. */
+/** Removes a file of a folder. */
 static void remove_from_folder(const char *folder, const char *name) {
     char path[NUMBERED_FILE_PATH_SIZE];
     snprintf(path, sizeof path, "%s/%s", folder, name);
     assert_int_equal(unlink(path), 0);
 }
 
-/** Snapshots get the next free number, be it taken by a broken link. @param state Unused. */
+/** Snapshots get the next free number, be it taken by a broken link. */
 static void test_snapshot_numbers(void **state) {
     (void)state;
     char folder[] = "/tmp/dioptre-view-XXXXXX";
@@ -370,7 +368,7 @@ static void test_snapshot_numbers(void **state) {
     picture_deinit(&picture);
 }
 
-/** A folder's name that leaves no room for a file's is told. @param state Unused. */
+/** A folder's name that leaves no room for a file's is told. */
 static void test_snapshot_long_path(void **state) {
     (void)state;
     char path[NUMBERED_FILE_PATH_SIZE], folder[NUMBERED_FILE_PATH_SIZE];
@@ -382,7 +380,7 @@ static void test_snapshot_long_path(void **state) {
     assert_non_null(strstr(error.message, "too long"));
 }
 
-/** The bytes of a screen become those of a picture. @param state Unused. */
+/** The bytes of a screen become those of a picture. */
 static void test_snapshot_convert(void **state) {
     (void)state;
     static const uint8_t bgrx[] = {1, 2, 3, 255, 4, 5, 6, 255};
@@ -406,15 +404,14 @@ static Scene *make_scene(void) {
     return scene;
 }
 
-/** Fails unless a point is where it should be. @param point It. @param x Where. @param y Where.
- *  @param z Where. */
+/** Fails unless a point is where it should be. */
 static void assert_point(Vec3d point, double x, double y, double z) {
     assert_near(point.x, x);
     assert_near(point.y, y);
     assert_near(point.z, z);
 }
 
-/** Things move along the axes of the picture, and go home again. @param state Unused. */
+/** Things move along the axes of the picture, and go home again. */
 static void test_view_state(void **state) {
     (void)state;
     Scene *scene = make_scene();
@@ -435,7 +432,7 @@ static void test_view_state(void **state) {
     scene_destroy(scene);
 }
 
-/** What the user has moved stays there at other times, and goes home. @param state Unused. */
+/** What the user has moved stays there at other times, and goes home. */
 static void test_view_state_renew(void **state) {
     (void)state;
     const SceneLight light = {.position = {7, 7, 7}, .intensity = 9};
@@ -470,7 +467,7 @@ static void test_view_state_renew(void **state) {
     }
 }
 
-/** The time is held, runs and steps, by milliseconds. @param state Unused. */
+/** The time is held, runs and steps, by milliseconds. */
 static void test_time_control(void **state) {
     (void)state;
     Timeline timeline = {.time = 1.5};
@@ -492,7 +489,7 @@ static void test_time_control(void **state) {
     assert_true(timeline_time_at(&timeline, 5) == 1e300);
 }
 
-/** Which way is up is told from the camera, unless it looks steeply. @param state Unused. */
+/** Which way is up is told from the camera, unless it looks steeply. */
 static void test_view_state_vertical(void **state) {
     (void)state;
     static const Vec3d rows[][3] = {/* direction, up, vertical */
@@ -513,7 +510,7 @@ static void test_view_state_vertical(void **state) {
     }
 }
 
-/** Camera and lights are printed as the scene language writes them. @param state Unused. */
+/** Camera and lights are printed as the scene language writes them. */
 static void test_scene_text(void **state) {
     (void)state;
     Scene *scene = make_scene();
@@ -531,7 +528,7 @@ static void test_scene_text(void **state) {
               "falloff = \"none\", radius = 0 }");
 }
 
-/** The title says how the drawing stands. @param state Unused. */
+/** The title says how the drawing stands. */
 static void test_title(void **state) {
     (void)state;
     RenderStats report = {.seconds = 0.0123,
@@ -570,7 +567,7 @@ static void test_title(void **state) {
     assert_int_equal(strlen(title), TITLE_SIZE - 1);
 }
 
-/** A window opens on a screen that nobody sees, and closes when asked. @param state Unused. */
+/** A window opens on a screen that nobody sees, and closes when asked. */
 static void test_window(void **state) {
     (void)state;
     setenv("SDL_VIDEODRIVER", "dummy", 1);
@@ -594,10 +591,11 @@ typedef struct LoadRequests {
     int count;     /**< How many. */
 } LoadRequests;
 
-/** Loads what a window asks for. See #ViewLoader. @param context The #LoadRequests. @param request
- * What it is. @param stop Unused. @param[out] render How it is drawn. @param[out] error What is
- * wrong.
- *  @return A scene; none for a file called wrong. */
+/**
+ * Loads what a window asks for. See #ViewLoader.
+ * @param[out] render  How it is drawn.
+ * @return A scene; none for a file called wrong.
+ */
 static Scene *load_requested(void *context, const ViewRequest *request, const atomic_bool *stop,
                              RenderSettings *render, Error *error) {
     (void)stop;
@@ -613,8 +611,7 @@ static Scene *load_requested(void *context, const ViewRequest *request, const at
     return scene;
 }
 
-/** Drops two files on the window, then closes it, as a thread. @param context Unused.
- *  @return NULL */
+/** Drops two files on the window, then closes it, as a thread. @return NULL */
 static void *drop_two_files(void *context) {
     (void)context;
     static const char *const files[] = {"other.lua", "wrong.lua"};
@@ -629,8 +626,7 @@ static void *drop_two_files(void *context) {
     return NULL;
 }
 
-/** A scene that is dropped on the window is shown; one with a mistake leaves that before.
- *  @param state Unused. */
+/** A scene that is dropped on the window is shown; one with a mistake leaves that before. */
 static void test_drop(void **state) {
     (void)state;
     setenv("SDL_VIDEODRIVER", "dummy", 1);

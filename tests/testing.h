@@ -28,7 +28,7 @@
         }                                                                                          \
     } while (0)
 
-/** @return A number, uniform in 0 to 1. @param[in,out] state A generator (splitmix64). */
+/** @return A number, uniform in 0 to 1. */
 static inline double random_unit_double(uint64_t *state) {
     uint64_t z = *state += 0x9E3779B97F4A7C15u;
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
@@ -37,19 +37,18 @@ static inline double random_unit_double(uint64_t *state) {
 }
 
 /** @return A number rounded to float. Kept in memory: gcc 12 leaves out both conversions where it
- * makes vectors of them (-O3 with -fno-trapping-math). @param x It. */
+ *  makes vectors of them (-O3 with -fno-trapping-math). */
 static inline double round_to_float(double x) {
     volatile float rounded = (float)x;
     return (double)rounded;
 }
 
-/** @return A number, uniform in a range and exact in float. @param[in,out] state A generator.
- *  @param low Lowest. @param high Highest. */
+/** @return A number, uniform in a range and exact in float. */
 static inline double random_float(uint64_t *state, double low, double high) {
     return round_to_float(low + (high - low) * random_unit_double(state));
 }
 
-/** @return Half an ulp of 1 of an engine's number type. @param engine The engine. */
+/** @return Half an ulp of 1 of an engine's number type. */
 static inline Quadruple roundoff(const Engine *engine) {
     Quadruple u = 1;
     for (int i = 0; i < engine->mantissa_bits; i++) {
@@ -110,8 +109,7 @@ static inline Scene *create_empty_scene(void) {
     return scene;
 }
 
-/** Adds a shape of the newest material. @param scene The scene. @param name The shape's keyword.
- *  @param parameters As the scene language says it. */
+/** Adds a shape of the newest material. @param parameters As the scene language says it. */
 static inline void add_shape(Scene *scene, const char *name, const void *parameters) {
     const Keyword *const *keywords = engine_list()[0]->shape_keywords;
     size_t kind = 0;
@@ -131,7 +129,7 @@ typedef struct SdfShapeParameters {
     int max_steps;    /**< After so many a ray is given up. */
 } SdfShapeParameters;
 
-/** Adds the surface of a field to a scene. @param scene The scene. @param row It; copied. */
+/** Adds the surface of a field to a scene. */
 static inline void add_sdf(Scene *scene, SdfShapeParameters row) {
     Error error = {0};
     row.field = scene_add_sdf(scene, row.field, &error);
@@ -145,15 +143,7 @@ typedef struct MeshShapeParameters {
     int normals; /**< 0: the file's; 1: smooth; 2: flat. */
 } MeshShapeParameters;
 
-/**
- * Adds a mesh of its own file to a scene.
- * @param scene           The scene.
- * @param positions       The corners.
- * @param position_count  How many.
- * @param triangles       Places of corners.
- * @param triangle_count  How many triangles.
- * @param normals         See #MeshShapeParameters.
- */
+/** Adds a mesh of its own file to a scene. */
 static inline void add_mesh(Scene *scene, const Vec3d *positions, size_t position_count,
                             const MeshTriangle *triangles, size_t triangle_count, int normals) {
     Error error = {0};
@@ -171,8 +161,10 @@ static inline void add_mesh(Scene *scene, const Vec3d *positions, size_t positio
     add_shape(scene, "mesh", &row);
 }
 
-/** @return A tracer as deep as the scene's picture, to be given back. @param engine The engine.
- *  @param scene The scene. @param bvh_use Whether its shapes get a tree. */
+/**
+ * @return A tracer as deep as the scene's picture, to be given back.
+ * @param bvh_use  Whether its shapes get a tree.
+ */
 static inline Tracer *create_tracer_with_bvh(const Engine *engine, const Scene *scene,
                                              BvhMode bvh_use) {
     Error error = {0};
@@ -182,14 +174,12 @@ static inline Tracer *create_tracer_with_bvh(const Engine *engine, const Scene *
     return tracer;
 }
 
-/** @return The same, with a tree where it pays. @param engine The engine. @param scene The scene.
- */
+/** @return The same, with a tree where it pays. */
 static inline Tracer *create_tracer(const Engine *engine, const Scene *scene) {
     return create_tracer_with_bvh(engine, scene, BVH_AUTO);
 }
 
-/** Traces the one pixel of a picture of one. @param engine The engine. @param scene The scene.
- *  @param[out] rgb Its linear light. @return The rays that it took. */
+/** Traces the one pixel of a picture of one. @return The rays that it took. */
 static inline RayCounts trace_pixel(const Engine *engine, const Scene *scene, double rgb[3]) {
     PixelGrid grid = {.columns = 1, .rows = 1, .stride = 1};
     RayCounts counts = {0};
@@ -203,21 +193,20 @@ static inline RayCounts trace_pixel(const Engine *engine, const Scene *scene, do
 /** Rays that are asked at once. */
 enum { BATCH = 4096 };
 
-/** @return How many rays to ask: the reference engine is a hundred times slower. @param engine It.
- *  @param count For the others. */
+/** @return How many rays to ask: the reference engine is a hundred times slower. */
 static inline long ray_count_for(const Engine *engine, long count) {
     return engine->mantissa_bits > 64 ? count / 100 : count;
 }
 
-/** @return A ray from one point towards another. @param from Where. @param to Where to. */
+/** @return A ray from one point towards another. */
 static inline RayQueryQuad ray_towards(Vec3d from, Vec3d to) {
     return (RayQueryQuad){{from.x, from.y, from.z}, {to.x - from.x, to.y - from.y, to.z - from.z}};
 }
 
-/** A test of one engine. @param engine The engine. */
+/** A test of one engine. */
 typedef void (*EngineTest)(const Engine *engine);
 
-/** Runs a test in every engine that this machine can run. @param test The test. */
+/** Runs a test in every engine that this machine can run. */
 static inline void for_every_engine(EngineTest test) {
     for (const Engine *const *engine = engine_list(); *engine; engine++) {
         if (engine_is_supported(*engine)) {

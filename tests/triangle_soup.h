@@ -17,8 +17,7 @@ typedef struct TriangleSoup {
     size_t triangle_count;   /**< How many. */
 } TriangleSoup;
 
-/** @return Triangles that share nothing, their corners still zero; to be given back.
- *  @param count How many. */
+/** @return Triangles that share nothing, their corners still zero; to be given back. */
 static inline TriangleSoup triangle_soup_create(size_t count) {
     TriangleSoup t = {calloc(3 * count, sizeof *t.positions), 3 * count,
                       calloc(count, sizeof *t.triangles), count};
@@ -30,25 +29,24 @@ static inline TriangleSoup triangle_soup_create(size_t count) {
     return t;
 }
 
-/** Gives triangles back. @param t The triangles. */
+/** Gives triangles back. */
 static inline void triangle_soup_destroy(TriangleSoup *t) {
     free(t->positions);
     free(t->triangles);
     *t = (TriangleSoup){0};
 }
 
-/** @return A corner. @param t Triangles. @param i Which triangle. @param corner 0 to 2. */
+/** @return A corner. */
 static inline Vec3d triangle_soup_vertex(const TriangleSoup *t, size_t i, size_t corner) {
     return t->positions[t->triangles[i].index[corner]];
 }
 
-/** Adds triangles as a mesh to a scene. @param scene The scene. @param t The triangles.
- *  @param normals See #MeshShapeParameters. */
+/** Adds triangles as a mesh to a scene. */
 static inline void add_triangle_soup(Scene *scene, const TriangleSoup *t, int normals) {
     add_mesh(scene, t->positions, t->position_count, t->triangles, t->triangle_count, normals);
 }
 
-/** Orders corners, for qsort. @param a One. @param b The other. @return See qsort. */
+/** Orders corners, for qsort. @return See qsort. */
 static inline int compare_vertices(const void *a, const void *b) {
     const Vec3d *p = *(const Vec3d *const *)a, *q = *(const Vec3d *const *)b;
     if (p->x != q->x) {
@@ -89,14 +87,16 @@ static inline void triangle_soup_weld(TriangleSoup *t) {
 #define ICOSPHERE_RADIUS 2
 
 /** @return A point as far from the zero as the mesh is, exact in float, the same for both faces of
- *          an edge. @param a One end. @param b The other. */
+ *  an edge. */
 static inline Vec3d sphere_midpoint(Vec3d a, Vec3d b) {
     Vec3d m = vec3d_scale(vec3d_normalize(vec3d_add(a, b)), ICOSPHERE_RADIUS);
     return (Vec3d){round_to_float(m.x), round_to_float(m.y), round_to_float(m.z)};
 }
 
-/** Adds a face, divided. @param[in,out] t Triangles with room; their number is raised.
- *  @param a A corner. @param b A corner. @param c A corner. @param times How often it is divided.
+/**
+ * Adds a face, divided.
+ * @param[in,out] t  Triangles with room; their number is raised.
+ * @param times  How often it is divided.
  */
 static inline void icosphere_add_face(TriangleSoup *t, Vec3d a, Vec3d b, Vec3d c, int times) {
     if (times == 0) {
@@ -111,7 +111,7 @@ static inline void icosphere_add_face(TriangleSoup *t, Vec3d a, Vec3d b, Vec3d c
     icosphere_add_face(t, ab, bc, ca, times - 1);
 }
 
-/** @return A corner of an icosahedron. @param which 0 to 11. */
+/** @return A corner of an icosahedron. */
 static inline Vec3d icosahedron_vertex(int which) {
     double golden = (which & 1 ? -1 : 1) * (1 + sqrt(5)) / 2, one = which & 2 ? -1 : 1;
     Vec3d v = which < 4   ? (Vec3d){0, one, golden}
@@ -120,10 +120,8 @@ static inline Vec3d icosahedron_vertex(int which) {
     return sphere_midpoint(v, v);
 }
 
-/** Adds a face of an icosahedron where three corners are neighbours, its front outwards.
- *  @param[in,out] t See #icosphere_add_face. @param a A corner. @param b A corner. @param c A
- * corner.
- *  @param times How often it is divided. */
+/** Adds a face of an icosahedron where three corners are neighbours, its front outwards. @param
+ *  times How often it is divided. */
 static inline void icosahedron_add_face(TriangleSoup *t, Vec3d a, Vec3d b, Vec3d c, int times) {
     /** Squared edge of an icosahedron of radius 2, with room: the next distance is 10.5. */
     const double edge = 5;

@@ -42,7 +42,7 @@ struct Film {
     FilmSettings settings; /**< How it is. */
 };
 
-/** @return The kind that a file's ending names, or NULL. @param path The file. */
+/** @return The kind that a file's ending names, or NULL. */
 static const FilmFormat *find_format(const char *path) {
     const char *dot = strrchr(path + output_path_dir_length(path), '.');
     for (const FilmFormat *format = formats; dot && format->extension; format++) {
@@ -57,12 +57,7 @@ bool film_has_extension(const char *path) {
     return find_format(path) != NULL;
 }
 
-/**
- * Says what was to be written.
- * @param[in,out] error  What went wrong.
- * @param path           The film.
- * @return false, always.
- */
+/** Says what was to be written. @return false, always. */
 static bool set_path_error(Error *error, const char *path) {
     return error_prefix(error, "cannot write '%s': ", path);
 }
@@ -110,7 +105,7 @@ typedef struct ArgumentList {
     int count;                                             /**< How many. */
 } ArgumentList;
 
-/** Adds words. @param[in,out] list The command line. @param more The words, ended by NULL. */
+/** Adds words. @param more The words, ended by NULL. */
 static void add_arguments(ArgumentList *list, const char *const *more) {
     while (*more && list->count < PIPE_PROCESS_ARGUMENTS_MAXIMUM - 1) {
         list->arguments[list->count++] = *more++;
@@ -120,8 +115,6 @@ static void add_arguments(ArgumentList *list, const char *const *more) {
 /**
  * Starts the encoder of a film.
  * @param[in,out] film  The film; its file is open.
- * @param format        Its kind.
- * @param[out] error    What is wrong.
  * @return Whether it runs.
  */
 static bool start_encoder(Film *film, const FilmFormat *format, Error *error) {
@@ -141,12 +134,7 @@ static bool start_encoder(Film *film, const FilmFormat *format, Error *error) {
     return pipe_process_start(&film->encoder, film->settings.stop, command_line.arguments, error);
 }
 
-/**
- * Says whether a film can have a shape.
- * @param settings       The shape.
- * @param[out] error  Why not.
- * @return Whether it can.
- */
+/** Says whether a film can have a shape. @return Whether it can. */
 static bool check_size(const FilmSettings *settings, Error *error) {
     int width = settings->width, height = settings->height;
     if (width % 2 != 0 || height % 2 != 0) {
@@ -157,13 +145,8 @@ static bool check_size(const FilmSettings *settings, Error *error) {
     return true;
 }
 
-/**
- * Opens the file of a film.
- * @param[in,out] film  The film.
- * @param path          The file.
- * @param[out] error    What is wrong.
- * @return Whether it is open, and no device: an encoder goes back and forth in its file.
- */
+/** Opens the file of a film. @return Whether it is open, and no device: an encoder goes back and
+ *  forth in its file. */
 static bool open_film_file(Film *film, const char *path, Error *error) {
     if (!atomic_file_open(&film->file, path, ATOMIC_REPLACE, error)) {
         return false;

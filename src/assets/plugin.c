@@ -14,19 +14,13 @@
 /** Where modules are installed, seen from the folder of the program. */
 #define INSTALLED_DIR "../lib/dioptre"
 
-/** @return What is said of how to do without a module; it may be nothing. @param plugin The module.
- */
+/** @return What is said of how to do without a module; it may be nothing. */
 static const char *fallback_hint_text(const Plugin *plugin) {
     return plugin->fallback_hint[0] ? gettext(plugin->fallback_hint) : "";
 }
 
-/**
- * Finds a module's one symbol.
- * @param plugin      The module.
- * @param handle      The same, open.
- * @param[out] error  What is wrong.
- * @return What it shows; NULL when it is not of this program's version.
- */
+/** Finds a module's one symbol. @return What it shows; NULL when it is not of this program's
+ *  version. */
 static const void *find_symbol(const Plugin *plugin, void *handle, Error *error) {
     const int *version = dlsym(handle, plugin->symbol);
     if (!version || *version != plugin->version) {
@@ -38,12 +32,7 @@ static const void *find_symbol(const Plugin *plugin, void *handle, Error *error)
     return version;
 }
 
-/**
- * Says whether a module is in a folder.
- * @param plugin  The module.
- * @param folder  The folder.
- * @return Whether it is, and can be read.
- */
+/** Says whether a module is in a folder. @return Whether it is, and can be read. */
 static bool plugin_exists(const Plugin *plugin, const char *folder) {
     char path[PATH_MAX];
     return snprintf(path, sizeof path, "%s/%s", folder, plugin->file) < PATH_MAX &&

@@ -23,7 +23,6 @@ typedef struct Plugin {
  * Opens a module, which takes some time when it is done first and nothing after. It is looked for
  * beside the program, then in `../lib/dioptre` seen from there. It stays open until the process
  * ends: libraries of its kind are not made to be taken away again.
- * @param plugin      The module.
  * @param[out] error  What is missing and what to install (#STATUS_FAILED).
  * @return What it shows, or NULL.
  */
@@ -31,8 +30,6 @@ const void *plugin_open(const Plugin *plugin, Error *error);
 
 /**
  * Opens a module that lies in one folder.
- * @param plugin      The module.
- * @param folder      The folder.
  * @param[out] error  What is missing and what to install (#STATUS_FAILED).
  * @return What it shows, or NULL.
  */

@@ -19,11 +19,7 @@ enum { NEW_FILE_MODE = 0666 };
 /** Those bits of a file's mode that are permissions to read, write and run it. */
 enum { PERMISSION_BITS = 0777 };
 
-/**
- * Turns the system's error number into an error.
- * @param[out] error  The error.
- * @return false, always.
- */
+/** Turns the system's error number into an error. @return false, always. */
 static bool set_system_error(Error *error) {
     return error_set(error, STATUS_FAILED, "%s", error_errno_text(errno));
 }
@@ -55,7 +51,6 @@ static int create_temporary(AtomicFile *file) {
 /**
  * Opens what the bytes of a file go into that may replace another.
  * @param[in,out] file  The file; its place is set.
- * @param path          The path asked for.
  * @return The open file, or -1 with errno set.
  */
 static int open_for_replace(AtomicFile *file, const char *path) {
@@ -77,7 +72,6 @@ static int open_for_replace(AtomicFile *file, const char *path) {
 /**
  * Opens what the bytes of a file go into that must not be there yet, not even as a broken link.
  * @param[in,out] file  The file; its place is set.
- * @param path          The path asked for.
  * @return The open file, or -1 with errno set.
  */
 static int open_for_create(AtomicFile *file, const char *path) {
@@ -118,12 +112,9 @@ bool atomic_file_check(const char *path, Error *error) {
     return can_be_written || set_system_error(error);
 }
 
-/**
- * Renames the temporary file where nothing may be yet. Not every file system can do so in one
- * step; a second name for the file does the same, as a name is never given twice.
- * @param file  The file, closed.
- * @return 0, or -1 with errno set.
- */
+/** Renames the temporary file where nothing may be yet. Not every file system can do so in one
+ *  step; a second name for the file does the same, as a name is never given twice. @return 0, or -1
+ *  with errno set. */
 static int rename_without_replacing(const AtomicFile *file) {
     int failed =
         renameat2(AT_FDCWD, file->temporary_path, AT_FDCWD, file->target.path, RENAME_NOREPLACE);
@@ -136,11 +127,7 @@ static int rename_without_replacing(const AtomicFile *file) {
     return failed;
 }
 
-/**
- * Moves the temporary file into its place.
- * @param[in,out] file  The file, closed.
- * @return 0, or -1 with errno set.
- */
+/** Moves the temporary file into its place. @return 0, or -1 with errno set. */
 static int rename_to_target(AtomicFile *file) {
     if (file->mode == ATOMIC_NEW) {
         int failed = rename_without_replacing(file);

@@ -33,7 +33,6 @@ typedef struct AtomicFile {
 
 /**
  * Says whether a file could be written, without writing anything.
- * @param path        Its place.
  * @param[out] error  Why not (#STATUS_FAILED); the path is not named in it.
  * @return Whether #atomic_file_open with #ATOMIC_REPLACE would do.
  */
@@ -41,9 +40,8 @@ bool atomic_file_check(const char *path, Error *error);
 
 /**
  * Begins a file.
- * @param[out] file   The file, to be ended with #atomic_file_commit or #atomic_file_discard.
- * @param path        Its place.
- * @param mode        What happens to a file that is there already.
+ * @param[out] file  The file, to be ended with #atomic_file_commit or #atomic_file_discard.
+ * @param mode  What happens to a file that is there already.
  * @param[out] error  Why not (#STATUS_FAILED); the path is not named in it.
  * @return Whether AtomicFile.stream can be written to; otherwise there is nothing to end.
  */

@@ -19,19 +19,15 @@
 #include <string.h>
 #include <unistd.h>
 
-/** What gettext and ngettext come to in libintl.h. @param domain See dcgettext. @param words See
- *  there. @param category See there. @return See there. */
+/** What gettext and ngettext come to in libintl.h. @return See there. */
 char *__real_dcgettext(const char *domain, const char *words, int category);
-/** See #__real_dcgettext. @param domain See dcngettext. @param one See there. @param more See
- * there.
- *  @param count See there. @param category See there. @return See there. */
+/** See #__real_dcgettext. @return See there. */
 char *__real_dcngettext(const char *domain, const char *one, const char *more, unsigned long count,
                         int category);
-/** Takes the place of dcgettext where the program is linked (see the Makefile). @param domain See
- *  there. @param words See there. @param category See there. @return See there. */
+/** Takes the place of dcgettext where the program is linked (see the Makefile). @return See there.
+ */
 char *__wrap_dcgettext(const char *domain, const char *words, int category);
-/** Takes the place of dcngettext. @param domain See there. @param one See there. @param more See
- *  there. @param count See there. @param category See there. @return See there. */
+/** Takes the place of dcngettext. @return See there. */
 char *__wrap_dcngettext(const char *domain, const char *one, const char *more, unsigned long count,
                         int category);
 

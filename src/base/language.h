@@ -30,8 +30,7 @@ void language_toggle(void);
 /** @return Whether it speaks French. */
 bool language_is_french(void);
 
-/** @return How many letters a text has: the columns that it takes on a terminal. @param text UTF-8.
- */
+/** @return How many letters a text has: the columns that it takes on a terminal. */
 int language_text_width(const char *text);
 
 #endif

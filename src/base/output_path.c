@@ -14,12 +14,9 @@
 /** Symbolic links that are followed before a path is held for a ring; as many as the kernel. */
 enum { LINKS_MAXIMUM = 40 };
 
-/**
- * Says whether a path names a file that this process has open, such as `/dev/stdout`. These look
- * like symbolic links to files, but what they point to may be no name at all, as of a pipe.
- * @param path  A path.
- * @return Whether it does.
- */
+/** Says whether a path names a file that this process has open, such as `/dev/stdout`. These look
+ *  like symbolic links to files, but what they point to may be no name at all, as of a pipe.
+ *  @return Whether it does. */
 static bool is_descriptor_path(const char *path) {
     static const char *const prefixes[] = {"/dev/std", "/dev/fd/", "/proc/"};
     for (size_t i = 0; i < sizeof prefixes / sizeof *prefixes; i++) {
@@ -55,11 +52,8 @@ static bool follow_link(char path[PATH_MAX]) {
     return true;
 }
 
-/**
- * Follows all symbolic links at the end of a path.
- * @param[in,out] path  The path.
- * @return false with errno set, when the links go round in a ring.
- */
+/** Follows all symbolic links at the end of a path. @return false with errno set, when the links go
+ *  round in a ring. */
 static bool follow_links(char path[PATH_MAX]) {
     for (int links = 0; links < LINKS_MAXIMUM; links++) {
         if (is_descriptor_path(path) || !follow_link(path)) {

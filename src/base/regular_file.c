@@ -13,9 +13,7 @@
 
 /**
  * Says whether an open file may be read.
- * @param file        The file.
  * @param[out] info  What is known of it.
- * @param[out] error  Why not.
  * @return Whether it is a regular file.
  */
 static bool check_regular(int file, struct stat *info, Error *error) {

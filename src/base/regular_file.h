@@ -11,7 +11,6 @@
 
 /**
  * Opens a file to be read, without waiting.
- * @param path        The file.
  * @param[out] info  What is known of it.
  * @param[out] error  Why not (#STATUS_SCENE), without the path.
  * @return A file descriptor; -1 if it cannot be opened or is no regular file.
@@ -20,9 +19,7 @@ int regular_file_open(const char *path, struct stat *info, Error *error);
 
 /**
  * Says whether a file is still what it was.
- * @param file        The file, open.
- * @param before      What was known of it.
- * @param[out] error  What is wrong (#STATUS_SCENE).
+ * @param before  What was known of it.
  * @return Whether it is.
  */
 bool regular_file_is_unchanged(int file, const struct stat *before, Error *error);

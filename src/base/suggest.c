@@ -13,12 +13,12 @@
 /** Slips of the pen that make one beginning of a word into one of another; by both lengths. */
 typedef size_t EditDistances[SUGGEST_LENGTH_MAXIMUM + 1][SUGGEST_LENGTH_MAXIMUM + 1];
 
-/** @return Whether two letters are the same, large or small. @param a A letter. @param b One. */
+/** @return Whether two letters are the same, large or small. */
 static bool is_same_letter(char a, char b) {
     return tolower((unsigned char)a) == tolower((unsigned char)b);
 }
 
-/** @return The smaller of two numbers. @param a A number. @param b Another. */
+/** @return The smaller of two numbers. */
 static size_t minimum(size_t a, size_t b) {
     return a < b ? a : b;
 }
@@ -27,10 +27,8 @@ static size_t minimum(size_t a, size_t b) {
  * @return The slips between the first i letters of a and the first j of b, at least 1 each, by
  *         those of shorter beginnings.
  * @param distances  Those of shorter beginnings.
- * @param a      A word.
- * @param i      How many letters of it.
- * @param b      Another.
- * @param j      How many letters of that.
+ * @param i  How many letters of it.
+ * @param j  How many letters of that.
  */
 static size_t edit_distance_step(EditDistances distances, const char *a, size_t i, const char *b,
                                  size_t j) {
@@ -45,9 +43,7 @@ static size_t edit_distance_step(EditDistances distances, const char *a, size_t 
 /**
  * @return How many letters left out, put in, taken for others or swapped with their neighbours lie
  *         between two words (optimal string alignment distance).
- * @param a         A word.
  * @param a_length  Its length, at most SUGGEST_LENGTH_MAXIMUM.
- * @param b         Another.
  * @param b_length  Its length, at most SUGGEST_LENGTH_MAXIMUM.
  */
 static size_t edit_distance(const char *a, size_t a_length, const char *b, size_t b_length) {

@@ -21,17 +21,13 @@ typedef struct Suggestion {
     size_t distance;        /**< How many slips of the pen they are apart. */
 } Suggestion;
 
-/**
- * Compares one more right word. Of two that are as near, the first of the alphabet wins.
- * @param[in,out] suggestion  The search.
- * @param candidate                The right word; must live as long as the search.
- */
+/** Compares one more right word. Of two that are as near, the first of the alphabet wins. @param
+ *  candidate The right word; must live as long as the search. */
 void suggest_try(Suggestion *suggestion, const char *candidate);
 
 /**
  * Says what was found.
- * @param suggestion  The search.
- * @param[out] hint   Such as `` ; did you mean `sphere`? ``, or nothing.
+ * @param[out] hint  Such as `` ; did you mean `sphere`? ``, or nothing.
  * @return The hint.
  */
 const char *suggest_hint(const Suggestion *suggestion, char hint[SUGGEST_HINT_SIZE]);

@@ -11,11 +11,7 @@
 
 /**
  * Writes a text file, never over another one.
- * @param path         Its path.
- * @param text         Its bytes.
- * @param size         How many.
  * @param[out] exists  Whether it was not written because there is such a file.
- * @param[out] error   What is wrong (#STATUS_FAILED).
  * @return Whether it is there, all of it.
  */
 bool text_file_write_new(const char *path, const char *text, size_t size, bool *exists,

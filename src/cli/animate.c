@@ -32,12 +32,8 @@ typedef struct Animation {
     int done;               /**< Frames that are done. */
 } Animation;
 
-/**
- * Finds which frames are asked for.
- * @param[in,out] animation  The animation.
- * @param[out] error         What is wrong.
- * @return false for none, too many, or some beyond the end of the film.
- */
+/** Finds which frames are asked for. @return false for none, too many, or some beyond the end of
+ *  the film. */
 static bool plan_frames(Animation *animation, Error *error) {
     const Options *options = animation->options;
     animation->fps = options->fps > 0 ? options->fps : FRAMES_FPS_DEFAULT;
@@ -62,12 +58,7 @@ static bool plan_frames(Animation *animation, Error *error) {
     return true;
 }
 
-/**
- * Finds where frames come from and go to.
- * @param[in,out] animation  The animation.
- * @param[out] error         What is wrong.
- * @return Whether it makes sense.
- */
+/** Finds where frames come from and go to. @return Whether it makes sense. */
 static bool plan_files(Animation *animation, Error *error) {
     const Options *options = animation->options;
     const char *output = options->output, *input = options->arguments[0];
@@ -87,7 +78,6 @@ static bool plan_files(Animation *animation, Error *error) {
 
 /**
  * Says whether what is to be written could be, before time is spent on drawing it.
- * @param animation   The animation.
  * @param[out] error  What is wrong or missing.
  * @return Whether it could.
  */
@@ -102,9 +92,7 @@ static bool check_output(const Animation *animation, Error *error) {
 
 /**
  * Draws a frame. Where the scene asks for no time, the frame before is it, too.
- * @param[in,out] animation  The animation.
- * @param job              What is to be drawn.
- * @param[out] error         What is wrong.
+ * @param job  What is to be drawn.
  * @return Whether all of it is drawn.
  */
 static bool render_frame(Animation *animation, const RenderJob *job, Error *error) {
@@ -122,13 +110,7 @@ static bool render_frame(Animation *animation, const RenderJob *job, Error *erro
            (report.is_finished || error_set(error, STATUS_INTERRUPTED, "interrupted"));
 }
 
-/**
- * Reads a frame from its numbered file.
- * @param[in,out] animation  The animation.
- * @param number             The frame's number.
- * @param[out] error         What is wrong.
- * @return Whether it is read.
- */
+/** Reads a frame from its numbered file. @return Whether it is read. */
 static bool read_frame(Animation *animation, int number, Error *error) {
     char path[PATH_MAX];
     picture_deinit(&animation->picture);
@@ -138,12 +120,8 @@ static bool read_frame(Animation *animation, int number, Error *error) {
     return is_read;
 }
 
-/**
- * Adds the newest frame to the film, which is begun with the first one.
- * @param[in,out] animation  The animation.
- * @param[out] error         What is wrong.
- * @return Whether it is added.
- */
+/** Adds the newest frame to the film, which is begun with the first one. @return Whether it is
+ *  added. */
 static bool add_frame(Animation *animation, Error *error) {
     const Picture *picture = &animation->picture;
     if (!animation->film) {
@@ -156,13 +134,7 @@ static bool add_frame(Animation *animation, Error *error) {
     return animation->film && film_add_frame(animation->film, picture, error);
 }
 
-/**
- * Writes the newest frame where it belongs.
- * @param[in,out] animation  The animation.
- * @param job              What it is.
- * @param[out] error         What is wrong.
- * @return Whether it is there.
- */
+/** Writes the newest frame where it belongs. @return Whether it is there. */
 static bool write_frame(Animation *animation, const RenderJob *job, Error *error) {
     if (animation->is_film) {
         return add_frame(animation, error);
@@ -172,13 +144,7 @@ static bool write_frame(Animation *animation, const RenderJob *job, Error *error
                : image_file_write(job->output, &animation->picture, error);
 }
 
-/**
- * Makes a frame.
- * @param[in,out] animation  The animation.
- * @param number             Its number.
- * @param[out] error         What is wrong.
- * @return Whether it is where it belongs.
- */
+/** Makes a frame. @return Whether it is where it belongs. */
 static bool produce_frame(Animation *animation, int number, Error *error) {
     char path[PATH_MAX];
     const Options *options = animation->options;
@@ -198,13 +164,8 @@ static bool produce_frame(Animation *animation, int number, Error *error) {
     return is_there && write_frame(animation, &job, error);
 }
 
-/**
- * Makes all frames, until anything goes wrong or somebody interrupts.
- * @param[in,out] animation  The animation.
- * @param stop               Whether somebody does.
- * @param[out] error         What is wrong.
- * @return Whether all are there.
- */
+/** Makes all frames, until anything goes wrong or somebody interrupts. @return Whether all are
+ *  there. */
 static bool produce_frames(Animation *animation, const atomic_bool *stop, Error *error) {
     int count = frame_range_count(&animation->frames);
     bool is_good = true;
@@ -216,11 +177,7 @@ static bool produce_frames(Animation *animation, const atomic_bool *stop, Error 
     return is_good && animation->done == count;
 }
 
-/**
- * Makes all frames and ends the film.
- * @param[in,out] animation  The animation, planned.
- * @param[out] error         What is wrong.
- */
+/** Makes all frames and ends the film. */
 static void animate(Animation *animation, Error *error) {
     int count = frame_range_count(&animation->frames);
     const atomic_bool *stop = interrupt_flag();
@@ -244,8 +201,7 @@ static void animate(Animation *animation, Error *error) {
     scene_destroy(animation->scene);
 }
 
-/** Makes a film. See #Command.run. @param options The command line.
- *  @param[out] error What is wrong. @return The exit status. */
+/** Makes a film. See #Command.run. @return The exit status. */
 static int animate_run(const Options *options, Error *error) {
     Animation animation = {.options = options};
     if (plan_files(&animation, error) && plan_frames(&animation, error) &&

@@ -21,27 +21,19 @@ typedef struct BenchResult {
     uint64_t camera_rays; /**< Those of them that leave the camera. */
 } BenchResult;
 
-/** @return Order of two doubles, for qsort. @param a One. @param b The other. */
+/** @return Order of two doubles, for qsort. */
 static int compare_doubles(const void *a, const void *b) {
     double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
 }
 
-/** Draws, or casts, one picture. @param renderer The renderer. @param rays Which rays.
- *  @return How it went. */
+/** Draws, or casts, one picture. @return How it went. */
 static RenderStats bench_frame(Renderer *renderer, BenchRays rays) {
     return rays == BENCH_IMAGE ? renderer_render(renderer, interrupt_flag(), NULL)
                                : renderer_benchmark_rays(renderer, rays == BENCH_RANDOM);
 }
 
-/**
- * Times pictures, after one that is not counted.
- * @param renderer    The renderer.
- * @param rays        Which rays.
- * @param frames      How many pictures.
- * @param[out] result  What was measured.
- * @param[out] error  What is wrong.
- * @return false when interrupted or without memory.
+/** Times pictures, after one that is not counted. @return false when interrupted or without memory.
  */
 static bool bench_measure(Renderer *renderer, BenchRays rays, int frames, BenchResult *result,
                           Error *error) {
@@ -64,7 +56,7 @@ static bool bench_measure(Renderer *renderer, BenchRays rays, int frames, BenchR
     return report.is_finished || error_set(error, STATUS_INTERRUPTED, "interrupted");
 }
 
-/** Prints what was measured. @param result It. @param settings Of what. @param options How. */
+/** Prints what was measured. */
 static void bench_print(const BenchResult *result, const RenderSettings *settings,
                         const Options *options) {
     double mrays = (double)result->rays / (1e3 * result->ms_median);
@@ -89,9 +81,7 @@ static void bench_print(const BenchResult *result, const RenderSettings *setting
 
 /**
  * Finds how many pictures are to be timed.
- * @param options      The command line.
- * @param[out] frames  How many.
- * @param[out] error   That a range was given, or none.
+ * @param[out] error  That a range was given, or none.
  * @return Whether it is a number.
  */
 static bool bench_frame_count(const Options *options, int *frames, Error *error) {
@@ -101,8 +91,7 @@ static bool bench_frame_count(const Options *options, int *frames, Error *error)
            error_set(error, STATUS_USAGE, "bench --frames takes how many, at least 1");
 }
 
-/** Times a scene. See #Command.run. @param options The command line.
- *  @param[out] error What is wrong. @return The exit status. */
+/** Times a scene. See #Command.run. @return The exit status. */
 static int bench_run(const Options *options, Error *error) {
     int frames;
     Scene *scene =

@@ -12,11 +12,7 @@
 
 /**
  * Charts a scene.
- * @param options         The command line.
- * @param path            The scene's file.
- * @param request         Where to.
  * @param[out] has_chart  Whether there is an SVG.
- * @param[out] error      What is wrong.
  * @return false if anything is.
  */
 static bool chart_scene(const Options *options, const char *path, const LabRequest *request,
@@ -38,8 +34,7 @@ static bool chart_scene(const Options *options, const char *path, const LabReque
     return is_written;
 }
 
-/** Charts scenes. @param options The command line. @param request Where to.
- *  @param[out] error What is wrong. @return false if anything is; what was finished is kept. */
+/** Charts scenes. @return false if anything is; what was finished is kept. */
 static bool chart_scenes(const Options *options, const LabRequest *request, Error *error) {
     size_t without_chart = 0;
     for (int i = 0; i < options->argument_count; i++) {
@@ -76,8 +71,7 @@ static size_t find_timed_tests(const Options *options, size_t *indices, Error *e
     return count;
 }
 
-/** Charts methods. @param options The command line. @param request Where to.
- *  @param[out] error What is wrong. @return false if anything is; what was finished is kept. */
+/** Charts methods. @return false if anything is; what was finished is kept. */
 static bool chart_methods(const Options *options, const LabRequest *request, Error *error) {
     size_t indices[ARGUMENTS_MAXIMUM];
     size_t count = find_timed_tests(options, indices, error), without_chart = 0;
@@ -94,8 +88,11 @@ static bool chart_methods(const Options *options, const LabRequest *request, Err
     return command_check_charts(without_chart, error);
 }
 
-/** Charts scenes or methods. See #Command.run. @param options The command line.
- *  @param[out] error What is wrong; what was finished before is kept. @return The exit status. */
+/**
+ * Charts scenes or methods. See #Command.run.
+ * @param[out] error  What is wrong; what was finished before is kept.
+ * @return The exit status.
+ */
 static int chart_run(const Options *options, Error *error) {
     LabRequest request = {.folder = options->out_dir,
                           .threads = command_threads(options),

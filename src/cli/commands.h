@@ -21,72 +21,50 @@ extern const Command lab_command;     /**< `lab` */
 extern const Command needs_command;   /**< `needs` */
 extern const Command chart_command;   /**< `chart` */
 
-/**
- * Loads the scene that a command line names.
- * @param options     The command line.
- * @param[out] error  What is wrong.
- * @return The scene, to be given back with #scene_destroy; NULL if anything is wrong.
- */
+/** Loads the scene that a command line names. @return The scene, to be given back with
+ *  #scene_destroy; NULL if anything is wrong. */
 Scene *command_load_scene(const Options *options, Error *error);
 
 /**
  * Loads the scene that a command line names once more, for another time.
- * @param options       The command line.
- * @param time          The scene's `t`, seconds.
- * @param[in,out] cache What an earlier call has left; may be NULL.
- * @param stop          It is given up once this is true; may be NULL.
- * @param[out] error    What is wrong.
+ * @param time  The scene's `t`, seconds.
+ * @param[in,out] cache  What an earlier call has left; may be NULL.
+ * @param stop  It is given up once this is true; may be NULL.
  * @return See #command_load_scene.
  */
 Scene *command_load_scene_at(const Options *options, double time, AssetCache *cache,
                              const atomic_bool *stop, Error *error);
 
-/**
- * @return What a command line asks of the renderer, over what the scene asks for.
- * @param options  The command line.
- * @param scene    The scene.
- */
+/** @return What a command line asks of the renderer, over what the scene asks for. */
 RenderSettings command_render_settings(const Options *options, const Scene *scene);
 
 /**
  * Finds a test of the laboratory.
- * @param name        Its name.
- * @param[out] index  Its place.
  * @param[out] error  That there is no such test, and which there are (#STATUS_USAGE).
  * @return Whether there is such a test.
  */
 bool command_find_test(const char *name, size_t *index, Error *error);
 
-/** @return How many threads a command uses. @param options The command line. */
+/** @return How many threads a command uses. */
 int command_threads(const Options *options);
 
 /**
  * Says whether charts are missing.
- * @param count       How many.
  * @param[out] error  That they are, and how to get them (#STATUS_FAILED).
  * @return Whether none is.
  */
 bool command_check_charts(size_t count, Error *error);
 
-/**
- * Prints a text as a JSON string, quotes included.
- * @param text    The text; bytes that are not printable ASCII are kept or escaped.
- * @param stream  Where to.
- */
+/** Prints a text as a JSON string, quotes included. @param text The text; bytes that are not
+ *  printable ASCII are kept or escaped. */
 void json_print_string(const char *text, FILE *stream);
 
-/**
- * Prints a text with blanks after it, up to the width of a column.
- * @param text   The text, UTF-8.
- * @param width  Letters that the column is wide; a longer text sticks out.
- */
+/** Prints a text with blanks after it, up to the width of a column. @param width Letters that the
+ *  column is wide; a longer text sticks out. */
 void print_padded(const char *text, int width);
 
-/**
- * Prints a text for people, without what could move the cursor.
- * @param text    The text; control characters become `?`.
- * @param stream  Where to.
- */
+/** Prints a text for people, without what could move the cursor. @param text The text; control
+ *  characters become `?`. */
 void print_sanitized(const char *text, FILE *stream);
 
 /**
@@ -105,7 +83,6 @@ typedef struct MeshReadProgress {
  * Prepares to tell on standard error how far models are read: those that take more than half a
  * second.
  * @param[out] progress  What is kept; must stay where it is.
- * @param options      Whether and how.
  * @return Who tells, owned by \p models; NULL where nothing is to be told.
  */
 const MeshProgress *mesh_read_progress_init(MeshReadProgress *progress, const Options *options);
@@ -115,7 +92,6 @@ typedef struct Progress Progress;
 
 /**
  * Begins to tell progress on standard error.
- * @param options   Whether and how.
  * @param pictures  How many pictures there will be.
  * @return To be given to #progress_end; NULL where nothing is to be told.
  */
@@ -144,13 +120,10 @@ typedef struct RenderJob {
 
 /**
  * Draws a scene into a picture.
- * @param job        What is to be drawn.
- * @param scene        The scene.
+ * @param job  What is to be drawn.
  * @param[in,out] renderer  Who drew the picture before, or NULL: what both need is made once. Then
- *                     who drew this one, or NULL; to be given back with #renderer_destroy.
- * @param[out] picture The picture; to be released also when anything is wrong.
- * @param[out] report  How it went.
- * @param[out] error   What is wrong.
+ *         who drew this one, or NULL; to be given back with #renderer_destroy.
+ * @param[out] picture  The picture; to be released also when anything is wrong.
  * @return false if it could not be drawn.
  */
 bool command_render(const RenderJob *job, const Scene *scene, Renderer **renderer, Picture *picture,
@@ -158,10 +131,7 @@ bool command_render(const RenderJob *job, const Scene *scene, Renderer **rendere
 
 /**
  * Writes a picture into its file, with how it came about.
- * @param job            What it is.
- * @param scene            Its scene.
  * @param[in,out] picture  The picture; its notes are not there afterwards.
- * @param[out] error       What is wrong.
  * @return Whether it is there.
  */
 bool command_write_image(const RenderJob *job, const Scene *scene, Picture *picture, Error *error);

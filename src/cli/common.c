@@ -72,7 +72,7 @@ void print_sanitized(const char *text, FILE *stream) {
     }
 }
 
-/** Notes that the program should stop. @param number The signal. */
+/** Notes that the program should stop. */
 static void on_signal(int number) {
     (void)number;
     atomic_store(&is_interrupted, true);

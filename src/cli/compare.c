@@ -16,7 +16,7 @@ enum {
     COMPARE_UNREADABLE = 4     /**< One of them cannot be read. */
 };
 
-/** Prints a comparison. @param c The comparison. @param options How. */
+/** Prints a comparison. */
 static void comparison_print(const PictureComparison *c, const Options *options) {
     if (options->json) {
         printf("{\"width\": %d, \"height\": %d, \"worst_step\": %d, \"share_off\": %.9g, "
@@ -34,8 +34,7 @@ static void comparison_print(const PictureComparison *c, const Options *options)
     }
 }
 
-/** Compares two pictures that were read. @param a One. @param b The other. @param options How.
- *  @param[out] error What is wrong. @return The exit status. */
+/** Compares two pictures that were read. @return The exit status. */
 static int compare_pictures(const Picture *a, const Picture *b, const Options *options,
                             Error *error) {
     if (a->width != b->width || a->height != b->height) {
@@ -57,8 +56,7 @@ static int compare_pictures(const Picture *a, const Picture *b, const Options *o
                                                             : STATUS_OK;
 }
 
-/** Compares two files. See #Command.run. @param options The command line.
- *  @param[out] error What is wrong. @return The exit status. */
+/** Compares two files. See #Command.run. @return The exit status. */
 static int compare_run(const Options *options, Error *error) {
     Picture a = {0}, b = {0};
     int status = COMPARE_UNREADABLE;

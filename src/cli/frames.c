@@ -13,8 +13,6 @@
 /**
  * Reads a whole number at the start of a text.
  * @param[in,out] text  The text; after the number then.
- * @param minimum       Smallest.
- * @param[out] value    The number.
  * @return Whether there is one, from \p minimum to #FRAMES_MAXIMUM, that begins with a digit or,
  *         where it may be below 0, a sign.
  */

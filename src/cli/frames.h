@@ -26,16 +26,10 @@ typedef struct FrameRange {
     int step;  /**< From one to the next; below 0 from the end to the start. 0: nothing was said. */
 } FrameRange;
 
-/**
- * Reads a range.
- * @param text        What was said.
- * @param[out] range  The range.
- * @param[out] error  What is wrong (#STATUS_USAGE).
- * @return Whether it is one, with at least one number.
- */
+/** Reads a range. @return Whether it is one, with at least one number. */
 bool frame_range_parse(const char *text, FrameRange *range, Error *error);
 
-/** @return How many frames a range has. @param range The range. */
+/** @return How many frames a range has. */
 int frame_range_count(const FrameRange *range);
 
 /** A pattern of file names with one number, such as `frames/%05d.png`. */
@@ -47,23 +41,15 @@ typedef struct FramePattern {
     bool is_zero_padded; /**< Whether zeros, and not blanks, fill it up. */
 } FramePattern;
 
-/** @return Whether a path is meant as a pattern: there is a `%` in it. @param path The path. */
+/** @return Whether a path is meant as a pattern: there is a `%` in it. */
 bool frame_pattern_is_in(const char *path);
 
-/**
- * Reads a pattern. It is never handed to printf.
- * @param text          The pattern.
- * @param[out] pattern  What it says.
- * @param[out] error    What is wrong (#STATUS_USAGE).
- * @return Whether there is one `%d`, perhaps with a width as in `%5d` or `%05d`, and no other `%`.
- */
+/** Reads a pattern. It is never handed to printf. @return Whether there is one `%d`, perhaps with a
+ *  width as in `%5d` or `%05d`, and no other `%`. */
 bool frame_pattern_parse(const char *text, FramePattern *pattern, Error *error);
 
 /**
  * Says what the file of a frame is called.
- * @param pattern     The pattern.
- * @param number      The frame's number.
- * @param[out] path   The file.
  * @param[out] error  That it is too long.
  * @return Whether it fits.
  */

@@ -23,7 +23,7 @@ typedef struct SceneInfo {
     TracerStats contents;                       /**< What the tracer is made of. */
 } SceneInfo;
 
-/** @return What a scene uses. @param scene The scene. */
+/** @return What a scene uses. */
 static SceneInfo scene_info(const Scene *scene) {
     const SceneSky *sky = &scene->sky;
     SceneInfo info = {.has_sky_gradient =
@@ -38,8 +38,7 @@ static SceneInfo scene_info(const Scene *scene) {
     return info;
 }
 
-/** @return Why an engine was taken, in English. @param options The command line.
- *  @param engine The engine. */
+/** @return Why an engine was taken, in English. */
 static const char *engine_reason(const Options *options, const Engine *engine) {
     if (options->engine) {
         return N_("asked for");
@@ -51,9 +50,7 @@ static const char *engine_reason(const Options *options, const Engine *engine) {
 
 /**
  * Names what the tracer leaves out for a scene, in English.
- * @param scene  The scene.
- * @param info   What it uses.
- * @param omissions   Room for the names.
+ * @param omissions  Room for the names.
  * @return How many.
  */
 static int info_omissions(const Scene *scene, const SceneInfo *info,
@@ -86,8 +83,10 @@ static int info_omissions(const Scene *scene, const SceneInfo *info,
     return count;
 }
 
-/** @return Whether a scene has distance fields. @param scene The scene. @param settings How it
- * would be drawn. */
+/**
+ * @return Whether a scene has distance fields.
+ * @param settings  How it would be drawn.
+ */
 static bool info_has_sdfs(const Scene *scene, const RenderSettings *settings) {
     const Keyword *const *keywords = settings->engine->shape_keywords;
     for (size_t i = 0; i < scene->shape_count; i++) {
@@ -98,7 +97,7 @@ static bool info_has_sdfs(const Scene *scene, const RenderSettings *settings) {
     return false;
 }
 
-/** Prints the models for programs. @param scene The scene. */
+/** Prints the models for programs. */
 static void info_print_meshes_json(const Scene *scene) {
     printf(", \"meshes\": [");
     for (size_t i = 0; i < scene->mesh_count; i++) {
@@ -115,7 +114,7 @@ static void info_print_meshes_json(const Scene *scene) {
     printf("]");
 }
 
-/** Prints what was put right in a model, for people. @param repairs It. */
+/** Prints what was put right in a model, for people. */
 static void info_print_repairs(const MeshRepairs *repairs) {
     const struct {
         size_t count;      /**< How many. */
@@ -133,7 +132,7 @@ static void info_print_repairs(const MeshRepairs *repairs) {
     }
 }
 
-/** Prints the models for people, a line each. @param scene The scene. */
+/** Prints the models for people, a line each. */
 static void info_print_meshes(const Scene *scene) {
     for (size_t i = 0; i < scene->mesh_count; i++) {
         const Mesh *mesh = scene->meshes[i].mesh;
@@ -150,12 +149,12 @@ static void info_print_meshes(const Scene *scene) {
     }
 }
 
-/** @return How the texels of a picture are kept, in English. @param texture The picture. */
+/** @return How the texels of a picture are kept, in English. */
 static const char *texels_name(const Texture *texture) {
     return texture->is_hdr ? N_("linear light, floats") : N_("sRGB, 8 bits");
 }
 
-/** Prints the pictures for people, a line each. @param scene The scene. */
+/** Prints the pictures for people, a line each. */
 static void info_print_textures(const Scene *scene) {
     for (size_t i = 0; i < scene->texture_count; i++) {
         const Texture *texture = scene->textures[i].texture;
@@ -166,7 +165,7 @@ static void info_print_textures(const Scene *scene) {
     }
 }
 
-/** Prints the pictures for programs. @param scene The scene. */
+/** Prints the pictures for programs. */
 static void info_print_textures_json(const Scene *scene) {
     printf(", \"textures\": [");
     for (size_t i = 0; i < scene->texture_count; i++) {
@@ -180,7 +179,7 @@ static void info_print_textures_json(const Scene *scene) {
     printf("]");
 }
 
-/** Prints how shapes are found, and why so, for people. @param contents The tracer's. */
+/** Prints how shapes are found, and why so, for people. */
 static void info_print_bvh(const TracerStats *contents) {
     bool has_bvh = contents->in_bvh > 0;
     if (has_bvh) {
@@ -197,7 +196,7 @@ static void info_print_bvh(const TracerStats *contents) {
     }
 }
 
-/** Prints how shapes are found, for programs. @param contents The tracer's. */
+/** Prints how shapes are found, for programs. */
 static void info_print_bvh_json(const TracerStats *contents) {
     printf(", \"tree\": {\"planted\": %zu, \"listed\": %zu, \"from\": %zu}, "
            "\"triangles\": %zu, \"triangle_bytes\": %zu",
@@ -205,8 +204,7 @@ static void info_print_bvh_json(const TracerStats *contents) {
            contents->triangle_bytes);
 }
 
-/** Prints it for programs. @param scene The scene. @param info What it uses.
- *  @param settings How it would be drawn. @param options The command line. */
+/** Prints it for programs. @param settings How it would be drawn. */
 static void info_print_json(const Scene *scene, const SceneInfo *info,
                             const RenderSettings *settings, const Options *options) {
     const char *omissions[OMISSIONS_MAXIMUM];
@@ -243,8 +241,7 @@ static void info_print_json(const Scene *scene, const SceneInfo *info,
     puts("}");
 }
 
-/** Prints it for people. @param scene The scene. @param info What it uses.
- *  @param settings How it would be drawn. @param options The command line. */
+/** Prints it for people. @param settings How it would be drawn. */
 static void info_print(const Scene *scene, const SceneInfo *info, const RenderSettings *settings,
                        const Options *options) {
     const Keyword *const *keywords = settings->engine->shape_keywords;
@@ -286,8 +283,7 @@ static void info_print(const Scene *scene, const SceneInfo *info, const RenderSe
     printf("%s\n", omission_count ? "" : gettext("nothing"));
 }
 
-/** Tells about a scene. See #Command.run. @param options The command line.
- *  @param[out] error What is wrong. @return The exit status. */
+/** Tells about a scene. See #Command.run. @return The exit status. */
 static int info_run(const Options *options, Error *error) {
     Scene *scene = command_load_scene(options, error);
     if (!scene) {

@@ -41,13 +41,8 @@ bool command_check_charts(size_t count, Error *error) {
                                    CHART_PACKAGE);
 }
 
-/**
- * Makes the tests that a command line names, or all of them.
- * @param options     The command line.
- * @param request     How.
- * @param[out] error  What is wrong.
- * @return false if anything is wrong: a chart that is missing, too.
- */
+/** Makes the tests that a command line names, or all of them. @return false if anything is wrong: a
+ *  chart that is missing, too. */
 static bool run_tests(const Options *options, const LabRequest *request, Error *error) {
     size_t named = (size_t)options->argument_count, count = named ? named : lab_test_count();
     size_t without_chart = 0;
@@ -63,8 +58,7 @@ static bool run_tests(const Options *options, const LabRequest *request, Error *
     return command_check_charts(without_chart, error);
 }
 
-/** Makes tests. See #Command.run. @param options The command line. @param[out] error What is wrong.
- *  @return The exit status. */
+/** Makes tests. See #Command.run. @return The exit status. */
 static int lab_run(const Options *options, Error *error) {
     LabRequest request = {.folder = options->out_dir,
                           .threads = command_threads(options),

@@ -44,14 +44,14 @@ static void print_help(void) {
           stdout);
 }
 
-/** Prints the help of a command. @param command The command. */
+/** Prints the help of a command. */
 static void print_command_help(const Command *command) {
     printf(gettext("usage: dioptre %s %s\n"), command->name, gettext(command->usage));
     printf("%s\n\n", gettext(command->help));
     options_print(command);
 }
 
-/** @return The command of a name, or NULL. @param name The name. */
+/** @return The command of a name, or NULL. */
 static const Command *find_command(const char *name) {
     for (const Command *const *command = commands; *command; command++) {
         if (strcmp(name, (*command)->name) == 0) {
@@ -61,7 +61,7 @@ static const Command *find_command(const char *name) {
     return NULL;
 }
 
-/** Says what went wrong; a scene's errors begin with its file. @param error It. */
+/** Says what went wrong; a scene's errors begin with its file. */
 static void print_error(const Error *error) {
     if (error->message[0]) {
         const char *prefix = error->status == STATUS_SCENE ? "" : "dioptre: ";
@@ -69,8 +69,7 @@ static void print_error(const Error *error) {
     }
 }
 
-/** Runs a command whose options were read. @param command It. @param options Its options.
- *  @param[out] error What is wrong. @return The exit status. */
+/** Runs a command whose options were read. @return The exit status. */
 static int run_command(const Command *command, const Options *options, Error *error) {
     int more = options->argument_count - command->arguments;
     if (more > 0 && !command->accepts_more_arguments) {
@@ -93,15 +92,14 @@ static int run_command(const Command *command, const Options *options, Error *er
 }
 
 /** @return Whether a first word may name a scene: there is such a file, it is standard input, or it
- *          is written as scenes are. @param word The word. */
+ *  is written as scenes are. */
 static bool may_be_scene(const char *word) {
     const char *ending = strrchr(word, '.');
     return access(word, F_OK) == 0 || strcmp(word, "-") == 0 || strchr(word, '/') ||
            (ending && strcmp(ending, ".lua") == 0);
 }
 
-/** Says that a first word is no command. @param word The word. @param[out] error What is wrong.
- *  @return The exit status. */
+/** Says that a first word is no command. @return The exit status. */
 static int refuse_word(const char *word, Error *error) {
     Suggestion suggestion = {.word = word};
     char hint[SUGGEST_HINT_SIZE];
@@ -113,8 +111,7 @@ static int refuse_word(const char *word, Error *error) {
     return STATUS_USAGE;
 }
 
-/** Does what a command line says. @param argc Number of words. @param argv The words.
- *  @param[out] error What is wrong. @return The exit status. */
+/** Does what a command line says. @return The exit status. */
 static int parse_and_run(int argc, char **argv, Error *error) {
     const Command *command = argc > 1 ? find_command(argv[1]) : NULL;
     // A first word that is neither a command nor an option is a scene to view.
@@ -147,7 +144,6 @@ static int parse_and_run(int argc, char **argv, Error *error) {
 /**
  * The program.
  * @param argc  Number of words on the command line.
- * @param argv  The words.
  * @return The exit status, see #Status.
  */
 int main(int argc, char **argv) {

@@ -10,14 +10,14 @@
 #include <libintl.h>
 #include <stdio.h>
 
-/** Prints what was tried, for programs. @param name Its name. @param trial It. */
+/** Prints what was tried, for programs. */
 static void trial_print_json(const char *name, const NeedsTrial *trial) {
     printf(", \"%s\": {\"rays\": %zu, \"worst\": %.4g, \"off\": %zu, \"flips\": %zu, "
            "\"strays\": %zu}",
            name, trial->rays, trial->max_steps, trial->visible, trial->edge_flips, trial->outliers);
 }
 
-/** Prints it for programs. @param needs What a scene needs. @param options The command line. */
+/** Prints it for programs. */
 static void needs_print_json(const Needs *needs, const Options *options) {
     const NeedsEngine *chosen = &needs->engines[needs->engine];
     char explanation[2048];
@@ -46,7 +46,7 @@ static void needs_print_json(const Needs *needs, const Options *options) {
     puts("}");
 }
 
-/** Prints a paragraph in lines. @param text It. */
+/** Prints a paragraph in lines. */
 static void paragraph_print(const char *text) {
     /** Characters of a line. */
     const int width = 79;
@@ -67,7 +67,7 @@ static void paragraph_print(const char *text) {
     putchar('\n');
 }
 
-/** Prints it for people. @param needs What a scene needs. */
+/** Prints it for people. */
 static void needs_print(const Needs *needs) {
     const NeedsEngine *chosen = &needs->engines[needs->engine];
     char explanation[2048];
@@ -94,8 +94,7 @@ static void needs_print(const Needs *needs) {
     paragraph_print(explanation);
 }
 
-/** Says what a scene needs. See #Command.run. @param options The command line.
- *  @param[out] error What is wrong. @return The exit status. */
+/** Says what a scene needs. See #Command.run. @return The exit status. */
 static int needs_run(const Options *options, Error *error) {
     Scene *scene = command_load_scene(options, error);
     if (!scene) {

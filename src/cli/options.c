@@ -70,22 +70,15 @@ static const int NAME_WIDTH = 22;
 /** How many options there are. */
 enum { OPTION_COUNT = sizeof option_specs / sizeof *option_specs };
 
-/** @return Whether a command takes an option. @param command The command, or NULL.
- *  @param key The option's key. */
+/**
+ * @return Whether a command takes an option.
+ * @param command  The command, or NULL.
+ */
 static bool command_accepts(const Command *command, int key) {
     return strchr("hV", key) || (command && strchr(command->accepts, key));
 }
 
-/**
- * Reads a whole number.
- * @param name        The option's name.
- * @param text        What was said.
- * @param minimum     Smallest.
- * @param maximum     Largest.
- * @param[out] value  The number.
- * @param[out] error  What is wrong.
- * @return Whether it is one, in range.
- */
+/** Reads a whole number. @return Whether it is one, in range. */
 static bool read_integer(const char *name, const char *text, int minimum, int maximum, int *value,
                          Error *error) {
     char *end = NULL;
@@ -99,15 +92,7 @@ static bool read_integer(const char *name, const char *text, int minimum, int ma
     return true;
 }
 
-/**
- * Reads a number.
- * @param name        The option's name.
- * @param text        What was said.
- * @param minimum     Smallest.
- * @param[out] value  The number.
- * @param[out] error  What is wrong.
- * @return Whether it is one, finite and in range.
- */
+/** Reads a number. @return Whether it is one, finite and in range. */
 static bool read_number(const char *name, const char *text, double minimum, double *value,
                         Error *error) {
     char *end = NULL;
@@ -122,13 +107,7 @@ static bool read_number(const char *name, const char *text, double minimum, doub
     return true;
 }
 
-/**
- * Reads a number of frames a second.
- * @param text        What was said.
- * @param[out] fps    The number.
- * @param[out] error  What is wrong.
- * @return Whether it is one, in range.
- */
+/** Reads a number of frames a second. @return Whether it is one, in range. */
 static bool read_fps(const char *text, double *fps, Error *error) {
     Error ignored;
     return (read_number("fps", text, 0, fps, &ignored) && *fps > 0 && *fps <= FRAMES_FPS_MAXIMUM) ||
@@ -138,9 +117,8 @@ static bool read_fps(const char *text, double *fps, Error *error) {
 
 /**
  * Reads a size.
- * @param text          What was said: two whole numbers with an x between them.
+ * @param text  What was said: two whole numbers with an x between them.
  * @param[out] options  Gets width and height.
- * @param[out] error    What is wrong.
  * @return Whether it is a size that can be drawn.
  */
 static bool read_size(const char *text, Options *options, Error *error) {
@@ -166,11 +144,7 @@ static bool read_size(const char *text, Options *options, Error *error) {
 
 /**
  * Reads one of a few words.
- * @param name        The option's name.
- * @param text        What was said.
- * @param words       The words, ended by NULL.
- * @param[out] index  Which.
- * @param[out] error  What is wrong.
+ * @param words  The words, ended by NULL.
  * @return Whether it is one of them.
  */
 static bool read_word(const char *name, const char *text, const char *const *words, int *index,
@@ -188,8 +162,7 @@ static bool read_word(const char *name, const char *text, const char *const *wor
     return error_set(error, STATUS_USAGE, "--%s takes %s, not '%s'", name, choices, text);
 }
 
-/** Takes an option whose value is a word. @param option The option. @param text Its value.
- *  @param[out] options Gets it. @param[out] error What is wrong. @return Whether it is good. */
+/** Takes an option whose value is a word. @return Whether it is good. */
 static bool set_word_option(const OptionSpec *option, const char *text, Options *options,
                             Error *error) {
     static const char *const rays[] = {"image", "primary", "random", NULL};
@@ -227,8 +200,7 @@ static bool set_word_option(const OptionSpec *option, const char *text, Options 
     }
 }
 
-/** @return Where an option's value goes as it is; NULL: it is no text. @param key The option's key.
- *  @param options The options. */
+/** @return Where an option's value goes as it is; NULL: it is no text. */
 static const char **text_option_target(char key, Options *options) {
     switch (key) {
     case 'o':
@@ -250,8 +222,7 @@ static const char **text_option_target(char key, Options *options) {
     }
 }
 
-/** Takes an option that has a value. @param option The option. @param text Its value.
- *  @param[out] options Gets it. @param[out] error What is wrong. @return Whether it is good. */
+/** Takes an option that has a value. @return Whether it is good. */
 static bool set_value_option(const OptionSpec *option, const char *text, Options *options,
                              Error *error) {
     const char **target = text_option_target(option->key, options);
@@ -288,7 +259,7 @@ static bool set_value_option(const OptionSpec *option, const char *text, Options
     }
 }
 
-/** Takes an option that has no value. @param key Its key. @param[out] options Gets it. */
+/** Takes an option that has no value. */
 static void set_flag_option(char key, Options *options) {
     options->json = options->json || key == 'J';
     options->timing = options->timing || key == 'L';
@@ -324,7 +295,7 @@ static GetoptTables getopt_tables(void) {
     return tables;
 }
 
-/** @return The option with a key, or NULL. @param key The key. */
+/** @return The option with a key, or NULL. */
 static const OptionSpec *find_option(int key) {
     for (int i = 0; i < OPTION_COUNT; i++) {
         if (option_specs[i].key == key) {
@@ -336,11 +307,8 @@ static const OptionSpec *find_option(int key) {
 
 /**
  * Takes one option as getopt_long found it.
- * @param command       The command, or NULL.
- * @param key           What getopt_long returned.
- * @param word          The word that it came from.
- * @param[out] options  Gets it.
- * @param[out] error    What is wrong.
+ * @param command  The command, or NULL.
+ * @param word  The word that it came from.
  * @return Whether it is good.
  */
 static bool set_option(const Command *command, int key, const char *word, Options *options,

@@ -74,8 +74,7 @@ typedef struct Command {
     bool accepts_more_arguments; /**< Whether it takes more than that, too. */
     /**
      * Does it.
-     * @param options     What the command line says.
-     * @param[out] error  What is wrong.
+     * @param options  What the command line says.
      * @return The exit status.
      */
     int (*run)(const Options *options, Error *error);
@@ -83,16 +82,13 @@ typedef struct Command {
 
 /**
  * Reads a command line.
- * @param command      The command, or NULL: only `--help` and `--version` are known.
- * @param argc         Number of words, the command's own first.
- * @param argv         The words.
- * @param[out] options What they say.
- * @param[out] error   What is wrong (#STATUS_USAGE).
+ * @param command  The command, or NULL: only `--help` and `--version` are known.
+ * @param argc  Number of words, the command's own first.
  * @return false if anything is wrong.
  */
 bool options_parse(const Command *command, int argc, char **argv, Options *options, Error *error);
 
-/** Prints the options of a command, one a line. @param command The command. */
+/** Prints the options of a command, one a line. */
 void options_print(const Command *command);
 
 #endif

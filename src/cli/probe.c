@@ -11,8 +11,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/** @return A column or a row. @param name Which of the two. @param text What was said.
- *  @param size Pixels of the picture that way. @param[out] error What is wrong; then -1. */
+/**
+ * @return A column or a row.
+ * @param name  Which of the two.
+ * @param size  Pixels of the picture that way.
+ * @param[out] error  What is wrong; then -1.
+ */
 static int read_pixel(const char *name, const char *text, int size, Error *error) {
     char *end = NULL;
     long coordinate = strtol(text, &end, 10);
@@ -29,8 +33,11 @@ static int read_pixel(const char *name, const char *text, int size, Error *error
     return (int)coordinate;
 }
 
-/** Reads the pixel. @param options The command line. @param[out] report Gets it, and the picture's
- *  size. @param[out] error What is wrong. @return Whether it is one. */
+/**
+ * Reads the pixel.
+ * @param[out] report  Gets it, and the picture's size.
+ * @return Whether it is one.
+ */
 static bool read_pixel_position(const Options *options, ProbeReport *report, Error *error) {
     report->x = read_pixel("X", options->arguments[1], report->settings.width, error);
     report->y =
@@ -39,7 +46,7 @@ static bool read_pixel_position(const Options *options, ProbeReport *report, Err
 }
 
 /** @return How a scene is probed: as `render` draws it, with one ray a pixel where nothing is said.
- *  @param options The command line. @param scene The scene. */
+ */
 static RenderSettings probe_settings(const Options *options, const Scene *scene) {
     RenderSettings settings = command_render_settings(options, scene);
     settings.samples = options->samples ? options->samples : 1;
@@ -47,8 +54,10 @@ static RenderSettings probe_settings(const Options *options, const Scene *scene)
     return settings;
 }
 
-/** Draws the rays as seen from beside. @param report What is told. @param renderer Who traced them.
- *  @param path The SVG file to write. @param[out] error What is wrong. @return Whether it is there.
+/**
+ * Draws the rays as seen from beside.
+ * @param path  The SVG file to write.
+ * @return Whether it is there.
  */
 static bool probe_write_svg(const ProbeReport *report, const Renderer *renderer, const char *path,
                             Error *error) {
@@ -63,8 +72,8 @@ static bool probe_write_svg(const ProbeReport *report, const Renderer *renderer,
     return ray_chart_write(&chart, path, error);
 }
 
-/** Traces the pixel, and tells. @param options The command line. @param report What is told; its
- *  scene, settings and pixel are there. @param[out] error What is wrong. */
+/** Traces the pixel, and tells. @param report What is told; its scene, settings and pixel are
+ *  there. */
 static void probe_trace_and_print(const Options *options, ProbeReport *report, Error *error) {
     Renderer *renderer = renderer_create(report->scene, &report->settings, error);
     RayTree tree = {0};
@@ -81,8 +90,7 @@ static void probe_trace_and_print(const Options *options, ProbeReport *report, E
     renderer_destroy(renderer);
 }
 
-/** Probes a pixel. See #Command.run. @param options The command line.
- *  @param[out] error What is wrong. @return The exit status. */
+/** Probes a pixel. See #Command.run. @return The exit status. */
 static int probe_run(const Options *options, Error *error) {
     Scene *scene = command_load_scene(options, error);
     if (!scene) {

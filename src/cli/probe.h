@@ -17,10 +17,10 @@ typedef struct ProbeReport {
     const RayTree *tree;     /**< Its rays, at least one. */
 } ProbeReport;
 
-/** Tells it in words. @param report What is told. */
+/** Tells it in words. */
 void probe_print(const ProbeReport *report);
 
-/** Tells it for programs, an object a ray. @param report What is told. */
+/** Tells it for programs, an object a ray. */
 void probe_print_json(const ProbeReport *report);
 
 /** A light in 8-bit steps. */
@@ -28,7 +28,7 @@ typedef struct ProbePixel {
     int channels[3]; /**< Red, green and blue, 0 to 255. */
 } ProbePixel;
 
-/** @return The pixel as a picture of one sample shows it. @param report What is told. */
+/** @return The pixel as a picture of one sample shows it. */
 ProbePixel probe_pixel(const ProbeReport *report);
 
 #endif

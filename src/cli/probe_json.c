@@ -6,39 +6,37 @@
 
 #include <stdio.h>
 
-/** Prints a number; null where it is infinite. @param name Its name. @param x It. */
+/** Prints a number; null where it is infinite. */
 static void print_number(const char *name, double x) {
     isfinite(x) ? printf(", \"%s\": %.17g", name, x) : printf(", \"%s\": null", name);
 }
 
-/** Prints a whole number; null where it is negative: there is none. @param name Its name.
- *  @param x It. */
+/** Prints a whole number; null where it is negative: there is none. */
 static void print_index(const char *name, int x) {
     x >= 0 ? printf(", \"%s\": %d", name, x) : printf(", \"%s\": null", name);
 }
 
-/** Prints three numbers. @param name Their name. @param x One. @param y One. @param z One. */
+/** Prints three numbers. */
 static void print_three(const char *name, double x, double y, double z) {
     printf(", \"%s\": [%.17g, %.17g, %.17g]", name, x, y, z);
 }
 
-/** Prints a vector. @param name Its name. @param v It. */
+/** Prints a vector. */
 static void print_vector(const char *name, Vec3d v) {
     print_three(name, v.x, v.y, v.z);
 }
 
-/** Prints a colour. @param name Its name. @param color It. */
+/** Prints a colour. */
 static void print_color(const char *name, Rgbd color) {
     print_three(name, color.red, color.green, color.blue);
 }
 
-/** Prints a vector of what was met; null where nothing was. @param name Its name. @param v It.
- *  @param is_hit Whether anything was. */
+/** Prints a vector of what was met; null where nothing was. */
 static void print_vector_if_hit(const char *name, Vec3d v, bool is_hit) {
     is_hit ? print_vector(name, v) : (void)printf(", \"%s\": null", name);
 }
 
-/** Prints what a ray met besides where. @param report What is told. @param ray The ray. */
+/** Prints what a ray met besides where. */
 static void print_surface(const ProbeReport *report, const RayTreeNode *ray) {
     const RayTreeSurface *surface = &ray->surface;
     printf(", \"keyword\": \"%s\"", ray_hit_keyword(report->scene, ray));
@@ -58,7 +56,7 @@ static void print_surface(const ProbeReport *report, const RayTreeNode *ray) {
     }
 }
 
-/** Prints a ray. @param report What is told. @param index Which. */
+/** Prints a ray. */
 static void print_ray(const ProbeReport *report, size_t index) {
     static const char *const kinds[] = {"camera", "shadow", "mirror", "refract"};
     const RayTreeNode *ray = &report->tree->nodes[index];

@@ -28,27 +28,25 @@ ProbePixel probe_pixel(const ProbeReport *report) {
                          encoder_encode(&encoder, (float)light.blue)}};
 }
 
-/** Begins a line under a ray. @param indent Columns. @param label What it tells. */
+/** Begins a line under a ray. */
 static void begin_line(int indent, const char *label) {
     printf("%*s", indent, "");
     print_padded(gettext(label), LABEL_WIDTH);
 }
 
-/** Prints a line of three numbers. @param indent Columns. @param label What they are. @param x One.
- *  @param y One. @param z One. @param words What follows. */
+/** Prints a line of three numbers. */
 static void print_three(int indent, const char *label, double x, double y, double z,
                         const char *words) {
     begin_line(indent, label);
     printf("%12.6g%12.6g%12.6g%s%s\n", x, y, z, *words ? "  " : "", *words ? gettext(words) : "");
 }
 
-/** Prints a line of a colour. @param indent Columns. @param label What it is. @param color It.
- *  @param words What follows. */
+/** Prints a line of a colour. */
 static void print_color(int indent, const char *label, Rgbd color, const char *words) {
     print_three(indent, label, color.red, color.green, color.blue, words);
 }
 
-/** Prints what becomes of a ray at glass. @param indent Columns. @param surface The surface. */
+/** Prints what becomes of a ray at glass. */
 static void print_glass(int indent, const RayTreeSurface *surface) {
     begin_line(indent, N_("index"));
     printf(gettext("%12.6g before it, %.6g behind it"), surface->ior_from, surface->ior_to);
@@ -63,14 +61,14 @@ static void print_glass(int indent, const RayTreeSurface *surface) {
     }
 }
 
-/** Prints how far from a surface rays start. @param indent Columns. @param surface The surface. */
+/** Prints how far from a surface rays start. */
 static void print_epsilon(int indent, const RayTreeSurface *surface) {
     begin_line(indent, N_("epsilon"));
     printf(gettext("%12.4g = %.4g ulps: so far from it the next rays start\n"), surface->epsilon,
            surface->ulps);
 }
 
-/** Prints the numbers of a surface that was met. @param indent Columns. @param ray The ray. */
+/** Prints the numbers of a surface that was met. */
 static void print_surface(int indent, const RayTreeNode *ray) {
     begin_line(indent, N_("angle"));
     printf(gettext("%12.6g degrees from the normal"), ray_incidence_angle(ray));
@@ -81,7 +79,7 @@ static void print_surface(int indent, const RayTreeNode *ray) {
     print_epsilon(indent, &ray->surface);
 }
 
-/** Prints where a ray met something. @param indent Columns. @param ray The ray. */
+/** Prints where a ray met something. */
 static void print_hit(int indent, const RayTreeNode *ray) {
     begin_line(indent, N_("distance"));
     printf("%12.6g\n", ray->distance);
@@ -89,13 +87,13 @@ static void print_hit(int indent, const RayTreeNode *ray) {
     print_three(indent, N_("normal"), ray->normal.x, ray->normal.y, ray->normal.z, "");
 }
 
-/** @return Columns of a ray's lines. @param ray The ray. */
+/** @return Columns of a ray's lines. */
 static int ray_indent(const RayTreeNode *ray) {
     int indent = INDENT * ray->depth;
     return indent < INDENT_MAXIMUM ? indent : INDENT_MAXIMUM;
 }
 
-/** Prints a shadow ray. @param report What is told. @param index Which. */
+/** Prints a shadow ray. */
 static void print_shadow(const ProbeReport *report, size_t index) {
     const RayTreeNode *ray = &report->tree->nodes[index];
     int indent = ray_indent(ray);
@@ -117,7 +115,7 @@ static void print_shadow(const ProbeReport *report, size_t index) {
     }
 }
 
-/** Prints a ray that looks. @param report What is told. @param index Which. */
+/** Prints a ray that looks. */
 static void print_traced_ray(const ProbeReport *report, size_t index) {
     static const char *const names[] = {[RAY_CAMERA] = N_("camera ray meets %s\n"),
                                         [RAY_REFLECTION] = N_("mirrored ray meets %s\n"),
@@ -142,7 +140,7 @@ static void print_traced_ray(const ProbeReport *report, size_t index) {
     print_color(inner, N_("brings back"), ray->color, "");
 }
 
-/** Prints the rays, each behind the one that it comes from. @param report What is told. */
+/** Prints the rays, each behind the one that it comes from. */
 static void print_rays(const ProbeReport *report) {
     for (size_t i = 0; i < report->tree->count; i++) {
         if (report->tree->nodes[i].kind == RAY_SHADOW) {
@@ -153,8 +151,7 @@ static void print_rays(const ProbeReport *report) {
     }
 }
 
-/** @return What a surface sends back of light of its own and of light from everywhere.
- *  @param surface The surface. */
+/** @return What a surface sends back of light of its own and of light from everywhere. */
 static Rgbd emitted_and_ambient(const RayTreeSurface *surface) {
     const Rgbd *albedo = &surface->albedo, *ambient = &surface->ambient, *own = &surface->emission;
     return (Rgbd){own->red + albedo->red * ambient->red,
@@ -162,12 +159,12 @@ static Rgbd emitted_and_ambient(const RayTreeSurface *surface) {
                   own->blue + albedo->blue * ambient->blue};
 }
 
-/** @return a times b, primary by primary. @param a Light. @param b Shares. */
+/** @return a times b, primary by primary. */
 static Rgbd multiply_colors(Rgbd a, Rgbd b) {
     return (Rgbd){a.red * b.red, a.green * b.green, a.blue * b.blue};
 }
 
-/** Prints how the camera's ray got its colour. @param report What is told. */
+/** Prints how the camera's ray got its colour. */
 static void print_sum(const ProbeReport *report) {
     const RayTreeNode *camera = &report->tree->nodes[0];
     char label[TERM_NAME_SIZE];

@@ -28,18 +28,18 @@ struct Progress {
     double start;             /**< When it began, on #clock_now_seconds. */
 };
 
-/** @return Seconds since the start. @param progress The progress. */
+/** @return Seconds since the start. */
 static double progress_seconds(const Progress *progress) {
     return clock_now_seconds() - progress->start;
 }
 
-/** @return The share of all pictures that is done, 0 to 1. @param progress The progress. */
+/** @return The share of all pictures that is done, 0 to 1. */
 static double progress_fraction(const Progress *progress) {
     double current_fraction = progress->renderer ? renderer_progress(progress->renderer) : 0;
     return progress->pictures > 0 ? (progress->done + current_fraction) / progress->pictures : 1;
 }
 
-/** Tells once. @param progress The progress. */
+/** Tells once. */
 static void progress_print(const Progress *progress) {
     double fraction = progress_fraction(progress), seconds = progress_seconds(progress);
     double seconds_left = fraction > 0 ? seconds / fraction - seconds : 0;
@@ -61,7 +61,7 @@ static void progress_print(const Progress *progress) {
     fflush(stderr);
 }
 
-/** Tells until it is over. @param argument The progress. @return NULL */
+/** Tells until it is over. @return NULL */
 static void *progress_main(void *argument) {
     Progress *progress = argument;
     pthread_mutex_lock(&progress->mutex);
@@ -80,20 +80,15 @@ static void *progress_main(void *argument) {
     return NULL;
 }
 
-/** @return Whether progress is to be told. @param options Whether and how. */
+/** @return Whether progress is to be told. */
 static bool progress_is_wanted(const Options *options) {
     bool is_shown = options->progress == PROGRESS_JSON ||
                     (options->progress == PROGRESS_AUTO && isatty(STDERR_FILENO));
     return is_shown && !options->quiet;
 }
 
-/**
- * Tells how far a model file is read, if that takes long enough to be felt. See MeshProgress::tell.
- * @param context  The progress.
- * @param name     The file.
- * @param fraction    How much is done.
- * @param seconds  Since the start.
- */
+/** Tells how far a model file is read, if that takes long enough to be felt. See
+ *  MeshProgress::tell. @param fraction How much is done. */
 static void mesh_read_progress_print(void *context, const char *name, double fraction,
                                      double seconds) {
     /** Seconds after which people want to know. */
@@ -118,7 +113,7 @@ static void mesh_read_progress_print(void *context, const char *name, double fra
     fflush(stderr);
 }
 
-/** Clears the line, if there is one. See MeshProgress::end. @param context The progress. */
+/** Clears the line, if there is one. See MeshProgress::end. */
 static void mesh_read_progress_clear(void *context) {
     MeshReadProgress *progress = context;
     if (progress->is_shown && !progress->is_json) {

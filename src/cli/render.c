@@ -37,8 +37,7 @@ bool command_write_image(const RenderJob *job, const Scene *scene, Picture *pict
     return is_written;
 }
 
-/** Draws and writes. @param scene The scene. @param options The command line.
- *  @param[out] error What is wrong. */
+/** Draws and writes. */
 static void render_scene(const Scene *scene, const Options *options, Error *error) {
     RenderJob job = {.options = options, .output = options->output, .time = options->time};
     Picture picture = {0};
@@ -56,8 +55,7 @@ static void render_scene(const Scene *scene, const Options *options, Error *erro
     }
 }
 
-/** Renders a scene. See #Command.run. @param options The command line.
- *  @param[out] error What is wrong. @return The exit status. */
+/** Renders a scene. See #Command.run. @return The exit status. */
 static int render_run(const Options *options, Error *error) {
     if (!options->output) {
         error_set(error, STATUS_USAGE, "render needs -o FILE");

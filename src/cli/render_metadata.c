@@ -11,12 +11,8 @@
 #include <stdarg.h>
 #include <string.h>
 
-/**
- * Adds a note. Of what is not printable ASCII, not every format can tell what it means.
- * @param[in,out] metadata  The notes.
- * @param name           What it is.
- * @param format         The text, as for printf.
- */
+/** Adds a note. Of what is not printable ASCII, not every format can tell what it means. @param
+ *  format The text, as for printf. */
 __attribute__((format(printf, 3, 4))) static void
 add_entry(RenderMetadata *metadata, const char *name, const char *format, ...) {
     char *text = metadata->texts[metadata->count];

@@ -19,14 +19,8 @@ typedef struct RenderMetadata {
     int count;                                                      /**< How many. */
 } RenderMetadata;
 
-/**
- * Notes how a picture comes about. There is no date, no path and nothing of the machine in it: the
- * same scene and settings make the same file.
- * @param[out] metadata  The notes.
- * @param options     The command line.
- * @param time        The scene's `t`, seconds.
- * @param settings    The settings.
- */
+/** Notes how a picture comes about. There is no date, no path and nothing of the machine in it: the
+ *  same scene and settings make the same file. @param time The scene's `t`, seconds. */
 void render_metadata_init(RenderMetadata *metadata, const Options *options, double time,
                           const RenderSettings *settings);
 

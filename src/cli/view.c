@@ -20,8 +20,7 @@ typedef struct SceneSource {
     AssetCache *cache;   /**< What no time changes of it; NULL before the first; owned. */
 } SceneSource;
 
-/** Notes that a scene was loaded. @param[in,out] source What from. @param options With its file.
- *  @param cache What it has left. */
+/** Notes that a scene was loaded. */
 static void store_loaded(SceneSource *source, const Options *options, AssetCache *cache) {
     if (options->arguments[0] != source->options.arguments[0]) {
         snprintf(source->path, sizeof source->path, "%s", options->arguments[0]);
@@ -34,9 +33,12 @@ static void store_loaded(SceneSource *source, const Options *options, AssetCache
     }
 }
 
-/** Loads a scene. See #ViewLoader. @param context The #SceneSource. @param request Which. @param
- * stop Whether to give up. @param[out] render How it is drawn. @param[out] error What is wrong.
- *  @return The scene. */
+/**
+ * Loads a scene. See #ViewLoader.
+ * @param stop  Whether to give up.
+ * @param[out] render  How it is drawn.
+ * @return The scene.
+ */
 static Scene *load_scene(void *context, const ViewRequest *request, const atomic_bool *stop,
                          RenderSettings *render, Error *error) {
     SceneSource *source = context;
@@ -59,9 +61,7 @@ static Scene *load_scene(void *context, const ViewRequest *request, const atomic
 }
 
 /** Loads a scene for the list of scenes, as it is by itself: what the command line says is for
- *  another scene. See #ViewPreviewLoader. @param context Not used. @param path See there. @param
- * stop See there.
- *  @param[out] render See there. @param[out] error See there. @return See there. */
+ *  another scene. See #ViewPreviewLoader. @return See there. */
 static Scene *load_preview(void *context, const char *path, const atomic_bool *stop,
                            RenderSettings *render, Error *error) {
     (void)context;
@@ -78,8 +78,11 @@ static Scene *load_preview(void *context, const char *path, const atomic_bool *s
     return scene;
 }
 
-/** Shows a scene. @param options The command line. @param lesson What is done; NULL: nothing by
- *  itself. @param[out] error What is wrong. @return The exit status. */
+/**
+ * Shows a scene.
+ * @param lesson  What is done; NULL: nothing by itself.
+ * @return The exit status.
+ */
 static int show_scene(const Options *options, const Lesson *lesson, Error *error) {
     char lesson_name[PATH_MAX] = "";
     SceneSource source = {.options = *options};
@@ -109,9 +112,11 @@ static int show_scene(const Options *options, const Lesson *lesson, Error *error
     return status;
 }
 
-/** Sees that a lesson is for the scene that is asked for, if any is. @param[in,out] options The
- *  command line; gets the lesson's scene. @param lesson The lesson. @param[out] error What is
- *  wrong. @return Whether it is. */
+/**
+ * Sees that a lesson is for the scene that is asked for, if any is.
+ * @param[in,out] options  The command line; gets the lesson's scene.
+ * @return Whether it is.
+ */
 static bool use_lesson_scene(Options *options, const Lesson *lesson, Error *error) {
     char wanted[PATH_MAX], named[PATH_MAX];
     const char *given = options->argument_count > 0 ? options->arguments[0] : lesson->scene;
@@ -123,9 +128,8 @@ static bool use_lesson_scene(Options *options, const Lesson *lesson, Error *erro
                                 options->lesson, lesson->scene, given);
 }
 
-/** Takes what a lesson says of how its scene is drawn, where the command line says nothing.
- *  @param[in,out] options The command line. @param lesson The lesson. @param[out] error What is
- *  wrong. @return Whether all is well. */
+/** Takes what a lesson says of how its scene is drawn, where the command line says nothing. @return
+ *  Whether all is well. */
 static bool apply_lesson_settings(Options *options, const Lesson *lesson, Error *error) {
     const LessonSettings *initial = &lesson->initial_settings;
     options->samples = options->samples ? options->samples : initial->samples;
@@ -147,8 +151,7 @@ static bool apply_lesson_settings(Options *options, const Lesson *lesson, Error 
     return true;
 }
 
-/** Plays a lesson. @param options The command line. @param[out] error What is wrong. @return The
- *  exit status. */
+/** Plays a lesson. @return The exit status. */
 static int play_lesson(const Options *options, Error *error) {
     Options lesson_options = *options;
     ActionNames actions;
@@ -161,8 +164,7 @@ static int play_lesson(const Options *options, Error *error) {
     return status;
 }
 
-/** Shows a scene, or plays a lesson. See #Command.run. @param options The command line.
- *  @param[out] error What is wrong. @return The exit status. */
+/** Shows a scene, or plays a lesson. See #Command.run. @return The exit status. */
 static int view_command_run(const Options *options, Error *error) {
     if (options->lesson) {
         return play_lesson(options, error);

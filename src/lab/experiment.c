@@ -54,8 +54,7 @@ typedef struct ExperimentRun {
     atomic_bool has_failed;              /**< Whether there was no memory. */
 } ExperimentRun;
 
-/** @return The engine of one ray at a time with a number type; NULL: there is none.
- *  @param type The number type. */
+/** @return The engine of one ray at a time with a number type; NULL: there is none. */
 static const Engine *scalar_engine_for(const NumberType *type) {
     for (const Engine *const *engine = engine_list(); *engine; engine++) {
         if ((*engine)->lanes == 1 && (*engine)->mantissa_bits == type->mantissa_bits) {
@@ -65,8 +64,11 @@ static const Engine *scalar_engine_for(const NumberType *type) {
     return NULL;
 }
 
-/** Asks an engine for the nearest hit. @param subject Who. @param question A ray, to begin with.
- *  @param[out] distance How far, or #QUAD_NO_HIT. */
+/**
+ * Asks an engine for the nearest hit.
+ * @param question  A ray, to begin with.
+ * @param[out] distance  How far, or #QUAD_NO_HIT.
+ */
 static void query_engine_distance(const MethodSubject *subject, const Quadruple *question,
                                   Quadruple *distance) {
     RayQueryQuad ray;
@@ -77,8 +79,7 @@ static void query_engine_distance(const MethodSubject *subject, const Quadruple 
     *distance = answer.shape < 0 ? QUAD_NO_HIT : answer.distance;
 }
 
-/** Asks somebody all questions of a case. @param subject Who. @param sample The case.
- *  @param[out] outputs The answers. */
+/** Asks somebody all questions of a case. */
 static void query_subject(const MethodSubject *subject, const ExperimentSample *sample,
                           Quadruple *outputs) {
     const Experiment *experiment = subject->experiment;
@@ -92,15 +93,14 @@ static void query_subject(const MethodSubject *subject, const ExperimentSample *
     }
 }
 
-/** @return Cases for a number type. @param experiment The experiment. @param type The type. */
+/** @return Cases for a number type. */
 static size_t sample_count_for(const Experiment *experiment, const NumberType *type) {
     bool is_quad = type->mantissa_bits > 64;
     return is_quad ? (experiment->sample_count + QUAD_SAMPLE_DIVISOR - 1) / QUAD_SAMPLE_DIVISOR
                    : experiment->sample_count;
 }
 
-/** Writes down what a score has come to. @param[in,out] score The score; sorted.
- *  @param[out] result Where to. */
+/** Writes down what a score has come to. */
 static void summarize_score(ScoreStats *score, MethodResult *result) {
     result->median = score_quantile(score, 0.5);
     result->p999 = score_quantile(score, 0.999);
@@ -112,18 +112,12 @@ static void summarize_score(ScoreStats *score, MethodResult *result) {
         score->cost_count ? score->cost_sum / (double)score->cost_count : (double)NAN;
 }
 
-/** @return Whether an experiment is to be given up. @param run The experiment. */
+/** @return Whether an experiment is to be given up. */
 static bool run_is_stopped(const ExperimentRun *run) {
     return run->stop && atomic_load(run->stop);
 }
 
-/**
- * Asks everybody about a number of cases.
- * @param run        The experiment.
- * @param subjects      Who is asked, as many as methods.
- * @param setup       Where.
- * @param[out] scores  A score each.
- */
+/** Asks everybody about a number of cases. @param subjects Who is asked, as many as methods. */
 static void score_samples(const ExperimentRun *run, const MethodSubject *subjects,
                           const ExperimentSetup *setup, ScoreStats *scores) {
     const Experiment *experiment = run->experiment;
@@ -150,9 +144,7 @@ static void score_samples(const ExperimentRun *run, const MethodSubject *subject
 
 /**
  * Makes the tracer of an engine.
- * @param experiment  The experiment.
- * @param engine      The engine; may be NULL.
- * @param setup     Where.
+ * @param engine  The engine; may be NULL.
  * @return The tracer, or NULL where there is none.
  */
 static Tracer *create_level_tracer(const Experiment *experiment, const Engine *engine,
@@ -166,14 +158,15 @@ static Tracer *create_level_tracer(const Experiment *experiment, const Engine *e
     return tracer;
 }
 
-/** @return A method in a number type; NULL for the engine. @param run The experiment.
- *  @param type The type. @param m Which, of those that are asked. */
+/**
+ * @return A method in a number type; NULL for the engine.
+ * @param m  Which, of those that are asked.
+ */
 static const Method *run_method_at(const ExperimentRun *run, const NumberType *type, size_t m) {
     return m < run->method_count ? type->methods[run->method_indices[m]] : NULL;
 }
 
-/** Writes down what came of all that were asked. @param[in,out] run The experiment.
- *  @param subjects Who. @param[in,out] scores Their scores; given back. @param index The piece. */
+/** Writes down what came of all that were asked. @param[in,out] scores Their scores; given back. */
 static void store_results(ExperimentRun *run, const MethodSubject *subjects, ScoreStats *scores,
                           size_t index) {
     ExperimentResults *results = run->results;
@@ -198,8 +191,7 @@ static void store_results(ExperimentRun *run, const MethodSubject *subjects, Sco
     }
 }
 
-/** Makes an experiment at one level in one number type, in a world. @param[in,out] run The
- *  experiment. @param setup Where. @param index Which piece. */
+/** Makes an experiment at one level in one number type, in a world. */
 static void run_level(ExperimentRun *run, const ExperimentSetup *setup, size_t index) {
     const Engine *engine = scalar_engine_for(setup->type);
     Tracer *tracer = create_level_tracer(run->experiment, engine, setup);
@@ -216,8 +208,8 @@ static void run_level(ExperimentRun *run, const ExperimentSetup *setup, size_t i
     }
 }
 
-/** Makes an experiment at one level in one number type. See ThreadPoolTask. @param context The
- *  #ExperimentRun. @param index Which piece: its type counts up first. */
+/** Makes an experiment at one level in one number type. See ThreadPoolTask. @param index Which
+ *  piece: its type counts up first. */
 static void run_level_task(void *context, size_t index) {
     ExperimentRun *run = context;
     const Experiment *experiment = run->experiment;
@@ -232,8 +224,7 @@ static void run_level_task(void *context, size_t index) {
     free(shared);
 }
 
-/** Finds who is to be asked. @param[in,out] run The experiment. @return How many, the engine
- *  counted. */
+/** Finds who is to be asked. @return How many, the engine counted. */
 static size_t find_group_methods(ExperimentRun *run) {
     const Method *const *methods = number_float.methods;
     for (size_t i = 0; methods[i]; i++) {
@@ -254,8 +245,11 @@ static size_t number_type_count(void) {
     return count;
 }
 
-/** Does all pieces of work. @param[in,out] run The experiment. @param threads How many at once.
- *  @param[out] error What is wrong. @return Whether all was done. */
+/**
+ * Does all pieces of work.
+ * @param threads  How many at once.
+ * @return Whether all was done.
+ */
 static bool run_all_levels(ExperimentRun *run, int threads, Error *error) {
     ExperimentResults *results = run->results;
     ThreadPool *workers = thread_pool_create(threads, error);

@@ -54,25 +54,20 @@ typedef struct Experiment {
     double timed_level; /**< The level at which methods are held against their time: where they
                        differ; #TIMED_LEVEL_BEST: each at the one that suits it; 0: none. */
 
-    /**
-     * Makes what all cases of a level have in common; NULL: there is no such thing.
-     * @param level  The stress.
-     * @return It, to be given back with free; NULL without memory.
-     */
+    /** Makes what all cases of a level have in common; NULL: there is no such thing. @return It, to
+     *  be given back with free; NULL without memory. */
     void *(*create_shared)(double level);
 
     /**
      * Makes a case.
-     * @param setting         Where.
      * @param[in,out] random  Where it comes from.
-     * @param[out] posed      The case; all zero before.
+     * @param[out] posed  The case; all zero before.
      */
     void (*generate)(const ExperimentSetup *setting, Random *random, ExperimentSample *posed);
 
     /**
      * Judges answers.
-     * @param posed          The case.
-     * @param answers        Those to its questions, one after the other.
+     * @param answers  Those to its questions, one after the other.
      * @param[in,out] score  Errors and outcomes are added to it.
      */
     void (*score_sample)(const ExperimentSample *posed, const Quadruple *answers,
@@ -81,20 +76,14 @@ typedef struct Experiment {
     /**
      * Makes the scene in which the tracer's own engines meet the same thing; NULL: they have no
      * such part.
-     * @param setting     Where; its number type says nothing.
-     * @param[out] error  What is wrong.
+     * @param setting  Where; its number type says nothing.
      * @return The scene, to be given back with scene_destroy; NULL if anything is wrong.
      */
     Scene *(*create_scene)(const ExperimentSetup *setting, Error *error);
 
-    /**
-     * Asks an engine instead of a method; NULL: a question begins with a ray's origin and
-     * direction, and an answer is the distance of the nearest hit.
-     * @param engine        The engine.
-     * @param tracer        The tracer of the scene.
-     * @param posed         The case.
-     * @param[out] answers  What #score_sample wants.
-     */
+    /** Asks an engine instead of a method; NULL: a question begins with a ray's origin and
+     *  direction, and an answer is the distance of the nearest hit. @param tracer The tracer of the
+     *  scene. */
     void (*query_engine)(const Engine *engine, Tracer *tracer, const ExperimentSample *posed,
                          Quadruple *answers);
 } Experiment;
@@ -136,33 +125,24 @@ const Experiment *const *experiment_list(void);
 
 /**
  * Makes an experiment.
- * @param experiment     The experiment.
- * @param threads        How many work at once.
- * @param stop           It is given up once this is true; may be NULL.
+ * @param threads  How many work at once.
+ * @param stop  It is given up once this is true; may be NULL.
  * @param[out] results  What was found, to be given back with #experiment_results_deinit.
- * @param[out] error     What is wrong: #STATUS_INTERRUPTED, or no memory.
+ * @param[out] error  What is wrong: #STATUS_INTERRUPTED, or no memory.
  * @return false if anything is wrong: then there are no findings.
  */
 bool experiment_run(const Experiment *experiment, int threads, const atomic_bool *stop,
                     ExperimentResults *results, Error *error);
 
-/** @return A finding. @param results All of them. @param method Its place. @param type Its place.
- *  @param level Its place. */
+/** @return A finding. */
 MethodResult *experiment_results_at(const ExperimentResults *results, size_t method, size_t type,
                                     size_t level);
 
-/**
- * Finds a finding by names: for tests.
- * @param results  All of them.
- * @param method    The method.
- * @param type      The number type.
- * @param level     The stress.
- * @return The finding, or NULL.
- */
+/** Finds a finding by names: for tests. @return The finding, or NULL. */
 const MethodResult *experiment_results_find(const ExperimentResults *results, const char *method,
                                             const char *type, double level);
 
-/** Gives findings back. @param[in,out] results What was found. */
+/** Gives findings back. */
 void experiment_results_deinit(ExperimentResults *results);
 
 #endif

@@ -41,9 +41,11 @@ bool lab_create_folder(const LabRequest *request, Error *error) {
                      error_errno_text(errno));
 }
 
-/** Puts a path together. @param request In its folder. @param experiment Of what.
- *  @param ending Of its name. @param[out] path The path. @param[out] error That it is too long.
- *  @return Whether there is room for it. */
+/**
+ * Puts a path together.
+ * @param[out] error  That it is too long.
+ * @return Whether there is room for it.
+ */
 static bool result_path(const LabRequest *request, const Experiment *experiment, const char *ending,
                         char path[PATH_MAX], Error *error) {
     int length = snprintf(path, PATH_MAX, "%s/%s.%s", request->folder, experiment->name, ending);
@@ -51,9 +53,11 @@ static bool result_path(const LabRequest *request, const Experiment *experiment,
            error_set(error, STATUS_FAILED, "the folder's name is too long");
 }
 
-/** Keeps what was found. @param experiment The experiment. @param results It. @param request How.
- *  @param[out] has_chart Whether there is an SVG. @param[out] error What is wrong.
- *  @return false if anything is wrong. */
+/**
+ * Keeps what was found.
+ * @param[out] has_chart  Whether there is an SVG.
+ * @return false if anything is wrong.
+ */
 static bool save_results(const Experiment *experiment, const ExperimentResults *results,
                          const LabRequest *request, bool *has_chart, Error *error) {
     char csv[PATH_MAX], svg[PATH_MAX];

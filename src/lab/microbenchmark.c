@@ -37,7 +37,7 @@ static double thread_cpu_seconds(void) {
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/** @return How long all questions took, seconds. @param timed Who is asked. */
+/** @return How long all questions took, seconds. */
 static double time_rounds(const TimedMethod *timed) {
     double start = thread_cpu_seconds();
     for (int i = 0; i < timed->rounds; i++) {
@@ -46,8 +46,11 @@ static double time_rounds(const TimedMethod *timed) {
     return thread_cpu_seconds() - start;
 }
 
-/** Poses the questions of a method. @param experiment The experiment. @param setup Where: a
- *  level. @param[in,out] timed The method; gets its questions. @return false without memory. */
+/**
+ * Poses the questions of a method.
+ * @param[in,out] timed  The method; gets its questions.
+ * @return false without memory.
+ */
 static bool generate_inputs(const Experiment *experiment, const ExperimentSetup *setup,
                             TimedMethod *timed) {
     size_t numbers = (size_t)timed->method->input_count;
@@ -64,8 +67,11 @@ static bool generate_inputs(const Experiment *experiment, const ExperimentSetup 
     return timed->packed_inputs != NULL;
 }
 
-/** Prepares a method. @param experiment The experiment. @param result The method and its level.
- *  @param[out] timed The method. @return false without memory. */
+/**
+ * Prepares a method.
+ * @param result  The method and its level.
+ * @return false without memory.
+ */
 static bool timed_method_init(const Experiment *experiment, const MethodResult *result,
                               TimedMethod *timed) {
     const NumberType *const *type = number_types();
@@ -86,8 +92,7 @@ static bool timed_method_init(const Experiment *experiment, const MethodResult *
     return is_generated;
 }
 
-/** Finds how often the questions must be asked to be timed; the first round warms up.
- *  @param[in,out] timed The method. */
+/** Finds how often the questions must be asked to be timed; the first round warms up. */
 static void calibrate_rounds(TimedMethod *timed) {
     time_rounds(timed);
     while (time_rounds(timed) < TURN_SECONDS) {
@@ -95,13 +100,13 @@ static void calibrate_rounds(TimedMethod *timed) {
     }
 }
 
-/** @return Order of two numbers, for qsort. @param a One. @param b The other. */
+/** @return Order of two numbers, for qsort. */
 static int compare_numbers(const void *a, const void *b) {
     double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
 }
 
-/** Writes down what a test costs. @param[in,out] timed The method. @param[out] point Where to. */
+/** Writes down what a test costs. */
 static void store_quartiles(TimedMethod *timed, MicrobenchmarkPoint *point) {
     qsort(timed->ns, TURNS, sizeof *timed->ns, compare_numbers);
     point->ns_low = timed->ns[TURNS / 4];
@@ -109,8 +114,7 @@ static void store_quartiles(TimedMethod *timed, MicrobenchmarkPoint *point) {
     point->ns_high = timed->ns[TURNS - 1 - TURNS / 4];
 }
 
-/** Times methods in turn. @param[in,out] timed They. @param count How many. @param stop Whether to
- *  give up. */
+/** Times methods in turn. @param stop Whether to give up. */
 static void time_methods(TimedMethod *timed, size_t count, const atomic_bool *stop) {
     for (size_t i = 0; i < count; i++) {
         calibrate_rounds(&timed[i]);
@@ -123,9 +127,11 @@ static void time_methods(TimedMethod *timed, size_t count, const atomic_bool *st
     }
 }
 
-/** Finds what a test of each method costs. @param experiment The experiment. @param stop Whether to
- *  give up. @param[in,out] benchmark The methods. @param[out] error What is wrong.
- *  @return false if anything is wrong. */
+/**
+ * Finds what a test of each method costs.
+ * @param stop  Whether to give up.
+ * @return false if anything is wrong.
+ */
 static bool measure_times(const Experiment *experiment, const atomic_bool *stop,
                           Microbenchmark *benchmark, Error *error) {
     TimedMethod timed[MICROBENCHMARK_POINTS_MAXIMUM] = {{0}};
@@ -146,8 +152,7 @@ static bool measure_times(const Experiment *experiment, const atomic_bool *stop,
     return has_room || error_set(error, STATUS_FAILED, "no memory for a clock");
 }
 
-/** @return The largest share of answers that are wrong altogether; NaN where none is counted.
- *  @param result What was found. */
+/** @return The largest share of answers that are wrong altogether; NaN where none is counted. */
 static double failure_fraction(const MethodResult *result) {
     double worst = NAN;
     for (int i = 0; i < OUTCOME_COUNT; i++) {
@@ -159,9 +164,8 @@ static double failure_fraction(const MethodResult *result) {
     return worst;
 }
 
-/** Adds a method in a number type: at the level that suits it, where there are several.
- *  @param[in,out] benchmark Gets it. @param levels What was found at each. @param count How many.
- */
+/** Adds a method in a number type: at the level that suits it, where there are several. @param
+ *  levels What was found at each. */
 static void add_best_level(Microbenchmark *benchmark, const MethodResult *levels, size_t count) {
     const MethodResult *best = levels;
     for (size_t i = 1; i < count; i++) {

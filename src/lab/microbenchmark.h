@@ -30,11 +30,9 @@ typedef struct Microbenchmark {
 
 /**
  * Measures the methods of an experiment, at its level #Experiment.timed_level.
- * @param experiment   The experiment.
- * @param threads      How many find errors at once; time is measured on one.
- * @param stop         It is given up once this is true; may be NULL.
- * @param[out] benchmark  What was found.
- * @param[out] error   What is wrong: #STATUS_INTERRUPTED, or no memory.
+ * @param threads  How many find errors at once; time is measured on one.
+ * @param stop  It is given up once this is true; may be NULL.
+ * @param[out] error  What is wrong: #STATUS_INTERRUPTED, or no memory.
  * @return false if anything is wrong.
  */
 bool microbenchmark_measure(const Experiment *experiment, int threads, const atomic_bool *stop,
@@ -42,11 +40,7 @@ bool microbenchmark_measure(const Experiment *experiment, int threads, const ato
 
 /**
  * Keeps what was found: prints a table, writes `benchmark-NAME.csv` and `benchmark-NAME.svg`.
- * @param benchmark          What was found.
- * @param experiment      The experiment.
- * @param request         Where to.
  * @param[out] has_chart  Whether there is an SVG; there is none where gnuplot is missing.
- * @param[out] error      What is wrong.
  * @return false if anything is.
  */
 bool microbenchmark_save(const Microbenchmark *benchmark, const Experiment *experiment,

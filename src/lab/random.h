@@ -15,24 +15,21 @@ typedef struct Random {
     uint64_t state; /**< Counts on by a large odd number. */
 } Random;
 
-/** @return 64 random bits. @param[in,out] random The sequence. */
+/** @return 64 random bits. */
 uint64_t random_bits(Random *random);
 
-/** @return A number, uniform in 0 to 1. @param[in,out] random The sequence. */
+/** @return A number, uniform in 0 to 1. */
 double random_unit(Random *random);
 
-/** @return A number, uniform in a range. @param[in,out] random The sequence. @param low Its lowest.
- *  @param high Its highest. */
+/** @return A number, uniform in a range. */
 double random_range(Random *random, double low, double high);
 
-/** @return A direction, uniform on the sphere, of length 1. @param[in,out] random The sequence. */
+/** @return A direction, uniform on the sphere, of length 1. */
 Vec3q random_direction(Random *random);
 
 /**
  * @return A vector across a direction, uniform in the disc of a radius.
- * @param[in,out] random  The sequence.
- * @param axis            The direction, of length 1.
- * @param radius          The disc's.
+ * @param axis  The direction, of length 1.
  */
 Vec3q random_in_disc(Random *random, Vec3q axis, double radius);
 

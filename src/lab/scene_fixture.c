@@ -9,8 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** @return The place of a shape's keyword among all, whose keyword is NULL if there is none.
- *  @param name The keyword. */
+/** @return The place of a shape's keyword among all, whose keyword is NULL if there is none. */
 static size_t find_shape_kind(const char *name) {
     const Keyword *const *keywords = engine_list()[0]->shape_keywords;
     size_t kind = 0;
@@ -20,8 +19,7 @@ static size_t find_shape_kind(const char *name) {
     return kind;
 }
 
-/** Sets a field. @param parameter The field. @param value Its value. @param[out] values The struct
- *  that it lies in. */
+/** Sets a field. @param[out] values The struct that it lies in. */
 static void set_parameter(const Parameter *parameter, const FixtureValue *value, char *values) {
     void *field = values + parameter->offset;
     if (parameter->type == PARAMETER_NUMBER) {
@@ -35,8 +33,10 @@ static void set_parameter(const Parameter *parameter, const FixtureValue *value,
     }
 }
 
-/** Sets fields. @param keyword The shape's. @param assignments The fields. @param[out] values The
- * struct that they lie in. @return Which rows of the table were set, as #Keyword.finish wants it.
+/**
+ * Sets fields.
+ * @param[out] values  The struct that they lie in.
+ * @return Which rows of the table were set, as #Keyword.finish wants it.
  */
 static uint64_t set_parameters(const Keyword *keyword, const FixtureValue *assignments,
                                char *values) {
@@ -52,9 +52,7 @@ static uint64_t set_parameters(const Keyword *keyword, const FixtureValue *assig
     return rows;
 }
 
-/** Adds a shape. @param[in,out] scene The scene. @param name Its keyword. @param assignments Its
- * fields.
- *  @param[out] error What is wrong. @return Whether it is there. */
+/** Adds a shape. @return Whether it is there. */
 static bool add_fixture_shape(Scene *scene, const char *name, const FixtureValue *assignments,
                               Error *error) {
     size_t kind = find_shape_kind(name);
@@ -80,8 +78,11 @@ Scene *scene_fixture_with_shape(const char *keyword, const FixtureValue *values,
     return scene;
 }
 
-/** Makes a field. @param name Its keyword. @param assignments Its fields. @param[out] field Room
- * for one step. @return Whether there is such a field, and memory for it. */
+/**
+ * Makes a field.
+ * @param[out] field  Room for one step.
+ * @return Whether there is such a field, and memory for it.
+ */
 static bool make_sdf_primitive(const char *name, const FixtureValue *assignments, Sdf *field) {
     const SdfPrimitive *const *kind = sdf_primitives;
     while (*kind && strcmp((*kind)->keyword.name, name) != 0) {
@@ -98,8 +99,7 @@ static bool make_sdf_primitive(const char *name, const FixtureValue *assignments
     return true;
 }
 
-/** Adds the surface of a field. @param[in,out] scene The scene. @param field The field.
- *  @param[out] error What is wrong. @return Whether it is there. */
+/** Adds the surface of a field. @return Whether it is there. */
 static bool add_sdf_surface(Scene *scene, const Sdf *field, Error *error) {
     size_t kind = find_shape_kind("sdf");
     const Keyword *keyword = engine_list()[0]->shape_keywords[kind];

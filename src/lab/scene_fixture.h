@@ -15,19 +15,17 @@ typedef struct FixtureValue {
 
 /**
  * Makes a scene with one shape.
- * @param keyword     The shape's, such as `sphere`.
- * @param values      Its fields, ended by one without a name.
- * @param[out] error  What is wrong.
+ * @param keyword  The shape's, such as `sphere`.
+ * @param values  Its fields, ended by one without a name.
  * @return The scene, to be given back with scene_destroy; NULL if anything is wrong.
  */
 Scene *scene_fixture_with_shape(const char *keyword, const FixtureValue *values, Error *error);
 
 /**
  * Makes a scene with the surface of one field, of the tolerance that surfaces have.
- * @param name        The field's keyword, such as `distance.sphere`.
- * @param values      Its fields, ended by one without a name.
- * @param offset         How far it is moved, scene units.
- * @param[out] error  What is wrong.
+ * @param name  The field's keyword, such as `distance.sphere`.
+ * @param values  Its fields, ended by one without a name.
+ * @param offset  How far it is moved, scene units.
  * @return The scene, to be given back with scene_destroy; NULL if anything is wrong.
  */
 Scene *scene_fixture_with_sdf(const char *name, const FixtureValue *values, Vec3d offset,
@@ -35,8 +33,7 @@ Scene *scene_fixture_with_sdf(const char *name, const FixtureValue *values, Vec3
 
 /**
  * Makes a scene with one model.
- * @param mesh        Its triangles; the scene's from now on, whatever happens.
- * @param[out] error  What is wrong.
+ * @param mesh  Its triangles; the scene's from now on, whatever happens.
  * @return The scene, to be given back with scene_destroy; NULL if anything is wrong.
  */
 Scene *scene_fixture_with_mesh(Mesh *mesh, Error *error);

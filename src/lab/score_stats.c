@@ -39,7 +39,7 @@ void score_distance(ScoreStats *score, Quadruple distance, Quadruple truth) {
     }
 }
 
-/** @return Order of two numbers, for qsort. @param a One. @param b The other. */
+/** @return Order of two numbers, for qsort. */
 static int compare(const void *a, const void *b) {
     double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);

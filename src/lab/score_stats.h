@@ -32,19 +32,17 @@ typedef struct ScoreStats {
     bool is_out_of_memory;                /**< Whether there was no memory for an error. */
 } ScoreStats;
 
-/** Adds an error. @param[in,out] score The score. @param error At least 0. */
+/** Adds an error. */
 void score_error(ScoreStats *score, Quadruple error);
 
-/** Adds a case of an outcome. @param[in,out] score The score. @param outcome Which.
- *  @param happened Whether it was so. */
+/** Adds a case of an outcome. @param happened Whether it was so. */
 void score_outcome(ScoreStats *score, Outcome outcome, bool happened);
 
-/** Adds what an answer cost. @param[in,out] score The score. @param work How much. */
+/** Adds what an answer cost. */
 void score_cost(ScoreStats *score, Quadruple work);
 
 /** Adds a distance to a score: an error relative to the true one, a false hit, or a false miss.
- *  @param[in,out] score The score. @param distance It; #QUAD_NO_HIT for a miss.
- *  @param truth The true one; likewise. */
+ *  @param distance It; #QUAD_NO_HIT for a miss. */
 void score_distance(ScoreStats *score, Quadruple distance, Quadruple truth);
 
 /**
@@ -54,11 +52,10 @@ void score_distance(ScoreStats *score, Quadruple distance, Quadruple truth);
  */
 double score_quantile(ScoreStats *score, double fraction);
 
-/** @return How often an outcome was, 0 to 1; NaN where it could not have been. @param score The
- *  score. @param outcome Which. */
+/** @return How often an outcome was, 0 to 1; NaN where it could not have been. */
 double score_fraction(const ScoreStats *score, Outcome outcome);
 
-/** Gives the errors back. @param[in,out] score The score. */
+/** Gives the errors back. */
 void score_deinit(ScoreStats *score);
 
 #endif

@@ -22,8 +22,7 @@ Quadruple quad_sqrt(Quadruple x) {
 }
 
 #if defined(__SIZEOF_FLOAT128__)
-/** The angle of a point, from the C library. @return It. @param y Its ordinate. @param x Its
- *  abscissa. */
+/** The angle of a point, from the C library. @return It. */
 extern Quadruple atan2f128(Quadruple y, Quadruple x);
 #else
 /** The same in what is quad here. */

@@ -30,8 +30,7 @@ static bool pass_range_next(PassRange *range, int samples) {
     return range->last_sample < samples;
 }
 
-/** @return Rays from pixels in all passes. @param width Pixels. @param height Pixels.
- *  @param samples Samples a pixel. */
+/** @return Rays from pixels in all passes. */
 static size_t total_ray_count(int width, int height, int samples) {
     size_t rays = 0;
     PassRange range = {0};
@@ -59,8 +58,7 @@ void background_renderer_publish(Renderer *renderer, const RenderStats *stats) {
     }
 }
 
-/** Draws the light asked for, pass by pass, until it is finished or stopped.
- *  @param renderer The renderer. */
+/** Draws the light asked for, pass by pass, until it is finished or stopped. */
 static void background_renderer_render(Renderer *renderer) {
     BackgroundRenderer *background = &renderer->background;
     int samples = renderer->settings.samples;
@@ -93,7 +91,7 @@ static void background_renderer_render(Renderer *renderer) {
     }
 }
 
-/** The thread's life: waits to be asked, draws. @param argument The renderer. @return NULL */
+/** The thread's life: waits to be asked, draws. @return NULL */
 static void *background_renderer_main(void *argument) {
     Renderer *renderer = argument;
     BackgroundRenderer *background = &renderer->background;
@@ -132,7 +130,7 @@ void renderer_stop(Renderer *renderer) {
     pthread_mutex_unlock(&background->mutex);
 }
 
-/** Gives the pictures back. @param background The background part. */
+/** Gives the pictures back. */
 static void background_buffers_deinit(BackgroundRenderer *background) {
     picture_deinit(&background->back);
     picture_deinit(&background->front);
@@ -140,10 +138,7 @@ static void background_buffers_deinit(BackgroundRenderer *background) {
 
 /**
  * Makes room for a picture of another size.
- * @param renderer    The renderer; its background part is idle.
- * @param width       Pixels.
- * @param height      Pixels.
- * @param[out] error  What is wrong.
+ * @param renderer  The renderer; its background part is idle.
  * @return false without memory.
  */
 static bool background_buffers_resize(Renderer *renderer, int width, int height, Error *error) {
@@ -164,8 +159,7 @@ static bool background_buffers_resize(Renderer *renderer, int width, int height,
     return is_made;
 }
 
-/** Starts the thread, once. @param renderer The renderer. @param[out] error What is wrong.
- *  @return Whether it runs. */
+/** Starts the thread, once. @return Whether it runs. */
 static bool background_renderer_start_thread(Renderer *renderer, Error *error) {
     BackgroundRenderer *background = &renderer->background;
     if (!background->is_running) {
@@ -202,8 +196,8 @@ bool renderer_start(Renderer *renderer, const Scene *scene, int width, int heigh
     return true;
 }
 
-/** Copies a picture in the order of bytes that screens like. @param picture It.
- *  @param[out] bgrx Where to. @param pitch Bytes from a row to the next. */
+/** Copies a picture in the order of bytes that screens like. @param pitch Bytes from a row to the
+ *  next. */
 static void copy_bgrx(const Picture *picture, uint8_t *bgrx, int pitch) {
     const uint8_t *from = picture->pixels;
     for (int y = 0; y < picture->height; y++) {

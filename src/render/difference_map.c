@@ -16,7 +16,7 @@ static const int LEGEND_DIFFERENCES[] = {255, 31, 7, 1, 0, -1, -7, -31, -255};
 enum { LEGEND_COUNT = sizeof LEGEND_DIFFERENCES / sizeof LEGEND_DIFFERENCES[0] };
 
 /** @return Where a difference stands between the ends of its colours: one step is far from none,
- * and the largest are near each other. @param difference The difference. */
+ *  and the largest are near each other. */
 static double difference_palette_position(int difference) {
     double bits = log2(1.0 + abs(difference)) / 8; // 255 steps: 8 bits.
     return 0.5 + (difference < 0 ? -bits : bits) / 2;
@@ -33,8 +33,7 @@ static void difference_colors_init(uint8_t colors[2 * UINT8_MAX + 1][3]) {
     }
 }
 
-/** @return The difference of the primary that differs most, with its sign. @param a A pixel.
- *  @param b Another. */
+/** @return The difference of the primary that differs most, with its sign. */
 static int pixel_difference(const uint8_t *a, const uint8_t *b) {
     int largest = 0;
     for (int i = 0; i < 3; i++) {

@@ -16,17 +16,14 @@ typedef struct DifferenceMap {
 
 /**
  * Draws a difference. White is none; the colours of few steps are far apart.
- * @param a          A picture: blue, green, red and an unused byte a pixel.
- * @param b          Another.
- * @param pixel_count     Pixels of each.
+ * @param a  A picture: blue, green, red and an unused byte a pixel.
  * @param[out] bgrx  Their difference, likewise; may be one of the two.
  * @return How they differ.
  */
 DifferenceMap difference_map_draw(const uint8_t *a, const uint8_t *b, size_t pixel_count,
                                   uint8_t *bgrx);
 
-/** Writes the legend: steps, from the greatest down. @param[out] entries The colours. @return How
- *  many. */
+/** Writes the legend: steps, from the greatest down. @return How many. */
 size_t difference_map_legend(LegendEntry entries[LEGEND_ENTRIES_MAXIMUM]);
 
 #endif

@@ -12,13 +12,9 @@
  *  as the narrowest step, at the dark end of sRGB, is 1 / (12.92 * 255) wide. */
 enum { ENCODER_CELLS = 4096 };
 
-/**
- * Finds where a step begins. The curve backwards comes within a float or two of it; from there the
- * neighbours are tried, with the curve forwards, which is what the step is defined by.
- * @param encoding  Which curve.
- * @param code      1 to 255.
- * @return The smallest float whose light is rounded to this step or a higher one.
- */
+/** Finds where a step begins. The curve backwards comes within a float or two of it; from there the
+ *  neighbours are tried, with the curve forwards, which is what the step is defined by. @return The
+ *  smallest float whose light is rounded to this step or a higher one. */
 static float find_threshold(Encoding encoding, int code) {
     double border = code - 0.5;
     float linear = (float)encoding_decode(encoding, border);

@@ -7,12 +7,11 @@
 #include <stdio.h>
 #include <string.h>
 
-/** Declares an engine. The makefile lists them: ENGINE_LIST(X) is X(name) for each. @param name Its
- *  name. */
+/** Declares an engine. The makefile lists them: ENGINE_LIST(X) is X(name) for each. */
 #define DECLARE(name) extern const Engine engine_##name;
 ENGINE_LIST(DECLARE)
 
-/** The address of an engine, and a comma. @param name Its name. */
+/** The address of an engine, and a comma. */
 #define ADDRESS(name) &engine_##name,
 
 const Engine *const *engine_list(void) {
@@ -20,8 +19,7 @@ const Engine *const *engine_list(void) {
     return engines;
 }
 
-/** @return What an engine needs of the processor and it does not have; NULL where it can run.
- *  @param engine The engine. */
+/** @return What an engine needs of the processor and it does not have; NULL where it can run. */
 static const char *engine_missing_feature(const Engine *engine) {
 #if defined(__x86_64__)
     if (engine->needs == ENGINE_NEEDS_AVX2 && !__builtin_cpu_supports("avx2")) {
@@ -51,7 +49,7 @@ static const Engine *engine_preferred(void) {
     return *engine;
 }
 
-/** Says which engines there are. @param name What was asked for. @param[out] error The message. */
+/** Says which engines there are. */
 static void error_unknown_engine(const char *name, Error *error) {
     char names[128] = "";
     for (const Engine *const *engine = engine_list(); *engine; engine++) {

@@ -32,48 +32,43 @@ static const double LINEAR_TICKS = 5;
 
 /* --- numbers ---------------------------------------------------------------------------------- */
 
-/** Takes the normal. See #LayerClass.read. @param sample The pixel. @param[out] values Its numbers.
- */
+/** Takes the normal. See #LayerClass.read. */
 static void read_normal(const AovSample *sample, float values[LAYER_VALUES]) {
     for (int i = 0; i < LAYER_VALUES; i++) {
         values[i] = sample->shape < 0 ? NAN : (float)sample->normal[i];
     }
 }
 
-/** Takes the distance. See #LayerClass.read. @param sample The pixel. @param[out] values Its
- *  numbers. */
+/** Takes the distance. See #LayerClass.read. */
 static void read_distance(const AovSample *sample, float values[LAYER_VALUES]) {
     values[0] = isfinite(sample->distance) ? (float)sample->distance : NAN;
 }
 
-/** Takes the shape. See #LayerClass.read. @param sample The pixel. @param[out] values Its numbers.
- */
+/** Takes the shape. See #LayerClass.read. */
 static void read_shape_id(const AovSample *sample, float values[LAYER_VALUES]) {
     values[0] = sample->shape < 0 ? NAN : (float)sample->shape;
 }
 
-/** Takes the place on a picture. See #LayerClass.read. @param sample The pixel. @param[out] values
- *  Its numbers. */
+/** Takes the place on a picture. See #LayerClass.read. */
 static void read_uv(const AovSample *sample, float values[LAYER_VALUES]) {
     values[0] = sample->shape < 0 ? NAN : (float)sample->uv[0];
     values[1] = (float)sample->uv[1];
 }
 
-/** Takes the rays. See #LayerClass.read. @param sample The pixel. @param[out] values Its numbers.
- */
+/** Takes the rays. See #LayerClass.read. */
 static void read_ray_count(const AovSample *sample, float values[LAYER_VALUES]) {
     values[0] = (float)sample->ray_count;
 }
 
-/** Takes the steps. See #LayerClass.read. @param sample The pixel. @param[out] values Its numbers;
- *  none where nothing is marched. */
+/** Takes the steps. See #LayerClass.read. @param[out] values Its numbers; none where nothing is
+ *  marched. */
 static void read_step_count(const AovSample *sample, float values[LAYER_VALUES]) {
     values[0] = sample->step_count > 0 ? (float)sample->step_count : NAN;
 }
 
 /* --- colours ---------------------------------------------------------------------------------- */
 
-/** @return Where a number stands on a scale, 0 to 1. @param scale The scale. @param value It. */
+/** @return Where a number stands on a scale, 0 to 1. */
 static double scale_fraction(const LayerScale *scale, double value) {
     if (scale->is_log) {
         return value > scale->low ? log(value / scale->low) * scale->slope : 0;
@@ -81,14 +76,12 @@ static double scale_fraction(const LayerScale *scale, double value) {
     return (value - scale->low) * scale->slope;
 }
 
-/** Colours a magnitude. See #LayerClass.color. @param scale The scale. @param values The pixel's.
- *  @param[out] rgb Its colour. */
+/** Colours a magnitude. See #LayerClass.color. */
 static void color_cividis(const LayerScale *scale, const float *values, uint8_t rgb[3]) {
     palette_color(&palette_cividis, scale_fraction(scale, (double)values[0]), rgb);
 }
 
-/** Colours a magnitude. See #LayerClass.color. @param scale The scale. @param values The pixel's.
- *  @param[out] rgb Its colour. */
+/** Colours a magnitude. See #LayerClass.color. */
 static void color_viridis(const LayerScale *scale, const float *values, uint8_t rgb[3]) {
     palette_color(&palette_viridis, scale_fraction(scale, (double)values[0]), rgb);
 }
@@ -98,8 +91,7 @@ static uint8_t to_8_bits(double unit_value) {
     return (uint8_t)(fmin(fmax(unit_value, 0), 1) * UINT8_MAX + 0.5);
 }
 
-/** Colours a normal: red, green and blue are x, y and z. See #LayerClass.color. @param scale Not
- *  looked at. @param values The pixel's. @param[out] rgb Its colour. */
+/** Colours a normal: red, green and blue are x, y and z. See #LayerClass.color. */
 static void color_normal(const LayerScale *scale, const float *values, uint8_t rgb[3]) {
     (void)scale;
     for (int i = 0; i < LAYER_VALUES; i++) {
@@ -107,8 +99,7 @@ static void color_normal(const LayerScale *scale, const float *values, uint8_t r
     }
 }
 
-/** Colours a shape. See #LayerClass.color. @param scale Not looked at. @param values The pixel's.
- *  @param[out] rgb Its colour. */
+/** Colours a shape. See #LayerClass.color. */
 static void color_shape(const LayerScale *scale, const float *values, uint8_t rgb[3]) {
     (void)scale;
     palette_category((unsigned)values[0], rgb);
@@ -122,13 +113,12 @@ static const double UV_LINES = 10;
 /** How wide they are, of the way from one to the next. */
 static const double UV_LINE_WIDTH = 0.08;
 
-/** @return The part of a number after its whole part. @param x Any number. */
+/** @return The part of a number after its whole part. */
 static double fraction(double x) {
     return x - floor(x);
 }
 
-/** Colours a place on a picture, with lines at its tenths. See #LayerClass.color. @param scale Not
- *  looked at. @param values The pixel's. @param[out] rgb Its colour. */
+/** Colours a place on a picture, with lines at its tenths. See #LayerClass.color. */
 static void color_uv(const LayerScale *scale, const float *values, uint8_t rgb[3]) {
     (void)scale;
     double u = (double)values[0], v = (double)values[1];
@@ -145,8 +135,7 @@ static void color_uv(const LayerScale *scale, const float *values, uint8_t rgb[3
 }
 
 /** Colours an error; what is not known yet is grey, as bright as the picture. See
- *  #LayerClass.color. @param scale The scale. @param values The pixel's: error, brightness.
- *  @param[out] rgb Its colour. */
+ *  #LayerClass.color. @param values The pixel's: error, brightness. */
 static void color_error(const LayerScale *scale, const float *values, uint8_t rgb[3]) {
     bool is_known = values[0] >= 0;
     memset(rgb, is_known ? 0 : to_8_bits((double)values[1]), 3);
@@ -156,8 +145,7 @@ static void color_error(const LayerScale *scale, const float *values, uint8_t rg
 }
 
 /** Colours a fault; the others are grey, as bright as the picture. See #LayerClass.color. @param
- *  scale Not looked at. @param values The pixel's: brightness, #ShadingArtifact. @param[out] rgb
- * Its colour. */
+ *  values The pixel's: brightness, #ShadingArtifact. */
 static void color_artifact(const LayerScale *scale, const float *values, uint8_t rgb[3]) {
     (void)scale;
     memset(rgb, to_8_bits((double)values[0]), 3);
@@ -207,12 +195,10 @@ typedef struct LayerClass {
     bool has_missing;               /**< Whether some pixels may have no number. */
     const FixedLegendEntry *legend; /**< Its legend; NULL: it has a scale. */
 
-    /** Takes its numbers. See #layer_values. NULL: they do not come from a survey.
-     *  @param point The pixel. @param[out] numbers Its numbers. */
+    /** Takes its numbers. See #layer_values. NULL: they do not come from a survey. */
     void (*read)(const AovSample *point, float numbers[LAYER_VALUES]);
 
-    /** Finds the colour of a pixel that has numbers. @param scale The scale. @param numbers They.
-     *  @param[out] rgb The colour. */
+    /** Finds the colour of a pixel that has numbers. */
     void (*color)(const LayerScale *scale, const float *numbers, uint8_t rgb[3]);
 } LayerClass;
 
@@ -298,32 +284,34 @@ void layer_color(Layer layer, const LayerScale *scale, const float values[LAYER_
 
 /* --- scales ----------------------------------------------------------------------------------- */
 
-/** @return The greatest of 1, 2 and 5 times a power of ten that is not above a number. @param x It,
- *  above 0. */
+/** @return The greatest of 1, 2 and 5 times a power of ten that is not above a number. */
 static double round_down_1_2_5(double x) {
     double power = pow(10, floor(log10(x)));
     double digit = x / power;
     return power * (digit >= 5 ? 5 : digit >= 2 ? 2 : 1);
 }
 
-/** @return The next of the same series. @param x One of them. */
+/** @return The next of the same series. */
 static double next_1_2_5(double x) {
     double next = round_down_1_2_5(x * 2.25);
     return next > x * 1.5 ? next : round_down_1_2_5(x * 2.75);
 }
 
-/** @return The least of the same series that is not below a number. @param x It, above 0. */
+/** @return The least of the same series that is not below a number. */
 static double round_up_1_2_5(double x) {
     double below = round_down_1_2_5(x);
     return below < x ? next_1_2_5(below) : below;
 }
 
-/** @return The way from one number of a legend to the next. @param scale A scale of differences. */
+/** @return The way from one number of a legend to the next. */
 static double linear_step(const LayerScale *scale) {
     return round_up_1_2_5((scale->high - scale->low) / LINEAR_TICKS * 0.999);
 }
 
-/** @return A scale of ratios. @param low Its lower end, above 0. @param high Its upper end. */
+/**
+ * @return A scale of ratios.
+ * @param low  Its lower end, above 0.
+ */
 static LayerScale log_scale(double low, double high) {
     return (LayerScale){low, high, true, 1 / log(high / low)};
 }
@@ -345,8 +333,7 @@ LayerScale layer_scale(Layer layer, double low, double high) {
     return (LayerScale){low, high, false, 1 / (high - low)};
 }
 
-/** Adds a row to a legend. @param layer The layer. @param scale Its scale. @param value Of its
- *  colour. @param[out] entry The row. */
+/** Adds a row to a legend. */
 static void legend_entry_at(Layer layer, const LayerScale *scale, double value,
                             LegendEntry *entry) {
     float values[LAYER_VALUES] = {(float)value};
@@ -355,8 +342,7 @@ static void legend_entry_at(Layer layer, const LayerScale *scale, double value,
     layer_color(layer, scale, values, entry->rgb);
 }
 
-/** @return The number below another in a legend of ratios, so that not too many are named.
- *  @param scale The scale. @param value A number. */
+/** @return The number below another in a legend of ratios, so that not too many are named. */
 static double next_log_value_below(const LayerScale *scale, double value) {
     double decades = log10(scale->high / scale->low);
     if (decades < FEW_DECADES) {
@@ -371,8 +357,7 @@ static double next_log_value_below(const LayerScale *scale, double value) {
     return power < value * 0.999 ? power : value / ratio;
 }
 
-/** Writes the legend of a scale. @param layer The layer. @param scale It. @param[out] entries The
- *  rows. @return How many. */
+/** Writes the legend of a scale. @return How many. */
 static size_t scale_legend(Layer layer, const LayerScale *scale,
                            LegendEntry entries[LEGEND_ENTRIES_MAXIMUM]) {
     size_t count = 0;
@@ -390,8 +375,7 @@ static size_t scale_legend(Layer layer, const LayerScale *scale,
     return count;
 }
 
-/** Writes a legend that always says the same. @param layer The layer. @param scale Its scale.
- *  @param[out] entries The rows. @return How many. */
+/** Writes a legend that always says the same. @return How many. */
 static size_t fixed_legend(Layer layer, const LayerScale *scale,
                            LegendEntry entries[LEGEND_ENTRIES_MAXIMUM]) {
     size_t count = 0;

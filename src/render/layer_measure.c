@@ -15,7 +15,7 @@ enum { STRIP_RAYS = TILE_COLUMNS * STRIP_ROWS };
 enum { TIMING_GROUP_COLUMNS = 4, TIMING_GROUP_ROWS = 2 };
 
 /** @return A pixel's brightness, as it is seen, 0 to 1; faint, so that what is marked stands out.
- *  @param pass The pass. @param color Linear light. */
+ */
 static float perceived_brightness(const LayerPass *pass, const double color[3]) {
     /** Of full light. */
     const float dimming = 0.75F;
@@ -25,8 +25,7 @@ static float perceived_brightness(const LayerPass *pass, const double color[3]) 
     return (float)code / ENCODING_CODE_MAXIMUM * dimming;
 }
 
-/** @return The largest difference of a primary, in steps of 8 bits. @param a Linear light.
- *  @param b Other light. */
+/** @return The largest difference of a primary, in steps of 8 bits. */
 static float code_difference(const double a[3], const double b[3]) {
     double largest = 0;
     for (int i = 0; i < 3; i++) {
@@ -39,8 +38,7 @@ static float code_difference(const double a[3], const double b[3]) {
     return (float)largest;
 }
 
-/** @return What a pixel's rays meet, as one number: the same where they meet the same. @param
- * sample The pixel. */
+/** @return What a pixel's rays meet, as one number: the same where they meet the same. */
 static uint32_t path_hash_of(const AovSample *sample) {
     /** Multiplier of a linear congruential generator (Knuth, MMIX). */
     const uint64_t multiplier = UINT64_C(6364136223846793005);
@@ -51,8 +49,10 @@ static uint32_t path_hash_of(const AovSample *sample) {
     return (uint32_t)((hash * multiplier) >> 32);
 }
 
-/** @return What is wrong with a pixel. @param sample What an engine says of it. @param reference
- * What the reference says. */
+/**
+ * @return What is wrong with a pixel.
+ * @param sample  What an engine says of it.
+ */
 static ShadingArtifact classify_artifact(const AovSample *sample, const AovSample *reference) {
     if (sample->shape != reference->shape || sample->shape < 0) {
         return ARTIFACT_NONE;
@@ -70,8 +70,7 @@ static ShadingArtifact classify_artifact(const AovSample *sample, const AovSampl
     return ARTIFACT_NONE;
 }
 
-/** Takes the numbers of a strip from a survey. @param pass The pass. @param strip The rays.
- *  @return How many were traced. */
+/** Takes the numbers of a strip from a survey. @return How many were traced. */
 static RayCounts strip_trace_aovs(const LayerPass *pass, const PixelGrid *strip) {
     const LayerRenderer *layer_renderer = pass->layer_renderer;
     AovSample samples[STRIP_RAYS];
@@ -88,8 +87,8 @@ static RayCounts strip_trace_aovs(const LayerPass *pass, const PixelGrid *strip)
     return counts;
 }
 
-/** Asks both tracers about the paths of a strip. @param pass The pass. @param strip The rays.
- *  @return How many were traced, by the engine that is judged. */
+/** Asks both tracers about the paths of a strip. @return How many were traced, by the engine that
+ *  is judged. */
 static RayCounts strip_find_artifacts(const LayerPass *pass, const PixelGrid *strip) {
     const LayerRenderer *layer_renderer = pass->layer_renderer;
     AovSample samples[STRIP_RAYS], reference_samples[STRIP_RAYS];
@@ -112,8 +111,8 @@ static RayCounts strip_find_artifacts(const LayerPass *pass, const PixelGrid *st
     return counts;
 }
 
-/** Asks both tracers about the colours of a strip; or only the one that is judged. @param pass The
- *  pass. @param strip The rays. @return How many were traced, by the engine that is judged. */
+/** Asks both tracers about the colours of a strip; or only the one that is judged. @return How many
+ *  were traced, by the engine that is judged. */
 static RayCounts strip_measure_error(const LayerPass *pass, const PixelGrid *strip) {
     const LayerRenderer *layer_renderer = pass->layer_renderer;
     double colors[3 * STRIP_RAYS], reference_colors[3 * STRIP_RAYS];
@@ -137,8 +136,7 @@ static RayCounts strip_measure_error(const LayerPass *pass, const PixelGrid *str
     return counts;
 }
 
-/** Keeps the ends of a block's numbers. @param pass The pass. @param grid Its rays. @param index
- *  Which block. */
+/** Keeps the ends of a block's numbers. */
 static void tile_update_range(const LayerPass *pass, const PixelGrid *grid, size_t index) {
     double *range = pass->layer_renderer->ranges + 2 * index;
     range[0] = HUGE_VAL;
@@ -173,8 +171,11 @@ void layer_measure_tile(void *context, size_t index) {
 
 /* --- time ------------------------------------------------------------------------------------- */
 
-/** Takes the time of a few pixels. @param pass The pass. @param group The pixels, all of them.
- *  @return Nanoseconds each. */
+/**
+ * Takes the time of a few pixels.
+ * @param group  The pixels, all of them.
+ * @return Nanoseconds each.
+ */
 static float time_pixels(LayerPass *pass, const PixelGrid *group) {
     double colors[3 * STRIP_RAYS];
     RayCounts counts = {0};
@@ -185,8 +186,7 @@ static float time_pixels(LayerPass *pass, const PixelGrid *group) {
     return (float)(seconds * 1e9 / (group->columns * group->rows));
 }
 
-/** Notes the time of pixels: the shortest so far. @param pass The pass. @param grid Their cells.
- *  @param time Nanoseconds each. */
+/** Notes the time of pixels: the shortest so far. */
 static void cell_update_time(const LayerPass *pass, const PixelGrid *grid, float time) {
     for (int row = 0; row < grid->rows; row++) {
         for (int column = 0; column < grid->columns; column++) {
@@ -197,8 +197,10 @@ static void cell_update_time(const LayerPass *pass, const PixelGrid *grid, float
     }
 }
 
-/** @return As many pixels of a block as an engine takes at once. @param pass The pass. @param tile
- *  The block. @param x Which column of it comes first. @param y Which row. */
+/**
+ * @return As many pixels of a block as an engine takes at once.
+ * @param x  Which column of it comes first.
+ */
 static PixelGrid timing_group(const LayerPass *pass, const PixelGrid *tile, int x, int y) {
     int lanes = pass->renderer->settings.engine->lanes;
     int columns = lanes == 1 ? TIMING_GROUP_COLUMNS : lanes > STRIP_ROWS ? lanes : STRIP_ROWS;

@@ -22,7 +22,7 @@ void renderer_set_layer(Renderer *renderer, Layer layer) {
 
 /* --- what it needs ---------------------------------------------------------------------------- */
 
-/** Forgets the tracer that it compares with. @param layer_renderer It. */
+/** Forgets the tracer that it compares with. */
 static void reference_tracer_destroy(LayerRenderer *layer_renderer) {
     if (layer_renderer->reference) {
         layer_renderer->reference->destroy(layer_renderer->reference_tracer);
@@ -31,7 +31,7 @@ static void reference_tracer_destroy(LayerRenderer *layer_renderer) {
     }
 }
 
-/** Forgets the numbers of all pixels. @param layer_renderer It. */
+/** Forgets the numbers of all pixels. */
 static void layer_values_deinit(LayerRenderer *layer_renderer) {
     free(layer_renderer->values);
     free(layer_renderer->path_hashes);
@@ -48,7 +48,7 @@ void layer_renderer_deinit(Renderer *renderer) {
 }
 
 /** @return The engine that a layer compares with: the widest, or double where that is what is
- *          judged or where paths are all that counts. @param renderer The renderer. */
+ *  judged or where paths are all that counts. */
 static const Engine *reference_engine_for(const Renderer *renderer) {
     enum { DOUBLE_BITS = 53 };
     bool wants_widest = renderer->layer_renderer.layer == LAYER_ERROR &&
@@ -64,8 +64,7 @@ static const Engine *reference_engine_for(const Renderer *renderer) {
     return found;
 }
 
-/** Makes the tracer that a layer compares with. @param renderer The renderer. @param scene The
- *  scene. @param[out] error What is wrong. @return Whether it is there. */
+/** Makes the tracer that a layer compares with. @return Whether it is there. */
 static bool reference_tracer_prepare(Renderer *renderer, const Scene *scene, Error *error) {
     LayerRenderer *layer_renderer = &renderer->layer_renderer;
     const Engine *reference = reference_engine_for(renderer);
@@ -81,8 +80,7 @@ static bool reference_tracer_prepare(Renderer *renderer, const Scene *scene, Err
     return layer_renderer->reference_tracer != NULL;
 }
 
-/** Makes room for a layer. @param layer_renderer It. @param width Pixels. @param height Pixels.
- *  @param[out] error What is wrong. @return false without memory. */
+/** Makes room for a layer. @return false without memory. */
 static bool layer_values_resize(LayerRenderer *layer_renderer, int width, int height,
                                 Error *error) {
     size_t pixels = (size_t)width * (size_t)height;
@@ -121,8 +119,7 @@ bool layer_renderer_prepare(Renderer *renderer, const Scene *scene, int width, i
 
 /* --- colours ---------------------------------------------------------------------------------- */
 
-/** @return Whether the reference sees the same in the cells around one. @param pass The pass.
- *  @param cell Which. */
+/** @return Whether the reference sees the same in the cells around one. */
 static bool is_reference_uniform(const LayerPass *pass, size_t cell) {
     const uint32_t *hashes = pass->layer_renderer->path_hashes;
     size_t columns = layer_pass_columns(pass);
@@ -134,8 +131,7 @@ static bool is_reference_uniform(const LayerPass *pass, size_t cell) {
            (y + 1 == rows || hashes[cell + columns] == hashes[cell]);
 }
 
-/** Colours a cell, and counts what is wrong with it. @param pass The pass. @param cell Which.
- *  @param[out] rgb Its colour. */
+/** Colours a cell, and counts what is wrong with it. */
 static void cell_color(LayerPass *pass, size_t cell, uint8_t rgb[3]) {
     const LayerRenderer *layer_renderer = pass->layer_renderer;
     float values[LAYER_VALUES];
@@ -151,8 +147,11 @@ static void cell_color(LayerPass *pass, size_t cell, uint8_t rgb[3]) {
     layer_color(layer_renderer->layer, &pass->scale, values, rgb);
 }
 
-/** Fills the pixels of a cell. @param pass The pass. @param tile The block that it is in.
- *  @param column Its column of cells there. @param row Its row. @param rgb Its colour. */
+/**
+ * Fills the pixels of a cell.
+ * @param tile  The block that it is in.
+ * @param column  Its column of cells there.
+ */
 static void cell_fill_pixels(const LayerPass *pass, const PixelGrid *tile, int column, int row,
                              const uint8_t rgb[3]) {
     for (int y = row * pass->stride; y < (row + 1) * pass->stride && y < tile->rows; y++) {
@@ -164,7 +163,7 @@ static void cell_fill_pixels(const LayerPass *pass, const PixelGrid *tile, int c
     }
 }
 
-/** Colours a block. See #ThreadPoolTask. @param context The pass. @param index Which block. */
+/** Colours a block. See #ThreadPoolTask. */
 static void tile_color(void *context, size_t index) {
     LayerPass *pass = context;
     PixelGrid tile = tile_at(pass->width, pass->height, index);
@@ -188,7 +187,7 @@ static void tile_color(void *context, size_t index) {
 
 /* --- passes ----------------------------------------------------------------------------------- */
 
-/** @return The scale of a pass whose pixels are measured. @param pass The pass. */
+/** @return The scale of a pass whose pixels are measured. */
 static LayerScale layer_pass_scale(const LayerPass *pass) {
     double low = HUGE_VAL, high = -HUGE_VAL;
     size_t tiles = tile_count(pass->width, pass->height);
@@ -201,7 +200,6 @@ static LayerScale layer_pass_scale(const LayerPass *pass) {
 
 /**
  * Finds the next pass.
- * @param layer         The layer.
  * @param[in,out] pass  The pass that has ended; `stride` 0 before the first.
  * @return false after the last pass.
  */
@@ -222,8 +220,11 @@ static bool layer_pass_next(Layer layer, LayerPass *pass) {
     return pass->stride > 0;
 }
 
-/** @return How a pass stands. @param pass The pass. @param seconds Since the first began.
- *  @param is_last Whether it was the last. */
+/**
+ * @return How a pass stands.
+ * @param seconds  Since the first began.
+ * @param is_last  Whether it was the last.
+ */
 static RenderStats layer_pass_stats(const LayerPass *pass, double seconds, bool is_last) {
     return (RenderStats){.seconds = seconds,
                          .full_resolution_seconds = pass->stride == 1 ? seconds : 0,
@@ -239,7 +240,7 @@ static RenderStats layer_pass_stats(const LayerPass *pass, double seconds, bool 
                                    .leak_pixels = atomic_load(&pass->leak_pixels)}};
 }
 
-/** Draws a pass. @param pass The pass. @return false when it was stopped. */
+/** Draws a pass. @return false when it was stopped. */
 static bool layer_pass_render(LayerPass *pass) {
     ThreadPool *thread_pool = pass->renderer->thread_pool;
     size_t tiles = tile_count(pass->width, pass->height);

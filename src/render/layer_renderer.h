@@ -24,13 +24,15 @@ typedef struct LayerPass {
     _Atomic uint64_t leak_pixels;     /**< See #LayerStats.leak_pixels. */
 } LayerPass;
 
-/** @return Cells of a pass from one row to the next. @param pass The pass. */
+/** @return Cells of a pass from one row to the next. */
 static inline size_t layer_pass_columns(const LayerPass *pass) {
     return ((size_t)pass->width + (size_t)pass->stride - 1) / (size_t)pass->stride;
 }
 
-/** @return Place of a ray's cell among those of the pass. @param pass The pass. @param grid Rays.
- *  @param column Its column in the grid. @param row Its row. */
+/**
+ * @return Place of a ray's cell among those of the pass.
+ * @param column  Its column in the grid.
+ */
 static inline size_t layer_pass_cell_index(const LayerPass *pass, const PixelGrid *grid, int column,
                                            int row) {
     size_t x = (size_t)(grid->x / pass->stride + column);
@@ -38,17 +40,16 @@ static inline size_t layer_pass_cell_index(const LayerPass *pass, const PixelGri
     return y * layer_pass_columns(pass) + x;
 }
 
-/** @return Whether a drawing was stopped. @param pass The pass. */
+/** @return Whether a drawing was stopped. */
 static inline bool layer_pass_is_stopped(const LayerPass *pass) {
     return atomic_load_explicit(&pass->renderer->background.stop, memory_order_relaxed);
 }
 
-/** Measures the pixels of a block. See #ThreadPoolTask. @param context The pass. @param index Which
- *  block. */
+/** Measures the pixels of a block. See #ThreadPoolTask. */
 void layer_measure_tile(void *context, size_t index);
 
 /** Takes the time of the pixels of a block; in the first pass, of a few in its middle. See
- *  #ThreadPoolTask. @param context The pass. @param index Which block. */
+ *  #ThreadPoolTask. */
 void layer_time_tile(void *context, size_t index);
 
 #endif

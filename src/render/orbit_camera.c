@@ -32,31 +32,36 @@ typedef struct RayPoints {
     size_t count;                     /**< How many. */
 } RayPoints;
 
-/** @return The way from one point to another, scene units. @param a One. @param b The other. */
+/** @return The way from one point to another, scene units. */
 static double points_distance(Vec3d a, Vec3d b) {
     return vec3d_length(vec3d_subtract(a, b));
 }
 
-/** @return The point of a ray at a distance. @param ray The ray. @param distance It. */
+/** @return The point of a ray at a distance. */
 static Vec3d ray_at(const RayTreeNode *ray, double distance) {
     return vec3d_add(ray->origin, vec3d_scale(ray->direction, distance));
 }
 
-/** @return How far a ray goes: to what it hit, to its lamp, or without end. @param ray The ray. */
+/** @return How far a ray goes: to what it hit, to its lamp, or without end. */
 static double ray_length(const RayTreeNode *ray) {
     return fmin(ray->distance, ray->limit);
 }
 
-/** Adds a point that is near enough. @param[in,out] points The points. @param point The point.
- *  @param center Where the camera's ray hit. @param radius How far counts as near. */
+/**
+ * Adds a point that is near enough.
+ * @param center  Where the camera's ray hit.
+ * @param radius  How far counts as near.
+ */
 static void ray_points_add(RayPoints *points, Vec3d point, Vec3d center, double radius) {
     if (points->count < RAY_POINTS_MAXIMUM && points_distance(point, center) <= radius) {
         points->points[points->count++] = point;
     }
 }
 
-/** @return The points of a tree that are looked at. @param tree The tree. @param radius How far
- *  from the first hit. */
+/**
+ * @return The points of a tree that are looked at.
+ * @param radius  How far from the first hit.
+ */
 static RayPoints ray_points_of(const RayTree *tree, double radius) {
     RayPoints points = {.count = 0};
     const RayTreeNode *camera = &tree->nodes[0];
@@ -70,21 +75,22 @@ static RayPoints ray_points_of(const RayTree *tree, double radius) {
     return points;
 }
 
-/** @return Which way a view looks, one long. @param orbit The view. */
+/** @return Which way a view looks, one long. */
 static Vec3d orbit_camera_direction(const OrbitCamera *orbit) {
     double pan = orbit->pan * (M_PI / 180), tilt = orbit->tilt * (M_PI / 180);
     return (Vec3d){sin(pan) * cos(tilt), sin(tilt), -cos(pan) * cos(tilt)};
 }
 
-/** @return Where the camera of a view is. @param orbit The view. @param half Half of the smaller
- *  field of view, radians. */
+/**
+ * @return Where the camera of a view is.
+ * @param half  Half of the smaller field of view, radians.
+ */
 static Vec3d orbit_camera_position(const OrbitCamera *orbit, double half) {
     double distance = FIT_MARGIN * orbit->radius / (sin(half) * orbit->zoom);
     return vec3d_subtract(orbit->target, vec3d_scale(orbit_camera_direction(orbit), distance));
 }
 
-/** @return How many of some points a view sees. @param renderer Who traces. @param orbit The view.
- *  @param points The points. */
+/** @return How many of some points a view sees. */
 static size_t count_visible(const Renderer *renderer, const OrbitCamera *orbit,
                             const RayPoints *points) {
     /** A point is seen that is not behind something by more than this share of the way. */
@@ -106,8 +112,8 @@ static size_t count_visible(const Renderer *renderer, const OrbitCamera *orbit,
     return visible;
 }
 
-/** Turns a view to where it sees most points. @param renderer Who traces. @param[in,out] orbit The
- *  view; it looks the camera's way. @param points The points. */
+/** Turns a view to where it sees most points. @param[in,out] orbit The view; it looks the camera's
+ *  way. */
 static void choose_angles(const Renderer *renderer, OrbitCamera *orbit, const RayPoints *points) {
     static const double pans[] = {-50, 50, -80, 80, -25, 25, -115, 115};
     static const double tilts[] = {-18, -40, -5, -65};
@@ -150,16 +156,15 @@ ProjectedView orbit_camera_project(const OrbitCamera *orbit, int width, int heig
     return (ProjectedView){camera, width, height};
 }
 
-/** @return A point as the camera has it: to the right, up, and ahead. @param camera The camera.
- *  @param point The point. */
+/** @return A point as the camera has it: to the right, up, and ahead. */
 static Vec3d to_camera_space(const SceneCamera *camera, Vec3d point) {
     Vec3d from = vec3d_subtract(point, camera->position);
     return (Vec3d){vec3d_dot(from, scene_camera_right(camera)), vec3d_dot(from, camera->up),
                    vec3d_dot(from, camera->direction)};
 }
 
-/** Brings a view nearer, and aside, to where its points fill the picture. @param[in,out] orbit The
- *  view. @param points The points. @param width Pixels of the picture. @param height Pixels. */
+/** Brings a view nearer, and aside, to where its points fill the picture. @param width Pixels of
+ *  the picture. */
 static void orbit_camera_fit_points(OrbitCamera *orbit, const RayPoints *points, int width,
                                     int height) {
     ProjectedView view = orbit_camera_project(orbit, width, height);
@@ -208,8 +213,7 @@ OrbitCamera orbit_camera_fit(const Renderer *renderer, const SceneCamera *camera
     return orbit;
 }
 
-/** Projects a point. @param view The camera. @param p The point, see #to_camera_space; it is ahead.
- *  @param[out] x Pixels. @param[out] y Pixels. */
+/** Projects a point. @param p The point, see #to_camera_space; it is ahead. */
 static void project_point(const ProjectedView *view, Vec3d p, double *x, double *y) {
     double pixel = 2 * tan(view->camera.fov / 2 * (M_PI / 180)) / view->width;
     *x = view->width / 2.0 + p.x / p.z / pixel;
@@ -225,8 +229,11 @@ bool projected_view_point(const ProjectedView *view, Vec3d point, double *x, dou
     return true;
 }
 
-/** @return The point of a line where it comes before the camera. @param behind Its end behind the
- *  camera. @param ahead Its other end. @param near_plane How far ahead points must be. */
+/**
+ * @return The point of a line where it comes before the camera.
+ * @param behind  Its end behind the camera.
+ * @param near_plane  How far ahead points must be.
+ */
 static Vec3d clip_to_near(Vec3d behind, Vec3d ahead, double near_plane) {
     double t = (near_plane - behind.z) / (ahead.z - behind.z);
     Vec3d along = vec3d_scale(vec3d_subtract(ahead, behind), t);

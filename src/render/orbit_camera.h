@@ -34,31 +34,30 @@ typedef struct ProjectedRay {
 /**
  * Chooses how a tree of rays is looked at: turned away from the camera that it belongs to, and so
  * that as few as can be of its points are behind something.
- * @param renderer  Who traced it.
- * @param camera    The camera.
- * @param tree     The tree, not empty.
- * @param width     Pixels of the second camera's picture, which the rays shall fill.
- * @param height    Pixels of it.
+ * @param width  Pixels of the second camera's picture, which the rays shall fill.
  * @return The view.
  */
 OrbitCamera orbit_camera_fit(const Renderer *renderer, const SceneCamera *camera,
                              const RayTree *tree, int width, int height);
 
-/** Turns a view around its middle. @param orbit The view. @param pan Degrees to the right.
- *  @param tilt Degrees up; stops before the pole. */
+/**
+ * Turns a view around its middle.
+ * @param pan  Degrees to the right.
+ * @param tilt  Degrees up; stops before the pole.
+ */
 void orbit_camera_rotate(OrbitCamera *orbit, double pan, double tilt);
 
-/** Comes nearer or goes away. @param orbit The view. @param factor How many times as near. */
+/** Comes nearer or goes away. @param factor How many times as near. */
 void orbit_camera_zoom(OrbitCamera *orbit, double factor);
 
-/** @return The camera of a view. @param orbit The view. @param width Pixels of its picture.
- *  @param height Pixels. */
+/**
+ * @return The camera of a view.
+ * @param width  Pixels of its picture.
+ */
 ProjectedView orbit_camera_project(const OrbitCamera *orbit, int width, int height);
 
 /**
  * Finds where a point is seen.
- * @param view   The camera.
- * @param point   The point.
  * @param[out] x  Pixels from the left edge.
  * @param[out] y  Pixels from the upper edge.
  * @return Whether it is before the camera.
@@ -67,9 +66,6 @@ bool projected_view_point(const ProjectedView *view, Vec3d point, double *x, dou
 
 /**
  * Finds where a ray is seen.
- * @param orbit   The view.
- * @param view  Its camera.
- * @param ray    The ray.
  * @param[out] projected  Its line; what is behind the camera is cut off.
  * @return Whether any of it is before the camera.
  */
@@ -85,26 +81,22 @@ typedef struct RayStyle {
     const char *name; /**< What it is called, in English. */
 } RayStyle;
 
-/** @return How a ray is drawn. @param ray The ray. */
+/** @return How a ray is drawn. */
 const RayStyle *ray_style(const RayTreeNode *ray);
 
 /** Longest name of what a ray met, bytes with its final zero. */
 enum { RAY_HIT_NAME_SIZE = 64 };
 
-/** @return The keyword of the shape that a ray met. @param scene The scene. @param ray The ray,
- * which met one. */
+/**
+ * @return The keyword of the shape that a ray met.
+ * @param ray  The ray, which met one.
+ */
 const char *ray_hit_keyword(const Scene *scene, const RayTreeNode *ray);
 
-/**
- * Names what a ray met, in the user's language: a shape, a lamp or the sky.
- * @param scene      The scene.
- * @param ray        The ray.
- * @param[out] name  Its name.
- */
+/** Names what a ray met, in the user's language: a shape, a lamp or the sky. */
 void ray_hit_name(const Scene *scene, const RayTreeNode *ray, char name[RAY_HIT_NAME_SIZE]);
 
-/** @return The angle between a ray and the normal of the surface that it met, degrees. @param ray
- *  The ray. */
+/** @return The angle between a ray and the normal of the surface that it met, degrees. */
 double ray_incidence_angle(const RayTreeNode *ray);
 
 /** How many styles there are. */

@@ -23,12 +23,12 @@ extern const Palette palette_viridis;
 /** From blue over white to red: for what may be on either side of zero. */
 extern const Palette palette_diverging;
 
-/** Finds a colour between two of them. @param palette The palette. @param fraction Where, 0 to 1;
- * beyond, the first or the last. @param[out] rgb The colour, sRGB. */
+/** Finds a colour between two of them. @param fraction Where, 0 to 1; beyond, the first or the
+ *  last. */
 void palette_color(const Palette *palette, double fraction, uint8_t rgb[3]);
 
-/** Finds the colour of a thing that is one of many. @param index Which.
- *  @param[out] rgb The colour, sRGB (Okabe and Ito, *Color Universal Design*, 2008). */
+/** Finds the colour of a thing that is one of many. @param[out] rgb The colour, sRGB (Okabe and
+ *  Ito, *Color Universal Design*, 2008). */
 void palette_category(unsigned index, uint8_t rgb[3]);
 
 /** How many kinds have a colour of their own. */

@@ -25,9 +25,8 @@ typedef struct DifferenceSums {
 
 /**
  * Compares one pixel.
- * @param[in,out] sums  What is added to.
- * @param a             Red, green and blue.
- * @param b             Red, green and blue of the other.
+ * @param a  Red, green and blue.
+ * @param b  Red, green and blue of the other.
  * @return The largest difference of a channel, 0 to 255 steps.
  */
 static int add_pixel_difference(DifferenceSums *sums, const uint8_t *a, const uint8_t *b) {
@@ -60,9 +59,7 @@ static void set_map_pixel(uint8_t *pixel, int difference) {
 
 /**
  * Makes the measures of the sums.
- * @param sums    The sums over all pixels.
- * @param width   Pixels.
- * @param height  Pixels.
+ * @param sums  The sums over all pixels.
  * @return The measures.
  */
 static PictureComparison comparison_from_sums(const DifferenceSums *sums, int width, int height) {

@@ -83,18 +83,17 @@ typedef struct SceneMeasures {
     size_t glass_count;                /**< How many. */
 } SceneMeasures;
 
-/** @return The largest primary. @param color A colour. */
+/** @return The largest primary. */
 static double rgbd_max(Rgbd color) {
     return fmax(color.red, fmax(color.green, color.blue));
 }
 
-/** Keeps a number of steps that float may be off by. @param[in,out] estimate The forecast.
- *  @param cause Why. @param error How many. */
+/** Keeps a number of steps that float may be off by. */
 static void keep_largest_error(PrecisionEstimate *estimate, PrecisionCause cause, double error) {
     estimate->errors[cause] = fmax(estimate->errors[cause], error);
 }
 
-/** @return A box around points of a model. @param mesh The model. */
+/** @return A box around points of a model. */
 static Aabbd mesh_bounds_d(const Mesh *mesh) {
     Aabbd box = {mesh->positions[0], mesh->positions[0]};
     for (size_t i = 1; i < mesh->position_count; i++) {
@@ -104,7 +103,7 @@ static Aabbd mesh_bounds_d(const Mesh *mesh) {
     return box;
 }
 
-/** @return A box around a transformed box that ends. @param t The transform. @param box The box. */
+/** @return A box around a transformed box that ends. */
 static Aabbd aabbd_transform(const Transform *t, Aabbd box) {
     Aabbd out = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
     for (int corner = 0; corner < 8; corner++) {
@@ -117,8 +116,7 @@ static Aabbd aabbd_transform(const Transform *t, Aabbd box) {
     return out;
 }
 
-/** @return The row of a shape's table with a name and a type; NULL: there is none. @param measures
- * The survey. @param shape The shape. @param name The row's. @param type The row's. */
+/** @return The row of a shape's table with a name and a type; NULL: there is none. */
 static const Parameter *shape_parameter(const SceneMeasures *measures, const SceneShape *shape,
                                         const char *name, ParameterType type) {
     const Parameter *row = measures->engine->shape_keywords[shape->class_index]->parameters;
@@ -128,16 +126,14 @@ static const Parameter *shape_parameter(const SceneMeasures *measures, const Sce
     return row->name ? row : NULL;
 }
 
-/** @return The value of a row of a shape, by name; NULL: it has none. @param measures The survey.
- *  @param shape The shape. @param name The row's. @param type The row's. */
+/** @return The value of a row of a shape, by name; NULL: it has none. */
 static const void *shape_value(const SceneMeasures *measures, const SceneShape *shape,
                                const char *name, ParameterType type) {
     const Parameter *row = shape_parameter(measures, shape, name, type);
     return row ? (const char *)shape->parameters + row->offset : NULL;
 }
 
-/** @return Whether a shape says a word. @param measures The survey. @param shape The shape.
- *  @param name The row's. @param choice The word. */
+/** @return Whether a shape says a word. */
 static bool shape_has_choice(const SceneMeasures *measures, const SceneShape *shape,
                              const char *name, const char *choice) {
     const Parameter *row = shape_parameter(measures, shape, name, PARAMETER_CHOICE);
@@ -145,8 +141,7 @@ static bool shape_has_choice(const SceneMeasures *measures, const SceneShape *sh
     return row && strcmp(row->choices[*index], choice) == 0;
 }
 
-/** @return A shape's box in the scene. @param measures The survey. @param shape The shape.
- *  @param measure Its measures. */
+/** @return A shape's box in the scene. */
 static Aabbd shape_bounds(const SceneMeasures *measures, const SceneShape *shape,
                           const ShapeMeasure *measure) {
     Aabbd bounds = {measure->low, measure->high};
@@ -158,7 +153,7 @@ static Aabbd shape_bounds(const SceneMeasures *measures, const SceneShape *shape
     return shape->transform && is_bounded ? aabbd_transform(shape->transform, bounds) : bounds;
 }
 
-/** @return How far a point is from a box; 0 inside. @param box The box. @param p The point. */
+/** @return How far a point is from a box; 0 inside. */
 static double aabbd_distance(const Aabbd *box, Vec3d p) {
     Vec3d away = {fmax(0, fmax(box->low.x - p.x, p.x - box->high.x)),
                   fmax(0, fmax(box->low.y - p.y, p.y - box->high.y)),
@@ -166,14 +161,13 @@ static double aabbd_distance(const Aabbd *box, Vec3d p) {
     return vec3d_length(away);
 }
 
-/** @return The largest coordinate of a point, as tracers count. @param measures The survey.
- *  @param p The point. */
+/** @return The largest coordinate of a point, as tracers count. */
 static double magnitude_from_origin(const SceneMeasures *measures, Vec3d p) {
     return vec3d_max_abs(vec3d_subtract(p, measures->origin));
 }
 
-/** Notes how far away a shape is, and how far its coordinates reach. @param[in,out] measures The
- *  survey. @param box The shape's box, which ends. */
+/** Notes how far away a shape is, and how far its coordinates reach. @param box The shape's box,
+ *  which ends. */
 static void accumulate_bounds(SceneMeasures *measures, const Aabbd *box) {
     PrecisionEstimate *estimate = measures->estimate;
     const SceneCamera *camera = &measures->scene->camera;
@@ -200,8 +194,7 @@ static void accumulate_bounds(SceneMeasures *measures, const Aabbd *box) {
 }
 
 /** Notes a picture on a shape without end. Near the horizon, rows of pixels are h / p^2 apart from
- *  a height h, and so much larger are roundings of the way. @param[in,out] measures The survey.
- *  @param shape The shape. @param texture What it shows. */
+ *  a height h, and so much larger are roundings of the way. */
 static void accumulate_horizon(SceneMeasures *measures, const SceneShape *shape,
                                const Texture *texture) {
     const PrecisionEstimate *estimate = measures->estimate;
@@ -212,8 +205,7 @@ static void accumulate_horizon(SceneMeasures *measures, const SceneShape *shape,
     keep_largest_error(measures->estimate, PRECISION_HORIZON, TEXEL_CONTRAST * fmin(1, texels));
 }
 
-/** Notes the fractals in a shape's field: their normals turn within a tolerance.
- *  @param[in,out] measures The survey. @param shape The shape. */
+/** Notes the fractals in a shape's field: their normals turn within a tolerance. */
 static void accumulate_sdf(SceneMeasures *measures, const SceneShape *shape) {
     const Sdf *const *sdf = shape_value(measures, shape, "field", PARAMETER_SDF);
     const double *tolerance = shape_value(measures, shape, "tolerance", PARAMETER_NUMBER);
@@ -228,8 +220,7 @@ static void accumulate_sdf(SceneMeasures *measures, const SceneShape *shape) {
     }
 }
 
-/** Adds the faces of a model that float lights otherwise. @param[in,out] measures The survey.
- *  @param shape The shape. @param box Its box. */
+/** Adds the faces of a model that float lights otherwise. */
 static void accumulate_shadow_terminator(SceneMeasures *measures, const SceneShape *shape,
                                          const Aabbd *box) {
     const size_t *mesh_index = shape_value(measures, shape, "file", PARAMETER_MESH);
@@ -252,9 +243,7 @@ static void accumulate_shadow_terminator(SceneMeasures *measures, const SceneSha
         fmin(1, pixels / picture) * shadow_terminator_fraction(&instance);
 }
 
-/** Takes a shape's surface into account. @param[in,out] measures The survey. @param shape The
- * shape.
- *  @param box Its box. @param is_flat Whether it is flat. */
+/** Takes a shape's surface into account. @param is_flat Whether it is flat. */
 static void accumulate_material(SceneMeasures *measures, const SceneShape *shape, const Aabbd *box,
                                 bool is_flat) {
     const SceneMaterial *material = &measures->scene->materials[shape->material_index];
@@ -280,7 +269,7 @@ static void accumulate_material(SceneMeasures *measures, const SceneShape *shape
     }
 }
 
-/** Takes a shape into account. @param[in,out] measures The survey. @param shape The shape. */
+/** Takes a shape into account. */
 static void accumulate_shape(SceneMeasures *measures, const SceneShape *shape) {
     ShapeMeasure measure = measures->engine->measure(shape);
     Aabbd box = shape_bounds(measures, shape, &measure);
@@ -297,17 +286,18 @@ static void accumulate_shape(SceneMeasures *measures, const SceneShape *shape) {
     accumulate_material(measures, shape, &box, measure.is_flat);
 }
 
-/** @return The smaller of a gap and the distance of two walls; the gap where they are in one place
- *          but for roundings of the scene's own numbers: then they are one. @param gap The gap.
- *  @param distance From one wall to the other. @param magnitude The largest coordinate. */
+/**
+ * @return The smaller of a gap and the distance of two walls; the gap where they are in one place
+ *         but for roundings of the scene's own numbers: then they are one.
+ * @param distance  From one wall to the other.
+ */
 static double narrow_gap(double gap, double distance, double magnitude) {
     /** Roundings of a few operations in double. */
     const double tolerance = 0x1p-40;
     return fabs(distance) > tolerance * magnitude ? fmin(gap, fabs(distance)) : gap;
 }
 
-/** Notes how near the walls of two things of glass are to each other. @param[in,out] measures The
- *  survey. @param a A box. @param b Another. */
+/** Notes how near the walls of two things of glass are to each other. */
 static void accumulate_wall_pair(SceneMeasures *measures, const Aabbd *a, const Aabbd *b) {
     double magnitude = fmax(magnitude_from_origin(measures, a->low),
                             magnitude_from_origin(measures, a->high)),
@@ -354,8 +344,11 @@ static int depth_needed(double weight) {
     return depth < DEPTH_LIMIT ? (int)depth : DEPTH_LIMIT;
 }
 
-/** Looks at all shapes. @param scene The scene. @param origin Where tracers count from.
- *  @param[out] estimate What comes of it. @return What was gathered. */
+/**
+ * Looks at all shapes.
+ * @param origin  Where tracers count from.
+ * @return What was gathered.
+ */
 static SceneMeasures accumulate_scene(const Scene *scene, Vec3d origin,
                                       PrecisionEstimate *estimate) {
     SceneMeasures measures = {

@@ -41,23 +41,16 @@ typedef struct PrecisionEstimate {
     int depth; /**< How deep rays must be followed until none can change 8 bits. */
 } PrecisionEstimate;
 
-/**
- * Looks at a scene's numbers. Takes no time to speak of.
- * @param scene  The scene.
- * @return The forecast.
- */
+/** Looks at a scene's numbers. Takes no time to speak of. @return The forecast. */
 PrecisionEstimate precision_estimate_of(const Scene *scene);
 
-/** @return Steps that float may be off by. @param estimate The forecast. */
+/** @return Steps that float may be off by. */
 static inline double precision_estimate_error(const PrecisionEstimate *estimate) {
     return estimate->errors[estimate->cause];
 }
 
-/**
- * Finds the engine for a scene.
- * @param estimate  Of the scene.
- * @return The fastest that this machine can run and that is exact enough.
- */
+/** Finds the engine for a scene. @return The fastest that this machine can run and that is exact
+ *  enough. */
 const Engine *precision_estimate_engine(const PrecisionEstimate *estimate);
 
 #endif

@@ -19,9 +19,7 @@ typedef struct RayBenchmark {
     size_t count;             /**< How many rays in all. */
 } RayBenchmark;
 
-/** Casts the camera rays of a block. See #ThreadPoolTask. @param context The casting. @param index
- * It.
- */
+/** Casts the camera rays of a block. See #ThreadPoolTask. */
 static void benchmark_tile(void *context, size_t index) {
     const RayBenchmark *benchmark = context;
     const RenderSettings *settings = &benchmark->renderer->settings;
@@ -31,7 +29,7 @@ static void benchmark_tile(void *context, size_t index) {
     settings->engine->trace_primary(benchmark->renderer->tracer, &tile, shapes, distances);
 }
 
-/** Casts some random rays. See #ThreadPoolTask. @param context The casting. @param index Which. */
+/** Casts some random rays. See #ThreadPoolTask. */
 static void benchmark_batch(void *context, size_t index) {
     const RayBenchmark *benchmark = context;
     int shapes[BENCHMARK_BATCH_RAYS];
@@ -43,11 +41,8 @@ static void benchmark_batch(void *context, size_t index) {
         benchmark->rays + first, shapes, distances);
 }
 
-/**
- * @return A number, uniform in 0 to 1 (Steele, Lea, Flood, *Fast Splittable Pseudorandom Number
- *         Generators*, 2014: splitmix64).
- * @param[in,out] state  The generator.
- */
+/** @return A number, uniform in 0 to 1 (Steele, Lea, Flood, *Fast Splittable Pseudorandom Number
+ *  Generators*, 2014: splitmix64). */
 static double random_uniform(uint64_t *state) {
     uint64_t z = *state += 0x9E3779B97F4A7C15u;
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
@@ -55,8 +50,7 @@ static double random_uniform(uint64_t *state) {
     return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
 }
 
-/** @return A ray from anywhere in a box to anywhere. @param[in,out] state The generator.
- *  @param low The box. @param high The box. */
+/** @return A ray from anywhere in a box to anywhere. */
 static RayQuery random_ray(uint64_t *state, Vec3d low, Vec3d high) {
     double height = 2 * random_uniform(state) - 1, angle = 2 * M_PI * random_uniform(state);
     double radius = sqrt(1 - height * height);
@@ -67,8 +61,7 @@ static RayQuery random_ray(uint64_t *state, Vec3d low, Vec3d high) {
     return ray;
 }
 
-/** @return Random rays, to be freed; NULL without memory. @param renderer The renderer.
- *  @param count How many. */
+/** @return Random rays, to be freed; NULL without memory. */
 static RayQuery *random_rays(const Renderer *renderer, size_t count) {
     Vec3d low, high;
     renderer->settings.engine->bounds(renderer->tracer, &low, &high);

@@ -50,12 +50,8 @@ typedef struct TileJob {
     RayCounts ray_counts;         /**< The rays traced. */
 } TileJob;
 
-/**
- * Copies the sums of a block from or to the whole picture's, plane by plane.
- * @param accumulator    The whole picture's.
- * @param job     The block.
- * @param is_load  true: from the picture; false: to it.
- */
+/** Copies the sums of a block from or to the whole picture's, plane by plane. @param is_load true:
+ *  from the picture; false: to it. */
 static void tile_copy_sums(SampleAccumulator *accumulator, TileJob *job, bool is_load) {
     const PixelGrid *tile = &job->tile;
     size_t pixels = (size_t)accumulator->width * (size_t)accumulator->height;
@@ -70,19 +66,20 @@ static void tile_copy_sums(SampleAccumulator *accumulator, TileJob *job, bool is
     }
 }
 
-/** @return Place of the first pixel of a block's row in the whole picture. @param pass The
- *  drawing. @param tile The block. @param row Which row of it. */
+/**
+ * @return Place of the first pixel of a block's row in the whole picture.
+ * @param row  Which row of it.
+ */
 static size_t row_pixel_index(const RenderPass *pass, const PixelGrid *tile, int row) {
     return (size_t)(tile->y + row) * (size_t)pass->width + (size_t)tile->x;
 }
 
-/** @return Whether the drawing's pixels are judged. @param pass The drawing. */
+/** @return Whether the drawing's pixels are judged. */
 static bool render_pass_is_adaptive(const RenderPass *pass) {
     return pass->accumulator && pass->accumulator->counts;
 }
 
-/** Takes what is known of a block before a pass. @param pass The drawing.
- *  @param[in,out] job The block. */
+/** Takes what is known of a block before a pass. */
 static void tile_load(const RenderPass *pass, TileJob *job) {
     const PixelGrid *tile = &job->tile;
     size_t columns = (size_t)tile->columns;
@@ -97,9 +94,12 @@ static void tile_load(const RenderPass *pass, TileJob *job) {
     }
 }
 
-/** Notes the range of one primary of a pixel. @param pass The drawing. @param index Its place
- * in the tally. @param minimum Least of a pass's samples. @param maximum Greatest. @param is_first
- * Whether nothing was known of it. */
+/**
+ * Notes the range of one primary of a pixel.
+ * @param index  Its place in the tally.
+ * @param minimum  Least of a pass's samples.
+ * @param is_first  Whether nothing was known of it.
+ */
 static void range_extend(const RenderPass *pass, size_t index, double minimum, double maximum,
                          bool is_first) {
     uint16_t *stored_minimum = &pass->accumulator->minima[index],
@@ -113,8 +113,7 @@ static void range_extend(const RenderPass *pass, size_t index, double minimum, d
     *stored_maximum = is_first || maximum_code > *stored_maximum ? maximum_code : *stored_maximum;
 }
 
-/** Keeps the samples of a row of a block in the tally. @param pass The drawing.
- *  @param job The block. @param row Which row. */
+/** Keeps the samples of a row of a block in the tally. */
 static void tile_save_row(const RenderPass *pass, const TileJob *job, int row) {
     SampleAccumulator *accumulator = pass->accumulator;
     size_t columns = (size_t)job->tile.columns, plane = columns * (size_t)job->tile.rows;
@@ -133,8 +132,7 @@ static void tile_save_row(const RenderPass *pass, const TileJob *job, int row) {
     }
 }
 
-/** Keeps what is known of a block after a pass over pixels. @param pass The drawing.
- *  @param job The block. */
+/** Keeps what is known of a block after a pass over pixels. */
 static void tile_save(const RenderPass *pass, TileJob *job) {
     tile_copy_sums(pass->accumulator, job, false);
     for (int row = 0; render_pass_is_adaptive(pass) && row < job->tile.rows; row++) {
@@ -144,11 +142,8 @@ static void tile_save(const RenderPass *pass, TileJob *job) {
 
 /**
  * Keeps the light of a row of rays.
- * @param sums     Sums of the samples: the reds of the row.
- * @param plane    How much farther the greens are, and then the blues.
- * @param counts   How many samples.
- * @param columns  How many rays.
- * @param[out] rgb Their light.
+ * @param sums  Sums of the samples: the reds of the row.
+ * @param plane  How much farther the greens are, and then the blues.
  */
 static void average_row_linear(const double *sums, size_t plane, const uint32_t *counts,
                                int columns, float *rgb) {
@@ -159,12 +154,8 @@ static void average_row_linear(const double *sums, size_t plane, const uint32_t 
 
 /**
  * Encodes a row of rays.
- * @param pass  The drawing.
- * @param sums     Sums of the samples: the reds of the row.
- * @param plane    How much farther the greens are, and then the blues.
- * @param counts   How many samples.
- * @param columns  How many rays.
- * @param[out] rgb Their encoded colours.
+ * @param sums  Sums of the samples: the reds of the row.
+ * @param plane  How much farther the greens are, and then the blues.
  */
 static void average_row_encode(const RenderPass *pass, const double *sums, size_t plane,
                                const uint32_t *counts, int columns, uint8_t *rgb) {
@@ -177,11 +168,7 @@ static void average_row_encode(const RenderPass *pass, const double *sums, size_
     }
 }
 
-/**
- * Writes a block into the picture: each ray's colour fills its cell.
- * @param pass  The drawing.
- * @param job     The block.
- */
+/** Writes a block into the picture: each ray's colour fills its cell. */
 static void tile_encode(const RenderPass *pass, const TileJob *job) {
     uint8_t row_colors[3 * TILE_COLUMNS];
     const PixelGrid *tile = &job->tile, *grid = &job->grid;
@@ -205,20 +192,22 @@ static void tile_encode(const RenderPass *pass, const TileJob *job) {
     }
 }
 
-/** @return The smaller. @param a A number. @param b Another. */
+/** @return The smaller. */
 static inline double min_double(double a, double b) {
     return a < b ? a : b;
 }
 
-/** @return The larger. @param a A number. @param b Another. */
+/** @return The larger. */
 static inline double max_double(double a, double b) {
     return a > b ? a : b;
 }
 
-/** Adds a sample of all rays to the sums, unless it is the first of all and stands there already,
+/**
+ * Adds a sample of all rays to the sums, unless it is the first of all and stands there already,
  * and to the ranges where the tally judges.
- *  @param[in,out] job The block. @param colors The sample. @param is_first Whether it is the first
- *  of the pass. @param is_adaptive Whether ranges are wanted. */
+ * @param is_first  Whether it is the first of the pass.
+ * @param is_adaptive  Whether ranges are wanted.
+ */
 static void tile_add_sample(TileJob *job, const double *colors, bool is_first, bool is_adaptive) {
     size_t value_count = 3 * (size_t)job->grid.columns * (size_t)job->grid.rows;
     for (size_t i = 0; job->grid.sample > 0 && i < value_count; i++) {
@@ -234,17 +223,12 @@ static void tile_add_sample(TileJob *job, const double *colors, bool is_first, b
     }
 }
 
-/** @return Whether the drawing was stopped. @param pass The drawing. */
+/** @return Whether the drawing was stopped. */
 static bool render_pass_is_stopped(const RenderPass *pass) {
     return pass->stop && atomic_load_explicit(pass->stop, memory_order_relaxed);
 }
 
-/**
- * Traces the samples of a pass, one for each ray of a block.
- * @param pass  The drawing.
- * @param[in,out] job  The block.
- * @return false when it was stopped.
- */
+/** Traces the samples of a pass, one for each ray of a block. @return false when it was stopped. */
 static bool tile_trace_samples(const RenderPass *pass, TileJob *job) {
     double colors[TILE_VALUES];
     size_t rays = (size_t)job->grid.columns * (size_t)job->grid.rows;
@@ -265,9 +249,10 @@ static bool tile_trace_samples(const RenderPass *pass, TileJob *job) {
     return true;
 }
 
-/** @return The open pixels that lack a sample, in front. @param active The open ones.
- *  @param count How many. @param counts Samples a pixel. @param sample Which sample.
- *  @param[out] selected Those that lack it. */
+/**
+ * @return The open pixels that lack a sample, in front.
+ * @param[out] selected  Those that lack it.
+ */
 static size_t select_missing_sample(const uint16_t *active, size_t count, const uint32_t *counts,
                                     int sample, uint16_t *selected) {
     size_t selected_count = 0;
@@ -279,8 +264,10 @@ static size_t select_missing_sample(const uint16_t *active, size_t count, const 
     return selected_count;
 }
 
-/** Adds a sample of chosen pixels. @param[in,out] job The block, with the chosen in its grid.
- *  @param colors The sample. @param is_new Whether a pixel is new to the pass, by place; then not.
+/**
+ * Adds a sample of chosen pixels.
+ * @param[in,out] job  The block, with the chosen in its grid.
+ * @param is_new  Whether a pixel is new to the pass, by place; then not.
  */
 static void tile_add_selected_sample(TileJob *job, const double *colors, bool *is_new) {
     const PixelGrid *grid = &job->grid;
@@ -299,14 +286,7 @@ static void tile_add_selected_sample(TileJob *job, const double *colors, bool *i
     }
 }
 
-/**
- * Traces the samples that the open pixels of a block lack.
- * @param pass  The drawing.
- * @param[in,out] job  The block.
- * @param active        The open pixels.
- * @param active_count  How many.
- * @return false when it was stopped.
- */
+/** Traces the samples that the open pixels of a block lack. @return false when it was stopped. */
 static bool tile_trace_active(const RenderPass *pass, TileJob *job, const uint16_t *active,
                               size_t active_count) {
     double colors[TILE_VALUES];
@@ -331,8 +311,7 @@ static bool tile_trace_active(const RenderPass *pass, TileJob *job, const uint16
     return true;
 }
 
-/** Ends a block: keeps its samples, shows them. @param pass The drawing.
- *  @param[in,out] job The block. */
+/** Ends a block: keeps its samples, shows them. */
 static void tile_finish(RenderPass *pass, TileJob *job) {
     if (pass->accumulator && pass->range.stride == 1) {
         tile_save(pass, job);
@@ -348,8 +327,7 @@ static void tile_finish(RenderPass *pass, TileJob *job) {
     atomic_fetch_add_explicit(&pass->shadow, job->ray_counts.shadow, memory_order_relaxed);
 }
 
-/** Draws a block, all its rays alike. See #ThreadPoolTask. @param context The drawing. @param index
- *  Which block. */
+/** Draws a block, all its rays alike. See #ThreadPoolTask. */
 static void tile_render(void *context, size_t index) {
     RenderPass *pass = context;
     TileJob job;
@@ -362,8 +340,7 @@ static void tile_render(void *context, size_t index) {
     }
 }
 
-/** Draws the open pixels of a block. See #ThreadPoolTask. @param context The drawing. @param index
- * Which block. */
+/** Draws the open pixels of a block. See #ThreadPoolTask. */
 static void tile_render_active(void *context, size_t index) {
     RenderPass *pass = context;
     TileJob job;

@@ -53,15 +53,14 @@ typedef struct RenderPass {
 /**
  * Draws a pass.
  * @param pass  The drawing, with its pass set.
- * @param thread_pool  Who does it.
  * @return false when it was stopped.
  */
 bool render_pass_run(RenderPass *pass, ThreadPool *thread_pool);
 
-/** @return The rays traced so far. @param pass The drawing. */
+/** @return The rays traced so far. */
 RayCounts render_pass_ray_counts(const RenderPass *pass);
 
-/** @return Blocks of a picture. @param width Pixels. @param height Pixels. */
+/** @return Blocks of a picture. */
 size_t tile_count(int width, int height);
 
 /**
@@ -75,7 +74,6 @@ PixelGrid tile_at(int width, int height, size_t index);
 /**
  * @return The rays of a pass in a block: one for each cell of stride by stride pixels, in its
  *         middle, also where the picture's edge cuts the cell.
- * @param tile   The block's pixels.
  * @param stride  Pixels from one ray to the next, a power of two up to that of the coarsest pass.
  */
 PixelGrid tile_subsample(const PixelGrid *tile, int stride);

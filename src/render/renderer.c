@@ -39,8 +39,7 @@ RenderSettings render_settings_default(const Scene *scene) {
     };
 }
 
-/** Lets workers do what a crew is asked to. See #ParallelFor.run. @param thread_pool The workers.
- *  @param count Pieces. @param task Does one. @param context Handed to it. */
+/** Lets workers do what a crew is asked to. See #ParallelFor.run. */
 static void parallel_for_thread_pool(void *thread_pool, size_t count, void (*task)(void *, size_t),
                                      void *context) {
     thread_pool_run(thread_pool, count, task, context);
@@ -133,12 +132,8 @@ RenderPass renderer_make_pass(Renderer *renderer, int width, int height, const a
                         .rays_total = &renderer->rays_total};
 }
 
-/**
- * Draws a picture whose pixels are judged, by passes from one judgement to the next.
- * @param renderer  The renderer.
- * @param pass   The drawing.
- * @return false when it was stopped.
- */
+/** Draws a picture whose pixels are judged, by passes from one judgement to the next. @return false
+ *  when it was stopped. */
 static bool render_adaptive(Renderer *renderer, RenderPass *pass) {
     int samples = renderer->settings.samples;
     bool is_complete = true;

@@ -54,54 +54,41 @@ struct Renderer {
     BackgroundRenderer background; /**< Drawing in the background. */
 };
 
-/** @return Whether a renderer's pixels are judged: whether calm ones get fewer samples.
- *  @param renderer The renderer. */
+/** @return Whether a renderer's pixels are judged: whether calm ones get fewer samples. */
 bool renderer_is_adaptive(const Renderer *renderer);
 
-/** Makes the background part ready; no thread yet. @param background It. */
+/** Makes the background part ready; no thread yet. */
 void background_renderer_init(BackgroundRenderer *background);
 
 /** Makes a finished pass the one that is shown. @param renderer The renderer, with the pass in its
- *  back picture. @param stats How it stands. */
+ *  back picture. */
 void background_renderer_publish(Renderer *renderer, const RenderStats *stats);
 
 /**
  * Makes a layer ready to be drawn: its memory, and the tracer that it is compared with.
- * @param renderer    The renderer; its background part is idle.
- * @param scene       The scene.
- * @param width       Pixels.
- * @param height      Pixels.
- * @param[out] error  What is wrong.
+ * @param renderer  The renderer; its background part is idle.
  * @return false without memory.
  */
 bool layer_renderer_prepare(Renderer *renderer, const Scene *scene, int width, int height,
                             Error *error);
 
-/** Draws the layer asked for, pass by pass, until it is finished or stopped.
- *  @param renderer The renderer. */
+/** Draws the layer asked for, pass by pass, until it is finished or stopped. */
 void layer_renderer_render(Renderer *renderer);
 
-/** Gives what layers need back. @param renderer The renderer. */
+/** Gives what layers need back. */
 void layer_renderer_deinit(Renderer *renderer);
 
 /** @return What a tracer is told. @param renderer Its renderer, with its workers. @param reuse_from
  *  Whose models it may share, or NULL. */
 TraceSettings renderer_trace_settings(const Renderer *renderer, const Renderer *reuse_from);
 
-/** @return A scene in the light that a renderer is asked for. What it points to is the scene's.
- *  @param renderer The renderer. @param scene The scene. */
+/** @return A scene in the light that a renderer is asked for. What it points to is the scene's. */
 Scene renderer_lit_scene(const Renderer *renderer, const Scene *scene);
 
-/** Ends the background part. @param background It. */
+/** Ends the background part. */
 void background_renderer_deinit(BackgroundRenderer *background);
 
-/**
- * @return A drawing of a renderer, without pass.
- * @param renderer  The renderer.
- * @param width     Pixels.
- * @param height    Pixels.
- * @param stop      See #RenderPass.stop.
- */
+/** @return A drawing of a renderer, without pass. */
 RenderPass renderer_make_pass(Renderer *renderer, int width, int height, const atomic_bool *stop);
 
 #endif

@@ -74,9 +74,7 @@ uint16_t adaptive_code(const Encoder *encoder, float linear, bool beyond_white) 
     return code;
 }
 
-/** @return Whether the samples of a pixel differ. @param accumulator The tally. @param pixel Its
- * place.
- */
+/** @return Whether the samples of a pixel differ. */
 static bool is_noisy(const SampleAccumulator *accumulator, size_t pixel) {
     bool is_different = false;
     for (size_t i = 3 * pixel; i < 3 * pixel + 3; i++) {
@@ -93,8 +91,7 @@ typedef struct ActiveUpdate {
     atomic_size_t remaining;        /**< Rays that are still to be drawn. */
 } ActiveUpdate;
 
-/** Judges a row of pixels by themselves. See #ThreadPoolTask. @param context The judgement.
- *  @param index The row. */
+/** Judges a row of pixels by themselves. See #ThreadPoolTask. */
 static void update_noisy_row(void *context, size_t index) {
     SampleAccumulator *accumulator = ((ActiveUpdate *)context)->accumulator;
     size_t first = index * (size_t)accumulator->width;
@@ -103,8 +100,7 @@ static void update_noisy_row(void *context, size_t index) {
     }
 }
 
-/** Says which pixels of a row are open. @param accumulator The tally, all its rows judged. @param y
- * The row. */
+/** Says which pixels of a row are open. @param accumulator The tally, all its rows judged. */
 static void update_active_row(SampleAccumulator *accumulator, int y) {
     size_t width = (size_t)accumulator->width;
     int top = y > 0 ? y - 1 : 0, bottom = y + 1 < accumulator->height ? y + 1 : y;
@@ -119,8 +115,7 @@ static void update_active_row(SampleAccumulator *accumulator, int y) {
     }
 }
 
-/** Finds what is to be drawn in a row of pixels. See #ThreadPoolTask. @param context The judgement.
- *  @param index The row. */
+/** Finds what is to be drawn in a row of pixels. See #ThreadPoolTask. */
 static void count_remaining_row(void *context, size_t index) {
     ActiveUpdate *update = context;
     SampleAccumulator *accumulator = update->accumulator;
@@ -141,9 +136,12 @@ size_t sample_accumulator_update_active(SampleAccumulator *accumulator, ThreadPo
     return update.remaining;
 }
 
-/** Lists the open pixels of a row of a tile. @param active Whether each pixel of the row is.
- *  @param columns How many. @param first_index Of the first. @param[out] indices Of those that are.
- *  @return How many. */
+/**
+ * Lists the open pixels of a row of a tile.
+ * @param active  Whether each pixel of the row is.
+ * @param[out] indices  Of those that are.
+ * @return How many.
+ */
 static size_t list_active_row(const uint8_t *active, int columns, int first_index,
                               uint16_t *indices) {
     uint64_t none = 0;

@@ -41,17 +41,13 @@ typedef struct SampleAccumulator {
 /**
  * Makes a tally fit a picture.
  * @param[in,out] accumulator  The tally, empty or of another size; give it back with
- * #sample_accumulator_deinit.
- * @param width       Pixels.
- * @param height      Pixels.
- * @param is_adaptive      Whether it judges.
- * @param[out] error  What is wrong.
+ *         #sample_accumulator_deinit.
  * @return false without memory; it is empty then.
  */
 bool sample_accumulator_resize(SampleAccumulator *accumulator, int width, int height,
                                bool is_adaptive, Error *error);
 
-/** Gives a tally back. @param accumulator The tally. */
+/** Gives a tally back. */
 void sample_accumulator_deinit(SampleAccumulator *accumulator);
 
 /** @return Samples that every pixel gets before the first judgement: a power of two, about a
@@ -65,18 +61,15 @@ bool adaptive_is_update_due(int sample);
 
 /**
  * @return The step of a sample, for comparing.
- * @param encoder       Which steps.
- * @param linear         The sample.
  * @param beyond_white  Whether steps go on beyond white, as shares of the light about as wide as
- *                      those of sRGB are there: for pictures that keep their light and may be seen
- *                      darker than they are.
+ *         those of sRGB are there: for pictures that keep their light and may be seen darker than
+ *         they are.
  */
 uint16_t adaptive_code(const Encoder *encoder, float linear, bool beyond_white);
 
 /**
  * Judges all pixels.
- * @param accumulator    The tally, with nobody at work on it.
- * @param thread_pool  Who does it.
+ * @param accumulator  The tally, with nobody at work on it.
  * @param samples  Rays a pixel that are wanted.
  * @return Rays that are still to be drawn, if none is found open later.
  */
@@ -85,8 +78,6 @@ size_t sample_accumulator_update_active(SampleAccumulator *accumulator, ThreadPo
 
 /**
  * Lists the open pixels of a block, so that neighbours stand together.
- * @param accumulator        The tally.
- * @param tile        The block.
  * @param[out] indices  `row * columns + column` of each within the block.
  * @return How many.
  */

@@ -19,7 +19,7 @@ typedef struct Face {
     double area;  /**< Its area. */
 } Face;
 
-/** @return A face as it stands in the scene. @param instance The model. @param index Which. */
+/** @return A face as it stands in the scene. */
 static Face face_at(const MeshInstance *instance, size_t index) {
     Vec3d corners[3];
     for (int i = 0; i < 3; i++) {
@@ -31,8 +31,7 @@ static Face face_at(const MeshInstance *instance, size_t index) {
     return (Face){corners[0], vec3d_normalize(normal), vec3d_length(normal) / 2};
 }
 
-/** @return The share of a face that float lights and double does not. @param instance The model.
- *  @param face The face. @param light The lamp. */
+/** @return The share of a face that float lights and double does not. */
 static double face_lit_wrongly(const MeshInstance *instance, const Face *face,
                                const SceneLight *light) {
     Vec3d to_light = light->kind == SCENE_LIGHT_SUN ? vec3d_scale(light->direction, -1)

@@ -23,7 +23,7 @@ typedef struct MeshInstance {
 } MeshInstance;
 
 /** @return The share of the model's surface that is lit in float and dark in double, summed over
- *          lamps. Of large models not every face is looked at. @param instance The model. */
+ *  lamps. Of large models not every face is looked at. */
 double shadow_terminator_fraction(const MeshInstance *instance);
 
 #endif

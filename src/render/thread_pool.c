@@ -24,7 +24,7 @@ struct ThreadPool {
     atomic_size_t next_task;       /**< The first piece that nobody has taken. */
 };
 
-/** Takes pieces until there are none. @param pool The workers. */
+/** Takes pieces until there are none. */
 static void thread_pool_run_tasks(ThreadPool *pool) {
     size_t index = atomic_fetch_add(&pool->next_task, 1);
     while (index < pool->task_count) {
@@ -33,8 +33,7 @@ static void thread_pool_run_tasks(ThreadPool *pool) {
     }
 }
 
-/** A helper's life: waits for a round, takes part in it. @param argument The workers. @return NULL
- */
+/** A helper's life: waits for a round, takes part in it. @return NULL */
 static void *thread_pool_thread_main(void *argument) {
     ThreadPool *pool = argument;
     unsigned generation = 0;

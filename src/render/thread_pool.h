@@ -12,14 +12,12 @@
 /** Threads that wait for work; their inside is their own. */
 typedef struct ThreadPool ThreadPool;
 
-/** Does one piece of work. @param context The caller's own. @param index Which piece. */
+/** Does one piece of work. */
 typedef void (*ThreadPoolTask)(void *context, size_t index);
 
 /**
  * Starts threads.
- * @param concurrency     How many work at once, at least 1, the caller of #thread_pool_run
- * included.
- * @param[out] error  What is wrong.
+ * @param concurrency  How many work at once, at least 1, the caller of #thread_pool_run included.
  * @return The workers, to be given back with #thread_pool_destroy; NULL if they cannot be started.
  */
 ThreadPool *thread_pool_create(int concurrency, Error *error);
@@ -27,13 +25,8 @@ ThreadPool *thread_pool_create(int concurrency, Error *error);
 /** Ends the threads. @param pool The workers, idle; or NULL. */
 void thread_pool_destroy(ThreadPool *pool);
 
-/**
- * Does pieces 0 to count - 1, each once, in about that order, and waits until all are done.
- * @param pool  The workers, idle.
- * @param count    How many pieces.
- * @param task      Does a piece; called by several threads at once.
- * @param context  Handed to it.
- */
+/** Does pieces 0 to count - 1, each once, in about that order, and waits until all are done. @param
+ *  task Does a piece; called by several threads at once. */
 void thread_pool_run(ThreadPool *pool, size_t count, ThreadPoolTask task, void *context);
 
 #endif

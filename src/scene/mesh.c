@@ -73,17 +73,13 @@ void mesh_release(Mesh *mesh) {
     }
 }
 
-/** @return Whether a number is finite and not too large for the engines. @param x The number. */
+/** @return Whether a number is finite and not too large for the engines. */
 static bool is_valid_coordinate(double x) {
     return fabs(x) <= LENGTH_MAXIMUM; // False for NaN.
 }
 
-/**
- * Looks at the positions, normals and (u, v) of a mesh.
- * @param mesh        The mesh.
- * @param[out] error  What is wrong.
- * @return Whether all of them are as they should be.
- */
+/** Looks at the positions, normals and (u, v) of a mesh. @return Whether all of them are as they
+ *  should be. */
 static bool check_values(const Mesh *mesh, Error *error) {
     for (size_t i = 0; i < mesh->position_count; i++) {
         Vec3d p = mesh->positions[i];
@@ -107,10 +103,8 @@ static bool check_values(const Mesh *mesh, Error *error) {
 
 /**
  * Looks at the places that triangles name.
- * @param triangles   The triangles; NULL is fine.
- * @param count       How many.
- * @param end         How many places there are.
- * @param[out] error  What is wrong.
+ * @param triangles  The triangles; NULL is fine.
+ * @param end  How many places there are.
  * @return Whether all are in range.
  */
 static bool check_indices(const MeshTriangle *triangles, size_t count, size_t end, Error *error) {
@@ -140,13 +134,8 @@ typedef struct TriangleGeometry {
     Vec3d normal;   /**< Unit length. */
 } TriangleGeometry;
 
-/**
- * Finds the edges and the normal of a triangle.
- * @param mesh        The mesh.
- * @param triangle    The triangle.
- * @param[out] geometry  What was found.
- * @return false if it has no area that could be computed.
- */
+/** Finds the edges and the normal of a triangle. @return false if it has no area that could be
+ *  computed. */
 static bool triangle_geometry_init(const Mesh *mesh, const MeshTriangle *triangle,
                                    TriangleGeometry *geometry) {
     for (int i = 0; i < 3; i++) {
@@ -162,14 +151,9 @@ static bool triangle_geometry_init(const Mesh *mesh, const MeshTriangle *triangl
     return true;
 }
 
-/**
- * Weighs a triangle at a corner by its angle there (Thürmer and Wüthrich, *Computing Vertex Normals
- * from Polygonal Facets*, 1998).
- * @return The angle, radians; by the arc tangent, which is as good for very sharp and very blunt
- *         ones.
- * @param geometry   The triangle.
- * @param corner  Which corner.
- */
+/** Weighs a triangle at a corner by its angle there (Thürmer and Wüthrich, *Computing Vertex
+ *  Normals from Polygonal Facets*, 1998). @return The angle, radians; by the arc tangent, which is
+ *  as good for very sharp and very blunt ones. */
 static double triangle_geometry_angle(const TriangleGeometry *geometry, int corner) {
     Vec3d outgoing = geometry->edges[corner], incoming = geometry->edges[(corner + 2) % 3];
     Vec3d incoming_reversed = vec3d_scale(incoming, -1);
@@ -177,11 +161,8 @@ static double triangle_geometry_angle(const TriangleGeometry *geometry, int corn
                  vec3d_dot(outgoing, incoming_reversed));
 }
 
-/**
- * Puts a direction where the normals of a position's triangles cancel each other.
- * @param mesh             The mesh.
- * @param[in,out] normals  Their sums; those that are long enough become of unit length.
- */
+/** Puts a direction where the normals of a position's triangles cancel each other. @param[in,out]
+ *  normals Their sums; those that are long enough become of unit length. */
 static void normalize_all(const Mesh *mesh, Vec3d *normals) {
     for (size_t i = 0; i < mesh->position_count; i++) {
         bool is_long = vec3d_length(normals[i]) > NORMAL_SUM_MINIMUM;

@@ -19,13 +19,8 @@ typedef struct SceneArena {
     size_t texture_capacity;  /**< Pictures that fit. */
 } SceneArena;
 
-/**
- * Hands out memory of a scene's block; it is given back with the block only.
- * @param arena       The block.
- * @param size        Bytes.
- * @param[out] error  What is wrong.
- * @return The memory, zero and aligned for any type; NULL when the block is full.
- */
+/** Hands out memory of a scene's block; it is given back with the block only. @return The memory,
+ *  zero and aligned for any type; NULL when the block is full. */
 static void *scene_arena_allocate(SceneArena *arena, size_t size, Error *error) {
     size_t start = (arena->used + alignof(max_align_t) - 1) & ~(alignof(max_align_t) - 1);
     if (size > SCENE_MEMORY_SIZE - start) {
@@ -40,12 +35,8 @@ static void *scene_arena_allocate(SceneArena *arena, size_t size, Error *error) 
 
 /**
  * Finds room for one more item in an array of the block, which doubles when it is full.
- * @param arena           The block.
- * @param[in,out] array   Address of the array.
- * @param[in,out] capacity  Items that fit.
- * @param count           Items that are in it.
- * @param size            Bytes an item.
- * @param[out] error      What is wrong.
+ * @param[in,out] array  Address of the array.
+ * @param count  Items that are in it.
  * @return Where the item goes; NULL when the block is full.
  */
 static void *scene_arena_append(SceneArena *arena, void **array, size_t *capacity, size_t count,
@@ -67,8 +58,7 @@ static void *scene_arena_append(SceneArena *arena, void **array, size_t *capacit
     return (char *)*array + count * size;
 }
 
-/** @return A block of which nothing is handed out; NULL without memory. @param[out] error What is
- *  wrong. */
+/** @return A block of which nothing is handed out; NULL without memory. */
 static SceneArena *scene_arena_create(Error *error) {
     SceneArena *arena = mmap(NULL, SCENE_MEMORY_SIZE, PROT_READ | PROT_WRITE,
                              MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
@@ -147,27 +137,14 @@ bool scene_add_shape(Scene *scene, size_t class_index, const Keyword *keyword,
     return slot != NULL;
 }
 
-/**
- * Copies words into a scene.
- * @param arena       Its block.
- * @param string       The words.
- * @param[out] error  What is wrong.
- * @return The copy, owned by the scene; NULL when the block is full.
- */
+/** Copies words into a scene. @return The copy, owned by the scene; NULL when the block is full. */
 static const char *scene_arena_copy_string(SceneArena *arena, const char *string, Error *error) {
     size_t size = strlen(string) + 1;
     char *copy = scene_arena_allocate(arena, size, error);
     return copy ? memcpy(copy, string, size) : NULL;
 }
 
-/**
- * Copies what is known of a file into a scene.
- * @param arena       Its block.
- * @param file        The file.
- * @param[out] copy   Where to.
- * @param[out] error  What is wrong.
- * @return false when the block is full.
- */
+/** Copies what is known of a file into a scene. @return false when the block is full. */
 static bool scene_arena_copy_file(SceneArena *arena, const SceneFile *file, SceneFile *copy,
                                   Error *error) {
     *copy = (SceneFile){.path = scene_arena_copy_string(arena, file->path, error),
@@ -232,12 +209,8 @@ bool scene_set_last_transform(Scene *scene, const Transform *transform, Error *e
 
 /**
  * Copies an array into a block.
- * @param arena           The block.
- * @param array           The array.
- * @param count           Items that are in it.
- * @param size            Bytes an item.
- * @param[out] capacity   Items that fit into the copy.
- * @param[out] error      What is wrong.
+ * @param count  Items that are in it.
+ * @param[out] capacity  Items that fit into the copy.
  * @return The copy; NULL when the block is full.
  */
 static void *scene_arena_copy(SceneArena *arena, const void *array, size_t count, size_t size,
@@ -247,8 +220,11 @@ static void *scene_arena_copy(SceneArena *arena, const void *array, size_t count
     return copy && count ? memcpy(copy, array, count * size) : copy;
 }
 
-/** Copies the lamps, materials and pictures of a scene. @param arena The block of the new scene.
- *  @param scene The scene. @param[out] error What is wrong. @return false without memory. */
+/**
+ * Copies the lamps, materials and pictures of a scene.
+ * @param arena  The block of the new scene.
+ * @return false without memory.
+ */
 static bool scene_copy_arrays(SceneArena *arena, const Scene *scene, Error *error) {
     Scene *copy = &arena->scene;
     copy->lights = scene_arena_copy(arena, scene->lights, scene->light_count, sizeof *copy->lights,
@@ -267,9 +243,11 @@ static bool scene_copy_arrays(SceneArena *arena, const Scene *scene, Error *erro
     return true;
 }
 
-/** Copies the models of a scene twice: as they are, and behind them places for those that are
- *  moved. @param arena The block of the new scene. @param scene The scene. @param[out] error What
- *  is wrong. @return false without memory. */
+/**
+ * Copies the models of a scene twice: as they are, and behind them places for those that are moved.
+ * @param arena  The block of the new scene.
+ * @return false without memory.
+ */
 static bool scene_copy_meshes(SceneArena *arena, const Scene *scene, Error *error) {
     size_t count = scene->mesh_count;
     arena->mesh_capacity = 2 * count;
@@ -284,9 +262,8 @@ static bool scene_copy_meshes(SceneArena *arena, const Scene *scene, Error *erro
     return meshes != NULL;
 }
 
-/** Lets a shape show the moved one of a model, which is made when first asked for. @param scene The
- *  moved scene. @param[in,out] index Of the model. @param offset How far. @param[out] error What is
- *  wrong. @return false without memory. */
+/** Lets a shape show the moved one of a model, which is made when first asked for. @return false
+ *  without memory. */
 static bool scene_translate_mesh(Scene *scene, size_t *index, Vec3d offset, Error *error) {
     const Mesh *mesh = scene->meshes[*index].mesh;
     *index += scene->mesh_count / 2;
@@ -297,9 +274,7 @@ static bool scene_translate_mesh(Scene *scene, size_t *index, Vec3d offset, Erro
     return moved->mesh != NULL;
 }
 
-/** Lets a shape be the surface of a moved field. @param scene The moved scene. @param[in,out] sdf
- *  The field. @param offset How far. @param[out] error What is wrong. @return false without memory.
- */
+/** Lets a shape be the surface of a moved field. @return false without memory. */
 static bool scene_translate_sdf(Scene *scene, const Sdf **sdf, Vec3d offset, Error *error) {
     Sdf *moved = scene_arena_allocate((SceneArena *)scene, sdf_size(2 * (*sdf)->node_count), error);
     if (moved) {
@@ -309,15 +284,7 @@ static bool scene_translate_sdf(Scene *scene, const Sdf **sdf, Vec3d offset, Err
     return moved != NULL;
 }
 
-/**
- * Moves a shape: its places, its model or its field.
- * @param scene       The moved scene.
- * @param keyword     The shape's keyword.
- * @param values      Its struct.
- * @param offset         How far.
- * @param[out] error  What is wrong.
- * @return false without memory.
- */
+/** Moves a shape: its places, its model or its field. @return false without memory. */
 static bool scene_translate_shape(Scene *scene, const Keyword *keyword, void *values, Vec3d offset,
                                   Error *error) {
     bool is_moved = true;
@@ -334,8 +301,7 @@ static bool scene_translate_shape(Scene *scene, const Keyword *keyword, void *va
 }
 
 /** Adds a shape to a moved scene. Of one that is transformed only the transform moves: its own
- * space stays. @param scene The moved scene. @param shape The shape. @param keyword Its keyword.
- * @param offset How far. @param[out] error What is wrong. @return false without memory. */
+ *  space stays. @return false without memory. */
 static bool scene_add_translated(Scene *scene, const SceneShape *shape, const Keyword *keyword,
                                  Vec3d offset, Error *error) {
     if (!scene_add_shape(scene, shape->class_index, keyword, shape->parameters,
@@ -377,8 +343,7 @@ Scene *scene_translated(const Scene *scene, const Keyword *const *shape_keywords
     return moved;
 }
 
-/** @return Whether the material of any shape is of a kind. @param scene The scene. @param predicate
- *  Whether one is. */
+/** @return Whether the material of any shape is of a kind. */
 static bool scene_has_material(const Scene *scene, bool (*predicate)(const SceneMaterial *)) {
     for (size_t i = 0; i < scene->shape_count; i++) {
         if (predicate(&scene->materials[scene->shapes[i].material_index])) {

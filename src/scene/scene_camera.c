@@ -91,8 +91,7 @@ static Vec3d direction_from_pan_tilt(double pan, double tilt) {
 /**
  * @return The part of `up` at right angles to `direction`, a unit vector. Where the two are
  *         parallel, the axis least aligned with the direction takes the place of `up`.
- * @param direction  A unit vector.
- * @param up         Any vector but zero.
+ * @param up  Any vector but zero.
  */
 static Vec3d orthogonal_up(Vec3d direction, Vec3d up) {
     /** Sine of the angle below which two directions count as parallel: 1e-9 of a radian. */
@@ -112,9 +111,7 @@ static Vec3d orthogonal_up(Vec3d direction, Vec3d up) {
 
 /**
  * Works out direction, up and focus. See #Keyword.finish.
- * @param[in,out] values  A #SceneCamera.
- * @param given           Which rows were given.
- * @param[out] error      What is wrong.
+ * @param given  Which rows were given.
  * @return false where the fields do not fit together.
  */
 static bool scene_camera_finish(void *values, uint64_t given, Error *error) {
@@ -160,8 +157,6 @@ void scene_camera_move(SceneCamera *camera, double right, double up, double forw
 
 /**
  * @return v turned about an axis (Rodrigues' formula).
- * @param v      Any vector.
- * @param axis   A unit vector.
  * @param angle  Degrees, counter-clockwise for who sees the axis come towards them.
  */
 static Vec3d rotate_about_axis(Vec3d v, Vec3d axis, double angle) {

@@ -71,13 +71,7 @@ static const SceneLight scene_light_defaults = {.kind = SCENE_LIGHT_POINT,
 static const SceneLight scene_sun_defaults = {
     .kind = SCENE_LIGHT_SUN, .color = {1, 1, 1}, .intensity = 1, .direction = {-1, -2, -1}};
 
-/**
- * Sees that a ball is not too small to be met. See #Keyword.finish.
- * @param[in,out] values  A #SceneLight.
- * @param given           Not used.
- * @param[out] error      What is wrong.
- * @return false where it is.
- */
+/** Sees that a ball is not too small to be met. See #Keyword.finish. @return false where it is. */
 static bool scene_light_finish(void *values, uint64_t given, Error *error) {
     (void)given;
     const SceneLight *light = values;
@@ -109,8 +103,7 @@ bool scene_light_is_spherical(const SceneLight *light) {
     return light->kind == SCENE_LIGHT_POINT && light->radius > 0;
 }
 
-/** Turns a sun. See #scene_light_move. @param[in,out] sun It. @param offset How far. @param
- * distance How far away it is taken to be. */
+/** Turns a sun. See #scene_light_move. @param distance How far away it is taken to be. */
 static void scene_sun_move(SceneLight *sun, Vec3d offset, double distance) {
     Vec3d to_sun = vec3d_scale(vec3d_normalize(sun->direction), -distance);
     Vec3d direction = vec3d_scale(vec3d_add(to_sun, offset), -1);

@@ -96,13 +96,8 @@ static const Parameter scene_material_parameters[] = {
 static const SceneMaterial scene_material_defaults = {
     .color = {1, 1, 1}, .ambient = 1, .diffuse = 1, .shininess = 50, .ior = 1.5};
 
-/**
- * Refuses surfaces that send back more light than they get. See #Keyword.finish.
- * @param[in,out] values  A #SceneMaterial.
- * @param given           Not looked at.
- * @param[out] error      What is wrong.
- * @return Whether reflectivity and transparency are at most 1 together.
- */
+/** Refuses surfaces that send back more light than they get. See #Keyword.finish. @return Whether
+ *  reflectivity and transparency are at most 1 together. */
 static bool scene_material_finish(void *values, uint64_t given, Error *error) {
     (void)given;
     const SceneMaterial *m = values;
@@ -124,7 +119,7 @@ const Keyword scene_material_keyword = {.name = "material",
                                         .defaults = &scene_material_defaults,
                                         .finish = scene_material_finish};
 
-/** @return Whether there is anything of any primary. @param color Shares. */
+/** @return Whether there is anything of any primary. */
 static bool rgbd_is_nonzero(const Rgbd *color) {
     return color->red > 0 || color->green > 0 || color->blue > 0;
 }

@@ -50,16 +50,17 @@ static const Parameter scene_sky_parameters[] = {
 /** A black sky. */
 static const SceneSky scene_sky_defaults = {0};
 
-/** @return Whether a row was given. @param given Bits of the rows that were. @param row Which. */
+/**
+ * @return Whether a row was given.
+ * @param given  Bits of the rows that were.
+ */
 static bool is_given(uint64_t given, int row) {
     return given >> row & 1;
 }
 
 /**
  * Makes one colour a gradient from itself to itself. See #Keyword.finish.
- * @param[in,out] values  A #SceneSky.
- * @param given           Which rows were given.
- * @param[out] error      What is wrong.
+ * @param given  Which rows were given.
  * @return false where two kinds of sky are asked for.
  */
 static bool scene_sky_finish(void *values, uint64_t given, Error *error) {

@@ -59,12 +59,8 @@ const Parameter sdf_radius_parameter = {.name = "radius",
 
 /* --- how they are put together ---------------------------------------------------------------- */
 
-/**
- * Puts a step and its body behind the steps of a field.
- * @param[in,out] out  The field.
- * @param node         The step; its body is filled in.
- * @param body         The body.
- */
+/** Puts a step and its body behind the steps of a field. @param node The step; its body is filled
+ *  in. */
 static void sdf_append(Sdf *out, const SdfNode *node, const Sdf *body) {
     SdfNode *copy = &out->nodes[out->node_count];
     *copy = *node;
@@ -73,9 +69,11 @@ static void sdf_append(Sdf *out, const SdfNode *node, const Sdf *body) {
     out->node_count += body->node_count + 1;
 }
 
-/** Makes a field of a step and its body. @param[out] out Room for it. @param node The step.
- *  @param sdf The body, of which all else stays as it is. @param[out] error What is wrong.
- *  @return false where it is too long or too deep. */
+/**
+ * Makes a field of a step and its body.
+ * @param sdf  The body, of which all else stays as it is.
+ * @return false where it is too long or too deep.
+ */
 static bool sdf_wrap(Sdf *out, const SdfNode *node, const Sdf *sdf, Error *error) {
     *out = *sdf;
     out->node_count = 0;
@@ -92,15 +90,14 @@ static bool sdf_wrap(Sdf *out, const SdfNode *node, const Sdf *sdf, Error *error
     return true;
 }
 
-/** @return A point after a matrix. @param m The matrix. @param p The point. */
+/** @return A point after a matrix. */
 static Vec3d matrix3x3_apply(const double m[3][3], Vec3d p) {
     return (Vec3d){m[0][0] * p.x + m[0][1] * p.y + m[0][2] * p.z,
                    m[1][0] * p.x + m[1][1] * p.y + m[1][2] * p.z,
                    m[2][0] * p.x + m[2][1] * p.y + m[2][2] * p.z};
 }
 
-/** Puts a box around a box that was transformed. @param[in,out] sdf What the box belongs to.
- *  @param t The transform. */
+/** Puts a box around a box that was transformed. @param[in,out] sdf What the box belongs to. */
 static void sdf_transform_bounds(Sdf *sdf, const Transform *t) {
     Vec3d corners[2] = {sdf->low, sdf->high};
     bool is_turned = t->rotate.x != 0 || t->rotate.y != 0 || t->rotate.z != 0;
@@ -125,7 +122,7 @@ static void sdf_transform_bounds(Sdf *sdf, const Transform *t) {
 }
 
 /** Refuses what has become too small or too large for the engines' numbers: nothing of it would be
- *  seen. @param sdf A field. @param[out] error What is wrong. @return Whether it is not. */
+ *  seen. @return Whether it is not. */
 static bool sdf_check_size(const Sdf *sdf, Error *error) {
     double max_coordinate = fmax(vec3d_max_abs(sdf->low), vec3d_max_abs(sdf->high));
     double edge = vec3d_max_abs(vec3d_subtract(sdf->high, sdf->low));
@@ -137,8 +134,7 @@ static bool sdf_check_size(const Sdf *sdf, Error *error) {
                      edge, max_coordinate, LENGTH_MINIMUM, LENGTH_MAXIMUM);
 }
 
-/** Notes the box of the body of a #SDF_TRANSFORM step. @param[in,out] node The step. @param low
- * Lowest corner. @param high Highest. */
+/** Notes the box of the body of a #SDF_TRANSFORM step. */
 static void node_set_bounds(SdfNode *node, Vec3d low, Vec3d high) {
     const double box[6] = {low.x, low.y, low.z, high.x, high.y, high.z};
     memcpy(node->operands + 13, box, sizeof box);
@@ -164,25 +160,21 @@ bool sdf_transform(Sdf *out, const Sdf *sdf, const Transform *t, Error *error) {
 }
 
 /** @return Whether a step works on what stands before it and on its body, both where the step
- *          itself stands; its first numbers are the body's box. @param op The step. */
+ *  itself stands; its first numbers are the body's box. */
 static bool is_combination(SdfOp op) {
     return op == SDF_UNION || op == SDF_SMOOTH_UNION || op == SDF_INTERSECTION ||
            op == SDF_DIFFERENCE;
 }
 
-/** Moves three numbers. @param[in,out] operands They. @param offset How far. */
+/** Moves three numbers. */
 static void operands_translate(double *operands, Vec3d offset) {
     operands[0] += offset.x;
     operands[1] += offset.y;
     operands[2] += offset.z;
 }
 
-/**
- * Puts a step that works on zero behind the steps of a field, as the body of one that moves it.
- * @param[in,out] out  The field.
- * @param node         The step, with its body behind it.
- * @param offset          How far.
- */
+/** Puts a step that works on zero behind the steps of a field, as the body of one that moves it.
+ *  @param node The step, with its body behind it. */
 static void node_wrap_translation(Sdf *out, const SdfNode *node, Vec3d offset) {
     int size = 1 + node->body_count;
     out->nodes[out->node_count++] = (SdfNode){
@@ -191,13 +183,7 @@ static void node_wrap_translation(Sdf *out, const SdfNode *node, Vec3d offset) {
     out->node_count += size;
 }
 
-/**
- * Puts steps, moved, behind those of a field.
- * @param[in,out] out  The field.
- * @param nodes        The steps.
- * @param count        How many.
- * @param offset          How far.
- */
+/** Puts steps, moved, behind those of a field. */
 static void nodes_translate(Sdf *out, const SdfNode *nodes, int count, Vec3d offset) {
     for (const SdfNode *node = nodes; node < nodes + count; node += 1 + node->body_count) {
         SdfNode *copy = &out->nodes[out->node_count];
@@ -234,7 +220,7 @@ void sdf_translate(Sdf *out, const Sdf *sdf, Vec3d offset) {
     }
 }
 
-/** Moves a box outwards. @param[in,out] sdf What it belongs to. @param distance How far. */
+/** Moves a box outwards. */
 static void sdf_expand_bounds(Sdf *sdf, double distance) {
     Vec3d outwards = {distance, distance, distance};
     sdf->low = vec3d_subtract(sdf->low, outwards);
@@ -258,13 +244,11 @@ typedef struct AxisRepetition {
 
 /**
  * Repeats along one axis.
- * @param[out] axis   What is needed of it.
- * @param low         Where the field begins; afterwards where all copies begin.
- * @param high        Where it ends.
- * @param period      From one copy to the next.
- * @param count       How many copies; 0: without end.
- * @param is_exact    Whether the field is exact: then the nearer neighbour decides.
- * @param[out] error  What is wrong.
+ * @param[out] axis  What is needed of it.
+ * @param low  Where the field begins; afterwards where all copies begin.
+ * @param period  From one copy to the next.
+ * @param count  How many copies; 0: without end.
+ * @param is_exact  Whether the field is exact: then the nearer neighbour decides.
  * @return false where copies overlap more than their neighbours.
  */
 static bool axis_repetition_init(AxisRepetition *axis, double *low, double *high, double period,
@@ -320,17 +304,18 @@ static const SdfOp combination_ops[] = {[SDF_COMBINE_UNION] = SDF_UNION,
                                         [SDF_COMBINE_DIFFERENCE] = SDF_DIFFERENCE,
                                         [SDF_COMBINE_SMOOTH_UNION] = SDF_SMOOTH_UNION};
 
-/** Takes what is known of one more field of a union. @param[in,out] out What is known so far.
- *  @param next The field. */
+/** Takes what is known of one more field of a union. @param[in,out] out What is known so far. */
 static void sdf_union_bounds(Sdf *out, const Sdf *next) {
     out->low = vec3d_min(out->low, next->low);
     out->high = vec3d_max(out->high, next->high);
     out->bound_slack = fmax(out->bound_slack, next->bound_slack);
 }
 
-/** Takes what is known of one more field of an intersection. @param[in,out] out What is known so
- *  far. @param next The field. @param[out] error What is wrong. @return false where nothing is
- *  left. */
+/**
+ * Takes what is known of one more field of an intersection.
+ * @param[in,out] out  What is known so far.
+ * @return false where nothing is left.
+ */
 static bool sdf_intersect_bounds(Sdf *out, const Sdf *next, Error *error) {
     Vec3d low = out->low = vec3d_max(out->low, next->low);
     Vec3d high = out->high = vec3d_min(out->high, next->high);
@@ -340,15 +325,7 @@ static bool sdf_intersect_bounds(Sdf *out, const Sdf *next, Error *error) {
            error_set(error, STATUS_SCENE, "the fields lie apart: there is nothing in all of them");
 }
 
-/**
- * Puts one more field to those that were joined so far.
- * @param[in,out] out  Those so far.
- * @param combination         How.
- * @param next         The field.
- * @param radius       Of the seam.
- * @param[out] error   What is wrong.
- * @return false where nothing is left.
- */
+/** Puts one more field to those that were joined so far. @return false where nothing is left. */
 static bool sdf_combine_one(Sdf *out, SdfCombination combination, const Sdf *next, double radius,
                             Error *error) {
     Vec3d low = next->low, high = next->high;
@@ -370,7 +347,7 @@ static bool sdf_combine_one(Sdf *out, SdfCombination combination, const Sdf *nex
     return true;
 }
 
-/** @return Which of some fields is the deepest. @param sdfs The fields. @param count How many. */
+/** @return Which of some fields is the deepest. */
 static int deepest_sdf(const Sdf *const *sdfs, int count) {
     int deepest = 0;
     for (int i = 1; i < count; i++) {

@@ -12,10 +12,8 @@ enum { MENGER_ITERATIONS_MAXIMUM = 12 };
 
 /**
  * Makes a field of one step.
- * @param[out] sdf  Room for it.
- * @param is_exact    Whether it is exact.
- * @param node        The step.
- * @param half_size       Half the edges of the box around its solid, whose middle is at zero.
+ * @param is_exact  Whether it is exact.
+ * @param half_size  Half the edges of the box around its solid, whose middle is at zero.
  */
 static void sdf_from_primitive(Sdf *sdf, bool is_exact, const SdfNode *node, Vec3d half_size) {
     *sdf = (Sdf){.is_exact = is_exact,
@@ -41,9 +39,7 @@ typedef struct SdfSphereParameters {
     double radius; /**< Its radius. */
 } SdfSphereParameters;
 
-/** Makes a ball. See #SdfPrimitive.create. @param[out] sdf Room for it. @param values A
- * #SdfSphereParameters.
- */
+/** Makes a ball. See #SdfPrimitive.create. */
 static void sdf_sphere_create(Sdf *sdf, const void *values) {
     double r = ((const SdfSphereParameters *)values)->radius;
     sdf_from_primitive(sdf, true, &(SdfNode){SDF_SPHERE, 0, {r}}, (Vec3d){r, r, r});
@@ -68,8 +64,7 @@ typedef struct SdfBoxParameters {
     double edge; /**< Of a frame: how thick its bars are. */
 } SdfBoxParameters;
 
-/** Makes a box. See #SdfPrimitive.create. @param[out] sdf Room for it. @param values A
- * #SdfBoxParameters. */
+/** Makes a box. See #SdfPrimitive.create. */
 static void sdf_box_create(Sdf *sdf, const void *values) {
     Vec3d h = vec3d_scale(((const SdfBoxParameters *)values)->size, 0.5);
     sdf_from_primitive(sdf, true, &(SdfNode){SDF_BOX, 0, {h.x, h.y, h.z}}, h);
@@ -88,9 +83,7 @@ static const SdfPrimitive sdf_box = {
                 .defaults = &(const SdfBoxParameters){.size = {1, 1, 1}}},
     .create = sdf_box_create};
 
-/** Refuses bars that are thicker than the frame. See #Keyword.finish. @param[in,out] values A
- *  #SdfBoxParameters. @param given Not looked at. @param[out] error What is wrong. @return Whether
- * they fit. */
+/** Refuses bars that are thicker than the frame. See #Keyword.finish. @return Whether they fit. */
 static bool sdf_box_frame_finish(void *values, uint64_t given, Error *error) {
     (void)given;
     const SdfBoxParameters *frame = values;
@@ -100,8 +93,7 @@ static bool sdf_box_frame_finish(void *values, uint64_t given, Error *error) {
                      frame->edge, least);
 }
 
-/** Makes a frame. See #SdfPrimitive.create. @param[out] sdf Room for it. @param values A
- * #SdfBoxParameters. */
+/** Makes a frame. See #SdfPrimitive.create. */
 static void sdf_box_frame_create(Sdf *sdf, const void *values) {
     const SdfBoxParameters *frame = values;
     Vec3d h = vec3d_scale(frame->size, 0.5);
@@ -133,8 +125,7 @@ typedef struct SdfTorusParameters {
     double minor; /**< Radius of the tube. */
 } SdfTorusParameters;
 
-/** Refuses rings without a hole. See #Keyword.finish. @param[in,out] values A #SdfTorusParameters.
- *  @param given Not looked at. @param[out] error What is wrong. @return Whether it has one. */
+/** Refuses rings without a hole. See #Keyword.finish. @return Whether it has one. */
 static bool sdf_torus_finish(void *values, uint64_t given, Error *error) {
     (void)given;
     const SdfTorusParameters *torus = values;
@@ -143,9 +134,7 @@ static bool sdf_torus_finish(void *values, uint64_t given, Error *error) {
                      torus->minor, torus->major);
 }
 
-/** Makes a ring. See #SdfPrimitive.create. @param[out] sdf Room for it. @param values A
- * #SdfTorusParameters.
- */
+/** Makes a ring. See #SdfPrimitive.create. */
 static void sdf_torus_create(Sdf *sdf, const void *values) {
     const SdfTorusParameters *torus = values;
     double outer = torus->major + torus->minor;
@@ -177,8 +166,7 @@ typedef struct SdfMengerParameters {
     int iterations; /**< How often holes are cut. */
 } SdfMengerParameters;
 
-/** Makes a sponge. See #SdfPrimitive.create. @param[out] sdf Room for it. @param values A
- * #SdfMengerParameters. */
+/** Makes a sponge. See #SdfPrimitive.create. */
 static void sdf_menger_create(Sdf *sdf, const void *values) {
     const SdfMengerParameters *menger = values;
     double h = 0.5 * menger->size;
@@ -214,7 +202,7 @@ typedef struct SdfMandelbulbParameters {
 } SdfMandelbulbParameters;
 
 /** @return Beyond this distance no point is in a Mandelbulb: its second iterate, at least r^n - r
- *          away from zero, is beyond #BAILOUT_RADIUS. @param power Its power, n. */
+ *  away from zero, is beyond #BAILOUT_RADIUS. */
 static double mandelbulb_bounding_radius(int power) {
     double low = 1, high = BAILOUT_RADIUS;
     for (int i = 0; i < 60; i++) {
@@ -230,8 +218,6 @@ static double mandelbulb_bounding_radius(int power) {
  * and near the poles it is too small. So the estimate is a bound up to four iterations only.
  * Numbers: power, iterations, the ball around it, the factor, the radius where orbits are given up,
  * and log 2 / n^iterations, the potential of its surface.
- * @param[out] sdf  Room for it.
- * @param values      A #SdfMandelbulbParameters.
  */
 static void sdf_mandelbulb_create(Sdf *sdf, const void *values) {
     /** Half of the usual one; how often it is too much is tested (tests/test_sdf_functions.c). */

@@ -40,8 +40,7 @@ typedef struct CosineSine {
     double sine;   /**< Of its angle. */
 } CosineSine;
 
-/** @return A rotation; exact for whole quarters, so that a turned box stays along the axes.
- *  @param degrees Its angle. */
+/** @return A rotation; exact for whole quarters, so that a turned box stays along the axes. */
 static CosineSine cosine_sine_of(double degrees) {
     static const CosineSine quarters[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
     double quarters_turned = degrees / 90;
@@ -54,9 +53,8 @@ static CosineSine cosine_sine_of(double degrees) {
 
 /**
  * Turns what a matrix makes about an axis: two of its rows change.
- * @param[in,out] matrix  The matrix.
- * @param axis            0, 1 or 2 for x, y or z.
- * @param degrees         The angle; from y to z, z to x or x to y.
+ * @param axis  0, 1 or 2 for x, y or z.
+ * @param degrees  The angle; from y to z, z to x or x to y.
  */
 static void matrix_rotate(double matrix[3][3], int axis, double degrees) {
     CosineSine rotation = cosine_sine_of(degrees);
@@ -68,13 +66,8 @@ static void matrix_rotate(double matrix[3][3], int axis, double degrees) {
     }
 }
 
-/**
- * Refuses what would make a shape flat, and works out the matrix. See #Keyword.finish.
- * @param[in,out] values  A #Transform.
- * @param given           Not looked at.
- * @param[out] error      What is wrong.
- * @return false where a scale is zero, or as good as zero.
- */
+/** Refuses what would make a shape flat, and works out the matrix. See #Keyword.finish. @return
+ *  false where a scale is zero, or as good as zero. */
 static bool transform_finish(void *values, uint64_t given, Error *error) {
     (void)given;
     Transform *transform = values;

@@ -28,11 +28,7 @@ AssetCache *asset_cache_create(Error *error) {
     return cache;
 }
 
-/**
- * Gives items back.
- * @param entries  The items, or NULL.
- * @param count  How many.
- */
+/** Gives items back. @param entries The items, or NULL. */
 static void entries_destroy(CacheEntry *entries, size_t count) {
     for (size_t i = 0; i < count; i++) {
         free(entries[i].path);
@@ -81,7 +77,6 @@ void asset_cache_fill_scene(const AssetCache *cache, Scene *scene) {
 
 /**
  * Fills items with the models and pictures of a scene.
- * @param scene       The scene.
  * @param[out] entries  Room for all of them, zero.
  * @return false without memory.
  */

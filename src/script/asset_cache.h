@@ -8,8 +8,7 @@
 #include "dioptre/script.h"
 #include "script/script_text.h"
 
-/** @return The text of the scene file, empty until it is read; owned by the stock. @param cache The
- *  stock. */
+/** @return The text of the scene file, empty until it is read; owned by the stock. */
 ScriptText *asset_cache_text(AssetCache *cache);
 
 /**
@@ -23,8 +22,7 @@ void asset_cache_fill_scene(const AssetCache *cache, Scene *scene);
  * Keeps the models and pictures of a scene, and no others: a film whose every frame has a picture
  * of its own must not fill the memory.
  * @param[in,out] cache  The stock, which becomes one of their owners; NULL: nothing is kept.
- * @param scene          The scene, with all that it names.
- * @param[out] error     What is wrong.
+ * @param scene  The scene, with all that it names.
  * @return false without memory; nothing is kept then.
  */
 bool asset_cache_store(AssetCache *cache, const Scene *scene, Error *error);

@@ -9,12 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/**
- * Finds the folder that a scene's files lie in.
- * @param request      What was asked for.
- * @param[out] dir  The folder, as the user knows it, with a slash at its end; empty for the
- *                     folder that the program runs in.
- */
+/** Finds the folder that a scene's files lie in. @param[out] dir The folder, as the user knows it,
+ *  with a slash at its end; empty for the folder that the program runs in. */
 static void find_base_dir(const ScriptRequest *request, char dir[PATH_MAX]) {
     if (request->base_dir) {
         snprintf(dir, PATH_MAX, "%s/", request->base_dir);
@@ -25,12 +21,7 @@ static void find_base_dir(const ScriptRequest *request, char dir[PATH_MAX]) {
     snprintf(dir, PATH_MAX, "%.*s", length, request->path);
 }
 
-/**
- * Says whether a path lies below a folder.
- * @param dir  The folder, real.
- * @param path    The path, real.
- * @return Whether it does.
- */
+/** Says whether a path lies below a folder. @return Whether it does. */
 static bool is_inside(const char *dir, const char *path) {
     size_t length = strlen(dir);
     if (strcmp(dir, "/") == 0) {

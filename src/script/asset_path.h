@@ -11,11 +11,9 @@
 
 /**
  * Finds a file that a scene names; symbolic links are followed, and count by where they lead.
- * @param request     What was asked for.
- * @param name        The file's name, from the folder that the scene's files lie in.
+ * @param name  The file's name, from the folder that the scene's files lie in.
  * @param[out] display_path  Its path as the user knows it.
- * @param[out] real_path   Its path without links.
- * @param[out] error  What is wrong.
+ * @param[out] real_path  Its path without links.
  * @return false if there is none, or it lies outside.
  */
 bool asset_path_resolve(const ScriptRequest *request, const char *name, char display_path[PATH_MAX],

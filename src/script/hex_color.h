@@ -12,8 +12,6 @@
 
 /**
  * Reads a colour such as `#ff8000`: red, green and blue in sRGB, from 00 to ff.
- * @param text        The text.
- * @param length      Bytes of it.
  * @param[out] color  Its linear light, by the exact curve; each part 0 to 1.
  * @return Whether the text is such a colour.
  */

@@ -16,11 +16,8 @@ static int call_include(lua_State *L);
 
 /**
  * Reads a file to include.
- * @param request      What was asked for.
- * @param name         The file's name.
  * @param[out] text  Its text; to be released.
- * @param[out] display_path   Its path as the user knows it.
- * @param[out] error   What is wrong.
+ * @param[out] display_path  Its path as the user knows it.
  * @return false if it cannot be included.
  */
 static bool read_file(const ScriptRequest *request, const char *name, ScriptText *text,
@@ -37,11 +34,7 @@ static bool read_file(const ScriptRequest *request, const char *name, ScriptText
     return true;
 }
 
-/**
- * Puts a file on the stack as a function; raises an error if that cannot be done.
- * @param L     The state.
- * @param name  The file's name.
- */
+/** Puts a file on the stack as a function; raises an error if that cannot be done. */
 static void load_file(lua_State *L, const char *name) {
     const ScriptRun *run = script_sandbox_of(L)->context;
     char display_path[PATH_MAX];
@@ -54,11 +47,8 @@ static void load_file(lua_State *L, const char *name) {
     }
 }
 
-/**
- * @return How many calls of `include` a state is in. Read off its stack, since an error that a
- *         scene catches may end several of them at once.
- * @param L  The state.
- */
+/** @return How many calls of `include` a state is in. Read off its stack, since an error that a
+ *  scene catches may end several of them at once. */
 static int count_depth(lua_State *L) {
     int depth = 0;
     lua_Debug frame;

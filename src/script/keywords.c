@@ -20,13 +20,7 @@ typedef struct KeywordCall {
     const Transform *transform; /**< What becomes of it; NULL: nothing, or it is no shape. */
 } KeywordCall;
 
-/**
- * Puts what a call has read into the scene.
- * @param[in,out] scene  The scene.
- * @param call           What was read; copied.
- * @param[out] error     What is wrong.
- * @return false if the scene is full.
- */
+/** Puts what a call has read into the scene. @return false if the scene is full. */
 typedef bool AddFunction(Scene *scene, const KeywordCall *call, Error *error);
 
 /** A word of the language: a keyword, and what becomes of what it reads. */
@@ -42,8 +36,7 @@ typedef struct SceneHandle {
     size_t material; /**< Place of the material that it is, or wears. */
 } SceneHandle;
 
-/** Replaces the camera. See #AddFunction. @param scene See there. @param call A Camera.
- *  @param error Not used. @return true */
+/** Replaces the camera. See #AddFunction. @return true */
 static bool add_camera(Scene *scene, const KeywordCall *call, Error *error) {
     (void)error;
     scene->camera = *(const SceneCamera *)call->values;
@@ -51,36 +44,31 @@ static bool add_camera(Scene *scene, const KeywordCall *call, Error *error) {
     return true;
 }
 
-/** Replaces size and quality of the picture. See #AddFunction. @param scene See there.
- *  @param call An Image. @param error Not used. @return true */
+/** Replaces size and quality of the picture. See #AddFunction. @return true */
 static bool add_image(Scene *scene, const KeywordCall *call, Error *error) {
     (void)error;
     scene->image = *(const SceneImage *)call->values;
     return true;
 }
 
-/** Replaces the sky. See #AddFunction. @param scene See there. @param call A Sky.
- *  @param error Not used. @return true */
+/** Replaces the sky. See #AddFunction. @return true */
 static bool add_sky(Scene *scene, const KeywordCall *call, Error *error) {
     (void)error;
     scene->sky = *(const SceneSky *)call->values;
     return true;
 }
 
-/** Adds a lamp or a sun. See #AddFunction. @param scene See there. @param call A Light.
- *  @param error See there. @return See there. */
+/** Adds a lamp or a sun. See #AddFunction. @return See there. */
 static bool add_light(Scene *scene, const KeywordCall *call, Error *error) {
     return scene_add_light(scene, call->values, error);
 }
 
-/** Adds a material. See #AddFunction. @param scene See there. @param call A Material.
- *  @param error See there. @return See there. */
+/** Adds a material. See #AddFunction. @return See there. */
 static bool add_material(Scene *scene, const KeywordCall *call, Error *error) {
     return scene_add_material(scene, call->values, error);
 }
 
-/** Adds a shape. See #AddFunction. @param scene See there. @param call The shape's parameters.
- *  @param error See there. @return See there. */
+/** Adds a shape. See #AddFunction. @return See there. */
 static bool add_shape(Scene *scene, const KeywordCall *call, Error *error) {
     bool is_field = call->keyword->parameters->type == PARAMETER_SDF;
     if (is_field && scene->materials[call->material].texture_id > 0) {
@@ -128,8 +116,7 @@ static size_t read_material(lua_State *L) {
 
 /**
  * Puts a thing of the scene on the stack. It can be handed on, and that is all.
- * @param L         The state.
- * @param name      The keyword that made it.
+ * @param name  The keyword that made it.
  * @param material  Place of the material that it is, or wears.
  */
 static void push_handle(lua_State *L, const char *name, size_t material) {
@@ -156,8 +143,7 @@ static void read_shape_fields(lua_State *L, KeywordCall *call) {
 
 /**
  * Reads all that a word was called with.
- * @param L     The state, with the table.
- * @param function  The word.
+ * @param L  The state, with the table.
  * @return What was read; its structs are Lua's, and on the stack.
  */
 static KeywordCall read_call(lua_State *L, const KeywordFunction *function) {
@@ -212,11 +198,7 @@ static int call_ambient(lua_State *L) {
     return 1;
 }
 
-/**
- * Makes a word a global one.
- * @param L     The state.
- * @param function  The word; copied.
- */
+/** Makes a word a global one. */
 static void register_keyword(lua_State *L, const KeywordFunction *function) {
     KeywordFunction *copy = lua_newuserdatauv(L, sizeof *copy, 0);
     *copy = *function;

@@ -7,11 +7,8 @@
 
 #include <lua.h>
 
-/**
- * Makes the keywords global words of a state: those of every scene, and those of the shapes that
- * its #ScriptRun can name.
- * @param L  The state.
- */
+/** Makes the keywords global words of a state: those of every scene, and those of the shapes that
+ *  its #ScriptRun can name. */
 void keywords_open(lua_State *L);
 
 #endif

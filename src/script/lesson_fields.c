@@ -77,9 +77,7 @@ static const Parameter text_parameters[] = {{.name = "en"}, {.name = "fr"}, {0}}
 
 /**
  * Reads text; raises an error about anything else.
- * @param L       The state.
- * @param index   Where it is.
- * @param name    What to call it in errors.
+ * @param name  What to call it in errors.
  * @param lesson  The lesson, which keeps it.
  * @return The text.
  */
@@ -101,8 +99,10 @@ static const char *read_text(lua_State *L, int index, const char *name, Lesson *
     return copy;
 }
 
-/** @return Text of a field, see #read_text; NULL where it is not given. @param L The state.
- *  @param table Where the table is. @param name The field. @param lesson The lesson. */
+/**
+ * @return Text of a field, see #read_text; NULL where it is not given.
+ * @param table  Where the table is.
+ */
 static const char *read_text_field(lua_State *L, int table, const char *name, Lesson *lesson) {
     bool is_given = lua_getfield(L, table, name) != LUA_TNIL;
     const char *text = is_given ? read_text(L, lua_gettop(L), name, lesson) : NULL;
@@ -112,9 +112,7 @@ static const char *read_text_field(lua_State *L, int table, const char *name, Le
 
 /**
  * Reads words: one text for all languages, or a table with one for each.
- * @param L       The state.
- * @param index   Where they are.
- * @param name    What to call them in errors.
+ * @param name  What to call them in errors.
  * @param lesson  The lesson, which keeps them.
  * @return The words; at least in one language.
  */
@@ -131,8 +129,7 @@ static LessonText read_lesson_text(lua_State *L, int index, const char *name, Le
     return text;
 }
 
-/** Reads the title. @param L The state, with the lesson's table first. @param[in,out] lesson The
- *  lesson. */
+/** Reads the title. @param L The state, with the lesson's table first. */
 static void read_title(lua_State *L, Lesson *lesson) {
     static const Keyword title = {.name = "title", .parameters = text_parameters};
     static const Keyword *const keywords[] = {&title, NULL};
@@ -146,8 +143,7 @@ static void read_title(lua_State *L, Lesson *lesson) {
     lua_pop(L, 1);
 }
 
-/** Reads the window's size. @param L The state, with the lesson's table first. @param[in,out]
- * settings Gets it. */
+/** Reads the window's size. @param L The state, with the lesson's table first. */
 static void read_size(lua_State *L, LessonSettings *settings) {
     Uvd size = {0};
     if (lua_getfield(L, 1, "size") != LUA_TNIL) {
@@ -158,11 +154,8 @@ static void read_size(lua_State *L, LessonSettings *settings) {
     lua_pop(L, 1);
 }
 
-/**
- * Finds the scene's file: its name is as seen from the lesson's folder.
- * @param L               The state, with the lesson's table first.
- * @param[in,out] lesson  Gets its path.
- */
+/** Finds the scene's file: its name is as seen from the lesson's folder. @param L The state, with
+ *  the lesson's table first. */
 static void read_scene(lua_State *L, Lesson *lesson) {
     const char *path = ((ScriptRun *)script_sandbox_of(L)->context)->request->path;
     const char *name = read_text_field(L, 1, "scene", lesson), *slash = strrchr(path, '/');

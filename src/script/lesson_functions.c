@@ -25,8 +25,7 @@ static const double TURN_MAXIMUM = 360;
 /** Most notches of the wheel in one step. */
 static const double NOTCHES_MAXIMUM = 1000;
 
-/** @return The lesson that a state reads; raises an error before the word `lesson`.
- *  @param L The state. */
+/** @return The lesson that a state reads; raises an error before the word `lesson`. */
 static LessonBuilder *current_builder(lua_State *L) {
     LessonBuilder *builder = ((ScriptRun *)script_sandbox_of(L)->context)->lesson_builder;
     if (!builder->lesson->scene[0]) {
@@ -35,7 +34,7 @@ static LessonBuilder *current_builder(lua_State *L) {
     return builder;
 }
 
-/** Adds a step to the lesson, now. @param L The state. @param step The step; its time is set. */
+/** Adds a step to the lesson, now. @param step The step; its time is set. */
 static void add_step(lua_State *L, LessonStep step) {
     LessonBuilder *builder = current_builder(L);
     Error error = {0};
@@ -47,11 +46,8 @@ static void add_step(lua_State *L, LessonStep step) {
 
 /**
  * Reads a number that a word was called with; raises an error about anything else.
- * @param L        The state.
- * @param index    Which of the values.
- * @param name     What to call it in errors.
- * @param minimum  Smallest.
- * @param maximum  Largest.
+ * @param index  Which of the values.
+ * @param name  What to call it in errors.
  * @return The number.
  */
 static double read_number(lua_State *L, int index, const char *name, double minimum,
@@ -63,8 +59,8 @@ static double read_number(lua_State *L, int index, const char *name, double mini
     return value;
 }
 
-/** Raises an error unless a word was called with a number of values. @param L The state.
- *  @param minimum Fewest. @param maximum Most. @param usage How it is called. */
+/** Raises an error unless a word was called with a number of values. @param usage How it is called.
+ */
 static void check_argument_count(lua_State *L, int minimum, int maximum, const char *usage) {
     current_builder(L);
     if (lua_gettop(L) < minimum || lua_gettop(L) > maximum) {
@@ -93,13 +89,13 @@ static int read_action(lua_State *L, bool is_move) {
                         suggestion.word, suggest_hint(&suggestion, hint));
 }
 
-/** Lets time go by. @param L The state. @param index Which value says how much, seconds. */
+/** Lets time go by. @param index Which value says how much, seconds. */
 static void advance_time(lua_State *L, int index) {
     double seconds = read_number(L, index, "seconds", 0, LESSON_WAIT_MAXIMUM);
     current_builder(L)->time += llround(seconds * 1000);
 }
 
-/** `lesson { scene = ..., ... }`. See lua_CFunction. @param L The state. @return 0 */
+/** `lesson { scene = ..., ... }`. See lua_CFunction. @return 0 */
 static int call_lesson(lua_State *L) {
     Lesson *lesson = ((ScriptRun *)script_sandbox_of(L)->context)->lesson_builder->lesson;
     if (lesson->scene[0]) {
@@ -109,8 +105,8 @@ static int call_lesson(lua_State *L) {
     return 0;
 }
 
-/** `caption { en = ..., fr = ..., wait = true }` or `caption "..."`. See lua_CFunction.
- *  @param L The state. @return 0 */
+/** `caption { en = ..., fr = ..., wait = true }` or `caption "..."`. See lua_CFunction. @return 0
+ */
 static int call_caption(lua_State *L) {
     check_argument_count(L, 1, 1, "caption { en = \"...\", fr = \"...\", wait = true }");
     LessonStep step = {.kind = LESSON_CAPTION};
@@ -119,29 +115,28 @@ static int call_caption(lua_State *L) {
     return 0;
 }
 
-/** `wait(SECONDS)`. See lua_CFunction. @param L The state. @return 0 */
+/** `wait(SECONDS)`. See lua_CFunction. @return 0 */
 static int call_wait(lua_State *L) {
     check_argument_count(L, 1, 1, "wait(SECONDS)");
     advance_time(L, 1);
     return 0;
 }
 
-/** `press "ACTION"`. See lua_CFunction. @param L The state. @return 0 */
+/** `press "ACTION"`. See lua_CFunction. @return 0 */
 static int call_press(lua_State *L) {
     check_argument_count(L, 1, 1, "press \"ACTION\"");
     add_step(L, (LessonStep){.kind = LESSON_PRESS, .action = read_action(L, false)});
     return 0;
 }
 
-/** `release "MOVE"`. See lua_CFunction. @param L The state. @return 0 */
+/** `release "MOVE"`. See lua_CFunction. @return 0 */
 static int call_release(lua_State *L) {
     check_argument_count(L, 1, 1, "release \"MOVE\"");
     add_step(L, (LessonStep){.kind = LESSON_RELEASE, .action = read_action(L, true)});
     return 0;
 }
 
-/** `hold("MOVE", SECONDS)`: press, wait and release. See lua_CFunction. @param L The state.
- *  @return 0 */
+/** `hold("MOVE", SECONDS)`: press, wait and release. See lua_CFunction. @return 0 */
 static int call_hold(lua_State *L) {
     check_argument_count(L, 2, 2, "hold(\"MOVE\", SECONDS)");
     int move = read_action(L, true);
@@ -151,7 +146,7 @@ static int call_hold(lua_State *L) {
     return 0;
 }
 
-/** `speed(FACTOR)`. See lua_CFunction. @param L The state. @return 0 */
+/** `speed(FACTOR)`. See lua_CFunction. @return 0 */
 static int call_speed(lua_State *L) {
     check_argument_count(L, 1, 1, "speed(FACTOR)");
     double factor = read_number(L, 1, "speed", SPEED_MINIMUM, SPEED_MAXIMUM);
@@ -159,7 +154,7 @@ static int call_speed(lua_State *L) {
     return 0;
 }
 
-/** `turn(RIGHT, UP)`, degrees. See lua_CFunction. @param L The state. @return 0 */
+/** `turn(RIGHT, UP)`, degrees. See lua_CFunction. @return 0 */
 static int call_turn(lua_State *L) {
     check_argument_count(L, 2, 2, "turn(DEGREES_RIGHT, DEGREES_UP)");
     LessonStep step = {.kind = LESSON_TURN};
@@ -169,7 +164,7 @@ static int call_turn(lua_State *L) {
     return 0;
 }
 
-/** `zoom(NOTCHES)`. See lua_CFunction. @param L The state. @return 0 */
+/** `zoom(NOTCHES)`. See lua_CFunction. @return 0 */
 static int call_zoom(lua_State *L) {
     check_argument_count(L, 1, 1, "zoom(NOTCHES)");
     double notches = read_number(L, 1, "zoom", -NOTCHES_MAXIMUM, NOTCHES_MAXIMUM);
@@ -177,7 +172,7 @@ static int call_zoom(lua_State *L) {
     return 0;
 }
 
-/** `size(WIDTH, HEIGHT)`. See lua_CFunction. @param L The state. @return 0 */
+/** `size(WIDTH, HEIGHT)`. See lua_CFunction. @return 0 */
 static int call_size(lua_State *L) {
     check_argument_count(L, 2, 2, "size(WIDTH, HEIGHT)");
     LessonStep step = {.kind = LESSON_SIZE};
@@ -187,7 +182,7 @@ static int call_size(lua_State *L) {
     return 0;
 }
 
-/** `pixel(X, Y)`, shares of the picture. See lua_CFunction. @param L The state. @return 0 */
+/** `pixel(X, Y)`, shares of the picture. See lua_CFunction. @return 0 */
 static int call_pixel(lua_State *L) {
     check_argument_count(L, 2, 2, "pixel(X, Y)");
     LessonStep step = {.kind = LESSON_PIXEL};
@@ -197,7 +192,7 @@ static int call_pixel(lua_State *L) {
     return 0;
 }
 
-/** `walk(RIGHT, DOWN)`, pixels. See lua_CFunction. @param L The state. @return 0 */
+/** `walk(RIGHT, DOWN)`, pixels. See lua_CFunction. @return 0 */
 static int call_walk(lua_State *L) {
     check_argument_count(L, 2, 2, "walk(RIGHT, DOWN)");
     LessonStep step = {.kind = LESSON_WALK};
@@ -207,21 +202,21 @@ static int call_walk(lua_State *L) {
     return 0;
 }
 
-/** `bar(SHARE)` of the window's width. See lua_CFunction. @param L The state. @return 0 */
+/** `bar(SHARE)` of the window's width. See lua_CFunction. @return 0 */
 static int call_bar(lua_State *L) {
     check_argument_count(L, 1, 1, "bar(SHARE)");
     add_step(L, (LessonStep){.kind = LESSON_BAR, .x = read_number(L, 1, "bar", 0, 1)});
     return 0;
 }
 
-/** `snapshot()`. See lua_CFunction. @param L The state. @return 0 */
+/** `snapshot()`. See lua_CFunction. @return 0 */
 static int call_snapshot(lua_State *L) {
     check_argument_count(L, 0, 0, "snapshot()");
     add_step(L, (LessonStep){.kind = LESSON_SNAPSHOT});
     return 0;
 }
 
-/** Makes the words of lessons known. See #ScriptDialect.open. @param L The state. */
+/** Makes the words of lessons known. See #ScriptDialect.open. */
 static void register_functions(lua_State *L) {
     static const luaL_Reg functions[] = {
         {"lesson", call_lesson}, {"caption", call_caption},  {"wait", call_wait},
@@ -234,7 +229,7 @@ static void register_functions(lua_State *L) {
     }
 }
 
-/** Sees that there is a lesson. See #ScriptDialect.check. @param L The state. */
+/** Sees that there is a lesson. See #ScriptDialect.check. */
 static void check_lesson(lua_State *L) {
     current_builder(L);
 }

@@ -29,12 +29,8 @@ static const luaL_Reg libraries[] = {{LUA_MATHLIBNAME, luaopen_math},
                                      {LUA_TABLIBNAME, luaopen_table},
                                      {LUA_UTF8LIBNAME, luaopen_utf8}};
 
-/**
- * Writes to standard error, as far as it goes. Not by stdio, whose lock another thread of the
- * parent may have held when this process was made.
- * @param text    Bytes.
- * @param length  How many.
- */
+/** Writes to standard error, as far as it goes. Not by stdio, whose lock another thread of the
+ *  parent may have held when this process was made. */
 static void write_error(const char *text, size_t length) {
     while (length > 0) {
         ssize_t count = write(STDERR_FILENO, text, length);
@@ -46,12 +42,7 @@ static void write_error(const char *text, size_t length) {
     }
 }
 
-/**
- * Prints clean text, until the sandbox has printed enough.
- * @param sandbox  The sandbox.
- * @param text     Any bytes.
- * @param length   How many.
- */
+/** Prints clean text, until the sandbox has printed enough. */
 static void print_sanitized_text(ScriptSandbox *sandbox, const char *text, size_t length) {
     char sanitized[1024];
     /** An escaped byte takes four. */
@@ -70,11 +61,7 @@ static void print_sanitized_text(ScriptSandbox *sandbox, const char *text, size_
     }
 }
 
-/**
- * The scene language's `print`: to standard error. See lua_CFunction.
- * @param L  The state.
- * @return 0: no results.
- */
+/** The scene language's `print`: to standard error. See lua_CFunction. @return 0: no results. */
 static int library_print(lua_State *L) {
     ScriptSandbox *sandbox = script_sandbox_of(L);
     int count = lua_gettop(L);
@@ -167,9 +154,8 @@ static int index_global(lua_State *L) {
 
 /**
  * Makes a table of the language ask a function about words that it does not have.
- * @param L        The state, with the table on top.
- * @param name     Its name.
- * @param separator      What stands between it and the word.
+ * @param L  The state, with the table on top.
+ * @param separator  What stands between it and the word.
  * @param unknown  The function, which raises errors.
  */
 static void make_strict(lua_State *L, const char *name, const char *separator,
@@ -187,12 +173,8 @@ void library_make_strict(lua_State *L, const char *name, const char *separator) 
     make_strict(L, name, separator, index_unknown);
 }
 
-/**
- * Puts one of our functions in the place of one of Lua's, which becomes its first upvalue.
- * @param L         The state, with the table that holds it on top.
- * @param name      Its name.
- * @param function  Ours.
- */
+/** Puts one of our functions in the place of one of Lua's, which becomes its first upvalue. @param
+ *  L The state, with the table that holds it on top. */
 static void override_function(lua_State *L, const char *name, lua_CFunction function) {
     lua_getfield(L, -1, name);
     lua_pushcclosure(L, function, 1);

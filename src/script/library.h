@@ -10,12 +10,9 @@
 /** Most that a scene may print, bytes; then a last line says so. */
 enum { LIBRARY_PRINT_MAXIMUM = 65536 };
 
-/**
- * Gives a state its global words: `math`, `string`, `table`, `utf8`, and the base functions that
- * read nothing, and `t`, the time of the run. Random numbers start from a fixed seed, `pairs` has a
- * fixed order, and a word that is not there raises an error with the nearest one that is.
- * @param L  The state.
- */
+/** Gives a state its global words: `math`, `string`, `table`, `utf8`, and the base functions that
+ *  read nothing, and `t`, the time of the run. Random numbers start from a fixed seed, `pairs` has
+ *  a fixed order, and a word that is not there raises an error with the nearest one that is. */
 void library_open(lua_State *L);
 
 /**

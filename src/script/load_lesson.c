@@ -8,8 +8,7 @@
 
 /**
  * Makes the lesson that a text describes.
- * @param run         What to run, but for its report.
- * @param[out] error  What is wrong.
+ * @param run  What to run, but for its report.
  * @return Whether it is complete.
  */
 static bool run_lesson(ScriptRun *run, Error *error) {

@@ -14,7 +14,6 @@
 
 /**
  * Says in an error which file it is about. A library's words may hold anything that is in the file.
- * @param file           The file.
  * @param[in,out] error  What is wrong with it; may be NULL.
  * @return false, always.
  */
@@ -30,9 +29,8 @@ static bool set_file_error(const SceneFile *file, Error *error) {
 
 /**
  * Reads the model files that a scene names and that are not there yet.
- * @param[in,out] scene  The scene.
- * @param progress       Who is told how far it is; NULL: nobody.
- * @param[out] error     What is wrong, with the line that names the file.
+ * @param progress  Who is told how far it is; NULL: nobody.
+ * @param[out] error  What is wrong, with the line that names the file.
  * @return Whether all were read.
  */
 static bool read_meshes(Scene *scene, const MeshProgress *progress, Error *error) {
@@ -48,8 +46,7 @@ static bool read_meshes(Scene *scene, const MeshProgress *progress, Error *error
 
 /**
  * Reads the picture files that a scene names and that are not there yet.
- * @param[in,out] scene  The scene.
- * @param[out] error     What is wrong, with the line that names the file.
+ * @param[out] error  What is wrong, with the line that names the file.
  * @return Whether all were read.
  */
 static bool read_textures(Scene *scene, Error *error) {
@@ -65,8 +62,6 @@ static bool read_textures(Scene *scene, Error *error) {
 
 /**
  * Finds the model of a shape.
- * @param scene    The scene.
- * @param shape    The shape.
  * @param keyword  What its class says of itself.
  * @return The model that it shows; NULL if shapes of its class show none.
  */
@@ -84,8 +79,7 @@ static const SceneMesh *mesh_of_shape(const Scene *scene, const SceneShape *shap
 
 /**
  * Sees that each model with a picture on it says where the picture goes.
- * @param scene       The scene, with its models.
- * @param keywords    The shapes' classes.
+ * @param scene  The scene, with its models.
  * @param[out] error  Which does not, with the line that names it.
  * @return Whether all do.
  */
@@ -107,9 +101,8 @@ static bool check_textured_meshes(const Scene *scene, const Keyword *const *keyw
 
 /**
  * Reads all files that a scene names, but for those that an earlier one has left.
- * @param request        What was asked for; its stock holds this scene's files afterwards.
- * @param[in,out] scene  The scene.
- * @param[out] error     What is wrong, with the line that names the file.
+ * @param request  What was asked for; its stock holds this scene's files afterwards.
+ * @param[out] error  What is wrong, with the line that names the file.
  * @return Whether all are there.
  */
 static bool read_files(const ScriptRequest *request, Scene *scene, Error *error) {
@@ -119,13 +112,7 @@ static bool read_files(const ScriptRequest *request, Scene *scene, Error *error)
            read_textures(scene, error) && asset_cache_store(request->cache, scene, error);
 }
 
-/**
- * Makes the scene that a text describes.
- * @param request     What to load.
- * @param text      The text.
- * @param[out] error  What is wrong.
- * @return The scene; NULL if anything is wrong.
- */
+/** Makes the scene that a text describes. @return The scene; NULL if anything is wrong. */
 static Scene *load_text(const ScriptRequest *request, const ScriptText *text, Error *error) {
     Scene *scene = scene_create(error);
     ScriptResult *result = scene ? script_result_create(request->path, error) : NULL;

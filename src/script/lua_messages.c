@@ -56,8 +56,6 @@ static const char *const message_formats[] = {
 /**
  * Finds where the fixed words after a gap begin in a message.
  * @param message  The rest of the message.
- * @param literal    The fixed words.
- * @param length   Bytes of them.
  * @param is_last  Whether the message must end with them.
  * @return The place; NULL if it is not there.
  */
@@ -73,8 +71,6 @@ static const char *find_literal(const char *message, const char *literal, size_t
 
 /**
  * Holds a message against a sentence.
- * @param format   The sentence, with gaps.
- * @param message    The message.
  * @param[out] arguments  What stands at the gaps.
  * @return Whether it is that sentence.
  */

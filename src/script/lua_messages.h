@@ -10,10 +10,9 @@
 
 /**
  * Translates a message of Lua, if it is one of those that scenes meet.
- * @param message     The message, without the place before it.
+ * @param message  The message, without the place before it.
  * @param[out] translated  The same in the language that the program speaks, ended by a zero and cut
- * where it is too long.
- * @param size        Bytes that fit.
+ *         where it is too long.
  * @return Whether it is one of those; otherwise there are no words.
  */
 bool lua_message_translate(const char *message, char *translated, size_t size);

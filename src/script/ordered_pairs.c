@@ -19,7 +19,7 @@ typedef enum {
 /** Places on the stack of #ordered_next. */
 enum { STACK_TABLE = 1, STACK_KEY = 2, STACK_BEST = 3 };
 
-/** @return What kind of key a value is. @param L The state. @param index Where it is. */
+/** @return What kind of key a value is. */
 static KeyRank rank_of(lua_State *L, int index) {
     switch (lua_type(L, index)) {
     case LUA_TNUMBER:
@@ -35,7 +35,6 @@ static KeyRank rank_of(lua_State *L, int index) {
 
 /**
  * @return Whether a key comes before another.
- * @param L  The state.
  * @param a  Where the one is; it has an order.
  * @param b  Where the other is.
  */
@@ -110,12 +109,8 @@ static bool find_next_unordered(lua_State *L) {
     return false;
 }
 
-/**
- * The scene language's `next`: a table and a key give the next key and its value. See
- * lua_CFunction.
- * @param L  The state.
- * @return 2, or 1 at the end: nil.
- */
+/** The scene language's `next`: a table and a key give the next key and its value. See
+ *  lua_CFunction. @return 2, or 1 at the end: nil. */
 static int ordered_next(lua_State *L) {
     luaL_checktype(L, STACK_TABLE, LUA_TTABLE);
     lua_settop(L, STACK_KEY);
@@ -130,11 +125,7 @@ static int ordered_next(lua_State *L) {
     return 2;
 }
 
-/**
- * The scene language's `pairs`. See lua_CFunction.
- * @param L  The state.
- * @return 3: #ordered_next, the table, nil.
- */
+/** The scene language's `pairs`. See lua_CFunction. @return 3: #ordered_next, the table, nil. */
 static int ordered_pairs(lua_State *L) {
     luaL_checktype(L, 1, LUA_TTABLE);
     lua_pushcfunction(L, ordered_next);

@@ -18,22 +18,16 @@
 /** A kind of file that a scene can name. */
 typedef struct AssetKind {
     const char *expected; /**< What a name must be, in words. */
-    /** Says whether a file may be of this kind, by its name and kind. @param path The file.
-     *  @param[out] error Why not. @return Whether it may. */
+    /** Says whether a file may be of this kind, by its name and kind. @return Whether it may. */
     bool (*check)(const char *path, Error *error);
-    /** Notes it, once. @param scene The scene. @param file The file. @param[out] place Its place.
-     *  @param[out] error What is wrong. @return false when the scene is full. */
+    /** Notes it, once. @return false when the scene is full. */
     bool (*add)(Scene *scene, const SceneFile *file, size_t *place, Error *error);
 } AssetKind;
 
 /**
  * Notes a file in the scene, unless it is there already.
- * @param L            The state.
- * @param kind         What kind of file it is.
- * @param name         The file's name.
- * @param real_path         Where it is.
- * @param[out] index   Its place in the scene.
- * @param[out] error   What is wrong.
+ * @param kind  What kind of file it is.
+ * @param[out] index  Its place in the scene.
  * @return false when the scene is full.
  */
 static bool add_asset(lua_State *L, const AssetKind *kind, const char *name, const char *real_path,
@@ -48,10 +42,8 @@ static bool add_asset(lua_State *L, const AssetKind *kind, const char *name, con
 
 /**
  * Reads the name of a file as its place in the scene.
- * @param L      The state.
  * @param index  Where the name is.
- * @param row    What it should be.
- * @param kind   What kind of file it names.
+ * @param kind  What kind of file it names.
  * @return Its place.
  */
 static size_t read_asset_name(lua_State *L, int index, const Parameter *row,

@@ -42,9 +42,7 @@ void read_type_error(lua_State *L, int index, const Parameter *row, const char *
 
 /**
  * @return A number, finite and in range; raises an error about any other.
- * @param L      The state.
  * @param index  Where it is; a number.
- * @param row    What it should be.
  */
 static double read_number_in_range(lua_State *L, int index, const Parameter *row) {
     Error error = {0};
@@ -71,7 +69,7 @@ static const NumberList pair_list = {2, N_("two numbers {u, v}")};
 static const NumberList color_list = {
     3, N_("a colour ({red, green, blue}, one number, or \"#rrggbb\")")};
 
-/** @return How many things a table holds. @param L The state. @param index Where it is. */
+/** @return How many things a table holds. */
 static lua_Integer count_entries(lua_State *L, int index) {
     lua_Integer count = 0;
     lua_pushnil(L);
@@ -84,10 +82,7 @@ static lua_Integer count_entries(lua_State *L, int index) {
 
 /**
  * Reads `{a, b, c}`.
- * @param L             The state.
- * @param index         Where it is, of any type.
- * @param row           What it should be.
- * @param list          How many numbers.
+ * @param index  Where it is, of any type.
  * @param[out] numbers  The numbers, each in range.
  */
 static void read_list(lua_State *L, int index, const Parameter *row, const NumberList *list,
@@ -110,8 +105,7 @@ static void read_list(lua_State *L, int index, const Parameter *row, const Numbe
     }
 }
 
-/** Reads a `double`. See #ReadFunction. @param L See there. @param index See there.
- *  @param row See there. @param[out] field See there. */
+/** Reads a `double`. See #ReadFunction. */
 static void read_number(lua_State *L, int index, const Parameter *row, void *field) {
     if (lua_type(L, index) != LUA_TNUMBER) {
         read_type_error(L, index, row, N_("a number"));
@@ -119,8 +113,7 @@ static void read_number(lua_State *L, int index, const Parameter *row, void *fie
     *(double *)field = read_number_in_range(L, index, row);
 }
 
-/** Reads an `int`. See #ReadFunction. @param L See there. @param index See there.
- *  @param row See there. @param[out] field See there. */
+/** Reads an `int`. See #ReadFunction. */
 static void read_integer(lua_State *L, int index, const Parameter *row, void *field) {
     double value;
     read_number(L, index, row, &value);
@@ -130,8 +123,7 @@ static void read_integer(lua_State *L, int index, const Parameter *row, void *fi
     *(int *)field = (int)value;
 }
 
-/** Reads a `bool`. See #ReadFunction. @param L See there. @param index See there.
- *  @param row See there. @param[out] field See there. */
+/** Reads a `bool`. See #ReadFunction. */
 static void read_boolean(lua_State *L, int index, const Parameter *row, void *field) {
     if (!lua_isboolean(L, index)) {
         read_type_error(L, index, row, N_("true or false"));
@@ -141,7 +133,6 @@ static void read_boolean(lua_State *L, int index, const Parameter *row, void *fi
 
 /**
  * Puts the words of a row on the stack, for an error: `` `none` or `inverse_square` ``.
- * @param L      The state.
  * @param words  The words, ended by NULL; at least one.
  * @return The text, valid while it is on the stack.
  */
@@ -159,8 +150,7 @@ static const char *list_words(lua_State *L, const char *const *words) {
     return lua_tostring(L, -1);
 }
 
-/** Reads a word as its place. See #ReadFunction. @param L See there. @param index See there.
- *  @param row See there. @param[out] field See there. */
+/** Reads a word as its place. See #ReadFunction. */
 static void read_word(lua_State *L, int index, const Parameter *row, void *field) {
     if (lua_type(L, index) != LUA_TSTRING) {
         read_type_error(L, index, row, list_words(L, row->choices));
@@ -178,16 +168,14 @@ static void read_word(lua_State *L, int index, const Parameter *row, void *field
                  suggestion.word, suggest_hint(&suggestion, hint));
 }
 
-/** Reads a `Vec3d`. See #ReadFunction. @param L See there. @param index See there.
- *  @param row See there. @param[out] field See there. */
+/** Reads a `Vec3d`. See #ReadFunction. */
 static void read_vector(lua_State *L, int index, const Parameter *row, void *field) {
     double xyz[3];
     read_list(L, index, row, &vector_list, xyz);
     *(Vec3d *)field = (Vec3d){xyz[0], xyz[1], xyz[2]};
 }
 
-/** Reads a `Vec3d` that may be one number. See #ReadFunction. @param L See there.
- *  @param index See there. @param row See there. @param[out] field See there. */
+/** Reads a `Vec3d` that may be one number. See #ReadFunction. */
 static void read_scale(lua_State *L, int index, const Parameter *row, void *field) {
     double xyz[3];
     if (lua_type(L, index) == LUA_TNUMBER) {
@@ -198,16 +186,14 @@ static void read_scale(lua_State *L, int index, const Parameter *row, void *fiel
     *(Vec3d *)field = (Vec3d){xyz[0], xyz[1], xyz[2]};
 }
 
-/** Reads a `Uvd`. See #ReadFunction. @param L See there. @param index See there.
- *  @param row See there. @param[out] field See there. */
+/** Reads a `Uvd`. See #ReadFunction. */
 static void read_pair(lua_State *L, int index, const Parameter *row, void *field) {
     double uv[2];
     read_list(L, index, row, &pair_list, uv);
     *(Uvd *)field = (Uvd){uv[0], uv[1]};
 }
 
-/** Reads a `Vec3d` that is not zero. See #ReadFunction. @param L See there. @param index See there.
- *  @param row See there. @param[out] field See there. */
+/** Reads a `Vec3d` that is not zero. See #ReadFunction. */
 static void read_direction(lua_State *L, int index, const Parameter *row, void *field) {
     Vec3d direction;
     read_vector(L, index, row, &direction);
@@ -219,9 +205,7 @@ static void read_direction(lua_State *L, int index, const Parameter *row, void *
 
 /**
  * Reads a colour given as text.
- * @param L      The state.
  * @param index  Where it is; a string.
- * @param row    What it should be.
  * @return The colour, in range.
  */
 static Rgbd read_hex_color(lua_State *L, int index, const Parameter *row) {
@@ -240,8 +224,7 @@ static Rgbd read_hex_color(lua_State *L, int index, const Parameter *row) {
     return color;
 }
 
-/** Reads a `Rgbd`. See #ReadFunction. @param L See there. @param index See there.
- *  @param row See there. @param[out] field See there. */
+/** Reads a `Rgbd`. See #ReadFunction. */
 static void read_color(lua_State *L, int index, const Parameter *row, void *field) {
     double rgb[3];
     int type = lua_type(L, index);
@@ -256,8 +239,7 @@ static void read_color(lua_State *L, int index, const Parameter *row, void *fiel
     }
 }
 
-/** Reads a distance field, which the scene keeps. See #ReadFunction. @param L See there. @param
- * index See there. @param row See there. @param[out] field See there. */
+/** Reads a distance field, which the scene keeps. See #ReadFunction. */
 static void read_field(lua_State *L, int index, const Parameter *row, void *field) {
     const Sdf *sdf = sdf_binding_test(L, index);
     Error error = {0};
@@ -314,23 +296,20 @@ static bool has_field(const Keyword *const *keywords, const char *extra, Suggest
     return extra && strcmp(extra, suggestion->word) == 0;
 }
 
-/** @return Whether a keyword's first field may stand first in the braces without its name.
- *  @param keyword The keyword. */
+/** @return Whether a keyword's first field may stand first in the braces without its name. */
 static bool has_positional_field(const Keyword *keyword) {
     return keyword->parameters->type == PARAMETER_SDF;
 }
 
-/** @return Whether the key on top of the stack is 1, where a keyword's first field may stand.
- *  @param L The state. @param keyword The keyword. */
+/** @return Whether the key on top of the stack is 1, where a keyword's first field may stand. */
 static bool is_positional_key(lua_State *L, const Keyword *keyword) {
     return has_positional_field(keyword) && lua_isinteger(L, -1) && lua_tointeger(L, -1) == 1;
 }
 
 /**
  * Puts a field of the table on the stack.
- * @param L        The state; the table is the first argument.
- * @param keyword  The keyword.
- * @param i        Which of its fields.
+ * @param L  The state; the table is the first argument.
+ * @param i  Which of its fields.
  * @return Whether it is there.
  */
 static bool push_field(lua_State *L, const Keyword *keyword, int i) {

@@ -18,20 +18,14 @@
  */
 void read_check_arguments(lua_State *L, const Keyword *const *keywords, const char *extra);
 
-/**
- * Checks the names in a table. See #read_check_arguments.
- * @param L         The state.
- * @param index     Where the table is, from the bottom of the stack.
- * @param keywords  See there.
- * @param extra     See there.
- */
+/** Checks the names in a table. See #read_check_arguments. @param index Where the table is, from
+ *  the bottom of the stack. */
 void read_check_table(lua_State *L, int index, const Keyword *const *keywords, const char *extra);
 
 /**
  * Reads the fields of a keyword. Raises an error about a field that is of a wrong type, out of
  * range or does not fit the others.
- * @param L           The state; the table is the first argument.
- * @param keyword     Whose fields.
+ * @param L  The state; the table is the first argument.
  * @param[out] given_mask  Bit i is set where row i of the keyword's table was given.
  * @return The keyword's struct, finished: its defaults, and over them what was given. It lies on
  *         top of the stack, and is Lua's, so that an error leaves nothing behind.
@@ -40,9 +34,7 @@ void *read_fields(lua_State *L, const Keyword *keyword, uint64_t *given_mask);
 
 /**
  * Reads one value. Raises an error about a wrong type or a wrong range.
- * @param L           The state.
- * @param index       Where the value is, from the bottom of the stack.
- * @param row         What it should be.
+ * @param index  Where the value is, from the bottom of the stack.
  * @param[out] field  The C value, of the type that the row says.
  */
 void read_value(lua_State *L, int index, const Parameter *row, void *field);
@@ -58,19 +50,15 @@ const char *read_describe(lua_State *L, int index);
 
 /**
  * Raises the error that a value is of a wrong type.
- * @param L       The state.
- * @param index   Where the value is.
- * @param row     What it should be.
+ * @param index  Where the value is.
  * @param expected  The same in English words, looked up here.
  */
 void read_type_error(lua_State *L, int index, const Parameter *row, const char *expected);
 
-/** Reads the name of a model file as its place in the scene. See #read_value. @param L See there.
- *  @param index See there. @param row See there. @param[out] field See there. */
+/** Reads the name of a model file as its place in the scene. See #read_value. */
 void read_mesh_name(lua_State *L, int index, const Parameter *row, void *field);
 
-/** Reads the name of a picture file as its place in the scene, plus one. See #read_value. @param L
- *  See there. @param index See there. @param row See there. @param[out] field See there. */
+/** Reads the name of a picture file as its place in the scene, plus one. See #read_value. */
 void read_texture_name(lua_State *L, int index, const Parameter *row, void *field);
 
 #endif

@@ -12,32 +12,24 @@
 #include <stdio.h>
 #include <string.h>
 
-/**
- * Does in the child what a child is for.
- * @param context  A #ScriptRun.
- */
+/** Does in the child what a child is for. */
 static void sandbox_main(void *context) {
     script_run_execute(context);
 }
 
-/**
- * Reports that a scene was stopped, at the line where it was seen last.
- * @param run    What was run.
- * @param message  Why.
- */
+/** Reports that a scene was stopped, at the line where it was seen last. */
 static void fail_at_location(const ScriptRun *run, const char *message) {
     script_result_fail(run->result, run->result->location, message, strlen(message));
 }
 
-/** @return Whether a scene file is given up. @param request What was asked for. */
+/** @return Whether a scene file is given up. */
 static bool script_is_stopped(const ScriptRequest *request) {
     return request->stop && atomic_load(request->stop);
 }
 
 /**
  * Reports why a child has left no report of its own.
- * @param run     What it was to run.
- * @param end     How it ended.
+ * @param run  What it was to run.
  * @param detail  The signal or the errno.
  */
 static void set_failure(const ScriptRun *run, SandboxProcessEnd end, int detail) {

@@ -45,7 +45,6 @@ static size_t utf8_character_length(const unsigned char *text, size_t length) {
 /**
  * @return Bytes of the character at the start of a text that may be shown as it is; 0 where the
  *         first byte has to be escaped.
- * @param text    Bytes.
  * @param length  How many, at least 1.
  */
 static size_t printable_length(const unsigned char *text, size_t length) {

@@ -17,17 +17,11 @@ enum { SANITIZED_PATH_SIZE = 768 };
  * Copies text; what is neither printable UTF-8 nor a newline nor a tab becomes `\27` and the like,
  * as in Lua. So no scene can move the cursor or colour the terminal of who reads its errors.
  * @param[out] out  The copy, ended by a zero; cut between characters when it is too long.
- * @param size      Bytes that fit, at least 1.
- * @param text      Any bytes.
- * @param length    How many.
+ * @param size  Bytes that fit, at least 1.
  */
 void sanitize_text(char *out, size_t size, const char *text, size_t length);
 
-/**
- * Copies a path for a message: clean, and by its end where it is very long.
- * @param[out] out  The copy.
- * @param path      Any path.
- */
+/** Copies a path for a message: clean, and by its end where it is very long. */
 void sanitize_path(char out[SANITIZED_PATH_SIZE], const char *path);
 
 #endif

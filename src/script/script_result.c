@@ -29,13 +29,9 @@ void script_result_destroy(ScriptResult *result) {
     }
 }
 
-/**
- * Makes up the name by which Lua knows a file. Lua would cut a long one, and two files could then
- * look the same to us; so a long path is told by its number.
- * @param[out] chunk_name  The name.
- * @param path        The file.
- * @param number      Its place in #ScriptResult.files.
- */
+/** Makes up the name by which Lua knows a file. Lua would cut a long one, and two files could then
+ *  look the same to us; so a long path is told by its number. @param number Its place in
+ *  #ScriptResult.files. */
 static void make_chunk_name(char chunk_name[CHUNK_NAME_SIZE], const char *path, int number) {
     /** Bytes of a long path's end that are kept, for who prints such a name. */
     const size_t tail_length = 40;
@@ -74,9 +70,8 @@ int script_result_find_file(const ScriptResult *result, const char *name) {
 
 /**
  * Reads `NAME:LINE: ` of one file.
- * @param name         The name that Lua calls it.
- * @param text         A message.
- * @param[out] line    The line, from 1.
+ * @param name  The name that Lua calls it.
+ * @param[out] line  The line, from 1.
  * @return Bytes read; 0 if the message does not begin so.
  */
 static size_t parse_line(const char *name, const char *text, int *line) {

@@ -45,8 +45,7 @@ typedef struct ScriptResult {
 
 /**
  * Makes an empty report in shared memory.
- * @param path        The scene file, as the user knows it.
- * @param[out] error  What is wrong.
+ * @param path  The scene file, as the user knows it.
  * @return The report, to be given back with #script_result_destroy; NULL without memory.
  */
 ScriptResult *script_result_create(const char *path, Error *error);
@@ -56,47 +55,31 @@ void script_result_destroy(ScriptResult *result);
 
 /**
  * Notes a file that the scene is made of; once, however often it is included.
- * @param[in,out] result  The report.
- * @param path            The file, as the user knows it; at most PATH_MAX - 1 bytes count.
+ * @param path  The file, as the user knows it; at most PATH_MAX - 1 bytes count.
  * @return The file; NULL when there are SCRIPT_FILES_MAXIMUM already.
  */
 const ScriptFile *script_result_add_file(ScriptResult *result, const char *path);
 
 /**
  * Finds a file by the name that Lua calls it.
- * @param result  The report.
- * @param name    The name: #ScriptFile.chunk_name without the `=`.
+ * @param name  The name: #ScriptFile.chunk_name without the `=`.
  * @return Its place in #ScriptResult.files; -1 if there is none.
  */
 int script_result_find_file(const ScriptResult *result, const char *name);
 
 /**
  * Reads the place that Lua has put before a message: `NAME:LINE: `.
- * @param result         The report.
- * @param text           The message.
  * @param[out] location  The place; untouched if there is none.
  * @return Bytes of the message that the place takes; 0 if there is none.
  */
 size_t script_result_parse_location(const ScriptResult *result, const char *text,
                                     SourceLocation *location);
 
-/**
- * Says a place in words, as `FILE:LINE`, safe to show.
- * @param result      The report.
- * @param location    The place.
- * @param[out] text  The words.
- * @param size        Bytes that fit.
- */
+/** Says a place in words, as `FILE:LINE`, safe to show. */
 void script_result_format_location(const ScriptResult *result, SourceLocation location, char *text,
                                    size_t size);
 
-/**
- * Writes down what went wrong, as `FILE:LINE: text`.
- * @param[in,out] result  The report.
- * @param location        Where.
- * @param text            What; any bytes.
- * @param length          How many bytes.
- */
+/** Writes down what went wrong, as `FILE:LINE: text`. */
 void script_result_fail(ScriptResult *result, SourceLocation location, const char *text,
                         size_t length);
 

@@ -18,14 +18,14 @@
 #include <stdio.h>
 #include <string.h>
 
-/** Makes a scene's words known. See #ScriptDialect.open. @param L The state. */
+/** Makes a scene's words known. See #ScriptDialect.open. */
 static void open_scene(lua_State *L) {
     keywords_open(L);
     sdf_binding_open(L);
     include_open(L);
 }
 
-/** Sees that a scene has a camera. See #ScriptDialect.check. @param L The state. */
+/** Sees that a scene has a camera. See #ScriptDialect.check. */
 static void check_scene(lua_State *L) {
     if (!((ScriptRun *)script_sandbox_of(L)->context)->scene->has_camera) {
         lua_error_tr(L, "there is no camera in the scene; "
@@ -35,11 +35,8 @@ static void check_scene(lua_State *L) {
 
 const ScriptDialect scene_dialect = {.open = open_scene, .check = check_scene};
 
-/**
- * Does all that may raise an error: sets the state up and runs the text. See lua_CFunction.
- * @param L  The state.
- * @return 0: no results.
- */
+/** Does all that may raise an error: sets the state up and runs the text. See lua_CFunction.
+ *  @return 0: no results. */
 static int run_protected(lua_State *L) {
     ScriptRun *run = script_sandbox_of(L)->context;
     library_open(L);
@@ -81,11 +78,7 @@ static int handle_error(lua_State *L) {
     return 1;
 }
 
-/**
- * Sees that a report tells what a run came to.
- * @param sandbox  The sandbox of the run.
- * @param status   What lua_pcall gave.
- */
+/** Sees that a report tells what a run came to. @param sandbox The sandbox of the run. */
 static void finish_result(const ScriptSandbox *sandbox, int status) {
     ScriptResult *result = sandbox->result;
     char message[ERROR_MESSAGE_SIZE];

@@ -17,8 +17,7 @@ static_assert(LUA_EXTRASPACE >= sizeof(ScriptSandbox *), "the sandbox is found b
 
 /**
  * Gives a Lua state memory, up to its limit. See lua_Alloc.
- * @param context   A #ScriptSandbox.
- * @param block     What is to change its size, or NULL.
+ * @param block  What is to change its size, or NULL.
  * @param old_size  Bytes of it; no size if it is NULL.
  * @param new_size  Bytes wanted; 0 gives it back.
  * @return The memory; NULL if there is none, which Lua raises as an error.
@@ -69,11 +68,7 @@ SourceLocation script_sandbox_location(lua_State *L) {
     return SOURCE_LOCATION_START;
 }
 
-/**
- * Notes where the state is. See lua_Hook.
- * @param L      The state.
- * @param event  Why now; not used.
- */
+/** Notes where the state is. See lua_Hook. @param event Why now; not used. */
 static void location_hook(lua_State *L, lua_Debug *event) {
     (void)event;
     script_sandbox_of(L)->result->location = script_sandbox_location(L);

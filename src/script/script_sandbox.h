@@ -31,37 +31,25 @@ typedef struct ScriptSandbox {
  */
 bool script_sandbox_init(ScriptSandbox *sandbox);
 
-/**
- * @return The sandbox that a Lua state belongs to.
- * @param L  The state.
- */
+/** @return The sandbox that a Lua state belongs to. */
 ScriptSandbox *script_sandbox_of(lua_State *L);
 
-/** Begins to keep #ScriptResult.location up to date. @param L The state. */
+/** Begins to keep #ScriptResult.location up to date. */
 void script_sandbox_track_location(lua_State *L);
 
-/**
- * @return Where a Lua state is: in its innermost Lua function. #SOURCE_LOCATION_START if it is in
- * none. Takes no memory, and so can be asked at any time.
- * @param L  The state.
- */
+/** @return Where a Lua state is: in its innermost Lua function. #SOURCE_LOCATION_START if it is in
+ *  none. Takes no memory, and so can be asked at any time. */
 SourceLocation script_sandbox_location(lua_State *L);
 
 /**
- * Compiles a text and puts it on the stack as a function; raises what is wrong with it. No
- * compiled Lua is taken.
- * @param L       The state.
+ * Compiles a text and puts it on the stack as a function; raises what is wrong with it. No compiled
+ * Lua is taken.
  * @param script  The text; released in any case.
- * @param path    The file, as the user knows it.
+ * @param path  The file, as the user knows it.
  */
 void script_sandbox_load(lua_State *L, ScriptText *script, const char *path);
 
-/**
- * Says that a sandbox has run out of memory.
- * @param sandbox     The sandbox.
- * @param[out] message  The sentence.
- * @param size        Bytes that fit.
- */
+/** Says that a sandbox has run out of memory. */
 void script_sandbox_memory_message(const ScriptSandbox *sandbox, char *message, size_t size);
 
 #endif

@@ -14,12 +14,7 @@
 /** What Windows puts before a text in UTF-8. */
 static const char byte_order_mark[] = "\xEF\xBB\xBF";
 
-/**
- * Says whether an open file may be read as a scene.
- * @param file        The file.
- * @param[out] error  Why not.
- * @return Whether it is a regular file.
- */
+/** Says whether an open file may be read as a scene. @return Whether it is a regular file. */
 static bool check_regular(int file, Error *error) {
     struct stat info;
     if (fstat(file, &info) != 0) {
@@ -37,8 +32,7 @@ static bool check_regular(int file, Error *error) {
 
 /**
  * Opens a scene file, without waiting.
- * @param path        Where it is; `-` is standard input.
- * @param[out] error  What is wrong.
+ * @param path  Where it is; `-` is standard input.
  * @return A file descriptor; -1 if it cannot be opened or is no regular file.
  */
 static int open_script(const char *path, Error *error) {
@@ -59,9 +53,7 @@ static int open_script(const char *path, Error *error) {
 
 /**
  * Makes room for more of a file, twice as much each time.
- * @param[in,out] script    What was read so far.
- * @param[in,out] capacity  Bytes that fit.
- * @param[out] error        What is wrong.
+ * @param[in,out] script  What was read so far.
  * @return false when it is too long already, or without memory.
  */
 static bool grow(ScriptText *script, size_t *capacity, Error *error) {
@@ -80,13 +72,7 @@ static bool grow(ScriptText *script, size_t *capacity, Error *error) {
     return true;
 }
 
-/**
- * Reads an open file to its end.
- * @param[in,out] script  What was read; grows.
- * @param file            The file.
- * @param[out] error      What is wrong.
- * @return Whether it was read whole.
- */
+/** Reads an open file to its end. @return Whether it was read whole. */
 static bool read_all(ScriptText *script, int file, Error *error) {
     size_t capacity = 0;
     for (;;) {
@@ -122,8 +108,7 @@ bool script_text_read(ScriptText *script, const char *path, Error *error) {
 
 /**
  * @return The number of the line that a byte of a file is in, from 1.
- * @param script  The file.
- * @param byte    One of its bytes.
+ * @param byte  One of its bytes.
  */
 static int line_number_of(const ScriptText *script, const char *byte) {
     int line = 1;

@@ -30,23 +30,18 @@ bool script_text_read(ScriptText *script, const char *path, Error *error);
 
 /**
  * Says whether a file holds text, as against compiled Lua, a picture, or text in UTF-16.
- * @param script      The file.
- * @param[out] line   Where it does not, from 1; may be NULL.
+ * @param[out] line  Where it does not, from 1; may be NULL.
  * @param[out] error  What is wrong, without path and line.
  * @return Whether it does.
  */
 bool script_text_check(const ScriptText *script, int *line, Error *error);
 
-/**
- * Finds the Lua text in a file: after the mark that Windows puts before UTF-8, and after a first
- * line for the shell (`#!/usr/bin/dioptre`), whose end stays so that lines keep their numbers.
- * @param script     The file.
- * @param[out] size  Bytes of it.
- * @return The text, not ended by a zero; owned by the source.
- */
+/** Finds the Lua text in a file: after the mark that Windows puts before UTF-8, and after a first
+ *  line for the shell (`#!/usr/bin/dioptre`), whose end stays so that lines keep their numbers.
+ *  @return The text, not ended by a zero; owned by the source. */
 const char *script_text_body(const ScriptText *script, size_t *size);
 
-/** Gives a file's text back. @param script What #script_text_read filled. */
+/** Gives a file's text back. */
 void script_text_deinit(ScriptText *script);
 
 #endif

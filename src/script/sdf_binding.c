@@ -35,16 +35,14 @@ const Sdf *sdf_binding_test(lua_State *L, int index) {
     return luaL_testudata(L, index, sdf_type_name);
 }
 
-/** @return A new field on top of the stack, with room for steps. @param L The state.
- *  @param instructions How many. */
+/** @return A new field on top of the stack, with room for steps. */
 static Sdf *push_sdf(lua_State *L, int instructions) {
     Sdf *sdf = lua_newuserdatauv(L, sdf_size(instructions), 0);
     luaL_setmetatable(L, sdf_type_name);
     return sdf;
 }
 
-/** @return A field; raises an error about anything else. @param L The state. @param index Where it
- *  is. @param function_name Who wants it. */
+/** @return A field; raises an error about anything else. */
 static const Sdf *check_sdf(lua_State *L, int index, const char *function_name) {
     const Sdf *sdf = sdf_binding_test(L, index);
     if (!sdf) {
@@ -53,16 +51,14 @@ static const Sdf *check_sdf(lua_State *L, int index, const char *function_name) 
     return sdf;
 }
 
-/** Raises an error unless a call has a number of values. @param L The state. @param count How many.
- *  @param usage How it is called. */
+/** Raises an error unless a call has a number of values. @param usage How it is called. */
 static void check_argument_count(lua_State *L, int count, const char *usage) {
     if (lua_gettop(L) != count) {
         lua_error_tr(L, "this is called as %s", usage);
     }
 }
 
-/** Raises an error unless something went well. @param L The state. @param is_good Whether it did.
- *  @param error What is wrong. */
+/** Raises an error unless something went well. */
 static void check_success(lua_State *L, bool is_good, const Error *error) {
     if (!is_good) {
         lua_error_tr(L, "%s", error->message);
@@ -113,8 +109,7 @@ static int call_operator(lua_State *L) {
 
 /**
  * Scales, turns or moves a field.
- * @param L          The state, with the field.
- * @param transform  How; finished here.
+ * @param L  The state, with the field.
  * @return 1: the new field.
  */
 static int apply_transform(lua_State *L, Transform *transform) {
@@ -126,7 +121,7 @@ static int apply_transform(lua_State *L, Transform *transform) {
     return 1;
 }
 
-/** @return The row of a field of every shape. @param name Its name. */
+/** @return The row of a field of every shape. */
 static const Parameter *transform_parameter(const char *name) {
     const Parameter *row = transform_keyword.parameters;
     while (strcmp(row->name, name) != 0) {
@@ -135,7 +130,7 @@ static const Parameter *transform_parameter(const char *name) {
     return row;
 }
 
-/** `f:translate{x, y, z}`. See lua_CFunction. @param L The state. @return 1: the new field. */
+/** `f:translate{x, y, z}`. See lua_CFunction. @return 1: the new field. */
 static int call_translate(lua_State *L) {
     Transform transform = *(const Transform *)transform_keyword.defaults;
     check_argument_count(L, 2, "f:translate{x, y, z}");
@@ -144,7 +139,7 @@ static int call_translate(lua_State *L) {
     return apply_transform(L, &transform);
 }
 
-/** `f:rotate{x, y, z}`. See lua_CFunction. @param L The state. @return 1: the new field. */
+/** `f:rotate{x, y, z}`. See lua_CFunction. @return 1: the new field. */
 static int call_rotate(lua_State *L) {
     Transform transform = *(const Transform *)transform_keyword.defaults;
     check_argument_count(L, 2, "f:rotate{x, y, z}");
@@ -153,7 +148,7 @@ static int call_rotate(lua_State *L) {
     return apply_transform(L, &transform);
 }
 
-/** `f:scale(s)`. See lua_CFunction. @param L The state. @return 1: the new field. */
+/** `f:scale(s)`. See lua_CFunction. @return 1: the new field. */
 static int call_scale(lua_State *L) {
     Transform transform = *(const Transform *)transform_keyword.defaults;
     double scale;
@@ -164,7 +159,7 @@ static int call_scale(lua_State *L) {
     return apply_transform(L, &transform);
 }
 
-/** `f:round(r)`. See lua_CFunction. @param L The state. @return 1: the new field. */
+/** `f:round(r)`. See lua_CFunction. @return 1: the new field. */
 static int call_round(lua_State *L) {
     double radius;
     check_argument_count(L, 2, "f:round(radius)");
@@ -203,8 +198,7 @@ static void read_repeat_count(lua_State *L, Vec3d *count) {
     }
 }
 
-/** `f:repeat_every{x, y, z, count = {i, j, k}}`. See lua_CFunction. @param L The state.
- *  @return 1: the new field. */
+/** `f:repeat_every{x, y, z, count = {i, j, k}}`. See lua_CFunction. @return 1: the new field. */
 static int call_repeat(lua_State *L) {
     SdfRepetition repeat;
     Error error = {0};
@@ -222,7 +216,7 @@ static const luaL_Reg methods[] = {{"translate", call_translate}, {"rotate", cal
                                    {"scale", call_scale},         {"round", call_round},
                                    {"repeat_every", call_repeat}, {NULL, NULL}};
 
-/** Makes what all fields share. @param L The state. */
+/** Makes what all fields share. */
 static void open_methods(lua_State *L) {
     luaL_newmetatable(L, sdf_type_name);
     luaL_newlib(L, methods);

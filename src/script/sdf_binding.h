@@ -9,12 +9,11 @@
 
 #include <lua.h>
 
-/** Makes `distance` a global word of a state. @param L The state. */
+/** Makes `distance` a global word of a state. */
 void sdf_binding_open(lua_State *L);
 
 /**
  * @return A field; NULL if it is something else.
- * @param L      The state.
  * @param index  Where it is; it is valid while it is there.
  */
 const Sdf *sdf_binding_test(lua_State *L, int index);

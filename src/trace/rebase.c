@@ -27,7 +27,7 @@ void rebase_bounds(const ShapeSet *list, Vec3d *low, Vec3d *high) {
     }
 }
 
-/** @return The nearest multiple. @param x A number. @param grain Of what. */
+/** @return The nearest multiple. */
 static double nearest_multiple(double x, double grain) {
     return floor(x / grain + 0.5) * grain;
 }

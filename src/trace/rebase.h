@@ -13,19 +13,12 @@
 
 #include "trace/bvh/shape_set.h"
 
-/**
- * Finds a box that holds all shapes of a list that have an end.
- * @param list       The shapes.
- * @param[out] low   Its lowest corner.
- * @param[out] high  Its highest; lower than the lowest where no shape has an end.
- */
+/** Finds a box that holds all shapes of a list that have an end. @param[out] high Its highest;
+ *  lower than the lowest where no shape has an end. */
 void rebase_bounds(const ShapeSet *list, Vec3d *low, Vec3d *high);
 
-/**
- * @return How far the origin should be moved: to the middle of the shapes, if they are much farther
- *         away than large; else nowhere.
- * @param list  The shapes.
- */
+/** @return How far the origin should be moved: to the middle of the shapes, if they are much
+ *  farther away than large; else nowhere. */
 Vec3d rebase_offset(const ShapeSet *list);
 
 #endif

@@ -64,24 +64,17 @@ typedef struct App {
     Status exit_status; /**< What the program should end with. */
 } App;
 
-/**
- * Puts a note into the title, until the next change of the view.
- * @param[in,out] app  The view.
- * @param format        The note in English, as for printf, looked up here.
- */
+/** Puts a note into the title, until the next change of the view. @param format The note in
+ *  English, as for printf, looked up here. */
 void app_set_status(App *app, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/** Says on standard error, in the title and over the picture what went wrong. @param[in,out] app
- *  The view. @param error What went wrong. */
+/** Says on standard error, in the title and over the picture what went wrong. */
 void app_report_error(App *app, const Error *error);
 
-/** Takes the note out of the title. @param[in,out] app The view. */
+/** Takes the note out of the title. */
 void app_clear_status(App *app);
 
-/**
- * The view has changed: it is drawn anew.
- * @param[in,out] app  The view.
- */
+/** The view has changed: it is drawn anew. */
 void app_on_view_changed(App *app);
 
 #endif

@@ -54,7 +54,7 @@ void app_report_error(App *app, const Error *error) {
     window_set_notice(&app->window, error->message);
 }
 
-/** Moves things as far as the keys were held. @param[in,out] app The view. @param now Seconds. */
+/** Moves things as far as the keys were held. */
 static void apply_held_keys(App *app, double now) {
     if (now >= app->next_move_time && window_is_ready(&app->window) &&
         held_keys_is_active(&app->held_keys)) {
@@ -65,8 +65,7 @@ static void apply_held_keys(App *app, double now) {
     }
 }
 
-/** Takes a snapshot if one is wanted and the picture is finished, with nothing on the move.
- *  @param[in,out] app The view. */
+/** Takes a snapshot if one is wanted and the picture is finished, with nothing on the move. */
 static void take_pending_snapshot(App *app) {
     bool is_settled = window_is_finished(&app->window) && !held_keys_is_active(&app->held_keys) &&
                       time_control_is_settled(app);
@@ -79,7 +78,7 @@ static void take_pending_snapshot(App *app) {
     }
 }
 
-/** Brings the title up to date. @param[in,out] app The view. @param now Now, seconds. */
+/** Brings the title up to date. */
 static void update_title(App *app, double now) {
     const Window *window = &app->window;
     const Viewport *viewport = &window->viewports[0];
@@ -104,13 +103,7 @@ static void update_title(App *app, double now) {
     app->next_title_time = now + TITLE_INTERVAL;
 }
 
-/**
- * Sleeps until there is something to do.
- * @param[in,out] app        The view.
- * @param now         Now, seconds.
- * @param[out] event  The event that came.
- * @return Whether one came.
- */
+/** Sleeps until there is something to do. @return Whether one came. */
 static bool wait_for_event(App *app, double now, SDL_Event *event) {
     double delay = fmin(window_timeout(&app->window, now), current_scene_timeout(app, now));
     if (held_keys_is_active(&app->held_keys) && window_is_ready(&app->window)) {
@@ -123,7 +116,7 @@ static bool wait_for_event(App *app, double now, SDL_Event *event) {
     return SDL_WaitEventTimeout(event, (int)ceil(delay * 1000));
 }
 
-/** Does one round: moves, draws, shows, and sleeps. @param[in,out] app The view. */
+/** Does one round: moves, draws, shows, and sleeps. */
 static void run_frame(App *app) {
     Error error = {0};
     apply_held_keys(app, clock_now_seconds());
@@ -153,7 +146,7 @@ static void run_frame(App *app) {
     }
 }
 
-/** Prints what was measured, as one line of JSON. @param[in,out] app The view. */
+/** Prints what was measured, as one line of JSON. */
 static void print_timing(App *app) {
     LatencySummary summary = latency_summary(&app->window.latency);
     double first = app->window.first_present_time - app->settings->launch_time;
@@ -165,10 +158,8 @@ static void print_timing(App *app) {
 
 /**
  * Opens the window, lives its life and closes it.
- * @param[in,out] app       The view, with SDL up.
- * @param stop               The window closes once this is true; may be NULL.
- * @param[in,out] signal_thread  The signals, blocked.
- * @param[out] error         What is wrong.
+ * @param[in,out] app  The view, with SDL up.
+ * @param stop  The window closes once this is true; may be NULL.
  * @return What the program should end with.
  */
 static Status run_event_loop(App *app, const atomic_bool *stop, SignalThread *signal_thread,

@@ -32,15 +32,13 @@ static struct {
     int count;                                               /**< How often it was done. */
 } count_state;
 
-/** Counts, and does the step. See #SdfInstruction.execute. @param m See there. @param code See
- * there. */
+/** Counts, and does the step. See #SdfInstruction.execute. */
 static void counted_run(SdfVm *m, const SdfInstruction *code) {
     count_state.count++;
     count_state.run(m, code);
 }
 
-/** Marches to a plane. @param way What the way is called. @param relaxation See
- *  #SphereTracer.relaxation. @param degrees The angle. */
+/** Marches to a plane. @param way What the way is called. */
 static void steps_print(const char *way, double relaxation, double degrees) {
     const double eps = 1e-4, angle = degrees * M_PI / 180;
     // A ball far away makes the field's box as high as where the ray starts.
@@ -99,19 +97,18 @@ typedef struct SampledSurface {
     double n[POINTS][3];   /**< Their normals, true. */
 } SampledSurface;
 
-/** @return What a field says. @param s The field. @param p Where. */
+/** @return What a field says. */
 static real sdf_value(const SampledSurface *s, Vec3 p) {
     return sdf_distance(s->codes, s->count, p, 1);
 }
 
-/** @return The normal by derivatives that are carried along. @param s The field. @param p Where.
- *  @param h Not used. */
+/** @return The normal by derivatives that are carried along. */
 static Vec3 exact_normal(const SampledSurface *s, Vec3 p, real h) {
     (void)h;
     return sdf_sample(s->codes, s->count, p, 1).gradient;
 }
 
-/** @return The normal by six points. @param s The field. @param p Where. @param h How far. */
+/** @return The normal by six points. */
 static Vec3 central_normal(const SampledSurface *s, Vec3 p, real h) {
     return (Vec3){sdf_value(s, (Vec3){p.x + h, p.y, p.z}) - sdf_value(s, (Vec3){p.x - h, p.y, p.z}),
                   sdf_value(s, (Vec3){p.x, p.y + h, p.z}) - sdf_value(s, (Vec3){p.x, p.y - h, p.z}),
@@ -119,8 +116,7 @@ static Vec3 central_normal(const SampledSurface *s, Vec3 p, real h) {
                       sdf_value(s, (Vec3){p.x, p.y, p.z - h})};
 }
 
-/** @return The normal by four points, one of them the point itself. @param s The field. @param p
- *  Where. @param h How far. */
+/** @return The normal by four points, one of them the point itself. */
 static Vec3 forward_normal(const SampledSurface *s, Vec3 p, real h) {
     real here = sdf_value(s, p);
     return (Vec3){sdf_value(s, (Vec3){p.x + h, p.y, p.z}) - here,
@@ -128,8 +124,7 @@ static Vec3 forward_normal(const SampledSurface *s, Vec3 p, real h) {
                   sdf_value(s, (Vec3){p.x, p.y, p.z + h}) - here};
 }
 
-/** @return The normal by the corners of a tetrahedron. @param s The field. @param p Where.
- *  @param h How far. */
+/** @return The normal by the corners of a tetrahedron. */
 static Vec3 tetrahedron_normal(const SampledSurface *s, Vec3 p, real h) {
     real a = sdf_value(s, (Vec3){p.x + h, p.y - h, p.z - h});
     real b = sdf_value(s, (Vec3){p.x - h, p.y - h, p.z + h});
@@ -145,8 +140,10 @@ static double process_seconds(void) {
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/** @return The angle between a normal and the true one, radians. @param n The normal. @param truth
- *  The true one, one long. */
+/**
+ * @return The angle between a normal and the true one, radians.
+ * @param truth  The true one, one long.
+ */
 static double normal_angle(Vec3 n, const double *truth) {
     Vec3d normal = {(double)n.x, (double)n.y, (double)n.z};
     double length = vec3d_length(normal);
@@ -155,7 +152,7 @@ static double normal_angle(Vec3 n, const double *truth) {
     return length > 0 ? 2 * asin(fmin(1, 0.5 * vec3d_length(difference))) : M_PI;
 }
 
-/** Measures a way. @param s The field. @param way Its name. @param normal It. @param h How far. */
+/** Measures a way. */
 static void normals_print(const SampledSurface *s, const char *way,
                           Vec3 (*normal)(const SampledSurface *, Vec3, real), double h) {
     double worst = 0, fastest = HUGE_VAL;
@@ -174,8 +171,8 @@ static void normals_print(const SampledSurface *s, const char *way,
     printf("%s,%s,%g,%.2f,%.3g\n", s->name, way, h, 1e9 * fastest, worst);
 }
 
-/** Puts points on a surface by its own equation. @param[in,out] s The surface. @param ring Major
- *  radius of a ring of 0.25; 0: a ball of 1. */
+/** Puts points on a surface by its own equation. @param ring Major radius of a ring of 0.25; 0: a
+ *  ball of 1. */
 static void place_points(SampledSurface *s, double ring) {
     uint64_t seed = 1;
     for (int i = 0; i < POINTS; i++) {
@@ -191,8 +188,7 @@ static void place_points(SampledSurface *s, double ring) {
     }
 }
 
-/** Prints all ways for a field. @param name Its name. @param field It; given back. @param ring See
- *  place_points(). */
+/** Prints all ways for a field. */
 static void surface_print(const char *name, Sdf *field, double ring) {
     static SampledSurface s;
     s = (SampledSurface){.name = name, .count = field->node_count};
@@ -209,7 +205,7 @@ static void surface_print(const char *name, Sdf *field, double ring) {
     free(field);
 }
 
-/** Prints steps or normals. @param count 2. @param arguments Which. @return 0 */
+/** Prints steps or normals. @return 0 */
 int main(int count, char **arguments) {
     if (count == 2 && strcmp(arguments[1], "steps") == 0) {
         steps_print_all();

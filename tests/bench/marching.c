@@ -41,8 +41,7 @@ static const SphereTracingSetting settings_tried[] = {
 enum { SETTING_COUNT = sizeof settings_tried / sizeof *settings_tried };
 
 /** @return A renderer of the scene's size, one ray a pixel, one thread; NULL if anything is wrong.
- *  @param scene The scene. @param engine The engine. @param log How it marches. @param[out] error
- *  What is wrong. */
+ */
 static Renderer *renderer_of(const Scene *scene, const Engine *engine, SphereTracingSetting log,
                              Error *error) {
     RenderSettings settings = render_settings_default(scene);
@@ -54,16 +53,14 @@ static Renderer *renderer_of(const Scene *scene, const Engine *engine, SphereTra
     return renderer_create(scene, &settings, error);
 }
 
-/** @return Processor time of a picture, seconds: the machine may be shared. @param renderer Draws
- *  it. */
+/** @return Processor time of a picture, seconds: the machine may be shared. */
 static double picture_cpu_seconds(Renderer *renderer) {
     clock_t start = clock();
     renderer_render(renderer, NULL, NULL);
     return (double)(clock() - start) / CLOCKS_PER_SEC;
 }
 
-/** @return The scene of a file; NULL if anything is wrong. @param path The file. @param[out] error
- *  What is wrong. */
+/** @return The scene of a file; NULL if anything is wrong. */
 static Scene *scene_of(const char *path, Error *error) {
     const ScriptRequest request = {.path = path,
                                    .time_limit = SCRIPT_TIME_LIMIT,
@@ -72,8 +69,11 @@ static Scene *scene_of(const char *path, Error *error) {
     return script_load(&request, error);
 }
 
-/** Measures all ways. @param path The scene's file. @param renderers One for each way. @param truth
- *  What is compared with. @param[in,out] picture Room for a picture. */
+/**
+ * Measures all ways.
+ * @param renderers  One for each way.
+ * @param[in,out] picture  Room for a picture.
+ */
 static void measure_settings(const char *path, Renderer **renderers, const Picture *truth,
                              Picture *picture) {
     double fastest[SETTING_COUNT];
@@ -92,8 +92,7 @@ static void measure_settings(const char *path, Renderer **renderers, const Pictu
     }
 }
 
-/** Measures a scene. @param path Its file. @param engine The engine. @param[out] error What is
- *  wrong. @return false if anything is. */
+/** Measures a scene. @return false if anything is. */
 static bool measure_scene(const char *path, const Engine *engine, Error *error) {
     const SphereTracingSetting truly = {"truth", 0, 1, 0};
     Renderer *renderers[SETTING_COUNT] = {NULL}, *truth = NULL;
@@ -119,8 +118,7 @@ static bool measure_scene(const char *path, const Engine *engine, Error *error) 
     return is_good;
 }
 
-/** Measures scenes. @param count Of the arguments. @param arguments Engine, scenes. @return 0 when
- *  all is done. */
+/** Measures scenes. @return 0 when all is done. */
 int main(int count, char **arguments) {
     Error error = {0};
     const Engine *engine = count > 2 ? engine_find(arguments[1], &error) : NULL;

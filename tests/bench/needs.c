@@ -14,8 +14,7 @@
 /** Width of the pictures that are tried: small, but whole. */
 enum { TRIED_WIDTH = 320 };
 
-/** @return What a scene needs. @param scene The scene. @param[out] needs It. @param[out] error What
- * is wrong. */
+/** @return What a scene needs. */
 static bool find_needs(const Scene *scene, Needs *needs, Error *error) {
     RenderSettings settings = render_settings_default(scene);
     int height = TRIED_WIDTH * scene->image.height / scene->image.width;
@@ -29,9 +28,8 @@ static bool find_needs(const Scene *scene, Needs *needs, Error *error) {
     return needs_find(scene, &request, needs, error);
 }
 
-/** Compares float with double for all pixels, as deep as is needed. @param scene The scene.
- *  @param depth How deep. @param[out] trial How float does. @param[out] error What is wrong.
- *  @return false if anything is. */
+/** Compares float with double for all pixels, as deep as is needed. @return false if anything is.
+ */
 static bool verify_float(const Scene *scene, int depth, NeedsTrial *trial, Error *error) {
     RenderSettings settings = render_settings_default(scene);
     PixelSet pixels;
@@ -63,8 +61,7 @@ static bool verify_float(const Scene *scene, int depth, NeedsTrial *trial, Error
     return is_counted;
 }
 
-/** Prints a scene's row. @param name The scene. @param sampled_needs What a sample says. @param
- * whole What all pixels say of float. */
+/** Prints a scene's row. @param whole What all pixels say of float. */
 static void row_print(const char *name, const Needs *sampled_needs, const NeedsTrial *whole) {
     const NeedsEngine *chosen = &sampled_needs->engines[sampled_needs->engine];
     double seconds =
@@ -80,8 +77,11 @@ static void row_print(const char *name, const Needs *sampled_needs, const NeedsT
     fflush(stdout);
 }
 
-/** Tries scenes. @param argc Their number, and one. @param argv Their files. @return 1 if anything
- *  is wrong. */
+/**
+ * Tries scenes.
+ * @param argc  Their number, and one.
+ * @return 1 if anything is wrong.
+ */
 int main(int argc, char **argv) {
     for (int i = 1; i < argc; i++) {
         Error error = {0};

@@ -23,10 +23,9 @@ typedef struct ListBvhTimes {
     double highest;      /**< Highest ratio of list to tree of any turn. */
 } ListBvhTimes;
 
-/** @return A renderer of one thread at 800 x 600; NULL if anything is wrong. @param scene The
- * scene.
- *  @param engine The engine. @param bvh_use Whether there is a tree. @param[out] error What is
- * wrong.
+/**
+ * @return A renderer of one thread at 800 x 600; NULL if anything is wrong.
+ * @param bvh_use  Whether there is a tree.
  */
 static Renderer *renderer_of(const Scene *scene, const Engine *engine, BvhMode bvh_use,
                              Error *error) {
@@ -37,7 +36,7 @@ static Renderer *renderer_of(const Scene *scene, const Engine *engine, BvhMode b
     return renderer_create(scene, &settings, error);
 }
 
-/** @return Seconds of the fastest of some pictures. @param renderer Draws them. */
+/** @return Seconds of the fastest of some pictures. */
 static double fastest_picture(Renderer *renderer) {
     double fastest = renderer_render(renderer, NULL, NULL).seconds;
     for (int i = 1; i < FRAMES; i++) {
@@ -47,7 +46,10 @@ static double fastest_picture(Renderer *renderer) {
     return fastest;
 }
 
-/** @return How list and tree compare. @param list Draws without a tree. @param tree Draws with. */
+/**
+ * @return How list and tree compare.
+ * @param list  Draws without a tree.
+ */
 static ListBvhTimes compare_renderers(Renderer *list, Renderer *tree) {
     ListBvhTimes result = {HUGE_VAL, HUGE_VAL, HUGE_VAL, 0};
     for (int i = 0; i < TURNS; i++) {
@@ -61,9 +63,7 @@ static ListBvhTimes compare_renderers(Renderer *list, Renderer *tree) {
     return result;
 }
 
-/** Measures a scene with one number of shapes. @param path The scene. @param name Its name.
- *  @param engine The engine. @param shapes How many. @param[out] error What is wrong.
- *  @return false if anything is. */
+/** Measures a scene with one number of shapes. @return false if anything is. */
 static bool measure_shape_count(const char *path, const char *name, const Engine *engine,
                                 int shapes, Error *error) {
     const ScriptRequest request = {.path = path,
@@ -86,8 +86,7 @@ static bool measure_shape_count(const char *path, const char *name, const Engine
     return tree != NULL;
 }
 
-/** Measures 4 to 256 shapes. @param count 4. @param arguments Engine, scene, name. @return 0 when
- *  all is done. */
+/** Measures 4 to 256 shapes. @return 0 when all is done. */
 int main(int count, char **arguments) {
     static const int numbers[] = {4,  6,  8,  10, 12, 16,  20,  24, 28,
                                   32, 40, 48, 64, 96, 128, 192, 256};

@@ -59,18 +59,17 @@ typedef struct AccuracyRun {
 
 // --- quads ---------------------------------------------------------------------------------------
 
-/** @return Three floats as quads. @param v The floats. */
+/** @return Three floats as quads. */
 static Quad3 vec3q_from_floats(const float v[3]) {
     return (Quad3){(Quadruple)v[0], (Quadruple)v[1], (Quadruple)v[2]};
 }
 
-/** @return A vector as quads. @param v The vector. */
+/** @return A vector as quads. */
 static Quad3 vec3q_from_vec3d(Vec3d v) {
     return (Quad3){(Quadruple)v.x, (Quadruple)v.y, (Quadruple)v.z};
 }
 
-/** Finds where a ray truly meets a sphere. @param[in,out] question The ray. @param center The
- *  sphere's. @param radius The sphere's. */
+/** Finds where a ray truly meets a sphere. */
 static void sphere_expected(AccuracyQuery *question, Vec3d center, double radius) {
     Quad3 d = vec3q_from_floats(question->direction);
     Quad3 to = quad3_subtract(vec3q_from_vec3d(center), vec3q_from_floats(question->origin));
@@ -83,8 +82,7 @@ static void sphere_expected(AccuracyQuery *question, Vec3d center, double radius
     question->distance = question->is_hit ? (b - quad_sqrt(rest)) / a : 0;
 }
 
-/** Finds where a ray truly meets a triangle. @param[in,out] question The ray. @param corners The
- *  triangle's. */
+/** Finds where a ray truly meets a triangle. */
 static void triangle_expected(AccuracyQuery *question, const Vec3d corners[3]) {
     Quad3 o = vec3q_from_floats(question->origin), d = vec3q_from_floats(question->direction),
           to[3];
@@ -102,8 +100,7 @@ static void triangle_expected(AccuracyQuery *question, const Vec3d corners[3]) {
 
 // --- everybody -----------------------------------------------------------------------------------
 
-/** Asks one of our engines. @param run The contest. @param engine Which. @param subject About
- *  what. */
+/** Asks one of our engines. */
 static void query_dioptre(AccuracyRun *run, const Engine *engine, const AccuracyScene *subject) {
     static RayQuery rays[BATCH];
     static int shapes[BATCH];
@@ -125,7 +122,7 @@ static void query_dioptre(AccuracyRun *run, const Engine *engine, const Accuracy
     engine->release(tracer);
 }
 
-/** Asks Embree. @param run The contest. @param subject About what. */
+/** Asks Embree. */
 static void query_embree(AccuracyRun *run, const AccuracyScene *subject) {
     for (size_t i = 0; i < RAYS; i++) {
         const AccuracyQuery *question = &run->questions[i];
@@ -146,7 +143,7 @@ static void query_embree(AccuracyRun *run, const AccuracyScene *subject) {
     }
 }
 
-/** @return How wrong the newest answers are. @param run The contest. */
+/** @return How wrong the newest answers are. */
 static AccuracyScore score_of(const AccuracyRun *run) {
     AccuracyScore score = {0};
     for (size_t i = 0; i < RAYS; i++) {
@@ -162,14 +159,13 @@ static AccuracyScore score_of(const AccuracyRun *run) {
     return score;
 }
 
-/** Prints how wrong somebody was. @param score How wrong. */
+/** Prints how wrong somebody was. */
 static void print_score(AccuracyScore score) {
     printf(" | %7.3f %7.3f %8.1e", 100.0 * (double)score.misses / RAYS,
            100.0 * (double)score.hits / RAYS, score.worst);
 }
 
-/** Asks everybody and prints a line. @param run The contest, with questions. @param subject
- *  About what. @param name The line's. */
+/** Asks everybody and prints a line. */
 static void accuracy_run(AccuracyRun *run, const AccuracyScene *subject, const char *name) {
     printf("  %-24s", name);
     for (int i = 0; i < run->engine_count; i++) {
@@ -181,7 +177,7 @@ static void accuracy_run(AccuracyRun *run, const AccuracyScene *subject, const c
     printf("\n");
 }
 
-/** Prints the heads of a table. @param run The contest. @param title The table's. */
+/** Prints the heads of a table. */
 static void print_header(const AccuracyRun *run, const char *title) {
     printf("\n%s\n  %-24s", title, "");
     for (int i = 0; i < run->engine_count; i++) {
@@ -196,8 +192,7 @@ static void print_header(const AccuracyRun *run, const char *title) {
 
 // --- scenes in both forms ------------------------------------------------------------------------
 
-/** Adds an Embree geometry as the only one. @param run The contest. @param geometry It; given
- *  back. @return Its scene, to be given back. */
+/** Adds an Embree geometry as the only one. @return Its scene, to be given back. */
 static RTCScene embree_scene(AccuracyRun *run, RTCGeometry geometry) {
     RTCScene scene = rtcNewScene(run->device);
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
@@ -209,8 +204,11 @@ static RTCScene embree_scene(AccuracyRun *run, RTCGeometry geometry) {
     return scene;
 }
 
-/** @return A sphere for everybody, to be given back. @param run The contest. @param center Its
- *  centre, exact in float. @param radius Its radius, exact in float. */
+/**
+ * @return A sphere for everybody, to be given back.
+ * @param center  Its centre, exact in float.
+ * @param radius  Its radius, exact in float.
+ */
 static AccuracyScene sphere_accuracy_scene(AccuracyRun *run, Vec3d center, double radius) {
     AccuracyScene subject = {.scene = empty_scene()};
     add_shape(subject.scene, "sphere", &(SphereParameters){center, radius});
@@ -225,8 +223,10 @@ static AccuracyScene sphere_accuracy_scene(AccuracyRun *run, Vec3d center, doubl
     return subject;
 }
 
-/** @return Triangles for everybody, to be given back. @param run The contest.
- *  @param soup They; corners exact in float. */
+/**
+ * @return Triangles for everybody, to be given back.
+ * @param soup  They; corners exact in float.
+ */
 static AccuracyScene triangles_accuracy_scene(AccuracyRun *run, const Triangles *soup) {
     AccuracyScene subject = {.scene = empty_scene()};
     add_triangles(subject.scene, soup, 2);
@@ -245,14 +245,13 @@ static AccuracyScene triangles_accuracy_scene(AccuracyRun *run, const Triangles 
     return subject;
 }
 
-/** Gives a subject back. @param subject It. */
+/** Gives a subject back. */
 static void accuracy_scene_destroy(AccuracyScene *subject) {
     rtcReleaseScene(subject->embree);
     scene_destroy(subject->scene);
 }
 
-/** Aims a ray. @param[out] question The ray. @param from Where it starts. @param to Where it is
- *  aimed at; both are rounded. */
+/** Aims a ray. @param to Where it is aimed at; both are rounded. */
 static void aim_query(AccuracyQuery *question, Vec3d from, Vec3d to) {
     *question = (AccuracyQuery){.origin = {(float)from.x, (float)from.y, (float)from.z}};
     question->direction[0] = (float)(to.x - (double)question->origin[0]);
@@ -260,14 +259,14 @@ static void aim_query(AccuracyQuery *question, Vec3d from, Vec3d to) {
     question->direction[2] = (float)(to.z - (double)question->origin[2]);
 }
 
-/** @return A unit vector, any. @param[in,out] state A generator. */
+/** @return A unit vector, any. */
 static Vec3d random_unit_vector(uint64_t *state) {
     double height = 2 * random_share(state) - 1, turn = 2 * M_PI * random_share(state);
     double across = sqrt(1 - height * height);
     return (Vec3d){across * cos(turn), height, across * sin(turn)};
 }
 
-/** @return The nearest vector of floats. @param v A vector. */
+/** @return The nearest vector of floats. */
 static Vec3d vector_as_float(Vec3d v) {
     return (Vec3d){as_float(v.x), as_float(v.y), as_float(v.z)};
 }
@@ -276,10 +275,8 @@ static Vec3d vector_as_float(Vec3d v) {
 
 /**
  * Asks about a sphere: rays from all around that pass its centre at up to 1.02 radii.
- * @param run   The contest.
- * @param center    The sphere's, exact in float.
+ * @param center  The sphere's, exact in float.
  * @param distance  From its centre, radii; the radius is 1.
- * @param name      The line's.
  */
 static void measure_sphere(AccuracyRun *run, Vec3d center, double distance, const char *name) {
     for (size_t i = 0; i < RAYS; i++) {
@@ -296,7 +293,7 @@ static void measure_sphere(AccuracyRun *run, Vec3d center, double distance, cons
     accuracy_scene_destroy(&subject);
 }
 
-/** Spheres seen from far away, and spheres far from zero. @param run The contest. */
+/** Spheres seen from far away, and spheres far from zero. */
 static void measure_spheres(AccuracyRun *run) {
     print_header(run, "A sphere of radius 1 around zero, seen from");
     measure_sphere(run, (Vec3d){0, 0, 0}, 10, "10");
@@ -312,8 +309,7 @@ static void measure_spheres(AccuracyRun *run) {
 
 /**
  * Asks about a sliver: rays from 3 away that graze it, aimed at it and a little beside it.
- * @param run  The contest.
- * @param aspect   How many times as long as it is high.
+ * @param aspect  How many times as long as it is high.
  * @param degrees  Between the rays and its plane.
  */
 static void measure_sliver(AccuracyRun *run, double aspect, double degrees) {
@@ -342,7 +338,7 @@ static void measure_sliver(AccuracyRun *run, double aspect, double degrees) {
     triangles_release(&sliver);
 }
 
-/** Slivers. @param run The contest. */
+/** Slivers. */
 static void measure_slivers(AccuracyRun *run) {
     print_header(run, "A triangle of edge 1, its height, and the rays' angle to it");
     measure_sliver(run, 1, 30);
@@ -353,13 +349,8 @@ static void measure_slivers(AccuracyRun *run) {
     measure_sliver(run, 1e5, 0.1);
 }
 
-/**
- * Asks about a closed mesh: rays from inside; each meets it.
- * @param run    The contest.
- * @param mesh       The mesh.
- * @param at_corner  Whether the rays are aimed at corners, not edges.
- * @param name       The line's.
- */
+/** Asks about a closed mesh: rays from inside; each meets it. @param at_corner Whether the rays are
+ *  aimed at corners, not edges. */
 static void measure_mesh(AccuracyRun *run, const Triangles *mesh, bool at_corner,
                          const char *name) {
     for (size_t i = 0; i < RAYS; i++) {
@@ -381,7 +372,7 @@ static void measure_mesh(AccuracyRun *run, const Triangles *mesh, bool at_corner
     accuracy_scene_destroy(&subject);
 }
 
-/** A closed mesh. @param run The contest. */
+/** A closed mesh. */
 static void measure_meshes(AccuracyRun *run) {
     Triangles mesh = icosphere(3);
     print_header(run, "Inside a closed mesh of 1280 triangles, at its");
@@ -390,12 +381,7 @@ static void measure_meshes(AccuracyRun *run) {
     triangles_release(&mesh);
 }
 
-/**
- * Asks everything.
- * @param argc  Number of words.
- * @param argv  The words.
- * @return 0
- */
+/** Asks everything. @return 0 */
 int main(int argc, char **argv) {
     AccuracyRun run = {.device = rtcNewDevice("threads=1"), .random = 20261121};
     run.questions = calloc(RAYS, sizeof *run.questions);

@@ -28,12 +28,12 @@ typedef struct Counts {
     long elsewhere; /**< Those off that have no edge beside them. */
 } Counts;
 
-/** @return The channels of a pixel. @param picture The picture. @param x Column. @param y Row. */
+/** @return The channels of a pixel. */
 static const uint8_t *pixel_at(const Picture *picture, int x, int y) {
     return picture->pixels + ((size_t)y * (size_t)picture->width + (size_t)x) * CHANNELS;
 }
 
-/** @return The largest difference of a channel, steps. @param a A pixel. @param b Another. */
+/** @return The largest difference of a channel, steps. */
 static int difference(const uint8_t *a, const uint8_t *b) {
     int largest = 0;
     for (int channel = 0; channel < CHANNELS; channel++) {
@@ -43,14 +43,9 @@ static int difference(const uint8_t *a, const uint8_t *b) {
     return largest;
 }
 
-/**
- * Says whether an edge passes beside a pixel: whether its neighbours differ from each other. The
- * pixel itself is left out, or a single wrong one would make its own edge.
- * @param picture  The picture.
- * @param x        Column.
- * @param y        Row.
- * @return Whether one does.
- */
+/** Says whether an edge passes beside a pixel: whether its neighbours differ from each other. The
+ *  pixel itself is left out, or a single wrong one would make its own edge. @return Whether one
+ *  does. */
 static bool is_on_edge(const Picture *picture, int x, int y) {
     uint8_t low[CHANNELS] = {UINT8_MAX, UINT8_MAX, UINT8_MAX};
     uint8_t high[CHANNELS] = {0};
@@ -71,7 +66,7 @@ static bool is_on_edge(const Picture *picture, int x, int y) {
     return difference(low, high) > EDGE_STEPS;
 }
 
-/** @return The counts over all pixels. @param image Our picture. @param other_image A peer's. */
+/** @return The counts over all pixels. */
 static Counts count(const Picture *image, const Picture *other_image) {
     Counts counts = {.pixels = (long)image->width * image->height};
     for (int y = 0; y < image->height; y++) {
@@ -85,11 +80,7 @@ static Counts count(const Picture *image, const Picture *other_image) {
     return counts;
 }
 
-/**
- * Reads a BMP file, or ends the program.
- * @param path  The file.
- * @return The picture.
- */
+/** Reads a BMP file, or ends the program. @return The picture. */
 static Picture read_or_exit(const char *path) {
     Error error = {0};
     Picture picture = {0};
@@ -104,8 +95,7 @@ static Picture read_or_exit(const char *path) {
 
 /**
  * Compares two files.
- * @param count_of_arguments  3.
- * @param arguments           The program, our picture, the peer's.
+ * @param arguments  The program, our picture, the peer's.
  * @return 0, or 1 when they cannot be compared.
  */
 int main(int count_of_arguments, char **arguments) {

@@ -67,14 +67,13 @@ typedef struct BenchmarkScene {
     RayResults answers;   /**< What both said. */
 } BenchmarkScene;
 
-/** Ends the program. @param what What is wrong. */
+/** Ends the program. */
 static _Noreturn void fail(const char *what) {
     fprintf(stderr, "peer-embree: %s\n", what);
     exit(EXIT_FAILURE);
 }
 
-/** @return Memory, zero; without it the program ends. @param count How many. @param size Bytes of
- *  each. */
+/** @return Memory, zero; without it the program ends. */
 static void *allocate_or_exit(size_t count, size_t size) {
     /** Bytes: what the widest vectors of either want. */
     const size_t alignment = 64;
@@ -99,7 +98,7 @@ static size_t bytes_held(void) {
 
 // --- building ------------------------------------------------------------------------------------
 
-/** Builds our tracer. @param bench The arena. @return Seconds. */
+/** Builds our tracer. @return Seconds. */
 static double build_dioptre(BenchmarkScene *bench) {
     const TraceSettings settings = {.depth = 1, .offset = OFFSET_BOUND};
     Error error = {0};
@@ -114,7 +113,7 @@ static double build_dioptre(BenchmarkScene *bench) {
     return bench->tracer ? end - start : (fail(error.message), 0);
 }
 
-/** @return Embree's triangles: it only looks at the scene's memory. @param bench The arena. */
+/** @return Embree's triangles: it only looks at the scene's memory. */
 static RTCGeometry geometry_make(const BenchmarkScene *bench) {
     const Mesh *mesh = bench->scene->meshes[0].mesh;
     RTCGeometry geometry = rtcNewGeometry(bench->device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -125,7 +124,7 @@ static RTCGeometry geometry_make(const BenchmarkScene *bench) {
     return geometry;
 }
 
-/** Builds Embree's tree. @param bench The arena. @return Seconds. */
+/** Builds Embree's tree. @return Seconds. */
 static double build_embree(BenchmarkScene *bench) {
     if (bench->embree) {
         rtcReleaseScene(bench->embree);
@@ -143,16 +142,14 @@ static double build_embree(BenchmarkScene *bench) {
     return rtcGetDeviceError(bench->device) ? (fail("Embree builds nothing"), 0) : end - start;
 }
 
-/** Counts what Embree takes. See RTCMemoryMonitorFunction. @param context The arena. @param bytes
- *  How much more. @param is_after Not used. @return That it may. */
+/** Counts what Embree takes. See RTCMemoryMonitorFunction. @return That it may. */
 static bool count_embree_memory(void *context, ssize_t bytes, bool is_after) {
     (void)is_after;
     ((BenchmarkScene *)context)->their_bytes += bytes;
     return true;
 }
 
-/** @return The positions of a scene's mesh, rounded to float in both peers. @param scene The scene.
- */
+/** @return The positions of a scene's mesh, rounded to float in both peers. */
 static float *positions_round(const Scene *scene) {
     Mesh *mesh = scene->meshes[0].mesh;
     float *positions = allocate_or_exit(3 * mesh->position_count + 1, sizeof *positions);
@@ -169,8 +166,7 @@ static float *positions_round(const Scene *scene) {
 
 // --- the rays ------------------------------------------------------------------------------------
 
-/** Puts a ray where both find it. @param rays The rays. @param i Its place. @param origin Where it
- *  starts. @param direction Which way. */
+/** Puts a ray where both find it. */
 static void set_ray(RayBatch *rays, size_t i, const float origin[3], const float direction[3]) {
     rays->single[i] = (struct RTCRay){.org_x = origin[0],
                                       .org_y = origin[1],
@@ -187,7 +183,7 @@ static void set_ray(RayBatch *rays, size_t i, const float origin[3], const float
     }
 }
 
-/** Rounds a vector to float. @param v The vector. @param[out] to Its parts. */
+/** Rounds a vector to float. */
 static void vector_round(Vec3d v, float to[3]) {
     to[0] = (float)v.x;
     to[1] = (float)v.y;
@@ -195,8 +191,7 @@ static void vector_round(Vec3d v, float to[3]) {
 }
 
 /** Makes the ray of a pixel, to the bit as our engines do: whether it is, #compare finds out.
- *  @param camera The camera. @param column The pixel's. @param row The pixel's. @param[out]
- *  direction Which way it goes. */
+ *  @param[out] direction Which way it goes. */
 static void pixel_direction(const SceneCamera *camera, int column, int row, float direction[3]) {
     double half_pixel = tan(camera->fov / 2 * (M_PI / 180)) / SIZE;
     float right[3], up[3], forward[3], square = 0;
@@ -214,8 +209,8 @@ static void pixel_direction(const SceneCamera *camera, int column, int row, floa
     }
 }
 
-/** Looks at the middle of the model. @param bench The arena. @param distance From how far, in
- *  halves of the diagonal of its box. */
+/** Looks at the middle of the model. @param distance From how far, in halves of the diagonal of its
+ *  box. */
 static void aim_camera(BenchmarkScene *bench, double distance) {
     SceneCamera *camera = &bench->scene->camera;
     Vec3d low, high;
@@ -226,8 +221,7 @@ static void aim_camera(BenchmarkScene *bench, double distance) {
     bench->engine->look(bench->tracer, bench->scene, SIZE, SIZE);
 }
 
-/** Makes the rays of all pixels, tile by tile as our engine answers them. @param bench The arena.
- */
+/** Makes the rays of all pixels, tile by tile as our engine answers them. */
 static void rays_of_picture(BenchmarkScene *bench) {
     float origin[3], direction[3];
     vector_round(bench->scene->camera.position, origin);
@@ -240,23 +234,20 @@ static void rays_of_picture(BenchmarkScene *bench) {
     }
 }
 
-/** Makes the rays of a picture that shows the whole model. @param bench The arena. */
+/** Makes the rays of a picture that shows the whole model. */
 static void rays_of_whole(BenchmarkScene *bench) {
     aim_camera(bench, 2.5);
     rays_of_picture(bench);
 }
 
-/** Makes the rays of a picture that the model fills. @param bench The arena. */
+/** Makes the rays of a picture that the model fills. */
 static void rays_of_close(BenchmarkScene *bench) {
     aim_camera(bench, 0.9);
     rays_of_picture(bench);
 }
 
-/**
- * @return A number, uniform in 0 to 1 (Steele, Lea, Flood, *Fast Splittable Pseudorandom Number
- *         Generators*, 2014: splitmix64).
- * @param[in,out] state  The generator.
- */
+/** @return A number, uniform in 0 to 1 (Steele, Lea, Flood, *Fast Splittable Pseudorandom Number
+ *  Generators*, 2014: splitmix64). */
 static double random_uniform(uint64_t *state) {
     uint64_t z = *state += 0x9E3779B97F4A7C15u;
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
@@ -264,7 +255,7 @@ static double random_uniform(uint64_t *state) {
     return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
 }
 
-/** Makes rays from anywhere in the model's box to anywhere. @param bench The arena. */
+/** Makes rays from anywhere in the model's box to anywhere. */
 static void rays_at_random(BenchmarkScene *bench) {
     uint64_t state = 1;
     Vec3d low, high;
@@ -284,7 +275,7 @@ static void rays_at_random(BenchmarkScene *bench) {
 
 // --- asking --------------------------------------------------------------------------------------
 
-/** Casts a picture. @param bench The arena. @return Seconds. */
+/** Casts a picture. @return Seconds. */
 static double trace_dioptre(BenchmarkScene *bench) {
     const RayResults *answers = &bench->answers;
     double start = seconds();
@@ -300,7 +291,7 @@ static double trace_dioptre(BenchmarkScene *bench) {
     return seconds() - start;
 }
 
-/** @return Eight rays of Embree's from the camera, without directions. @param rays The rays. */
+/** @return Eight rays of Embree's from the camera, without directions. */
 static struct RTCRayHit8 packet_begin(const RayBatch *rays) {
     struct RTCRayHit8 packet = {0};
     for (int i = 0; i < PACKET; i++) {
@@ -313,7 +304,7 @@ static struct RTCRayHit8 packet_begin(const RayBatch *rays) {
     return packet;
 }
 
-/** Casts a picture by Embree's packets. @param bench The arena. @return Seconds. */
+/** Casts a picture by Embree's packets. @return Seconds. */
 static double trace_embree(BenchmarkScene *bench) {
     /** Which rays of a packet are there: all. */
     static const _Alignas(32) int valid[PACKET] = {-1, -1, -1, -1, -1, -1, -1, -1};
@@ -337,7 +328,7 @@ static double trace_embree(BenchmarkScene *bench) {
     return seconds() - start;
 }
 
-/** Asks for the nearest hits of any rays. @param bench The arena. @return Seconds. */
+/** Asks for the nearest hits of any rays. @return Seconds. */
 static double closest_hits_dioptre(BenchmarkScene *bench) {
     double start = seconds();
     bench->engine->nearest(bench->tracer, RAYS, bench->rays.plain, bench->answers.shapes,
@@ -345,7 +336,7 @@ static double closest_hits_dioptre(BenchmarkScene *bench) {
     return seconds() - start;
 }
 
-/** Asks Embree for the nearest hits of any rays. @param bench The arena. @return Seconds. */
+/** Asks Embree for the nearest hits of any rays. @return Seconds. */
 static double closest_hits_embree(BenchmarkScene *bench) {
     struct RTCIntersectContext context;
     struct RTCRayHit query = {0};
@@ -361,14 +352,14 @@ static double closest_hits_embree(BenchmarkScene *bench) {
     return seconds() - start;
 }
 
-/** Asks whether any rays meet anything. @param bench The arena. @return Seconds. */
+/** Asks whether any rays meet anything. @return Seconds. */
 static double occluded_dioptre(BenchmarkScene *bench) {
     double start = seconds();
     bench->engine->shadowed(bench->tracer, RAYS, bench->rays.plain, bench->answers.shadowed);
     return seconds() - start;
 }
 
-/** Asks Embree whether any rays meet anything. @param bench The arena. @return Seconds. */
+/** Asks Embree whether any rays meet anything. @return Seconds. */
 static double occluded_embree(BenchmarkScene *bench) {
     struct RTCIntersectContext context;
     double start = seconds();
@@ -390,8 +381,10 @@ typedef struct Agreement {
     size_t embree_only;  /**< Those of them that Embree answers wrongly. */
 } Agreement;
 
-/** @return Whether two distances, or both misses, are the same. @param a One. @param b The other.
- *  @param bound How far apart they may be. */
+/**
+ * @return Whether two distances, or both misses, are the same.
+ * @param bound  How far apart they may be.
+ */
 static bool is_same(double a, double b, double bound) {
     return isfinite(a) && isfinite(b) ? fabs(a - b) <= bound : isfinite(a) == isfinite(b);
 }
@@ -399,8 +392,6 @@ static bool is_same(double a, double b, double bound) {
 /**
  * Finds how far a distance may be off: as far as the point off the surface, by our engine's bound,
  * along a ray that meets the surface at a slant.
- * @param bench     The arena.
- * @param i         The ray.
  * @param distance  Ours; the same must come out again, or the rays are not the same.
  * @return How far, in lengths of the direction; any number where nothing is met.
  */
@@ -423,9 +414,11 @@ static double distance_bound(const BenchmarkScene *bench, size_t i, double dista
     return (double)answer.error / fabs(slant);
 }
 
-/** Asks an engine of more digits who is right about a ray. @param bench The arena. @param exact
- *  It, and its tracer. @param i The ray. @param bound How far distances may be off. @param[in,out]
- *  verdict The counts. */
+/**
+ * Asks an engine of more digits who is right about a ray.
+ * @param exact  It, and its tracer.
+ * @param bound  How far distances may be off.
+ */
 static void decide_by_wider_engine(const BenchmarkScene *bench, const BenchmarkScene *exact,
                                    size_t i, double bound, Agreement *agreement) {
     int shape;
@@ -436,8 +429,10 @@ static void decide_by_wider_engine(const BenchmarkScene *bench, const BenchmarkS
     agreement->theirs += !is_same((double)bench->answers.their_distances[i], truth, bound);
 }
 
-/** @return How the distances differ, by more than both may be off. @param bench The arena. @param
- *  exact An engine of more digits, and its tracer. */
+/**
+ * @return How the distances differ, by more than both may be off.
+ * @param exact  An engine of more digits, and its tracer.
+ */
 static Agreement compare_distances(const BenchmarkScene *bench, const BenchmarkScene *exact) {
     Agreement agreement = {0};
     for (size_t i = 0; i < RAYS; i++) {
@@ -450,7 +445,7 @@ static Agreement compare_distances(const BenchmarkScene *bench, const BenchmarkS
     return agreement;
 }
 
-/** @return How the shadows differ. @param bench The arena. @param exact See #compare_distances. */
+/** @return How the shadows differ. */
 static Agreement compare_shadows(const BenchmarkScene *bench, const BenchmarkScene *exact) {
     Agreement agreement = {0};
     for (size_t i = 0; i < RAYS; i++) {
@@ -485,14 +480,13 @@ static const BenchmarkCase bouts[] = {
     {"random", rays_at_random, closest_hits_dioptre, closest_hits_embree, compare_distances},
     {"shadow", rays_at_random, occluded_dioptre, occluded_embree, compare_shadows}};
 
-/** @return Order of two doubles, for qsort. @param a One. @param b The other. */
+/** @return Order of two doubles, for qsort. */
 static int compare_doubles(const void *a, const void *b) {
     double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
 }
 
-/** Lets both do something in turn, and prints how long it took. @param bench The arena. @param
- * benchmark What they do. */
+/** Lets both do something in turn, and prints how long it took. */
 static void benchmark_case_run(BenchmarkScene *bench, const BenchmarkCase *benchmark) {
     double dioptre = HUGE_VAL, embree = HUGE_VAL, ratios[ROUNDS];
     for (int round = 0; round < ROUNDS; round++) {
@@ -510,8 +504,8 @@ static void benchmark_case_run(BenchmarkScene *bench, const BenchmarkCase *bench
     fflush(stdout);
 }
 
-/** Lets both do everything, and prints how they did. @param bench The arena, without trees. @param
- *  exact An engine of more digits, and its tracer. */
+/** Lets both do everything, and prints how they did. @param exact An engine of more digits, and its
+ *  tracer. */
 static void benchmark_run_all(BenchmarkScene *bench, const BenchmarkScene *exact) {
     for (size_t i = 0; i < sizeof bouts / sizeof *bouts; i++) {
         if (bouts[i].ready) {
@@ -533,8 +527,10 @@ static void benchmark_run_all(BenchmarkScene *bench, const BenchmarkScene *exact
 
 // --- the arena -----------------------------------------------------------------------------------
 
-/** @return The scene, turned a little so that no ray runs along an axis. @param path The scene
- *  file. @param folder The folder of its model. */
+/**
+ * @return The scene, turned a little so that no ray runs along an axis.
+ * @param folder  The folder of its model.
+ */
 static Scene *scene_load(const char *path, const char *folder) {
     Error error = {0};
     const ScriptRequest request = {.path = path,
@@ -553,8 +549,7 @@ static Scene *scene_load(const char *path, const char *folder) {
     return scene;
 }
 
-/** Begins an arena: both are there, without trees. @param[out] bench The arena. @param scene The
- *  scene. @param engine Our engine. */
+/** Begins an arena: both are there, without trees. */
 static void benchmark_scene_init(BenchmarkScene *bench, Scene *scene, const char *engine) {
     Error error = {0};
     *bench = (BenchmarkScene){.scene = scene, .engine = engine_find(engine, &error)};
@@ -579,7 +574,7 @@ static void benchmark_scene_init(BenchmarkScene *bench, Scene *scene, const char
     answers->their_shadowed = allocate_or_exit(RAYS, sizeof *answers->their_shadowed);
 }
 
-/** Gives back what an arena holds but the scene. @param bench The arena. */
+/** Gives back what an arena holds but the scene. */
 static void benchmark_scene_deinit(BenchmarkScene *bench) {
     bench->engine->release(bench->tracer);
     rtcReleaseScene(bench->embree);
@@ -597,7 +592,6 @@ static void benchmark_scene_deinit(BenchmarkScene *bench) {
 
 /**
  * Times both on a scene.
- * @param count      4.
  * @param arguments  The program, the scene, the folder of its model, our engine.
  * @return 0, or 1 when something is missing.
  */

@@ -25,7 +25,7 @@ static const char *const vertex_shader =
     "void main() { gl_Position = vec4(4 * (gl_VertexID & 1) - 1, 2 * (gl_VertexID & 2) - 1, 0, 1); "
     "}\n";
 
-/** Says what is wrong and ends the program. @param what What. @param why More of it. */
+/** Says what is wrong and ends the program. */
 static _Noreturn void exit_with_error(const char *what, const char *why) {
     fprintf(stderr, "fragment: %s: %s\n", what, why);
     exit(1);
@@ -38,8 +38,7 @@ static void check_sdl(bool is_good) {
     }
 }
 
-/** Adds a shader to a program, or ends it. @param program The program. @param kind Of the shader.
- *  @param count Parts of its text. @param parts The parts. */
+/** Adds a shader to a program, or ends it. @param count Parts of its text. */
 static void add_shader(GLuint program, GLenum kind, int count, const char *const *parts) {
     char log[4096];
     GLint is_good = 0;
@@ -55,8 +54,11 @@ static void add_shader(GLuint program, GLenum kind, int count, const char *const
     glDeleteShader(shader);
 }
 
-/** Makes a program of shaders and uses it. @param count Files. @param files Those of the fragment
- *  shader. @return The program. */
+/**
+ * Makes a program of shaders and uses it.
+ * @param files  Those of the fragment shader.
+ * @return The program.
+ */
 static GLuint use_program(int count, char **files) {
     const char *parts[PARTS_MAXIMUM] = {"#version 330 core\n"};
     GLuint program = glCreateProgram();
@@ -74,8 +76,7 @@ static GLuint use_program(int count, char **files) {
     return program;
 }
 
-/** Makes a buffer of 8-bit colours and lets OpenGL draw into it. @param width Pixels. @param height
- *  Pixels. */
+/** Makes a buffer of 8-bit colours and lets OpenGL draw into it. */
 static void use_buffer(int width, int height) {
     GLuint frame = 0, colors = 0, corners = 0;
     glGenVertexArrays(1, &corners);
@@ -102,14 +103,14 @@ static double time_frame(void) {
     return 1e3 * (double)(end.tv_sec - start.tv_sec) + 1e-6 * (double)(end.tv_nsec - start.tv_nsec);
 }
 
-/** @return The order of two numbers, for qsort(). @param a A number. @param b Another. */
+/** @return The order of two numbers, for qsort(). */
 static int compare_numbers(const void *a, const void *b) {
     double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
 }
 
 /** @return The median of the milliseconds of frames; the first, for which the shader is compiled,
- *          does not count. @param count How many. */
+ *  does not count. */
 static double time_frames(int count) {
     double *times = calloc((size_t)count, sizeof *times);
     if (!times) {
@@ -125,7 +126,7 @@ static double time_frames(int count) {
     return median;
 }
 
-/** Writes what was drawn. @param path The file. @param width Pixels. @param height Pixels. */
+/** Writes what was drawn. */
 static void save_picture(const char *path, int width, int height) {
     void *pixels = malloc((size_t)width * (size_t)height * CHANNELS);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -139,8 +140,7 @@ static void save_picture(const char *path, int width, int height) {
     free(pixels);
 }
 
-/** Times a shader. @param count Arguments. @param arguments See above. @return 0; it ends earlier
- *  with 1. */
+/** Times a shader. @return 0; it ends earlier with 1. */
 int main(int count, char **arguments) {
     int width = count > 5 ? atoi(arguments[1]) : 0, height = count > 5 ? atoi(arguments[2]) : 0;
     int frames = count > 5 ? atoi(arguments[3]) : 0;

@@ -57,19 +57,19 @@ typedef struct BmpHeader {
     bool is_bgr;           /**< Whether the masks say blue, green, red. */
 } BmpHeader;
 
-/** Stores a number of 4 bytes. @param[out] bytes Where. @param number The number. */
+/** Stores a number of 4 bytes. */
 static void store_u32(uint8_t *bytes, uint32_t number) {
     for (int i = 0; i < 4; i++) {
         bytes[i] = (uint8_t)(number >> (8 * i));
     }
 }
 
-/** @return A number of 2 bytes. @param bytes Where it is. */
+/** @return A number of 2 bytes. */
 static unsigned load_u16(const uint8_t *bytes) {
     return bytes[0] | (unsigned)bytes[1] << 8;
 }
 
-/** @return A number of 4 bytes. @param bytes Where it is. */
+/** @return A number of 4 bytes. */
 static uint32_t load_u32(const uint8_t *bytes) {
     return load_u16(bytes) | (uint32_t)load_u16(bytes + 2) << 16;
 }
@@ -83,7 +83,7 @@ static size_t row_size(int width, unsigned pixel_bytes) {
     return ((size_t)width * pixel_bytes + 3) / 4 * 4;
 }
 
-/** Fills in a header. @param[out] header The header. @param picture The picture it is for. */
+/** Fills in a header. @param picture The picture it is for. */
 static void make_header(uint8_t header[HEADER_SIZE], const Picture *picture) {
     size_t size = row_size(picture->width, CHANNELS) * (size_t)picture->height;
     memset(header, 0, HEADER_SIZE);
@@ -102,11 +102,8 @@ static void make_header(uint8_t header[HEADER_SIZE], const Picture *picture) {
 
 /**
  * Copies pixels and turns the order of their colours round.
- * @param[out] to      Where to.
- * @param to_bytes     Bytes a pixel there, 3 or 4.
- * @param from         Where from.
- * @param from_bytes   Bytes a pixel there, 3 or 4.
- * @param count        How many pixels.
+ * @param to_bytes  Bytes a pixel there, 3 or 4.
+ * @param from_bytes  Bytes a pixel there, 3 or 4.
  */
 static void copy_swapping_red_blue(uint8_t *to, unsigned to_bytes, const uint8_t *from,
                                    unsigned from_bytes, int count) {
@@ -133,11 +130,7 @@ bool bmp_write(const Picture *picture, FILE *stream, Error *error) {
     return is_fine || error_set(error, STATUS_FAILED, "%s", error_errno_text(errno));
 }
 
-/**
- * Takes a header apart.
- * @param[out] header  What it says.
- * @param bytes        Its bytes, with those of the masks after it.
- */
+/** Takes a header apart. @param bytes Its bytes, with those of the masks after it. */
 static void parse_header(BmpHeader *header, const uint8_t bytes[HEADER_SIZE + MASKS_SIZE]) {
     *header = (BmpHeader){
         .pixel_offset = load_u32(bytes + AT_PIXELS),
@@ -154,9 +147,7 @@ static void parse_header(BmpHeader *header, const uint8_t bytes[HEADER_SIZE + MA
 
 /**
  * Reads a header.
- * @param stream       The file, at its beginning.
- * @param[out] header  What it says.
- * @param[out] error   What is wrong.
+ * @param stream  The file, at its beginning.
  * @return Whether it is one that is known here.
  */
 static bool read_header(FILE *stream, BmpHeader *header, Error *error) {
@@ -177,12 +168,7 @@ static bool read_header(FILE *stream, BmpHeader *header, Error *error) {
     return true;
 }
 
-/**
- * Says whether the pixels are of a kind that is known here.
- * @param header      The header.
- * @param[out] error  What is wrong.
- * @return Whether they are.
- */
+/** Says whether the pixels are of a kind that is known here. @return Whether they are. */
 static bool check_pixel_format(const BmpHeader *header, Error *error) {
     if (header->planes != 1 || (header->bits != 24 && header->bits != 32)) {
         return error_set(error, STATUS_SCENE, "it has %u bits a pixel, not 24 or 32", header->bits);
@@ -197,9 +183,7 @@ static bool check_pixel_format(const BmpHeader *header, Error *error) {
 
 /**
  * Says whether the size is one that is allowed, and whether the file holds all of the pixels.
- * @param header      The header.
- * @param file_size   Size of the file, bytes.
- * @param[out] error  What is wrong.
+ * @param file_size  Size of the file, bytes.
  * @return Whether they are there.
  */
 static bool check_size(const BmpHeader *header, uint64_t file_size, Error *error) {
@@ -222,8 +206,6 @@ static bool check_size(const BmpHeader *header, uint64_t file_size, Error *error
 
 /**
  * Reads the pixels.
- * @param stream        The file.
- * @param header        Its header, checked.
  * @param[out] picture  A picture of that size.
  * @return Whether all of them could be read.
  */
@@ -247,10 +229,7 @@ static bool read_pixels(FILE *stream, const BmpHeader *header, Picture *picture)
 
 /**
  * Reads a BMP file.
- * @param stream        The file, at its beginning.
- * @param file_size     Its size, bytes.
- * @param[out] picture  The picture.
- * @param[out] error    What is wrong.
+ * @param stream  The file, at its beginning.
  * @return Whether it was read; otherwise the picture is empty.
  */
 static bool read_stream(FILE *stream, uint64_t file_size, Picture *picture, Error *error) {

@@ -18,7 +18,6 @@
 /**
  * Puts before an error that a file was to be read.
  * @param[in,out] error  The error; may be NULL.
- * @param path           The file.
  * @return false, always.
  */
 static bool set_read_error(Error *error, const char *path) {
@@ -28,7 +27,6 @@ static bool set_read_error(Error *error, const char *path) {
 /**
  * Puts before an error that a file was to be written.
  * @param[in,out] error  The error; may be NULL.
- * @param path           The file.
  * @return false, always.
  */
 static bool set_write_error(Error *error, const char *path) {
@@ -62,9 +60,7 @@ bool image_file_is_linear(const char *path) {
 
 /**
  * Says whether a format's module is there, if it needs one.
- * @param format       The format.
  * @param[out] plugin  The module; NULL for a format that needs none.
- * @param[out] error   What is missing.
  * @return Whether it is.
  */
 static bool load_plugin(const ImageFormat *format, const ImagePlugin **plugin, Error *error) {
@@ -80,14 +76,7 @@ bool image_file_check(const char *path, Error *error) {
     return can_be_written || set_write_error(error, path);
 }
 
-/**
- * Writes a picture in a format.
- * @param format      The format.
- * @param picture     The picture.
- * @param stream      Where to.
- * @param[out] error  Why not.
- * @return Whether all was handed to the stream.
- */
+/** Writes a picture in a format. @return Whether all was handed to the stream. */
 static bool write_format(const ImageFormat *format, const Picture *picture, FILE *stream,
                          Error *error) {
     const ImagePlugin *plugin;
@@ -105,10 +94,7 @@ static bool write_format(const ImageFormat *format, const Picture *picture, FILE
 
 /**
  * Writes a picture beside its place and moves it there.
- * @param file        The file, begun; ended here.
- * @param format      The format.
- * @param picture     The picture.
- * @param[out] error  Why not.
+ * @param file  The file, begun; ended here.
  * @return Whether it is there, all of it.
  */
 static bool write_and_commit(AtomicFile *file, const ImageFormat *format, const Picture *picture,
@@ -142,13 +128,7 @@ static const ImageReadLimits compare_limits = {
     sizeof(Texture) +
         TEXEL_CHANNELS * sizeof(float) * (size_t)IMAGE_SIZE_MAXIMUM *IMAGE_SIZE_MAXIMUM};
 
-/**
- * Makes a picture of 8-bit steps of a texture.
- * @param texture       The texture.
- * @param[out] picture  The picture.
- * @param[out] error    What is wrong.
- * @return false without memory.
- */
+/** Makes a picture of 8-bit steps of a texture. @return false without memory. */
 static bool picture_from_texture(const Texture *texture, Picture *picture, Error *error) {
     if (!picture_init(picture, texture->width, texture->height, error)) {
         return false;
@@ -166,14 +146,7 @@ static bool picture_from_texture(const Texture *texture, Picture *picture, Error
     return true;
 }
 
-/**
- * Reads an open picture file.
- * @param format        Its format.
- * @param file          The file.
- * @param[out] picture  The picture.
- * @param[out] error    What is wrong.
- * @return Whether it was read; otherwise the picture is empty.
- */
+/** Reads an open picture file. @return Whether it was read; otherwise the picture is empty. */
 static bool read_open_file(const ImageFormat *format, int file, Picture *picture, Error *error) {
     if (!format->plugin_name) {
         return bmp_read(file, picture, error);

@@ -25,11 +25,8 @@ typedef struct ImageFormat {
 /** @return The format of BMP files, which needs no module. */
 const ImageFormat *image_format_bmp(void);
 
-/**
- * Finds the format that the ending of a file's name says; small and large letters are alike.
- * @param path  The file.
- * @return The format, or NULL.
- */
+/** Finds the format that the ending of a file's name says; small and large letters are alike.
+ *  @return The format, or NULL. */
 const ImageFormat *image_format_by_extension(const char *path);
 
 #endif

@@ -126,8 +126,9 @@ void write_rows(OIIO::ImageOutput &output, const ImagePluginSource &source) {
     for (int y = 0; y < source.height; y++) {
         size_t first = static_cast<size_t>(y) * size;
         bool is_written =
-            source.linear ? output.write_scanline(y, 0, OIIO::TypeDesc::FLOAT, source.linear + first)
-                         : output.write_scanline(y, 0, OIIO::TypeDesc::UINT8, source.encoded + first);
+            source.linear
+                ? output.write_scanline(y, 0, OIIO::TypeDesc::FLOAT, source.linear + first)
+                : output.write_scanline(y, 0, OIIO::TypeDesc::UINT8, source.encoded + first);
         if (!is_written) {
             throw_error(output.geterror());
         }

@@ -70,24 +70,19 @@ typedef struct ImagePlugin {
 
     /**
      * Makes a file of a picture. The same picture always gives the same bytes.
-     * @param format        The format.
-     * @param source        The picture.
-     * @param[out] file     The file, to be given back with #free_encoded.
-     * @param[out] message  What is wrong.
+     * @param[out] file  The file, to be given back with #free_encoded.
      * @return Whether it was made.
      */
     bool (*encode)(const char *format, const ImagePluginSource *source, EncodedImage *file,
                    ImagePluginMessage *message);
 
-    /** Gives a file's memory back. @param file The file. */
+    /** Gives a file's memory back. */
     void (*free_encoded)(EncodedImage *file);
 
     /**
      * Opens a picture file, reads its header and checks it; reads no pixel.
-     * @param path          The file.
-     * @param format        The format; if the file is of another, it is not read.
-     * @param[out] header   What is known of it.
-     * @param[out] message  What is wrong.
+     * @param format  The format; if the file is of another, it is not read.
+     * @param[out] header  What is known of it.
      * @return The open file, to be given back with #close; NULL if anything is wrong.
      */
     ImageReader *(*open)(const char *path, const char *format, ImageHeader *header,
@@ -95,11 +90,9 @@ typedef struct ImagePlugin {
 
     /**
      * Reads the encoded steps of a band of rows. Opacity is dropped, grey becomes three colours.
-     * @param reader        The open file.
-     * @param first         First row; a multiple of the band's height.
-     * @param count         How many rows; the band's height, or what is left at the bottom.
-     * @param[out] rgb      Their pixels, 3 numbers each.
-     * @param[out] message  What is wrong.
+     * @param first  First row; a multiple of the band's height.
+     * @param count  How many rows; the band's height, or what is left at the bottom.
+     * @param[out] rgb  Their pixels, 3 numbers each.
      * @return Whether they were read.
      */
     bool (*read_encoded)(ImageReader *reader, int first, int count, uint8_t *rgb,
@@ -107,11 +100,7 @@ typedef struct ImagePlugin {
 
     /**
      * Reads a band of rows of the finer kinds; otherwise as #read_encoded.
-     * @param reader        The open file.
-     * @param first         First row.
-     * @param count         How many rows.
-     * @param[out] rgb      Their pixels, 3 numbers each, of any size, infinity and NaN too.
-     * @param[out] message  What is wrong.
+     * @param[out] rgb  Their pixels, 3 numbers each, of any size, infinity and NaN too.
      * @return Whether they were read.
      */
     bool (*read_linear)(ImageReader *reader, int first, int count, float *rgb,

@@ -47,10 +47,7 @@ const ImagePlugin *image_plugin_load(Error *error) {
 /** What is said of a picture that says nothing of itself. */
 static const MetadataEntry no_metadata[] = {{0}};
 
-/**
- * @return The light that the steps of a picture stand for, to be freed; NULL without memory.
- * @param picture  The picture.
- */
+/** @return The light that the steps of a picture stand for, to be freed; NULL without memory. */
 static float *decode_picture(const Picture *picture) {
     size_t count = (size_t)picture->width * (size_t)picture->height * CHANNELS;
     float *linear = malloc(count * sizeof *linear), table[UINT8_MAX + 1];
@@ -65,12 +62,8 @@ static float *decode_picture(const Picture *picture) {
 
 /**
  * Makes a picture file in memory.
- * @param plugin      The module.
- * @param format      The format.
- * @param picture     The picture.
- * @param linear       Its linear light, for a format that holds it; else NULL.
- * @param[out] file   The file, to be given back.
- * @param[out] error  What is wrong.
+ * @param linear  Its linear light, for a format that holds it; else NULL.
+ * @param[out] file  The file, to be given back.
  * @return Whether it was made.
  */
 static bool encode(const ImagePlugin *plugin, const char *format, const Picture *picture,
@@ -119,9 +112,8 @@ typedef struct ImageDecoder {
 
 /**
  * Decodes numbers of 16 bits and the like.
- * @param table          The light of each of #SRGB16_MAXIMUM steps.
+ * @param table  The light of each of #SRGB16_MAXIMUM steps.
  * @param[in,out] linear  Numbers from 0 to 1; light afterwards.
- * @param count          How many.
  */
 static void decode_srgb16(const float *table, float *linear, size_t count) {
     for (size_t i = 0; i < count; i++) {
@@ -132,9 +124,7 @@ static void decode_srgb16(const float *table, float *linear, size_t count) {
 
 /**
  * Reads a band of rows.
- * @param decoder       The picture that is being read.
- * @param first         First row.
- * @param[out] message  What is wrong.
+ * @param decoder  The picture that is being read.
  * @return Whether it was read.
  */
 static bool read_strip(const ImageDecoder *decoder, int first, ImagePluginMessage *message) {
@@ -155,8 +145,7 @@ static bool read_strip(const ImageDecoder *decoder, int first, ImagePluginMessag
 
 /**
  * Reads all bands.
- * @param decoder     The picture that is being read.
- * @param[out] error  What is wrong.
+ * @param decoder  The picture that is being read.
  * @return Whether all were read.
  */
 static bool read_strips(const ImageDecoder *decoder, Error *error) {
@@ -172,8 +161,7 @@ static bool read_strips(const ImageDecoder *decoder, Error *error) {
 /**
  * Makes ready to read, once the header is known.
  * @param[in,out] decoder  The picture that is being read.
- * @param capacity             Bytes that fit where it goes.
- * @param[out] error       What is wrong.
+ * @param capacity  Bytes that fit where it goes.
  * @return false if it does not fit, or without memory.
  */
 static bool prepare_decoder(ImageDecoder *decoder, size_t capacity, Error *error) {

@@ -20,7 +20,6 @@ const ImagePlugin *image_plugin_load(Error *error);
 
 /**
  * Opens the picture module of one folder.
- * @param folder      The folder.
  * @param[out] error  What is missing and what to install (#STATUS_FAILED).
  * @return The module, or NULL.
  */
@@ -30,11 +29,9 @@ const ImagePlugin *image_plugin_load_from(const char *folder, Error *error);
  * Writes a picture in a format of the module. Where that holds linear light (OpenEXR, Radiance),
  * the picture's own light is written, if it was kept; else it is decoded from the steps, by the
  * curve of the picture's encoding.
- * @param plugin      The module.
- * @param format      The format, as OpenImageIO names it.
- * @param is_linear   Whether it holds linear light.
- * @param picture     The picture.
- * @param stream      Where to; need not be seekable.
+ * @param format  The format, as OpenImageIO names it.
+ * @param is_linear  Whether it holds linear light.
+ * @param stream  Where to; need not be seekable.
  * @param[out] error  Why not (#STATUS_FAILED); the file is not named in it.
  * @return Whether all was handed to the stream; whether it arrives, closing the stream tells.
  */
@@ -52,9 +49,8 @@ typedef struct ImageReadRequest {
 /**
  * Reads a picture. Opacity is dropped. 8-bit numbers stay as they are, encoded as sRGB; finer ones
  * become linear light by the same curve; floats are linear light.
- * @param request        What to read.
- * @param[out] texture   Where to: ImageReadRequest.texture_capacity bytes.
- * @param[out] error     What is wrong (#STATUS_SCENE); the file is not named in it.
+ * @param[out] texture  Where to: ImageReadRequest.texture_capacity bytes.
+ * @param[out] error  What is wrong (#STATUS_SCENE); the file is not named in it.
  * @return Whether it was read.
  */
 bool image_plugin_read(const ImageReadRequest *request, Texture *texture, Error *error);

@@ -26,7 +26,7 @@ typedef struct ReadJob {
     Texture *texture;         /**< Where the child leaves the picture; shared, too. */
 } ReadJob;
 
-/** Is the child: reads the picture. See #sandbox_process_run. @param context A #ReadJob. */
+/** Is the child: reads the picture. See #sandbox_process_run. */
 static void read_in_sandbox(void *context) {
     const ReadJob *job = context;
     SharedResult *result = job->result;
@@ -36,10 +36,7 @@ static void read_in_sandbox(void *context) {
 
 /**
  * Says why a child left no picture.
- * @param result    What it left.
- * @param end         How it ended.
- * @param detail      The signal or the errno.
- * @param limits      What it might take.
+ * @param detail  The signal or the errno.
  * @param[out] error  Where it is said.
  * @return false, always.
  */
@@ -68,9 +65,7 @@ static bool set_failure(const SharedResult *result, SandboxProcessEnd end, int d
 /**
  * Makes a texture of what a child left, which may be anything if a file has got hold of it, and
  * gives the rest of the room back.
- * @param texture        What it left.
- * @param capacity        Bytes that it lies in.
- * @param[out] error  What is wrong.
+ * @param capacity  Bytes that it lies in.
  * @return Whether it is one.
  */
 static bool validate_texture(Texture *texture, size_t capacity, Error *error) {
@@ -89,13 +84,7 @@ static bool validate_texture(Texture *texture, size_t capacity, Error *error) {
     return true;
 }
 
-/**
- * Asks a child.
- * @param job    What is asked.
- * @param limits      What it may take.
- * @param[out] error  What is wrong.
- * @return Whether the picture is there.
- */
+/** Asks a child. @return Whether the picture is there. */
 static bool run_job(ReadJob *job, const ImageReadLimits *limits, Error *error) {
     int detail;
     SandboxProcessEnd end = sandbox_process_run(read_in_sandbox, job, limits->time_limit, &detail);

@@ -21,13 +21,10 @@ typedef struct ImageReadLimits {
 
 /**
  * Reads a picture as #image_plugin_read does, but in a child process.
- * @param plugin        The module.
- * @param format        The format, as OpenImageIO names it.
- * @param path          The file.
- * @param limits        What it may take.
+ * @param format  The format, as OpenImageIO names it.
  * @param[out] texture  The picture, tame, to be given back with #texture_release; NULL if anything
- *                      is wrong.
- * @param[out] error    What is wrong (#STATUS_SCENE; #STATUS_FAILED without memory or process).
+ *         is wrong.
+ * @param[out] error  What is wrong (#STATUS_SCENE; #STATUS_FAILED without memory or process).
  * @return Whether it was read.
  */
 bool image_sandbox_read(const ImagePlugin *plugin, const char *format, const char *path,

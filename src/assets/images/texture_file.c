@@ -17,7 +17,6 @@ static const ImageReadLimits scene_limits = {TEXTURE_FILE_TIME_LIMIT, TEXTURE_FI
 
 /**
  * Finds the format of a file.
- * @param path        The file.
  * @param[out] error  Which endings there are.
  * @return The format, or NULL.
  */
@@ -39,12 +38,7 @@ bool texture_file_check(const char *path, Error *error) {
     return file >= 0;
 }
 
-/**
- * Reads an open BMP file.
- * @param file        The file.
- * @param[out] error  What is wrong.
- * @return The picture, or NULL.
- */
+/** Reads an open BMP file. @return The picture, or NULL. */
 static Texture *read_bmp(int file, Error *error) {
     Picture picture;
     Texture *texture = NULL;
@@ -68,14 +62,7 @@ bool texture_file_read_open(const ImageFormat *format, int file, const ImageRead
     return plugin && image_sandbox_read(plugin, format->plugin_name, path, limits, texture, error);
 }
 
-/**
- * Reads an open file.
- * @param format        Its format.
- * @param file          The file.
- * @param[out] texture  The picture.
- * @param[out] error    What is wrong.
- * @return Whether it was read.
- */
+/** Reads an open file. @return Whether it was read. */
 static bool read_open_file(const ImageFormat *format, int file, Texture **texture, Error *error) {
     if (format->plugin_name) {
         return texture_file_read_open(format, file, &scene_limits, texture, error);

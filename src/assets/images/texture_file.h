@@ -17,7 +17,6 @@
 
 /**
  * Says whether a file may be a picture, by its name and kind; does not read it.
- * @param path        The file.
  * @param[out] error  Why not (#STATUS_SCENE), without the path.
  * @return Whether it is a regular file with the ending of a format that can be read.
  */
@@ -25,22 +24,17 @@ bool texture_file_check(const char *path, Error *error);
 
 /**
  * Reads a picture file. BMP is read here; every other format by the picture module, in a child.
- * @param path          The file.
  * @param[out] texture  The picture, to be given back with #texture_release; NULL if anything is
- *                      wrong.
- * @param[out] error    What is wrong, without the path (#STATUS_SCENE; #STATUS_FAILED without
- *                      module, memory or process).
+ *         wrong.
+ * @param[out] error  What is wrong, without the path (#STATUS_SCENE; #STATUS_FAILED without module,
+ *         memory or process).
  * @return Whether it was read.
  */
 bool texture_file_read(const char *path, Texture **texture, Error *error);
 
 /**
  * Reads an open picture file in a format of the module.
- * @param format        The format.
- * @param file          The file; no other is opened, whatever is put in its place meanwhile.
- * @param limits        What it may take.
- * @param[out] texture  See #texture_file_read.
- * @param[out] error    See #texture_file_read.
+ * @param file  The file; no other is opened, whatever is put in its place meanwhile.
  * @return Whether it was read.
  */
 bool texture_file_read_open(const ImageFormat *format, int file, const ImageReadLimits *limits,

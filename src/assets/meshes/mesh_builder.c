@@ -32,14 +32,12 @@ void mesh_builder_deinit(MeshBuilder *builder) {
     *builder = (MeshBuilder){0};
 }
 
-/** Says that there is no memory. @param builder The builder. @return false, always. */
+/** Says that there is no memory. @return false, always. */
 static bool set_out_of_memory(MeshBuilder *builder) {
     return error_set(builder->error, STATUS_SCENE, "it needs more memory than a model may take");
 }
 
-/** @return Whether numbers are finite and not too large. @param numbers They. @param count How
- * many.
- */
+/** @return Whether numbers are finite and not too large. */
 static bool are_in_range(const double *numbers, int count) {
     for (int i = 0; i < count; i++) {
         if (!(fabs(numbers[i]) <= LENGTH_MAXIMUM)) {
@@ -49,17 +47,13 @@ static bool are_in_range(const double *numbers, int count) {
     return true;
 }
 
-/** @return Three numbers as a vector. @param numbers They. */
+/** @return Three numbers as a vector. */
 static Vec3d vector_from_array(const double numbers[3]) {
     return (Vec3d){numbers[0], numbers[1], numbers[2]};
 }
 
-/**
- * @return A vector at right angles to a triangle, of twice its area. Exactly zero where the corners
- *         lie on a line and are floats of like size: their differences and products fit a double.
- * @param a  A corner.
- * @param b  Another.
- * @param c  The third.
+/** @return A vector at right angles to a triangle, of twice its area. Exactly zero where the
+ *  corners lie on a line and are floats of like size: their differences and products fit a double.
  */
 static Vec3d area_vector(Vec3d a, Vec3d b, Vec3d c) {
     return vec3d_cross(vec3d_subtract(b, a), vec3d_subtract(c, a));
@@ -67,7 +61,6 @@ static Vec3d area_vector(Vec3d a, Vec3d b, Vec3d c) {
 
 /**
  * Makes an array of triangles longer.
- * @param array     The array.
  * @param capacity  How many shall fit.
  * @return false without memory.
  */
@@ -79,7 +72,7 @@ static bool resize_triangles(MeshTriangle **array, size_t capacity) {
     return resized != NULL;
 }
 
-/** Makes room for one more triangle. @param builder The builder. @return false without memory. */
+/** Makes room for one more triangle. @return false without memory. */
 static bool grow(MeshBuilder *builder) {
     if (builder->count < builder->capacity) {
         return true;
@@ -96,8 +89,6 @@ static bool grow(MeshBuilder *builder) {
 
 /**
  * Adds a corner's normal, if it has one that says a direction.
- * @param builder     The builder.
- * @param corner      The corner.
  * @param[out] index  Its place; untouched where there is none.
  * @return false without memory.
  */
@@ -114,8 +105,6 @@ static bool add_normal(MeshBuilder *builder, const MeshCorner *corner, uint32_t 
 
 /**
  * Adds a corner's (u, v), if it has one.
- * @param builder     The builder.
- * @param corner      The corner.
  * @param[out] index  Its place; untouched where there is none.
  * @return false without memory.
  */
@@ -125,12 +114,7 @@ static bool add_uv(MeshBuilder *builder, const MeshCorner *corner, uint32_t *ind
            vertex_welder_add(&builder->uvs, corner->uv, index);
 }
 
-/**
- * Adds a triangle that has an area.
- * @param builder  The builder.
- * @param corners  Its corners.
- * @return false without memory.
- */
+/** Adds a triangle that has an area. @return false without memory. */
 static bool append_triangle(MeshBuilder *builder, const MeshCorner corners[3]) {
     MeshTriangle position_indices, normal_indices = NO_INDICES, uv_indices = NO_INDICES;
     bool is_added = grow(builder);
@@ -171,17 +155,12 @@ bool mesh_builder_add(void *context, const MeshCorner corners[3]) {
     return append_triangle(builder, corners);
 }
 
-/** @return A position. @param builder The builder. @param index Its place. */
+/** @return A position. */
 static Vec3d position_at(const MeshBuilder *builder, uint32_t index) {
     return vector_from_array(builder->positions.points + builder->positions.dimension * index);
 }
 
-/**
- * Puts a triangle's own normal where a corner lacks one.
- * @param builder  The builder.
- * @param i        The triangle.
- * @return false without memory.
- */
+/** Puts a triangle's own normal where a corner lacks one. @return false without memory. */
 static bool fill_missing_normals(MeshBuilder *builder, size_t i) {
     const uint32_t *indices = builder->triangles[i].index;
     Vec3d area = area_vector(position_at(builder, indices[0]), position_at(builder, indices[1]),
@@ -197,12 +176,7 @@ static bool fill_missing_normals(MeshBuilder *builder, size_t i) {
     return true;
 }
 
-/**
- * Puts (0, 0) where a corner lacks a (u, v).
- * @param builder  The builder.
- * @param i        The triangle.
- * @return false without memory.
- */
+/** Puts (0, 0) where a corner lacks a (u, v). @return false without memory. */
 static bool fill_missing_uvs(MeshBuilder *builder, size_t i) {
     for (int k = 0; k < 3; k++) {
         uint32_t *index = &builder->triangle_uvs[i].index[k];
@@ -214,11 +188,7 @@ static bool fill_missing_uvs(MeshBuilder *builder, size_t i) {
     return true;
 }
 
-/**
- * @return How many corners have no place.
- * @param triangles  Their triangles.
- * @param count      How many triangles.
- */
+/** @return How many corners have no place. */
 static size_t count_missing(const MeshTriangle *triangles, size_t count) {
     size_t missing = 0;
     for (size_t i = 0; i < count; i++) {
@@ -229,8 +199,7 @@ static size_t count_missing(const MeshTriangle *triangles, size_t count) {
     return missing;
 }
 
-/** Puts in what corners lack and others have. @param builder The builder. @return false without
- *  memory. */
+/** Puts in what corners lack and others have. @return false without memory. */
 static bool fill_missing(MeshBuilder *builder) {
     MeshRepairs *repairs = &builder->repairs;
     size_t count = builder->count;
@@ -261,8 +230,7 @@ bool mesh_builder_finish(MeshBuilder *builder, Mesh *counts) {
     return is_complete;
 }
 
-/** Copies triangles. @param[out] to Where to; NULL: nowhere. @param from They. @param count How
- *  many. */
+/** Copies triangles. @param[out] to Where to; NULL: nowhere. */
 static void copy_triangles(MeshTriangle *to, const MeshTriangle *from, size_t count) {
     if (to) {
         memcpy(to, from, count * sizeof *to);

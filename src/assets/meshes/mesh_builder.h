@@ -32,12 +32,8 @@ typedef struct MeshBuilder {
  */
 void mesh_builder_init(MeshBuilder *builder, Error *error);
 
-/**
- * Adds a triangle, unless it has no area. Corners at the very same place become one.
- * @param context  The builder.
- * @param corners  Its corners.
- * @return false without memory, or if a coordinate is not finite or too large.
- */
+/** Adds a triangle, unless it has no area. Corners at the very same place become one. @return false
+ *  without memory, or if a coordinate is not finite or too large. */
 bool mesh_builder_add(void *context, const MeshCorner corners[3]);
 
 /**
@@ -48,14 +44,11 @@ bool mesh_builder_add(void *context, const MeshCorner corners[3]);
  */
 bool mesh_builder_finish(MeshBuilder *builder, Mesh *counts);
 
-/**
- * Copies what was made.
- * @param builder    The builder, finished.
- * @param[out] mesh  Where to; laid out for the counts of #mesh_builder_finish.
- */
+/** Copies what was made. @param[out] mesh Where to; laid out for the counts of
+ *  #mesh_builder_finish. */
 void mesh_builder_copy(const MeshBuilder *builder, Mesh *mesh);
 
-/** Gives a builder's memory back. @param builder The builder. */
+/** Gives a builder's memory back. */
 void mesh_builder_deinit(MeshBuilder *builder);
 
 #endif

@@ -57,7 +57,7 @@ typedef struct MeshLoad {
     const MeshProgress *progress; /**< Who is told; or NULL. */
 } MeshLoad;
 
-/** @return A file's name without its folder. @param path The file. */
+/** @return A file's name without its folder. */
 static const char *base_name_of(const char *path) {
     const char *slash = strrchr(path, '/');
     return slash ? slash + 1 : path;
@@ -65,7 +65,6 @@ static const char *base_name_of(const char *path) {
 
 /**
  * Finds the format that the ending of a file's name says; small and large letters are alike.
- * @param path        The file.
  * @param[out] error  Which endings there are.
  * @return The ending, in small letters; or NULL.
  */
@@ -91,12 +90,7 @@ bool mesh_file_check(const char *path, Error *error) {
 
 // --- the child -----------------------------------------------------------------------------------
 
-/**
- * Reads all bytes of the file.
- * @param load     The file.
- * @param[out] error  What is wrong.
- * @return The bytes, to be freed; NULL if they cannot be read.
- */
+/** Reads all bytes of the file. @return The bytes, to be freed; NULL if they cannot be read. */
 static char *read_bytes(const MeshLoad *load, Error *error) {
     size_t size = (size_t)load->info_before.st_size, done = 0;
     char *bytes = malloc(size + 1);
@@ -123,16 +117,13 @@ typedef struct ImportContext {
     SharedResult *result; /**< Where progress is noted. */
 } ImportContext;
 
-/** Notes how much is done. See MeshSink::tell. @param context A #ImportContext. @param fraction How
- * much. */
+/** Notes how much is done. See MeshSink::tell. */
 static void store_progress(void *context, double fraction) {
     const ImportContext *import = context;
     atomic_store(&import->result->progress_per_mille, (int)(1000 * fraction));
 }
 
-/** Takes a triangle. See MeshSink::add. @param context A #ImportContext. @param corners Its
- * corners.
- *  @return Whether more are wanted. */
+/** Takes a triangle. See MeshSink::add. @return Whether more are wanted. */
 static bool add_triangle(void *context, const MeshCorner corners[3]) {
     ImportContext *import = context;
     return mesh_builder_add(&import->builder, corners);
@@ -140,9 +131,7 @@ static bool add_triangle(void *context, const MeshCorner corners[3]) {
 
 /**
  * Has the module read the file.
- * @param load       The file.
  * @param[in,out] import  Who takes the triangles.
- * @param[out] error    What is wrong.
  * @return Whether all were taken.
  */
 static bool read_triangles(const MeshLoad *load, ImportContext *import, Error *error) {
@@ -162,12 +151,7 @@ static bool read_triangles(const MeshLoad *load, ImportContext *import, Error *e
     return is_read;
 }
 
-/**
- * Leaves the mesh where the parent finds it.
- * @param load     The file.
- * @param builder     The mesh.
- * @param[out] error  What is wrong.
- * @return false if there is none, or it is too large.
+/** Leaves the mesh where the parent finds it. @return false if there is none, or it is too large.
  */
 static bool write_shared_mesh(const MeshLoad *load, MeshBuilder *builder, Error *error) {
     Mesh counts;
@@ -184,8 +168,7 @@ static bool write_shared_mesh(const MeshLoad *load, MeshBuilder *builder, Error 
     return true;
 }
 
-/** Is the child: reads the model and leaves it. See #sandbox_process_run. @param context The
- * #MeshLoad. */
+/** Is the child: reads the model and leaves it. See #sandbox_process_run. */
 static void read_in_sandbox(void *context) {
     const MeshLoad *load = context;
     SharedResult *result = load->result;
@@ -199,8 +182,7 @@ static void read_in_sandbox(void *context) {
 
 // --- the parent ----------------------------------------------------------------------------------
 
-/** Tells how far it is. See SandboxProcessMonitor::tell. @param context The #MeshLoad. @param
- * seconds Since the start. */
+/** Tells how far it is. See SandboxProcessMonitor::tell. */
 static void report_progress(void *context, double seconds) {
     const MeshLoad *load = context;
     double fraction = (double)atomic_load(&load->result->progress_per_mille) / 1000;
@@ -210,10 +192,9 @@ static void report_progress(void *context, double seconds) {
 
 /**
  * Says why a child left no mesh.
- * @param load     What it was to read.
- * @param end         How it ended.
- * @param detail      The signal or the errno.
- * @param seconds     How long it might take.
+ * @param load  What it was to read.
+ * @param detail  The signal or the errno.
+ * @param seconds  How long it might take.
  * @param[out] error  Where it is said.
  * @return false, always.
  */
@@ -238,12 +219,7 @@ static bool set_failure(const MeshLoad *load, SandboxProcessEnd end, int detail,
                      detail ? strsignal(detail) : gettext("it ended early"));
 }
 
-/**
- * Reads the file in a child.
- * @param load     The file.
- * @param[out] error  What is wrong.
- * @return Whether the child left a mesh.
- */
+/** Reads the file in a child. @return Whether the child left a mesh. */
 static bool run_sandbox(MeshLoad *load, Error *error) {
     int detail;
     double extra_seconds = (double)load->info_before.st_size / (double)MESH_FILE_BYTES_PER_SECOND;
@@ -255,13 +231,8 @@ static bool run_sandbox(MeshLoad *load, Error *error) {
     return is_good || set_failure(load, end, detail, seconds, error);
 }
 
-/**
- * Makes a mesh of what a child left, which may be anything if a file has got hold of it, and gives
- * the rest of the room back.
- * @param mesh        What it left.
- * @param[out] error  What is wrong.
- * @return Whether it is a mesh.
- */
+/** Makes a mesh of what a child left, which may be anything if a file has got hold of it, and gives
+ *  the rest of the room back. @return Whether it is a mesh. */
 static bool validate_mesh(Mesh *mesh, Error *error) {
     bool is_short = mesh->position_count <= UINT32_MAX && mesh->normal_count <= UINT32_MAX &&
                     mesh->uv_count <= UINT32_MAX && mesh->triangle_count <= UINT32_MAX;
@@ -283,8 +254,7 @@ static bool validate_mesh(Mesh *mesh, Error *error) {
 
 /**
  * Reads an open file.
- * @param load     The file; its memory is taken here, and all but the mesh given back.
- * @param[out] error  What is wrong.
+ * @param load  The file; its memory is taken here, and all but the mesh given back.
  * @return Whether it was read; then the mesh is the caller's.
  */
 static bool read_open_file(MeshLoad *load, Error *error) {

@@ -20,7 +20,6 @@
 
 /**
  * Says whether a file may be a model, by its name and kind; does not read it.
- * @param path        The file.
  * @param[out] error  Why not (#STATUS_SCENE), without the path.
  * @return Whether it is a regular file with the ending of a format that can be read.
  */
@@ -28,11 +27,10 @@ bool mesh_file_check(const char *path, Error *error);
 
 /**
  * Reads a model file. No other file is opened, whatever it names.
- * @param path        The file.
- * @param progress    Who is told how far it is; NULL: nobody.
- * @param[out] mesh   The mesh, to be given back with #mesh_release; NULL if anything is wrong.
- * @param[out] error  What is wrong, without the path (#STATUS_SCENE; #STATUS_FAILED without
- *                    module, memory or process).
+ * @param progress  Who is told how far it is; NULL: nobody.
+ * @param[out] mesh  The mesh, to be given back with #mesh_release; NULL if anything is wrong.
+ * @param[out] error  What is wrong, without the path (#STATUS_SCENE; #STATUS_FAILED without module,
+ *         memory or process).
  * @return Whether it was read.
  */
 bool mesh_file_read(const char *path, const MeshProgress *progress, Mesh **mesh, Error *error);

@@ -34,13 +34,12 @@ typedef struct MemoryFile {
     struct aiFile file;   /**< The same in assimp's words. */
 } MemoryFile;
 
-/** @return The model file behind one of assimp's. @param file The file. */
+/** @return The model file behind one of assimp's. */
 static MemoryFile *memory_file_of(struct aiFile *file) {
     return (MemoryFile *)(void *)file->UserData;
 }
 
-/** Reads on. See aiFileReadProc. @param file The file. @param[out] to Where to. @param size Bytes a
- *  piece. @param count How many pieces. @return How many whole pieces there were. */
+/** Reads on. See aiFileReadProc. @return How many whole pieces there were. */
 static size_t read_bytes(struct aiFile *file, char *to, size_t size, size_t count) {
     MemoryFile *memory = memory_file_of(file);
     size_t left = memory->size - memory->offset;
@@ -53,25 +52,27 @@ static size_t read_bytes(struct aiFile *file, char *to, size_t size, size_t coun
     return pieces;
 }
 
-/** Writes nothing. See aiFileWriteProc. @param file Not used. @param from Not used. @param size Not
- *  used. @param count Not used. @return 0 */
+/** Writes nothing. See aiFileWriteProc. @return 0 */
 static size_t write_nothing(struct aiFile *file, const char *from, size_t size, size_t count) {
     (void)file, (void)from, (void)size, (void)count;
     return 0;
 }
 
-/** @return What is read next. See aiFileTellProc. @param file The file. */
+/** @return What is read next. See aiFileTellProc. */
 static size_t tell_offset(struct aiFile *file) {
     return memory_file_of(file)->offset;
 }
 
-/** @return Its bytes. See aiFileTellProc. @param file The file. */
+/** @return Its bytes. See aiFileTellProc. */
 static size_t tell_size(struct aiFile *file) {
     return memory_file_of(file)->size;
 }
 
-/** Goes elsewhere in the file. See aiFileSeek. @param file The file. @param offset How far.
- *  @param origin From where; backwards from the end too. @return Whether there is such a place. */
+/**
+ * Goes elsewhere in the file. See aiFileSeek.
+ * @param origin  From where; backwards from the end too.
+ * @return Whether there is such a place.
+ */
 static enum aiReturn seek_to(struct aiFile *file, size_t offset, enum aiOrigin origin) {
     MemoryFile *memory = memory_file_of(file);
     size_t start = origin == aiOrigin_SET   ? 0
@@ -85,13 +86,16 @@ static enum aiReturn seek_to(struct aiFile *file, size_t offset, enum aiOrigin o
     return aiReturn_SUCCESS;
 }
 
-/** Does nothing. See aiFileFlushProc. @param file Not used. */
+/** Does nothing. See aiFileFlushProc. */
 static void flush_nothing(struct aiFile *file) {
     (void)file;
 }
 
-/** Opens the model file, and no other. See aiFileOpenProc. @param system Where it is known.
- *  @param name What is asked for. @param mode Not used. @return The file, or NULL. */
+/**
+ * Opens the model file, and no other. See aiFileOpenProc.
+ * @param system  Where it is known.
+ * @return The file, or NULL.
+ */
 static struct aiFile *open_model(struct aiFileIO *system, const char *name, const char *mode) {
     (void)mode;
     MemoryFile *memory = (MemoryFile *)(void *)system->UserData;
@@ -99,17 +103,12 @@ static struct aiFile *open_model(struct aiFileIO *system, const char *name, cons
     return strcmp(name, memory->name) == 0 ? &memory->file : NULL;
 }
 
-/** Closes nothing. See aiFileCloseProc. @param system Not used. @param file Not used. */
+/** Closes nothing. See aiFileCloseProc. */
 static void close_nothing(struct aiFileIO *system, struct aiFile *file) {
     (void)system, (void)file;
 }
 
-/**
- * Puts words into a report, in one line.
- * @param[out] result  The report.
- * @param words        The words.
- * @return false, always.
- */
+/** Puts words into a report, in one line. @return false, always. */
 static bool set_failure(MeshImportResult *result, const char *words) {
     snprintf(result->message, sizeof result->message, "%s", words);
     for (char *c = result->message; *c; c++) {
@@ -118,11 +117,7 @@ static bool set_failure(MeshImportResult *result, const char *words) {
     return false;
 }
 
-/**
- * Puts into a report what assimp says is wrong.
- * @param[out] result  The report.
- * @return false, always.
- */
+/** Puts into a report what assimp says is wrong. @return false, always. */
 static bool set_import_failure(MeshImportResult *result) {
     const char *words = aiGetErrorString();
     if (strstr(words, "bad_alloc")) {
@@ -132,11 +127,7 @@ static bool set_import_failure(MeshImportResult *result) {
         result, words[0] ? words : gettext("the library that reads models does not say why not"));
 }
 
-/**
- * @return Whether a number begins with its decimal point at a place.
- * @param source  The text.
- * @param i       The place.
- */
+/** @return Whether a number begins with its decimal point at a place. */
 static bool is_bare_decimal_point(const MeshSource *source, size_t i) {
     const char *bytes = source->bytes;
     if (bytes[i] != '.' || i == 0 || i + 1 >= source->size) {
@@ -150,7 +141,6 @@ static bool is_bare_decimal_point(const MeshSource *source, size_t i) {
 /**
  * Writes a nought before each number that begins with its decimal point. assimp 5.2 does not count
  * them as numbers in an OBJ file, and leaves the whole vertex out.
- * @param source     The text.
  * @param[out] size  Bytes of the new one.
  * @return The new text, to be freed; NULL without memory.
  */
@@ -173,8 +163,7 @@ static char *add_leading_zeros(const MeshSource *source, size_t *size) {
 
 /**
  * Has assimp read a file.
- * @param memory        The file.
- * @param is_glTF      Whether its parts are placed by a tree of nodes.
+ * @param is_glTF  Whether its parts are placed by a tree of nodes.
  * @return What it made of it, to be released; NULL with words in aiGetErrorString.
  */
 static const struct aiScene *import(MemoryFile *memory, bool is_glTF) {
@@ -192,7 +181,6 @@ static const struct aiScene *import(MemoryFile *memory, bool is_glTF) {
 
 /**
  * @return How many triangles a model has.
- * @param scene     The model.
  * @param counts_polygons  Whether polygons count as those that they can be cut into.
  */
 static size_t count_triangles(const struct aiScene *scene, bool counts_polygons) {
@@ -210,7 +198,6 @@ static size_t count_triangles(const struct aiScene *scene, bool counts_polygons)
 /**
  * @return One corner.
  * @param mesh  What it is a corner of.
- * @param i     Its place there.
  */
 static MeshCorner corner_of(const struct aiMesh *mesh, unsigned i) {
     struct aiVector3D position = mesh->mVertices[i];
@@ -230,14 +217,8 @@ static MeshCorner corner_of(const struct aiMesh *mesh, unsigned i) {
     return corner;
 }
 
-/**
- * Hands a triangle over.
- * @param mesh         What it is in.
- * @param face         Its corners, three.
- * @param sink         Who takes it.
- * @param[out] result  What is wrong.
- * @return false if it names a corner that is not there, or no more is wanted.
- */
+/** Hands a triangle over. @return false if it names a corner that is not there, or no more is
+ *  wanted. */
 static bool emit_triangle(const struct aiMesh *mesh, const struct aiFace *face,
                           const MeshSink *sink, MeshImportResult *result) {
     MeshCorner corners[3];
@@ -250,13 +231,7 @@ static bool emit_triangle(const struct aiMesh *mesh, const struct aiFace *face,
     return sink->add_triangle(sink->context, corners);
 }
 
-/**
- * Hands all triangles over.
- * @param scene        The model.
- * @param sink         Who takes them.
- * @param[out] result  What is wrong.
- * @return Whether all were taken.
- */
+/** Hands all triangles over. @return Whether all were taken. */
 static bool emit_triangles(const struct aiScene *scene, const MeshSink *sink,
                            MeshImportResult *result) {
     size_t total = count_triangles(scene, false), done = 0;
@@ -282,8 +257,6 @@ static bool emit_triangles(const struct aiScene *scene, const MeshSink *sink,
 
 /**
  * Cuts the polygons of a model into triangles and hands all over.
- * @param scene        The model; released.
- * @param sink         Who takes them.
  * @param[out] result  What went otherwise than it should.
  * @return Whether all were taken.
  */
@@ -303,8 +276,7 @@ static bool triangulate_and_emit(const struct aiScene *scene, const MeshSink *si
 
 /**
  * Is MeshPlugin::read: reads a model and hands its triangles over.
- * @param source       The file.
- * @param sink         Who takes the triangles.
+ * @param sink  Who takes the triangles.
  * @param[out] result  What went otherwise than it should.
  * @return Whether all were handed over.
  */

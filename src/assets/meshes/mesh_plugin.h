@@ -57,8 +57,7 @@ typedef struct MeshPlugin {
     /**
      * Reads a model and hands its triangles over, polygons cut into triangles, points and lines
      * left out, in the order of the file.
-     * @param source       The file.
-     * @param sink         Who takes the triangles.
+     * @param sink  Who takes the triangles.
      * @param[out] report  What went otherwise than it should.
      * @return Whether all were handed over; if not, there is a message unless the sink wanted no
      *         more.

@@ -13,7 +13,6 @@ enum { FIRST_CAPACITY = 1024 };
 /**
  * @return A point's hash: its bits, each well mixed into all others (by splitmix64's last steps).
  * @param point  Its coordinates, without -0.
- * @param dimension  How many.
  */
 static uint64_t hash_point(const double *point, size_t dimension) {
     uint64_t mixed = 0;
@@ -29,8 +28,7 @@ static uint64_t hash_point(const double *point, size_t dimension) {
 
 /**
  * Finds the slot of a point, or the empty one where it belongs.
- * @param welder   The pool, with an empty slot.
- * @param point  The point.
+ * @param welder  The pool, with an empty slot.
  * @return The slot.
  */
 static uint32_t *find_slot(const VertexWelder *welder, const double *point) {
@@ -50,11 +48,8 @@ static void rehash(VertexWelder *welder) {
     }
 }
 
-/**
- * Makes room for twice as many points.
- * @param welder  The pool.
- * @return false without memory, or at the largest number of places.
- */
+/** Makes room for twice as many points. @return false without memory, or at the largest number of
+ *  places. */
 static bool grow(VertexWelder *welder) {
     size_t capacity = welder->capacity ? 2 * welder->capacity : FIRST_CAPACITY;
     if (capacity > VERTEX_WELDER_NONE / 2) {

@@ -24,16 +24,11 @@ typedef struct VertexWelder {
     uint32_t *slots;   /**< The hash table: a place, or #VERTEX_WELDER_NONE. */
 } VertexWelder;
 
-/**
- * Adds a point, unless it is there already; 0 and -0 are the same.
- * @param welder        The pool.
- * @param point       Its coordinates; finite.
- * @param[out] index  Its place.
- * @return false without memory.
+/** Adds a point, unless it is there already; 0 and -0 are the same. @return false without memory.
  */
 bool vertex_welder_add(VertexWelder *welder, const double *point, uint32_t *index);
 
-/** Gives a pool's memory back. @param welder The pool. */
+/** Gives a pool's memory back. */
 void vertex_welder_deinit(VertexWelder *welder);
 
 #endif

@@ -64,8 +64,7 @@ static void set_spawn_attributes(const PipeProcess *program, int input,
 /**
  * Starts the process.
  * @param[in,out] program  The program; its files are open.
- * @param input            The pipe's end to read from.
- * @param argv            The command line.
+ * @param input  The pipe's end to read from.
  * @return 0, or an error number.
  */
 static int spawn_process(PipeProcess *program, int input, const char *const *argv) {
@@ -83,7 +82,7 @@ static int spawn_process(PipeProcess *program, int input, const char *const *arg
     return failed;
 }
 
-/** Closes what is open of a program's files. @param[in,out] program The program. */
+/** Closes what is open of a program's files. */
 static void close_files(PipeProcess *program) {
     if (program->input_pipe >= 0) {
         close(program->input_pipe);
@@ -116,12 +115,12 @@ bool pipe_process_start(PipeProcess *program, const atomic_bool *stop, const cha
     return true;
 }
 
-/** @return Whether a program is not to be waited for any more. @param program The program. */
+/** @return Whether a program is not to be waited for any more. */
 static bool process_is_stopped(const PipeProcess *program) {
     return program->stop && atomic_load(program->stop);
 }
 
-/** Waits until a program takes bytes, but not for long. @param program The program. */
+/** Waits until a program takes bytes, but not for long. */
 static void wait_until_writable(const PipeProcess *program) {
     /** Milliseconds until it is looked again whether to stop. */
     const int timeout = 200;
@@ -144,11 +143,8 @@ bool pipe_process_write(PipeProcess *program, const void *bytes, size_t size) {
     return size == 0;
 }
 
-/**
- * Waits until a program has ended; kills it where that is to be waited for no more.
- * @param[in,out] program  The program; ended.
- * @return As waitpid says it.
- */
+/** Waits until a program has ended; kills it where that is to be waited for no more. @return As
+ *  waitpid says it. */
 static int wait_for_exit(PipeProcess *program) {
     int status = 0;
     do {
@@ -160,11 +156,8 @@ static int wait_for_exit(PipeProcess *program) {
     return status;
 }
 
-/**
- * Reads the first words that a program has said, on one line and without what moves a cursor.
- * @param program      The program.
- * @param[out] text   The words; empty if there are none.
- */
+/** Reads the first words that a program has said, on one line and without what moves a cursor.
+ *  @param[out] text The words; empty if there are none. */
 static void read_error_text(const PipeProcess *program, char text[ERROR_TEXT_SIZE]) {
     ssize_t count = pread(program->error_file, text, ERROR_TEXT_SIZE - 1, 0);
     count = count > 0 ? count : 0;

@@ -23,7 +23,7 @@ typedef struct PipeProcess {
     const atomic_bool *stop; /**< It is not waited for any more once this is true; or NULL. */
 } PipeProcess;
 
-/** @return Whether a program is there, in PATH, and may be run. @param name Its name. */
+/** @return Whether a program is there, in PATH, and may be run. */
 bool pipe_process_is_installed(const char *name);
 
 /**
@@ -38,25 +38,18 @@ bool pipe_process_is_installed(const char *name);
 bool pipe_process_start(PipeProcess *program, const atomic_bool *stop, const char *const *argv,
                         Error *error);
 
-/**
- * Hands bytes to a program, waiting until it has taken them.
- * @param program  The program.
- * @param bytes    The bytes.
- * @param size     How many.
- * @return false when it takes no more: it has ended, or is not waited for.
- */
+/** Hands bytes to a program, waiting until it has taken them. @return false when it takes no more:
+ *  it has ended, or is not waited for. */
 bool pipe_process_write(PipeProcess *program, const void *bytes, size_t size);
 
 /**
  * Says that there are no more bytes, and waits until the program has ended.
- * @param[in,out] program  The program; ended.
- * @param[out] error       Why it has failed, in its own first words (#STATUS_FAILED).
+ * @param[out] error  Why it has failed, in its own first words (#STATUS_FAILED).
  * @return Whether it has ended well.
  */
 bool pipe_process_finish(PipeProcess *program, Error *error);
 
-/** Kills a program, unless it has ended, and reaps it. @param[in,out] program The program; ended.
- */
+/** Kills a program, unless it has ended, and reaps it. */
 void pipe_process_kill(PipeProcess *program);
 
 #endif

@@ -38,11 +38,7 @@ static void reset_signals(void) {
     sigprocmask(SIG_SETMASK, &none, NULL);
 }
 
-/**
- * The child's whole life. Ends with _exit: what the program does when it ends is not for a child.
- * @param task     The work.
- * @param context  Handed to it.
- * @param parent   The process that waits.
+/** The child's whole life. Ends with _exit: what the program does when it ends is not for a child.
  */
 _Noreturn static void child_main(void (*task)(void *), void *context, pid_t parent) {
     static const struct rlimit no_core = {0, 0};
@@ -56,12 +52,8 @@ _Noreturn static void child_main(void (*task)(void *), void *context, pid_t pare
     _exit(EXIT_SUCCESS);
 }
 
-/**
- * Starts the child. No signal is delivered between the fork and the child's own arrangements.
- * @param task     The work.
- * @param context  Handed to it.
- * @return The child's number; -1 with errno set.
- */
+/** Starts the child. No signal is delivered between the fork and the child's own arrangements.
+ *  @return The child's number; -1 with errno set. */
 static pid_t fork_child(void (*task)(void *), void *context) {
     sigset_t all, before;
     pid_t parent = getpid();
@@ -139,8 +131,7 @@ static bool monitor_child(int pipe, double started, double deadline,
 
 /**
  * Reaps a child, killing it where it is late.
- * @param child        The child.
- * @param is_timed_out      Whether it has not ended by the deadline.
+ * @param is_timed_out  Whether it has not ended by the deadline.
  * @param[out] detail  The signal that it died of, or 0.
  * @return How it ended.
  */

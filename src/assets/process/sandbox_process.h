@@ -24,11 +24,10 @@ typedef enum {
  * Does work in a child process, and waits for it. What the child writes is lost with it, but for
  * what it writes to memory that is shared. The child dies with this process, and is always reaped.
  * Safe in several threads at once.
- * @param task           The work.
  * @param[in,out] context  Handed to the work.
- * @param time_limit        How long it may take, by the clock on the wall.
- * @param[out] detail    The signal after #SANDBOX_PROCESS_CRASHED, errno after
- * #SANDBOX_PROCESS_NOT_STARTED, else 0.
+ * @param time_limit  How long it may take, by the clock on the wall.
+ * @param[out] detail  The signal after #SANDBOX_PROCESS_CRASHED, errno after
+ *         #SANDBOX_PROCESS_NOT_STARTED, else 0.
  * @return How it ended.
  */
 SandboxProcessEnd sandbox_process_run(void (*task)(void *context), void *context, double time_limit,
@@ -45,29 +44,23 @@ typedef struct SandboxProcessMonitor {
 /**
  * Does work in a child process as #sandbox_process_run does, and tells somebody about five times a
  * second that it goes on.
- * @param task           The work.
  * @param[in,out] context  Handed to the work.
- * @param time_limit        How long it may take, by the clock on the wall.
- * @param monitor        Who is told, in this process and thread; NULL: nobody.
- * @param[out] detail    The signal after #SANDBOX_PROCESS_CRASHED, errno after
- * #SANDBOX_PROCESS_NOT_STARTED, else 0.
+ * @param time_limit  How long it may take, by the clock on the wall.
+ * @param monitor  Who is told, in this process and thread; NULL: nobody.
+ * @param[out] detail  The signal after #SANDBOX_PROCESS_CRASHED, errno after
+ *         #SANDBOX_PROCESS_NOT_STARTED, else 0.
  * @return How it ended.
  */
 SandboxProcessEnd sandbox_process_run_monitored(void (*task)(void *context), void *context,
                                                 double time_limit,
                                                 const SandboxProcessMonitor *monitor, int *detail);
 
-/**
- * Lets this process, a child, take so much more memory for its own only, and be silent from now on.
- * @param bytes  How much more.
- */
+/** Lets this process, a child, take so much more memory for its own only, and be silent from now
+ *  on. */
 void sandbox_process_enter(size_t bytes);
 
-/**
- * Reserves memory that is shared with children, and used only as far as it is filled.
- * @param size  Bytes.
- * @return The memory, zero, to be given back with munmap; NULL if there is none.
- */
+/** Reserves memory that is shared with children, and used only as far as it is filled. @return The
+ *  memory, zero, to be given back with munmap; NULL if there is none. */
 void *sandbox_process_share_memory(size_t size);
 
 #endif

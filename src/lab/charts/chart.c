@@ -43,21 +43,18 @@ typedef struct ChartMeasurement {
     Chart *chart;                   /**< What is known. */
 } ChartMeasurement;
 
-/** @return Whether a pixel is timed: whole blocks, here and there. See #PixelTest.
- *  @param context Not looked at. @param x Its column. @param y Its row. */
+/** @return Whether a pixel is timed: whole blocks, here and there. See #PixelTest. */
 static bool pixel_is_in_timed_set(const void *context, int x, int y) {
     (void)context;
     return (x / 64 + 5 * (y / 16)) % 16 == 0;
 }
 
-/** @return Whether quad is asked about a pixel. See #PixelTest. @param context Not looked at.
- *  @param x Its column. @param y Its row. */
+/** @return Whether quad is asked about a pixel. See #PixelTest. */
 static bool pixel_is_in_quad_set(const void *context, int x, int y) {
     return pixel_is_sampled(context, x, y) && (x / 8 + y / 8) % 4 == 0;
 }
 
-/** Adds a setting. @param[in,out] measure The measurement. @param group What is set.
- *  @param label To what. @return It, as the scene has all others; NULL: there are too many. */
+/** Adds a setting. @return It, as the scene has all others; NULL: there are too many. */
 static ChartPoint *add_setting(ChartMeasurement *measure, const char *group, const char *label) {
     static ChartPoint none; // What cannot be kept is set here and forgotten.
     Chart *chart = measure->chart;
@@ -72,7 +69,7 @@ static ChartPoint *add_setting(ChartMeasurement *measure, const char *group, con
     return point;
 }
 
-/** Adds the engines. @param[in,out] measure The measurement. */
+/** Adds the engines. */
 static void engines_add(ChartMeasurement *measure) {
     for (const Engine *const *engine = engine_list(); *engine; engine++) {
         if (engine_is_supported(*engine) && (*engine)->mantissa_bits <= 53) {
@@ -81,7 +78,7 @@ static void engines_add(ChartMeasurement *measure) {
     }
 }
 
-/** Adds ways to leave a surface. @param[in,out] measure The measurement. */
+/** Adds ways to leave a surface. */
 static void offsets_add(ChartMeasurement *measure) {
     add_setting(measure, "offset", "none")->trace.offset = OFFSET_NONE;
     for (double epsilon = 1e-6; epsilon < 0.05; epsilon *= 10) {
@@ -94,7 +91,7 @@ static void offsets_add(ChartMeasurement *measure) {
     add_setting(measure, "offset", "bound")->trace.offset = OFFSET_BOUND;
 }
 
-/** Adds depths. @param[in,out] measure The measurement. */
+/** Adds depths. */
 static void depths_add(ChartMeasurement *measure) {
     static const int depths[] = {0, 1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 64};
     bool is_recursive =
@@ -106,7 +103,7 @@ static void depths_add(ChartMeasurement *measure) {
     }
 }
 
-/** Adds samples. @param[in,out] measure The measurement. */
+/** Adds samples. */
 static void samples_add(ChartMeasurement *measure) {
     for (int samples = 1; samples <= REFERENCE_SAMPLES / 4; samples *= 2) {
         char label[CHART_LABEL_SIZE];
@@ -115,7 +112,7 @@ static void samples_add(ChartMeasurement *measure) {
     }
 }
 
-/** Adds tolerances. @param[in,out] measure The measurement. */
+/** Adds tolerances. */
 static void tolerances_add(ChartMeasurement *measure) {
     bool is_marched = scene_has_tolerances(measure->scene, engine_list()[0]->shape_keywords);
     for (double factor = 0.25; is_marched && factor <= 256; factor *= 4) {
@@ -125,15 +122,13 @@ static void tolerances_add(ChartMeasurement *measure) {
     }
 }
 
-/** Adds the tree. @param[in,out] measure The measurement. */
+/** Adds the tree. */
 static void bvh_modes_add(ChartMeasurement *measure) {
     add_setting(measure, "tree", "no tree")->trace.bvh = BVH_NEVER;
     add_setting(measure, "tree", "tree")->trace.bvh = BVH_ALWAYS;
 }
 
-/** Shoots a setting. @param measure The measurement. @param pixels Which pixels. @param point The
- *  setting. @param[out] render The shot. @param[out] error What is wrong. @return false if anything
- *  is. */
+/** Shoots a setting. @return false if anything is. */
 static bool point_render(const ChartMeasurement *measure, const PixelSet *pixels,
                          const ChartPoint *point, SampledRender *render, Error *error) {
     ScaledToleranceScene scaled;
@@ -151,14 +146,13 @@ static bool point_render(const ChartMeasurement *measure, const PixelSet *pixels
     return is_taken;
 }
 
-/** @return Order of two numbers, for qsort. @param a One. @param b The other. */
+/** @return Order of two numbers, for qsort. */
 static int compare_numbers(const void *a, const void *b) {
     double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
 }
 
-/** Times all settings in turn. @param[in,out] measure The measurement. @param[out] error What is
- *  wrong. @return false if anything is. */
+/** Times all settings in turn. @return false if anything is. */
 static bool time_points(ChartMeasurement *measure, Error *error) {
     Chart *chart = measure->chart;
     double seconds[CHART_POINTS_MAXIMUM][TURNS];
@@ -183,7 +177,7 @@ static bool time_points(ChartMeasurement *measure, Error *error) {
 }
 
 /** Takes the mean of the samples of each pixel: then a shot has one ray a pixel. Trails are lost.
- *  @param[in,out] render The shot. @param pixels How many pixels. */
+ */
 static void average_samples(SampledRender *render, size_t pixels) {
     size_t samples = render->ray_count / pixels;
     for (size_t i = 0; i < 3 * pixels; i++) {
@@ -196,7 +190,7 @@ static void average_samples(SampledRender *render, size_t pixels) {
     render->ray_count = pixels;
 }
 
-/** @return Of which kind a group's own errors are. @param group The group. */
+/** @return Of which kind a group's own errors are. */
 static ErrorKind error_kind_of(const char *group) {
     bool is_truncation = strcmp(group, "depth") == 0 || strcmp(group, "tolerance") == 0;
     return strcmp(group, "samples") == 0 ? ERROR_KIND_SAMPLING
@@ -204,8 +198,7 @@ static ErrorKind error_kind_of(const char *group) {
                                          : ERROR_KIND_ROUNDING;
 }
 
-/** @return What a setting's own error is measured against. @param point The setting. @param kind Of
- *  its error. */
+/** @return What a setting's own error is measured against. */
 static ChartPoint reference_of(const ChartPoint *point, ErrorKind kind) {
     ChartPoint truth = *point;
     if (kind == ERROR_KIND_ROUNDING) {
@@ -221,8 +214,7 @@ static ChartPoint reference_of(const ChartPoint *point, ErrorKind kind) {
     return truth;
 }
 
-/** Finds a setting's own error. @param measure The measurement. @param[in,out] point The setting.
- *  @param[out] error What is wrong. @return false if anything is. */
+/** Finds a setting's own error. @return false if anything is. */
 static bool point_measure_own_error(const ChartMeasurement *measure, ChartPoint *point,
                                     Error *error) {
     ErrorKind kind = error_kind_of(point->setting);
@@ -257,10 +249,11 @@ static bool point_measure_own_error(const ChartMeasurement *measure, ChartPoint 
     return is_done;
 }
 
-/** Finds the error of a setting's whole picture. @param measure The measurement. @param
- * reference_render The picture as it should be. @param[in,out] point The setting. @param[out] error
- * What is wrong.
- *  @return false if anything is. */
+/**
+ * Finds the error of a setting's whole picture.
+ * @param reference_render  The picture as it should be.
+ * @return false if anything is.
+ */
 static bool point_measure_total_error(const ChartMeasurement *measure,
                                       const SampledRender *reference_render, ChartPoint *point,
                                       Error *error) {
@@ -275,8 +268,7 @@ static bool point_measure_total_error(const ChartMeasurement *measure,
     return true;
 }
 
-/** Finds all errors. @param[in,out] measure The measurement. @param[out] error What is wrong.
- *  @return false if anything is. */
+/** Finds all errors. @return false if anything is. */
 static bool points_measure_errors(ChartMeasurement *measure, Error *error) {
     SampledRender reference_render;
     ChartPoint best = {.engine = engine_find("f64x1", NULL),
@@ -299,7 +291,7 @@ static bool points_measure_errors(ChartMeasurement *measure, Error *error) {
     return is_done;
 }
 
-/** Finds the settings that nothing beats in both time and error. @param[in,out] chart The chart. */
+/** Finds the settings that nothing beats in both time and error. */
 static void find_pareto_front(Chart *chart) {
     for (size_t i = 0; i < chart->count; i++) {
         ChartPoint *point = &chart->points[i];
@@ -313,8 +305,11 @@ static void find_pareto_front(Chart *chart) {
     }
 }
 
-/** Measures everything. @param[in,out] measure The measurement, with its pixels. @param[out] error
- *  What is wrong. @return false if anything is. */
+/**
+ * Measures everything.
+ * @param[in,out] measure  The measurement, with its pixels.
+ * @return false if anything is.
+ */
 static bool measure_all(ChartMeasurement *measure, Error *error) {
     engines_add(measure);
     offsets_add(measure);

@@ -18,7 +18,7 @@
 /** Columns of the CSV that charts are drawn from. */
 enum { COLUMN_SECONDS = 4, COLUMN_OWN_ERROR = 7, COLUMN_TOTAL_ERROR = 10 };
 
-/** Prints a table. @param chart What is known. @param name The scene. @param stream Where to. */
+/** Prints a table. */
 static void chart_print_table(const Chart *chart, const char *name, FILE *stream) {
     static const char *const heads[] = {
         N_("setting"),   "",          N_("s/megapixel"), N_("from"),  N_("to"),
@@ -45,8 +45,7 @@ static void chart_print_table(const Chart *chart, const char *name, FILE *stream
     table_deinit(&table);
 }
 
-/** Writes a setting's row. @param csv The table. @param group Its first cell. @param series Its
- *  second. @param point The setting. */
+/** Writes a setting's row. */
 static void write_csv_row(Csv *csv, const char *group, const char *series,
                           const ChartPoint *point) {
     csv_text(csv, group);
@@ -70,7 +69,7 @@ typedef struct Series {
     size_t count;                                   /**< How many. */
 } Series;
 
-/** Adds a point to a line. @param[in,out] series The line. @param point The point. */
+/** Adds a point to a line. */
 static void series_add(Series *series, const ChartPoint *point) {
     series->points[series->count] = point;
     series->x[series->count] = point->seconds;
@@ -79,14 +78,14 @@ static void series_add(Series *series, const ChartPoint *point) {
     series->count++;
 }
 
-/** @return Order of two settings by their time, for qsort. @param a One. @param b The other. */
+/** @return Order of two settings by their time, for qsort. */
 static int compare_points(const void *a, const void *b) {
     double x = (*(const ChartPoint *const *)a)->seconds;
     double y = (*(const ChartPoint *const *)b)->seconds;
     return (x > y) - (x < y);
 }
 
-/** @return The front, the fastest first. @param chart What is known. */
+/** @return The front, the fastest first. */
 static Series pareto_front_of(const Chart *chart) {
     Series pareto_front = {.count = 0}, sorted = {.count = 0};
     for (size_t i = 0; i < chart->count; i++) {
@@ -101,8 +100,7 @@ static Series pareto_front_of(const Chart *chart) {
     return sorted;
 }
 
-/** Writes the table. @param chart What is known. @param name The scene. @param path The file.
- *  @param[out] error What is wrong. @return Whether it is there. */
+/** Writes the table. @return Whether it is there. */
 static bool chart_write_csv(const Chart *chart, const char *name, const char *path, Error *error) {
     Csv csv;
     char title[256];
@@ -128,8 +126,10 @@ static bool chart_write_csv(const Chart *chart, const char *name, const char *pa
     return csv_commit(&csv, error);
 }
 
-/** @return The points of a group. @param chart What is known. @param[in,out] next The first point
- *  of the group; then of the next. */
+/**
+ * @return The points of a group.
+ * @param[in,out] next  The first point of the group; then of the next.
+ */
 static Series take_group_series(const Chart *chart, size_t *next) {
     Series series = {.count = 0};
     const char *group = chart->points[*next].setting;
@@ -150,8 +150,7 @@ typedef struct SettingsChart {
     Plot plot;                                 /**< Lines that point to all that. */
 } SettingsChart;
 
-/** Adds a line. @param[in,out] panel To it. @param label Its name. @param group First cell of its
- *  rows. @param series Their points. @param key Second cell. @param column Of its y. */
+/** Adds a line. @param group First cell of its rows. */
 static void panel_add_series(PlotPanel *panel, const char *label, const char *group,
                              const char *key, const Series *series, int column) {
     if (panel->series_count < PLOT_SERIES_MAXIMUM) {
@@ -167,8 +166,7 @@ static void panel_add_series(PlotPanel *panel, const char *label, const char *gr
     }
 }
 
-/** Lays out the chart. @param[out] layout What it is drawn of. @param chart What is known.
- *  @param title Over it. @param csv Its table. */
+/** Lays out the chart. @param[out] layout What it is drawn of. */
 static void chart_layout_init(SettingsChart *layout, const Chart *chart, const char *title,
                               const char *csv) {
     *layout = (SettingsChart){.pareto_front = pareto_front_of(chart)};
@@ -192,8 +190,7 @@ static void chart_layout_init(SettingsChart *layout, const Chart *chart, const c
     plot_set_common_y_range(total, 1);
 }
 
-/** Puts the front into words. @param chart What is known. @param name The scene.
- *  @param[out] title The words; cut to their size. @param size Bytes of them. */
+/** Puts the front into words. @param[out] title The words; cut to their size. */
 static void pareto_caption(const Chart *chart, const char *name, char *title, size_t size) {
     Series pareto_front = pareto_front_of(chart);
     snprintf(title, size, "%s; front:", name);

@@ -8,8 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-/** Finds what the processor is called. @param[out] name Its name, or that it is not known.
- *  @param size Bytes of it. */
+/** Finds what the processor is called. @param[out] name Its name, or that it is not known. */
 static void find_cpu_name(char *name, size_t size) {
     char line[256];
     FILE *file = fopen("/proc/cpuinfo", "re");
@@ -50,7 +49,7 @@ bool csv_begin(Csv *csv, const char *path, const char *title, Error *error) {
     return true;
 }
 
-/** Puts a comma where a row has begun. @param[in,out] csv The table. @return Where to write. */
+/** Puts a comma where a row has begun. @return Where to write. */
 static FILE *next_cell(Csv *csv) {
     if (csv->is_in_row) {
         fputc(',', csv->file.stream);

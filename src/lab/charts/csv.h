@@ -28,21 +28,23 @@ typedef struct Csv {
  */
 bool csv_begin(Csv *csv, const char *path, const char *title, Error *error);
 
-/** Adds a word to the newest row. @param[in,out] csv The table. @param word It, without commas. */
+/** Adds a word to the newest row. */
 void csv_text(Csv *csv, const char *word);
 
-/** Adds a number to the newest row. @param[in,out] csv The table. @param number It; NaN: an empty
- *  cell. */
+/** Adds a number to the newest row. @param number It; NaN: an empty cell. */
 void csv_number(Csv *csv, double number);
 
-/** Ends the newest row. @param[in,out] csv The table. */
+/** Ends the newest row. */
 void csv_end_row(Csv *csv);
 
-/** Ends a table. @param[in,out] csv The table. @param[out] error What is wrong, such as a full
- *  disk. @return Whether all of it is in its place; else nothing is. */
+/**
+ * Ends a table.
+ * @param[out] error  What is wrong, such as a full disk.
+ * @return Whether all of it is in its place; else nothing is.
+ */
 bool csv_commit(Csv *csv, Error *error);
 
-/** Gives a table up: nothing is left of it. @param[in,out] csv The table. */
+/** Gives a table up: nothing is left of it. */
 void csv_discard(Csv *csv);
 
 #endif

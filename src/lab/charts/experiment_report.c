@@ -21,16 +21,15 @@ enum { HEADING_SIZE = 200 };
 /** Most number types that a chart shows side by side: quad is measured against itself. */
 enum { PLOTTED_TYPES = 3 };
 
-/** Says words in a language. @param words They, in English. @return They. */
+/** Says words in a language. @return They. */
 typedef char *TranslateFunction(const char *words);
 
-/** Is a #TranslateFunction: English, as files are. @param text They. @return They. */
+/** Is a #TranslateFunction: English, as files are. @return They. */
 static char *untranslated(const char *text) {
     return (char *)(uintptr_t)text;
 }
 
-/** @return What a figure is, with its unit. @param metric The figure. @param experiment Of which.
- *  @param translate In which language. @param[out] heading Room for it. */
+/** @return What a figure is, with its unit. */
 static const char *metric_label(const Metric *metric, const Experiment *experiment,
                                 TranslateFunction *translate, char heading[HEADING_SIZE]) {
     const char *name = translate(metric->heading);
@@ -52,8 +51,7 @@ static const char *metric_label(const Metric *metric, const Experiment *experime
 /* --- on the terminal -----------------------------------------------------------------------------
  */
 
-/** Adds a method in a number type to a table. @param[in,out] table The table. @param metric The
- *  figure. @param experiment Of which. @param row Its first finding. */
+/** Adds a method in a number type to a table. */
 static void add_table_row(Table *table, const Metric *metric, const Experiment *experiment,
                           const MethodResult *row) {
     table_cell(table, "%s", row->method);
@@ -64,8 +62,7 @@ static void add_table_row(Table *table, const Metric *metric, const Experiment *
     }
 }
 
-/** Prints a figure of all methods. @param metric The figure. @param experiment Of which.
- *  @param results What was found. @param stream Where to. */
+/** Prints a figure of all methods. */
 static void print_metric(const Metric *metric, const Experiment *experiment,
                          const ExperimentResults *results, FILE *stream) {
     char heading[HEADING_SIZE];
@@ -89,8 +86,7 @@ static void print_metric(const Metric *metric, const Experiment *experiment,
     table_deinit(&table);
 }
 
-/** @return Whether a figure could have been anything but 0. @param metric The figure.
- *  @param experiment Of which. @param results What was found. */
+/** @return Whether a figure could have been anything but 0. */
 static bool metric_is_measured(const Metric *metric, const Experiment *experiment,
                                const ExperimentResults *results) {
     size_t count = results->method_count * results->type_count * results->level_count;
@@ -126,7 +122,7 @@ void experiment_report_print(const Experiment *experiment, const ExperimentResul
 /* --- as comma-separated values -------------------------------------------------------------------
  */
 
-/** Writes the names of the columns. @param[in,out] csv The table. */
+/** Writes the names of the columns. */
 static void write_heading(Csv *csv) {
     csv_text(csv, "method");
     csv_text(csv, "type");
@@ -138,8 +134,7 @@ static void write_heading(Csv *csv) {
     csv_end_row(csv);
 }
 
-/** Writes a finding. @param[in,out] csv The table. @param experiment Of which. @param result It.
- */
+/** Writes a finding. */
 static void write_row(Csv *csv, const Experiment *experiment, const MethodResult *result) {
     csv_text(csv, result->method);
     csv_text(csv, result->type);
@@ -182,8 +177,7 @@ typedef struct ReportPlot {
     Plot plot;                        /**< The chart. */
 } ReportPlot;
 
-/** Adds a line to a panel. @param[in,out] chart The chart. @param[in,out] panel The panel.
- *  @param metric Which figure. @param method Place of the method. @param type Of the type. */
+/** Adds a line to a panel. @param method Place of the method. */
 static void panel_add_method_series(ReportPlot *chart, PlotPanel *panel, size_t metric,
                                     size_t method, size_t type) {
     const Experiment *experiment = chart->experiment;
@@ -208,8 +202,8 @@ static void panel_add_method_series(ReportPlot *chart, PlotPanel *panel, size_t 
                      .style = strcmp(row->method, TRACER_METHOD) == 0 ? own_style : (int)method};
 }
 
-/** Adds a row of panels, one for each number type. @param[in,out] chart The chart.
- *  @param metric Which figure. @param names Where it is named, for as long as the chart lives. */
+/** Adds a row of panels, one for each number type. @param names Where it is named, for as long as
+ *  the chart lives. */
 static void plot_add_metric_row(ReportPlot *chart, size_t metric, char names[HEADING_SIZE]) {
     const Experiment *experiment = chart->experiment;
     Plot *plot = &chart->plot;

@@ -9,19 +9,11 @@
 
 #include <stdio.h>
 
-/** Prints what was found, a table for each kind of figure. @param experiment The experiment.
- *  @param results What was found. @param stream Where to. */
+/** Prints what was found, a table for each kind of figure. */
 void experiment_report_print(const Experiment *experiment, const ExperimentResults *results,
                              FILE *stream);
 
-/**
- * Writes what was found as comma-separated values.
- * @param experiment  The experiment.
- * @param results    What was found.
- * @param path        The file.
- * @param[out] error  What is wrong.
- * @return Whether it is there.
- */
+/** Writes what was found as comma-separated values. @return Whether it is there. */
 bool experiment_report_write_csv(const Experiment *experiment, const ExperimentResults *results,
                                  const char *path, Error *error);
 
@@ -33,11 +25,8 @@ typedef struct ReportPaths {
 
 /**
  * Draws what was found: a column of panels for each number type, a row for each kind of figure.
- * @param experiment  The experiment.
- * @param results    What was found.
- * @param files       From where, and where to.
- * @param stop        It is given up once this is true; may be NULL.
- * @param[out] error  What is wrong.
+ * @param files  From where, and where to.
+ * @param stop  It is given up once this is true; may be NULL.
  * @return Whether it is there.
  */
 bool experiment_report_draw(const Experiment *experiment, const ExperimentResults *results,

@@ -43,9 +43,11 @@ const char *gnuplot_quote(const char *text, char *quoted, size_t size) {
     return quoted;
 }
 
-/** Has a script run. @param script Its text. @param size Its length. @param files Its two
- *  arguments. @param stop Whether to give up. @param[out] error What is wrong. @return Whether it
- *  has run to its end. */
+/**
+ * Has a script run.
+ * @param stop  Whether to give up.
+ * @return Whether it has run to its end.
+ */
 static bool run_script(const char *script, size_t size, const char *const files[2],
                        const atomic_bool *stop, Error *error) {
     PipeProcess gnuplot;
@@ -62,8 +64,11 @@ static bool run_script(const char *script, size_t size, const char *const files[
            (is_fed || error_set(error, STATUS_FAILED, "%s did not read all", PLOT_PROGRAM));
 }
 
-/** Draws a chart into a file that is open. @param job The chart. @param file The file.
- *  @param stop Whether to give up. @param[out] error What is wrong. @return Whether it is there. */
+/**
+ * Draws a chart into a file that is open.
+ * @param stop  Whether to give up.
+ * @return Whether it is there.
+ */
 static bool draw_to_file(const GnuplotJob *job, const AtomicFile *file, const atomic_bool *stop,
                          Error *error) {
     char *script = NULL;

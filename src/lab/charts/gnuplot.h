@@ -17,8 +17,8 @@
 /** What is to be drawn. */
 typedef struct GnuplotJob {
     const void *context; /**< Anything. */
-    /** Writes the script. @param chart The chart. @param script Where to: `ARG1` is there the
-     *  table, `ARG2` the SVG file. */
+    /** Writes the script. @param script Where to: `ARG1` is there the table, `ARG2` the SVG file.
+     */
     void (*write_script)(const void *context, FILE *script);
     const char *csv; /**< The table's file. */
 } GnuplotJob;
@@ -28,23 +28,18 @@ bool gnuplot_is_available(void);
 
 /**
  * Draws a chart.
- * @param job         The chart.
- * @param path        The SVG file.
- * @param stop        It is given up once this is true; may be NULL.
- * @param[out] error  What is wrong.
+ * @param stop  It is given up once this is true; may be NULL.
  * @return Whether it is in its place.
  */
 bool gnuplot_draw(const GnuplotJob *job, const char *path, const atomic_bool *stop, Error *error);
 
-/** @return A text that stands in a script between single quotes. @param text Anything.
- *  @param[out] quoted Room for it. @param size Bytes of it. */
+/** @return A text that stands in a script between single quotes. */
 const char *gnuplot_quote(const char *text, char *quoted, size_t size);
 
-/** @return A colour that the colour-blind can tell apart from the seven others. @param style Which,
- *  from 0. */
+/** @return A colour that the colour-blind can tell apart from the seven others. */
 const char *gnuplot_color(int style);
 
-/** @return A sign that goes with the colour. @param style Which, from 0. */
+/** @return A sign that goes with the colour. */
 int gnuplot_point_type(int style);
 
 #endif

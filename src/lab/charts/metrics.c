@@ -8,86 +8,82 @@
 
 #include <math.h>
 
-/** @return The median error. @param experiment Not looked at. @param result What was found. */
+/** @return The median error. */
 static double median_error(const Experiment *experiment, const MethodResult *result) {
     (void)experiment;
     return result->median;
 }
 
-/** @return The error that one in a thousand exceeds. @param experiment Not looked at.
- *  @param result What was found. */
+/** @return The error that one in a thousand exceeds. */
 static double p999_error(const Experiment *experiment, const MethodResult *result) {
     (void)experiment;
     return result->p999;
 }
 
-/** @return The largest error. @param experiment Not looked at. @param result What was found. */
+/** @return The largest error. */
 static double maximum_error(const Experiment *experiment, const MethodResult *result) {
     (void)experiment;
     return result->maximum;
 }
 
-/** @return An error in ulps of the number type; NaN where errors are not relative.
- *  @param experiment The experiment. @param result What was found. @param error The error. */
+/** @return An error in ulps of the number type; NaN where errors are not relative. */
 static double error_in_ulps(const Experiment *experiment, const MethodResult *result,
                             double error) {
     return experiment->is_relative ? ldexp(error, result->mantissa_bits - 1) : (double)NAN;
 }
 
-/** @return The median error, ulps. @param experiment The experiment. @param result It. */
+/** @return The median error, ulps. */
 static double median_ulps(const Experiment *experiment, const MethodResult *result) {
     return error_in_ulps(experiment, result, result->median);
 }
 
-/** @return The error that one in a thousand exceeds, ulps. @param experiment The experiment.
- *  @param result What was found. */
+/** @return The error that one in a thousand exceeds, ulps. */
 static double p999_ulps(const Experiment *experiment, const MethodResult *result) {
     return error_in_ulps(experiment, result, result->p999);
 }
 
-/** @return The largest error, ulps. @param experiment The experiment. @param result It. */
+/** @return The largest error, ulps. */
 static double maximum_ulps(const Experiment *experiment, const MethodResult *result) {
     return error_in_ulps(experiment, result, result->maximum);
 }
 
-/** @return The share of false hits. @param experiment Not looked at. @param result It. */
+/** @return The share of false hits. */
 static double false_hit_fraction(const Experiment *experiment, const MethodResult *result) {
     (void)experiment;
     return result->outcome_fractions[OUTCOME_FALSE_HIT];
 }
 
-/** @return The share of false misses. @param experiment Not looked at. @param result It. */
+/** @return The share of false misses. */
 static double false_miss_fraction(const Experiment *experiment, const MethodResult *result) {
     (void)experiment;
     return result->outcome_fractions[OUTCOME_FALSE_MISS];
 }
 
-/** @return The share of leaks. @param experiment Not looked at. @param result It. */
+/** @return The share of leaks. */
 static double leak_fraction(const Experiment *experiment, const MethodResult *result) {
     (void)experiment;
     return result->outcome_fractions[OUTCOME_LEAK];
 }
 
-/** @return The share of double hits. @param experiment Not looked at. @param result It. */
+/** @return The share of double hits. */
 static double double_hit_fraction(const Experiment *experiment, const MethodResult *result) {
     (void)experiment;
     return result->outcome_fractions[OUTCOME_DOUBLE_HIT];
 }
 
-/** @return The share of wrong surfaces. @param experiment Not looked at. @param result It. */
+/** @return The share of wrong surfaces. */
 static double wrong_fraction(const Experiment *experiment, const MethodResult *result) {
     (void)experiment;
     return result->outcome_fractions[OUTCOME_WRONG];
 }
 
-/** @return The share of answers that are no number. @param experiment Not looked at.
- *  @param result What was found. */
+/** @return The share of answers that are no number. */
 static double nan_fraction(const Experiment *experiment, const MethodResult *result) {
     (void)experiment;
     return result->outcome_fractions[OUTCOME_NAN];
 }
 
-/** @return The mean cost. @param experiment Not looked at. @param result What was found. */
+/** @return The mean cost. */
 static double mean_cost(const Experiment *experiment, const MethodResult *result) {
     (void)experiment;
     return result->mean_cost;

@@ -21,8 +21,7 @@ typedef struct Metric {
     const char *heading; /**< What it is, for people, in English. */
     MetricKind kind;     /**< What of: errors and work, the experiment says more of. */
     bool is_plotted;     /**< Whether it has panels of its own in a chart. */
-    /** @return The figure; NaN where there is none. @param experiment The experiment.
-     *  @param finding What was found. */
+    /** @return The figure; NaN where there is none. */
     double (*value)(const Experiment *experiment, const MethodResult *finding);
 } Metric;
 
@@ -35,8 +34,7 @@ const Metric *metric_at(size_t index);
 /** Column of the CSV that the first kind of figure has, from 1. */
 enum { METRIC_FIRST_COLUMN = 5 };
 
-/** @return Whether anything of a kind was found, and was not always 0. @param metric The kind.
- *  @param experiment The experiment. @param results What was found. */
+/** @return Whether anything of a kind was found, and was not always 0. */
 bool metric_is_nonzero(const Metric *metric, const Experiment *experiment,
                        const ExperimentResults *results);
 

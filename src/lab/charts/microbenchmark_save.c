@@ -22,12 +22,12 @@ enum { TITLE_SIZE = 400 };
 /** Longest heading, bytes with its final zero. */
 enum { HEADING_SIZE = 160 };
 
-/** @return A method's error; NaN where there is none. @param point The method. */
+/** @return A method's error; NaN where there is none. */
 static double point_error_p999(const MicrobenchmarkPoint *point) {
     return point->result.p999;
 }
 
-/** @return A method's failures; NaN where there are none. @param point The method. */
+/** @return A method's failures; NaN where there are none. */
 static double point_failures(const MicrobenchmarkPoint *point) {
     return point->failure_fraction;
 }
@@ -42,7 +42,7 @@ typedef struct BenchmarkChart {
                   [MICROBENCHMARK_POINTS_MAXIMUM]; /**< Whether each is of a front. */
 } BenchmarkChart;
 
-/** @return The place of a number type. @param name Its name. */
+/** @return The place of a number type. */
 static int type_index(const char *name) {
     int index = 0;
     while (strcmp(number_types()[index]->name, name) != 0) {
@@ -60,8 +60,7 @@ static size_t plotted_type_count(void) {
     return count;
 }
 
-/** Puts the front of a panel into words. @param panel The panel. @param kinds What kinds of points
- *  are called. @param[out] title The words. */
+/** Puts the front of a panel into words. @param kinds What kinds of points are called. */
 static void pareto_caption(const ScatterPanel *panel, const char *const *kinds,
                            char title[TITLE_SIZE]) {
     const char *comma = "front: ";
@@ -78,7 +77,7 @@ static void pareto_caption(const ScatterPanel *panel, const char *const *kinds,
 }
 
 /** Adds a panel, where there is anything to be seen. @param[in,out] layout The chart; the panel's
- *  heading is there. @param benchmark What was found. @param of What y is. @param column Of y. */
+ *  heading is there. */
 static void benchmark_chart_add_panel(BenchmarkChart *layout, const Microbenchmark *benchmark,
                                       double (*of)(const MicrobenchmarkPoint *point), int column) {
     Scatter *scatter = &layout->scatter;
@@ -110,8 +109,7 @@ static void benchmark_chart_add_panel(BenchmarkChart *layout, const Microbenchma
     }
 }
 
-/** Says what time is measured of, and at which stress. @param experiment The experiment.
- *  @param[out] text The words. */
+/** Says what time is measured of, and at which stress. */
 static void describe_x_axis(const Experiment *experiment, char text[HEADING_SIZE]) {
     static const char *const time = "nanoseconds a test, one thread";
     if (experiment->timed_level > 0) {
@@ -122,8 +120,7 @@ static void describe_x_axis(const Experiment *experiment, char text[HEADING_SIZE
     }
 }
 
-/** Lays a chart out. @param[out] layout The chart. @param benchmark What was found. @param
- * experiment Of which. @param csv Its table. */
+/** Lays a chart out. */
 static void benchmark_chart_init(BenchmarkChart *layout, const Microbenchmark *benchmark,
                                  const Experiment *experiment, const char *csv) {
     *layout = (BenchmarkChart){.scatter = {.title = experiment->title,
@@ -144,7 +141,7 @@ static void benchmark_chart_init(BenchmarkChart *layout, const Microbenchmark *b
     benchmark_chart_add_panel(layout, benchmark, point_failures, COLUMN_FAILURES);
 }
 
-/** @return Whether a method is of some front. @param layout The chart. @param i Which method. */
+/** @return Whether a method is of some front. */
 static bool is_on_pareto_front(const BenchmarkChart *layout, size_t i) {
     bool is_on_pareto_front = false;
     for (size_t panel = 0; panel < layout->scatter.panel_count; panel++) {
@@ -153,8 +150,7 @@ static bool is_on_pareto_front(const BenchmarkChart *layout, size_t i) {
     return is_on_pareto_front;
 }
 
-/** Prints a table. @param benchmark What was found. @param layout With its fronts. @param stream
- * Where to. */
+/** Prints a table. */
 static void microbenchmark_print(const Microbenchmark *benchmark, const BenchmarkChart *layout,
                                  FILE *stream) {
     static const char *const heads[] = {
@@ -183,8 +179,7 @@ static void microbenchmark_print(const Microbenchmark *benchmark, const Benchmar
     table_deinit(&table);
 }
 
-/** Writes a row. @param[in,out] csv The table. @param point A method. @param is_pareto Whether it
- * is of a front. */
+/** Writes a row. @param is_pareto Whether it is of a front. */
 static void write_csv_row(Csv *csv, const MicrobenchmarkPoint *point, bool is_pareto) {
     csv_text(csv, point->result.method);
     csv_text(csv, point->result.type);
@@ -203,8 +198,11 @@ static void write_csv_row(Csv *csv, const MicrobenchmarkPoint *point, bool is_pa
     csv_end_row(csv);
 }
 
-/** Writes the table. @param benchmark What was found. @param layout With its fronts, its title and
- * its file. @param[out] error What is wrong. @return Whether it is there. */
+/**
+ * Writes the table.
+ * @param layout  With its fronts, its title and its file.
+ * @return Whether it is there.
+ */
 static bool microbenchmark_write_csv(const Microbenchmark *benchmark, const BenchmarkChart *layout,
                                      Error *error) {
     static const char *const heads[] = {"method",   "type",        "stress",     "ns",

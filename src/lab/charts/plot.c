@@ -49,22 +49,20 @@ typedef struct SeriesLabel {
     double height;            /**< Where, 0 at the bottom to 1 at the top. */
 } SeriesLabel;
 
-/** @return Order of two names from the bottom, for qsort. @param a One. @param b The other. */
+/** @return Order of two names from the bottom, for qsort. */
 static int compare_series_labels(const void *a, const void *b) {
     double x = ((const SeriesLabel *)a)->height, y = ((const SeriesLabel *)b)->height;
     return (x > y) - (x < y);
 }
 
-/** @return Where on a panel a value is, 0 at the bottom to 1 at the top. @param panel The panel.
- *  @param y The value. */
+/** @return Where on a panel a value is, 0 at the bottom to 1 at the top. */
 static double relative_height(const PlotPanel *panel, double y) {
     double low = log10(panel->y_low), high = log10(panel->y_high);
     double at = (log10(fmin(fmax(y, panel->y_low), panel->y_high)) - low) / (high - low);
     return fmin(fmax(at, 0), 1);
 }
 
-/** Moves names apart that would overlap: upwards from the bottom, then back from the top.
- *  @param[in,out] names The names. @param count How many. */
+/** Moves names apart that would overlap: upwards from the bottom, then back from the top. */
 static void spread_series_labels(SeriesLabel *names, size_t count) {
     qsort(names, count, sizeof *names, compare_series_labels);
     if (count > 0) {
@@ -79,8 +77,7 @@ static void spread_series_labels(SeriesLabel *names, size_t count) {
     }
 }
 
-/** Finds where the names of a panel's lines go. @param panel The panel.
- *  @param[out] names The names. @return How many. */
+/** Finds where the names of a panel's lines go. @return How many. */
 static size_t place_series_labels(const PlotPanel *panel, SeriesLabel names[PLOT_SERIES_MAXIMUM]) {
     size_t count = 0;
     for (size_t i = 0; i < panel->series_count; i++) {
@@ -104,7 +101,7 @@ typedef struct XRange {
     double panel_end; /**< Of the panel, at the right. */
 } XRange;
 
-/** @return The ends of x. @param panel The panel. */
+/** @return The ends of x. */
 static XRange find_x_range(const PlotPanel *panel) {
     double low = INFINITY, high = 0;
     for (size_t i = 0; i < panel->series_count; i++) {
@@ -119,8 +116,7 @@ static XRange find_x_range(const PlotPanel *panel) {
     return ends;
 }
 
-/** Writes the names of a panel's lines. @param panel The panel. @param ends The ends of its x.
- *  @param script Where to. */
+/** Writes the names of a panel's lines. @param ends The ends of its x. */
 static void write_series_labels(const PlotPanel *panel, const XRange *ends, FILE *script) {
     SeriesLabel names[PLOT_SERIES_MAXIMUM];
     size_t count = place_series_labels(panel, names);
@@ -137,7 +133,7 @@ static void write_series_labels(const PlotPanel *panel, const XRange *ends, FILE
 }
 
 /** Writes the marks of a panel's x: powers of ten, or 1, 2, 5 where it is short; none under the
- *  names of lines. @param ends The ends of x. @param script Where to. */
+ *  names of lines. */
 static void write_x_ticks(const XRange *ends, FILE *script) {
     double low = fmin(ends->first, ends->last), high = fmax(ends->first, ends->last);
     double wide = log10(high / low);
@@ -157,8 +153,7 @@ static void write_x_ticks(const XRange *ends, FILE *script) {
     fputs(")\n", script);
 }
 
-/** Writes the axes of a panel. @param panel The panel. @param ends The ends of its x.
- *  @param script Where to. */
+/** Writes the axes of a panel. @param ends The ends of its x. */
 static void write_axes(const PlotPanel *panel, const XRange *ends, FILE *script) {
     char text[256];
     fprintf(script, "set title '%s' noenhanced\n", gnuplot_quote(panel->title, text, sizeof text));
@@ -175,7 +170,7 @@ static void write_axes(const PlotPanel *panel, const XRange *ends, FILE *script)
     write_x_ticks(ends, script);
 }
 
-/** Writes a panel's lines. @param panel The panel. @param script Where to. */
+/** Writes a panel's lines. */
 static void write_lines(const PlotPanel *panel, FILE *script) {
     fputs("plot ", script);
     for (size_t i = 0; i < panel->series_count; i++) {
@@ -192,8 +187,7 @@ static void write_lines(const PlotPanel *panel, FILE *script) {
     fputc('\n', script);
 }
 
-/** Writes the script of a chart. See #GnuplotJob.write_script. @param chart The #Plot. @param
- * script Where to. */
+/** Writes the script of a chart. See #GnuplotJob.write_script. */
 static void write_script(const void *chart, FILE *script) {
     const Plot *plot = chart;
     size_t rows = (plot->panel_count + plot->columns - 1) / plot->columns;

@@ -53,16 +53,12 @@ typedef struct Plot {
     size_t columns;                        /**< Panels side by side. */
 } Plot;
 
-/** Finds what must be shown of y in panels that are to be compared: whole powers of ten.
- *  @param[in,out] panels The panels. @param count How many. */
+/** Finds what must be shown of y in panels that are to be compared: whole powers of ten. */
 void plot_set_common_y_range(PlotPanel *panels, size_t count);
 
 /**
  * Draws a chart.
- * @param plot        The chart.
- * @param path        The SVG file.
- * @param stop        It is given up once this is true; may be NULL.
- * @param[out] error  What is wrong.
+ * @param stop  It is given up once this is true; may be NULL.
  * @return Whether it is in its place.
  */
 bool plot_draw(const Plot *plot, const char *path, const atomic_bool *stop, Error *error);

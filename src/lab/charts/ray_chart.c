@@ -34,15 +34,18 @@ typedef struct BackgroundRaster {
     double *rgb;       /**< Linear light of each cell, plane by plane; owned. */
 } BackgroundRaster;
 
-/** Gives a backcloth back. @param raster It. */
+/** Gives a backcloth back. */
 static void background_raster_deinit(BackgroundRaster *raster) {
     free(raster->shapes);
     free(raster->distances);
     free(raster->rgb);
 }
 
-/** Looks at the scene. @param engine Who traces. @param tracer Its tracer. @param side The scene,
- *  with the second camera. @param[out] raster What is seen. @return false without memory. */
+/**
+ * Looks at the scene.
+ * @param side  The scene, with the second camera.
+ * @return false without memory.
+ */
 static bool background_raster_trace(const Engine *engine, Tracer *tracer, const Scene *side,
                                     BackgroundRaster *raster) {
     const size_t pixels = (size_t)WIDTH * HEIGHT,
@@ -64,9 +67,11 @@ static bool background_raster_trace(const Engine *engine, Tracer *tracer, const 
     return true;
 }
 
-/** Makes a backcloth. @param chart What is drawn. @param projected The second camera.
- *  @param[out] raster What it sees; to be released also where anything is wrong.
- *  @param[out] error What is wrong. @return Whether it is there. */
+/**
+ * Makes a backcloth.
+ * @param[out] raster  What it sees; to be released also where anything is wrong.
+ * @return Whether it is there.
+ */
 static bool background_raster_init(const RayChart *chart, const ProjectedView *projected,
                                    BackgroundRaster *raster, Error *error) {
     // The fastest engine is good enough for it; what is drawn of the rays is the chosen one's.
@@ -83,7 +88,7 @@ static bool background_raster_init(const RayChart *chart, const ProjectedView *p
     return is_made;
 }
 
-/** @return A cell's grey: 0 is the darkest. @param raster What is seen. @param index Which cell. */
+/** @return A cell's grey: 0 is the darkest. */
 static int background_cell_grey(const BackgroundRaster *raster, size_t index) {
     const size_t cells = (size_t)WIDTH * HEIGHT / (BACKGROUND_CELL * BACKGROUND_CELL),
                  columns = WIDTH / BACKGROUND_CELL;
@@ -98,8 +103,7 @@ static int background_cell_grey(const BackgroundRaster *raster, size_t index) {
     return grey;
 }
 
-/** Draws the cells of one grey, in runs. @param file The file. @param raster What is seen.
- *  @param grey Which. */
+/** Draws the cells of one grey, in runs. */
 static void draw_grey(FILE *file, const BackgroundRaster *raster, int grey) {
     const int columns = WIDTH / BACKGROUND_CELL;
     double shade = GREY_DARKEST + (GREY_BRIGHTEST - GREY_DARKEST) * grey / (GREY_LEVELS - 1);
@@ -122,16 +126,16 @@ static void draw_grey(FILE *file, const BackgroundRaster *raster, int grey) {
     fputs("\"/>\n", file);
 }
 
-/** @return Whether one shape ends between two pixels. @param raster What is seen. @param a A pixel.
- *  @param b Its neighbour. */
+/** @return Whether one shape ends between two pixels. */
 static bool background_is_edge(const BackgroundRaster *raster, int a, int b) {
     return raster->shapes[a] != raster->shapes[b];
 }
 
-/** Draws the edges between the pixels of neighbouring rows, or columns, in runs. @param file The
- *  file. @param raster What is seen. @param across Pixels along the edges. @param down Pixels
- * across them. @param along Places from a pixel to the next along. @param over Places to the next
- * across.
+/**
+ * Draws the edges between the pixels of neighbouring rows, or columns, in runs.
+ * @param across  Pixels along the edges.
+ * @param along  Places from a pixel to the next along.
+ * @param over  Places to the next across.
  */
 static void draw_edges(FILE *file, const BackgroundRaster *raster, int across, int down, int along,
                        int over) {
@@ -152,7 +156,7 @@ static void draw_edges(FILE *file, const BackgroundRaster *raster, int across, i
     }
 }
 
-/** Draws the scene. @param file The file. @param raster What is seen of it. */
+/** Draws the scene. @param raster What is seen of it. */
 static void draw_background(FILE *file, const BackgroundRaster *raster) {
     fputs("<g shape-rendering=\"crispEdges\">\n", file);
     for (int grey = 0; grey < GREY_LEVELS; grey++) {
@@ -164,7 +168,7 @@ static void draw_background(FILE *file, const BackgroundRaster *raster) {
     fputs("\"/>\n", file);
 }
 
-/** Draws a line. @param file The file. @param style How. @param line Where. */
+/** Draws a line. */
 static void draw_line(FILE *file, const RayStyle *style, const ProjectedRay *line) {
     fprintf(file, "<path d=\"M%.1f %.1fL%.1f %.1f\" stroke=\"#%06x\"", line->x[0], line->y[0],
             line->x[1], line->y[1], style->color);
@@ -174,7 +178,7 @@ static void draw_line(FILE *file, const RayStyle *style, const ProjectedRay *lin
     fputs("/>\n", file);
 }
 
-/** Draws an arrowhead on a line. @param file The file. @param style How. @param line Where. */
+/** Draws an arrowhead on a line. */
 static void draw_arrow(FILE *file, const RayStyle *style, const ProjectedRay *line) {
     /** Units that it is long; share of the line where its point is. */
     const double size = 11, share = 0.6;
@@ -189,7 +193,7 @@ static void draw_arrow(FILE *file, const RayStyle *style, const ProjectedRay *li
             px, py, bx - half * v, by + half * u, bx + half * v, by - half * u, style->color);
 }
 
-/** Draws a ray. @param file The file. @param line Where it is seen. @param ray The ray. */
+/** Draws a ray. @param line Where it is seen. */
 static void draw_ray(FILE *file, const ProjectedRay *line, const RayTreeNode *ray) {
     const RayStyle halo = {0xffffff, 0, 0, NULL};
     fputs("<g stroke-width=\"6\" stroke-opacity=\"0.8\">", file);
@@ -199,8 +203,7 @@ static void draw_ray(FILE *file, const ProjectedRay *line, const RayTreeNode *ra
     draw_arrow(file, ray_style(ray), line);
 }
 
-/** Writes words with a white border. @param file The file. @param x Where. @param y Where.
- *  @param anchor `start` or `middle`. @param text The words, without <, > and &. */
+/** Writes words with a white border. @param text The words, without <, > and &. */
 static void draw_label(FILE *file, double x, double y, const char *anchor, const char *text) {
     fprintf(file,
             "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\" fill=\"#000\" stroke=\"#fff\" "
@@ -208,8 +211,7 @@ static void draw_label(FILE *file, double x, double y, const char *anchor, const
             x, y, anchor, text);
 }
 
-/** Draws all rays and their numbers. @param file The file. @param chart What is drawn.
- *  @param orbit How. @param projected From where. */
+/** Draws all rays and their numbers. */
 static void draw_rays(FILE *file, const RayChart *chart, const OrbitCamera *orbit,
                       const ProjectedView *projected) {
     const RayTree *probe = chart->probe;
@@ -231,8 +233,7 @@ static void draw_rays(FILE *file, const RayChart *chart, const OrbitCamera *orbi
     }
 }
 
-/** Draws the eye and the lamps that are in the picture. @param file The file. @param chart What is
- *  drawn. @param projected From where. */
+/** Draws the eye and the lamps that are in the picture. */
 static void draw_markers(FILE *file, const RayChart *chart, const ProjectedView *projected) {
     char words[64];
     double x, y;
@@ -253,7 +254,7 @@ static void draw_markers(FILE *file, const RayChart *chart, const ProjectedView 
     }
 }
 
-/** @return Whether any ray is drawn in a style. @param probe The rays. @param style The style. */
+/** @return Whether any ray is drawn in a style. */
 static bool style_is_used(const RayTree *probe, const RayStyle *style) {
     bool is_any = false;
     for (size_t i = 0; i < probe->count && !is_any; i++) {
@@ -262,7 +263,7 @@ static bool style_is_used(const RayTree *probe, const RayStyle *style) {
     return is_any;
 }
 
-/** Draws the legend. @param file The file. @param probe The rays. */
+/** Draws the legend. */
 static void draw_legend(FILE *file, const RayTree *probe) {
     double y = HEIGHT - 20;
     for (int i = RAY_STYLE_COUNT - 1; i >= 0; i--) {
@@ -278,7 +279,7 @@ static void draw_legend(FILE *file, const RayTree *probe) {
     }
 }
 
-/** Writes the title. @param file The file. @param title The title, of any letters. */
+/** Writes the title. @param title The title, of any letters. */
 static void draw_title(FILE *file, const char *title) {
     fputs("<text x=\"20\" y=\"30\" stroke=\"#fff\" stroke-width=\"4\" paint-order=\"stroke\">",
           file);
@@ -290,8 +291,7 @@ static void draw_title(FILE *file, const char *title) {
     fputs("</text>\n", file);
 }
 
-/** Draws everything. @param file The file. @param chart What is drawn. @param orbit How.
- *  @param projected From where. @param raster What is seen of the scene. */
+/** Draws everything. @param raster What is seen of the scene. */
 static void draw_all(FILE *file, const RayChart *chart, const OrbitCamera *orbit,
                      const ProjectedView *projected, const BackgroundRaster *raster) {
     fprintf(file,
@@ -307,9 +307,11 @@ static void draw_all(FILE *file, const RayChart *chart, const OrbitCamera *orbit
     fputs("</svg>\n", file);
 }
 
-/** Writes the drawing. @param chart What is drawn. @param orbit How. @param raster What is seen of
- *  the scene. @param projected From where. @param path The file. @param[out] error What is wrong.
- *  @return Whether it is there. */
+/**
+ * Writes the drawing.
+ * @param raster  What is seen of the scene.
+ * @return Whether it is there.
+ */
 static bool save_chart(const RayChart *chart, const OrbitCamera *orbit,
                        const ProjectedView *projected, const BackgroundRaster *raster,
                        const char *path, Error *error) {

@@ -36,8 +36,8 @@ typedef struct LabelBox {
     double top;    /**< Above. */
 } LabelBox;
 
-/** @return Whether one point is better than another: left of it and not higher, or lower and not
- *  to its right. @param a The one. @param b The other. */
+/** @return Whether one point is better than another: left of it and not higher, or lower and not to
+ *  its right. */
 static bool dominates(const ScatterPoint *a, const ScatterPoint *b) {
     return (a->x < b->x && a->y <= b->y) || (a->x <= b->x && a->y < b->y);
 }
@@ -78,7 +78,7 @@ static AxisRange axis_range_of(const ScatterPanel *panel) {
 }
 
 /** @return Where a point is, pixels from the lower left corner of the axes: a rectangle without
- *          size. @param point The point. @param ends Of the axes. */
+ *  size. */
 static LabelBox point_position(const ScatterPoint *point, const AxisRange *ends) {
     double right = log(point->x / ends->x_low) / log(ends->x_high / ends->x_low);
     double up = log(fmax(point->y, ends->y_low) / ends->y_low) / log(ends->y_high / ends->y_low);
@@ -86,14 +86,15 @@ static LabelBox point_position(const ScatterPoint *point, const AxisRange *ends)
     return (LabelBox){x, x, y, y};
 }
 
-/** @return Whether two rectangles have something in common. @param a One. @param b The other. */
+/** @return Whether two rectangles have something in common. */
 static bool label_box_overlaps(const LabelBox *a, const LabelBox *b) {
     return a->left < b->right && b->left < a->right && a->bottom < b->top && b->bottom < a->top;
 }
 
-/** @return Whether a name can stand somewhere: on no other name, on no point. @param box Where.
- *  @param names Those that have their place. @param count How many.
- *  @param points The points. @param point_count How many. */
+/**
+ * @return Whether a name can stand somewhere: on no other name, on no point.
+ * @param names  Those that have their place.
+ */
 static bool label_box_is_free(const LabelBox *box, const LabelBox *names, size_t count,
                               const LabelBox *points, size_t point_count) {
     bool label_box_is_free = box->bottom > 0 && box->top < HEIGHT - TOP - BOTTOM + LABEL_HEIGHT;
@@ -106,8 +107,7 @@ static bool label_box_is_free(const LabelBox *box, const LabelBox *names, size_t
     return label_box_is_free;
 }
 
-/** Finds where names stand: beside their points, or as little above or below as there is room.
- *  @param panel The panel. @param ends Of its axes. @param[out] names A rectangle each. */
+/** Finds where names stand: beside their points, or as little above or below as there is room. */
 static void place_point_labels(const ScatterPanel *panel, const AxisRange *ends,
                                LabelBox names[SCATTER_POINTS_MAXIMUM]) {
     LabelBox points[SCATTER_POINTS_MAXIMUM];
@@ -130,8 +130,7 @@ static void place_point_labels(const ScatterPanel *panel, const AxisRange *ends,
     }
 }
 
-/** Writes a line from a point to its name that stands elsewhere. @param at The point.
- *  @param name The name. @param script Where to. */
+/** Writes a line from a point to its name that stands elsewhere. */
 static void write_leader_line(const LabelBox *at, const LabelBox *name, FILE *script) {
     double middle = (name->bottom + name->top) / 2;
     if (fabs(middle - at->top - LABEL_RISE) > LABEL_HEIGHT / 2.0) {
@@ -142,8 +141,7 @@ static void write_leader_line(const LabelBox *at, const LabelBox *name, FILE *sc
     }
 }
 
-/** @return A name as enhanced text, bold or not, that stands in a script between single quotes.
- *  @param point Whose. @param[out] text Room for it. @param size Bytes of it. */
+/** @return A name as enhanced text, bold or not, that stands in a script between single quotes. */
 static const char *label_text(const ScatterPoint *point, char *text, size_t size) {
     char escaped[64] = "";
     size_t at = 0;
@@ -158,8 +156,7 @@ static const char *label_text(const ScatterPoint *point, char *text, size_t size
     return gnuplot_quote(styled, text, size);
 }
 
-/** Writes the names of a panel's points. @param panel The panel. @param ends Of its axes.
- *  @param script Where to. */
+/** Writes the names of a panel's points. */
 static void write_point_labels(const ScatterPanel *panel, const AxisRange *ends, FILE *script) {
     LabelBox names[SCATTER_POINTS_MAXIMUM];
     double wide = WIDTH - LEFT - RIGHT, high = HEIGHT - TOP - BOTTOM;
@@ -175,14 +172,13 @@ static void write_point_labels(const ScatterPanel *panel, const AxisRange *ends,
     }
 }
 
-/** @return Order of two points from the left, for qsort. @param a One. @param b The other. */
+/** @return Order of two points from the left, for qsort. */
 static int compare_points(const void *a, const void *b) {
     double x = ((const ScatterPoint *)a)->x, y = ((const ScatterPoint *)b)->x;
     return (x > y) - (x < y);
 }
 
-/** Writes the line that joins the front. @param panel The panel. @param ends Of its axes.
- *  @param script Where to. */
+/** Writes the line that joins the front. */
 static void write_pareto_front(const ScatterPanel *panel, const AxisRange *ends, FILE *script) {
     ScatterPoint pareto_front[SCATTER_POINTS_MAXIMUM];
     size_t count = 0;
@@ -200,8 +196,7 @@ static void write_pareto_front(const ScatterPanel *panel, const AxisRange *ends,
     }
 }
 
-/** Writes the marks of x: 1, 2, 5 of each power of ten. @param ends Of the axes. @param script
- *  Where to. */
+/** Writes the marks of x: 1, 2, 5 of each power of ten. */
 static void write_x_ticks(const AxisRange *ends, FILE *script) {
     static const double marks[] = {1, 2, 5};
     const char *comma = "";
@@ -215,8 +210,7 @@ static void write_x_ticks(const AxisRange *ends, FILE *script) {
     fputs(")\n", script);
 }
 
-/** Writes the axes of a panel. @param scatter The chart. @param index Which panel. @param ends Of
- *  its axes. @param script Where to. */
+/** Writes the axes of a panel. */
 static void write_axes(const Scatter *scatter, size_t index, const AxisRange *ends, FILE *script) {
     const ScatterPanel *panel = &scatter->panels[index];
     double wide = WIDTH * (double)scatter->panel_count, left = WIDTH * (double)index;
@@ -242,8 +236,7 @@ static void write_axes(const Scatter *scatter, size_t index, const AxisRange *en
     write_x_ticks(ends, script);
 }
 
-/** Writes the points of a panel, with the spread of their x. @param scatter The chart.
- *  @param panel The panel. @param ends Of its axes. @param script Where to. */
+/** Writes the points of a panel, with the spread of their x. */
 static void write_points(const Scatter *scatter, const ScatterPanel *panel, const AxisRange *ends,
                          FILE *script) {
     fputs("plot ", script);
@@ -260,8 +253,7 @@ static void write_points(const Scatter *scatter, const ScatterPanel *panel, cons
     fputc('\n', script);
 }
 
-/** Writes the script of a chart. See #GnuplotJob.write_script. @param chart The #Scatter. @param
- * script Where to. */
+/** Writes the script of a chart. See #GnuplotJob.write_script. */
 static void write_script(const void *chart, FILE *script) {
     const Scatter *scatter = chart;
     char text[256];

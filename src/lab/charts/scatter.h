@@ -52,15 +52,12 @@ typedef struct Scatter {
     size_t panel_count;                          /**< How many. */
 } Scatter;
 
-/** Finds out of a panel's points which nothing beats. @param[in,out] panel The panel. */
+/** Finds out of a panel's points which nothing beats. */
 void scatter_find_pareto_front(ScatterPanel *panel);
 
 /**
  * Draws a chart.
- * @param scatter     The chart.
- * @param path        The SVG file.
- * @param stop        It is given up once this is true; may be NULL.
- * @param[out] error  What is wrong.
+ * @param stop  It is given up once this is true; may be NULL.
  * @return Whether it is in its place.
  */
 bool scatter_draw(const Scatter *scatter, const char *path, const atomic_bool *stop, Error *error);

@@ -15,7 +15,7 @@ Table table_make(size_t columns, size_t words) {
     return (Table){.columns = columns, .text_columns = words};
 }
 
-/** Makes room for a cell. @param[in,out] table The table. @return Whether there is some. */
+/** Makes room for a cell. @return Whether there is some. */
 static bool make_room(Table *table) {
     if (table->count < table->capacity) {
         return true;
@@ -46,7 +46,7 @@ void table_number(Table *table, double number) {
     }
 }
 
-/** @return The width that a column needs. @param table The table. @param column Which. */
+/** @return The width that a column needs. */
 static int column_width(const Table *table, size_t column) {
     int width = 0;
     for (size_t i = column; i < table->count; i += table->columns) {

@@ -22,22 +22,23 @@ typedef struct Table {
     size_t capacity;                /**< Cells that there is room for. */
 } Table;
 
-/** @return A table without cells, to be given back with #table_deinit. @param columns How many
- *  columns. @param words How many of them, the first ones, hold words. */
+/**
+ * @return A table without cells, to be given back with #table_deinit.
+ * @param words  How many of them, the first ones, hold words.
+ */
 Table table_make(size_t columns, size_t words);
 
 /** Adds a cell. @param[in,out] table The table; without memory the cell is left out.
  *  @param format Its text, as for printf. */
 void table_cell(Table *table, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/** Adds a number with three digits. @param[in,out] table The table. @param number It; NaN: a dash.
- */
+/** Adds a number with three digits. @param number It; NaN: a dash. */
 void table_number(Table *table, double number);
 
-/** Prints a table. @param table The table. @param stream Where to. */
+/** Prints a table. */
 void table_print(const Table *table, FILE *stream);
 
-/** Gives the cells back. @param[in,out] table The table. */
+/** Gives the cells back. */
 void table_deinit(Table *table);
 
 #endif

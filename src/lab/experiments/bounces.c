@@ -17,8 +17,7 @@ static const Vec3q sphere_centers[4] = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1
 #define SPHERE_RADIUS 1.3
 
 /** Poses a ray between the balls. See #Experiment.generate. The truth is what the methods say in
- * quad, whose own error is that much smaller.
- *  @param setup Where. @param[in,out] random Where it comes from. @param[out] sample The case. */
+ *  quad, whose own error is that much smaller. @param[in,out] random Where it comes from. */
 static void generate_bounces(const ExperimentSetup *setup, Random *random,
                              ExperimentSample *sample) {
     SampleWriter writer = {setup->type, sample->inputs};
@@ -40,9 +39,7 @@ static void generate_bounces(const ExperimentSetup *setup, Random *random,
     (*widest)->evaluate(*method, 1, sample->inputs, sample->expected);
 }
 
-/** Judges a direction. See #Experiment.score_sample. @param sample The case. @param outputs The
- * direction.
- *  @param[in,out] score The score. */
+/** Judges a direction. See #Experiment.score_sample. */
 static void score_direction(const ExperimentSample *sample, const Quadruple *outputs,
                             ScoreStats *score) {
     Vec3q truth = vec3q_from_array(sample->expected), found = vec3q_from_array(outputs);

@@ -18,9 +18,11 @@ static const Vec3q box_low = {-1, -2, -1};
 /** Its highest; a flat one is 0 high. */
 static const Vec3q box_high = {1, 2, 3};
 
-/** @return A part of a direction: a fraction of so few bits that rays are exact in float, even if
- *          its quotients are not. One in five is zero. @param[in,out] random Where it comes from.
- *  @param count How many bits. */
+/**
+ * @return A part of a direction: a fraction of so few bits that rays are exact in float, even if
+ *         its quotients are not. One in five is zero.
+ * @param[in,out] random  Where it comes from.
+ */
 static Quadruple random_direction_component(Random *random, double count) {
     uint64_t steps = (uint64_t)1 << (int)count;
     bool is_zero = random_bits(random) % 5 == 0;
@@ -28,8 +30,10 @@ static Quadruple random_direction_component(Random *random, double count) {
     return is_zero ? 0 : number / (Quadruple)steps;
 }
 
-/** @return A place along one axis: an end of it, or sometimes somewhere between, in eighths.
- *  @param[in,out] random Where it comes from. @param low An end. @param high The other. */
+/**
+ * @return A place along one axis: an end of it, or sometimes somewhere between, in eighths.
+ * @param[in,out] random  Where it comes from.
+ */
 static Quadruple random_box_coordinate(Random *random, Quadruple low, Quadruple high) {
     uint64_t where = random_bits(random) % 5;
     Quadruple between = low + (high - low) * (Quadruple)(random_bits(random) % 9) / 8;
@@ -37,8 +41,7 @@ static Quadruple random_box_coordinate(Random *random, Quadruple low, Quadruple 
 }
 
 /** Poses a ray that runs exactly through a point of a box's surface. See #Experiment.generate.
- *  @param setup Where. @param[in,out] random Where it comes from. @param high The box's highest
- *  corner. @param[out] sample The case. */
+ *  @param[in,out] random Where it comes from. */
 static void generate_through_point(const ExperimentSetup *setup, Random *random, Vec3q high,
                                    ExperimentSample *sample) {
     Vec3q point = {random_box_coordinate(random, box_low.x, high.x),
@@ -58,29 +61,26 @@ static void generate_through_point(const ExperimentSetup *setup, Random *random,
     sample_writer_vec3(&writer, high);
 }
 
-/** Poses a ray that touches a box. See #Experiment.generate. @param setup Where. @param[in,out]
- * random Where it comes from. @param[out] sample The case. */
+/** Poses a ray that touches a box. See #Experiment.generate. @param[in,out] random Where it comes
+ *  from. */
 static void generate_touch(const ExperimentSetup *setup, Random *random, ExperimentSample *sample) {
     generate_through_point(setup, random, box_high, sample);
 }
 
-/** Poses a ray that touches a flat box. See #Experiment.generate. @param setup Where.
- *  @param[in,out] random Where it comes from. @param[out] sample The case. */
+/** Poses a ray that touches a flat box. See #Experiment.generate. @param[in,out] random Where it
+ *  comes from. */
 static void generate_flat(const ExperimentSetup *setup, Random *random, ExperimentSample *sample) {
     generate_through_point(setup, random, (Vec3q){box_high.x, box_low.y, box_high.z}, sample);
 }
 
-/** Judges whether a ray met what it touches. See #Experiment.score_sample. @param sample Not looked
- * at.
- *  @param outputs The distance. @param[in,out] score The score. */
+/** Judges whether a ray met what it touches. See #Experiment.score_sample. */
 static void score_touch(const ExperimentSample *sample, const Quadruple *outputs,
                         ScoreStats *score) {
     (void)sample;
     score_outcome(score, OUTCOME_FALSE_MISS, !(outputs[0] < QUAD_NO_HIT));
 }
 
-/** @return The scene of a box. @param low Its lowest corner. @param high Its highest.
- *  @param[out] error What is wrong. */
+/** @return The scene of a box. */
 static Scene *box_scene(Vec3q low, Vec3q high, Error *error) {
     FixtureValue values[] = {{.name = "min"}, {.name = "max"}, {0}};
     vec3q_to_doubles(low, values[0].components);
@@ -88,8 +88,7 @@ static Scene *box_scene(Vec3q low, Vec3q high, Error *error) {
     return scene_fixture_with_shape("box", values, error);
 }
 
-/** @return The box. See #Experiment.create_scene. @param setup Not looked at. @param[out] error
- * What is wrong. */
+/** @return The box. See #Experiment.create_scene. */
 static Scene *scene_touch(const ExperimentSetup *setup, Error *error) {
     (void)setup;
     return box_scene(box_low, box_high, error);
@@ -135,9 +134,8 @@ static Vec3q cube_corner(double level) {
     return (Vec3q){(int)position.x, (int)position.y, (int)position.z};
 }
 
-/** Poses a ray from inside a cube to one of its edges. See #Experiment.generate. @param setup
- * Where.
- *  @param[in,out] random Where it comes from. @param[out] sample The case. */
+/** Poses a ray from inside a cube to one of its edges. See #Experiment.generate. @param[in,out]
+ *  random Where it comes from. */
 static void generate_edge(const ExperimentSetup *setup, Random *random, ExperimentSample *sample) {
     Vec3q corner = cube_corner(setup->level);
     Quadruple ends[2] = {(Quadruple)(random_bits(random) % 2),
@@ -157,9 +155,7 @@ static void generate_edge(const ExperimentSetup *setup, Random *random, Experime
     sample_writer_vec3(&writer, vec3q_add(corner, (Vec3q){1, 1, 1}));
 }
 
-/** @return The cube. See #Experiment.create_scene. @param setup Where. @param[out] error What is
- * wrong.
- */
+/** @return The cube. See #Experiment.create_scene. */
 static Scene *scene_edge(const ExperimentSetup *setup, Error *error) {
     Vec3q corner = cube_corner(setup->level);
     return box_scene(corner, vec3q_add(corner, (Vec3q){1, 1, 1}), error);

@@ -12,7 +12,7 @@
 static const double distances[] = {2, 10, 1e2, 1e3, 1e4};
 
 /** @return Where a ray first meets an upright wall of radius 1 around the y axis; #QUAD_NO_HIT:
- *          nowhere. @param o Where it starts. @param d Which way. */
+ *  nowhere. */
 static Quadruple cylinder_wall_expected(Vec3q o, Vec3q d) {
     Quadruple a = d.x * d.x + d.z * d.z, b = -(o.x * d.x + o.z * d.z);
     Quadruple cross = d.x * o.z - d.z * o.x, c = o.x * o.x + o.z * o.z - 1;
@@ -26,7 +26,7 @@ static Quadruple cylinder_wall_expected(Vec3q o, Vec3q d) {
 }
 
 /** Poses a wall far away, that rays cross at up to 45 degrees. See #Experiment.generate.
- *  @param setup Where. @param[in,out] random Where it comes from. @param[out] sample The case. */
+ *  @param[in,out] random Where it comes from. */
 static void generate_wall(const ExperimentSetup *setup, Random *random, ExperimentSample *sample) {
     SampleWriter writer = {setup->type, sample->inputs};
     Vec3q around = random_direction(random);
@@ -42,8 +42,7 @@ static void generate_wall(const ExperimentSetup *setup, Random *random, Experime
     sample->expected[0] = cylinder_wall_expected(origin, direction);
 }
 
-/** @return A pipe that is longer than rays go up or down. See #Experiment.create_scene. @param
- * setup Where. @param[out] error What is wrong. */
+/** @return A pipe that is longer than rays go up or down. See #Experiment.create_scene. */
 static Scene *scene_wall(const ExperimentSetup *setup, Error *error) {
     double half_length = 4 * setup->level;
     FixtureValue values[] = {{"base", {0, -half_length, 0}},
@@ -85,8 +84,8 @@ static Vec3q cylinder_base(double level) {
     return (Vec3q){(int)position.x, (int)position.y, (int)position.z};
 }
 
-/** Poses a ray from inside to the rim. See #Experiment.generate. @param setup Where.
- *  @param[in,out] random Where it comes from. @param[out] sample The case. */
+/** Poses a ray from inside to the rim. See #Experiment.generate. @param[in,out] random Where it
+ *  comes from. */
 static void generate_rim(const ExperimentSetup *setup, Random *random, ExperimentSample *sample) {
     SampleWriter writer = {setup->type, sample->inputs};
     Vec3q base = cylinder_base(setup->level), up = {0, 1, 0};
@@ -102,8 +101,7 @@ static void generate_rim(const ExperimentSetup *setup, Random *random, Experimen
     sample_writer_number(&writer, HEIGHT);
 }
 
-/** @return The closed cylinder. See #Experiment.create_scene. @param setup Where. @param[out] error
- * What is wrong. */
+/** @return The closed cylinder. See #Experiment.create_scene. */
 static Scene *scene_rim(const ExperimentSetup *setup, Error *error) {
     Vec3q base = cylinder_base(setup->level);
     FixtureValue values[] = {

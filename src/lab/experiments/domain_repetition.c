@@ -15,10 +15,11 @@ static const double spreads[] = {0.01, 0.02, 0.05, 0.1, 0.15};
 /** How far off a ray may stop and still be right. */
 #define HIT_TOLERANCE 0.01
 
-/** @return Where a ray first meets a ball of any cell, within reach of a march; #QUAD_NO_HIT:
- * nowhere. Double is enough to tell one ball from another. @param o Where it starts. @param d Which
- * way.
- *  @param spread How much radii differ. */
+/**
+ * @return Where a ray first meets a ball of any cell, within reach of a march; #QUAD_NO_HIT:
+ *         nowhere. Double is enough to tell one ball from another.
+ * @param spread  How much radii differ.
+ */
 static Quadruple sphere_grid_expected(Vec3d o, Vec3d d, double spread) {
     double nearest = HUGE_VAL;
     int cell_reach = SPHERE_GRID_REACH + 1;
@@ -34,8 +35,8 @@ static Quadruple sphere_grid_expected(Vec3d o, Vec3d d, double spread) {
     return nearest <= SPHERE_GRID_REACH ? nearest : QUAD_NO_HIT;
 }
 
-/** Poses a ray from a corner between cells. See #Experiment.generate. @param setup Where.
- *  @param[in,out] random Where it comes from. @param[out] sample The case. */
+/** Poses a ray from a corner between cells. See #Experiment.generate. @param[in,out] random Where
+ *  it comes from. */
 static void generate_sphere_grid(const ExperimentSetup *setup, Random *random,
                                  ExperimentSample *sample) {
     SampleWriter writer = {setup->type, sample->inputs};
@@ -47,8 +48,7 @@ static void generate_sphere_grid(const ExperimentSetup *setup, Random *random,
                              (Vec3d){(double)d.x, (double)d.y, (double)d.z}, setup->level);
 }
 
-/** Judges where a ray stopped. See #Experiment.score_sample. @param sample The case. @param outputs
- * The distance. @param[in,out] score The score. */
+/** Judges where a ray stopped. See #Experiment.score_sample. */
 static void score_sphere_grid(const ExperimentSample *sample, const Quadruple *outputs,
                               ScoreStats *score) {
     Quadruple truth = sample->expected[0];

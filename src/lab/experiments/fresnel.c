@@ -23,8 +23,7 @@ static Quadruple fresnel_expected(Quadruple c, Quadruple n) {
     return (along * along + across * across) / 2;
 }
 
-/** Writes a question. @param setup Where. @param cosine The ray's. @param index See
- *  #fresnel_expected. @param[out] sample The case. */
+/** Writes a question. */
 static void fresnel_write_input(const ExperimentSetup *setup, double cosine, double index,
                                 ExperimentSample *sample) {
     SampleWriter writer = {setup->type, sample->inputs};
@@ -32,8 +31,7 @@ static void fresnel_write_input(const ExperimentSetup *setup, double cosine, dou
     sample->expected[0] = fresnel_expected(c, n);
 }
 
-/** Judges a share. See #Experiment.score_sample. @param sample The case. @param outputs The share.
- *  @param[in,out] score The score. */
+/** Judges a share. See #Experiment.score_sample. */
 static void score_reflectance(const ExperimentSample *sample, const Quadruple *outputs,
                               ScoreStats *score) {
     bool is_number = quad_is_number(outputs[0]);
@@ -48,8 +46,8 @@ static void score_reflectance(const ExperimentSample *sample, const Quadruple *o
 /** Degrees above the surface. */
 static const double grazing_angles[] = {90, 60, 45, 30, 20, 15, 12, 10, 8, 5, 3, 1, 0.3, 0.1};
 
-/** Poses light that comes from air. See #Experiment.generate. @param setup Where. @param[in,out]
- *  random Where it comes from. @param[out] sample The case. */
+/** Poses light that comes from air. See #Experiment.generate. @param[in,out] random Where it comes
+ *  from. */
 static void generate_into(const ExperimentSetup *setup, Random *random, ExperimentSample *sample) {
     double height = setup->level * random_range(random, 0.97, 1);
     fresnel_write_input(setup, sin(height * M_PI / 180), GLASS_IOR, sample);
@@ -75,8 +73,8 @@ const Experiment fresnel_into_experiment = {
 /** Degrees before the angle from which on all is mirrored. */
 static const double angles_before_critical[] = {40, 30, 20, 10, 5, 3, 1, 0.3, 0.1, 0.03, 0.01};
 
-/** Poses light that comes from inside the glass. See #Experiment.generate. @param setup Where.
- *  @param[in,out] random Where it comes from. @param[out] sample The case. */
+/** Poses light that comes from inside the glass. See #Experiment.generate. @param[in,out] random
+ *  Where it comes from. */
 static void generate_out(const ExperimentSetup *setup, Random *random, ExperimentSample *sample) {
     double before = setup->level * random_range(random, 0.97, 1) * M_PI / 180;
     fresnel_write_input(setup, cos(asin(1 / GLASS_IOR) - before), 1 / GLASS_IOR, sample);

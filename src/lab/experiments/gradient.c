@@ -9,8 +9,7 @@
 /** Radii of the ball. */
 static const double step_lengths[] = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10};
 
-/** Poses a point of a ball. See #Experiment.generate. @param setup Where. @param[in,out] random
- * Where it comes from. @param[out] sample The case. */
+/** Poses a point of a ball. See #Experiment.generate. @param[in,out] random Where it comes from. */
 static void generate_normal(const ExperimentSetup *setup, Random *random,
                             ExperimentSample *sample) {
     SampleWriter writer = {setup->type, sample->inputs};
@@ -25,8 +24,7 @@ static void generate_normal(const ExperimentSetup *setup, Random *random,
 }
 
 /** Judges a direction: the sine of the angle to the true one, or 2 minus it beyond a right angle.
- *  See #Experiment.score_sample. @param sample The case. @param outputs The direction.
- * @param[in,out] score The score. */
+ *  See #Experiment.score_sample. */
 static void score_normal(const ExperimentSample *sample, const Quadruple *outputs,
                          ScoreStats *score) {
     Vec3q truth = vec3q_from_array(sample->expected), found = vec3q_from_array(outputs);
@@ -39,8 +37,7 @@ static void score_normal(const ExperimentSample *sample, const Quadruple *output
     }
 }
 
-/** @return The ball as a field. See #Experiment.create_scene. @param setup Not looked at.
- * @param[out] error What is wrong. */
+/** @return The ball as a field. See #Experiment.create_scene. */
 static Scene *normal_scene(const ExperimentSetup *setup, Error *error) {
     const FixtureValue values[] = {{"radius", {1}}, {0}};
     (void)setup;
@@ -48,9 +45,7 @@ static Scene *normal_scene(const ExperimentSetup *setup, Error *error) {
 }
 
 /** Asks an engine for the normal where a ray meets the ball that comes straight down to the point.
- *  See #Experiment.query_engine. @param engine The engine. @param tracer Its tracer. @param sample
- * The case.
- *  @param[out] outputs The direction. */
+ *  See #Experiment.query_engine. */
 static void query_normal(const Engine *engine, Tracer *tracer, const ExperimentSample *sample,
                          Quadruple *outputs) {
     RayResult answer;

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** Makes the icosahedron, around zero. @param[out] icosphere It. */
+/** Makes the icosahedron, around zero. */
 static void icosphere_init_icosahedron(Icosphere *icosphere) {
     static const int faces[20][3] = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
                                      {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
@@ -28,14 +28,16 @@ static void icosphere_init_icosahedron(Icosphere *icosphere) {
     }
 }
 
-/** @return Whether two corners are the same. @param a One. @param b The other. */
+/** @return Whether two corners are the same. */
 static bool points_are_equal(Vec3q a, Vec3q b) {
     Vec3q between = vec3q_subtract(a, b);
     return vec3q_dot(between, between) < 1e-12;
 }
 
-/** @return The place of the corner in the middle of an edge, which is made if it is not there.
- *  @param[in,out] icosphere The surface. @param a An end of the edge. @param b The other. */
+/**
+ * @return The place of the corner in the middle of an edge, which is made if it is not there.
+ * @param a  An end of the edge.
+ */
 static int edge_midpoint(Icosphere *icosphere, int a, int b) {
     Vec3q middle = vec3q_normalize(vec3q_add(icosphere->vertices[a], icosphere->vertices[b]));
     for (int i = 0; i < icosphere->vertex_count; i++) {
@@ -47,7 +49,7 @@ static int edge_midpoint(Icosphere *icosphere, int a, int b) {
     return icosphere->vertex_count++;
 }
 
-/** Cuts each face into four. @param[in,out] icosphere The surface. */
+/** Cuts each face into four. */
 static void icosphere_subdivide(Icosphere *icosphere) {
     int count = icosphere->face_count;
     for (int i = 0; i < count; i++) {
@@ -61,7 +63,7 @@ static void icosphere_subdivide(Icosphere *icosphere) {
     }
 }
 
-/** Finds the faces around each corner. @param[in,out] icosphere The surface. */
+/** Finds the faces around each corner. */
 static void icosphere_find_vertex_faces(Icosphere *icosphere) {
     for (int i = 0; i < icosphere->face_count; i++) {
         for (int k = 0; k < 3; k++) {

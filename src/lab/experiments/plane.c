@@ -15,8 +15,10 @@ typedef struct TestPlane {
     double degrees; /**< Under what angle rays meet it, degrees. */
 } TestPlane;
 
-/** @return A plane through about the origin of the world. @param distance How far its point lies.
- *  @param degree See #TestPlane. */
+/**
+ * @return A plane through about the origin of the world.
+ * @param distance  How far its point lies.
+ */
 static TestPlane test_plane_at(double distance, double degree) {
     const NumberType *narrowest = number_types()[0];
     Vec3q normal = vec3q_normalize((Vec3q){0.31, 0.88, -0.36});
@@ -25,8 +27,7 @@ static TestPlane test_plane_at(double distance, double degree) {
                        vec3q_round(narrowest, normal), degree};
 }
 
-/** Poses an eye one unit above the plane. @param setup Where. @param ground The plane.
- *  @param[in,out] random Where it comes from. @param[out] sample The case. */
+/** Poses an eye one unit above the plane. @param[in,out] random Where it comes from. */
 static void generate_plane_ray(const ExperimentSetup *setup, const TestPlane *ground,
                                Random *random, ExperimentSample *sample) {
     SampleWriter writer = {setup->type, sample->inputs};
@@ -45,7 +46,7 @@ static void generate_plane_ray(const ExperimentSetup *setup, const TestPlane *gr
     sample->expected[0] = (offset - vec3q_dot(n, origin)) / vec3q_dot(n, direction);
 }
 
-/** @return The scene of a plane. @param ground The plane. @param[out] error What is wrong. */
+/** @return The scene of a plane. */
 static Scene *plane_scene(const TestPlane *ground, Error *error) {
     FixtureValue values[] = {{.name = "point"}, {.name = "normal"}, {0}};
     vec3q_to_doubles(ground->point, values[0].components);
@@ -58,16 +59,13 @@ static Scene *plane_scene(const TestPlane *ground, Error *error) {
 /** Degrees. */
 static const double angles[] = {30, 10, 3, 1, 0.3, 0.1, 0.03, 0.01};
 
-/** Poses grazing rays. See #Experiment.generate. @param setup Where. @param[in,out] random Where it
- *  comes from. @param[out] sample The case. */
+/** Poses grazing rays. See #Experiment.generate. @param[in,out] random Where it comes from. */
 static void generate_angle(const ExperimentSetup *setup, Random *random, ExperimentSample *sample) {
     TestPlane ground = test_plane_at(1, setup->level);
     generate_plane_ray(setup, &ground, random, sample);
 }
 
-/** @return Its scene. See #Experiment.create_scene. @param setup Where. @param[out] error What is
- * wrong.
- */
+/** @return Its scene. See #Experiment.create_scene. */
 static Scene *scene_angle(const ExperimentSetup *setup, Error *error) {
     TestPlane ground = test_plane_at(1, setup->level);
     return plane_scene(&ground, error);
@@ -96,16 +94,14 @@ static const double distances[] = {1, 10, 1e2, 1e3, 1e4, 1e5, 1e6};
 /** Under what angle rays meet the plane, degrees. */
 #define STEEP_DEGREES 30
 
-/** Poses a plane whose point lies far away. See #Experiment.generate. @param setup Where.
- *  @param[in,out] random Where it comes from. @param[out] sample The case. */
+/** Poses a plane whose point lies far away. See #Experiment.generate. @param[in,out] random Where
+ *  it comes from. */
 static void generate_point(const ExperimentSetup *setup, Random *random, ExperimentSample *sample) {
     TestPlane ground = test_plane_at(setup->level, STEEP_DEGREES);
     generate_plane_ray(setup, &ground, random, sample);
 }
 
-/** @return Its scene. See #Experiment.create_scene. @param setup Where. @param[out] error What is
- * wrong.
- */
+/** @return Its scene. See #Experiment.create_scene. */
 static Scene *scene_point(const ExperimentSetup *setup, Error *error) {
     TestPlane ground = test_plane_at(setup->level, STEEP_DEGREES);
     return plane_scene(&ground, error);

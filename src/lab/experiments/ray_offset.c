@@ -27,8 +27,7 @@ static Quadruple chord_length(Vec3q point, Vec3q direction) {
     return 2 * quad_sqrt(1 - (Quadruple)IOR_RATIO * IOR_RATIO * (1 - cosine * cosine));
 }
 
-/** Poses a ray to a ball from three radii away. @param setup Where. @param sphere The ball.
- *  @param[in,out] random Where it comes from. @param[out] sample The case. */
+/** Poses a ray to a ball from three radii away. @param[in,out] random Where it comes from. */
 static void generate_offset_ray(const ExperimentSetup *setup, const OffsetSphere *sphere,
                                 Random *random, ExperimentSample *sample) {
     SampleWriter writer = {setup->type, sample->inputs};
@@ -48,24 +47,24 @@ static void generate_offset_ray(const ExperimentSetup *setup, const OffsetSphere
     sample->expected[1] = sphere->radius * chord_length(radial, vec3q_normalize(direction));
 }
 
-/** Judges a second ray. @param sample The case. @param is_wrong Whether it met what it should not.
- *  @param shift How far it was moved. @param[in,out] score The score. */
+/**
+ * Judges a second ray.
+ * @param is_wrong  Whether it met what it should not.
+ * @param shift  How far it was moved.
+ */
 static void score_second_hit(const ExperimentSample *sample, bool is_wrong, Quadruple shift,
                              ScoreStats *score) {
     score_outcome(score, OUTCOME_WRONG, is_wrong);
     score_error(score, shift / sample->expected[0]);
 }
 
-/** Judges a mirrored ray: it meets nothing. See #Experiment.score_sample. @param sample The case.
- *  @param outputs Distance and shift. @param[in,out] score The score. */
+/** Judges a mirrored ray: it meets nothing. See #Experiment.score_sample. */
 static void score_reflected(const ExperimentSample *sample, const Quadruple *outputs,
                             ScoreStats *score) {
     score_second_hit(sample, outputs[0] < QUAD_NO_HIT, outputs[1], score);
 }
 
-/** Judges a refracted ray: it meets the other side. See #Experiment.score_sample. @param sample The
- * case.
- *  @param outputs Distance and shift. @param[in,out] score The score. */
+/** Judges a refracted ray: it meets the other side. See #Experiment.score_sample. */
 static void score_refracted(const ExperimentSample *sample, const Quadruple *outputs,
                             ScoreStats *score) {
     Quadruple difference = quad_abs(outputs[0] - sample->expected[1]);
@@ -73,8 +72,7 @@ static void score_refracted(const ExperimentSample *sample, const Quadruple *out
                      score);
 }
 
-/** @return A ray's direction after a surface, of length 1. @param d Before. @param n The surface's
- *  normal, outwards. @param ratio See #OffsetSphere. */
+/** @return A ray's direction after a surface, of length 1. */
 static Vec3q redirected(Vec3q d, Vec3q n, Quadruple ratio) {
     Quadruple cosine = -vec3q_dot(d, n);
     if (ratio == 0) {
@@ -85,9 +83,10 @@ static Vec3q redirected(Vec3q d, Vec3q n, Quadruple ratio) {
     return vec3q_normalize(vec3q_add(vec3q_scale(d, ratio), outgoing));
 }
 
-/** @return Where the tracer starts a second ray (src/trace/tracer/ray_offset.h). @param hit The
- * hit.
- *  @param d Which way the second ray goes. */
+/**
+ * @return Where the tracer starts a second ray (src/trace/tracer/ray_offset.h).
+ * @param d  Which way the second ray goes.
+ */
 static Vec3q tracer_ray_origin(const RayResult *hit, Vec3q d) {
     Vec3q point = vec3q_from_array(hit->point), n = vec3q_from_array(hit->normal);
     Quadruple cosine = vec3q_dot(d, n), transmit_offset = 2 * hit->error;
@@ -98,8 +97,7 @@ static Vec3q tracer_ray_origin(const RayResult *hit, Vec3q d) {
     return vec3q_add(point, vec3q_scale(d, transmit_offset / (-cosine > least ? -cosine : least)));
 }
 
-/** Asks an engine for both rays. See #Experiment.query_engine. @param engine The engine. @param
- * tracer Its tracer. @param sample The case. @param[out] outputs Distance and shift. */
+/** Asks an engine for both rays. See #Experiment.query_engine. */
 static void query_second_ray(const Engine *engine, Tracer *tracer, const ExperimentSample *sample,
                              Quadruple *outputs) {
     const Quadruple *q = sample->inputs;
@@ -119,31 +117,28 @@ static void query_second_ray(const Engine *engine, Tracer *tracer, const Experim
 static const double sphere_radii[] = {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1,
                                       10,   1e2,  1e3,  1e4,  1e5,  1e6};
 
-/** @return A ball that lies one radius beside the origin. @param radius Its radius. @param ratio
- *  See #OffsetSphere. */
+/** @return A ball that lies one radius beside the origin. */
 static OffsetSphere offset_sphere_at(double radius, double ratio) {
     return (OffsetSphere){far_point(radius), number_types()[0]->round(radius), ratio};
 }
 
-/** Poses a mirror, small or large. See #Experiment.generate. @param setup Where. @param[in,out]
- * random Where it comes from. @param[out] sample The case. */
+/** Poses a mirror, small or large. See #Experiment.generate. @param[in,out] random Where it comes
+ *  from. */
 static void generate_mirror_scale(const ExperimentSetup *setup, Random *random,
                                   ExperimentSample *sample) {
     OffsetSphere sphere = offset_sphere_at(setup->level, 0);
     generate_offset_ray(setup, &sphere, random, sample);
 }
 
-/** Poses a ball of glass, small or large. See #Experiment.generate. @param setup Where.
- *  @param[in,out] random Where it comes from. @param[out] sample The case. */
+/** Poses a ball of glass, small or large. See #Experiment.generate. @param[in,out] random Where it
+ *  comes from. */
 static void generate_glass_scale(const ExperimentSetup *setup, Random *random,
                                  ExperimentSample *sample) {
     OffsetSphere sphere = offset_sphere_at(setup->level, IOR_RATIO);
     generate_offset_ray(setup, &sphere, random, sample);
 }
 
-/** @return Its scene. See #Experiment.create_scene. @param setup Where. @param[out] error What is
- * wrong.
- */
+/** @return Its scene. See #Experiment.create_scene. */
 static Scene *scene_scale(const ExperimentSetup *setup, Error *error) {
     OffsetSphere sphere = offset_sphere_at(setup->level, 0);
     return sphere_scene(sphere.center, (double)sphere.radius, error);
@@ -188,24 +183,21 @@ const Experiment glass_scale_experiment = {
 /** Radii. */
 static const double offsets[] = {1, 10, 1e2, 1e3, 1e4, 1e5};
 
-/** Poses a mirror far away. See #Experiment.generate. @param setup Where. @param[in,out] random
- * Where it comes from. @param[out] sample The case. */
+/** Poses a mirror far away. See #Experiment.generate. @param[in,out] random Where it comes from. */
 static void generate_mirror_offset(const ExperimentSetup *setup, Random *random,
                                    ExperimentSample *sample) {
     generate_offset_ray(setup, &(OffsetSphere){far_point(setup->level), 1, 0}, random, sample);
 }
 
-/** Poses a ball of glass far away. See #Experiment.generate. @param setup Where. @param[in,out]
- * random Where it comes from. @param[out] sample The case. */
+/** Poses a ball of glass far away. See #Experiment.generate. @param[in,out] random Where it comes
+ *  from. */
 static void generate_glass_offset(const ExperimentSetup *setup, Random *random,
                                   ExperimentSample *sample) {
     generate_offset_ray(setup, &(OffsetSphere){far_point(setup->level), 1, IOR_RATIO}, random,
                         sample);
 }
 
-/** @return Its scene. See #Experiment.create_scene. @param setup Where. @param[out] error What is
- * wrong.
- */
+/** @return Its scene. See #Experiment.create_scene. */
 static Scene *offset_scene(const ExperimentSetup *setup, Error *error) {
     return sphere_scene(far_point(setup->level), 1, error);
 }

@@ -16,8 +16,7 @@ typedef struct SphereView {
 /** Radii around the centre that rays aim at: a few pass beside the sphere. */
 #define AIM_RADIUS 1.02
 
-/** Writes a question. @param type The number type. @param ray Where it starts, and which way.
- *  @param view The sphere. @param[out] sample The case. */
+/** Writes a question. @param ray Where it starts, and which way. */
 static void sphere_write_input(const NumberType *type, const Vec3q ray[2], const SphereView *view,
                                ExperimentSample *sample) {
     SampleWriter writer = {type, sample->inputs};
@@ -28,9 +27,8 @@ static void sphere_write_input(const NumberType *type, const Vec3q ray[2], const
     sample->expected[0] = sphere_expected(origin, direction, center, radius);
 }
 
-/** Poses a ray from around a sphere to a disc around its centre. @param type The number type.
- *  @param view The sphere. @param[in,out] random Where it comes from. @param[out] sample The case.
- */
+/** Poses a ray from around a sphere to a disc around its centre. @param[in,out] random Where it
+ *  comes from. */
 static void generate_view(const NumberType *type, const SphereView *view, Random *random,
                           ExperimentSample *sample) {
     Vec3q outwards = random_direction(random);
@@ -48,16 +46,14 @@ static void generate_view(const NumberType *type, const SphereView *view, Random
 /** Radii. */
 static const double distances[] = {1.01, 2, 10, 1e2, 1e3, 1e4, 1e5, 1e6};
 
-/** Poses a sphere far away. See #Experiment.generate. @param setup Where.
- *  @param[in,out] random Where it comes from. @param[out] sample The case. */
+/** Poses a sphere far away. See #Experiment.generate. @param[in,out] random Where it comes from. */
 static void generate_distance(const ExperimentSetup *setup, Random *random,
                               ExperimentSample *sample) {
     SphereView view = {.radius = 1, .distance = setup->level};
     generate_view(setup->type, &view, random, sample);
 }
 
-/** @return Its scene. See #Experiment.create_scene. @param setup Where. @param[out] error What is
- *  wrong. */
+/** @return Its scene. See #Experiment.create_scene. */
 static Scene *scene_distance(const ExperimentSetup *setup, Error *error) {
     (void)setup;
     return sphere_scene((Vec3q){0, 0, 0}, 1, error);
@@ -86,19 +82,15 @@ const Experiment sphere_distance_experiment = {
 /** Radii. */
 static const double origin_distances[] = {1, 10, 1e2, 1e3, 1e4, 1e5, 1e6};
 
-/** Poses a sphere, ten radii away, far from the origin. See #Experiment.generate. @param setup
- * Where.
- *  @param[in,out] random Where it comes from. @param[out] sample
- *  The case. */
+/** Poses a sphere, ten radii away, far from the origin. See #Experiment.generate. @param[in,out]
+ *  random Where it comes from. */
 static void generate_offset(const ExperimentSetup *setup, Random *random,
                             ExperimentSample *sample) {
     SphereView view = {.center = far_point(setup->level), .radius = 1, .distance = 10};
     generate_view(setup->type, &view, random, sample);
 }
 
-/** @return Its scene. See #Experiment.create_scene. @param setup Where. @param[out] error What is
- * wrong.
- */
+/** @return Its scene. See #Experiment.create_scene. */
 static Scene *offset_scene(const ExperimentSetup *setup, Error *error) {
     return sphere_scene(far_point(setup->level), 1, error);
 }
@@ -125,15 +117,14 @@ const Experiment sphere_offset_experiment = {
 /** Scene units; as powers of two the figures would be the same to the bit. */
 static const double sphere_radii[] = {1e-6, 1e-4, 1e-2, 1, 1e2, 1e4, 1e6};
 
-/** Poses a sphere, ten radii away. See #Experiment.generate. @param setup Where.
- *  @param[in,out] random Where it comes from. @param[out] sample The case. */
+/** Poses a sphere, ten radii away. See #Experiment.generate. @param[in,out] random Where it comes
+ *  from. */
 static void generate_scale(const ExperimentSetup *setup, Random *random, ExperimentSample *sample) {
     SphereView view = {.radius = number_types()[0]->round(setup->level), .distance = 10};
     generate_view(setup->type, &view, random, sample);
 }
 
-/** @return Its scene. See #Experiment.create_scene. @param setup Where. @param[out] error What is
- *  wrong. */
+/** @return Its scene. See #Experiment.create_scene. */
 static Scene *scene_scale(const ExperimentSetup *setup, Error *error) {
     return sphere_scene((Vec3q){0, 0, 0}, (double)number_types()[0]->round(setup->level), error);
 }
@@ -160,15 +151,13 @@ const Experiment sphere_scale_experiment = {
 /** Radii, in heights of the eye. */
 static const double ground_radii[] = {1e1, 1e2, 1e3, 1e4, 1e5, 1e6};
 
-/** @return The middle of the earth: straight down along no axis. @param radius Its radius. */
+/** @return The middle of the earth: straight down along no axis. */
 static Vec3q ground_center(double radius) {
     return far_point(radius);
 }
 
 /** Poses an eye one unit above a large sphere, looking down at 5 to 90 degrees. See
- *  #Experiment.generate. @param setup Where.
- *  @param[in,out] random
- *  Where it comes from. @param[out] sample The case. */
+ *  #Experiment.generate. @param[in,out] random Where it comes from. */
 static void generate_ground(const ExperimentSetup *setup, Random *random,
                             ExperimentSample *sample) {
     SphereView view = {.center = ground_center(setup->level), .radius = setup->level};
@@ -183,8 +172,7 @@ static void generate_ground(const ExperimentSetup *setup, Random *random,
     sphere_write_input(setup->type, (const Vec3q[]){origin, direction}, &view, sample);
 }
 
-/** @return Its scene. See #Experiment.create_scene. @param setup Where. @param[out] error What is
- *  wrong. */
+/** @return Its scene. See #Experiment.create_scene. */
 static Scene *scene_ground(const ExperimentSetup *setup, Error *error) {
     return sphere_scene(ground_center(setup->level), setup->level, error);
 }

@@ -16,16 +16,15 @@ static Vec3q sphere_center(void) {
     return far_point(2);
 }
 
-/** @return Where a ray meets the sphere, rounded as a tracer rounds it: P = o + t d. @param type
- * The number type. @param o Where it starts. @param d Which way. */
+/** @return Where a ray meets the sphere, rounded as a tracer rounds it: P = o + t d. */
 static Vec3q rounded_hit_point(const NumberType *type, Vec3q o, Vec3q d) {
     Quadruple t = type->round(sphere_expected(o, d, sphere_center(), 1));
     Vec3q displacement = vec3q_round(type, vec3q_scale(d, t));
     return vec3q_round(type, vec3q_add(o, displacement));
 }
 
-/** Poses a point near the pole, met from ten radii above. See #Experiment.generate. @param setup
- *  Where. @param[in,out] random Where it comes from. @param[out] sample The case. */
+/** Poses a point near the pole, met from ten radii above. See #Experiment.generate. @param[in,out]
+ *  random Where it comes from. */
 static void generate_pole_hit(const ExperimentSetup *setup, Random *random,
                               ExperimentSample *sample) {
     const NumberType *type = setup->type;
@@ -45,8 +44,7 @@ static void generate_pole_hit(const ExperimentSetup *setup, Random *random,
     sample->expected[0] = quad_atan2(quad_sqrt(n.x * n.x + n.z * n.z), n.y);
 }
 
-/** Judges an angle. See #Experiment.score_sample. @param sample The case. @param outputs The angle.
- *  @param[in,out] score The score. */
+/** Judges an angle. See #Experiment.score_sample. */
 static void score_polar_angle(const ExperimentSample *sample, const Quadruple *outputs,
                               ScoreStats *score) {
     bool is_number = quad_is_number(outputs[0]);
@@ -56,16 +54,13 @@ static void score_polar_angle(const ExperimentSample *sample, const Quadruple *o
     }
 }
 
-/** @return The sphere. See #Experiment.create_scene. @param setup Not looked at. @param[out] error
- * What is wrong. */
+/** @return The sphere. See #Experiment.create_scene. */
 static Scene *pole_scene(const ExperimentSetup *setup, Error *error) {
     (void)setup;
     return sphere_scene(sphere_center(), 1, error);
 }
 
-/** Asks an engine with a ray straight down onto the point. See #Experiment.query_engine. @param
- * engine The engine. @param tracer Its tracer. @param sample The case. @param[out] outputs The
- * angle. */
+/** Asks an engine with a ray straight down onto the point. See #Experiment.query_engine. */
 static void query_polar_angle(const Engine *engine, Tracer *tracer, const ExperimentSample *sample,
                               Quadruple *outputs) {
     Vec3q point = vec3q_from_array(sample->inputs), center = vec3q_from_array(sample->inputs + 3);

@@ -18,16 +18,20 @@ static void *build_icosphere(double level) {
     return icosphere_create(far_point(level));
 }
 
-/** @return Where a ray starts: somewhere in the middle half of the ball. @param setup Where.
- *  @param[in,out] random Where it comes from. */
+/**
+ * @return Where a ray starts: somewhere in the middle half of the ball.
+ * @param[in,out] random  Where it comes from.
+ */
 static Vec3q random_origin_inside(const ExperimentSetup *setup, Random *random) {
     Vec3q lateral = vec3q_scale(random_direction(random), random_range(random, 0, 0.5));
     return vec3q_round(setup->type, vec3q_add(far_point(setup->level), lateral));
 }
 
-/** Writes the question whether a ray meets a face. @param[in,out] writer Where to. @param ball The
- *  surface. @param ray Where it starts, and which way. @param face The face; -1: none, a triangle
- *  without area. */
+/**
+ * Writes the question whether a ray meets a face.
+ * @param ray  Where it starts, and which way.
+ * @param face  The face; -1: none, a triangle without area.
+ */
 static void write_face_input(SampleWriter *writer, const Icosphere *ball, const Vec3q ray[2],
                              int face) {
     sample_writer_vec3(writer, ray[0]);
@@ -38,8 +42,7 @@ static void write_face_input(SampleWriter *writer, const Icosphere *ball, const 
 }
 
 /** Writes the questions about all faces around one corner or two, #SAMPLE_QUERIES_MAXIMUM in all.
- *  @param setup Where. @param ray Where it starts, and which way. @param ends The corners.
- *  @param[out] sample The case. */
+ *  @param ray Where it starts, and which way. */
 static void write_fan_faces(const ExperimentSetup *setup, const Vec3q ray[2], const int ends[2],
                             ExperimentSample *sample) {
     const Icosphere *ball = setup->shared;
@@ -62,8 +65,10 @@ static void write_fan_faces(const ExperimentSetup *setup, const Vec3q ray[2], co
     }
 }
 
-/** Poses a ray to an edge or a corner. @param setup Where. @param[in,out] random Where it comes
- *  from. @param fraction How far along an edge it aims, 0 for its end. @param[out] sample The case.
+/**
+ * Poses a ray to an edge or a corner.
+ * @param[in,out] random  Where it comes from.
+ * @param fraction  How far along an edge it aims, 0 for its end.
  */
 static void generate_edge_ray(const ExperimentSetup *setup, Random *random, Quadruple fraction,
                               ExperimentSample *sample) {
@@ -78,22 +83,19 @@ static void generate_edge_ray(const ExperimentSetup *setup, Random *random, Quad
     write_fan_faces(setup, (const Vec3q[]){origin, direction}, ends, sample);
 }
 
-/** Poses a ray to an edge. See #Experiment.generate. @param setup Where. @param[in,out] random
- * Where it comes from. @param[out] sample The case. */
+/** Poses a ray to an edge. See #Experiment.generate. @param[in,out] random Where it comes from. */
 static void generate_edge(const ExperimentSetup *setup, Random *random, ExperimentSample *sample) {
     generate_edge_ray(setup, random, random_range(random, 0.01, 0.99), sample);
 }
 
-/** Poses a ray to a corner. See #Experiment.generate. @param setup Where. @param[in,out] random
- * Where it comes from. @param[out] sample The case. */
+/** Poses a ray to a corner. See #Experiment.generate. @param[in,out] random Where it comes from. */
 static void generate_corner(const ExperimentSetup *setup, Random *random,
                             ExperimentSample *sample) {
     generate_edge_ray(setup, random, 0, sample);
 }
 
 /** Judges how many faces were met: one, where a ray leaves a closed surface. See
- * #Experiment.score_sample.
- *  @param sample Not looked at. @param outputs A distance each. @param[in,out] score The score. */
+ *  #Experiment.score_sample. */
 static void score_faces(const ExperimentSample *sample, const Quadruple *outputs,
                         ScoreStats *score) {
     (void)sample;
@@ -107,8 +109,7 @@ static void score_faces(const ExperimentSample *sample, const Quadruple *outputs
     }
 }
 
-/** @return The ball as a model. See #Experiment.create_scene. @param setup Where. @param[out] error
- * What is wrong. */
+/** @return The ball as a model. See #Experiment.create_scene. */
 static Scene *icosphere_scene(const ExperimentSetup *setup, Error *error) {
     const Icosphere *ball = setup->shared;
     Mesh counts = {.position_count = ICOSPHERE_CORNERS, .triangle_count = ICOSPHERE_FACES};
@@ -127,9 +128,7 @@ static Scene *icosphere_scene(const ExperimentSetup *setup, Error *error) {
     return scene_fixture_with_mesh(mesh, error);
 }
 
-/** Asks an engine for the nearest face of the whole ball. See #Experiment.query_engine. @param
- * engine The engine. @param tracer Its tracer. @param sample The case. @param[out] outputs One of
- * them. */
+/** Asks an engine for the nearest face of the whole ball. See #Experiment.query_engine. */
 static void query_icosphere(const Engine *engine, Tracer *tracer, const ExperimentSample *sample,
                             Quadruple *outputs) {
     RayResult answer;
@@ -186,8 +185,7 @@ typedef struct TestTriangle {
     double sine;      /**< Of the angle under which it is met. */
 } TestTriangle;
 
-/** @return Where a ray meets a triangle, in quad precision; #QUAD_NO_HIT: nowhere. @param o Where
- * it starts. @param d Which way. @param c The corners. */
+/** @return Where a ray meets a triangle, in quad precision; #QUAD_NO_HIT: nowhere. */
 static Quadruple triangle_expected(Vec3q o, Vec3q d, const Vec3q c[3]) {
     Vec3q e1 = vec3q_subtract(c[1], c[0]), e2 = vec3q_subtract(c[2], c[0]);
     Vec3q p = vec3q_cross(d, e2), s = vec3q_subtract(o, c[0]), r = vec3q_cross(s, e1);
@@ -197,8 +195,7 @@ static Quadruple triangle_expected(Vec3q o, Vec3q d, const Vec3q c[3]) {
     return u >= 0 && v >= 0 && u + v <= 1 && t > 0 ? t : QUAD_NO_HIT;
 }
 
-/** Poses a ray to somewhere inside a triangle. @param setup Where. @param single The triangle.
- *  @param[in,out] random Where it comes from. @param[out] sample The case. */
+/** Poses a ray to somewhere inside a triangle. @param[in,out] random Where it comes from. */
 static void generate_triangle_ray(const ExperimentSetup *setup, const TestTriangle *single,
                                   Random *random, ExperimentSample *sample) {
     const Vec3q *c = single->corners;
@@ -219,7 +216,7 @@ static void generate_triangle_ray(const ExperimentSetup *setup, const TestTriang
     sample->expected[0] = triangle_expected(origin, direction, c);
 }
 
-/** @return The scene of a triangle. @param single The triangle. @param[out] error What is wrong. */
+/** @return The scene of a triangle. */
 static Scene *test_triangle_scene(const TestTriangle *single, Error *error) {
     FixtureValue values[] = {{.name = "a"}, {.name = "b"}, {.name = "c"}, {0}};
     for (int k = 0; k < 3; k++) {
@@ -228,8 +225,7 @@ static Scene *test_triangle_scene(const TestTriangle *single, Error *error) {
     return scene_fixture_with_shape("triangle", values, error);
 }
 
-/** @return A right triangle, in no special direction, all float. @param a A leg. @param b The
- *  other. */
+/** @return A right triangle, in no special direction, all float. */
 static TestTriangle right_triangle(double a, double b) {
     const NumberType *narrowest = number_types()[0];
     Vec3q x = vec3q_normalize((Vec3q){0.8, 0.36, -0.48});
@@ -242,7 +238,7 @@ static TestTriangle right_triangle(double a, double b) {
 /** Scene units. */
 static const double leg_lengths[] = {1, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6};
 
-/** @return A small triangle. @param leg How small. */
+/** @return A small triangle. */
 static TestTriangle small_triangle(double leg) {
     TestTriangle single = right_triangle(leg, leg);
     single.distance = 3 * leg;
@@ -250,16 +246,13 @@ static TestTriangle small_triangle(double leg) {
     return single;
 }
 
-/** Poses a small triangle. See #Experiment.generate. @param setup Where. @param[in,out] random
- * Where it comes from. @param[out] sample The case. */
+/** Poses a small triangle. See #Experiment.generate. @param[in,out] random Where it comes from. */
 static void generate_small(const ExperimentSetup *setup, Random *random, ExperimentSample *sample) {
     TestTriangle single = small_triangle(setup->level);
     generate_triangle_ray(setup, &single, random, sample);
 }
 
-/** @return Its scene. See #Experiment.create_scene. @param setup Where. @param[out] error What is
- * wrong.
- */
+/** @return Its scene. See #Experiment.create_scene. */
 static Scene *scene_small(const ExperimentSetup *setup, Error *error) {
     TestTriangle single = small_triangle(setup->level);
     return test_triangle_scene(&single, error);
@@ -284,7 +277,7 @@ const Experiment triangle_small_experiment = {
 /** Length over width. */
 static const double aspects[] = {1, 10, 1e2, 1e3, 1e4, 1e5, 1e6};
 
-/** @return A thin triangle. @param aspect How thin. */
+/** @return A thin triangle. */
 static TestTriangle thin_triangle(double aspect) {
     TestTriangle single = right_triangle(1, 1 / aspect);
     single.distance = 10;
@@ -292,16 +285,13 @@ static TestTriangle thin_triangle(double aspect) {
     return single;
 }
 
-/** Poses a thin triangle. See #Experiment.generate. @param setup Where. @param[in,out] random Where
- *  it comes from. @param[out] sample The case. */
+/** Poses a thin triangle. See #Experiment.generate. @param[in,out] random Where it comes from. */
 static void generate_thin(const ExperimentSetup *setup, Random *random, ExperimentSample *sample) {
     TestTriangle single = thin_triangle(setup->level);
     generate_triangle_ray(setup, &single, random, sample);
 }
 
-/** @return Its scene. See #Experiment.create_scene. @param setup Where. @param[out] error What is
- * wrong.
- */
+/** @return Its scene. See #Experiment.create_scene. */
 static Scene *scene_thin(const ExperimentSetup *setup, Error *error) {
     TestTriangle single = thin_triangle(setup->level);
     return test_triangle_scene(&single, error);

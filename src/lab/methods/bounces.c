@@ -4,8 +4,7 @@
  */
 #include "lab/methods/bounces.h"
 
-/** @return How far a ball is; #INFINITE: it is not met. @param in The question. @param ray The ray.
- *  @param sphere Which. */
+/** @return How far a ball is; #INFINITE: it is not met. */
 static real bounces_sphere_distance(const BouncesInput *in, const BounceRay *ray, int sphere) {
     Vec3 f = vec3_subtract(in->centers[sphere], ray->origin);
     real l = vec3_dot(f, ray->direction);

@@ -29,8 +29,8 @@ typedef struct BounceRay {
     int sphere;     /**< The ball that it comes from; -1: none. */
 } BounceRay;
 
-/** Mirrors a ray at the ball that it meets first, and moves it there.
- *  @param in The question. @param[in,out] ray The ray; its direction NaN where it meets none. */
+/** Mirrors a ray at the ball that it meets first, and moves it there. @param[in,out] ray The ray;
+ *  its direction NaN where it meets none. */
 void bounces_reflect(const BouncesInput *in, BounceRay *ray);
 
 #endif

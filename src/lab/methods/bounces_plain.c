@@ -9,8 +9,7 @@
  */
 #include "lab/methods/bounces.h"
 
-/** Asks it. See #Method.run. @param input A #BouncesInput. @param[out] output A
- * #BouncesOutput. */
+/** Asks it. See #Method.run. */
 static void bounces_plain_run(const void *input, void *output) {
     const BouncesInput *in = input;
     BounceRay ray = {in->origin, in->direction, -1};

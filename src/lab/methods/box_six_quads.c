@@ -15,8 +15,7 @@ typedef struct BoxFace {
     real high[3];      /**< Highest corner. */
 } BoxFace;
 
-/** Asks a face. @param face The face. @param plane Where it is along its axis. @param[in,out] out
- *  The answer. */
+/** Asks a face. @param plane Where it is along its axis. */
 static void box_face_intersect(const BoxFace *face, real plane, BoxOutput *out) {
     real t = (plane - face->origin[0]) / face->direction[0];
     real u = face->origin[1] + face->direction[1] * t;
@@ -29,7 +28,7 @@ static void box_face_intersect(const BoxFace *face, real plane, BoxOutput *out) 
     }
 }
 
-/** Asks it. See #Method.run. @param input A #BoxInput. @param[out] output A #BoxOutput. */
+/** Asks it. See #Method.run. */
 static void box_six_quads_run(const void *input, void *output) {
     const BoxInput *in = input;
     const Vec3 *o = &in->origin, *d = &in->direction, *low = &in->low, *high = &in->high;

@@ -10,9 +10,12 @@
  */
 #include "lab/methods/box.h"
 
-/** Cuts an interval. @param[in,out] interval The interval. @param origin Of the ray, along an axis.
- *  @param direction Of the ray. @param low Where the slab begins. @param high Where it ends.
- *  @return Whether anything is left. */
+/**
+ * Cuts an interval.
+ * @param origin  Of the ray, along an axis.
+ * @param low  Where the slab begins.
+ * @return Whether anything is left.
+ */
 static int box_slabs_nan_misses_clip(SlabInterval *interval, real origin, real direction, real low,
                                      real high) {
     real t1 = (low - origin) / direction, t2 = (high - origin) / direction;
@@ -22,7 +25,7 @@ static int box_slabs_nan_misses_clip(SlabInterval *interval, real origin, real d
     return interval->near <= interval->far;
 }
 
-/** Asks it. See #Method.run. @param input A #BoxInput. @param[out] output A #BoxOutput. */
+/** Asks it. See #Method.run. */
 static void box_slabs_nan_misses_run(const void *input, void *output) {
     const BoxInput *in = input;
     SlabInterval interval = {-INFINITE, INFINITE};

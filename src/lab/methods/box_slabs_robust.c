@@ -10,8 +10,11 @@
  */
 #include "lab/methods/box.h"
 
-/** Cuts an interval. @param[in,out] interval The interval. @param origin Of the ray, along an axis.
- *  @param direction Of the ray. @param low Where the slab begins. @param high Where it ends. */
+/**
+ * Cuts an interval.
+ * @param origin  Of the ray, along an axis.
+ * @param low  Where the slab begins.
+ */
 static void box_slabs_robust_clip(SlabInterval *interval, real origin, real direction, real low,
                                   real high) {
     const real gamma = 3 * ROUNDOFF / (1 - 3 * ROUNDOFF);
@@ -22,7 +25,7 @@ static void box_slabs_robust_clip(SlabInterval *interval, real origin, real dire
     interval->far = leave < interval->far ? leave : interval->far;
 }
 
-/** Asks it. See #Method.run. @param input A #BoxInput. @param[out] output A #BoxOutput. */
+/** Asks it. See #Method.run. */
 static void box_slabs_robust_run(const void *input, void *output) {
     const BoxInput *in = input;
     SlabInterval interval = {-INFINITE, INFINITE};

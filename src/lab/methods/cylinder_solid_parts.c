@@ -7,8 +7,7 @@
  */
 #include "lab/methods/cylinder.h"
 
-/** Takes a meeting. @param out The answer. @param is_met Whether there is one. @param distance
- *  How far. */
+/** Takes a meeting. @param is_met Whether there is one. */
 static void cylinder_keep_nearest(CylinderOutput *out, int is_met, real distance) {
     if (is_met && distance > 0) {
         out->count += 1;
@@ -16,8 +15,7 @@ static void cylinder_keep_nearest(CylinderOutput *out, int is_met, real distance
     }
 }
 
-/** Asks one end. @param in The question. @param height Of the end above the base. @param out The
- *  answer. */
+/** Asks one end. @param height Of the end above the base. */
 static void cylinder_intersect_cap(const CylinderInput *in, real height, CylinderOutput *out) {
     real t = (in->base.y + height - in->origin.y) / in->direction.y;
     Vec3 point = vec3_add(in->origin, vec3_scale(in->direction, t));
@@ -25,14 +23,13 @@ static void cylinder_intersect_cap(const CylinderInput *in, real height, Cylinde
     cylinder_keep_nearest(out, x * x + z * z <= in->radius * in->radius, t);
 }
 
-/** Asks the wall. @param in The question. @param t How far a root is. @param out The answer. */
+/** Asks the wall. @param t How far a root is. */
 static void cylinder_intersect_wall(const CylinderInput *in, real t, CylinderOutput *out) {
     real y = in->origin.y + in->direction.y * t - in->base.y;
     cylinder_keep_nearest(out, y >= 0 && y <= in->height, t);
 }
 
-/** Asks it. See #Method.run. @param input A #CylinderInput. @param[out] output A
- * #CylinderOutput. */
+/** Asks it. See #Method.run. */
 static void cylinder_solid_parts_run(const void *input, void *output) {
     const CylinderInput *in = input;
     CylinderOutput *out = output;

@@ -8,8 +8,7 @@
  */
 #include "lab/methods/cylinder.h"
 
-/** Asks it. See #Method.run. @param input A #CylinderInput. @param[out] output A
- * #CylinderOutput. */
+/** Asks it. See #Method.run. */
 static void cylinder_wall_textbook_run(const void *input, void *output) {
     const CylinderInput *in = input;
     real x = in->origin.x - in->base.x, z = in->origin.z - in->base.z;

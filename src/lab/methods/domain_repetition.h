@@ -31,8 +31,7 @@ static inline int domain_repetition_cell(real x) {
     return (int)(x + (scalar)1000.5f) - 1000;
 }
 
-/** @return How far a point is from the ball of a cell. @param in The question. @param p The point.
- *  @param x The cell. @param y Its second place. @param z Its third. */
+/** @return How far a point is from the ball of a cell. */
 static inline real domain_repetition_cell_distance(const DomainRepetitionInput *in, Vec3 p, int x,
                                                    int y, int z) {
     Vec3 local = {p.x - (real)x, p.y - (real)y, p.z - (real)z};
@@ -41,7 +40,7 @@ static inline real domain_repetition_cell_distance(const DomainRepetitionInput *
     return real_sqrt(vec3_dot(local, local)) - radius;
 }
 
-/** @return Where a ray stops that is marched. @param in The question. @param field The field. */
+/** @return Where a ray stops that is marched. */
 static inline real domain_repetition_trace(const DomainRepetitionInput *in,
                                            real (*field)(const DomainRepetitionInput *in, Vec3 p)) {
     real t = 0;

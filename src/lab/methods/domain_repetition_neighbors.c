@@ -6,7 +6,7 @@
  */
 #include "lab/methods/domain_repetition.h"
 
-/** @return The field. @param in The question. @param p A point. */
+/** @return The field. */
 static real domain_repetition_neighbors_sdf(const DomainRepetitionInput *in, Vec3 p) {
     int x = domain_repetition_cell(p.x), y = domain_repetition_cell(p.y),
         z = domain_repetition_cell(p.z);
@@ -19,9 +19,7 @@ static real domain_repetition_neighbors_sdf(const DomainRepetitionInput *in, Vec
     return minimum;
 }
 
-/** Asks it. See #Method.run. @param input A #DomainRepetitionInput. @param[out] output A
- * #DomainRepetitionOutput.
- */
+/** Asks it. See #Method.run. */
 static void domain_repetition_neighbors_run(const void *input, void *output) {
     const DomainRepetitionInput *in = input;
     ((DomainRepetitionOutput *)output)->distance =

@@ -9,16 +9,14 @@
  */
 #include "lab/methods/domain_repetition.h"
 
-/** @return The field. @param in The question. @param p A point. */
+/** @return The field. */
 static real domain_repetition_own_cell_sdf(const DomainRepetitionInput *in, Vec3 p) {
     return domain_repetition_cell_distance(in, p, domain_repetition_cell(p.x),
                                            domain_repetition_cell(p.y),
                                            domain_repetition_cell(p.z));
 }
 
-/** Asks it. See #Method.run. @param input A #DomainRepetitionInput. @param[out] output A
- * #DomainRepetitionOutput.
- */
+/** Asks it. See #Method.run. */
 static void domain_repetition_own_cell_run(const void *input, void *output) {
     const DomainRepetitionInput *in = input;
     ((DomainRepetitionOutput *)output)->distance =

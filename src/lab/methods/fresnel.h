@@ -19,8 +19,7 @@ typedef struct FresnelOutput {
     real reflectance; /**< 0 to 1. */
 } FresnelOutput;
 
-/** @return The square of the refracted ray's cosine; negative: there is none, all is mirrored.
- *  @param in The question. */
+/** @return The square of the refracted ray's cosine; negative: there is none, all is mirrored. */
 static inline real fresnel_cosine_t_squared(const FresnelInput *in) {
     return 1 - (1 - in->cosine) * (1 + in->cosine) / (in->index * in->index);
 }

@@ -7,8 +7,7 @@
  */
 #include "lab/methods/fresnel.h"
 
-/** Asks it. See #Method.run. @param input A #FresnelInput. @param[out] output A
- * #FresnelOutput. */
+/** Asks it. See #Method.run. */
 static void fresnel_schlick_run(const void *input, void *output) {
     const FresnelInput *in = input;
     real cosine_t_squared = fresnel_cosine_t_squared(in), root = (in->index - 1) / (in->index + 1);

@@ -9,8 +9,7 @@
  */
 #include "lab/methods/fresnel.h"
 
-/** Answers a question. See #Method.run. @param input A #FresnelInput. @param[out] output A
- * #FresnelOutput. */
+/** Answers a question. See #Method.run. */
 static void fresnel_smaller_fraction_run(const void *input, void *output) {
     const FresnelInput *in = input;
     real cosine_t_squared = fresnel_cosine_t_squared(in), c = in->cosine, n = in->index,

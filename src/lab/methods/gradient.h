@@ -21,8 +21,10 @@ typedef struct GradientOutput {
     Vec3 normal; /**< It. */
 } GradientOutput;
 
-/** @return How far a point is from the ball. @param in The question. @param dx How far beside its
- *  point, along x. @param dy Along y. @param dz Along z. */
+/**
+ * @return How far a point is from the ball.
+ * @param dx  How far beside its point, along x.
+ */
 static inline real gradient_sphere_sdf(const GradientInput *in, real dx, real dy, real dz) {
     Vec3 position = vec3_add(in->point, (Vec3){dx, dy, dz});
     Vec3 local = vec3_subtract(position, in->center);

@@ -6,8 +6,7 @@
  */
 #include "lab/methods/gradient.h"
 
-/** Asks it. See #Method.run. @param input A #GradientInput. @param[out] output A
- * #GradientOutput. */
+/** Asks it. See #Method.run. */
 static void gradient_analytic_run(const void *input, void *output) {
     const GradientInput *in = input;
     ((GradientOutput *)output)->normal = vec3_normalize(vec3_subtract(in->point, in->center));

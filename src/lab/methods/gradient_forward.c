@@ -6,8 +6,7 @@
  */
 #include "lab/methods/gradient.h"
 
-/** Asks it. See #Method.run. @param input A #GradientInput. @param[out] output A
- * #GradientOutput. */
+/** Asks it. See #Method.run. */
 static void gradient_forward_run(const void *input, void *output) {
     const GradientInput *in = input;
     real h = in->step, here = gradient_sphere_sdf(in, 0, 0, 0);

@@ -10,8 +10,7 @@
  */
 #include "lab/methods/gradient.h"
 
-/** Asks it. See #Method.run. @param input A #GradientInput. @param[out] output A
- * #GradientOutput. */
+/** Asks it. See #Method.run. */
 static void gradient_tetrahedral_run(const void *input, void *output) {
     const GradientInput *in = input;
     real h = in->step, a = gradient_sphere_sdf(in, h, -h, -h),

@@ -40,14 +40,12 @@ typedef struct NumberType {
     int mantissa_bits;            /**< The leading 1 included. */
     const Method *const *methods; /**< The same in each type, ended by NULL. */
 
-    /** @return The nearest number of the type. @param x Any number. */
+    /** @return The nearest number of the type. */
     Quadruple (*round)(Quadruple x);
 
     /**
      * Asks a method.
-     * @param method        One of #methods.
-     * @param count         How many questions.
-     * @param questions     The numbers of each, which the type can hold.
+     * @param questions  The numbers of each, which the type can hold.
      * @param[out] answers  The numbers of each answer, exactly.
      */
     void (*evaluate)(const Method *method, size_t count, const Quadruple *questions,
@@ -55,19 +53,12 @@ typedef struct NumberType {
 
     /**
      * Makes questions what methods want, for #evaluate_packed.
-     * @param method     One of #methods.
-     * @param count      How many questions.
      * @param questions  The numbers of each, which the type can hold.
      * @return They, to be given back with free; NULL without memory.
      */
     void *(*pack_inputs)(const Method *method, size_t count, const Quadruple *questions);
 
-    /**
-     * Asks a method one question after the other and forgets the answers: for a clock.
-     * @param method  One of #methods.
-     * @param count   How many questions.
-     * @param packed  They, from #pack_inputs.
-     */
+    /** Asks a method one question after the other and forgets the answers: for a clock. */
     void (*evaluate_packed)(const Method *method, size_t count, const void *packed);
 } NumberType;
 

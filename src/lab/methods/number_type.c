@@ -7,18 +7,12 @@
 
 #include <stdlib.h>
 
-/** @return The nearest number of the type. See #NumberType.round. @param x Any number. */
+/** @return The nearest number of the type. See #NumberType.round. */
 static Quadruple number_round(Quadruple x) {
     return (Quadruple)(scalar)x;
 }
 
-/**
- * Asks a method. See #NumberType.evaluate.
- * @param method        The method.
- * @param count         How many questions.
- * @param inputs     The numbers of each.
- * @param[out] outputs  The numbers of each answer.
- */
+/** Asks a method. See #NumberType.evaluate. @param[out] outputs The numbers of each answer. */
 static void number_evaluate(const Method *method, size_t count, const Quadruple *inputs,
                             Quadruple *outputs) {
     real input[METHOD_NUMBERS_MAXIMUM], output[METHOD_NUMBERS_MAXIMUM];
@@ -33,8 +27,7 @@ static void number_evaluate(const Method *method, size_t count, const Quadruple 
     }
 }
 
-/** @return Questions as methods want them. See #NumberType.pack_inputs. @param method The method.
- *  @param count How many. @param inputs The numbers of each. */
+/** @return Questions as methods want them. See #NumberType.pack_inputs. */
 static void *number_pack(const Method *method, size_t count, const Quadruple *inputs) {
     size_t numbers = count * (size_t)method->input_count;
     real *packed = calloc(numbers, sizeof *packed);
@@ -44,9 +37,7 @@ static void *number_pack(const Method *method, size_t count, const Quadruple *in
     return packed;
 }
 
-/** Asks a method and forgets the answers. See #NumberType.evaluate_packed. @param method The
- * method.
- *  @param count How many questions. @param packed They. */
+/** Asks a method and forgets the answers. See #NumberType.evaluate_packed. */
 static void number_evaluate_packed(const Method *method, size_t count, const void *packed) {
     real output[METHOD_NUMBERS_MAXIMUM];
     const real *question = packed;

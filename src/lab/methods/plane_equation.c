@@ -6,8 +6,7 @@
  */
 #include "lab/methods/plane.h"
 
-/** Asks it. See #Method.run. @param input A #PlaneInput. @param[out] output A #PlaneOutput.
- */
+/** Asks it. See #Method.run. */
 static void plane_equation_run(const void *input, void *output) {
     const PlaneInput *in = input;
     real height = in->offset - vec3_dot(in->normal, in->origin);

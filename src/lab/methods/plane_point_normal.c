@@ -8,8 +8,7 @@
  */
 #include "lab/methods/plane.h"
 
-/** Asks it. See #Method.run. @param input A #PlaneInput. @param[out] output A #PlaneOutput.
- */
+/** Asks it. See #Method.run. */
 static void plane_point_normal_run(const void *input, void *output) {
     const PlaneInput *in = input;
     real height = vec3_dot(vec3_subtract(in->point, in->origin), in->normal);

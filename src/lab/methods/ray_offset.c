@@ -10,8 +10,10 @@ typedef struct RayOffsetRoots {
     real far;  /**< The larger. */
 } RayOffsetRoots;
 
-/** @return Both roots, by projection relative to the origin. @param in The sphere. @param origin
- *  Where the ray starts. @param direction Which way. */
+/**
+ * @return Both roots, by projection relative to the origin.
+ * @param origin  Where the ray starts.
+ */
 static RayOffsetRoots ray_offset_sphere_roots(const RayOffsetInput *in, Vec3 origin,
                                               Vec3 direction) {
     Vec3 f = vec3_subtract(in->center, origin);
@@ -21,8 +23,7 @@ static RayOffsetRoots ray_offset_sphere_roots(const RayOffsetInput *in, Vec3 ori
     return (RayOffsetRoots){l - h, l + h};
 }
 
-/** @return A refracted direction (Snell, as in GLSL). @param d The direction. @param n The normal,
- *  against it. @param ratio The indices'. */
+/** @return A refracted direction (Snell, as in GLSL). */
 static Vec3 ray_offset_refract(Vec3 d, Vec3 n, real ratio) {
     real cosine = -vec3_dot(d, n);
     real k = 1 - ratio * ratio * (1 - cosine * cosine);

@@ -39,11 +39,10 @@ typedef struct RayOffsetStart {
     real t_min;  /**< What is nearer than this is no meeting. */
 } RayOffsetStart;
 
-/** @return What leaves. @param in The question. */
+/** @return What leaves. */
 RayOffsetHit ray_offset_hit(const RayOffsetInput *in);
 
-/** @return What becomes of the second ray. @param in The question. @param hit What leaves.
- *  @param start Where it starts. */
+/** @return What becomes of the second ray. */
 RayOffsetOutput ray_offset_output_of(const RayOffsetInput *in, const RayOffsetHit *hit,
                                      const RayOffsetStart *start);
 

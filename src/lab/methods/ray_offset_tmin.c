@@ -6,8 +6,7 @@
  */
 #include "lab/methods/ray_offset.h"
 
-/** Asks it. See #Method.run. @param input A #RayOffsetInput. @param[out] output A
- * #RayOffsetOutput. */
+/** Asks it. See #Method.run. */
 static void ray_offset_tmin_run(const void *input, void *output) {
     const RayOffsetInput *in = input;
     RayOffsetHit hit = ray_offset_hit(in);

@@ -10,15 +10,14 @@
  */
 #include "lab/methods/ray_offset.h"
 
-/** @return A coordinate, moved. @param plane The coordinate. @param normal The normal's. */
+/** @return A coordinate, moved. */
 static real ray_offset_by_ulps(real plane, real normal) {
     const real ulps = 256 * 2 * ROUNDOFF, near_zero = (scalar)0.03125f;
     return real_abs(plane) < near_zero ? plane + normal / 65536
                                        : plane + real_abs(plane) * ulps * normal;
 }
 
-/** Asks it. See #Method.run. @param input A #RayOffsetInput. @param[out] output A
- * #RayOffsetOutput. */
+/** Asks it. See #Method.run. */
 static void ray_offset_ulps_run(const void *input, void *output) {
     const RayOffsetInput *in = input;
     RayOffsetHit hit = ray_offset_hit(in);

@@ -21,17 +21,17 @@ extern Quadruple acosf128(Quadruple x);
 extern Quadruple atan2f128(Quadruple y, Quadruple x);
 #endif
 
-/** @return x y + z, rounded once. @param x A number. @param y Another. @param z A third. */
+/** @return x y + z, rounded once. */
 static inline real real_fma(real x, real y, real z) {
     return REAL_FUNCTION(fma)(x, y, z);
 }
 
-/** @return The arc cosine, 0 to pi; NaN beyond -1 to 1. @param x A number. */
+/** @return The arc cosine, 0 to pi; NaN beyond -1 to 1. */
 static inline real real_acos(real x) {
     return REAL_FUNCTION(acos)(x);
 }
 
-/** @return The angle of a point, -pi to pi. @param y Its ordinate. @param x Its abscissa. */
+/** @return The angle of a point, -pi to pi. */
 static inline real real_atan2(real y, real x) {
     return REAL_FUNCTION(atan2)(y, x);
 }

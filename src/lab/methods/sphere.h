@@ -21,8 +21,7 @@ typedef struct SphereOutput {
     real distance; /**< In lengths of the direction. */
 } SphereOutput;
 
-/** @return The nearest of two roots that lies ahead, or #INFINITE. @param near The smaller root.
- *  @param far The larger. */
+/** @return The nearest of two roots that lies ahead, or #INFINITE. */
 static inline real sphere_nearest_root(real near, real far) {
     return near > 0 ? near : far > 0 ? far : INFINITE;
 }

@@ -19,26 +19,26 @@ typedef struct DoubleDouble {
     real error; /**< What is left of it. */
 } DoubleDouble;
 
-/** @return x - y. @param x A number. @param y Another. */
+/** @return x - y. */
 static DoubleDouble double_double_difference(real x, real y) {
     real s = x - y;
     real back = s - x;
     return (DoubleDouble){s, (x - (s - back)) - (y + back)};
 }
 
-/** @return x + y. @param x A pair. @param y Another. */
+/** @return x + y. */
 static DoubleDouble double_double_sum(DoubleDouble x, DoubleDouble y) {
     DoubleDouble s = double_double_difference(x.value, -y.value);
     return (DoubleDouble){s.value, s.error + x.error + y.error};
 }
 
-/** @return The square of a pair. @param x It. */
+/** @return The square of a pair. */
 static DoubleDouble double_double_square(DoubleDouble x) {
     real p = x.value * x.value;
     return (DoubleDouble){p, real_fma(x.value, x.value, -p) + 2 * x.value * x.error};
 }
 
-/** @return |P0 - C|^2 - R^2. @param in The question. */
+/** @return |P0 - C|^2 - R^2. */
 static real sphere_compensated_c(const SphereInput *in) {
     DoubleDouble radius_squared = double_double_square((DoubleDouble){in->radius, 0});
     DoubleDouble c = {-radius_squared.value, -radius_squared.error};
@@ -51,8 +51,7 @@ static real sphere_compensated_c(const SphereInput *in) {
     return c.value + c.error;
 }
 
-/** Asks it. See #Method.run. @param input A #SphereInput. @param[out] output A
- *  #SphereOutput. */
+/** Asks it. See #Method.run. */
 static void sphere_compensated_run(const void *input, void *output) {
     const SphereInput *in = input;
     Vec3 d = in->direction, f = vec3_subtract(in->origin, in->center);

@@ -9,8 +9,7 @@
  */
 #include "lab/methods/sphere.h"
 
-/** Asks it. See #Method.run. @param input A #SphereInput. @param[out] output A
- *  #SphereOutput. */
+/** Asks it. See #Method.run. */
 static void sphere_expanded_run(const void *input, void *output) {
     const SphereInput *in = input;
     Vec3 p = in->origin, d = in->direction, center = in->center;

@@ -8,8 +8,7 @@
  */
 #include "lab/methods/sphere.h"
 
-/** Asks it. See #Method.run. @param input A #SphereInput. @param[out] output A
- *  #SphereOutput. */
+/** Asks it. See #Method.run. */
 static void sphere_mixed_precision_run(const void *input, void *output) {
     const SphereInput *in = input;
     Vec3w d = vec3_widen(in->direction);

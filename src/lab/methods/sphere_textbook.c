@@ -9,8 +9,7 @@
  */
 #include "lab/methods/sphere.h"
 
-/** Asks it. See #Method.run. @param input A #SphereInput. @param[out] output A
- *  #SphereOutput. */
+/** Asks it. See #Method.run. */
 static void sphere_textbook_run(const void *input, void *output) {
     const SphereInput *in = input;
     Vec3 f = vec3_subtract(in->origin, in->center), d = in->direction;

@@ -24,7 +24,10 @@ typedef struct SphereTracingOutput {
 /** Steps after which a ray is given up. */
 enum { SPHERE_TRACING_STEPS = 100000 };
 
-/** @return The field on a ray. @param in The question. @param t How far along it. */
+/**
+ * @return The field on a ray.
+ * @param t  How far along it.
+ */
 static inline real sphere_tracing_height(const SphereTracingInput *in, real t) {
     return in->origin.y + in->direction.y * t;
 }

@@ -7,8 +7,7 @@
  */
 #include "lab/methods/sphere_tracing.h"
 
-/** Asks it. See #Method.run. @param input A #SphereTracingInput. @param[out] output A
- * #SphereTracingOutput. */
+/** Asks it. See #Method.run. */
 static void sphere_tracing_plain_run(const void *input, void *output) {
     const SphereTracingInput *in = input;
     SphereTracingOutput *out = output;

@@ -10,8 +10,7 @@
 #include "lab/methods/real_functions.h"
 #include "lab/methods/sphere_uv.h"
 
-/** Asks it. See #Method.run. @param input A #SphereUvInput. @param[out] output A
- * #SphereUvOutput. */
+/** Asks it. See #Method.run. */
 static void sphere_uv_acos_run(const void *input, void *output) {
     const SphereUvInput *in = input;
     ((SphereUvOutput *)output)->polar_angle = real_acos((in->point.y - in->center.y) / in->radius);

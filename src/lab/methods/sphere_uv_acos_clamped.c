@@ -9,8 +9,7 @@
 #include "lab/methods/real_functions.h"
 #include "lab/methods/sphere_uv.h"
 
-/** Asks it. See #Method.run. @param input A #SphereUvInput. @param[out] output A
- * #SphereUvOutput. */
+/** Asks it. See #Method.run. */
 static void sphere_uv_acos_clamped_run(const void *input, void *output) {
     const SphereUvInput *in = input;
     real y = (in->point.y - in->center.y) / in->radius;

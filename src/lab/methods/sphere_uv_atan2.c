@@ -7,8 +7,7 @@
 #include "lab/methods/real_functions.h"
 #include "lab/methods/sphere_uv.h"
 
-/** Asks it. See #Method.run. @param input A #SphereUvInput. @param[out] output A
- * #SphereUvOutput. */
+/** Asks it. See #Method.run. */
 static void sphere_uv_atan2_run(const void *input, void *output) {
     const SphereUvInput *in = input;
     Vec3 n = vec3_subtract(in->point, in->center);

@@ -22,7 +22,7 @@ typedef struct TriangleOutput {
     real distance; /**< In lengths of the direction; #INFINITE: not at all. */
 } TriangleOutput;
 
-/** @return a x b. @param a A vector. @param b Another. */
+/** @return a x b. */
 static inline Vec3 triangle_cross(Vec3 a, Vec3 b) {
     return (Vec3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
@@ -35,12 +35,8 @@ typedef struct TriangleSolution {
     real distance;    /**< How far. */
 } TriangleSolution;
 
-/**
- * @return The solution of P0 + t d = a + u (b - a) + v (c - a) by four triple products (Möller,
- *         Trumbore, *Fast, Minimum Storage Ray/Triangle Intersection*, Journal of Graphics Tools
- *         1997).
- * @param in  The question.
- */
+/** @return The solution of P0 + t d = a + u (b - a) + v (c - a) by four triple products (Möller,
+ *  Trumbore, *Fast, Minimum Storage Ray/Triangle Intersection*, Journal of Graphics Tools 1997). */
 static inline TriangleSolution triangle_moller_trumbore_solve(const TriangleInput *in) {
     Vec3 e1 = vec3_subtract(in->b, in->a), e2 = vec3_subtract(in->c, in->a);
     Vec3 p = triangle_cross(in->direction, e2), s = vec3_subtract(in->origin, in->a),

@@ -9,15 +9,13 @@
  */
 #include "lab/methods/triangle.h"
 
-/** @return The determinant of three columns. @param a The first. @param b The second. @param c The
- *  third. */
+/** @return The determinant of three columns. */
 static real triangle_determinant(Vec3 a, Vec3 b, Vec3 c) {
     return a.x * (b.y * c.z - b.z * c.y) - b.x * (a.y * c.z - a.z * c.y) +
            c.x * (a.y * b.z - a.z * b.y);
 }
 
-/** Asks it. See #Method.run. @param input A #TriangleInput. @param[out] output A
- * #TriangleOutput. */
+/** Asks it. See #Method.run. */
 static void triangle_cramer_run(const void *input, void *output) {
     const TriangleInput *in = input;
     Vec3 e1 = vec3_subtract(in->b, in->a), e2 = vec3_subtract(in->c, in->a);

@@ -8,8 +8,7 @@
  */
 #include "lab/methods/triangle.h"
 
-/** Asks it. See #Method.run. @param input A #TriangleInput. @param[out] output A
- * #TriangleOutput. */
+/** Asks it. See #Method.run. */
 static void triangle_moller_trumbore_run(const void *input, void *output) {
     const TriangleInput *in = input;
     TriangleSolution found = triangle_moller_trumbore_solve(in);

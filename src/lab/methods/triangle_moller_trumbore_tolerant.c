@@ -9,8 +9,7 @@
  */
 #include "lab/methods/triangle.h"
 
-/** Asks it. See #Method.run. @param input A #TriangleInput. @param[out] output A
- * #TriangleOutput. */
+/** Asks it. See #Method.run. */
 static void triangle_moller_trumbore_tolerant_run(const void *input, void *output) {
     const TriangleInput *in = input;
     const real e = (scalar)1e-6f;

@@ -10,8 +10,7 @@
  */
 #include "lab/methods/triangle.h"
 
-/** Asks it. See #Method.run. @param input A #TriangleInput. @param[out] output A
- * #TriangleOutput. */
+/** Asks it. See #Method.run. */
 static void triangle_signed_volumes_run(const void *input, void *output) {
     const TriangleInput *in = input;
     Vec3 a = vec3_subtract(in->a, in->origin), b = vec3_subtract(in->b, in->origin);

@@ -16,34 +16,38 @@ typedef struct ShearedVertex {
     real z; /**< Along the ray. */
 } ShearedVertex;
 
-/** @return A vector with its axes renamed in a circle, so that one becomes z. @param v It.
- *  @param axis 0, 1 or 2: what becomes z. */
+/**
+ * @return A vector with its axes renamed in a circle, so that one becomes z.
+ * @param axis  0, 1 or 2: what becomes z.
+ */
 static Vec3 triangle_permute_axes(Vec3 v, int axis) {
     return axis == 0 ? (Vec3){v.y, v.z, v.x} : axis == 1 ? (Vec3){v.z, v.x, v.y} : v;
 }
 
-/** @return The axis along which a direction goes farthest. @param d The direction. */
+/** @return The axis along which a direction goes farthest. */
 static int triangle_main_axis(Vec3 d) {
     real x = real_abs(d.x), y = real_abs(d.y), z = real_abs(d.z);
     return x > y && x > z ? 0 : y > z ? 1 : 2;
 }
 
-/** @return A corner as the ray sees it. @param corner The corner. @param origin Where the ray
- *  starts. @param d Which way, turned. @param axis How it was turned. */
+/**
+ * @return A corner as the ray sees it.
+ * @param origin  Where the ray starts.
+ * @param axis  How it was turned.
+ */
 static ShearedVertex triangle_shear_vertex(Vec3 corner, Vec3 origin, Vec3 d, int axis) {
     Vec3 v = triangle_permute_axes(vec3_subtract(corner, origin), axis);
     return (ShearedVertex){v.x - d.x / d.z * v.z, v.y - d.y / d.z * v.z, v.z / d.z};
 }
 
-/** @return On which side of an edge the ray passes. @param a An end. @param b The other. */
+/** @return On which side of an edge the ray passes. */
 static real triangle_edge_function(ShearedVertex a, ShearedVertex b) {
     real triangle_edge_function = a.x * b.y - a.y * b.x;
     return triangle_edge_function == 0 ? narrow(widen(a.x) * widen(b.y) - widen(a.y) * widen(b.x))
                                        : triangle_edge_function;
 }
 
-/** Asks it. See #Method.run. @param input A #TriangleInput. @param[out] output A
- * #TriangleOutput. */
+/** Asks it. See #Method.run. */
 static void triangle_watertight_run(const void *input, void *output) {
     const TriangleInput *in = input;
     int axis = triangle_main_axis(in->direction);

@@ -16,8 +16,7 @@ typedef struct TextBuffer {
     size_t size;  /**< Bytes there is room for. */
 } TextBuffer;
 
-/** Adds to a text. @param[in,out] text The text. @param format What, in English, as for printf,
- * looked up here. */
+/** Adds to a text. @param format What, in English, as for printf, looked up here. */
 static void append_format(TextBuffer *text, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
@@ -29,14 +28,13 @@ static void append_format(TextBuffer *text, const char *format, ...) {
     va_end(arguments);
 }
 
-/** Adds to a text what is no format. @param[in,out] text The text. @param words What, in English,
- *  looked up here. */
+/** Adds to a text what is no format. @param words What, in English, looked up here. */
 static void append_text(TextBuffer *text, const char *words) {
     size_t length = strlen(text->buffer);
     snprintf(text->buffer + length, text->size - length, "%s", gettext(words));
 }
 
-/** @return What an engine computes with. @param engine The engine. */
+/** @return What an engine computes with. */
 static const char *type_name(const Engine *engine) {
     return engine->mantissa_bits < 53 ? "float" : engine->mantissa_bits == 53 ? "double" : "quad";
 }
@@ -44,7 +42,10 @@ static const char *type_name(const Engine *engine) {
 /** Bytes of an ordinal number, with its final zero. */
 enum { ORDINAL_SIZE = 24 };
 
-/** @return A number's ordinal. @param n The number, at least 0. @param[out] words Room for it. */
+/**
+ * @return A number's ordinal.
+ * @param n  The number, at least 0.
+ */
 static const char *format_ordinal(int n, char words[ORDINAL_SIZE]) {
     // A language may have a word of its own for the first alone, not for the 21st.
     static const char *const forms[] = {N_("%dth"), N_("%dst"), N_("%dnd"), N_("%drd"), N_("1st")};
@@ -54,8 +55,7 @@ static const char *format_ordinal(int n, char words[ORDINAL_SIZE]) {
     return words;
 }
 
-/** Says why float is forecast to be enough, or not. @param[in,out] text The text.
- *  @param forecast The forecast. @param is_enough Whether it is. */
+/** Says why float is forecast to be enough, or not. */
 static void append_cause(TextBuffer *text, const PrecisionEstimate *forecast, bool is_enough) {
     if (is_enough && forecast->max_distance_in_radii > 0) {
         append_format(text, "the farthest thing is %.3g of its radii away",
@@ -76,7 +76,7 @@ static void append_cause(TextBuffer *text, const PrecisionEstimate *forecast, bo
                                 : causes[forecast->cause]);
 }
 
-/** Says which number type is enough. @param[in,out] text The text. @param needs What is needed. */
+/** Says which number type is enough. */
 static void append_number_type(TextBuffer *text, const Needs *needs) {
     const NeedsEngine *chosen = &needs->engines[needs->engine], *fast = &needs->engines[0];
     bool is_float = needs->engine == 0;
@@ -106,8 +106,7 @@ static void append_number_type(TextBuffer *text, const Needs *needs) {
     }
 }
 
-/** Says how deep rays must be followed. @param[in,out] text The text. @param needs What is needed.
- */
+/** Says how deep rays must be followed. */
 static void append_depth(TextBuffer *text, const Needs *needs) {
     if (!needs->is_recursive) {
         append_format(text, ". Depth 0: nothing mirrors and nothing lets light through");
@@ -134,7 +133,7 @@ static void append_depth(TextBuffer *text, const Needs *needs) {
     }
 }
 
-/** Says what else is needed. @param[in,out] text The text. @param needs What is needed. */
+/** Says what else is needed. */
 static void append_other_settings(TextBuffer *text, const Needs *needs) {
     if (needs->has_sdf && needs_trial_fails(&needs->tolerance_trial)) {
         append_format(

@@ -6,8 +6,7 @@
 
 #include <math.h>
 
-/** @return A light as it is shown, steps. What is no number is shown as black.
- *  @param light Linear light. @param encoding How. */
+/** @return A light as it is shown, steps. What is no number is shown as black. */
 static double encoded_steps(double light, Encoding encoding) {
     double inside = light > 0 ? (light < 1 ? light : 1) : 0;
     return encoding_encode(encoding, inside);
@@ -25,7 +24,7 @@ double image_difference_steps(const double a[3], const double b[3], Encoding enc
 }
 
 /** @return The square of the difference of two colours, mean of the primaries, of light that is
- *          shown. @param a Linear light. @param b Linear light. */
+ *  shown. */
 static double mean_squared_difference(const double a[3], const double b[3]) {
     double sum = 0;
     for (int i = 0; i < 3; i++) {

@@ -28,18 +28,19 @@ typedef struct ImageDifference {
 
 /**
  * Compares two shots.
- * @param a         A shot.
- * @param b         Another, of the same pixels and samples.
- * @param path_reference    Whose trails stand for the second's: a shot of the same pixels and
- * samples that takes the ways that those of \p a should; NULL: rays are taken to be the same.
+ * @param b  Another, of the same pixels and samples.
+ * @param path_reference  Whose trails stand for the second's: a shot of the same pixels and samples
+ *         that takes the ways that those of \p a should; NULL: rays are taken to be the same.
  * @param encoding  How their light is shown.
  * @return How they differ.
  */
 ImageDifference image_difference_of(const SampledRender *a, const SampledRender *b,
                                     const SampledRender *path_reference, Encoding encoding);
 
-/** @return By how many steps two colours differ, in the primary where they differ most.
- *  @param a Linear light. @param b Linear light. @param encoding How it is shown. */
+/**
+ * @return By how many steps two colours differ, in the primary where they differ most.
+ * @param encoding  How it is shown.
+ */
 double image_difference_steps(const double a[3], const double b[3], Encoding encoding);
 
 #endif

@@ -44,7 +44,7 @@ double needs_trial_certainty(const NeedsTrial *trial) {
     return (double)trial->rays / rule_of_three;
 }
 
-/** @return What a comparison says. @param difference The comparison. */
+/** @return What a comparison says. */
 static NeedsTrial trial_from_difference(const ImageDifference *difference) {
     return (NeedsTrial){.rays = difference->rays,
                         .max_steps = difference->max_steps,
@@ -68,9 +68,11 @@ static const Engine *scalar_engine_of(const Engine *engine) {
     return engine_find(bits < 53 ? "f32x1" : bits == 53 ? "f64x1" : "f128x1", NULL);
 }
 
-/** Compares two manners whose rays start alike, in one number type. @param search The pilot.
- *  @param variant A manner. @param reference_render How it should be. @param[out] trial How it is.
- *  @param[out] error What is wrong. @return false if anything is. */
+/**
+ * Compares two manners whose rays start alike, in one number type.
+ * @param reference_render  How it should be.
+ * @return false if anything is.
+ */
 static bool try_same_precision(const NeedsSearch *search, const Variant *variant,
                                const SampledRender *reference_render, NeedsTrial *trial,
                                Error *error) {
@@ -85,8 +87,7 @@ static bool try_same_precision(const NeedsSearch *search, const Variant *variant
     return true;
 }
 
-/** Tries a depth. @param search The pilot. @param depth It. @param reference_render The reference.
- *  @param[out] trial How it did. @param[out] error What is wrong. @return false if anything is. */
+/** Tries a depth. @return false if anything is. */
 static bool try_depth(const NeedsSearch *search, int depth, const SampledRender *reference_render,
                       NeedsTrial *trial, Error *error) {
     Variant variant = search->best;
@@ -94,10 +95,8 @@ static bool try_depth(const NeedsSearch *search, int depth, const SampledRender 
     return try_same_precision(search, &variant, reference_render, trial, error);
 }
 
-/** Finds the least depth that is enough: doubled until it is, then halved between.
- *  @param[in,out] search The pilot. @param reference_render The reference. @param[out] error What
- * is wrong.
- *  @return false if anything is. */
+/** Finds the least depth that is enough: doubled until it is, then halved between. @return false if
+ *  anything is. */
 static bool search_depth(NeedsSearch *search, const SampledRender *reference_render, Error *error) {
     Needs *needs = search->needs;
     int low = -1, high = 0;
@@ -126,8 +125,7 @@ static bool search_depth(NeedsSearch *search, const SampledRender *reference_ren
     return true;
 }
 
-/** Finds the depth. @param[in,out] search The pilot. @param[out] error What is wrong.
- *  @return false if anything is. */
+/** Finds the depth. @return false if anything is. */
 static bool find_depth(NeedsSearch *search, Error *error) {
     Needs *needs = search->needs;
     Variant reference = search->best;
@@ -151,8 +149,11 @@ static bool find_depth(NeedsSearch *search, Error *error) {
     return is_found;
 }
 
-/** Shoots with other tolerances. @param search The pilot. @param factor How many times as large.
- *  @param[out] render The shot. @param[out] error What is wrong. @return false if anything is. */
+/**
+ * Shoots with other tolerances.
+ * @param factor  How many times as large.
+ * @return false if anything is.
+ */
 static bool render_with_tolerance(const NeedsSearch *search, double factor, SampledRender *render,
                                   Error *error) {
     ScaledToleranceScene scaled;
@@ -167,8 +168,7 @@ static bool render_with_tolerance(const NeedsSearch *search, double factor, Samp
     return is_taken;
 }
 
-/** Finds how coarse tolerances may be. @param[in,out] search The pilot. @param[out] error What is
- *  wrong. @return false if anything is. */
+/** Finds how coarse tolerances may be. @return false if anything is. */
 static bool find_tolerance(NeedsSearch *search, Error *error) {
     Needs *needs = search->needs;
     SampledRender reference_render;
@@ -200,9 +200,11 @@ static bool find_tolerance(NeedsSearch *search, Error *error) {
     return is_done;
 }
 
-/** Compares two number types, or ways to leave a surface. @param search The pilot. @param
- * render_context What is shot. @param variant A manner. @param reference How it should be.
- *  @param[out] trial How it is. @param[out] error What is wrong. @return false if anything is. */
+/**
+ * Compares two number types, or ways to leave a surface.
+ * @param reference  How it should be.
+ * @return false if anything is.
+ */
 static bool try_rounding(const NeedsSearch *search, const RenderContext *render_context,
                          const Variant *variant, const Variant *reference, NeedsTrial *trial,
                          Error *error) {
@@ -224,16 +226,14 @@ static bool try_rounding(const NeedsSearch *search, const RenderContext *render_
 }
 
 /** @return Whether a pixel is one of the few that quad is asked about: it takes a hundred times as
- *          long. See #PixelTest. @param context Not looked at. @param x Its column. @param y Its
- *  row. */
+ *  long. See #PixelTest. */
 static bool pixel_is_in_quad_set(const void *context, int x, int y) {
     /** Cells of which one is asked, each way. */
     const int cells = 5;
     return pixel_is_sampled(context, x, y) && x / 8 % cells == 2 && y / 8 % cells == 2;
 }
 
-/** Tries double against quad. @param search The pilot. @param[in,out] tried Double.
- *  @param[out] error What is wrong. @return false if anything is. */
+/** Tries double against quad. @return false if anything is. */
 static bool try_double(const NeedsSearch *search, NeedsEngine *tried, Error *error) {
     PixelSet quad_pixels;
     Variant variant = search->best, reference = search->best;
@@ -252,8 +252,7 @@ static bool try_double(const NeedsSearch *search, NeedsEngine *tried, Error *err
     return is_done;
 }
 
-/** Finds the number type. @param[in,out] search The pilot. @param[out] error What is wrong.
- *  @return false if anything is. */
+/** Finds the number type. @return false if anything is. */
 static bool find_sufficient_engine(NeedsSearch *search, Error *error) {
     Needs *needs = search->needs;
     Variant variant = search->best;
@@ -284,8 +283,7 @@ static bool find_sufficient_engine(NeedsSearch *search, Error *error) {
     return true;
 }
 
-/** Looks what the other ways to leave a surface would change. @param[in,out] search The pilot.
- *  @param[out] error What is wrong. @return false if anything is. */
+/** Looks what the other ways to leave a surface would change. @return false if anything is. */
 static bool try_offset_modes(NeedsSearch *search, Error *error) {
     Needs *needs = search->needs;
     Variant bound = search->best;
@@ -300,8 +298,7 @@ static bool try_offset_modes(NeedsSearch *search, Error *error) {
                         error);
 }
 
-/** Looks what the samples that are wanted leave. @param[in,out] search The pilot. @param[out] error
- *  What is wrong. @return false if anything is. */
+/** Looks what the samples that are wanted leave. @return false if anything is. */
 static bool find_sampling_error(NeedsSearch *search, Error *error) {
     SamplingError sampling_error;
     Variant variant = search->best;
@@ -313,9 +310,8 @@ static bool find_sampling_error(NeedsSearch *search, Error *error) {
     return is_found;
 }
 
-/** Tries all of it together: what was found against a reference with everything on.
- *  @param[in,out] search The pilot. @param[out] error What is wrong. @return false if anything is.
- */
+/** Tries all of it together: what was found against a reference with everything on. @return false
+ *  if anything is. */
 static bool try_total(NeedsSearch *search, Error *error) {
     Needs *needs = search->needs;
     const NeedsEngine *chosen = &needs->engines[needs->engine];
@@ -340,16 +336,17 @@ static bool try_total(NeedsSearch *search, Error *error) {
 }
 
 /** @return Whether a pixel is in the part of the picture that is timed: whole blocks, as pictures
- *          are drawn, here and there. See #PixelTest. @param context Not looked at. @param x Its
- *  column. @param y Its row. */
+ *  are drawn, here and there. See #PixelTest. */
 static bool pixel_is_in_timed_set(const void *context, int x, int y) {
     (void)context;
     return (x / 64 + 5 * (y / 16)) % 32 == 0;
 }
 
-/** Times manners in turn. @param render_context What is shot. @param variants The manners. @param
- * count How many. @param[out] seconds The least time of each. @param[out] error What is wrong.
- * @return false if anything is. */
+/**
+ * Times manners in turn.
+ * @param[out] seconds  The least time of each.
+ * @return false if anything is.
+ */
 static bool time_variants(const RenderContext *render_context, const Variant *variants,
                           size_t count, double *seconds, Error *error) {
     for (int turn = 0; turn < TIMING_REPEATS; turn++) {
@@ -366,8 +363,7 @@ static bool time_variants(const RenderContext *render_context, const Variant *va
     return true;
 }
 
-/** Finds what each engine costs, and everything on. @param[in,out] search The pilot.
- *  @param[out] error What is wrong. @return false if anything is. */
+/** Finds what each engine costs, and everything on. @return false if anything is. */
 static bool find_costs(NeedsSearch *search, Error *error) {
     Needs *needs = search->needs;
     Variant variants[3] = {search->best, search->best, search->best};
@@ -392,8 +388,7 @@ static bool find_costs(NeedsSearch *search, Error *error) {
     return is_timed;
 }
 
-/** Tries everything. @param[in,out] search The pilot. @param[out] error What is wrong.
- *  @return false if anything is. */
+/** Tries everything. @return false if anything is. */
 static bool run_search(NeedsSearch *search, Error *error) {
     return find_depth(search, error) && find_tolerance(search, error) &&
            find_sufficient_engine(search, error) && try_offset_modes(search, error) &&

@@ -22,16 +22,16 @@ typedef struct OutlierSearch {
     PixelSet flipped;       /**< The flipped pixels; owned. */
 } OutlierSearch;
 
-/** @return Whether a pixel has flipped. See #PixelTest. @param context The #OutlierSearch. @param x
- * Its column. @param y Its row. */
+/** @return Whether a pixel has flipped. See #PixelTest. */
 static bool pixel_is_flipped(const void *context, int x, int y) {
     const OutlierSearch *search = context;
     return search->is_flipped[(size_t)y * (size_t)search->pixels->width + (size_t)x];
 }
 
-/** @return Whether a ray took another way, and shows it. @param reference_render The ways and
- * colours.
- *  @param render The shot. @param i Which ray. @param encoding How light is shown. */
+/**
+ * @return Whether a ray took another way, and shows it.
+ * @param encoding  How light is shown.
+ */
 static bool ray_is_flipped(const SampledRender *reference_render, const SampledRender *render,
                            size_t i, Encoding encoding) {
     return reference_render->path_hashes[i] != render->path_hashes[i] &&
@@ -39,9 +39,11 @@ static bool ray_is_flipped(const SampledRender *reference_render, const SampledR
                IMAGE_DIFFERENCE_VISIBLE;
 }
 
-/** @return Whether any ray of a pixel is flipped. @param reference_render As it should be. @param
- * render As it is. @param pixel Which pixel. @param count Pixels. @param encoding How light is
- * shown. */
+/**
+ * @return Whether any ray of a pixel is flipped.
+ * @param reference_render  As it should be.
+ * @param encoding  How light is shown.
+ */
 static bool any_is_flipped(const SampledRender *reference_render, const SampledRender *render,
                            size_t pixel, size_t count, Encoding encoding) {
     bool is_any = false;
@@ -51,9 +53,12 @@ static bool any_is_flipped(const SampledRender *reference_render, const SampledR
     return is_any;
 }
 
-/** Finds the flipped pixels, in the order of the blocks. @param[in,out] search What is known; with
- *  room. @param reference_render As it should be. @param render As it is. @param encoding How light
- * is shown. */
+/**
+ * Finds the flipped pixels, in the order of the blocks.
+ * @param[in,out] search  What is known; with room.
+ * @param reference_render  As it should be.
+ * @param encoding  How light is shown.
+ */
 static void find_flipped_pixels(OutlierSearch *search, const SampledRender *reference_render,
                                 const SampledRender *render, Encoding encoding) {
     size_t found = 0;
@@ -71,10 +76,11 @@ static void find_flipped_pixels(OutlierSearch *search, const SampledRender *refe
     }
 }
 
-/** Strikes out the rays that see, a little aside, what they saw. @param[in,out] search What is
- * known.
- *  @param shifted The flipped pixels from there. @param render The shot. @param encoding How light
- * is shown. */
+/**
+ * Strikes out the rays that see, a little aside, what they saw.
+ * @param shifted  The flipped pixels from there.
+ * @param encoding  How light is shown.
+ */
 static void clear_explained_rays(OutlierSearch *search, const SampledRender *shifted,
                                  const SampledRender *render, Encoding encoding) {
     for (size_t i = 0; i < shifted->ray_count; i++) {
@@ -87,9 +93,11 @@ static void clear_explained_rays(OutlierSearch *search, const SampledRender *shi
     }
 }
 
-/** Turns the eye to one side. @param render_context The flipped pixels. @param variant How, and how
- * far the eye is turned. @param[in,out] search What is known. @param render The shot. @param[out]
- * error What is wrong. @return false if anything is. */
+/**
+ * Turns the eye to one side.
+ * @param variant  How, and how far the eye is turned.
+ * @return false if anything is.
+ */
 static bool render_shifted(const RenderContext *render_context, const Variant *variant,
                            OutlierSearch *search, const SampledRender *render, Error *error) {
     SampledRender shifted;
@@ -101,10 +109,7 @@ static bool render_shifted(const RenderContext *render_context, const Variant *v
     return true;
 }
 
-/** Turns the eye to all sides, less and less. @param render_context What is shot. @param reference
- * How.
- *  @param[in,out] search What is known. @param render The shot. @param[out] error What is wrong.
- *  @return false if anything is. */
+/** Turns the eye to all sides, less and less. @return false if anything is. */
 static bool render_all_shifts(const RenderContext *render_context, const Variant *reference,
                               OutlierSearch *search, const SampledRender *render, Error *error) {
     RenderContext shifted_context = *render_context;
@@ -122,9 +127,11 @@ static bool render_all_shifts(const RenderContext *render_context, const Variant
     return is_done;
 }
 
-/** @return How many rays are lost. @param search What is known. @param reference_render As it
- * should be.
- *  @param render As it is. @param encoding How light is shown. */
+/**
+ * @return How many rays are lost.
+ * @param reference_render  As it should be.
+ * @param encoding  How light is shown.
+ */
 static size_t count_unexplained_rays(const OutlierSearch *search,
                                      const SampledRender *reference_render,
                                      const SampledRender *render, Encoding encoding) {

@@ -13,12 +13,8 @@
 /**
  * Counts the rays that took another way than they should, show it by half a step or more, and would
  * not have taken it, nor seen that colour, had the eye been turned a little to any side.
- * @param render_context      What was shot.
- * @param reference   How it was shot as it should be.
- * @param reference_render       That shot.
- * @param render        The shot whose rays are looked at.
- * @param[out] outliers How many.
- * @param[out] error  What is wrong.
+ * @param reference  How it was shot as it should be.
+ * @param render  The shot whose rays are looked at.
  * @return false if anything is.
  */
 bool outliers_count(const RenderContext *render_context, const Variant *reference,

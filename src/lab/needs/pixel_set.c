@@ -29,8 +29,7 @@ bool pixel_is_sampled(const void *context, int x, int y) {
            y % SAMPLING_CELL == (int)(z / SAMPLING_CELL % SAMPLING_CELL);
 }
 
-/** Adds the pixels of a block. @param[in,out] pixels The set. @param block Which block.
- *  @param test Which pixels. @param context Handed to it. */
+/** Adds the pixels of a block. */
 static void add_tile_pixels(PixelSet *pixels, size_t block, PixelTest test, const void *context) {
     PixelGrid grid = tile_at(pixels->width, pixels->height, block);
     pixels->tile_first[block] = pixels->count;
@@ -66,24 +65,21 @@ typedef struct ShapeEdges {
     size_t stride;     /**< Of the pixels where shapes end, one of so many is taken. */
 } ShapeEdges;
 
-/** @return Whether another shape begins below a pixel or on its right. @param ends The picture.
- *  @param x Its column. @param y Its row. */
+/** @return Whether another shape begins below a pixel or on its right. */
 static bool pixel_is_on_shape_edge(const ShapeEdges *ends, int x, int y) {
     const int *here = ends->shapes + (size_t)y * (size_t)ends->width + x;
     return (x + 1 < ends->width && here[1] != *here) ||
            (y + 1 < ends->height && here[ends->width] != *here);
 }
 
-/** @return Whether a pixel is in a pilot's set. See #PixelTest. @param context The #ShapeEdges.
- *  @param x Its column. @param y Its row. */
+/** @return Whether a pixel is in a pilot's set. See #PixelTest. */
 static bool pixel_is_in_sparse_set(const void *context, int x, int y) {
     const ShapeEdges *ends = context;
     return pixel_is_sampled(NULL, x, y) ||
            (((size_t)x + 31 * (size_t)y) % ends->stride == 0 && pixel_is_on_shape_edge(ends, x, y));
 }
 
-/** Makes the set of a pilot of what each pixel shows. @param[out] pixels The set. @param ends The
- *  picture. @param[out] error What is wrong. @return false without memory. */
+/** Makes the set of a pilot of what each pixel shows. @return false without memory. */
 static bool choose_sparse_pixels(PixelSet *pixels, ShapeEdges *ends, Error *error) {
     size_t count = 0,
            limit = (size_t)ends->width * (size_t)ends->height / (SAMPLING_CELL * SAMPLING_CELL);

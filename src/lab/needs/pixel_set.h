@@ -18,40 +18,34 @@ typedef struct PixelSet {
     size_t count;     /**< How many in all. */
 } PixelSet;
 
-/** Says whether a pixel is in a set. @param context The caller's. @param x Its column.
- *  @param y Its row. @return Whether it is. */
+/** Says whether a pixel is in a set. @return Whether it is. */
 typedef bool (*PixelTest)(const void *context, int x, int y);
 
 /**
  * Makes a set.
  * @param[out] pixels  The set, to be given back with #pixel_set_deinit.
- * @param width        Of the whole picture.
- * @param height       Of the whole picture.
- * @param test         Which pixels are in it.
- * @param context      Handed to the test.
- * @param[out] error   What is wrong.
+ * @param width  Of the whole picture.
+ * @param height  Of the whole picture.
+ * @param test  Which pixels are in it.
+ * @param context  Handed to the test.
  * @return false without memory.
  */
 bool pixel_set_init(PixelSet *pixels, int width, int height, PixelTest test, const void *context,
                     Error *error);
 
-/** @return Whether any pixel is in the set that holds all: it is. See #PixelTest.
- *  @param context Not looked at. @param x Its column. @param y Its row. */
+/** @return Whether any pixel is in the set that holds all: it is. See #PixelTest. */
 bool pixel_is_any(const void *context, int x, int y);
 
 /** @return Whether a pixel is the one of its 8 by 8 pixels that is taken: somewhere in them, always
- *          the same. See #PixelTest. @param context Not looked at. @param x Its column.
- *  @param y Its row. */
+ *  the same. See #PixelTest. */
 bool pixel_is_sampled(const void *context, int x, int y);
 
 /**
  * Makes the set of a pilot: a pixel of each 8 by 8, and those where another shape begins; of these
  * not all where they are very many.
  * @param[out] pixels  The set, to be given back with #pixel_set_deinit.
- * @param scene        The scene.
- * @param width        Of the whole picture.
- * @param height       Of the whole picture.
- * @param[out] error   What is wrong.
+ * @param width  Of the whole picture.
+ * @param height  Of the whole picture.
  * @return false without memory.
  */
 bool pixel_set_init_sparse(PixelSet *pixels, const Scene *scene, int width, int height,
@@ -60,8 +54,7 @@ bool pixel_set_init_sparse(PixelSet *pixels, const Scene *scene, int width, int 
 /** Gives a set back. @param pixels The set; may be empty. */
 void pixel_set_deinit(PixelSet *pixels);
 
-/** @return The grid of a set's pixels in a block; those of an empty block must not be traced.
- *  @param pixels The set. @param block Which block. */
+/** @return The grid of a set's pixels in a block; those of an empty block must not be traced. */
 PixelGrid pixel_set_tile_grid(const PixelSet *pixels, size_t block);
 
 #endif

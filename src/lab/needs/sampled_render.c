@@ -29,13 +29,16 @@ static double process_cpu_seconds(void) {
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/** @return Whether a studio was stopped. @param render_context It. */
+/** @return Whether a studio was stopped. */
 static bool context_is_stopped(const RenderContext *render_context) {
     return render_context->stop && atomic_load_explicit(render_context->stop, memory_order_relaxed);
 }
 
-/** Traces one sample of a block's pixels. @param job The shot. @param grid The pixels, with
- *  their sample. @param first How many pixels come before. @param[in,out] counts The rays. */
+/**
+ * Traces one sample of a block's pixels.
+ * @param grid  The pixels, with their sample.
+ * @param first  How many pixels come before.
+ */
 static void trace_sample(const SampleJob *job, PixelGrid *grid, size_t first, RayCounts *counts) {
     double planes[3 * RAYS_PER_TILE];
     size_t count = grid->selected_count;
@@ -47,7 +50,7 @@ static void trace_sample(const SampleJob *job, PixelGrid *grid, size_t first, Ra
     }
 }
 
-/** Traces a block. See #ThreadPoolTask. @param context The #SampleJob. @param index Which block. */
+/** Traces a block. See #ThreadPoolTask. */
 static void render_tile(void *context, size_t index) {
     const SampleJob *job = context;
     PixelGrid grid = pixel_set_tile_grid(job->context->pixels, index);
@@ -61,8 +64,10 @@ static void render_tile(void *context, size_t index) {
     }
 }
 
-/** @return A camera that is turned by a part of a pixel. @param camera The camera. @param variant
- * By how much. @param width Pixels of the picture. */
+/**
+ * @return A camera that is turned by a part of a pixel.
+ * @param width  Pixels of the picture.
+ */
 static SceneCamera camera_rotated(SceneCamera camera, const Variant *variant, int width) {
     double pixel = 2 * tan(camera.fov / 2 * (M_PI / 180)) / width;
     Vec3d right = vec3d_scale(scene_camera_right(&camera), variant->shift_right * pixel);
@@ -74,8 +79,11 @@ static SceneCamera camera_rotated(SceneCamera camera, const Variant *variant, in
     return camera;
 }
 
-/** Traces all blocks. @param job The shot, but for its tracer. @param workers Who does it.
- *  @param[out] error What is wrong. @return false if anything is. */
+/**
+ * Traces all blocks.
+ * @param job  The shot, but for its tracer.
+ * @return false if anything is.
+ */
 static bool render_tiles(SampleJob *job, ThreadPool *workers, Error *error) {
     const RenderContext *render_context = job->context;
     const Engine *engine = job->variant->engine;
@@ -98,7 +106,7 @@ static bool render_tiles(SampleJob *job, ThreadPool *workers, Error *error) {
            error_set(error, STATUS_INTERRUPTED, "interrupted");
 }
 
-/** @return The sum of the rays of all blocks. @param counts Theirs. @param blocks How many. */
+/** @return The sum of the rays of all blocks. */
 static RayCounts sum_counts(const RayCounts *counts, size_t blocks) {
     RayCounts sum = {0};
     for (size_t i = 0; i < blocks; i++) {

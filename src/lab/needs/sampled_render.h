@@ -37,9 +37,7 @@ typedef struct RenderContext {
 
 /**
  * Traces.
- * @param render_context      What.
- * @param variant      How.
- * @param[out] render   The shot, to be given back with #sampled_render_deinit.
+ * @param[out] render  The shot, to be given back with #sampled_render_deinit.
  * @param[out] error  What is wrong; #STATUS_INTERRUPTED where it was stopped.
  * @return false if anything is.
  */

@@ -12,9 +12,10 @@ enum { REFERENCE_SAMPLES_MINIMUM = 16, REFERENCE_SAMPLES_MAXIMUM = 128 };
 /** How many times as many samples are compared with. */
 enum { REFERENCE_SAMPLES_FACTOR = 4 };
 
-/** @return The mean of the first samples of a pixel, one primary. @param render The shot.
- *  @param pixel Its place. @param pixels How many there are. @param samples How many samples.
- *  @param channel Which. */
+/**
+ * @return The mean of the first samples of a pixel, one primary.
+ * @param pixels  How many there are.
+ */
 static double mean_of_samples(const SampledRender *render, size_t pixel, size_t pixels, int samples,
                               size_t channel) {
     double sum = 0;
@@ -24,9 +25,11 @@ static double mean_of_samples(const SampledRender *render, size_t pixel, size_t 
     return sum / samples;
 }
 
-/** Finds how far pixels are off with fewer samples. @param render_context What was shot. @param
- * render All samples. @param all How many. @param samples How many fewer. @param[out] fraction
- * Share of the pixels that are off. @return By how many steps, root of the mean square of those. */
+/**
+ * Finds how far pixels are off with fewer samples.
+ * @param[out] fraction  Share of the pixels that are off.
+ * @return By how many steps, root of the mean square of those.
+ */
 static double difference_from_fewer_samples(const RenderContext *render_context,
                                             const SampledRender *render, int all, int samples,
                                             double *fraction) {
@@ -47,9 +50,8 @@ static double difference_from_fewer_samples(const RenderContext *render_context,
     return visible ? sqrt(squares / (double)visible) : 0;
 }
 
-/** Halves the samples while nothing changes. @param render_context What was shot. @param render All
- * samples.
- *  @param all How many. @param[in,out] best What the most leave that are wanted. */
+/** Halves the samples while nothing changes. @param[in,out] best What the most leave that are
+ *  wanted. */
 static void reduce_samples(const RenderContext *render_context, const SampledRender *render,
                            int all, SamplingError *best) {
     while (best->samples > 1 && best->fraction == 0) {
@@ -64,14 +66,12 @@ static void reduce_samples(const RenderContext *render_context, const SampledRen
 }
 
 /** @return Whether a pixel is tried: one of four that pilots sample, as each is traced so often.
- * See #PixelTest. @param context Not looked at. @param x Its column. @param y Its row. */
+ *  See #PixelTest. */
 static bool pixel_is_sparse(const void *context, int x, int y) {
     return pixel_is_sampled(context, x, y) && x / 8 % 2 == 0 && y / 8 % 2 == 0;
 }
 
-/** Takes all samples of the pixels that are tried. @param render_context What is shot. @param
- * variant How.
- *  @param[out] render The shot. @param[out] error What is wrong. @return false if anything is. */
+/** Takes all samples of the pixels that are tried. @return false if anything is. */
 static bool render_reference_samples(const RenderContext *render_context, const Variant *variant,
                                      SampledRender *render, Error *error) {
     RenderContext sparse_context = *render_context;

@@ -18,10 +18,7 @@ typedef struct SamplingError {
 /**
  * Looks what the samples of a manner leave against four times as many; where half as many leave
  * nothing, those are enough, and so on.
- * @param render_context           What is shot.
- * @param variant           How; #TraceSettings.samples are wanted.
- * @param[out] sampling_error  What is left.
- * @param[out] error       What is wrong.
+ * @param variant  How; #TraceSettings.samples are wanted.
  * @return false if anything is.
  */
 bool sampling_error_measure(const RenderContext *render_context, const Variant *variant,

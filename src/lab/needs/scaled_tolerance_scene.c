@@ -8,7 +8,7 @@
 #include <string.h>
 
 /** @return The row of a keyword that says how near to a surface is on it; NULL: it is not marched.
- *  @param keyword The keyword. */
+ */
 static const Parameter *tolerance_parameter(const Keyword *keyword) {
     for (const Parameter *row = keyword->parameters; row->name; row++) {
         if (row->type == PARAMETER_NUMBER && strcmp(row->name, "tolerance") == 0) {
@@ -18,15 +18,13 @@ static const Parameter *tolerance_parameter(const Keyword *keyword) {
     return NULL;
 }
 
-/** @return Bytes of a shape's parameters, so many that what follows is aligned again.
- *  @param keyword The shape's. */
+/** @return Bytes of a shape's parameters, so many that what follows is aligned again. */
 static size_t parameters_size(const Keyword *keyword) {
     const size_t alignment = _Alignof(max_align_t);
     return (keyword->size + alignment - 1) / alignment * alignment;
 }
 
-/** @return Bytes of all parameters that would differ. @param scene The scene. @param keywords The
- *  shapes' keywords. */
+/** @return Bytes of all parameters that would differ. */
 static size_t scaled_parameters_size(const Scene *scene, const Keyword *const *keywords) {
     size_t size = 0;
     for (size_t i = 0; i < scene->shape_count; i++) {

@@ -14,18 +14,13 @@ typedef struct ScaledToleranceScene {
     char *parameters;   /**< Those that differ; owned. */
 } ScaledToleranceScene;
 
-/** @return Whether a scene has shapes that are marched. @param scene The scene.
- *  @param keywords The shapes' keywords. */
+/** @return Whether a scene has shapes that are marched. */
 bool scene_has_tolerances(const Scene *scene, const Keyword *const *keywords);
 
 /**
  * Makes a scene whose tolerances are so many times as large.
  * @param[out] scaled  The scene, to be given back with #scaled_tolerance_scene_deinit before the
- * other is.
- * @param scene           The other.
- * @param keywords        The shapes' keywords.
- * @param factor          How many times.
- * @param[out] error      What is wrong.
+ *         other is.
  * @return false without memory.
  */
 bool scaled_tolerance_scene_init(ScaledToleranceScene *scaled, const Scene *scene,

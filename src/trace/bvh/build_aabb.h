@@ -26,7 +26,7 @@ static inline BuildAabb build_aabb_empty(void) {
     return e;
 }
 
-/** Makes an extent hold another. @param[in,out] e The extent. @param other The other. */
+/** Makes an extent hold another. */
 static inline void build_aabb_extend(BuildAabb *e, const BuildAabb *other) {
     for (int i = 0; i < BUILD_AABB_SIZE; i++) {
         e->low[i] = other->low[i] < e->low[i] ? other->low[i] : e->low[i];
@@ -34,15 +34,13 @@ static inline void build_aabb_extend(BuildAabb *e, const BuildAabb *other) {
     }
 }
 
-/** @return Half the surface of an extent: in proportion to the rays that meet it.
- *  @param e The extent, not empty. */
+/** @return Half the surface of an extent: in proportion to the rays that meet it. */
 static inline scalar build_aabb_half_area(const BuildAabb *e) {
     scalar x = e->high[0] - e->low[0], y = e->high[1] - e->low[1], z = e->high[2] - e->low[2];
     return x * y + y * z + z * x;
 }
 
-/** Makes an extent hold twice the middle of another. @param[in,out] e The extent.
- *  @param other The other. */
+/** Makes an extent hold twice the middle of another. */
 static inline void build_aabb_extend_centroid(BuildAabb *e, const BuildAabb *other) {
     for (int i = 0; i < BUILD_AABB_SIZE; i++) {
         scalar centroid = other->low[i] + other->high[i];

@@ -15,9 +15,7 @@
 
 #include "trace/tracer/packet.h"
 
-/** Does pieces of work. @param parallel_for Who. @param count How many pieces. @param task Does
- * one.
- *  @param context Handed to it. */
+/** Does pieces of work. */
 static inline void parallel_for_run(const ParallelFor *parallel_for, size_t count,
                                     void (*task)(void *, size_t), void *context) {
     if (parallel_for->run) {
@@ -66,20 +64,18 @@ typedef struct Bvh {
 /**
  * Builds a tree by the surface-area heuristic with bins (Wald, *On fast Construction of SAH-based
  * Bounding Volume Hierarchies*, 2007). The tree does not depend on how the work is shared out.
- * @param[out] bvh    The tree; give it back with #bvh_deinit.
- * @param boxes        The items' boxes.
- * @param count        How many items, at least 1.
- * @param block_size   Items a block, a power of two: as many as the owner tests at once.
- * @param parallel_for         Who builds.
+ * @param[out] bvh  The tree; give it back with #bvh_deinit.
+ * @param count  How many items, at least 1.
+ * @param block_size  Items a block, a power of two: as many as the owner tests at once.
  * @return false without memory, or with more items than a tree can hold.
  */
 bool bvh_build(Bvh *bvh, const Aabbs *boxes, size_t count, size_t block_size,
                const ParallelFor *parallel_for);
 
-/** Gives a tree's memory back and empties it. @param bvh The tree. */
+/** Gives a tree's memory back and empties it. */
 void bvh_deinit(Bvh *bvh);
 
-/** @return Bytes that a tree holds. @param bvh The tree. */
+/** @return Bytes that a tree holds. */
 size_t bvh_memory_size(const Bvh *bvh);
 
 /** A leaf: the blocks of items in it. */
@@ -107,9 +103,7 @@ typedef struct BvhIntersector {
 
     /**
      * Asks the items of a leaf about rays.
-     * @param items  See #items.
-     * @param leaf   The leaf.
-     * @param rays   The rays; their limits are lowered.
+     * @param rays  The rays; their limits are lowered.
      * @param[in,out] found  What the owner keeps of the packet, such as hits.
      */
     void (*intersect_leaf)(const void *items, BvhLeaf leaf, const BvhLeafRays *rays, void *found);
@@ -121,7 +115,7 @@ static inline BvhLeaf bvh_leaf_decode(uint32_t child) {
 }
 
 /** Fetches memory that will be needed. Part of its callers, as those are of theirs: GCC drops calls
- *  of functions that do nothing else. @param at Where. @param bytes How much. */
+ *  of functions that do nothing else. */
 INLINE void memory_prefetch(const void *at, size_t bytes) {
     /** Bytes that one fetch brings. */
     enum { CACHE_LINE_BYTES = 64 };
@@ -130,8 +124,8 @@ INLINE void memory_prefetch(const void *at, size_t bytes) {
     }
 }
 
-/** Fetches the memory that a child will need: its node, or the first of its blocks. @param bvh The
- *  tree. @param intersector Who owns the items. @param child See #BvhNode.children. */
+/** Fetches the memory that a child will need: its node, or the first of its blocks. @param
+ *  intersector Who owns the items. */
 INLINE void bvh_prefetch(const Bvh *bvh, const BvhIntersector *intersector, uint32_t child) {
     if (!(child & BVH_LEAF_BIT)) {
         memory_prefetch(&bvh->nodes[child], sizeof(BvhNode));
@@ -144,11 +138,9 @@ INLINE void bvh_prefetch(const Bvh *bvh, const BvhIntersector *intersector, uint
 /**
  * Asks the items that the rays of a packet may meet, roughly from near to far: for all rays
  * together where they go about the same way, for each by itself where they share nothing.
- * @param bvh     The tree.
- * @param packet   The rays.
  * @param[in,out] limits  For each vector: how far rays look before anything is met; then how far
- *                 the owner let them.
- * @param intersector    Who owns the items.
+ *         the owner let them.
+ * @param intersector  Who owns the items.
  * @param[in,out] results  Handed to the owner.
  */
 void bvh_traverse(const Bvh *bvh, const Packet *packet, real *limits,
@@ -162,12 +154,9 @@ typedef struct PacketLanes {
 /**
  * As #bvh_traverse, from a node or leaf on, for each ray by itself: several are in flight, so that
  * one computes while another waits for memory.
- * @param bvh     The tree.
- * @param child    Where to begin, see #BvhNode.children.
- * @param lanes    The rays that count.
- * @param packet   The rays.
+ * @param child  Where to begin, see #BvhNode.children.
  * @param[in,out] limits  For each vector: how far rays look.
- * @param intersector    Who owns the items.
+ * @param intersector  Who owns the items.
  * @param[in,out] results  Handed to the owner.
  */
 void bvh_traverse_single(const Bvh *bvh, uint32_t child, const PacketLanes *lanes,

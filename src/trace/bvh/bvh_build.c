@@ -22,8 +22,7 @@ typedef struct CollapsedChildren {
     int count;                 /**< How many. */
 } CollapsedChildren;
 
-/** @return The child with the largest box that can be opened; -1: none. @param builder The builder.
- *  @param children The children. */
+/** @return The child with the largest box that can be opened; -1: none. */
 static int collapsed_children_largest(const BvhBuilder *builder,
                                       const CollapsedChildren *children) {
     int largest = -1;
@@ -38,8 +37,7 @@ static int collapsed_children_largest(const BvhBuilder *builder,
     return largest;
 }
 
-/** @return The children of a part: opened, the largest first, until the node is full.
- *  @param builder The builder. @param build_index The part. */
+/** @return The children of a part: opened, the largest first, until the node is full. */
 static CollapsedChildren collapsed_children_of(const BvhBuilder *builder, uint32_t build_index) {
     CollapsedChildren children = {.nodes = {build_index}, .count = 1};
     int expand = collapsed_children_largest(builder, &children);
@@ -52,9 +50,7 @@ static CollapsedChildren collapsed_children_of(const BvhBuilder *builder, uint32
     return children;
 }
 
-/** Counts the nodes and blocks that a part needs. @param builder The builder. @param build_index
- * The part.
- */
+/** Counts the nodes and blocks that a part needs. */
 static void bvh_count_nodes(BvhBuilder *builder, uint32_t build_index) {
     CollapsedChildren children = collapsed_children_of(builder, build_index);
     builder->bvh->node_count++;
@@ -68,8 +64,7 @@ static void bvh_count_nodes(BvhBuilder *builder, uint32_t build_index) {
     }
 }
 
-/** @return The word of a leaf, whose blocks are filled. @param builder The builder.
- *  @param node The part. */
+/** @return The word of a leaf, whose blocks are filled. */
 static uint32_t bvh_make_leaf(BvhBuilder *builder, const BuildNode *node) {
     Bvh *bvh = builder->bvh;
     size_t first_block = bvh->block_count, block_count = block_count_for(builder, node->ref_count);
@@ -82,8 +77,7 @@ static uint32_t bvh_make_leaf(BvhBuilder *builder, const BuildNode *node) {
     return BVH_LEAF_BIT | (uint32_t)(first_block << BVH_LEAF_COUNT_BITS) | (uint32_t)block_count;
 }
 
-/** Puts a box into a node. @param[in,out] node The node. @param i Which child. @param box The box.
- */
+/** Puts a box into a node. */
 static void bvh_node_set_box(BvhNode *node, int i, const BuildAabb *box) {
     Aabb *block = &node->bounds[i / LANES];
     for (int axis = 0; axis < 3; axis++) {
@@ -92,12 +86,7 @@ static void bvh_node_set_box(BvhNode *node, int i, const BuildAabb *box) {
     }
 }
 
-/**
- * Makes the wide nodes of a part, each before its children.
- * @param builder  The builder.
- * @param build_index    The part.
- * @return Place of its node.
- */
+/** Makes the wide nodes of a part, each before its children. @return Place of its node. */
 static uint32_t bvh_make_nodes(BvhBuilder *builder, uint32_t build_index) {
     uint32_t node_index = (uint32_t)builder->bvh->node_count++;
     BvhNode *node = &builder->bvh->nodes[node_index];
@@ -119,8 +108,7 @@ static uint32_t bvh_make_nodes(BvhBuilder *builder, uint32_t build_index) {
 
 /* --- all of it ------------------------------------------------------------------------------- */
 
-/** Fills the references. @param builder The builder. @param boxes The items' boxes.
- *  @param count How many. */
+/** Fills the references. */
 static void prim_refs_fill(BvhBuilder *builder, const Aabbs *boxes, size_t count) {
     for (size_t i = 0; i < count; i++) {
         PrimRef *ref = &builder->refs[i];
@@ -133,8 +121,7 @@ static void prim_refs_fill(BvhBuilder *builder, const Aabbs *boxes, size_t count
     }
 }
 
-/** Turns the binary tree into the wide one. @param builder The builder. @return false without
- *  memory. */
+/** Turns the binary tree into the wide one. @return false without memory. */
 static bool bvh_collapse(BvhBuilder *builder) {
     Bvh *bvh = builder->bvh;
     bvh_count_nodes(builder, 0);

@@ -29,9 +29,8 @@ typedef struct PacketTraversal {
     int stack_size;                         /**< How many. */
 } PacketTraversal;
 
-/** Puts a child where its distance belongs, above all that are farther. @param traversal The
- * journey.
- *  @param first The stack's first entry that is of the same node. @param entry The child. */
+/** Puts a child where its distance belongs, above all that are farther. @param first The stack's
+ *  first entry that is of the same node. */
 static void packet_traversal_push(PacketTraversal *traversal, int first, PacketStackEntry entry) {
     int i = traversal->stack_size++;
     for (; i > first && traversal->stack[i - 1].near < entry.near; i--) {
@@ -40,10 +39,13 @@ static void packet_traversal_push(PacketTraversal *traversal, int first, PacketS
     traversal->stack[i] = entry;
 }
 
-/** Finds the rays that meet a child's box. @param traversal The journey. @param box The box, in all
- * lanes.
- *  @param lanes The rays that reached the node. @param[out] hit_lanes Those that meet the box.
- *  @return Whether there are any. */
+/**
+ * Finds the rays that meet a child's box.
+ * @param box  The box, in all lanes.
+ * @param lanes  The rays that reached the node.
+ * @param[out] hit_lanes  Those that meet the box.
+ * @return Whether there are any.
+ */
 static bool packet_traversal_test_child(const PacketTraversal *traversal, const Aabb *box,
                                         const PacketLanes *lanes, PacketLanes *hit_lanes) {
     unsigned hit_bits = 0;
@@ -60,8 +62,7 @@ static bool packet_traversal_test_child(const PacketTraversal *traversal, const 
     return hit_bits != 0;
 }
 
-/** Puts the children that rays may meet on the stack. @param traversal The journey. @param node The
- *  node. @param lanes The rays that reached it. */
+/** Puts the children that rays may meet on the stack. @param lanes The rays that reached it. */
 static void packet_traversal_visit_node(PacketTraversal *traversal, const BvhNode *node,
                                         const PacketLanes *lanes) {
     int first = traversal->stack_size;
@@ -81,8 +82,7 @@ static void packet_traversal_visit_node(PacketTraversal *traversal, const BvhNod
     }
 }
 
-/** Drops the rays that no longer look as far as something is. @param traversal The journey.
- *  @param[in,out] entry What waits. @return Whether any is left. */
+/** Drops the rays that no longer look as far as something is. @return Whether any is left. */
 static bool packet_traversal_cull_entry(const PacketTraversal *traversal, PacketStackEntry *entry) {
     unsigned left = 0;
     for (int v = 0; v < PACKET_VECTORS; v++) {
@@ -95,8 +95,7 @@ static bool packet_traversal_cull_entry(const PacketTraversal *traversal, Packet
     return left != 0;
 }
 
-/** Asks the owner about a leaf. @param traversal The journey. @param intersector The owner.
- *  @param leaf The leaf. @param[in,out] results The owner's. */
+/** Asks the owner about a leaf. */
 static void packet_traversal_visit_leaf(PacketTraversal *traversal,
                                         const BvhIntersector *intersector,
                                         const PacketStackEntry *leaf, void *results) {
@@ -120,7 +119,7 @@ static bool packet_intervals_are_coherent(const PacketIntervals *intervals) {
     return is_coherent;
 }
 
-/** @return How many rays. @param lanes Which. */
+/** @return How many rays. */
 static int packet_lanes_count(const PacketLanes *lanes) {
     int count = 0;
     for (int v = 0; v < PACKET_VECTORS; v++) {
@@ -129,9 +128,7 @@ static int packet_lanes_count(const PacketLanes *lanes) {
     return count;
 }
 
-/** Takes what waits on top: for all its rays together, or one by one where they are few.
- *  @param traversal The journey. @param bvh The tree. @param intersector The owner.
- *  @param[in,out] results The owner's. */
+/** Takes what waits on top: for all its rays together, or one by one where they are few. */
 static void packet_traversal_step(PacketTraversal *traversal, const Bvh *bvh,
                                   const BvhIntersector *intersector, void *results) {
     PacketStackEntry entry = traversal->stack[--traversal->stack_size];

@@ -42,14 +42,13 @@ typedef struct SingleTraversalBatch {
     void *results;                     /**< The owner's. */
 } SingleTraversalBatch;
 
-/** @return One of LANES points in all lanes. @param v The points. @param lane Which. */
+/** @return One of LANES points in all lanes. */
 INLINE Vec3 vec3_splat_lane(const Vec3 *v, int lane) {
     return (Vec3){real_of(real_at(&v->x, lane)), real_of(real_at(&v->y, lane)),
                   real_of(real_at(&v->z, lane))};
 }
 
-/** Puts a ray of a packet where the rays begin. @param batch The field. @param[out] traversal The
- *  ray. @param v Its vector. @param lane Its lane. */
+/** Puts a ray of a packet where the rays begin. */
 static void single_traversal_init(const SingleTraversalBatch *batch, SingleTraversal *traversal,
                                   int v, int lane) {
     const Vec3 *inverse = &batch->packet->rays[v].inverse_direction;
@@ -64,8 +63,7 @@ static void single_traversal_init(const SingleTraversalBatch *batch, SingleTrave
     traversal->stack_size = 1;
 }
 
-/** Lets the next ray of a packet fly, if there is one. @param batch The field.
- *  @param[out] traversal The ray. */
+/** Lets the next ray of a packet fly, if there is one. */
 static void single_traversal_start_next(SingleTraversalBatch *batch, SingleTraversal *traversal) {
     while (batch->next_vector < PACKET_VECTORS && batch->pending.bits[batch->next_vector] == 0) {
         batch->next_vector++;
@@ -78,8 +76,8 @@ static void single_traversal_start_next(SingleTraversalBatch *batch, SingleTrave
     }
 }
 
-/** Puts a child where its distance belongs. @param traversal The ray. @param first The stack's
- * first entry of the same node. @param entry The child. */
+/** Puts a child where its distance belongs. @param first The stack's first entry of the same node.
+ */
 INLINE void single_traversal_push(SingleTraversal *traversal, int first, SingleStackEntry entry) {
     int i = traversal->stack_size++;
     for (; i > first && traversal->stack[i - 1].near < entry.near; i--) {
@@ -88,9 +86,7 @@ INLINE void single_traversal_push(SingleTraversal *traversal, int first, SingleS
     traversal->stack[i] = entry;
 }
 
-/** Puts the children that a ray may meet on its stack. @param traversal The ray. @param node The
- * node.
- */
+/** Puts the children that a ray may meet on its stack. */
 static void single_traversal_visit_node(SingleTraversal *traversal, const BvhNode *node) {
     int first = traversal->stack_size, ray_lane = traversal->lane;
     Vec3 origin = vec3_splat_lane(&traversal->ray->origin, ray_lane);
@@ -108,8 +104,7 @@ static void single_traversal_visit_node(SingleTraversal *traversal, const BvhNod
     }
 }
 
-/** Takes one step. @param batch The field. @param traversal The ray. @return false at the end of
- * its way. */
+/** Takes one step. @return false at the end of its way. */
 static bool single_traversal_step(SingleTraversalBatch *batch, SingleTraversal *traversal) {
     SingleStackEntry entry;
     do {

@@ -40,8 +40,10 @@ typedef struct SahSplit {
     scalar cost; /**< Area times blocks, both sides. */
 } SahSplit;
 
-/** @return How middles fall into bins. @param doubled_centroids Twice the middles of all items.
- *  @param count How many items. */
+/**
+ * @return How middles fall into bins.
+ * @param doubled_centroids  Twice the middles of all items.
+ */
 static SahBinning sah_binning_of(const BuildAabb *doubled_centroids, size_t count) {
     /** Keeps the highest middle inside the last bin, whatever is rounded. */
     const scalar inside = (scalar)0.99999;
@@ -55,19 +57,12 @@ static SahBinning sah_binning_of(const BuildAabb *doubled_centroids, size_t coun
     return binning;
 }
 
-/** @return The bin of an item. @param b How items fall. @param box The item's box. @param axis
- * Along which axis. */
+/** @return The bin of an item. */
 static inline int sah_bin_index(const SahBinning *b, const BuildAabb *box, int axis) {
     return (int)((box->low[axis] + box->high[axis] - b->low[axis]) * b->scale[axis]);
 }
 
-/**
- * Counts items into bins, along all axes at once.
- * @param refs  The items.
- * @param count       How many.
- * @param binning     How they fall.
- * @param[out] bins   The bins.
- */
+/** Counts items into bins, along all axes at once. */
 static void sah_bins_fill(const PrimRef *refs, size_t count, const SahBinning *binning,
                           SahBin bins[3][SAH_BINS]) {
     for (int axis = 0; axis < 3; axis++) {
@@ -85,15 +80,8 @@ static void sah_bins_fill(const PrimRef *refs, size_t count, const SahBinning *b
     }
 }
 
-/**
- * Looks for the best split along one axis: areas and numbers of the right sides are summed up from
- * the right, those of the left sides from the left.
- * @param builder  The builder.
- * @param bins     The axis's bins.
- * @param count    How many.
- * @param axis     The axis.
- * @param[in,out] best  The best choice so far.
- */
+/** Looks for the best split along one axis: areas and numbers of the right sides are summed up from
+ *  the right, those of the left sides from the left. @param[in,out] best The best choice so far. */
 static void sah_best_split_on_axis(const BvhBuilder *builder, const SahBin *bins, int count,
                                    int axis, SahSplit *best) {
     scalar right_cost[SAH_BINS];
@@ -122,8 +110,6 @@ static void sah_best_split_on_axis(const BvhBuilder *builder, const SahBin *bins
 
 /**
  * @return Where to split a part.
- * @param builder  The builder.
- * @param node    The part.
  * @param binning  How its items fall into bins.
  */
 static SahSplit sah_best_split(const BvhBuilder *builder, const BuildNode *node,
@@ -141,7 +127,7 @@ static SahSplit sah_best_split(const BvhBuilder *builder, const BuildNode *node,
 
 /* --- splitting ------------------------------------------------------------------------------- */
 
-/** Swaps two items. @param a One. @param b The other. */
+/** Swaps two items. */
 static inline void prim_refs_swap(PrimRef *a, PrimRef *b) {
     PrimRef other = *a;
     *a = *b;
@@ -150,10 +136,7 @@ static inline void prim_refs_swap(PrimRef *a, PrimRef *b) {
 
 /**
  * Sorts the items of a part to the two sides of a split.
- * @param refs  The items.
- * @param count       How many.
- * @param binning     How they fall into bins.
- * @param split      Where to split.
+ * @param binning  How they fall into bins.
  * @return How many are on the left.
  */
 static size_t prim_refs_partition(PrimRef *refs, size_t count, const SahBinning *binning,
@@ -168,8 +151,7 @@ static size_t prim_refs_partition(PrimRef *refs, size_t count, const SahBinning 
     return left;
 }
 
-/** Works out a part's box and that of twice its middles. @param builder The builder.
- *  @param[in,out] node The part. @param[out] doubled_centroids The middles. */
+/** Works out a part's box and that of twice its middles. */
 static void build_node_compute_bounds(const BvhBuilder *builder, BuildNode *node,
                                       BuildAabb *doubled_centroids) {
     node->box = *doubled_centroids = build_aabb_empty();
@@ -182,10 +164,8 @@ static void build_node_compute_bounds(const BvhBuilder *builder, BuildNode *node
 
 /**
  * Decides how a part is split: by cost, by halves where that finds nothing, or not at all.
- * @param builder  The builder.
- * @param node    The part, measured.
  * @param doubled_centroids  Twice the middles of its items.
- * @param level    How deep it lies.
+ * @param level  How deep it lies.
  * @return How many items go to the left; 0: it stays a leaf.
  */
 static size_t build_node_partition(const BvhBuilder *builder, const BuildNode *node,
@@ -213,10 +193,9 @@ static size_t build_node_partition(const BvhBuilder *builder, const BuildNode *n
 /**
  * Builds the binary tree over a part. Parts no larger than the builder's grain are put aside as
  * pieces, while there is a list of them.
- * @param builder  The builder.
- * @param node_index    Where its node goes; first and count are filled.
- * @param level    How deep it lies.
- * @param defers_tasks   Whether to put pieces aside.
+ * @param node_index  Where its node goes; first and count are filled.
+ * @param level  How deep it lies.
+ * @param defers_tasks  Whether to put pieces aside.
  */
 static void build_node_build(BvhBuilder *builder, uint32_t node_index, int level,
                              bool defers_tasks) {
@@ -241,7 +220,7 @@ static void build_node_build(BvhBuilder *builder, uint32_t node_index, int level
     build_node_build(builder, node->right_child, level + 1, defers_tasks);
 }
 
-/** Builds one piece. A job of the crew. @param context The builder. @param index Which piece. */
+/** Builds one piece. A job of the crew. */
 static void subtree_task_run(void *context, size_t index) {
     BvhBuilder *builder = context;
     build_node_build(builder, builder->tasks[index].node, builder->tasks[index].depth, false);

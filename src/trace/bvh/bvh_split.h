@@ -40,18 +40,13 @@ typedef struct BvhBuilder {
     Bvh *bvh;              /**< The result. */
 } BvhBuilder;
 
-/** @return Blocks that a number of items fill. @param builder The builder. @param count Items. */
+/** @return Blocks that a number of items fill. */
 static inline size_t block_count_for(const BvhBuilder *builder, size_t count) {
     return (count + (1u << builder->block_shift) - 1) >> builder->block_shift;
 }
 
-/**
- * Builds the binary tree over a builder's references: its upper levels first, then the pieces that
- * are left of them, side by side.
- * @param builder  The builder.
- * @param count    How many references.
- * @param parallel_for     Who builds.
- */
+/** Builds the binary tree over a builder's references: its upper levels first, then the pieces that
+ *  are left of them, side by side. */
 void bvh_build_binary(BvhBuilder *builder, size_t count, const ParallelFor *parallel_for);
 
 #endif

@@ -22,7 +22,7 @@ enum { BVH_MIN_SHAPES = 192 };
  */
 enum { BVH_MIN_SHAPES_REFLECTIVE = 24 };
 
-/** @return Bytes of all shapes of a scene. @param scene The scene. */
+/** @return Bytes of all shapes of a scene. */
 static size_t shapes_size(const Scene *scene) {
     size_t size = 0;
     for (size_t i = 0; i < scene->shape_count; i++) {
@@ -31,8 +31,7 @@ static size_t shapes_size(const Scene *scene) {
     return size;
 }
 
-/** Puts a box into a block. @param[in,out] block The block. @param i Its lane. @param box The box.
- */
+/** Puts a box into a block. */
 static void aabb_set_lane(Aabb *block, int i, Aabbs box) {
     for (int axis = 0; axis < 3; axis++) {
         real_set_lane(&block->planes[axis], i, box.low[axis]);
@@ -40,9 +39,7 @@ static void aabb_set_lane(Aabb *block, int i, Aabbs box) {
     }
 }
 
-/** Makes the shapes of a list whose memory is there. @param set The list. @param scene The scene.
- *  @param meshes The scene's models. @param[out] error What is wrong. @return false without memory.
- */
+/** Makes the shapes of a list whose memory is there. @return false without memory. */
 static bool shapes_create(ShapeSet *set, const Scene *scene, MeshBvhCache *meshes, Error *error) {
     char *next = set->memory;
     for (size_t i = 0; i < scene->shape_count; i++) {
@@ -56,14 +53,14 @@ static bool shapes_create(ShapeSet *set, const Scene *scene, MeshBvhCache *meshe
     return true;
 }
 
-/** @return Memory for shapes or boxes, zero; NULL without. @param size Bytes. */
+/** @return Memory for shapes or boxes, zero; NULL without. */
 static void *shapes_allocate(size_t size) {
     size_t whole = (size + SHAPE_ALIGNMENT - 1) / SHAPE_ALIGNMENT * SHAPE_ALIGNMENT;
     void *memory = aligned_alloc(SHAPE_ALIGNMENT, whole + SHAPE_ALIGNMENT);
     return memory ? memset(memory, 0, whole) : NULL;
 }
 
-/** @return Whether a box ends. @param box The box. */
+/** @return Whether a box ends. */
 static bool aabbs_is_finite(const Aabbs *box) {
     bool is_finite = true;
     for (int axis = 0; axis < 3; axis++) {
@@ -84,8 +81,10 @@ static bool bvh_takes_instances(const ShapeSet *set) {
     return count > few;
 }
 
-/** @return Whether a shape would go into a tree. @param shape The shape. @param include_instances
- * Whether those with a tree of their own would. */
+/**
+ * @return Whether a shape would go into a tree.
+ * @param include_instances  Whether those with a tree of their own would.
+ */
 static bool shape_goes_in_bvh(const Shape *shape, bool include_instances) {
     Aabbs box = shape->class->bounds(shape);
     return aabbs_is_finite(&box) && (include_instances || !shape->class->closest_hits);
@@ -101,8 +100,7 @@ static size_t count_bvh_shapes(const ShapeSet *set) {
     return count;
 }
 
-/** @return Shapes with an end from which on they get a tree. @param scene The scene.
- *  @param settings What is asked for. */
+/** @return Shapes with an end from which on they get a tree. */
 static size_t bvh_threshold_of(const Scene *scene, const TraceSettings *settings) {
     if (settings->bvh != BVH_AUTO) {
         return settings->bvh == BVH_ALWAYS ? 1 : SIZE_MAX;
@@ -136,8 +134,11 @@ static void shapes_partition(ShapeSet *set, BvhInput *input) {
     }
 }
 
-/** Plants a tree over the shapes that end. @param set The list, its shapes made. @param
- * parallel_for Who builds it. @return false without memory. */
+/**
+ * Plants a tree over the shapes that end.
+ * @param set  The list, its shapes made.
+ * @return false without memory.
+ */
 static bool shapes_build_bvh(ShapeSet *set, const ParallelFor *parallel_for) {
     BvhInput input = {.boxes = malloc(set->count * sizeof *input.boxes),
                       .indices = malloc(set->count * sizeof *input.indices)};
@@ -154,8 +155,11 @@ static bool shapes_build_bvh(ShapeSet *set, const ParallelFor *parallel_for) {
     return is_built;
 }
 
-/** Makes room for the shapes of a list. @param set The list. @param count How many at most.
- *  @return false without memory. */
+/**
+ * Makes room for the shapes of a list.
+ * @param count  How many at most.
+ * @return false without memory.
+ */
 static bool shapes_reserve(ShapeSet *set, size_t count) {
     set->shapes = calloc(count + 1, sizeof *set->shapes);
     set->linear = calloc(count + 1, sizeof *set->linear);
@@ -163,8 +167,11 @@ static bool shapes_reserve(ShapeSet *set, size_t count) {
     return set->shapes && set->linear && set->linear_bounds;
 }
 
-/** Plants a tree over the shapes of a list where it pays. @param set The list, its shapes made.
- *  @param settings What is asked for. @return false without memory. */
+/**
+ * Plants a tree over the shapes of a list where it pays.
+ * @param set  The list, its shapes made.
+ * @return false without memory.
+ */
 static bool shapes_build_index(ShapeSet *set, const TraceSettings *settings) {
     set->bvh_over_instances = settings->bvh == BVH_ALWAYS || bvh_takes_instances(set);
     if (count_bvh_shapes(set) >= set->bvh_threshold) {

@@ -22,74 +22,57 @@ typedef struct ShapeSet {
     Bvh bvh; /**< The tree over the others, by place; without nodes where there are few. */
 } ShapeSet;
 
-/** @return Blocks of boxes for a number of shapes. @param count The shapes. */
+/** @return Blocks of boxes for a number of shapes. */
 static inline size_t aabb_pack_count(size_t count) {
     return (count + LANES - 1) / LANES;
 }
 
 /**
  * Makes the shapes of a scene.
- * @param[out] set   The list; give it back with #shape_set_deinit.
- * @param scene       The scene.
- * @param meshes      The scene's models.
- * @param settings    Whether there is a tree, and who builds it.
- * @param[out] error  What is wrong.
+ * @param[out] set  The list; give it back with #shape_set_deinit.
+ * @param settings  Whether there is a tree, and who builds it.
  * @return false without memory; the list is then empty.
  */
 bool shape_set_init(ShapeSet *set, const Scene *scene, MeshBvhCache *meshes,
                     const TraceSettings *settings, Error *error);
 
-/** @return Whether a shape is chosen. @param shape The shape. @param context Of whoever chooses. */
+/** @return Whether a shape is chosen. */
 typedef bool (*ShapePredicate)(const Shape *shape, const void *context);
 
 /**
  * Makes a list of some shapes of another list, which must live longer.
  * @param[out] subset  The list; give it back with #shape_set_deinit.
- * @param all        The other list.
- * @param predicate     Asked about each of its shapes.
- * @param context    Handed to it.
- * @param settings   Whether there is a tree, and who builds it.
+ * @param predicate  Asked about each of its shapes.
+ * @param settings  Whether there is a tree, and who builds it.
  * @return false without memory; the list is then empty.
  */
 bool shape_set_filter(ShapeSet *subset, const ShapeSet *all, ShapePredicate predicate,
                       const void *context, const TraceSettings *settings);
 
-/** Gives the shapes back. @param set The list. */
+/** Gives the shapes back. */
 void shape_set_deinit(ShapeSet *set);
 
 /**
  * Finds what the rays of a packet meet first.
- * @param set    The shapes.
  * @param packet  The rays, at least one active.
- * @param[out] hits  One for each vector of rays.
- * @callgraph
+ * @param[out] hits  One for each vector of rays. @callgraph
  */
 void shape_set_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits);
 
 /**
  * Finds which rays of a packet are blocked before their limit.
- * @param set    The shapes.
  * @param packet  The rays, at least one active.
  * @param[out] occluded  One mask for each vector of rays.
  */
 void shape_set_occluded(const ShapeSet *set, const Packet *packet, mask *occluded);
 
-/**
- * Asked about each shape that rays may meet.
- * @param shape   The shape.
- * @param packet  The rays.
- * @param v       Which vector of them.
- * @param active  Which lanes.
- * @param[in,out] found  What the visitor keeps.
- */
+/** Asked about each shape that rays may meet. @param v Which vector of them. */
 typedef void (*ShapeVisitor)(const Shape *shape, const Packet *packet, int v, mask active,
                              void *found);
 
 /**
  * Visits all shapes that rays of a packet may meet before their limit, in no order.
- * @param set    The shapes.
  * @param packet  The rays, at least one active.
- * @param visitor  Asked about each.
  * @param[in,out] found  Handed to the visitor.
  */
 void shape_set_visit(const ShapeSet *set, const Packet *packet, ShapeVisitor visitor, void *found);

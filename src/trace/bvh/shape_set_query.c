@@ -14,8 +14,7 @@ typedef struct Candidates {
 
 /**
  * @return The shapes of a block that a packet may meet. A packet of one ray asks every shape
- * itself.
- * @param set   The shapes.
+ *         itself.
  * @param intervals  What is known of the packet.
  * @param block  Which block of boxes.
  */
@@ -34,7 +33,7 @@ static Candidates linear_candidates(const ShapeSet *set, const PacketIntervals *
 }
 
 /** Takes the nearest of the candidates out of them, so that what it hides need not be asked.
- *  @param[in,out] candidates At least one. @return Its place in the block. */
+ *  @return Its place in the block. */
 static int candidates_pop_nearest(Candidates *candidates) {
     int best = __builtin_ctz(candidates->remaining);
     for (unsigned remaining = candidates->remaining; remaining; remaining &= remaining - 1) {
@@ -48,9 +47,7 @@ static int candidates_pop_nearest(Candidates *candidates) {
 
 /**
  * Asks one shape about the rays of a packet that have met nothing nearer.
- * @param shape   The shape.
- * @param near    It is nowhere met nearer than this.
- * @param packet  The rays.
+ * @param near  It is nowhere met nearer than this.
  * @param[in,out] hits  What they have met so far.
  */
 static void shape_closest_hits(const Shape *shape, scalar near, const Packet *packet, Hit *hits) {
@@ -66,12 +63,8 @@ static void shape_closest_hits(const Shape *shape, scalar near, const Packet *pa
     }
 }
 
-/**
- * Asks one shape whether it blocks the rays of a packet that are not blocked yet.
- * @param shape   The shape.
- * @param packet  The rays.
- * @param[in,out] occluded  Those that are blocked.
- */
+/** Asks one shape whether it blocks the rays of a packet that are not blocked yet. @param[in,out]
+ *  occluded Those that are blocked. */
 static void shape_occluded(const Shape *shape, const Packet *packet, mask *occluded) {
     if (shape->class->occluded) {
         shape->class->occluded(shape, packet, occluded);
@@ -88,8 +81,7 @@ static void shape_occluded(const Shape *shape, const Packet *packet, mask *occlu
 
 /* --- the shapes of the tree ------------------------------------------------------------------ */
 
-/** Asks the shapes of a leaf about rays. See #BvhIntersector.intersect_leaf. @param items The list.
- *  @param leaf The leaf. @param rays The rays. @param[in,out] found The hits. */
+/** Asks the shapes of a leaf about rays. See #BvhIntersector.intersect_leaf. */
 static void leaf_closest_hits(const void *items, BvhLeaf leaf, const BvhLeafRays *rays,
                               void *found) {
     const ShapeSet *set = items;
@@ -103,9 +95,7 @@ static void leaf_closest_hits(const void *items, BvhLeaf leaf, const BvhLeafRays
     rays->limits[rays->vector] = hit->distance;
 }
 
-/** Asks the shapes of a leaf whether they block rays. See #BvhIntersector.intersect_leaf. @param
- * items The list.
- *  @param leaf The leaf. @param rays The rays. @param[in,out] found What is blocked. */
+/** Asks the shapes of a leaf whether they block rays. See #BvhIntersector.intersect_leaf. */
 static void leaf_occluded(const void *items, BvhLeaf leaf, const BvhLeafRays *rays, void *found) {
     const ShapeSet *set = items;
     const Ray *ray = &rays->packet->rays[rays->vector];
@@ -121,8 +111,8 @@ static void leaf_occluded(const void *items, BvhLeaf leaf, const BvhLeafRays *ra
     rays->limits[rays->vector] = real_select(*occluded, real_of(-1), limit);
 }
 
-/** Asks the shapes of the tree, if there is one, what rays meet. @param set The shapes.
- *  @param packet The rays. @param[in,out] hits What they have met so far. */
+/** Asks the shapes of the tree, if there is one, what rays meet. @param[in,out] hits What they have
+ *  met so far. */
 static void set_bvh_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits) {
     const BvhIntersector callback = {
         .items = set, .prefers_vectors = true, .intersect_leaf = leaf_closest_hits};
@@ -135,8 +125,8 @@ static void set_bvh_closest_hits(const ShapeSet *set, const Packet *packet, Hit 
     }
 }
 
-/** Asks the shapes of the tree, if there is one, which rays they block. @param set The shapes.
- *  @param packet The rays. @param[in,out] occluded Those that are blocked. */
+/** Asks the shapes of the tree, if there is one, which rays they block. @param[in,out] occluded
+ *  Those that are blocked. */
 static void set_bvh_occluded(const ShapeSet *set, const Packet *packet, mask *occluded) {
     const BvhIntersector callback = {
         .items = set, .prefers_vectors = true, .intersect_leaf = leaf_occluded};
@@ -155,9 +145,8 @@ typedef struct VisitRequest {
     void *found;          /**< Handed to it. */
 } VisitRequest;
 
-/** Visits the shapes of a leaf. See #BvhIntersector.intersect_leaf. @param items The list. @param
- * leaf The leaf.
- *  @param rays The rays; they look all of the way. @param[in,out] found A #VisitRequest. */
+/** Visits the shapes of a leaf. See #BvhIntersector.intersect_leaf. @param rays The rays; they look
+ *  all of the way. */
 static void leaf_visit(const void *items, BvhLeaf leaf, const BvhLeafRays *rays, void *found) {
     const ShapeSet *set = items;
     const VisitRequest *visit = found;
@@ -168,8 +157,7 @@ static void leaf_visit(const void *items, BvhLeaf leaf, const BvhLeafRays *rays,
     }
 }
 
-/** Visits the shapes of the tree, if there is one. @param set The shapes. @param packet The rays.
- *  @param visit The visit. */
+/** Visits the shapes of the tree, if there is one. */
 static void set_bvh_visit(const ShapeSet *set, const Packet *packet, VisitRequest *visit) {
     const BvhIntersector callback = {
         .items = set, .prefers_vectors = true, .intersect_leaf = leaf_visit};

@@ -20,12 +20,10 @@
 
 /**
  * Narrows an interval to the part of rays between one pair of planes.
- * @param[in,out] near  Where it begins.
- * @param[in,out] far   Where it ends.
- * @param enter   The planes that rays meet first.
- * @param leave   The planes that they meet last.
+ * @param enter  The planes that rays meet first.
+ * @param leave  The planes that they meet last.
  * @param origin  Where the rays start, along the axis.
- * @param inverse 1 / direction, along the axis.
+ * @param inverse  1 / direction, along the axis.
  */
 INLINE void slab_clip_ordered(real *near, real *far, real enter, real leave, real origin,
                               real inverse) {
@@ -35,12 +33,8 @@ INLINE void slab_clip_ordered(real *near, real *far, real enter, real leave, rea
 
 /**
  * Narrows an interval to the part of rays between one pair of planes, whichever is met first.
- * @param[in,out] near  Where it begins.
- * @param[in,out] far   Where it ends.
- * @param low     The lower planes.
- * @param high    The higher planes.
  * @param origin  Where the rays start, along the axis.
- * @param inverse 1 / direction, along the axis.
+ * @param inverse  1 / direction, along the axis.
  */
 INLINE void slab_clip(real *near, real *far, real low, real high, real origin, real inverse) {
     mask is_downwards = inverse < 0;
@@ -51,10 +45,8 @@ INLINE void slab_clip(real *near, real *far, real low, real high, real origin, r
 
 /**
  * @return The lanes whose ray may meet something in its box before its limit.
- * @param ray         The rays.
- * @param boxes       A box for each.
- * @param limit       How far they look.
- * @param[out] near   They meet nothing in it nearer than this.
+ * @param limit  How far they look.
+ * @param[out] near  They meet nothing in it nearer than this.
  */
 INLINE mask slab_intersects(const Ray *ray, const Aabb *boxes, real limit, real *near) {
     const real *planes = boxes->planes;
@@ -73,8 +65,7 @@ typedef struct SlabOrder {
     size_t leave[3]; /**< Last. */
 } SlabOrder;
 
-/** Sets the order along an axis. @param[in,out] order The order. @param axis The axis.
- *  @param is_down Whether the rays go down along it. */
+/** Sets the order along an axis. @param is_down Whether the rays go down along it. */
 INLINE void slab_order_set(SlabOrder *order, size_t axis, bool is_down) {
     order->enter[axis] = is_down ? axis + 3 : axis;
     order->leave[axis] = is_down ? axis : axis + 3;
@@ -82,13 +73,10 @@ INLINE void slab_order_set(SlabOrder *order, size_t axis, bool is_down) {
 
 /**
  * @return As #slab_intersects, bit i for lane i, for rays that all meet the planes in the same
- * order.
- * @param origin      Where the rays start.
- * @param inverse     1 / direction.
- * @param boxes       A box for each.
- * @param order       The order.
- * @param limit       How far they look.
- * @param[out] near   They meet nothing in it nearer than this.
+ *         order.
+ * @param origin  Where the rays start.
+ * @param limit  How far they look.
+ * @param[out] near  They meet nothing in it nearer than this.
  */
 INLINE unsigned slab_intersects_ordered(Vec3 origin, Vec3 inverse, const Aabb *boxes,
                                         const SlabOrder *order, real limit, real *near) {
@@ -102,7 +90,7 @@ INLINE unsigned slab_intersects_ordered(Vec3 origin, Vec3 inverse, const Aabb *b
     return real_less_equal_bits(*near, t_far * (1 + SLAB_SLACK));
 }
 
-/** @return The same box for every ray. @param boxes Boxes. @param lane Which of them. */
+/** @return The same box for every ray. */
 INLINE Aabb aabb_splat_lane(const Aabb *boxes, int lane) {
     Aabb same;
     for (int i = 0; i < 6; i++) {

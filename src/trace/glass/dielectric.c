@@ -15,8 +15,6 @@ typedef struct DielectricEntry {
 /**
  * Finds which rays met transparent surfaces, and aims their jumps.
  * @param offset  How rays leave a surface.
- * @param surface        What the rays met.
- * @param[out] entry  The jumps.
  * @param[out] dielectric  The lanes, and the media behind.
  * @return How many lanes.
  */
@@ -49,11 +47,10 @@ static unsigned dielectric_hit_enter(const RayOffset *offset, const SurfaceHit *
 
 /**
  * Bends rays where the medium changes.
- * @param dielectrics      What the scene has of glass.
+ * @param dielectrics  What the scene has of glass.
  * @param offset  How rays leave a surface.
- * @param surface        What the rays met.
- * @param v          Which vector of them.
- * @param shape_before     Place of the medium before the surface.
+ * @param v  Which vector of them.
+ * @param shape_before  Place of the medium before the surface.
  * @param[in,out] dielectric  What becomes of them; the media behind are there.
  * @return The lanes that are reflected totally.
  */
@@ -79,8 +76,10 @@ INLINE mask dielectric_hit_refract(const Dielectrics *dielectrics, const RayOffs
     return lanes & refraction.is_total;
 }
 
-/** @return The points of a vector that ask for light: those with a body. @param surface The points.
- *  @param v Which vector. @param overridden Those whose surface is not there. */
+/**
+ * @return The points of a vector that ask for light: those with a body.
+ * @param overridden  Those whose surface is not there.
+ */
 INLINE mask lanes_needing_light(const SurfaceHit *surface, int v, mask overridden) {
     MaterialPack material =
         material_pack_gather(surface->materials, &surface->material_ids[v], surface->is_hit[v]);

@@ -19,10 +19,9 @@ typedef struct DielectricHit {
 
 /**
  * Finds what becomes of rays at transparent surfaces.
- * @param dielectrics      What the scene has of glass.
+ * @param dielectrics  What the scene has of glass.
  * @param offset  How rays leave a surface.
  * @param[in,out] surface  What the rays met; points that ask for no light are taken out of `lit`.
- * @param[out] dielectric  What becomes of them.
  * @return How many are reflected totally.
  */
 unsigned dielectric_hit_find(const Dielectrics *dielectrics, const RayOffset *offset,
@@ -32,8 +31,7 @@ unsigned dielectric_hit_find(const Dielectrics *dielectrics, const RayOffset *of
  * @return The share of what rays bring back that is mirrored: R + T F; nothing where the surface is
  *         not there.
  * @param dielectric  What becomes of the rays; NULL: there is no glass.
- * @param v         Which vector of them.
- * @param material  What they met.
+ * @param v  Which vector of them.
  */
 INLINE Rgb dielectric_hit_reflectance(const DielectricHit *dielectric, int v,
                                       const MaterialPack *material) {
@@ -49,8 +47,7 @@ INLINE Rgb dielectric_hit_reflectance(const DielectricHit *dielectric, int v,
  * @return The share that comes from behind the surface: T (1 - F); all where the surface is not
  *         there.
  * @param dielectric  What becomes of the rays.
- * @param v         Which vector of them.
- * @param material  What they met.
+ * @param v  Which vector of them.
  */
 INLINE Rgb dielectric_hit_transmittance(const DielectricHit *dielectric, int v,
                                         const MaterialPack *material) {

@@ -6,8 +6,7 @@
 
 #include <stdlib.h>
 
-/** Takes the indices of a scene's shapes. @param[out] dielectrics What the scene has. @param scene
- * The scene. @return false without memory. */
+/** Takes the indices of a scene's shapes. @return false without memory. */
 static bool iors_init(Dielectrics *dielectrics, const Scene *scene) {
     dielectrics->iors = calloc(scene->shape_count + 1, sizeof *dielectrics->iors);
     if (!dielectrics->iors) {
@@ -22,15 +21,13 @@ static bool iors_init(Dielectrics *dielectrics, const Scene *scene) {
     return true;
 }
 
-/** See #ShapePredicate. @return Whether a shape is transparent. @param shape The shape. @param
- * context A #Dielectrics. */
+/** See #ShapePredicate. @return Whether a shape is transparent. */
 static bool shape_is_transparent(const Shape *shape, const void *context) {
     const Dielectrics *dielectrics = context;
     return dielectrics->iors[shape->index + 1] > 0;
 }
 
-/** See #ShapePredicate. @return Whether a shape is not transparent. @param shape The shape.
- *  @param context A #Dielectrics. */
+/** See #ShapePredicate. @return Whether a shape is not transparent. */
 static bool shape_is_opaque(const Shape *shape, const void *context) {
     return !shape_is_transparent(shape, context);
 }
@@ -48,7 +45,7 @@ bool dielectrics_init(Dielectrics *dielectrics, const Scene *scene, const ShapeS
 /** Tinted shapes from which on nobody looks whether a later shape meets them: one may. */
 enum { MAX_TINTED_SHAPES = 1000 };
 
-/** @return Whether two boxes have a point in common. @param a A box. @param b Another. */
+/** @return Whether two boxes have a point in common. */
 static bool aabbs_overlap(const Aabbs *a, const Aabbs *b) {
     bool overlap = true;
     for (int axis = 0; axis < 3; axis++) {
@@ -57,7 +54,7 @@ static bool aabbs_overlap(const Aabbs *a, const Aabbs *b) {
     return overlap;
 }
 
-/** @return Whether a surface takes a share of the light that goes through. @param s The surface. */
+/** @return Whether a surface takes a share of the light that goes through. */
 static bool material_is_tinted(const Material *s) {
     return s->transmittance.red < 1 || s->transmittance.green < 1 || s->transmittance.blue < 1;
 }
@@ -86,16 +83,20 @@ void dielectrics_deinit(Dielectrics *dielectrics) {
     shape_set_deinit(&dielectrics->opaque);
 }
 
-/** @return The lanes in which rays meet a shape from inside. @param ray The rays. @param hit_lanes
- * The lanes that meet it. @param hit Where. */
+/**
+ * @return The lanes in which rays meet a shape from inside.
+ * @param hit_lanes  The lanes that meet it.
+ */
 INLINE mask is_hit_from_inside(const Ray *ray, mask hit_lanes, const Hit *hit) {
     return hit_lanes & (vec3_dot(ray->direction, hit->normal) > 0);
 }
 
 /* --- the camera ------------------------------------------------------------------------------ */
 
-/** @return Rays along an axis. @param origin Where they start. @param axis 0 to 5: x, y, z, -x, -y,
- *  -z. */
+/**
+ * @return Rays along an axis.
+ * @param axis  0 to 5: x, y, z, -x, -y, -z.
+ */
 static Ray axis_ray(Vec3 origin, int axis) {
     real along = real_of(axis < 3 ? 1 : -1), zero = real_of(0);
     Vec3 direction = {axis % 3 == 0 ? along : zero, axis % 3 == 1 ? along : zero,
@@ -103,7 +104,7 @@ static Ray axis_ray(Vec3 origin, int axis) {
     return ray_of(origin, direction);
 }
 
-/** @return Whether a point is inside of a shape. @param shape The shape. @param point The point. */
+/** @return Whether a point is inside of a shape. */
 static mask shape_contains(const Shape *shape, Vec3 point) {
     mask inside = mask_of(false);
     Hit nearest = hit_none(real_of(INFINITE));
@@ -126,9 +127,8 @@ void dielectrics_set_camera(Dielectrics *dielectrics, Vec3 camera_position) {
 
 /* --- jumps ----------------------------------------------------------------------------------- */
 
-/** Asks whether a shape's surface lies in jumps. See #ShapeVisitor. @param shape The shape.
- *  @param segments The jumps, backwards. @param v Which vector. @param active Which lanes.
- *  @param[in,out] found A #InteriorList for each vector: what the rays are inside of. */
+/** Asks whether a shape's surface lies in jumps. See #ShapeVisitor. @param[in,out] found A
+ *  #InteriorList for each vector: what the rays are inside of. */
 static void segment_cross_shape(const Shape *shape, const Packet *segments, int v, mask active,
                                 void *found) {
     InteriorList *interior = (InteriorList *)found + v;

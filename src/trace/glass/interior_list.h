@@ -44,8 +44,11 @@ INLINE InteriorList interior_list_empty(void) {
     return interior;
 }
 
-/** Takes shapes out. @param[in,out] interior What rays are inside of. @param leaving The lanes that
- *  leave. @param shape_index What they leave, whether they are in it or not. */
+/**
+ * Takes shapes out.
+ * @param[in,out] interior  What rays are inside of.
+ * @param shape_index  What they leave, whether they are in it or not.
+ */
 INLINE void interior_list_remove(InteriorList *interior, mask leaving, integer shape_index) {
     mask is_behind = mask_of(false);
     for (int i = 0; i < INTERIOR_LIST_CAPACITY; i++) {
@@ -55,8 +58,11 @@ INLINE void interior_list_remove(InteriorList *interior, mask leaving, integer s
     }
 }
 
-/** Puts shapes in. @param[in,out] interior What rays are inside of. @param entering The lanes that
- *  enter. @param shape_index What they enter, whether they are in it already or not. */
+/**
+ * Puts shapes in.
+ * @param[in,out] interior  What rays are inside of.
+ * @param shape_index  What they enter, whether they are in it already or not.
+ */
 INLINE void interior_list_insert(InteriorList *interior, mask entering, integer shape_index) {
     interior_list_remove(interior, entering, shape_index);
     integer next = integer_select(entering, shape_index, integer_of(-1));
@@ -78,9 +84,7 @@ INLINE integer interior_list_top(const InteriorList *interior) {
  * Takes rays over surfaces. Whoever leaves a shape was inside, whoever enters it was not, whatever
  * has been noted before.
  * @param[in,out] interior  What the rays are inside of.
- * @param ray            The rays.
- * @param hit            The surfaces.
- * @param lanes          The lanes that met a transparent one.
+ * @param lanes  The lanes that met a transparent one.
  * @return Place of the medium before the surface.
  */
 INLINE integer interior_list_cross(InteriorList *interior, const Ray *ray, const Hit *hit,
@@ -98,12 +102,8 @@ INLINE integer interior_list_cross(InteriorList *interior, const Ray *ray, const
 /**
  * Aims a jump over a surface, backwards: from where rays behind it start to where those before it
  * do.
- * @param offset_length     See #ray_offset_length.
- * @param hit     The surface.
  * @param n_front  Its normal, on the side that the rays come from.
- * @param lanes   The lanes that jump.
- * @param v       Which vector of the packet.
- * @param[in,out] segments  The jumps.
+ * @param v  Which vector of the packet.
  */
 INLINE void offset_segment_set(real offset_length, const Hit *hit, Vec3 n_front, mask lanes, int v,
                                Packet *segments) {
@@ -115,8 +115,7 @@ INLINE void offset_segment_set(real offset_length, const Hit *hit, Vec3 n_front,
     segments->limit[v] = real_of(1);
 }
 
-/** @return Indices of refraction. @param dielectrics The scene's. @param shape_index See
- * #interior_list_top. */
+/** @return Indices of refraction. */
 INLINE real dielectrics_ior(const Dielectrics *dielectrics, integer shape_index) {
     return real_gather(dielectrics->iors, shape_index + 1);
 }
@@ -124,19 +123,18 @@ INLINE real dielectrics_ior(const Dielectrics *dielectrics, integer shape_index)
 /**
  * Sorts a scene's shapes into transparent and opaque ones.
  * @param[out] dielectrics  What the scene has; give it back with #dielectrics_deinit.
- * @param scene       The scene.
- * @param shapes        Its shapes, which must live longer.
- * @param settings    Whether there are trees, and who builds them.
+ * @param shapes  Its shapes, which must live longer.
+ * @param settings  Whether there are trees, and who builds them.
  * @return false without memory.
  */
 bool dielectrics_init(Dielectrics *dielectrics, const Scene *scene, const ShapeSet *shapes,
                       const TraceSettings *settings);
 
 /** Finds whether any tinted shape meets a later transparent one: whether the boxes around them do.
- *  @param[in,out] dielectrics What the scene has. @param materials All materials. */
+ */
 void dielectrics_find_overrides(Dielectrics *dielectrics, const Material *materials);
 
-/** Gives indices and lists back. @param dielectrics What the scene has. */
+/** Gives indices and lists back. */
 void dielectrics_deinit(Dielectrics *dielectrics);
 
 /**
@@ -150,9 +148,8 @@ void dielectrics_set_camera(Dielectrics *dielectrics, Vec3 camera_position);
 /**
  * Sets right what rays are inside of, where they jump over a surface: every surface that lies in
  * the jump is crossed, also those that the first one hides.
- * @param dielectrics  What the scene has.
  * @param segments  From the end of each jump back to its start: the end is inside of a shape whose
- *               inside is seen first on the way back.
+ *         inside is seen first on the way back.
  * @param[in,out] interior  What the rays are inside of.
  */
 void dielectrics_cross_segments(const Dielectrics *dielectrics, const Packet *segments,

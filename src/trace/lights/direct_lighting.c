@@ -10,11 +10,8 @@
 
 /**
  * @return max(0, r . v)^shininess, Phong's highlight, where r is the lamp's light mirrored.
- * @param surface      The points.
- * @param v        Which vector of them.
+ * @param v  Which vector of them.
  * @param to_light  Unit directions to the lamp.
- * @param cosine   n . l
- * @param shininess  The exponent.
  */
 INLINE real phong_specular(const SurfaceHit *surface, int v, Vec3 to_light, real cosine,
                            real shininess) {
@@ -23,8 +20,10 @@ INLINE real phong_specular(const SurfaceHit *surface, int v, Vec3 to_light, real
     return real_pow(real_min(along, real_of(1)), shininess);
 }
 
-/** @return The light of a lamp that reaches points, but for its distance. @param light The lamp.
- *  @param sample What it would give. @param v Which vector of points. @param surface The points. */
+/**
+ * @return The light of a lamp that reaches points, but for its distance.
+ * @param v  Which vector of points.
+ */
 INLINE Rgb light_sample_intensity(const Light *light, const LightSample *sample, int v,
                                   const SurfaceHit *surface) {
     return surface->interior ? rgb_multiply(light->intensity, sample->transmittance[v])
@@ -33,13 +32,9 @@ INLINE Rgb light_sample_intensity(const Light *light, const LightSample *sample,
 
 /**
  * Adds one lamp's highlights, where the surface has any.
- * @param light     The lamp.
- * @param sample    What it would give.
- * @param v        Which vector of points.
+ * @param v  Which vector of points.
  * @param unoccluded  The points that it reaches.
- * @param attenuation    What is left of its light at that distance.
- * @param surface      The points.
- * @param[in,out] lighting  The sums.
+ * @param attenuation  What is left of its light at that distance.
  */
 INLINE void light_sample_add_specular(const Light *light, const LightSample *sample, int v,
                                       mask unoccluded, real attenuation, const SurfaceHit *surface,
@@ -59,12 +54,9 @@ INLINE void light_sample_add_specular(const Light *light, const LightSample *sam
 
 /**
  * Adds what one lamp gives to the points that it reaches.
- * @param light     The lamp.
- * @param sample    What it would give, with the rays.
+ * @param sample  What it would give, with the rays.
  * @param occluded  Where something is in the way.
- * @param has_specular   Whether highlights are wanted.
- * @param surface      The points.
- * @param[in,out] lighting  The sums.
+ * @param has_specular  Whether highlights are wanted.
  */
 INLINE void light_sample_add(const Light *light, const LightSample *sample, const mask *occluded,
                              bool has_specular, const SurfaceHit *surface,
@@ -85,7 +77,7 @@ INLINE void light_sample_add(const Light *light, const LightSample *sample, cons
     }
 }
 
-/** Leaves points without light. @param[out] lighting What they get. */
+/** Leaves points without light. */
 INLINE void direct_lighting_clear(DirectLighting *lighting) {
     for (int v = 0; v < PACKET_VECTORS; v++) {
         Rgb black = {real_of(0), real_of(0), real_of(0)};
@@ -96,13 +88,9 @@ INLINE void direct_lighting_clear(DirectLighting *lighting) {
 /**
  * Notes the shadow rays to a lamp; for a probe, with what this lamp alone gives. Never a part of
  * its caller, which is called for every picture.
- * @param shapes     The shapes.
- * @param lights    The lamps.
- * @param light_index   Which of them.
- * @param sample    What it would give, with the rays.
+ * @param sample  What it would give, with the rays.
  * @param occluded  Where something is in the way.
- * @param has_specular   Whether highlights are wanted.
- * @param surface      The points.
+ * @param has_specular  Whether highlights are wanted.
  */
 static __attribute__((noinline)) void light_sample_record(const ShapeSet *shapes,
                                                           const Light *lights, size_t light_index,

@@ -33,13 +33,9 @@ typedef struct DirectLighting {
 
 /**
  * Adds up the light of all lamps (rows A3 to A6, C4).
- * @param shapes        The shapes, which may stand in the way.
- * @param lights       The lamps.
- * @param light_count  How many.
- * @param offset   Where shadow rays start.
- * @param has_specular      Whether any surface has highlights; otherwise they are not computed.
- * @param surface         The points.
- * @param[out] lighting  What they get.
+ * @param shapes  The shapes, which may stand in the way.
+ * @param offset  Where shadow rays start.
+ * @param has_specular  Whether any surface has highlights; otherwise they are not computed.
  * @return How many shadow rays were traced.
  */
 uint64_t shade_direct(const ShapeSet *shapes, const Light *lights, size_t light_count,

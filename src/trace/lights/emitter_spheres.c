@@ -9,7 +9,7 @@
 
 #include <stdlib.h>
 
-/** @return How many balls a scene has. @param scene The scene. */
+/** @return How many balls a scene has. */
 static size_t count_emitters(const Scene *scene) {
     size_t count = 0;
     for (size_t i = 0; i < scene->light_count; i++) {

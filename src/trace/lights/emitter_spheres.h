@@ -21,31 +21,29 @@ typedef struct EmitterSpheres {
 
 /**
  * Makes room for the balls of a scene.
- * @param[out] emitters   The balls, without place yet; give them back with #emitter_spheres_deinit.
- * @param scene       The scene.
- * @param[out] error  What is wrong.
+ * @param[out] emitters  The balls, without place yet; give them back with #emitter_spheres_deinit.
  * @return false without memory.
  */
 bool emitter_spheres_init(EmitterSpheres *emitters, const Scene *scene, Error *error);
 
-/** Gives the balls back. @param emitters The balls. */
+/** Gives the balls back. */
 void emitter_spheres_deinit(EmitterSpheres *emitters);
 
-/** Takes places, sizes and colours of the balls anew. @param emitters The balls.
- *  @param scene The scene, with as many of them as before. @param origin Where in it the tracer's
- *  coordinates begin. */
+/**
+ * Takes places, sizes and colours of the balls anew.
+ * @param scene  The scene, with as many of them as before.
+ * @param origin  Where in it the tracer's coordinates begin.
+ */
 void emitter_spheres_set(EmitterSpheres *emitters, const Scene *scene, Vec3d origin);
 
 /** Finds the balls that rays meet before anything else. Hits of them are no hits of a shape.
- *  @param emitters The balls. @param packet The rays. @param[in,out] hits What they have met so
- * far. */
+ *  @param[in,out] hits What they have met so far. */
 void emitter_spheres_closest_hits(const EmitterSpheres *emitters, const Packet *packet, Hit *hits);
 
-/** @return Which ball it is that a hit names in the place of a shape; -1: none. @param shape It. */
+/** @return Which ball it is that a hit names in the place of a shape; -1: none. */
 int emitter_sphere_index(int shape);
 
-/** Shows the balls to the rays that met them. @param emitters The balls. @param hits What rays have
- *  met. @param[in,out] colors What they see. */
+/** Shows the balls to the rays that met them. */
 void emitter_spheres_shade(const EmitterSpheres *emitters, const Hit *hits, Rgb *colors);
 
 #endif

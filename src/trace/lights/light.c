@@ -23,8 +23,7 @@
 #define MAX_RADIANCE ((scalar)1e30)
 
 /** @return The square of the distance from which on a lamp weakens. Within its ball it is as bright
- *          as at the ball, and nowhere brighter than a number can hold. @param radius The ball's.
- *  @param light Its light. */
+ *  as at the ball, and nowhere brighter than a number can hold. */
 static scalar min_distance_squared_of(scalar radius, Rgbs light) {
     scalar min_squared = radius * radius, max_channel = 1;
     max_channel = light.red > max_channel ? light.red : max_channel;
@@ -58,9 +57,10 @@ Light light_of(const SceneLight *light, int samples) {
                    .is_soft = is_spherical && samples > 1};
 }
 
-/** Notes what points could get from a lamp along one ray each. @param surface The points. @param v
- * Which vector of them. @param to_light From them to the lamp. @param[in,out] sample What it would
- * give.
+/**
+ * Notes what points could get from a lamp along one ray each.
+ * @param v  Which vector of them.
+ * @param to_light  From them to the lamp.
  */
 INLINE void light_sample_set(const SurfaceHit *surface, int v, Vec3 to_light, LightSample *sample) {
     real distance_squared = real_max(vec3_dot(to_light, to_light), real_of(MIN_DISTANCE_SQUARED));
@@ -70,9 +70,7 @@ INLINE void light_sample_set(const SurfaceHit *surface, int v, Vec3 to_light, Li
     sample->distance_squared[v] = distance_squared;
 }
 
-/** Aims at a sun. See #light_sample_packet. @param light The sun. @param offset Where the rays
- * start.
- *  @param surface The points. @param[out] sample What it would give. */
+/** Aims at a sun. See #light_sample_packet. @param offset Where the rays start. */
 static void sample_sun(const Light *light, const RayOffset *offset, const SurfaceHit *surface,
                        LightSample *sample) {
     for (int v = 0; v < PACKET_VECTORS; v++) {
@@ -84,9 +82,7 @@ static void sample_sun(const Light *light, const RayOffset *offset, const Surfac
     }
 }
 
-/** Aims at a point. See #light_sample_packet. @param light The lamp. @param offset Where the rays
- * start.
- *  @param surface The points. @param[out] sample What it would give. */
+/** Aims at a point. See #light_sample_packet. @param offset Where the rays start. */
 static void sample_point_light(const Light *light, const RayOffset *offset,
                                const SurfaceHit *surface, LightSample *sample) {
     for (int v = 0; v < PACKET_VECTORS; v++) {
@@ -100,8 +96,7 @@ static void sample_point_light(const Light *light, const RayOffset *offset,
     }
 }
 
-/** Lets the rays to a ball's centre end at the ball: what stands in it is not in the way.
- *  @param light The lamp. @param[in,out] sample The rays. */
+/** Lets the rays to a ball's centre end at the ball: what stands in it is not in the way. */
 static void clip_to_sphere(const Light *light, LightSample *sample) {
     for (int v = 0; v < PACKET_VECTORS; v++) {
         real t_end = 1 - light->radius / real_sqrt(sample->distance_squared[v]);
@@ -115,7 +110,7 @@ typedef struct DiscPoint {
     real y; /**< Up. */
 } DiscPoint;
 
-/** @return The sine of an eighth of a turn times s. @param s -1 to 1. */
+/** @return The sine of an eighth of a turn times s. */
 INLINE real sine_of_eighth_turn(real s) {
     // Taylor's series to the ninth power: off by less than 2e-9.
     real x = s * (scalar)0.78539816339744830961, square = x * x;
@@ -141,7 +136,7 @@ INLINE DiscPoint concentric_disc_map(real a, real b) {
     return (DiscPoint){real_select(is_wide, along, across), real_select(is_wide, across, along)};
 }
 
-/** @return -1 to 1, exact in every number type. @param bits Shares of 2^32. */
+/** @return -1 to 1, exact in every number type. */
 INLINE scalar signed_unit(uint32_t bits) {
     return (scalar)((int32_t)(bits >> 8) - (1 << 23)) * (scalar)0x1p-23;
 }
@@ -149,10 +144,8 @@ INLINE scalar signed_unit(uint32_t bits) {
 /**
  * @return The points of a ball's disc that the rays of a packet ask for: for all pixels the same
  *         point of the sequence, moved in each by its own number (exclusive or keeps the evenness
- * of Sobol's points).
- * @param context  Whose rays.
- * @param light_index   Which lamp.
- * @param v        Which vector of rays.
+ *         of Sobol's points).
+ * @param v  Which vector of rays.
  */
 static DiscPoint disc_sample(const SampleContext *context, size_t light_index, int v) {
     uint32_t seed = hash_combine_u32((uint32_t)light_index, context->bounce);
@@ -187,10 +180,11 @@ INLINE Vec3 cone_sample(Vec3 axis, real one_minus_cos, DiscPoint disc) {
     return vec3_normalize(vec3_add(offset, vec3_scale(axis, 1 - fraction * one_minus_cos)));
 }
 
-/** Aims at a ball, each ray at another point of it. See #light_sample_packet. @param light The
- * lamp.
- *  @param light_index Which it is. @param offset Where the rays start. @param surface The points.
- *  @param[out] sample What the lamp would give. */
+/**
+ * Aims at a ball, each ray at another point of it. See #light_sample_packet.
+ * @param offset  Where the rays start.
+ * @param[out] sample  What the lamp would give.
+ */
 static void sample_sphere_light(const Light *light, size_t light_index, const RayOffset *offset,
                                 const SurfaceHit *surface, LightSample *sample) {
     real radius_squared = real_of(light->radius * light->radius);

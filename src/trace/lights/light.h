@@ -34,34 +34,32 @@ typedef struct LightSample {
 
 /**
  * @return A light in the engine's number type.
- * @param light    The light.
  * @param samples  Rays a pixel: with one, a ball shines from its centre.
  */
 Light light_of(const SceneLight *light, int samples);
 
-/** @return A light's colour times its intensity. @param light The light. */
+/** @return A light's colour times its intensity. */
 Rgbs scene_light_rgb(const SceneLight *light);
 
 /**
  * Aims shadow rays at a lamp, from the points that it could light: a surface turned away from the
  * lamp stands in its own light. This is the one place that knows how any kind of light is aimed at.
- * @param light       The lamp.
- * @param light_index     Which of the scene's lamps it is.
+ * @param light_index  Which of the scene's lamps it is.
  * @param offset  Where the rays start.
- * @param surface        The points.
  * @param[out] sample  What the lamp would give.
  */
 void light_sample_packet(const Light *light, size_t light_index, const RayOffset *offset,
                          const SurfaceHit *surface, LightSample *sample);
 
-/** @return The way from points to a lamp; a unit vector to a sun. @param light The lamp.
- *  @param point The points. */
+/** @return The way from points to a lamp; a unit vector to a sun. */
 INLINE Vec3 light_offset(const Light *light, Vec3 point) {
     return light->is_sun ? light->position : vec3_subtract(light->position, point);
 }
 
-/** @return Unit directions to a lamp, those of its shadow rays. @param light The lamp.
- *  @param sample What it would give. @param v Which vector of points. @param point The points. */
+/**
+ * @return Unit directions to a lamp, those of its shadow rays.
+ * @param v  Which vector of points.
+ */
 INLINE Vec3 light_direction(const Light *light, const LightSample *sample, int v, Vec3 point) {
     if (light->is_soft) {
         return sample->shadow_rays.rays[v].direction;
@@ -69,8 +67,10 @@ INLINE Vec3 light_direction(const Light *light, const LightSample *sample, int v
     return vec3_scale(light_offset(light, point), 1 / real_sqrt(sample->distance_squared[v]));
 }
 
-/** @return What is left of a lamp's light at points. @param light The lamp.
- *  @param sample What it would give. @param v Which vector of points. */
+/**
+ * @return What is left of a lamp's light at points.
+ * @param v  Which vector of points.
+ */
 INLINE real light_attenuation(const Light *light, const LightSample *sample, int v) {
     real attenuation = light->is_soft ? sample->weight[v] : real_of(1);
     if (light->is_inverse_square) {

@@ -8,14 +8,8 @@
  *  the very surface that they leave (`--offset none`) would meet it for ever. */
 enum { MAX_SHADOW_SURFACES = 256 };
 
-/**
- * Moves rays on behind a surface. The way that is left gets shorter by as much.
- * @param offset  How.
- * @param hit        The surface.
- * @param lanes      The rays that go on.
- * @param v          Which vector.
- * @param[in,out] rays  The rays.
- */
+/** Moves rays on behind a surface. The way that is left gets shorter by as much. @param lanes The
+ *  rays that go on. */
 INLINE void shadow_rays_advance(const RayOffset *offset, const Hit *hit, mask lanes, int v,
                                 Packet *rays) {
     Vec3 direction = rays->rays[v].direction;
@@ -36,11 +30,9 @@ INLINE void shadow_rays_advance(const RayOffset *offset, const Hit *hit, mask la
  * as for rays that look (see dielectric_hit_find()), and only where #Dielectrics.may_override says
  * so.
  * @param offset  How rays leave a surface.
- * @param dielectrics      What the scene has of glass.
- * @param rays       The rays.
- * @param hits       The surfaces.
- * @param[in,out] interior   What the rays are inside of.
- * @param[out] overridden     Where the surface is not there.
+ * @param dielectrics  What the scene has of glass.
+ * @param[in,out] interior  What the rays are inside of.
+ * @param[out] overridden  Where the surface is not there.
  */
 static void find_overridden(const RayOffset *offset, const Dielectrics *dielectrics,
                             const Packet *rays, const Hit *hits, InteriorList *interior,
@@ -71,11 +63,10 @@ static void find_overridden(const RayOffset *offset, const Dielectrics *dielectr
 
 /**
  * Filters a packet through the next surface of each ray.
- * @param shapes       The shapes.
  * @param offset  How rays leave a surface.
- * @param material        The points that the rays come from.
- * @param[in,out] rays     The rays; active where there may be more surfaces.
- * @param[in,out] interior    What they are inside of; only where #Dielectrics.may_override.
+ * @param material  The points that the rays come from.
+ * @param[in,out] rays  The rays; active where there may be more surfaces.
+ * @param[in,out] interior  What they are inside of; only where #Dielectrics.may_override.
  * @param[in,out] transmittance  What is left of the light.
  */
 static void shadow_transmittance_step(const ShapeSet *shapes, const RayOffset *offset,

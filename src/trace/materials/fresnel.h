@@ -35,13 +35,12 @@ INLINE real fresnel_reflectance(real cos_i, real cos_t, real eta_i, real eta_t) 
 
 /**
  * @return What becomes of rays at an interface. Where the indices are the same, nothing at all
- * does, to the bit.
- * @param incident      Which way they come, one long.
+ *         does, to the bit.
+ * @param incident  Which way they come, one long.
  * @param n_front  The unit normal on the side that they come from.
- * @param eta_i    Index of refraction on that side.
- * @param eta_t      On the other.
- * @param relative_error   How much, relatively, the angle of incidence is in doubt besides the
- * roundings here: total reflection within it is called grazing, which looks the same.
+ * @param eta_i  Index of refraction on that side.
+ * @param relative_error  How much, relatively, the angle of incidence is in doubt besides the
+ *         roundings here: total reflection within it is called grazing, which looks the same.
  */
 INLINE Refraction refraction_at(Vec3 incident, Vec3 n_front, real eta_i, real eta_t,
                                 real relative_error) {

@@ -20,12 +20,12 @@ static Rgbs diffuse_fraction(Rgbs reflectance, Rgbs transmittance) {
                   diffuse_fraction_channel(reflectance.blue, transmittance.blue)};
 }
 
-/** @return a times b, primary by primary. @param a Light. @param b Shares. */
+/** @return a times b, primary by primary. */
 static Rgbs rgbs_multiply(Rgbs a, Rgbs b) {
     return (Rgbs){a.red * b.red, a.green * b.green, a.blue * b.blue};
 }
 
-/** @return a times s. @param a Light. @param s A factor. */
+/** @return a times s. */
 static Rgbs rgbs_scale(Rgbs a, scalar s) {
     return (Rgbs){a.red * s, a.green * s, a.blue * s};
 }
@@ -44,10 +44,7 @@ Material material_of(const SceneMaterial *material, Rgbd ambient) {
                       .shininess = (scalar)material->shininess};
 }
 
-/**
- * @return The whole part.
- * @param x  0 to 2^31.
- */
+/** @return The whole part. */
 INLINE real real_truncate(real x) {
     real whole = {0};
     for (int i = 0; i < LANES; i++) {

@@ -32,11 +32,10 @@ typedef struct MaterialPack {
     real shininess;    /**< See #Material. */
 } MaterialPack;
 
-/** @return A material in the engine's number type. @param material It. @param ambient The scene's.
- */
+/** @return A material in the engine's number type. */
 Material material_of(const SceneMaterial *material, Rgbd ambient);
 
-/** @return A material in all lanes. @param s The material. */
+/** @return A material in all lanes. */
 INLINE MaterialPack material_pack_splat(const Material *s) {
     return (MaterialPack){.emission = rgb_splat(s->emission),
                           .albedo = rgb_splat(s->albedo),
@@ -48,8 +47,7 @@ INLINE MaterialPack material_pack_splat(const Material *s) {
                           .shininess = real_of(s->shininess)};
 }
 
-/** @return a where the mask is set, b elsewhere. @param m A mask. @param a Some. @param b Others.
- */
+/** @return a where the mask is set, b elsewhere. */
 INLINE MaterialPack material_pack_select(mask m, const MaterialPack *a, const MaterialPack *b) {
     return (MaterialPack){.emission = rgb_select(m, a->emission, b->emission),
                           .albedo = rgb_select(m, a->albedo, b->albedo),
@@ -70,10 +68,8 @@ typedef struct MaterialIds {
 
 /**
  * @return What LANES rays have met. Part of its callers, so that each reads only the members that
- * it uses.
- * @param materials   All materials.
- * @param ids  The materials met.
- * @param active     The lanes that count; the others get any material.
+ *         it uses.
+ * @param active  The lanes that count; the others get any material.
  */
 INLINE MaterialPack material_pack_gather(const Material *materials, const MaterialIds *ids,
                                          mask active) {
@@ -93,10 +89,8 @@ INLINE MaterialPack material_pack_gather(const Material *materials, const Materi
 /**
  * @return base to the power of exponent: by squares for the whole part of the exponent and square
  *         roots for the rest, so only correctly rounded operations are used and every machine gets
- *         the same bits (a C library's pow may differ). The error is about `exponent` half ulps,
- *         no more than one rounding of the base would cause.
- * @param base      0 to 1.
- * @param exponent  At least 0.
+ *         the same bits (a C library's pow may differ). The error is about `exponent` half ulps, no
+ *         more than one rounding of the base would cause.
  */
 real real_pow(real base, real exponent);
 

@@ -8,8 +8,10 @@
 #include "trace/bvh/shape_set.h"
 #include "trace/materials/material.h"
 
-/** @return The materials in each lane. @param shapes The shapes. @param hit What was met.
- *  @param hit_lanes The lanes that met anything. */
+/**
+ * @return The materials in each lane.
+ * @param hit_lanes  The lanes that met anything.
+ */
 INLINE MaterialIds material_ids_of(const ShapeSet *shapes, const Hit *hit, mask hit_lanes) {
     if (!any(hit_lanes)) {
         return (MaterialIds){0};

@@ -11,8 +11,7 @@
 /** Degrees of a whole turn. */
 #define TURN_DEGREES 360
 
-/** @return Places for the pictures of all materials; NULL without memory. @param scene The scene.
- */
+/** @return Places for the pictures of all materials; NULL without memory. */
 static Texture **material_maps_of(const Scene *scene) {
     Texture **maps = calloc(scene->material_count, sizeof *maps);
     for (size_t i = 0; maps && i < scene->material_count; i++) {
@@ -70,8 +69,10 @@ INLINE TexelAxis texel_axis_of(real position, mask wraps, int size) {
     return (TexelAxis){first, texel - first, wraps, size};
 }
 
-/** @return A texel along an edge. @param row Where. @param lane Which point's. @param next Whether
- *  the second of the two that it lies between. */
+/**
+ * @return A texel along an edge.
+ * @param next  Whether the second of the two that it lies between.
+ */
 INLINE size_t texel_axis_at(const TexelAxis *row, int lane, bool next) {
     int texel = (int)real_lane(row->first, lane) + next, last = row->size - 1;
     bool is_wrapped = mask_lane(row->wraps, lane);
@@ -80,8 +81,10 @@ INLINE size_t texel_axis_at(const TexelAxis *row, int lane, bool next) {
                                    : texel);
 }
 
-/** @return A texel's light. @param textures The pictures. @param texture One of them.
- *  @param column Which texel. @param row Which, from the top. */
+/**
+ * @return A texel's light.
+ * @param row  Which, from the top.
+ */
 INLINE Rgbs texel_color(const Textures *textures, const Texture *texture, size_t column,
                         size_t row) {
     size_t index = (row * (size_t)texture->width + column) * TEXEL_CHANNELS;
@@ -94,20 +97,16 @@ INLINE Rgbs texel_color(const Textures *textures, const Texture *texture, size_t
     return (Rgbs){light[steps[0]], light[steps[1]], light[steps[2]]};
 }
 
-/** @return Light between two lights. @param a One. @param b The other. @param fraction How near to
- * the second. */
+/**
+ * @return Light between two lights.
+ * @param fraction  How near to the second.
+ */
 INLINE Rgb rgb_lerp(Rgb a, Rgb b, real fraction) {
     return (Rgb){a.red + (b.red - a.red) * fraction, a.green + (b.green - a.green) * fraction,
                  a.blue + (b.blue - a.blue) * fraction};
 }
 
-/**
- * @return What a picture shows: between the four texels around each point.
- * @param textures  The pictures.
- * @param texture   One of them.
- * @param uv     Where.
- * @param lanes     The lanes that count.
- */
+/** @return What a picture shows: between the four texels around each point. */
 static Rgb texture_sample_bilinear(const Textures *textures, const Texture *texture,
                                    const TextureUv *uv, mask lanes) {
     const Rgb black = {real_of(0), real_of(0), real_of(0)};
@@ -130,9 +129,10 @@ static Rgb texture_sample_bilinear(const Textures *textures, const Texture *text
     return rgb_lerp(upper, lower, y_axis.fraction);
 }
 
-/** @return What the pictures show at LANES points; 1 where there is none. @param textures The
- *  pictures. @param shapes The shapes. @param hit The points. @param hit_lanes The lanes that met
- * any. */
+/**
+ * @return What the pictures show at LANES points; 1 where there is none.
+ * @param hit_lanes  The lanes that met any.
+ */
 static Rgb texture_colors_at(const Textures *textures, const ShapeSet *shapes, const Hit *hit,
                              mask hit_lanes) {
     Rgb color = {real_of(1), real_of(1), real_of(1)};

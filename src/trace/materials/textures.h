@@ -24,20 +24,17 @@ typedef struct Textures {
 /**
  * Takes the pictures that a scene shows, and no others.
  * @param[out] textures  The pictures; give them back with #textures_deinit.
- * @param scene          The scene, its picture files read.
- * @param[out] error     What is wrong.
+ * @param scene  The scene, its picture files read.
  * @return false without memory.
  */
 bool textures_init(Textures *textures, const Scene *scene, Error *error);
 
-/** Gives pictures back. @param textures The pictures. */
+/** Gives pictures back. */
 void textures_deinit(Textures *textures);
 
 /**
  * Finds what the pictures show at the points that a packet of rays has met.
  * @param textures  The pictures; some are worn.
- * @param shapes      The shapes.
- * @param surface       The points.
  * @param[out] colors  What multiplies the colours of their surfaces; 1 where there is no picture.
  */
 void textures_sample(const Textures *textures, const ShapeSet *shapes, const SurfaceHit *surface,

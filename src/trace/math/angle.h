@@ -17,11 +17,8 @@
  */
 #define ATAN_TERMS (REAL_BITS == 32 ? 6 : REAL_BITS == 64 ? 12 : 25)
 
-/**
- * @return The angle whose tangent is t, radians: halved twice, by tan(a/2) = tan a / (1 + sqrt(1 +
- *         tan^2 a)), then by the series t - t^3/3 + t^5/5 - ..., whose coefficients need no table.
- * @param t  0 to 1.
- */
+/** @return The angle whose tangent is t, radians: halved twice, by tan(a/2) = tan a / (1 + sqrt(1 +
+ *  tan^2 a)), then by the series t - t^3/3 + t^5/5 - ..., whose coefficients need no table. */
 INLINE real real_atan_unit(real t) {
     const real one = real_of(1);
     t = t / (one + real_sqrt(one + t * t));
@@ -33,13 +30,9 @@ INLINE real real_atan_unit(real t) {
     return 4 * (t * sum);
 }
 
-/**
- * @return How far points are turned from the x axis towards the y axis: -1/2 to 1/2 turn, 0 where
- *         both are 0. The eighths of the circle are put together exactly, so that there is no seam
- *         between them.
- * @param y  Coordinates, not NaN.
- * @param x  Others.
- */
+/** @return How far points are turned from the x axis towards the y axis: -1/2 to 1/2 turn, 0 where
+ *  both are 0. The eighths of the circle are put together exactly, so that there is no seam between
+ *  them. */
 INLINE real real_atan2_turns(real y, real x) {
     real abs_x = real_abs(x), abs_y = real_abs(y);
     real small = real_min(abs_x, abs_y), large = real_max(abs_x, abs_y);

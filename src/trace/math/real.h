@@ -100,7 +100,10 @@ typedef mask integer;
 
 /* --- lanes in and out ------------------------------------------------------------------------ */
 
-/** @return One lane. @param x LANES numbers. @param i Which, 0 to LANES - 1. */
+/**
+ * @return One lane.
+ * @param i  Which, 0 to LANES - 1.
+ */
 INLINE scalar real_lane(real x, int i) {
 #if LANES > 1
     return x[i];
@@ -113,8 +116,10 @@ INLINE scalar real_lane(real x, int i) {
 /** A number where vectors lie in memory. */
 typedef scalar stored_scalar __attribute__((may_alias));
 
-/** @return One lane of numbers that lie in memory: only that one is loaded. @param x LANES numbers.
- *  @param i Which, 0 to LANES - 1. */
+/**
+ * @return One lane of numbers that lie in memory: only that one is loaded.
+ * @param i  Which, 0 to LANES - 1.
+ */
 INLINE scalar real_at(const real *x, int i) {
     return ((const stored_scalar *)x)[i];
 }
@@ -122,13 +127,15 @@ INLINE scalar real_at(const real *x, int i) {
 /** A better number where vectors lie in memory. */
 typedef wide_scalar stored_wide __attribute__((may_alias));
 
-/** @return One lane of better numbers that lie in memory. @param x LANES numbers.
- *  @param i Which, 0 to LANES - 1. */
+/**
+ * @return One lane of better numbers that lie in memory.
+ * @param i  Which, 0 to LANES - 1.
+ */
 INLINE wide_scalar wide_at(const wide *x, int i) {
     return ((const stored_wide *)x)[i];
 }
 
-/** Sets one lane. @param[in,out] x LANES numbers. @param i Which. @param value Its new value. */
+/** Sets one lane. */
 INLINE void real_set_lane(real *x, int i, scalar value) {
 #if LANES > 1
     (*x)[i] = value;
@@ -138,7 +145,10 @@ INLINE void real_set_lane(real *x, int i, scalar value) {
 #endif
 }
 
-/** @return One lane. @param x LANES integers. @param i Which, 0 to LANES - 1. */
+/**
+ * @return One lane.
+ * @param i  Which, 0 to LANES - 1.
+ */
 INLINE int integer_lane(integer x, int i) {
 #if LANES > 1
     return (int)x[i];
@@ -151,18 +161,20 @@ INLINE int integer_lane(integer x, int i) {
 /** An integer where vectors lie in memory. */
 typedef lane_integer stored_integer __attribute__((may_alias));
 
-/** @return One lane of integers that lie in memory: only that one is loaded. @param x LANES
- *  integers. @param i Which, 0 to LANES - 1. */
+/**
+ * @return One lane of integers that lie in memory: only that one is loaded.
+ * @param i  Which, 0 to LANES - 1.
+ */
 INLINE int integer_at(const integer *x, int i) {
     return (int)((const stored_integer *)x)[i];
 }
 
-/** @return Whether a lane is set. @param m A mask. @param i Which lane. */
+/** @return Whether a lane is set. */
 INLINE bool mask_lane(mask m, int i) {
     return integer_lane(m, i) != 0;
 }
 
-/** Sets one lane. @param[in,out] m A mask. @param i Which. @param value Its new value. */
+/** Sets one lane. */
 INLINE void mask_set_lane(mask *m, int i, bool value) {
 #if LANES > 1
     (*m)[i] = value ? -1 : 0;
@@ -175,7 +187,7 @@ INLINE void mask_set_lane(mask *m, int i, bool value) {
 /* The compiler spreads one number over all lanes of a vector that it is combined with. Less zero is
    that number, -0 and NaN too, and costs nothing. */
 
-/** Sets one lane. @param[in,out] x LANES integers. @param i Which. @param value Its new value. */
+/** Sets one lane. */
 INLINE void integer_set_lane(integer *x, int i, int value) {
 #if LANES > 1
     (*x)[i] = value;
@@ -185,24 +197,24 @@ INLINE void integer_set_lane(integer *x, int i, int value) {
 #endif
 }
 
-/** @return The same number in all lanes. @param x The number. */
+/** @return The same number in all lanes. */
 INLINE real real_of(scalar x) {
     return x - (real){0};
 }
 
-/** @return The same number in all lanes. @param x The number. */
+/** @return The same number in all lanes. */
 INLINE wide wide_of(wide_scalar x) {
     return x - (wide){0};
 }
 
-/** @return The same integer in all lanes. @param x The integer. */
+/** @return The same integer in all lanes. */
 INLINE integer integer_of(int x) {
     return x - (integer){0};
 }
 
 /* --- from one precision to the other --------------------------------------------------------- */
 
-/** @return The same numbers, exactly. @param x LANES numbers. */
+/** @return The same numbers, exactly. */
 INLINE wide widen(real x) {
 #if LANES > 1
     return __builtin_convertvector(x, wide);
@@ -211,7 +223,7 @@ INLINE wide widen(real x) {
 #endif
 }
 
-/** @return The nearest numbers of the engine's type. @param x LANES better numbers. */
+/** @return The nearest numbers of the engine's type. */
 INLINE real narrow(wide x) {
 #if LANES > 1
     return __builtin_convertvector(x, real);
@@ -240,7 +252,7 @@ INLINE mask mask_of(bool value) {
 #endif
 }
 
-/** @return The opposite answers. @param m A mask. */
+/** @return The opposite answers. */
 INLINE mask mask_not(mask m) {
 #if LANES > 1
     return ~m;
@@ -258,7 +270,7 @@ INLINE wide_mask wide_mask_not(wide_mask m) {
 #endif
 }
 
-/** @return Bit i set where lane i is. @param m A mask. */
+/** @return Bit i set where lane i is. */
 INLINE unsigned mask_bits(mask m) {
 #ifdef LANES_BITS
     return LANES_BITS(m);
@@ -271,7 +283,7 @@ INLINE unsigned mask_bits(mask m) {
 #endif
 }
 
-/** @return Bit i set where a is at most b in lane i. @param a Numbers. @param b Others. */
+/** @return Bit i set where a is at most b in lane i. */
 INLINE unsigned real_less_equal_bits(real a, real b) {
 #ifdef LANES_LESS_EQUAL_BITS
     return LANES_LESS_EQUAL_BITS(a, b);
@@ -296,12 +308,12 @@ INLINE mask mask_of_bits(unsigned bits) {
 #endif
 }
 
-/** @return Whether any lane is set. @param m A mask. */
+/** @return Whether any lane is set. */
 INLINE bool any(mask m) {
     return mask_bits(m) != 0;
 }
 
-/** @return How many lanes are set. @param m A mask. */
+/** @return How many lanes are set. */
 INLINE unsigned mask_count(mask m) {
     return (unsigned)__builtin_popcount(mask_bits(m));
 }
@@ -313,14 +325,12 @@ INLINE int mask_first(mask m) {
 
 /* --- choosing -------------------------------------------------------------------------------- */
 
-/** @return a where the mask is set, b elsewhere. @param m A mask. @param a Numbers. @param b
- * Others. */
+/** @return a where the mask is set, b elsewhere. */
 INLINE real real_select(mask m, real a, real b) {
     return LANES_SELECT(m, a, b);
 }
 
-/** @return a where the mask is set, b elsewhere. @param m A mask. @param a Integers. @param b
- * Others. */
+/** @return a where the mask is set, b elsewhere. */
 INLINE integer integer_select(mask m, integer a, integer b) {
 #if LANES > 1
     return (integer)real_select(m, (real)a, (real)b);
@@ -329,8 +339,7 @@ INLINE integer integer_select(mask m, integer a, integer b) {
 #endif
 }
 
-/** @return a where the mask is set, b elsewhere. @param m A mask. @param a Numbers. @param b
- * Others. */
+/** @return a where the mask is set, b elsewhere. */
 INLINE wide wide_select(wide_mask m, wide a, wide b) {
 #if LANES > 1
     return (wide)((m & (wide_mask)a) | (~m & (wide_mask)b));
@@ -339,17 +348,17 @@ INLINE wide wide_select(wide_mask m, wide a, wide b) {
 #endif
 }
 
-/** @return The smaller; b where they cannot be compared. @param a Numbers. @param b Others. */
+/** @return The smaller; b where they cannot be compared. */
 INLINE real real_min(real a, real b) {
     return LANES_MIN(a, b);
 }
 
-/** @return The larger; b where they cannot be compared. @param a Numbers. @param b Others. */
+/** @return The larger; b where they cannot be compared. */
 INLINE real real_max(real a, real b) {
     return LANES_MAX(a, b);
 }
 
-/** @return The absolute value. @param x Numbers. */
+/** @return The absolute value. */
 INLINE real real_abs(real x) {
 #if LANES > 1
     return (real)((mask)x & (REAL_BITS == 32 ? INT32_MAX : INT64_MAX));
@@ -358,7 +367,7 @@ INLINE real real_abs(real x) {
 #endif
 }
 
-/** @return The largest whole numbers that are not larger. @param x Numbers. */
+/** @return The largest whole numbers that are not larger. */
 INLINE real real_floor(real x) {
     // From here on a number type has whole numbers only.
     const real whole = real_of((scalar)(REAL_BITS == 32   ? 0x1p23f
@@ -373,8 +382,10 @@ INLINE real real_floor(real x) {
 
 /* --- from anywhere in memory ------------------------------------------------------------------ */
 
-/** @return A number for each lane. @param base Where numbers lie. @param indices The place of each
- *  lane's, counted from there. */
+/**
+ * @return A number for each lane.
+ * @param indices  The place of each lane's, counted from there.
+ */
 INLINE real real_gather(const scalar *base, integer indices) {
 #ifdef LANES_GATHER
     return LANES_GATHER(base, indices);

@@ -9,7 +9,7 @@
 
 #if REAL_BITS == 128
 #if defined(__SIZEOF_FLOAT128__)
-/** Square root of a quad, from the C library. @return The root. @param x At least 0. */
+/** Square root of a quad, from the C library. @return The root. */
 extern Quadruple sqrtf128(Quadruple x);
 /** The square root of one number. */
 #define SCALAR_SQRT sqrtf128

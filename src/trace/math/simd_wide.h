@@ -25,7 +25,7 @@ typedef union WideMaskHalves {
 } WideMaskHalves;
 #endif
 
-/** @return Where a is below b. @param a Better numbers. @param b Others. */
+/** @return Where a is below b. */
 INLINE wide_mask wide_less(wide a, wide b) {
 #if LANES > 1 && REAL_BITS == 32
     WideHalves x = {a}, y = {b};
@@ -39,7 +39,7 @@ INLINE wide_mask wide_less(wide a, wide b) {
 #endif
 }
 
-/** @return Where a is at most b. @param a Better numbers. @param b Others. */
+/** @return Where a is at most b. */
 INLINE wide_mask wide_less_equal(wide a, wide b) {
 #if LANES > 1 && REAL_BITS == 32
     WideHalves x = {a}, y = {b};
@@ -53,7 +53,7 @@ INLINE wide_mask wide_less_equal(wide a, wide b) {
 #endif
 }
 
-/** @return Where a is b. @param a Better numbers. @param b Others. */
+/** @return Where a is b. */
 INLINE wide_mask wide_equal(wide a, wide b) {
 #if LANES > 1 && REAL_BITS == 32
     WideHalves x = {a}, y = {b};

@@ -22,19 +22,19 @@ typedef struct SobolPoint {
 } SobolPoint;
 
 /** @return A number whose bits all depend on all bits of another; different ones for different ones
- *          (Wellons, *Prospecting for Hash Functions*, 2018). @param x The other. */
+ *  (Wellons, *Prospecting for Hash Functions*, 2018). */
 static inline uint32_t hash_u32(uint32_t x) {
     x = (x ^ x >> 16) * 0x21F0AAADu;
     x = (x ^ x >> 15) * 0xD35A2D97u;
     return x ^ x >> 15;
 }
 
-/** @return One number that depends on both. @param a A number. @param b Another. */
+/** @return One number that depends on both. */
 static inline uint32_t hash_combine_u32(uint32_t a, uint32_t b) {
     return hash_u32(a ^ hash_u32(b + 0x9E3779B9u));
 }
 
-/** @return The bits in the opposite order. @param x A number. */
+/** @return The bits in the opposite order. */
 static inline uint32_t reverse_bits_u32(uint32_t x) {
     x = (x >> 1 & 0x55555555u) | (x & 0x55555555u) << 1;
     x = (x >> 2 & 0x33333333u) | (x & 0x33333333u) << 2;
@@ -43,10 +43,7 @@ static inline uint32_t reverse_bits_u32(uint32_t x) {
     return x >> 16 | x << 16;
 }
 
-/**
- * @return Owen's scrambling of a number: each bit is flipped or not, depending on those above it.
- * @param x     The number.
- * @param seed  Which scrambling.
+/** @return Owen's scrambling of a number: each bit is flipped or not, depending on those above it.
  */
 static inline uint32_t owen_scramble(uint32_t x, uint32_t seed) {
     x = reverse_bits_u32(x);
@@ -58,7 +55,7 @@ static inline uint32_t owen_scramble(uint32_t x, uint32_t seed) {
     return reverse_bits_u32(x);
 }
 
-/** @return The second coordinate of Sobol's sequence. @param index Which point. */
+/** @return The second coordinate of Sobol's sequence. */
 static inline uint32_t sobol_second_dimension(uint32_t index) {
     uint32_t y = 0;
     for (uint32_t direction = 0x80000000u; index; index >>= 1, direction ^= direction >> 1) {
@@ -69,8 +66,7 @@ static inline uint32_t sobol_second_dimension(uint32_t index) {
 
 /**
  * @return A point of the sequence.
- * @param index  Which one.
- * @param seed   Which scrambling of the sequence.
+ * @param seed  Which scrambling of the sequence.
  */
 static inline SobolPoint sobol_point(uint32_t index, uint32_t seed) {
     // Scrambling the index takes the points in another order: any first 2^k stay a whole net.

@@ -62,54 +62,54 @@ INLINE Vec3sw vec3sw_of(Vec3d v) {
     return (Vec3sw){(wide_scalar)v.x, (wide_scalar)v.y, (wide_scalar)v.z};
 }
 
-/** @return A point of the scene, rounded. @param p A better one. */
+/** @return A point of the scene, rounded. */
 INLINE Vec3d vec3d_of(Vec3sw p) {
     return (Vec3d){(double)p.x, (double)p.y, (double)p.z};
 }
 
-/** @return The same point in all lanes. @param p A point. */
+/** @return The same point in all lanes. */
 INLINE Vec3w vec3w_splat(Vec3sw p) {
     return (Vec3w){wide_of(p.x), wide_of(p.y), wide_of(p.z)};
 }
 
-/** @return A point, rounded. @param p A better one. */
+/** @return A point, rounded. */
 INLINE Vec3s vec3s_narrow(Vec3sw p) {
     return (Vec3s){(scalar)p.x, (scalar)p.y, (scalar)p.z};
 }
 
-/** @return The same point in all lanes. @param p A point. */
+/** @return The same point in all lanes. */
 INLINE Vec3 vec3_splat(Vec3s p) {
     return (Vec3){real_of(p.x), real_of(p.y), real_of(p.z)};
 }
 
-/** @return The same numbers, exactly. @param v Vectors. */
+/** @return The same numbers, exactly. */
 INLINE Vec3w vec3_widen(Vec3 v) {
     return (Vec3w){widen(v.x), widen(v.y), widen(v.z)};
 }
 
-/** @return The nearest numbers of the engine's type. @param v Better vectors. */
+/** @return The nearest numbers of the engine's type. */
 INLINE Vec3 vec3_narrow(Vec3w v) {
     return (Vec3){narrow(v.x), narrow(v.y), narrow(v.z)};
 }
 
 /* --- arithmetic ------------------------------------------------------------------------------- */
 
-/** @return a + b. @param a Vectors. @param b Others. */
+/** @return a + b. */
 INLINE Vec3 vec3_add(Vec3 a, Vec3 b) {
     return (Vec3){a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
-/** @return a - b. @param a Vectors. @param b Others. */
+/** @return a - b. */
 INLINE Vec3 vec3_subtract(Vec3 a, Vec3 b) {
     return (Vec3){a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-/** @return v made s times as long. @param v Vectors. @param s Factors. */
+/** @return v made s times as long. */
 INLINE Vec3 vec3_scale(Vec3 v, real s) {
     return (Vec3){v.x * s, v.y * s, v.z * s};
 }
 
-/** @return a . b, added up in the order x, y, z. @param a Vectors. @param b Others. */
+/** @return a . b, added up in the order x, y, z. */
 INLINE real vec3_dot(Vec3 a, Vec3 b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
@@ -119,69 +119,67 @@ INLINE Vec3 vec3_normalize(Vec3 v) {
     return vec3_scale(v, 1 / real_sqrt(vec3_dot(v, v)));
 }
 
-/** @return The largest absolute component. @param v Vectors. */
+/** @return The largest absolute component. */
 INLINE real vec3_max_abs(Vec3 v) {
     return real_max(real_abs(v.x), real_max(real_abs(v.y), real_abs(v.z)));
 }
 
-/** @return a where the mask is set, b elsewhere. @param m A mask. @param a Vectors. @param b
- * Others. */
+/** @return a where the mask is set, b elsewhere. */
 INLINE Vec3 vec3_select(mask m, Vec3 a, Vec3 b) {
     return (Vec3){real_select(m, a.x, b.x), real_select(m, a.y, b.y), real_select(m, a.z, b.z)};
 }
 
-/** @return a - b. @param a Better vectors. @param b Others. */
+/** @return a - b. */
 INLINE Vec3w vec3w_subtract(Vec3w a, Vec3w b) {
     return (Vec3w){a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-/** @return v made s times as long. @param v Better vectors. @param s Factors. */
+/** @return v made s times as long. */
 INLINE Vec3w vec3w_scale(Vec3w v, wide s) {
     return (Vec3w){v.x * s, v.y * s, v.z * s};
 }
 
-/** @return a where the mask is set, b elsewhere. @param m A mask. @param a Better vectors.
- *  @param b Others. */
+/** @return a where the mask is set, b elsewhere. */
 INLINE Vec3w vec3w_select(wide_mask m, Vec3w a, Vec3w b) {
     return (Vec3w){wide_select(m, a.x, b.x), wide_select(m, a.y, b.y), wide_select(m, a.z, b.z)};
 }
 
-/** @return a + s * v. @param a Better vectors. @param v Others. @param s Factors. */
+/** @return a + s * v. */
 INLINE Vec3w vec3w_add_scaled(Vec3w a, Vec3w v, wide s) {
     return (Vec3w){a.x + v.x * s, a.y + v.y * s, a.z + v.z * s};
 }
 
-/** @return a . b, added up in the order x, y, z. @param a Better vectors. @param b Others. */
+/** @return a . b, added up in the order x, y, z. */
 INLINE wide vec3w_dot(Vec3w a, Vec3w b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/** @return a x b. @param a Better vectors. @param b Others. */
+/** @return a x b. */
 INLINE Vec3w vec3w_cross(Vec3w a, Vec3w b) {
     return (Vec3w){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/** @return a - b, one of each. @param a A point. @param b Another. */
+/** @return a - b, one of each. */
 static inline Vec3sw vec3sw_subtract(Vec3sw a, Vec3sw b) {
     return (Vec3sw){a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-/** @return v made s times as long. @param v A direction. @param s Any factor. */
+/** @return v made s times as long. */
 static inline Vec3sw vec3sw_scale(Vec3sw v, wide_scalar s) {
     return (Vec3sw){v.x * s, v.y * s, v.z * s};
 }
 
-/** @return a . b, one of each. @param a A direction. @param b Another. */
+/** @return a . b, one of each. */
 static inline wide_scalar vec3sw_dot(Vec3sw a, Vec3sw b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/** @return a x b, one of each. @param a A direction. @param b Another. */
+/** @return a x b, one of each. */
 static inline Vec3sw vec3sw_cross(Vec3sw a, Vec3sw b) {
     return (Vec3sw){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/** @return v with length 1. @param v A direction, not zero. */
+/** @return v with length 1. */
 static inline Vec3sw vec3sw_normalize(Vec3sw v) {
     wide_scalar length = (wide_scalar)WIDE_SQRT(v.x * v.x + v.y * v.y + v.z * v.z);
     return (Vec3sw){v.x / length, v.y / length, v.z / length};
@@ -194,33 +192,32 @@ INLINE Rgbs rgbs_of(Rgbd c) {
     return (Rgbs){(scalar)c.red, (scalar)c.green, (scalar)c.blue};
 }
 
-/** @return The same light in all lanes. @param c One amount. */
+/** @return The same light in all lanes. */
 INLINE Rgb rgb_splat(Rgbs c) {
     return (Rgb){real_of(c.red), real_of(c.green), real_of(c.blue)};
 }
 
-/** @return a + b. @param a Light. @param b More. */
+/** @return a + b. */
 INLINE Rgb rgb_add(Rgb a, Rgb b) {
     return (Rgb){a.red + b.red, a.green + b.green, a.blue + b.blue};
 }
 
-/** @return a times b, primary by primary. @param a Light. @param b Shares. */
+/** @return a times b, primary by primary. */
 INLINE Rgb rgb_multiply(Rgb a, Rgb b) {
     return (Rgb){a.red * b.red, a.green * b.green, a.blue * b.blue};
 }
 
-/** @return a times s. @param a Light. @param s Factors. */
+/** @return a times s. */
 INLINE Rgb rgb_scale(Rgb a, real s) {
     return (Rgb){a.red * s, a.green * s, a.blue * s};
 }
 
-/** @return The strongest primary. @param a Light. */
+/** @return The strongest primary. */
 INLINE real rgb_max(Rgb a) {
     return real_max(a.red, real_max(a.green, a.blue));
 }
 
-/** @return a where the mask is set, b elsewhere. @param m A mask. @param a Light. @param b Other.
- */
+/** @return a where the mask is set, b elsewhere. */
 INLINE Rgb rgb_select(mask m, Rgb a, Rgb b) {
     return (Rgb){real_select(m, a.red, b.red), real_select(m, a.green, b.green),
                  real_select(m, a.blue, b.blue)};

@@ -12,13 +12,15 @@
 /** Bytes: the widest vector of any engine. */
 #define MESH_BVH_ALIGNMENT 64
 
-/** @return A corner of a triangle. @param mesh The mesh. @param triangle Which triangle.
- *  @param corner Which corner, 0 to 2. */
+/**
+ * @return A corner of a triangle.
+ * @param corner  Which corner, 0 to 2.
+ */
 static Vec3d mesh_triangle_corner(const Mesh *mesh, size_t triangle, int corner) {
     return mesh->positions[mesh->triangles[triangle].index[corner]];
 }
 
-/** @return The box around a triangle. @param mesh The mesh. @param triangle Which triangle. */
+/** @return The box around a triangle. */
 static Aabbs mesh_triangle_bounds(const Mesh *mesh, size_t triangle) {
     Vertex corners[3];
     for (int i = 0; i < 3; i++) {
@@ -27,8 +29,8 @@ static Aabbs mesh_triangle_bounds(const Mesh *mesh, size_t triangle) {
     return vertices_bounds(corners, 3);
 }
 
-/** Works out the boxes of all triangles, and the one around them. @param mesh_bvh The model.
- *  @param mesh The mesh. @param[out] boxes One for each triangle. */
+/** Works out the boxes of all triangles, and the one around them. @param[out] boxes One for each
+ *  triangle. */
 static void mesh_bvh_compute_boxes(MeshBvh *mesh_bvh, const Mesh *mesh, Aabbs *boxes) {
     mesh_bvh->bounds = mesh_triangle_bounds(mesh, 0);
     for (size_t i = 0; i < mesh->triangle_count; i++) {
@@ -45,8 +47,7 @@ static void mesh_bvh_compute_boxes(MeshBvh *mesh_bvh, const Mesh *mesh, Aabbs *b
     }
 }
 
-/** Puts a triangle into a block. @param[in,out] block The block. @param lane Where in it.
- *  @param mesh The mesh. @param triangle Which triangle. */
+/** Puts a triangle into a block. */
 static void triangle_block_set(TriangleBlock *block, int lane, const Mesh *mesh,
                                uint32_t triangle) {
     for (int corner = 0; corner < 3; corner++) {
@@ -58,8 +59,11 @@ static void triangle_block_set(TriangleBlock *block, int lane, const Mesh *mesh,
     block->triangle_ids[lane] = triangle;
 }
 
-/** Lays the triangles out in the order of the tree. @param mesh_bvh The model, with its tree.
- *  @param mesh The mesh. @return false without memory. */
+/**
+ * Lays the triangles out in the order of the tree.
+ * @param mesh_bvh  The model, with its tree.
+ * @return false without memory.
+ */
 static bool mesh_bvh_make_blocks(MeshBvh *mesh_bvh, const Mesh *mesh) {
     size_t size = mesh_bvh->bvh.block_count * sizeof *mesh_bvh->blocks;
     mesh_bvh->blocks =
@@ -72,8 +76,10 @@ static bool mesh_bvh_make_blocks(MeshBvh *mesh_bvh, const Mesh *mesh) {
     return mesh_bvh->blocks != NULL;
 }
 
-/** @return The normals to interpolate, to be freed; NULL without memory. @param mesh The mesh.
- *  @param from_file Whether they are the file's. */
+/**
+ * @return The normals to interpolate, to be freed; NULL without memory.
+ * @param from_file  Whether they are the file's.
+ */
 static Vec3s *mesh_bvh_make_normals(const Mesh *mesh, bool from_file) {
     size_t count = from_file ? mesh->normal_count : mesh->position_count;
     Vec3d *smooth = from_file ? NULL : malloc(count * sizeof *smooth);
@@ -106,8 +112,12 @@ static MeshTriangle *mesh_bvh_order_by_slot(const MeshBvh *mesh_bvh,
     return ordered;
 }
 
-/** Keeps what interpolating normals needs. @param mesh_bvh The model, with its tree. @param mesh
- * The mesh. @param source Where the normals come from. @return false without memory. */
+/**
+ * Keeps what interpolating normals needs.
+ * @param mesh_bvh  The model, with its tree.
+ * @param source  Where the normals come from.
+ * @return false without memory.
+ */
 static bool mesh_bvh_init_normals(MeshBvh *mesh_bvh, const Mesh *mesh, NormalSource source) {
     if (source == NORMALS_FLAT) {
         return true;
@@ -120,8 +130,11 @@ static bool mesh_bvh_init_normals(MeshBvh *mesh_bvh, const Mesh *mesh, NormalSou
     return mesh_bvh->normals && mesh_bvh->normal_indices;
 }
 
-/** Keeps the places on a picture. @param mesh_bvh The model, with its tree. @param mesh The mesh.
- *  @return false without memory. */
+/**
+ * Keeps the places on a picture.
+ * @param mesh_bvh  The model, with its tree.
+ * @return false without memory.
+ */
 static bool mesh_bvh_init_uvs(MeshBvh *mesh_bvh, const Mesh *mesh) {
     if (mesh->uv_count == 0) {
         return true;
@@ -135,7 +148,7 @@ static bool mesh_bvh_init_uvs(MeshBvh *mesh_bvh, const Mesh *mesh) {
     return mesh_bvh->uvs && mesh_bvh->uv_indices;
 }
 
-/** Gives a model back; the last owner's call gives its memory back. @param mesh_bvh It, or NULL. */
+/** Gives a model back; the last owner's call gives its memory back. */
 static void mesh_bvh_release(MeshBvh *mesh_bvh) {
     if (mesh_bvh && atomic_fetch_sub(&mesh_bvh->reference_count, 1) == 1) {
         bvh_deinit(&mesh_bvh->bvh);
@@ -172,9 +185,11 @@ static bool mesh_bvh_build(MeshBvh *mesh_bvh, NormalSource source, const MeshBvh
     return is_built;
 }
 
-/** @return A model with one owner; NULL without memory. @param mesh The mesh. @param source Where
- *  its normals come from. @param cache Who builds the tree, and whether pictures are shown.
- *  @param[out] error What is wrong. */
+/**
+ * @return A model with one owner; NULL without memory.
+ * @param source  Where its normals come from.
+ * @param cache  Who builds the tree, and whether pictures are shown.
+ */
 static MeshBvh *mesh_bvh_create(Mesh *mesh, NormalSource source, const MeshBvhCache *cache,
                                 Error *error) {
     MeshBvh *mesh_bvh = malloc(sizeof *mesh_bvh);
@@ -223,15 +238,19 @@ void mesh_bvh_cache_deinit(MeshBvhCache *cache) {
     *cache = (MeshBvhCache){0};
 }
 
-/** @return Whether a model has all that a scene asks for. @param mesh_bvh The model. @param cache
- * The models of the scene. */
+/**
+ * @return Whether a model has all that a scene asks for.
+ * @param cache  The models of the scene.
+ */
 static bool mesh_bvh_is_reusable(const MeshBvh *mesh_bvh, const MeshBvhCache *cache) {
     return !cache->has_textures || mesh_bvh->uvs || mesh_bvh->mesh->uv_count == 0;
 }
 
-/** @return A model that a former tracer has made, with one owner more; NULL if there is none.
- *  @param cache The models, and the former ones. @param mesh The mesh. @param source Where its
- *  normals come from. */
+/**
+ * @return A model that a former tracer has made, with one owner more; NULL if there is none.
+ * @param cache  The models, and the former ones.
+ * @param source  Where its normals come from.
+ */
 static MeshBvh *mesh_bvh_reuse(const MeshBvhCache *cache, const Mesh *mesh, NormalSource source) {
     const MeshBvhCache *reuse_from = cache->reuse_from;
     for (size_t i = source; reuse_from && i < reuse_from->count; i += NORMAL_SOURCE_COUNT) {

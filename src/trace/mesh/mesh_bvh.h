@@ -51,7 +51,7 @@ typedef struct MeshBvh {
     scalar magnitude;         /**< Largest coordinate: what rounding errors scale with. */
 } MeshBvh;
 
-/** @return Bytes that a model holds. @param mesh_bvh The model. */
+/** @return Bytes that a model holds. */
 size_t mesh_bvh_memory_size(const MeshBvh *mesh_bvh);
 
 /** Where the normals of a model come from. */
@@ -82,55 +82,40 @@ struct MeshBvhCache {
 /**
  * Makes room for the models of a scene.
  * @param[out] cache  The models; give them back with #mesh_bvh_cache_deinit.
- * @param scene        The scene.
- * @param reuse_from       Those of another tracer, to be shared; NULL: none. Read, as the crew is,
- * while shapes are made.
- * @param settings     Who builds trees, and how fields are marched.
- * @param[out] error   What is wrong.
+ * @param reuse_from  Those of another tracer, to be shared; NULL: none. Read, as the crew is, while
+ *         shapes are made.
+ * @param settings  Who builds trees, and how fields are marched.
  * @return false without memory.
  */
 bool mesh_bvh_cache_init(MeshBvhCache *cache, const Scene *scene, const MeshBvhCache *reuse_from,
                          const TraceSettings *settings, Error *error);
 
-/** Gives models back; those that no other tracer holds are gone then. @param cache The models. */
+/** Gives models back; those that no other tracer holds are gone then. */
 void mesh_bvh_cache_deinit(MeshBvhCache *cache);
 
 /**
  * @return A model, made now if nobody has asked before and no former tracer has it; NULL without
  *         memory.
- * @param cache      The models.
- * @param mesh        Place of the mesh in the scene.
- * @param source      Where its normals come from.
- * @param[out] error  What is wrong.
+ * @param mesh  Place of the mesh in the scene.
+ * @param source  Where its normals come from.
  */
 const MeshBvh *mesh_bvh_cache_get(MeshBvhCache *cache, size_t mesh, NormalSource source,
                                   Error *error);
 
 /**
  * Finds where the rays of a packet meet a model.
- * @param mesh_bvh   The model.
- * @param packet  The rays.
- * @param shape_index   The shape's place in the scene.
+ * @param shape_index  The shape's place in the scene.
  * @param[in,out] hits  What they have met so far.
  */
 void mesh_bvh_closest_hits(const MeshBvh *mesh_bvh, const Packet *packet, int shape_index,
                            Hit *hits);
 
-/**
- * @return Where on a picture points of a model lie, as its file says. See
- *         #ShapeClass.texture_uv.
- * @param mesh_bvh  The model.
- * @param hit    The points.
- * @param lanes  The lanes that count.
+/** @return Where on a picture points of a model lie, as its file says. See #ShapeClass.texture_uv.
  */
 TextureUv mesh_bvh_texture_uv(const MeshBvh *mesh_bvh, const Hit *hit, mask lanes);
 
-/**
- * Finds which rays of a packet meet a model before their limit.
- * @param mesh_bvh   The model.
- * @param packet  The rays.
- * @param[in,out] occluded  Those that are blocked; they are not asked again.
- */
+/** Finds which rays of a packet meet a model before their limit. @param[in,out] occluded Those that
+ *  are blocked; they are not asked again. */
 void mesh_bvh_occluded(const MeshBvh *mesh_bvh, const Packet *packet, mask *occluded);
 
 #endif

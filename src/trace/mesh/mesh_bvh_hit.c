@@ -9,8 +9,10 @@
 
 /** Half ulps of the coordinates that a point can be off its triangle. */
 #define TRIANGLE_ERROR 8
-/** @return The triangle that each lane met. @param mesh_bvh The model. @param slots Their slots.
- *  @param met The lanes that met any; the others get the first. */
+/**
+ * @return The triangle that each lane met.
+ * @param met  The lanes that met any; the others get the first.
+ */
 static TrianglePack triangle_pack_gather(const MeshBvh *mesh_bvh, integer slots, mask met) {
     slots = integer_select(met, slots, integer_of(0));
     // A block's numbers lie in rows of #LANES: the corners' x, y and z.
@@ -26,8 +28,10 @@ static TrianglePack triangle_pack_gather(const MeshBvh *mesh_bvh, integer slots,
     return corners;
 }
 
-/** @return The normals at the corners of the triangle that each lane met. @param mesh_bvh The
- * model, not flat. @param slots Their slots. @param met The lanes that met any. */
+/**
+ * @return The normals at the corners of the triangle that each lane met.
+ * @param met  The lanes that met any.
+ */
 static TrianglePack triangle_pack_gather_normals(const MeshBvh *mesh_bvh, integer slots, mask met) {
     Vec3 up = {real_of(0), real_of(1), real_of(0)};
     TrianglePack normals = {{up, up, up}};
@@ -45,10 +49,9 @@ static TrianglePack triangle_pack_gather_normals(const MeshBvh *mesh_bvh, intege
 
 /**
  * @return Interpolated unit normals; the flat one where the three cancel out.
- * @param corners  Triangles.
  * @param normals  The normals at their corners.
- * @param ray      The rays that meet them.
- * @param flat     The triangles' own unit normals.
+ * @param ray  The rays that meet them.
+ * @param flat  The triangles' own unit normals.
  */
 static Vec3 triangle_pack_interpolate_normals(const TrianglePack *corners,
                                               const TrianglePack *normals, const Ray *ray,
@@ -89,8 +92,7 @@ Hit mesh_bvh_hit(const MeshBvh *mesh_bvh, const Ray *ray, real distance, integer
     return (Hit){distance, point, normal, error, integer_of(shape_index), slots};
 }
 
-/** @return How much of each corner is in points of triangles, 0 to 1. @param corners Triangles.
- *  @param point The points. */
+/** @return How much of each corner is in points of triangles, 0 to 1. */
 static Vec3 triangle_pack_barycentrics_at(const TrianglePack *corners, Vec3 point) {
     Vec3w a = vec3_widen(corners->corners[0]), normal = triangle_pack_normal(corners);
     Vec3w b = vec3w_subtract(vec3_widen(corners->corners[1]), a);

@@ -24,13 +24,15 @@ typedef struct MeshBvhHits {
     TriangleBlockPlanes planes;    /**< Those of the last block of which one was met. */
 } MeshBvhHits;
 
-/** @return All triangles of a block. @param block The block. */
+/** @return All triangles of a block. */
 INLINE TrianglePack triangle_block_load(const TriangleBlock *block) {
     return (TrianglePack){{block->corners[0], block->corners[1], block->corners[2]}};
 }
 
-/** @return A corner of one triangle in all lanes. @param block A block. @param i Which corner.
- *  @param lane Which of its triangles. */
+/**
+ * @return A corner of one triangle in all lanes.
+ * @param lane  Which of its triangles.
+ */
 INLINE Vec3 triangle_block_corner(const TriangleBlock *block, int i, int lane) {
     const Vec3 *corners = &block->corners[i];
     return (Vec3){real_of(real_at(&corners->x, lane)), real_of(real_at(&corners->y, lane)),
@@ -39,10 +41,11 @@ INLINE Vec3 triangle_block_corner(const TriangleBlock *block, int i, int lane) {
 
 /* --- a packet against the triangles of a leaf ------------------------------------------------ */
 
-/** @return The lanes in which a triangle comes before what was met: nearer, or as near and earlier
- * in the mesh. @param mesh_bvh The model. @param met The lanes that meet it. @param distance How
- * far away. @param slot Its place. @param limit How far away what was met is. @param slots Which it
- * is.
+/**
+ * @return The lanes in which a triangle comes before what was met: nearer, or as near and earlier
+ *         in the mesh.
+ * @param met  The lanes that meet it.
+ * @param limit  How far away what was met is.
  */
 INLINE mask triangle_slot_is_nearer(const MeshBvh *mesh_bvh, mask met, real distance, size_t slot,
                                     real limit, const integer *slots) {
@@ -59,8 +62,7 @@ INLINE mask triangle_slot_is_nearer(const MeshBvh *mesh_bvh, mask met, real dist
     return nearer;
 }
 
-/** Works out the planes of a block. @param mesh_bvh The model. @param b The block.
- *  @param[out] planes Its planes. */
+/** Works out the planes of a block. */
 static void triangle_block_compute_planes(const MeshBvh *mesh_bvh, size_t b,
                                           TriangleBlockPlanes *planes) {
     TrianglePack corners = triangle_block_load(&mesh_bvh->blocks[b]);
@@ -69,8 +71,10 @@ static void triangle_block_compute_planes(const MeshBvh *mesh_bvh, size_t b,
     planes->normals = triangle_pack_normal(&corners);
 }
 
-/** @return How far away rays cross the plane of a triangle. @param block The triangle's block.
- *  @param normals Normals of the block's. @param lane Which. @param ray The rays. */
+/**
+ * @return How far away rays cross the plane of a triangle.
+ * @param normals  Normals of the block's.
+ */
 INLINE real triangle_block_plane_distance(const TriangleBlock *block, const Vec3w *normals,
                                           int lane, const Ray *ray) {
     Vec3w normal = {wide_of(wide_at(&normals->x, lane)), wide_of(wide_at(&normals->y, lane)),
@@ -78,10 +82,8 @@ INLINE real triangle_block_plane_distance(const TriangleBlock *block, const Vec3
     return ray_plane_distance(normal, vec3_widen(triangle_block_corner(block, 0, lane)), ray);
 }
 
-/** Takes a triangle where it comes before what was met. @param mesh_bvh The model. @param b Its
- * block.
- *  @param lane Its place there. @param rays The rays. @param inside Those that pass inside of it.
- *  @param[in,out] hits What was met. */
+/** Takes a triangle where it comes before what was met. @param inside Those that pass inside of it.
+ */
 static void mesh_bvh_accept_triangle(const MeshBvh *mesh_bvh, size_t b, int lane,
                                      const BvhLeafRays *rays, mask inside, MeshBvhHits *hits) {
     if (hits->planes.block_index != b) {
@@ -110,8 +112,10 @@ typedef struct TriangleBlockInside {
     uint16_t ray_bits[LANES]; /**< For each triangle: bit i set: ray i does. */
 } TriangleBlockInside;
 
-/** @return Which rays pass inside of the triangles of a block. @param block The block. @param ray
- *  The rays. @param axis The axis that they run mainly along. @param active Those that count. */
+/**
+ * @return Which rays pass inside of the triangles of a block.
+ * @param axis  The axis that they run mainly along.
+ */
 INLINE TriangleBlockInside triangle_block_inside(const TriangleBlock *block, const Ray *ray,
                                                  int axis, mask active) {
     TriangleBlockInside inside = {0};
@@ -133,9 +137,7 @@ INLINE TriangleBlockInside triangle_block_inside(const TriangleBlock *block, con
     return inside;
 }
 
-/** Asks the triangles of a block, one by one, about the rays that run mainly along one axis.
- *  @param mesh_bvh The model. @param b The block. @param rays The rays. @param axis The axis.
- *  @param active The lanes. @param[in,out] hits What was met. */
+/** Asks the triangles of a block, one by one, about the rays that run mainly along one axis. */
 INLINE void triangle_block_intersect_along(const MeshBvh *mesh_bvh, size_t b,
                                            const BvhLeafRays *rays, int axis, mask active,
                                            MeshBvhHits *hits) {
@@ -148,8 +150,7 @@ INLINE void triangle_block_intersect_along(const MeshBvh *mesh_bvh, size_t b,
     }
 }
 
-/** Asks the triangles of a leaf, one by one, about rays. @param mesh_bvh The model. @param leaf The
- *  leaf. @param rays The rays. @param[in,out] hits What was met. */
+/** Asks the triangles of a leaf, one by one, about rays. */
 static void mesh_leaf_intersect_packet(const MeshBvh *mesh_bvh, BvhLeaf leaf,
                                        const BvhLeafRays *rays, MeshBvhHits *hits) {
     DominantAxes axes =
@@ -170,7 +171,7 @@ static void mesh_leaf_intersect_packet(const MeshBvh *mesh_bvh, BvhLeaf leaf,
 
 /* --- one ray against the triangles of a leaf ------------------------------------------------- */
 
-/** @return One ray in all lanes. @param ray The rays. @param lane Which of them. */
+/** @return One ray in all lanes. */
 INLINE Ray ray_splat_lane(const Ray *ray, int lane) {
     const Vec3 *o = &ray->origin, *d = &ray->direction, *i = &ray->inverse_direction;
     return (Ray){{real_of(real_at(&o->x, lane)), real_of(real_at(&o->y, lane)),
@@ -181,9 +182,12 @@ INLINE Ray ray_splat_lane(const Ray *ray, int lane) {
                   real_of(real_at(&i->z, lane))}};
 }
 
-/** @return The triangles of a block that a ray passes inside of, within their boxes. @param block
- *  The block. @param ray The ray, in all lanes. @param limit How far it looks. @param[out] near It
- *  meets each no nearer than this. */
+/**
+ * @return The triangles of a block that a ray passes inside of, within their boxes.
+ * @param ray  The ray, in all lanes.
+ * @param limit  How far it looks.
+ * @param[out] near  It meets each no nearer than this.
+ */
 INLINE unsigned triangle_block_intersect_single(const TriangleBlock *block, const Ray *ray,
                                                 scalar limit, real *near) {
     TrianglePack corners = triangle_block_load(block);
@@ -198,16 +202,14 @@ INLINE unsigned triangle_block_intersect_single(const TriangleBlock *block, cons
     return mask_bits(inside);
 }
 
-/** @return A lane of vectors, exactly. @param v The vectors. @param lane Which. */
+/** @return A lane of vectors, exactly. */
 INLINE Vec3sw vec3_lane_widen(const Vec3 *v, int lane) {
     return (Vec3sw){(wide_scalar)real_at(&v->x, lane), (wide_scalar)real_at(&v->y, lane),
                     (wide_scalar)real_at(&v->z, lane)};
 }
 
 /** @return How far away one ray crosses the plane of one triangle: #triangle_block_plane_distance
- * for one.
- *  @param block The triangle's block. @param lane Which of it. @param rays The rays.
- *  @param r Which of them. */
+ *  for one. */
 INLINE scalar triangle_single_distance(const TriangleBlock *block, int lane, const Ray *rays,
                                        int r) {
     Vec3sw a = vec3_lane_widen(&block->corners[0], lane);
@@ -225,8 +227,7 @@ typedef struct ClosestTriangle {
     int slot;        /**< Which triangle; -1: none. */
 } ClosestTriangle;
 
-/** Takes a triangle where it comes before what was met. @param mesh_bvh The model. @param slot The
- *  triangle. @param distance How far away it is met. @param[in,out] best What was met. */
+/** Takes a triangle where it comes before what was met. @param distance How far away it is met. */
 INLINE void closest_triangle_update(const MeshBvh *mesh_bvh, int slot, scalar distance,
                                     ClosestTriangle *best) {
     uint32_t triangle = mesh_bvh->blocks[slot / LANES].triangle_ids[slot % LANES];
@@ -238,9 +239,11 @@ INLINE void closest_triangle_update(const MeshBvh *mesh_bvh, int slot, scalar di
     }
 }
 
-/** Takes the nearest of some triangles of a block. @param mesh_bvh The model. @param b The block.
- *  @param inside Which of its triangles are met. @param near No nearer than this. @param rays The
- *  rays. @param r Which of them. @param[in,out] best What was met. */
+/**
+ * Takes the nearest of some triangles of a block.
+ * @param inside  Which of its triangles are met.
+ * @param near  No nearer than this.
+ */
 INLINE void closest_triangle_update_from_block(const MeshBvh *mesh_bvh, size_t b, unsigned inside,
                                                const real *near, const Ray *rays, int r,
                                                ClosestTriangle *best) {
@@ -255,9 +258,7 @@ INLINE void closest_triangle_update_from_block(const MeshBvh *mesh_bvh, size_t b
     }
 }
 
-/** Asks the triangles of a leaf, side by side, about one ray. @param mesh_bvh The model. @param
- * leaf The leaf. @param rays The rays. @param lane Which of them. @param[in,out] hits What was met.
- */
+/** Asks the triangles of a leaf, side by side, about one ray. */
 static void mesh_leaf_intersect_single(const MeshBvh *mesh_bvh, BvhLeaf leaf,
                                        const BvhLeafRays *rays, int lane, MeshBvhHits *hits) {
     const Ray *rays_vector = &rays->packet->rays[rays->vector];
@@ -278,16 +279,14 @@ static void mesh_leaf_intersect_single(const MeshBvh *mesh_bvh, BvhLeaf leaf,
 /* --- leaves ---------------------------------------------------------------------------------- */
 
 /** @return Whether a leaf is asked ray by ray, all its triangles at once, rather than triangle by
- *  triangle, all rays at once: whichever is less work. @param lanes How many rays. */
+ *  triangle, all rays at once: whichever is less work. */
 INLINE bool mesh_leaf_prefers_single(int lanes) {
     /** Rays a block for which the two are about as quick (measured): blocks are not always full. */
     const int break_even = 3 * LANES / 8;
     return lanes <= break_even || LANES == 1;
 }
 
-/** Asks a leaf about rays. See #BvhIntersector.intersect_leaf. @param items The model. @param leaf
- * The leaf.
- *  @param rays The rays. @param[in,out] results A #MeshBvhHits. */
+/** Asks a leaf about rays. See #BvhIntersector.intersect_leaf. */
 static void mesh_leaf_intersect(const void *items, BvhLeaf leaf, const BvhLeafRays *rays,
                                 void *results) {
     if (mesh_leaf_prefers_single(__builtin_popcount(rays->lane_bits))) {
@@ -300,9 +299,7 @@ static void mesh_leaf_intersect(const void *items, BvhLeaf leaf, const BvhLeafRa
 }
 
 /** Asks a leaf about shadow rays: those that meet anything look no further. See
- * #BvhIntersector.intersect_leaf.
- *  @param items The model. @param leaf The leaf. @param rays The rays. @param[in,out] results A
- *  #MeshBvhHits. */
+ *  #BvhIntersector.intersect_leaf. */
 static void mesh_leaf_occluded(const void *items, BvhLeaf leaf, const BvhLeafRays *rays,
                                void *results) {
     mesh_leaf_intersect(items, leaf, rays, results);
@@ -318,7 +315,7 @@ static void mesh_leaf_occluded(const void *items, BvhLeaf leaf, const BvhLeafRay
 
 /* --- all of it ------------------------------------------------------------------------------- */
 
-/** Begins what the rays of a packet have met. @param[out] hits Nothing yet. */
+/** Begins what the rays of a packet have met. */
 static void mesh_bvh_hits_init(MeshBvhHits *hits) {
     hits->planes.block_index = TRIANGLE_BLOCK_NONE;
     for (int v = 0; v < PACKET_VECTORS; v++) {

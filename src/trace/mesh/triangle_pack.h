@@ -21,8 +21,8 @@ typedef struct TrianglePack {
     Vec3 corners[3]; /**< The corners, in turn. */
 } TrianglePack;
 
-/** Finds how far beside the rays the corners lie. @param triangle Triangles. @param ray Rays.
- *  @param axis The axis that they run mainly along. @param[out] sheared Three. */
+/** Finds how far beside the rays the corners lie. @param axis The axis that they run mainly along.
+ */
 INLINE void triangle_pack_shear(const TrianglePack *triangle, const Ray *ray, int axis,
                                 ShearedVertex *sheared) {
     RayShear shear = ray_shear_of(ray, axis);
@@ -31,15 +31,17 @@ INLINE void triangle_pack_shear(const TrianglePack *triangle, const Ray *ray, in
     }
 }
 
-/** @return The lanes whose ray passes inside its triangle or through an edge.
- *  @param triangle Triangles. @param ray Rays. @param axis The axis that they run mainly along. */
+/**
+ * @return The lanes whose ray passes inside its triangle or through an edge.
+ * @param axis  The axis that they run mainly along.
+ */
 INLINE mask triangle_pack_contains_ray(const TrianglePack *triangle, const Ray *ray, int axis) {
     ShearedVertex sheared[3];
     triangle_pack_shear(triangle, ray, axis, sheared);
     return edge_functions_contain_ray(sheared, 3);
 }
 
-/** @return Normals of the planes through triangles, of any length. @param triangle Triangles. */
+/** @return Normals of the planes through triangles, of any length. */
 INLINE Vec3w triangle_pack_normal(const TrianglePack *triangle) {
     Vec3w a = vec3_widen(triangle->corners[0]);
     Vec3w u = vec3w_subtract(vec3_widen(triangle->corners[1]), a);
@@ -47,16 +49,16 @@ INLINE Vec3w triangle_pack_normal(const TrianglePack *triangle) {
     return vec3w_cross(u, v);
 }
 
-/** @return How far away rays cross planes. @param normal The planes' normals, of any length.
- *  @param point A point of each. @param ray Rays. */
+/**
+ * @return How far away rays cross planes.
+ * @param normal  The planes' normals, of any length.
+ */
 INLINE real ray_plane_distance(Vec3w normal, Vec3w point, const Ray *ray) {
     Vec3w to_anchor = vec3w_subtract(point, vec3_widen(ray->origin));
     return narrow(vec3w_dot(normal, to_anchor) / vec3w_dot(normal, vec3_widen(ray->direction)));
 }
 
-/** Finds the extent of three corners along an axis, as #vertices_bounds does to the last bit.
- *  @param a A corner. @param b Another. @param c The last. @param[out] low Its lower end.
- *  @param[out] high Its higher end. */
+/** Finds the extent of three corners along an axis, as #vertices_bounds does to the last bit. */
 INLINE void triangle_pack_axis_bounds(real a, real b, real c, real *low, real *high) {
     real lowest = real_min(a, real_min(b, c)), highest = real_max(a, real_max(b, c));
     real slack = AABB_ROUNDINGS * AABB_ROUNDOFF * real_max(highest, -lowest);
@@ -64,7 +66,7 @@ INLINE void triangle_pack_axis_bounds(real a, real b, real c, real *low, real *h
     *high = highest + slack;
 }
 
-/** @return The boxes around triangles. @param triangle Triangles. */
+/** @return The boxes around triangles. */
 INLINE Aabb triangle_pack_bounds(const TrianglePack *triangle) {
     const Vec3 *a = &triangle->corners[0], *b = &triangle->corners[1], *c = &triangle->corners[2];
     Aabb boxes;
@@ -74,16 +76,18 @@ INLINE Aabb triangle_pack_bounds(const TrianglePack *triangle) {
     return boxes;
 }
 
-/** @return Unit normals of the planes through triangles. @param triangle Triangles. */
+/** @return Unit normals of the planes through triangles. */
 INLINE Vec3 triangle_pack_unit_normal(const TrianglePack *triangle) {
     Vec3w n = triangle_pack_normal(triangle);
     wide scale = 1 / wide_sqrt(vec3w_dot(n, n));
     return (Vec3){narrow(n.x * scale), narrow(n.y * scale), narrow(n.z * scale)};
 }
 
-/** @return The share of each corner in the places where rays meet triangles: the areas between the
- *  ray and the sides opposite. @param triangle Triangles. @param ray Rays.
- *  @param axis The axis that the rays run mainly along. */
+/**
+ * @return The share of each corner in the places where rays meet triangles: the areas between the
+ *         ray and the sides opposite.
+ * @param axis  The axis that the rays run mainly along.
+ */
 INLINE Vec3 triangle_pack_barycentrics(const TrianglePack *triangle, const Ray *ray, int axis) {
     ShearedVertex sheared[3];
     triangle_pack_shear(triangle, ray, axis, sheared);

@@ -23,8 +23,7 @@ typedef struct RepeatGrid {
     scalar radius;    /**< Its radius. */
 } RepeatGrid;
 
-/** @return The number of the cell that coordinates are in. @param grid The lattice.
- *  @param axis Which axis. @param x Coordinates. */
+/** @return The number of the cell that coordinates are in. */
 INLINE real repeat_grid_cell_number(const RepeatGrid *grid, int axis, real x) {
     const scalar half_cell = grid->half[axis], limit = grid->limit[axis];
     if (!(grid->period[axis] > 0)) {
@@ -35,7 +34,7 @@ INLINE real repeat_grid_cell_number(const RepeatGrid *grid, int axis, real x) {
     return real_max(real_of(-limit), real_min(number, real_of(limit)));
 }
 
-/** @return The cells that points are in. @param grid The lattice. @param p Points. */
+/** @return The cells that points are in. */
 INLINE Vec3 repeat_grid_cell(const RepeatGrid *grid, Vec3 p) {
     return (Vec3){repeat_grid_cell_number(grid, 0, p.x), repeat_grid_cell_number(grid, 1, p.y),
                   repeat_grid_cell_number(grid, 2, p.z)};
@@ -50,9 +49,7 @@ typedef struct GridWalk {
     Vec3 direction;    /**< Unit directions. */
 } GridWalk;
 
-/** Finds how rays go through a lattice along an axis. @param grid The lattice. @param axis Which
- *  axis. @param origin Where they start. @param inverse 1 / direction. @param[out] t_first_wall See
- *  #GridWalk. @param[out] t_delta See there. @param[out] step See there. */
+/** Finds how rays go through a lattice along an axis. */
 INLINE void grid_walk_init_axis(const RepeatGrid *grid, int axis, real origin, real inverse,
                                 real *t_first_wall, real *t_delta, real *step) {
     const scalar period = grid->period[axis];
@@ -65,8 +62,7 @@ INLINE void grid_walk_init_axis(const RepeatGrid *grid, int axis, real origin, r
     }
 }
 
-/** @return How rays go through a lattice. @param grid The lattice. @param ray The rays.
- *  @param unit Their unit directions. */
+/** @return How rays go through a lattice. */
 INLINE GridWalk grid_walk_of(const RepeatGrid *grid, const Ray *ray, Vec3 unit) {
     GridWalk walk = {.direction = unit,
                      .to_center = vec3_subtract(vec3_splat(grid->center), ray->origin)};
@@ -79,21 +75,19 @@ INLINE GridWalk grid_walk_of(const RepeatGrid *grid, const Ray *ray, Vec3 unit) 
     return walk;
 }
 
-/** @return How far away rays leave their cells, along each axis; NaN: never. @param walk How they
- *  go. @param cell The cells. */
+/** @return How far away rays leave their cells, along each axis; NaN: never. */
 INLINE Vec3 grid_walk_exits(const GridWalk *walk, Vec3 cell) {
     return (Vec3){cell.x * walk->t_delta.x + walk->t_first_wall.x,
                   cell.y * walk->t_delta.y + walk->t_first_wall.y,
                   cell.z * walk->t_delta.z + walk->t_first_wall.z};
 }
 
-/** @return How far away rays leave their cells. @param exits What grid_walk_exits() says. */
+/** @return How far away rays leave their cells. */
 INLINE real grid_walk_nearest_exit(Vec3 exits) {
     return real_min(exits.x, real_min(exits.y, real_min(exits.z, real_of(INFINITE))));
 }
 
-/** @return The next cells of rays. @param walk How they go. @param cell The cells. @param exits
- * What grid_walk_exits() says. @param t_exit The nearest of them. */
+/** @return The next cells of rays. */
 INLINE Vec3 grid_walk_next_cell(const GridWalk *walk, Vec3 cell, Vec3 exits, real t_exit) {
     const real zero = real_of(0);
     return (Vec3){cell.x + real_select(exits.x <= t_exit, walk->step.x, zero),
@@ -101,14 +95,14 @@ INLINE Vec3 grid_walk_next_cell(const GridWalk *walk, Vec3 cell, Vec3 exits, rea
                   cell.z + real_select(exits.z <= t_exit, walk->step.z, zero)};
 }
 
-/** @return The cells that there are. @param grid The lattice. @param cell Cells. */
+/** @return The cells that there are. */
 INLINE mask repeat_grid_has_cell(const RepeatGrid *grid, Vec3 cell) {
     mask x = real_abs(cell.x) <= grid->limit[0], y = real_abs(cell.y) <= grid->limit[1];
     mask z = real_abs(cell.z) <= grid->limit[2];
     return x & y & z;
 }
 
-/** @return Where the zero of cells lies. @param grid The lattice. @param cell The cells. */
+/** @return Where the zero of cells lies. */
 INLINE Vec3w repeat_grid_cell_origin(const RepeatGrid *grid, Vec3 cell) {
     return (Vec3w){widen(cell.x) * (wide_scalar)grid->period[0],
                    widen(cell.y) * (wide_scalar)grid->period[1],
@@ -116,13 +110,10 @@ INLINE Vec3w repeat_grid_cell_origin(const RepeatGrid *grid, Vec3 cell) {
 }
 
 /**
- * @return Where rays may meet the copy in their cells: where the ball around it does not lie
- *         beside them. Its distance from the ray comes by a product of vectors, which stays exact
- *         far away.
- * @param grid  The lattice.
- * @param walk      How they go.
- * @param cell     The cells.
- * @param margin     By how much the ball is larger.
+ * @return Where rays may meet the copy in their cells: where the ball around it does not lie beside
+ *         them. Its distance from the ray comes by a product of vectors, which stays exact far
+ *         away.
+ * @param margin  By how much the ball is larger.
  */
 INLINE mask grid_walk_may_hit_copy(const RepeatGrid *grid, const GridWalk *walk, Vec3 cell,
                                    real margin) {

@@ -16,7 +16,7 @@ typedef struct Complex {
 #define LN_OF_2                                                                                    \
     ((scalar)0x1.62e42fefa39efp-1 + (scalar)0x1.abc9e3b39803fp-56 + (scalar)0x1.7b57a079a1934p-111)
 
-/** @return The highest binary digit of a number. @param n At least 1. */
+/** @return The highest binary digit of a number. */
 static inline int highest_bit(int n) {
     int bit = 1;
     while (bit <= n / 2) {
@@ -25,12 +25,12 @@ static inline int highest_bit(int n) {
     return bit;
 }
 
-/** @return a times b. @param a Numbers. @param b Others. */
+/** @return a times b. */
 INLINE Complex complex_multiply(Complex a, Complex b) {
     return (Complex){a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
 }
 
-/** @return z^n, by the binary digits of n, highest first. @param z Numbers. @param n At least 1. */
+/** @return z^n, by the binary digits of n, highest first. */
 INLINE Complex complex_power(Complex z, int n) {
     Complex power = z;
     for (int bit = highest_bit(n) / 2; bit > 0; bit /= 2) {
@@ -40,7 +40,7 @@ INLINE Complex complex_power(Complex z, int n) {
     return power;
 }
 
-/** @return r^n, by the binary digits of n, highest first. @param r Numbers. @param n At least 1. */
+/** @return r^n, by the binary digits of n, highest first. */
 INLINE real real_integer_power(real r, int n) {
     real power = r;
     for (int bit = highest_bit(n) / 2; bit > 0; bit /= 2) {
@@ -85,13 +85,8 @@ typedef struct MandelbulbOrbit {
     real potential;  /**< Of the surface, at their iterate. */
 } MandelbulbOrbit;
 
-/**
- * @return z^n + c: the distance from zero to the n-th power, both angles times n. They come as
- * powers of complex numbers, so that no sine is needed.
- * @param z  Points.
- * @param c  What is added.
- * @param n  The power.
- */
+/** @return z^n + c: the distance from zero to the n-th power, both angles times n. They come as
+ *  powers of complex numbers, so that no sine is needed. */
 INLINE Vec3 mandelbulb_iterate(Vec3 z, Vec3 c, int n) {
     real across = real_sqrt(z.x * z.x + z.z * z.z);
     Complex polar = complex_power((Complex){z.y, across}, n);
@@ -101,8 +96,7 @@ INLINE Vec3 mandelbulb_iterate(Vec3 z, Vec3 c, int n) {
     return vec3_add((Vec3){polar.im * azimuth.im, polar.re, polar.im * azimuth.re}, c);
 }
 
-/** Goes on with orbits that are still near zero. @param[in,out] orbit The orbits. @param c Where
- *  they began. @param n The power. @param iterating The lanes that go on. */
+/** Goes on with orbits that are still near zero. @param iterating The lanes that go on. */
 INLINE void mandelbulb_orbit_step(MandelbulbOrbit *orbit, Vec3 c, int n, mask iterating) {
     real factor = (scalar)n * real_integer_power(orbit->radius, n - 1);
     Vec3 z = mandelbulb_iterate(orbit->z, c, n);
@@ -112,8 +106,7 @@ INLINE void mandelbulb_orbit_step(MandelbulbOrbit *orbit, Vec3 c, int n, mask it
     orbit->potential = real_select(iterating, orbit->potential * (scalar)n, orbit->potential);
 }
 
-/** @return The bound of the distance to a Mandelbulb. @param p Points. @param operands The step's.
- *  @param active The lanes that count. */
+/** @return The bound of the distance to a Mandelbulb. */
 INLINE real mandelbulb_distance(Vec3 p, const scalar *operands, mask active) {
     const int n = (int)operands[0], iterations = (int)operands[1];
     const real escape = real_of(operands[4]);
@@ -134,8 +127,10 @@ INLINE real mandelbulb_distance(Vec3 p, const scalar *operands, mask active) {
  *  size, and smaller ones than this are smoothed in its shading. */
 #define MANDELBULB_GRADIENT_STEP ((scalar)0x1p-11f)
 
-/** @return Half the difference of the distances a step away, both ways. @param vm Where.
- *  @param step The step. @param operands The step's of the tape. */
+/**
+ * @return Half the difference of the distances a step away, both ways.
+ * @param operands  The step's of the tape.
+ */
 INLINE real mandelbulb_central_difference(const SdfVm *vm, Vec3 step, const scalar *operands) {
     return mandelbulb_distance(vec3_add(vm->point, step), operands, vm->active) -
            mandelbulb_distance(vec3_subtract(vm->point, step), operands, vm->active);

@@ -13,7 +13,7 @@ typedef struct SdfVm SdfVm;
 
 /** A step of a tape. */
 typedef struct SdfInstruction {
-    /** Does it. @param machine What it works on. @param code The step. */
+    /** Does it. */
     void (*execute)(SdfVm *machine, const struct SdfInstruction *code);
     int body_count;                /**< How many of the next steps are its body. */
     scalar operands[SDF_OPERANDS]; /**< With what; see #SdfOp. */
@@ -25,23 +25,17 @@ typedef struct SdfSample {
     Vec3 gradient; /**< Which way it grows, and how fast; only if asked for. */
 } SdfSample;
 
-/** Makes a tape. @param[out] program As many steps as the field has. @param sdf The field. */
+/** Makes a tape. @param[out] program As many steps as the field has. */
 void sdf_compile(SdfInstruction *program, const Sdf *sdf);
 
 /**
  * @return The distances of points.
- * @param program   The tape.
- * @param count   How many steps.
- * @param point   The points.
  * @param active  The lanes that count; of others anything may be said.
  */
 real sdf_distance(const SdfInstruction *program, int count, Vec3 point, mask active);
 
 /**
  * @return The distances of points with their derivatives, which are carried along the tape.
- * @param program   The tape.
- * @param count   How many steps.
- * @param point   The points.
  * @param active  The lanes that count; of others anything may be said.
  */
 SdfSample sdf_sample(const SdfInstruction *program, int count, Vec3 point, mask active);

@@ -13,8 +13,7 @@ void sdf_op_sphere(SdfVm *vm, const SdfInstruction *instruction) {
     }
 }
 
-/** @return Which way the largest component lies: 1 along the first axis that has it.
- *  @param v Vectors. @param largest Their largest component. */
+/** @return Which way the largest component lies: 1 along the first axis that has it. */
 INLINE Vec3 unit_axis_of_largest(Vec3 v, real largest) {
     const real zero = real_of(0), one = real_of(1);
     mask is_x = v.x >= largest, is_y = mask_not(is_x) & (v.y >= largest);
@@ -24,7 +23,6 @@ INLINE Vec3 unit_axis_of_largest(Vec3 v, real largest) {
 
 /**
  * @return How far points are from the corner at zero of a box that fills all that is negative.
- * @param v        The points.
  * @param wants_gradient  Whether the gradient is wanted.
  */
 INLINE SdfSample sdf_octant_sample(Vec3 v, bool wants_gradient) {
@@ -41,8 +39,10 @@ INLINE SdfSample sdf_octant_sample(Vec3 v, bool wants_gradient) {
     return sample;
 }
 
-/** @return The sample of a box around zero. @param p Points. @param half Half its edges.
- *  @param wants_gradient Whether the gradient is wanted. */
+/**
+ * @return The sample of a box around zero.
+ * @param wants_gradient  Whether the gradient is wanted.
+ */
 INLINE SdfSample sdf_box_sample(Vec3 p, Vec3 half, bool wants_gradient) {
     SdfSample sample = sdf_octant_sample(vec3_subtract(vec3_abs(p), half), wants_gradient);
     if (wants_gradient) {

@@ -7,8 +7,7 @@
  */
 #include "trace/sdf/sdf_vm.h"
 
-/** Runs steps one after the other. @param vm What they work on. @param program The steps.
- *  @param count How many. */
+/** Runs steps one after the other. */
 static void sdf_vm_run(SdfVm *vm, const SdfInstruction *program, int count) {
     for (const SdfInstruction *instruction = program; instruction < program + count;
          instruction += 1 + instruction->body_count) {
@@ -18,29 +17,26 @@ static void sdf_vm_run(SdfVm *vm, const SdfInstruction *program, int count) {
 
 /* --- operations on one field ------------------------------------------------------------------ */
 
-/** Moves the surface outwards. See #SdfInstruction.execute. @param vm See there. @param instruction
- * See there. */
+/** Moves the surface outwards. See #SdfInstruction.execute. */
 static void sdf_op_round(SdfVm *vm, const SdfInstruction *instruction) {
     vm->sample.distance = vm->sample.distance - instruction->operands[0];
 }
 
-/** @return Three rows of a matrix with a vector. @param rows The matrix. @param v Vectors. */
+/** @return Three rows of a matrix with a vector. */
 INLINE Vec3 matrix_rows_apply(const scalar *rows, Vec3 v) {
     return (Vec3){rows[0] * v.x + rows[1] * v.y + rows[2] * v.z,
                   rows[3] * v.x + rows[4] * v.y + rows[5] * v.z,
                   rows[6] * v.x + rows[7] * v.y + rows[8] * v.z};
 }
 
-/** @return The same with its columns. @param rows The matrix. @param v Vectors. */
+/** @return The same with its columns. */
 INLINE Vec3 matrix_columns_apply(const scalar *rows, Vec3 v) {
     return (Vec3){rows[0] * v.x + rows[3] * v.y + rows[6] * v.z,
                   rows[1] * v.x + rows[4] * v.y + rows[7] * v.z,
                   rows[2] * v.x + rows[5] * v.y + rows[8] * v.z};
 }
 
-/** Scales, turns and moves: the point goes the other way. See #SdfInstruction.execute. @param vm
- * See there.
- *  @param instruction See there. */
+/** Scales, turns and moves: the point goes the other way. See #SdfInstruction.execute. */
 static void sdf_op_transform(SdfVm *vm, const SdfInstruction *instruction) {
     const Vec3 outer_point = vm->point;
     const scalar *n = instruction->operands;
@@ -57,7 +53,6 @@ static void sdf_op_transform(SdfVm *vm, const SdfInstruction *instruction) {
 /**
  * @return How far points are beside a box, along the axis where it is most; negative inside.
  * @param corners  The box: three lowest coordinates, three highest.
- * @param p        Points.
  */
 INLINE real box_chebyshev_distance(const scalar *corners, Vec3 p) {
     real x = real_max(corners[0] - p.x, p.x - corners[3]);
@@ -66,8 +61,7 @@ INLINE real box_chebyshev_distance(const scalar *corners, Vec3 p) {
     return real_max(x, real_max(y, z));
 }
 
-/** @return Distances that are at least those to the field's box: both are bounds of it.
- *  @param distance Distances. @param box_distance What box_chebyshev_distance() says. */
+/** @return Distances that are at least those to the field's box: both are bounds of it. */
 INLINE real max_with_box_distance(real distance, real box_distance) {
     return real_select(box_distance > 0, real_max(distance, box_distance), distance);
 }
@@ -81,8 +75,10 @@ typedef struct RepeatCells {
     int count;          /**< How many are to be asked. */
 } RepeatCells;
 
-/** @return The cells around points. @param x Coordinates. @param operands Those of the step for
- *  this axis: every third. */
+/**
+ * @return The cells around points.
+ * @param operands  Those of the step for this axis: every third.
+ */
 INLINE RepeatCells repeat_cells_of(real x, const scalar *operands) {
     real half = real_of(operands[3]), limit = real_of(operands[6]);
     if (!(operands[0] > 0)) {
@@ -94,8 +90,10 @@ INLINE RepeatCells repeat_cells_of(real x, const scalar *operands) {
                          1 + (int)operands[9]};
 }
 
-/** @return Coordinates as seen from a cell. @param cells The cells. @param x Coordinates.
- *  @param which 0: the own one, 1: the nearer neighbour, 2: the farther. */
+/**
+ * @return Coordinates as seen from a cell.
+ * @param which  0: the own one, 1: the nearer neighbour, 2: the farther.
+ */
 INLINE real repeat_cells_local_coordinate(const RepeatCells *cells, real x, int which) {
     const scalar steps[3] = {0, 1, -1};
     real number = cells->cell + cells->neighbor_step * steps[which];
@@ -103,12 +101,8 @@ INLINE real repeat_cells_local_coordinate(const RepeatCells *cells, real x, int 
     return x - number * cells->period;
 }
 
-/**
- * Takes a copy of a repeated field into account, if it can be nearer than those so far.
- * @param vm        The machine, at the copy's own point.
- * @param instruction     The step.
- * @param nearest  The nearest so far.
- */
+/** Takes a copy of a repeated field into account, if it can be nearer than those so far. @param vm
+ *  The machine, at the copy's own point. */
 INLINE void sdf_vm_run_copy(SdfVm *vm, const SdfInstruction *instruction, SdfSample *nearest) {
     const mask all = vm->active;
     real box_distance = box_chebyshev_distance(instruction->operands + 12, vm->point);
@@ -125,8 +119,7 @@ INLINE void sdf_vm_run_copy(SdfVm *vm, const SdfInstruction *instruction, SdfSam
     vm->active = all;
 }
 
-/** Repeats a field: the nearest of the copies in the cells around. See #SdfInstruction.execute.
- * @param vm See there. @param instruction See there. */
+/** Repeats a field: the nearest of the copies in the cells around. See #SdfInstruction.execute. */
 static void sdf_op_repeat(SdfVm *vm, const SdfInstruction *instruction) {
     const Vec3 p = vm->point;
     const real none = real_of(0);
@@ -148,11 +141,8 @@ static void sdf_op_repeat(SdfVm *vm, const SdfInstruction *instruction) {
 
 /**
  * Runs a body only where it can change something.
- * @param vm        The machine.
- * @param instruction     The step.
  * @param[in,out] needed  Lanes where it may; afterwards those that count.
- * @param box_distance   How far the points are beside its box.
- * @param[out] body  What it says.
+ * @param box_distance  How far the points are beside its box.
  * @return Whether it was run.
  */
 INLINE bool sdf_vm_run_body(SdfVm *vm, const SdfInstruction *instruction, mask *needed,
@@ -170,8 +160,7 @@ INLINE bool sdf_vm_run_body(SdfVm *vm, const SdfInstruction *instruction, mask *
     return true;
 }
 
-/** The nearer of two fields. See #SdfInstruction.execute. @param vm See there. @param instruction
- * See there. */
+/** The nearer of two fields. See #SdfInstruction.execute. */
 static void sdf_op_union(SdfVm *vm, const SdfInstruction *instruction) {
     SdfSample first = vm->sample, second;
     real box_distance = box_chebyshev_distance(instruction->operands, vm->point);
@@ -185,9 +174,7 @@ static void sdf_op_union(SdfVm *vm, const SdfInstruction *instruction) {
     vm->sample = second;
 }
 
-/** The nearer of two fields, whose seam is filled. See #SdfInstruction.execute. @param vm See
- * there.
- *  @param instruction See there. */
+/** The nearer of two fields, whose seam is filled. See #SdfInstruction.execute. */
 static void sdf_op_smooth_union(SdfVm *vm, const SdfInstruction *instruction) {
     SdfSample first = vm->sample, second;
     const real radius = real_of(instruction->operands[6]), zero = real_of(0);
@@ -214,8 +201,10 @@ static void sdf_op_smooth_union(SdfVm *vm, const SdfInstruction *instruction) {
     }
 }
 
-/** @return The farther of two samples. @param a A sample. @param b Another. @param wants_gradient
- * Whether gradients are wanted. */
+/**
+ * @return The farther of two samples.
+ * @param wants_gradient  Whether gradients are wanted.
+ */
 INLINE SdfSample sdf_sample_farther(SdfSample a, SdfSample b, bool wants_gradient) {
     SdfSample farther = {.distance = real_max(b.distance, a.distance)};
     if (wants_gradient) {
@@ -224,16 +213,14 @@ INLINE SdfSample sdf_sample_farther(SdfSample a, SdfSample b, bool wants_gradien
     return farther;
 }
 
-/** What is in both of two fields. See #SdfInstruction.execute. @param vm See there. @param
- * instruction See there. */
+/** What is in both of two fields. See #SdfInstruction.execute. */
 static void sdf_op_intersection(SdfVm *vm, const SdfInstruction *instruction) {
     SdfSample first = vm->sample;
     sdf_vm_run(vm, instruction + 1, instruction->body_count);
     vm->sample = sdf_sample_farther(first, vm->sample, vm->wants_gradient);
 }
 
-/** What is in one field and not in the other. See #SdfInstruction.execute. @param vm See there.
- *  @param instruction See there. */
+/** What is in one field and not in the other. See #SdfInstruction.execute. */
 static void sdf_op_difference(SdfVm *vm, const SdfInstruction *instruction) {
     SdfSample first = vm->sample, second;
     real box_distance = box_chebyshev_distance(instruction->operands, vm->point);
@@ -274,9 +261,10 @@ void sdf_compile(SdfInstruction *program, const Sdf *sdf) {
     }
 }
 
-/** @return What a tape says of points. @param program The tape. @param count How many steps.
- *  @param point The points. @param active The lanes that count. @param wants_gradient Whether
- * gradients are wanted. */
+/**
+ * @return What a tape says of points.
+ * @param wants_gradient  Whether gradients are wanted.
+ */
 static SdfSample sdf_evaluate(const SdfInstruction *program, int count, Vec3 point, mask active,
                               bool wants_gradient) {
     const real zero = real_of(0);

@@ -21,14 +21,14 @@ static inline Similarity similarity_identity(void) {
     return (Similarity){false, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}, 1};
 }
 
-/** @return A vector as the field sees it. @param similarity The placing. @param v Any vector. */
+/** @return A vector as the field sees it. */
 static inline Vec3sw similarity_direction_to_local_s(const Similarity *similarity, Vec3sw v) {
     return (Vec3sw){vec3sw_dot(similarity->rows[0], v), vec3sw_dot(similarity->rows[1], v),
                     vec3sw_dot(similarity->rows[2], v)};
 }
 
 /** @return A vector of the field as it is outside: the inverse is the transpose times the square of
- *          the scale. @param similarity The placing. @param v Any vector. */
+ *  the scale. */
 static inline Vec3sw similarity_direction_to_world_s(const Similarity *similarity, Vec3sw v) {
     Vec3sw sum = {0, 0, 0}, zero = {0, 0, 0};
     const wide_scalar factors[3] = {v.x, v.y, v.z};
@@ -65,22 +65,20 @@ static inline void similarity_append(Similarity *similarity, const double *numbe
     }
 }
 
-/** @return Directions as the field sees them, over its scale. @param similarity The placing.
- *  @param v Directions. */
+/** @return Directions as the field sees them, over its scale. */
 INLINE Vec3w similarity_direction_to_local(const Similarity *similarity, Vec3w v) {
     return (Vec3w){vec3w_dot(vec3w_splat(similarity->rows[0]), v),
                    vec3w_dot(vec3w_splat(similarity->rows[1]), v),
                    vec3w_dot(vec3w_splat(similarity->rows[2]), v)};
 }
 
-/** @return Points as the field sees them. @param similarity The placing. @param v Points. */
+/** @return Points as the field sees them. */
 INLINE Vec3w similarity_point_to_local(const Similarity *similarity, Vec3w v) {
     return similarity_direction_to_local(similarity,
                                          vec3w_subtract(v, vec3w_splat(similarity->translation)));
 }
 
-/** @return Directions of the field, as long, outside. @param similarity The placing. @param v
- * Directions. */
+/** @return Directions of the field, as long, outside. */
 INLINE Vec3w similarity_direction_to_world(const Similarity *similarity, Vec3w v) {
     const wide scale = wide_of(similarity->scale);
     Vec3w sum = vec3w_scale(vec3w_splat(similarity->rows[0]), v.x * scale);
@@ -88,7 +86,7 @@ INLINE Vec3w similarity_direction_to_world(const Similarity *similarity, Vec3w v
     return vec3w_add_scaled(sum, vec3w_splat(similarity->rows[2]), v.z * scale);
 }
 
-/** @return Points of the field, outside. @param similarity The placing. @param v Points. */
+/** @return Points of the field, outside. */
 INLINE Vec3w similarity_point_to_world(const Similarity *similarity, Vec3w v) {
     Vec3w turned = similarity_direction_to_world(similarity, v);
     return vec3w_add_scaled(vec3w_splat(similarity->translation), turned,

@@ -17,7 +17,7 @@
 
 /* --- where rays are marched ------------------------------------------------------------------- */
 
-/** @return How long a vector is; squares of any stay in range. @param v Vectors. */
+/** @return How long a vector is; squares of any stay in range. */
 INLINE real vec3_length_in_range(Vec3 v) {
     real largest = vec3_max_abs(v);
     Vec3 d = {v.x / largest, v.y / largest, v.z / largest};
@@ -26,11 +26,9 @@ INLINE real vec3_length_in_range(Vec3 v) {
 
 /**
  * Finds where rays go through the box in their cells.
- * @param tracer  The field.
  * @param[in,out] trace  The rays; where they go through it they stand before it.
- * @param lanes     Those that count.
- * @param start     Where they come into the cells, as the tape sees it.
- * @param available      How far they go in the cells, in those lengths.
+ * @param start  Where they come into the cells, as the tape sees it.
+ * @param available  How far they go in the cells, in those lengths.
  * @return Those that go through the box.
  */
 INLINE mask sphere_trace_enter_box(const SphereTracer *tracer, SphereTrace *trace, mask lanes,
@@ -68,8 +66,7 @@ INLINE mask sphere_trace_enter_box(const SphereTracer *tracer, SphereTrace *trac
     return enters;
 }
 
-/** @return Where rays come into their cells, as the tape sees it. @param tracer The field.
- *  @param trace The rays. */
+/** @return Where rays come into their cells, as the tape sees it. */
 INLINE Vec3w sphere_trace_cell_start(const SphereTracer *tracer, const SphereTrace *trace) {
     Vec3w start =
         vec3w_add_scaled(trace->grid_origin, trace->grid_direction, widen(trace->cell_entry));
@@ -77,9 +74,8 @@ INLINE Vec3w sphere_trace_cell_start(const SphereTracer *tracer, const SphereTra
     return tracer->inner.is_present ? similarity_point_to_local(&tracer->inner, start) : start;
 }
 
-/** Brings rays to their next cells; those that come out of the lattice have ended.
- *  @param tracer The field. @param[in,out] trace The rays. @param lanes Those that count.
- *  @return Those that are in a cell. */
+/** Brings rays to their next cells; those that come out of the lattice have ended. @return Those
+ *  that are in a cell. */
 INLINE mask sphere_trace_next_cell(const SphereTracer *tracer, SphereTrace *trace, mask lanes) {
     Vec3 exits = grid_walk_exits(&trace->walk, trace->cell);
     real t_exit = grid_walk_nearest_exit(exits);
@@ -91,8 +87,7 @@ INLINE mask sphere_trace_next_cell(const SphereTracer *tracer, SphereTrace *trac
     return lanes;
 }
 
-/** Looks for cells whose copy rays may meet, one cell on. @param tracer The field.
- *  @param[in,out] trace The rays. */
+/** Looks for cells whose copy rays may meet, one cell on. */
 INLINE void sphere_trace_seek_cell(const SphereTracer *tracer, SphereTrace *trace) {
     mask seeking = sphere_trace_next_cell(tracer, trace, trace->seeking);
     real footprint = sphere_trace_footprint(trace, trace->camera_distance -
@@ -103,8 +98,7 @@ INLINE void sphere_trace_seek_cell(const SphereTracer *tracer, SphereTrace *trac
     trace->seeking = seeking & mask_not(meets);
 }
 
-/** Brings rays before the box of the copy in their cells; those that go by seek on.
- *  @param tracer The field. @param[in,out] trace The rays. */
+/** Brings rays before the box of the copy in their cells; those that go by seek on. */
 INLINE void sphere_trace_enter_copy(const SphereTracer *tracer, SphereTrace *trace) {
     real t_exit = grid_walk_nearest_exit(grid_walk_exits(&trace->walk, trace->cell));
     Vec3w start = sphere_trace_cell_start(tracer, trace);
@@ -115,9 +109,11 @@ INLINE void sphere_trace_enter_copy(const SphereTracer *tracer, SphereTrace *tra
     trace->entering = mask_of(false);
 }
 
-/** Says how finely the camera sees along rays. @param tracer The field. @param[in,out] trace The
- *  rays. @param origin Where they start in the scene. @param is_shadow Whether they are on their
- *  way to a lamp. */
+/**
+ * Says how finely the camera sees along rays.
+ * @param origin  Where they start in the scene.
+ * @param is_shadow  Whether they are on their way to a lamp.
+ */
 INLINE void sphere_trace_init_footprint(const SphereTracer *tracer, SphereTrace *trace, Vec3 origin,
                                         bool is_shadow) {
     const Footprint *footprint = tracer->footprint;
@@ -132,16 +128,18 @@ INLINE void sphere_trace_init_footprint(const SphereTracer *tracer, SphereTrace 
     }
 }
 
-/** Says which way rays go as the tape sees it. @param[in,out] trace The rays. @param ray The same.
- */
+/** Says which way rays go as the tape sees it. */
 INLINE void sphere_trace_set_direction(SphereTrace *trace, const Ray *ray) {
     trace->inverse_direction = ray->inverse_direction;
     trace->direction_length = vec3_length_in_range(ray->direction);
     trace->unit_direction = vec3_scale(ray->direction, 1 / trace->direction_length);
 }
 
-/** Brings rays into the lattice. @param tracer The field. @param[in,out] trace The rays; walking
- *  are those that count. @param ray The same, as the lattice sees them. */
+/**
+ * Brings rays into the lattice.
+ * @param[in,out] trace  The rays; walking are those that count.
+ * @param ray  The same, as the lattice sees them.
+ */
 INLINE void sphere_trace_enter_grid(const SphereTracer *tracer, SphereTrace *trace,
                                     const Ray *ray) {
     real near;
@@ -163,11 +161,8 @@ INLINE void sphere_trace_enter_grid(const SphereTracer *tracer, SphereTrace *tra
 
 /**
  * Sends rays on their way.
- * @param tracer  The field.
- * @param ray       The rays.
- * @param active    The lanes that count.
- * @param limit     How far they look.
- * @param is_shadow Whether they are on their way to a lamp.
+ * @param limit  How far they look.
+ * @param is_shadow  Whether they are on their way to a lamp.
  * @param[out] trace  The rays before the first box.
  * @return Whether any of them goes through one.
  */
@@ -218,9 +213,7 @@ INLINE real sphere_trace_slope(const SphereTrace *trace, real radius, mask is_ov
 
 /**
  * Looks at what the field says where rays are: which have arrived, which have gone too far.
- * @param[in,out] trace  The rays.
- * @param distance       What the field says.
- * @param tolerance      How near to the surface is on it.
+ * @param tolerance  How near to the surface is on it.
  * @return The lanes whose last step was too long.
  */
 INLINE mask sphere_trace_evaluate(SphereTrace *trace, real distance, real tolerance) {
@@ -245,9 +238,7 @@ INLINE mask sphere_trace_evaluate(SphereTrace *trace, real distance, real tolera
 
 /**
  * Steps on; or back, to where the last step would have been safe.
- * @param tracer       The field.
- * @param[in,out] trace  The rays.
- * @param is_over        The lanes that step back.
+ * @param is_over  The lanes that step back.
  * @return The lanes that have come through the box.
  */
 INLINE mask sphere_trace_advance(const SphereTracer *tracer, SphereTrace *trace, mask is_over) {
@@ -268,7 +259,7 @@ INLINE mask sphere_trace_advance(const SphereTracer *tracer, SphereTrace *trace,
 }
 
 /** Gives up rays that are still on their way: those that came near enough have met the surface, and
- *  the others nothing. @param tracer The field. @param[in,out] trace The rays. */
+ *  the others nothing. */
 static void sphere_trace_give_up(const SphereTracer *tracer, SphereTrace *trace) {
     Vec3 point = sphere_trace_point(trace, trace->best_t);
     real near = SPHERE_TRACE_CANDIDATE_TOLERANCES *
@@ -280,7 +271,7 @@ static void sphere_trace_give_up(const SphereTracer *tracer, SphereTrace *trace)
                            mask_count(trace->stepping & mask_not(is_near)));
 }
 
-/** Takes a step. @param tracer The field. @param[in,out] trace The rays. */
+/** Takes a step. */
 INLINE void sphere_trace_step(const SphereTracer *tracer, SphereTrace *trace) {
     Vec3 point = sphere_trace_point(trace, trace->t);
     real distance =
@@ -292,8 +283,8 @@ INLINE void sphere_trace_step(const SphereTracer *tracer, SphereTrace *trace) {
     trace->seeking = trace->seeking | left_box;
 }
 
-/** Goes through one box. @param tracer The field. @param[in,out] trace The rays; walking are
- *  afterwards those that ran out of steps. */
+/** Goes through one box. @param[in,out] trace The rays; walking are afterwards those that ran out
+ *  of steps. */
 static void sphere_trace_in_box(const SphereTracer *tracer, SphereTrace *trace) {
     for (int i = 0; i < tracer->max_steps && any(trace->stepping); i++) {
         sphere_trace_step(tracer, trace);
@@ -301,7 +292,7 @@ static void sphere_trace_in_box(const SphereTracer *tracer, SphereTrace *trace) 
 }
 
 /** Does what most rays want next, so that few wait in vain; what a ray does is the same in any
- *  company. @param tracer The field. @param[in,out] trace The rays, at least one. */
+ *  company. @param[in,out] trace The rays, at least one. */
 INLINE void sphere_trace_grid_step(const SphereTracer *tracer, SphereTrace *trace) {
     unsigned walking = mask_count(trace->stepping), seeking = mask_count(trace->seeking),
              entering = mask_count(trace->entering);
@@ -315,8 +306,8 @@ INLINE void sphere_trace_grid_step(const SphereTracer *tracer, SphereTrace *trac
     }
 }
 
-/** Goes from cell to cell. @param tracer The field. @param[in,out] trace The rays; walking are
- *  afterwards those that ran out of steps. */
+/** Goes from cell to cell. @param[in,out] trace The rays; walking are afterwards those that ran out
+ *  of steps. */
 static void sphere_trace_in_grid(const SphereTracer *tracer, SphereTrace *trace) {
     mask exhausted = mask_of(false);
     while (any(trace->stepping | trace->seeking | trace->entering)) {
@@ -347,7 +338,7 @@ bool sphere_trace_run(const SphereTracer *tracer, const Ray *ray, mask active, r
     return any(trace->arrived);
 }
 
-/** As #sphere_trace_in_box, and counts. @param tracer The field. @param[in,out] trace The rays. */
+/** As #sphere_trace_in_box, and counts. */
 static void sphere_trace_in_box_counted(const SphereTracer *tracer, SphereTrace *trace) {
     for (int i = 0; i < tracer->max_steps && any(trace->stepping); i++) {
         trace->steps = real_select(trace->stepping, trace->steps + 1, trace->steps);

@@ -83,19 +83,15 @@ typedef struct SphereTrace {
  * Makes a field ready for rays, but for #SphereTracer.footprint and
  * #SphereTracer.step_limit_counter.
  * @param[in,out] tracer  Its tape has room; tolerance, relaxation and steps are filled.
- * @param sdf             The field.
- * @param[out] bounds       A box that holds all points within the tolerance.
+ * @param[out] bounds  A box that holds all points within the tolerance.
  */
 void sphere_tracer_init(SphereTracer *tracer, const Sdf *sdf, Aabbs *bounds);
 
 /**
  * Finds where rays meet the surface.
- * @param tracer   The field.
- * @param ray        The rays.
- * @param active     The lanes that count.
- * @param limit      How far they look.
+ * @param limit  How far they look.
  * @param is_shadow  Whether they are on their way to a lamp.
- * @param[out] trace Where they are, and which have arrived.
+ * @param[out] trace  Where they are, and which have arrived.
  * @return Whether any has.
  */
 bool sphere_trace_run(const SphereTracer *tracer, const Ray *ray, mask active, real limit,
@@ -103,28 +99,26 @@ bool sphere_trace_run(const SphereTracer *tracer, const Ray *ray, mask active, r
 
 /**
  * @return How many steps rays make to where they meet the surface, or to where they find none.
- * @param tracer   The field.
- * @param ray        The rays.
- * @param active     The lanes that count; the others make none.
- * @param limit      How far they look.
+ * @param active  The lanes that count; the others make none.
+ * @param limit  How far they look.
  */
 real sphere_trace_count_steps(const SphereTracer *tracer, const Ray *ray, mask active, real limit);
 
-/** @return The points where rays are, as the tape sees them. @param trace The rays. @param t How
- *  far. */
+/** @return The points where rays are, as the tape sees them. */
 INLINE Vec3 sphere_trace_point(const SphereTrace *trace, real t) {
     return vec3_add(trace->origin, vec3_scale(trace->unit_direction, t));
 }
 
-/** @return How large a thing the camera does not see. @param trace The rays. @param camera_ahead
- * How much nearer they are than the eye. */
+/**
+ * @return How large a thing the camera does not see.
+ * @param camera_ahead  How much nearer they are than the eye.
+ */
 INLINE real sphere_trace_footprint(const SphereTrace *trace, real camera_ahead) {
     return real_max(trace->spread * camera_ahead, -trace->spread_behind * camera_ahead);
 }
 
 /** @return How near to the surface is on it: as near as roundings let one see, and as finely as the
- *  camera does. @param tracer The field. @param trace The rays. @param t How far.
- *  @param point Where that is. */
+ *  camera does. */
 INLINE real sphere_trace_tolerance(const SphereTracer *tracer, const SphereTrace *trace, real t,
                                    Vec3 point) {
     real least = real_max(real_of(tracer->tolerance / tracer->scale),
@@ -132,14 +126,16 @@ INLINE real sphere_trace_tolerance(const SphereTracer *tracer, const SphereTrace
     return real_max(least, sphere_trace_footprint(trace, trace->camera_ahead - t));
 }
 
-/** @return How far rays are, in lengths of their direction. @param trace The rays. */
+/** @return How far rays are, in lengths of their direction. */
 INLINE real sphere_trace_distance(const SphereTrace *trace) {
     wide t = widen(trace->box_entry) + widen(trace->t / trace->direction_length);
     return narrow(widen(trace->cell_entry) + t);
 }
 
-/** @return Points as the scene sees them. @param tracer The field. @param trace The rays.
- *  @param point Points of the tape. */
+/**
+ * @return Points as the scene sees them.
+ * @param point  Points of the tape.
+ */
 INLINE Vec3 sphere_trace_world_point(const SphereTracer *tracer, const SphereTrace *trace,
                                      Vec3 point) {
     Vec3w p = vec3_widen(point);
@@ -152,8 +148,10 @@ INLINE Vec3 sphere_trace_world_point(const SphereTracer *tracer, const SphereTra
     return vec3_narrow(tracer->outer.is_present ? similarity_point_to_world(&tracer->outer, p) : p);
 }
 
-/** @return Directions as the scene sees them. @param tracer The field. @param direction Those of
- *  the tape. */
+/**
+ * @return Directions as the scene sees them.
+ * @param direction  Those of the tape.
+ */
 INLINE Vec3 sphere_trace_world_direction(const SphereTracer *tracer, Vec3 direction) {
     Vec3w d = vec3_widen(direction);
     if (tracer->inner.is_present) {

@@ -14,7 +14,7 @@ typedef struct TransformHoist {
 } TransformHoist;
 
 /** @return The first step that is left, if it is of a kind and all others are its body; else NULL.
- *  @param hoist What is left. @param op The kind. */
+ */
 static const SdfNode *transform_hoist_match(const TransformHoist *hoist, SdfOp op) {
     const SdfNode *node = &hoist->sdf->nodes[hoist->first_node];
     bool is_whole =
@@ -22,15 +22,14 @@ static const SdfNode *transform_hoist_match(const TransformHoist *hoist, SdfOp o
     return is_whole ? node : NULL;
 }
 
-/** Goes on to the body of a step. @param[in,out] hoist What is left. @param box Six numbers of
- *  the step: the box of its body. */
+/** Goes on to the body of a step. @param box Six numbers of the step: the box of its body. */
 static void transform_hoist_enter_body(TransformHoist *hoist, const double *box) {
     hoist->first_node++;
     hoist->low = (Vec3d){box[0], box[1], box[2]};
     hoist->high = (Vec3d){box[3], box[4], box[5]};
 }
 
-/** @return Where what is left stands; it is taken off. @param[in,out] hoist What is left. */
+/** @return Where what is left stands; it is taken off. */
 static Similarity transform_hoist_similarity(TransformHoist *hoist) {
     Similarity similarity = similarity_identity();
     const SdfNode *node;
@@ -52,8 +51,7 @@ static bool repeat_copies_fit_cells(const double *numbers) {
     return stays;
 }
 
-/** @return How what is left is repeated; it is taken off where copies stay within their cells.
- *  @param[in,out] hoist What is left. */
+/** @return How what is left is repeated; it is taken off where copies stay within their cells. */
 static RepeatGrid transform_hoist_grid(TransformHoist *hoist) {
     RepeatGrid grid = {.is_repeated = false};
     const SdfNode *node = transform_hoist_match(hoist, SDF_REPEAT);
@@ -70,8 +68,7 @@ static RepeatGrid transform_hoist_grid(TransformHoist *hoist) {
     return grid;
 }
 
-/** Puts a ball around the copies of a lattice. @param[in,out] grid The lattice. @param inner
- *  Where copies stand. @param low Lowest corner of the copy's box. @param high Highest. */
+/** Puts a ball around the copies of a lattice. @param low Lowest corner of the copy's box. */
 static void repeat_grid_compute_sphere(RepeatGrid *grid, const Similarity *inner, Vec3d low,
                                        Vec3d high) {
     Vec3d half = vec3d_scale(vec3d_subtract(high, low), 0.5);
@@ -85,7 +82,7 @@ static void repeat_grid_compute_sphere(RepeatGrid *grid, const Similarity *inner
     }
 }
 
-/** @return The largest coordinate of a box that ends. @param box The box. */
+/** @return The largest coordinate of a box that ends. */
 static scalar aabbs_magnitude(const Aabbs *box) {
     scalar magnitude = 0;
     for (int axis = 0; axis < 3; axis++) {
@@ -97,7 +94,7 @@ static scalar aabbs_magnitude(const Aabbs *box) {
     return magnitude;
 }
 
-/** @return A box moved out on all sides. @param box The box. @param by How far. */
+/** @return A box moved out on all sides. */
 static Aabbs aabbs_expanded(Aabbs box, scalar by) {
     for (int axis = 0; axis < 3; axis++) {
         box.low[axis] -= by;
@@ -106,7 +103,7 @@ static Aabbs aabbs_expanded(Aabbs box, scalar by) {
     return box;
 }
 
-/** @return A box for each lane. @param box The box. */
+/** @return A box for each lane. */
 static Aabb aabb_splat(Aabbs box) {
     Aabb block;
     for (int axis = 0; axis < 3; axis++) {

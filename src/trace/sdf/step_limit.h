@@ -13,14 +13,14 @@ typedef struct StepLimitCounter {
     uint64_t count; /**< How many. */
 } StepLimitCounter;
 
-/** Counts rays. @param[in,out] counter The count. @param count How many. */
+/** Counts rays. */
 static inline void step_limit_counter_add(StepLimitCounter *counter, unsigned count) {
     if (count > 0) {
         __atomic_fetch_add(&counter->count, count, __ATOMIC_RELAXED);
     }
 }
 
-/** @return How many were counted. @param counter The count. */
+/** @return How many were counted. */
 static inline uint64_t step_limit_counter_load(const StepLimitCounter *counter) {
     return __atomic_load_n(&counter->count, __ATOMIC_RELAXED);
 }

@@ -57,13 +57,7 @@ static const Parameter box_parameters[] = {{.name = "min",
 /** A cube of side 1. */
 static const BoxParameters box_defaults = {.max = {1, 1, 1}};
 
-/**
- * Refuses boxes without volume. See #Keyword.finish.
- * @param[in,out] values  A #BoxParameters.
- * @param given           Not looked at.
- * @param[out] error      What is wrong.
- * @return Whether the box has a volume.
- */
+/** Refuses boxes without volume. See #Keyword.finish. @return Whether the box has a volume. */
 static bool box_finish(void *values, uint64_t given, Error *error) {
     (void)given;
     const BoxParameters *p = values;
@@ -71,7 +65,7 @@ static bool box_finish(void *values, uint64_t given, Error *error) {
            error_set(error, STATUS_SCENE, "box needs min below max in x, y and z");
 }
 
-/** Makes a box. @param self The box. @param parameters A #BoxParameters. */
+/** Makes a box. */
 static void box_init(Shape *self, const void *parameters) {
     Box *box = (Box *)self;
     const BoxParameters *p = parameters;
@@ -84,11 +78,8 @@ static void box_init(Shape *self, const void *parameters) {
 
 /**
  * Narrows an interval to the part of the rays between one pair of planes.
- * @param[in,out] interval  The interval.
- * @param axis     0, 1 or 2 for x, y or z.
- * @param low      The lower plane.
- * @param high     The higher plane.
- * @param origin   Where the rays start, along the axis.
+ * @param axis  0, 1 or 2 for x, y or z.
+ * @param origin  Where the rays start, along the axis.
  * @param inverse  1 / direction, along the axis.
  */
 INLINE void box_interval_clip(BoxInterval *interval, int axis, scalar low, scalar high, real origin,
@@ -103,25 +94,15 @@ INLINE void box_interval_clip(BoxInterval *interval, int axis, scalar low, scala
     interval->far_axis = integer_select(is_earlier, integer_of(axis), interval->far_axis);
 }
 
-/**
- * @return The lanes whose ray has no NaN. Slabs drop NaN of their own making, on purpose, and with
- *         it one that came in.
- * @param ray  The rays.
- */
+/** @return The lanes whose ray has no NaN. Slabs drop NaN of their own making, on purpose, and with
+ *  it one that came in. */
 INLINE mask ray_has_no_nan(const Ray *ray) {
     real sum = (ray->origin.x + ray->origin.y + ray->origin.z) +
                (ray->direction.x + ray->direction.y + ray->direction.z);
     return sum == sum;
 }
 
-/**
- * Finds where rays enter and leave a box.
- * @param box         The box.
- * @param ray         The rays.
- * @param active      The lanes that count.
- * @param[out] interval  Where.
- * @return The lanes whose line meets the box.
- */
+/** Finds where rays enter and leave a box. @return The lanes whose line meets the box. */
 INLINE mask box_intersect(const Box *box, const Ray *ray, mask active, BoxInterval *interval) {
     const scalar *low = box->low, *high = box->high;
     *interval = (BoxInterval){real_of(-INFINITE), real_of(INFINITE), integer_of(0), integer_of(0)};
@@ -136,9 +117,8 @@ INLINE mask box_intersect(const Box *box, const Ray *ray, mask active, BoxInterv
  * Puts a point on the face that it was found on: that coordinate is the face's, exactly, and the
  * normal is the one of the face.
  * @param[in,out] found  The hit; its distance and point are filled.
- * @param box       The box.
- * @param face      The axis of the face.
- * @param is_high   Whether it is the face with the highest coordinate.
+ * @param face  The axis of the face.
+ * @param is_high  Whether it is the face with the highest coordinate.
  */
 INLINE void box_snap_to_face(Hit *found, const Box *box, integer face, mask is_high) {
     real *point[3] = {&found->point.x, &found->point.y, &found->point.z};
@@ -153,16 +133,14 @@ INLINE void box_snap_to_face(Hit *found, const Box *box, integer face, mask is_h
     }
 }
 
-/** @return Whether rays go up along an axis. @param ray The rays. @param axis The axis, a lane. */
+/** @return Whether rays go up along an axis. */
 INLINE mask ray_goes_up_along(const Ray *ray, integer axis) {
     mask x = axis == integer_of(0), y = axis == integer_of(1);
     return (x & (ray->inverse_direction.x > 0)) | (y & (ray->inverse_direction.y > 0)) |
            (mask_not(x | y) & (ray->inverse_direction.z > 0));
 }
 
-/** @return The lanes where the box is nearer. See #ShapeClass.is_hit. @callgraph
- *  @param self The box. @param ray The rays. @param active The lanes. @param[in,out] hit The hit.
- */
+/** @return The lanes where the box is nearer. See #ShapeClass.is_hit. @callgraph */
 static mask box_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
     const Box *box = (const Box *)self;
     BoxInterval interval;
@@ -186,29 +164,22 @@ static mask box_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit)
     return nearer;
 }
 
-/** @return The lanes where the box is on the way. See #ShapeClass.is_occluding.
- *  @param self The box. @param ray The rays. @param active The lanes. @param limit The way's end.
- */
+/** @return The lanes where the box is on the way. See #ShapeClass.is_occluding. */
 static mask box_is_occluding(const Shape *self, const Ray *ray, mask active, real limit) {
     BoxInterval interval;
     mask crosses = box_intersect((const Box *)self, ray, active, &interval);
     return crosses & (real_select(interval.near > 0, interval.near, interval.far) < limit);
 }
 
-/** @return The box around a box. @param self The box. */
+/** @return The box around a box. */
 static Aabbs box_bounds(const Shape *self) {
     const scalar *low = ((const Box *)self)->low, *high = ((const Box *)self)->high;
     return aabbs_from_corners((Vec3d){(double)low[0], (double)low[1], (double)low[2]},
                               (Vec3d){(double)high[0], (double)high[1], (double)high[2]});
 }
 
-/**
- * @return Where on a picture points of a box lie. Each face shows all of the picture, as
- * uv_frame_of says. See #ShapeClass.texture_uv.
- * @param self   The box.
- * @param hit    The points.
- * @param lanes  Not looked at.
- */
+/** @return Where on a picture points of a box lie. Each face shows all of the picture, as
+ *  uv_frame_of says. See #ShapeClass.texture_uv. */
 static TextureUv box_texture_uv(const Shape *self, const Hit *hit, mask lanes) {
     (void)lanes;
     const Box *box = (const Box *)self;

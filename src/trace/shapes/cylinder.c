@@ -95,13 +95,8 @@ static const Parameter cylinder_parameters[] = {
 /** A cylinder of radius 1 and height 1 that stands on the ground. */
 static const CylinderParameters cylinder_defaults = {.top = {0, 1, 0}, .radius = 1, .capped = true};
 
-/**
- * Refuses cylinders without length. See #Keyword.finish.
- * @param[in,out] values  A #CylinderParameters.
- * @param given           Not looked at.
- * @param[out] error      What is wrong.
- * @return Whether the cylinder has a length.
- */
+/** Refuses cylinders without length. See #Keyword.finish. @return Whether the cylinder has a
+ *  length. */
 static bool cylinder_finish(void *values, uint64_t given, Error *error) {
     (void)given;
     const CylinderParameters *p = values;
@@ -110,7 +105,7 @@ static bool cylinder_finish(void *values, uint64_t given, Error *error) {
 }
 
 /** @return The axis that a direction runs least along, so that a product with it is safe and, for a
- *          direction along an axis, exact. @param v The direction. */
+ *  direction along an axis, exact. */
 static Vec3sw least_aligned_axis(Vec3d v) {
     Vec3d a = {fabs(v.x), fabs(v.y), fabs(v.z)};
     if (a.x <= a.y && a.x <= a.z) {
@@ -119,7 +114,7 @@ static Vec3sw least_aligned_axis(Vec3d v) {
     return a.y <= a.z ? (Vec3sw){0, 1, 0} : (Vec3sw){0, 0, 1};
 }
 
-/** Makes a cylinder. @param self The cylinder. @param parameters A #CylinderParameters. */
+/** Makes a cylinder. */
 static void cylinder_init(Shape *self, const void *parameters) {
     Cylinder *cylinder = (Cylinder *)self;
     const CylinderParameters *p = parameters;
@@ -135,14 +130,17 @@ static void cylinder_init(Shape *self, const void *parameters) {
     cylinder->is_capped = p->capped;
 }
 
-/** @return Vectors along a cylinder's own axes. @param cylinder The cylinder. @param v Vectors. */
+/** @return Vectors along a cylinder's own axes. */
 INLINE Vec3w cylinder_to_local(const Cylinder *cylinder, Vec3w v) {
     return (Vec3w){vec3w_dot(vec3w_splat(cylinder->axes[0]), v),
                    vec3w_dot(vec3w_splat(cylinder->axes[1]), v),
                    vec3w_dot(vec3w_splat(cylinder->axes[2]), v)};
 }
 
-/** @return Vectors along x, y and z. @param cylinder The cylinder. @param v Along its own axes. */
+/**
+ * @return Vectors along x, y and z.
+ * @param v  Along its own axes.
+ */
 INLINE Vec3w cylinder_to_world(const Cylinder *cylinder, Vec3w v) {
     Vec3w sum = vec3w_scale(vec3w_splat(cylinder->axes[0]), v.x);
     sum = vec3w_add_scaled(sum, vec3w_splat(cylinder->axes[1]), v.y);
@@ -197,11 +195,7 @@ INLINE void cylinder_ray_clip_caps(CylinderRay *local_ray, wide length) {
     local_ray->caps.far = wide_select(wide_less(leave, endless), leave, endless);
 }
 
-/**
- * @return The lanes where a convex solid is met.
- * @param local_ray       The rays.
- * @param[out] local_hit  Where.
- */
+/** @return The lanes where a convex solid is met. */
 INLINE mask cylinder_ray_intersect_solid(const CylinderRay *local_ray, CylinderHit *local_hit) {
     const RayInterval *wall = &local_ray->wall, *ends = &local_ray->caps;
     const wide zero = wide_of(0);
@@ -216,18 +210,13 @@ INLINE mask cylinder_ray_intersect_solid(const CylinderRay *local_ray, CylinderH
     return narrow_mask(wide_less_equal(near, far) & wide_less(zero, far));
 }
 
-/** @return Where a distance is ahead and within an interval. @param distance The distance.
- *  @param interval The interval. */
+/** @return Where a distance is ahead and within an interval. */
 INLINE wide_mask ray_interval_contains_ahead(wide distance, const RayInterval *interval) {
     return wide_less(wide_of(0), distance) & wide_less_equal(interval->near, distance) &
            wide_less_equal(distance, interval->far);
 }
 
-/**
- * @return The lanes where the wall alone is met: where it is entered, else where it is left.
- * @param local_ray       The rays.
- * @param[out] local_hit  Where.
- */
+/** @return The lanes where the wall alone is met: where it is entered, else where it is left. */
 INLINE mask cylinder_ray_intersect_wall(const CylinderRay *local_ray, CylinderHit *local_hit) {
     const RayInterval *wall = &local_ray->wall, *ends = &local_ray->caps;
     wide_mask near_is_there = ray_interval_contains_ahead(wall->near, ends),
@@ -240,9 +229,6 @@ INLINE mask cylinder_ray_intersect_wall(const CylinderRay *local_ray, CylinderHi
 
 /**
  * @return The lanes where a cylinder is met ahead.
- * @param cylinder      The cylinder.
- * @param ray           The rays.
- * @param active        The lanes that count.
  * @param[out] local_ray  The rays as the cylinder sees them.
  * @param[out] local_hit  Where; filled if any lane meets it.
  */
@@ -263,9 +249,6 @@ INLINE mask cylinder_intersect(const Cylinder *cylinder, const Ray *ray, mask ac
 /**
  * Finds point and normal where rays meet the wall: on the chord, from its middle, which is the
  * point next to the axis. Never a difference of large numbers.
- * @param cylinder     The cylinder.
- * @param local_ray      The rays.
- * @param local_hit      Where.
  * @param[out] normal  The normal, along the cylinder's own axes.
  * @return The point, along them.
  */
@@ -284,9 +267,6 @@ INLINE Vec3w cylinder_ray_wall_point(const Cylinder *cylinder, const CylinderRay
 
 /**
  * Finds point and normal where rays meet an end.
- * @param cylinder     The cylinder.
- * @param local_ray      The rays.
- * @param local_hit      Where.
  * @param[out] normal  The normal, along the cylinder's own axes.
  * @return The point, along them.
  */
@@ -302,12 +282,7 @@ INLINE Vec3w cylinder_ray_cap_point(const Cylinder *cylinder, const CylinderRay 
     return point;
 }
 
-/**
- * @return Where rays meet a cylinder, in full.
- * @param cylinder  The cylinder.
- * @param local_ray   The rays.
- * @param local_hit   Where.
- */
+/** @return Where rays meet a cylinder, in full. */
 INLINE Hit cylinder_make_hit(const Cylinder *cylinder, const CylinderRay *local_ray,
                              const CylinderHit *local_hit) {
     Vec3w wall_normal, end_normal;
@@ -325,9 +300,7 @@ INLINE Hit cylinder_make_hit(const Cylinder *cylinder, const CylinderRay *local_
     return found;
 }
 
-/** @return The lanes where the cylinder is nearer. See #ShapeClass.is_hit. @callgraph
- *  @param self The cylinder. @param ray The rays. @param active The lanes.
- *  @param[in,out] hit The hit. */
+/** @return The lanes where the cylinder is nearer. See #ShapeClass.is_hit. @callgraph */
 static mask cylinder_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
     const Cylinder *cylinder = (const Cylinder *)self;
     CylinderRay local_ray;
@@ -344,9 +317,7 @@ static mask cylinder_is_hit(const Shape *self, const Ray *ray, mask active, Hit 
     return nearer;
 }
 
-/** @return The lanes where the cylinder is on the way. See #ShapeClass.is_occluding.
- *  @param self The cylinder. @param ray The rays. @param active The lanes.
- *  @param limit The way's end. */
+/** @return The lanes where the cylinder is on the way. See #ShapeClass.is_occluding. */
 static mask cylinder_is_occluding(const Shape *self, const Ray *ray, mask active, real limit) {
     CylinderRay local_ray;
     CylinderHit local_hit;
@@ -358,7 +329,7 @@ static mask cylinder_is_occluding(const Shape *self, const Ray *ray, mask active
     return met & (distance > 0) & (distance < limit);
 }
 
-/** @return The box around a cylinder: around the circles of its ends. @param self The cylinder. */
+/** @return The box around a cylinder: around the circles of its ends. */
 static Aabbs cylinder_bounds(const Shape *self) {
     const Cylinder *cylinder = (const Cylinder *)self;
     Vec3sw axis_vector = vec3sw_scale(cylinder->axes[2], cylinder->length);
@@ -368,13 +339,8 @@ static Aabbs cylinder_bounds(const Shape *self) {
                               vec3d_add(vec3d_max(base, top), extent));
 }
 
-/**
- * @return Where on a picture points of a cylinder lie: around it and from base to top; on an end,
- *         as on a disk. See #ShapeClass.texture_uv.
- * @param self   The cylinder.
- * @param hit    The points.
- * @param lanes  Not looked at.
- */
+/** @return Where on a picture points of a cylinder lie: around it and from base to top; on an end,
+ *  as on a disk. See #ShapeClass.texture_uv. */
 static TextureUv cylinder_texture_uv(const Shape *self, const Hit *hit, mask lanes) {
     (void)lanes;
     const Cylinder *cylinder = (const Cylinder *)self;

@@ -52,7 +52,7 @@ static const Parameter disk_parameters[] = {{.name = "center",
 /** A disk of radius 1 that lies on the ground. */
 static const DiskParameters disk_defaults = {.normal = {0, 1, 0}, .radius = 1};
 
-/** Makes a disk. @param self The disk. @param parameters A #DiskParameters. */
+/** Makes a disk. */
 static void disk_init(Shape *self, const void *parameters) {
     Disk *disk = (Disk *)self;
     const DiskParameters *p = parameters;
@@ -62,9 +62,6 @@ static void disk_init(Shape *self, const void *parameters) {
 
 /**
  * @return The lanes whose ray's line passes inside the circle or through it.
- * @param disk           The disk.
- * @param ray            The rays.
- * @param active         The lanes that count.
  * @param[out] distance  Where it crosses the disk's plane.
  */
 INLINE mask disk_intersect(const Disk *disk, const Ray *ray, mask active, real *distance) {
@@ -78,9 +75,7 @@ INLINE mask disk_intersect(const Disk *disk, const Ray *ray, mask active, real *
                                                 scaled_radius * scaled_radius));
 }
 
-/** @return The lanes where the disk is nearer. See #ShapeClass.is_hit. @callgraph
- *  @param self The disk. @param ray The rays. @param active The lanes. @param[in,out] hit The hit.
- */
+/** @return The lanes where the disk is nearer. See #ShapeClass.is_hit. @callgraph */
 static mask disk_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
     const Disk *disk = (const Disk *)self;
     real distance;
@@ -93,16 +88,14 @@ static mask disk_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit
     return nearer;
 }
 
-/** @return The lanes where the disk is on the way. See #ShapeClass.is_occluding.
- *  @param self The disk. @param ray The rays. @param active The lanes. @param limit The way's end.
- */
+/** @return The lanes where the disk is on the way. See #ShapeClass.is_occluding. */
 static mask disk_is_occluding(const Shape *self, const Ray *ray, mask active, real limit) {
     real distance;
     mask crosses = disk_intersect((const Disk *)self, ray, active, &distance);
     return crosses & (distance > 0) & (distance < limit);
 }
 
-/** @return The box around a disk. @param self The disk. */
+/** @return The box around a disk. */
 static Aabbs disk_bounds(const Shape *self) {
     const Disk *disk = (const Disk *)self;
     Vec3d center = vec3d_of(disk->plane.wide_anchor);
@@ -111,8 +104,7 @@ static Aabbs disk_bounds(const Shape *self) {
 }
 
 /** @return Where on a picture points of a disk lie: on the circle that just fits into it. See
- *  #ShapeClass.texture_uv. @param self The disk. @param hit The points. @param lanes Not looked
- *  at. */
+ *  #ShapeClass.texture_uv. */
 static TextureUv disk_texture_uv(const Shape *self, const Hit *hit, mask lanes) {
     (void)lanes;
     const Disk *disk = (const Disk *)self;

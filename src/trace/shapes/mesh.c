@@ -45,9 +45,7 @@ static const MeshParameters mesh_shape_defaults = {.normals = NORMALS_FROM_FILE}
 
 /**
  * Refuses meshes without a file. See #Keyword.finish.
- * @param[in,out] values  A #MeshParameters.
- * @param given           Which fields were given.
- * @param[out] error      What is wrong.
+ * @param given  Which fields were given.
  * @return Whether the file was given.
  */
 static bool mesh_shape_finish(void *values, uint64_t given, Error *error) {
@@ -55,7 +53,7 @@ static bool mesh_shape_finish(void *values, uint64_t given, Error *error) {
     return (given & 1) || error_set(error, STATUS_SCENE, "mesh needs a file");
 }
 
-/** Makes a mesh. @param self The mesh. @param parameters A #MeshParameters. */
+/** Makes a mesh. */
 static void mesh_shape_init(Shape *self, const void *parameters) {
     MeshShape *mesh = (MeshShape *)self;
     const MeshParameters *p = parameters;
@@ -63,8 +61,7 @@ static void mesh_shape_init(Shape *self, const void *parameters) {
     mesh->normal_source = (NormalSource)p->normals;
 }
 
-/** Finds the model. See #ShapeClass.bind_mesh. @param self The mesh. @param scene_shape Not looked
- *  at. @param cache All models. @param[out] error What is wrong. @return false without memory. */
+/** Finds the model. See #ShapeClass.bind_mesh. @return false without memory. */
 static bool mesh_shape_bind(Shape *self, const SceneShape *scene_shape, MeshBvhCache *cache,
                             Error *error) {
     (void)scene_shape;
@@ -73,28 +70,27 @@ static bool mesh_shape_bind(Shape *self, const SceneShape *scene_shape, MeshBvhC
     return mesh->bvh != NULL;
 }
 
-/** Finds where a packet meets the mesh. See #ShapeClass.closest_hits. @callgraph
- *  @param self The mesh. @param packet The rays. @param[in,out] hits What they met. */
+/** Finds where a packet meets the mesh. See #ShapeClass.closest_hits. @callgraph */
 static void mesh_shape_closest_hits(const Shape *self, const Packet *packet, Hit *hits) {
     mesh_bvh_closest_hits(((const MeshShape *)self)->bvh, packet, self->index, hits);
 }
 
-/** Finds which rays the mesh blocks. See #ShapeClass.occluded.
- *  @param self The mesh. @param packet The rays. @param[in,out] occluded Those that are. */
+/** Finds which rays the mesh blocks. See #ShapeClass.occluded. */
 static void mesh_shape_occluded(const Shape *self, const Packet *packet, mask *occluded) {
     mesh_bvh_occluded(((const MeshShape *)self)->bvh, packet, occluded);
 }
 
-/** @return A packet of one vector of rays. @param ray The rays. @param active Those that count.
- *  @param limit How far they look. */
+/**
+ * @return A packet of one vector of rays.
+ * @param limit  How far they look.
+ */
 static Packet packet_of_vector(const Ray *ray, mask active, real limit) {
     Packet packet = {.rays = {*ray}, .limit = {limit}, .wants_points = true};
     packet.active[0] = active;
     return packet;
 }
 
-/** @return The lanes where the mesh is nearer. See #ShapeClass.is_hit. @param self The mesh.
- *  @param ray The rays. @param active The lanes. @param[in,out] hit The hit. */
+/** @return The lanes where the mesh is nearer. See #ShapeClass.is_hit. */
 static mask mesh_shape_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
     Packet packet = packet_of_vector(ray, active, hit->distance);
     Hit hits[PACKET_VECTORS] = {*hit};
@@ -104,9 +100,7 @@ static mask mesh_shape_is_hit(const Shape *self, const Ray *ray, mask active, Hi
     return nearer;
 }
 
-/** @return The lanes where the mesh is on the way. See #ShapeClass.is_occluding. @param self The
- * mesh.
- *  @param ray The rays. @param active The lanes. @param limit The way's end. */
+/** @return The lanes where the mesh is on the way. See #ShapeClass.is_occluding. */
 static mask mesh_shape_is_occluding(const Shape *self, const Ray *ray, mask active, real limit) {
     Packet packet = packet_of_vector(ray, active, limit);
     mask occluded[PACKET_VECTORS] = {0};
@@ -114,14 +108,13 @@ static mask mesh_shape_is_occluding(const Shape *self, const Ray *ray, mask acti
     return active & occluded[0];
 }
 
-/** @return The box around a mesh. @param self The mesh. */
+/** @return The box around a mesh. */
 static Aabbs mesh_shape_bounds(const Shape *self) {
     return ((const MeshShape *)self)->bvh->bounds;
 }
 
-/** @return Where on a picture points of a mesh lie, as its file says. See
- *  #ShapeClass.texture_uv. @param self The mesh. @param hit The points. @param lanes The lanes
- *  that count. */
+/** @return Where on a picture points of a mesh lie, as its file says. See #ShapeClass.texture_uv.
+ */
 static TextureUv mesh_shape_texture_uv(const Shape *self, const Hit *hit, mask lanes) {
     return mesh_bvh_texture_uv(((const MeshShape *)self)->bvh, hit, lanes);
 }

@@ -55,7 +55,7 @@ static Vec3sw plane_nearest_to_origin(Vec3d point, Vec3d normal) {
     return (Vec3sw){(wide_scalar)(scale * x), (wide_scalar)(scale * y), (wide_scalar)(scale * z)};
 }
 
-/** Makes a plane. @param self The plane. @param parameters A #PlaneParameters. */
+/** Makes a plane. */
 static void plane_init(Shape *self, const void *parameters) {
     const PlaneParameters *p = parameters;
     Plane *plane = (Plane *)self;
@@ -68,9 +68,7 @@ static void plane_init(Shape *self, const void *parameters) {
         plane_equation_through(is_far ? nearest : plane->texture_origin, vec3sw_of(normal));
 }
 
-/** @return The lanes where the plane is nearer. See #ShapeClass.is_hit. @callgraph
- *  @param self The plane. @param ray The rays. @param active The lanes. @param[in,out] hit The hit.
- */
+/** @return The lanes where the plane is nearer. See #ShapeClass.is_hit. @callgraph */
 static mask plane_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
     const PlaneEquation *plane = &((const Plane *)self)->equation;
     real distance = plane_equation_distance(plane, ray);
@@ -82,23 +80,20 @@ static mask plane_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hi
     return nearer;
 }
 
-/** @return The lanes where the plane is on the way. See #ShapeClass.is_occluding.
- *  @param self The plane. @param ray The rays. @param active The lanes. @param limit The way's end.
- */
+/** @return The lanes where the plane is on the way. See #ShapeClass.is_occluding. */
 static mask plane_is_occluding(const Shape *self, const Ray *ray, mask active, real limit) {
     real distance = plane_equation_distance(&((const Plane *)self)->equation, ray);
     return active & (distance > 0) & (distance < limit);
 }
 
-/** @return A box without end. @param self The plane. */
+/** @return A box without end. */
 static Aabbs plane_bounds(const Shape *self) {
     (void)self;
     return aabbs_infinite();
 }
 
 /** @return Where on a picture points of a plane lie: one picture a scene unit, again and again. See
- *  #ShapeClass.texture_uv. @param self The plane. @param hit The points. @param lanes Not looked
- *  at. */
+ *  #ShapeClass.texture_uv. */
 static TextureUv plane_texture_uv(const Shape *self, const Hit *hit, mask lanes) {
     (void)lanes;
     const Plane *plane = (const Plane *)self;

@@ -19,14 +19,20 @@ typedef struct PlaneEquation {
     scalar magnitude; /**< Largest coordinate of the anchor: what its rounding errors scale with. */
 } PlaneEquation;
 
-/** @return A plane. @param anchor A point of it. @param normal Its normal, about one long. */
+/**
+ * @return A plane.
+ * @param normal  Its normal, about one long.
+ */
 static inline PlaneEquation plane_equation_through(Vec3sw anchor, Vec3sw normal) {
     Vec3sw unit = vec3sw_normalize(normal);
     return (PlaneEquation){anchor, unit, vec3s_narrow(anchor), vec3s_narrow(unit),
                            (scalar)vec3d_max_abs(vec3d_of(anchor))};
 }
 
-/** @return A plane. @param anchor A point of it. @param normal Its normal, about one long. */
+/**
+ * @return A plane.
+ * @param normal  Its normal, about one long.
+ */
 static inline PlaneEquation plane_equation_of(Vec3d anchor, Vec3sw normal) {
     return plane_equation_through(vec3sw_of(anchor), normal);
 }
@@ -38,7 +44,7 @@ typedef struct DualBasis {
     Vec3sw second; /**< For the second. */
 } DualBasis;
 
-/** @return What tells the shares of two edges. @param a One. @param b Another, not parallel. */
+/** @return What tells the shares of two edges. */
 static inline DualBasis dual_basis_of(Vec3sw a, Vec3sw b) {
     Vec3sw normal = vec3sw_cross(a, b);
     wide_scalar per_area = 1 / vec3sw_dot(normal, normal);
@@ -53,13 +59,9 @@ typedef struct PlaneHit {
     wide slope;      /**< How much they rise in one length of the direction. */
 } PlaneHit;
 
-/**
- * @return How rays cross a plane. The height above it is taken relative to the origin and in the
- *         wide precision: in float it would be wrong by an ulp of the distance to the anchor
- * (7.5e-2 at 1e6 away).
- * @param plane  The plane.
- * @param ray   The rays.
- */
+/** @return How rays cross a plane. The height above it is taken relative to the origin and in the
+ *  wide precision: in float it would be wrong by an ulp of the distance to the anchor (7.5e-2 at
+ *  1e6 away). */
 INLINE PlaneHit plane_equation_intersect(const PlaneEquation *plane, const Ray *ray) {
     Vec3w normal = vec3w_splat(plane->wide_normal);
     Vec3w to_anchor = vec3w_subtract(vec3w_splat(plane->wide_anchor), vec3_widen(ray->origin));
@@ -67,13 +69,12 @@ INLINE PlaneHit plane_equation_intersect(const PlaneEquation *plane, const Ray *
                       vec3w_dot(normal, vec3_widen(ray->direction))};
 }
 
-/** @return The t of a crossing: infinite or NaN where rays run along the plane.
- *  @param plane_hit The crossing. */
+/** @return The t of a crossing: infinite or NaN where rays run along the plane. */
 INLINE real plane_hit_distance(const PlaneHit *plane_hit) {
     return narrow(plane_hit->height) / narrow(plane_hit->slope);
 }
 
-/** @return The t at which rays cross a plane. @param plane The plane. @param ray The rays. */
+/** @return The t at which rays cross a plane. */
 INLINE real plane_equation_distance(const PlaneEquation *plane, const Ray *ray) {
     PlaneHit plane_hit = plane_equation_intersect(plane, ray);
     return plane_hit_distance(&plane_hit);
@@ -81,10 +82,7 @@ INLINE real plane_equation_distance(const PlaneEquation *plane, const Ray *ray) 
 
 /**
  * @return Where rays cross a plane: the point of the ray, put back on the plane.
- * @param plane      The plane.
- * @param ray       The rays.
- * @param distance  What #plane_equation_distance said.
- * @param shape_index     The shape's place in the scene.
+ * @param shape_index  The shape's place in the scene.
  */
 INLINE Hit plane_equation_hit(const PlaneEquation *plane, const Ray *ray, real distance,
                               int shape_index) {

@@ -50,13 +50,7 @@ static const Parameter quad_parameters[] = {{.name = "corner",
 /** A square of side 1 that faces the viewer. */
 static const QuadParameters quad_defaults = {.u = {1, 0, 0}, .v = {0, 1, 0}};
 
-/**
- * Refuses quads without area. See #Keyword.finish.
- * @param[in,out] values  A #QuadParameters.
- * @param given           Not looked at.
- * @param[out] error      What is wrong.
- * @return Whether the quad has an area.
- */
+/** Refuses quads without area. See #Keyword.finish. @return Whether the quad has an area. */
 static bool quad_finish(void *values, uint64_t given, Error *error) {
     (void)given;
     const QuadParameters *p = values;
@@ -67,7 +61,7 @@ static bool quad_finish(void *values, uint64_t given, Error *error) {
            error_set(error, STATUS_SCENE, "quad has no area: u and v are parallel");
 }
 
-/** Makes a quad. @param self The quad. @param parameters A #QuadParameters. */
+/** Makes a quad. */
 static void quad_init(Shape *self, const void *parameters) {
     Quad *quad = (Quad *)self;
     const QuadParameters *p = parameters;
@@ -80,9 +74,7 @@ static void quad_init(Shape *self, const void *parameters) {
     quad->corners[3] = vertex_of(last);
 }
 
-/** @return The lanes where the quad is nearer. See #ShapeClass.is_hit. @callgraph
- *  @param self The quad. @param ray The rays. @param active The lanes. @param[in,out] hit The hit.
- */
+/** @return The lanes where the quad is nearer. See #ShapeClass.is_hit. @callgraph */
 static mask quad_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
     const Quad *quad = (const Quad *)self;
     mask inside = polygon_contains_ray(quad->corners, QUAD_CORNERS, ray, active);
@@ -98,9 +90,7 @@ static mask quad_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit
     return nearer;
 }
 
-/** @return The lanes where the quad is on the way. See #ShapeClass.is_occluding.
- *  @param self The quad. @param ray The rays. @param active The lanes. @param limit The way's end.
- */
+/** @return The lanes where the quad is on the way. See #ShapeClass.is_occluding. */
 static mask quad_is_occluding(const Shape *self, const Ray *ray, mask active, real limit) {
     const Quad *quad = (const Quad *)self;
     mask inside = polygon_contains_ray(quad->corners, QUAD_CORNERS, ray, active);
@@ -111,14 +101,13 @@ static mask quad_is_occluding(const Shape *self, const Ray *ray, mask active, re
     return inside & (distance > 0) & (distance < limit);
 }
 
-/** @return The box around a quad. @param self The quad. */
+/** @return The box around a quad. */
 static Aabbs quad_bounds(const Shape *self) {
     return vertices_bounds(((const Quad *)self)->corners, QUAD_CORNERS);
 }
 
 /** @return Where on a picture points of a quad lie: how much of u and v it takes to get there. See
- *  #ShapeClass.texture_uv. @param self The quad. @param hit The points. @param lanes Not looked
- *  at. */
+ *  #ShapeClass.texture_uv. */
 static TextureUv quad_texture_uv(const Shape *self, const Hit *hit, mask lanes) {
     (void)lanes;
     const Quad *quad = (const Quad *)self;

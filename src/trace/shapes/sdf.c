@@ -47,8 +47,7 @@ static const Parameter sdf_shape_parameters[] = {
 /** A tolerance that no pixel shows. */
 static const SdfParameters sdf_shape_defaults = {.tolerance = 1e-4, .max_steps = 512};
 
-/** Refuses shapes without a field. See #Keyword.finish. @param[in,out] values An #SdfParameters.
- *  @param given Not looked at. @param[out] error What is wrong. @return Whether there is one. */
+/** Refuses shapes without a field. See #Keyword.finish. @return Whether there is one. */
 static bool sdf_shape_finish(void *values, uint64_t given, Error *error) {
     (void)given;
     return ((SdfParameters *)values)->field ||
@@ -56,12 +55,12 @@ static bool sdf_shape_finish(void *values, uint64_t given, Error *error) {
                      "sdf needs a field, such as sdf { distance.sphere { radius = 1 } }");
 }
 
-/** @return Bytes of the tape. See #ShapeClass.tail_size. @param parameters An #SdfParameters. */
+/** @return Bytes of the tape. See #ShapeClass.tail_size. */
 static size_t sdf_shape_tail(const void *parameters) {
     return (size_t)((const SdfParameters *)parameters)->field->node_count * sizeof(SdfInstruction);
 }
 
-/** Makes it. @param self The shape. @param parameters An #SdfParameters. */
+/** Makes it. */
 static void sdf_shape_init(Shape *self, const void *parameters) {
     SdfShape *shape = (SdfShape *)self;
     const SdfParameters *p = parameters;
@@ -70,8 +69,11 @@ static void sdf_shape_init(Shape *self, const void *parameters) {
     sphere_tracer_init(&shape->tracer, p->field, &shape->box);
 }
 
-/** Finds where to count. See #ShapeClass.bind_mesh. @param self The shape. @param scene_shape As
- * the scene has it. @param cache All models. @param[out] error Not used. @return true */
+/**
+ * Finds where to count. See #ShapeClass.bind_mesh.
+ * @param scene_shape  As the scene has it.
+ * @return true
+ */
 static bool sdf_shape_bind(Shape *self, const SceneShape *scene_shape, MeshBvhCache *cache,
                            Error *error) {
     (void)error;
@@ -85,14 +87,9 @@ static bool sdf_shape_bind(Shape *self, const SceneShape *scene_shape, MeshBvhCa
 
 /* --- hits ------------------------------------------------------------------------------------- */
 
-/**
- * Brings rays that have arrived nearer to the surface, by the derivative along the ray (Newton): by
- * a few tolerances at most, and only where it helps.
- * @param tracer  The field.
- * @param[in,out] trace  The rays.
- * @param[in,out] sample   What the field says where they are.
- * @param tolerance The tolerance there.
- */
+/** Brings rays that have arrived nearer to the surface, by the derivative along the ray (Newton):
+ *  by a few tolerances at most, and only where it helps. @param[in,out] sample What the field says
+ *  where they are. */
 INLINE void sphere_trace_refine(const SphereTracer *tracer, SphereTrace *trace, SdfSample *sample,
                                 real tolerance) {
     real slope = vec3_dot(sample->gradient, trace->unit_direction);
@@ -111,8 +108,11 @@ INLINE void sphere_trace_refine(const SphereTracer *tracer, SphereTrace *trace, 
     sample->gradient = vec3_select(is_nearer, refined.gradient, sample->gradient);
 }
 
-/** @return What rays have met. @param shape The shape. @param trace The rays. @param sample What
- * the field says there. @param tolerance The tolerance there. @param distance How far it is. */
+/**
+ * @return What rays have met.
+ * @param sample  What the field says there.
+ * @param distance  How far it is.
+ */
 INLINE Hit sdf_shape_make_hit(const SdfShape *shape, const SphereTrace *trace,
                               const SdfSample *sample, real tolerance, real distance) {
     const SphereTracer *tracer = &shape->tracer;
@@ -131,9 +131,7 @@ INLINE Hit sdf_shape_make_hit(const SdfShape *shape, const SphereTrace *trace,
     return found;
 }
 
-/** @return The lanes where the shape is nearer. See #ShapeClass.is_hit. @callgraph
- *  @param self The shape. @param ray The rays. @param active The lanes. @param[in,out] hit The hit.
- */
+/** @return The lanes where the shape is nearer. See #ShapeClass.is_hit. @callgraph */
 static mask sdf_shape_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
     const SdfShape *shape = (const SdfShape *)self;
     const SphereTracer *tracer = &shape->tracer;
@@ -152,9 +150,7 @@ static mask sdf_shape_is_hit(const Shape *self, const Ray *ray, mask active, Hit
     return nearer;
 }
 
-/** @return The lanes where the shape is on the way. See #ShapeClass.is_occluding.
- *  @param self The shape. @param ray The rays. @param active The lanes. @param limit The way's end.
- */
+/** @return The lanes where the shape is on the way. See #ShapeClass.is_occluding. */
 static mask sdf_shape_is_occluding(const Shape *self, const Ray *ray, mask active, real limit) {
     SphereTrace trace;
     if (!sphere_trace_run(&((const SdfShape *)self)->tracer, ray, active, limit, true, &trace)) {
@@ -164,13 +160,12 @@ static mask sdf_shape_is_occluding(const Shape *self, const Ray *ray, mask activ
     return trace.arrived & (distance > 0) & (distance < limit);
 }
 
-/** @return How many steps rays take to it. See #ShapeClass.count_steps. @param self The shape.
- *  @param ray The rays. @param active The lanes. @param limit The way's end. */
+/** @return How many steps rays take to it. See #ShapeClass.count_steps. */
 static real sdf_shape_steps(const Shape *self, const Ray *ray, mask active, real limit) {
     return sphere_trace_count_steps(&((const SdfShape *)self)->tracer, ray, active, limit);
 }
 
-/** @return The box around the shape. @param self The shape. */
+/** @return The box around the shape. */
 static Aabbs sdf_shape_bounds(const Shape *self) {
     return ((const SdfShape *)self)->box;
 }

@@ -14,8 +14,6 @@
 /**
  * @return A normal that looks to the same side of the surface as the plane's own does, from the
  *         plane and from the ray: else a ray could be mirrored into the surface. One long.
- * @param normal     An interpolated normal.
- * @param flat       The plane's normal.
  * @param direction  Which way the rays go.
  */
 INLINE Vec3 shading_normal_keep_side(Vec3 normal, Vec3 flat, Vec3 direction) {

@@ -6,12 +6,12 @@
 
 #include <stdlib.h>
 
-/** @return Bytes, so many that what follows is aligned again. @param size Bytes. */
+/** @return Bytes, so many that what follows is aligned again. */
 static size_t align_to_shape(size_t size) {
     return (size + SHAPE_ALIGNMENT - 1) / SHAPE_ALIGNMENT * SHAPE_ALIGNMENT;
 }
 
-/** @return Bytes from an object of a class to its tail. @param class The class. */
+/** @return Bytes from an object of a class to its tail. */
 static size_t shape_class_stride(const ShapeClass *class) {
     return align_to_shape(class->size);
 }
@@ -27,8 +27,12 @@ size_t shape_size(const SceneShape *scene_shape) {
            (scene_shape->transform ? shape_class_stride(&transformed_class) : 0);
 }
 
-/** Makes an object. @param memory Bytes for it. @param base What all shapes have, its class too.
- *  @param parameters What its class makes it of. @return The object. */
+/**
+ * Makes an object.
+ * @param base  What all shapes have, its class too.
+ * @param parameters  What its class makes it of.
+ * @return The object.
+ */
 static Shape *shape_init(void *memory, Shape base, const void *parameters) {
     Shape *shape = memory;
     *shape = base;
@@ -53,7 +57,7 @@ Shape *shape_init_from_scene(void *memory, const SceneShape *scene_shape, int in
     return shape_init(memory, base, &(TransformedParameters){scene_shape->transform, inner});
 }
 
-/** @return A box in double. @param box The box. */
+/** @return A box in double. */
 static ShapeMeasure measure_from_aabb(Aabbs box) {
     return (ShapeMeasure){.low = {(double)box.low[0], (double)box.low[1], (double)box.low[2]},
                           .high = {(double)box.high[0], (double)box.high[1], (double)box.high[2]}};

@@ -52,19 +52,14 @@ typedef struct ShapeClass {
 
     /**
      * Finds the model that the shape shows, once #init has filled it. NULL: it shows none.
-     * @param self        The shape.
-     * @param said        The shape, as the scene has it.
-     * @param models      The scene's models.
-     * @param[out] error  What is wrong.
+     * @param said  The shape, as the scene has it.
      * @return false without memory.
      */
     bool (*bind_mesh)(Shape *self, const SceneShape *said, MeshBvhCache *models, Error *error);
 
     /**
      * Finds where LANES rays meet the shape.
-     * @param self      The shape.
-     * @param ray       The rays.
-     * @param active    The lanes that count; others are neither read nor written.
+     * @param active  The lanes that count; others are neither read nor written.
      * @param[in,out] hit  The nearest hit so far, replaced in the lanes where this one is nearer.
      * @return The lanes that were replaced.
      */
@@ -72,38 +67,26 @@ typedef struct ShapeClass {
 
     /**
      * Says whether the shape is anywhere on the way.
-     * @param self    The shape.
-     * @param ray     The rays.
-     * @param active  The lanes that count.
-     * @param limit   How far the way goes; what lies there or beyond does not block.
+     * @param limit  How far the way goes; what lies there or beyond does not block.
      * @return The lanes that are blocked.
      */
     mask (*is_occluding)(const Shape *self, const Ray *ray, mask active, real limit);
 
-    /**
-     * Finds where the rays of a packet meet the shape. NULL: #is_hit is asked, vector by vector.
-     * @param self    The shape.
-     * @param packet  The rays.
-     * @param[in,out] hits  What each vector has met so far.
-     */
+    /** Finds where the rays of a packet meet the shape. NULL: #is_hit is asked, vector by vector.
+     *  @param[in,out] hits What each vector has met so far. */
     void (*closest_hits)(const Shape *self, const Packet *packet, Hit *hits);
 
-    /**
-     * Finds which rays of a packet the shape blocks. NULL: #is_occluding is asked.
-     * @param self    The shape.
-     * @param packet  The rays.
-     * @param[in,out] blocked  Those that are blocked; they need not be asked again.
-     */
+    /** Finds which rays of a packet the shape blocks. NULL: #is_occluding is asked. @param[in,out]
+     *  blocked Those that are blocked; they need not be asked again. */
     void (*occluded)(const Shape *self, const Packet *packet, mask *blocked);
 
-    /** @return A box that holds the shape, rounded outwards. @param self The shape. */
+    /** @return A box that holds the shape, rounded outwards. */
     Aabbs (*bounds)(const Shape *self);
 
     /**
      * Finds where on a picture points of the shape lie. Only asked where a material has a picture.
      * NULL: all of them in its lower left corner.
-     * @param self   The shape.
-     * @param hit    What was found of the points.
+     * @param hit  What was found of the points.
      * @param lanes  The lanes that count; of the others anything may be said.
      * @return The places.
      */
@@ -111,10 +94,8 @@ typedef struct ShapeClass {
 
     /**
      * Counts the steps in which rays come to the shape, for surveys. NULL: it takes none.
-     * @param self    The shape.
-     * @param ray     The rays.
      * @param active  The lanes that count; of the others anything may be said.
-     * @param limit   How far they look.
+     * @param limit  How far they look.
      * @return How many.
      */
     real (*count_steps)(const Shape *self, const Ray *ray, mask active, real limit);
@@ -127,8 +108,7 @@ struct Shape {
     int material;            /**< Place of its material in the scene. */
 };
 
-/** @return Where on a picture points of a shape lie. See #ShapeClass.texture_uv.
- *  @param shape The shape. @param hit The points. @param lanes The lanes that count. */
+/** @return Where on a picture points of a shape lie. See #ShapeClass.texture_uv. */
 static inline TextureUv shape_texture_uv(const Shape *shape, const Hit *hit, mask lanes) {
     return shape->class->texture_uv
                ? shape->class->texture_uv(shape, hit, lanes)
@@ -149,8 +129,7 @@ static inline const ShapeClass *shape_class(size_t kind) {
 /** Alignment of shapes, bytes: that of the widest vector of numbers in any class. */
 #define SHAPE_ALIGNMENT 64
 
-/** @return The memory behind an object that its class has asked for by #ShapeClass.tail_size.
- *  @param shape The object. */
+/** @return The memory behind an object that its class has asked for by #ShapeClass.tail_size. */
 void *shape_tail(Shape *shape);
 
 /** @return Bytes of the object that a shape of the scene becomes, a multiple of
@@ -161,10 +140,8 @@ size_t shape_size(const SceneShape *scene_shape);
  * Makes the object that a shape of the scene becomes; inside a Transformed one if it is
  * transformed.
  * @param memory  #shape_size bytes, aligned to #SHAPE_ALIGNMENT.
- * @param scene_shape    The shape, as the scene has it.
- * @param index   Its place in the scene.
- * @param meshes  The scene's models.
- * @param[out] error  What is wrong.
+ * @param scene_shape  The shape, as the scene has it.
+ * @param index  Its place in the scene.
  * @return The object; it lies in the memory and owns nothing else. NULL without memory for its
  *         model.
  */
@@ -188,7 +165,7 @@ ShapeMeasure shape_measure(const SceneShape *scene_shape);
 #define AABB_ROUNDOFF (REAL_BITS == 128 ? (scalar)0x1p-53 : ROUNDOFF)
 
 /** @return A box moved out on all sides by the roundings of its own coordinates, far enough that no
- *          rounding of an intersection can find a point outside. @param box The box. */
+ *  rounding of an intersection can find a point outside. */
 static inline Aabbs aabbs_padded(Aabbs box) {
     for (int axis = 0; axis < 3; axis++) {
         scalar low = box.low[axis], high = box.high[axis], magnitude = high > -low ? high : -low;
@@ -198,15 +175,11 @@ static inline Aabbs aabbs_padded(Aabbs box) {
     return box;
 }
 
-/** @return A box around two corners, by #aabbs_padded. @param low Lowest coordinates.
- *  @param high Highest coordinates. */
+/** @return A box around two corners, by #aabbs_padded. */
 Aabbs aabbs_from_corners(Vec3d low, Vec3d high);
 
-/**
- * @return A box moved out on all sides by the roundings of its largest coordinate: for shapes whose
- *         roundings along one axis come from the others.
- * @param bounds  The box.
- */
+/** @return A box moved out on all sides by the roundings of its largest coordinate: for shapes
+ *  whose roundings along one axis come from the others. */
 Aabbs aabbs_padded_by_largest(Aabbs bounds);
 
 /** @return A box that holds everything. */

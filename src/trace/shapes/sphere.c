@@ -51,7 +51,7 @@ static const Parameter sphere_parameters[] = {{.name = "center",
 /** A sphere of radius 1 at the origin. */
 static const SphereParameters sphere_defaults = {.radius = 1};
 
-/** Makes a sphere. @param self The sphere. @param parameters A #SphereParameters. */
+/** Makes a sphere. */
 static void sphere_init(Shape *self, const void *parameters) {
     Sphere *sphere = (Sphere *)self;
     const SphereParameters *p = parameters;
@@ -61,9 +61,6 @@ static void sphere_init(Shape *self, const void *parameters) {
 
 /**
  * Solves |origin + t direction - center| = radius.
- * @param sphere      The sphere.
- * @param ray         The rays.
- * @param active      The lanes that count.
  * @param[out] roots  The roots; NaN in lanes that miss.
  * @return The lanes whose line, forwards or backwards, meets the sphere.
  */
@@ -99,10 +96,7 @@ INLINE mask sphere_intersect(const Sphere *sphere, const Ray *ray, mask active,
     return crosses;
 }
 
-/** @return The lanes where the nearest root ahead counts. See #ShapeClass.is_hit. @callgraph
- *  @param self The sphere. @param ray The rays. @param active The lanes. @param[in,out] hit The
- * hit.
- */
+/** @return The lanes where the nearest root ahead counts. See #ShapeClass.is_hit. @callgraph */
 static mask sphere_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
     const Sphere *sphere = (const Sphere *)self;
     SphereRoots roots;
@@ -134,10 +128,7 @@ static mask sphere_is_hit(const Shape *self, const Ray *ray, mask active, Hit *h
     return nearer;
 }
 
-/** @return The lanes where a root lies on the way. See #ShapeClass.is_occluding.
- *  @param self The sphere. @param ray The rays. @param active The lanes. @param limit The way's
- * end.
- */
+/** @return The lanes where a root lies on the way. See #ShapeClass.is_occluding. */
 static mask sphere_is_occluding(const Shape *self, const Ray *ray, mask active, real limit) {
     SphereRoots roots;
     mask crosses = sphere_intersect((const Sphere *)self, ray, active, &roots);
@@ -148,7 +139,7 @@ static mask sphere_is_occluding(const Shape *self, const Ray *ray, mask active, 
     return crosses & (distance > 0) & (distance < limit);
 }
 
-/** @return The box around a sphere. @param self The sphere. */
+/** @return The box around a sphere. */
 static Aabbs sphere_bounds(const Shape *self) {
     const Sphere *sphere = (const Sphere *)self;
     Vec3d center = {(double)sphere->center.x, (double)sphere->center.y, (double)sphere->center.z};
@@ -157,14 +148,9 @@ static Aabbs sphere_bounds(const Shape *self) {
                               vec3d_add(center, (Vec3d){r, r, r}));
 }
 
-/**
- * @return Where on a picture points of a sphere lie: by longitude and latitude, like the earth on a
- *         map. The latitude by the arc tangent of its two legs, as an arc cosine is NaN where a
- *         rounded normal is longer than 1. See #ShapeClass.texture_uv.
- * @param self   Not looked at.
- * @param hit    The points.
- * @param lanes  Not looked at.
- */
+/** @return Where on a picture points of a sphere lie: by longitude and latitude, like the earth on
+ *  a map. The latitude by the arc tangent of its two legs, as an arc cosine is NaN where a rounded
+ *  normal is longer than 1. See #ShapeClass.texture_uv. */
 static TextureUv sphere_texture_uv(const Shape *self, const Hit *hit, mask lanes) {
     (void)self;
     (void)lanes;

@@ -50,7 +50,7 @@ typedef struct LocalRay {
     wide skipped; /**< How much of each was left out at its start, in lengths of the direction. */
 } LocalRay;
 
-/** @return The matrix of a transform. @param t The transform. */
+/** @return The matrix of a transform. */
 static Matrix3 matrix3_of_transform(const Transform *t) {
     Matrix3 matrix;
     for (int i = 0; i < 3; i++) {
@@ -60,7 +60,7 @@ static Matrix3 matrix3_of_transform(const Transform *t) {
     return matrix;
 }
 
-/** @return The rows as columns. @param m A matrix. */
+/** @return The rows as columns. */
 static Matrix3 matrix3_transpose(Matrix3 m) {
     const Vec3sw *r = m.rows;
     return (Matrix3){
@@ -80,13 +80,13 @@ static Matrix3 matrix3_inverse(Matrix3 m) {
     return inverse;
 }
 
-/** @return Vectors transformed. @param m The matrix. @param v Vectors. */
+/** @return Vectors transformed. */
 INLINE Vec3w matrix3_apply(const Matrix3 *m, Vec3w v) {
     return (Vec3w){vec3w_dot(vec3w_splat(m->rows[0]), v), vec3w_dot(vec3w_splat(m->rows[1]), v),
                    vec3w_dot(vec3w_splat(m->rows[2]), v)};
 }
 
-/** @return Vectors transformed by the transpose. @param m The matrix. @param v Vectors. */
+/** @return Vectors transformed by the transpose. */
 INLINE Vec3w matrix3_apply_transposed(const Matrix3 *m, Vec3w v) {
     Vec3w sum = vec3w_scale(vec3w_splat(m->rows[0]), v.x);
     sum = vec3w_add_scaled(sum, vec3w_splat(m->rows[1]), v.y);
@@ -110,9 +110,7 @@ static void transformed_compute_sphere(TransformedShape *self) {
 
 /**
  * @return The lowest, or the highest, that a coordinate of a transformed box can be.
- * @param row   The row of the matrix that makes the coordinate.
- * @param low   The box's lowest coordinates.
- * @param high  Its highest.
+ * @param row  The row of the matrix that makes the coordinate.
  * @param sign  1: the highest; -1: the lowest.
  */
 static wide_scalar box_extreme_coordinate(Vec3sw row, const scalar low[3], const scalar high[3],
@@ -146,7 +144,7 @@ static Aabbs transformed_compute_bounds(const TransformedShape *transformed) {
                                                       vec3d_add(vec3d_of(corners[1]), move)));
 }
 
-/** Makes a transformed shape. @param self The shape. @param parameters #TransformedParameters. */
+/** Makes a transformed shape. */
 static void transformed_init(Shape *self, const void *parameters) {
     TransformedShape *transformed = (TransformedShape *)self;
     const TransformedParameters *p = parameters;
@@ -164,8 +162,7 @@ static void transformed_init(Shape *self, const void *parameters) {
 /**
  * @return How much of rays may be left out: the way to where they can first meet the shape; nothing
  *         where they start near it, or where the shape has no end.
- * @param self       The shape.
- * @param origin     Where they start, in its space.
+ * @param origin  Where they start, in its space.
  * @param direction  Which way, in its space.
  */
 INLINE wide transformed_skipped_length(const TransformedShape *self, Vec3w origin,
@@ -183,7 +180,7 @@ INLINE wide transformed_skipped_length(const TransformedShape *self, Vec3w origi
     return wide_select(is_far & wide_less(zero, skipped), skipped, zero);
 }
 
-/** @return Rays in a shape's own space. @param self The shape. @param ray The rays. */
+/** @return Rays in a shape's own space. */
 INLINE LocalRay transformed_to_local(const TransformedShape *self, const Ray *ray) {
     Vec3w from_zero = vec3w_subtract(vec3_widen(ray->origin), vec3w_splat(self->translation));
     Vec3w origin = matrix3_apply(&self->to_local, from_zero);
@@ -195,8 +192,6 @@ INLINE LocalRay transformed_to_local(const TransformedShape *self, const Ray *ra
 
 /**
  * @return What was met in a shape's own space, as the scene sees it.
- * @param self      The shape.
- * @param inner     What was met.
  * @param distance  Where, in the scene.
  */
 INLINE Hit transformed_make_hit(const TransformedShape *self, const Hit *inner, real distance) {
@@ -217,10 +212,8 @@ INLINE Hit transformed_make_hit(const TransformedShape *self, const Hit *inner, 
 /**
  * Writes the lanes in which a shape is nearer.
  * @param[in,out] hit  What was met so far.
- * @param nearer       The lanes to write.
- * @param self         The shape.
- * @param inner        What was met in its own space.
- * @param distance     Where, in the scene.
+ * @param inner  What was met in its own space.
+ * @param distance  Where, in the scene.
  */
 INLINE void transformed_accept_hit(Hit *hit, mask nearer, const TransformedShape *self,
                                    const Hit *inner, real distance) {
@@ -229,9 +222,7 @@ INLINE void transformed_accept_hit(Hit *hit, mask nearer, const TransformedShape
     hit->primitive = integer_select(nearer, inner->primitive, hit->primitive);
 }
 
-/** @return The lanes where the shape is nearer. See #ShapeClass.is_hit. @callgraph
- *  @param self The shape. @param ray The rays. @param active The lanes. @param[in,out] hit The hit.
- */
+/** @return The lanes where the shape is nearer. See #ShapeClass.is_hit. @callgraph */
 static mask transformed_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
     const TransformedShape *transformed = (const TransformedShape *)self;
     const Shape *inner = transformed->inner;
@@ -249,9 +240,7 @@ static mask transformed_is_hit(const Shape *self, const Ray *ray, mask active, H
     return nearer;
 }
 
-/** @return The lanes where the shape is on the way. See #ShapeClass.is_occluding.
- *  @param self The shape. @param ray The rays. @param active The lanes. @param limit The way's end.
- */
+/** @return The lanes where the shape is on the way. See #ShapeClass.is_occluding. */
 static mask transformed_is_occluding(const Shape *self, const Ray *ray, mask active, real limit) {
     const TransformedShape *transformed = (const TransformedShape *)self;
     const Shape *inner = transformed->inner;
@@ -260,18 +249,13 @@ static mask transformed_is_occluding(const Shape *self, const Ray *ray, mask act
     return inner->class->is_occluding(inner, &local.ray, active, local_limit);
 }
 
-/** @return The box around it. @param self The shape. */
+/** @return The box around it. */
 static Aabbs transformed_bounds(const Shape *self) {
     return ((const TransformedShape *)self)->bounds;
 }
 
-/**
- * @return Where on a picture points of the shape lie: where they lie in its own space. See
- *         #ShapeClass.texture_uv.
- * @param self   The shape.
- * @param hit    The points.
- * @param lanes  The lanes that count.
- */
+/** @return Where on a picture points of the shape lie: where they lie in its own space. See
+ *  #ShapeClass.texture_uv. */
 static TextureUv transformed_texture_uv(const Shape *self, const Hit *hit, mask lanes) {
     const TransformedShape *transformed = (const TransformedShape *)self;
     const Shape *inner = transformed->inner;
@@ -284,9 +268,7 @@ static TextureUv transformed_texture_uv(const Shape *self, const Hit *hit, mask 
     return shape_texture_uv(inner, &local, lanes);
 }
 
-/** @return How many steps rays take to the shape. See #ShapeClass.count_steps. @param self The
- * shape.
- *  @param ray The rays. @param active The lanes. @param limit The way's end. */
+/** @return How many steps rays take to the shape. See #ShapeClass.count_steps. */
 static real transformed_steps(const Shape *self, const Ray *ray, mask active, real limit) {
     const TransformedShape *transformed = (const TransformedShape *)self;
     const Shape *inner = transformed->inner;
@@ -300,7 +282,7 @@ static real transformed_steps(const Shape *self, const Ray *ray, mask active, re
 
 /* --- shapes that take whole packets ---------------------------------------------------------- */
 
-/** @return The same box for every ray. @param box The box. */
+/** @return The same box for every ray. */
 INLINE Aabb transformed_splat_bounds(const Aabbs *box) {
     Aabb same;
     for (int axis = 0; axis < 3; axis++) {
@@ -312,9 +294,7 @@ INLINE Aabb transformed_splat_bounds(const Aabbs *box) {
 
 /**
  * @return A packet in a shape's own space; active are only the rays that may meet it.
- * @param self      The shape.
- * @param packet    The rays.
- * @param limits    How far each looks.
+ * @param limits  How far each looks.
  * @param[out] skipped  How much of each ray was left out.
  */
 static Packet transformed_packet_to_local(const TransformedShape *self, const Packet *packet,
@@ -337,9 +317,7 @@ static Packet transformed_packet_to_local(const TransformedShape *self, const Pa
     return local_packet;
 }
 
-/** Finds where a packet meets the shape. See #ShapeClass.closest_hits. @callgraph @param self The
- * shape.
- *  @param packet The rays. @param[in,out] hits What they met. */
+/** Finds where a packet meets the shape. See #ShapeClass.closest_hits. @callgraph */
 static void transformed_closest_hits(const Shape *self, const Packet *packet, Hit *hits) {
     const TransformedShape *transformed = (const TransformedShape *)self;
     wide skipped[PACKET_VECTORS];
@@ -364,8 +342,7 @@ static void transformed_closest_hits(const Shape *self, const Packet *packet, Hi
     }
 }
 
-/** Finds which rays of a packet the shape blocks. See #ShapeClass.occluded. @param self The shape.
- *  @param packet The rays. @param[in,out] blocked Those that are. */
+/** Finds which rays of a packet the shape blocks. See #ShapeClass.occluded. */
 static void transformed_occluded(const Shape *self, const Packet *packet, mask *blocked) {
     const TransformedShape *transformed = (const TransformedShape *)self;
     wide skipped[PACKET_VECTORS];

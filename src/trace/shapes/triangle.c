@@ -113,9 +113,8 @@ static const TriangleParameters triangle_defaults = {.corners = {{0}, {1, 0, 0},
 
 /**
  * Says whether three fields were given: all of them or none.
- * @param given       Bits of the rows that were.
- * @param row         The first of the three.
- * @param[out] is_given  Whether all were.
+ * @param given  Bits of the rows that were.
+ * @param row  The first of the three.
  * @return false if only some were.
  */
 static bool three_rows_given(uint64_t given, int row, bool *is_given) {
@@ -126,9 +125,7 @@ static bool three_rows_given(uint64_t given, int row, bool *is_given) {
 
 /**
  * Refuses triangles without area, and normals or places of some corners only. See #Keyword.finish.
- * @param[in,out] values  A #TriangleParameters.
- * @param given           Which rows were given.
- * @param[out] error      What is wrong.
+ * @param given  Which rows were given.
  * @return Whether the triangle is a whole one.
  */
 static bool triangle_finish(void *values, uint64_t given, Error *error) {
@@ -169,7 +166,7 @@ static void triangle_init_normals(Triangle *self, const Vec3d *normals) {
     }
 }
 
-/** Makes a triangle. @param self The triangle. @param parameters A #TriangleParameters. */
+/** Makes a triangle. */
 static void triangle_init(Shape *self, const void *parameters) {
     Triangle *triangle = (Triangle *)self;
     const TriangleParameters *p = parameters;
@@ -189,11 +186,7 @@ static void triangle_init(Shape *self, const void *parameters) {
     }
 }
 
-/**
- * @return Where rays that pass inside a triangle meet it.
- * @param triangle  The triangle.
- * @param ray       The rays.
- */
+/** @return Where rays that pass inside a triangle meet it. */
 INLINE real triangle_distance(const Triangle *triangle, const Ray *ray) {
     Vec3w direction = vec3_widen(ray->direction), origin = vec3_widen(ray->origin);
     wide per_length_squared = 1 / vec3w_dot(direction, direction);
@@ -210,8 +203,7 @@ INLINE real triangle_distance(const Triangle *triangle, const Ray *ray) {
 
 /**
  * @return How much of each corner is in points.
- * @param triangle  The triangle.
- * @param from_a    The points, from its first corner.
+ * @param from_a  The points, from its first corner.
  */
 INLINE Vec3 triangle_barycentrics(const Triangle *triangle, Vec3w from_a) {
     const real zero = real_of(0), one = real_of(1);
@@ -224,8 +216,6 @@ INLINE Vec3 triangle_barycentrics(const Triangle *triangle, Vec3w from_a) {
 
 /**
  * @return The normal between those at the corners, by how much of each is in a point.
- * @param triangle  The triangle.
- * @param ray       The rays.
  * @param distance  Where they meet it.
  */
 INLINE Vec3 triangle_interpolate_normal(const Triangle *triangle, const Ray *ray, real distance) {
@@ -238,12 +228,7 @@ INLINE Vec3 triangle_interpolate_normal(const Triangle *triangle, const Ray *ray
     return vec3_add(sum, vec3_scale(vec3_splat(triangle->normals[2]), barycentrics.z));
 }
 
-/**
- * @return Where rays meet a triangle, in full.
- * @param triangle  The triangle.
- * @param ray       The rays.
- * @param distance  Where.
- */
+/** @return Where rays meet a triangle, in full. */
 INLINE Hit triangle_make_hit(const Triangle *triangle, const Ray *ray, real distance) {
     Hit found = plane_equation_hit(&triangle->plane, ray, distance, triangle->base.index);
     if (triangle->is_smooth) {
@@ -256,9 +241,7 @@ INLINE Hit triangle_make_hit(const Triangle *triangle, const Ray *ray, real dist
     return found;
 }
 
-/** @return The lanes where the triangle is nearer. See #ShapeClass.is_hit. @callgraph
- *  @param self The triangle. @param ray The rays. @param active The lanes.
- *  @param[in,out] hit The hit. */
+/** @return The lanes where the triangle is nearer. See #ShapeClass.is_hit. @callgraph */
 static mask triangle_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
     const Triangle *triangle = (const Triangle *)self;
     mask inside = polygon_contains_ray(triangle->corners, TRIANGLE_CORNERS, ray, active);
@@ -274,9 +257,7 @@ static mask triangle_is_hit(const Shape *self, const Ray *ray, mask active, Hit 
     return nearer;
 }
 
-/** @return The lanes where the triangle is on the way. See #ShapeClass.is_occluding.
- *  @param self The triangle. @param ray The rays. @param active The lanes.
- *  @param limit The way's end. */
+/** @return The lanes where the triangle is on the way. See #ShapeClass.is_occluding. */
 static mask triangle_is_occluding(const Shape *self, const Ray *ray, mask active, real limit) {
     const Triangle *triangle = (const Triangle *)self;
     mask inside = polygon_contains_ray(triangle->corners, TRIANGLE_CORNERS, ray, active);
@@ -287,14 +268,13 @@ static mask triangle_is_occluding(const Shape *self, const Ray *ray, mask active
     return inside & (distance > 0) & (distance < limit);
 }
 
-/** @return The box around a triangle. @param self The triangle. */
+/** @return The box around a triangle. */
 static Aabbs triangle_bounds(const Shape *self) {
     return vertices_bounds(((const Triangle *)self)->corners, TRIANGLE_CORNERS);
 }
 
 /** @return Where on a picture points of a triangle lie: between the places of its corners. See
- *  #ShapeClass.texture_uv. @param self The triangle. @param hit The points. @param lanes Not
- *  looked at. */
+ *  #ShapeClass.texture_uv. */
 static TextureUv triangle_texture_uv(const Shape *self, const Hit *hit, mask lanes) {
     (void)lanes;
     const Triangle *triangle = (const Triangle *)self;

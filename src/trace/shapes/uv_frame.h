@@ -27,8 +27,7 @@ static inline UvFrame uv_frame_of(Vec3sw n) {
     return (UvFrame){vec3sw_cross(up, n), up};
 }
 
-/** @return How far points are along a direction. @param offset From some zero. @param axis The
- *  direction. */
+/** @return How far points are along a direction. */
 INLINE real component_along(Vec3w offset, Vec3sw axis) {
     return narrow(vec3w_dot(offset, vec3w_splat(axis)));
 }

@@ -29,13 +29,13 @@ static inline Vertex vertex_of(Vec3d v) {
     return (Vertex){{(scalar)v.x, (scalar)v.y, (scalar)v.z}};
 }
 
-/** @return A corner, exactly. @param vertex The corner. */
+/** @return A corner, exactly. */
 static inline Vec3sw vertex_widen(Vertex vertex) {
     return (Vec3sw){(wide_scalar)vertex.xyz[0], (wide_scalar)vertex.xyz[1],
                     (wide_scalar)vertex.xyz[2]};
 }
 
-/** @return The box around corners. @param vertices The corners. @param count How many. */
+/** @return The box around corners. */
 static inline Aabbs vertices_bounds(const Vertex *vertices, int count) {
     Aabbs box;
     for (int axis = 0; axis < 3; axis++) {
@@ -56,13 +56,18 @@ typedef struct RayShear {
     real shear_y; /**< How far they go along y. */
 } RayShear;
 
-/** @return A vector with its axes renamed in a circle. @param v It. @param axis What becomes z:
- *  0, 1 or 2 for x, y or z. */
+/**
+ * @return A vector with its axes renamed in a circle.
+ * @param axis  What becomes z: 0, 1 or 2 for x, y or z.
+ */
 INLINE Vec3 permute_axes(Vec3 v, int axis) {
     return axis == 0 ? (Vec3){v.y, v.z, v.x} : axis == 1 ? (Vec3){v.z, v.x, v.y} : v;
 }
 
-/** @return Rays turned. @param ray The rays. @param axis The axis that they run mainly along. */
+/**
+ * @return Rays turned.
+ * @param axis  The axis that they run mainly along.
+ */
 INLINE RayShear ray_shear_of(const Ray *ray, int axis) {
     Vec3 main_axes = permute_axes(ray->direction, axis),
          inverse = permute_axes(ray->inverse_direction, axis);
@@ -70,11 +75,7 @@ INLINE RayShear ray_shear_of(const Ray *ray, int axis) {
                       main_axes.y * inverse.z};
 }
 
-/**
- * @return How far beside the rays corners lie.
- * @param vertex  The corners, turned.
- * @param shear   The rays.
- */
+/** @return How far beside the rays corners lie. */
 INLINE ShearedVertex ray_shear_vertex(Vec3 vertex, const RayShear *shear) {
     real depth = vertex.z - shear->origin.z;
     return (ShearedVertex){(vertex.x - shear->origin.x) - shear->shear_x * depth,
@@ -85,7 +86,6 @@ INLINE ShearedVertex ray_shear_vertex(Vec3 vertex, const RayShear *shear) {
  * @return On which side of an edge the rays pass: above 0 to the left, below 0 to the right, 0 on
  *         it; twice the area between the edge and the ray.
  * @param from  One end of the edge.
- * @param to    The other.
  */
 INLINE real edge_function(ShearedVertex from, ShearedVertex to) {
     return from.u * to.v - from.v * to.u;
@@ -110,10 +110,7 @@ INLINE mask edge_functions_contain_ray(const ShearedVertex *sheared, int count) 
 /**
  * @return The lanes whose ray passes inside a convex polygon, for rays that run mainly along one
  *         axis.
- * @param vertices  The corners, in turn.
- * @param count    How many, 3 or 4.
- * @param ray      The rays.
- * @param axis     The axis.
+ * @param count  How many, 3 or 4.
  */
 INLINE mask polygon_contains_ray_along(const Vertex *vertices, int count, const Ray *ray,
                                        int axis) {
@@ -134,8 +131,7 @@ typedef struct DominantAxes {
     mask z; /**< Along z. */
 } DominantAxes;
 
-/** @return Which lanes run mainly along which axis. @param ray The rays. @param active The lanes
- * that count. */
+/** @return Which lanes run mainly along which axis. */
 INLINE DominantAxes ray_dominant_axes(const Ray *ray, mask active) {
     real x = real_abs(ray->direction.x), y = real_abs(ray->direction.y);
     real z = real_abs(ray->direction.z);
@@ -146,10 +142,7 @@ INLINE DominantAxes ray_dominant_axes(const Ray *ray, mask active) {
 
 /**
  * @return The lanes whose ray's line passes inside a convex polygon or through its edge.
- * @param vertices  The corners, in turn.
- * @param count    How many, 3 or 4.
- * @param ray      The rays.
- * @param active   The lanes that count.
+ * @param count  How many, 3 or 4.
  */
 INLINE mask polygon_contains_ray(const Vertex *vertices, int count, const Ray *ray, mask active) {
     DominantAxes main_axes = ray_dominant_axes(ray, active);

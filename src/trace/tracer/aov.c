@@ -6,15 +6,13 @@
 
 #include "trace/tracer/tile.h"
 
-/** @return Place of a shape, or -1: a lamp that is seen is none. @param hit Hits. @param lane Which
- *          of them. */
+/** @return Place of a shape, or -1: a lamp that is seen is none. */
 static int hit_shape_or_none(const Hit *hit, int lane) {
     int shape = integer_lane(hit->shape, lane);
     return shape >= 0 ? shape : -1;
 }
 
-/** Notes what the camera's rays have met. @param packet The rays. @param hits What they met.
- *  @param[in,out] samples What is known of them. */
+/** Notes what the camera's rays have met. @param[in,out] samples What is known of them. */
 static void aov_record_hits(const Packet *packet, const Hit *hits, AovSample *samples) {
     for (int i = 0; i < PACKET_RAYS; i++) {
         const Hit *hit = &hits[i / LANES];
@@ -29,8 +27,8 @@ static void aov_record_hits(const Packet *packet, const Hit *hits, AovSample *sa
     }
 }
 
-/** Notes where on a picture rays have met a shape. @param uv The places. @param lanes Those that
- *  count. @param[in,out] samples What is known of the rays. */
+/** Notes where on a picture rays have met a shape. @param[in,out] samples What is known of the
+ *  rays. */
 static void aov_record_uv(const TextureUv *uv, mask lanes, AovSample *samples) {
     for (unsigned remaining = mask_bits(lanes); remaining; remaining &= remaining - 1) {
         int lane = __builtin_ctz(remaining);
@@ -39,8 +37,8 @@ static void aov_record_uv(const TextureUv *uv, mask lanes, AovSample *samples) {
     }
 }
 
-/** Notes where on pictures the camera's rays have met shapes. @param shapes All shapes. @param
- * packet The rays. @param hits What they met. @param[in,out] samples What is known of them. */
+/** Notes where on pictures the camera's rays have met shapes. @param[in,out] samples What is known
+ *  of them. */
 static void aov_record_uvs(const ShapeSet *shapes, const Packet *packet, const Hit *hits,
                            AovSample *samples) {
     for (int v = 0; v < PACKET_VECTORS; v++) {
@@ -102,8 +100,7 @@ typedef struct StepCount {
     real steps[PACKET_VECTORS]; /**< The steps so far. */
 } StepCount;
 
-/** Adds the steps of a shape. See #ShapeVisitor. @param shape The shape. @param packet The rays.
- *  @param v Which vector. @param active Which lanes. @param[in,out] found The #StepCount. */
+/** Adds the steps of a shape. See #ShapeVisitor. */
 static void shape_count_steps(const Shape *shape, const Packet *packet, int v, mask active,
                               void *found) {
     StepCount *step_count = found;
@@ -118,8 +115,8 @@ static void shape_count_steps(const Shape *shape, const Packet *packet, int v, m
     step_count->steps[v] += real_select(active, steps, real_of(0));
 }
 
-/** Counts the steps of the camera's rays to what they met. @param shapes All shapes. @param packet
- *  The rays. @param hits What they met. @param[in,out] samples What is known of them. */
+/** Counts the steps of the camera's rays to what they met. @param[in,out] samples What is known of
+ *  them. */
 static void aov_record_steps(const ShapeSet *shapes, const Packet *packet, const Hit *hits,
                              AovSample *samples) {
     Packet limited = *packet;
@@ -136,8 +133,7 @@ static void aov_record_steps(const ShapeSet *shapes, const Packet *packet, const
 
 /* --- pixels ----------------------------------------------------------------------------------- */
 
-/** Surveys a packet by its camera's rays alone. @param tracer The tracer. @param packet The rays.
- *  @param flags What is wanted. @param[in,out] samples What is known of them. */
+/** Surveys a packet by its camera's rays alone. @param[in,out] samples What is known of them. */
 static void aov_trace_packet(const Tracer *tracer, const Packet *packet, unsigned flags,
                              AovSample *samples) {
     Hit hits[PACKET_VECTORS];
@@ -154,9 +150,12 @@ static void aov_trace_packet(const Tracer *tracer, const Packet *packet, unsigne
     }
 }
 
-/** Puts what is known of a packet where it belongs. @param colors Its colours; NULL: nobody asked.
- *  @param grid The grid. @param column The packet's first column. @param row Its first row.
- *  @param samples What is known of it. @param[out] out What is known of the grid. */
+/**
+ * Puts what is known of a packet where it belongs.
+ * @param colors  Its colours; NULL: nobody asked.
+ * @param samples  What is known of it.
+ * @param[out] out  What is known of the grid.
+ */
 static void aov_samples_write(const Rgb *colors, const PixelGrid *grid, int column, int row,
                               AovSample *samples, AovSample *out) {
     for (int i = 0; i < PACKET_RAYS; i++) {

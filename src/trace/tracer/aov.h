@@ -16,18 +16,14 @@ void aov_record_surfaces(const SurfaceHit *surface);
 
 /**
  * Notes which points a lamp does not reach.
- * @param surface      The points; somebody asks for a survey of their packet.
- * @param light_index     Place of the lamp.
- * @param shadow   The rays to it.
+ * @param surface  The points; somebody asks for a survey of their packet.
+ * @param light_index  Place of the lamp.
  * @param occluded  Those with something in their way.
  */
 void aov_record_shadows(const SurfaceHit *surface, size_t light_index, const Packet *shadow,
                         const mask *occluded);
 
-/** Surveys a grid of pixels. See #Engine.trace_aovs. @param tracer The tracer. @param grid The
- * pixels.
- *  @param flags What of them. @param[out] samples What is known of them.
- *  @param[in,out] counts The rays traced. */
+/** Surveys a grid of pixels. See #Engine.trace_aovs. @param[out] samples What is known of them. */
 void aov_trace(const Tracer *tracer, const PixelGrid *grid, unsigned flags, AovSample *samples,
                RayCounts *counts);
 

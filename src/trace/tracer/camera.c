@@ -58,9 +58,8 @@ PixelJitter pixel_jitter_of(int sample) {
 
 /**
  * @return LANES rays, from the columns of one row on.
- * @param camera   The eye.
- * @param x     Twice the distance from the picture's middle, pixels, to the right.
- * @param y     Twice the distance from the picture's middle, pixels, up.
+ * @param x  Twice the distance from the picture's middle, pixels, to the right.
+ * @param y  Twice the distance from the picture's middle, pixels, up.
  */
 INLINE Ray camera_ray(const Camera *camera, real x, real y) {
     Vec3 offset = vec3_add(vec3_scale(camera->right, x), vec3_scale(camera->up, y));

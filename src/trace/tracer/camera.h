@@ -24,26 +24,22 @@ typedef struct PixelJitter {
     int y; /**< Down. */
 } PixelJitter;
 
-/** @return Where a sample of every pixel lies; that of sample 0 is the centre. @param sample Which.
- */
+/** @return Where a sample of every pixel lies; that of sample 0 is the centre. */
 PixelJitter pixel_jitter_of(int sample);
 
 /**
  * @return The eye of a camera (rows A1, B2): pixels are square, the height follows from the
  *         horizontal field of view.
- * @param camera  The camera.
- * @param width   Pixels of the picture.
+ * @param width  Pixels of the picture.
  * @param height  Pixels of the picture.
  */
 Camera camera_of(const SceneCamera *camera, int width, int height);
 
 /**
  * Makes the rays of #PACKET_COLUMNS by #PACKET_ROWS points of a grid of pixels.
- * @param camera     The eye.
- * @param grid    The grid.
- * @param jitter   Where in their pixels they go.
+ * @param jitter  Where in their pixels they go.
  * @param column  First column of the grid.
- * @param row     First row of the grid.
+ * @param row  First row of the grid.
  * @param[out] packet  The rays, without lineage; those beyond the grid are not active.
  */
 void camera_generate_rays(const Camera *camera, const PixelGrid *grid, PixelJitter jitter,
@@ -51,10 +47,9 @@ void camera_generate_rays(const Camera *camera, const PixelGrid *grid, PixelJitt
 
 /**
  * Makes the rays of #PACKET_RAYS chosen pixels.
- * @param camera     The eye.
- * @param grid    The grid, of stride 1, with chosen pixels.
- * @param jitter   Where in their pixels they go.
- * @param first   Which of the chosen is the first.
+ * @param grid  The grid, of stride 1, with chosen pixels.
+ * @param jitter  Where in their pixels they go.
+ * @param first  Which of the chosen is the first.
  * @param[out] packet  The rays, without lineage; those beyond the chosen are not active.
  */
 void camera_generate_selected_rays(const Camera *camera, const PixelGrid *grid, PixelJitter jitter,

@@ -15,7 +15,7 @@
  */
 #define THROUGHPUT_CUTOFF 1.5e-4
 
-/** @return The sky in the engine's number type. @param sky The sky. */
+/** @return The sky in the engine's number type. */
 static Sky sky_of(const SceneSky *sky) {
     Rgbd zenith_minus_horizon = {sky->zenith.red - sky->horizon.red,
                                  sky->zenith.green - sky->horizon.green,
@@ -40,15 +40,14 @@ static void engine_destroy_tracer(Tracer *tracer) {
     }
 }
 
-/** @return Memory for things that hold vectors, zero. @param size Bytes. */
+/** @return Memory for things that hold vectors, zero. */
 static void *simd_allocate(size_t size) {
     /** Bytes: the widest vector of any engine. */
     const size_t alignment = 64;
     return aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
 }
 
-/** Takes camera, lights and size anew. See #Engine.set_view.
- *  @param tracer The tracer. @param scene The scene. @param width Pixels. @param height Pixels. */
+/** Takes camera, lights and size anew. See #Engine.set_view. */
 static void engine_set_view(Tracer *tracer, const Scene *scene, int width, int height) {
     Vec3d shift = vec3d_scale(tracer->origin, -1);
     SceneCamera camera = scene->camera;
@@ -65,8 +64,7 @@ static void engine_set_view(Tracer *tracer, const Scene *scene, int width, int h
     emitter_spheres_set(&tracer->emitters, scene, tracer->origin);
 }
 
-/** @return A tracer whose shapes are there, without camera; NULL without memory.
- *  @param scene The scene. @param settings What is asked for. @param[out] error What is wrong. */
+/** @return A tracer whose shapes are there, without camera; NULL without memory. */
 static Tracer *tracer_create(const Scene *scene, const TraceSettings *settings, Error *error) {
     Tracer *tracer = simd_allocate(sizeof *tracer);
     if (!tracer) {
@@ -98,8 +96,10 @@ static Tracer *tracer_create(const Scene *scene, const TraceSettings *settings, 
     return tracer;
 }
 
-/** @return The same, with coordinates that begin elsewhere. @param scene The scene. @param settings
- *  What is asked for. @param origin Where in the scene. @param[out] error What is wrong. */
+/**
+ * @return The same, with coordinates that begin elsewhere.
+ * @param origin  Where in the scene.
+ */
 static Tracer *tracer_create_at(const Scene *scene, const TraceSettings *settings, Vec3d origin,
                                 Error *error) {
     Scene *local_scene = scene_translated(scene, shape_keywords, vec3d_scale(origin, -1), error);
@@ -115,8 +115,7 @@ static Tracer *tracer_create_at(const Scene *scene, const TraceSettings *setting
  *  engine's numbers, the first move only comes near. */
 enum { MAX_ORIGIN_MOVES = 4 };
 
-/** @return A tracer for a scene. See #Engine.create_tracer.
- *  @param scene The scene. @param settings What is asked for. @param[out] error What is wrong. */
+/** @return A tracer for a scene. See #Engine.create_tracer. */
 static Tracer *engine_create_tracer(const Scene *scene, const TraceSettings *settings,
                                     Error *error) {
     Tracer *tracer = tracer_create(scene, settings, error);
@@ -139,15 +138,14 @@ static Tracer *engine_create_tracer(const Scene *scene, const TraceSettings *set
     return tracer;
 }
 
-/** Finds the box of all bounded shapes. See #Engine.bounds. @param tracer The tracer.
- *  @param[out] low Its lowest corner. @param[out] high Its highest. */
+/** Finds the box of all bounded shapes. See #Engine.bounds. */
 static void engine_bounds(const Tracer *tracer, Vec3d *low, Vec3d *high) {
     rebase_bounds(&tracer->shapes, low, high);
     *low = vec3d_add(*low, tracer->origin);
     *high = vec3d_add(*high, tracer->origin);
 }
 
-/** Says what a tracer was made of. See #Engine.stats. @param tracer The tracer. @return It. */
+/** Says what a tracer was made of. See #Engine.stats. @return It. */
 static TracerStats engine_stats(const Tracer *tracer) {
     const ShapeSet *shapes = &tracer->shapes;
     TracerStats stats = {.linear = shapes->linear_count,

@@ -14,7 +14,7 @@ typedef struct Footprint {
     scalar spread;         /**< What is smaller than this at distance 1 is not seen. */
 } Footprint;
 
-/** Takes the camera anew. @param[in,out] footprint The footprint. @param camera The camera. */
+/** Takes the camera anew. */
 static inline void footprint_set_camera(Footprint *footprint, const Camera *camera) {
     footprint->camera_position =
         (Vec3s){real_lane(camera->origin.x, 0), real_lane(camera->origin.y, 0),

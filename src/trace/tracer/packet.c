@@ -14,7 +14,7 @@ unsigned packet_active_count(const Packet *packet) {
     return count;
 }
 
-/** @return The smallest lane, found by halves. @param x Numbers. */
+/** @return The smallest lane, found by halves. */
 INLINE scalar real_reduce_min(real x) {
 #if LANES == 16
     x = real_min(
@@ -36,14 +36,13 @@ INLINE scalar real_reduce_min(real x) {
     return real_lane(x, 0);
 }
 
-/** @return The largest lane. @param x Numbers. */
+/** @return The largest lane. */
 INLINE scalar real_reduce_max(real x) {
     return -real_reduce_min(-x);
 }
 
 /**
  * @return A coordinate of a vector.
- * @param v     The vectors.
  * @param axis  0, 1 or 2 for x, y or z.
  */
 INLINE real vec3_component(const Vec3 *v, int axis) {
@@ -58,8 +57,7 @@ typedef struct LaneIntervals {
     real inverse_high; /**< Highest 1 / direction. */
 } LaneIntervals;
 
-/** Widens intervals by one ray a lane. @param[in,out] s The intervals.
- *  @param origin Where the rays start, along the axis. @param inverse 1 / direction. */
+/** Widens intervals by one ray a lane. @param origin Where the rays start, along the axis. */
 INLINE void lane_intervals_extend(LaneIntervals *s, real origin, real inverse) {
     s->origin_low = real_min(origin, s->origin_low);
     s->origin_high = real_max(origin, s->origin_high);
@@ -67,7 +65,7 @@ INLINE void lane_intervals_extend(LaneIntervals *s, real origin, real inverse) {
     s->inverse_high = real_max(inverse, s->inverse_high);
 }
 
-/** @return The intervals along one axis. @param packet The packet. @param axis The axis. */
+/** @return The intervals along one axis. */
 INLINE AxisInterval packet_axis_interval(const Packet *packet, int axis) {
     const real most = real_of(INFINITE), least = real_of(-INFINITE);
     LaneIntervals s = {most, least, most, least};
@@ -99,15 +97,9 @@ PacketIntervals packet_intervals(const Packet *packet) {
                              real_reduce_max(limit)};
 }
 
-/**
- * Narrows the interval of distances in which any ray can be between two planes, where all go up
- * along the axis. A comparison that is false for NaN leaves the interval as it is.
- * @param[in,out] near  Earliest distance, for each box.
- * @param[in,out] far   Latest distance.
- * @param interval  The rays.
- * @param low   The lower planes.
- * @param high  The higher planes.
- */
+/** Narrows the interval of distances in which any ray can be between two planes, where all go up
+ *  along the axis. A comparison that is false for NaN leaves the interval as it is. @param[in,out]
+ *  near Earliest distance, for each box. */
 INLINE void interval_clip_positive(real *near, real *far, const AxisInterval *interval, real low,
                                    real high) {
     real max_inverse = real_of(interval->inverse_high),
@@ -120,7 +112,7 @@ INLINE void interval_clip_positive(real *near, real *far, const AxisInterval *in
     *far = real_min(leave, *far);
 }
 
-/** @return The span of the same rays seen in a mirror: up is down. @param interval A span. */
+/** @return The span of the same rays seen in a mirror: up is down. */
 static AxisInterval axis_interval_negated(const AxisInterval *interval) {
     return (AxisInterval){-interval->origin_high, -interval->origin_low, -interval->inverse_high,
                           -interval->inverse_low};

@@ -50,8 +50,7 @@ typedef struct SampleContext {
     uint32_t bounce;            /**< How often they were turned. */
 } SampleContext;
 
-/** @return Where the rays of the first lane are noted; NULL: nobody asks. @param context Of the
- *  rays. */
+/** @return Where the rays of the first lane are noted; NULL: nobody asks. */
 static inline RayTree *sample_context_ray_tree(const SampleContext *context) {
     return context->recorders ? context->recorders->ray_tree : NULL;
 }
@@ -91,16 +90,14 @@ typedef struct PacketIntervals {
     scalar limit;         /**< How far the farthest goes. */
 } PacketIntervals;
 
-/** @return How many rays of a packet are active. @param packet The packet. */
+/** @return How many rays of a packet are active. */
 unsigned packet_active_count(const Packet *packet);
 
-/** @return The intervals of a packet with at least one active ray. @param packet The packet. */
+/** @return The intervals of a packet with at least one active ray. */
 PacketIntervals packet_intervals(const Packet *packet);
 
 /**
  * @return The boxes that some ray within the spans may meet; set where that cannot be excluded.
- * @param intervals      The spans.
- * @param boxes     The boxes.
  * @param[out] nearest  For each box: no ray meets anything in it nearer than this.
  */
 mask packet_intervals_may_hit(const PacketIntervals *intervals, const Aabb *boxes, real *nearest);

@@ -16,7 +16,7 @@ static LaneSlot lane_slot_of(unsigned index) {
     return (LaneSlot){index / LANES, (int)(index % LANES)};
 }
 
-/** @return How many vectors of a packet have active rays. @param packet The packet. */
+/** @return How many vectors of a packet have active rays. */
 static unsigned packet_vectors_used(const Packet *packet) {
     unsigned used = 0;
     for (int v = 0; v < PACKET_VECTORS; v++) {
@@ -36,30 +36,26 @@ bool packet_merge_is_worthwhile(const Packet *one, const Packet *other) {
            4 * after <= 3 * before;
 }
 
-/** Copies a lane. @param[in,out] to Where to. @param slot Its lane. @param from Where from.
- *  @param lane Which lane. */
+/** Copies a lane. */
 INLINE void real_copy_lane(real *to, int slot, const real *from, int lane) {
     real_set_lane(to, slot, real_at(from, lane));
 }
 
-/** Copies a lane. @param[in,out] to Where to. @param slot Its lane. @param from Where from.
- *  @param lane Which lane. */
+/** Copies a lane. */
 INLINE void vec3_copy_lane(Vec3 *to, int slot, const Vec3 *from, int lane) {
     real_copy_lane(&to->x, slot, &from->x, lane);
     real_copy_lane(&to->y, slot, &from->y, lane);
     real_copy_lane(&to->z, slot, &from->z, lane);
 }
 
-/** Copies a ray. @param[in,out] to Where to. @param slot Its lane. @param from Where from.
- *  @param lane Which lane. */
+/** Copies a ray. */
 INLINE void ray_copy_lane(Ray *to, int slot, const Ray *from, int lane) {
     vec3_copy_lane(&to->origin, slot, &from->origin, lane);
     vec3_copy_lane(&to->direction, slot, &from->direction, lane);
     vec3_copy_lane(&to->inverse_direction, slot, &from->inverse_direction, lane);
 }
 
-/** Copies what a ray is inside of. @param[in,out] to Where to. @param slot Its lane.
- *  @param from Where from. @param lane Which lane. */
+/** Copies what a ray is inside of. */
 INLINE void interior_list_copy_lane(InteriorList *to, int slot, const InteriorList *from,
                                     int lane) {
     for (int i = 0; i < INTERIOR_LIST_CAPACITY; i++) {
@@ -97,7 +93,7 @@ void packet_merge_add(PacketMerge *merge, const Packet *packet, const InteriorLi
 }
 
 /** Fills the lanes that are left of the last vector with its first ray, which is harmless to
- *  compute with. @param[in,out] merge The convoy. */
+ *  compute with. */
 static void packet_merge_pad(PacketMerge *merge) {
     for (unsigned index = merge->count; index % LANES; index++) {
         LaneSlot slot = lane_slot_of(index);

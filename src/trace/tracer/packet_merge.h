@@ -27,20 +27,16 @@ typedef struct PacketMerge {
     unsigned count;                        /**< How many. */
 } PacketMerge;
 
-/** @return Whether two packets had better go on as one. @param one A packet. @param other Another.
- */
+/** @return Whether two packets had better go on as one. */
 bool packet_merge_is_worthwhile(const Packet *one, const Packet *other);
 
-/** Begins a convoy of mirrored and refracted rays. @param[out] merge The convoy, empty.
- *  @param context Whose rays will join. */
+/** Begins a convoy of mirrored and refracted rays. @param context Whose rays will join. */
 void packet_merge_begin(PacketMerge *merge, SampleContext context);
 
 /**
  * Lets the active rays of a packet join.
  * @param[in,out] merge  The convoy, with room for them.
- * @param packet   The rays.
- * @param interior    What they are inside of.
- * @param throughputs  What they weigh.
+ * @param interior  What they are inside of.
  */
 void packet_merge_add(PacketMerge *merge, const Packet *packet, const InteriorList *interior,
                       const real *throughputs);
@@ -50,9 +46,8 @@ void packet_merge_end(PacketMerge *merge);
 
 /**
  * Gives a packet what its rays have brought back.
- * @param incoming    What the rays of the convoy have.
- * @param first   Which of them is the packet's first.
- * @param packet  The packet.
+ * @param incoming  What the rays of the convoy have.
+ * @param first  Which of them is the packet's first.
  * @param[out] colors  What its active rays have.
  * @return Which of the convoy's rays is the first of the packet that joined next.
  */

@@ -17,7 +17,7 @@ static uint64_t quantize(scalar x) {
     return level > 0 && level < 16 ? (uint64_t)level : 15;
 }
 
-/** Goes on with a trail. @param[in,out] path_hash The trail. @param event What is noted. */
+/** Goes on with a trail. */
 static void path_hash_add(uint64_t *path_hash, uint64_t event) {
     // Steele, Lea, Flood, Fast Splittable Pseudorandom Number Generators, 2014: splitmix64.
     uint64_t z = (*path_hash + event + 1) * 0x9E3779B97F4A7C15u;
@@ -25,8 +25,7 @@ static void path_hash_add(uint64_t *path_hash, uint64_t event) {
     *path_hash = z ^ (z >> 31);
 }
 
-/** @return Three numbers in few steps each. @param x One. @param y One. @param z One.
- *  @param i The lane. */
+/** @return Three numbers in few steps each. */
 static uint64_t quantize_lanes(real x, real y, real z, int i) {
     return quantize(real_lane(x, i)) << 8 | quantize(real_lane(y, i)) << 4 |
            quantize(real_lane(z, i));

@@ -4,10 +4,7 @@
  */
 #include "trace/tracer/query.h"
 
-/**
- * Begins a packet of rays from outside: none is active yet.
- * @param[out] packet  The packet.
- */
+/** Begins a packet of rays from outside: none is active yet. */
 static void packet_clear(Packet *packet) {
     packet->wants_points = true;
     for (int v = 0; v < PACKET_VECTORS; v++) {
@@ -20,9 +17,8 @@ static void packet_clear(Packet *packet) {
 
 /**
  * Puts a ray into a packet; #packet_finish makes it whole.
- * @param[in,out] packet  The packet.
- * @param i          Its place, 0 to #PACKET_RAYS - 1.
- * @param origin     Where it starts, in the engine's numbers.
+ * @param i  Its place, 0 to #PACKET_RAYS - 1.
+ * @param origin  Where it starts, in the engine's numbers.
  * @param direction  Which way, in the engine's numbers.
  */
 INLINE void packet_set_ray(Packet *packet, size_t i, const scalar origin[3],
@@ -38,16 +34,17 @@ INLINE void packet_set_ray(Packet *packet, size_t i, const scalar origin[3],
     mask_set_lane(&packet->active[i / LANES], lane, true);
 }
 
-/** Works out what follows from the rays that were put in. @param[in,out] packet The packet. */
+/** Works out what follows from the rays that were put in. */
 static void packet_finish(Packet *packet) {
     for (int v = 0; v < PACKET_VECTORS; v++) {
         packet->rays[v] = ray_of(packet->rays[v].origin, packet->rays[v].direction);
     }
 }
 
-/** Makes a packet of plain rays. @param rays The rays. @param count How many, at most
- *  #PACKET_RAYS. @param scene_origin Where the tracer's coordinates begin. @param[out] packet The
- * packet.
+/**
+ * Makes a packet of plain rays.
+ * @param count  How many, at most #PACKET_RAYS.
+ * @param scene_origin  Where the tracer's coordinates begin.
  */
 static void ray_queries_pack(const RayQuery *rays, size_t count, Vec3d scene_origin,
                              Packet *packet) {
@@ -63,9 +60,10 @@ static void ray_queries_pack(const RayQuery *rays, size_t count, Vec3d scene_ori
     packet->wants_points = false;
 }
 
-/** Makes a packet of rays asked in full. @param queries The rays. @param count How many, at most
- *  #PACKET_RAYS. @param scene_origin Where the tracer's coordinates begin. @param[out] packet The
- * packet.
+/**
+ * Makes a packet of rays asked in full.
+ * @param count  How many, at most #PACKET_RAYS.
+ * @param scene_origin  Where the tracer's coordinates begin.
  */
 static void quad_queries_pack(const RayQueryQuad *queries, size_t count, Vec3d scene_origin,
                               Packet *packet) {
@@ -81,8 +79,7 @@ static void quad_queries_pack(const RayQueryQuad *queries, size_t count, Vec3d s
     packet_finish(packet);
 }
 
-/** @return How many of the rays from `done` on fill the next packet. @param count All rays.
- *  @param done Those already traced. */
+/** @return How many of the rays from `done` on fill the next packet. */
 static size_t packet_fill_count(size_t count, size_t done) {
     return count - done < PACKET_RAYS ? count - done : PACKET_RAYS;
 }
@@ -115,17 +112,15 @@ void query_occluded(const Tracer *tracer, size_t count, const RayQuery *rays, bo
     }
 }
 
-/** @return One lane, exactly, in the widest type. @param x Numbers. @param i The lane. */
+/** @return One lane, exactly, in the widest type. */
 INLINE Quadruple quad_lane(real x, int i) {
     return (Quadruple)real_lane(x, i);
 }
 
 /**
  * @return One lane of a hit, as an answer.
- * @param scene_origin     Where the tracer's coordinates begin.
- * @param hit      The hit.
+ * @param scene_origin  Where the tracer's coordinates begin.
  * @param occluded  Which lanes `is_blocking` called blocked.
- * @param i        The lane.
  */
 static RayResult ray_result_of(Vec3d scene_origin, const Hit *hit, mask occluded, int i) {
     const Vec3 *p = &hit->point, *n = &hit->normal;
@@ -139,13 +134,7 @@ static RayResult ray_result_of(Vec3d scene_origin, const Hit *hit, mask occluded
                        .error = quad_lane(hit->error, i)};
 }
 
-/**
- * Adds to an answer where on a picture its point lies.
- * @param tracer  The tracer.
- * @param hit     The hit.
- * @param i       The lane.
- * @param[in,out] result  The answer.
- */
+/** Adds to an answer where on a picture its point lies. */
 static void ray_result_set_uv(const Tracer *tracer, const Hit *hit, int i, RayResult *result) {
     if (result->shape >= 0) {
         mask lane = mask_of(false);

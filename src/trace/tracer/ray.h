@@ -28,7 +28,10 @@ typedef struct Hit {
                        blocks. Other shapes leave there what was there. */
 } Hit;
 
-/** @return LANES rays. @param origin Where they start. @param direction Which way, not zero. */
+/**
+ * @return LANES rays.
+ * @param direction  Which way, not zero.
+ */
 INLINE Ray ray_of(Vec3 origin, Vec3 direction) {
     Vec3 inverse = {1 / direction.x, 1 / direction.y, 1 / direction.z};
     return (Ray){origin, direction, inverse};
@@ -44,10 +47,9 @@ INLINE Hit hit_none(real limit) {
  * @return The lanes in which a shape is nearer than what was met so far. At the same distance the
  *         shape that comes first in the scene is taken, in every engine and in any order of asking.
  *         A distance that is NaN is not nearer.
- * @param hit       What was met so far.
- * @param active    The lanes that count.
+ * @param hit  What was met so far.
  * @param distance  Where the shape is met.
- * @param shape     Its place in the scene.
+ * @param shape  Its place in the scene.
  */
 INLINE mask hit_is_nearer(const Hit *hit, mask active, real distance, int shape) {
     mask earlier = integer_of(shape) < hit->shape;
@@ -58,8 +60,7 @@ INLINE mask hit_is_nearer(const Hit *hit, mask active, real distance, int shape)
 /**
  * Writes the lanes in which a shape is nearer.
  * @param[in,out] hit  What was met so far.
- * @param nearer       The lanes to write.
- * @param found        The new hit; its shape is that of all lanes.
+ * @param found  The new hit; its shape is that of all lanes.
  */
 INLINE void hit_update(Hit *hit, mask nearer, const Hit *found) {
     hit->distance = real_select(nearer, found->distance, hit->distance);

@@ -19,8 +19,7 @@ typedef struct RayOffset {
     scalar epsilon;          /**< For #OFFSET_FIXED: scene units. */
 } RayOffset;
 
-/** @return How far from a surface rays start, scene units. @param offset How.
- *  @param hit The surface. */
+/** @return How far from a surface rays start, scene units. */
 INLINE real ray_offset_length(const RayOffset *offset, const Hit *hit) {
     return offset->strategy == OFFSET_FIXED  ? real_of(offset->epsilon)
            : offset->strategy == OFFSET_NONE ? real_of(0)
@@ -31,8 +30,6 @@ INLINE real ray_offset_length(const RayOffset *offset, const Hit *hit) {
  * @return Where rays that leave a surface start: moved along the normal, to the side that they
  *         travel to, by nothing, a fixed length or the hit's own error bound (doc/tour.md, "Leaving
  *         a surface").
- * @param offset  How far.
- * @param hit        The surface.
  * @param direction  Which way they leave.
  */
 INLINE Vec3 ray_offset_origin(const RayOffset *offset, const Hit *hit, Vec3 direction) {
@@ -48,10 +45,8 @@ INLINE Vec3 ray_offset_origin(const RayOffset *offset, const Hit *hit, Vec3 dire
 /**
  * @return How far behind a surface rays start that go through it, in lengths of their direction:
  *         along themselves, so that they stay on their line, until they are #TRANSMIT_OFFSET_BOUNDS
- * bounds behind the surface.
- * @param offset_length     See #ray_offset_length.
+ *         bounds behind the surface.
  * @param cosine  Between their direction, as long as it is, and the surface's normal; not negative.
- * @param length  Of their direction.
  */
 INLINE real ray_offset_transmitted_t(real offset_length, real cosine, real length) {
     return TRANSMIT_OFFSET_BOUNDS * offset_length /
@@ -61,12 +56,9 @@ INLINE real ray_offset_transmitted_t(real offset_length, real cosine, real lengt
 /**
  * @return Where rays start that go through a surface. Those that graze it are moved along the
  *         normal for the rest.
- * @param hit     The surface.
- * @param offset_length     See #ray_offset_length.
  * @param n_behind  The normal, on the side that the rays go to.
  * @param direction  Which way they go.
  * @param cosine  direction . onward, not negative.
- * @param t     See #ray_offset_transmitted_t.
  */
 INLINE Vec3 ray_offset_transmitted_origin(const Hit *hit, real offset_length, Vec3 n_behind,
                                           Vec3 direction, real cosine, real t) {

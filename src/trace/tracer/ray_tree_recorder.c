@@ -13,24 +13,23 @@ enum { RAY_TREE_INITIAL_CAPACITY = 64 };
 
 /* --- out of the engine's numbers -------------------------------------------------------------- */
 
-/** @return The vector in the first lane. @param v Vectors. */
+/** @return The vector in the first lane. */
 static Vec3d vec3_first_lane(Vec3 v) {
     return (Vec3d){(double)real_lane(v.x, 0), (double)real_lane(v.y, 0), (double)real_lane(v.z, 0)};
 }
 
-/** @return The light in the first lane. @param color Light. */
+/** @return The light in the first lane. */
 static Rgbd rgb_first_lane(Rgb color) {
     return (Rgbd){(double)real_lane(color.red, 0), (double)real_lane(color.green, 0),
                   (double)real_lane(color.blue, 0)};
 }
 
-/** @return The number in the first lane. @param x Numbers. */
+/** @return The number in the first lane. */
 static double real_first_lane(real x) {
     return (double)real_lane(x, 0);
 }
 
-/** @return A length in units of the last place of a number of the engine. @param length It.
- *  @param x The number. */
+/** @return A length in units of the last place of a number of the engine. */
 static double in_ulps(double length, double x) {
     int exponent;
     frexp(x, &exponent);
@@ -39,7 +38,7 @@ static double in_ulps(double length, double x) {
 
 /* --- the list of rays ------------------------------------------------------------------------- */
 
-/** Makes room for one more ray. @param[in,out] ray_tree The tree. @return false without memory. */
+/** Makes room for one more ray. @return false without memory. */
 static bool ray_tree_reserve(RayTree *ray_tree) {
     if (ray_tree->count < ray_tree->capacity) {
         return true;
@@ -54,10 +53,12 @@ static bool ray_tree_reserve(RayTree *ray_tree) {
     return rays != NULL;
 }
 
-/** Adds a ray as a child of the current one. @param[in,out] ray_tree The tree. @param kind What it
- * is.
- *  @param ray Where it goes, in the first lane. @param limit How far, in lengths of its direction.
- *  @return It; NULL without memory. */
+/**
+ * Adds a ray as a child of the current one.
+ * @param ray  Where it goes, in the first lane.
+ * @param limit  How far, in lengths of its direction.
+ * @return It; NULL without memory.
+ */
 static RayTreeNode *ray_tree_add(RayTree *ray_tree, RayType kind, const Ray *ray, real limit) {
     ray_tree->is_truncated = ray_tree->is_truncated || !ray_tree_reserve(ray_tree);
     if (ray_tree->is_truncated) {
@@ -78,8 +79,7 @@ static RayTreeNode *ray_tree_add(RayTree *ray_tree, RayType kind, const Ray *ray
     return added;
 }
 
-/** @return The ray that is being followed; NULL where memory did not do. @param ray_tree The tree.
- */
+/** @return The ray that is being followed; NULL where memory did not do. */
 static RayTreeNode *ray_tree_current(const RayTree *ray_tree) {
     return ray_tree->is_truncated ? NULL : &ray_tree->nodes[ray_tree->current];
 }
@@ -105,8 +105,7 @@ void ray_tree_pop(RayTree *ray_tree, Rgb color) {
 
 /* --- what the current ray met ----------------------------------------------------------------- */
 
-/** Notes where a ray met something. @param[in,out] ray The ray. @param hit Where, if anywhere.
- *  @param length Of its direction in the engine. */
+/** Notes where a ray met something. @param length Of its direction in the engine. */
 static void ray_tree_node_set_hit(RayTreeNode *ray, const Hit *hit, double length) {
     int shape = integer_lane(hit->shape, 0), sphere = emitter_sphere_index(shape);
     ray->is_hit = shape >= 0 || sphere >= 0;
@@ -160,9 +159,12 @@ void ray_tree_record_dielectric(const SurfaceHit *surface, const DielectricHit *
 
 /* --- light ------------------------------------------------------------------------------------ */
 
-/** Finds what is in the way of a shadow ray. @param shapes All shapes. @param surface The surface
- * that it comes from. @param shadow It. @param[out] hit What it meets first, if anything: of shapes
- * that light goes through, only where no other is in the way. */
+/**
+ * Finds what is in the way of a shadow ray.
+ * @param surface  The surface that it comes from.
+ * @param[out] hit  What it meets first, if anything: of shapes that light goes through, only where
+ *         no other is in the way.
+ */
 static void occluder_find(const ShapeSet *shapes, const SurfaceHit *surface, const Packet *shadow,
                           Hit *hit) {
     Packet rays = *shadow;
@@ -205,8 +207,8 @@ static Rgb rgb_of_color(Rgbd color) {
     return rgb_splat(rgbs_of(color));
 }
 
-/** Works out what each shadow ray of a surface adds to its colour. @param ray_tree The tree.
- *  @param parent_index The place of the ray that met the surface. @param material The surface. */
+/** Works out what each shadow ray of a surface adds to its colour. @param parent_index The place of
+ *  the ray that met the surface. */
 static void ray_tree_weight_shadows(RayTree *ray_tree, int parent_index,
                                     const MaterialPack *material) {
     for (size_t i = (size_t)parent_index + 1; i < ray_tree->count; i++) {
@@ -248,8 +250,10 @@ void ray_tree_record_shading(const SurfaceHit *surface, const DielectricHit *die
 
 /* --- the end ---------------------------------------------------------------------------------- */
 
-/** @return The place of a lamp's ball among the lamps. @param sphere Which of the balls.
- *  @param lights The lamps. @param count How many. */
+/**
+ * @return The place of a lamp's ball among the lamps.
+ * @param sphere  Which of the balls.
+ */
 static int light_of_sphere(int sphere, const Light *lights, size_t count) {
     int light_index = -1;
     for (size_t i = 0; i < count && sphere >= 0; i++) {

@@ -15,10 +15,7 @@
  * Notes a ray that is about to be followed, as a child of the current one. It is the current one
  * now.
  * @param[in,out] ray_tree  The tree; the ray is the camera's where it is empty.
- * @param kind           What it is.
- * @param packet         The ray.
- * @param throughput          Of what it brings back, that goes to its parent.
- * @param throughput         See #RayTreeNode.throughput.
+ * @param throughput  Of what it brings back, that goes to its parent.
  */
 void ray_tree_push(RayTree *ray_tree, RayType kind, const Packet *packet, Rgb weight,
                    real throughput);
@@ -27,18 +24,13 @@ void ray_tree_push(RayTree *ray_tree, RayType kind, const Packet *packet, Rgb we
  *  @param offset How rays leave it. */
 void ray_tree_record_surface(const SurfaceHit *surface, const RayOffset *offset);
 
-/** Notes what becomes of the current ray at glass. @param record The surface.
- *  @param dielectric What becomes of it. */
+/** Notes what becomes of the current ray at glass. */
 void ray_tree_record_dielectric(const SurfaceHit *surface, const DielectricHit *dielectric);
 
 /**
  * Notes a shadow ray from the current ray's surface.
- * @param shapes    All shapes.
- * @param surface     The surface.
- * @param light_index    Which lamp.
- * @param sample   What the lamp would give, with the ray.
- * @param occluded Whether it does not reach the point.
- * @param lighting   What it gives.
+ * @param sample  What the lamp would give, with the ray.
+ * @param occluded  Whether it does not reach the point.
  */
 void ray_tree_record_shadow(const ShapeSet *shapes, const SurfaceHit *surface, size_t light_index,
                             const LightSample *sample, mask occluded,
@@ -46,25 +38,17 @@ void ray_tree_record_shadow(const ShapeSet *shapes, const SurfaceHit *surface, s
 
 /**
  * Notes what the body of the current ray's surface sends back.
- * @param record       The surface.
  * @param dielectric  What becomes of the ray at glass; NULL: there is none.
- * @param texture_color     The picture's colour; NULL: it shows none.
- * @param color     What it sends back.
+ * @param texture_color  The picture's colour; NULL: it shows none.
  */
 void ray_tree_record_shading(const SurfaceHit *surface, const DielectricHit *dielectric,
                              const Rgb *texture_color, Rgb color);
 
-/** Notes what the current ray has brought back; its parent is the current one now.
- *  @param ray_tree The tree. @param color It. */
+/** Notes what the current ray has brought back; its parent is the current one now. */
 void ray_tree_pop(RayTree *ray_tree, Rgb color);
 
-/**
- * Ends a tree: names the lamps that were met, and gives places in the scene.
- * @param ray_tree   The tree.
- * @param origin  Where in the scene the tracer's coordinates begin.
- * @param lights   The lamps.
- * @param count   How many.
- */
+/** Ends a tree: names the lamps that were met, and gives places in the scene. @param origin Where
+ *  in the scene the tracer's coordinates begin. */
 void ray_tree_finish(RayTree *ray_tree, Vec3d origin, const Light *lights, size_t count);
 
 #endif

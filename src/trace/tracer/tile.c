@@ -9,7 +9,6 @@
 /**
  * Writes one primary of a vector of rays.
  * @param[out] out  Where the first goes.
- * @param channel  The primary.
  * @param count  How many lanes are within the grid, at most LANES.
  */
 INLINE void real_store_lanes(double *out, real channel, int count) {
@@ -24,13 +23,7 @@ INLINE void real_store_lanes(double *out, real channel, int count) {
     }
 }
 
-/**
- * Writes the colours of a packet where they belong.
- * @param colors  The colours.
- * @param grid    The grid.
- * @param column  The packet's first column.
- * @param row     The packet's first row.
- * @param[out] rgb  The colours of the whole grid.
+/** Writes the colours of a packet where they belong. @param[out] rgb The colours of the whole grid.
  */
 static void colors_write(const Rgb *colors, const PixelGrid *grid, int column, int row,
                          double *rgb) {
@@ -47,16 +40,17 @@ static void colors_write(const Rgb *colors, const PixelGrid *grid, int column, i
     }
 }
 
-/** @return The number of a pixel of a grid, its own in the whole picture. @param grid The grid.
- *  @param column Its column. @param row Its row. */
+/** @return The number of a pixel of a grid, its own in the whole picture. */
 static uint32_t pixel_id(const PixelGrid *grid, int column, int row) {
     int x = grid->x + column * grid->stride, y = grid->y + row * grid->stride;
     return hash_u32((uint32_t)y << 16 | (uint32_t)x);
 }
 
-/** Follows the camera rays of a packet. @param tile The grid. @param packet The rays.
- *  @param pixel_ids Their pixels' numbers; NULL where no lamp asks. @param recorders What is noted
- * of them; NULL: nothing. @param[out] colors Their colours. */
+/**
+ * Follows the camera rays of a packet.
+ * @param pixel_ids  Their pixels' numbers; NULL where no lamp asks.
+ * @param recorders  What is noted of them; NULL: nothing.
+ */
 static void trace_camera_packet(const TileTrace *tile, Packet *packet, const uint32_t *pixel_ids,
                                 const Recorders *recorders, Rgb *colors) {
     const Dielectrics *dielectrics = &tile->tracer->dielectrics;
@@ -77,9 +71,7 @@ static void trace_camera_packet(const TileTrace *tile, Packet *packet, const uin
                         tile->tracer->depth, colors, tile->counts);
 }
 
-/** As #trace_camera_packet, and notes the rays of the first pixel where they are asked for. @param
- * tile See there. @param packet See there. @param pixel_ids See there. @param recorders See there.
- *  @param[out] colors See there. */
+/** As #trace_camera_packet, and notes the rays of the first pixel where they are asked for. */
 static void trace_recorded_packet(const TileTrace *tile, Packet *packet, const uint32_t *pixel_ids,
                                   const Recorders *recorders, Rgb *colors) {
     const Tracer *tracer = tile->tracer;
@@ -95,8 +87,10 @@ static void trace_recorded_packet(const TileTrace *tile, Packet *packet, const u
     }
 }
 
-/** @return What is noted for a grid; NULL: nothing. @param grid It. @param path_hashes Room for a
- *  packet's trails. @param[out] recorders Room for it. */
+/**
+ * @return What is noted for a grid; NULL: nothing.
+ * @param path_hashes  Room for a packet's trails.
+ */
 static const Recorders *tile_recorders(const PixelGrid *grid, uint64_t *path_hashes,
                                        Recorders *recorders) {
     *recorders = (Recorders){.path_hashes = grid->path_hashes ? path_hashes : NULL,
@@ -104,8 +98,7 @@ static const Recorders *tile_recorders(const PixelGrid *grid, uint64_t *path_has
     return grid->path_hashes || grid->ray_tree ? recorders : NULL;
 }
 
-/** Writes the trails of a packet where they belong. @param path_hashes The trails. @param grid The
- * grid, which asks for them. @param column The packet's first column. @param row Its first row. */
+/** Writes the trails of a packet where they belong. @param grid The grid, which asks for them. */
 static void path_hashes_write(const uint64_t *path_hashes, const PixelGrid *grid, int column,
                               int row) {
     for (int i = 0; i < PACKET_RAYS; i++) {
@@ -128,8 +121,7 @@ void trace_tile_packet_colors(const TileTrace *tile, int column, int row,
     trace_recorded_packet(tile, &packet, is_soft ? pixel_ids : NULL, recorders, colors);
 }
 
-/** Traces a packet of a grid. @param tile The grid. @param column The packet's first column.
- *  @param row Its first row. */
+/** Traces a packet of a grid. */
 static void trace_tile_packet(const TileTrace *tile, int column, int row) {
     Rgb colors[PACKET_VECTORS];
     uint64_t path_hashes[PACKET_RAYS];
@@ -142,8 +134,7 @@ static void trace_tile_packet(const TileTrace *tile, int column, int row) {
     colors_write(colors, tile->grid, column, row, tile->rgb);
 }
 
-/** Traces some of the chosen pixels of a grid. @param tile The grid. @param first Which of the
- *  chosen is the first. */
+/** Traces some of the chosen pixels of a grid. @param first Which of the chosen is the first. */
 static void trace_selected_packet(const TileTrace *tile, size_t first) {
     Packet packet;
     Rgb colors[PACKET_VECTORS];
@@ -192,9 +183,8 @@ void trace_tile(const Tracer *tracer, const PixelGrid *grid, double *rgb, RayCou
 
 /**
  * Writes what a vector of rays has met.
- * @param hit     What it met.
- * @param count   How many lanes are within the grid, at most LANES.
- * @param[out] shapes     Where the first shape goes.
+ * @param count  How many lanes are within the grid, at most LANES.
+ * @param[out] shapes  Where the first shape goes.
  * @param[out] distances  Where the first distance goes.
  */
 INLINE void hits_write(const Hit *hit, int count, int *shapes, double *distances) {

@@ -17,18 +17,15 @@ typedef struct TileTrace {
     RayCounts *counts;     /**< The rays traced. */
 } TileTrace;
 
-/** Follows the camera's rays of a packet of a grid. @param tile The grid. @param column The
- *  packet's first column. @param row Its first row. @param recorders What is noted of them;
- *  NULL: nothing. @param[out] colors Their colours. */
+/** Follows the camera's rays of a packet of a grid. @param recorders What is noted of them; NULL:
+ *  nothing. */
 void trace_tile_packet_colors(const TileTrace *tile, int column, int row,
                               const Recorders *recorders, Rgb *colors);
 
-/** Traces a grid of pixels. See #Engine.trace. @param tracer The tracer. @param grid The pixels.
- *  @param[out] rgb Their colours. @param[in,out] counts The rays traced. */
+/** Traces a grid of pixels. See #Engine.trace. */
 void trace_tile(const Tracer *tracer, const PixelGrid *grid, double *rgb, RayCounts *counts);
 
-/** Finds the nearest hits of a grid of pixels. See #Engine.trace_primary. @param tracer The tracer.
- *  @param grid The pixels. @param[out] shapes What they meet. @param[out] distances How far. */
+/** Finds the nearest hits of a grid of pixels. See #Engine.trace_primary. */
 void trace_tile_primary(const Tracer *tracer, const PixelGrid *grid, int *shapes,
                         double *distances);
 

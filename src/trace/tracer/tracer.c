@@ -10,8 +10,7 @@
 #include "trace/tracer/path_hash.h"
 #include "trace/tracer/ray_tree_recorder.h"
 
-/** @return What rays that meet nothing see. @param tracer The tracer. @param direction Unit
- *  directions. @param lanes The rays that count. */
+/** @return What rays that meet nothing see. */
 static Rgb sky_color(const Tracer *tracer, Vec3 direction, mask lanes) {
     const Sky *sky = &tracer->sky;
     if (tracer->textures.sky) {
@@ -24,13 +23,7 @@ static Rgb sky_color(const Tracer *tracer, Vec3 direction, mask lanes) {
     return rgb_add(sky->horizon, rgb_scale(sky->zenith_minus_horizon, height));
 }
 
-/**
- * Finds what a packet of rays meets.
- * @param tracer  The tracer.
- * @param packet  The rays.
- * @param[out] surface  What they met.
- * @return Whether any ray met anything.
- */
+/** Finds what a packet of rays meets. @return Whether any ray met anything. */
 static bool surface_hit_find(const Tracer *tracer, const Packet *packet, SurfaceHit *surface) {
     bool any_hit = false;
     surface->materials = tracer->materials;
@@ -54,9 +47,8 @@ static bool surface_hit_find(const Tracer *tracer, const Packet *packet, Surface
 
 /**
  * @return What the body of surfaces sends back: all but what is mirrored or let through.
- * @param material   The surfaces.
- * @param diffuse      What the lamps give for the matt shine.
- * @param specular What they give for highlights.
+ * @param diffuse  What the lamps give for the matt shine.
+ * @param specular  What they give for highlights.
  */
 INLINE Rgb direct_color(const MaterialPack *material, Rgb diffuse, Rgb specular) {
     Rgb light = rgb_add(material->ambient, rgb_scale(diffuse, material->diffuse));
@@ -73,10 +65,12 @@ typedef struct SecondaryRays {
                                        */
 } SecondaryRays;
 
-/** Weighs rays that could go on, and drops those that cannot change the picture. @param tracer The
- *  tracer. @param v Which vector. @param lanes Those that could. @param throughput Of what they
- * bring back. @param throughput What the rays before them weighed. @param[out] secondary The rays.
- *  @return Those that go on. */
+/**
+ * Weighs rays that could go on, and drops those that cannot change the picture.
+ * @param throughput  Of what they bring back.
+ * @param throughput  What the rays before them weighed.
+ * @return Those that go on.
+ */
 INLINE mask secondary_rays_set_weight(const Tracer *tracer, int v, mask lanes, Rgb weight,
                                       real throughput, SecondaryRays *secondary) {
     secondary->weights[v] = weight;
@@ -84,14 +78,8 @@ INLINE mask secondary_rays_set_weight(const Tracer *tracer, int v, mask lanes, R
     return secondary->packet.active[v] = lanes & (secondary->throughputs[v] >= tracer->cutoff);
 }
 
-/**
- * Turns the rays of a packet that met mirrors, or glass, into mirrored rays (rows A9, C3).
- * @param tracer     The tracer.
- * @param surface        What the rays met.
- * @param dielectric   What becomes of them in glass, or NULL.
- * @param throughput     What the rays weighed.
- * @param[out] reflected  The mirrored rays.
- */
+/** Turns the rays of a packet that met mirrors, or glass, into mirrored rays (rows A9, C3). @param
+ *  dielectric What becomes of them in glass, or NULL. */
 INLINE void reflect_rays(const Tracer *tracer, const SurfaceHit *surface,
                          const DielectricHit *dielectric, const real *throughput,
                          SecondaryRays *reflected) {
@@ -116,14 +104,7 @@ INLINE void reflect_rays(const Tracer *tracer, const SurfaceHit *surface,
     }
 }
 
-/**
- * Turns the rays of a packet that met glass into refracted rays (row A10).
- * @param tracer    The tracer.
- * @param surface       What the rays met.
- * @param dielectric  What becomes of them.
- * @param throughput    What the rays weighed.
- * @param[out] refracted  The refracted rays.
- */
+/** Turns the rays of a packet that met glass into refracted rays (row A10). */
 INLINE void refract_rays(const Tracer *tracer, const SurfaceHit *surface,
                          const DielectricHit *dielectric, const real *throughput,
                          SecondaryRays *refracted) {
@@ -142,8 +123,8 @@ INLINE void refract_rays(const Tracer *tracer, const SurfaceHit *surface,
     }
 }
 
-/** Adds what rays that went on from surfaces have brought back. @param secondary The rays.
- *  @param incoming What they saw. @param[in,out] colors The colours of the rays before them. */
+/** Adds what rays that went on from surfaces have brought back. @param[in,out] colors The colours
+ *  of the rays before them. */
 INLINE void secondary_rays_add(const SecondaryRays *secondary, const Rgb *incoming, Rgb *colors) {
     for (int v = 0; v < PACKET_VECTORS; v++) {
         Rgb sum = rgb_add(colors[v], rgb_multiply(secondary->weights[v], incoming[v]));
@@ -153,12 +134,9 @@ INLINE void secondary_rays_add(const SecondaryRays *secondary, const Rgb *incomi
 
 /**
  * Follows rays that go on from surfaces, and adds what they bring back.
- * @param tracer  The tracer.
- * @param secondary  The rays.
- * @param interior   What they are inside of; NULL: the scene has no glass.
- * @param depth   How often they may still be mirrored or refracted.
+ * @param interior  What they are inside of; NULL: the scene has no glass.
+ * @param depth  How often they may still be mirrored or refracted.
  * @param[in,out] colors  The colours of the rays before them.
- * @param[in,out] counts  The rays traced.
  */
 INLINE void secondary_rays_trace(const Tracer *tracer, const SecondaryRays *secondary,
                                  const InteriorList *interior, int depth, Rgb *colors,
@@ -177,15 +155,8 @@ INLINE void secondary_rays_trace(const Tracer *tracer, const SecondaryRays *seco
     secondary_rays_add(secondary, incoming, colors);
 }
 
-/**
- * Adds what mirrors show, in a scene without glass.
- * @param tracer    The tracer.
- * @param surface       What the rays met.
- * @param throughput    What the rays weigh.
- * @param depth     How often they may still be mirrored, at least once.
- * @param[in,out] colors  The rays' colours.
- * @param[in,out] counts  The rays traced.
- */
+/** Adds what mirrors show, in a scene without glass. @param depth How often they may still be
+ *  mirrored, at least once. */
 INLINE void reflections_add(const Tracer *tracer, const SurfaceHit *surface, const real *throughput,
                             int depth, Rgb *colors, RayCounts *counts) {
     SecondaryRays reflected;
@@ -199,8 +170,6 @@ INLINE void reflections_add(const Tracer *tracer, const SurfaceHit *surface, con
 
 /**
  * Finds what the bodies of surfaces send back.
- * @param tracer    The tracer.
- * @param surface       The surfaces.
  * @param dielectric  What becomes of the rays in glass, or NULL.
  * @param[in,out] colors  The rays' colours, written where they met anything.
  * @return How many shadow rays were traced.
@@ -253,10 +222,7 @@ static __attribute__((noinline)) void surface_hit_record(const SurfaceHit *surfa
 
 /**
  * Finds what rays meet, and the colours of those that meet nothing.
- * @param tracer  The tracer.
- * @param packet  The rays.
- * @param interior   What they are inside of, or NULL.
- * @param[out] surface     What they met.
+ * @param interior  What they are inside of, or NULL.
  * @param[out] colors  Their colours, where they met nothing.
  * @return Whether any ray met anything.
  */
@@ -280,10 +246,8 @@ INLINE bool intersect_packet(const Tracer *tracer, const Packet *packet,
     return any_hit;
 }
 
-/** As #tracer_trace_packet, in a scene without glass. @param tracer The tracer. @param packet The
- * rays.
- *  @param throughput What they weigh. @param depth How often they may still be mirrored.
- *  @param[out] colors Their colours. @param[in,out] counts The rays traced. */
+/** As #tracer_trace_packet, in a scene without glass. @param depth How often they may still be
+ *  mirrored. */
 static void trace_without_dielectrics(const Tracer *tracer, const Packet *packet,
                                       const real *throughput, int depth, Rgb *colors,
                                       RayCounts *counts) {
@@ -307,14 +271,10 @@ typedef struct SplitRays {
 /**
  * Finds the colours of what rays meet in a scene with glass, and the rays that go on. Never a part
  * of its caller: what it needs is off the stack before those rays are followed.
- * @param tracer  The tracer.
- * @param packet  The rays.
- * @param interior   What they are inside of.
- * @param throughput  What they weigh.
- * @param depth   How often they may still be mirrored or refracted.
- * @param[out] colors      Their colours, without what the rays that go on bring back.
- * @param[in,out] counts   The rays traced.
- * @param[out] split     The rays that go on.
+ * @param interior  What they are inside of.
+ * @param depth  How often they may still be mirrored or refracted.
+ * @param[out] colors  Their colours, without what the rays that go on bring back.
+ * @param[out] split  The rays that go on.
  * @return Whether any may.
  */
 static __attribute__((noinline)) bool
@@ -346,12 +306,9 @@ split_rays_generate(const Tracer *tracer, const Packet *packet, const InteriorLi
 /**
  * Follows mirrored and refracted rays side by side in one packet, and adds what they bring back.
  * Never a part of its caller: see #PACKET_MERGE_MAX_BOUNCES.
- * @param tracer   The tracer.
- * @param split  The rays.
- * @param interior    What the mirrored ones are inside of.
- * @param depth    How often they may still be mirrored or refracted.
+ * @param interior  What the mirrored ones are inside of.
+ * @param depth  How often they may still be mirrored or refracted.
  * @param[in,out] colors  The colours of the rays before them.
- * @param[in,out] counts  The rays traced.
  */
 static __attribute__((noinline)) void
 split_rays_trace_merged(const Tracer *tracer, const SplitRays *split, const InteriorList *interior,
@@ -371,11 +328,11 @@ split_rays_trace_merged(const Tracer *tracer, const SplitRays *split, const Inte
     secondary_rays_add(refracted, own_colors, colors);
 }
 
-/** As #tracer_trace_packet, in a scene with glass. @param tracer The tracer. @param packet The
- * rays.
- *  @param interior What they are inside of. @param throughput What they weigh. @param depth How
- * often they may still be mirrored or refracted. @param[out] colors Their colours.
- *  @param[in,out] counts The rays traced. */
+/**
+ * As #tracer_trace_packet, in a scene with glass.
+ * @param interior  What they are inside of.
+ * @param depth  How often they may still be mirrored or refracted.
+ */
 static void trace_with_dielectrics(const Tracer *tracer, const Packet *packet,
                                    const InteriorList *interior, const real *throughput, int depth,
                                    Rgb *colors, RayCounts *counts) {

@@ -41,12 +41,11 @@ struct Tracer {
 
 /**
  * Finds the colours that a packet of rays brings back.
- * @param tracer  The tracer.
  * @param packet  The rays, of unit direction, at least one active.
- * @param interior   What they are inside of; NULL: the scene has no glass.
+ * @param interior  What they are inside of; NULL: the scene has no glass.
  * @param throughput  For each vector of rays: the largest share with which a primary of its colour
- *                enters the picture.
- * @param depth   How often the rays may still be mirrored or refracted.
+ *         enters the picture.
+ * @param depth  How often the rays may still be mirrored or refracted.
  * @param[out] colors  A colour for each vector of rays.
  * @param[in,out] counts  Mirrored, refracted and shadow rays are added to this.
  */

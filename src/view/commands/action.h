@@ -72,12 +72,12 @@ typedef enum Action {
 /** How many of the actions are moves: those before #ACTION_SNAPSHOT. */
 enum { ACTION_MOVE_COUNT = ACTION_SNAPSHOT };
 
-/** @return Whether an action is a move. @param action The action. */
+/** @return Whether an action is a move. */
 static inline bool action_is_move(Action action) {
     return action < ACTION_SNAPSHOT;
 }
 
-/** @return Whether an action changes how a picture is drawn. @param action The action. */
+/** @return Whether an action changes how a picture is drawn. */
 static inline bool action_is_setting_change(Action action) {
     return action >= ACTION_ENGINE_NEXT && action < ACTION_SPLIT_NEXT;
 }
@@ -93,7 +93,7 @@ static inline Action action_shifted(Action action) {
 const char *const *action_names(void);
 
 /** @return Whether a lesson remembers an action: what changes what is seen, but for the language,
- *          which is the viewer's own. @param action The action. */
+ *  which is the viewer's own. */
 bool action_is_recorded(Action action);
 
 #endif

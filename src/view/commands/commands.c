@@ -15,18 +15,18 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/** Shows the rays of one pixel, or the picture again. @param[in,out] app The view. */
+/** Shows the rays of one pixel, or the picture again. */
 static void toggle_rays(App *app) {
     inspector_toggle(&app->window.inspector);
     window_present(&app->window);
 }
 
-/** Closes the window. @param[in,out] app The view. */
+/** Closes the window. */
 static void quit(App *app) {
     app->should_quit = true;
 }
 
-/** Puts the scene's own view back. @param[in,out] app The view. */
+/** Puts the scene's own view back. */
 static void reset_view(App *app) {
     inspector_reset_camera(&app->window.inspector);
     view_state_reset(&app->home_view, app->scene);
@@ -34,7 +34,7 @@ static void reset_view(App *app) {
     app_on_view_changed(app);
 }
 
-/** The light keys move the next light from now on. @param[in,out] app The view. */
+/** The light keys move the next light from now on. */
 static void select_next_light(App *app) {
     size_t count = app->scene->light_count;
     app->selected_light = count > 0 ? (app->selected_light + 1) % count : 0;
@@ -45,7 +45,7 @@ static void select_next_light(App *app) {
     }
 }
 
-/** Opens or closes the help. @param[in,out] app The view. */
+/** Opens or closes the help. */
 static void toggle_help(App *app) {
     if (!help_toggle(&app->window.help)) {
         app_set_status(app, "no font found: the help is on standard output");
@@ -53,8 +53,7 @@ static void toggle_help(App *app) {
     window_present(&app->window);
 }
 
-/** Speaks the other language. A scene that is wrong is read again, to say what is wrong in it.
- *  @param[in,out] app The view. */
+/** Speaks the other language. A scene that is wrong is read again, to say what is wrong in it. */
 static void switch_language(App *app) {
     language_toggle();
     app_set_status(app, "messages are in English");
@@ -63,8 +62,7 @@ static void switch_language(App *app) {
     window_present(&app->window);
 }
 
-/** Prints camera and lights as text of the scene language, and keeps it ready to be pasted.
- *  @param[in,out] app The view. */
+/** Prints camera and lights as text of the scene language, and keeps it ready to be pasted. */
 static void copy_view(App *app) {
     char *text = scene_text_create(app->scene);
     if (!text) {
@@ -79,18 +77,15 @@ static void copy_view(App *app) {
     free(text);
 }
 
-/**
- * Asks for a snapshot. It is of the finished picture: of the view as it is when that is there, so
- * the time is held.
- * @param[in,out] app  The view.
- */
+/** Asks for a snapshot. It is of the finished picture: of the view as it is when that is there, so
+ *  the time is held. */
 static void request_snapshot(App *app) {
     app->wants_snapshot = true;
     timeline_pause(&app->timeline, time_control_clock(app));
     app_set_status(app, "the snapshot waits for the last pass");
 }
 
-/** Begins to record a lesson, or ends it. @param[in,out] app The view. */
+/** Begins to record a lesson, or ends it. */
 static void toggle_recording(App *app) {
     Error error = {0};
     if (!recorder_toggle(app, &error)) {
@@ -98,37 +93,37 @@ static void toggle_recording(App *app) {
     }
 }
 
-/** The time a step back. @param[in,out] app The view. */
+/** The time a step back. */
 static void step_time_back(App *app) {
     time_control_step(app, -1);
 }
 
-/** The time a step on. @param[in,out] app The view. */
+/** The time a step on. */
 static void step_time_forward(App *app) {
     time_control_step(app, 1);
 }
 
-/** Larger letters. @param[in,out] app The view. */
+/** Larger letters. */
 static void enlarge_text(App *app) {
     window_scale_text(&app->window, 1);
 }
 
-/** Smaller letters. @param[in,out] app The view. */
+/** Smaller letters. */
 static void shrink_text(App *app) {
     window_scale_text(&app->window, -1);
 }
 
-/** The whole screen, or a window again. @param[in,out] app The view. */
+/** The whole screen, or a window again. */
 static void toggle_full_screen(App *app) {
     sdl_window_toggle_full_screen(&app->window.sdl);
 }
 
-/** The numbers of the ray before. @param[in,out] app The view. */
+/** The numbers of the ray before. */
 static void select_previous_ray(App *app) {
     inspector_select_ray(&app->window.inspector, -1);
 }
 
-/** The numbers of the next ray. @param[in,out] app The view. */
+/** The numbers of the next ray. */
 static void select_next_ray(App *app) {
     inspector_select_ray(&app->window.inspector, 1);
 }

@@ -8,11 +8,7 @@
 #include "view/app.h"
 #include "view/commands/action.h"
 
-/**
- * Does what an action asks for.
- * @param[in,out] app  The view.
- * @param action        What it asks for, not a move.
- */
+/** Does what an action asks for. @param action What it asks for, not a move. */
 void command_run(App *app, Action action);
 
 #endif

@@ -10,8 +10,7 @@
 
 /**
  * Writes the path of a file.
- * @param file       The file.
- * @param number     Its number, from 1.
+ * @param number  Its number, from 1.
  * @param[out] path  The path; within the folder `.` only the file's name.
  * @return false if that is too long for a path.
  */
@@ -23,7 +22,7 @@ static bool format_path(const NumberedFile *file, int number, char path[NUMBERED
     return length >= 0 && length < NUMBERED_FILE_PATH_SIZE;
 }
 
-/** @return Whether there is anything at a path, be it a broken link. @param path The path. */
+/** @return Whether there is anything at a path, be it a broken link. */
 static bool path_exists(const char *path) {
     struct stat information;
     return lstat(path, &information) == 0;

@@ -20,10 +20,7 @@ typedef struct NumberedFile {
     const char *extension; /**< Last part of its name. */
     /**
      * Writes it.
-     * @param context      Its own.
-     * @param path         Where to.
      * @param[out] exists  Whether there is such a file: nothing is written then.
-     * @param[out] error   What is wrong.
      * @return Whether it is there, all of it.
      */
     bool (*write)(const void *context, const char *path, bool *exists, Error *error);
@@ -32,9 +29,7 @@ typedef struct NumberedFile {
 
 /**
  * Writes a file as FOLDER/NAME-0001.ENDING, with the first number that is free.
- * @param file        The file.
- * @param[out] path   The path that it got; within the folder `.` only its name.
- * @param[out] error  What is wrong.
+ * @param[out] path  The path that it got; within the folder `.` only its name.
  * @return Whether it is there, all of it.
  */
 bool numbered_file_write(const NumberedFile *file, char path[NUMBERED_FILE_PATH_SIZE],

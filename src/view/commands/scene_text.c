@@ -6,8 +6,7 @@
 
 #include <string.h>
 
-/** Prints a field's numbers. @param values They. @param count How many, at least 1.
- *  @param file Where to. */
+/** Prints a field's numbers. @param count How many, at least 1. */
 static void print_list(const double *values, int count, FILE *file) {
     for (int i = 0; i < count; i++) {
         fprintf(file, "%s%.17g", i ? ", " : "{", values[i]);
@@ -15,12 +14,7 @@ static void print_list(const double *values, int count, FILE *file) {
     fputc('}', file);
 }
 
-/**
- * Prints a field's value.
- * @param row    Its row of the table.
- * @param value  Where it lies.
- * @param file   Where to.
- */
+/** Prints a field's value. @param row Its row of the table. */
 static void print_value(const Parameter *row, const void *value, FILE *file) {
     switch (row->type) {
     case PARAMETER_NUMBER:
@@ -54,7 +48,6 @@ static void print_value(const Parameter *row, const void *value, FILE *file) {
 
 /**
  * Says whether a field is left out of the text.
- * @param name     Its name.
  * @param skipped  Names that are left out, ended by NULL.
  * @return Whether it is one of them.
  */
@@ -65,13 +58,8 @@ static bool is_skipped(const char *name, const char *const *skipped) {
     return *skipped != NULL;
 }
 
-/**
- * Prints a keyword with its fields.
- * @param keyword  The keyword.
- * @param values   Its struct.
- * @param skipped  Names of fields that are left out, ended by NULL.
- * @param file     Where to.
- */
+/** Prints a keyword with its fields. @param skipped Names of fields that are left out, ended by
+ *  NULL. */
 static void print_keyword(const Keyword *keyword, const void *values, const char *const *skipped,
                           FILE *file) {
     const char *separator = " { ";

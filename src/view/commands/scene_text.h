@@ -9,15 +9,12 @@
 
 #include <stdio.h>
 
-/**
- * Prints camera and lights on one line, without its end, ready to be pasted into a scene file.
- * Numbers are printed with all their digits: read again they are the same numbers.
- * @param scene  The scene, as it is seen.
- * @param file   Where to.
- */
+/** Prints camera and lights on one line, without its end, ready to be pasted into a scene file.
+ *  Numbers are printed with all their digits: read again they are the same numbers. @param scene
+ *  The scene, as it is seen. */
 void scene_text_print(const Scene *scene, FILE *file);
 
-/** @return The same in memory, to be freed; NULL without memory. @param scene The scene. */
+/** @return The same in memory, to be freed; NULL without memory. */
 char *scene_text_create(const Scene *scene);
 
 #endif

@@ -35,14 +35,12 @@ void settings_override_apply(const SettingsOverride *overrides, RenderSettings *
     settings->lighting = mask & SETTING_LIGHT ? values->lighting : settings->lighting;
 }
 
-/** @return One of some numbers after another, around. @param current One, from 0. @param step 1 or
- * -1.
- *  @param count How many. */
+/** @return One of some numbers after another, around. */
 static int wrap(int current, int step, int count) {
     return (current + step + count) % count;
 }
 
-/** @return The preferred engine of a number type. @param bits Its mantissa, bits. */
+/** @return The preferred engine of a number type. */
 static const Engine *engine_with_mantissa(int bits) {
     for (const Engine *const *engine = engine_list(); *engine; engine++) {
         if ((*engine)->mantissa_bits == bits && engine_is_supported(*engine)) {
@@ -52,8 +50,10 @@ static const Engine *engine_with_mantissa(int bits) {
     return NULL;
 }
 
-/** @return The engine of the next number type: float, double, quad. @param engine The engine.
- *  @param step 1: wider; -1: narrower. */
+/**
+ * @return The engine of the next number type: float, double, quad.
+ * @param step  1: wider; -1: narrower.
+ */
 static const Engine *next_number_type(const Engine *engine, int step) {
     static const int types[] = {24, 53, 113};
     enum { TYPE_COUNT = sizeof types / sizeof types[0] };
@@ -65,8 +65,7 @@ static const Engine *next_number_type(const Engine *engine, int step) {
     return next ? next : engine;
 }
 
-/** Changes epsilon, which then counts. @param[in,out] overrides What is changed. @param current The
- *  settings of now. @param factor By how much. */
+/** Changes epsilon, which then counts. */
 static void override_epsilon(SettingsOverride *overrides, const RenderSettings *current,
                              double factor) {
     double epsilon = current->trace.epsilon * factor;
@@ -75,7 +74,7 @@ static void override_epsilon(SettingsOverride *overrides, const RenderSettings *
     overrides->mask |= SETTING_EPSILON | SETTING_OFFSET;
 }
 
-/** @return By how much an action changes epsilon. @param action The action. */
+/** @return By how much an action changes epsilon. */
 static double epsilon_factor(Action action) {
     switch (action) {
     case ACTION_EPSILON_HALF:
@@ -89,8 +88,10 @@ static double epsilon_factor(Action action) {
     }
 }
 
-/** @return 1: an action goes on; -1: back. @param action One of two that stand side by side.
- *  @param first The first of them. */
+/**
+ * @return 1: an action goes on; -1: back.
+ * @param action  One of two that stand side by side.
+ */
 static int action_step(Action action, Action first) {
     return action == first ? 1 : -1;
 }

@@ -24,20 +24,14 @@ typedef struct SettingsOverride {
     RenderSettings values; /**< To what; only what was changed counts. */
 } SettingsOverride;
 
-/** Puts what was changed into settings. @param overrides What. @param[in,out] settings As asked for
- *  otherwise. */
+/** Puts what was changed into settings. @param[in,out] settings As asked for otherwise. */
 void settings_override_apply(const SettingsOverride *overrides, RenderSettings *settings);
 
-/**
- * Changes something.
- * @param[in,out] overrides  What is changed so far.
- * @param current             The settings of now.
- * @param action          What: see #action_is_setting_change.
- */
+/** Changes something. @param[in,out] overrides What is changed so far. */
 void settings_override_change(SettingsOverride *overrides, const RenderSettings *current,
                               Action action);
 
-/** @return What to call which light there is, in English. @param light The light. */
+/** @return What to call which light there is, in English. */
 const char *light_mode_name(LightingMode light);
 
 #endif

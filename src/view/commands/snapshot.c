@@ -6,8 +6,7 @@
 
 #include "dioptre/image_file.h"
 
-/** Writes a snapshot. See #NumberedFile.write. @param context The #Picture. @param path See there.
- *  @param[out] exists See there. @param[out] error See there. @return See there. */
+/** Writes a snapshot. See #NumberedFile.write. @return See there. */
 static bool write_picture(const void *context, const char *path, bool *exists, Error *error) {
     return image_file_write_new(path, context, exists, error);
 }

@@ -10,11 +10,8 @@
 
 /**
  * Writes a picture as NAME-0001.bmp, with the first number that is free, never over another file.
- * @param folder      Folder for it.
- * @param name        First part of its name.
- * @param picture     The picture.
- * @param[out] path   The path that it got.
- * @param[out] error  What is wrong.
+ * @param name  First part of its name.
+ * @param[out] path  The path that it got.
  * @return Whether it is there, all of it.
  */
 bool snapshot_write(const char *folder, const char *name, const Picture *picture,

@@ -10,9 +10,8 @@
 /**
  * Keeps the picture.
  * @param[in,out] app  The view, with the picture finished.
- * @param folder        Folder for the file, which is numbered.
- * @param name          First part of its name.
- * @param[out] error    What is wrong.
+ * @param folder  Folder for the file, which is numbered.
+ * @param name  First part of its name.
  * @return Whether it is done.
  */
 bool snapshot_take(App *app, const char *folder, const char *name, Error *error);

@@ -20,7 +20,7 @@ bool time_control_is_animated(const App *app) {
     return app->settings->load && app->scene->is_time_dependent;
 }
 
-/** Says that there is no time. @param[in,out] app The view. */
+/** Says that there is no time. */
 static void show_no_time_status(App *app) {
     app_set_status(app, "this scene does not ask for the time t");
 }

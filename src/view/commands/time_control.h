@@ -8,25 +8,22 @@
 #include "view/app.h"
 
 /** @return Now on the clock that the scene's time goes by, seconds: a lesson's, or
- * #clock_now_seconds.
- *  @param app The view. */
+ *  #clock_now_seconds. */
 double time_control_clock(const App *app);
 
-/** @return The scene's time as it should be now, seconds. @param app The view. */
+/** @return The scene's time as it should be now, seconds. */
 double time_control_scene_time(const App *app);
 
-/** @return Whether the scene asks what time it is. @param app The view. */
+/** @return Whether the scene asks what time it is. */
 bool time_control_is_animated(const App *app);
 
-/** Holds the time, or lets it run; says so where the scene asks for none. @param[in,out] app The
- *  view. */
+/** Holds the time, or lets it run; says so where the scene asks for none. */
 void time_control_toggle(App *app);
 
-/** Steps the time, and holds it. @param[in,out] app The view. @param steps How many steps; below
- * 0: back. */
+/** Steps the time, and holds it. @param steps How many steps; below 0: back. */
 void time_control_step(App *app, int steps);
 
-/** @return Whether the time stands still, and the scene is of that time. @param app The view. */
+/** @return Whether the time stands still, and the scene is of that time. */
 bool time_control_is_settled(const App *app);
 
 #endif

@@ -6,8 +6,7 @@
 
 #include <math.h>
 
-/** @return A time rounded to milliseconds, as far as there are any. @param time The time, seconds.
- */
+/** @return A time rounded to milliseconds, as far as there are any. */
 static double round_to_milliseconds(double time) {
     /** Seconds beyond which a double may have no milliseconds to be rounded to. */
     const double far = 1e12;

@@ -20,20 +20,22 @@ typedef struct Timeline {
     bool is_running;   /**< Whether it runs. */
 } Timeline;
 
-/** @return The scene's time, seconds. @param timeline It. @param now Now, on the clock. */
+/**
+ * @return The scene's time, seconds.
+ * @param now  Now, on the clock.
+ */
 double timeline_time_at(const Timeline *timeline, double now);
 
-/** Lets the time run. @param[in,out] timeline The time. @param now Now, on the clock. */
+/** Lets the time run. @param now Now, on the clock. */
 void timeline_run(Timeline *timeline, double now);
 
-/** Holds the time. @param[in,out] timeline The time. @param now Now, on the clock. */
+/** Holds the time. @param now Now, on the clock. */
 void timeline_pause(Timeline *timeline, double now);
 
 /**
  * Holds the time some steps from where it is.
- * @param[in,out] timeline  The time.
- * @param steps             How many of #TIMELINE_STEP_SECONDS; below 0: back.
- * @param now               Now, on the clock.
+ * @param steps  How many of #TIMELINE_STEP_SECONDS; below 0: back.
+ * @param now  Now, on the clock.
  */
 void timeline_step(Timeline *timeline, int steps, double now);
 

@@ -11,7 +11,7 @@
 /** How far a key moves the bar between two pictures, as a share of the window's width. */
 static const double BAR_STEP = 0.02;
 
-/** Says in the title how the picture is drawn that keys change. @param[in,out] app The view. */
+/** Says in the title how the picture is drawn that keys change. */
 static void show_settings_status(App *app) {
     Viewport *viewport = window_active_viewport(&app->window);
     RenderSettings settings = app->window.base_settings;
@@ -22,8 +22,8 @@ static void show_settings_status(App *app) {
                    gettext(light_mode_name(settings.lighting)));
 }
 
-/** Moves the bar between two pictures by a step. @param[in,out] app The view. @param direction 1 to
- * the right, -1 to the left. */
+/** Moves the bar between two pictures by a step. @param direction 1 to the right, -1 to the left.
+ */
 static void step_bar(App *app, int direction) {
     window_move_bar(&app->window, app->window.split.bar_position + direction * BAR_STEP);
 }

@@ -7,8 +7,7 @@
 
 #include "view/app.h"
 
-/** Does what is asked of the pictures. @param[in,out] app The view. @param action What; others are
- *  passed over. */
+/** Does what is asked of the pictures. @param action What; others are passed over. */
 void view_commands_run(App *app, Action action);
 
 #endif

@@ -13,13 +13,9 @@
  */
 static const double PLAIN_SPEED = 0.5;
 
-/**
- * Finds which way is up in a scene. That is y; but a scene may have been made with another axis
- * up, and then the top of its picture points there. A camera that looks steeply up or down tells
- * nothing by its own up.
- * @param camera  The scene's own camera.
- * @return One of the six axes.
- */
+/** Finds which way is up in a scene. That is y; but a scene may have been made with another axis
+ *  up, and then the top of its picture points there. A camera that looks steeply up or down tells
+ *  nothing by its own up. @return One of the six axes. */
 static Vec3d find_up_axis(const SceneCamera *camera) {
     Vec3d up = camera->up;
     double x = fabs(up.x), y = fabs(up.y), z = fabs(up.z);
@@ -52,11 +48,7 @@ bool view_state_init(ViewState *view_state, const Scene *scene, Error *error) {
     return true;
 }
 
-/**
- * Puts a light where another one is; its colour stays.
- * @param[in,out] light  The light.
- * @param source           The other one.
- */
+/** Puts a light where another one is; its colour stays. */
 static void copy_light_position(SceneLight *light, const SceneLight *source) {
     if (light->kind == source->kind) {
         light->position = source->position;

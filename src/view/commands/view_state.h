@@ -20,9 +20,7 @@ typedef struct ViewState {
 
 /**
  * Keeps the camera and the lights of a scene.
- * @param[out] view_state   Where to; give it back with #view_state_deinit.
- * @param scene       The scene.
- * @param[out] error  What is wrong.
+ * @param[out] view_state  Where to; give it back with #view_state_deinit.
  * @return false without memory.
  */
 bool view_state_init(ViewState *view_state, const Scene *scene, Error *error);
@@ -32,49 +30,37 @@ bool view_state_init(ViewState *view_state, const Scene *scene, Error *error);
  * moved where the user has put it: that stays there, whatever the scene file says, until
  * #view_state_reset.
  * @param[in,out] view_state  What was kept of the scene as it was.
- * @param previous        The scene as it was.
- * @param[in,out] scene The scene at another time.
- * @param[out] error    What is wrong.
+ * @param previous  The scene as it was.
+ * @param[in,out] scene  The scene at another time.
  * @return false without memory; nothing is changed then.
  */
 bool view_state_transfer(ViewState *view_state, const Scene *previous, Scene *scene, Error *error);
 
-/**
- * Puts the camera and the lights back, all of them.
- * @param[in,out] view_state    What was kept.
- * @param[in,out] scene   The same scene.
- */
+/** Puts the camera and the lights back, all of them. */
 void view_state_reset(ViewState *view_state, Scene *scene);
 
 /**
  * Keeps camera and lights as they are now, and which of them the user has moved.
- * @param[out] saved   Where to; give it back with #view_state_deinit.
- * @param view_state        What was kept of the scene's own.
- * @param scene       The scene.
- * @param[out] error  What is wrong.
+ * @param[out] saved  Where to; give it back with #view_state_deinit.
+ * @param view_state  What was kept of the scene's own.
  * @return false without memory.
  */
 bool view_state_save_current(ViewState *saved, const ViewState *view_state, const Scene *scene,
                              Error *error);
 
-/**
- * Puts camera and lights back where they were at #view_state_save_current.
- * @param saved            What was kept then.
- * @param[in,out] view_state    What was kept of the scene's own; it is noted there what is moved.
- * @param[in,out] scene   The scene.
- */
+/** Puts camera and lights back where they were at #view_state_save_current. @param[in,out]
+ *  view_state What was kept of the scene's own; it is noted there what is moved. */
 void view_state_restore_current(const ViewState *saved, ViewState *view_state, Scene *scene);
 
-/** Gives a pose back. @param[in,out] view_state The pose. */
+/** Gives a pose back. */
 void view_state_deinit(ViewState *view_state);
 
 /**
  * Moves a light and the camera along the axes of the picture.
- * @param[in,out] view_state   What was kept of the scene; it is noted there what moves.
- * @param[in,out] scene  The scene.
- * @param light          Place of the light; beyond the last one, none is moved.
- * @param light_movement       How far the light goes, seconds at plain speed.
- * @param camera_movement      How far the camera goes, seconds at plain speed.
+ * @param[in,out] view_state  What was kept of the scene; it is noted there what moves.
+ * @param light  Place of the light; beyond the last one, none is moved.
+ * @param light_movement  How far the light goes, seconds at plain speed.
+ * @param camera_movement  How far the camera goes, seconds at plain speed.
  */
 void view_state_move(ViewState *view_state, Scene *scene, size_t light, Movement light_movement,
                      Movement camera_movement);

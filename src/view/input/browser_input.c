@@ -7,15 +7,14 @@
 #include "view/loading/current_scene.h"
 #include "view/window/font.h"
 
-/** @return The room that the list has. @param app The view. */
+/** @return The room that the list has. */
 static PanelBounds browser_bounds(const App *app) {
     const OverlayTarget target = {app->window.sdl.renderer,
                                   app->window.text_scale > 0 ? app->window.text_scale : 1, 1};
     return overlay_bounds(&target);
 }
 
-/** @return Whether a lesson is about the scene that is shown; then says so. @param[in,out] app The
- *  view. */
+/** @return Whether a lesson is about the scene that is shown; then says so. */
 static bool is_locked_by_lesson(App *app) {
     bool is_locked = player_is_active(app) || recorder_is_active(app);
     if (is_locked) {
@@ -36,7 +35,7 @@ void browser_input_open(App *app) {
     window_present(&app->window);
 }
 
-/** Does what became of a key or a click. @param[in,out] app The view. @param result What. */
+/** Does what became of a key or a click. */
 static void apply_result(App *app, BrowserResult result) {
     Browser *browser = &app->window.browser;
     char path[PATH_MAX];
@@ -49,7 +48,7 @@ static void apply_result(App *app, BrowserResult result) {
     window_present(&app->window);
 }
 
-/** Takes a click. @param[in,out] app The view. @param click The event. @param bounds The room. */
+/** Takes a click. */
 static void handle_click(App *app, const SDL_MouseButtonEvent *click, const PanelBounds *bounds) {
     int width = 1, height = 1;
     SDL_GetWindowSize(app->window.sdl.window, &width, &height);

@@ -7,14 +7,13 @@
 
 #include "view/app.h"
 
-/** Opens the list of scenes. @param[in,out] app The view. */
+/** Opens the list of scenes. */
 void browser_input_open(App *app);
 
-/** Takes an event while the list is open. @param[in,out] app The view. @param event The event.
- *  @return Whether it was meant for the list. */
+/** Takes an event while the list is open. @return Whether it was meant for the list. */
 bool browser_input_handle(App *app, const SDL_Event *event);
 
-/** There is news in the list. @param[in,out] app The view. */
+/** There is news in the list. */
 void browser_input_on_list_changed(App *app);
 
 #endif

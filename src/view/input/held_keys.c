@@ -15,8 +15,7 @@ static const double NEGLIGIBLE_SECONDS = 1e-9;
 /**
  * Adds the time that a key was held to what it is owed.
  * @param[in,out] key  A key that is down.
- * @param speed        Factor for that time.
- * @param time         Until when, seconds.
+ * @param speed  Factor for that time.
  */
 static void integrate_until(HeldKey *key, double speed, double time) {
     if (time > key->integrated_until) {
@@ -73,8 +72,7 @@ bool held_keys_is_active(const HeldKeys *held_keys) {
 /**
  * Takes what the two keys of one axis are owed.
  * @param[in,out] keys  The key along the axis, then the key against it.
- * @param speed         Factor for time not counted yet.
- * @param time          Now, seconds.
+ * @param speed  Factor for time not counted yet.
  * @return Seconds along the axis; negative against it.
  */
 static double consume_axis(HeldKey keys[2], double speed, double time) {
@@ -90,9 +88,7 @@ static double consume_axis(HeldKey keys[2], double speed, double time) {
 
 /**
  * Takes what the six keys of one thing are owed.
- * @param[in,out] held_keys  The keys.
- * @param first           The first of the six: to the right.
- * @param time            Now, seconds.
+ * @param first  The first of the six: to the right.
  * @return The movement.
  */
 static Movement consume_axes(HeldKeys *held_keys, Action first, double time) {

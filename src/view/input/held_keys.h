@@ -39,56 +39,33 @@ typedef struct Movement {
     double forward; /**< Away from the viewer. */
 } Movement;
 
-/**
- * Takes note that a key went down; it is paid for #HELD_KEYS_MINIMUM_HOLD in advance.
- * @param[in,out] held_keys  The keys.
- * @param action          What the key asks for, a move. A key that is down already is left alone.
- * @param time            When, seconds.
- */
+/** Takes note that a key went down; it is paid for #HELD_KEYS_MINIMUM_HOLD in advance. @param
+ *  action What the key asks for, a move. A key that is down already is left alone. */
 void held_keys_press(HeldKeys *held_keys, Action action, double time);
 
-/**
- * Takes note that a key went up.
- * @param[in,out] held_keys  The keys.
- * @param action          What the key asks for, a move.
- * @param time            When, seconds.
- */
+/** Takes note that a key went up. @param action What the key asks for, a move. */
 void held_keys_release(HeldKeys *held_keys, Action action, double time);
 
-/**
- * Takes note that no key is held any more: the window lost the keyboard.
- * @param[in,out] held_keys  The keys.
- * @param time            When, seconds.
- */
+/** Takes note that no key is held any more: the window lost the keyboard. */
 void held_keys_release_all(HeldKeys *held_keys, double time);
 
-/** Forgets what keys are held, and what was not moved yet for them. @param[in,out] held_keys The
- * keys.
- */
+/** Forgets what keys are held, and what was not moved yet for them. */
 void held_keys_clear(HeldKeys *held_keys);
 
-/**
- * Makes the movement faster or slower from now on.
- * @param[in,out] held_keys  The keys.
- * @param speed           Factor, above 0.
- * @param time            When, seconds.
- */
+/** Makes the movement faster or slower from now on. */
 void held_keys_set_speed(HeldKeys *held_keys, double speed, double time);
 
-/** @return Whether a key is held or was, so that #held_keys_consume is worth asking. @param
- * held_keys It. */
+/** @return Whether a key is held or was, so that #held_keys_consume is worth asking. */
 bool held_keys_is_active(const HeldKeys *held_keys);
 
 /**
  * Takes the movement since the last time; keys for opposite ways cancel each other.
- * @param[in,out] held_keys  The keys.
- * @param time            Now, seconds.
- * @param[out] light      How far the light goes.
- * @param[out] camera     How far the camera goes.
+ * @param[out] light  How far the light goes.
+ * @param[out] camera  How far the camera goes.
  */
 void held_keys_consume(HeldKeys *held_keys, double time, Movement *light, Movement *camera);
 
-/** @return Whether a movement leads anywhere. @param movement The movement. */
+/** @return Whether a movement leads anywhere. */
 bool movement_is_nonzero(Movement movement);
 
 #endif

@@ -36,12 +36,7 @@ static double speed_factor(int modifiers) {
     return (modifiers & KMOD_SHIFT ? FAST_FACTOR : 1) * (modifiers & KMOD_CTRL ? FINE_FACTOR : 1);
 }
 
-/**
- * Begins to move something.
- * @param[in,out] app  The view.
- * @param action        What, a move.
- * @param time          When the key went down, seconds.
- */
+/** Begins to move something. @param time When the key went down, seconds. */
 static void begin_move(App *app, Action action, double time) {
     if (!recorder_is_active(app)) {
         held_keys_press(&app->held_keys, action, time);
@@ -50,8 +45,7 @@ static void begin_move(App *app, Action action, double time) {
     app->next_move_time = 0;
 }
 
-/** A move ends. @param[in,out] app The view. @param action The move. @param time When its key went
- *  up, seconds. */
+/** A move ends. @param time When its key went up, seconds. */
 static void end_move(App *app, Action action, double time) {
     if (recorder_is_active(app)) {
         recorder_release(app, action, time);
@@ -59,7 +53,7 @@ static void end_move(App *app, Action action, double time) {
     held_keys_release(&app->held_keys, action, time);
 }
 
-/** All moves end. @param[in,out] app The view. @param time When, seconds. */
+/** All moves end. */
 static void end_all_moves(App *app, double time) {
     if (recorder_is_active(app)) {
         recorder_release_all(app, time);
@@ -67,8 +61,7 @@ static void end_all_moves(App *app, double time) {
     held_keys_release_all(&app->held_keys, time);
 }
 
-/** Moves go faster or slower. @param[in,out] app The view. @param factor How fast. @param time
- *  When, seconds. */
+/** Moves go faster or slower. */
 static void set_move_speed(App *app, double factor, double time) {
     if (recorder_is_active(app)) {
         recorder_set_speed(app, factor, time);
@@ -76,17 +69,18 @@ static void set_move_speed(App *app, double factor, double time) {
     held_keys_set_speed(&app->held_keys, factor, time);
 }
 
-/** @return Whether an action goes on while its key is held, though it is no move. @param action It.
- */
+/** @return Whether an action goes on while its key is held, though it is no move. */
 static bool action_repeats(Action action) {
     return action == ACTION_TIME_BACK || action == ACTION_TIME_FORWARD ||
            action == ACTION_BAR_LEFT || action == ACTION_BAR_RIGHT;
 }
 
-/** Walks to a pixel beside, where the arrows do that: with Ctrl, while the rays of one are shown.
- *  @param[in,out] app The view. @param action What the key asks for. @param modifiers SDL's
- * modifier keys that are held; with Shift it goes ten times as far. @return Whether it is such a
- * key. */
+/**
+ * Walks to a pixel beside, where the arrows do that: with Ctrl, while the rays of one are shown.
+ * @param action  What the key asks for.
+ * @param modifiers  SDL's modifier keys that are held; with Shift it goes ten times as far.
+ * @return Whether it is such a key.
+ */
 static bool step_pixel_by_key(App *app, Action action, int modifiers) {
     int step = modifiers & KMOD_SHIFT ? 10 : 1;
     int right = (action == ACTION_CAMERA_RIGHT) - (action == ACTION_CAMERA_LEFT);
@@ -103,14 +97,14 @@ static bool step_pixel_by_key(App *app, Action action, int modifiers) {
 }
 
 /** @return What a key asks for: to leave is first to leave the rays that are shown, unless a lesson
- *          shows them. @param app The view. @param key The key. */
+ *  shows them. */
 static Action key_action(const App *app, SDL_Keysym key) {
     Action action = keymap_action(key, app->settings->keys_by_letter);
     bool shows_rays = app->window.inspector.is_open && !player_is_active(app);
     return action == ACTION_QUIT && shows_rays ? ACTION_TOGGLE_RAYS : action;
 }
 
-/** A key went down or up. @param[in,out] app The view. @param key The event. */
+/** A key went down or up. */
 static void on_key(App *app, const SDL_KeyboardEvent *key) {
     double time = event_time(key->timestamp);
     Action action = key_action(app, key->keysym);
@@ -188,7 +182,7 @@ void app_step_pixel(App *app, int right, int down) {
     inspector_step_pixel(&app->window.inspector, right, down);
 }
 
-/** The window has another size. @param[in,out] app The view. */
+/** The window has another size. */
 static void on_resize(App *app) {
     if (window_on_resize(&app->window)) {
         int width, height;
@@ -200,7 +194,7 @@ static void on_resize(App *app) {
     }
 }
 
-/** Something happened to the window. @param[in,out] app The view. @param event The event. */
+/** Something happened to the window. */
 static void on_window(App *app, const SDL_WindowEvent *event) {
     window_on_visibility(&app->window);
     switch (event->event) {
@@ -219,14 +213,14 @@ static void on_window(App *app, const SDL_WindowEvent *event) {
     }
 }
 
-/** The keyboard has another layout. @param[in,out] app The view. @param time Now, seconds. */
+/** The keyboard has another layout. */
 static void on_keymap(App *app, double time) {
     end_all_moves(app, time);
     window_invalidate_text(&app->window);
     window_present(&app->window);
 }
 
-/** One of our own events came. @param[in,out] app The view. @param event It. */
+/** One of our own events came. */
 static void on_app_event(App *app, const SDL_Event *event) {
     Uint32 type = event->type;
     if (type == app->first_event + EVENT_PASS_FINISHED) {

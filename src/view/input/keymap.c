@@ -127,7 +127,7 @@ static const KeyBinding bindings[] = {
 /** How many there are. */
 enum { BINDING_COUNT = sizeof bindings / sizeof bindings[0] };
 
-/** @return Which of the groups a binding is in, from 1. @param binding The binding. */
+/** @return Which of the groups a binding is in, from 1. */
 static int group_number(const KeyBinding *binding) {
     int number = 1;
     for (const KeyBinding *other = bindings; other < binding; other++) {
@@ -155,7 +155,6 @@ Action keymap_action(SDL_Keysym key, bool by_letter) {
 
 /**
  * @return What is printed on a key of the keyboard in use.
- * @param binding    The key.
  * @param by_letter  Whether the light's keys go by their letters.
  */
 static const char *binding_label(const KeyBinding *binding, bool by_letter) {
@@ -169,11 +168,7 @@ static const char *binding_label(const KeyBinding *binding, bool by_letter) {
     return printed[0] != '\0' ? printed : SDL_GetScancodeName(binding->scancode);
 }
 
-/**
- * Adds one key to the names in a row.
- * @param[in,out] row  The row.
- * @param label        The key's name.
- */
+/** Adds one key to the names in a row. */
 static void add_label(PanelRow *row, const char *label) {
     size_t used = strlen(row->label);
     const char *gap = used > 0 && label[0] != '\0' ? "  " : "";

@@ -29,13 +29,12 @@ typedef struct KeyInfo {
     const char *help; /**< What it does, in English. */
 } KeyInfo;
 
-/** @return What a key means. @param key See #keymap_action. @param by_letter See there. */
+/** @return What a key means. */
 KeyInfo keymap_lookup(SDL_Keysym key, bool by_letter);
 
 /**
  * Writes the help, with the keys of the keyboard in use.
  * @param by_letter  Whether the light's keys go by their letters, not by their places.
- * @param[out] rows  The rows.
  * @return How many there are.
  */
 size_t keymap_help_rows(bool by_letter, PanelRow rows[HELP_ROWS_MAXIMUM]);

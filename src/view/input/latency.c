@@ -24,11 +24,7 @@ void latency_discard_pending(Latency *latency) {
     latency->pending_count = latency->in_flight_count = 0;
 }
 
-/**
- * Keeps one wait.
- * @param[in,out] latency  The statistics.
- * @param wait             How long, seconds.
- */
+/** Keeps one wait. */
 static void latency_record(Latency *latency, double wait) {
     if (latency->count == latency->capacity) {
         size_t capacity = latency->capacity > 0 ? 2 * latency->capacity : FIRST_CAPACITY;
@@ -52,7 +48,7 @@ void latency_on_presented(Latency *latency, double time) {
     latency->in_flight_count = 0;
 }
 
-/** @return Below 0, 0 or above 0, for qsort. @param a A `double`. @param b Another. */
+/** @return Below 0, 0 or above 0, for qsort. */
 static int compare_doubles(const void *a, const void *b) {
     double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);

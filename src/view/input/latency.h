@@ -27,30 +27,24 @@ typedef struct LatencySummary {
     double worst;  /**< The longest wait, seconds; 0 without keys. */
 } LatencySummary;
 
-/**
- * A key has come.
- * @param[in,out] latency  The statistics. More than #LATENCY_PENDING_MAXIMUM at once: not counted.
- * @param time             When, seconds.
- */
+/** A key has come. @param[in,out] latency The statistics. More than #LATENCY_PENDING_MAXIMUM at
+ *  once: not counted. */
 void latency_on_key(Latency *latency, double time);
 
-/** A drawing begins that shows all that came so far. @param[in,out] latency The statistics. */
+/** A drawing begins that shows all that came so far. */
 void latency_on_draw_started(Latency *latency);
 
-/** The keys that came so far will have no picture. @param[in,out] latency The statistics. */
+/** The keys that came so far will have no picture. */
 void latency_discard_pending(Latency *latency);
 
-/**
- * The drawing under way is on screen for the first time.
- * @param[in,out] latency  The statistics. A wait is not counted when memory runs out.
- * @param time             When, seconds.
- */
+/** The drawing under way is on screen for the first time. @param[in,out] latency The statistics. A
+ *  wait is not counted when memory runs out. */
 void latency_on_presented(Latency *latency, double time);
 
 /** @return What the waits come to. @param[in,out] latency The statistics; sorted by this. */
 LatencySummary latency_summary(Latency *latency);
 
-/** Gives the memory back. @param[in,out] latency The statistics. */
+/** Gives the memory back. */
 void latency_deinit(Latency *latency);
 
 #endif

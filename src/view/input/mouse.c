@@ -11,7 +11,7 @@
 /** Degrees that the second camera turns around rays while the mouse crosses the window. */
 static const double ORBIT_PER_WINDOW = 180;
 
-/** @return Width of the window, in the screen's units. @param app The view. */
+/** @return Width of the window, in the screen's units. */
 static int mouse_window_width(const App *app) {
     int width = 1;
     SDL_GetWindowSize(app->window.sdl.window, &width, NULL);
@@ -19,7 +19,7 @@ static int mouse_window_width(const App *app) {
 }
 
 /** Shows the rays of the pixel that was clicked on: in the picture, or in the small one while rays
- * are shown. @param[in,out] app The view. @param x Where, units of the screen. @param y Where. */
+ *  are shown. @param x Where, units of the screen. */
 static void pick_at(App *app, int x, int y) {
     SDL_Rect rect = {0};
     SDL_GetWindowSize(app->window.sdl.window, &rect.w, &rect.h);
@@ -53,8 +53,7 @@ void mouse_on_button(App *app, const SDL_MouseButtonEvent *button) {
     app->click_y = button->y;
 }
 
-/** @return Whether the mouse has hardly moved since its button went down: it may become a click.
- *  @param[in,out] app The view. @param mouse The event. */
+/** @return Whether the mouse has hardly moved since its button went down: it may become a click. */
 static bool is_click_candidate(App *app, const SDL_MouseMotionEvent *mouse) {
     /** Units of the screen that a hand moves when it clicks. */
     const int click_tolerance = 3;
@@ -64,8 +63,7 @@ static bool is_click_candidate(App *app, const SDL_MouseMotionEvent *mouse) {
     return app->is_click_candidate;
 }
 
-/** The bar between two pictures is dragged. @param[in,out] app The view. @param fraction To where,
- * of the window's width. */
+/** The bar between two pictures is dragged. @param fraction To where, of the window's width. */
 static void drag_bar(App *app, double fraction) {
     char step[LESSON_STEP_TEXT_SIZE];
     fraction = SDL_clamp(fraction, 0, 1);

@@ -12,12 +12,8 @@
 /** Sent to the waiting thread, and to nobody else, to end it. By default it does nothing. */
 static const int WAKE_SIGNAL = SIGURG;
 
-/**
- * Adds a signal to those waited for, unless the program was started with it ignored, as `nohup`
- * and shell scripts in the background do.
- * @param[in,out] signals  The set.
- * @param number           The signal.
- */
+/** Adds a signal to those waited for, unless the program was started with it ignored, as `nohup`
+ *  and shell scripts in the background do. */
 static void add_unless_ignored(sigset_t *signals, int number) {
     struct sigaction action;
     if (sigaction(number, NULL, &action) == 0 && action.sa_handler != SIG_IGN) {
@@ -35,9 +31,7 @@ void signal_thread_block(SignalThread *signal_thread) {
     pthread_sigmask(SIG_BLOCK, &signal_thread->signals, &signal_thread->previous_mask);
 }
 
-/** @return The next signal that comes; #WAKE_SIGNAL: the thread should end. @param signal_thread
- * The signals.
- */
+/** @return The next signal that comes; #WAKE_SIGNAL: the thread should end. */
 static int next_signal(SignalThread *signal_thread) {
     int number = 0;
     while (sigwait(&signal_thread->signals, &number) != 0 ||
@@ -46,11 +40,7 @@ static int next_signal(SignalThread *signal_thread) {
     return number;
 }
 
-/**
- * Waits for signals, as a thread.
- * @param context  The #SignalThread.
- * @return NULL
- */
+/** Waits for signals, as a thread. @return NULL */
 static void *signal_thread_main(void *context) {
     SignalThread *signal_thread = context;
     if (next_signal(signal_thread) == WAKE_SIGNAL) {

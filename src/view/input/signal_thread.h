@@ -32,13 +32,12 @@ void signal_thread_block(SignalThread *signal_thread);
 
 /**
  * Starts to wait: the first signal becomes an SDL event, the second ends the program at once.
- * @param[in,out] signal_thread  The signals, blocked.
- * @param event              Type of the SDL event, with SDL up.
+ * @param event  Type of the SDL event, with SDL up.
  * @return false if no thread could be started; the signals are then let through again.
  */
 bool signal_thread_start(SignalThread *signal_thread, uint32_t event);
 
-/** Stops waiting and lets the signals through again. @param[in,out] signal_thread The signals. */
+/** Stops waiting and lets the signals through again. */
 void signal_thread_stop(SignalThread *signal_thread);
 
 #endif

@@ -10,7 +10,7 @@
 
 #include <string.h>
 
-/** Shows what was typed. @param[in,out] app The view. */
+/** Shows what was typed. */
 static void caption_input_show(App *app) {
     Caption *caption = &app->window.caption;
     const char *text = app->recorder.caption;
@@ -35,7 +35,7 @@ void caption_input_begin(App *app) {
     caption_input_show(app);
 }
 
-/** Ends the typing. @param[in,out] app The view. @param is_accepted Whether the caption counts. */
+/** Ends the typing. @param is_accepted Whether the caption counts. */
 static void caption_input_end(App *app, bool is_accepted) {
     Recorder *recorder = &app->recorder;
     SDL_StopTextInput();
@@ -50,7 +50,7 @@ static void caption_input_end(App *app, bool is_accepted) {
     window_present(&app->window);
 }
 
-/** Takes the last letter away. @param[in,out] text The text, UTF-8. */
+/** Takes the last letter away. */
 static void erase_character(char *text) {
     size_t length = strlen(text);
     while (length > 0 && (text[length - 1] & 0xC0) == 0x80) {
@@ -59,7 +59,7 @@ static void erase_character(char *text) {
     text[length > 0 ? length - 1 : 0] = '\0';
 }
 
-/** Takes a key. @param[in,out] app The view. @param key Which. */
+/** Takes a key. */
 static void caption_input_key(App *app, SDL_Keycode key) {
     if (key == SDLK_RETURN || key == SDLK_KP_ENTER || key == SDLK_ESCAPE) {
         caption_input_end(app, key != SDLK_ESCAPE);

@@ -10,8 +10,11 @@
 
 #include <string.h>
 
-/** Puts text into quotes, as Lua reads it. @param[out] out The quoted text, cut to its size.
- *  @param size Bytes that fit, at least 3. @param text The text. */
+/**
+ * Puts text into quotes, as Lua reads it.
+ * @param[out] out  The quoted text, cut to its size.
+ * @param size  Bytes that fit, at least 3.
+ */
 static void quote_lua_string(char *out, size_t size, const char *text) {
     size_t used = 0;
     out[used++] = '"';

@@ -20,15 +20,13 @@ typedef struct LessonHeader {
     int height;                   /**< The window's. */
 } LessonHeader;
 
-/** Writes the first words. @param file Where to. @param header What they tell. */
+/** Writes the first words. */
 void lesson_writer_begin(FILE *file, const LessonHeader *header);
 
-/** Writes how long nothing happens. @param file Where to. @param milliseconds How long; 0: nothing
- *  is written. */
+/** Writes how long nothing happens. @param milliseconds How long; 0: nothing is written. */
 void lesson_writer_wait(FILE *file, int64_t milliseconds);
 
-/** Writes a caption. @param[out] step The words. @param size Bytes that fit. @param caption What
- *  it says. */
+/** Writes a caption. */
 void lesson_writer_caption(char *step, size_t size, const char *caption);
 
 #endif

@@ -12,7 +12,7 @@
 
 #include <string.h>
 
-/** @return Whether nobody is waited for. @param app The view. */
+/** @return Whether nobody is waited for. */
 static bool is_unattended(const App *app) {
     return app->settings->lesson_snapshot_dir != NULL;
 }
@@ -29,8 +29,7 @@ bool player_allows_input(const App *app) {
     return !player_is_active(app) || app->player.is_paused;
 }
 
-/** Moves light and camera. See #StepClockMoveFn. @param context The #App. @param light See there.
- *  @param camera See there. */
+/** Moves light and camera. See #StepClockMoveFn. */
 static void move_by_clock(void *context, Movement light, Movement camera) {
     app_move(context, light, camera);
 }
@@ -46,13 +45,13 @@ void player_begin(App *app) {
     }
 }
 
-/** Lets the clock go on. @param[in,out] player The lesson. */
+/** Lets the clock go on. */
 static void resume_clock(Player *player) {
     player->is_paused = player->is_capturing = false;
     player->start_time = clock_now_seconds() - step_clock_seconds(&player->step_clock);
 }
 
-/** Says what can be done, under the caption's heading. @param[in,out] app The view. */
+/** Says what can be done, under the caption's heading. */
 static void update_hint(App *app) {
     Caption *caption = &app->window.caption;
     caption->hint = app->player.is_paused ? N_("Space: go on") : NULL;
@@ -60,7 +59,7 @@ static void update_hint(App *app) {
     window_present(&app->window);
 }
 
-/** Holds the lesson. @param[in,out] app The view. */
+/** Holds the lesson. */
 static void player_pause(App *app) {
     Player *player = &app->player;
     Error error = {0};
@@ -75,7 +74,7 @@ static void player_pause(App *app) {
     update_hint(app);
 }
 
-/** Puts back what the viewer has moved, and goes on. @param[in,out] app The view. */
+/** Puts back what the viewer has moved, and goes on. */
 static void player_resume(App *app) {
     Player *player = &app->player;
     held_keys_clear(&app->held_keys);
@@ -87,8 +86,7 @@ static void player_resume(App *app) {
     update_hint(app);
 }
 
-/** @return How many captions a lesson has before a step. @param lesson The lesson. @param end The
- *          step's place. */
+/** @return How many captions a lesson has before a step. */
 static size_t captions_before(const Lesson *lesson, size_t end) {
     size_t count = 0;
     for (size_t i = 0; i < end; i++) {
@@ -97,8 +95,7 @@ static size_t captions_before(const Lesson *lesson, size_t end) {
     return count;
 }
 
-/** Shows a caption. @param[in,out] app The view. @param step The caption, the one before the next
- *  step. */
+/** Shows a caption. @param step The caption, the one before the next step. */
 static void show_caption(App *app, const LessonStep *step) {
     Player *player = &app->player;
     Caption *caption = &app->window.caption;
@@ -113,7 +110,7 @@ static void show_caption(App *app, const LessonStep *step) {
     }
 }
 
-/** A key goes down. @param[in,out] app The view. @param step Which. */
+/** A key goes down. */
 static void press_action(App *app, const LessonStep *step) {
     Action action = (Action)step->action;
     StepClock *step_clock = &app->player.step_clock;
@@ -124,7 +121,7 @@ static void press_action(App *app, const LessonStep *step) {
     }
 }
 
-/** Does a step. @param[in,out] app The view. @param step The step, the one before the next. */
+/** Does a step. @param step The step, the one before the next. */
 static void do_step(App *app, const LessonStep *step) {
     StepClock *step_clock = &app->player.step_clock;
     double now = step_clock_seconds(step_clock);
@@ -174,7 +171,7 @@ void player_end(App *app) {
     }
 }
 
-/** The last step was done. @param[in,out] app The view. */
+/** The last step was done. */
 static void player_finish(App *app) {
     bool is_over = is_unattended(app);
     step_clock_advance(&app->player.step_clock, app->player.step_clock.now + STEP_CLOCK_TICK);
@@ -184,8 +181,7 @@ static void player_finish(App *app) {
     app->should_quit = app->should_quit || is_over;
 }
 
-/** Does all steps up to a moment, unless one of them stops the clock. @param[in,out] app The view.
- *  @param until The moment, milliseconds. */
+/** Does all steps up to a moment, unless one of them stops the clock. */
 static void play_until(App *app, int64_t until) {
     Player *player = &app->player;
     const Lesson *lesson = player->lesson;
@@ -241,7 +237,7 @@ bool player_capture(App *app, Error *error) {
 }
 
 /** @return Whether an action is the viewer's own even while a lesson is played: it changes nothing
- *          of what is drawn. @param action The action. */
+ *  of what is drawn. */
 static bool is_allowed_while_playing(Action action) {
     static const Action allowed[] = {ACTION_COPY_VIEW, ACTION_SNAPSHOT,    ACTION_TEXT_LARGER,
                                      ACTION_LANGUAGE,  ACTION_FULL_SCREEN, ACTION_TEXT_SMALLER,

@@ -34,35 +34,30 @@ typedef struct Player {
  *  its scene. */
 void player_begin(App *app);
 
-/** @return Whether a lesson is played. @param app The view. */
+/** @return Whether a lesson is played. */
 bool player_is_active(const App *app);
 
-/** @return Whether its clock stands still. @param player The lesson. */
+/** @return Whether its clock stands still. */
 bool player_is_clock_stopped(const Player *player);
 
-/** Does what is due. @param[in,out] app The view. @param now Now, on #clock_now_seconds. */
+/** Does what is due. */
 void player_update(App *app, double now);
 
-/** @return How long nothing is due, seconds, see #window_timeout. @param app The view. @param now
- *  Now, on #clock_now_seconds. */
+/** @return How long nothing is due, seconds, see #window_timeout. */
 double player_timeout(const App *app, double now);
 
-/** Keeps the picture if that is wanted and it is finished. @param[in,out] app The view.
- *  @param[out] error What is wrong. @return false if it could not be kept: the window closes. */
+/** Keeps the picture if that is wanted and it is finished. @return false if it could not be kept:
+ *  the window closes. */
 bool player_capture(App *app, Error *error);
 
-/**
- * Answers a key before anybody else.
- * @param[in,out] app  The view.
- * @param action        What it asks for.
- * @return Whether that was all: the key holds the lesson or lets it go on, or has no meaning now.
- */
+/** Answers a key before anybody else. @return Whether that was all: the key holds the lesson or
+ *  lets it go on, or has no meaning now. */
 bool player_handle_action(App *app, Action action);
 
-/** @return Whether the mouse and moves are the viewer's now. @param app The view. */
+/** @return Whether the mouse and moves are the viewer's now. */
 bool player_allows_input(const App *app);
 
-/** Ends the lesson, if there is one. @param[in,out] app The view. */
+/** Ends the lesson, if there is one. */
 void player_end(App *app);
 
 #endif

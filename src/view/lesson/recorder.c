@@ -19,14 +19,12 @@ bool recorder_is_active(const App *app) {
     return app->recorder.stream != NULL;
 }
 
-/** Moves light and camera. See #StepClockMoveFn. @param context The #App. @param light See there.
- *  @param camera See there. */
+/** Moves light and camera. See #StepClockMoveFn. */
 static void move_by_clock(void *context, Movement light, Movement camera) {
     app_move(context, light, camera);
 }
 
-/** Begins to record, from the scene's own view. @param[in,out] app The view. @param[out] error
- *  What is wrong. @return Whether it has begun. */
+/** Begins to record, from the scene's own view. @return Whether it has begun. */
 static bool recorder_begin(App *app, Error *error) {
     Recorder *recorder = &app->recorder;
     if (strcmp(app->path, "-") == 0) {
@@ -56,18 +54,15 @@ static bool recorder_begin(App *app, Error *error) {
     return true;
 }
 
-/**
- * Finds when something happens, and does what is due before.
- * @param[in,out] recorder  The recording.
- * @param time              When, on #clock_now_seconds; what is done already is not undone.
- */
+/** Finds when something happens, and does what is due before. @param time When, on
+ *  #clock_now_seconds; what is done already is not undone. */
 static void advance_clock(Recorder *recorder, double time) {
     int64_t moment = (int64_t)floor((time - recorder->start_time) * 1000);
     int64_t now = recorder->step_clock.now;
     step_clock_advance(&recorder->step_clock, moment > now ? moment : now);
 }
 
-/** Writes how long nothing happened before a step. @param[in,out] recorder The recording. */
+/** Writes how long nothing happened before a step. */
 static void write_wait(Recorder *recorder) {
     int64_t now = recorder->step_clock.now;
     lesson_writer_wait(recorder->stream, now - recorder->last_step_time);
@@ -143,15 +138,13 @@ void recorder_record_step(App *app, const char *step) {
     }
 }
 
-/** Writes a lesson. See #NumberedFile.write. @param context The #Recorder. @param path See there.
- *  @param[out] exists See there. @param[out] error See there. @return See there. */
+/** Writes a lesson. See #NumberedFile.write. @return See there. */
 static bool write_lesson_text(const void *context, const char *path, bool *exists, Error *error) {
     const Recorder *recorder = context;
     return text_file_write_new(path, recorder->text, recorder->size, exists, error);
 }
 
-/** Writes the lesson's file. @param[in,out] app The view. @param[out] error What is wrong.
- *  @return Whether it is there. */
+/** Writes the lesson's file. @return Whether it is there. */
 static bool write_lesson(App *app, Error *error) {
     char name[SCENE_NAME_SIZE + 8], path[NUMBERED_FILE_PATH_SIZE];
     snprintf(name, sizeof name, "%s-lesson", app->name);

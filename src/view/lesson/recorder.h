@@ -34,52 +34,42 @@ typedef struct Recorder {
     char caption[CAPTION_INPUT_SIZE]; /**< What was typed of it, UTF-8. */
 } Recorder;
 
-/** @return Whether a lesson is recorded. @param app The view. */
+/** @return Whether a lesson is recorded. */
 bool recorder_is_active(const App *app);
 
-/** Begins to record, or ends it and writes the file. @param[in,out] app The view.
- *  @param[out] error What is wrong. @return Whether all is well. */
+/** Begins to record, or ends it and writes the file. @return Whether all is well. */
 bool recorder_toggle(App *app, Error *error);
 
-/** Ends a recording, if there is one, and writes the file. @param[in,out] app The view.
- *  @param[out] error What is wrong. @return Whether all is well. */
+/** Ends a recording, if there is one, and writes the file. @return Whether all is well. */
 bool recorder_end(App *app, Error *error);
 
-/** Moves what keys move up to now. @param[in,out] app The view. @param now Now, on
- * #clock_now_seconds.
- */
+/** Moves what keys move up to now. */
 void recorder_update(App *app, double now);
 
-/** @return How long nothing is due, seconds, see #window_timeout. @param app The view. @param now
- *  Now, on #clock_now_seconds. */
+/** @return How long nothing is due, seconds, see #window_timeout. */
 double recorder_timeout(const App *app, double now);
 
-/** A key goes down. Only if a lesson is recorded. @param[in,out] app The view. @param action What
- *  it asks for; one that is no move is done by who calls. @param time When, on #clock_now_seconds.
- */
+/** A key goes down. Only if a lesson is recorded. @param action What it asks for; one that is no
+ *  move is done by who calls. */
 void recorder_press(App *app, Action action, double time);
 
-/** A move's key goes up. Only if a lesson is recorded. @param[in,out] app The view. @param action
- *  The move. @param time When, on #clock_now_seconds. */
+/** A move's key goes up. Only if a lesson is recorded. */
 void recorder_release(App *app, Action action, double time);
 
-/** No key is held any more. Only if a lesson is recorded. @param[in,out] app The view. @param time
- *  When, on #clock_now_seconds. */
+/** No key is held any more. Only if a lesson is recorded. */
 void recorder_release_all(App *app, double time);
 
-/** Moves go faster or slower. Only if a lesson is recorded. @param[in,out] app The view.
- *  @param speed Factor. @param time When, on #clock_now_seconds. */
+/** Moves go faster or slower. Only if a lesson is recorded. */
 void recorder_set_speed(App *app, double speed, double time);
 
-/** Notes a step with numbers: `turn`, `zoom` or `size`. Nothing unless a lesson is recorded.
- *  @param[in,out] app The view. @param step The step, as in a lesson file. */
+/** Notes a step with numbers: `turn`, `zoom` or `size`. Nothing unless a lesson is recorded. @param
+ *  step The step, as in a lesson file. */
 void recorder_record_step(App *app, const char *step);
 
-/** Begins to type a caption. @param[in,out] app The view. */
+/** Begins to type a caption. */
 void caption_input_begin(App *app);
 
-/** Takes an event while a caption is typed. @param[in,out] app The view. @param event The event.
- *  @return Whether it was meant for the caption. */
+/** Takes an event while a caption is typed. @return Whether it was meant for the caption. */
 bool caption_input_handle(App *app, const SDL_Event *event);
 
 #endif

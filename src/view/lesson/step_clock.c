@@ -4,7 +4,7 @@
  */
 #include "view/lesson/step_clock.h"
 
-/** @return A time of a lesson in seconds. @param milliseconds It. */
+/** @return A time of a lesson in seconds. */
 static double milliseconds_to_seconds(int64_t milliseconds) {
     return (double)milliseconds / 1000;
 }
@@ -13,8 +13,7 @@ double step_clock_seconds(const StepClock *step_clock) {
     return milliseconds_to_seconds(step_clock->now);
 }
 
-/** Moves things as far as keys were held up to the next beat. @param[in,out] step_clock The clock.
- */
+/** Moves things as far as keys were held up to the next beat. */
 static void step_clock_tick(StepClock *step_clock) {
     Movement light, camera;
     held_keys_consume(&step_clock->held_keys, milliseconds_to_seconds(step_clock->next_tick),

@@ -16,8 +16,11 @@
 /** Milliseconds from one beat to the next: a frame of a common screen. */
 enum { STEP_CLOCK_TICK = 16 };
 
-/** What is moved at a beat. @param context Its own. @param light How far the light goes.
- *  @param camera How far the camera goes. */
+/**
+ * What is moved at a beat.
+ * @param light  How far the light goes.
+ * @param camera  How far the camera goes.
+ */
 typedef void StepClockMoveFn(void *context, Movement light, Movement camera);
 
 /** The clock. Starts as `{.motion = {.speed = 1}}`, with who moves things. */
@@ -29,15 +32,15 @@ typedef struct StepClock {
     HeldKeys held_keys;    /**< The keys that are held. */
 } StepClock;
 
-/** @return The time up to which all is done, seconds. @param step_clock The clock. */
+/** @return The time up to which all is done, seconds. */
 double step_clock_seconds(const StepClock *step_clock);
 
-/** Does what is to be done before a moment. @param[in,out] step_clock The clock.
- *  @param until The moment, milliseconds; not before what is done. */
+/** Does what is to be done before a moment. @param until The moment, milliseconds; not before what
+ *  is done. */
 void step_clock_advance(StepClock *step_clock, int64_t until);
 
 /** @return The next moment at which something is to be done, milliseconds; INT64_MAX: none, until a
- *          key goes down. @param step_clock The clock. */
+ *  key goes down. */
 int64_t step_clock_next_tick(const StepClock *step_clock);
 
 #endif

@@ -17,7 +17,7 @@
 /** Seconds from one question to the next at least: a frame of a common screen. */
 static const double REQUEST_INTERVAL = 0.016;
 
-/** Goes by a file from now on. @param[in,out] app The view. @param path The file, or `-`. */
+/** Goes by a file from now on. */
 static void set_path(App *app, const char *path) {
     scene_name_from_path(path, app->name, sizeof app->name);
     SDL_strlcpy(app->path, path, sizeof app->path);
@@ -50,8 +50,7 @@ void current_scene_repeat_error(App *app) {
 }
 
 /** Keeps where camera and lights are, and puts back what the user has moved; in another scene,
- *  nothing was. @param[in,out] app The view. @param load The new scene.
- *  @param[out] error What is wrong. @return false without memory; nothing is changed then. */
+ *  nothing was. @return false without memory; nothing is changed then. */
 static bool transfer_view_state(App *app, const SceneLoad *load, Error *error) {
     if (load->path[0] == '\0') {
         return view_state_transfer(&app->home_view, app->scene, load->scene, error);
@@ -66,7 +65,7 @@ static bool transfer_view_state(App *app, const SceneLoad *load, Error *error) {
 }
 
 /** Draws another scene from now on. A picture that has come meanwhile is made for it next.
- *  @param[in,out] window The stage. @param[in,out] load The scene and its renderers. */
+ *  @param[in,out] load The scene and its renderers. */
 static void replace_renderers(Window *window, SceneLoad *load) {
     window->base_settings = load->base_settings;
     for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
@@ -83,9 +82,7 @@ static void replace_renderers(Window *window, SceneLoad *load) {
 
 /**
  * Puts a scene in the place of the one that is shown.
- * @param[in,out] app  The view.
  * @param[in,out] load  The scene and its renderers; the view's from now on.
- * @param[out] error    What is wrong.
  * @return false without memory; nothing is changed then.
  */
 static bool replace_scene(App *app, SceneLoad *load, Error *error) {
@@ -109,8 +106,7 @@ static bool replace_scene(App *app, SceneLoad *load, Error *error) {
 
 /**
  * Takes the scene that was asked for, if it is there and there is room for it on screen.
- * @param[in,out] app  The view.
- * @param[out] error    What is wrong with it.
+ * @param[out] error  What is wrong with it.
  * @return Whether all is well.
  */
 static bool accept_loaded_scene(App *app, Error *error) {
@@ -133,20 +129,14 @@ static bool accept_loaded_scene(App *app, Error *error) {
     return false;
 }
 
-/** @return Whether another scene is wanted than the one that is shown. @param app The view. */
+/** @return Whether another scene is wanted than the one that is shown. */
 static bool is_load_wanted(const App *app) {
     bool is_time_changed =
         time_control_is_animated(app) && time_control_scene_time(app) != app->scene_time;
     return is_time_changed || app->is_file_changed || app->next_path[0] != '\0';
 }
 
-/**
- * Asks for the scene that is wanted.
- * @param[in,out] app  The view.
- * @param now           Now, seconds.
- * @param[out] error    What is wrong.
- * @return false if there is nobody to ask.
- */
+/** Asks for the scene that is wanted. @return false if there is nobody to ask. */
 static bool request_scene(App *app, double now, Error *error) {
     bool is_other = app->next_path[0] != '\0';
     ViewRequest request = {.path = is_other ? app->next_path : NULL,

@@ -28,12 +28,10 @@ typedef struct FileWatcher {
  */
 void file_watcher_start(FileWatcher *watcher, uint32_t event);
 
-/** Watches the folder of a file from now on, in place of any other. @param[in,out] watcher The
- * watch.
- *  @param path The file. */
+/** Watches the folder of a file from now on, in place of any other. */
 void file_watcher_watch(FileWatcher *watcher, const char *path);
 
-/** Ends a watch. @param[in,out] watcher The watch. */
+/** Ends a watch. */
 void file_watcher_stop(FileWatcher *watcher);
 
 #endif

@@ -28,23 +28,20 @@ void scene_list_unlock(SceneList *list) {
     pthread_mutex_unlock(&list->mutex);
 }
 
-/** Tells the window that there is news. @param list The list. */
+/** Tells the window that there is news. */
 static void push_list_event(const SceneList *list) {
     SDL_Event event = {.type = list->event};
     SDL_PushEvent(&event);
 }
 
-/** @return Whether a file of a folder may be a scene, for scandir. @param entry The file. */
+/** @return Whether a file of a folder may be a scene, for scandir. */
 static int is_scene_file(const struct dirent *entry) {
     const char *dot = strrchr(entry->d_name, '.');
     return entry->d_name[0] != '.' && dot && strcmp(dot, ".lua") == 0;
 }
 
-/**
- * Reads what a scene says of itself: the first sentence of the comment that it begins with.
- * @param path        Its file.
- * @param[out] title  What it says; empty: nothing.
- */
+/** Reads what a scene says of itself: the first sentence of the comment that it begins with.
+ *  @param[out] title What it says; empty: nothing. */
 static void read_title(const char *path, char title[SCENE_ENTRY_TITLE_SIZE]) {
     char line[SCENE_ENTRY_TITLE_SIZE];
     size_t used = 0;
@@ -65,8 +62,11 @@ static void read_title(const char *path, char title[SCENE_ENTRY_TITLE_SIZE]) {
     }
 }
 
-/** Adds a scene to the list. @param[in,out] list The list, locked, with room. @param folder Its
- *  folder, with a slash at its end, or empty. @param file The file's name. */
+/**
+ * Adds a scene to the list.
+ * @param[in,out] list  The list, locked, with room.
+ * @param folder  Its folder, with a slash at its end, or empty.
+ */
 static void add_entry(SceneList *list, const char *folder, const char *file) {
     SceneEntry *scene = &list->scenes[list->count];
     size_t size = strlen(folder) + strlen(file) + 1;
@@ -78,8 +78,8 @@ static void add_entry(SceneList *list, const char *folder, const char *file) {
     }
 }
 
-/** Lists the scenes of a folder, by their names. @param[in,out] list The list. @param folder The
- *  folder, with a slash at its end; empty: the current one. */
+/** Lists the scenes of a folder, by their names. @param folder The folder, with a slash at its end;
+ *  empty: the current one. */
 static void list_folder(SceneList *list, const char *folder) {
     struct dirent **files = NULL;
     int count = scandir(folder[0] ? folder : ".", &files, is_scene_file, alphasort);
@@ -94,7 +94,7 @@ static void list_folder(SceneList *list, const char *folder) {
     free(files);
 }
 
-/** Finds all scenes. @param[in,out] list The list. */
+/** Finds all scenes. */
 static void find_scenes(SceneList *list) {
     char installed[PATH_MAX + 1], scene_folder[PATH_MAX], installed_folder[PATH_MAX];
     list_folder(list, list->folder);
@@ -106,13 +106,7 @@ static void find_scenes(SceneList *list) {
     }
 }
 
-/**
- * Draws a scene.
- * @param list          The list.
- * @param path          The scene's file.
- * @param[out] picture  The picture, or nothing.
- * @param[out] error    What is wrong with the scene.
- */
+/** Draws a scene. @param[out] error What is wrong with the scene. */
 static void draw_thumbnail(const SceneList *list, const char *path, Picture *picture,
                            Error *error) {
     const ViewSettings *settings = list->settings;
@@ -135,14 +129,14 @@ static void draw_thumbnail(const SceneList *list, const char *path, Picture *pic
 }
 
 /** @return An error without the folder that it begins with: its file is seen to be one of the list.
- *  @param scene The scene. @param message The error. */
+ */
 static const char *strip_folder(const SceneEntry *scene, const char *message) {
     const char *slash = strrchr(scene->path, '/');
     size_t length = slash ? (size_t)(slash + 1 - scene->path) : 0;
     return strncmp(message, scene->path, length) == 0 ? message + length : message;
 }
 
-/** Draws the next scene of the list. @param[in,out] list The list. @param index Which. */
+/** Draws the next scene of the list. */
 static void load_entry(SceneList *list, size_t index) {
     SceneEntry *scene = &list->scenes[index];
     Picture picture = {0};
@@ -159,7 +153,7 @@ static void load_entry(SceneList *list, size_t index) {
     push_list_event(list);
 }
 
-/** The thread's life. @param context The #SceneList. @return NULL */
+/** The thread's life. @return NULL */
 static void *scene_list_main(void *context) {
     SceneList *list = context;
     setpriority(PRIO_PROCESS, (id_t)gettid(), THREAD_NICENESS); // In Linux, of this thread alone.

@@ -45,30 +45,28 @@ typedef struct SceneList {
 
 /**
  * Begins to fill a list. It must be empty, or given back by #scene_list_deinit.
- * @param[in,out] list  The list.
- * @param settings      How scenes are loaded.
- * @param event         SDL event, registered, that tells of news.
- * @param path          A scene file: its folder is listed.
+ * @param settings  How scenes are loaded.
+ * @param event  SDL event, registered, that tells of news.
+ * @param path  A scene file: its folder is listed.
  * @return false if no thread could be started.
  */
 bool scene_list_start(SceneList *list, const ViewSettings *settings, uint32_t event,
                       const char *path);
 
-/** Tells the thread to end, and does not wait for it. @param[in,out] list The list. */
+/** Tells the thread to end, and does not wait for it. */
 void scene_list_request_stop(SceneList *list);
 
 /** Gives a list back. Waits for its thread: at most as long as it takes to make a model's tree.
  *  @param[in,out] list The list, begun or not. */
 void scene_list_deinit(SceneList *list);
 
-/** @return Whether a list is begun and its thread at work. @param list The list. */
+/** @return Whether a list is begun and its thread at work. */
 bool scene_list_is_busy(const SceneList *list);
 
-/** Keeps the thread from changing the list, until #scene_list_unlock. @param[in,out] list The list,
- *  begun. */
+/** Keeps the thread from changing the list, until #scene_list_unlock. */
 void scene_list_lock(SceneList *list);
 
-/** Lets the thread change the list again. @param[in,out] list The list. */
+/** Lets the thread change the list again. */
 void scene_list_unlock(SceneList *list);
 
 #endif

@@ -25,8 +25,7 @@ void scene_load_deinit(SceneLoad *load) {
     load->scene = NULL;
 }
 
-/** Makes what draws a scene. @param[in,out] load The answer, with its scene. @param[in,out]
- *  picture Which picture. */
+/** Makes what draws a scene. @param[in,out] load The answer, with its scene. */
 static void create_viewport_renderer(SceneLoad *load, SceneLoadViewport *viewport) {
     viewport->settings = load->base_settings;
     settings_override_apply(&viewport->overrides, &viewport->settings);
@@ -53,7 +52,7 @@ static void load_scene(const ViewSettings *settings, const atomic_bool *stop, Sc
     }
 }
 
-/** The thread's life. @param context The #SceneLoader. @return NULL */
+/** The thread's life. @return NULL */
 static void *scene_loader_main(void *context) {
     SceneLoader *loader = context;
     pthread_mutex_lock(&loader->mutex);
@@ -76,12 +75,7 @@ static void *scene_loader_main(void *context) {
     return NULL;
 }
 
-/**
- * Starts the thread, once.
- * @param[in,out] loader  The thread.
- * @param[out] error        Why not.
- * @return Whether it runs.
- */
+/** Starts the thread, once. @return Whether it runs. */
 static bool scene_loader_start(SceneLoader *loader, Error *error) {
     if (!loader->is_started) {
         pthread_mutex_init(&loader->mutex, NULL);

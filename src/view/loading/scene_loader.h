@@ -52,34 +52,30 @@ typedef struct SceneLoader {
 /**
  * Asks for a scene. The first question starts the thread.
  * @param[in,out] loader  The thread; every question before was answered, and the answer taken.
- * @param request           Which scene; copied.
- * @param viewports          What of it is to be drawn; copied. The new renderers share with the
- * former ones what both need: those must stay there until the answer is.
- * @param[out] error        What is wrong.
+ * @param viewports  What of it is to be drawn; copied. The new renderers share with the former ones
+ *         what both need: those must stay there until the answer is.
  * @return false if there is no thread to ask.
  */
 bool scene_loader_request(SceneLoader *loader, const ViewRequest *request,
                           const SceneLoadViewport viewports[SCENE_LOAD_VIEWPORTS], Error *error);
 
-/** @return Whether there is a question or an answer that was not taken. @param loader The thread.
- */
+/** @return Whether there is a question or an answer that was not taken. */
 bool scene_loader_is_busy(SceneLoader *loader);
 
-/** @return Whether there is an answer that was not taken. @param loader The thread. */
+/** @return Whether there is an answer that was not taken. */
 bool scene_loader_has_result(SceneLoader *loader);
 
 /**
  * Takes an answer.
- * @param[in,out] loader  The thread.
- * @param[out] load       The answer, the caller's to give back.
+ * @param[out] load  The answer, the caller's to give back.
  * @return false while there is none.
  */
 bool scene_loader_poll(SceneLoader *loader, SceneLoad *load);
 
-/** @return Whether all that was wanted is there. @param load An answer. */
+/** @return Whether all that was wanted is there. */
 bool scene_load_is_complete(const SceneLoad *load);
 
-/** Gives scene and renderers back. @param[in,out] load An answer. */
+/** Gives scene and renderers back. */
 void scene_load_deinit(SceneLoad *load);
 
 /** Ends the thread, whatever it does. @param[in,out] loader The thread, started or not. */

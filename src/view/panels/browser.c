@@ -35,7 +35,7 @@ void browser_deinit(Browser *browser) {
     scene_list_deinit(&browser->list);
 }
 
-/** @return How many scenes there are by now. @param[in,out] browser The list. */
+/** @return How many scenes there are by now. */
 static size_t browser_scene_count(Browser *browser) {
     scene_list_lock(&browser->list);
     size_t scenes = browser->list.count;
@@ -43,8 +43,8 @@ static size_t browser_scene_count(Browser *browser) {
     return scenes;
 }
 
-/** Chooses a scene, and sees that it is seen. @param[in,out] browser The list. @param index Which;
- *  beyond the ends: the last or the first. @param bounds The window. */
+/** Chooses a scene, and sees that it is seen. @param index Which; beyond the ends: the last or the
+ *  first. */
 static void browser_select(Browser *browser, long index, const PanelBounds *bounds) {
     BrowserGrid grid = browser_panel_grid(bounds);
     long last = (long)browser_scene_count(browser) - 1;

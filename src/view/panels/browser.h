@@ -28,39 +28,42 @@ typedef enum {
     BROWSER_OPEN_SCENE /**< The chosen scene is to be shown. */
 } BrowserResult;
 
-/** Opens it. @param[in,out] browser The list. @param settings How scenes are loaded. @param event
- *  SDL event, registered, that tells of news. @param path The scene that is shown. @return false if
- *  no thread could be started. */
+/**
+ * Opens it.
+ * @param settings  How scenes are loaded.
+ * @param event  SDL event, registered, that tells of news.
+ * @param path  The scene that is shown.
+ * @return false if no thread could be started.
+ */
 bool browser_open(Browser *browser, const ViewSettings *settings, uint32_t event, const char *path);
 
-/** Finds the scene that is shown among those that are found by now, once. @param[in,out] browser
- * The list. @param bounds The window. */
+/** Finds the scene that is shown among those that are found by now, once. */
 void browser_select_current(Browser *browser, const PanelBounds *bounds);
 
-/** Closes it, without waiting. @param[in,out] browser The list. */
+/** Closes it, without waiting. */
 void browser_close(Browser *browser);
 
-/** Ends it, before the window closes. @param[in,out] browser The list. */
+/** Ends it, before the window closes. */
 void browser_deinit(Browser *browser);
 
-/** Takes a key. @param[in,out] browser The list, open. @param key Which. @param bounds The window.
- *  @return What became of it. */
+/** Takes a key. @return What became of it. */
 BrowserResult browser_key(Browser *browser, SDL_Keycode key, const PanelBounds *bounds);
 
-/** Takes a click. @param[in,out] browser The list, open. @param x Pixels of the window. @param y
- *  Pixels. @param bounds The window. @return What became of it. */
+/**
+ * Takes a click.
+ * @param x  Pixels of the window.
+ * @return What became of it.
+ */
 BrowserResult browser_click(Browser *browser, int x, int y, const PanelBounds *bounds);
 
-/** Goes some rows down. @param[in,out] browser The list, open. @param rows How many; below 0: up.
- *  @param bounds The window. */
+/** Goes some rows down. @param rows How many; below 0: up. */
 void browser_scroll(Browser *browser, int rows, const PanelBounds *bounds);
 
-/** @return Whether a scene is chosen. @param[in,out] browser The list. @param[out] path Its file.
- */
+/** @return Whether a scene is chosen. */
 bool browser_selected_path(Browser *browser, char path[PATH_MAX]);
 
 /** Lays it over what the window shows, if it is open. @param[in,out] browser The list, which keeps
- *  its picture. @param target The window. */
+ *  its picture. */
 void browser_show(Browser *browser, const OverlayTarget *target);
 
 #endif

@@ -34,14 +34,12 @@ BrowserGrid browser_panel_grid(const PanelBounds *bounds) {
     return grid;
 }
 
-/** Fills a part of the panel. @param panel The panel. @param area Which. @param color The colour.
- */
+/** Fills a part of the panel. */
 static void fill_rect(SDL_Surface *panel, const SDL_Rect *area, SDL_Color color) {
     SDL_FillRect(panel, area, SDL_MapRGBA(panel->format, color.r, color.g, color.b, color.a));
 }
 
-/** Draws a scene's picture. @param panel The panel. @param picture The picture. @param area Where
- *  to. */
+/** Draws a scene's picture. */
 static void draw_thumbnail(SDL_Surface *panel, const Picture *picture, SDL_Rect area) {
     SDL_Surface *small =
         SDL_CreateRGBSurfaceWithFormatFrom(picture->pixels, picture->width, picture->height, 24,
@@ -52,8 +50,7 @@ static void draw_thumbnail(SDL_Surface *panel, const Picture *picture, SDL_Rect 
     }
 }
 
-/** Writes words in rows. @param panel The panel. @param font The letters. @param text The words.
- *  @param area Where; what does not fit is left out. @param color Their colour. */
+/** Writes words in rows. @param area Where; what does not fit is left out. */
 static void draw_wrapped_text(SDL_Surface *panel, TTF_Font *font, const char *text, SDL_Rect area,
                               SDL_Color color) {
     char copy[SCENE_ENTRY_TITLE_SIZE];
@@ -68,8 +65,7 @@ static void draw_wrapped_text(SDL_Surface *panel, TTF_Font *font, const char *te
     }
 }
 
-/** Draws a scene. @param panel The panel. @param font The letters. @param scene The scene.
- *  @param cell Where. @param is_selected Whether it is the chosen one. */
+/** Draws a scene. @param is_selected Whether it is the chosen one. */
 static void draw_entry(SDL_Surface *panel, TTF_Font *font, const SceneEntry *scene, SDL_Rect cell,
                        bool is_selected) {
     /** Pixels between pictures, which is also the frame of the chosen one. */
@@ -96,8 +92,7 @@ static void draw_entry(SDL_Surface *panel, TTF_Font *font, const SceneEntry *sce
     SDL_SetClipRect(panel, NULL);
 }
 
-/** Draws all scenes that are seen. @param panel The panel. @param font The letters. @param browser
- *  The list. @param grid Where they stand. */
+/** Draws all scenes that are seen. */
 static void draw_entries(SDL_Surface *panel, TTF_Font *font, const Browser *browser,
                          const BrowserGrid *grid) {
     for (int i = 0; i < grid->rows * grid->columns; i++) {
@@ -110,9 +105,8 @@ static void draw_entries(SDL_Surface *panel, TTF_Font *font, const Browser *brow
     }
 }
 
-/** Writes what stands around the scenes: a heading above, the chosen one's words below.
- *  @param panel The panel. @param font The letters. @param browser The list. @param grid Where the
- *  scenes stand. */
+/** Writes what stands around the scenes: a heading above, the chosen one's words below. @param grid
+ *  Where the scenes stand. */
 static void draw_heading_and_title(SDL_Surface *panel, TTF_Font *font, const Browser *browser,
                                    const BrowserGrid *grid) {
     const SceneList *list = &browser->list;

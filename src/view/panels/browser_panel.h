@@ -18,11 +18,11 @@ typedef struct BrowserGrid {
     int top;       /**< Where the first row begins. */
 } BrowserGrid;
 
-/** @return Where the pictures stand in a window. @param bounds The window. */
+/** @return Where the pictures stand in a window. */
 BrowserGrid browser_panel_grid(const PanelBounds *bounds);
 
 /** @return The list as a picture that fills the window, to be freed by the caller; NULL without
- * font or memory. @param browser The list, locked. @param bounds The window. */
+ *  font or memory. */
 SDL_Surface *browser_panel_draw(const Browser *browser, const PanelBounds *bounds);
 
 #endif

@@ -25,8 +25,7 @@ void caption_close(Caption *caption) {
     overlay_invalidate(&caption->overlay);
 }
 
-/** Writes the heading. @param caption The caption. @param[out] text The heading; empty: none.
- *  @param size Bytes that fit. */
+/** Writes the heading. */
 static void caption_write_heading(const Caption *caption, char *text, size_t size) {
     const char *title = lesson_text_localized(&caption->title, language_is_french());
     const char *hint = caption->hint ? gettext(caption->hint) : "";
@@ -39,7 +38,7 @@ static void caption_write_heading(const Caption *caption, char *text, size_t siz
     }
 }
 
-/** Draws the caption anew. @param[in,out] caption The caption. @param target The window. */
+/** Draws the caption anew. */
 static void caption_draw(Caption *caption, const OverlayTarget *target) {
     char text[CAPTION_TEXT_SIZE], heading[CAPTION_TEXT_SIZE];
     PanelRow rows[CAPTION_ROWS_MAXIMUM + 1];

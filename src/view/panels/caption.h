@@ -18,11 +18,11 @@ typedef struct Caption {
     Overlay overlay;  /**< It as a picture. */
 } Caption;
 
-/** Takes the caption away. @param[in,out] caption The caption. */
+/** Takes the caption away. */
 void caption_close(Caption *caption);
 
 /** Lays the caption over what the window shows, if there is one. @param[in,out] caption The
- *  caption, which keeps its picture. @param target The window. */
+ *  caption, which keeps its picture. */
 void caption_show(Caption *caption, const OverlayTarget *target);
 
 #endif

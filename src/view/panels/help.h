@@ -14,15 +14,12 @@ typedef struct Help {
     Overlay overlay; /**< It as a picture. */
 } Help;
 
-/**
- * Opens or closes the help.
- * @param[in,out] help  The help.
- * @return false if it was to be opened and there is no font: it is on standard output instead.
- */
+/** Opens or closes the help. @return false if it was to be opened and there is no font: it is on
+ *  standard output instead. */
 bool help_toggle(Help *help);
 
 /** Lays the help over what the window shows, if it is open. @param[in,out] help The help, which
- *  keeps its picture. @param target The window. */
+ *  keeps its picture. */
 void help_show(Help *help, const OverlayTarget *target);
 
 #endif

@@ -21,8 +21,7 @@ typedef struct HelpColumns {
     int font_size;                           /**< Size of the letters, pixels. */
 } HelpColumns;
 
-/** @return The first heading at or after a row; the number of rows: there is none.
- *  @param list The list. @param row The row. */
+/** @return The first heading at or after a row; the number of rows: there is none. */
 static size_t next_heading_row(const HelpColumns *list, size_t row) {
     while (row < list->count && !list->rows[row].is_heading) {
         row++;
@@ -30,8 +29,7 @@ static size_t next_heading_row(const HelpColumns *list, size_t row) {
     return row;
 }
 
-/** Cuts the list into columns that are about as long. @param[in,out] list The list.
- *  @param columns How many. */
+/** Cuts the list into columns that are about as long. */
 static void split_columns(HelpColumns *list, int columns) {
     list->column_count = columns;
     list->starts[0] = 0;
@@ -46,8 +44,10 @@ static void split_columns(HelpColumns *list, int columns) {
     }
 }
 
-/** @return Size of the largest letters that the columns can have; 0: none. @param list The list.
- *  @param bounds The room for all of them. */
+/**
+ * @return Size of the largest letters that the columns can have; 0: none.
+ * @param bounds  The room for all of them.
+ */
 static int columns_font_size(const HelpColumns *list, const PanelBounds *bounds) {
     const PanelBounds part = {bounds->width / list->column_count, bounds->height, bounds->scale};
     int size = 0;
@@ -59,7 +59,7 @@ static int columns_font_size(const HelpColumns *list, const PanelBounds *bounds)
     return size;
 }
 
-/** Chooses the columns. @param[in,out] list The list. @param bounds The room for it. */
+/** Chooses the columns. */
 static void choose_columns(HelpColumns *list, const PanelBounds *bounds) {
     int best = 1;
     for (int columns = 1; columns <= HELP_COLUMNS_MAXIMUM; columns++) {
@@ -73,8 +73,11 @@ static void choose_columns(HelpColumns *list, const PanelBounds *bounds) {
     split_columns(list, best);
 }
 
-/** Draws the columns side by side. @param list The list. @param[out] panels A panel each, to be
- *  freed; NULL: none. @return How large they are together, pixels. */
+/**
+ * Draws the columns side by side.
+ * @param[out] panels  A panel each, to be freed; NULL: none.
+ * @return How large they are together, pixels.
+ */
 static SDL_Point draw_columns(const HelpColumns *list, SDL_Surface *panels[HELP_COLUMNS_MAXIMUM]) {
     SDL_Point extent = {0, 0};
     for (int i = 0; i < list->column_count; i++) {
@@ -89,9 +92,7 @@ static SDL_Point draw_columns(const HelpColumns *list, SDL_Surface *panels[HELP_
     return extent;
 }
 
-/** Lays the columns on the panel, and frees them. @param panel The panel. @param top Where they
- *  begin. @param left Where the first begins. @param[in,out] columns The columns. @param count How
- *  many. */
+/** Lays the columns on the panel, and frees them. @param left Where the first begins. */
 static void blit_columns(SDL_Surface *panel, int top, int left, SDL_Surface **columns, int count) {
     for (int i = 0; i < count; i++) {
         if (columns[i]) {

@@ -7,8 +7,10 @@
 
 #include "view/panels/panel.h"
 
-/** @return The help, to be freed by the caller; NULL without font or memory. @param by_letter
- *  Whether the light's keys go by their letters. @param bounds The room. */
+/**
+ * @return The help, to be freed by the caller; NULL without font or memory.
+ * @param by_letter  Whether the light's keys go by their letters.
+ */
 SDL_Surface *help_panel_draw(bool by_letter, const PanelBounds *bounds);
 
 #endif

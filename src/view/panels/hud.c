@@ -18,8 +18,11 @@ static const double MINIMUM_PERCENT = 0.001;
 /** How large its letters are, of those of the help: there is a picture to be seen. */
 static const double FONT_SCALE = 0.7;
 
-/** Adds a row. @param[in,out] hud The panel. @param label Its label, translated. @param format Its
- *  words, as for printf. @return The row; the last one where there is no room. */
+/**
+ * Adds a row.
+ * @param format  Its words, as for printf.
+ * @return The row; the last one where there is no room.
+ */
 static PanelRow *hud_add_row(Hud *hud, const char *label, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
@@ -34,7 +37,7 @@ static PanelRow *hud_add_row(Hud *hud, const char *label, const char *format, ..
     return &hud->rows[index];
 }
 
-/** Says how rays leave surfaces. @param[in,out] hud The panel. @param trace The settings. */
+/** Says how rays leave surfaces. */
 static void add_offset(Hud *hud, const TraceSettings *trace) {
     const char *name = offset_strategy_names[trace->offset];
     if (trace->offset == OFFSET_FIXED) {
@@ -44,8 +47,7 @@ static void add_offset(Hud *hud, const TraceSettings *trace) {
     }
 }
 
-/** Says how long a picture takes, and what the last change has cost. @param[in,out] hud The panel.
- *  @param viewport The picture. */
+/** Says how long a picture takes, and what the last change has cost. */
 static void add_cost(Hud *hud, const Viewport *viewport) {
     double milliseconds = viewport->render_seconds * 1e3,
            previous = viewport->previous_render_seconds * 1e3;
@@ -63,7 +65,7 @@ static void add_cost(Hud *hud, const Viewport *viewport) {
     }
 }
 
-/** Says how a picture is drawn. @param[in,out] hud The panel. @param viewport The picture. */
+/** Says how a picture is drawn. */
 static void add_settings(Hud *hud, const Viewport *viewport) {
     const RenderSettings *settings = &viewport->settings;
     unsigned long count = (unsigned long)settings->samples;
@@ -75,20 +77,18 @@ static void add_settings(Hud *hud, const Viewport *viewport) {
     add_cost(hud, viewport);
 }
 
-/** Adds a heading. @param[in,out] hud The panel. @param name The first word, translated. @param
- * more More words, translated; empty: no more. */
+/** Adds a heading. @param more More words, translated; empty: no more. */
 static void add_heading(Hud *hud, const char *name, const char *more) {
     hud_add_row(hud, "", "%s%s%s", name, more[0] != '\0' ? ", " : "", more)->is_heading = true;
 }
 
-/** Shows a colour in a row. @param[in,out] row The row. @param tick The colour. */
+/** Shows a colour in a row. */
 static void add_swatch(PanelRow *row, const LegendEntry *tick) {
     row->has_swatch = true;
     memcpy(row->swatch, tick->rgb, sizeof row->swatch);
 }
 
-/** Adds the rows of a legend. @param[in,out] hud The panel. @param ticks They. @param count How
- *  many. */
+/** Adds the rows of a legend. */
 static void add_ticks(Hud *hud, const LegendEntry *ticks, size_t count) {
     for (size_t i = 0; i < count; i++) {
         const char *text = ticks[i].label ? gettext(ticks[i].label) : ticks[i].number;
@@ -96,8 +96,7 @@ static void add_ticks(Hud *hud, const LegendEntry *ticks, size_t count) {
     }
 }
 
-/** Says how many pixels there are of a kind. @param[in,out] hud The panel. @param kind The kind,
- *  translated. @param count How many. @param all Of how many. @return The row. */
+/** Says how many pixels there are of a kind. @return The row. */
 static PanelRow *add_fraction(Hud *hud, const char *kind, uint64_t count, uint64_t all) {
     double percent = all > 0 ? 100 * (double)count / (double)all : 0;
     unsigned long long number = count;
@@ -107,8 +106,7 @@ static PanelRow *add_fraction(Hud *hud, const char *kind, uint64_t count, uint64
     return hud_add_row(hud, "", gettext("%s: %llu (%.3g %%)"), kind, number, percent);
 }
 
-/** Says how many pixels are wrong. @param[in,out] hud The panel. @param report What is known.
- *  @param ticks The colours of acne and of leaks. */
+/** Says how many pixels are wrong. @param ticks The colours of acne and of leaks. */
 static void add_faults(Hud *hud, const LayerStats *report, const LegendEntry ticks[2]) {
     const uint64_t counts[] = {report->artifact_pixels, report->leak_pixels};
     for (int i = 0; i < 2; i++) {
@@ -117,8 +115,7 @@ static void add_faults(Hud *hud, const LayerStats *report, const LegendEntry tic
     }
 }
 
-/** Says what the colours of a layer mean. @param[in,out] hud The panel. @param report How the layer
- *  stands. */
+/** Says what the colours of a layer mean. @param report How the layer stands. */
 static void add_layer(Hud *hud, const LayerStats *report) {
     LegendEntry ticks[LEGEND_ENTRIES_MAXIMUM];
     const char *unit = layer_unit(report->layer);
@@ -135,8 +132,7 @@ static void add_layer(Hud *hud, const LayerStats *report) {
     }
 }
 
-/** Says what the colours of a difference mean. @param[in,out] hud The panel. @param difference It.
- */
+/** Says what the colours of a difference mean. */
 static void add_difference(Hud *hud, const DifferenceMap *difference) {
     LegendEntry ticks[LEGEND_ENTRIES_MAXIMUM];
     add_heading(hud, gettext("left minus right"), gettext("steps of 255"));
@@ -146,7 +142,7 @@ static void add_difference(Hud *hud, const DifferenceMap *difference) {
     hud_add_row(hud, "", gettext("at most: %d"), difference->max_difference);
 }
 
-/** Writes everything anew. @param[out] hud The panel. @param content What there is to be said. */
+/** Writes everything anew. @param content What there is to be said. */
 static void write_rows(Hud *hud, const HudContent *content) {
     const Viewport *viewport = content->viewport;
     hud->count = 0;
@@ -163,7 +159,7 @@ static void write_rows(Hud *hud, const HudContent *content) {
     }
 }
 
-/** @return Whether two panels say the same. @param a One. @param b The other. */
+/** @return Whether two panels say the same. */
 static bool hud_is_equal(const Hud *a, const Hud *b) {
     bool is_equal = a->count == b->count;
     for (size_t i = 0; is_equal && i < a->count; i++) {

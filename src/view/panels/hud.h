@@ -32,18 +32,14 @@ typedef struct HudContent {
                                        else NULL. */
 } HudContent;
 
-/**
- * Brings the words up to date, not too often: nobody reads so fast.
- * @param[in,out] hud  The panel.
- * @param content        What there is to be said.
- * @param now          Now, seconds.
- */
+/** Brings the words up to date, not too often: nobody reads so fast. @param content What there is
+ *  to be said. */
 void hud_update(Hud *hud, const HudContent *content, double now);
 
-/** Shows it, if it has anything to say. @param[in,out] hud The panel. @param target The window. */
+/** Shows it, if it has anything to say. */
 void hud_show(Hud *hud, const OverlayTarget *target);
 
-/** Words have changed, or the size of letters. @param[in,out] hud The panel. */
+/** Words have changed, or the size of letters. */
 void hud_invalidate(Hud *hud);
 
 #endif

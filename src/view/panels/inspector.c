@@ -35,8 +35,11 @@ void inspector_toggle(Inspector *inspector) {
     }
 }
 
-/** Goes to a pixel. @param[in,out] inspector The inspector. @param x As a share of the picture's
- *  width. @param y As a share of its height. */
+/**
+ * Goes to a pixel.
+ * @param x  As a share of the picture's width.
+ * @param y  As a share of its height.
+ */
 static void set_pixel(Inspector *inspector, double x, double y) {
     const double last = 1 - 1e-9;
     inspector->is_open = inspector->has_pixel = inspector->needs_trace = true;
@@ -114,8 +117,10 @@ SDL_Rect inspector_inset(int width, int height) {
     return rect;
 }
 
-/** @return Where what the second camera sees lies, pixels of the window. @param width Pixels of the
- *  window. @param height Pixels of it. */
+/**
+ * @return Where what the second camera sees lies, pixels of the window.
+ * @param width  Pixels of the window.
+ */
 static SDL_Rect side_view_rect(int width, int height) {
     return (SDL_Rect){.w = SDL_max(1, width - (int)(COLUMN_FRACTION * width)), .h = height};
 }
@@ -123,7 +128,7 @@ static SDL_Rect side_view_rect(int width, int height) {
 /* --- keeping up --------------------------------------------------------------------------------
  */
 
-/** Notes where lamps are. @param[in,out] inspector The inspector. @param scene The scene. */
+/** Notes where lamps are. */
 static void collect_light_positions(Inspector *inspector, const Scene *scene) {
     inspector->light_count = 0;
     for (size_t i = 0; i < scene->light_count && inspector->light_count < INSPECTOR_LIGHTS; i++) {
@@ -133,8 +138,7 @@ static void collect_light_positions(Inspector *inspector, const Scene *scene) {
     }
 }
 
-/** Traces the rays. @param[in,out] inspector The inspector. @param input What is looked into.
- *  @param[out] error What is wrong. @return false without memory. */
+/** Traces the rays. @return false without memory. */
 static bool trace_rays(Inspector *inspector, const InspectorInput *input, Error *error) {
     int x = (int)(inspector->x * input->viewport->width),
         y = (int)(inspector->y * input->viewport->height);
@@ -173,9 +177,11 @@ static RenderSettings side_view_settings(const RenderSettings *settings) {
     return side;
 }
 
-/** Makes what draws the second camera's picture, if there is none or the scene is another one.
- *  @param[in,out] inspector The inspector. @param input What is looked into. @param scene The
- *  scene, with the second camera. @param[out] error What is wrong. @return false without memory. */
+/**
+ * Makes what draws the second camera's picture, if there is none or the scene is another one.
+ * @param scene  The scene, with the second camera.
+ * @return false without memory.
+ */
 static bool update_side_renderer(Inspector *inspector, const InspectorInput *input,
                                  const Scene *scene, Error *error) {
     Viewport *viewport = &inspector->viewport;
@@ -197,9 +203,7 @@ static bool update_side_renderer(Inspector *inspector, const InspectorInput *inp
     return true;
 }
 
-/** Begins to draw what the second camera sees. @param[in,out] inspector The inspector.
- *  @param input What is looked into. @param[out] error What is wrong. @return false without
- *  memory. */
+/** Begins to draw what the second camera sees. @return false without memory. */
 static bool draw_side_view(Inspector *inspector, const InspectorInput *input, Error *error) {
     Scene scene = *input->scene;
     SDL_Rect rect = side_view_rect(input->viewport->width, input->viewport->height);
@@ -229,8 +233,8 @@ bool inspector_update(Inspector *inspector, const InspectorInput *input, SDL_Ren
 /* --- showing -----------------------------------------------------------------------------------
  */
 
-/** Shows the picture that is looked into, and marks the pixel. @param inspector The inspector.
- *  @param texture The picture. @param renderer What draws in the window. @param rect Where. */
+/** Shows the picture that is looked into, and marks the pixel. @param renderer What draws in the
+ *  window. */
 static void draw_inset(const Inspector *inspector, const StreamingTexture *texture,
                        SDL_Renderer *renderer, const SDL_Rect *rect) {
     streaming_texture_draw(texture, renderer, rect, rect);
@@ -240,8 +244,7 @@ static void draw_inset(const Inspector *inspector, const StreamingTexture *textu
     SDL_RenderSetClipRect(renderer, NULL);
 }
 
-/** Draws the numbers anew. @param[in,out] inspector The inspector. @param target The window.
- *  @param column The room that they have. */
+/** Draws the numbers anew. @param column The room that they have. */
 static void render_panel(Inspector *inspector, const OverlayTarget *target,
                          const SDL_Rect *column) {
     PanelBounds bounds = {column->w, column->h, FONT_SCALE * target->scale};
@@ -252,8 +255,7 @@ static void render_panel(Inspector *inspector, const OverlayTarget *target,
     }
 }
 
-/** Shows the numbers. @param[in,out] inspector The inspector. @param target The window.
- *  @param column The room that they have. */
+/** Shows the numbers. @param column The room that they have. */
 static void draw_panel_column(Inspector *inspector, const OverlayTarget *target,
                               const SDL_Rect *column) {
     SDL_Rect destination = *column;

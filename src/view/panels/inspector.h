@@ -51,81 +51,72 @@ typedef struct InspectorInput {
     double now;               /**< Now, seconds. */
 } InspectorInput;
 
-/** Opens it at the pixel that was picked last, at first at the middle; or closes it.
- *  @param[in,out] inspector The inspector. */
+/** Opens it at the pixel that was picked last, at first at the middle; or closes it. */
 void inspector_toggle(Inspector *inspector);
 
-/** Closes it, and forgets which pixel was picked. @param[in,out] inspector The inspector. */
+/** Closes it, and forgets which pixel was picked. */
 void inspector_reset(Inspector *inspector);
 
-/** Opens it at a pixel, or goes there. @param[in,out] inspector The inspector. @param x The pixel,
- *  as a share of the picture's width. @param y As a share of its height. */
+/**
+ * Opens it at a pixel, or goes there.
+ * @param x  The pixel, as a share of the picture's width.
+ * @param y  As a share of its height.
+ */
 void inspector_pick(Inspector *inspector, double x, double y);
 
-/** Goes to a pixel beside; it is looked at from where it is. @param[in,out] inspector The
- * inspector, open. @param x Pixels to the right. @param y Pixels down. */
+/** Goes to a pixel beside; it is looked at from where it is. @param x Pixels to the right. */
 void inspector_step_pixel(Inspector *inspector, int x, int y);
 
-/** Shows the numbers of another ray. @param[in,out] inspector The inspector. @param step 1: the
- * next; -1: the one before. */
+/** Shows the numbers of another ray. @param step 1: the next; -1: the one before. */
 void inspector_select_ray(Inspector *inspector, int step);
 
-/** Moves the second camera around the rays. @param[in,out] inspector The inspector. @param movement
- * How far. */
+/** Moves the second camera around the rays. */
 void inspector_move(Inspector *inspector, Movement movement);
 
-/** Turns the second camera around the rays, as if they were held. @param[in,out] inspector The
- *  inspector. @param right Degrees to the right. @param up Degrees up. */
+/** Turns the second camera around the rays, as if they were held. @param right Degrees to the
+ *  right. */
 void inspector_turn(Inspector *inspector, double right, double up);
 
-/** The scene, its camera or its lamps have changed. @param[in,out] inspector The inspector. */
+/** The scene, its camera or its lamps have changed. */
 void inspector_invalidate(Inspector *inspector);
 
-/** It is looked at the rays anew, as is best. @param[in,out] inspector The inspector. */
+/** It is looked at the rays anew, as is best. */
 void inspector_reset_camera(Inspector *inspector);
 
-/** Another renderer draws the picture from now on. @param[in,out] inspector The inspector. */
+/** Another renderer draws the picture from now on. */
 void inspector_on_renderer_changed(Inspector *inspector);
 
-/** Takes note of the event that a pass has ended, if it is its own. @param[in,out] inspector The
- *  inspector. @param event The event. */
+/** Takes note of the event that a pass has ended, if it is its own. */
 void inspector_on_pass(Inspector *inspector, const SDL_Event *event);
 
-/** Stops an unfinished drawing, as nobody sees it. @param[in,out] inspector The inspector. */
+/** Stops an unfinished drawing, as nobody sees it. */
 void inspector_stop(Inspector *inspector);
 
 /**
  * Traces the rays anew if anything changed, and draws what the second camera sees.
- * @param[in,out] inspector  The inspector.
- * @param input          What is looked into.
- * @param renderer           What draws in the window.
- * @param[out] error         What is wrong.
+ * @param renderer  What draws in the window.
  * @return false without memory: it is closed then.
  */
 bool inspector_update(Inspector *inspector, const InspectorInput *input, SDL_Renderer *renderer,
                       Error *error);
 
-/**
- * Shows it over the whole window.
- * @param[in,out] inspector  The inspector, open.
- * @param texture            The picture that is looked into.
- * @param target             The window.
- */
+/** Shows it over the whole window. @param texture The picture that is looked into. */
 void inspector_show(Inspector *inspector, const StreamingTexture *texture,
                     const OverlayTarget *target);
 
-/** @return Where the picture that is looked into lies while this is open, pixels of the window.
- *  @param width Pixels of the window. @param height Pixels of it. */
+/**
+ * @return Where the picture that is looked into lies while this is open, pixels of the window.
+ * @param width  Pixels of the window.
+ */
 SDL_Rect inspector_inset(int width, int height);
 
-/** Forgets its words: they are drawn anew. @param[in,out] inspector The inspector. */
+/** Forgets its words: they are drawn anew. */
 void inspector_invalidate_panel(Inspector *inspector);
 
-/** Forgets its pictures: the graphics card lost them, size or words have changed.
- *  @param[in,out] inspector The inspector. */
+/** Forgets its pictures: the graphics card lost them, size or words have changed. */
 void inspector_release_textures(Inspector *inspector);
 
-/** Gives all back. @param[in,out] inspector The inspector. */
+/** Gives all back. */
 void inspector_deinit(Inspector *inspector);
 
 #endif

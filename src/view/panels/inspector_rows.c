@@ -12,7 +12,7 @@
 /** Rays that are named at most: those around the chosen one. */
 enum { LISTED_RAYS_MAXIMUM = 9 };
 
-/** @return A new row; NULL where there is no more room. @param[in,out] inspector The inspector. */
+/** @return A new row; NULL where there is no more room. */
 static PanelRow *new_row(Inspector *inspector) {
     if (inspector->row_count == INSPECTOR_ROWS) {
         return NULL;
@@ -23,9 +23,12 @@ static PanelRow *new_row(Inspector *inspector) {
     return row;
 }
 
-/** Adds a row. @param[in,out] inspector The inspector. @param label Its label, in English, or ""
- * (of which gettext() makes the catalogue's header); NULL: it is a heading. @param format What it
- * says, as for printf, in the user's language. */
+/**
+ * Adds a row.
+ * @param label  Its label, in English, or "" (of which gettext() makes the catalogue's header);
+ *         NULL: it is a heading.
+ * @param format  What it says, as for printf, in the user's language.
+ */
 static void __attribute__((format(printf, 3, 4)))
 row_add(Inspector *inspector, const char *label, const char *format, ...) {
     PanelRow *row = new_row(inspector);
@@ -40,20 +43,17 @@ row_add(Inspector *inspector, const char *label, const char *format, ...) {
     }
 }
 
-/** Adds a row of three numbers. @param[in,out] inspector The inspector. @param label Its label.
- *  @param x One. @param y One. @param z One. */
+/** Adds a row of three numbers. */
 static void row_add_vector(Inspector *inspector, const char *label, double x, double y, double z) {
     row_add(inspector, label, "%.4g  %.4g  %.4g", x, y, z);
 }
 
-/** Adds a row of a colour. @param[in,out] inspector The inspector. @param label Its label.
- *  @param color It. */
+/** Adds a row of a colour. */
 static void row_add_color(Inspector *inspector, const char *label, Rgbd color) {
     row_add_vector(inspector, label, color.red, color.green, color.blue);
 }
 
-/** Says what a ray is and what it meets. @param ray The ray. @param scene The scene.
- *  @param[out] text What is said. */
+/** Says what a ray is and what it meets. */
 static void describe_ray(const RayTreeNode *ray, const Scene *scene,
                          char text[INSPECTOR_TEXT_SIZE]) {
     static const char *const kinds[] = {[RAY_CAMERA] = N_("camera: %s"),
@@ -73,8 +73,7 @@ static void describe_ray(const RayTreeNode *ray, const Scene *scene,
     }
 }
 
-/** Adds the row of a ray. @param[in,out] inspector The inspector. @param scene The scene.
- *  @param ray_index Which ray. */
+/** Adds the row of a ray. */
 static void add_ray_row(Inspector *inspector, const Scene *scene, size_t ray_index) {
     const RayTreeNode *ray = &inspector->ray_tree.nodes[ray_index];
     unsigned color = ray_style(ray)->color;
@@ -90,8 +89,7 @@ static void add_ray_row(Inspector *inspector, const Scene *scene, size_t ray_ind
     inspector->rows[index].swatch[2] = (uint8_t)color;
 }
 
-/** Adds the rows of all rays, or of those around the chosen one. @param[in,out] inspector The
- *  inspector. @param scene The scene. */
+/** Adds the rows of all rays, or of those around the chosen one. */
 static void add_ray_rows(Inspector *inspector, const Scene *scene) {
     size_t count = inspector->ray_tree.count, first = 0;
     if (count > LISTED_RAYS_MAXIMUM && inspector->selected > LISTED_RAYS_MAXIMUM / 2) {
@@ -106,8 +104,7 @@ static void add_ray_rows(Inspector *inspector, const Scene *scene) {
     }
 }
 
-/** Adds the numbers of a surface. @param[in,out] inspector The inspector. @param ray The ray that
- *  met it. */
+/** Adds the numbers of a surface. @param ray The ray that met it. */
 static void add_surface_rows(Inspector *inspector, const RayTreeNode *ray) {
     const RayTreeSurface *surface = &ray->surface;
     row_add(inspector, N_("angle"), "%.2f°%s", ray_incidence_angle(ray),
@@ -120,7 +117,7 @@ static void add_surface_rows(Inspector *inspector, const RayTreeNode *ray) {
     row_add(inspector, N_("epsilon"), "%.3g = %.3g ulps", surface->epsilon, surface->ulps);
 }
 
-/** Adds the numbers of the chosen ray. @param[in,out] inspector The inspector. */
+/** Adds the numbers of the chosen ray. */
 static void add_selected_ray(Inspector *inspector) {
     const RayTreeNode *ray = &inspector->ray_tree.nodes[inspector->selected];
     row_add(inspector, NULL, gettext("Ray %zu: %s"), inspector->selected,
@@ -137,7 +134,7 @@ static void add_selected_ray(Inspector *inspector) {
     row_add_color(inspector, N_("brings back"), ray->color);
 }
 
-/** Adds how the camera's ray gets its colour. @param[in,out] inspector The inspector. */
+/** Adds how the camera's ray gets its colour. */
 static void add_sum_rows(Inspector *inspector) {
     const RayTreeNode *camera = &inspector->ray_tree.nodes[0];
     Rgbd own_color = camera->color;

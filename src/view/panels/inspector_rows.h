@@ -7,13 +7,8 @@
 
 #include "view/panels/inspector.h"
 
-/**
- * Writes the rows of the panel: the rays, those of the chosen one in full, and the pixel.
- * @param[in,out] inspector  The inspector, with its rays; gets the rows.
- * @param input          What is looked into.
- * @param x                  The pixel's column.
- * @param y                  Its row.
- */
+/** Writes the rows of the panel: the rays, those of the chosen one in full, and the pixel.
+ *  @param[in,out] inspector The inspector, with its rays; gets the rows. */
 void inspector_rows_write(Inspector *inspector, const InspectorInput *input, int x, int y);
 
 #endif

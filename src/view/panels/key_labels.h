@@ -7,12 +7,10 @@
 
 #include "view/input/keymap.h"
 
-/** @return What a key does, in the language that the program speaks; empty: nothing.
- *  @param scancode Its place. @param info What it means. */
+/** @return What a key does, in the language that the program speaks; empty: nothing. */
 const char *key_action_label(SDL_Scancode scancode, const KeyInfo *info);
 
-/** @return What is printed on a key of the keyboard in use, or a sign for it; may be empty.
- *  @param scancode Its place. */
+/** @return What is printed on a key of the keyboard in use, or a sign for it; may be empty. */
 const char *key_cap_label(SDL_Scancode scancode);
 
 #endif

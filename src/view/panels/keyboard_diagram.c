@@ -105,7 +105,7 @@ typedef struct KeyboardPainter {
     bool by_letter;       /**< Whether the light's keys go by their letters. */
 } KeyboardPainter;
 
-/** @return Pixels of a quarter of a key in a room. @param width Pixels. @param height Pixels. */
+/** @return Pixels of a quarter of a key in a room. */
 static double quarter_key_size(int width, int height) {
     return fmin((double)width / KEYBOARD_WIDTH, (double)height / KEYBOARD_HEIGHT);
 }
@@ -118,28 +118,21 @@ SDL_Point keyboard_diagram_size(int width, int height) {
     return (SDL_Point){(int)(KEYBOARD_WIDTH * pixels), (int)(KEYBOARD_HEIGHT * pixels)};
 }
 
-/** Fills a part of the panel. @param painter The pen. @param area Which. @param color The colour.
- */
+/** Fills a part of the panel. */
 static void fill_rect(const KeyboardPainter *painter, const SDL_Rect *area, SDL_Color color) {
     SDL_FillRect(painter->surface, area,
                  SDL_MapRGBA(painter->surface->format, color.r, color.g, color.b, color.a));
 }
 
-/** @return A colour of which only a share is left. @param color The colour. @param brightness 0
- * to 1. */
+/** @return A colour of which only a share is left. */
 static SDL_Color dim_color(SDL_Color color, double perceived_brightness) {
     return (SDL_Color){(Uint8)(color.r * perceived_brightness),
                        (Uint8)(color.g * perceived_brightness),
                        (Uint8)(color.b * perceived_brightness), color.a};
 }
 
-/**
- * Writes words into the middle of a line, smaller where they are too wide.
- * @param painter    The pen.
- * @param text  The words, UTF-8.
- * @param line   The line: its upper end, its width; the letters are as high as it at most.
- * @param color  Their colour.
- */
+/** Writes words into the middle of a line, smaller where they are too wide. @param line The line:
+ *  its upper end, its width; the letters are as high as it at most. */
 static void draw_fitted_text(const KeyboardPainter *painter, const char *text, const SDL_Rect *line,
                              SDL_Color color) {
     /** Size of letters below which nothing is gained, pixels. */
@@ -153,7 +146,7 @@ static void draw_fitted_text(const KeyboardPainter *painter, const char *text, c
     font_draw_text(painter->surface, painter->font, text, color, x, line->y + (line->h - size) / 2);
 }
 
-/** @return Where a key is, pixels. @param painter The pen. @param key The key. */
+/** @return Where a key is, pixels. */
 static SDL_Rect key_rect(const KeyboardPainter *painter, const KeyShape *key) {
     int left = (int)(key->x * painter->quarter_key), top = (int)(key->y * painter->quarter_key);
     int right = (int)((key->x + key->width) * painter->quarter_key);
@@ -162,7 +155,7 @@ static SDL_Rect key_rect(const KeyboardPainter *painter, const KeyShape *key) {
                       bottom - top - 2};
 }
 
-/** @return What a key means. @param painter The pen. @param scancode The key's place. */
+/** @return What a key means. */
 static KeyInfo key_info(const KeyboardPainter *painter, SDL_Scancode scancode) {
     SDL_Keysym key = {.scancode = scancode, .sym = SDL_GetKeyFromScancode(scancode)};
     KeyInfo info = keymap_lookup(key, painter->by_letter);
@@ -173,7 +166,7 @@ static KeyInfo key_info(const KeyboardPainter *painter, SDL_Scancode scancode) {
     return info;
 }
 
-/** Draws a key. @param painter The pen. @param key The key. */
+/** Draws a key. */
 static void draw_key(const KeyboardPainter *painter, const KeyShape *key) {
     /** A key that does nothing, and what is printed on it. */
     static const SDL_Color idle = {42, 46, 58, SDL_ALPHA_OPAQUE},
@@ -203,7 +196,7 @@ static KeyboardLayout detect_layout(void) {
                                                                                 : LAYOUT_ISO;
 }
 
-/** Draws all keys. @param painter The pen. */
+/** Draws all keys. */
 static void draw_keys(const KeyboardPainter *painter) {
     KeyboardLayout layout = detect_layout();
     for (size_t i = 0; i < sizeof key_rows / sizeof *key_rows; i++) {

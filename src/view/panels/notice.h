@@ -16,12 +16,15 @@ typedef struct Notice {
     Overlay overlay;        /**< It as a picture. */
 } Notice;
 
-/** Says something. @param[in,out] notice The notice. @param text UTF-8; empty: closes it.
- *  @return Whether anything changed. */
+/**
+ * Says something.
+ * @param text  UTF-8; empty: closes it.
+ * @return Whether anything changed.
+ */
 bool notice_set(Notice *notice, const char *text);
 
 /** Lays the notice over what the window shows. @param[in,out] notice The notice, which keeps its
- *  picture. @param target The window. */
+ *  picture. */
 void notice_show(Notice *notice, const OverlayTarget *target);
 
 #endif

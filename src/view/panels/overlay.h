@@ -28,35 +28,26 @@ typedef struct OverlayTarget {
     double width_fraction;  /**< Share of the window's width that a panel may take. */
 } OverlayTarget;
 
-/** @return Whether the panel must be drawn anew before it can be shown. @param overlay It. */
+/** @return Whether the panel must be drawn anew before it can be shown. */
 bool overlay_is_stale(const Overlay *overlay);
 
-/**
- * Draws the panel anew.
- * @param[in,out] overlay  The overlay.
- * @param target           The window.
- * @param rows             What it says.
- * @param count            How many rows.
- */
+/** Draws the panel anew. */
 void overlay_draw(Overlay *overlay, const OverlayTarget *target, const PanelRow *rows,
                   size_t count);
 
-/** Takes a panel that was drawn elsewhere. @param[in,out] overlay The overlay. @param target The
- *  window. @param panel The panel; freed by this; NULL: there is none. */
+/** Takes a panel that was drawn elsewhere. @param panel The panel; freed by this; NULL: there is
+ *  none. */
 void overlay_set_surface(Overlay *overlay, const OverlayTarget *target, SDL_Surface *panel);
 
-/** @return The room that a panel has in a window. @param target The window. */
+/** @return The room that a panel has in a window. */
 PanelBounds overlay_bounds(const OverlayTarget *target);
 
 /** Lays the panel over what the window shows. @param overlay The overlay; nothing is laid where it
- *  could not be drawn. @param target The window. */
+ *  could not be drawn. */
 void overlay_show(const Overlay *overlay, const OverlayTarget *target);
 
-/**
- * Forgets the panel: what it says, the size or the keyboard have changed, or the graphics card lost
- * it. To be called before the window closes, too.
- * @param[in,out] overlay  The overlay.
- */
+/** Forgets the panel: what it says, the size or the keyboard have changed, or the graphics card
+ *  lost it. To be called before the window closes, too. */
 void overlay_invalidate(Overlay *overlay);
 
 #endif

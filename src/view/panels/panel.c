@@ -66,14 +66,16 @@ static void layout_rows(PanelLayout *layout, int size) {
     layout->text_width = SDL_max(layout->text_width, headings_width - layout->label_width);
 }
 
-/** @return Width of the panel. @param layout The layout. */
+/** @return Width of the panel. */
 static int panel_width(const PanelLayout *layout) {
     return layout->label_width + layout->text_width + 2 * layout->margin;
 }
 
-/** @return Where a row begins, counted from the panel's upper end. A heading stands off what is
- *          before it. @param layout The layout. @param index Which row; the number of rows: where
- *          the next would begin. */
+/**
+ * @return Where a row begins, counted from the panel's upper end. A heading stands off what is
+ *         before it.
+ * @param index  Which row; the number of rows: where the next would begin.
+ */
 static int row_top(const PanelLayout *layout, size_t index) {
     int top = layout->margin / 2 + layout->line_height * (int)index;
     for (size_t i = 1; i <= index && i < layout->count; i++) {
@@ -82,7 +84,7 @@ static int row_top(const PanelLayout *layout, size_t index) {
     return top;
 }
 
-/** @return Height of the panel. @param layout The layout. */
+/** @return Height of the panel. */
 static int panel_height(const PanelLayout *layout) {
     return row_top(layout, layout->count) + layout->margin / 2;
 }
@@ -90,7 +92,6 @@ static int panel_height(const PanelLayout *layout) {
 /**
  * Lays the rows out in the largest letters, up to those wanted, that fit a window.
  * @param[in,out] layout  The rows and the font; the lengths are set.
- * @param bounds            The room.
  * @return Their size, pixels.
  */
 static int layout_to_fit(PanelLayout *layout, const PanelBounds *bounds) {
@@ -120,8 +121,8 @@ SDL_Surface *panel_create(int width, int height) {
     return panel;
 }
 
-/** Shows a colour; those of rows that follow each other touch. @param panel The panel. @param
- * layout The layout. @param rgb The colour. @param y Upper end of its row, pixels. */
+/** Shows a colour; those of rows that follow each other touch. @param y Upper end of its row,
+ *  pixels. */
 static void draw_swatch(SDL_Surface *panel, const PanelLayout *layout, const uint8_t rgb[3],
                         int y) {
     int width = layout->label_width - layout->margin; // The gap is as wide as the margin.
@@ -130,7 +131,7 @@ static void draw_swatch(SDL_Surface *panel, const PanelLayout *layout, const uin
                  SDL_MapRGBA(panel->format, rgb[0], rgb[1], rgb[2], SDL_ALPHA_OPAQUE));
 }
 
-/** @return The panel with all rows, or NULL without memory. @param layout The layout. */
+/** @return The panel with all rows, or NULL without memory. */
 static SDL_Surface *draw_layout(const PanelLayout *layout) {
     SDL_Surface *panel = panel_create(panel_width(layout), panel_height(layout));
     if (!panel) {

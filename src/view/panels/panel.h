@@ -32,25 +32,25 @@ typedef struct PanelBounds {
 /** @return The colour of a tint. @param tint #PanelRow.tint, above 0. */
 SDL_Color panel_tint_color(int tint);
 
-/** @return An empty panel, to be freed by the caller; NULL without memory. @param width Pixels.
- *  @param height Pixels. */
+/** @return An empty panel, to be freed by the caller; NULL without memory. */
 SDL_Surface *panel_create(int width, int height);
 
-/** @return Size of the largest letters that a panel can have, pixels; 0 without font.
- *  @param rows See #panel_draw. @param count See there. @param bounds See there. */
+/** @return Size of the largest letters that a panel can have, pixels; 0 without font. */
 int panel_font_size(const PanelRow *rows, size_t count, const PanelBounds *bounds);
 
-/** Draws a panel in letters of one size. @param rows The rows. @param count How many, at least 1.
- *  @param size Size of the letters, pixels. @return See #panel_draw. */
+/**
+ * Draws a panel in letters of one size.
+ * @param count  How many, at least 1.
+ * @param size  Size of the letters, pixels.
+ * @return See #panel_draw.
+ */
 SDL_Surface *panel_draw_at_size(const PanelRow *rows, size_t count, int size);
 
 /**
  * Draws a panel, in letters that the last row of a class can read if there is room for them.
- * @param rows   The rows.
  * @param count  How many, at least 1.
- * @param bounds   The room.
- * @return The panel, no larger than the window unless that is tiny; to be freed by the caller.
- *         NULL without font or memory.
+ * @return The panel, no larger than the window unless that is tiny; to be freed by the caller. NULL
+ *         without font or memory.
  */
 SDL_Surface *panel_draw(const PanelRow *rows, size_t count, const PanelBounds *bounds);
 

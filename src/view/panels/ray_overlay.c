@@ -24,17 +24,14 @@ typedef struct RayPainter {
     SDL_Color color;        /**< What it draws in. */
 } RayPainter;
 
-/** @return A pen of a colour. @param painter A pen. @param color 0xRRGGBB. @param alpha 0 to 255.
- */
+/** @return A pen of a colour. */
 static RayPainter painter_with_color(const RayPainter *painter, unsigned color, Uint8 alpha) {
     RayPainter other = *painter;
     other.color = (SDL_Color){(Uint8)(color >> 16), (Uint8)(color >> 8), (Uint8)color, alpha};
     return other;
 }
 
-/** Fills a shape of four corners. @param painter The pen. @param corners Its corners in turn, x and
- * y.
- */
+/** Fills a shape of four corners. @param corners Its corners in turn, x and y. */
 static void fill_quad(const RayPainter *painter, const double corners[8]) {
     static const int triangles[] = {0, 1, 2, 0, 2, 3};
     SDL_Vertex vertices[4];
@@ -46,8 +43,7 @@ static void fill_quad(const RayPainter *painter, const double corners[8]) {
     SDL_RenderGeometry(painter->renderer, NULL, vertices, 4, triangles, 6);
 }
 
-/** Draws a piece of a line. @param painter The pen. @param line The line. @param from Where the
- * piece begins, pixels along it. @param to Where it ends. @param thickness Pixels. */
+/** Draws a piece of a line. @param from Where the piece begins, pixels along it. */
 static void draw_segment(const RayPainter *painter, const ProjectedRay *line, double from,
                          double to, double thickness) {
     double x = line->x[1] - line->x[0], y = line->y[1] - line->y[0], length = hypot(x, y);
@@ -62,8 +58,7 @@ static void draw_segment(const RayPainter *painter, const ProjectedRay *line, do
     fill_quad(painter, corners);
 }
 
-/** Draws a line, whole or in dashes. @param painter The pen. @param line The line. @param style Its
- *  dashes. @param thickness Pixels. */
+/** Draws a line, whole or in dashes. */
 static void draw_line(const RayPainter *painter, const ProjectedRay *line, const RayStyle *style,
                       double thickness) {
     double length = hypot(line->x[1] - line->x[0], line->y[1] - line->y[0]);
@@ -77,8 +72,7 @@ static void draw_line(const RayPainter *painter, const ProjectedRay *line, const
     }
 }
 
-/** Draws an arrowhead on a line. @param painter The pen. @param line The line. @param thickness Of
- * the line, pixels. */
+/** Draws an arrowhead on a line. @param thickness Of the line, pixels. */
 static void draw_arrow(const RayPainter *painter, const ProjectedRay *line, double thickness) {
     /** Thicknesses that it is long; share of the line where its point is. */
     const double size = 5 * thickness, share = 0.6;
@@ -93,8 +87,8 @@ static void draw_arrow(const RayPainter *painter, const ProjectedRay *line, doub
     fill_quad(painter, corners);
 }
 
-/** Keeps a line to what can be on screen, so that its dashes are few. @param[in,out] line The line.
- *  @param rect The room. @return Whether any of it may be seen. */
+/** Keeps a line to what can be on screen, so that its dashes are few. @return Whether any of it may
+ *  be seen. */
 static bool clip_line(ProjectedRay *line, const SDL_Rect *rect) {
     double first = 0, last = 1;
     const double from[] = {line->x[0], line->y[0]};
@@ -116,8 +110,11 @@ static bool clip_line(ProjectedRay *line, const SDL_Rect *rect) {
     return first < last;
 }
 
-/** Draws a ray. @param painter The pen. @param line Where it is seen. @param ray The ray.
- *  @param is_selected Whether it is the chosen one. */
+/**
+ * Draws a ray.
+ * @param line  Where it is seen.
+ * @param is_selected  Whether it is the chosen one.
+ */
 static void draw_ray(const RayPainter *painter, const ProjectedRay *line, const RayTreeNode *ray,
                      bool is_selected) {
     const RayStyle *style = ray_style(ray), whole = {0};
@@ -139,9 +136,11 @@ static const double segments[7][4] = {{0, 0, 1, 0}, {1, 0, 1, 1}, {1, 1, 1, 2}, 
 static const unsigned char digit_segments[10] = {0x3f, 0x06, 0x5b, 0x4f, 0x66,
                                                  0x6d, 0x7d, 0x07, 0x7f, 0x6f};
 
-/** Draws a digit. @param painter The pen. @param digit 0 to 9. @param x Left edge. @param y Upper
- * edge.
- *  @param half Half of its height, pixels. @param thickness Of its strokes, pixels. */
+/**
+ * Draws a digit.
+ * @param half  Half of its height, pixels.
+ * @param thickness  Of its strokes, pixels.
+ */
 static void draw_digit(const RayPainter *painter, int digit, double x, double y, double half,
                        double thickness) {
     for (int i = 0; i < 7; i++) {
@@ -155,8 +154,11 @@ static void draw_digit(const RayPainter *painter, int digit, double x, double y,
     }
 }
 
-/** Draws a number with a border. @param painter The pen. @param number It, at least 0. @param x
- * Middle of its left edge. @param y See there. */
+/**
+ * Draws a number with a border.
+ * @param number  It, at least 0.
+ * @param x  Middle of its left edge.
+ */
 static void draw_number(const RayPainter *painter, size_t number, double x, double y) {
     char text[24];
     SDL_snprintf(text, sizeof text, "%zu", number);
@@ -175,15 +177,13 @@ static void draw_number(const RayPainter *painter, size_t number, double x, doub
 /* --- all of it ----------------------------------------------------------------------------------
  */
 
-/** Draws a spot. @param painter The pen. @param x Its middle. @param y Its middle. @param half Half
- * of its size, pixels. */
+/** Draws a spot. @param half Half of its size, pixels. */
 static void draw_marker(const RayPainter *painter, double x, double y, double half) {
     const double corners[] = {x - half, y, x, y - half, x + half, y, x, y + half};
     fill_quad(painter, corners);
 }
 
-/** Draws a spot where a point is seen. @param painter The pen. @param projected The second camera.
- *  @param point The point. @param color 0xRRGGBB. */
+/** Draws a spot where a point is seen. */
 static void mark_point(const RayPainter *painter, const ProjectedView *projected, Vec3d point,
                        unsigned color) {
     double x, y;
@@ -195,9 +195,7 @@ static void mark_point(const RayPainter *painter, const ProjectedView *projected
     }
 }
 
-/** Draws all rays, those that come first in the tree last. @param painter The pen. @param overlay
- * What.
- *  @param projected The second camera. @param rect The room. */
+/** Draws all rays, those that come first in the tree last. */
 static void draw_rays(const RayPainter *painter, const RayOverlay *overlay,
                       const ProjectedView *projected, const SDL_Rect *rect) {
     const RayTree *ray_tree = overlay->ray_tree;

@@ -20,9 +20,8 @@ typedef struct RayOverlay {
 
 /**
  * Draws rays, their numbers, the eye and the lamps.
- * @param overlay   What.
  * @param renderer  What draws in the window.
- * @param rect      Where the picture of the second camera lies, pixels of the window.
+ * @param rect  Where the picture of the second camera lies, pixels of the window.
  */
 void ray_overlay_draw(const RayOverlay *overlay, SDL_Renderer *renderer, const SDL_Rect *rect);
 

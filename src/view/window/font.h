@@ -14,21 +14,13 @@ bool font_is_available(void);
 /** Opens a font. @return It, to be closed with #font_close; NULL if there is none. */
 TTF_Font *font_open(void);
 
-/** Closes a font. @param[in,out] font A font of #font_open. */
+/** Closes a font. */
 void font_close(TTF_Font *font);
 
-/** @return Width of a text, pixels. @param font Its letters. @param text UTF-8. */
+/** @return Width of a text, pixels. */
 int font_text_width(TTF_Font *font, const char *text);
 
-/**
- * Writes a text on a surface.
- * @param[in,out] panel  The surface.
- * @param font           The letters.
- * @param text           UTF-8; nothing is written for an empty one.
- * @param color          Their colour.
- * @param x              Left end, pixels.
- * @param y              Upper end, pixels.
- */
+/** Writes a text on a surface. @param text UTF-8; nothing is written for an empty one. */
 void font_draw_text(SDL_Surface *panel, TTF_Font *font, const char *text, SDL_Color color, int x,
                     int y);
 

@@ -15,17 +15,17 @@
 
 #include <string.h>
 
-/** Says what SDL did not like. @return false. @param[out] error Where to. @param format What
- * failed, with room for SDL's words. */
+/**
+ * Says what SDL did not like.
+ * @return false.
+ * @param format  What failed, with room for SDL's words.
+ */
 __attribute__((format(printf, 2, 0))) static bool set_sdl_error(Error *error, const char *format) {
     return error_set(error, STATUS_FAILED, format, SDL_GetError());
 }
 
-/**
- * Makes a size no larger than the room on the first screen, keeping its shape.
- * @param[in,out] width   Width, in the screen's units.
- * @param[in,out] height  Height.
- */
+/** Makes a size no larger than the room on the first screen, keeping its shape. @param[in,out]
+ *  width Width, in the screen's units. */
 static void fit_to_screen(int *width, int *height) {
     SDL_Rect usable;
     if (SDL_GetDisplayUsableBounds(0, &usable) == 0 && usable.w > 0 && usable.h > 0) {
@@ -37,7 +37,7 @@ static void fit_to_screen(int *width, int *height) {
     }
 }
 
-/** @return What draws in a window, or NULL. @param window The window. */
+/** @return What draws in a window, or NULL. */
 static SDL_Renderer *create_renderer(SDL_Window *window) {
     bool is_x11 = strcmp(SDL_GetCurrentVideoDriver(), "x11") == 0;
     bool is_forced = SDL_GetHint(SDL_HINT_RENDER_DRIVER) != NULL;

@@ -20,10 +20,7 @@ typedef struct SdlWindow {
 /**
  * Opens a window, no larger than the screen has room for.
  * @param[out] sdl  The window; give it back with #sdl_window_close.
- * @param title         Its title, UTF-8.
- * @param width         Width wanted, in the screen's units.
- * @param height        Height wanted.
- * @param[out] error    What is wrong.
+ * @param width  Width wanted, in the screen's units.
  * @return Whether it is open.
  */
 bool sdl_window_open(SdlWindow *sdl, const char *title, int width, int height, Error *error);
@@ -31,22 +28,17 @@ bool sdl_window_open(SdlWindow *sdl, const char *title, int width, int height, E
 /** Closes a window. @param[in,out] sdl The window, open or not. */
 void sdl_window_close(SdlWindow *sdl);
 
-/**
- * Finds how many pixels the window really has, which on a HiDPI screen are more than its units.
- * @param sdl      The window.
- * @param[out] width   Pixels, at least 1 and at most #IMAGE_SIZE_MAXIMUM.
- * @param[out] height  Pixels, likewise.
- */
+/** Finds how many pixels the window really has, which on a HiDPI screen are more than its units.
+ *  @param[out] width Pixels, at least 1 and at most #IMAGE_SIZE_MAXIMUM. */
 void sdl_window_size(const SdlWindow *sdl, int *width, int *height);
 
-/** Begins a black window; then pictures and panels may be laid over it. @param[in,out] sdl It.
- */
+/** Begins a black window; then pictures and panels may be laid over it. */
 void sdl_window_clear(SdlWindow *sdl);
 
-/** Shows what was put there since #sdl_window_clear. @param[in,out] sdl The window. */
+/** Shows what was put there since #sdl_window_clear. */
 void sdl_window_present(SdlWindow *sdl);
 
-/** Changes between the whole screen and a window. @param[in,out] sdl The window. */
+/** Changes between the whole screen and a window. */
 void sdl_window_toggle_full_screen(SdlWindow *sdl);
 
 #endif

@@ -25,8 +25,8 @@ void split_view_move_bar(SplitView *split, double fraction) {
     split->bar_position = SDL_clamp(fraction, BAR_MARGIN, 1 - BAR_MARGIN);
 }
 
-/** Takes what both sights have drawn. @param[in,out] split The split. @param left The left one.
- *  @param right The right one. @return false without memory, or while one has drawn nothing. */
+/** Takes what both sights have drawn. @return false without memory, or while one has drawn nothing.
+ */
 static bool copy_both(SplitView *split, const Viewport *left, const Viewport *right) {
     size_t pixels = (size_t)left->width * (size_t)left->height;
     if (left->width != right->width || left->height != right->height) {

@@ -28,36 +28,33 @@ typedef struct SplitView {
     DifferenceMap difference;            /**< What the difference is. */
 } SplitView;
 
-/** Gives its memory back, as it is needed no more. @param[in,out] split The split. */
+/** Gives its memory back, as it is needed no more. */
 void split_view_deinit(SplitView *split);
 
-/** @return Column where the bar stands. @param split The split. @param width Pixels of the window.
+/**
+ * @return Column where the bar stands.
+ * @param width  Pixels of the window.
  */
 int split_view_column(const SplitView *split, int width);
 
-/** Moves the bar. @param[in,out] split The split. @param fraction To where, of the window's width.
- */
+/** Moves the bar. @param fraction To where, of the window's width. */
 void split_view_move_bar(SplitView *split, double fraction);
 
 /**
  * Puts what two sights have drawn together as one picture, as the window shows it.
- * @param[in,out] split  The split.
- * @param left           The left sight.
- * @param right          The right one.
- * @param[out] bgrx      The picture, of the size of both: blue, green, red, an unused byte a pixel.
- * @param pitch          Bytes from a row to the next.
+ * @param[out] bgrx  The picture, of the size of both: blue, green, red, an unused byte a pixel.
+ * @param pitch  Bytes from a row to the next.
  * @return false without memory, or while one of them has drawn nothing: nothing is written then.
  */
 bool split_view_compose(SplitView *split, const Viewport *left, const Viewport *right,
                         uint8_t *bgrx, int pitch);
 
-/** Brings the difference of two sights to its canvas, if both are there. @param[in,out] split The
- *  split. @param left The left sight. @param right The right one. @param renderer What draws in the
- *  window. */
+/** Brings the difference of two sights to its canvas, if both are there. @param renderer What draws
+ *  in the window. */
 void split_view_update_difference(SplitView *split, const Viewport *left, const Viewport *right,
                                   SDL_Renderer *renderer);
 
-/** Draws the bar. @param split The split. @param renderer What draws in the window. */
+/** Draws the bar. @param renderer What draws in the window. */
 void split_view_draw_bar(const SplitView *split, SDL_Renderer *renderer);
 
 #endif

@@ -17,17 +17,16 @@ typedef struct StreamingTexture {
 
 /**
  * Gives access to the pixels, until #streaming_texture_unlock.
- * @param[in,out] texture  The canvas.
- * @param renderer        What draws in the window.
- * @param width           Pixels that the picture shall have; it is made anew if it has others.
- * @param height          Pixels that it shall have.
- * @param[out] pitch      Bytes from a row to the next.
+ * @param renderer  What draws in the window.
+ * @param width  Pixels that the picture shall have; it is made anew if it has others.
+ * @param height  Pixels that it shall have.
+ * @param[out] pitch  Bytes from a row to the next.
  * @return Where to write blue, green, red and an unused byte for each pixel; NULL if that failed.
  */
 uint8_t *streaming_texture_lock(StreamingTexture *texture, SDL_Renderer *renderer, int width,
                                 int height, int *pitch);
 
-/** Ends the access to the pixels. @param[in,out] texture The canvas. */
+/** Ends the access to the pixels. */
 void streaming_texture_unlock(StreamingTexture *texture);
 
 /**
@@ -40,8 +39,7 @@ void streaming_texture_unlock(StreamingTexture *texture);
 void streaming_texture_draw(const StreamingTexture *texture, SDL_Renderer *renderer,
                             const SDL_Rect *destination, const SDL_Rect *clip);
 
-/** Empties it: the graphics card lost the picture, or nobody wants it. @param[in,out] texture It.
- */
+/** Empties it: the graphics card lost the picture, or nobody wants it. */
 void streaming_texture_release(StreamingTexture *texture);
 
 #endif

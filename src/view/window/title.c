@@ -9,8 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/** Adds words to a title. @param[in,out] title The title. @param format The words in English, as
- * for printf, looked up here. */
+/** Adds words to a title. @param format The words in English, as for printf, looked up here. */
 static void title_add(char title[TITLE_SIZE], const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
@@ -22,7 +21,7 @@ static void title_add(char title[TITLE_SIZE], const char *format, ...) {
     va_end(arguments);
 }
 
-/** Adds how a drawing stands. @param[in,out] title The title. @param report How it stands. */
+/** Adds how a drawing stands. */
 static void add_report(char title[TITLE_SIZE], const RenderStats *report) {
     /** Rays in a million, and a guard against a clock that stood still. */
     const double million = 1e6, instant = 1e-9;

@@ -24,11 +24,7 @@ typedef struct TitleContent {
     const char *status_text;   /**< What else is to be said; empty: nothing. */
 } TitleContent;
 
-/**
- * Writes the title.
- * @param content       What it tells of.
- * @param[out] title  The title, UTF-8.
- */
+/** Writes the title. */
 void title_write(const TitleContent *content, char title[TITLE_SIZE]);
 
 #endif

@@ -33,7 +33,7 @@ void viewport_close(Viewport *viewport) {
     streaming_texture_release(&viewport->texture);
 }
 
-/** Begins to compare what comes with what is. @param[in,out] viewport The sight. */
+/** Begins to compare what comes with what is. */
 static void start_cost_comparison(Viewport *viewport) {
     viewport->previous_render_seconds =
         viewport->render_seconds > 0 ? viewport->render_seconds : viewport->previous_render_seconds;
@@ -78,10 +78,7 @@ bool viewport_update_renderer(Viewport *viewport, const Scene *scene, const Rend
     return renderer != NULL;
 }
 
-/**
- * Tells the event loop that a pass has ended. Called from a thread of the renderer.
- * @param context  The #Viewport.
- */
+/** Tells the event loop that a pass has ended. Called from a thread of the renderer. */
 static void on_pass_from_thread(void *context) {
     Viewport *viewport = context;
     if (!atomic_exchange(&viewport->is_event_queued, true)) {

@@ -43,79 +43,56 @@ typedef struct Viewport {
 /**
  * Makes what draws a sight; drawing begins with #viewport_start. Its tuning and its layer stay.
  * @param[in,out] viewport  The sight, closed; give it back with #viewport_close.
- * @param reuse_from         Another sight of the same scene, to share with; NULL: there is none.
- * @param scene          The scene.
- * @param base          What is asked for, but for the tuning.
- * @param pass_event     SDL event, registered, to be handed to #viewport_on_pass.
- * @param[out] error     What is wrong.
+ * @param reuse_from  Another sight of the same scene, to share with; NULL: there is none.
+ * @param base  What is asked for, but for the tuning.
+ * @param pass_event  SDL event, registered, to be handed to #viewport_on_pass.
  * @return Whether it is open.
  */
 bool viewport_open(Viewport *viewport, const Viewport *reuse_from, const Scene *scene,
                    const RenderSettings *base, uint32_t pass_event, Error *error);
 
-/** Stops drawing and gives all back but tuning and layer. @param[in,out] viewport The sight. */
+/** Stops drawing and gives all back but tuning and layer. */
 void viewport_close(Viewport *viewport);
 
-/** Changes how it is drawn: #viewport_update_renderer is wanted then. @param[in,out] viewport The
- * sight, open.
- *  @param action See #settings_override_change. */
+/** Changes how it is drawn: #viewport_update_renderer is wanted then. */
 void viewport_override_setting(Viewport *viewport, Action action);
 
-/** Changes what it shows. @param[in,out] viewport The sight, open. @param layer What. */
+/** Changes what it shows. */
 void viewport_set_layer(Viewport *viewport, Layer layer);
 
 /**
  * Makes what draws it anew, as its tuning wants it; what is on screen stays meanwhile.
- * @param[in,out] viewport  The sight, open.
- * @param scene          The scene.
- * @param base          What is asked for, but for the tuning.
- * @param[out] error     What is wrong.
+ * @param base  What is asked for, but for the tuning.
  * @return false without memory; it draws as before then.
  */
 bool viewport_update_renderer(Viewport *viewport, const Scene *scene, const RenderSettings *base,
                               Error *error);
 
-/**
- * Shows another scene from now on; what is on screen stays meanwhile.
- * @param[in,out] viewport  The sight, open.
- * @param renderer       What draws; owned from now on.
- * @param settings       How it draws.
- */
+/** Shows another scene from now on; what is on screen stays meanwhile. @param renderer What draws;
+ *  owned from now on. */
 void viewport_set_renderer(Viewport *viewport, Renderer *renderer, const RenderSettings *settings);
 
-/** Takes note of the event that a pass has ended. @param[in,out] viewport The sight. */
+/** Takes note of the event that a pass has ended. */
 void viewport_on_pass(Viewport *viewport);
 
-/** Stops an unfinished drawing, as nobody sees it. @param[in,out] viewport The sight. @return
- * Whether there was one. */
+/** Stops an unfinished drawing, as nobody sees it. @return Whether there was one. */
 bool viewport_stop(Viewport *viewport);
 
-/**
- * Starts to draw a scene as it is now.
- * @param[in,out] viewport  The sight, open.
- * @param scene          The scene.
- * @param width          Pixels.
- * @param height         Pixels.
- * @param now            Now, seconds.
- * @param[out] error     What is wrong.
- * @return false without memory.
- */
+/** Starts to draw a scene as it is now. @return false without memory. */
 bool viewport_start(Viewport *viewport, const Scene *scene, int width, int height, double now,
                     Error *error);
 
-/** @return Whether there is a pass that should be shown now. @param[in,out] viewport The sight.
- *  @param now Now, seconds. */
+/** @return Whether there is a pass that should be shown now. */
 bool viewport_has_frame(Viewport *viewport, double now);
 
 /** Brings the newest pass to its canvas. @param[in,out] viewport The sight, with a pass. @param
  * renderer What draws in the window. @return Whether it is there. */
 bool viewport_upload(Viewport *viewport, SDL_Renderer *renderer);
 
-/** @return How long nothing is to be done, seconds. @param viewport The sight. @param now Now. */
+/** @return How long nothing is to be done, seconds. */
 double viewport_timeout(const Viewport *viewport, double now);
 
-/** @return Whether the picture on screen is the last pass of the scene as it is now.
- *  @param viewport The sight. */
+/** @return Whether the picture on screen is the last pass of the scene as it is now. */
 bool viewport_is_finished(const Viewport *viewport);
 
 #endif

@@ -58,7 +58,7 @@ void window_invalidate(Window *window) {
     }
 }
 
-/** Words are brought up to date at once. @param[in,out] window The stage. */
+/** Words are brought up to date at once. */
 static void update_text_now(Window *window) {
     for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
         window->huds[i].next_update_time = 0;
@@ -129,8 +129,8 @@ void window_toggle_settings(Window *window) {
     window_present(window);
 }
 
-/** Opens or closes the second picture, as is wanted. @param[in,out] window The stage. @param scene
- * The scene. @param[out] error What is wrong. @return false without memory: there is one then. */
+/** Opens or closes the second picture, as is wanted. @return false without memory: there is one
+ *  then. */
 static bool update_second_viewport(Window *window, const Scene *scene, Error *error) {
     Viewport *first = &window->viewports[0], *second = &window->viewports[1];
     bool is_wanted = window->split.mode != SPLIT_NONE;
@@ -208,7 +208,7 @@ void window_on_device_reset(Window *window) {
 
 /* --- showing ---------------------------------------------------------------------------------- */
 
-/** Puts the pictures where they are shown next. @param[in,out] window The stage. */
+/** Puts the pictures where they are shown next. */
 static void draw_viewports(Window *window) {
     SDL_Renderer *renderer = window->sdl.renderer;
     SDL_Rect rect = {0}, clip;
@@ -228,9 +228,7 @@ static void draw_viewports(Window *window) {
     }
 }
 
-/** Shows what is said beside the pictures. @param[in,out] window The stage. @param target The
- * window.
- */
+/** Shows what is said beside the pictures. */
 static void draw_huds(Window *window, const OverlayTarget *target) {
     static const char *const titles[2][WINDOW_VIEWPORTS] = {{N_("left"), N_("right")},
                                                             {N_("left ←"), N_("right ←")}};
@@ -294,8 +292,7 @@ void window_set_notice(Window *window, const char *text) {
     }
 }
 
-/** Starts to draw what has changed. @param[in,out] window The stage. @param scene The scene. @param
- *  now Now, seconds. @param[out] error What is wrong. @return false without memory. */
+/** Starts to draw what has changed. @return false without memory. */
 static bool start_invalidated(Window *window, const Scene *scene, double now, Error *error) {
     int width, height;
     sdl_window_size(&window->sdl, &width, &height);
@@ -311,7 +308,7 @@ static bool start_invalidated(Window *window, const Scene *scene, double now, Er
     return ok;
 }
 
-/** Shows the newest passes. @param[in,out] window The stage. @param now Now, seconds. */
+/** Shows the newest passes. */
 static void upload_due(Window *window, double now) {
     size_t count = window_viewport_count(window);
     bool has_uploaded = false;
@@ -378,9 +375,11 @@ bool window_is_finished(const Window *window) {
     return is_finished;
 }
 
-/** Copies what the window shows. @param[in,out] window The stage, finished. @param[out] bgrx Where
- * to.
- *  @param pitch Bytes from a row to the next. @return false without memory. */
+/**
+ * Copies what the window shows.
+ * @param pitch  Bytes from a row to the next.
+ * @return false without memory.
+ */
 static bool copy_pixels(Window *window, uint8_t *bgrx, int pitch) {
     RenderStats report;
     return window_viewport_count(window) > 1

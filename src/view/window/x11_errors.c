@@ -30,12 +30,8 @@ typedef int (*ErrorHandler)(void *display, void *event);
 /** Xlib's XSetErrorHandler: sets the handler, returns the one before. */
 typedef ErrorHandler (*SetErrorHandler)(ErrorHandler handler);
 
-/**
- * Says that the display is gone and ends the program. Pictures are written beside their place and
- * renamed, so none is left half done; what was printed is kept.
- * @param display  Xlib's display, broken.
- * @return Never.
- */
+/** Says that the display is gone and ends the program. Pictures are written beside their place and
+ *  renamed, so none is left half done; what was printed is kept. @return Never. */
 static int on_connection_lost(void *display) {
     (void)display;
     const char *message = gettext("dioptre: the display went away\n");
@@ -45,14 +41,9 @@ static int on_connection_lost(void *display) {
     _exit(STATUS_FAILED);
 }
 
-/**
- * Passes over a failed request. Xlib's own handler would end the program, although nothing is lost:
- * a message to a window that has just been closed, as when full screen is left and the program
- * after it.
- * @param display  Xlib's display.
- * @param event    What failed.
- * @return Anything; Xlib does not look.
- */
+/** Passes over a failed request. Xlib's own handler would end the program, although nothing is
+ *  lost: a message to a window that has just been closed, as when full screen is left and the
+ *  program after it. @return Anything; Xlib does not look. */
 static int on_request_failed(void *display, void *event) {
     (void)display;
     (void)event;
@@ -62,10 +53,8 @@ static int on_request_failed(void *display, void *event) {
 /**
  * Finds a function of Xlib. C has no cast from an object's address to a function's; POSIX says that
  * they are alike.
- * @param library        The open library.
- * @param name           The function.
  * @param[out] function  Its address, of `size` bytes; zero where there is none.
- * @param size           Bytes of a function's address.
+ * @param size  Bytes of a function's address.
  */
 static void find_function(void *library, const char *name, void *function, size_t size) {
     void *address = dlsym(library, name);

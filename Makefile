@@ -8,8 +8,8 @@ CXX       ?= c++
 OBJCOPY   ?= objcopy
 OPTIMIZE  ?= -O3 -g
 SANITIZE  ?=
-# V=1 prints whole commands.
-SAY       = $(if $(V),,@echo "  $(1) $(2:$(CURDIR)/%=%)" &&)
+# $(call SAY,WORD,FILE): says in a line what the recipe does; V=1 prints the whole command instead.
+SAY       = $(if $(V),,@echo '  $(1)  $(2)' && )
 
 # --- flags ---------------------------------------------------------------------------------------
 WARNINGS  := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion -Wmissing-prototypes -Werror
@@ -79,23 +79,23 @@ LIBRARIES     = $(call PKG_LIBS,sdl2 SDL2_ttf lua5.4) -ldl -lm -pthread -Wl,--wr
 all: $(PROGRAM) $(MODULES) $(CATALOGUES)
 
 $(PROGRAM): $(CLI_OBJECTS) $(ROOM_OBJECTS)
-	$(CC) $(CFLAGS) -o $@ $^ $(LIBRARIES)
+	$(call SAY,cc,$@)$(CC) $(CFLAGS) -o $@ $^ $(LIBRARIES)
 
 $(IMAGES_MODULE): src/assets/images/image_plugin.cpp src/assets/images/image_plugin.h $(FLAGS)
 	$(call NEED,OpenImageIO,libopenimageio-dev)
 	@mkdir -p $(@D)
-	$(CXX) $(CPPFLAGS) $(CXXFLAGS) $(call PKG_CFLAGS,OpenImageIO) -shared -o $@ $< $(call PKG_LIBS,OpenImageIO)
+	$(call SAY,c++,$@)$(CXX) $(CPPFLAGS) $(CXXFLAGS) $(call PKG_CFLAGS,OpenImageIO) -shared -o $@ $< $(call PKG_LIBS,OpenImageIO)
 
 $(MESHES_MODULE): src/assets/meshes/mesh_plugin.c src/assets/meshes/mesh_plugin.h $(FLAGS)
 	$(call NEED,assimp,libassimp-dev)
 	@mkdir -p $(@D)
-	$(CC) $(CPPFLAGS) $(CFLAGS) -fvisibility=hidden $(call PKG_CFLAGS,assimp) -shared -o $@ $< $(call PKG_LIBS,assimp)
+	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) -fvisibility=hidden $(call PKG_CFLAGS,assimp) -shared -o $@ $< $(call PKG_LIBS,assimp)
 
 $(BUILD)/locale/%/LC_MESSAGES/dioptre.mo: src/po/%.po
 	@command -v msgfmt >/dev/null || { \
 	    echo "msgfmt is missing: sudo apt-get install gettext, or make run, which does that" >&2; exit 1; }
 	@mkdir -p $(@D)
-	msgfmt --check -o $@ $<
+	$(call SAY,msgfmt,$@)msgfmt --check -o $@ $<
 
 .PHONY: libraries
 libraries:
@@ -114,18 +114,18 @@ $(FLAGS): always
 
 $(OBJ)/%.o: %.c $(FLAGS) | libraries
 	@mkdir -p $(@D)
-	$(CC) $(CPPFLAGS) $(CFLAGS) $(ROOM_CFLAGS) -MMD -MP -c -o $@ $<
+	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) $(ROOM_CFLAGS) -MMD -MP -c -o $@ $<
 $(OBJ)/src/render/engines.o: CPPFLAGS += '-DENGINE_LIST(X)=$(foreach engine,$(ENGINES),X($(engine)))'
 
 # One relocatable object per engine, with one symbol: everything else in it becomes local. The
 # compiler sees all of src/trace as one file; SPLIT=1 compiles file by file, for who edits there.
 # $(call KEEP,SYMBOL): links $^ into $@.
-KEEP = $(LD) -r -o $@.all $(filter %.o,$^) && $(OBJCOPY) --keep-global-symbol=$(1) $@.all $@ && rm -f $@.all
+KEEP = $(call SAY,ld,$@)$(LD) -r -o $@.all $(filter %.o,$^) && $(OBJCOPY) --keep-global-symbol=$(1) $@.all $@ && rm -f $@.all
 # $(eval $(call ONE_SYMBOL,OBJECT,FOLDER,SOURCES,FLAGS,SYMBOL))
 define ONE_SYMBOL
 $(OBJ)/$(1)/%.o: $(2)/%.c $(FLAGS)
 	@mkdir -p $$(@D)
-	$$(CC) $$(CPPFLAGS) $$(CFLAGS) $(4) -MMD -MP -c -o $$@ $$<
+	$$(call SAY,cc,$$@)$$(CC) $$(CPPFLAGS) $$(CFLAGS) $(4) -MMD -MP -c -o $$@ $$<
 $(OBJ)/$(1).o: $(if $(SPLIT),$(3:$(2)/%.c=$(OBJ)/$(1)/%.o),$(OBJ)/$(1)/all.o)
 	$$(call KEEP,$(5))
 endef
@@ -182,11 +182,11 @@ clang:
 ROOMS         := $(BUILD)/tests/librooms.so
 $(ROOMS): $(ROOM_OBJECTS)
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) -shared -o $@ $^ $(LIBRARIES)
+	$(call SAY,cc,$@)$(CC) $(CFLAGS) -shared -o $@ $^ $(LIBRARIES)
 WITH_ROOMS    := -L$(BUILD)/tests -lrooms -Wl,-rpath,'$$ORIGIN:$$ORIGIN/..:$$ORIGIN/tests'
 $(BUILD)/tests/%: tests/%.c $(wildcard tests/*.h) $(ROOMS)
 	@mkdir -p $(@D)
-	$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,cmocka) $(ROOM_CFLAGS) -Itests -o $@ $< $(WITH_ROOMS) $(LIBRARIES) $(call PKG_LIBS,cmocka)
+	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,cmocka) $(ROOM_CFLAGS) -Itests -o $@ $< $(WITH_ROOMS) $(LIBRARIES) $(call PKG_LIBS,cmocka)
 
 .PHONY: test tests unit-tests
 test: test-packages
@@ -218,17 +218,17 @@ peers: packages
 
 # Beside the modules, so that it finds them.
 $(BUILD)/peer-embree: tests/peers/embree.c $(ROOMS)
-	$(CC) $(CPPFLAGS) $(CFLAGS) -o $@ $< $(WITH_ROOMS) $(LIBRARIES) -lembree3
+	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) -o $@ $< $(WITH_ROOMS) $(LIBRARIES) -lembree3
 $(BUILD)/peer-accuracy: tests/peers/accuracy.c $(wildcard tests/*.h) $(ROOMS)
-	$(CC) $(CPPFLAGS) $(CFLAGS) -Itests -o $@ $< $(WITH_ROOMS) $(LIBRARIES) -lembree3 $(call PKG_LIBS,cmocka)
+	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) -Itests -o $@ $< $(WITH_ROOMS) $(LIBRARIES) -lembree3 $(call PKG_LIBS,cmocka)
 
 $(BUILD)/peer-fragment: tests/peers/fragment.c
-	$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,sdl2) -o $@ $< $(call PKG_LIBS,sdl2) -lGL
+	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,sdl2) -o $@ $< $(call PKG_LIBS,sdl2) -lGL
 
 # --- the laboratory ------------------------------------------------------------------------------
 # Beside the modules, so that it finds them.
 $(BUILD)/bench-needs: tests/bench/needs.c $(ROOMS)
-	$(CC) $(CPPFLAGS) $(CFLAGS) -o $@ $< $(WITH_ROOMS) $(LIBRARIES)
+	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) -o $@ $< $(WITH_ROOMS) $(LIBRARIES)
 CHARTED := $(addprefix scenes/,$(addsuffix .lua,box glass-sphere mandelbulb figure-16))
 .PHONY: charts
 charts: packages

@@ -169,13 +169,16 @@ run: packages
 	fi
 
 # --- other builds --------------------------------------------------------------------------------
+# With the engines that tests ask them for: of each number type and width one.
+ASAN_BUILD  := BUILD=build/asan OPTIMIZE='-O1 -g' SANITIZE=address,undefined ENGINES='f32x8 f32x4 f32x1 f64x1 f128x1'
+CLANG_BUILD := BUILD=build/clang CC=clang CXX=clang++ ENGINES='f32x16 f32x4 f64x1'
 .PHONY: asan tsan clang
 asan:
-	@$(MAKE) --no-print-directory BUILD=build/asan OPTIMIZE='-O1 -g' SANITIZE=address,undefined all
+	@$(MAKE) --no-print-directory $(ASAN_BUILD) all
 tsan:
 	@$(MAKE) --no-print-directory BUILD=build/tsan OPTIMIZE='-O1 -g' SANITIZE=thread all
 clang:
-	@$(MAKE) --no-print-directory BUILD=build/clang CC=clang CXX=clang++ all
+	@$(MAKE) --no-print-directory $(CLANG_BUILD) all
 
 # --- tests ---------------------------------------------------------------------------------------
 # All rooms, once, for all test programs.
@@ -188,11 +191,10 @@ $(BUILD)/tests/%: tests/%.c $(wildcard tests/*.h) $(ROOMS)
 	@mkdir -p $(@D)
 	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,cmocka) $(ROOM_CFLAGS) -Itests -o $@ $< $(WITH_ROOMS) $(LIBRARIES) $(call PKG_LIBS,cmocka)
 
-.PHONY: test tests unit-tests
+.PHONY: test tests
 test: test-packages
 	@$(MAKE) --no-print-directory -j2 all tests
-	@$(MAKE) --no-print-directory -j2 asan
-	@$(MAKE) --no-print-directory -j2 BUILD=build/asan OPTIMIZE='-O1 -g' SANITIZE=address,undefined tests
+	@$(MAKE) --no-print-directory -j2 $(ASAN_BUILD) all tests
 	@$(MAKE) --no-print-directory -j2 clang
 	@tests/run.sh
 

@@ -67,8 +67,8 @@ typedef struct SecondaryRays {
 
 /**
  * Weighs rays that could go on, and drops those that cannot change the picture.
- * @param throughput  Of what they bring back.
- * @param throughput  What the rays before them weighed.
+ * @param weight  Factor on the colour that each ray brings back.
+ * @param throughput  Throughput of the rays before them.
  * @return Those that go on.
  */
 INLINE mask secondary_rays_set_weight(const Tracer *tracer, int v, mask lanes, Rgb weight,

@@ -83,14 +83,10 @@ static int info_omissions(const Scene *scene, const SceneInfo *info,
     return count;
 }
 
-/**
- * @return Whether a scene has distance fields.
- * @param settings  How it would be drawn.
- */
-static bool info_has_sdfs(const Scene *scene, const RenderSettings *settings) {
-    const Keyword *const *keywords = settings->engine->shape_keywords;
+/** @return Whether a scene has distance fields. */
+static bool info_has_sdfs(const Scene *scene) {
     for (size_t i = 0; i < scene->shape_count; i++) {
-        if (strcmp(keywords[scene->shapes[i].class_index]->name, "sdf") == 0) {
+        if (scene_shape_facts(scene, &scene->shapes[i]).sdf) {
             return true;
         }
     }
@@ -212,7 +208,7 @@ static void info_print_json(const Scene *scene, const SceneInfo *info,
     printf("{\"scene\": ");
     json_print_string(options->arguments[0], stdout);
     printf(", \"shapes\": {");
-    const Keyword *const *keywords = settings->engine->shape_keywords;
+    const Keyword *const *keywords = scene_shape_keywords;
     const char *comma = "";
     for (size_t kind = 0; keywords[kind]; kind++) {
         if (info->shape_counts[kind]) {
@@ -244,7 +240,7 @@ static void info_print_json(const Scene *scene, const SceneInfo *info,
 /** Prints it for people. @param settings How it would be drawn. */
 static void info_print(const Scene *scene, const SceneInfo *info, const RenderSettings *settings,
                        const Options *options) {
-    const Keyword *const *keywords = settings->engine->shape_keywords;
+    const Keyword *const *keywords = scene_shape_keywords;
     printf(gettext("shapes     %zu:"), scene->shape_count);
     for (size_t kind = 0; keywords[kind]; kind++) {
         if (info->shape_counts[kind]) {
@@ -269,7 +265,7 @@ static void info_print(const Scene *scene, const SceneInfo *info, const RenderSe
            gettext(engine_reason(options, settings->engine)));
     printf(gettext("offset     %s\n"), offset_strategy_names[settings->trace.offset]);
     info_print_bvh(&info->contents);
-    if (info_has_sdfs(scene, settings)) {
+    if (info_has_sdfs(scene)) {
         printf(gettext("marching   %llu of %zu rays from the eye run out of steps\n"),
                (unsigned long long)info->contents.step_limit_count,
                (size_t)settings->width * (size_t)settings->height);
@@ -293,7 +289,7 @@ static int info_run(const Options *options, Error *error) {
     Renderer *renderer = renderer_create(scene, &settings, error);
     if (renderer) {
         SceneInfo info = scene_info(scene);
-        if (info_has_sdfs(scene, &settings)) {
+        if (info_has_sdfs(scene)) {
             renderer_benchmark_rays(renderer, false);
         }
         info.contents = renderer_contents(renderer);

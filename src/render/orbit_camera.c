@@ -277,8 +277,7 @@ const RayStyle *ray_style(const RayTreeNode *ray) {
 }
 
 const char *ray_hit_keyword(const Scene *scene, const RayTreeNode *ray) {
-    // The keywords are the same in every engine.
-    return engine_list()[0]->shape_keywords[scene->shapes[ray->shape].class_index]->name;
+    return scene_shape_keywords[scene->shapes[ray->shape].class_index]->name;
 }
 
 void ray_hit_name(const Scene *scene, const RayTreeNode *ray, char name[RAY_HIT_NAME_SIZE]) {

@@ -28,7 +28,6 @@
 #include "trace/shapes/mesh.c"
 #include "trace/shapes/plane.c"
 #include "trace/shapes/quad.c"
-#include "trace/shapes/registry.c"
 #include "trace/shapes/sdf.c"
 #include "trace/shapes/shape.c"
 #include "trace/shapes/sphere.c"
@@ -56,5 +55,4 @@
 #include "trace/tracer/query.c"
 #include "trace/tracer/ray_tree_recorder.c"
 // The engine itself.
-#include "trace/rebase.c"
 #include "trace/tracer/engine.c"

@@ -4,8 +4,7 @@
  */
 #include "trace/lights/emitter_spheres.h"
 
-#include "trace/shapes/registry.h"
-#include "trace/shapes/sphere.h"
+#include "trace/shapes/shape.h"
 
 #include <stdlib.h>
 

@@ -4,7 +4,6 @@
  */
 #include "view/panels/inspector.h"
 
-#include "view/panels/inspector_rows.h"
 #include "view/panels/ray_overlay.h"
 
 /** Degrees a second that held keys turn the second camera by. */

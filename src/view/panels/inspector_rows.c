@@ -2,7 +2,7 @@
  * @file
  * @brief Numbers of rays in rows.
  */
-#include "view/panels/inspector_rows.h"
+#include "view/panels/inspector.h"
 
 #include "base/language.h"
 

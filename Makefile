@@ -23,7 +23,7 @@ SANITIZERS := $(if $(SANITIZE),-fsanitize=$(SANITIZE) -fno-omit-frame-pointer -f
 PKG_CFLAGS = $(shell pkg-config --cflags $(1) 2>/dev/null)
 PKG_LIBS   = $(shell pkg-config --libs $(1) 2>/dev/null)
 # Asked once: a make that installs packages runs a make of its own afterwards.
-ROOM_CFLAGS := $(call PKG_CFLAGS,sdl2 SDL2_ttf lua5.4)
+ROOM_CFLAGS := $(call PKG_CFLAGS,sdl2 SDL2_ttf lua5.4 cairo)
 # $(call NEED,LIBRARY,PACKAGE): stops with the package's name and not with a compiler's error.
 NEED = @pkg-config --exists $(1) 2>/dev/null || { \
     echo "$(1) is missing: sudo apt-get install pkg-config $(2), or make run, which does that" >&2; exit 1; }
@@ -71,7 +71,7 @@ MODULES       := $(IMAGES_MODULE) $(MESHES_MODULE)
 LANGUAGES     := $(patsubst src/po/%.po,%,$(wildcard src/po/*.po))
 CATALOGUES    := $(LANGUAGES:%=$(BUILD)/locale/%/LC_MESSAGES/dioptre.mo)
 # Words are not looked up while another thread forks: src/base/language.c.
-LIBRARIES     = $(call PKG_LIBS,sdl2 SDL2_ttf lua5.4) -ldl -lm -pthread -Wl,--wrap=dcgettext,--wrap=dcngettext
+LIBRARIES     = $(call PKG_LIBS,sdl2 SDL2_ttf lua5.4 cairo) -ldl -lm -pthread -Wl,--wrap=dcgettext,--wrap=dcngettext
 
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
@@ -102,6 +102,7 @@ libraries:
 	$(call NEED,sdl2,libsdl2-dev)
 	$(call NEED,SDL2_ttf,libsdl2-ttf-dev)
 	$(call NEED,lua5.4,liblua5.4-dev)
+	$(call NEED,cairo,libcairo2-dev)
 
 # Other flags than last time make everything anew.
 FLAGS     := $(BUILD)/flags
@@ -142,7 +143,7 @@ $(OBJ)/src/lab/charts/csv.o: CPPFLAGS += -DDIOPTRE_FLAGS='"$(OPTIMIZE) $(ARITHME
 -include $(shell find $(OBJ) -name '*.d' 2>/dev/null)
 
 # --- packages: what a bare Debian 12 with gcc and make lacks --------------------------------------
-RUN_PACKAGES  := g++ pkg-config gettext libsdl2-dev libsdl2-ttf-dev liblua5.4-dev libopenimageio-dev libassimp-dev fonts-dejavu-core
+RUN_PACKAGES  := g++ pkg-config gettext libsdl2-dev libsdl2-ttf-dev liblua5.4-dev libcairo2-dev libopenimageio-dev libassimp-dev fonts-dejavu-core
 TEST_PACKAGES := libcmocka-dev clang libclang-rt-14-dev xvfb xauth xdotool x11-xkb-utils xkb-data \
                  imagemagick openbox qemu-user doxygen graphviz ffmpeg parallel slurm-wlm munge gnuplot-nox \
                  desktop-file-utils appstream shared-mime-info libglib2.0-bin

@@ -5,6 +5,7 @@
 #include "view/panels/inspector.h"
 
 #include "base/language.h"
+#include "render/ray_drawing.h"
 
 #include <libintl.h>
 #include <stdarg.h>

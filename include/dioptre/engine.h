@@ -273,4 +273,18 @@ bool engine_is_supported(const Engine *engine);
  */
 const Engine *engine_find(const char *name, Error *error);
 
+/** The purpose that an engine is chosen for. */
+typedef enum {
+    ENGINE_FASTEST,  /**< The default: the preferred engine of this processor. */
+    ENGINE_DOUBLE,   /**< Where single precision shows errors. */
+    ENGINE_REFERENCE /**< Errors are measured against it: more bits than double. */
+} EngineRole;
+
+/** @return The preferred engine for a purpose that this processor can run; NULL: none is built. */
+const Engine *engine_with_role(EngineRole role);
+
+/** @return The engine with one lane of the same number type, whose bits are the same; the engine
+ *          itself where no such engine is built. */
+const Engine *engine_scalar(const Engine *engine);
+
 #endif

@@ -303,9 +303,6 @@ PrecisionEstimate precision_estimate_of(const Scene *scene) {
 }
 
 const Engine *precision_estimate_engine(const PrecisionEstimate *estimate) {
-    const Engine *wide = engine_find("f64x4", NULL);
-    if (precision_estimate_error(estimate) < PRECISION_VISIBLE_ERROR) {
-        return engine_find("auto", NULL);
-    }
-    return wide ? wide : engine_find("f64x1", NULL);
+    bool is_visible = precision_estimate_error(estimate) >= PRECISION_VISIBLE_ERROR;
+    return engine_with_role(is_visible ? ENGINE_DOUBLE : ENGINE_FASTEST);
 }

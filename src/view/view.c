@@ -7,6 +7,7 @@
  */
 #include "dioptre/view.h"
 
+#include "base/json.h"
 #include "view/app.h"
 #include "view/commands/commands.h"
 #include "view/commands/current_scene.h"
@@ -120,9 +121,13 @@ static void run_frame(App *app) {
 static void print_timing(App *app) {
     LatencySummary summary = latency_summary(&app->window.latency);
     double first = app->window.first_present_time - app->settings->launch_time;
-    printf("{\"first_picture_ms\": %.1f, \"keys\": %zu, \"key_to_picture_ms_median\": %.1f, "
-           "\"key_to_picture_ms_worst\": %.1f}\n",
-           first * 1e3, summary.count, summary.median * 1e3, summary.worst * 1e3);
+    JsonWriter json = {.stream = stdout};
+    json_object_begin(&json, NULL);
+    json_decimal(&json, "first_picture_ms", first * 1e3, 1);
+    json_count(&json, "keys", summary.count);
+    json_decimal(&json, "key_to_picture_ms_median", summary.median * 1e3, 1);
+    json_decimal(&json, "key_to_picture_ms_worst", summary.worst * 1e3, 1);
+    json_line_end(&json);
     fflush(stdout);
 }
 

@@ -201,7 +201,7 @@ static ErrorKind error_kind_of(const char *group) {
 static ChartPoint reference_of(const ChartPoint *point, ErrorKind kind) {
     ChartPoint truth = *point;
     if (kind == ERROR_KIND_ROUNDING) {
-        truth.engine = engine_find("f128x1", NULL);
+        truth.engine = engine_with_role(ENGINE_REFERENCE);
         truth.trace.offset = OFFSET_BOUND;
     } else if (kind == ERROR_KIND_MODEL) {
         truth.trace.depth =
@@ -270,7 +270,7 @@ static bool point_measure_total_error(const ChartMeasurement *measure,
 /** Finds all errors. @return false if anything is. */
 static bool points_measure_errors(ChartMeasurement *measure, Error *error) {
     SampledRender reference_render;
-    ChartPoint best = {.engine = engine_find("f64x1", NULL),
+    ChartPoint best = {.engine = engine_scalar(engine_with_role(ENGINE_DOUBLE)),
                        .trace = measure->settings->trace,
                        .samples = REFERENCE_SAMPLES,
                        .tolerance = 1.0 / 16};

@@ -242,9 +242,9 @@ static void draw_markers(FILE *file, const RayChart *chart, const ProjectedView 
         draw_label(file, x + 11, y + 6, "start", gettext("eye"));
     }
     for (size_t i = 0; i < chart->scene->light_count; i++) {
-        const SceneLight *light = &chart->scene->lights[i];
-        if (light->kind == SCENE_LIGHT_POINT &&
-            projected_view_point(projected, light->position, &x, &y)) {
+        Vec3d center;
+        if (scene_light_center(&chart->scene->lights[i], &center) &&
+            projected_view_point(projected, center, &x, &y)) {
             fprintf(file,
                     "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"7\" fill=\"#f0e442\" stroke=\"#000\"/>\n",
                     x, y);

@@ -11,6 +11,8 @@
  * beside it, a cross product, and never by b^2 - ac, which cancels. All of it is relative to the
  * origin of the ray and in the wide precision.
  */
+#include "trace/shapes/cylinder.h"
+
 #include "trace/math/angle.h"
 #include "trace/shapes/circle.h"
 #include "trace/shapes/registry.h"
@@ -18,14 +20,6 @@
 
 /** Half ulps of the coordinates that a point can be off the cylinder. */
 #define CYLINDER_ERROR 8
-
-/** What a scene file says of a cylinder. */
-typedef struct CylinderParameters {
-    Vec3d base;    /**< Centre of one end. */
-    Vec3d top;     /**< Centre of the other. */
-    double radius; /**< Its radius, scene units. */
-    bool capped;   /**< Whether the ends are closed. */
-} CylinderParameters;
 
 /** A cylinder. Its own axes: two across, and z from the base to the top. @extends Shape */
 typedef struct Cylinder {

@@ -2,19 +2,14 @@
  * @file
  * @brief Quad: a parallelogram, seen from both sides.
  */
+#include "trace/shapes/quad.h"
+
 #include "trace/shapes/plane_equation.h"
 #include "trace/shapes/registry.h"
 #include "trace/shapes/watertight.h"
 
 /** Corners of a quad. */
 enum { QUAD_CORNERS = 4 };
-
-/** What a scene file says of a quad. */
-typedef struct QuadParameters {
-    Vec3d corner; /**< One corner. */
-    Vec3d u;      /**< From it to the next. */
-    Vec3d v;      /**< From it to the one on the other side. */
-} QuadParameters;
 
 /** A quad. @extends Shape */
 typedef struct Quad {

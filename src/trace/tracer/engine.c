@@ -35,7 +35,7 @@ static void engine_destroy_tracer(Tracer *tracer) {
         dielectrics_deinit(&tracer->dielectrics);
         free(tracer->materials);
         free(tracer->lights);
-        emitter_spheres_deinit(&tracer->emitters);
+        emitters_deinit(&tracer->emitters);
         free(tracer);
     }
 }
@@ -61,7 +61,7 @@ static void engine_set_view(Tracer *tracer, const Scene *scene, int width, int h
         tracer->lights[i] = light_of(&light, tracer->samples);
         tracer->has_soft_shadows = tracer->has_soft_shadows || tracer->lights[i].is_soft;
     }
-    emitter_spheres_set(&tracer->emitters, scene, tracer->origin);
+    emitters_set(&tracer->emitters, scene, tracer->lights, tracer->origin);
 }
 
 /** @return A tracer whose shapes are there, without camera; NULL without memory. */
@@ -84,7 +84,7 @@ static Tracer *tracer_create(const Scene *scene, const TraceSettings *settings, 
     tracer->lights = simd_allocate((scene->light_count + 1) * sizeof(Light));
     tracer->materials = simd_allocate(scene->material_count * sizeof(Material));
     if (!tracer->lights || !tracer->materials ||
-        !emitter_spheres_init(&tracer->emitters, scene, error) ||
+        !emitters_init(&tracer->emitters, scene, error) ||
         !textures_init(&tracer->textures, scene, error) ||
         !mesh_bvh_cache_init(&tracer->meshes, scene, reuse_from, settings, error) ||
         !shape_set_init(&tracer->shapes, scene, &tracer->meshes, settings, error) ||

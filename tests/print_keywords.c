@@ -93,9 +93,13 @@ static void print_keyword(const Keyword *keyword) {
 
 /** Prints all keywords. @return 0 */
 int main(void) {
-    const Keyword *const common[] = {
-        &scene_camera_keyword, &scene_image_keyword,    &scene_light_keyword, &scene_sun_keyword,
-        &scene_sky_keyword,    &scene_material_keyword, &transform_keyword,   NULL};
+    const Keyword *const common[] = {&scene_sky_keyword, &scene_material_keyword,
+                                     &transform_keyword, NULL};
+    print_keyword(&scene_camera_keyword);
+    print_keyword(&scene_image_keyword);
+    for (const SceneLightClass *const *light = scene_light_classes; *light; light++) {
+        print_keyword((*light)->keyword);
+    }
     for (const Keyword *const *keyword = common; *keyword; keyword++) {
         print_keyword(*keyword);
     }

@@ -14,10 +14,14 @@
 // Light and matter.
 #include "trace/glass/dielectric.c"
 #include "trace/glass/interior_list.c"
+#include "trace/lights/cylinder_light.c"
 #include "trace/lights/direct_lighting.c"
-#include "trace/lights/emitter_spheres.c"
+#include "trace/lights/emitters.c"
 #include "trace/lights/light.c"
+#include "trace/lights/point_light.c"
+#include "trace/lights/rectangle_light.c"
 #include "trace/lights/shadow_transmittance.c"
+#include "trace/lights/sun.c"
 #include "trace/materials/material.c"
 #include "trace/materials/textures.c"
 // Shapes.

@@ -153,11 +153,11 @@ static void draw_background(cairo_t *cairo, const Background *background) {
 static void draw_marks(const RayDrawing *drawing, const Scene *scene) {
     ray_drawing_mark(drawing, drawing->tree->nodes[0].origin, RAY_MARK_EYE, gettext("eye"));
     for (size_t i = 0; i < scene->light_count; i++) {
-        const SceneLight *light = &scene->lights[i];
-        if (light->kind == SCENE_LIGHT_POINT) {
+        Vec3d center;
+        if (scene_light_center(&scene->lights[i], &center)) {
             char label[64];
             snprintf(label, sizeof label, gettext("lamp %zu"), i + 1);
-            ray_drawing_mark(drawing, light->position, RAY_MARK_LIGHT, label);
+            ray_drawing_mark(drawing, center, RAY_MARK_LIGHT, label);
         }
     }
 }

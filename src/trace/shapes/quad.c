@@ -4,6 +4,7 @@
  *
  * The edges decide whether a ray meets it (watertight.h), its plane decides where.
  */
+
 #include "trace/shapes/plane_equation.h"
 #include "trace/shapes/watertight.h"
 

@@ -140,7 +140,7 @@ static void aov_trace_packet(const Tracer *tracer, const Packet *packet, unsigne
     Hit hits[PACKET_VECTORS];
     shape_set_closest_hits(&tracer->shapes, packet, hits);
     if (tracer->emitters.count > 0) {
-        emitter_spheres_closest_hits(&tracer->emitters, packet, hits);
+        emitters_closest_hits(&tracer->emitters, packet, hits);
     }
     aov_record_hits(packet, hits, samples);
     if (flags & AOV_UV) {

@@ -28,7 +28,7 @@ static void engine_destroy_tracer(Tracer *tracer) {
         dielectrics_deinit(&tracer->dielectrics);
         free(tracer->materials);
         free(tracer->lights);
-        emitter_spheres_deinit(&tracer->emitters);
+        emitters_deinit(&tracer->emitters);
         free(tracer);
     }
 }
@@ -54,7 +54,7 @@ static void engine_set_view(Tracer *tracer, const Scene *scene, int width, int h
         tracer->lights[i] = light_of(&light, tracer->samples);
         tracer->has_soft_shadows = tracer->has_soft_shadows || tracer->lights[i].is_soft;
     }
-    emitter_spheres_set(&tracer->emitters, scene, tracer->origin);
+    emitters_set(&tracer->emitters, scene, tracer->lights, tracer->origin);
 }
 
 /**
@@ -83,7 +83,7 @@ static Tracer *tracer_create(const Scene *scene, Vec3d origin, const TraceSettin
     tracer->lights = simd_allocate((scene->light_count + 1) * sizeof(Light));
     tracer->materials = simd_allocate(scene->material_count * sizeof(Material));
     if (!tracer->lights || !tracer->materials ||
-        !emitter_spheres_init(&tracer->emitters, scene, error) ||
+        !emitters_init(&tracer->emitters, scene, error) ||
         !textures_init(&tracer->textures, scene, error) ||
         !mesh_bvh_cache_init(&tracer->meshes, scene, reuse_from, settings, error) ||
         !shape_set_init(&tracer->shapes, scene, &tracer->meshes, settings, error) ||

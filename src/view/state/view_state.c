@@ -48,14 +48,6 @@ bool view_state_init(ViewState *view_state, const Scene *scene, Error *error) {
     return true;
 }
 
-/** Puts a light where another one is; its colour stays. */
-static void copy_light_position(SceneLight *light, const SceneLight *source) {
-    if (light->kind == source->kind) {
-        light->position = source->position;
-        light->direction = source->direction;
-    }
-}
-
 bool view_state_transfer(ViewState *view_state, const Scene *previous, Scene *scene, Error *error) {
     ViewState next;
     if (!view_state_init(&next, scene, error)) {
@@ -68,7 +60,7 @@ bool view_state_transfer(ViewState *view_state, const Scene *previous, Scene *sc
     for (size_t i = 0; i < next.light_count && i < view_state->light_count; i++) {
         next.is_light_moved[i] = view_state->is_light_moved[i];
         if (view_state->is_light_moved[i]) {
-            copy_light_position(&scene->lights[i], &previous->lights[i]);
+            scene_light_copy_position(&scene->lights[i], &previous->lights[i]);
         }
     }
     view_state_deinit(view_state);

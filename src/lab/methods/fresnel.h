@@ -6,7 +6,7 @@
 #define DIOPTRE_LAB_METHODS_FRESNEL_H
 
 #include "lab/methods/method.h"
-#include "trace/math/simd_sqrt.h"
+#include "trace/math/real.h"
 
 /** Light at a surface. */
 typedef struct FresnelInput {

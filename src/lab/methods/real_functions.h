@@ -5,7 +5,7 @@
 #ifndef DIOPTRE_LAB_METHODS_REAL_FUNCTIONS_H
 #define DIOPTRE_LAB_METHODS_REAL_FUNCTIONS_H
 
-#include "trace/math/simd_sqrt.h"
+#include "trace/math/real.h"
 
 #if REAL_BITS == 32
 /** A function of the C library in the number type. */

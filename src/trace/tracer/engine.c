@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The engine: the tracer of this number type and width as an object.
+ * @brief The engine of this number type and width: construction of its tracer, and its vtable.
  */
 #include "trace/rebase.h"
 #include "trace/tracer/aov.h"
@@ -9,10 +9,8 @@
 
 #include <stdlib.h>
 
-/**
- * Weight below which a ray cannot change the picture: half a step of 8 bits, 1 / 510, at the dark
- * end of the sRGB curve, where the slope is 12.92.
- */
+/** Throughput below which a ray cannot change the image: half a step of 8 bits, 1 / 510, divided by
+ *  12.92, the slope of the sRGB curve at its dark end. */
 #define THROUGHPUT_CUTOFF 1.5e-4
 
 /** @return The sky in the engine's number type. */
@@ -26,7 +24,7 @@ static Sky sky_of(const SceneSky *sky) {
                  is_gradient};
 }
 
-/** Gives a tracer back. See #Engine.destroy. @param tracer The tracer, or NULL. */
+/** Frees a tracer, or NULL. See #Engine.destroy. */
 static void engine_destroy_tracer(Tracer *tracer) {
     if (tracer) {
         shape_set_deinit(&tracer->shapes);
@@ -40,14 +38,14 @@ static void engine_destroy_tracer(Tracer *tracer) {
     }
 }
 
-/** @return Memory for things that hold vectors, zero. */
+/** @return Memory for arrays of vectors, uninitialized; NULL if memory is exhausted. */
 static void *simd_allocate(size_t size) {
-    /** Bytes: the widest vector of any engine. */
+    /** Bytes of the widest vector of all engines. */
     const size_t alignment = 64;
     return aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
 }
 
-/** Takes camera, lights and size anew. See #Engine.set_view. */
+/** Sets camera, lights and image size. See #Engine.set_view. */
 static void engine_set_view(Tracer *tracer, const Scene *scene, int width, int height) {
     Vec3d shift = vec3d_scale(tracer->origin, -1);
     SceneCamera camera = scene->camera;
@@ -64,7 +62,7 @@ static void engine_set_view(Tracer *tracer, const Scene *scene, int width, int h
     emitter_spheres_set(&tracer->emitters, scene, tracer->origin);
 }
 
-/** @return A tracer whose shapes are there, without camera; NULL without memory. */
+/** @return A tracer without materials and camera; NULL if memory is exhausted. */
 static Tracer *tracer_create(const Scene *scene, const TraceSettings *settings, Error *error) {
     Tracer *tracer = simd_allocate(sizeof *tracer);
     if (!tracer) {
@@ -96,10 +94,7 @@ static Tracer *tracer_create(const Scene *scene, const TraceSettings *settings, 
     return tracer;
 }
 
-/**
- * @return The same, with coordinates that begin elsewhere.
- * @param origin  Where in the scene.
- */
+/** @return The same, with another origin of the tracer's coordinates. */
 static Tracer *tracer_create_at(const Scene *scene, const TraceSettings *settings, Vec3d origin,
                                 Error *error) {
     Scene *local_scene = scene_translated(scene, shape_keywords, vec3d_scale(origin, -1), error);
@@ -111,11 +106,11 @@ static Tracer *tracer_create_at(const Scene *scene, const TraceSettings *setting
     return tracer;
 }
 
-/** How often the origin is moved at most: very far away, where a scene's size is not seen in the
- *  engine's numbers, the first move only comes near. */
+/** Most moves of the origin. One is enough, unless a scene is so far away that its size is lost in
+ *  rounding: then each move comes nearer. */
 enum { MAX_ORIGIN_MOVES = 4 };
 
-/** @return A tracer for a scene. See #Engine.create_tracer. */
+/** @return The tracer of a scene. See #Engine.create_tracer. */
 static Tracer *engine_create_tracer(const Scene *scene, const TraceSettings *settings,
                                     Error *error) {
     Tracer *tracer = tracer_create(scene, settings, error);
@@ -138,14 +133,14 @@ static Tracer *engine_create_tracer(const Scene *scene, const TraceSettings *set
     return tracer;
 }
 
-/** Finds the box of all bounded shapes. See #Engine.bounds. */
+/** Finds the bounding box of all bounded shapes. See #Engine.bounds. */
 static void engine_bounds(const Tracer *tracer, Vec3d *low, Vec3d *high) {
     rebase_bounds(&tracer->shapes, low, high);
     *low = vec3d_add(*low, tracer->origin);
     *high = vec3d_add(*high, tracer->origin);
 }
 
-/** Says what a tracer was made of. See #Engine.stats. @return It. */
+/** @return The statistics of a tracer. See #Engine.stats. */
 static TracerStats engine_stats(const Tracer *tracer) {
     const ShapeSet *shapes = &tracer->shapes;
     TracerStats stats = {.linear = shapes->linear_count,
@@ -160,7 +155,7 @@ static TracerStats engine_stats(const Tracer *tracer) {
     return stats;
 }
 
-/** What the processor must be able to do: that for which this file is compiled. */
+/** The processor features that this file is compiled for. */
 #if defined(__AVX512DQ__)
 #define ENGINE_NEEDS ENGINE_NEEDS_AVX512
 #elif defined(__AVX2__)

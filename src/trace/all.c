@@ -3,8 +3,8 @@
  * @brief The whole tracer as one file for the compiler, in an order to read it in.
  *
  * An engine is this file, compiled for one number type and one number of lanes. As one file, its
- * headers are compiled once, and calls across files can be inlined. `make SPLIT=1` compiles each file
- * on its own.
+ * headers are compiled once, and calls across files can be inlined. `make SPLIT=1` compiles each
+ * file on its own.
  */
 // The recursion: camera rays, hits, direct light, reflection, refraction.
 #include "trace/tracer/tracer.c"

@@ -6,7 +6,7 @@
 
 #include "assets/images/bmp.h"
 #include "assets/images/image_format.h"
-#include "assets/images/texture_file.h"
+#include "assets/images/image_worker.h"
 #include "base/atomic_file.h"
 #include "base/regular_file.h"
 
@@ -152,7 +152,7 @@ static bool read_open_file(const ImageFormat *format, int file, Picture *picture
         return bmp_read(file, picture, error);
     }
     Texture *texture;
-    bool is_read = texture_file_read_open(format, file, &compare_limits, &texture, error) &&
+    bool is_read = image_worker_call(NULL, format->plugin_name, file, &compare_limits, &texture, error) &&
                    picture_from_texture(texture, picture, error);
     texture_release(texture);
     return is_read;

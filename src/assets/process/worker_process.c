@@ -264,11 +264,12 @@ static bool receive_reply(Exchange *exchange, WorkerReply *reply) {
             exchange->deadline = exchange->started + exchange->call->time_limit;
         } else if (frame.kind == WORKER_FRAME_PROGRESS) {
             exchange->fraction = fmin(fmax(frame.per_mille / 1000.0, 0), 1);
-        } else {
-            bool is_result = frame.kind == WORKER_FRAME_RESULT;
-            return receive_report(exchange, &frame) && is_result &&
-                   receive_block(exchange, &frame, reply);
+        } else if (!receive_report(exchange, &frame)) {
+            return false;
+        } else if (frame.kind == WORKER_FRAME_RESULT) {
+            return receive_block(exchange, &frame, reply);
         }
+        // After a report without a result the worker dies; its signal says more.
     }
     return false;
 }
@@ -300,8 +301,9 @@ static WorkerReply converse(WorkerProcess *process, const WorkerCall *call, int 
         end_late_worker(&exchange, process);
         return (WorkerReply){.end = WORKER_TIMED_OUT};
     }
-    // It has closed its socket: it ends, and does so now.
-    kill(process->pid, SIGCONT);
+    // A worker that has closed its socket has its exit status already: no signal changes that. One
+    // whose answer is no answer still runs.
+    kill(process->pid, SIGKILL);
     int status = reap(process);
     if (WIFSIGNALED(status)) {
         return (WorkerReply){.end = WORKER_CRASHED, .detail = WTERMSIG(status)};

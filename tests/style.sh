@@ -17,6 +17,7 @@ arrow render trace scene
 arrow script assets scene
 arrow assets scene
 arrow view render
+arrow worker script assets
 arrow lab render trace assets
 arrow cli view render script
 

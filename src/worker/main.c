@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The program `dioptre-worker`: reads scenes, pictures and models for `dioptre`.
+ * @brief The program `dioptre-worker`: reads scenes, pictures and models, and encodes pictures, for `dioptre`.
  *
  * It is a program of its own so that it starts in a millisecond: it is linked with Lua, and not with
  * SDL, whose libraries take ten.
@@ -25,7 +25,7 @@ static void run_scene(WorkerJob *job) {
 int main(int argc, char **argv) {
     static const WorkerTask tasks[] = {{SCRIPT_SCENE_TASK, run_scene},
                                        {SCRIPT_LESSON_TASK, script_worker_lesson},
-                                       {IMAGE_WORKER_TASK, image_worker_read},
+                                       {IMAGE_WORKER_TASK, image_worker_run},
                                        {MESH_WORKER_TASK, mesh_worker_read},
                                        {0}};
     if (worker_is_requested(argc, argv)) {

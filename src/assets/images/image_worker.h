@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Reads pictures in a worker process: both ends of it.
+ * @brief Reads and encodes pictures in a worker process: both ends of it.
  *
  * The libraries behind the picture module do not expect hostile files: a damaged or malicious one
  * can make them write beyond their memory (the JPEG reader of OpenImageIO 2.4 does so for
@@ -43,8 +43,24 @@ typedef struct ImageWorker {
 bool image_worker_call(const ImageWorker *worker, const char *format, int file,
                        const ImageReadLimits *limits, Texture **texture, Error *error);
 
-/** Reads a picture with the picture module, in a worker. See #WorkerTask.run. */
-void image_worker_read(WorkerJob *job);
+/** Checks, in the worker that is kept, that the picture module is there. @param[out] error What is
+ *  missing and what to install (#STATUS_FAILED). @return Whether it is. */
+bool image_worker_check(Error *error);
+
+/**
+ * Writes a picture in a format of the module; it is encoded in the worker that is kept. A format of
+ * linear light (OpenEXR, Radiance) gets the picture's own, if it was kept, else the decoded steps.
+ * @param format     The format, as OpenImageIO names it.
+ * @param is_linear  Whether it holds linear light.
+ * @param stream     Where to; need not be seekable.
+ * @param[out] error  Why not (#STATUS_FAILED); the file is not named in it.
+ * @return Whether all bytes were written to the stream.
+ */
+bool image_worker_write(const char *format, bool is_linear, const Picture *picture, FILE *stream,
+                        Error *error);
+
+/** Does what is asked of the picture module, in a worker. See #WorkerTask.run. */
+void image_worker_run(WorkerJob *job);
 
 /** Reads a picture with any module, in a worker: for tests. */
 void image_worker_read_with(WorkerJob *job, const ImagePlugin *plugin);

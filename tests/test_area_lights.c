@@ -378,6 +378,10 @@ static void test_moves(void **state) {
     scene_light_move(&panel, (Vec3d){1, 0, 0}, 5);
     scene_light_copy_position(&small, &panel);
     assert_true(small.position.x == 0.5 && small.own[0] == 0.5);
+    Vec3d outline[SCENE_LIGHT_OUTLINE_POINTS];
+    assert_int_equal(scene_light_outline(&panel, outline), 5);
+    assert_true(outline[2].x == 1.5 && outline[2].y == 1.9 && outline[2].z == 0.5);
+    assert_int_equal(scene_light_outline(&sun, outline), 0);
 }
 
 /** @return A scene with both lights, a mirror, and edges. */

@@ -233,6 +233,23 @@ static void draw_rays(FILE *file, const RayChart *chart, const OrbitCamera *orbi
     }
 }
 
+/** Draws where a light with edges is. */
+static void draw_light_outline(FILE *file, const SceneLight *light,
+                               const ProjectedView *projected) {
+    Vec3d points[SCENE_LIGHT_OUTLINE_POINTS];
+    size_t count = scene_light_outline(light, points);
+    for (size_t i = 0; i + 1 < count; i++) {
+        double x[2], y[2];
+        if (projected_view_point(projected, points[i], &x[0], &y[0]) &&
+            projected_view_point(projected, points[i + 1], &x[1], &y[1])) {
+            fprintf(file,
+                    "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"#f0e442\" "
+                    "stroke-width=\"4\"/>\n",
+                    x[0], y[0], x[1], y[1]);
+        }
+    }
+}
+
 /** Draws the eye and the lamps that are in the picture. */
 static void draw_markers(FILE *file, const RayChart *chart, const ProjectedView *projected) {
     char words[64];
@@ -243,6 +260,7 @@ static void draw_markers(FILE *file, const RayChart *chart, const ProjectedView 
     }
     for (size_t i = 0; i < chart->scene->light_count; i++) {
         Vec3d center;
+        draw_light_outline(file, &chart->scene->lights[i], projected);
         if (scene_light_center(&chart->scene->lights[i], &center) &&
             projected_view_point(projected, center, &x, &y)) {
             fprintf(file,

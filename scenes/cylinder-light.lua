@@ -7,7 +7,7 @@ camera { position = {0, 1.7, 5.4}, look_at = {0, 1.15, 0}, fov = 48 }
 image { width = 800, height = 600, samples = 64, depth = 5 }
 ambient { 0.015, 0.015, 0.02 }
 
-local wall = material { color = {0.50, 0.47, 0.50} }
+local wall = material { color = {0.26, 0.25, 0.28} }
 local counter = material { color = {0.16, 0.11, 0.08}, reflectivity = 0.22, specular = 0.4, shininess = 150 }
 local glazed = material { color = {0.75, 0.72, 0.66}, specular = 0.5, shininess = 80, reflectivity = 0.05 }
 local steel = material { color = {0.05, 0.05, 0.06}, reflectivity = 0.75, specular = 0.5, shininess = 200 }
@@ -25,12 +25,12 @@ local pink, cyan, amber = {1, 0.18, 0.45}, {0.12, 0.75, 1}, {1, 0.62, 0.15}
 for i = 0, 2 do
   local a, b = math.rad(90 + 120 * i), math.rad(210 + 120 * i)
   local colors = { pink, cyan, amber }
-  local r, x, y, z = 0.72, -1.15, 1.95, -1.35
+  local r, x, y, z = 0.85, -1.15, 1.9, -1.15
   tube({x + r * math.cos(a) * 0.94, y + r * math.sin(a) * 0.94, z}, {x + r * math.cos(b) * 0.94, y + r * math.sin(b) * 0.94, z},
     colors[i + 1], 0.9)
 end
-tube({0.1, 2.45, -1.35}, {2.2, 2.45, -1.35}, cyan, 1.3)
-tube({0.1, 2.2, -1.35}, {1.7, 2.2, -1.35}, pink, 1.0)
+tube({0.1, 2.45, -1.2}, {2.2, 2.45, -1.2}, cyan, 1.3)
+tube({0.1, 2.2, -1.2}, {1.7, 2.2, -1.2}, pink, 1.0)
 
 -- The counter with what stands on it.
 box { min = {-2.2, 0, -0.5}, max = {1.5, 0.75, 0.5}, material = counter }

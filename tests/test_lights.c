@@ -2,30 +2,13 @@
  * @file
  * @brief Lamps, suns, balls of light, soft shadows, and how samples are spread.
  */
-#include "pictures.h"
+#include "light_samples.h"
 
 #include "trace/math/sobol.h"
 
 /** @return A white lamp that does not weaken. */
 static SceneLight white_point_light(Vec3d position, double radius) {
     return (SceneLight){.color = {1, 1, 1}, .intensity = 1, .position = position, .radius = radius};
-}
-
-/** Adds a light to a scene. */
-static void add_light(Scene *scene, SceneLight light) {
-    Error error = {0};
-    assert_true(scene_add_light(scene, &light, &error));
-}
-
-/** Aims a scene's camera so narrowly that all its rays meet the same point. */
-static void aim_camera(Scene *scene, Vec3d from, Vec3d to) {
-    Error error = {0};
-    SceneCamera camera = *(const SceneCamera *)scene_camera_keyword.defaults;
-    camera.position = from;
-    camera.look_at = to;
-    camera.fov = 0.01;
-    assert_true(scene_camera_keyword.finish(&camera, 3, &error));
-    scene->camera = camera;
 }
 
 /** @return Half an ulp of what an engine answers, which is at most a double. */
@@ -103,7 +86,9 @@ static void check_sun(const Engine *engine) {
             double rgb[3];
             Scene *scene = create_empty_scene();
             aim_camera(scene, (Vec3d){2 * away, away, 0}, (Vec3d){0, 0, 0});
-            SceneLight sun = {.kind = SCENE_LIGHT_SUN, .color = {1, 0.5, 0.25}, .intensity = 2};
+            SceneLight sun = light_of_kind("sun");
+            sun.color = (Rgbd){1, 0.5, 0.25};
+            sun.intensity = 2;
             sun.direction = (Vec3d){-3e-3, -4e-3, 0};
             add_light(scene, sun);
             add_shape(scene, "plane", &(PlaneParameters){{0, 0, 0}, {0, 1, 0}});
@@ -131,7 +116,8 @@ static void test_sun(void **state) {
 /** The keys turn a sun as though it were a lamp nearby, and never to nowhere. */
 static void test_sun_turns(void **state) {
     (void)state;
-    SceneLight sun = {.kind = SCENE_LIGHT_SUN, .direction = {0, -2, 0}};
+    SceneLight sun = light_of_kind("sun");
+    sun.direction = (Vec3d){0, -2, 0};
     scene_light_move(&sun, (Vec3d){5, 0, 0}, 5);
     assert_at_most(fabs(sun.direction.x + sqrt(0.5)) + fabs(sun.direction.y + sqrt(0.5)), 1e-15,
                    "a sun moved to the right shines to the left");
@@ -217,42 +203,6 @@ static void test_moved_sphere_light(void **state) {
 
 /* --- soft shadows -------------------------------------------------------------------------------
  */
-
-/** What many pixels and samples of one point give. */
-typedef struct LightStatistics {
-    double mean; /**< Mean of the pixels. */
-    double rms;  /**< Of their differences from the truth. */
-} LightStatistics;
-
-/** Pixels that look at the point, along a side. */
-enum { PIXELS = 16 };
-
-/** @return What soft light gives to one point. */
-static LightStatistics sample_soft_light(const Engine *engine, const Scene *scene, int samples,
-                                         double truth) {
-    double sums[PIXELS * PIXELS] = {0}, rgb[3 * PIXELS * PIXELS];
-    Error error = {0};
-    RayCounts counts = {0};
-    TraceSettings settings = {.samples = samples, .offset = OFFSET_BOUND};
-    Tracer *tracer = engine->create_tracer(scene, &settings, &error);
-    assert_non_null(tracer);
-    engine->set_view(tracer, scene, PIXELS, PIXELS);
-    PixelGrid grid = {.columns = PIXELS, .rows = PIXELS, .stride = 1};
-    for (grid.sample = 0; grid.sample < samples; grid.sample++) {
-        engine->trace(tracer, &grid, rgb, &counts);
-        for (int i = 0; i < PIXELS * PIXELS; i++) {
-            sums[i] += rgb[i] / samples;
-        }
-    }
-    LightStatistics spread = {0};
-    for (int i = 0; i < PIXELS * PIXELS; i++) {
-        spread.mean += sums[i] / (PIXELS * PIXELS);
-        spread.rms += (sums[i] - truth) * (sums[i] - truth) / (PIXELS * PIXELS);
-    }
-    spread.rms = sqrt(spread.rms);
-    engine->destroy(tracer);
-    return spread;
-}
 
 /**
  * @return How much of a ball's light passes an edge. The ball stands straight above the point; its
@@ -392,7 +342,8 @@ static Scene *soft_light_scene(void) {
     scene->materials[0].specular = 0.5;
     add_light(scene, white_point_light((Vec3d){-1.4, 1.2, 1}, 0.4));
     add_light(scene, white_point_light((Vec3d){1.2, 0.2, -1}, 0.2));
-    SceneLight sun = {.kind = SCENE_LIGHT_SUN, .color = {0.3, 0.3, 0.2}, .intensity = 1};
+    SceneLight sun = light_of_kind("sun");
+    sun.color = (Rgbd){0.3, 0.3, 0.2};
     sun.direction = (Vec3d){1, -1, -1};
     add_light(scene, sun);
     add_shape(scene, "plane", &(PlaneParameters){{0, -1, 0}, {0, 1, 0}});

@@ -44,6 +44,9 @@ typedef struct SceneLight {
 /** Offset in #SceneLight of a field of a class's own struct, for its parameter table. */
 #define SCENE_LIGHT_OWN_OFFSET(type, field) (offsetof(SceneLight, own) + offsetof(type, field))
 
+/** Most points of a light's outline. */
+enum { SCENE_LIGHT_OUTLINE_POINTS = 5 };
+
 /** A class of lights, as a scene sees it: the vtable. */
 typedef struct SceneLightClass {
     const Keyword *keyword; /**< Name, fields and checks; its struct is a #SceneLight. */
@@ -60,6 +63,10 @@ typedef struct SceneLightClass {
 
     /** @return The middle of the light, scene units. NULL: the light is at infinity. */
     Vec3d (*center)(const SceneLight *light);
+
+    /** Fills the points of a polyline that shows where the light is, scene units; NULL: none.
+     *  @return The number of points, at most #SCENE_LIGHT_OUTLINE_POINTS. */
+    size_t (*outline)(const SceneLight *light, Vec3d *points);
 
     /** @return The vector to the light, of any length. NULL: to its #center. */
     Vec3d (*offset_from)(const SceneLight *light, Vec3d point);
@@ -86,6 +93,14 @@ const Keyword *scene_light_keyword_for(const SceneLight *light);
  * @return false if the light is at infinity.
  */
 bool scene_light_center(const SceneLight *light, Vec3d *center);
+
+/**
+ * Finds a polyline that shows where a light is, for drawings.
+ * @param light        The light.
+ * @param[out] points  #SCENE_LIGHT_OUTLINE_POINTS of them, scene units.
+ * @return The number of points; 0: the light has no outline.
+ */
+size_t scene_light_outline(const SceneLight *light, Vec3d *points);
 
 /**
  * @return The vector from a point to a light, of any length.

@@ -29,6 +29,11 @@ bool scene_light_center(const SceneLight *light, Vec3d *center) {
     return class->center != NULL;
 }
 
+size_t scene_light_outline(const SceneLight *light, Vec3d *points) {
+    const SceneLightClass *class = scene_light_class(light);
+    return class->outline ? class->outline(light, points) : 0;
+}
+
 Vec3d scene_light_offset_from(const SceneLight *light, Vec3d point) {
     const SceneLightClass *class = scene_light_class(light);
     return class->offset_from ? class->offset_from(light, point)

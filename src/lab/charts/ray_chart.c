@@ -149,11 +149,29 @@ static void draw_background(cairo_t *cairo, const Background *background) {
     cairo_stroke(cairo);
 }
 
+/** Draws the edges of a light that has any. */
+static void draw_light_outline(const RayDrawing *drawing, const SceneLight *light) {
+    Vec3d points[SCENE_LIGHT_OUTLINE_POINTS];
+    size_t count = scene_light_outline(light, points);
+    double x, y;
+    cairo_set_source_rgb(drawing->cairo, 0.94, 0.89, 0.26); // Okabe and Ito's yellow, as the marks.
+    cairo_set_line_width(drawing->cairo, 4);
+    for (size_t i = 0; i < count; i++) {
+        if (projected_view_point(&drawing->view, points[i], &x, &y)) {
+            cairo_line_to(drawing->cairo, x, y);
+        } else {
+            cairo_new_sub_path(drawing->cairo);
+        }
+    }
+    cairo_stroke(drawing->cairo);
+}
+
 /** Marks the eye and the lights. */
 static void draw_marks(const RayDrawing *drawing, const Scene *scene) {
     ray_drawing_mark(drawing, drawing->tree->nodes[0].origin, RAY_MARK_EYE, gettext("eye"));
     for (size_t i = 0; i < scene->light_count; i++) {
         Vec3d center;
+        draw_light_outline(drawing, &scene->lights[i]);
         if (scene_light_center(&scene->lights[i], &center)) {
             char label[64];
             snprintf(label, sizeof label, gettext("lamp %zu"), i + 1);

@@ -54,8 +54,16 @@ static Vec3d cylinder_light_center(const SceneLight *light) {
     return vec3d_scale(vec3d_add(light->position, own->top), 0.5);
 }
 
+/** Fills the axis. See #SceneLightClass.outline. */
+static size_t cylinder_light_outline(const SceneLight *light, Vec3d *points) {
+    points[0] = light->position;
+    points[1] = ((const CylinderLightFields *)scene_light_own(light))->top;
+    return 2;
+}
+
 /** The class of `cylinder_light`. */
 extern const SceneLightClass scene_cylinder_light_class;
 
 const SceneLightClass scene_cylinder_light_class = {.keyword = &cylinder_light_keyword,
-                                                    .center = cylinder_light_center};
+                                                    .center = cylinder_light_center,
+                                                    .outline = cylinder_light_outline};

@@ -29,8 +29,7 @@ extern const char *const light_falloff_words[];
 #define LIGHT_FALLOFF_ROW                                                                          \
     {                                                                                              \
         .name = "falloff", .type = PARAMETER_CHOICE, .offset = offsetof(SceneLight, falloff),      \
-        .choices = light_falloff_words, .unit = "word",                                            \
-        .help = "how it weakens with the distance"                                                 \
+        .choices = light_falloff_words, .unit = "word", .help = "how it weakens with the distance" \
     }
 
 /** A row for a length or a position in scene units. */

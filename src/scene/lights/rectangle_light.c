@@ -59,8 +59,19 @@ static Vec3d rectangle_light_center(const SceneLight *light) {
     return vec3d_add(light->position, vec3d_scale(vec3d_add(own->u, own->v), 0.5));
 }
 
+/** Fills the edges. See #SceneLightClass.outline. */
+static size_t rectangle_light_outline(const SceneLight *light, Vec3d *points) {
+    const RectangleLightFields *own = scene_light_own(light);
+    points[0] = points[4] = light->position;
+    points[1] = vec3d_add(light->position, own->u);
+    points[2] = vec3d_add(points[1], own->v);
+    points[3] = vec3d_add(light->position, own->v);
+    return 5;
+}
+
 /** The class of `rectangle_light`. */
 extern const SceneLightClass scene_rectangle_light_class;
 
 const SceneLightClass scene_rectangle_light_class = {.keyword = &rectangle_light_keyword,
-                                                     .center = rectangle_light_center};
+                                                     .center = rectangle_light_center,
+                                                     .outline = rectangle_light_outline};

@@ -78,14 +78,14 @@ static void cylinder_light_sample_center(const Light *light, size_t light_index,
     for (int v = 0; v < PACKET_VECTORS; v++) {
         const Hit *hit = &surface->hits[v];
         CylinderView view = cylinder_view_of(cylinder, hit->point);
-        real distance = real_sqrt(sample->distance_squared[v]), half_length = half * cylinder->length;
+        real distance = real_sqrt(sample->distance_squared[v]),
+             half_length = half * cylinder->length;
         real height = real_abs(view.begin + half_length);
         real wall_end = 1 - cylinder->radius / real_max(view.distance, cylinder->radius);
         real cap_end = 1 - half_length / real_max(height, half_length);
         real margin = cylinder_light_end_margin(cylinder, offset, hit) / distance;
         sample->weight[v] = view.distance / distance;
-        sample->shadow_rays.limit[v] =
-            real_max(real_max(wall_end, cap_end) - margin, real_of(0));
+        sample->shadow_rays.limit[v] = real_max(real_max(wall_end, cap_end) - margin, real_of(0));
     }
 }
 
@@ -114,8 +114,7 @@ static void cylinder_light_sample(const Light *light, size_t light_index, const 
         // The line of the wall there: the nearer root, by the product of the two.
         real beside = outside * sine;
         real half_chord = real_sqrt(real_max((radius - beside) * (radius + beside), zero));
-        real far_root =
-            real_max(outside * cosine + half_chord, radius * CYLINDER_LIGHT_MIN_HEIGHT);
+        real far_root = real_max(outside * cosine + half_chord, radius * CYLINDER_LIGHT_MIN_HEIGHT);
         real near = (outside - radius) * ((outside + radius) / far_root);
         near = real_max(near, radius * CYLINDER_LIGHT_MIN_HEIGHT);
         Vec3 e = view.to_axis, axis = cylinder->axis;

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Light and shadow.
+ * @brief Direct light: shadow rays, Lambert's law and Phong's highlight.
  */
 #include "trace/lights/light.h"
 #include "trace/lights/shadow_transmittance.h"
@@ -9,9 +9,10 @@
 #include "trace/tracer/ray_tree_recorder.h"
 
 /**
- * @return max(0, r . v)^shininess, Phong's highlight, where r is the lamp's light mirrored.
- * @param v  Which vector of them.
- * @param to_light  Unit directions to the lamp.
+ * @return max(0, r . v)^shininess, Phong's highlight; r is the mirror image of the direction to the
+ * light.
+ * @param v  Which vector of points.
+ * @param to_light  Unit directions to the light.
  */
 INLINE real phong_specular(const SurfaceHit *surface, int v, Vec3 to_light, real cosine,
                            real shininess) {
@@ -21,7 +22,7 @@ INLINE real phong_specular(const SurfaceHit *surface, int v, Vec3 to_light, real
 }
 
 /**
- * @return The light of a lamp that reaches points, but for its distance.
+ * @return The intensity of a light at points, behind transparent shapes, without the falloff.
  * @param v  Which vector of points.
  */
 INLINE Rgb light_sample_intensity(const Light *light, const LightSample *sample, int v,
@@ -31,10 +32,10 @@ INLINE Rgb light_sample_intensity(const Light *light, const LightSample *sample,
 }
 
 /**
- * Adds one lamp's highlights, where the surface has any.
+ * Adds the highlights of one light, where the materials have any.
  * @param v  Which vector of points.
  * @param unoccluded  The points that it reaches.
- * @param attenuation  What is left of its light at that distance.
+ * @param attenuation  The factor of its intensity there.
  */
 INLINE void light_sample_add_specular(const Light *light, const LightSample *sample, int v,
                                       mask unoccluded, real attenuation, const SurfaceHit *surface,
@@ -53,10 +54,9 @@ INLINE void light_sample_add_specular(const Light *light, const LightSample *sam
 }
 
 /**
- * Adds what one lamp gives to the points that it reaches.
- * @param sample  What it would give, with the rays.
- * @param occluded  Where something is in the way.
- * @param has_specular  Whether highlights are wanted.
+ * Adds what one light gives to the points that it reaches.
+ * @param occluded  The points that it does not reach.
+ * @param has_specular  Whether to add highlights.
  */
 INLINE void light_sample_add(const Light *light, const LightSample *sample, const mask *occluded,
                              bool has_specular, const SurfaceHit *surface,
@@ -77,7 +77,7 @@ INLINE void light_sample_add(const Light *light, const LightSample *sample, cons
     }
 }
 
-/** Leaves points without light. */
+/** Sets all light to 0. */
 INLINE void direct_lighting_clear(DirectLighting *lighting) {
     for (int v = 0; v < PACKET_VECTORS; v++) {
         Rgb black = {real_of(0), real_of(0), real_of(0)};
@@ -86,11 +86,10 @@ INLINE void direct_lighting_clear(DirectLighting *lighting) {
 }
 
 /**
- * Notes the shadow rays to a lamp; for a probe, with what this lamp alone gives. Never a part of
- * its caller, which is called for every picture.
- * @param sample  What it would give, with the rays.
- * @param occluded  Where something is in the way.
- * @param has_specular  Whether highlights are wanted.
+ * Records the shadow rays to a light; for a ray tree, with what this light alone gives. It is not
+ * inlined: pictures without recorders pay for one comparison only.
+ * @param occluded  The points that the light does not reach.
+ * @param has_specular  Whether to compute highlights.
  */
 static __attribute__((noinline)) void light_sample_record(const ShapeSet *shapes,
                                                           const Light *lights, size_t light_index,

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Lighting: what the lamps give to the points that a packet of rays has met.
+ * @brief Direct lighting: what the lights give to the points that a packet of rays has met.
  */
 #ifndef DIOPTRE_TRACE_LIGHTS_DIRECT_LIGHTING_H
 #define DIOPTRE_TRACE_LIGHTS_DIRECT_LIGHTING_H
@@ -10,17 +10,17 @@
 /** A light in the engine's number type: see trace/lights/light.h. */
 typedef struct Light Light;
 
-/** What the lamps give, before the surfaces weigh it. */
+/** What the lights give, before the materials weigh it. */
 typedef struct DirectLighting {
     Rgb diffuse[PACKET_VECTORS];  /**< Sum of V L f max(0, n . l). */
     Rgb specular[PACKET_VECTORS]; /**< Sum of V L f max(0, r . v)^shininess. */
 } DirectLighting;
 
 /**
- * Adds up the light of all lamps (rows A3 to A6, C4).
- * @param shapes  The shapes, which may stand in the way.
+ * Adds up the light of all lights: one shadow ray per light and point.
+ * @param shapes  The shapes that may be in the way.
  * @param offset  Where shadow rays start.
- * @param has_specular  Whether any surface has highlights; otherwise they are not computed.
+ * @param has_specular  Whether any surface has highlights; else they are not computed.
  * @return How many shadow rays were traced.
  */
 uint64_t shade_direct(const ShapeSet *shapes, const Light *lights, size_t light_count,

@@ -106,8 +106,8 @@ static void sphere_light_sample(const Light *light, size_t light_index, const Ra
         real distance = real_sqrt(distance_squared);
         real sine_squared = real_min(radius_squared / distance_squared, real_of(1));
         real cosine = real_sqrt(1 - sine_squared), one_minus_cos = sine_squared / (1 + cosine);
-        DiscPoint disc = concentric_disc_map(
-            light_square_sample(&surface->packet->context, light_index, v));
+        DiscPoint disc =
+            concentric_disc_map(light_square_sample(&surface->packet->context, light_index, v));
         Vec3 direction = cone_sample(vec3_scale(to_light, 1 / distance), one_minus_cos, disc);
         // The ray ends where it meets the sphere: half a chord before its point nearest the centre.
         real along = vec3_dot(to_light, direction);
@@ -139,6 +139,5 @@ static void point_light_emitter_init(Shape *emitter, const SceneLight *said) {
 /** The class of `light`. */
 extern const LightClass point_light_class;
 
-const LightClass point_light_class = {.init = point_light_init,
-                                      .emitter = &sphere_class,
-                                      .emitter_init = point_light_emitter_init};
+const LightClass point_light_class = {
+    .init = point_light_init, .emitter = &sphere_class, .emitter_init = point_light_emitter_init};

@@ -54,8 +54,7 @@ INLINE real rectangle_light_height(const RectangleLight *rectangle, Vec3 from_co
 INLINE real rectangle_light_end_margin(const RectangleLight *rectangle, const RayOffset *offset,
                                        const Hit *hit, real cosine) {
     real magnitude = rectangle->magnitude + vec3_max_abs(hit->point);
-    real margin =
-        RECTANGLE_END_ROUNDINGS * ROUNDOFF * magnitude + ray_offset_length(offset, hit);
+    real margin = RECTANGLE_END_ROUNDINGS * ROUNDOFF * magnitude + ray_offset_length(offset, hit);
     return margin / real_max(cosine, real_of(RECTANGLE_END_MIN_COSINE));
 }
 
@@ -102,13 +101,11 @@ INLINE RectanglePoint rectangle_point_weighted(const RectangleLight *rectangle, 
     real v_begin = vec3_dot(to_corner, rectangle->v_axis);
     Segment rows = segment_of(v_begin, rectangle->v_length, height + u_gap);
     SegmentSample row = segment_sample_inverse_square(&rows, unit_v);
-    Vec3 to_row =
-        vec3_add(to_corner, vec3_scale(rectangle->v_axis, row.at - v_begin));
+    Vec3 to_row = vec3_add(to_corner, vec3_scale(rectangle->v_axis, row.at - v_begin));
     // A point of it: along u.
     real begin = vec3_dot(to_row, rectangle->u_axis);
     Vec3 to_foot = vec3_subtract(to_row, vec3_scale(rectangle->u_axis, begin));
-    Segment points =
-        segment_of(begin, rectangle->u_length, real_sqrt(vec3_dot(to_foot, to_foot)));
+    Segment points = segment_of(begin, rectangle->u_length, real_sqrt(vec3_dot(to_foot, to_foot)));
     SegmentSample point = segment_sample_inverse_cube(&points, unit_u);
     return (RectanglePoint){vec3_add(to_foot, vec3_scale(rectangle->u_axis, point.at)),
                             row.density * rectangle->v_length *
@@ -138,10 +135,10 @@ static void rectangle_light_sample(const Light *light, size_t light_index, const
         real distance_squared =
             real_max(vec3_dot(point.offset, point.offset), real_of(MIN_DISTANCE_SQUARED));
         real distance = real_sqrt(distance_squared), cosine = height / distance;
-        light_sample_set_point(
-            offset, surface, v, vec3_scale(point.offset, 1 / distance),
-            distance - rectangle_light_end_margin(rectangle, offset, hit, cosine),
-            distance_squared, cosine / point.area_ratio, sample);
+        light_sample_set_point(offset, surface, v, vec3_scale(point.offset, 1 / distance),
+                               distance -
+                                   rectangle_light_end_margin(rectangle, offset, hit, cosine),
+                               distance_squared, cosine / point.area_ratio, sample);
     }
 }
 

@@ -1,15 +1,15 @@
 /**
  * @file
- * @brief Light through transparent shapes.
+ * @brief Shadow rays through transparent shapes.
  */
 #include "trace/lights/shadow_transmittance.h"
 
-/** Most surfaces that a lamp's light crosses; behind more it is dark. A guard: rays that start at
- *  the very surface that they leave (`--offset none`) would meet it for ever. */
+/** Most surfaces that a shadow ray crosses; behind more it is dark. With `--offset none` rays start
+ *  on the surface that they leave and would meet it without end. */
 enum { MAX_SHADOW_SURFACES = 256 };
 
-/** Moves rays on behind a surface. The way that is left gets shorter by as much. @param lanes The
- *  rays that go on. */
+/** Moves the origins of rays behind a surface and shortens the rays by as much. @param lanes The
+ *  rays that continue. */
 INLINE void shadow_rays_advance(const RayOffset *offset, const Hit *hit, mask lanes, int v,
                                 Packet *rays) {
     Vec3 direction = rays->rays[v].direction;
@@ -26,13 +26,13 @@ INLINE void shadow_rays_advance(const RayOffset *offset, const Hit *hit, mask la
 }
 
 /**
- * Finds which of the surfaces that light meets are not there, because a later shape is. It is asked
- * as for rays that look (see dielectric_hit_find()), and only where #Dielectrics.may_override says
- * so.
+ * Finds the surfaces that do not count, because they lie inside a transparent shape that comes
+ * later in the scene: as for refracted rays (see dielectric_hit_find()). It is called only if
+ * #Dielectrics.may_override is set.
  * @param offset  How rays leave a surface.
- * @param dielectrics  What the scene has of glass.
- * @param[in,out] interior  What the rays are inside of.
- * @param[out] overridden  Where the surface is not there.
+ * @param dielectrics  The transparent shapes of the scene.
+ * @param[in,out] interior  The shapes that the rays are inside of.
+ * @param[out] overridden  The rays whose surface does not count.
  */
 static void find_overridden(const RayOffset *offset, const Dielectrics *dielectrics,
                             const Packet *rays, const Hit *hits, InteriorList *interior,
@@ -62,12 +62,11 @@ static void find_overridden(const RayOffset *offset, const Dielectrics *dielectr
 }
 
 /**
- * Filters a packet through the next surface of each ray.
+ * Multiplies the transmittance by that of the next surface of each ray.
  * @param offset  How rays leave a surface.
- * @param surface  The points that the rays come from.
  * @param[in,out] rays  The rays; active where there may be more surfaces.
- * @param[in,out] interior  What they are inside of; only where #Dielectrics.may_override.
- * @param[in,out] transmittance  What is left of the light.
+ * @param[in,out] interior  The shapes that they are inside of, if #Dielectrics.may_override.
+ * @param[in,out] transmittance  See #shadow_transmittance_find.
  */
 static void shadow_transmittance_step(const ShapeSet *shapes, const RayOffset *offset,
                                       const SurfaceHit *surface, Packet *rays,

@@ -5,6 +5,8 @@
  */
 #include "trace/sdf/sphere_tracer.h"
 
+#include "trace/bvh/slab.h"
+
 /** A tape that is taken apart from its beginning. */
 typedef struct TransformHoist {
     const Sdf *sdf; /**< The field. */
@@ -101,16 +103,6 @@ static Aabbs aabbs_expanded(Aabbs box, scalar by) {
         box.high[axis] += by;
     }
     return box;
-}
-
-/** @return A box for each lane. */
-static Aabb aabb_splat(Aabbs box) {
-    Aabb block;
-    for (int axis = 0; axis < 3; axis++) {
-        block.planes[axis] = real_of(box.low[axis]);
-        block.planes[axis + 3] = real_of(box.high[axis]);
-    }
-    return block;
 }
 
 void sphere_tracer_init(SphereTracer *tracer, const Sdf *sdf, Aabbs *bounds) {

@@ -7,7 +7,7 @@
 
 #include "trace/bvh/bvh.h"
 
-/** A set of shapes: few, unbounded and some large ones in a list, many others in a BVH. */
+/** A set of shapes: if there are many bounded ones, they are in a BVH; all others are in a list. */
 typedef struct ShapeSet {
     Shape **shapes;          /**< The shapes in the order of the scene; the array is owned. */
     void *memory;            /**< Memory of the shapes; owned. NULL: another set owns it. */

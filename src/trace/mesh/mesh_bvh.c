@@ -57,6 +57,7 @@ static void triangle_block_set(TriangleBlock *block, int lane, const Mesh *mesh,
 
 /** Copies the triangles in the order of the BVH. @return false without memory. */
 static bool mesh_bvh_make_blocks(MeshBvh *mesh_bvh, const Mesh *mesh) {
+    _Static_assert(sizeof(TriangleBlock) % sizeof(real) == 0, "a block is whole vectors");
     size_t size = mesh_bvh->bvh.block_count * sizeof *mesh_bvh->blocks;
     mesh_bvh->blocks =
         aligned_alloc(MESH_BVH_ALIGNMENT,

@@ -24,7 +24,6 @@ typedef struct TriangleBlock {
 
 /** Size of a block in scalars, to compute the offset of a slot: one lane of one block. */
 #define TRIANGLE_BLOCK_SCALARS ((int)(sizeof(TriangleBlock) / sizeof(scalar)))
-_Static_assert(sizeof(TriangleBlock) % sizeof(real) == 0, "a block is a whole number of vectors");
 
 /** Texture coordinates. */
 typedef struct Uvs {

@@ -61,8 +61,8 @@ static void add_sphere_sdf(Scene *scene, const SphereSpec *sphere) {
     free(field);
 }
 
-/** @return A tracer with one shape. */
-static Tracer *tracer_with(const Engine *engine, const ContractShape *shape) {
+/** @return A scene with one shape, to be freed. */
+static Scene *scene_with(const ContractShape *shape) {
     Error error = {0};
     Scene *scene = create_empty_scene();
     if (strcmp(shape->keyword, "mesh") == 0) {
@@ -73,6 +73,12 @@ static Tracer *tracer_with(const Engine *engine, const ContractShape *shape) {
         add_shape(scene, shape->keyword, shape->parameters);
     }
     assert_true(!shape->transform || scene_set_last_transform(scene, shape->transform, &error));
+    return scene;
+}
+
+/** @return A tracer with one shape. */
+static Tracer *tracer_with(const Engine *engine, const ContractShape *shape) {
+    Scene *scene = scene_with(shape);
     Tracer *tracer = create_tracer(engine, scene);
     scene_destroy(scene);
     return tracer;
@@ -458,6 +464,29 @@ static void test_every_shape_has_a_row(void **state) {
     }
 }
 
+/** The bounding box of the description is that of the tracer, but for roundings and tolerances. */
+static void test_described_bounds(void **state) {
+    (void)state;
+    const Engine *engine = engine_list()[0];
+    for (size_t r = 0; r < CONTRACT_SHAPE_COUNT; r++) {
+        const ContractShape *row = &contract_shapes[r];
+        Scene *scene = scene_with(row);
+        Tracer *tracer = create_tracer(engine, scene);
+        Aabbd described = scene_bounds(scene);
+        Vec3d low, high;
+        engine->bounds(tracer, &low, &high);
+        assert_int_equal(described.low.x <= described.high.x, low.x <= high.x);
+        if (low.x <= high.x) {
+            double low_error = vec3d_max_abs(vec3d_subtract(described.low, low));
+            double high_error = vec3d_max_abs(vec3d_subtract(described.high, high));
+            double bound = 1e-5 * row->size + 4 * (double)tolerance_of(row);
+            assert_at_most(fmax(low_error, high_error), bound, "the box of %s", row->name);
+        }
+        engine->destroy(tracer);
+        scene_destroy(scene);
+    }
+}
+
 /** @param state Not used. */
 static void test_near(void **state) {
     (void)state;
@@ -553,6 +582,7 @@ static int print_table(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_shape_has_a_row),
+        cmocka_unit_test(test_described_bounds),
         cmocka_unit_test(test_near),
         cmocka_unit_test(test_axes),
         cmocka_unit_test(test_precision),

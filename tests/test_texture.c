@@ -17,13 +17,6 @@
 
 // --- helpers -------------------------------------------------------------------------------------
 
-/** As the scene language says a disk. */
-typedef struct DiskParameters {
-    Vec3d center;  /**< Its centre. */
-    Vec3d normal;  /**< Its normal. */
-    double radius; /**< Its radius. */
-} DiskParameters;
-
 /**
  * Adds a picture to a scene.
  * @param texture  The picture; the scene's from now on.

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Meshes: triangles that share their corners, checked and ready to be traced.
+ * @brief Meshes: triangles with shared vertices.
  */
 #ifndef DIOPTRE_MESH_H
 #define DIOPTRE_MESH_H
@@ -12,102 +12,102 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/** A place on a picture that is wrapped around a mesh. */
+/** Texture coordinates. */
 typedef struct MeshUv {
-    double u; /**< To the right, 1 a picture's width. */
-    double v; /**< Up, 1 a picture's height. */
+    double u; /**< To the right, in widths of the picture. */
+    double v; /**< Up, in heights of the picture. */
 } MeshUv;
 
-/** Three places in an array, one a corner; counter-clockwise seen from outside. */
+/** Three indices in an array, one per vertex; counter-clockwise seen from outside. */
 typedef struct MeshTriangle {
-    uint32_t index[3]; /**< The places. */
+    uint32_t index[3]; /**< The indices. */
 } MeshTriangle;
 
-/** What was wrong with a model file and could be put right. */
+/** Defects of a mesh file that were repaired. */
 typedef struct MeshRepairs {
-    size_t degenerate_triangles;    /**< Triangles without area: left out. */
-    size_t untriangulated_polygons; /**< Triangles missing of polygons that cannot be cut into
-                                       triangles. */
-    size_t missing_normals; /**< Corners whose normal is missing, while others have one, or has no
-                              direction: their triangle's normal was put there. */
-    size_t missing_uvs;     /**< Corners without a (u, v) that could be used, while others have one:
-                              (0, 0) was put there. Where only some corners of one part of an OBJ
-                              lack theirs, the library has done so already, uncounted. */
+    size_t degenerate_triangles;    /**< Triangles without area: removed. */
+    size_t untriangulated_polygons; /**< Missing triangles of polygons that cannot be
+                                       triangulated. */
+    size_t missing_normals; /**< Vertices whose normal is missing, while others have one, or has no
+                              direction: they got the normal of their triangle. */
+    size_t missing_uvs; /**< Vertices without valid (u, v), while others have one: they got (0, 0).
+                          Where only some vertices of a part of an OBJ lack theirs, the library
+                          has done so already, uncounted. */
 } MeshRepairs;
 
-/** A mesh: one block of memory, shared with child processes, with all its arrays in it. */
+/** A mesh: one block of memory with all its arrays, shared with child processes. */
 typedef struct Mesh {
-    size_t position_count;          /**< How many positions, at least 3. */
-    Vec3d *positions;               /**< Places in space, scene units, no two the same. */
+    size_t position_count;          /**< Number of positions, at least 3. */
+    Vec3d *positions;               /**< Positions, scene units, no two the same. */
     Aabbd bounds;                   /**< Bounding box; set by #mesh_update_bounds. */
-    size_t normal_count;            /**< How many normals; 0: the file has none. */
+    size_t normal_count;            /**< Number of normals; 0: the file has none. */
     Vec3d *normals;                 /**< The file's, of unit length. */
-    size_t uv_count;                /**< How many (u, v); 0: the file has none. */
+    size_t uv_count;                /**< Number of (u, v); 0: the file has none. */
     MeshUv *uvs;                    /**< The file's. */
-    size_t triangle_count;          /**< How many triangles, at least 1. */
-    MeshTriangle *triangles;        /**< Places in #positions. */
-    MeshTriangle *triangle_normals; /**< Places in #normals; NULL without normals. */
-    MeshTriangle *triangle_uvs;     /**< Places in #uvs; NULL without (u, v). */
-    MeshRepairs repairs;            /**< What was put right. */
-    atomic_uint reference_count;    /**< How many hold it. */
+    size_t triangle_count;          /**< Number of triangles, at least 1. */
+    MeshTriangle *triangles;        /**< Indices in #positions. */
+    MeshTriangle *triangle_normals; /**< Indices in #normals; NULL without normals. */
+    MeshTriangle *triangle_uvs;     /**< Indices in #uvs; NULL without (u, v). */
+    MeshRepairs repairs;            /**< Repaired defects. */
+    atomic_uint reference_count;    /**< Number of references. */
 } Mesh;
 
-/** Somebody who is told, while a model file is read, how far it is. */
+/** Progress of reading a mesh file. */
 typedef struct MeshProgress {
     /**
-     * Is told before the start, and about five times a second.
+     * Called before the start, and about five times per second.
      * @param context  #MeshProgress.context.
      * @param name     The file, without its folder.
-     * @param share    How much is done, 0 to 1.
-     * @param seconds  Since the start.
+     * @param share    Completed fraction, 0 to 1.
+     * @param seconds  Seconds since the start.
      */
     void (*report)(void *context, const char *name, double share, double seconds);
-    /** Is told when the file is read or given up. @param context #MeshProgress.context. */
+    /** Called at the end. @param context #MeshProgress.context. */
     void (*end)(void *context);
-    void *context; /**< Handed to both. */
+    void *context; /**< First argument of both. */
 } MeshProgress;
 
 /**
- * Makes a mesh with one owner, all its numbers zero, to be filled.
- * @param counts      How many of everything; the rest of it is not read.
+ * Creates a mesh with one reference, all its numbers zero.
+ * @param counts      The numbers of all items; the rest is not read.
  * @param[out] error  What is wrong.
- * @return The mesh, to be given back with #mesh_release; NULL without memory.
+ * @return The mesh, to be freed with #mesh_release; NULL without memory.
  */
 Mesh *mesh_create(const Mesh *counts, Error *error);
 
 /**
- * Copies a mesh to another place.
+ * Copies a mesh and translates the copy.
  * @param mesh        The mesh.
- * @param offset         How far it is moved, scene units.
+ * @param offset      Translation, scene units.
  * @param[out] error  What is wrong.
- * @return The copy, to be given back with #mesh_release; NULL without memory.
+ * @return The copy, to be freed with #mesh_release; NULL without memory.
  */
 Mesh *mesh_translated(const Mesh *mesh, Vec3d offset, Error *error);
 
-/** Becomes one more owner. @param mesh The mesh, or NULL. @return The same. */
+/** Adds a reference. @param mesh The mesh, or NULL. @return The same. */
 Mesh *mesh_retain(Mesh *mesh);
 
-/** Gives a mesh back; the last owner's call gives its memory back. @param mesh It, or NULL. */
+/** Removes a reference; the last one frees the memory. @param mesh The mesh, or NULL. */
 void mesh_release(Mesh *mesh);
 
 /**
- * @return Bytes of the block that a mesh lies in.
- * @param counts  The mesh; only its counts are read, each at most UINT32_MAX.
+ * @return Bytes of the block of a mesh.
+ * @param counts  The numbers of all items, each at most UINT32_MAX; the rest is not read.
  */
 size_t mesh_block_size(const Mesh *counts);
 
 /**
- * Points the arrays of a mesh to their places in its block, right behind it.
- * @param[in,out] mesh  The mesh, at the head of a block of #mesh_block_size bytes, its counts set.
+ * Sets the pointers of the arrays, which follow the mesh in its block.
+ * @param[in,out] mesh  The mesh at the start of a block of #mesh_block_size bytes, its counts set.
  */
 void mesh_bind_arrays(Mesh *mesh);
 
 /**
- * Looks at every number of a mesh.
+ * Checks every number of a mesh.
  * @param mesh        The mesh.
  * @param[out] error  What is wrong (#STATUS_SCENE).
  * @return Whether it has a triangle, all is finite and within #LENGTH_MAXIMUM, normals are of unit
- *         length, and every place is one.
+ *         length, and all indices are in range.
  */
 bool mesh_validate(const Mesh *mesh, Error *error);
 
@@ -115,12 +115,12 @@ bool mesh_validate(const Mesh *mesh, Error *error);
 void mesh_update_bounds(Mesh *mesh);
 
 /**
- * Finds normals that make a mesh look smooth: at each position the mean of its triangles' normals,
- * each weighted by its angle there, so that it does not depend on how a flat part is cut.
+ * Computes smooth normals: at each position the mean of the normals of its triangles, weighted by
+ * their angles there, which does not depend on the triangulation of flat parts.
  * @param mesh          The mesh.
- * @param[out] normals  One unit normal a position, never NaN. Where the mean vanishes, as on the
- *                      edge of a sheet folded back on itself, it is the normal of a triangle that
- *                      is there; where there is none, it is up.
+ * @param[out] normals  One unit normal per position, never NaN. Where the mean vanishes, as on the
+ *                      edge of a sheet folded back on itself, it is the normal of one of its
+ *                      triangles; where there is none, it is up.
  */
 void mesh_smooth_normals(const Mesh *mesh, Vec3d *normals);
 

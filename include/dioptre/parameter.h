@@ -1,10 +1,10 @@
 /**
  * @file
- * @brief Parameter tables: what a thing of the scene language is called and which fields it takes.
+ * @brief Parameter tables: the keywords of the scene language and their fields.
  *
- * A camera, a light, a material, each shape: all are plain structs, and a table says for each of
- * their fields its name in scene files, its type, unit and range, and where it lies in the struct.
- * The scene language reads every keyword by these tables alone, so it knows no keyword by heart.
+ * Cameras, lights, materials and shapes are plain structs. A table describes each field: its name
+ * in scene files, its type, unit and range, and its offset in the struct. The scene language reads
+ * every keyword by these tables alone.
  */
 #ifndef DIOPTRE_PARAMETER_H
 #define DIOPTRE_PARAMETER_H
@@ -16,66 +16,66 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/** Type of a field, and with it the C type behind its offset. */
+/** Type of a field, and its C type in the struct. */
 typedef enum {
     PARAMETER_NUMBER,    /**< `double` */
     PARAMETER_INTEGER,   /**< `int` */
     PARAMETER_BOOLEAN,   /**< `bool` */
-    PARAMETER_CHOICE,    /**< `int`: the place of the word in #Parameter.choices */
-    PARAMETER_POINT,     /**< `Vec3d`, a place: it moves with what it belongs to */
+    PARAMETER_CHOICE,    /**< `int`: index of the word in #Parameter.choices */
+    PARAMETER_POINT,     /**< `Vec3d`, a position: #keyword_translate moves it */
     PARAMETER_VECTOR,    /**< `Vec3d`, any */
     PARAMETER_DIRECTION, /**< `Vec3d`, not zero */
     PARAMETER_SCALE,     /**< `Vec3d`: `{x, y, z}`, or one number for all three */
     PARAMETER_UV,        /**< `Uvd`, any */
     PARAMETER_COLOR,     /**< `Rgbd`: `{r, g, b}`, one number for grey, or `"#rrggbb"` in sRGB */
-    PARAMETER_MESH,      /**< `size_t`: the place in #Scene.meshes of the model file that is named.
-                              It has no default: #Keyword.finish sees whether it was given */
-    PARAMETER_SDF,       /**< `const Field *`: a distance field, kept by the scene; NULL: none */
-    PARAMETER_TEXTURE    /**< `size_t`: the place in #Scene.textures of the picture file that is
-                              named, plus one; 0: none is */
+    PARAMETER_MESH,      /**< `size_t`: index of the named mesh file in #Scene.meshes. It has no
+                              default: #Keyword.finish checks that it is given */
+    PARAMETER_SDF,       /**< `const Sdf *`: a distance field, owned by the scene; NULL: none */
+    PARAMETER_TEXTURE    /**< `size_t`: index of the named picture file in #Scene.textures, plus
+                              one; 0: none */
 } ParameterType;
 
-/** One field of a keyword: a row of a parameter table. A table ends with a row without a name. */
+/** A field of a keyword: a row of a parameter table. A row without a name ends the table. */
 typedef struct Parameter {
-    const char *name;           /**< As in a scene file, such as `radius`; NULL ends the table. */
-    ParameterType type;         /**< What may be given. */
-    size_t offset;              /**< Where the value lies in the struct. */
-    double minimum;             /**< Smallest number allowed, for each component. */
-    double maximum;             /**< Largest number allowed, for each component. */
-    bool excludes_minimum;      /**< Whether the minimum itself is forbidden. */
-    const char *const *choices; /**< For #PARAMETER_CHOICE: the words, ended by NULL. */
-    const char *unit;           /**< For people: `scene units`, `degrees`, ... */
-    const char *help;           /**< For people: what it is, in a few words. */
+    const char *name;           /**< Name in scene files, such as `radius`; NULL ends the table. */
+    ParameterType type;         /**< Type. */
+    size_t offset;              /**< Offset of the value in the struct. */
+    double minimum;             /**< Smallest number, for each component. */
+    double maximum;             /**< Largest number, for each component. */
+    bool excludes_minimum;      /**< Whether the number must be above the minimum. */
+    const char *const *choices; /**< For #PARAMETER_CHOICE: the words; NULL ends them. */
+    const char *unit;           /**< Unit for the documentation: `scene units`, `degrees`, ... */
+    const char *help;           /**< Description for the documentation, in a few words. */
 } Parameter;
 
-/** A keyword of the scene language that fills a struct: its name, fields, defaults and checks. */
+/** A keyword of the scene language: its name, and the struct that it fills. */
 typedef struct Keyword {
-    const char *name;            /**< As in a scene file, such as `sphere`. */
-    const char *help;            /**< For people: what it makes, in a few words. */
-    const Parameter *parameters; /**< Its fields, ended by a row without a name. */
-    size_t size;                 /**< Bytes of the struct that the table describes. */
-    const void *defaults;        /**< Such a struct, as it is when no field is given. */
+    const char *name;            /**< Name in scene files, such as `sphere`. */
+    const char *help;            /**< Description for the documentation, in a few words. */
+    const Parameter *parameters; /**< Its fields; a row without a name ends them. */
+    size_t size;                 /**< Bytes of the struct. */
+    const void *defaults;        /**< The struct if no field is given. */
     /**
-     * Says whether the fields fit together, beyond the range of each one, and works out what
-     * follows from them. NULL: any combination is good.
-     * @param[in,out] values  The struct, filled.
-     * @param given           Bit i is set where row i of the table was given.
+     * Checks the combination of fields, beyond the range of each, and computes derived values.
+     * NULL: any combination is valid.
+     * @param[in,out] values  The struct, with all fields.
+     * @param given           Bit i: the scene gives row i of the table.
      * @param[out] error      What is wrong, without file and line.
-     * @return false if they do not fit.
+     * @return Whether the combination is valid.
      */
     bool (*finish)(void *values, uint64_t given, Error *error);
 } Keyword;
 
 /**
- * Largest length or coordinate that a scene may hold, in scene units. Squares of it, and products
- * of two, must stay far from the end of float (3.4e38) in every engine.
+ * Largest length or coordinate of a scene, in scene units. Products of two lengths must stay far
+ * below the largest float (3.4e38).
  */
 #define LENGTH_MAXIMUM 1e15
 
-/** Smallest length that a radius or an edge may have, in scene units; the same reason. */
+/** Smallest radius or edge, in scene units, for the same reason. */
 #define LENGTH_MINIMUM 1e-15
 
-/** Brightest light or emission that may be asked for. */
+/** Largest intensity of a light or an emission. */
 #define INTENSITY_MAXIMUM 1e15
 
 /**
@@ -88,17 +88,11 @@ typedef struct Keyword {
 bool parameter_check_range(const Parameter *parameter, double value, Error *error);
 
 /**
- * Moves what a keyword has filled: all places in it, and nothing else.
+ * Translates the struct of a keyword: all its #PARAMETER_POINT fields.
  * @param keyword         The keyword.
  * @param[in,out] values  Its struct.
- * @param offset             How far, scene units.
+ * @param offset          Translation, scene units.
  */
 void keyword_translate(const Keyword *keyword, void *values, Vec3d offset);
-
-/**
- * @return The number of rows of a table.
- * @param table  A table, ended by a row without a name.
- */
-size_t parameter_count(const Parameter *table);
 
 #endif

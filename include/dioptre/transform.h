@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief How a shape is stretched, turned and moved.
+ * @brief Transforms of shapes: scale, rotation, translation.
  */
 #ifndef DIOPTRE_TRANSFORM_H
 #define DIOPTRE_TRANSFORM_H
@@ -8,20 +8,20 @@
 #include "dioptre/parameter.h"
 
 /**
- * Nearest to zero that a scale may be, and its inverse the farthest: a length of the scene times
- * such a factor is still far from the ends of float.
+ * Smallest absolute scale; its inverse is the largest: lengths times such a factor stay in the
+ * range of float.
  */
 #define SCALE_MINIMUM 1e-6
 
-/** What a scene file says of it, and the matrix that follows. Filled through #transform_keyword. */
+/** A transform. Filled through #transform_keyword. */
 typedef struct Transform {
-    Vec3d scale;         /**< First it is made so many times as large; negative: mirrored. */
-    Vec3d rotate;        /**< Then turned about x, then y, then z, degrees. */
-    Vec3d translate;     /**< Then moved, scene units. */
-    double matrix[3][3]; /**< Scale and rotation as a matrix, row by row; filled by the finish. */
+    Vec3d scale;         /**< Scale, applied first; negative: mirrored. */
+    Vec3d rotate;        /**< Rotation about x, then y, then z, degrees. */
+    Vec3d translate;     /**< Translation, applied last, scene units. */
+    double matrix[3][3]; /**< Scale and rotation, row by row; set by #Keyword.finish. */
 } Transform;
 
-/** @return Where a transform puts a point. @param t The transform. @param p The point. */
+/** @return A transformed point. @param t The transform. @param p The point. */
 static inline Vec3d transform_point(const Transform *t, Vec3d p) {
     const double v[3] = {p.x, p.y, p.z};
     double out[3] = {t->translate.x, t->translate.y, t->translate.z};
@@ -33,7 +33,7 @@ static inline Vec3d transform_point(const Transform *t, Vec3d p) {
     return (Vec3d){out[0], out[1], out[2]};
 }
 
-/** The fields that every shape takes besides its own. */
+/** The fields of all shapes besides their own. */
 extern const Keyword transform_keyword;
 
 #endif

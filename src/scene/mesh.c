@@ -9,9 +9,9 @@
 #include <string.h>
 #include <sys/mman.h>
 
-/** How far the square of a unit normal's length may be off 1. */
+/** Tolerance of the squared length of a unit normal. */
 #define UNIT_TOLERANCE 1e-9
-/** Shortest sum of weighted unit normals, angles in radians, that still says a direction. */
+/** Shortest sum of weighted unit normals, angles in radians, that has a direction. */
 #define NORMAL_SUM_MINIMUM 1e-9
 
 size_t mesh_block_size(const Mesh *counts) {
@@ -86,8 +86,7 @@ static bool is_valid_coordinate(double x) {
     return fabs(x) <= LENGTH_MAXIMUM; // False for NaN.
 }
 
-/** Looks at the positions, normals and (u, v) of a mesh. @return Whether all of them are as they
- *  should be. */
+/** Checks positions, normals and (u, v). @return Whether all are valid. */
 static bool check_values(const Mesh *mesh, Error *error) {
     for (size_t i = 0; i < mesh->position_count; i++) {
         Vec3d p = mesh->positions[i];
@@ -109,12 +108,8 @@ static bool check_values(const Mesh *mesh, Error *error) {
     return true;
 }
 
-/**
- * Looks at the places that triangles name.
- * @param triangles  The triangles; NULL is fine.
- * @param end  How many places there are.
- * @return Whether all are in range.
- */
+/** Checks indices. @param triangles The indices, or NULL. @param end Size of the indexed array.
+ *  @return Whether all are in range. */
 static bool check_indices(const MeshTriangle *triangles, size_t count, size_t end, Error *error) {
     for (size_t i = 0; triangles && i < count; i++) {
         const uint32_t *index = triangles[i].index;
@@ -136,14 +131,13 @@ bool mesh_validate(const Mesh *mesh, Error *error) {
            check_indices(mesh->triangle_uvs, count, mesh->uv_count, error);
 }
 
-/** A triangle while its normals are gathered. */
+/** Geometry of a triangle. */
 typedef struct TriangleGeometry {
-    Vec3d edges[3]; /**< From each corner to the next, any length. */
-    Vec3d normal;   /**< Unit length. */
+    Vec3d edges[3]; /**< From each vertex to the next. */
+    Vec3d normal;   /**< Unit normal. */
 } TriangleGeometry;
 
-/** Finds the edges and the normal of a triangle. @return false if it has no area that could be
- *  computed. */
+/** Computes the edges and the normal of a triangle. @return false if its area is zero. */
 static bool triangle_geometry_init(const Mesh *mesh, const MeshTriangle *triangle,
                                    TriangleGeometry *geometry) {
     for (int i = 0; i < 3; i++) {
@@ -159,9 +153,9 @@ static bool triangle_geometry_init(const Mesh *mesh, const MeshTriangle *triangl
     return true;
 }
 
-/** Weighs a triangle at a corner by its angle there (Thürmer and Wüthrich, *Computing Vertex
- *  Normals from Polygonal Facets*, 1998). @return The angle, radians; by the arc tangent, which is
- *  as good for very sharp and very blunt ones. */
+/** @return The weight of a triangle at a vertex: its angle there, radians (Thürmer and Wüthrich,
+ *  *Computing Vertex Normals from Polygonal Facets*, 1998). The arc tangent is as exact for very
+ *  acute and very obtuse angles. */
 static double triangle_geometry_angle(const TriangleGeometry *geometry, int corner) {
     Vec3d outgoing = geometry->edges[corner], incoming = geometry->edges[(corner + 2) % 3];
     Vec3d incoming_reversed = vec3d_scale(incoming, -1);
@@ -169,8 +163,8 @@ static double triangle_geometry_angle(const TriangleGeometry *geometry, int corn
                  vec3d_dot(outgoing, incoming_reversed));
 }
 
-/** Puts a direction where the normals of a position's triangles cancel each other. @param[in,out]
- *  normals Their sums; those that are long enough become of unit length. */
+/** Normalises sums of normals; where they cancel, a position gets the normal of a triangle.
+ *  @param[in,out] normals The sums. */
 static void normalize_all(const Mesh *mesh, Vec3d *normals) {
     for (size_t i = 0; i < mesh->position_count; i++) {
         bool is_long = vec3d_length(normals[i]) > NORMAL_SUM_MINIMUM;

@@ -29,11 +29,3 @@ void keyword_translate(const Keyword *keyword, void *values, Vec3d offset) {
         }
     }
 }
-
-size_t parameter_count(const Parameter *table) {
-    size_t count = 0;
-    while (table[count].name) {
-        count++;
-    }
-    return count;
-}

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The scene and the one block of memory that it lives in.
+ * @brief The scene and its block of memory.
  */
 #include "dioptre/scene.h"
 
@@ -8,19 +8,19 @@
 #include <string.h>
 #include <sys/mman.h>
 
-/** A scene at the head of its block, with what is handed out of it piece by piece. */
+/** A block: a scene, followed by the memory for its data. */
 typedef struct SceneArena {
-    Scene scene;           /**< What the callers see; first, so that its address is the block's. */
-    size_t used;           /**< Bytes handed out, this header included. */
-    size_t light_capacity; /**< Lamps that fit before the array must grow. */
-    size_t material_capacity; /**< Materials that fit. */
-    size_t shape_capacity;    /**< Shapes that fit. */
-    size_t mesh_capacity;     /**< Models that fit. */
-    size_t texture_capacity;  /**< Pictures that fit. */
+    Scene scene;              /**< The scene; its address is that of the block. */
+    size_t used;              /**< Allocated bytes, this header included. */
+    size_t light_capacity;    /**< Capacity of #Scene.lights. */
+    size_t material_capacity; /**< Capacity of #Scene.materials. */
+    size_t shape_capacity;    /**< Capacity of #Scene.shapes. */
+    size_t mesh_capacity;     /**< Capacity of #Scene.meshes. */
+    size_t texture_capacity;  /**< Capacity of #Scene.textures. */
 } SceneArena;
 
-/** Hands out memory of a scene's block; it is given back with the block only. @return The memory,
- *  zero and aligned for any type; NULL when the block is full. */
+/** Allocates memory in the block; it is freed with the block. @return The memory, set to zero and
+ *  aligned for any type; NULL if the block is full. */
 static void *scene_arena_allocate(SceneArena *arena, size_t size, Error *error) {
     size_t start = (arena->used + alignof(max_align_t) - 1) & ~(alignof(max_align_t) - 1);
     if (size > SCENE_MEMORY_SIZE - start) {
@@ -34,14 +34,16 @@ static void *scene_arena_allocate(SceneArena *arena, size_t size, Error *error) 
 }
 
 /**
- * Finds room for one more item in an array of the block, which doubles when it is full.
- * @param[in,out] array  Address of the array.
- * @param count  Items that are in it.
- * @return Where the item goes; NULL when the block is full.
+ * Adds an item to an array of the block, whose capacity doubles when it is full.
+ * @param[in,out] array     The array.
+ * @param[in,out] capacity  Its capacity.
+ * @param count             Number of its items.
+ * @param size              Bytes per item.
+ * @return The new item, not filled; NULL if the block is full.
  */
 static void *scene_arena_append(SceneArena *arena, void **array, size_t *capacity, size_t count,
                                 size_t size, Error *error) {
-    /** Items of a new array: enough for most scenes. */
+    /** Capacity of a new array: enough for most scenes. */
     const size_t first_capacity = 16;
     if (count == *capacity) {
         size_t new_capacity = count ? 2 * count : first_capacity;
@@ -151,14 +153,14 @@ bool scene_add_shape(Scene *scene, size_t class_index, const Keyword *keyword,
     return slot != NULL;
 }
 
-/** Copies words into a scene. @return The copy, owned by the scene; NULL when the block is full. */
+/** Copies a string into the block. @return The copy; NULL if the block is full. */
 static const char *scene_arena_copy_string(SceneArena *arena, const char *string, Error *error) {
     size_t size = strlen(string) + 1;
     char *copy = scene_arena_allocate(arena, size, error);
     return copy ? memcpy(copy, string, size) : NULL;
 }
 
-/** Copies what is known of a file into a scene. @return false when the block is full. */
+/** Copies the strings of a file into the block. @return false if the block is full. */
 static bool scene_arena_copy_file(SceneArena *arena, const SceneFile *file, SceneFile *copy,
                                   Error *error) {
     *copy = (SceneFile){.path = scene_arena_copy_string(arena, file->path, error),
@@ -218,15 +220,10 @@ bool scene_set_last_transform(Scene *scene, const Transform *transform, Error *e
     return copy != NULL;
 }
 
-/* --- a scene elsewhere -------------------------------------------------------------------------
- */
+/* --- translation ------------------------------------------------------------------------------ */
 
-/**
- * Copies an array into a block.
- * @param count  Items that are in it.
- * @param[out] capacity  Items that fit into the copy.
- * @return The copy; NULL when the block is full.
- */
+/** Copies an array into the block. @param[out] capacity Capacity of the copy. @return The copy;
+ * NULL if the block is full. */
 static void *scene_arena_copy(SceneArena *arena, const void *array, size_t count, size_t size,
                               size_t *capacity, Error *error) {
     void *copy = scene_arena_allocate(arena, count * size, error);
@@ -234,11 +231,8 @@ static void *scene_arena_copy(SceneArena *arena, const void *array, size_t count
     return copy && count ? memcpy(copy, array, count * size) : copy;
 }
 
-/**
- * Copies the lamps, materials and pictures of a scene.
- * @param arena  The block of the new scene.
- * @return false without memory.
- */
+/** Copies lights, materials and textures. @param arena The block of the copy. @return false without
+ *  memory. */
 static bool scene_copy_arrays(SceneArena *arena, const Scene *scene, Error *error) {
     Scene *copy = &arena->scene;
     copy->lights = scene_arena_copy(arena, scene->lights, scene->light_count, sizeof *copy->lights,
@@ -257,11 +251,8 @@ static bool scene_copy_arrays(SceneArena *arena, const Scene *scene, Error *erro
     return true;
 }
 
-/**
- * Copies the models of a scene twice: as they are, and behind them places for those that are moved.
- * @param arena  The block of the new scene.
- * @return false without memory.
- */
+/** Copies the meshes twice: as they are, and as empty entries for translated ones. @param arena The
+ *  block of the copy. @return false without memory. */
 static bool scene_copy_meshes(SceneArena *arena, const Scene *scene, Error *error) {
     size_t count = scene->mesh_count;
     arena->mesh_capacity = 2 * count;
@@ -276,8 +267,8 @@ static bool scene_copy_meshes(SceneArena *arena, const Scene *scene, Error *erro
     return meshes != NULL;
 }
 
-/** Lets a shape show the moved one of a model, which is made when first asked for. @return false
- *  without memory. */
+/** Translates the mesh of a shape, at its first use. @param[in,out] index Index of the mesh;
+ * afterwards that of the translated one. @return false without memory. */
 static bool scene_translate_mesh(Scene *scene, size_t *index, Vec3d offset, Error *error) {
     const Mesh *mesh = scene->meshes[*index].mesh;
     *index += scene->mesh_count / 2;
@@ -288,7 +279,7 @@ static bool scene_translate_mesh(Scene *scene, size_t *index, Vec3d offset, Erro
     return moved->mesh != NULL;
 }
 
-/** Lets a shape be the surface of a moved field. @return false without memory. */
+/** Replaces the field of a shape by a translated copy. @return false without memory. */
 static bool scene_translate_sdf(Scene *scene, const Sdf **sdf, Vec3d offset, Error *error) {
     Sdf *moved = scene_arena_allocate((SceneArena *)scene, sdf_size(2 * (*sdf)->node_count), error);
     if (moved) {
@@ -298,7 +289,7 @@ static bool scene_translate_sdf(Scene *scene, const Sdf **sdf, Vec3d offset, Err
     return moved != NULL;
 }
 
-/** Moves a shape: its places, its model or its field. @return false without memory. */
+/** Translates the points, the mesh or the field of a shape. @return false without memory. */
 static bool scene_translate_shape(Scene *scene, const Keyword *keyword, void *values, Vec3d offset,
                                   Error *error) {
     bool is_moved = true;
@@ -314,8 +305,9 @@ static bool scene_translate_shape(Scene *scene, const Keyword *keyword, void *va
     return is_moved;
 }
 
-/** Adds a shape to a moved scene. Of one that is transformed only the transform moves: its own
- *  space stays. @return false without memory. */
+/** Adds a translated shape. Of a transformed shape only the transform changes: its local space
+ * stays.
+ *  @return false without memory. */
 static bool scene_add_translated(Scene *scene, const SceneShape *shape, Vec3d offset,
                                  Error *error) {
     const Keyword *keyword = scene_shape_keywords[shape->class_index];
@@ -355,7 +347,7 @@ Scene *scene_translated(const Scene *scene, Vec3d offset, Error *error) {
     return moved;
 }
 
-/** @return Whether the material of any shape is of a kind. */
+/** @return Whether the material of any shape has a property. */
 static bool scene_has_material(const Scene *scene, bool (*predicate)(const SceneMaterial *)) {
     for (size_t i = 0; i < scene->shape_count; i++) {
         if (predicate(&scene->materials[scene->shapes[i].material_index])) {

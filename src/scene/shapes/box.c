@@ -28,6 +28,7 @@ static ShapeFacts box_facts(const void *parameters, const Scene *scene) {
     return (ShapeFacts){.bounds = {p->low, p->high}, .is_flat = true};
 }
 
+/** Description of `box`. */
 const SceneShapeClass scene_box_class = {
     .keyword = {.name = "box",
                 .help = "a box along the axes",

@@ -38,6 +38,7 @@ static ShapeFacts cylinder_facts(const void *parameters, const Scene *scene) {
                                    vec3d_add(vec3d_max(p->base, p->top), extent)}};
 }
 
+/** Description of `cylinder`. */
 const SceneShapeClass scene_cylinder_class = {
     .keyword = {.name = "cylinder",
                 .help = "a cylinder, solid or a pipe",

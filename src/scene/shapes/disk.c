@@ -23,6 +23,7 @@ static ShapeFacts disk_facts(const void *parameters, const Scene *scene) {
                         .is_flat = true};
 }
 
+/** Description of `disk`. */
 const SceneShapeClass scene_disk_class = {
     .keyword = {.name = "disk",
                 .help = "the inside of a circle",

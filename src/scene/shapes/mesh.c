@@ -41,6 +41,7 @@ static ShapeFacts mesh_facts(const void *parameters, const Scene *scene) {
                         .is_smooth = p->normals != NORMALS_FLAT};
 }
 
+/** Description of `mesh`. */
 const SceneShapeClass scene_mesh_class = {
     .keyword = {.name = "mesh",
                 .help = "the triangles of a model file",

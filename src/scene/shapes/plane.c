@@ -20,6 +20,7 @@ static ShapeFacts plane_facts(const void *parameters, const Scene *scene) {
     return (ShapeFacts){.bounds = aabbd_infinite(), .is_flat = true};
 }
 
+/** Description of `plane`. */
 const SceneShapeClass scene_plane_class = {
     .keyword = {.name = "plane",
                 .help = "a plane without end",

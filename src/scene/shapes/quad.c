@@ -32,6 +32,7 @@ static ShapeFacts quad_facts(const void *parameters, const Scene *scene) {
     return (ShapeFacts){.bounds = bounds, .is_flat = true};
 }
 
+/** Description of `quad`. */
 const SceneShapeClass scene_quad_class = {
     .keyword = {.name = "quad",
                 .help = "a parallelogram",

@@ -46,6 +46,7 @@ static void sdf_scale_tolerance(void *parameters, double factor) {
     p->tolerance = fmin(fmax(p->tolerance * factor, LENGTH_MINIMUM), LENGTH_MAXIMUM);
 }
 
+/** Description of `sdf`. */
 const SceneShapeClass scene_sdf_class = {
     .keyword = {.name = "sdf",
                 .help = "the surface of a distance field, found by marching",

@@ -22,6 +22,7 @@ static ShapeFacts sphere_facts(const void *parameters, const Scene *scene) {
         .bounds = {vec3d_subtract(p->center, extent), vec3d_add(p->center, extent)}};
 }
 
+/** Description of `sphere`. */
 const SceneShapeClass scene_sphere_class = {
     .keyword = {.name = "sphere",
                 .help = "a ball",

@@ -74,6 +74,7 @@ static ShapeFacts triangle_facts(const void *parameters, const Scene *scene) {
     return (ShapeFacts){.bounds = bounds, .is_flat = true};
 }
 
+/** Description of `triangle`. */
 const SceneShapeClass scene_triangle_class = {
     .keyword = {.name = "triangle",
                 .help = "a triangle, flat or smooth",

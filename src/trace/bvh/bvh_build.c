@@ -1,28 +1,28 @@
 /**
  * @file
- * @brief Building a tree: a binary one, whose levels are then merged into wide nodes.
+ * @brief Construction of a BVH: a binary tree first, whose levels are then merged into wide nodes.
  */
 #include "trace/bvh/bvh_split.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/** Pieces of work a thread that the upper levels are split into: enough to even out their sizes. */
+/** Tasks per thread: enough to even out their sizes. */
 enum { TASKS_PER_THREAD = 16 };
-/** Fewer items than these are not worth a piece of their own. */
+/** Smallest number of items of a task. */
 enum { TASK_MIN_ITEMS = 1024 };
-/** Bytes: the widest vector of any engine. */
+/** Alignment of nodes, bytes: the widest vector of any engine. */
 #define BVH_NODE_ALIGNMENT 64
 
 /* --- from binary to wide --------------------------------------------------------------------- */
 
-/** Children of a wide node, as parts of the binary tree. */
+/** Children of a wide node, as subtrees of the binary tree. */
 typedef struct CollapsedChildren {
-    uint32_t nodes[BVH_WIDTH]; /**< Places of the parts. */
-    int count;                 /**< How many. */
+    uint32_t nodes[BVH_WIDTH]; /**< Indices in #BvhBuilder.nodes. */
+    int count;                 /**< Number of children. */
 } CollapsedChildren;
 
-/** @return The child with the largest box that can be opened; -1: none. */
+/** @return The inner node with the largest box; -1: all are leaves. */
 static int collapsed_children_largest(const BvhBuilder *builder,
                                       const CollapsedChildren *children) {
     int largest = -1;
@@ -37,7 +37,8 @@ static int collapsed_children_largest(const BvhBuilder *builder,
     return largest;
 }
 
-/** @return The children of a part: opened, the largest first, until the node is full. */
+/** @return The children of a wide node: the largest one is replaced by its two children until the
+ *  node is full. */
 static CollapsedChildren collapsed_children_of(const BvhBuilder *builder, uint32_t build_index) {
     CollapsedChildren children = {.nodes = {build_index}, .count = 1};
     int expand = collapsed_children_largest(builder, &children);
@@ -50,7 +51,7 @@ static CollapsedChildren collapsed_children_of(const BvhBuilder *builder, uint32
     return children;
 }
 
-/** Counts the nodes and blocks that a part needs. */
+/** Counts the wide nodes and blocks of a subtree. */
 static void bvh_count_nodes(BvhBuilder *builder, uint32_t build_index) {
     CollapsedChildren children = collapsed_children_of(builder, build_index);
     builder->bvh->node_count++;
@@ -64,7 +65,7 @@ static void bvh_count_nodes(BvhBuilder *builder, uint32_t build_index) {
     }
 }
 
-/** @return The word of a leaf, whose blocks are filled. */
+/** Fills the blocks of a leaf. @return Its element of #BvhNode.children. */
 static uint32_t bvh_make_leaf(BvhBuilder *builder, const BuildNode *node) {
     Bvh *bvh = builder->bvh;
     size_t first_block = bvh->block_count, block_count = block_count_for(builder, node->ref_count);
@@ -77,7 +78,7 @@ static uint32_t bvh_make_leaf(BvhBuilder *builder, const BuildNode *node) {
     return BVH_LEAF_BIT | (uint32_t)(first_block << BVH_LEAF_COUNT_BITS) | (uint32_t)block_count;
 }
 
-/** Puts a box into a node. */
+/** Sets the box of a child. */
 static void bvh_node_set_box(BvhNode *node, int i, const BuildAabb *box) {
     Aabb *block = &node->bounds[i / LANES];
     for (int axis = 0; axis < 3; axis++) {
@@ -86,7 +87,7 @@ static void bvh_node_set_box(BvhNode *node, int i, const BuildAabb *box) {
     }
 }
 
-/** Makes the wide nodes of a part, each before its children. @return Place of its node. */
+/** Creates the wide nodes of a subtree, each before its children. @return Index of the first. */
 static uint32_t bvh_make_nodes(BvhBuilder *builder, uint32_t build_index) {
     uint32_t node_index = (uint32_t)builder->bvh->node_count++;
     BvhNode *node = &builder->bvh->nodes[node_index];
@@ -106,9 +107,9 @@ static uint32_t bvh_make_nodes(BvhBuilder *builder, uint32_t build_index) {
     return node_index;
 }
 
-/* --- all of it ------------------------------------------------------------------------------- */
+/* --- the whole tree -------------------------------------------------------------------------- */
 
-/** Fills the references. */
+/** Fills #BvhBuilder.refs. */
 static void prim_refs_fill(BvhBuilder *builder, const Aabbs *boxes, size_t count) {
     for (size_t i = 0; i < count; i++) {
         PrimRef *ref = &builder->refs[i];
@@ -121,7 +122,7 @@ static void prim_refs_fill(BvhBuilder *builder, const Aabbs *boxes, size_t count
     }
 }
 
-/** Turns the binary tree into the wide one. @return false without memory. */
+/** Converts the binary tree to the wide one. @return false without memory. */
 static bool bvh_collapse(BvhBuilder *builder) {
     Bvh *bvh = builder->bvh;
     bvh_count_nodes(builder, 0);

@@ -1,36 +1,35 @@
 /**
  * @file
- * @brief Going through a tree with a packet of rays.
+ * @brief Traversal of a BVH with a packet of rays.
  *
- * The boxes of a node are first tested by intervals, for the whole packet at once; those that are
- * left, ray by ray, for the vectors of rays that reached the node. Children wait on a stack, the
+ * Interval arithmetic first tests the boxes of a node for the whole packet at once; the remaining
+ * ones are tested for the vectors of rays that reached the node. A stack holds the children, the
  * nearest on top.
  */
 #include "trace/bvh/bvh.h"
 #include "trace/bvh/slab.h"
 
-/** Rays that go one by one when no more than these are left: mirrored ones are a third faster so
- *  (measured: 4, 16, 24, 40). */
+/** Number of rays up to which they are traversed one by one: reflected rays take a third less time
+ *  (measured with 4, 16, 24, 40). */
 enum { PACKET_SINGLE_RAY_THRESHOLD = 16 };
 
-/** A child that waits. */
+/** An entry of the stack: a child. */
 typedef struct PacketStackEntry {
-    scalar near;       /**< No ray of the packet meets anything in it nearer than this. */
-    uint32_t child;    /**< A node or a leaf, see #BvhNode.children. */
+    scalar near;       /**< Lower bound on the distances in the child. */
+    uint32_t child;    /**< As in #BvhNode.children. */
     PacketLanes lanes; /**< The rays that may meet it. */
 } PacketStackEntry;
 
-/** A packet on its way through a tree. */
+/** State of the traversal. */
 typedef struct PacketTraversal {
     const Packet *packet;                   /**< The rays. */
-    PacketIntervals intervals;              /**< What is known of all of them. */
-    real *limits;                           /**< How far each still looks. */
-    PacketStackEntry stack[BVH_STACK_SIZE]; /**< What waits. */
-    int stack_size;                         /**< How many. */
+    PacketIntervals intervals;              /**< Bounds of origins and directions. */
+    real *limits;                           /**< Largest distances per vector. */
+    PacketStackEntry stack[BVH_STACK_SIZE]; /**< The stack. */
+    int stack_size;                         /**< Number of entries. */
 } PacketTraversal;
 
-/** Puts a child where its distance belongs, above all that are farther. @param first The stack's
- *  first entry that is of the same node. */
+/** Inserts a child in the order of distances. @param first First entry of the same node. */
 static void packet_traversal_push(PacketTraversal *traversal, int first, PacketStackEntry entry) {
     int i = traversal->stack_size++;
     for (; i > first && traversal->stack[i - 1].near < entry.near; i--) {
@@ -40,10 +39,10 @@ static void packet_traversal_push(PacketTraversal *traversal, int first, PacketS
 }
 
 /**
- * Finds the rays that meet a child's box.
- * @param box  The box, in all lanes.
- * @param lanes  The rays that reached the node.
- * @param[out] hit_lanes  Those that meet the box.
+ * Finds the rays that meet the box of a child.
+ * @param box             The box, in all lanes.
+ * @param lanes           The rays that reached the node.
+ * @param[out] hit_lanes  The rays that meet the box.
  * @return Whether there are any.
  */
 static bool packet_traversal_test_child(const PacketTraversal *traversal, const Aabb *box,
@@ -62,7 +61,7 @@ static bool packet_traversal_test_child(const PacketTraversal *traversal, const 
     return hit_bits != 0;
 }
 
-/** Puts the children that rays may meet on the stack. @param lanes The rays that reached it. */
+/** Pushes the children that rays may meet. @param lanes The rays that reached the node. */
 static void packet_traversal_visit_node(PacketTraversal *traversal, const BvhNode *node,
                                         const PacketLanes *lanes) {
     int first = traversal->stack_size;
@@ -82,7 +81,7 @@ static void packet_traversal_visit_node(PacketTraversal *traversal, const BvhNod
     }
 }
 
-/** Drops the rays that no longer look as far as something is. @return Whether any is left. */
+/** Removes rays whose limit is now nearer than the child. @return Whether any is left. */
 static bool packet_traversal_cull_entry(const PacketTraversal *traversal, PacketStackEntry *entry) {
     unsigned left = 0;
     for (int v = 0; v < PACKET_VECTORS; v++) {
@@ -95,7 +94,7 @@ static bool packet_traversal_cull_entry(const PacketTraversal *traversal, Packet
     return left != 0;
 }
 
-/** Asks the owner about a leaf. */
+/** Intersects the rays with a leaf. */
 static void packet_traversal_visit_leaf(PacketTraversal *traversal,
                                         const BvhIntersector *intersector,
                                         const PacketStackEntry *leaf, void *results) {
@@ -108,8 +107,8 @@ static void packet_traversal_visit_leaf(PacketTraversal *traversal,
     }
 }
 
-/** @return Whether the rays of a packet go about the same way: up or down along one axis at least.
- *  @param intervals What is known of it. */
+/** @return Whether a packet is coherent: all directions have the same sign along at least one axis.
+ */
 static bool packet_intervals_are_coherent(const PacketIntervals *intervals) {
     bool is_coherent = false;
     for (int axis = 0; axis < 3; axis++) {
@@ -119,7 +118,7 @@ static bool packet_intervals_are_coherent(const PacketIntervals *intervals) {
     return is_coherent;
 }
 
-/** @return How many rays. */
+/** @return Number of rays in a set. */
 static int packet_lanes_count(const PacketLanes *lanes) {
     int count = 0;
     for (int v = 0; v < PACKET_VECTORS; v++) {
@@ -128,7 +127,7 @@ static int packet_lanes_count(const PacketLanes *lanes) {
     return count;
 }
 
-/** Takes what waits on top: for all its rays together, or one by one where they are few. */
+/** Pops a child: traversed by its rays together, or one by one if they are few. */
 static void packet_traversal_step(PacketTraversal *traversal, const Bvh *bvh,
                                   const BvhIntersector *intersector, void *results) {
     PacketStackEntry entry = traversal->stack[--traversal->stack_size];

@@ -1,45 +1,45 @@
 /**
  * @file
- * @brief Going through a tree ray by ray, several in flight.
+ * @brief Traversal of a BVH ray by ray, several of them interleaved.
  *
- * Rays that share nothing wait for memory at nearly every node. So several are on their way at
- * once, each takes one step in turn, and what its next step needs is fetched while the others take
- * theirs. A node's boxes are tested side by side against the one ray.
+ * Incoherent rays wait for memory at nearly every node. Several rays therefore take one step each
+ * in turn, and the memory for the next step of a ray is prefetched during the steps of the others.
+ * All boxes of a node are tested at once against one ray.
  */
 #include "trace/bvh/bvh.h"
 #include "trace/bvh/slab.h"
 
-/** Rays in flight: more gain nothing (measured on a mesh that fits no cache). */
+/** Number of interleaved rays: more gain nothing (measured on a mesh larger than all caches). */
 enum { RAYS_IN_FLIGHT = 8 };
 
-/** A child that waits. */
+/** An entry of the stack: a child. */
 typedef struct SingleStackEntry {
-    scalar near;    /**< The ray meets nothing in it nearer than this. */
-    uint32_t child; /**< A node or a leaf, see #BvhNode.children. */
+    scalar near;    /**< Lower bound on the distance in the child. */
+    uint32_t child; /**< As in #BvhNode.children. */
 } SingleStackEntry;
 
-/** A ray on its way. */
+/** State of the traversal of one ray. */
 typedef struct SingleTraversal {
     const Ray *ray;                         /**< Its vector of the packet. */
-    int vector_index;                       /**< Which that is. */
-    int lane;                               /**< Its lane of it. */
-    SlabOrder slab_order;                   /**< Which of a box's planes it meets first. */
-    bool is_active;                         /**< Whether it has not come to its end. */
-    scalar limit;                           /**< How far it still looks. */
-    int stack_size;                         /**< How many children wait. */
-    SingleStackEntry stack[BVH_STACK_SIZE]; /**< What waits, the nearest on top. */
+    int vector_index;                       /**< Index of that vector. */
+    int lane;                               /**< Its lane. */
+    SlabOrder slab_order;                   /**< Planes of a box in the order it meets them. */
+    bool is_active;                         /**< Whether the traversal is not finished. */
+    scalar limit;                           /**< Largest distance. */
+    int stack_size;                         /**< Number of entries. */
+    SingleStackEntry stack[BVH_STACK_SIZE]; /**< The stack, the nearest child on top. */
 } SingleTraversal;
 
-/** What a packet of rays and a tree share while its rays fly. */
+/** What the rays of a packet share. */
 typedef struct SingleTraversalBatch {
     const Bvh *bvh;                    /**< The tree. */
-    uint32_t root;                     /**< Where they begin. */
+    uint32_t root;                     /**< Root of the subtree, as in #BvhNode.children. */
     const Packet *packet;              /**< The rays. */
-    PacketLanes pending;               /**< Those that have not flown yet. */
-    int next_vector;                   /**< The first vector of those. */
-    real *limits;                      /**< How far they look. */
-    const BvhIntersector *intersector; /**< Who is asked. */
-    void *results;                     /**< The owner's. */
+    PacketLanes pending;               /**< Rays that have not started yet. */
+    int next_vector;                   /**< First vector with such rays. */
+    real *limits;                      /**< Largest distances per vector. */
+    const BvhIntersector *intersector; /**< Intersects the leaves. */
+    void *results;                     /**< Its results. */
 } SingleTraversalBatch;
 
 /** @return One of LANES points in all lanes. */
@@ -48,7 +48,7 @@ INLINE Vec3 vec3_splat_lane(const Vec3 *v, int lane) {
                   real_of(real_at(&v->z, lane))};
 }
 
-/** Puts a ray of a packet where the rays begin. */
+/** Starts the traversal of a ray. */
 static void single_traversal_init(const SingleTraversalBatch *batch, SingleTraversal *traversal,
                                   int v, int lane) {
     const Vec3 *inverse = &batch->packet->rays[v].inverse_direction;
@@ -63,7 +63,7 @@ static void single_traversal_init(const SingleTraversalBatch *batch, SingleTrave
     traversal->stack_size = 1;
 }
 
-/** Lets the next ray of a packet fly, if there is one. */
+/** Starts the next ray of a packet, if there is one. */
 static void single_traversal_start_next(SingleTraversalBatch *batch, SingleTraversal *traversal) {
     while (batch->next_vector < PACKET_VECTORS && batch->pending.bits[batch->next_vector] == 0) {
         batch->next_vector++;
@@ -76,8 +76,7 @@ static void single_traversal_start_next(SingleTraversalBatch *batch, SingleTrave
     }
 }
 
-/** Puts a child where its distance belongs. @param first The stack's first entry of the same node.
- */
+/** Inserts a child in the order of distances. @param first First entry of the same node. */
 INLINE void single_traversal_push(SingleTraversal *traversal, int first, SingleStackEntry entry) {
     int i = traversal->stack_size++;
     for (; i > first && traversal->stack[i - 1].near < entry.near; i--) {
@@ -86,7 +85,7 @@ INLINE void single_traversal_push(SingleTraversal *traversal, int first, SingleS
     traversal->stack[i] = entry;
 }
 
-/** Puts the children that a ray may meet on its stack. */
+/** Pushes the children that the ray may meet. */
 static void single_traversal_visit_node(SingleTraversal *traversal, const BvhNode *node) {
     int first = traversal->stack_size, ray_lane = traversal->lane;
     Vec3 origin = vec3_splat_lane(&traversal->ray->origin, ray_lane);
@@ -104,7 +103,7 @@ static void single_traversal_visit_node(SingleTraversal *traversal, const BvhNod
     }
 }
 
-/** Takes one step. @return false at the end of its way. */
+/** Takes one step. @return false if the traversal is finished. */
 static bool single_traversal_step(SingleTraversalBatch *batch, SingleTraversal *traversal) {
     SingleStackEntry entry;
     do {
@@ -119,7 +118,7 @@ static bool single_traversal_step(SingleTraversalBatch *batch, SingleTraversal *
         batch->intersector->intersect_leaf(batch->intersector->items, bvh_leaf_decode(entry.child),
                                            &rays, batch->results);
         traversal->limit = real_at(&batch->limits[traversal->vector_index], traversal->lane);
-        // A shadow ray that is blocked looks no further.
+        // An occluded shadow ray is finished.
         traversal->stack_size = traversal->limit < 0 ? 0 : traversal->stack_size;
     } else {
         single_traversal_visit_node(traversal, &batch->bvh->nodes[entry.child]);

@@ -1,51 +1,47 @@
 /**
  * @file
- * @brief Splitting items in two, again and again, where that costs rays least.
+ * @brief Construction of the binary tree by the surface-area heuristic (SAH).
  *
- * The cost of a box is its area, to which the number of rays that meet it is in proportion, times
- * the blocks of items in it (the surface-area heuristic). Where to split is looked for between bins
- * (Wald, *On fast Construction of SAH-based Bounding Volume Hierarchies*, 2007).
+ * The cost of a box is its area, which is proportional to the number of rays that meet it, times
+ * the number of blocks in it. Splits are between bins of centroids (Wald, *On fast Construction of
+ * SAH-based Bounding Volume Hierarchies*, 2007).
  */
 #include "trace/bvh/bvh_split.h"
 
-/** Bins an axis in which splits are looked for: more gain nothing (measured). */
+/** Number of bins per axis: more gain nothing (measured). */
 enum { SAH_BINS = 16 };
-/** Items that are split well with half the bins. */
+/** Number of items up to which half the bins suffice. */
 enum { SAH_FEW_ITEMS = 32 };
-/** Levels of binary splits by cost; below, halves by number need at most 32 more. */
+/** Depth up to which splits follow the cost; below it, halves need at most 32 more levels. */
 enum { SAH_MAX_DEPTH = BVH_MAX_DEPTH - 32 };
-/** Cost of a node's test in those of a block (measured: leaves of more than a block hardly pay). */
+/** Cost of testing a node relative to a block (measured: leaves of several blocks hardly pay). */
 #define SAH_NODE_COST ((scalar)0.25)
 
-/* --- where to split -------------------------------------------------------------------------- */
+/* --- the best split -------------------------------------------------------------------------- */
 
-/** What falls into a bin. */
+/** The items of a bin. */
 typedef struct SahBin {
-    BuildAabb box; /**< The box around it. */
-    size_t count;  /**< How many items. */
+    BuildAabb box; /**< Their bounding box. */
+    size_t count;  /**< Number of items. */
 } SahBin;
 
-/** How middles fall into bins along each axis. */
+/** The mapping of doubled centroids to bins along each axis. */
 typedef struct SahBinning {
-    int bin_count;                 /**< How many bins an axis, at most #SAH_BINS. */
-    scalar low[BUILD_AABB_SIZE];   /**< Twice the lowest middle. */
-    scalar scale[BUILD_AABB_SIZE]; /**< Bins a unit of twice the middle; 0 where all are about the
-                                    same: no number says how many. */
+    int bin_count;                 /**< Number of bins per axis, at most #SAH_BINS. */
+    scalar low[BUILD_AABB_SIZE];   /**< Lowest doubled centroid. */
+    scalar scale[BUILD_AABB_SIZE]; /**< Bins per unit; 0 where all centroids are about the same. */
 } SahBinning;
 
-/** The best place to split. */
+/** A split. */
 typedef struct SahSplit {
-    int axis;    /**< Along which axis; -1: nowhere. */
-    int bin;     /**< The first bin of the right side. */
-    scalar cost; /**< Area times blocks, both sides. */
+    int axis;    /**< Its axis; -1: none. */
+    int bin;     /**< First bin of the right side. */
+    scalar cost; /**< Sum of area times blocks of both sides. */
 } SahSplit;
 
-/**
- * @return How middles fall into bins.
- * @param doubled_centroids  Twice the middles of all items.
- */
+/** @return The mapping to bins. @param doubled_centroids Box of the doubled centroids. */
 static SahBinning sah_binning_of(const BuildAabb *doubled_centroids, size_t count) {
-    /** Keeps the highest middle inside the last bin, whatever is rounded. */
+    /** Keeps the highest centroid inside the last bin, whatever the rounding. */
     const scalar inside = (scalar)0.99999;
     SahBinning binning = {.bin_count = count > SAH_FEW_ITEMS ? SAH_BINS : SAH_BINS / 2};
     for (int i = 0; i < BUILD_AABB_SIZE; i++) {
@@ -62,7 +58,7 @@ static inline int sah_bin_index(const SahBinning *b, const BuildAabb *box, int a
     return (int)((box->low[axis] + box->high[axis] - b->low[axis]) * b->scale[axis]);
 }
 
-/** Counts items into bins, along all axes at once. */
+/** Fills the bins of all axes. */
 static void sah_bins_fill(const PrimRef *refs, size_t count, const SahBinning *binning,
                           SahBin bins[3][SAH_BINS]) {
     for (int axis = 0; axis < 3; axis++) {
@@ -80,8 +76,8 @@ static void sah_bins_fill(const PrimRef *refs, size_t count, const SahBinning *b
     }
 }
 
-/** Looks for the best split along one axis: areas and numbers of the right sides are summed up from
- *  the right, those of the left sides from the left. @param[in,out] best The best choice so far. */
+/** Finds the best split along one axis: right sides accumulate from the right, left sides from the
+ *  left. @param[in,out] best The best split so far. */
 static void sah_best_split_on_axis(const BvhBuilder *builder, const SahBin *bins, int count,
                                    int axis, SahSplit *best) {
     scalar right_cost[SAH_BINS];
@@ -108,10 +104,7 @@ static void sah_best_split_on_axis(const BvhBuilder *builder, const SahBin *bins
     }
 }
 
-/**
- * @return Where to split a part.
- * @param binning  How its items fall into bins.
- */
+/** @return The best split of a node. */
 static SahSplit sah_best_split(const BvhBuilder *builder, const BuildNode *node,
                                const SahBinning *binning) {
     SahBin bins[3][SAH_BINS];
@@ -125,24 +118,20 @@ static SahSplit sah_best_split(const BvhBuilder *builder, const BuildNode *node,
     return best;
 }
 
-/* --- splitting ------------------------------------------------------------------------------- */
+/* --- the tree -------------------------------------------------------------------------------- */
 
-/** Swaps two items. */
+/** Swaps two references. */
 static inline void prim_refs_swap(PrimRef *a, PrimRef *b) {
     PrimRef other = *a;
     *a = *b;
     *b = other;
 }
 
-/**
- * Sorts the items of a part to the two sides of a split.
- * @param binning  How they fall into bins.
- * @return How many are on the left.
- */
+/** Moves the items of the left side of a split to the front. @return Their number. */
 static size_t prim_refs_partition(PrimRef *refs, size_t count, const SahBinning *binning,
                                   const SahSplit *split) {
     size_t left = 0;
-    // Every item is swapped, so that nothing is guessed: which side is as likely as not.
+    // Every item is swapped, without a branch: the processor could not predict the side.
     for (size_t i = 0; i < count; i++) {
         bool is_left = sah_bin_index(binning, &refs[i].box, split->axis) < split->bin;
         prim_refs_swap(&refs[left], &refs[i]);
@@ -151,7 +140,7 @@ static size_t prim_refs_partition(PrimRef *refs, size_t count, const SahBinning 
     return left;
 }
 
-/** Works out a part's box and that of twice its middles. */
+/** Computes the bounding boxes of a node and of its doubled centroids. */
 static void build_node_compute_bounds(const BvhBuilder *builder, BuildNode *node,
                                       BuildAabb *doubled_centroids) {
     node->box = *doubled_centroids = build_aabb_empty();
@@ -163,10 +152,10 @@ static void build_node_compute_bounds(const BvhBuilder *builder, BuildNode *node
 }
 
 /**
- * Decides how a part is split: by cost, by halves where that finds nothing, or not at all.
- * @param doubled_centroids  Twice the middles of its items.
- * @param level  How deep it lies.
- * @return How many items go to the left; 0: it stays a leaf.
+ * Splits a node by cost, or into halves if there is no such split, or not at all.
+ * @param doubled_centroids  Box of the doubled centroids.
+ * @param level              Depth of the node.
+ * @return Number of items on the left; 0: the node is a leaf.
  */
 static size_t build_node_partition(const BvhBuilder *builder, const BuildNode *node,
                                    const BuildAabb *doubled_centroids, int level) {
@@ -191,11 +180,10 @@ static size_t build_node_partition(const BvhBuilder *builder, const BuildNode *n
 }
 
 /**
- * Builds the binary tree over a part. Parts no larger than the builder's grain are put aside as
- * pieces, while there is a list of them.
- * @param node_index  Where its node goes; first and count are filled.
- * @param level  How deep it lies.
- * @param defers_tasks  Whether to put pieces aside.
+ * Builds the subtree of a node.
+ * @param node_index    The node; its range of references is set.
+ * @param level         Depth of the node.
+ * @param defers_tasks  Whether subtrees of at most #BvhBuilder.task_max_items become tasks.
  */
 static void build_node_build(BvhBuilder *builder, uint32_t node_index, int level,
                              bool defers_tasks) {
@@ -220,7 +208,7 @@ static void build_node_build(BvhBuilder *builder, uint32_t node_index, int level
     build_node_build(builder, node->right_child, level + 1, defers_tasks);
 }
 
-/** Builds one piece. A job of the crew. */
+/** Builds the subtree of a task. See #ParallelFor.run. */
 static void subtree_task_run(void *context, size_t index) {
     BvhBuilder *builder = context;
     build_node_build(builder, builder->tasks[index].node, builder->tasks[index].depth, false);

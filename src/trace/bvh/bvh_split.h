@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The binary tree that a wide one is made of.
+ * @brief The binary tree from which the wide one is made.
  */
 #ifndef DIOPTRE_TRACE_BVH_BVH_SPLIT_H
 #define DIOPTRE_TRACE_BVH_BVH_SPLIT_H
@@ -8,45 +8,46 @@
 #include "trace/bvh/build_aabb.h"
 #include "trace/bvh/bvh.h"
 
-/** An item on its way into the tree. */
+/** A reference to an item. */
 typedef struct PrimRef {
-    BuildAabb box; /**< Its box. */
-    uint32_t item; /**< Its number. */
+    BuildAabb box; /**< Bounding box. */
+    uint32_t item; /**< Index of the item. */
 } PrimRef;
 
 /** A node of the binary tree. The left child is the next node. */
 typedef struct BuildNode {
-    BuildAabb box;        /**< The box around all its items. */
-    uint32_t first_ref;   /**< The first reference. */
-    uint32_t ref_count;   /**< How many. */
-    uint32_t right_child; /**< Place of the right child; 0: this is a leaf. */
+    BuildAabb box;        /**< Bounding box of all its items. */
+    uint32_t first_ref;   /**< First reference. */
+    uint32_t ref_count;   /**< Number of references. */
+    uint32_t right_child; /**< Index of the right child; 0: this is a leaf. */
 } BuildNode;
 
-/** A part of the binary tree that is still to be built. */
+/** A subtree that a thread will build. */
 typedef struct SubtreeTask {
-    uint32_t node; /**< Where its node goes. */
-    int depth;     /**< How deep it lies. */
+    uint32_t node; /**< Index of its root. */
+    int depth;     /**< Depth of its root. */
 } SubtreeTask;
 
-/** A tree that is being built. */
+/** State of the construction. */
 typedef struct BvhBuilder {
-    PrimRef *refs;         /**< The items, sorted as they are split; owned. */
-    BuildNode *nodes;      /**< The binary tree: a part with n items has 2 n - 1 places; owned. */
-    SubtreeTask *tasks;    /**< What the threads share out; owned. */
-    size_t task_count;     /**< How many. */
-    size_t task_capacity;  /**< How many there may be. */
-    size_t task_max_items; /**< Parts with no more items than these are pieces. */
-    int block_shift;       /**< Items a block, as a power of two. */
+    PrimRef *refs;         /**< The items, in the order of the leaves; owned. */
+    BuildNode *nodes;      /**< The binary tree: 2 n - 1 nodes for a subtree of n items; owned. */
+    SubtreeTask *tasks;    /**< Subtrees for the threads; owned. */
+    size_t task_count;     /**< Number of #tasks. */
+    size_t task_capacity;  /**< Largest number of #tasks. */
+    size_t task_max_items; /**< Largest number of items of a task. */
+    int block_shift;       /**< Number of items per block, as a power of two. */
     Bvh *bvh;              /**< The result. */
 } BvhBuilder;
 
-/** @return Blocks that a number of items fill. */
+/** @return Number of blocks for a number of items. */
 static inline size_t block_count_for(const BvhBuilder *builder, size_t count) {
     return (count + (1u << builder->block_shift) - 1) >> builder->block_shift;
 }
 
-/** Builds the binary tree over a builder's references: its upper levels first, then the pieces that
- *  are left of them, side by side. */
+/** Builds the binary tree over #BvhBuilder.refs: its upper levels first, then the tasks in
+ * parallel.
+ */
 void bvh_build_binary(BvhBuilder *builder, size_t count, const ParallelFor *parallel_for);
 
 #endif

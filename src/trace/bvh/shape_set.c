@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Making the shapes of a scene, and the tree over them where there are many.
+ * @brief Creation of the shapes of a scene, and of the BVH over them where there are many.
  */
 #include "trace/bvh/shape_set.h"
 #include "trace/mesh/mesh_bvh.h"
@@ -9,16 +9,15 @@
 #include <string.h>
 
 /**
- * Shapes with an end from which on a tree over them pays, measured with `f32x8`
- * (doc/tree-pays.svg). Rays that stay together are quick to ask about a list, eight boxes at a
- * time: by a list, a picture of 128 spheres takes 0.95 times as long as with a tree, one of
- * 192 1.04 times, one of 256 1.10.
+ * Number of bounded shapes from which on a BVH pays, measured with `f32x8` (doc/tree-pays.svg).
+ * Coherent rays test a list quickly, eight boxes at a time: relative to a BVH, a list takes 0.95
+ * times as long for a picture of 128 spheres, 1.04 times for 192 and 1.10 times for 256.
  */
 enum { BVH_MIN_SHAPES = 192 };
 
 /**
- * The same where shapes mirror, so that rays go all ways: by a list, a picture of 20 mirroring
- * spheres takes 0.97 times as long as with a tree, one of 24 1.03 times, one of 256 3.8 times.
+ * The same for reflective or transparent shapes, whose rays are incoherent: a list takes 0.97 times
+ * as long for a picture of 20 mirroring spheres, 1.03 times for 24 and 3.8 times for 256.
  */
 enum { BVH_MIN_SHAPES_REFLECTIVE = 24 };
 
@@ -31,7 +30,7 @@ static size_t shapes_size(const Scene *scene) {
     return size;
 }
 
-/** Puts a box into a block. */
+/** Sets one of LANES boxes. */
 static void aabb_set_lane(Aabb *block, int i, Aabbs box) {
     for (int axis = 0; axis < 3; axis++) {
         real_set_lane(&block->planes[axis], i, box.low[axis]);
@@ -39,7 +38,7 @@ static void aabb_set_lane(Aabb *block, int i, Aabbs box) {
     }
 }
 
-/** Makes the shapes of a list whose memory is there. @return false without memory. */
+/** Creates the shapes in #ShapeSet.memory. @return false without memory. */
 static bool shapes_create(ShapeSet *set, const Scene *scene, MeshBvhCache *meshes, Error *error) {
     char *next = set->memory;
     for (size_t i = 0; i < scene->shape_count; i++) {
@@ -53,14 +52,14 @@ static bool shapes_create(ShapeSet *set, const Scene *scene, MeshBvhCache *meshe
     return true;
 }
 
-/** @return Memory for shapes or boxes, zero; NULL without. */
+/** @return Memory for shapes or boxes, set to zero; NULL without. */
 static void *shapes_allocate(size_t size) {
     size_t whole = (size + SHAPE_ALIGNMENT - 1) / SHAPE_ALIGNMENT * SHAPE_ALIGNMENT;
     void *memory = aligned_alloc(SHAPE_ALIGNMENT, whole + SHAPE_ALIGNMENT);
     return memory ? memset(memory, 0, whole) : NULL;
 }
 
-/** @return Whether a box ends. */
+/** @return Whether a box is finite along all axes. */
 static bool aabbs_is_finite(const Aabbs *box) {
     bool is_finite = true;
     for (int axis = 0; axis < 3; axis++) {
@@ -69,10 +68,10 @@ static bool aabbs_is_finite(const Aabbs *box) {
     return is_finite;
 }
 
-/** @return Whether a list has so many shapes with a tree of their own that they, too, go into its
- *          tree. Else a packet asks each of them at once. @param set The list, its shapes made. */
+/** @return Whether so many shapes have a BVH of their own that the BVH of the set contains them,
+ * too. Else a whole packet is intersected with each of them. */
 static bool bvh_takes_instances(const ShapeSet *set) {
-    /** Boxes that one test tells apart, in the wider engines. */
+    /** Number of boxes of one test in the wider engines. */
     const size_t few = 8;
     size_t count = 0;
     for (size_t i = 0; i < set->count; i++) {
@@ -81,17 +80,14 @@ static bool bvh_takes_instances(const ShapeSet *set) {
     return count > few;
 }
 
-/**
- * @return Whether a shape would go into a tree.
- * @param include_instances  Whether those with a tree of their own would.
- */
+/** @return Whether a shape can be in the BVH. @param include_instances Whether shapes with a BVH of
+ *  their own can be. */
 static bool shape_goes_in_bvh(const Shape *shape, bool include_instances) {
     Aabbs box = shape->class->bounds(shape);
     return aabbs_is_finite(&box) && (include_instances || !shape_takes_packets(shape));
 }
 
-/** @return How many shapes of a list would go into a tree. @param set The list, its shapes made.
- */
+/** @return Number of shapes that can be in the BVH. */
 static size_t count_bvh_shapes(const ShapeSet *set) {
     size_t count = 0;
     for (size_t i = 0; i < set->count; i++) {
@@ -100,7 +96,7 @@ static size_t count_bvh_shapes(const ShapeSet *set) {
     return count;
 }
 
-/** @return Shapes with an end from which on they get a tree. */
+/** @return See #ShapeSet.bvh_threshold. */
 static size_t bvh_threshold_of(const Scene *scene, const TraceSettings *settings) {
     if (settings->bvh != BVH_AUTO) {
         return settings->bvh == BVH_ALWAYS ? 1 : SIZE_MAX;
@@ -110,16 +106,15 @@ static size_t bvh_threshold_of(const Scene *scene, const TraceSettings *settings
     return is_mirrored ? BVH_MIN_SHAPES_REFLECTIVE : BVH_MIN_SHAPES;
 }
 
-/** What goes into a tree. */
+/** The shapes for the BVH. */
 typedef struct BvhInput {
-    Aabbs *boxes;      /**< The boxes of its shapes; owned. */
-    uint32_t *indices; /**< Their places in the list; owned. */
-    size_t count;      /**< How many. */
+    Aabbs *boxes;      /**< Bounding boxes; owned. */
+    uint32_t *indices; /**< Indices in #ShapeSet.shapes; owned. */
+    size_t count;      /**< Number of shapes. */
 } BvhInput;
 
-/** Sorts the shapes of a list into those of its tree and loose ones. @param set The list, with
- * room for all of them as loose ones. @param[in,out] input What goes into the tree; NULL
- * without. */
+/** Divides the shapes between BVH and list. @param[in,out] input The shapes for the BVH; NULL:
+ * there is none. */
 static void shapes_partition(ShapeSet *set, BvhInput *input) {
     for (size_t i = 0; i < set->count; i++) {
         Aabbs box = set->shapes[i]->class->bounds(set->shapes[i]);
@@ -134,11 +129,7 @@ static void shapes_partition(ShapeSet *set, BvhInput *input) {
     }
 }
 
-/**
- * Plants a tree over the shapes that end.
- * @param set  The list, its shapes made.
- * @return false without memory.
- */
+/** Builds the BVH. @return false without memory. */
 static bool shapes_build_bvh(ShapeSet *set, const ParallelFor *parallel_for) {
     BvhInput input = {.boxes = malloc(set->count * sizeof *input.boxes),
                       .indices = malloc(set->count * sizeof *input.indices)};
@@ -155,11 +146,8 @@ static bool shapes_build_bvh(ShapeSet *set, const ParallelFor *parallel_for) {
     return is_built;
 }
 
-/**
- * Makes room for the shapes of a list.
- * @param count  How many at most.
- * @return false without memory.
- */
+/** Allocates the arrays of a set. @param count Largest number of shapes. @return false without
+ *  memory. */
 static bool shapes_reserve(ShapeSet *set, size_t count) {
     set->shapes = calloc(count + 1, sizeof *set->shapes);
     set->linear = calloc(count + 1, sizeof *set->linear);
@@ -167,11 +155,7 @@ static bool shapes_reserve(ShapeSet *set, size_t count) {
     return set->shapes && set->linear && set->linear_bounds;
 }
 
-/**
- * Plants a tree over the shapes of a list where it pays.
- * @param set  The list, its shapes made.
- * @return false without memory.
- */
+/** Builds the BVH if it pays, and fills the list. @return false without memory. */
 static bool shapes_build_index(ShapeSet *set, const TraceSettings *settings) {
     set->bvh_over_instances = settings->bvh == BVH_ALWAYS || bvh_takes_instances(set);
     if (count_bvh_shapes(set) >= set->bvh_threshold) {

@@ -1,83 +1,83 @@
 /**
  * @file
- * @brief The shapes of a scene, as a list: what a packet of rays meets first, and what blocks it.
+ * @brief The shapes of a scene, in a BVH and in a list: closest hits and occlusion of packets.
  */
 #ifndef DIOPTRE_TRACE_BVH_SHAPE_SET_H
 #define DIOPTRE_TRACE_BVH_SHAPE_SET_H
 
 #include "trace/bvh/bvh.h"
 
-/** All shapes of a scene. */
+/** A set of shapes: if there are many bounded ones, they are in a BVH; all others are in a list. */
 typedef struct ShapeSet {
-    Shape **shapes;       /**< The shapes, in the scene's order; owned, but what they point to only
-                               as far as it lies in #memory. */
-    void *memory;         /**< What the shapes lie in, in one piece; owned. NULL: they are those of
-                               another list. */
-    size_t count;         /**< How many. */
-    Shape **linear;       /**< Those that are not in the tree; owned. */
-    Aabb *linear_bounds;  /**< The boxes of those, LANES a block; owned. */
-    size_t linear_count;  /**< How many. */
-    size_t bvh_threshold; /**< Shapes with an end from which on they get a tree. */
-    bool bvh_over_instances; /**< Whether those with a tree of their own go into it, too. */
-    Bvh bvh; /**< The tree over the others, by place; without nodes where there are few. */
+    Shape **shapes;          /**< The shapes in the order of the scene; the array is owned. */
+    void *memory;            /**< Memory of the shapes; owned. NULL: another set owns it. */
+    size_t count;            /**< Number of #shapes. */
+    Shape **linear;          /**< The shapes outside the BVH; the array is owned. */
+    Aabb *linear_bounds;     /**< Their bounding boxes, LANES per element; owned. */
+    size_t linear_count;     /**< Number of #linear. */
+    size_t bvh_threshold;    /**< Number of bounded shapes from which on there is a BVH. */
+    bool bvh_over_instances; /**< Whether the BVH contains shapes with a BVH of their own. */
+    Bvh bvh;                 /**< BVH over indices in #shapes; without nodes if there is none. */
 } ShapeSet;
 
-/** @return Blocks of boxes for a number of shapes. */
+/** @return Number of elements of #ShapeSet.linear_bounds for a number of shapes. */
 static inline size_t aabb_pack_count(size_t count) {
     return (count + LANES - 1) / LANES;
 }
 
 /**
- * Makes the shapes of a scene.
- * @param[out] set  The list; give it back with #shape_set_deinit.
- * @param settings  Whether there is a tree, and who builds it.
- * @return false without memory; the list is then empty.
+ * Creates the shapes of a scene.
+ * @param[out] set  The set; the caller frees it with #shape_set_deinit.
+ * @param meshes    Triangles of the meshes.
+ * @param settings  Mode of the BVH, and threads.
+ * @return false without memory; the set is then empty.
  */
 bool shape_set_init(ShapeSet *set, const Scene *scene, MeshBvhCache *meshes,
                     const TraceSettings *settings, Error *error);
 
-/** @return Whether a shape is chosen. */
+/** @return Whether a shape belongs to a subset. */
 typedef bool (*ShapePredicate)(const Shape *shape, const void *context);
 
 /**
- * Makes a list of some shapes of another list, which must live longer.
- * @param[out] subset  The list; give it back with #shape_set_deinit.
- * @param predicate  Asked about each of its shapes.
- * @param settings  Whether there is a tree, and who builds it.
- * @return false without memory; the list is then empty.
+ * Creates a subset of another set, which must live longer.
+ * @param[out] subset  The subset; the caller frees it with #shape_set_deinit.
+ * @param predicate    Selects the shapes.
+ * @param context      Last argument of the predicate.
+ * @param settings     Mode of the BVH, and threads.
+ * @return false without memory; the subset is then empty.
  */
 bool shape_set_filter(ShapeSet *subset, const ShapeSet *all, ShapePredicate predicate,
                       const void *context, const TraceSettings *settings);
 
-/** Gives the shapes back. */
+/** Frees the memory of a set. */
 void shape_set_deinit(ShapeSet *set);
 
-/** @return The box of all bounded shapes; its lowest corner is above its highest one if there is
- *  none. */
+/** @return The bounding box of all bounded shapes; its lowest corner is above its highest one if
+ *  there is none. */
 Aabbd shape_set_bounds(const ShapeSet *set);
 
 /**
- * Finds what the rays of a packet meet first.
- * @param packet  The rays, at least one active.
- * @param[out] hits  One for each vector of rays. @callgraph
+ * Finds the closest hits of a packet.
+ * @param packet     The rays, at least one active.
+ * @param[out] hits  The hits, per vector of rays. @callgraph
  */
 void shape_set_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits);
 
 /**
- * Finds which rays of a packet are blocked before their limit.
- * @param packet  The rays, at least one active.
- * @param[out] occluded  One mask for each vector of rays.
+ * Finds the rays of a packet that meet any shape before their limit.
+ * @param packet         The rays, at least one active.
+ * @param[out] occluded  The occluded rays, per vector.
  */
 void shape_set_occluded(const ShapeSet *set, const Packet *packet, mask *occluded);
 
-/** Asked about each shape that rays may meet. @param v Which vector of them. */
+/** Called for each shape that rays may meet. @param v Index of the vector of rays. */
 typedef void (*ShapeVisitor)(const Shape *shape, const Packet *packet, int v, mask active,
                              void *found);
 
 /**
- * Visits all shapes that rays of a packet may meet before their limit, in no order.
- * @param packet  The rays, at least one active.
- * @param[in,out] found  Handed to the visitor.
+ * Visits all shapes that rays of a packet may meet before their limit, in any order.
+ * @param packet         The rays, at least one active.
+ * @param[in,out] found  Last argument of the visitor.
  */
 void shape_set_visit(const ShapeSet *set, const Packet *packet, ShapeVisitor visitor, void *found);
 

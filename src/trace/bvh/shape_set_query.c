@@ -1,23 +1,19 @@
 /**
  * @file
- * @brief Asking the shapes of a scene: what a packet of rays meets first, and what blocks it.
+ * @brief Intersection of packets with the shapes of a scene.
  */
 #include "trace/bvh/shape_set.h"
 
-/* --- the shapes that are not in a tree ------------------------------------------------------- */
+/* --- shapes in the list ---------------------------------------------------------------------- */
 
-/** The shapes of a block that a packet may meet. */
+/** The shapes of a block of LANES that a packet may meet. */
 typedef struct Candidates {
-    unsigned remaining; /**< Bit i set: shape i of the block is still to be asked. */
-    real near;          /**< For each shape of the block: it is nowhere met nearer than this. */
+    unsigned remaining; /**< Bit i: shape i is not tested yet. */
+    real near;          /**< Lower bounds on the distances of the shapes. */
 } Candidates;
 
-/**
- * @return The shapes of a block that a packet may meet. A packet of one ray asks every shape
- *         itself.
- * @param intervals  What is known of the packet.
- * @param block  Which block of boxes.
- */
+/** @return The shapes of a block that a packet may meet. A packet of one ray tests every shape.
+ *  @param block Index in #ShapeSet.linear_bounds. */
 static Candidates linear_candidates(const ShapeSet *set, const PacketIntervals *intervals,
                                     size_t block) {
     if (LANES == 1) {
@@ -32,8 +28,7 @@ static Candidates linear_candidates(const ShapeSet *set, const PacketIntervals *
     return candidates;
 }
 
-/** Takes the nearest of the candidates out of them, so that what it hides need not be asked.
- *  @return Its place in the block. */
+/** Removes the nearest candidate: its hit can rule out others. @return Its index in the block. */
 static int candidates_pop_nearest(Candidates *candidates) {
     int best = __builtin_ctz(candidates->remaining);
     for (unsigned remaining = candidates->remaining; remaining; remaining &= remaining - 1) {
@@ -46,9 +41,9 @@ static int candidates_pop_nearest(Candidates *candidates) {
 }
 
 /**
- * Asks one shape about the rays of a packet that have met nothing nearer.
- * @param near  It is nowhere met nearer than this.
- * @param[in,out] hits  What they have met so far.
+ * Intersects a packet with one shape.
+ * @param near          Lower bound on its distance.
+ * @param[in,out] hits  Nearest hits so far.
  */
 static void shape_closest_hits(const Shape *shape, scalar near, const Packet *packet, Hit *hits) {
     if (shape_takes_packets(shape)) {
@@ -63,8 +58,8 @@ static void shape_closest_hits(const Shape *shape, scalar near, const Packet *pa
     }
 }
 
-/** Asks one shape whether it blocks the rays of a packet that are not blocked yet. @param[in,out]
- *  occluded Those that are blocked. */
+/** Tests the rays that are not occluded yet with one shape. @param[in,out] occluded The occluded
+ *  rays. */
 static void shape_occluded(const Shape *shape, const Packet *packet, mask *occluded) {
     if (shape_takes_packets(shape)) {
         shape->class->extension->occluded(shape, packet, occluded);
@@ -79,9 +74,9 @@ static void shape_occluded(const Shape *shape, const Packet *packet, mask *occlu
     }
 }
 
-/* --- the shapes of the tree ------------------------------------------------------------------ */
+/* --- shapes in the BVH ----------------------------------------------------------------------- */
 
-/** Asks the shapes of a leaf about rays. See #BvhIntersector.intersect_leaf. */
+/** Finds the closest hits in a leaf. See #BvhIntersector.intersect_leaf. */
 static void leaf_closest_hits(const void *items, BvhLeaf leaf, const BvhLeafRays *rays,
                               void *found) {
     const ShapeSet *set = items;
@@ -95,7 +90,7 @@ static void leaf_closest_hits(const void *items, BvhLeaf leaf, const BvhLeafRays
     rays->limits[rays->vector] = hit->distance;
 }
 
-/** Asks the shapes of a leaf whether they block rays. See #BvhIntersector.intersect_leaf. */
+/** Finds the rays that a leaf occludes. See #BvhIntersector.intersect_leaf. */
 static void leaf_occluded(const void *items, BvhLeaf leaf, const BvhLeafRays *rays, void *found) {
     const ShapeSet *set = items;
     const Ray *ray = &rays->packet->rays[rays->vector];
@@ -111,8 +106,7 @@ static void leaf_occluded(const void *items, BvhLeaf leaf, const BvhLeafRays *ra
     rays->limits[rays->vector] = real_select(*occluded, real_of(-1), limit);
 }
 
-/** Asks the shapes of the tree, if there is one, what rays meet. @param[in,out] hits What they have
- *  met so far. */
+/** Finds the closest hits in the BVH, if there is one. @param[in,out] hits Nearest hits so far. */
 static void set_bvh_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits) {
     const BvhIntersector callback = {
         .items = set, .prefers_vectors = true, .intersect_leaf = leaf_closest_hits};
@@ -125,8 +119,9 @@ static void set_bvh_closest_hits(const ShapeSet *set, const Packet *packet, Hit 
     }
 }
 
-/** Asks the shapes of the tree, if there is one, which rays they block. @param[in,out] occluded
- *  Those that are blocked. */
+/** Finds the rays that the BVH occludes, if there is one. @param[in,out] occluded The occluded
+ * rays.
+ */
 static void set_bvh_occluded(const ShapeSet *set, const Packet *packet, mask *occluded) {
     const BvhIntersector callback = {
         .items = set, .prefers_vectors = true, .intersect_leaf = leaf_occluded};
@@ -139,14 +134,13 @@ static void set_bvh_occluded(const ShapeSet *set, const Packet *packet, mask *oc
     }
 }
 
-/** A visit under way. */
+/** Arguments of #shape_set_visit. */
 typedef struct VisitRequest {
-    ShapeVisitor visitor; /**< Who is asked. */
-    void *found;          /**< Handed to it. */
+    ShapeVisitor visitor; /**< The function. */
+    void *found;          /**< Its last argument. */
 } VisitRequest;
 
-/** Visits the shapes of a leaf. See #BvhIntersector.intersect_leaf. @param rays The rays; they look
- *  all of the way. */
+/** Visits the shapes of a leaf. See #BvhIntersector.intersect_leaf. */
 static void leaf_visit(const void *items, BvhLeaf leaf, const BvhLeafRays *rays, void *found) {
     const ShapeSet *set = items;
     const VisitRequest *visit = found;
@@ -157,7 +151,7 @@ static void leaf_visit(const void *items, BvhLeaf leaf, const BvhLeafRays *rays,
     }
 }
 
-/** Visits the shapes of the tree, if there is one. */
+/** Visits the shapes of the BVH, if there is one. */
 static void set_bvh_visit(const ShapeSet *set, const Packet *packet, VisitRequest *visit) {
     const BvhIntersector callback = {
         .items = set, .prefers_vectors = true, .intersect_leaf = leaf_visit};

@@ -1,11 +1,10 @@
 /**
  * @file
- * @brief Rays against boxes along the axes, for trees.
+ * @brief Intersection of rays with bounding boxes: the slab test (Kay and Kajiya, 1986).
  *
- * Where a ray is between the planes of all three pairs at once (Kay and Kajiya, 1986). A direction
- * along an axis gives infinite or NaN distances, and every comparison drops the NaN. Both sides are
- * moved out by #SLAB_SLACK, so that no rounding here or in a shape's own formula can miss what the
- * shape would have met.
+ * A box is met where a ray lies between the planes of all three pairs. A direction along an axis
+ * gives infinite or NaN distances, and every comparison rejects NaN. #SLAB_SLACK enlarges both
+ * sides: no rounding here or in the formula of a shape can make the test miss a hit of the shape.
  */
 #ifndef DIOPTRE_TRACE_BVH_SLAB_H
 #define DIOPTRE_TRACE_BVH_SLAB_H
@@ -13,17 +12,18 @@
 #include "trace/tracer/packet.h"
 
 /**
- * Relative slack of either side: three roundings of a slab's distance, and eight more for the
- * shapes that find their distance by other formulas (Ize, *Robust BVH Ray Traversal*, JCGT 2013).
+ * Relative slack of both sides: three roundings of the distance to a plane, and eight more for
+ * shapes that compute their distance by other formulas (Ize, *Robust BVH Ray Traversal*, JCGT
+ * 2013).
  */
 #define SLAB_SLACK (22 * ROUNDOFF)
 
 /**
- * Narrows an interval to the part of rays between one pair of planes.
- * @param enter  The planes that rays meet first.
- * @param leave  The planes that they meet last.
- * @param origin  Where the rays start, along the axis.
- * @param inverse  1 / direction, along the axis.
+ * Clips an interval to the part of rays between one pair of planes.
+ * @param enter    Coordinates of the planes that rays meet first.
+ * @param leave    Coordinates of the planes that they meet last.
+ * @param origin   Coordinates of the origins along the axis.
+ * @param inverse  1 / direction along the axis.
  */
 INLINE void slab_clip_ordered(real *near, real *far, real enter, real leave, real origin,
                               real inverse) {
@@ -31,11 +31,7 @@ INLINE void slab_clip_ordered(real *near, real *far, real enter, real leave, rea
     *far = real_min((leave - origin) * inverse, *far);
 }
 
-/**
- * Narrows an interval to the part of rays between one pair of planes, whichever is met first.
- * @param origin  Where the rays start, along the axis.
- * @param inverse  1 / direction, along the axis.
- */
+/** #slab_clip_ordered for planes in any order. */
 INLINE void slab_clip(real *near, real *far, real low, real high, real origin, real inverse) {
     mask is_downwards = inverse < 0;
     real enter = real_select(is_downwards, high, low);
@@ -44,9 +40,9 @@ INLINE void slab_clip(real *near, real *far, real low, real high, real origin, r
 }
 
 /**
- * @return The lanes whose ray may meet something in its box before its limit.
- * @param limit  How far they look.
- * @param[out] near  They meet nothing in it nearer than this.
+ * @return The lanes whose ray meets its box before its limit.
+ * @param limit      Largest distances.
+ * @param[out] near  Lower bounds on the distances in the boxes.
  */
 INLINE mask slab_intersects(const Ray *ray, const Aabb *boxes, real limit, real *near) {
     const real *planes = boxes->planes;
@@ -58,25 +54,23 @@ INLINE mask slab_intersects(const Ray *ray, const Aabb *boxes, real limit, real 
     return *near <= t_far * (1 + SLAB_SLACK);
 }
 
-/** Which of a box's planes rays meet first, and which last, of each pair: places in
- *  #Aabb.planes. */
+/** The planes of a box in the order in which rays meet them: indices in #Aabb.planes. */
 typedef struct SlabOrder {
-    size_t enter[3]; /**< First. */
-    size_t leave[3]; /**< Last. */
+    size_t enter[3]; /**< The first of each pair. */
+    size_t leave[3]; /**< The last of each pair. */
 } SlabOrder;
 
-/** Sets the order along an axis. @param is_down Whether the rays go down along it. */
+/** Sets the order along an axis. @param is_down Whether the direction is negative along it. */
 INLINE void slab_order_set(SlabOrder *order, size_t axis, bool is_down) {
     order->enter[axis] = is_down ? axis + 3 : axis;
     order->leave[axis] = is_down ? axis : axis + 3;
 }
 
 /**
- * @return As #slab_intersects, bit i for lane i, for rays that all meet the planes in the same
- *         order.
- * @param origin  Where the rays start.
- * @param limit  How far they look.
- * @param[out] near  They meet nothing in it nearer than this.
+ * #slab_intersects for rays that all meet the planes in the same order.
+ * @param limit      Largest distances.
+ * @param[out] near  Lower bounds on the distances in the boxes.
+ * @return Bit i for lane i.
  */
 INLINE unsigned slab_intersects_ordered(Vec3 origin, Vec3 inverse, const Aabb *boxes,
                                         const SlabOrder *order, real limit, real *near) {
@@ -90,7 +84,17 @@ INLINE unsigned slab_intersects_ordered(Vec3 origin, Vec3 inverse, const Aabb *b
     return real_less_equal_bits(*near, t_far * (1 + SLAB_SLACK));
 }
 
-/** @return The same box for every ray. */
+/** @return A box in all lanes. */
+INLINE Aabb aabb_splat(Aabbs box) {
+    Aabb same;
+    for (int axis = 0; axis < 3; axis++) {
+        same.planes[axis] = real_of(box.low[axis]);
+        same.planes[axis + 3] = real_of(box.high[axis]);
+    }
+    return same;
+}
+
+/** @return One of LANES boxes in all lanes. */
 INLINE Aabb aabb_splat_lane(const Aabb *boxes, int lane) {
     Aabb same;
     for (int i = 0; i < 6; i++) {

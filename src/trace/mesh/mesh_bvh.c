@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Making models.
+ * @brief Construction of mesh BVHs, and their cache.
  */
 #include "trace/mesh/mesh_bvh.h"
 
@@ -9,18 +9,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** Bytes: the widest vector of any engine. */
+/** Alignment, bytes: the widest vector of any engine. */
 #define MESH_BVH_ALIGNMENT 64
 
-/**
- * @return A corner of a triangle.
- * @param corner  Which corner, 0 to 2.
- */
+/** @return A vertex of a triangle. @param corner 0 to 2. */
 static Vec3d mesh_triangle_corner(const Mesh *mesh, size_t triangle, int corner) {
     return mesh->positions[mesh->triangles[triangle].index[corner]];
 }
 
-/** @return The box around a triangle. */
+/** @return The bounding box of a triangle. */
 static Aabbs mesh_triangle_bounds(const Mesh *mesh, size_t triangle) {
     Vertex corners[3];
     for (int i = 0; i < 3; i++) {
@@ -29,8 +26,7 @@ static Aabbs mesh_triangle_bounds(const Mesh *mesh, size_t triangle) {
     return vertices_bounds(corners, 3);
 }
 
-/** Works out the boxes of all triangles, and the one around them. @param[out] boxes One for each
- *  triangle. */
+/** Computes all bounding boxes. @param[out] boxes The box of each triangle. */
 static void mesh_bvh_compute_boxes(MeshBvh *mesh_bvh, const Mesh *mesh, Aabbs *boxes) {
     mesh_bvh->bounds = mesh_triangle_bounds(mesh, 0);
     for (size_t i = 0; i < mesh->triangle_count; i++) {
@@ -47,7 +43,7 @@ static void mesh_bvh_compute_boxes(MeshBvh *mesh_bvh, const Mesh *mesh, Aabbs *b
     }
 }
 
-/** Puts a triangle into a block. */
+/** Sets one triangle of a block. */
 static void triangle_block_set(TriangleBlock *block, int lane, const Mesh *mesh,
                                uint32_t triangle) {
     for (int corner = 0; corner < 3; corner++) {
@@ -59,12 +55,9 @@ static void triangle_block_set(TriangleBlock *block, int lane, const Mesh *mesh,
     block->triangle_ids[lane] = triangle;
 }
 
-/**
- * Lays the triangles out in the order of the tree.
- * @param mesh_bvh  The model, with its tree.
- * @return false without memory.
- */
+/** Copies the triangles in the order of the BVH. @return false without memory. */
 static bool mesh_bvh_make_blocks(MeshBvh *mesh_bvh, const Mesh *mesh) {
+    _Static_assert(sizeof(TriangleBlock) % sizeof(real) == 0, "a block is whole vectors");
     size_t size = mesh_bvh->bvh.block_count * sizeof *mesh_bvh->blocks;
     mesh_bvh->blocks =
         aligned_alloc(MESH_BVH_ALIGNMENT,
@@ -76,10 +69,8 @@ static bool mesh_bvh_make_blocks(MeshBvh *mesh_bvh, const Mesh *mesh) {
     return mesh_bvh->blocks != NULL;
 }
 
-/**
- * @return The normals to interpolate, to be freed; NULL without memory.
- * @param from_file  Whether they are the file's.
- */
+/** @return The normals to interpolate, to be freed; NULL without memory. @param from_file Whether
+ * to use those of the file. */
 static Vec3s *mesh_bvh_make_normals(const Mesh *mesh, bool from_file) {
     size_t count = from_file ? mesh->normal_count : mesh->position_count;
     Vec3d *smooth = from_file ? NULL : malloc(count * sizeof *smooth);
@@ -99,9 +90,8 @@ static Vec3s *mesh_bvh_make_normals(const Mesh *mesh, bool from_file) {
     return normals;
 }
 
-/** Lays what belongs to triangles out in the order of the blocks. @param mesh_bvh The model, with
- * its tree. @param triangles It, in the order of the mesh. @return The same for each slot, to be
- *  freed; NULL without memory. */
+/** Copies per-triangle indices in the order of the blocks. @param triangles The indices in the
+ * order of the mesh. @return The indices per slot, to be freed; NULL without memory. */
 static MeshTriangle *mesh_bvh_order_by_slot(const MeshBvh *mesh_bvh,
                                             const MeshTriangle *triangles) {
     size_t slot_count = mesh_bvh->bvh.block_count * LANES;
@@ -112,12 +102,7 @@ static MeshTriangle *mesh_bvh_order_by_slot(const MeshBvh *mesh_bvh,
     return ordered;
 }
 
-/**
- * Keeps what interpolating normals needs.
- * @param mesh_bvh  The model, with its tree.
- * @param source  Where the normals come from.
- * @return false without memory.
- */
+/** Sets the normals to interpolate, if any. @return false without memory. */
 static bool mesh_bvh_init_normals(MeshBvh *mesh_bvh, const Mesh *mesh, NormalSource source) {
     if (source == NORMALS_FLAT) {
         return true;
@@ -130,11 +115,7 @@ static bool mesh_bvh_init_normals(MeshBvh *mesh_bvh, const Mesh *mesh, NormalSou
     return mesh_bvh->normals && mesh_bvh->normal_indices;
 }
 
-/**
- * Keeps the places on a picture.
- * @param mesh_bvh  The model, with its tree.
- * @return false without memory.
- */
+/** Sets the texture coordinates, if the mesh has any. @return false without memory. */
 static bool mesh_bvh_init_uvs(MeshBvh *mesh_bvh, const Mesh *mesh) {
     if (mesh->uv_count == 0) {
         return true;
@@ -148,7 +129,7 @@ static bool mesh_bvh_init_uvs(MeshBvh *mesh_bvh, const Mesh *mesh) {
     return mesh_bvh->uvs && mesh_bvh->uv_indices;
 }
 
-/** Gives a model back; the last owner's call gives its memory back. */
+/** Releases a mesh BVH; the last release frees it. */
 static void mesh_bvh_release(MeshBvh *mesh_bvh) {
     if (mesh_bvh && atomic_fetch_sub(&mesh_bvh->reference_count, 1) == 1) {
         bvh_deinit(&mesh_bvh->bvh);
@@ -162,9 +143,7 @@ static void mesh_bvh_release(MeshBvh *mesh_bvh) {
     }
 }
 
-/** Fills a model. @param[in,out] mesh_bvh The model, with its mesh. @param source Where its normals
- *  come from. @param cache Who builds the tree, and whether pictures are shown. @return false
- *  without memory. */
+/** Builds BVH, blocks, normals and texture coordinates. @return false without memory. */
 static bool mesh_bvh_build(MeshBvh *mesh_bvh, NormalSource source, const MeshBvhCache *cache) {
     const Mesh *mesh = mesh_bvh->mesh;
     Aabbs *boxes = malloc(mesh->triangle_count * sizeof *boxes);
@@ -174,22 +153,18 @@ static bool mesh_bvh_build(MeshBvh *mesh_bvh, NormalSource source, const MeshBvh
     bool is_built =
         boxes && bvh_build(&mesh_bvh->bvh, boxes, mesh->triangle_count, LANES, cache->parallel_for);
     free(boxes);
-    /* A number of a block must be found with the 32 bits of a lane. */
+    // The offset of a slot must fit into the 32 bits of a lane.
     is_built =
         is_built && mesh_bvh->bvh.block_count <= (size_t)(INT32_MAX / TRIANGLE_BLOCK_SCALARS) &&
         mesh_bvh_make_blocks(mesh_bvh, mesh) && mesh_bvh_init_normals(mesh_bvh, mesh, source) &&
         (!cache->has_textures || mesh_bvh_init_uvs(mesh_bvh, mesh));
-    /* The blocks say it now. */
+    // From here on, the blocks contain the order.
     free(mesh_bvh->bvh.item_indices);
     mesh_bvh->bvh.item_indices = NULL;
     return is_built;
 }
 
-/**
- * @return A model with one owner; NULL without memory.
- * @param source  Where its normals come from.
- * @param cache  Who builds the tree, and whether pictures are shown.
- */
+/** @return A new mesh BVH with one reference; NULL without memory. */
 static MeshBvh *mesh_bvh_create(Mesh *mesh, NormalSource source, const MeshBvhCache *cache,
                                 Error *error) {
     MeshBvh *mesh_bvh = malloc(sizeof *mesh_bvh);
@@ -238,19 +213,12 @@ void mesh_bvh_cache_deinit(MeshBvhCache *cache) {
     *cache = (MeshBvhCache){0};
 }
 
-/**
- * @return Whether a model has all that a scene asks for.
- * @param cache  The models of the scene.
- */
+/** @return Whether a mesh BVH has the texture coordinates that a scene needs. */
 static bool mesh_bvh_is_reusable(const MeshBvh *mesh_bvh, const MeshBvhCache *cache) {
     return !cache->has_textures || mesh_bvh->uvs || mesh_bvh->mesh->uv_count == 0;
 }
 
-/**
- * @return A model that a former tracer has made, with one owner more; NULL if there is none.
- * @param cache  The models, and the former ones.
- * @param source  Where its normals come from.
- */
+/** @return A mesh BVH of another tracer, retained; NULL if there is none. */
 static MeshBvh *mesh_bvh_reuse(const MeshBvhCache *cache, const Mesh *mesh, NormalSource source) {
     const MeshBvhCache *reuse_from = cache->reuse_from;
     for (size_t i = source; reuse_from && i < reuse_from->count; i += NORMAL_SOURCE_COUNT) {

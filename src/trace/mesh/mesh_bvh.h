@@ -1,9 +1,9 @@
 /**
  * @file
- * @brief Models: the triangles of a mesh in the engine's number type, and the tree over them.
+ * @brief Mesh BVH: the triangles of a mesh in the engine's number type, and the BVH over them.
  *
- * A model is made once for each mesh and way of taking normals; all shapes that show it share it,
- * and so do the tracers of a film's frames, each of which takes it from the one before.
+ * There is one for each mesh and source of normals. All shapes of that mesh share it; so do the
+ * tracers of the frames of a film, each of which takes it over from the previous one.
  */
 #ifndef DIOPTRE_TRACE_MESH_MESH_BVH_H
 #define DIOPTRE_TRACE_MESH_MESH_BVH_H
@@ -15,97 +15,95 @@
 
 /** LANES triangles side by side. */
 typedef struct TriangleBlock {
-    /** Their corners, in turn. Aligned to a vector, where the compiler asks for less of quad: the
+    /** Their vertices, in turn. Aligned to a vector, because the compiler aligns quad to less: the
      *  size of a block must be a whole number of vectors (see #TRIANGLE_BLOCK_SCALARS). */
     _Alignas(sizeof(real)) Vec3 corners[3];
-    uint32_t triangle_ids[LANES]; /**< Their places in the mesh; the last is repeated to fill up. */
+    uint32_t triangle_ids[LANES]; /**< Their indices in the mesh; the last one repeats to fill the
+                                     block. */
 } TriangleBlock;
 
-/** Numbers that a block takes in memory: what a slot's numbers are found by. */
+/** Size of a block in scalars, to compute the offset of a slot: one lane of one block. */
 #define TRIANGLE_BLOCK_SCALARS ((int)(sizeof(TriangleBlock) / sizeof(scalar)))
-_Static_assert(sizeof(TriangleBlock) % sizeof(real) == 0, "a block is a whole number of vectors");
 
-/** A place on a picture. */
+/** Texture coordinates. */
 typedef struct Uvs {
     scalar u; /**< To the right. */
     scalar v; /**< Up. */
 } Uvs;
 
-/** The triangles of a mesh; it does not change once it is made. */
+/** The triangles of a mesh; constant once built. */
 typedef struct MeshBvh {
-    atomic_uint reference_count;  /**< How many tracers hold it. */
-    Mesh *mesh;                   /**< What it was made of; it is one of the owners. */
-    Bvh bvh;                      /**< The tree over them. */
-    TriangleBlock *blocks;        /**< The triangles, as the tree orders them; owned. */
-    size_t triangle_count;        /**< How many, repeated ones not counted. */
+    atomic_uint reference_count;  /**< Number of tracers that use it. */
+    Mesh *mesh;                   /**< The mesh; retained. */
+    Bvh bvh;                      /**< BVH over the blocks. */
+    TriangleBlock *blocks;        /**< The triangles in the order of the BVH; owned. */
+    size_t triangle_count;        /**< Number of triangles, without repeated ones. */
     Vec3s *normals;               /**< Unit normals to interpolate; owned. NULL: flat. */
-    size_t normal_count;          /**< How many. */
-    MeshTriangle *normal_indices; /**< For each slot of the blocks, the places of its corners'
-                               normals; owned. NULL: flat. */
-    Uvs *uvs;                 /**< Places on a picture; owned. NULL: there are none, or no material
-                                      has a picture. */
-    size_t uv_count;          /**< How many. */
-    MeshTriangle *uv_indices; /**< For each slot of the blocks, the places in #uvs of its corners;
-                                owned. NULL as they. */
-    Aabbs bounds;             /**< The box around all of it. */
-    scalar magnitude;         /**< Largest coordinate: what rounding errors scale with. */
+    size_t normal_count;          /**< Number of #normals. */
+    MeshTriangle *normal_indices; /**< Per slot, the indices of its vertices in #normals; owned.
+                                       NULL: flat. */
+    Uvs *uvs;                     /**< Texture coordinates; owned. NULL: the mesh has none, or no
+                                       material has a texture. */
+    size_t uv_count;              /**< Number of #uvs. */
+    MeshTriangle *uv_indices;     /**< Per slot, the indices of its vertices in #uvs; owned. NULL if
+                                       #uvs is. */
+    Aabbs bounds;                 /**< Bounding box. */
+    scalar magnitude;             /**< Largest coordinate: rounding errors scale with it. */
 } MeshBvh;
 
-/** @return Bytes that a model holds. */
+/** @return Bytes of the memory of a mesh BVH. */
 size_t mesh_bvh_memory_size(const MeshBvh *mesh_bvh);
 
-/** The models of a scene, each made, or shared, when a shape first asks for it. */
+/** The mesh BVHs of a scene, each built or reused when the first shape needs it, and the data that
+ *  all distance fields share. */
 struct MeshBvhCache {
-    MeshBvh **entries; /**< #NORMAL_SOURCE_COUNT for each mesh of the scene; NULL where no shape has
-                      asked. It is one of the owners of each. */
-    size_t count;      /**< How many. */
-    const SceneMesh *meshes;         /**< The scene's meshes; while shapes are made only. */
-    const MeshBvhCache *reuse_from;  /**< Where some may be there already, or NULL; likewise. */
-    const ParallelFor *parallel_for; /**< Who builds trees; likewise. */
-    bool has_textures;               /**< Whether any shape shows a picture. */
-    scalar relaxation;               /**< See #TraceSettings.relaxation. */
-    Footprint footprint;             /**< How finely the camera sees. */
-    StepLimitCounter
-        step_limit_counter; /**< Rays that were given up before they met a shape or nothing. */
+    MeshBvh **entries;       /**< #NORMAL_SOURCE_COUNT per mesh of the scene; NULL if no shape needs
+                                  it. Retained. */
+    size_t count;            /**< Number of #entries. */
+    const SceneMesh *meshes; /**< Meshes of the scene; valid during the creation of shapes only. */
+    const MeshBvhCache *reuse_from;      /**< Cache of another tracer, or NULL; likewise. */
+    const ParallelFor *parallel_for;     /**< Threads for the construction; likewise. */
+    bool has_textures;                   /**< Whether any material has a texture. */
+    scalar relaxation;                   /**< #TraceSettings.relaxation */
+    Footprint footprint;                 /**< Size of a pixel, for the tolerance of SDFs. */
+    StepLimitCounter step_limit_counter; /**< Rays that have reached the step limit of an SDF. */
 };
 
 /**
- * Makes room for the models of a scene.
- * @param[out] cache  The models; give them back with #mesh_bvh_cache_deinit.
- * @param reuse_from  Those of another tracer, to be shared; NULL: none. Read, as the crew is, while
- *         shapes are made.
- * @param settings  Who builds trees, and how fields are marched.
+ * Creates an empty cache.
+ * @param[out] cache  The cache; the caller frees it with #mesh_bvh_cache_deinit.
+ * @param reuse_from  Cache of another tracer, or NULL; read during the creation of shapes only.
+ * @param settings    Threads, and settings of sphere tracing.
  * @return false without memory.
  */
 bool mesh_bvh_cache_init(MeshBvhCache *cache, const Scene *scene, const MeshBvhCache *reuse_from,
                          const TraceSettings *settings, Error *error);
 
-/** Gives models back; those that no other tracer holds are gone then. */
+/** Releases all entries. */
 void mesh_bvh_cache_deinit(MeshBvhCache *cache);
 
 /**
- * @return A model, made now if nobody has asked before and no former tracer has it; NULL without
- *         memory.
- * @param mesh  Place of the mesh in the scene.
- * @param source  Where its normals come from.
+ * @return A mesh BVH: from the cache, reused from another tracer, or built now; NULL without
+ * memory.
+ * @param mesh    Index in #Scene.meshes.
+ * @param source  Source of the normals.
  */
 const MeshBvh *mesh_bvh_cache_get(MeshBvhCache *cache, size_t mesh, NormalSource source,
                                   Error *error);
 
 /**
- * Finds where the rays of a packet meet a model.
- * @param shape_index  The shape's place in the scene.
- * @param[in,out] hits  What they have met so far.
+ * Finds the closest hits of a packet with a mesh.
+ * @param shape_index   Index of the shape in the scene.
+ * @param[in,out] hits  Nearest hits so far.
  */
 void mesh_bvh_closest_hits(const MeshBvh *mesh_bvh, const Packet *packet, int shape_index,
                            Hit *hits);
 
-/** @return Where on a picture points of a model lie, as its file says. See #ShapeClass.texture_uv.
- */
+/** @return Interpolated texture coordinates of the file. See #ShapeClass.texture_uv. */
 TextureUv mesh_bvh_texture_uv(const MeshBvh *mesh_bvh, const Hit *hit, mask lanes);
 
-/** Finds which rays of a packet meet a model before their limit. @param[in,out] occluded Those that
- *  are blocked; they are not asked again. */
+/** Finds the rays of a packet that meet a mesh before their limit. @param[in,out] occluded The
+ *  occluded rays; they are not tested again. */
 void mesh_bvh_occluded(const MeshBvh *mesh_bvh, const Packet *packet, mask *occluded);
 
 #endif

@@ -1,21 +1,20 @@
 /**
  * @file
- * @brief From triangles to hits: where rays meet the triangles of a model, and with which normals.
+ * @brief Points, normals and texture coordinates on the triangles of a mesh.
  */
 #include "trace/mesh/mesh_bvh_hit.h"
 
 #include "trace/mesh/triangle_pack.h"
 #include "trace/shapes/shading_normal.h"
 
-/** Half ulps of the coordinates that a point can be off its triangle. */
+/** Bound on the error of a point, in half ulps of the coordinates. */
 #define TRIANGLE_ERROR 8
-/**
- * @return The triangle that each lane met.
- * @param met  The lanes that met any; the others get the first.
- */
+
+/** @return The triangle of each lane. @param met The lanes with a hit; the others get the first
+ *  triangle. */
 static TrianglePack triangle_pack_gather(const MeshBvh *mesh_bvh, integer slots, mask met) {
     slots = integer_select(met, slots, integer_of(0));
-    // A block's numbers lie in rows of #LANES: the corners' x, y and z.
+    // The memory of a block is rows of #LANES scalars: x, y and z of each vertex.
     integer lane = slots & integer_of(LANES - 1);
     integer index = (slots - lane) * (TRIANGLE_BLOCK_SCALARS / LANES) + lane;
     const scalar *scalars = (const scalar *)(const void *)mesh_bvh->blocks;
@@ -28,9 +27,8 @@ static TrianglePack triangle_pack_gather(const MeshBvh *mesh_bvh, integer slots,
     return corners;
 }
 
-/**
- * @return The normals at the corners of the triangle that each lane met.
- * @param met  The lanes that met any.
+/** @return The normals at the vertices of the triangle of each lane. @param met The lanes with a
+ * hit.
  */
 static TrianglePack triangle_pack_gather_normals(const MeshBvh *mesh_bvh, integer slots, mask met) {
     Vec3 up = {real_of(0), real_of(1), real_of(0)};
@@ -49,9 +47,8 @@ static TrianglePack triangle_pack_gather_normals(const MeshBvh *mesh_bvh, intege
 
 /**
  * @return Interpolated unit normals; the flat one where the three cancel out.
- * @param normals  The normals at their corners.
- * @param ray  The rays that meet them.
- * @param flat  The triangles' own unit normals.
+ * @param normals  Normals at the vertices.
+ * @param flat     Unit normals of the triangles.
  */
 static Vec3 triangle_pack_interpolate_normals(const TrianglePack *corners,
                                               const TrianglePack *normals, const Ray *ray,
@@ -60,7 +57,7 @@ static Vec3 triangle_pack_interpolate_normals(const TrianglePack *corners,
     Vec3 barycentrics = triangle_pack_barycentrics(corners, ray, 2);
     barycentrics = vec3_select(axes.x, triangle_pack_barycentrics(corners, ray, 0), barycentrics);
     barycentrics = vec3_select(axes.y, triangle_pack_barycentrics(corners, ray, 1), barycentrics);
-    // The areas have one sign; what counts is how they compare.
+    // The areas have the same sign; only their ratios matter.
     Vec3 sum = vec3_scale(normals->corners[0], real_abs(barycentrics.x));
     sum = vec3_add(sum, vec3_scale(normals->corners[1], real_abs(barycentrics.y)));
     sum = vec3_add(sum, vec3_scale(normals->corners[2], real_abs(barycentrics.z)));
@@ -83,23 +80,23 @@ Hit mesh_bvh_hit(const MeshBvh *mesh_bvh, const Ray *ray, real distance, integer
     if (mesh_bvh->normals) {
         TrianglePack normals = triangle_pack_gather_normals(mesh_bvh, slots, met);
         normal = triangle_pack_interpolate_normals(&corners, &normals, ray, flat);
-        // Files disagree on the corners' order: which way is outwards their normals say.
+        // Files disagree on the order of vertices: the interpolated normals define the outside.
         flat = vec3_select(vec3_dot(flat, normal) < 0, vec3_scale(flat, real_of(-1)), flat);
         normal = shading_normal_keep_side(normal, flat, ray->direction);
-        // Along a normal that leans, it is farther out of the plane's error.
+        // Along an oblique normal, the same distance from the plane is longer.
         error = error / vec3_dot(normal, flat);
     }
     return (Hit){distance, point, normal, error, integer_of(shape_index), slots};
 }
 
-/** @return How much of each corner is in points of triangles, 0 to 1. */
+/** @return Barycentric coordinates of points on triangles, 0 to 1. */
 static Vec3 triangle_pack_barycentrics_at(const TrianglePack *corners, Vec3 point) {
     Vec3w a = vec3_widen(corners->corners[0]), normal = triangle_pack_normal(corners);
     Vec3w b = vec3w_subtract(vec3_widen(corners->corners[1]), a);
     Vec3w c = vec3w_subtract(vec3_widen(corners->corners[2]), a);
     Vec3w to_point = vec3w_subtract(vec3_widen(point), a);
     wide per_area = 1 / vec3w_dot(normal, normal);
-    // The areas between the point and two corners each, over the whole one.
+    // The areas between the point and two vertices each, relative to the whole area.
     real weight_b = narrow(vec3w_dot(vec3w_cross(to_point, c), normal) * per_area);
     real weight_c = narrow(vec3w_dot(vec3w_cross(b, to_point), normal) * per_area);
     const real zero = real_of(0), one = real_of(1);

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Where rays meet the triangles of a model.
+ * @brief Hits on the triangles of a mesh.
  */
 #ifndef DIOPTRE_TRACE_MESH_MESH_BVH_HIT_H
 #define DIOPTRE_TRACE_MESH_MESH_BVH_HIT_H
@@ -8,11 +8,11 @@
 #include "trace/mesh/mesh_bvh.h"
 
 /**
- * @return Where rays meet the triangles that they met: the point of the ray, put back on the plane,
- *         with the triangle's own normal or the one between its corners'.
- * @param slots  Which triangles, by their places in the model's blocks.
- * @param met  The lanes that met any.
- * @param shape_index  The shape's place in the scene.
+ * @return Hits: the points of the rays, moved onto the planes of the triangles, with the flat or
+ * the interpolated normals.
+ * @param slots        Slots of the triangles in #MeshBvh.blocks.
+ * @param met          The lanes with a hit.
+ * @param shape_index  Index of the shape in the scene.
  */
 Hit mesh_bvh_hit(const MeshBvh *mesh_bvh, const Ray *ray, real distance, integer slots, mask met,
                  int shape_index);

@@ -1,27 +1,27 @@
 /**
  * @file
- * @brief Which triangles of a model rays meet.
+ * @brief Intersection of rays with the triangles of a mesh.
  *
- * A packet takes the triangles of a block one after the other; a single ray takes all of them at
- * once. Both do the same operations in the same order.
+ * A vector of rays is tested with the triangles of a block one by one; a single ray with all of
+ * them at once. Both do the same operations in the same order.
  */
 #include "trace/mesh/mesh_bvh_hit.h"
 #include "trace/mesh/triangle_pack.h"
 
-/** What is worked out of the triangles of a block when the first of them is met. */
+/** Derived data of a block, computed at the first hit in it. */
 typedef struct TriangleBlockPlanes {
-    size_t block_index; /**< Which block; #TRIANGLE_BLOCK_NONE: none. */
-    Aabb boxes;         /**< Their boxes. */
-    Vec3w normals;      /**< Normals of their planes, of any length. */
+    size_t block_index; /**< Index of the block; #TRIANGLE_BLOCK_NONE: none. */
+    Aabb boxes;         /**< Bounding boxes of the triangles. */
+    Vec3w normals;      /**< Normals of the triangles, of any length. */
 } TriangleBlockPlanes;
 
-/** Larger than the place of any block. */
+/** Larger than the index of any block. */
 #define TRIANGLE_BLOCK_NONE SIZE_MAX
 
-/** What the rays of a packet have met of a model; how far away, their limits say. */
+/** Nearest hits of a packet; #BvhLeafRays.limits holds their distances. */
 typedef struct MeshBvhHits {
-    integer slots[PACKET_VECTORS]; /**< Which triangle, by its place in the blocks; -1: none. */
-    TriangleBlockPlanes planes;    /**< Those of the last block of which one was met. */
+    integer slots[PACKET_VECTORS]; /**< Slots of the triangles; -1: none. */
+    TriangleBlockPlanes planes;    /**< Data of the last block with a hit. */
 } MeshBvhHits;
 
 /** @return All triangles of a block. */
@@ -29,23 +29,20 @@ INLINE TrianglePack triangle_block_load(const TriangleBlock *block) {
     return (TrianglePack){{block->corners[0], block->corners[1], block->corners[2]}};
 }
 
-/**
- * @return A corner of one triangle in all lanes.
- * @param lane  Which of its triangles.
- */
+/** @return A vertex of one triangle in all lanes. @param lane Lane of the triangle. */
 INLINE Vec3 triangle_block_corner(const TriangleBlock *block, int i, int lane) {
     const Vec3 *corners = &block->corners[i];
     return (Vec3){real_of(real_at(&corners->x, lane)), real_of(real_at(&corners->y, lane)),
                   real_of(real_at(&corners->z, lane))};
 }
 
-/* --- a packet against the triangles of a leaf ------------------------------------------------ */
+/* --- a vector of rays with one triangle ------------------------------------------------------ */
 
 /**
- * @return The lanes in which a triangle comes before what was met: nearer, or as near and earlier
- *         in the mesh.
- * @param met  The lanes that meet it.
- * @param limit  How far away what was met is.
+ * @return The lanes in which a triangle is nearer, or as near and earlier in the mesh.
+ * @param met    The lanes that meet it.
+ * @param limit  Distances of the nearest hits so far.
+ * @param slots  Slots of the nearest hits so far.
  */
 INLINE mask triangle_slot_is_nearer(const MeshBvh *mesh_bvh, mask met, real distance, size_t slot,
                                     real limit, const integer *slots) {
@@ -62,7 +59,7 @@ INLINE mask triangle_slot_is_nearer(const MeshBvh *mesh_bvh, mask met, real dist
     return nearer;
 }
 
-/** Works out the planes of a block. */
+/** Computes the derived data of a block. */
 static void triangle_block_compute_planes(const MeshBvh *mesh_bvh, size_t b,
                                           TriangleBlockPlanes *planes) {
     TrianglePack corners = triangle_block_load(&mesh_bvh->blocks[b]);
@@ -71,10 +68,8 @@ static void triangle_block_compute_planes(const MeshBvh *mesh_bvh, size_t b,
     planes->normals = triangle_pack_normal(&corners);
 }
 
-/**
- * @return How far away rays cross the plane of a triangle.
- * @param normals  Normals of the block's.
- */
+/** @return The distances at which rays cross the plane of a triangle. @param normals Normals of the
+ *  block. */
 INLINE real triangle_block_plane_distance(const TriangleBlock *block, const Vec3w *normals,
                                           int lane, const Ray *ray) {
     Vec3w normal = {wide_of(wide_at(&normals->x, lane)), wide_of(wide_at(&normals->y, lane)),
@@ -82,8 +77,8 @@ INLINE real triangle_block_plane_distance(const TriangleBlock *block, const Vec3
     return ray_plane_distance(normal, vec3_widen(triangle_block_corner(block, 0, lane)), ray);
 }
 
-/** Takes a triangle where it comes before what was met. @param inside Those that pass inside of it.
- */
+/** Updates the nearest hits with a triangle. @param inside The lanes whose ray passes inside its
+ *  edges. */
 static void mesh_bvh_accept_triangle(const MeshBvh *mesh_bvh, size_t b, int lane,
                                      const BvhLeafRays *rays, mask inside, MeshBvhHits *hits) {
     if (hits->planes.block_index != b) {
@@ -106,22 +101,21 @@ static void mesh_bvh_accept_triangle(const MeshBvh *mesh_bvh, size_t b, int lane
     }
 }
 
-/** Which rays pass inside of which triangles of a block. */
+/** The rays that pass inside the edges of the triangles of a block. */
 typedef struct TriangleBlockInside {
-    unsigned triangle_bits;   /**< Bit i set: some ray passes inside of triangle i. */
-    uint16_t ray_bits[LANES]; /**< For each triangle: bit i set: ray i does. */
+    unsigned triangle_bits;   /**< Bit i: some ray passes inside triangle i. */
+    uint16_t ray_bits[LANES]; /**< Per triangle, bit i: ray i passes inside. */
 } TriangleBlockInside;
 
-/**
- * @return Which rays pass inside of the triangles of a block.
- * @param axis  The axis that they run mainly along.
+/** @return The rays that pass inside the triangles of a block. @param axis Dominant axis of the
+ * rays.
  */
 INLINE TriangleBlockInside triangle_block_inside(const TriangleBlock *block, const Ray *ray,
                                                  int axis, mask active) {
     TriangleBlockInside inside = {0};
     RayShear shear = ray_shear_of(ray, axis);
     for (int lane = 0; lane < LANES; lane++) {
-        /* What repeats only fills the block up. */
+        // Repeated triangles only fill the block.
         if (lane > 0 && block->triangle_ids[lane] == block->triangle_ids[lane - 1]) {
             break;
         }
@@ -137,7 +131,7 @@ INLINE TriangleBlockInside triangle_block_inside(const TriangleBlock *block, con
     return inside;
 }
 
-/** Asks the triangles of a block, one by one, about the rays that run mainly along one axis. */
+/** Intersects the rays with one dominant axis with the triangles of a block, one by one. */
 INLINE void triangle_block_intersect_along(const MeshBvh *mesh_bvh, size_t b,
                                            const BvhLeafRays *rays, int axis, mask active,
                                            MeshBvhHits *hits) {
@@ -150,7 +144,7 @@ INLINE void triangle_block_intersect_along(const MeshBvh *mesh_bvh, size_t b,
     }
 }
 
-/** Asks the triangles of a leaf, one by one, about rays. */
+/** Intersects a vector of rays with the triangles of a leaf, one by one. */
 static void mesh_leaf_intersect_packet(const MeshBvh *mesh_bvh, BvhLeaf leaf,
                                        const BvhLeafRays *rays, MeshBvhHits *hits) {
     DominantAxes axes =
@@ -169,7 +163,7 @@ static void mesh_leaf_intersect_packet(const MeshBvh *mesh_bvh, BvhLeaf leaf,
     }
 }
 
-/* --- one ray against the triangles of a leaf ------------------------------------------------- */
+/* --- one ray with a block of triangles ------------------------------------------------------- */
 
 /** @return One ray in all lanes. */
 INLINE Ray ray_splat_lane(const Ray *ray, int lane) {
@@ -183,10 +177,10 @@ INLINE Ray ray_splat_lane(const Ray *ray, int lane) {
 }
 
 /**
- * @return The triangles of a block that a ray passes inside of, within their boxes.
- * @param ray  The ray, in all lanes.
- * @param limit  How far it looks.
- * @param[out] near  It meets each no nearer than this.
+ * @return The triangles of a block whose edges and bounding box a ray passes.
+ * @param ray        The ray, in all lanes.
+ * @param limit      Largest distance.
+ * @param[out] near  Lower bounds on the distances of the triangles.
  */
 INLINE unsigned triangle_block_intersect_single(const TriangleBlock *block, const Ray *ray,
                                                 scalar limit, real *near) {
@@ -202,14 +196,14 @@ INLINE unsigned triangle_block_intersect_single(const TriangleBlock *block, cons
     return mask_bits(inside);
 }
 
-/** @return A lane of vectors, exactly. */
+/** @return One lane of vectors, widened. */
 INLINE Vec3sw vec3_lane_widen(const Vec3 *v, int lane) {
     return (Vec3sw){(wide_scalar)real_at(&v->x, lane), (wide_scalar)real_at(&v->y, lane),
                     (wide_scalar)real_at(&v->z, lane)};
 }
 
-/** @return How far away one ray crosses the plane of one triangle: #triangle_block_plane_distance
- *  for one. */
+/** @return The distance of one ray to the plane of one triangle: the same operations as
+ *  #triangle_block_plane_distance. */
 INLINE scalar triangle_single_distance(const TriangleBlock *block, int lane, const Ray *rays,
                                        int r) {
     Vec3sw a = vec3_lane_widen(&block->corners[0], lane);
@@ -221,13 +215,13 @@ INLINE scalar triangle_single_distance(const TriangleBlock *block, int lane, con
                     vec3sw_dot(normal, vec3_lane_widen(&rays->direction, r)));
 }
 
-/** What one ray has met. */
+/** Nearest hit of one ray. */
 typedef struct ClosestTriangle {
-    scalar distance; /**< How far away. */
-    int slot;        /**< Which triangle; -1: none. */
+    scalar distance; /**< Its distance. */
+    int slot;        /**< Slot of the triangle; -1: none. */
 } ClosestTriangle;
 
-/** Takes a triangle where it comes before what was met. @param distance How far away it is met. */
+/** Updates the nearest hit with a triangle. */
 INLINE void closest_triangle_update(const MeshBvh *mesh_bvh, int slot, scalar distance,
                                     ClosestTriangle *best) {
     uint32_t triangle = mesh_bvh->blocks[slot / LANES].triangle_ids[slot % LANES];
@@ -240,9 +234,9 @@ INLINE void closest_triangle_update(const MeshBvh *mesh_bvh, int slot, scalar di
 }
 
 /**
- * Takes the nearest of some triangles of a block.
- * @param inside  Which of its triangles are met.
- * @param near  No nearer than this.
+ * Updates the nearest hit with some triangles of a block.
+ * @param inside  Bit i: the ray passes inside triangle i.
+ * @param near    Lower bounds on their distances.
  */
 INLINE void closest_triangle_update_from_block(const MeshBvh *mesh_bvh, size_t b, unsigned inside,
                                                const real *near, const Ray *rays, int r,
@@ -258,7 +252,7 @@ INLINE void closest_triangle_update_from_block(const MeshBvh *mesh_bvh, size_t b
     }
 }
 
-/** Asks the triangles of a leaf, side by side, about one ray. */
+/** Intersects one ray with the triangles of a leaf, a block at a time. */
 static void mesh_leaf_intersect_single(const MeshBvh *mesh_bvh, BvhLeaf leaf,
                                        const BvhLeafRays *rays, int lane, MeshBvhHits *hits) {
     const Ray *rays_vector = &rays->packet->rays[rays->vector];
@@ -278,15 +272,15 @@ static void mesh_leaf_intersect_single(const MeshBvh *mesh_bvh, BvhLeaf leaf,
 
 /* --- leaves ---------------------------------------------------------------------------------- */
 
-/** @return Whether a leaf is asked ray by ray, all its triangles at once, rather than triangle by
- *  triangle, all rays at once: whichever is less work. */
+/** @return Whether rays are tested one by one with whole blocks, rather than together with one
+ *  triangle after the other: whichever is faster. */
 INLINE bool mesh_leaf_prefers_single(int lanes) {
-    /** Rays a block for which the two are about as quick (measured): blocks are not always full. */
+    /** Number of rays at which both take the same time (measured): blocks are not always full. */
     const int break_even = 3 * LANES / 8;
     return lanes <= break_even || LANES == 1;
 }
 
-/** Asks a leaf about rays. See #BvhIntersector.intersect_leaf. */
+/** Finds the closest hits in a leaf. See #BvhIntersector.intersect_leaf. */
 static void mesh_leaf_intersect(const void *items, BvhLeaf leaf, const BvhLeafRays *rays,
                                 void *results) {
     if (mesh_leaf_prefers_single(__builtin_popcount(rays->lane_bits))) {
@@ -298,8 +292,7 @@ static void mesh_leaf_intersect(const void *items, BvhLeaf leaf, const BvhLeafRa
     }
 }
 
-/** Asks a leaf about shadow rays: those that meet anything look no further. See
- *  #BvhIntersector.intersect_leaf. */
+/** Finds the rays that a leaf occludes; they are finished. See #BvhIntersector.intersect_leaf. */
 static void mesh_leaf_occluded(const void *items, BvhLeaf leaf, const BvhLeafRays *rays,
                                void *results) {
     mesh_leaf_intersect(items, leaf, rays, results);
@@ -313,9 +306,9 @@ static void mesh_leaf_occluded(const void *items, BvhLeaf leaf, const BvhLeafRay
     }
 }
 
-/* --- all of it ------------------------------------------------------------------------------- */
+/* --- the whole mesh -------------------------------------------------------------------------- */
 
-/** Begins what the rays of a packet have met. */
+/** Initialises the hits of a packet: none. */
 static void mesh_bvh_hits_init(MeshBvhHits *hits) {
     hits->planes.block_index = TRIANGLE_BLOCK_NONE;
     for (int v = 0; v < PACKET_VECTORS; v++) {
@@ -365,7 +358,7 @@ void mesh_bvh_occluded(const MeshBvh *mesh_bvh, const Packet *packet, mask *occl
     }
     bvh_traverse(&mesh_bvh->bvh, packet, limits, &intersector, &results);
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        // A way may end before it begins: what is met says more than where it ends.
+        // A limit may be negative from the start: only together with a slot it means a hit.
         occluded[v] |= packet->active[v] & (results.slots[v] >= integer_of(0)) & (limits[v] < 0);
     }
 }

@@ -1,14 +1,15 @@
 /**
  * @file
- * @brief Triangles by their corners, a triangle in each lane.
+ * @brief LANES triangles, one per lane.
  *
- * Whether a ray passes inside a triangle is decided watertight, as for every polygon (shear.h); how
- * far away, by the plane through its corners, taken in the wide precision relative to the ray's
- * origin: the differences of float corners are exact there.
+ * The watertight edge test of all polygons (watertight.h) decides whether a ray meets a triangle.
+ * The distance is that of its plane, in the wide precision relative to the origin of the ray, where
+ * the differences of float vertices are exact.
  *
- * From far away the rounding of the first is larger than small triangles, and rays pass inside that
- * the triangle's box is not on the way of; whether a tree asks about them would hang on its other
- * boxes. So a triangle is met within its own box only: then no tree can make a difference.
+ * From far away, the rounding of the edge test exceeds the size of small triangles: a ray can pass
+ * the test without meeting the bounding box, and whether the BVH reaches the triangle would depend
+ * on its other boxes. A hit therefore also requires the triangle's own box: the shape of the BVH
+ * then makes no difference.
  */
 #ifndef DIOPTRE_TRACE_MESH_TRIANGLE_PACK_H
 #define DIOPTRE_TRACE_MESH_TRIANGLE_PACK_H
@@ -16,13 +17,12 @@
 #include "trace/bvh/slab.h"
 #include "trace/shapes/watertight.h"
 
-/** Three corners in each lane. */
+/** LANES triangles. */
 typedef struct TrianglePack {
-    Vec3 corners[3]; /**< The corners, in turn. */
+    Vec3 corners[3]; /**< Vertices, in turn. */
 } TrianglePack;
 
-/** Finds how far beside the rays the corners lie. @param axis The axis that they run mainly along.
- */
+/** Shears the vertices into the coordinates of the rays. @param axis Dominant axis of the rays. */
 INLINE void triangle_pack_shear(const TrianglePack *triangle, const Ray *ray, int axis,
                                 ShearedVertex *sheared) {
     RayShear shear = ray_shear_of(ray, axis);
@@ -31,17 +31,15 @@ INLINE void triangle_pack_shear(const TrianglePack *triangle, const Ray *ray, in
     }
 }
 
-/**
- * @return The lanes whose ray passes inside its triangle or through an edge.
- * @param axis  The axis that they run mainly along.
- */
+/** @return The lanes whose ray passes inside its triangle or through an edge. @param axis Dominant
+ *  axis of the rays. */
 INLINE mask triangle_pack_contains_ray(const TrianglePack *triangle, const Ray *ray, int axis) {
     ShearedVertex sheared[3];
     triangle_pack_shear(triangle, ray, axis, sheared);
     return edge_functions_contain_ray(sheared, 3);
 }
 
-/** @return Normals of the planes through triangles, of any length. */
+/** @return Normals of triangles, of any length. */
 INLINE Vec3w triangle_pack_normal(const TrianglePack *triangle) {
     Vec3w a = vec3_widen(triangle->corners[0]);
     Vec3w u = vec3w_subtract(vec3_widen(triangle->corners[1]), a);
@@ -49,16 +47,13 @@ INLINE Vec3w triangle_pack_normal(const TrianglePack *triangle) {
     return vec3w_cross(u, v);
 }
 
-/**
- * @return How far away rays cross planes.
- * @param normal  The planes' normals, of any length.
- */
+/** @return The distances at which rays cross planes. @param normal Normals of any length. */
 INLINE real ray_plane_distance(Vec3w normal, Vec3w point, const Ray *ray) {
     Vec3w to_anchor = vec3w_subtract(point, vec3_widen(ray->origin));
     return narrow(vec3w_dot(normal, to_anchor) / vec3w_dot(normal, vec3_widen(ray->direction)));
 }
 
-/** Finds the extent of three corners along an axis, as #vertices_bounds does to the last bit. */
+/** Computes the bounds of three vertices along an axis, bit for bit as #vertices_bounds. */
 INLINE void triangle_pack_axis_bounds(real a, real b, real c, real *low, real *high) {
     real lowest = real_min(a, real_min(b, c)), highest = real_max(a, real_max(b, c));
     real slack = AABB_ROUNDINGS * AABB_ROUNDOFF * real_max(highest, -lowest);
@@ -66,7 +61,7 @@ INLINE void triangle_pack_axis_bounds(real a, real b, real c, real *low, real *h
     *high = highest + slack;
 }
 
-/** @return The boxes around triangles. */
+/** @return Bounding boxes of triangles. */
 INLINE Aabb triangle_pack_bounds(const TrianglePack *triangle) {
     const Vec3 *a = &triangle->corners[0], *b = &triangle->corners[1], *c = &triangle->corners[2];
     Aabb boxes;
@@ -76,18 +71,15 @@ INLINE Aabb triangle_pack_bounds(const TrianglePack *triangle) {
     return boxes;
 }
 
-/** @return Unit normals of the planes through triangles. */
+/** @return Unit normals of triangles. */
 INLINE Vec3 triangle_pack_unit_normal(const TrianglePack *triangle) {
     Vec3w n = triangle_pack_normal(triangle);
     wide scale = 1 / wide_sqrt(vec3w_dot(n, n));
     return (Vec3){narrow(n.x * scale), narrow(n.y * scale), narrow(n.z * scale)};
 }
 
-/**
- * @return The share of each corner in the places where rays meet triangles: the areas between the
- *         ray and the sides opposite.
- * @param axis  The axis that the rays run mainly along.
- */
+/** @return Barycentric coordinates of the hits, not normalised: the areas between the ray and the
+ *  opposite edges. @param axis Dominant axis of the rays. */
 INLINE Vec3 triangle_pack_barycentrics(const TrianglePack *triangle, const Ray *ray, int axis) {
     ShearedVertex sheared[3];
     triangle_pack_shear(triangle, ray, axis, sheared);

@@ -1,11 +1,10 @@
 /**
  * @file
- * @brief Lattices: the cells of a repeated field, one after the other along a ray.
+ * @brief Domain repetition: traversal of the cells of a repeated field along a ray.
  *
- * Where each copy stays within its own cell, a ray needs no distance to the copies in the cells
- * around: it asks the copy in the cell where it is, and goes on to the next cell at its wall. Cells
- * whose copy lies beside the ray are left out at once (Amanatides and Woo, *A Fast Voxel Traversal
- * Algorithm*, 1987).
+ * If each copy stays within its own cell, a ray only needs the copy of its current cell, and enters
+ * the next cell at the wall (Amanatides and Woo, *A Fast Voxel Traversal Algorithm*, 1987). Cells
+ * whose copy the ray misses are skipped.
  */
 #ifndef DIOPTRE_TRACE_SDF_REPEAT_GRID_H
 #define DIOPTRE_TRACE_SDF_REPEAT_GRID_H
@@ -13,17 +12,17 @@
 #include "trace/math/angle.h"
 #include "trace/tracer/ray.h"
 
-/** The cells of a repeated field. */
+/** The grid of a repeated field. */
 typedef struct RepeatGrid {
-    bool is_repeated; /**< Whether the field is repeated at all; else there is one cell. */
-    scalar period[3]; /**< From one cell to the next, along x, y and z; 0: there is one only. */
-    scalar half[3];   /**< 0.5 where there is a wall, and no cell, in the middle. */
+    bool is_repeated; /**< Whether the field is repeated; else there is one cell. */
+    scalar period[3]; /**< Size of a cell along x, y and z; 0: one cell. */
+    scalar half[3];   /**< 0.5 if a wall, not a cell, is in the middle. */
     scalar limit[3];  /**< Number of the last cell. */
-    Vec3s center;     /**< Middle of a ball around the copy in cell 0. */
-    scalar radius;    /**< Its radius. */
+    Vec3s center;     /**< Centre of a bounding sphere of the copy in cell 0. */
+    scalar radius;    /**< Radius of that sphere. */
 } RepeatGrid;
 
-/** @return The number of the cell that coordinates are in. */
+/** @return The cell numbers of coordinates. */
 INLINE real repeat_grid_cell_number(const RepeatGrid *grid, int axis, real x) {
     const scalar half_cell = grid->half[axis], limit = grid->limit[axis];
     if (!(grid->period[axis] > 0)) {
@@ -34,22 +33,22 @@ INLINE real repeat_grid_cell_number(const RepeatGrid *grid, int axis, real x) {
     return real_max(real_of(-limit), real_min(number, real_of(limit)));
 }
 
-/** @return The cells that points are in. */
+/** @return The cells of points. */
 INLINE Vec3 repeat_grid_cell(const RepeatGrid *grid, Vec3 p) {
     return (Vec3){repeat_grid_cell_number(grid, 0, p.x), repeat_grid_cell_number(grid, 1, p.y),
                   repeat_grid_cell_number(grid, 2, p.z)};
 }
 
-/** How rays go through a lattice. Along an axis where it is not repeated, there is no wall. */
+/** The traversal of a grid. Along an axis without repetition there is no wall. */
 typedef struct GridWalk {
-    Vec3 t_first_wall; /**< Where they would leave cell 0, in lengths of the direction. */
-    Vec3 t_delta;      /**< How much later they leave the next cell. */
-    Vec3 step;         /**< 1 or -1: which cell comes next. */
-    Vec3 to_center;    /**< From their start to the middle of the copy in cell 0. */
+    Vec3 t_first_wall; /**< Distance at which the ray leaves cell 0, in lengths of the direction. */
+    Vec3 t_delta;      /**< Distance between walls. */
+    Vec3 step;         /**< 1 or -1: offset of the next cell. */
+    Vec3 to_center;    /**< Vector from the origin to #RepeatGrid.center. */
     Vec3 direction;    /**< Unit directions. */
 } GridWalk;
 
-/** Finds how rays go through a lattice along an axis. */
+/** Initialises the traversal along an axis. */
 INLINE void grid_walk_init_axis(const RepeatGrid *grid, int axis, real origin, real inverse,
                                 real *t_first_wall, real *t_delta, real *step) {
     const scalar period = grid->period[axis];
@@ -62,7 +61,7 @@ INLINE void grid_walk_init_axis(const RepeatGrid *grid, int axis, real origin, r
     }
 }
 
-/** @return How rays go through a lattice. */
+/** @return The traversal of a grid by rays. @param unit Unit directions. */
 INLINE GridWalk grid_walk_of(const RepeatGrid *grid, const Ray *ray, Vec3 unit) {
     GridWalk walk = {.direction = unit,
                      .to_center = vec3_subtract(vec3_splat(grid->center), ray->origin)};
@@ -75,14 +74,14 @@ INLINE GridWalk grid_walk_of(const RepeatGrid *grid, const Ray *ray, Vec3 unit) 
     return walk;
 }
 
-/** @return How far away rays leave their cells, along each axis; NaN: never. */
+/** @return The distances at which rays leave their cells along each axis; NaN: never. */
 INLINE Vec3 grid_walk_exits(const GridWalk *walk, Vec3 cell) {
     return (Vec3){cell.x * walk->t_delta.x + walk->t_first_wall.x,
                   cell.y * walk->t_delta.y + walk->t_first_wall.y,
                   cell.z * walk->t_delta.z + walk->t_first_wall.z};
 }
 
-/** @return How far away rays leave their cells. */
+/** @return The distances at which rays leave their cells. */
 INLINE real grid_walk_nearest_exit(Vec3 exits) {
     return real_min(exits.x, real_min(exits.y, real_min(exits.z, real_of(INFINITE))));
 }
@@ -95,14 +94,14 @@ INLINE Vec3 grid_walk_next_cell(const GridWalk *walk, Vec3 cell, Vec3 exits, rea
                   cell.z + real_select(exits.z <= t_exit, walk->step.z, zero)};
 }
 
-/** @return The cells that there are. */
+/** @return The lanes whose cell exists. */
 INLINE mask repeat_grid_has_cell(const RepeatGrid *grid, Vec3 cell) {
     mask x = real_abs(cell.x) <= grid->limit[0], y = real_abs(cell.y) <= grid->limit[1];
     mask z = real_abs(cell.z) <= grid->limit[2];
     return x & y & z;
 }
 
-/** @return Where the zero of cells lies. */
+/** @return The origins of cells. */
 INLINE Vec3w repeat_grid_cell_origin(const RepeatGrid *grid, Vec3 cell) {
     return (Vec3w){widen(cell.x) * (wide_scalar)grid->period[0],
                    widen(cell.y) * (wide_scalar)grid->period[1],
@@ -110,10 +109,9 @@ INLINE Vec3w repeat_grid_cell_origin(const RepeatGrid *grid, Vec3 cell) {
 }
 
 /**
- * @return Where rays may meet the copy in their cells: where the ball around it does not lie beside
- *         them. Its distance from the ray comes by a product of vectors, which stays exact far
- *         away.
- * @param margin  By how much the ball is larger.
+ * @return The lanes whose ray meets the bounding sphere of the copy in its cell. The distance from
+ *         the ray is the length of a cross product, which stays exact far away.
+ * @param margin  Addition to the radius.
  */
 INLINE mask grid_walk_may_hit_copy(const RepeatGrid *grid, const GridWalk *walk, Vec3 cell,
                                    real margin) {

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The Mandelbulb: a bound of its distance by its potential.
+ * @brief The Mandelbulb: a bound of its distance from its potential.
  */
 #include "trace/sdf/sdf_vm.h"
 
@@ -10,7 +10,7 @@ typedef struct Complex {
     real im; /**< Imaginary part. */
 } Complex;
 
-/** Where a number is nearer to 2 than to 1; any place near it would do. */
+/** Upper end of the range of the series for the logarithm. */
 #define SQRT_OF_2 ((scalar)1.4142135f)
 /** The natural logarithm of 2 in three pieces: their sum is right in every number type. */
 #define LN_OF_2                                                                                    \
@@ -50,12 +50,11 @@ INLINE real real_integer_power(real r, int n) {
     return power;
 }
 
-/** Terms of the series for the logarithm that are enough. */
+/** Number of terms of the series for the logarithm. */
 enum { LN_SERIES_TERMS = REAL_BITS == 32 ? 5 : REAL_BITS == 64 ? 10 : 22 };
 
-/** @return The natural logarithms: powers of 2 are taken off until a number is near 1; there it is
- *          2 (y + y^3/3 + y^5/5 + ...) of y = (x - 1) / (x + 1). @param x Numbers, 2^-64 to 2^127.
- */
+/** @return The natural logarithms. After division by a power of two x is near 1, and the logarithm
+ * is 2 (y + y^3/3 + y^5/5 + ...) with y = (x - 1) / (x + 1). @param x Numbers, 2^-64 to 2^127. */
 INLINE real real_ln(real x) {
     const real one = real_of(1), zero = real_of(0);
     mask is_small = x < one;
@@ -79,14 +78,14 @@ INLINE real real_ln(real x) {
 
 /** The orbit of LANES points. */
 typedef struct MandelbulbOrbit {
-    Vec3 z;          /**< Where they are. */
-    real radius;     /**< How far from zero. */
-    real derivative; /**< How much farther than the first points they would be apart. */
-    real potential;  /**< Of the surface, at their iterate. */
+    Vec3 z;          /**< Current iterates. */
+    real radius;     /**< Their distance from the origin. */
+    real derivative; /**< Bound on their derivative by the first points. */
+    real potential;  /**< Logarithm of the radius of the surface at this iterate. */
 } MandelbulbOrbit;
 
-/** @return z^n + c: the distance from zero to the n-th power, both angles times n. They come as
- *  powers of complex numbers, so that no sine is needed. */
+/** @return z^n + c: the radius to the n-th power, both angles times n. Powers of complex numbers
+ *  replace sine and cosine. */
 INLINE Vec3 mandelbulb_iterate(Vec3 z, Vec3 c, int n) {
     real across = real_sqrt(z.x * z.x + z.z * z.z);
     Complex polar = complex_power((Complex){z.y, across}, n);
@@ -96,7 +95,7 @@ INLINE Vec3 mandelbulb_iterate(Vec3 z, Vec3 c, int n) {
     return vec3_add((Vec3){polar.im * azimuth.im, polar.re, polar.im * azimuth.re}, c);
 }
 
-/** Goes on with orbits that are still near zero. @param iterating The lanes that go on. */
+/** Iterates orbits that have not escaped. @param iterating Their lanes. */
 INLINE void mandelbulb_orbit_step(MandelbulbOrbit *orbit, Vec3 c, int n, mask iterating) {
     real factor = (scalar)n * real_integer_power(orbit->radius, n - 1);
     Vec3 z = mandelbulb_iterate(orbit->z, c, n);
@@ -123,14 +122,11 @@ INLINE real mandelbulb_distance(Vec3 p, const scalar *operands, mask active) {
     return real_max(estimate, length - operands[2]);
 }
 
-/** Step of the differences that stand for the derivatives of a Mandelbulb: it has edges of every
- *  size, and smaller ones than this are smoothed in its shading. */
+/** Step of the central differences for the gradient: the fractal has details of every size, and the
+ *  shading smooths smaller ones than this. */
 #define MANDELBULB_GRADIENT_STEP ((scalar)0x1p-11f)
 
-/**
- * @return Half the difference of the distances a step away, both ways.
- * @param operands  The step's of the tape.
- */
+/** @return The difference of the distances one step forwards and one step backwards. */
 INLINE real mandelbulb_central_difference(const SdfVm *vm, Vec3 step, const scalar *operands) {
     return mandelbulb_distance(vec3_add(vm->point, step), operands, vm->active) -
            mandelbulb_distance(vec3_subtract(vm->point, step), operands, vm->active);

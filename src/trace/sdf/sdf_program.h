@@ -1,7 +1,6 @@
 /**
  * @file
- * @brief Distance fields in the engine's numbers: a tape of steps, each done for LANES points at
- *        once.
+ * @brief Programs of distance fields: instructions that are executed for LANES points at once.
  */
 #ifndef DIOPTRE_TRACE_SDF_SDF_PROGRAM_H
 #define DIOPTRE_TRACE_SDF_SDF_PROGRAM_H
@@ -11,33 +10,28 @@
 
 typedef struct SdfVm SdfVm;
 
-/** A step of a tape. */
+/** An instruction. */
 typedef struct SdfInstruction {
-    /** Does it. */
+    /** Executes it. */
     void (*execute)(SdfVm *machine, const struct SdfInstruction *code);
-    int body_count;                /**< How many of the next steps are its body. */
-    scalar operands[SDF_OPERANDS]; /**< With what; see #SdfOp. */
+    int body_count;                /**< Number of following instructions that are its body. */
+    scalar operands[SDF_OPERANDS]; /**< Operands; see #SdfOp. */
 } SdfInstruction;
 
-/** What a field says of LANES points. */
+/** Value of a field at LANES points. */
 typedef struct SdfSample {
-    real distance; /**< The distance, or a bound; negative inside. */
-    Vec3 gradient; /**< Which way it grows, and how fast; only if asked for. */
+    real distance; /**< Distance, or a lower bound; negative inside. */
+    Vec3 gradient; /**< Gradient, if requested. */
 } SdfSample;
 
-/** Makes a tape. @param[out] program As many steps as the field has. */
+/** Translates a field. @param[out] program One instruction per node. */
 void sdf_compile(SdfInstruction *program, const Sdf *sdf);
 
-/**
- * @return The distances of points.
- * @param active  The lanes that count; of others anything may be said.
- */
+/** @return Distances of points. @param active Lanes that count; other results are undefined. */
 real sdf_distance(const SdfInstruction *program, int count, Vec3 point, mask active);
 
-/**
- * @return The distances of points with their derivatives, which are carried along the tape.
- * @param active  The lanes that count; of others anything may be said.
- */
+/** @return Distances of points with gradients, by forward differentiation. @param active Lanes that
+ *  count; other results are undefined. */
 SdfSample sdf_sample(const SdfInstruction *program, int count, Vec3 point, mask active);
 
 #endif

@@ -1,7 +1,7 @@
 /**
  * @file
- * @brief Distances of solids, by the formulas of Inigo Quilez (*Distance functions*); the
- * derivatives follow from them.
+ * @brief Distances of solids by the formulas of Inigo Quilez (*Distance functions*), and their
+ *        gradients.
  */
 #include "trace/sdf/sdf_vm.h"
 
@@ -13,7 +13,9 @@ void sdf_op_sphere(SdfVm *vm, const SdfInstruction *instruction) {
     }
 }
 
-/** @return Which way the largest component lies: 1 along the first axis that has it. */
+/** @return The unit vector along the axis of the largest component, the first one if there are
+ * several.
+ */
 INLINE Vec3 unit_axis_of_largest(Vec3 v, real largest) {
     const real zero = real_of(0), one = real_of(1);
     mask is_x = v.x >= largest, is_y = mask_not(is_x) & (v.y >= largest);
@@ -21,10 +23,7 @@ INLINE Vec3 unit_axis_of_largest(Vec3 v, real largest) {
                   real_select(is_x | is_y, zero, one)};
 }
 
-/**
- * @return How far points are from the corner at zero of a box that fills all that is negative.
- * @param wants_gradient  Whether the gradient is wanted.
- */
+/** @return The sample of the octant of negative coordinates. */
 INLINE SdfSample sdf_octant_sample(Vec3 v, bool wants_gradient) {
     const real zero = real_of(0);
     Vec3 out = {real_max(v.x, zero), real_max(v.y, zero), real_max(v.z, zero)};
@@ -39,10 +38,7 @@ INLINE SdfSample sdf_octant_sample(Vec3 v, bool wants_gradient) {
     return sample;
 }
 
-/**
- * @return The sample of a box around zero.
- * @param wants_gradient  Whether the gradient is wanted.
- */
+/** @return The sample of a box around the origin. @param half Half its edges. */
 INLINE SdfSample sdf_box_sample(Vec3 p, Vec3 half, bool wants_gradient) {
     SdfSample sample = sdf_octant_sample(vec3_subtract(vec3_abs(p), half), wants_gradient);
     if (wants_gradient) {
@@ -66,7 +62,7 @@ void sdf_op_box_frame(SdfVm *vm, const SdfInstruction *instruction) {
                          sdf_octant_sample((Vec3){q.x, p.y, q.z}, vm->wants_gradient),
                          sdf_octant_sample((Vec3){q.x, q.y, p.z}, vm->wants_gradient)};
     if (vm->wants_gradient) {
-        // Across a bar the distance was folded at its middle.
+        // The absolute value has mirrored the coordinates across a bar.
         const real one = real_of(1);
         Vec3 bar_signs[3] = {
             {one, signs.y, signs.z}, {signs.x, one, signs.z}, {signs.x, signs.y, one}};
@@ -93,11 +89,11 @@ void sdf_op_torus(SdfVm *vm, const SdfInstruction *instruction) {
 }
 
 /**
- * @return How deep points are within the holes of one size along one axis: between the two sides of
- *         a hole positive.
- * @param x            Coordinates, in half edges of the sponge.
- * @param per_cell     How many cells are as wide as the sponge.
- * @param[out] slope   1 or -1: how that changes with the coordinate.
+ * @return The depth of points in holes of one size along one axis; positive between the two sides
+ * of a hole.
+ * @param x           Coordinates, in half edges of the sponge.
+ * @param per_cell    Number of cells along the sponge.
+ * @param[out] slope  1 or -1: derivative by the coordinate.
  */
 INLINE real menger_hole_depth(real x, scalar per_cell, real *slope) {
     real cells = x * per_cell, cell = 2 * real_floor((scalar)0.5f * cells + (scalar)0.5f);
@@ -106,14 +102,14 @@ INLINE real menger_hole_depth(real x, scalar per_cell, real *slope) {
     return (real_abs(folded) - 1) / real_of(3 * per_cell);
 }
 
-/** @return What the holes of one size cut out: square, along all three axes; positive inside them.
- *  @param p Points, in half edges of the sponge. @param per_cell Cells as wide as the sponge. */
+/** @return The sample of square holes of one size along all three axes, positive inside. @param p
+ *  Points, in half edges of the sponge. @param per_cell Number of cells along the sponge. */
 INLINE SdfSample menger_holes_sample(Vec3 p, scalar per_cell) {
     Vec3 slope, depth = {menger_hole_depth(p.x, per_cell, &slope.x),
                          menger_hole_depth(p.y, per_cell, &slope.y),
                          menger_hole_depth(p.z, per_cell, &slope.z)};
-    // A point is in a hole along some axis if it is between the sides along the two others: the
-    // middle one of three numbers decides.
+    // A point is in a hole along an axis if it is between the sides along the two others: the
+    // median of the three depths decides.
     real low = real_min(depth.x, depth.y), high = real_max(depth.x, depth.y);
     real middle = real_max(low, real_min(high, depth.z));
     Vec3 to_middle = {-real_abs(depth.x - middle), -real_abs(depth.y - middle),

@@ -1,13 +1,13 @@
 /**
  * @file
- * @brief What the steps of distance fields do.
+ * @brief The operations of distance fields, and their execution.
  *
- * A lane's answer never depends on the other lanes: what a step leaves out for want of a lane that
- * needs it changes no lane.
+ * The result of a lane never depends on other lanes: an instruction skips work only where no lane
+ * needs it.
  */
 #include "trace/sdf/sdf_vm.h"
 
-/** Runs steps one after the other. */
+/** Executes instructions one after the other. */
 static void sdf_vm_run(SdfVm *vm, const SdfInstruction *program, int count) {
     for (const SdfInstruction *instruction = program; instruction < program + count;
          instruction += 1 + instruction->body_count) {
@@ -22,21 +22,21 @@ static void sdf_op_round(SdfVm *vm, const SdfInstruction *instruction) {
     vm->sample.distance = vm->sample.distance - instruction->operands[0];
 }
 
-/** @return Three rows of a matrix with a vector. */
+/** @return A matrix, given by its rows, times a vector. */
 INLINE Vec3 matrix_rows_apply(const scalar *rows, Vec3 v) {
     return (Vec3){rows[0] * v.x + rows[1] * v.y + rows[2] * v.z,
                   rows[3] * v.x + rows[4] * v.y + rows[5] * v.z,
                   rows[6] * v.x + rows[7] * v.y + rows[8] * v.z};
 }
 
-/** @return The same with its columns. */
+/** @return The transposed matrix times a vector. */
 INLINE Vec3 matrix_columns_apply(const scalar *rows, Vec3 v) {
     return (Vec3){rows[0] * v.x + rows[3] * v.y + rows[6] * v.z,
                   rows[1] * v.x + rows[4] * v.y + rows[7] * v.z,
                   rows[2] * v.x + rows[5] * v.y + rows[8] * v.z};
 }
 
-/** Scales, turns and moves: the point goes the other way. See #SdfInstruction.execute. */
+/** Transforms a field: the inverse transforms the points. See #SdfInstruction.execute. */
 static void sdf_op_transform(SdfVm *vm, const SdfInstruction *instruction) {
     const Vec3 outer_point = vm->point;
     const scalar *n = instruction->operands;
@@ -50,10 +50,8 @@ static void sdf_op_transform(SdfVm *vm, const SdfInstruction *instruction) {
     }
 }
 
-/**
- * @return How far points are beside a box, along the axis where it is most; negative inside.
- * @param corners  The box: three lowest coordinates, three highest.
- */
+/** @return Chebyshev distances of points from a box; negative inside. @param corners Three lowest
+ *  coordinates, three highest. */
 INLINE real box_chebyshev_distance(const scalar *corners, Vec3 p) {
     real x = real_max(corners[0] - p.x, p.x - corners[3]);
     real y = real_max(corners[1] - p.y, p.y - corners[4]);
@@ -61,24 +59,21 @@ INLINE real box_chebyshev_distance(const scalar *corners, Vec3 p) {
     return real_max(x, real_max(y, z));
 }
 
-/** @return Distances that are at least those to the field's box: both are bounds of it. */
+/** @return The larger of two lower bounds: the distances of a field and of its box. */
 INLINE real max_with_box_distance(real distance, real box_distance) {
     return real_select(box_distance > 0, real_max(distance, box_distance), distance);
 }
 
 /** The cells of a repeated field around LANES points, along one axis. */
 typedef struct RepeatCells {
-    real cell;          /**< Number of the cell that each is in. */
-    real neighbor_step; /**< 1 or -1: on which side of its middle. */
-    real period;        /**< From one to the next; 0: there is one only. */
-    real limit;         /**< Number of the last one. */
-    int count;          /**< How many are to be asked. */
+    real cell;          /**< Number of the cell of each point. */
+    real neighbor_step; /**< 1 or -1: offset of the nearer neighbour. */
+    real period;        /**< Size of a cell; 0: there is one only. */
+    real limit;         /**< Number of the last cell. */
+    int count;          /**< Number of cells to evaluate. */
 } RepeatCells;
 
-/**
- * @return The cells around points.
- * @param operands  Those of the step for this axis: every third.
- */
+/** @return The cells around points. @param operands Operands for the axis: every third. */
 INLINE RepeatCells repeat_cells_of(real x, const scalar *operands) {
     real half = real_of(operands[3]), limit = real_of(operands[6]);
     if (!(operands[0] > 0)) {
@@ -90,10 +85,8 @@ INLINE RepeatCells repeat_cells_of(real x, const scalar *operands) {
                          1 + (int)operands[9]};
 }
 
-/**
- * @return Coordinates as seen from a cell.
- * @param which  0: the own one, 1: the nearer neighbour, 2: the farther.
- */
+/** @return Coordinates relative to a cell. @param which 0: own cell, 1: nearer neighbour, 2:
+ * farther neighbour. */
 INLINE real repeat_cells_local_coordinate(const RepeatCells *cells, real x, int which) {
     const scalar steps[3] = {0, 1, -1};
     real number = cells->cell + cells->neighbor_step * steps[which];
@@ -101,8 +94,8 @@ INLINE real repeat_cells_local_coordinate(const RepeatCells *cells, real x, int 
     return x - number * cells->period;
 }
 
-/** Takes a copy of a repeated field into account, if it can be nearer than those so far. @param vm
- *  The machine, at the copy's own point. */
+/** Evaluates a copy of a repeated field where it can be nearer. @param vm The machine, with the
+ * point in the coordinates of the copy. */
 INLINE void sdf_vm_run_copy(SdfVm *vm, const SdfInstruction *instruction, SdfSample *nearest) {
     const mask all = vm->active;
     real box_distance = box_chebyshev_distance(instruction->operands + 12, vm->point);
@@ -140,10 +133,10 @@ static void sdf_op_repeat(SdfVm *vm, const SdfInstruction *instruction) {
 /* --- operations on two fields ----------------------------------------------------------------- */
 
 /**
- * Runs a body only where it can change something.
- * @param[in,out] needed  Lanes where it may; afterwards those that count.
- * @param box_distance  How far the points are beside its box.
- * @return Whether it was run.
+ * Executes a body only where it can change the result.
+ * @param[in,out] needed  Lanes where it can; afterwards only active ones.
+ * @param box_distance    Distances from its box.
+ * @return Whether it was executed.
  */
 INLINE bool sdf_vm_run_body(SdfVm *vm, const SdfInstruction *instruction, mask *needed,
                             real box_distance, SdfSample *body) {
@@ -160,7 +153,7 @@ INLINE bool sdf_vm_run_body(SdfVm *vm, const SdfInstruction *instruction, mask *
     return true;
 }
 
-/** The nearer of two fields. See #SdfInstruction.execute. */
+/** Union: the smaller distance. See #SdfInstruction.execute. */
 static void sdf_op_union(SdfVm *vm, const SdfInstruction *instruction) {
     SdfSample first = vm->sample, second;
     real box_distance = box_chebyshev_distance(instruction->operands, vm->point);
@@ -174,7 +167,7 @@ static void sdf_op_union(SdfVm *vm, const SdfInstruction *instruction) {
     vm->sample = second;
 }
 
-/** The nearer of two fields, whose seam is filled. See #SdfInstruction.execute. */
+/** Smooth union: the seam is filled. See #SdfInstruction.execute. */
 static void sdf_op_smooth_union(SdfVm *vm, const SdfInstruction *instruction) {
     SdfSample first = vm->sample, second;
     const real radius = real_of(instruction->operands[6]), zero = real_of(0);
@@ -189,7 +182,7 @@ static void sdf_op_smooth_union(SdfVm *vm, const SdfInstruction *instruction) {
     SdfSample blended = sdf_sample_nearer(first, second, vm->wants_gradient);
     blended.distance = blended.distance - blend * blend * radius * (scalar)0.25f;
     if (vm->wants_gradient) {
-        // The farther one has half the share.
+        // The gradient of the farther field has half the weight of the blend.
         mask is_second = second.distance < first.distance;
         Vec3 far = vec3_select(is_second, first.gradient, second.gradient);
         Vec3 near = vec3_scale(blended.gradient, 1 - (scalar)0.5f * blend);
@@ -201,10 +194,7 @@ static void sdf_op_smooth_union(SdfVm *vm, const SdfInstruction *instruction) {
     }
 }
 
-/**
- * @return The farther of two samples.
- * @param wants_gradient  Whether gradients are wanted.
- */
+/** @return The sample with the larger distance. */
 INLINE SdfSample sdf_sample_farther(SdfSample a, SdfSample b, bool wants_gradient) {
     SdfSample farther = {.distance = real_max(b.distance, a.distance)};
     if (wants_gradient) {
@@ -213,14 +203,14 @@ INLINE SdfSample sdf_sample_farther(SdfSample a, SdfSample b, bool wants_gradien
     return farther;
 }
 
-/** What is in both of two fields. See #SdfInstruction.execute. */
+/** Intersection: the larger distance. See #SdfInstruction.execute. */
 static void sdf_op_intersection(SdfVm *vm, const SdfInstruction *instruction) {
     SdfSample first = vm->sample;
     sdf_vm_run(vm, instruction + 1, instruction->body_count);
     vm->sample = sdf_sample_farther(first, vm->sample, vm->wants_gradient);
 }
 
-/** What is in one field and not in the other. See #SdfInstruction.execute. */
+/** Difference: intersection with the complement of the body. See #SdfInstruction.execute. */
 static void sdf_op_difference(SdfVm *vm, const SdfInstruction *instruction) {
     SdfSample first = vm->sample, second;
     real box_distance = box_chebyshev_distance(instruction->operands, vm->point);
@@ -234,7 +224,7 @@ static void sdf_op_difference(SdfVm *vm, const SdfInstruction *instruction) {
     vm->sample = first;
 }
 
-/* --- tapes ------------------------------------------------------------------------------------ */
+/* --- programs --------------------------------------------------------------------------------- */
 
 void sdf_compile(SdfInstruction *program, const Sdf *sdf) {
     static void (*const handlers[])(SdfVm *, const SdfInstruction *) = {
@@ -261,10 +251,7 @@ void sdf_compile(SdfInstruction *program, const Sdf *sdf) {
     }
 }
 
-/**
- * @return What a tape says of points.
- * @param wants_gradient  Whether gradients are wanted.
- */
+/** @return The value of a program at points. */
 static SdfSample sdf_evaluate(const SdfInstruction *program, int count, Vec3 point, mask active,
                               bool wants_gradient) {
     const real zero = real_of(0);

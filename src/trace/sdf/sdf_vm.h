@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief What the steps of distance fields share.
+ * @brief The virtual machine that evaluates distance fields.
  */
 #ifndef DIOPTRE_TRACE_SDF_SDF_VM_H
 #define DIOPTRE_TRACE_SDF_SDF_VM_H
@@ -8,15 +8,15 @@
 #include "trace/math/angle.h"
 #include "trace/sdf/sdf_program.h"
 
-/** What the steps of a tape work on. */
+/** State of the machine. */
 struct SdfVm {
-    Vec3 point;          /**< Where. */
-    SdfSample sample;    /**< What the steps so far say of it. */
-    mask active;         /**< The lanes that count. */
-    bool wants_gradient; /**< Whether gradients are wanted. */
+    Vec3 point;          /**< The points. */
+    SdfSample sample;    /**< Result of the instructions so far. */
+    mask active;         /**< Lanes that count. */
+    bool wants_gradient; /**< Whether to compute gradients. */
 };
 
-/** @return 1 or -1, as the sign of numbers. */
+/** @return The signs of numbers: 1 or -1. */
 INLINE real real_sign(real x) {
     return real_select(x < 0, real_of(-1), real_of(1));
 }
@@ -41,15 +41,12 @@ INLINE real real_divide_or_zero(real x, real y) {
     return real_select(y > 0, x / y, real_of(0));
 }
 
-/** @return Half the edges of a box. @param operands Three of a step. */
+/** @return The same vector in all lanes. @param operands Its three components. */
 INLINE Vec3 vec3_from_scalars(const scalar *operands) {
     return (Vec3){real_of(operands[0]), real_of(operands[1]), real_of(operands[2])};
 }
 
-/**
- * @return The nearer of two samples.
- * @param wants_gradient  Whether gradients are wanted.
- */
+/** @return The sample with the smaller distance. */
 INLINE SdfSample sdf_sample_nearer(SdfSample a, SdfSample b, bool wants_gradient) {
     SdfSample nearer = {.distance = real_min(b.distance, a.distance)};
     if (wants_gradient) {
@@ -58,22 +55,22 @@ INLINE SdfSample sdf_sample_nearer(SdfSample a, SdfSample b, bool wants_gradient
     return nearer;
 }
 
-/** Measures a ball. See #SdfInstruction.execute. */
+/** Distance to a sphere. See #SdfInstruction.execute. */
 void sdf_op_sphere(SdfVm *vm, const SdfInstruction *instruction);
 
-/** Measures a box. See #SdfInstruction.execute. */
+/** Distance to a box. See #SdfInstruction.execute. */
 void sdf_op_box(SdfVm *vm, const SdfInstruction *instruction);
 
-/** Measures the bars of a frame. See #SdfInstruction.execute. */
+/** Distance to the edges of a box. See #SdfInstruction.execute. */
 void sdf_op_box_frame(SdfVm *vm, const SdfInstruction *instruction);
 
-/** Measures a ring. See #SdfInstruction.execute. */
+/** Distance to a torus. See #SdfInstruction.execute. */
 void sdf_op_torus(SdfVm *vm, const SdfInstruction *instruction);
 
-/** Measures a sponge. See #SdfInstruction.execute. */
+/** Distance to a Menger sponge. See #SdfInstruction.execute. */
 void sdf_op_menger(SdfVm *vm, const SdfInstruction *instruction);
 
-/** Measures a Mandelbulb. See #SdfInstruction.execute. */
+/** Bound of the distance to a Mandelbulb. See #SdfInstruction.execute. */
 void sdf_op_mandelbulb(SdfVm *vm, const SdfInstruction *instruction);
 
 #endif

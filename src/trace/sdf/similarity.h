@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Where a field stands: points and rays are taken to it once, not at every step.
+ * @brief Similarity transforms of distance fields, applied once per ray and not once per step.
  */
 #ifndef DIOPTRE_TRACE_SDF_SIMILARITY_H
 #define DIOPTRE_TRACE_SDF_SIMILARITY_H
@@ -8,27 +8,27 @@
 #include "dioptre/sdf.h"
 #include "trace/math/vec3.h"
 
-/** How a field is scaled, turned and moved. */
+/** A uniform scale, a rotation and a translation. */
 typedef struct Similarity {
-    bool is_present;    /**< Whether it is at all. */
-    Vec3sw rows[3];     /**< From outside: the rotation the other way, divided by the scale. */
-    Vec3sw translation; /**< Where its zero stands. */
-    wide_scalar scale;  /**< How many times as large it is. */
+    bool is_present;    /**< Whether it is not the identity. */
+    Vec3sw rows[3];     /**< From world to local: the inverse rotation, divided by the scale. */
+    Vec3sw translation; /**< Origin of the local space. */
+    wide_scalar scale;  /**< Scale. */
 } Similarity;
 
-/** @return That of a field as it is. */
+/** @return The identity. */
 static inline Similarity similarity_identity(void) {
     return (Similarity){false, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}, 1};
 }
 
-/** @return A vector as the field sees it. */
+/** @return A vector in local coordinates. */
 static inline Vec3sw similarity_direction_to_local_s(const Similarity *similarity, Vec3sw v) {
     return (Vec3sw){vec3sw_dot(similarity->rows[0], v), vec3sw_dot(similarity->rows[1], v),
                     vec3sw_dot(similarity->rows[2], v)};
 }
 
-/** @return A vector of the field as it is outside: the inverse is the transpose times the square of
- *  the scale. */
+/** @return A local vector in world coordinates: the inverse is the transpose times the square of
+ * the scale. */
 static inline Vec3sw similarity_direction_to_world_s(const Similarity *similarity, Vec3sw v) {
     Vec3sw sum = {0, 0, 0}, zero = {0, 0, 0};
     const wide_scalar factors[3] = {v.x, v.y, v.z};
@@ -40,8 +40,8 @@ static inline Vec3sw similarity_direction_to_world_s(const Similarity *similarit
     return sum;
 }
 
-/** Puts what is placed into what a #SDF_TRANSFORM step says. @param[in,out] similarity The outer
- * one; then both. @param numbers Those of the step, which stands inside. */
+/** Appends the transform of a #SDF_TRANSFORM node. @param[in,out] similarity The outer transform;
+ *  afterwards the product. @param numbers Operands of the node. */
 static inline void similarity_append(Similarity *similarity, const double *numbers) {
     // N2 (N1 (p - m1) - m2) = N2 N1 (p - (m1 + N1^-1 m2))
     const Vec3sw zero = {0, 0, 0};
@@ -65,20 +65,20 @@ static inline void similarity_append(Similarity *similarity, const double *numbe
     }
 }
 
-/** @return Directions as the field sees them, over its scale. */
+/** @return Directions in local coordinates. */
 INLINE Vec3w similarity_direction_to_local(const Similarity *similarity, Vec3w v) {
     return (Vec3w){vec3w_dot(vec3w_splat(similarity->rows[0]), v),
                    vec3w_dot(vec3w_splat(similarity->rows[1]), v),
                    vec3w_dot(vec3w_splat(similarity->rows[2]), v)};
 }
 
-/** @return Points as the field sees them. */
+/** @return Points in local coordinates. */
 INLINE Vec3w similarity_point_to_local(const Similarity *similarity, Vec3w v) {
     return similarity_direction_to_local(similarity,
                                          vec3w_subtract(v, vec3w_splat(similarity->translation)));
 }
 
-/** @return Directions of the field, as long, outside. */
+/** @return Local directions in world coordinates, of the same length. */
 INLINE Vec3w similarity_direction_to_world(const Similarity *similarity, Vec3w v) {
     const wide scale = wide_of(similarity->scale);
     Vec3w sum = vec3w_scale(vec3w_splat(similarity->rows[0]), v.x * scale);
@@ -86,7 +86,7 @@ INLINE Vec3w similarity_direction_to_world(const Similarity *similarity, Vec3w v
     return vec3w_add_scaled(sum, vec3w_splat(similarity->rows[2]), v.z * scale);
 }
 
-/** @return Points of the field, outside. */
+/** @return Local points in world coordinates. */
 INLINE Vec3w similarity_point_to_world(const Similarity *similarity, Vec3w v) {
     Vec3w turned = similarity_direction_to_world(similarity, v);
     return vec3w_add_scaled(vec3w_splat(similarity->translation), turned,

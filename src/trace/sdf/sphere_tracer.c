@@ -1,23 +1,23 @@
 /**
  * @file
- * @brief Marching through a field.
+ * @brief Sphere tracing.
  */
 #include "trace/sdf/sphere_tracer.h"
 
 #include "trace/bvh/slab.h"
 
-/** A ray that runs out of steps has met the surface if it came within so many tolerances. */
+/** A ray that reaches the step limit has a hit if it came within so many tolerances. */
 #define SPHERE_TRACE_CANDIDATE_TOLERANCES 8
-/** How much the last step counts in #SphereTrace.slope. */
+/** Weight of the last step in #SphereTrace.slope. */
 #define SLOPE_SMOOTHING ((scalar)0.4f)
-/** Largest slope that is counted on: steps are 2.5 times as long as allowed then. */
+/** Largest slope that is assumed: steps are then 2.5 times the distance. */
 #define SLOPE_MAXIMUM ((scalar)0.2f)
-/** What a cell counts for in the steps of a ray, exactly: without an end, it is given up. */
+/** Cost of a cell in steps, exact: rays end also in an infinite grid. */
 #define CELL_STEP_COST ((scalar)0x1p-4f)
 
-/* --- where rays are marched ------------------------------------------------------------------- */
+/* --- boxes and cells -------------------------------------------------------------------------- */
 
-/** @return How long a vector is; squares of any stay in range. */
+/** @return The lengths of vectors, without overflow of squares. */
 INLINE real vec3_length_in_range(Vec3 v) {
     real largest = vec3_max_abs(v);
     Vec3 d = {v.x / largest, v.y / largest, v.z / largest};
@@ -25,11 +25,11 @@ INLINE real vec3_length_in_range(Vec3 v) {
 }
 
 /**
- * Finds where rays go through the box in their cells.
- * @param[in,out] trace  The rays; where they go through it they stand before it.
- * @param start  Where they come into the cells, as the tape sees it.
- * @param available  How far they go in the cells, in those lengths.
- * @return Those that go through the box.
+ * Intersects rays with the bounding box in their cells.
+ * @param[in,out] trace  The rays; those that meet the box are moved to its entry.
+ * @param start          Points of entry into the cells, in the coordinates of the program.
+ * @param available      Distances to the end of the cells, in lengths of the direction.
+ * @return The lanes that meet the box.
  */
 INLINE mask sphere_trace_enter_box(const SphereTracer *tracer, SphereTrace *trace, mask lanes,
                                    Vec3w start, real available) {
@@ -48,7 +48,7 @@ INLINE mask sphere_trace_enter_box(const SphereTracer *tracer, SphereTrace *trac
     mask enters = lanes & (near <= far * (1 + SLAB_SLACK)) & (near < none);
     origin = vec3_narrow(vec3w_add_scaled(start, trace->local_direction, widen(near)));
     real traveled = (trace->cell_entry + near) * trace->direction_length;
-    // Whoever starts on the surface starts in the box, or just beside it.
+    // A ray that starts on the surface starts in the box or just beside it.
     real margin = SDF_ERROR_TOLERANCES * tracer->bound_slack *
                   real_max(real_of(tracer->tolerance / tracer->scale),
                            trace->spread * trace->camera_distance);
@@ -66,7 +66,7 @@ INLINE mask sphere_trace_enter_box(const SphereTracer *tracer, SphereTrace *trac
     return enters;
 }
 
-/** @return Where rays come into their cells, as the tape sees it. */
+/** @return Points of entry into the cells, in the coordinates of the program. */
 INLINE Vec3w sphere_trace_cell_start(const SphereTracer *tracer, const SphereTrace *trace) {
     Vec3w start =
         vec3w_add_scaled(trace->grid_origin, trace->grid_direction, widen(trace->cell_entry));
@@ -74,8 +74,7 @@ INLINE Vec3w sphere_trace_cell_start(const SphereTracer *tracer, const SphereTra
     return tracer->inner.is_present ? similarity_point_to_local(&tracer->inner, start) : start;
 }
 
-/** Brings rays to their next cells; those that come out of the lattice have ended. @return Those
- *  that are in a cell. */
+/** Moves rays to their next cells. @return The lanes that are still in the grid. */
 INLINE mask sphere_trace_next_cell(const SphereTracer *tracer, SphereTrace *trace, mask lanes) {
     Vec3 exits = grid_walk_exits(&trace->walk, trace->cell);
     real t_exit = grid_walk_nearest_exit(exits);
@@ -87,7 +86,7 @@ INLINE mask sphere_trace_next_cell(const SphereTracer *tracer, SphereTrace *trac
     return lanes;
 }
 
-/** Looks for cells whose copy rays may meet, one cell on. */
+/** Advances searching rays by one cell. */
 INLINE void sphere_trace_seek_cell(const SphereTracer *tracer, SphereTrace *trace) {
     mask seeking = sphere_trace_next_cell(tracer, trace, trace->seeking);
     real footprint = sphere_trace_footprint(trace, trace->camera_distance -
@@ -98,7 +97,7 @@ INLINE void sphere_trace_seek_cell(const SphereTracer *tracer, SphereTrace *trac
     trace->seeking = seeking & mask_not(meets);
 }
 
-/** Brings rays before the box of the copy in their cells; those that go by seek on. */
+/** Intersects rays with the box of the copy in their cells; those that miss it search on. */
 INLINE void sphere_trace_enter_copy(const SphereTracer *tracer, SphereTrace *trace) {
     real t_exit = grid_walk_nearest_exit(grid_walk_exits(&trace->walk, trace->cell));
     Vec3w start = sphere_trace_cell_start(tracer, trace);
@@ -109,11 +108,7 @@ INLINE void sphere_trace_enter_copy(const SphereTracer *tracer, SphereTrace *tra
     trace->entering = mask_of(false);
 }
 
-/**
- * Says how finely the camera sees along rays.
- * @param origin  Where they start in the scene.
- * @param is_shadow  Whether they are on their way to a lamp.
- */
+/** Initialises the footprint of pixels along rays. @param origin Origins in the scene. */
 INLINE void sphere_trace_init_footprint(const SphereTracer *tracer, SphereTrace *trace, Vec3 origin,
                                         bool is_shadow) {
     const Footprint *footprint = tracer->footprint;
@@ -123,12 +118,12 @@ INLINE void sphere_trace_init_footprint(const SphereTracer *tracer, SphereTrace 
         Vec3 from_camera = vec3_subtract(origin, vec3_splat(footprint->camera_position));
         trace->camera_distance = real_sqrt(vec3_dot(from_camera, from_camera)) / tracer->scale;
         trace->spread = footprint->spread;
-        // A shadow is as fine as what it falls on is seen, however far away its thrower is.
+        // The detail of a shadow is visible at its receiver, however far the occluder is.
         trace->spread_behind = is_shadow ? 0 : footprint->spread;
     }
 }
 
-/** Says which way rays go as the tape sees it. */
+/** Sets the directions in the coordinates of the program. */
 INLINE void sphere_trace_set_direction(SphereTrace *trace, const Ray *ray) {
     trace->inverse_direction = ray->inverse_direction;
     trace->direction_length = vec3_length_in_range(ray->direction);
@@ -136,9 +131,9 @@ INLINE void sphere_trace_set_direction(SphereTrace *trace, const Ray *ray) {
 }
 
 /**
- * Brings rays into the lattice.
- * @param[in,out] trace  The rays; walking are those that count.
- * @param ray  The same, as the lattice sees them.
+ * Moves rays to the grid.
+ * @param[in,out] trace  The rays; #SphereTrace.stepping are those that count.
+ * @param ray            The rays in the coordinates of the grid.
  */
 INLINE void sphere_trace_enter_grid(const SphereTracer *tracer, SphereTrace *trace,
                                     const Ray *ray) {
@@ -160,11 +155,10 @@ INLINE void sphere_trace_enter_grid(const SphereTracer *tracer, SphereTrace *tra
 }
 
 /**
- * Sends rays on their way.
- * @param limit  How far they look.
- * @param is_shadow  Whether they are on their way to a lamp.
- * @param[out] trace  The rays before the first box.
- * @return Whether any of them goes through one.
+ * Initialises rays before the first box.
+ * @param limit      Largest distances.
+ * @param is_shadow  Whether they are shadow rays.
+ * @return Whether any of them can meet a box.
  */
 INLINE bool sphere_trace_begin(const SphereTracer *tracer, const Ray *ray, mask active, real limit,
                                bool is_shadow, SphereTrace *trace) {
@@ -198,11 +192,11 @@ INLINE bool sphere_trace_begin(const SphereTracer *tracer, const Ray *ray, mask 
 /* --- steps ------------------------------------------------------------------------------------ */
 
 /**
- * @return How fast the field grows along rays: the mean over the steps, of which the last count
- *         most; -1, the worst that can be, at first and after a step that was too long.
- * @param trace    The rays, before #SphereTrace.radius is new.
- * @param radius   What the field says now.
- * @param is_over  The lanes whose last step was too long.
+ * @return The slope of the field along rays: an exponential mean over the steps; -1, the smallest
+ *         possible, at first and after a step that was too long.
+ * @param trace    The rays, before the update of #SphereTrace.radius.
+ * @param radius   Current distances.
+ * @param is_over  Lanes whose last step was too long.
  */
 INLINE real sphere_trace_slope(const SphereTrace *trace, real radius, mask is_over) {
     real last = (radius - trace->radius) / trace->step;
@@ -212,9 +206,10 @@ INLINE real sphere_trace_slope(const SphereTrace *trace, real radius, mask is_ov
 }
 
 /**
- * Looks at what the field says where rays are: which have arrived, which have gone too far.
- * @param tolerance  How near to the surface is on it.
- * @return The lanes whose last step was too long.
+ * Evaluates the field: finds hits and steps that were too long.
+ * @param distance   Distances of the field.
+ * @param tolerance  Distances that count as a hit.
+ * @return Lanes whose last step was too long.
  */
 INLINE mask sphere_trace_evaluate(SphereTrace *trace, real distance, real tolerance) {
     mask starts = trace->stepping & trace->leaving;
@@ -237,29 +232,29 @@ INLINE mask sphere_trace_evaluate(SphereTrace *trace, real distance, real tolera
 }
 
 /**
- * Steps on; or back, to where the last step would have been safe.
- * @param is_over  The lanes that step back.
- * @return The lanes that have come through the box.
+ * Steps forwards, or back to the end of a safe step.
+ * @param is_over  Lanes that step back.
+ * @return Lanes that have left the box.
  */
 INLINE mask sphere_trace_advance(const SphereTracer *tracer, SphereTrace *trace, mask is_over) {
     real radius = trace->radius, left = trace->t_end - trace->t;
-    // Where even the safe step goes out of the box, there is nothing more.
+    // If the safe step leaves the box, there is no hit in it.
     mask stays = is_over | (radius <= left);
-    // On a straight line of slope s, balls of r and r + s x touch at x = 2 r / (1 - s).
+    // For a constant slope s, spheres of radius r and r + s x touch at x = 2 r / (1 - s).
     real relaxed =
         tracer->relaxation > 0 ? radius * tracer->relaxation : 2 * radius / (1 - trace->slope);
     relaxed = real_select(trace->leaving, radius, relaxed);
     real change = real_select(is_over, radius - trace->step, relaxed);
     trace->step = real_select(is_over, radius, relaxed);
-    // What is not yet known to be empty before the box ends is looked at there.
+    // A longer step ends at the exit of the box: the rest before it is not known to be empty.
     real t = real_min(trace->t + change, trace->t_end);
     trace->step = real_min(trace->step, real_max(left, radius));
     trace->t = real_select(trace->stepping & stays, t, trace->t);
     return trace->stepping & mask_not(stays);
 }
 
-/** Gives up rays that are still on their way: those that came near enough have met the surface, and
- *  the others nothing. */
+/** Ends rays that have reached the step limit: those that came near enough have a hit, the others
+ *  none. */
 static void sphere_trace_give_up(const SphereTracer *tracer, SphereTrace *trace) {
     Vec3 point = sphere_trace_point(trace, trace->best_t);
     real near = SPHERE_TRACE_CANDIDATE_TOLERANCES *
@@ -271,7 +266,7 @@ static void sphere_trace_give_up(const SphereTracer *tracer, SphereTrace *trace)
                            mask_count(trace->stepping & mask_not(is_near)));
 }
 
-/** Takes a step. */
+/** Makes one step. */
 INLINE void sphere_trace_step(const SphereTracer *tracer, SphereTrace *trace) {
     Vec3 point = sphere_trace_point(trace, trace->t);
     real distance =
@@ -283,16 +278,16 @@ INLINE void sphere_trace_step(const SphereTracer *tracer, SphereTrace *trace) {
     trace->seeking = trace->seeking | left_box;
 }
 
-/** Goes through one box. @param[in,out] trace The rays; walking are afterwards those that ran out
- *  of steps. */
+/** Traces rays through one box. @param[in,out] trace The rays; #SphereTrace.stepping are afterwards
+ *  those that have reached the step limit. */
 static void sphere_trace_in_box(const SphereTracer *tracer, SphereTrace *trace) {
     for (int i = 0; i < tracer->max_steps && any(trace->stepping); i++) {
         sphere_trace_step(tracer, trace);
     }
 }
 
-/** Does what most rays want next, so that few wait in vain; what a ray does is the same in any
- *  company. @param[in,out] trace The rays, at least one. */
+/** Does what most rays need next: step, search or entry. The path of a ray does not depend on the
+ *  others. @param[in,out] trace The rays, at least one. */
 INLINE void sphere_trace_grid_step(const SphereTracer *tracer, SphereTrace *trace) {
     unsigned walking = mask_count(trace->stepping), seeking = mask_count(trace->seeking),
              entering = mask_count(trace->entering);
@@ -306,8 +301,8 @@ INLINE void sphere_trace_grid_step(const SphereTracer *tracer, SphereTrace *trac
     }
 }
 
-/** Goes from cell to cell. @param[in,out] trace The rays; walking are afterwards those that ran out
- *  of steps. */
+/** Traces rays from cell to cell. @param[in,out] trace The rays; #SphereTrace.stepping are
+ * afterwards those that have reached the step limit. */
 static void sphere_trace_in_grid(const SphereTracer *tracer, SphereTrace *trace) {
     mask exhausted = mask_of(false);
     while (any(trace->stepping | trace->seeking | trace->entering)) {
@@ -338,7 +333,7 @@ bool sphere_trace_run(const SphereTracer *tracer, const Ray *ray, mask active, r
     return any(trace->arrived);
 }
 
-/** As #sphere_trace_in_box, and counts. */
+/** #sphere_trace_in_box with a count of steps. */
 static void sphere_trace_in_box_counted(const SphereTracer *tracer, SphereTrace *trace) {
     for (int i = 0; i < tracer->max_steps && any(trace->stepping); i++) {
         trace->steps = real_select(trace->stepping, trace->steps + 1, trace->steps);

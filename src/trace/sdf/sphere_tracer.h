@@ -1,15 +1,14 @@
 /**
  * @file
- * @brief Marching: how rays find the surface of a field.
+ * @brief Sphere tracing: intersection of rays with the surface of a distance field.
  *
- * A ray steps as far as the field allows until it is as near as the tolerance (Hart, *Sphere
- * Tracing*, 1996). Steps are made longer than allowed; where the ball around the new point does not
- * touch the one around the last, something may lie between them, and the step is taken back
- * (Keinert and others, *Enhanced Sphere Tracing*, 2014). How much longer follows from how the field
- * has changed of late: before a plane, the two balls then just touch (Bálint and Valasek,
- * *Accelerating Sphere Tracing*, 2018; Bán and Valasek, *Automatic Step Size Relaxation*, 2023).
- * Only what may hold a surface is marched: the way through the field's box, cell by cell where it
- * is repeated.
+ * A ray steps by the distance of the field until it is nearer than the tolerance (Hart, *Sphere
+ * Tracing*, 1996). Steps are longer than that (over-relaxation); where the empty spheres around the
+ * old and the new point do not overlap, a surface may lie between them, and the step is taken back
+ * (Keinert and others, *Enhanced Sphere Tracing*, 2014). The factor follows from the recent slope
+ * of the field: in front of a plane the two spheres just touch (Bálint and Valasek, *Accelerating
+ * Sphere Tracing*, 2018; Bán and Valasek, *Automatic Step Size Relaxation*, 2023). Rays only step
+ * inside the bounding box of the field, cell by cell if it is repeated.
  */
 #ifndef DIOPTRE_TRACE_SDF_SPHERE_TRACER_H
 #define DIOPTRE_TRACE_SDF_SPHERE_TRACER_H
@@ -21,104 +20,99 @@
 #include "trace/tracer/footprint.h"
 #include "trace/tracer/packet.h"
 
-/** Tolerances that a hit may be off, and that rays which leave it start away: farther than where a
- *  march ends. */
+/** Bound on the error of a hit, and ray offset, in tolerances: farther than where tracing ends. */
 #define SDF_ERROR_TOLERANCES 2
-/** Half ulps of the coordinates that a distance can be wrong by, with room for long tapes. */
+/** Bound on the error of a distance, in half ulps of the coordinates, with room for long programs.
+ */
 #define SDF_ERROR 16
 
-/** A field as rays see it. */
+/** A field, prepared for sphere tracing. */
 typedef struct SphereTracer {
-    SdfInstruction *program;    /**< Its tape; the shape's. */
-    int instruction_count;      /**< How many steps it has. */
-    Similarity outer;           /**< Where all of it stands. */
-    RepeatGrid grid;            /**< How it is repeated there. */
-    Similarity inner;           /**< Where each copy stands in its cell. */
-    Aabb grid_box;              /**< All copies, in the outer placing. */
-    Aabb box;                   /**< One of them, in the inner placing. */
-    scalar scale;               /**< Scene units of a unit of the tape. */
-    scalar tolerance;           /**< How near to the surface is on it, scene units. */
+    SdfInstruction *program;    /**< Program of the field; the shape's. */
+    int instruction_count;      /**< Number of instructions. */
+    Similarity outer;           /**< Transform of the whole field. */
+    RepeatGrid grid;            /**< Repetition in the coordinates of #outer. */
+    Similarity inner;           /**< Transform of each copy in its cell. */
+    Aabb grid_box;              /**< Bounding box of all copies, in the coordinates of #outer. */
+    Aabb box;                   /**< Bounding box of one copy, in the coordinates of #inner. */
+    scalar scale;               /**< Scene units per unit of the program. */
+    scalar tolerance;           /**< Distance that counts as a hit, scene units. */
     scalar bound_slack;         /**< See #Sdf.bound_slack. */
-    scalar relaxation;          /**< How much longer than allowed a step is; 0: as it pays. */
-    int max_steps;              /**< Steps after which a ray is given up. */
-    const Footprint *footprint; /**< How finely the camera sees; NULL: by the tolerance alone. */
-    StepLimitCounter *step_limit_counter; /**< Counts the rays that were given up. */
+    scalar relaxation;          /**< Over-relaxation factor of steps; 0: automatic. */
+    int max_steps;              /**< Largest number of steps per ray. */
+    const Footprint *footprint; /**< Size of a pixel; NULL: only #tolerance counts. */
+    StepLimitCounter *step_limit_counter; /**< Counts rays that reach #max_steps. */
 } SphereTracer;
 
-/** LANES rays on their way. Lengths are those of the tape unless it is said otherwise. */
+/** State of LANES rays. Lengths are in units of the program unless noted otherwise. */
 typedef struct SphereTrace {
-    Vec3w grid_origin;      /**< Where it starts, as the lattice sees it. */
-    Vec3w grid_direction;   /**< Its direction there. */
-    GridWalk walk;          /**< How it goes through the lattice. */
-    real limit;             /**< How far it looks, in lengths of the direction. */
-    Vec3 cell;              /**< The cell where it is. */
-    Vec3w local_direction;  /**< Its direction as the tape sees it. */
-    Vec3 unit_direction;    /**< The same, one long. */
+    Vec3w grid_origin;      /**< Origin in the coordinates of the grid. */
+    Vec3w grid_direction;   /**< Direction in the coordinates of the grid. */
+    GridWalk walk;          /**< Traversal of the grid. */
+    real limit;             /**< Largest distance, in lengths of the direction. */
+    Vec3 cell;              /**< Current cell. */
+    Vec3w local_direction;  /**< Direction in the coordinates of the program. */
+    Vec3 unit_direction;    /**< The same, of length 1. */
     Vec3 inverse_direction; /**< 1 / #local_direction. */
-    real direction_length;  /**< Of #local_direction. */
-    real cell_entry;        /**< Where it comes into the cell, in lengths of the direction. */
-    real box_entry;         /**< How much later into the box there, in the same lengths. */
-    Vec3 origin;            /**< Where that is; or where it starts in the box. */
-    real t_end;             /**< From there: where it leaves the box, or has come too far. */
-    real camera_distance;   /**< How far the eye is from where it starts. */
-    real camera_ahead;      /**< How much of that is left at #origin. */
+    real direction_length;  /**< Length of #local_direction. */
+    real cell_entry;        /**< Distance to the cell, in lengths of the direction. */
+    real box_entry;         /**< Distance from there to the box, in lengths of the direction. */
+    Vec3 origin;            /**< Point of entry into the box, or origin inside it. */
+    real t_end;             /**< Distance from #origin to the exit or to the limit. */
+    real camera_distance;   /**< Distance of the camera from the origin of the ray. */
+    real camera_ahead;      /**< What is left of it at #origin. */
     scalar spread;          /**< See #Footprint. */
-    scalar spread_behind;   /**< The same behind the eye. */
-    mask seeking;           /**< The lanes that look for a cell whose copy they may meet. */
-    mask entering;          /**< Those that stand before one. */
-    mask stepping;          /**< Those that walk through its box. */
-    real slope;             /**< How fast the field grows along the ray, of late. */
-    real steps;             /**< How many they have made. */
-    mask leaving;           /**< Those that have not yet left the surface that they started on. */
-    mask arrived;           /**< Those that have arrived. */
+    scalar spread_behind;   /**< The same behind the camera. */
+    mask seeking;           /**< Lanes in search of a cell whose copy they may meet. */
+    mask entering;          /**< Lanes before the box of such a copy. */
+    mask stepping;          /**< Lanes inside the box. */
+    real slope;             /**< Recent slope of the field along the ray. */
+    real steps;             /**< Number of steps so far. */
+    mask leaving;           /**< Lanes that have not left the surface of their origin yet. */
+    mask arrived;           /**< Lanes with a hit. */
     real side;              /**< 1: outside; -1: inside. */
-    real t;                 /**< How far they are, from #origin. */
-    real step;              /**< The last step. */
-    real radius;            /**< How far they might have gone. */
-    real best_radius;       /**< The nearest to the surface that they were. */
-    real best_t;            /**< Where. */
+    real t;                 /**< Distance from #origin. */
+    real step;              /**< Last step. */
+    real radius;            /**< Distance of the field before the last step. */
+    real best_radius;       /**< Smallest distance of the field so far. */
+    real best_t;            /**< #t at that distance. */
 } SphereTrace;
 
 /**
- * Makes a field ready for rays, but for #SphereTracer.footprint and
+ * Prepares a field, except for #SphereTracer.footprint, #SphereTracer.relaxation and
  * #SphereTracer.step_limit_counter.
- * @param[in,out] tracer  Its tape has room; tolerance, relaxation and steps are filled.
- * @param[out] bounds  A box that holds all points within the tolerance.
+ * @param[in,out] tracer  With memory for the program; tolerance and number of steps are set.
+ * @param[out] bounds     Bounding box of all points within the tolerance.
  */
 void sphere_tracer_init(SphereTracer *tracer, const Sdf *sdf, Aabbs *bounds);
 
 /**
- * Finds where rays meet the surface.
- * @param limit  How far they look.
- * @param is_shadow  Whether they are on their way to a lamp.
- * @param[out] trace  Where they are, and which have arrived.
- * @return Whether any has.
+ * Intersects rays with the surface.
+ * @param limit       Largest distances.
+ * @param is_shadow   Whether they are shadow rays.
+ * @param[out] trace  The final state: #SphereTrace.arrived, #sphere_trace_distance.
+ * @return Whether any ray has a hit.
  */
 bool sphere_trace_run(const SphereTracer *tracer, const Ray *ray, mask active, real limit,
                       bool is_shadow, SphereTrace *trace);
 
-/**
- * @return How many steps rays make to where they meet the surface, or to where they find none.
- * @param active  The lanes that count; the others make none.
- * @param limit  How far they look.
- */
+/** @return Number of steps of rays until they hit or miss the surface. @param active Lanes that
+ *  count; others make no step. @param limit Largest distances. */
 real sphere_trace_count_steps(const SphereTracer *tracer, const Ray *ray, mask active, real limit);
 
-/** @return The points where rays are, as the tape sees them. */
+/** @return Points of rays in the coordinates of the program. */
 INLINE Vec3 sphere_trace_point(const SphereTrace *trace, real t) {
     return vec3_add(trace->origin, vec3_scale(trace->unit_direction, t));
 }
 
-/**
- * @return How large a thing the camera does not see.
- * @param camera_ahead  How much nearer they are than the eye.
- */
+/** @return The size of details that the camera does not resolve. @param camera_ahead Distance from
+ * the camera, along the ray. */
 INLINE real sphere_trace_footprint(const SphereTrace *trace, real camera_ahead) {
     return real_max(trace->spread * camera_ahead, -trace->spread_behind * camera_ahead);
 }
 
-/** @return How near to the surface is on it: as near as roundings let one see, and as finely as the
- *  camera does. */
+/** @return The distance that counts as a hit: the tolerance, the rounding errors and the footprint
+ * of the pixel limit it from below. */
 INLINE real sphere_trace_tolerance(const SphereTracer *tracer, const SphereTrace *trace, real t,
                                    Vec3 point) {
     real least = real_max(real_of(tracer->tolerance / tracer->scale),
@@ -126,16 +120,13 @@ INLINE real sphere_trace_tolerance(const SphereTracer *tracer, const SphereTrace
     return real_max(least, sphere_trace_footprint(trace, trace->camera_ahead - t));
 }
 
-/** @return How far rays are, in lengths of their direction. */
+/** @return The distances of rays, in lengths of their direction. */
 INLINE real sphere_trace_distance(const SphereTrace *trace) {
     wide t = widen(trace->box_entry) + widen(trace->t / trace->direction_length);
     return narrow(widen(trace->cell_entry) + t);
 }
 
-/**
- * @return Points as the scene sees them.
- * @param point  Points of the tape.
- */
+/** @return Points in the coordinates of the scene. @param point Points of the program. */
 INLINE Vec3 sphere_trace_world_point(const SphereTracer *tracer, const SphereTrace *trace,
                                      Vec3 point) {
     Vec3w p = vec3_widen(point);
@@ -148,9 +139,7 @@ INLINE Vec3 sphere_trace_world_point(const SphereTracer *tracer, const SphereTra
     return vec3_narrow(tracer->outer.is_present ? similarity_point_to_world(&tracer->outer, p) : p);
 }
 
-/**
- * @return Directions as the scene sees them.
- * @param direction  Those of the tape.
+/** @return Directions in the coordinates of the scene. @param direction Directions of the program.
  */
 INLINE Vec3 sphere_trace_world_direction(const SphereTracer *tracer, Vec3 direction) {
     Vec3w d = vec3_widen(direction);

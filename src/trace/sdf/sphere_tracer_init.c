@@ -1,19 +1,21 @@
 /**
  * @file
- * @brief Marching: how a field is made ready for rays. What it is placed by, and how it is
- *        repeated, is taken off its tape: a ray is brought to the tape once, and not at each step.
+ * @brief Preparation of a field for sphere tracing. Transforms and repetition at the beginning of
+ * its program are hoisted: they apply once per ray, and not once per step.
  */
 #include "trace/sdf/sphere_tracer.h"
 
-/** A tape that is taken apart from its beginning. */
+#include "trace/bvh/slab.h"
+
+/** A field without its first nodes. */
 typedef struct TransformHoist {
     const Sdf *sdf; /**< The field. */
-    int first_node; /**< The first step that is left. */
-    Vec3d low;      /**< Lowest corner of a box around the solid of what is left. */
+    int first_node; /**< First remaining node. */
+    Vec3d low;      /**< Lowest corner of the bounding box of the rest. */
     Vec3d high;     /**< Highest corner. */
 } TransformHoist;
 
-/** @return The first step that is left, if it is of a kind and all others are its body; else NULL.
+/** @return The first remaining node, if it has an operation and all others are its body; else NULL.
  */
 static const SdfNode *transform_hoist_match(const TransformHoist *hoist, SdfOp op) {
     const SdfNode *node = &hoist->sdf->nodes[hoist->first_node];
@@ -22,14 +24,14 @@ static const SdfNode *transform_hoist_match(const TransformHoist *hoist, SdfOp o
     return is_whole ? node : NULL;
 }
 
-/** Goes on to the body of a step. @param box Six numbers of the step: the box of its body. */
+/** Continues with the body of the first node. @param box Bounding box of the body: six operands. */
 static void transform_hoist_enter_body(TransformHoist *hoist, const double *box) {
     hoist->first_node++;
     hoist->low = (Vec3d){box[0], box[1], box[2]};
     hoist->high = (Vec3d){box[3], box[4], box[5]};
 }
 
-/** @return Where what is left stands; it is taken off. */
+/** Hoists all leading transforms. @return Their product. */
 static Similarity transform_hoist_similarity(TransformHoist *hoist) {
     Similarity similarity = similarity_identity();
     const SdfNode *node;
@@ -40,7 +42,8 @@ static Similarity transform_hoist_similarity(TransformHoist *hoist) {
     return similarity;
 }
 
-/** @return Whether copies stay within their cells. @param numbers Those of a #SDF_REPEAT step. */
+/** @return Whether copies stay within their cells. @param numbers Operands of a #SDF_REPEAT node.
+ */
 static bool repeat_copies_fit_cells(const double *numbers) {
     bool stays = true;
     for (int axis = 0; axis < 3; axis++) {
@@ -51,7 +54,7 @@ static bool repeat_copies_fit_cells(const double *numbers) {
     return stays;
 }
 
-/** @return How what is left is repeated; it is taken off where copies stay within their cells. */
+/** Hoists a leading repetition whose copies stay within their cells. @return The grid. */
 static RepeatGrid transform_hoist_grid(TransformHoist *hoist) {
     RepeatGrid grid = {.is_repeated = false};
     const SdfNode *node = transform_hoist_match(hoist, SDF_REPEAT);
@@ -68,7 +71,7 @@ static RepeatGrid transform_hoist_grid(TransformHoist *hoist) {
     return grid;
 }
 
-/** Puts a ball around the copies of a lattice. @param low Lowest corner of the copy's box. */
+/** Computes the bounding sphere of a copy. @param low Lowest corner of its bounding box. */
 static void repeat_grid_compute_sphere(RepeatGrid *grid, const Similarity *inner, Vec3d low,
                                        Vec3d high) {
     Vec3d half = vec3d_scale(vec3d_subtract(high, low), 0.5);
@@ -82,7 +85,7 @@ static void repeat_grid_compute_sphere(RepeatGrid *grid, const Similarity *inner
     }
 }
 
-/** @return The largest coordinate of a box that ends. */
+/** @return The largest finite coordinate of a box. */
 static scalar aabbs_magnitude(const Aabbs *box) {
     scalar magnitude = 0;
     for (int axis = 0; axis < 3; axis++) {
@@ -94,7 +97,7 @@ static scalar aabbs_magnitude(const Aabbs *box) {
     return magnitude;
 }
 
-/** @return A box moved out on all sides. */
+/** @return A box enlarged on all sides. */
 static Aabbs aabbs_expanded(Aabbs box, scalar by) {
     for (int axis = 0; axis < 3; axis++) {
         box.low[axis] -= by;
@@ -103,22 +106,12 @@ static Aabbs aabbs_expanded(Aabbs box, scalar by) {
     return box;
 }
 
-/** @return A box for each lane. */
-static Aabb aabb_splat(Aabbs box) {
-    Aabb block;
-    for (int axis = 0; axis < 3; axis++) {
-        block.planes[axis] = real_of(box.low[axis]);
-        block.planes[axis + 3] = real_of(box.high[axis]);
-    }
-    return block;
-}
-
 void sphere_tracer_init(SphereTracer *tracer, const Sdf *sdf, Aabbs *bounds) {
     TransformHoist hoist = {sdf, 0, sdf->low, sdf->high};
     *bounds = aabbs_from_corners(sdf->low, sdf->high);
     scalar roundings = SDF_ERROR * ROUNDOFF * aabbs_magnitude(bounds);
     tracer->tolerance = tracer->tolerance > roundings ? tracer->tolerance : roundings;
-    // So much larger than the field's that where a ray enters a box is outside.
+    // Rays enter the enlarged boxes outside the surface.
     scalar margin = SDF_ERROR_TOLERANCES * (scalar)sdf->bound_slack * tracer->tolerance;
     *bounds = aabbs_expanded(*bounds, margin);
     tracer->outer = transform_hoist_similarity(&hoist);

@@ -163,6 +163,7 @@ static TextureUv box_texture_uv(const Shape *self, const Hit *hit, mask lanes) {
                        .wrap_v = mask_of(false)};
 }
 
+/** Methods of `box`. */
 const ShapeClass box_class = {
     .size = sizeof(Box),
     .init = box_init,

@@ -301,6 +301,7 @@ static TextureUv cylinder_texture_uv(const Shape *self, const Hit *hit, mask lan
                        .wrap_v = mask_of(false)};
 }
 
+/** Methods of `cylinder`. */
 const ShapeClass cylinder_class = {
     .size = sizeof(Cylinder),
     .init = cylinder_init,

@@ -74,6 +74,7 @@ static TextureUv disk_texture_uv(const Shape *self, const Hit *hit, mask lanes) 
     return circle_texture_uv(vec3w_scale(from_center, wide_of(1 / disk->radius)), &frame);
 }
 
+/** Methods of `disk`. */
 const ShapeClass disk_class = {
     .size = sizeof(Disk),
     .init = disk_init,

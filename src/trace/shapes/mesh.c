@@ -84,6 +84,7 @@ static const ShapeExtension mesh_shape_extension = {
     .occluded = mesh_shape_occluded,
 };
 
+/** Methods of `mesh`. */
 const ShapeClass mesh_class = {
     .size = sizeof(MeshShape),
     .init = mesh_shape_init,

@@ -86,6 +86,7 @@ static TextureUv plane_texture_uv(const Shape *self, const Hit *hit, mask lanes)
                        .wrap_v = mask_of(true)};
 }
 
+/** Methods of `plane`. */
 const ShapeClass plane_class = {
     .size = sizeof(Plane),
     .init = plane_init,

@@ -80,6 +80,7 @@ static TextureUv quad_texture_uv(const Shape *self, const Hit *hit, mask lanes) 
                        .wrap_v = mask_of(false)};
 }
 
+/** Methods of `quad`. */
 const ShapeClass quad_class = {
     .size = sizeof(Quad),
     .init = quad_init,

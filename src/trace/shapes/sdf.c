@@ -129,6 +129,7 @@ static const ShapeExtension sdf_shape_extension = {
     .count_steps = sdf_shape_count_steps,
 };
 
+/** Methods of `sdf`. */
 const ShapeClass sdf_class = {
     .size = sizeof(SdfShape),
     .init = sdf_shape_init,

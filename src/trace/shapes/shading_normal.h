@@ -1,28 +1,29 @@
 /**
  * @file
- * @brief Interpolated normals, kept on the side of the surface where they make sense.
+ * @brief Correction of interpolated normals that point to the wrong side.
  */
 #ifndef DIOPTRE_TRACE_SHAPES_SHADING_NORMAL_H
 #define DIOPTRE_TRACE_SHAPES_SHADING_NORMAL_H
 
 #include "trace/math/vec3.h"
 
-/** Cosine of the angle to the plane's normal that an interpolated normal has at least, about: it
- *  stays on the side of the surface that the ray comes from. */
+/** Smallest cosine between an interpolated and the flat normal, about. */
 #define SHADING_NORMAL_MIN_COSINE ((scalar)0.0625f)
 
 /**
- * @return A normal that looks to the same side of the surface as the plane's own does, from the
- *         plane and from the ray: else a ray could be mirrored into the surface. One long.
- * @param direction  Which way the rays go.
+ * @return A unit normal on the same side as the flat one, seen from the surface and from the ray:
+ *         else a ray could be reflected into the surface.
+ * @param normal     Interpolated normals.
+ * @param flat       Flat unit normals.
+ * @param direction  Directions of the rays.
  */
 INLINE Vec3 shading_normal_keep_side(Vec3 normal, Vec3 flat, Vec3 direction) {
     const real minimum = real_of(SHADING_NORMAL_MIN_COSINE), zero = real_of(0);
     real shortfall = real_max(minimum - vec3_dot(normal, flat), zero);
     normal = vec3_add(normal, vec3_scale(flat, shortfall));
 
-    // Where the ray sees its back, it is bent until the ray just sees its front. The direction is
-    // made about one long, or its square could vanish.
+    // Where the ray sees the back of the normal, it is bent until the ray just sees its front. The
+    // direction is scaled to a length of about 1: its square could vanish.
     real largest = vec3_max_abs(direction);
     Vec3 scaled_direction = {direction.x / largest, direction.y / largest, direction.z / largest};
     real along = vec3_dot(normal, scaled_direction), side = vec3_dot(flat, scaled_direction);

@@ -120,6 +120,7 @@ static TextureUv sphere_texture_uv(const Shape *self, const Hit *hit, mask lanes
                        .wrap_v = mask_of(false)};
 }
 
+/** Methods of `sphere`. */
 const ShapeClass sphere_class = {
     .size = sizeof(Sphere),
     .init = sphere_init,

@@ -275,16 +275,6 @@ static real transformed_count_steps(const Shape *self, const Ray *ray, mask acti
 
 /* --- whole packets --------------------------------------------------------------------------- */
 
-/** @return The same box in all lanes. */
-INLINE Aabb transformed_splat_bounds(const Aabbs *box) {
-    Aabb same;
-    for (int axis = 0; axis < 3; axis++) {
-        same.planes[axis] = real_of(box->low[axis]);
-        same.planes[axis + 3] = real_of(box->high[axis]);
-    }
-    return same;
-}
-
 /**
  * @return A packet in the local space; only rays that meet the bounding box stay active.
  * @param limits        Largest distances.
@@ -292,7 +282,7 @@ INLINE Aabb transformed_splat_bounds(const Aabbs *box) {
  */
 static Packet transformed_packet_to_local(const TransformedShape *self, const Packet *packet,
                                           const real *limits, wide *skipped) {
-    Aabb box = transformed_splat_bounds(&self->bounds);
+    Aabb box = aabb_splat(self->bounds);
     Packet local_packet;
     local_packet.wants_points = packet->wants_points;
     for (int v = 0; v < PACKET_VECTORS; v++) {

@@ -157,6 +157,7 @@ static TextureUv triangle_texture_uv(const Shape *self, const Hit *hit, mask lan
                        .wrap_v = mask_of(true)};
 }
 
+/** Methods of `triangle`. */
 const ShapeClass triangle_class = {
     .size = sizeof(Triangle),
     .init = triangle_init,

@@ -1,41 +1,42 @@
 /**
  * @file
- * @brief Watertight polygons: on which side of each edge a ray passes.
+ * @brief Watertight intersection with convex polygons (Woop, Benthin, Wald, *Watertight
+ * Ray/Triangle Intersection*, JCGT 2013).
  *
- * The corners are moved so that the ray starts at zero, and sheared so that it runs along one axis;
- * on which side of an edge it passes is then the sign of a product of two plane vectors. Two
- * polygons that share an edge compute the same products of it, with opposite sign, so a ray between
- * them meets at least one (Woop, Benthin, Wald, *Watertight Ray/Triangle Intersection*, JCGT 2013).
- * Contraction to fused multiply-add would break this: the program is built without.
+ * The vertices are translated to the origin of the ray and sheared so that the ray runs along one
+ * axis. The sign of a two-dimensional cross product then is the side on which the ray passes an
+ * edge. Two polygons with a common edge compute the same product for it, with opposite sign: a ray
+ * between them meets at least one. Contraction to fused multiply-add would break this; it is
+ * switched off.
  */
 #ifndef DIOPTRE_TRACE_SHAPES_WATERTIGHT_H
 #define DIOPTRE_TRACE_SHAPES_WATERTIGHT_H
 
 #include "trace/shapes/shape.h"
 
-/** A corner in the engine's number type. */
+/** A vertex in the engine's number type. */
 typedef struct Vertex {
     scalar xyz[3]; /**< Along x, y and z. */
 } Vertex;
 
-/** A corner as LANES rays see it: how far beside the ray it lies. */
+/** A vertex in the sheared coordinates of LANES rays, across the ray. */
 typedef struct ShearedVertex {
-    real u; /**< Beside the ray, along the first of the other two axes. */
-    real v; /**< Beside the ray, along the second. */
+    real u; /**< Along the first axis across. */
+    real v; /**< Along the second axis across. */
 } ShearedVertex;
 
-/** @return A corner. @param v A point of the scene. */
+/** @return A vertex, rounded. */
 static inline Vertex vertex_of(Vec3d v) {
     return (Vertex){{(scalar)v.x, (scalar)v.y, (scalar)v.z}};
 }
 
-/** @return A corner, exactly. */
+/** @return A vertex, exactly. */
 static inline Vec3sw vertex_widen(Vertex vertex) {
     return (Vec3sw){(wide_scalar)vertex.xyz[0], (wide_scalar)vertex.xyz[1],
                     (wide_scalar)vertex.xyz[2]};
 }
 
-/** @return The box around corners. */
+/** @return The bounding box of vertices, by #aabbs_padded. */
 static inline Aabbs vertices_bounds(const Vertex *vertices, int count) {
     Aabbs box;
     for (int axis = 0; axis < 3; axis++) {
@@ -49,25 +50,20 @@ static inline Aabbs vertices_bounds(const Vertex *vertices, int count) {
     return aabbs_padded(box);
 }
 
-/** Rays, turned so that they run mainly along z. */
+/** The shear of rays, in axes permuted so that z is their dominant axis. */
 typedef struct RayShear {
-    Vec3 origin;  /**< Where they start. */
-    real shear_x; /**< How far they go along x for each step along z, at most about 1. */
-    real shear_y; /**< How far they go along y. */
+    Vec3 origin;  /**< Origins. */
+    real shear_x; /**< Direction x / z, at most about 1. */
+    real shear_y; /**< Direction y / z. */
 } RayShear;
 
-/**
- * @return A vector with its axes renamed in a circle.
- * @param axis  What becomes z: 0, 1 or 2 for x, y or z.
+/** @return A vector with cyclically permuted axes. @param axis The axis that becomes z: 0, 1 or 2.
  */
 INLINE Vec3 permute_axes(Vec3 v, int axis) {
     return axis == 0 ? (Vec3){v.y, v.z, v.x} : axis == 1 ? (Vec3){v.z, v.x, v.y} : v;
 }
 
-/**
- * @return Rays turned.
- * @param axis  The axis that they run mainly along.
- */
+/** @return The shear of rays. @param axis Their dominant axis. */
 INLINE RayShear ray_shear_of(const Ray *ray, int axis) {
     Vec3 main_axes = permute_axes(ray->direction, axis),
          inverse = permute_axes(ray->inverse_direction, axis);
@@ -75,27 +71,23 @@ INLINE RayShear ray_shear_of(const Ray *ray, int axis) {
                       main_axes.y * inverse.z};
 }
 
-/** @return How far beside the rays corners lie. */
+/** @return A vertex in sheared coordinates. @param vertex Vertices in permuted axes. */
 INLINE ShearedVertex ray_shear_vertex(Vec3 vertex, const RayShear *shear) {
     real depth = vertex.z - shear->origin.z;
     return (ShearedVertex){(vertex.x - shear->origin.x) - shear->shear_x * depth,
                            (vertex.y - shear->origin.y) - shear->shear_y * depth};
 }
 
-/**
- * @return On which side of an edge the rays pass: above 0 to the left, below 0 to the right, 0 on
- *         it; twice the area between the edge and the ray.
- * @param from  One end of the edge.
- */
+/** @return The side on which rays pass an edge: above 0 left, below 0 right, 0 on it. It is twice
+ * the area between edge and ray. */
 INLINE real edge_function(ShearedVertex from, ShearedVertex to) {
     return from.u * to.v - from.v * to.u;
 }
 
 /**
- * @return The lanes whose ray passes inside a convex polygon or through its edge. The line counts,
- *         forwards and backwards.
- * @param sheared  How far beside the rays the corners lie, in turn.
- * @param count    How many, 3 or 4.
+ * @return The lanes whose line passes inside a convex polygon or through its edge.
+ * @param sheared  Vertices in sheared coordinates, in turn.
+ * @param count    Number of vertices, 3 or 4.
  */
 INLINE mask edge_functions_contain_ray(const ShearedVertex *sheared, int count) {
     real lowest = edge_function(sheared[count - 1], sheared[0]), highest = lowest;
@@ -107,11 +99,7 @@ INLINE mask edge_functions_contain_ray(const ShearedVertex *sheared, int count) 
     return (lowest >= 0) | (highest <= 0);
 }
 
-/**
- * @return The lanes whose ray passes inside a convex polygon, for rays that run mainly along one
- *         axis.
- * @param count  How many, 3 or 4.
- */
+/** #polygon_contains_ray for rays with one dominant axis. */
 INLINE mask polygon_contains_ray_along(const Vertex *vertices, int count, const Ray *ray,
                                        int axis) {
     RayShear shear = ray_shear_of(ray, axis);
@@ -124,14 +112,14 @@ INLINE mask polygon_contains_ray_along(const Vertex *vertices, int count, const 
     return edge_functions_contain_ray(sheared, count);
 }
 
-/** Which lanes run mainly along which axis. */
+/** The lanes by the dominant axis of their direction. */
 typedef struct DominantAxes {
-    mask x; /**< Along x. */
-    mask y; /**< Along y. */
-    mask z; /**< Along z. */
+    mask x; /**< Lanes with x. */
+    mask y; /**< Lanes with y. */
+    mask z; /**< Lanes with z. */
 } DominantAxes;
 
-/** @return Which lanes run mainly along which axis. */
+/** @return The active lanes by dominant axis. */
 INLINE DominantAxes ray_dominant_axes(const Ray *ray, mask active) {
     real x = real_abs(ray->direction.x), y = real_abs(ray->direction.y);
     real z = real_abs(ray->direction.z);
@@ -140,10 +128,8 @@ INLINE DominantAxes ray_dominant_axes(const Ray *ray, mask active) {
     return (DominantAxes){along_x, active & mask_not(along_x | along_z), along_z};
 }
 
-/**
- * @return The lanes whose ray's line passes inside a convex polygon or through its edge.
- * @param count  How many, 3 or 4.
- */
+/** @return The lanes whose line passes inside a convex polygon or through its edge. @param count
+ *  Number of vertices, 3 or 4. */
 INLINE mask polygon_contains_ray(const Vertex *vertices, int count, const Ray *ray, mask active) {
     DominantAxes main_axes = ray_dominant_axes(ray, active);
     mask inside = mask_of(false);

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Lessons as plain data.
+ * @brief Lessons as plain data in shared memory.
  */
 #include "dioptre/lesson.h"
 

@@ -8,6 +8,7 @@
 #include "dioptre/lesson.h"
 #include "view/commands/commands.h"
 #include "view/commands/recorder.h"
+#include "view/lesson/player.h"
 #include "view/state/clocks.h"
 
 #include <stdlib.h>

@@ -75,21 +75,24 @@ settled() {
         cmp -s "$work/a.ppm" "$work/b.ppm" && return
     done
 }
-# changed OLD NEW NAME: waits until the window shows something other than OLD, and keeps it as NEW.
-changed() {
+# differs OLD NEW: waits until the window shows something other than OLD, and keeps it as NEW.
+differs() {
     for _ in {1..200}; do
         screen "$2"
-        cmp -s "$work/$1.ppm" "$work/$2.ppm" || { settled && cp "$work/a.ppm" "$work/$2.ppm" && ok "$3" && return; }
+        cmp -s "$work/$1.ppm" "$work/$2.ppm" || { settled && cp "$work/a.ppm" "$work/$2.ppm" && return; }
         sleep 0.05
     done
-    fail "$3"
+    return 1
 }
-# restored OLD NAME: waits until the window shows OLD again.
-restored() {
+# shows OLD: waits until the window shows OLD again.
+shows() {
     for _ in {1..200}; do
         screen a
-        cmp -s "$work/$1.ppm" "$work/a.ppm" && ok "$2" && return
+        cmp -s "$work/$1.ppm" "$work/a.ppm" && return
         sleep 0.05
     done
-    fail "$2"
+    return 1
 }
+# changed OLD NEW NAME, restored OLD NAME: the same as tests.
+changed() { differs "$1" "$2" && ok "$3" || fail "$3"; }
+restored() { shows "$1" && ok "$2" || fail "$2"; }

@@ -134,14 +134,12 @@ same "$shot" "$work/render.bmp" 'a snapshot of another size equals render'
 screen plain
 xdotool key F1
 changed plain help-us 'F1 shows the help'
-setxkbmap fr && sleep 0.3
-screen help-fr
-differ help-us help-fr 'the help shows the keys of the keyboard in use'
+setxkbmap fr
+changed help-us help-fr 'the help shows the keys of the keyboard in use'
 setxkbmap us && sleep 0.3
 xdotool key h
 restored plain 'h takes the help away'
-xdotool key F1 && sleep 0.2
-screen usual
+xdotool key F1 && differs plain usual
 xdotool key minus minus minus minus minus
 changed usual small '- makes the letters smaller'
 xdotool key plus plus plus plus plus
@@ -471,11 +469,10 @@ leave
 # help KEYBOARD... LANGUAGE: opens the help on a keyboard, keeps it as a picture, and closes it.
 help() {
     setxkbmap "${@:1:$#-1}" && sleep 0.3
-    xdotool key F1 && sleep 0.3
-    settled
-    screen "help-${*: -1}-$1"
-    xdotool key F1 && sleep 0.2
-    settled
+    xdotool key F1
+    differs quiet "help-${*: -1}-$1"
+    xdotool key F1
+    shows quiet
 }
 LC_ALL=C.UTF-8 LANGUAGE=fr open "$box" --samples 1
 expect_shown '^box — 800×600, passe de 1.*px, 1 échantillon, .*Mrayons/s, terminé$' 'the title is French'
@@ -487,16 +484,15 @@ differ help-french-us help-french-ch 'with the keys of Swiss QWERTZ'
 setxkbmap us && sleep 0.3
 xdotool key Tab
 expect_shown "terminé — il n'y a qu'une lumière$" 'notes are French'
-xdotool key F1 && sleep 0.3
+xdotool key F1 && differs quiet open
 xdotool key l
 expect_shown 'pass 1 px, 1 sample, .*finished — messages are in English$' 'l speaks English'
-sleep 0.2
-screen live
-differ live help-french-us 'in the help that is open, too'
+changed help-french-us live 'in the help that is open, too'
 xdotool key l
 expect_shown 'terminé — les messages sont en français$' 'and French again'
 restored help-french-us 'as it was'
 xdotool key F1 l
+shows quiet
 for keyboard in us fr ch; do help $keyboard english; done
 setxkbmap us && sleep 0.3
 for keyboard in us fr ch; do differ help-english-$keyboard help-french-$keyboard "the help on $keyboard is in two languages"; done

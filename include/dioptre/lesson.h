@@ -1,9 +1,9 @@
 /**
  * @file
- * @brief A lesson: what is done in the window, and when, with captions for the class.
+ * @brief A lesson: what is done in the window, and when, with words for the class.
  *
- * A lesson is plain data in one block of memory. The block is shared with child processes, as a
- * scene is: a child runs the lesson's file.
+ * A lesson is plain data. It lives in one block of memory that is shared with child processes, as a
+ * scene does: its file is run in a child.
  */
 #ifndef DIOPTRE_LESSON_H
 #define DIOPTRE_LESSON_H
@@ -79,10 +79,11 @@ typedef struct Lesson {
     char text[LESSON_TEXT_MAXIMUM];         /**< All texts. */
 } Lesson;
 
-/** @return An empty lesson, to be freed with #lesson_destroy; NULL without memory. */
+/** @return An empty lesson, to be given back with #lesson_destroy; NULL without memory.
+ *  @param[out] error What is wrong. */
 Lesson *lesson_create(Error *error);
 
-/** Frees a lesson. @param lesson May be NULL. */
+/** Gives a lesson back. @param lesson The lesson, or NULL. */
 void lesson_destroy(Lesson *lesson);
 
 /** Adds a step. @param step Not before the last one; copied. @return false if the lesson is full.

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Lessons as plain data in shared memory.
+ * @brief Lessons as plain data.
  */
 #include "dioptre/lesson.h"
 

@@ -45,7 +45,7 @@ bool view_state_init(ViewState *view_state, const Scene *scene, Error *error) {
     return true;
 }
 
-/** Copies the position of a light; its colour stays. */
+/** Puts a light where another one is; its colour stays. */
 static void copy_light_position(SceneLight *light, const SceneLight *source) {
     if (light->kind == source->kind) {
         light->position = source->position;

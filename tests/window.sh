@@ -519,7 +519,8 @@ sleep 0.3
 xdotool windowunmap --sync "$window" && sleep 0.3
 still 1 'no processor time while the window is hidden'
 before=$(ticks)
-xdotool windowmap --sync "$window" && sleep 0.5
+xdotool windowmap --sync "$window"
+for _ in {1..200}; do [ $(($(ticks) - before)) -gt 10 ] && break || sleep 0.05; done
 [ $(($(ticks) - before)) -gt 10 ] && ok 'shown again it draws on' || fail 'shown again it draws on'
 xdotool windowfocus "$window"
 xdotool key p key Escape

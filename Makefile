@@ -279,7 +279,7 @@ $(BUILD)/doc/uml.svg: doc/uml.dot
 WORD_SOURCES = $(sort $(shell find include src -name '*.[ch]' -o -name '*.cpp'))
 PO           ?= src/po
 # Functions that look their words up, and which of their arguments holds them.
-LOOKING_UP   := error_set:3 error_prefix:2 raise_error:2 view_note:2 title_add:2 say:2
+LOOKING_UP   := error_set:3 error_prefix:2 lua_error_tr:2 app_set_status:2 title_add:2 append_format:2
 .PHONY: pot
 pot:
 	@.ci/packages gettext

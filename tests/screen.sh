@@ -30,7 +30,7 @@ open() {
     pid=$!
     cd "$root" || exit 1
     window=
-    for _ in {1..200}; do
+    for _ in {1..1000}; do
         window=$(xdotool search --onlyvisible --class '^dioptre$' 2>/dev/null | tail -1)
         [ -n "$window" ] && break || sleep 0.03
     done
@@ -54,7 +54,7 @@ leave() { xdotool key Escape && closed "${1:-Esc leaves}" 0; }
 title() { xdotool getwindowname "$window" 2>/dev/null; }
 # shown WORDS: waits until the title holds WORDS (a pattern).
 shown() {
-    for _ in {1..250}; do [[ $(title) =~ $1 ]] && return 0 || sleep 0.03; done
+    for _ in {1..1000}; do [[ $(title) =~ $1 ]] && return 0 || sleep 0.03; done
     return 1
 }
 expect_shown() { shown "$1" && ok "$2" || fail "$2: the title says $(title)"; }
@@ -75,3 +75,24 @@ settled() {
         cmp -s "$work/a.ppm" "$work/b.ppm" && return
     done
 }
+# differs OLD NEW: waits until the window shows something other than OLD, and keeps it as NEW.
+differs() {
+    for _ in {1..200}; do
+        screen "$2"
+        cmp -s "$work/$1.ppm" "$work/$2.ppm" || { settled && cp "$work/a.ppm" "$work/$2.ppm" && return; }
+        sleep 0.05
+    done
+    return 1
+}
+# shows OLD: waits until the window shows OLD again.
+shows() {
+    for _ in {1..200}; do
+        screen a
+        cmp -s "$work/$1.ppm" "$work/a.ppm" && return
+        sleep 0.05
+    done
+    return 1
+}
+# changed OLD NEW NAME, restored OLD NAME: the same as tests.
+changed() { differs "$1" "$2" && ok "$3" || fail "$3"; }
+restored() { shows "$1" && ok "$2" || fail "$2"; }

@@ -1,24 +1,24 @@
 /**
  * @file
- * @brief Tests of lessons' parts that need no screen: the clock, names, words. The whole is tested
- *        by tests/lesson.sh.
+ * @brief Tests of lessons without a screen: clock, names, texts. tests/lesson.sh tests the rest.
  */
 #include "testing.h"
 
 #include "dioptre/lesson.h"
 #include "view/commands/commands.h"
 #include "view/commands/recorder.h"
+#include "view/lesson/player.h"
 #include "view/state/clocks.h"
 
 #include <stdlib.h>
 
-/** What was moved, in the order in which it was. */
+/** A log of movements. */
 typedef struct MovementLog {
-    double checksum; /**< A number that depends on every movement and on their order. */
-    int count;       /**< How many movements led anywhere. */
+    double checksum; /**< A checksum of all movements and their order. */
+    int count;       /**< Number of movements that are not zero. */
 } MovementLog;
 
-/** Moves a #MovementLog. See #StepClockMoveFn. */
+/** Logs a movement. See #StepClockMoveFn. */
 static void log_movement(void *context, Movement light, Movement camera) {
     MovementLog *log = context;
     log->checksum = log->checksum * 1.1 + camera.right + 0.3 * light.up;
@@ -30,11 +30,8 @@ static Move move(const char *name) {
     return command_find(command_table, name)->move;
 }
 
-/**
- * Holds two keys for a while, on a machine of some speed.
- * @param frame  Milliseconds from one look at the clock to the next.
- * @return What it comes to.
- */
+/** Holds two keys for a while, on a machine of some speed. @param frame Milliseconds from one
+ * update to the next. @return The log. */
 static MovementLog hold_two_keys(int64_t frame) {
     MovementLog log = {0};
     StepClock step_clock = {.move = log_movement, .context = &log, .held_keys = {.speed = 1}};
@@ -43,7 +40,7 @@ static MovementLog hold_two_keys(int64_t frame) {
         const char *name;
         bool is_press;
     } keys[] = {{33, "camera right", true},
-                {48, "light up", true}, // On a beat.
+                {48, "light up", true}, // At a tick.
                 {411, "camera right", false},
                 {412, "light up", false}};
     size_t next = 0;
@@ -58,7 +55,7 @@ static MovementLog hold_two_keys(int64_t frame) {
     return log;
 }
 
-/** Whatever the machine's speed, the same is moved, to the bit. */
+/** The movement is equal to the bit at any speed of the machine. */
 static void test_step_clock(void **state) {
     (void)state;
     static const int64_t frames[] = {1, 3, 16, 17, 40, 250, 5000};
@@ -70,7 +67,7 @@ static void test_step_clock(void **state) {
     }
 }
 
-/** The clock wakes for beats only while a key is held. */
+/** There is a next tick only while a key is held. */
 static void test_step_clock_next(void **state) {
     (void)state;
     MovementLog log = {0};
@@ -99,7 +96,7 @@ static void test_action_names(void **state) {
     assert_true(command_find(command_table, "leave")->flags & COMMAND_UNRECORDED);
 }
 
-/** Words are cut at blanks, by letters and not by bytes. */
+/** Texts are broken at spaces, by characters and not by bytes. */
 static void test_rows(void **state) {
     (void)state;
     char words[] = "été après été\nneu unteilbaresWort x";
@@ -113,7 +110,7 @@ static void test_rows(void **state) {
     assert_int_equal(word_wrap(more, 1, rows, 2), 2);
 }
 
-/** Words are in the language that is wanted, else in the other. */
+/** Texts are in the wanted language, else in the other. */
 static void test_words(void **state) {
     (void)state;
     assert_string_equal(lesson_text_localized(&(LessonText){"one", "un"}, true), "un");
@@ -123,7 +120,7 @@ static void test_words(void **state) {
     assert_string_equal(lesson_text_localized(&(LessonText){0}, true), "");
 }
 
-/** A full lesson says so. */
+/** A full lesson is reported. */
 static void test_full(void **state) {
     (void)state;
     Error error = {0};
@@ -144,7 +141,7 @@ static void test_full(void **state) {
     free(words);
 }
 
-/** What is recorded can be read by Lua. */
+/** Recorded text is Lua. */
 static void test_text(void **state) {
     (void)state;
     char step[128], *text = NULL;

@@ -1,7 +1,7 @@
 /**
  * @file
- * @brief Tests of the window's parts that need no screen: keys, movement, snapshots, words.
- *        The window itself is tested by tests/window.sh.
+ * @brief Tests of the window's parts without a screen: commands, movement, snapshots, panels.
+ * tests/window.sh tests the window itself.
  */
 #include "testing.h"
 
@@ -19,7 +19,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-/** How far a sum of a few times may be off, seconds. */
+/** Rounding error of a sum of times, seconds. */
 static const double TIME_ROUNDING = 1e-12;
 
 /** Fails unless two numbers are equal up to rounding. */
@@ -32,7 +32,7 @@ static Move move(const char *name) {
     return command_find(command_table, name)->move;
 }
 
-/** @return What the camera is moved by up to a time. */
+/** @return Movement of the camera up to a time. */
 static Movement consume_camera_motion(HeldKeys *held_keys, double time) {
     Movement light, camera;
     held_keys_consume(held_keys, time, &light, &camera);
@@ -53,7 +53,7 @@ static void test_motion_tap(void **state) {
     assert_false(movement_is_nonzero(consume_camera_motion(&held_keys, 6)));
 }
 
-/** A key moves by the time that it was held, whenever one looks. */
+/** A key moves by the time that it was held, however often it is consumed. */
 static void test_motion_held(void **state) {
     (void)state;
     HeldKeys held_keys = {.speed = 1};
@@ -123,7 +123,7 @@ static void assert_key(SDL_Scancode scancode, SDL_Keycode letter, bool by_letter
     }
 }
 
-/** The light's keys are places, or letters; never both. */
+/** The light's keys go by position or by letter, never by both. */
 static void test_keymap_light(void **state) {
     (void)state;
     /* The keys of an AZERTY keyboard: the same either way. */
@@ -179,7 +179,7 @@ static void test_keymap_others(void **state) {
     }
 }
 
-/** @return The keys that the help names for something. */
+/** @return The keys of a row of the help. */
 static const char *help_text_keys(const PanelRow *rows, size_t count, const char *text) {
     for (size_t i = 0; i < count; i++) {
         if (strcmp(rows[i].text, text) == 0) {
@@ -190,7 +190,7 @@ static const char *help_text_keys(const PanelRow *rows, size_t count, const char
     return "";
 }
 
-/** The help names the keys as they are printed on a US keyboard, SDL's own. */
+/** The help names keys as on a US keyboard, SDL's default. */
 static void test_keymap_help(void **state) {
     (void)state;
     PanelRow rows[HELP_ROWS_MAXIMUM];
@@ -230,7 +230,7 @@ static void test_panel(void **state) {
     }
 }
 
-/** The help fits windows, with the keyboard where that can be read. */
+/** The help fits windows, with the keyboard where it is readable. */
 static void test_help_panel(void **state) {
     (void)state;
     static const int sizes[][2] = {{800, 600}, {3840, 2160}, {1280, 500}, {400, 300}, {300, 900}};
@@ -329,8 +329,8 @@ static void test_parts(void **state) {
     globfree(&files);
 }
 
-/** What keys change counts, and nothing else; strategies and lights go around, numbers stop at
- *  their ends. */
+/** Only overridden settings are applied. Strategies and lighting modes are cyclic, numbers have
+ * limits. */
 static void test_settings_override(void **state) {
     (void)state;
     Error error = {0};
@@ -440,7 +440,7 @@ static void test_snapshot_numbers(void **state) {
     picture_deinit(&picture);
 }
 
-/** A folder's name that leaves no room for a file's is told. */
+/** A folder with too long a name is reported. */
 static void test_snapshot_long_path(void **state) {
     (void)state;
     char path[NUMBERED_FILE_PATH_SIZE], folder[NUMBERED_FILE_PATH_SIZE];
@@ -452,7 +452,7 @@ static void test_snapshot_long_path(void **state) {
     assert_non_null(strstr(error.message, "too long"));
 }
 
-/** The bytes of a screen become those of a picture. */
+/** Pixels of the screen are converted to those of a picture. */
 static void test_snapshot_convert(void **state) {
     (void)state;
     static const uint8_t bgrx[] = {1, 2, 3, 255, 4, 5, 6, 255};
@@ -483,7 +483,7 @@ static void assert_point(Vec3d point, double x, double y, double z) {
     assert_near(point.z, z);
 }
 
-/** Things move along the axes of the picture, and go home again. */
+/** Light and camera move along the axes of the picture, and are reset. */
 static void test_view_state(void **state) {
     (void)state;
     Scene *scene = make_scene();
@@ -504,7 +504,7 @@ static void test_view_state(void **state) {
     scene_destroy(scene);
 }
 
-/** What the user has moved stays there at other times, and goes home. */
+/** What the user has moved stays there at other times, until it is reset. */
 static void test_view_state_renew(void **state) {
     (void)state;
     const SceneLight light = {.position = {7, 7, 7}, .intensity = 9};
@@ -539,7 +539,7 @@ static void test_view_state_renew(void **state) {
     }
 }
 
-/** The time is held, runs and steps, by milliseconds. */
+/** The time pauses, runs and steps, by milliseconds. */
 static void test_time_control(void **state) {
     (void)state;
     Timeline timeline = {.time = 1.5};
@@ -561,7 +561,7 @@ static void test_time_control(void **state) {
     assert_true(timeline_time_at(&timeline, 5) == 1e300);
 }
 
-/** Which way is up is told from the camera, unless it looks steeply. */
+/** The up axis comes from the camera, unless it looks steeply. */
 static void test_view_state_vertical(void **state) {
     (void)state;
     static const Vec3d rows[][3] = {/* direction, up, vertical */
@@ -600,7 +600,7 @@ static void test_scene_text(void **state) {
               "falloff = \"none\", radius = 0 }");
 }
 
-/** The title says how the drawing stands. */
+/** The title shows pass and speed. */
 static void test_title(void **state) {
     (void)state;
     RenderStats report = {.seconds = 0.0123,
@@ -639,7 +639,7 @@ static void test_title(void **state) {
     assert_int_equal(strlen(title), TITLE_SIZE - 1);
 }
 
-/** A window opens on a screen that nobody sees, and closes when asked. */
+/** A window opens on an invisible screen, and closes when it should stop. */
 static void test_window(void **state) {
     (void)state;
     setenv("SDL_VIDEODRIVER", "dummy", 1);
@@ -663,11 +663,7 @@ typedef struct LoadRequests {
     atomic_int count; /**< Number of requests. */
 } LoadRequests;
 
-/**
- * Loads what a window asks for. See #ViewLoader.
- * @param[out] render  How it is drawn.
- * @return A scene; none for a file called wrong.
- */
+/** Loads a scene. See #ViewLoader. @return A scene; NULL for `wrong.lua`. */
 static Scene *load_requested(void *context, const ViewRequest *request, const atomic_bool *stop,
                              RenderSettings *render, Error *error) {
     (void)stop;
@@ -701,7 +697,7 @@ static void *drop_two_files(void *context) {
     return NULL;
 }
 
-/** A scene that is dropped on the window is shown; one with a mistake leaves that before. */
+/** A dropped scene is shown; a faulty one leaves the previous scene. */
 static void test_drop(void **state) {
     (void)state;
     setenv("SDL_VIDEODRIVER", "dummy", 1);

@@ -19,7 +19,7 @@ shoot() {
     local before after
     before=$(wc -l <"$work/log")
     xdotool key p
-    for _ in {1..300}; do
+    for _ in {1..3000}; do
         after=$(wc -l <"$work/log")
         [ "$after" -gt "$before" ] && break || sleep 0.02
     done
@@ -132,24 +132,18 @@ expect_shown '500×360.*finished' 'another size is drawn anew'
 shoot
 same "$shot" "$work/render.bmp" 'a snapshot of another size equals render'
 screen plain
-xdotool key F1 && sleep 0.2
-screen help-us
-differ plain help-us 'F1 shows the help'
-setxkbmap fr && sleep 0.3
-screen help-fr
-differ help-us help-fr 'the help shows the keys of the keyboard in use'
+xdotool key F1
+changed plain help-us 'F1 shows the help'
+setxkbmap fr
+changed help-us help-fr 'the help shows the keys of the keyboard in use'
 setxkbmap us && sleep 0.3
-xdotool key h && sleep 0.2
-screen again
-cmp -s "$work/plain.ppm" "$work/again.ppm" && ok 'h takes the help away' || fail 'h takes the help away'
-xdotool key F1 && sleep 0.2
-screen usual
-xdotool key minus minus minus minus minus && sleep 0.2
-screen small
-differ usual small '- makes the letters smaller'
-xdotool key plus plus plus plus plus && sleep 0.2
-screen grown
-cmp -s "$work/usual.ppm" "$work/grown.ppm" && ok '+ makes them larger' || fail '+ makes them larger'
+xdotool key h
+restored plain 'h takes the help away'
+xdotool key F1 && differs plain usual
+xdotool key minus minus minus minus minus
+changed usual small '- makes the letters smaller'
+xdotool key plus plus plus plus plus
+restored usual '+ makes them larger'
 xdotool key F1
 before=$(wc -l <"$work/log")
 xdotool key c
@@ -170,38 +164,29 @@ open "$box" --samples 1
 shoot
 before=$view
 screen plain
-xdotool key v && sleep 0.7
-screen rays
-differ plain rays 'v shows the rays of a pixel'
-xdotool key k && sleep 0.3
-screen next
-differ rays next 'k shows the numbers of the next ray'
-xdotool key j && sleep 0.3
-screen again
-cmp -s "$work/rays.ppm" "$work/again.ppm" && ok 'j those of the ray before' || fail 'j those of the ray before'
-xdotool key ctrl+shift+Down && sleep 0.7
-screen walked
-differ rays walked 'Ctrl and arrows walk to another pixel'
-hold 0.3 Right && sleep 0.7
-screen turned
-differ walked turned 'arrows go around the rays'
-xdotool mousemove --window "$window" 200 300 mousedown 1 mousemove_relative 60 20 mouseup 1 && sleep 0.7
-screen dragged
-differ turned dragged 'so does the mouse'
+xdotool key v
+changed plain rays 'v shows the rays of a pixel'
+xdotool key k
+changed rays next 'k shows the numbers of the next ray'
+xdotool key j
+restored rays 'j those of the ray before'
+xdotool key ctrl+shift+Down
+changed rays walked 'Ctrl and arrows walk to another pixel'
+hold 0.3 Right
+changed walked turned 'arrows go around the rays'
+xdotool mousemove --window "$window" 200 300 mousedown 1 mousemove_relative 60 20 mouseup 1
+changed turned dragged 'so does the mouse'
 shoot
 [ "${view%%  -- *}" = "${before%%  -- *}" ] && ok 'and the camera stays' || fail "the camera moved: $view"
-hold 0.2 d && sleep 0.7
-screen lit
-differ dragged lit 'the rays follow the light'
+hold 0.2 d
+changed dragged lit 'the rays follow the light'
 xdotool windowsize --sync "$window" 500 360 && sleep 0.7
 xdotool windowsize --sync "$window" 1 1 && sleep 0.3
 xdotool windowsize --sync "$window" 800 600 && sleep 0.5
-xdotool key Escape Home && sleep 0.7
-screen back
-cmp -s "$work/plain.ppm" "$work/back.ppm" && ok 'Esc takes them away' || fail 'Esc takes them away'
-xdotool mousemove --window "$window" 300 430 click 1 && sleep 0.7
-screen clicked
-differ plain clicked 'a click shows the rays of that pixel'
+xdotool key Escape Home
+restored plain 'Esc takes them away'
+xdotool mousemove --window "$window" 300 430 click 1
+changed plain clicked 'a click shows the rays of that pixel'
 xdotool key v
 leave 'Esc leaves when no rays are shown'
 
@@ -221,10 +206,13 @@ moves 'drag down: looks down' camera 0 + yellow 2 - drag 0 40
 moves 'drag up: looks up' camera 0 + yellow 2 + drag 0 -40
 moves 'wheel up: narrower' camera 0 + yellow 3 + xdotool click 4
 moves 'wheel down: wider' camera 0 + yellow 3 - xdotool click 5
-xdotool key Home
-hold 0.5 Right
-shoot
-held=$(numbers camera | cut -d' ' -f1)
+for _ in 1 2 3 4 5; do # A busy machine holds it longer: the best of a few tries counts.
+    xdotool key Home
+    hold 0.5 Right
+    shoot
+    held=$(numbers camera | cut -d' ' -f1)
+    awk "BEGIN { exit !($held > 1.3 && $held < 2.2) }" && break
+done
 awk "BEGIN { exit !($held > 1.3 && $held < 2.2) }" && ok 'a key held moves by the time it is held' ||
     fail "half a second moved the camera by $held, not 1.6"
 # A tap lasts longer on a busy machine: the shortest of a few counts.
@@ -242,11 +230,15 @@ fast=$(tap shift+Right)
 fine=$(tap ctrl+Right)
 awk "BEGIN { exit !($fast > 10 * $fine && $fine > 0) }" && ok 'Shift is fast, Ctrl is fine' ||
     fail "Shift moved by $fast, Ctrl by $fine"
-xdotool key Home
-hold 0.3 Left Right
-shoot
-awk "BEGIN { x = $(numbers camera | cut -d' ' -f1); exit !(x * x < 0.01) }" &&
-    ok 'opposite keys cancel' || fail "opposite keys: $(numbers camera)"
+# On a busy machine two keys do not go down at one moment: the best of a few tries counts.
+for _ in 1 2 3 4 5; do
+    xdotool key Home
+    hold 0.3 Left Right
+    shoot
+    x=$(numbers camera | cut -d' ' -f1)
+    awk "BEGIN { exit !($x * $x < 0.01) }" && break
+done
+awk "BEGIN { exit !($x * $x < 0.01) }" && ok 'opposite keys cancel' || fail "opposite keys: $(numbers camera)"
 setxkbmap fr && sleep 0.3
 lights 'azerty letters' z s q d e w
 setxkbmap ch fr && sleep 0.3
@@ -344,21 +336,16 @@ convert "$work/left.bmp" \( "$work/right.bmp" -crop 400x600+400+0 +repage \) -ge
     "$work/both.bmp"
 shoot
 expect 0 '' 'a snapshot has both' "$dioptre" compare "$shot" "$work/both.bmp" --threshold 0
-xdotool key F6 F6 && sleep 0.2
-screen barred
-differ beside barred 'F6 moves the bar'
+xdotool key F6 F6
+changed beside barred 'F6 moves the bar'
 xdotool mousemove --window "$window" 368 300 mousedown 1 mousemove --window "$window" 600 300 mouseup 1
-sleep 0.2
-screen dragged
-differ barred dragged 'and so does the mouse'
+changed barred dragged 'and so does the mouse'
 shoot
 [[ $view = *'position = {0, 0, 6.5}'* ]] && ok 'which leaves the camera' || fail "$view"
-xdotool key t 3 && shown 'finished' && sleep 0.3
-screen sides
-differ dragged sides 't: the left side has a layer'
-xdotool key 1 x && shown finished && sleep 0.3
-screen difference
-differ sides difference 'x again: the difference'
+xdotool key t 3 && shown 'finished'
+changed dragged sides 't: the left side has a layer'
+xdotool key 1 x && shown finished
+changed sides difference 'x again: the difference'
 xdotool key x && sleep 0.3
 shoot
 same "$shot" "$work/left.bmp" 'and again: the left one alone'
@@ -463,13 +450,10 @@ old=($("$probe" "$shot" yellow))
 screen before
 sed -i 's/^sphere {/sphere { radios = 2,/' "$work/edited.lua"
 expect_shown 'edited.lua:[0-9]+: sphere has no field .radios.; did you mean .radius.' 'a mistake is told'
-sleep 0.2
-screen mistaken
-differ before mistaken 'over the picture, too'
+changed before mistaken 'over the picture, too'
 hold 0.1 Right
-xdotool key Home && sleep 0.2
-screen moved
-differ mistaken moved 'and the scene before can be moved meanwhile'
+xdotool key Home
+changed mistaken moved 'and the scene before can be moved meanwhile'
 hold 0.1 Right
 cp "$box" "$work/next.lua" && sed -i 's/radius = 0.85/radius = 0.5/' "$work/next.lua"
 mv "$work/next.lua" "$work/edited.lua" # As editors do.
@@ -488,11 +472,10 @@ leave
 # help KEYBOARD... LANGUAGE: opens the help on a keyboard, keeps it as a picture, and closes it.
 help() {
     setxkbmap "${@:1:$#-1}" && sleep 0.3
-    xdotool key F1 && sleep 0.3
-    settled
-    screen "help-${*: -1}-$1"
-    xdotool key F1 && sleep 0.2
-    settled
+    xdotool key F1
+    differs quiet "help-${*: -1}-$1"
+    xdotool key F1
+    shows quiet
 }
 LC_ALL=C.UTF-8 LANGUAGE=fr open "$box" --samples 1
 expect_shown '^box — 800×600, passe de 1.*px, 1 échantillon, .*Mrayons/s, terminé$' 'the title is French'
@@ -504,18 +487,15 @@ differ help-french-us help-french-ch 'with the keys of Swiss QWERTZ'
 setxkbmap us && sleep 0.3
 xdotool key Tab
 expect_shown "terminé — il n'y a qu'une lumière$" 'notes are French'
-xdotool key F1 && sleep 0.3
+xdotool key F1 && differs quiet open
 xdotool key l
 expect_shown 'pass 1 px, 1 sample, .*finished — messages are in English$' 'l speaks English'
-sleep 0.2
-screen live
-differ live help-french-us 'in the help that is open, too'
+changed help-french-us live 'in the help that is open, too'
 xdotool key l
 expect_shown 'terminé — les messages sont en français$' 'and French again'
-sleep 0.2
-screen back
-cmp -s "$work/back.ppm" "$work/help-french-us.ppm" && ok 'as it was' || fail 'the French help is another one'
+restored help-french-us 'as it was'
 xdotool key F1 l
+shows quiet
 for keyboard in us fr ch; do help $keyboard english; done
 setxkbmap us && sleep 0.3
 for keyboard in us fr ch; do differ help-english-$keyboard help-french-$keyboard "the help on $keyboard is in two languages"; done
@@ -530,9 +510,7 @@ expect_shown "edited.lua:[0-9]+: sphere n'a pas de champ .radios." 'a mistake is
 screen faulty
 xdotool key l
 expect_shown 'edited.lua:[0-9]+: sphere has no field .radios.; did you mean .radius.' 'and in English after l'
-sleep 0.2
-screen mistaken
-differ faulty mistaken 'over the picture, too'
+changed faulty mistaken 'over the picture, too'
 leave
 
 # --- slow pictures -------------------------------------------------------------------------------
@@ -541,7 +519,8 @@ sleep 0.3
 xdotool windowunmap --sync "$window" && sleep 0.3
 still 1 'no processor time while the window is hidden'
 before=$(ticks)
-xdotool windowmap --sync "$window" && sleep 0.5
+xdotool windowmap --sync "$window"
+for _ in {1..200}; do [ $(($(ticks) - before)) -gt 10 ] && break || sleep 0.05; done
 [ $(($(ticks) - before)) -gt 10 ] && ok 'shown again it draws on' || fail 'shown again it draws on'
 xdotool windowfocus "$window"
 xdotool key p key Escape

@@ -16,68 +16,67 @@
 
 /** Most steps of a lesson. */
 enum { LESSON_STEPS_MAXIMUM = 65536 };
-/** Bytes that all words of a lesson may take. */
+/** Most bytes of all texts of a lesson. */
 enum { LESSON_TEXT_MAXIMUM = 1 << 20 };
-/** Longest time from a step to the next, seconds. */
+/** Longest wait, seconds. */
 #define LESSON_WAIT_MAXIMUM 3600.0
 
-/** Words in the languages of the program; owned by the lesson. */
+/** A text in the languages of the program; owned by the lesson. */
 typedef struct LessonText {
-    const char *english; /**< UTF-8; NULL: there are none. */
-    const char *french;  /**< UTF-8; NULL: there are none. */
+    const char *english; /**< UTF-8; NULL: none. */
+    const char *french;  /**< UTF-8; NULL: none. */
 } LessonText;
 
-/** What a step does. */
+/** The kinds of steps. */
 typedef enum {
-    LESSON_PRESS,   /**< A key goes down: an action begins. */
-    LESSON_RELEASE, /**< A key goes up: a move ends. */
-    LESSON_SPEED,   /**< Moves go faster or slower: Shift, Ctrl. */
+    LESSON_PRESS,   /**< The key of a command goes down. */
+    LESSON_RELEASE, /**< The key of a move goes up. */
+    LESSON_SPEED,   /**< The speed of moves changes: Shift, Ctrl. */
     LESSON_TURN,    /**< The camera turns: the mouse is dragged. */
-    LESSON_ZOOM,    /**< The field of view gets narrower or wider: the wheel. */
-    LESSON_SIZE,    /**< The window gets another size. */
+    LESSON_ZOOM,    /**< The field of view changes: the wheel. */
+    LESSON_SIZE,    /**< The window changes its size. */
     LESSON_PIXEL,   /**< The rays of a pixel are shown: a click. */
-    LESSON_WALK,    /**< The rays of a pixel beside: Ctrl and an arrow. */
+    LESSON_WALK,    /**< The rays of a pixel nearby are shown: Ctrl and an arrow. */
     LESSON_BAR,     /**< The bar between two pictures is dragged. */
-    LESSON_CAPTION, /**< Words at the lower edge. */
-    LESSON_SNAPSHOT /**< The finished picture is kept, where that is asked for. */
+    LESSON_CAPTION, /**< A caption is shown. */
+    LESSON_SNAPSHOT /**< The finished picture is saved, if the lesson plays unattended. */
 } LessonStepKind;
 
-/** One thing that is done. */
+/** One step. */
 typedef struct LessonStep {
-    LessonStepKind kind;   /**< What. */
-    int64_t time;          /**< When, milliseconds from the beginning. */
-    int action;            /**< Which, for #LESSON_PRESS and #LESSON_RELEASE: its place in the list
-                                of names that the lesson was read with. */
-    double x;              /**< Factor of the speed; degrees to the right; notches of the wheel
-                                    towards what is seen; width in the screen's units; share of the
-                                    picture's width; pixels to the right. */
-    double y;              /**< Degrees up; height in the screen's units; share of the picture's
-                                 height, from its upper edge; pixels down. */
-    LessonText text;       /**< A caption's words. */
-    bool waits_for_viewer; /**< Whether a caption waits until the class has read it. */
+    LessonStepKind kind; /**< Its kind. */
+    int64_t time;        /**< Its time, milliseconds from the beginning. */
+    int action; /**< The command of #LESSON_PRESS and #LESSON_RELEASE: an index into the names that
+                   the lesson was read with. */
+    double x; /**< Speed factor; degrees to the right; notches of the wheel; width in screen units;
+                 fraction of the picture's width; pixels to the right. */
+    double y; /**< Degrees up; height in screen units; fraction of the picture's height, from the
+                 top; pixels down. */
+    LessonText text;       /**< Text of a caption. */
+    bool waits_for_viewer; /**< Whether a caption pauses the lesson. */
 } LessonStep;
 
-/** How the scene is drawn at first; where nothing is said, as the command line and it say. */
+/** Render settings at the beginning; where unset, those of command line and scene. */
 typedef struct LessonSettings {
-    int samples;        /**< Rays a pixel; 0: not said. */
-    int depth;          /**< How often a ray may be mirrored or refracted; -1: not said. */
-    int offset;         /**< An #OffsetStrategy; -1: not said. */
-    double epsilon;     /**< Scene units; negative: not said. */
-    int width;          /**< The window's; 0: not said. */
-    int height;         /**< The window's; 0: not said. */
+    int samples;        /**< Samples per pixel; 0: unset. */
+    int depth;          /**< Depth of reflections and refractions; -1: unset. */
+    int offset;         /**< An #OffsetStrategy; -1: unset. */
+    double epsilon;     /**< Scene units; negative: unset. */
+    int width;          /**< Of the window, screen units; 0: unset. */
+    int height;         /**< Of the window, screen units; 0: unset. */
     double time;        /**< The scene's `t`, seconds. */
-    const char *engine; /**< The engine's name; NULL: not said. Owned by the lesson. */
+    const char *engine; /**< Name of the engine, owned by the lesson; NULL: unset. */
 } LessonSettings;
 
 /** A lesson. */
 typedef struct Lesson {
-    char scene[PATH_MAX];                   /**< Its scene's file; empty: none was said yet. */
-    LessonText title;                       /**< What it is called. */
-    LessonSettings initial_settings;        /**< How the scene is drawn at first. */
-    size_t count;                           /**< How many steps. */
-    LessonStep steps[LESSON_STEPS_MAXIMUM]; /**< What is done, in the order of time. */
-    size_t text_used;                       /**< Bytes of #text that are taken. */
-    char text[LESSON_TEXT_MAXIMUM];         /**< All words. */
+    char scene[PATH_MAX];                   /**< File of its scene; empty: not read yet. */
+    LessonText title;                       /**< Its title. */
+    LessonSettings initial_settings;        /**< Render settings at the beginning. */
+    size_t count;                           /**< Number of steps. */
+    LessonStep steps[LESSON_STEPS_MAXIMUM]; /**< The steps, in the order of time. */
+    size_t text_used;                       /**< Used bytes of #text. */
+    char text[LESSON_TEXT_MAXIMUM];         /**< All texts. */
 } Lesson;
 
 /** @return An empty lesson, to be given back with #lesson_destroy; NULL without memory.
@@ -94,26 +93,15 @@ size_t lesson_block_size(const Lesson *lesson);
 /** Gives a lesson back. @param lesson The lesson, or NULL. */
 void lesson_destroy(Lesson *lesson);
 
-/**
- * Adds a step.
- * @param[in,out] lesson  The lesson.
- * @param step            What is done; not before the last one; copied.
- * @param[out] error      That the lesson is full.
- * @return Whether it was added.
+/** Adds a step. @param step Not before the last one; copied. @return false if the lesson is full.
  */
 bool lesson_add(Lesson *lesson, const LessonStep *step, Error *error);
 
-/**
- * Keeps words.
- * @param[in,out] lesson  The lesson.
- * @param text           UTF-8; copied.
- * @param[out] error      That the lesson is full.
- * @return The copy, the lesson's; NULL if there is no room.
- */
+/** Stores a text. @param text UTF-8; copied. @return The copy, owned by the lesson; NULL if the
+ * lesson is full. */
 const char *lesson_store_text(Lesson *lesson, const char *text, Error *error);
 
-/** @return Words in one language, else in the other; empty without any. @param text The words.
- *  @param is_french Whether French is wanted. */
+/** @return A text in one language, else in the other; empty without any. */
 const char *lesson_text_localized(const LessonText *text, bool is_french);
 
 #endif

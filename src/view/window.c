@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The pictures' way from the scene to the screen.
+ * @brief Composing viewports and panels.
  */
 #include "view/window.h"
 
@@ -9,12 +9,12 @@
 
 #include <stdlib.h>
 
-/** How many times as large letters get with each step. */
+/** Factor of the size of letters per step. */
 static const double TEXT_SCALE_STEP = 1.2;
-/** How many times as large, or as small, as usual they get at most. */
+/** Largest factor of the size of letters; the smallest is its inverse. */
 static const double TEXT_SCALE_MAXIMUM = 3;
 
-/** How near to the bar the mouse drags it, as a share of the window's width. */
+/** Distance from the bar at which the mouse drags it, fraction of the window's width. */
 static const double BAR_REACH = 0.015;
 
 bool window_open(Window *window, const Scene *scene, const RenderSettings *settings,
@@ -58,7 +58,7 @@ void window_invalidate(Window *window) {
     }
 }
 
-/** Words are brought up to date at once. */
+/** Has the panels updated at once. */
 static void update_text_now(Window *window) {
     for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
         window->huds[i].next_update_time = 0;
@@ -129,8 +129,8 @@ void window_toggle_settings(Window *window) {
     window_present(window);
 }
 
-/** Opens or closes the second picture, as is wanted. @return false without memory: there is one
- *  then. */
+/** Opens or closes the second viewport. @return false without memory: there is one viewport then.
+ */
 static bool update_second_viewport(Window *window, const Scene *scene, Error *error) {
     Viewport *first = &window->viewports[0], *second = &window->viewports[1];
     bool is_wanted = window->split.mode != SPLIT_NONE;
@@ -208,7 +208,7 @@ void window_on_device_reset(Window *window) {
 
 /* --- showing ---------------------------------------------------------------------------------- */
 
-/** Puts the pictures where they are shown next. */
+/** Draws the viewports. */
 static void draw_viewports(Window *window) {
     SDL_Renderer *renderer = window->sdl.renderer;
     SDL_Rect rect = {0}, clip;
@@ -228,7 +228,7 @@ static void draw_viewports(Window *window) {
     }
 }
 
-/** Shows what is said beside the pictures. */
+/** Draws the panels on the viewports. */
 static void draw_huds(Window *window, const OverlayTarget *target) {
     static const char *const titles[2][WINDOW_VIEWPORTS] = {{N_("left"), N_("right")},
                                                             {N_("left ←"), N_("right ←")}};
@@ -292,7 +292,7 @@ void window_set_notice(Window *window, const char *text) {
     }
 }
 
-/** Starts to draw what has changed. @return false without memory. */
+/** Starts to render what has changed. @return false without memory. */
 static bool start_invalidated(Window *window, const Scene *scene, double now, Error *error) {
     int width, height;
     sdl_window_size(&window->sdl, &width, &height);
@@ -308,7 +308,7 @@ static bool start_invalidated(Window *window, const Scene *scene, double now, Er
     return ok;
 }
 
-/** Shows the newest passes. */
+/** Shows the newest passes that are due. */
 static void upload_due(Window *window, double now) {
     size_t count = window_viewport_count(window);
     bool has_uploaded = false;
@@ -375,11 +375,8 @@ bool window_is_finished(const Window *window) {
     return is_finished;
 }
 
-/**
- * Copies what the window shows.
- * @param pitch  Bytes from a row to the next.
- * @return false without memory.
- */
+/** Copies the picture on screen. @param[out] bgrx See #split_view_compose. @return false without
+ * memory. */
 static bool copy_pixels(Window *window, uint8_t *bgrx, int pitch) {
     RenderStats report;
     return window_viewport_count(window) > 1

@@ -393,38 +393,3 @@ void command_issue(App *app, const Command *command, double time) {
     latency_on_key(&app->window.latency, time);
     app->input.next_move_time = 0;
 }
-
-/* --- names for lessons ------------------------------------------------------------------------ */
-
-/** Finds the next command that is a move, or that is none. @return NULL: there is no other. */
-static const Command *next_named(const Command *row, bool is_move) {
-    while (command_is_row(row) && (!row->name || command_is_move(row) != is_move)) {
-        row++;
-    }
-    return command_is_row(row) ? row : NULL;
-}
-
-/** @return The command of an index, moves first; NULL: there are fewer. @param[out] is_move Whether
- *  it is a move. */
-const Command *command_of_action(int action) {
-    for (int is_move = 1; is_move >= 0; is_move--) {
-        const Command *row = next_named(command_table, is_move);
-        for (; row; row = next_named(row + 1, is_move)) {
-            if (action-- == 0) {
-                return row;
-            }
-        }
-    }
-    return NULL;
-}
-
-int view_actions(const char *names[VIEW_ACTIONS_MAXIMUM]) {
-    int count = 0, move_count = 0;
-    for (const Command *row;
-         count < VIEW_ACTIONS_MAXIMUM - 1 && (row = command_of_action(count));) {
-        names[count++] = row->name;
-        move_count += command_is_move(row);
-    }
-    names[count] = NULL;
-    return move_count;
-}

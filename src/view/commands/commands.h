@@ -20,7 +20,4 @@ void command_run(App *app, const Command *command);
  *  When its key went down, seconds on #clock_now_seconds. */
 void command_issue(App *app, const Command *command, double time);
 
-/** @return The command of a step of a lesson. @param action Index in the list of #view_actions. */
-const Command *command_of_action(int action);
-
 #endif

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Ctrl-C, and its kin, as an event of the window.
+ * @brief Waiting for the signals that end the program.
  */
 #include "view/input/signal_thread.h"
 
@@ -9,11 +9,11 @@
 #include <SDL.h>
 #include <unistd.h>
 
-/** Sent to the waiting thread, and to nobody else, to end it. By default it does nothing. */
+/** Ends the thread: sent to it alone. Its default action is to do nothing. */
 static const int WAKE_SIGNAL = SIGURG;
 
-/** Adds a signal to those waited for, unless the program was started with it ignored, as `nohup`
- *  and shell scripts in the background do. */
+/** Adds a signal, unless it was ignored when the program started, as with `nohup` and in background
+ * jobs of shell scripts. */
 static void add_unless_ignored(sigset_t *signals, int number) {
     struct sigaction action;
     if (sigaction(number, NULL, &action) == 0 && action.sa_handler != SIG_IGN) {
@@ -31,7 +31,7 @@ void signal_thread_block(SignalThread *signal_thread) {
     pthread_sigmask(SIG_BLOCK, &signal_thread->signals, &signal_thread->previous_mask);
 }
 
-/** @return The next signal that comes; #WAKE_SIGNAL: the thread should end. */
+/** @return The next signal; #WAKE_SIGNAL: the thread should end. */
 static int next_signal(SignalThread *signal_thread) {
     int number = 0;
     while (sigwait(&signal_thread->signals, &number) != 0 ||
@@ -48,7 +48,7 @@ static void *signal_thread_main(void *context) {
     }
     SDL_Event event = {.type = signal_thread->event};
     SDL_PushEvent(&event);
-    /* Who asks twice does not want to wait for anything. */
+    // The second signal ends the program at once, whatever the window does.
     if (next_signal(signal_thread) == WAKE_SIGNAL) {
         return NULL;
     }

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Watching a folder, by a thread that sleeps until something happens there.
+ * @brief Watching a folder with inotify in a thread.
  */
 #include "view/loading/file_watcher.h"
 
@@ -12,13 +12,13 @@
 #include <sys/inotify.h>
 #include <unistd.h>
 
-/** @return Whether a file's name is that of a scene, or of what scenes include. */
+/** @return Whether a file may be a scene or included by one. */
 static bool is_scene_file(const char *name) {
     const char *dot = strrchr(name, '.');
     return name[0] != '.' && dot && strcmp(dot, ".lua") == 0;
 }
 
-/** Reads what has happened. @return Whether any of it concerns a scene. */
+/** Reads inotify's events. @return Whether any is of a scene file. */
 static bool read_events(const FileWatcher *watcher) {
     _Alignas(struct inotify_event) char events[16 * (sizeof(struct inotify_event) + NAME_MAX + 1)];
     ssize_t size = read(watcher->inotify, events, sizeof events);
@@ -31,7 +31,7 @@ static bool read_events(const FileWatcher *watcher) {
     return is_any;
 }
 
-/** Waits for news, as a thread. @return NULL */
+/** Waits for events, as a thread. @return NULL */
 static void *file_watcher_main(void *context) {
     FileWatcher *watcher = context;
     struct pollfd descriptors[] = {{watcher->inotify, POLLIN, 0}, {watcher->stop_event, POLLIN, 0}};

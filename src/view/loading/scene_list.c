@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Finding and drawing scenes in a thread.
+ * @brief Finding scenes and drawing their thumbnails in a thread.
  */
 #include "view/loading/scene_list.h"
 
@@ -17,7 +17,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-/** How much less than others the thread, and what it starts, gets of the processors. */
+/** Niceness of the thread and its children. */
 static const int THREAD_NICENESS = 15;
 
 void scene_list_lock(SceneList *list) {
@@ -28,20 +28,20 @@ void scene_list_unlock(SceneList *list) {
     pthread_mutex_unlock(&list->mutex);
 }
 
-/** Tells the window that there is news. */
+/** Sends the event of a change. */
 static void push_list_event(const SceneList *list) {
     SDL_Event event = {.type = list->event};
     SDL_PushEvent(&event);
 }
 
-/** @return Whether a file of a folder may be a scene, for scandir. */
+/** @return Whether a file may be a scene, for scandir. */
 static int is_scene_file(const struct dirent *entry) {
     const char *dot = strrchr(entry->d_name, '.');
     return entry->d_name[0] != '.' && dot && strcmp(dot, ".lua") == 0;
 }
 
-/** Reads what a scene says of itself: the first sentence of the comment that it begins with.
- *  @param[out] title What it says; empty: nothing. */
+/** Reads the title of a scene: the first sentence of the comment at its beginning. @param[out]
+ * title Empty: there is none. */
 static void read_title(const char *path, char title[SCENE_ENTRY_TITLE_SIZE]) {
     char line[SCENE_ENTRY_TITLE_SIZE];
     size_t used = 0;
@@ -62,11 +62,8 @@ static void read_title(const char *path, char title[SCENE_ENTRY_TITLE_SIZE]) {
     }
 }
 
-/**
- * Adds a scene to the list.
- * @param[in,out] list  The list, locked, with room.
- * @param folder  Its folder, with a slash at its end, or empty.
- */
+/** Adds a scene. @param[in,out] list Locked, with a free place. @param folder Empty, or with a
+ * slash at its end. */
 static void add_entry(SceneList *list, const char *folder, const char *file) {
     SceneEntry *scene = &list->scenes[list->count];
     size_t size = strlen(folder) + strlen(file) + 1;
@@ -78,8 +75,8 @@ static void add_entry(SceneList *list, const char *folder, const char *file) {
     }
 }
 
-/** Lists the scenes of a folder, by their names. @param folder The folder, with a slash at its end;
- *  empty: the current one. */
+/** Adds the scenes of a folder, sorted by name. @param folder With a slash at its end; empty: the
+ * current one. */
 static void list_folder(SceneList *list, const char *folder) {
     struct dirent **files = NULL;
     int count = scandir(folder[0] ? folder : ".", &files, is_scene_file, alphasort);
@@ -106,7 +103,7 @@ static void find_scenes(SceneList *list) {
     }
 }
 
-/** Draws a scene. @param[out] error What is wrong with the scene. */
+/** Draws a thumbnail. @param[out] error Error of the scene. */
 static void draw_thumbnail(const SceneList *list, const char *path, Picture *picture,
                            Error *error) {
     const ViewSettings *settings = list->settings;
@@ -128,15 +125,14 @@ static void draw_thumbnail(const SceneList *list, const char *path, Picture *pic
     scene_destroy(scene);
 }
 
-/** @return An error without the folder that it begins with: its file is seen to be one of the list.
- */
+/** @return An error message without the folder at its beginning. */
 static const char *strip_folder(const SceneEntry *scene, const char *message) {
     const char *slash = strrchr(scene->path, '/');
     size_t length = slash ? (size_t)(slash + 1 - scene->path) : 0;
     return strncmp(message, scene->path, length) == 0 ? message + length : message;
 }
 
-/** Draws the next scene of the list. */
+/** Loads one scene: its title, and its thumbnail or error. */
 static void load_entry(SceneList *list, size_t index) {
     SceneEntry *scene = &list->scenes[index];
     Picture picture = {0};
@@ -153,10 +149,10 @@ static void load_entry(SceneList *list, size_t index) {
     push_list_event(list);
 }
 
-/** The thread's life. @return NULL */
+/** Finds and draws all scenes, as a thread. @return NULL */
 static void *scene_list_main(void *context) {
     SceneList *list = context;
-    setpriority(PRIO_PROCESS, (id_t)gettid(), THREAD_NICENESS); // In Linux, of this thread alone.
+    setpriority(PRIO_PROCESS, (id_t)gettid(), THREAD_NICENESS); // On Linux, of this thread alone.
     find_scenes(list);
     push_list_event(list);
     for (size_t i = 0; i < list->count && !atomic_load(&list->should_stop); i++) {

@@ -1,7 +1,6 @@
 /**
  * @file
- * @brief The scenes of some folders, with small pictures of them: found and drawn by a thread of
- *        low priority, one after another, while the window lives on.
+ * @brief The scenes of some folders with thumbnails: found and drawn by a thread of low priority.
  */
 #ifndef DIOPTRE_VIEW_LOADING_SCENE_LIST_H
 #define DIOPTRE_VIEW_LOADING_SCENE_LIST_H
@@ -13,9 +12,9 @@
 
 /** Most scenes of a list. */
 enum { SCENE_LIST_MAXIMUM = 999 };
-/** Pixels that a small picture is wide. */
+/** Width of a thumbnail, pixels. */
 enum { THUMBNAIL_WIDTH = 240 };
-/** Pixels that it is high. */
+/** Height of a thumbnail, pixels. */
 enum { THUMBNAIL_HEIGHT = 180 };
 /** Bytes of a scene's name and of its title, with the final zero; longer ones are cut. */
 enum { SCENE_ENTRY_NAME_SIZE = 64, SCENE_ENTRY_TITLE_SIZE = 256 };
@@ -24,49 +23,48 @@ enum { SCENE_ENTRY_NAME_SIZE = 64, SCENE_ENTRY_TITLE_SIZE = 256 };
 typedef struct SceneEntry {
     char *path;                         /**< Its file; owned. */
     char name[SCENE_ENTRY_NAME_SIZE];   /**< Its name. */
-    char title[SCENE_ENTRY_TITLE_SIZE]; /**< What its file begins with, or what is wrong with it. */
-    bool is_loaded;                     /**< Whether it was drawn, or found to be wrong. */
-    Picture picture; /**< It, small; empty: it is wrong, or not drawn yet; owned. */
+    char title[SCENE_ENTRY_TITLE_SIZE]; /**< First sentence of its file's comment, or its error. */
+    bool is_loaded;                     /**< Whether it was drawn or has an error. */
+    Picture picture; /**< Its thumbnail; empty: not drawn yet, or an error; owned. */
 } SceneEntry;
 
 /** The list, and the thread that fills it. Starts as `{0}`: empty. */
 typedef struct SceneList {
     const ViewSettings *settings; /**< How scenes are loaded. */
-    uint32_t event;               /**< SDL event, registered, that tells of news. */
-    char folder[PATH_MAX];        /**< Where to look first; in the installed scenes then. */
+    uint32_t event;               /**< SDL event of a change of the list. */
+    char folder[PATH_MAX];        /**< First folder; the installed scenes follow. */
     pthread_t thread;             /**< The thread. */
-    bool is_started;              /**< Whether there is a thread to be joined. */
-    atomic_bool should_stop;      /**< Whether to end, soon. */
-    atomic_bool is_running;       /**< Whether the thread is at work. */
-    pthread_mutex_t mutex;        /**< Guards what follows. */
+    bool is_started;              /**< Whether the thread must be joined. */
+    atomic_bool should_stop;      /**< Whether the thread should end. */
+    atomic_bool is_running;       /**< Whether the thread works. */
+    pthread_mutex_t mutex;        /**< Locks the members below. */
     SceneEntry *scenes;           /**< The scenes; owned. */
-    size_t count;                 /**< How many. */
+    size_t count;                 /**< Number of scenes. */
 } SceneList;
 
 /**
- * Begins to fill a list. It must be empty, or given back by #scene_list_deinit.
- * @param settings  How scenes are loaded.
- * @param event  SDL event, registered, that tells of news.
- * @param path  A scene file: its folder is listed.
- * @return false if no thread could be started.
+ * Starts to fill a list.
+ * @param[out] list  Empty, or freed by #scene_list_deinit.
+ * @param event  SDL event, registered, to send when the list changes.
+ * @param path  A scene file, whose folder is listed.
+ * @return false if the thread cannot start.
  */
 bool scene_list_start(SceneList *list, const ViewSettings *settings, uint32_t event,
                       const char *path);
 
-/** Tells the thread to end, and does not wait for it. */
+/** Asks the thread to end, without waiting. */
 void scene_list_request_stop(SceneList *list);
 
-/** Gives a list back. Waits for its thread: at most as long as it takes to make a model's tree.
- *  @param[in,out] list The list, begun or not. */
+/** Frees a list; waits for its thread, at most as long as it takes to build one BVH. */
 void scene_list_deinit(SceneList *list);
 
-/** @return Whether a list is begun and its thread at work. */
+/** @return Whether the thread works. */
 bool scene_list_is_busy(const SceneList *list);
 
-/** Keeps the thread from changing the list, until #scene_list_unlock. */
+/** Locks the list against the thread, until #scene_list_unlock. */
 void scene_list_lock(SceneList *list);
 
-/** Lets the thread change the list again. */
+/** Unlocks the list. */
 void scene_list_unlock(SceneList *list);
 
 #endif

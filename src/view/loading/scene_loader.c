@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The thread that makes scenes.
+ * @brief Loading scenes in a thread.
  */
 #include "view/loading/scene_loader.h"
 
@@ -25,7 +25,7 @@ void scene_load_deinit(SceneLoad *load) {
     load->scene = NULL;
 }
 
-/** Makes what draws a scene. @param[in,out] load The answer, with its scene. */
+/** Creates a renderer of the loaded scene. */
 static void create_viewport_renderer(SceneLoad *load, SceneLoadViewport *viewport) {
     viewport->settings = load->base_settings;
     settings_override_apply(&viewport->overrides, &viewport->settings);
@@ -33,12 +33,8 @@ static void create_viewport_renderer(SceneLoad *load, SceneLoadViewport *viewpor
                                                  &viewport->settings, &load->error);
 }
 
-/**
- * Answers a question.
- * @param settings         How scenes are loaded and drawn.
- * @param stop             It is given up once this is true.
- * @param[in,out] load   The question, then the answer.
- */
+/** Loads a scene and creates its renderers. @param stop It is given up once this is true.
+ * @param[in,out] load The request, then the result. */
 static void load_scene(const ViewSettings *settings, const atomic_bool *stop, SceneLoad *load) {
     const ViewRequest request = {.path = load->path[0] ? load->path : NULL,
                                  .time = load->time,
@@ -52,7 +48,7 @@ static void load_scene(const ViewSettings *settings, const atomic_bool *stop, Sc
     }
 }
 
-/** The thread's life. @return NULL */
+/** Answers requests, as a thread. @return NULL */
 static void *scene_loader_main(void *context) {
     SceneLoader *loader = context;
     pthread_mutex_lock(&loader->mutex);

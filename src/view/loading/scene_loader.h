@@ -1,7 +1,6 @@
 /**
  * @file
- * @brief A thread that makes another scene, or the same of another time, and what draws it, while
- *        the window lives on.
+ * @brief A thread that loads another scene, or the same at another time, with its renderers.
  */
 #ifndef DIOPTRE_VIEW_LOADING_SCENE_LOADER_H
 #define DIOPTRE_VIEW_LOADING_SCENE_LOADER_H
@@ -12,73 +11,71 @@
 #include <limits.h>
 #include <pthread.h>
 
-/** Pictures of a scene, at most. */
+/** Most viewports of a scene. */
 enum { SCENE_LOAD_VIEWPORTS = 2 };
 
-/** What draws a picture of it. */
+/** A viewport of the loaded scene. */
 typedef struct SceneLoadViewport {
-    const Renderer *reuse_from; /**< What draws the scene before; NULL: there is no such picture. */
-    SettingsOverride overrides; /**< What the user has changed of how it is drawn. */
-    RenderSettings settings;    /**< How it is drawn then. */
-    Renderer *renderer;         /**< What draws it; NULL: it could not be made, or is not wanted. */
+    const Renderer
+        *reuse_from; /**< Renderer of the previous scene; NULL: the viewport is closed. */
+    SettingsOverride overrides; /**< What the user has changed of the settings. */
+    RenderSettings settings;    /**< Settings of #renderer. */
+    Renderer *renderer;         /**< The renderer; NULL: an error, or the viewport is closed. */
 } SceneLoadViewport;
 
-/** Another scene, or the same of another time. */
+/** A request, then its result. */
 typedef struct SceneLoad {
-    char path[PATH_MAX];          /**< Its file; empty: that of the scene before. */
+    char path[PATH_MAX];          /**< File of the scene; empty: that of the previous one. */
     double time;                  /**< Its time, seconds. */
     bool force_reload;            /**< Whether its files may have changed. */
-    Scene *scene;                 /**< The scene; NULL: it could not be made. */
-    RenderSettings base_settings; /**< How it is to be drawn, but for what the user has changed. */
+    Scene *scene;                 /**< The scene; NULL: an error. */
+    RenderSettings base_settings; /**< Settings without the user's changes. */
     SceneLoadViewport
-        viewports[SCENE_LOAD_VIEWPORTS]; /**< What draws it; the first is always wanted. */
-    Error error;                         /**< Why not. */
+        viewports[SCENE_LOAD_VIEWPORTS]; /**< Its viewports; the first is always open. */
+    Error error;                         /**< The error. */
 } SceneLoad;
 
-/** The thread, and what it is asked. Starts as `{.settings = ...}`. */
+/** The thread and its request. Starts as `{.settings = ...}`. */
 typedef struct SceneLoader {
-    const ViewSettings *settings; /**< How scenes are loaded and drawn. */
-    uint32_t event;               /**< SDL event, registered, that tells of an answer. */
+    const ViewSettings *settings; /**< How scenes are loaded. */
+    uint32_t event;               /**< SDL event, registered, to send when a result is ready. */
     bool is_started;              /**< Whether the thread runs. */
     pthread_t thread;             /**< The thread. */
-    pthread_mutex_t mutex;        /**< Guards what follows. */
-    pthread_cond_t condition;     /**< Told when there is something to do. */
-    bool has_request;             /**< Whether there is a question that was not answered yet. */
-    bool has_result;              /**< Whether there is an answer that was not taken yet. */
-    SceneLoad load;               /**< The question's time, then the answer. */
-    atomic_bool should_stop;      /**< Whether to end, at once. */
+    pthread_mutex_t mutex;        /**< Locks the members below. */
+    pthread_cond_t condition;     /**< Signalled for a request and for the end. */
+    bool has_request;             /**< Whether there is a request without a result. */
+    bool has_result;              /**< Whether there is a result that was not taken. */
+    SceneLoad load;               /**< The request, then its result. */
+    atomic_bool should_stop;      /**< Whether the thread should end. */
 } SceneLoader;
 
 /**
- * Asks for a scene. The first question starts the thread.
- * @param[in,out] loader  The thread; every question before was answered, and the answer taken.
- * @param viewports  What of it is to be drawn; copied. The new renderers share with the former ones
- *         what both need: those must stay there until the answer is.
- * @return false if there is no thread to ask.
+ * Requests a scene. The first request starts the thread.
+ * @param[in,out] loader  Not busy.
+ * @param viewports  The viewports; copied. New renderers share data with
+ * #SceneLoadViewport.reuse_from, which must exist until the result is taken.
+ * @return false if the thread cannot start.
  */
 bool scene_loader_request(SceneLoader *loader, const ViewRequest *request,
                           const SceneLoadViewport viewports[SCENE_LOAD_VIEWPORTS], Error *error);
 
-/** @return Whether there is a question or an answer that was not taken. */
+/** @return Whether there is a request, or a result that was not taken. */
 bool scene_loader_is_busy(SceneLoader *loader);
 
-/** @return Whether there is an answer that was not taken. */
+/** @return Whether there is a result that was not taken. */
 bool scene_loader_has_result(SceneLoader *loader);
 
-/**
- * Takes an answer.
- * @param[out] load  The answer, the caller's to give back.
- * @return false while there is none.
- */
+/** Takes the result. @param[out] load The result, owned by the caller. @return false while there is
+ * none. */
 bool scene_loader_poll(SceneLoader *loader, SceneLoad *load);
 
-/** @return Whether all that was wanted is there. */
+/** @return Whether scene and renderers were all created. */
 bool scene_load_is_complete(const SceneLoad *load);
 
-/** Gives scene and renderers back. */
+/** Frees scene and renderers. */
 void scene_load_deinit(SceneLoad *load);
 
-/** Ends the thread, whatever it does. @param[in,out] loader The thread, started or not. */
+/** Stops the thread, also in the middle of loading. */
 void scene_loader_stop(SceneLoader *loader);
 
 #endif

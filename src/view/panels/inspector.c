@@ -6,13 +6,13 @@
 
 #include "view/panels/ray_overlay.h"
 
-/** Degrees a second that held keys turn the second camera by. */
+/** Degrees per second that held keys turn the second camera. */
 static const double TURN_PER_SECOND = 45;
-/** How many times as near a second of a held key brings it. */
+/** Factor of the zoom per second of a held key. */
 static const double ZOOM_PER_SECOND = 2;
-/** Share of the window's width that the numbers take, and of both that the picture does. */
+/** Size of the column of numbers and of the inset, fraction of the window. */
 static const double COLUMN_FRACTION = 0.36;
-/** How many times as large as usual for their room letters are, if they fit. */
+/** Factor of the size of letters, if they fit. */
 static const double FONT_SCALE = 1.7;
 
 void inspector_reset(Inspector *inspector) {
@@ -34,11 +34,7 @@ void inspector_toggle(Inspector *inspector) {
     }
 }
 
-/**
- * Goes to a pixel.
- * @param x  As a share of the picture's width.
- * @param y  As a share of its height.
- */
+/** Goes to a pixel. @param x Fraction of the picture's width. @param y Fraction of its height. */
 static void set_pixel(Inspector *inspector, double x, double y) {
     const double last = 1 - 1e-9;
     inspector->is_open = inspector->has_pixel = inspector->needs_trace = true;
@@ -56,7 +52,7 @@ void inspector_step_pixel(Inspector *inspector, int x, int y) {
     if (inspector->width > 0) {
         int column = (int)(inspector->x * inspector->width) + x;
         int row = (int)(inspector->y * inspector->height) + y;
-        // The pixel's middle, so that it is the same whatever is rounded.
+        // The centre of the pixel, so that rounding cannot change it.
         set_pixel(inspector, (column + 0.5) / inspector->width, (row + 0.5) / inspector->height);
     }
 }
@@ -116,10 +112,7 @@ SDL_Rect inspector_inset(int width, int height) {
     return rect;
 }
 
-/**
- * @return Where what the second camera sees lies, pixels of the window.
- * @param width  Pixels of the window.
- */
+/** @return Rectangle of the second camera's view, pixels. @param width Pixels of the window. */
 static SDL_Rect side_view_rect(int width, int height) {
     return (SDL_Rect){.w = SDL_max(1, width - (int)(COLUMN_FRACTION * width)), .h = height};
 }
@@ -136,7 +129,7 @@ static void collect_light_positions(Inspector *inspector, const Scene *scene) {
     }
 }
 
-/** Traces the rays. @return false without memory. */
+/** Traces the rays, and writes their numbers. @return false without memory. */
 static bool trace_rays(Inspector *inspector, const InspectorInput *input, Error *error) {
     int x = (int)(inspector->x * input->viewport->width),
         y = (int)(inspector->y * input->viewport->height);
@@ -162,10 +155,10 @@ static bool trace_rays(Inspector *inspector, const InspectorInput *input, Error 
     return true;
 }
 
-/** @return How the second camera's picture is drawn: as the first, but there to find one's way and
- * not to be looked at for long. @param settings How the first is drawn. */
+/** @return Settings of the second camera's view: those of the picture, with fewer samples and at
+ * most double precision. */
 static RenderSettings side_view_settings(const RenderSettings *settings) {
-    /** Rays a pixel at most; bits that are enough. */
+    /** Most samples; sufficient bits of the mantissa. */
     const int samples = 4, bits = 53;
     RenderSettings side = *settings;
     side.samples = SDL_min(side.samples, samples);
@@ -175,11 +168,8 @@ static RenderSettings side_view_settings(const RenderSettings *settings) {
     return side;
 }
 
-/**
- * Makes what draws the second camera's picture, if there is none or the scene is another one.
- * @param scene  The scene, with the second camera.
- * @return false without memory.
- */
+/** Creates the second camera's renderer, or replaces it after a change of the scene. @param scene
+ * The scene, with the second camera. @return false without memory. */
 static bool update_side_renderer(Inspector *inspector, const InspectorInput *input,
                                  const Scene *scene, Error *error) {
     Viewport *viewport = &inspector->viewport;
@@ -201,7 +191,7 @@ static bool update_side_renderer(Inspector *inspector, const InspectorInput *inp
     return true;
 }
 
-/** Begins to draw what the second camera sees. @return false without memory. */
+/** Starts to render the second camera's view. @return false without memory. */
 static bool draw_side_view(Inspector *inspector, const InspectorInput *input, Error *error) {
     Scene scene = *input->scene;
     SDL_Rect rect = side_view_rect(input->viewport->width, input->viewport->height);
@@ -231,8 +221,7 @@ bool inspector_update(Inspector *inspector, const InspectorInput *input, SDL_Ren
 /* --- showing -----------------------------------------------------------------------------------
  */
 
-/** Shows the picture that is looked into, and marks the pixel. @param renderer What draws in the
- *  window. */
+/** Draws the inset: the picture, and a mark at the pixel. */
 static void draw_inset(const Inspector *inspector, const StreamingTexture *texture,
                        SDL_Renderer *renderer, const SDL_Rect *rect) {
     streaming_texture_draw(texture, renderer, rect, rect);
@@ -242,7 +231,7 @@ static void draw_inset(const Inspector *inspector, const StreamingTexture *textu
     SDL_RenderSetClipRect(renderer, NULL);
 }
 
-/** Draws the numbers anew. @param column The room that they have. */
+/** Draws the panel of numbers. */
 static void render_panel(Inspector *inspector, const OverlayTarget *target,
                          const SDL_Rect *column) {
     PanelBounds bounds = {column->w, column->h, FONT_SCALE * target->scale};
@@ -253,7 +242,7 @@ static void render_panel(Inspector *inspector, const OverlayTarget *target,
     }
 }
 
-/** Shows the numbers. @param column The room that they have. */
+/** Shows the panel of numbers in its column. */
 static void draw_panel_column(Inspector *inspector, const OverlayTarget *target,
                               const SDL_Rect *column) {
     SDL_Rect destination = *column;

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Numbers of rays in rows.
+ * @brief The numbers of the rays of one pixel, row by row.
  */
 #include "view/panels/inspector.h"
 
@@ -10,10 +10,10 @@
 #include <libintl.h>
 #include <stdarg.h>
 
-/** Rays that are named at most: those around the chosen one. */
+/** Most rays in the list: those around the selected one. */
 enum { LISTED_RAYS_MAXIMUM = 9 };
 
-/** @return A new row; NULL where there is no more room. */
+/** @return A new row; NULL: all are used. */
 static PanelRow *new_row(Inspector *inspector) {
     if (inspector->row_count == INSPECTOR_ROWS) {
         return NULL;
@@ -26,9 +26,9 @@ static PanelRow *new_row(Inspector *inspector) {
 
 /**
  * Adds a row.
- * @param label  Its label, in English, or "" (of which gettext() makes the catalogue's header);
- *         NULL: it is a heading.
- * @param format  What it says, as for printf, in the user's language.
+ * @param label  Its label, in English, or "" (which must not go to gettext()); NULL: it is a
+ * heading.
+ * @param format  Its text, as for printf, translated.
  */
 static void __attribute__((format(printf, 3, 4)))
 row_add(Inspector *inspector, const char *label, const char *format, ...) {
@@ -54,7 +54,7 @@ static void row_add_color(Inspector *inspector, const char *label, Rgbd color) {
     row_add_vector(inspector, label, color.red, color.green, color.blue);
 }
 
-/** Says what a ray is and what it meets. */
+/** Describes a ray: its kind, and what it hits. */
 static void describe_ray(const RayTreeNode *ray, const Scene *scene,
                          char text[INSPECTOR_TEXT_SIZE]) {
     static const char *const kinds[] = {[RAY_CAMERA] = N_("camera: %s"),
@@ -74,7 +74,7 @@ static void describe_ray(const RayTreeNode *ray, const Scene *scene,
     }
 }
 
-/** Adds the row of a ray. */
+/** Adds the row of a ray to the list. */
 static void add_ray_row(Inspector *inspector, const Scene *scene, size_t ray_index) {
     const RayTreeNode *ray = &inspector->ray_tree.nodes[ray_index];
     unsigned color = ray_style(ray)->color;
@@ -90,7 +90,7 @@ static void add_ray_row(Inspector *inspector, const Scene *scene, size_t ray_ind
     inspector->rows[index].swatch[2] = (uint8_t)color;
 }
 
-/** Adds the rows of all rays, or of those around the chosen one. */
+/** Adds the list of rays, or of those around the selected one. */
 static void add_ray_rows(Inspector *inspector, const Scene *scene) {
     size_t count = inspector->ray_tree.count, first = 0;
     if (count > LISTED_RAYS_MAXIMUM && inspector->selected > LISTED_RAYS_MAXIMUM / 2) {
@@ -105,7 +105,7 @@ static void add_ray_rows(Inspector *inspector, const Scene *scene) {
     }
 }
 
-/** Adds the numbers of a surface. @param ray The ray that met it. */
+/** Adds the numbers of a surface. @param ray The ray that hits it. */
 static void add_surface_rows(Inspector *inspector, const RayTreeNode *ray) {
     const RayTreeSurface *surface = &ray->surface;
     row_add(inspector, N_("angle"), "%.2f°%s", ray_incidence_angle(ray),
@@ -118,7 +118,7 @@ static void add_surface_rows(Inspector *inspector, const RayTreeNode *ray) {
     row_add(inspector, N_("epsilon"), "%.3g = %.3g ulps", surface->epsilon, surface->ulps);
 }
 
-/** Adds the numbers of the chosen ray. */
+/** Adds the numbers of the selected ray. */
 static void add_selected_ray(Inspector *inspector) {
     const RayTreeNode *ray = &inspector->ray_tree.nodes[inspector->selected];
     row_add(inspector, NULL, gettext("Ray %zu: %s"), inspector->selected,
@@ -135,7 +135,7 @@ static void add_selected_ray(Inspector *inspector) {
     row_add_color(inspector, N_("brings back"), ray->color);
 }
 
-/** Adds how the camera's ray gets its colour. */
+/** Adds the sum that makes the colour of the camera ray. */
 static void add_sum_rows(Inspector *inspector) {
     const RayTreeNode *camera = &inspector->ray_tree.nodes[0];
     Rgbd own_color = camera->color;

@@ -1,13 +1,13 @@
 /**
  * @file
- * @brief How long it takes from a key to its picture.
+ * @brief The latency from a key to its picture.
  */
 #include "view/state/latency.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/** Waits that the first piece of memory holds; doubled when they are more. */
+/** First capacity; it is doubled when it is full. */
 enum { FIRST_CAPACITY = 128 };
 
 void latency_on_key(Latency *latency, double time) {
@@ -24,7 +24,7 @@ void latency_discard_pending(Latency *latency) {
     latency->pending_count = latency->in_flight_count = 0;
 }
 
-/** Keeps one wait. */
+/** Appends one latency. */
 static void latency_record(Latency *latency, double wait) {
     if (latency->count == latency->capacity) {
         size_t capacity = latency->capacity > 0 ? 2 * latency->capacity : FIRST_CAPACITY;

@@ -1,12 +1,12 @@
 /**
  * @file
- * @brief A view as text of the scene language, by the same tables that it is read with.
+ * @brief Printing camera and lights by the parameter tables that the parser uses.
  */
 #include "view/state/scene_text.h"
 
 #include <string.h>
 
-/** Prints a field's numbers. @param count How many, at least 1. */
+/** Prints a list of numbers. @param count At least 1. */
 static void print_list(const double *values, int count, FILE *file) {
     for (int i = 0; i < count; i++) {
         fprintf(file, "%s%.17g", i ? ", " : "{", values[i]);
@@ -14,7 +14,7 @@ static void print_list(const double *values, int count, FILE *file) {
     fputc('}', file);
 }
 
-/** Prints a field's value. @param row Its row of the table. */
+/** Prints the value of a field. */
 static void print_value(const Parameter *row, const void *value, FILE *file) {
     switch (row->type) {
     case PARAMETER_NUMBER:
@@ -39,18 +39,14 @@ static void print_value(const Parameter *row, const void *value, FILE *file) {
     case PARAMETER_UV:
         print_list(value, 2, file);
         break;
-    case PARAMETER_MESH: // Neither a camera nor a light names a file or has a field.
+    case PARAMETER_MESH: // Neither camera nor lights have such fields.
     case PARAMETER_SDF:
     case PARAMETER_TEXTURE:
         break;
     }
 }
 
-/**
- * Says whether a field is left out of the text.
- * @param skipped  Names that are left out, ended by NULL.
- * @return Whether it is one of them.
- */
+/** @return Whether a field is left out. @param skipped Names of such fields, ended by NULL. */
 static bool is_skipped(const char *name, const char *const *skipped) {
     while (*skipped && strcmp(name, *skipped) != 0) {
         skipped++;
@@ -59,7 +55,7 @@ static bool is_skipped(const char *name, const char *const *skipped) {
 }
 
 /** Prints a keyword with its fields. @param skipped Names of fields that are left out, ended by
- *  NULL. */
+ * NULL. */
 static void print_keyword(const Keyword *keyword, const void *values, const char *const *skipped,
                           FILE *file) {
     const char *separator = " { ";
@@ -75,7 +71,7 @@ static void print_keyword(const Keyword *keyword, const void *values, const char
 }
 
 void scene_text_print(const Scene *scene, FILE *file) {
-    /* The camera's direction and up say it all; the other ways to say it would contradict them. */
+    // Direction and up define the camera; the other fields would contradict them.
     static const char *const redundant[] = {"look_at", "pan", "tilt", NULL};
     static const char *const none[] = {NULL};
     print_keyword(&scene_camera_keyword, &scene->camera, redundant, file);

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief A view, camera and lights, as text of the scene language.
+ * @brief Camera and lights as text of the scene language.
  */
 #ifndef DIOPTRE_VIEW_STATE_SCENE_TEXT_H
 #define DIOPTRE_VIEW_STATE_SCENE_TEXT_H
@@ -9,12 +9,11 @@
 
 #include <stdio.h>
 
-/** Prints camera and lights on one line, without its end, ready to be pasted into a scene file.
- *  Numbers are printed with all their digits: read again they are the same numbers. @param scene
- *  The scene, as it is seen. */
+/** Prints camera and lights on one line, without its end, to be pasted into a scene file. Numbers
+ * have all digits: read again they are equal. */
 void scene_text_print(const Scene *scene, FILE *file);
 
-/** @return The same in memory, to be freed; NULL without memory. */
+/** @return The same text, owned by the caller; NULL without memory. */
 char *scene_text_create(const Scene *scene);
 
 #endif

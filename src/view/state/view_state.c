@@ -1,21 +1,18 @@
 /**
  * @file
- * @brief Where the camera and the lights are, and moving them.
+ * @brief Saving, restoring and moving camera and lights.
  */
 #include "view/state/view_state.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/**
- * Plain speed: the share of the way to what the camera looks at that is gone in a second. A scene
- * is crossed in a few seconds, and a tap moves it by some pixels, whatever its size.
- */
+/** Normal speed: fraction of the distance to the target per second. It crosses a scene of any size
+ * in a few seconds, and a tap moves the picture by some pixels. */
 static const double PLAIN_SPEED = 0.5;
 
-/** Finds which way is up in a scene. That is y; but a scene may have been made with another axis
- *  up, and then the top of its picture points there. A camera that looks steeply up or down tells
- *  nothing by its own up. @return One of the six axes. */
+/** Finds the up axis of a scene: y, or another axis if the top of its picture points there. The up
+ * vector of a camera that looks steeply up or down is ignored. @return One of the six axes. */
 static Vec3d find_up_axis(const SceneCamera *camera) {
     Vec3d up = camera->up;
     double x = fabs(up.x), y = fabs(up.y), z = fabs(up.z);
@@ -30,7 +27,7 @@ static Vec3d find_up_axis(const SceneCamera *camera) {
 }
 
 bool view_state_init(ViewState *view_state, const Scene *scene, Error *error) {
-    /* One more than there are: a scene without lights is no lack of memory. */
+    // One more than needed: calloc(0) may return NULL.
     size_t count = scene->light_count;
     *view_state =
         (ViewState){.lights = calloc(count + 1, sizeof *view_state->lights),
@@ -104,11 +101,8 @@ void view_state_deinit(ViewState *view_state) {
     *view_state = (ViewState){0};
 }
 
-/**
- * @return A movement's way through the scene.
- * @param camera    The camera whose picture the movement is seen in.
- * @param movement  The movement, in seconds.
- */
+/** @return A movement as a vector of the scene. @param camera The camera whose picture defines the
+ * axes. */
 static Vec3d movement_offset(const SceneCamera *camera, Movement movement) {
     double units = PLAIN_SPEED * camera->target_distance;
     Vec3d right = vec3d_scale(scene_camera_right(camera), movement.right * units);

@@ -1,15 +1,15 @@
 /**
  * @file
- * @brief Letters.
+ * @brief Finding the font, and drawing text with SDL_ttf.
  */
 #include "view/window/font.h"
 
 #include <unistd.h>
 
-/** Size of letters before any is asked for, pixels. */
+/** Size of letters until another is set, pixels. */
 static const int DEFAULT_FONT_SIZE = 12;
 
-/** Fonts that have the letters and arrows, in the places where systems keep them. */
+/** Fonts with all letters and arrows, where distributions install them. */
 static const char *const font_paths[] = {
     "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
     "/usr/share/fonts/TTF/DejaVuSans.ttf",
@@ -22,7 +22,7 @@ static const char *const font_paths[] = {
     "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
 };
 
-/** @return Path of a font that is there, or NULL. */
+/** @return Path of an installed font; NULL: none. */
 static const char *find_font(void) {
     for (size_t i = 0; i < sizeof font_paths / sizeof font_paths[0]; i++) {
         if (access(font_paths[i], R_OK) == 0) {

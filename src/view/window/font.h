@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Letters for what lies over the picture.
+ * @brief The font of all panels.
  */
 #ifndef DIOPTRE_VIEW_WINDOW_FONT_H
 #define DIOPTRE_VIEW_WINDOW_FONT_H
@@ -8,19 +8,19 @@
 #include <SDL_ttf.h>
 #include <stdbool.h>
 
-/** @return Whether there is a font to draw with. */
+/** @return Whether a font is installed. */
 bool font_is_available(void);
 
-/** Opens a font. @return It, to be closed with #font_close; NULL if there is none. */
+/** Opens the font. @return To be closed with #font_close; NULL: there is none. */
 TTF_Font *font_open(void);
 
-/** Closes a font. */
+/** Closes the font. */
 void font_close(TTF_Font *font);
 
 /** @return Width of a text, pixels. */
 int font_text_width(TTF_Font *font, const char *text);
 
-/** Writes a text on a surface. @param text UTF-8; nothing is written for an empty one. */
+/** Draws a text on a surface. @param text UTF-8; may be empty. */
 void font_draw_text(SDL_Surface *panel, TTF_Font *font, const char *text, SDL_Color color, int x,
                     int y);
 

@@ -1,13 +1,13 @@
 /**
  * @file
- * @brief Two pictures in one window.
+ * @brief Composing two pictures, and their bar.
  */
 #include "view/window/split_view.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/** Share of the window at its left and right end where the bar does not go. */
+/** Margin of the bar at both ends of the window, fraction of its width. */
 static const double BAR_MARGIN = 0.02;
 
 void split_view_deinit(SplitView *split) {
@@ -25,8 +25,8 @@ void split_view_move_bar(SplitView *split, double fraction) {
     split->bar_position = SDL_clamp(fraction, BAR_MARGIN, 1 - BAR_MARGIN);
 }
 
-/** Takes what both sights have drawn. @return false without memory, or while one has drawn nothing.
- */
+/** Copies the newest passes of both viewports. @return false without memory, or while one has no
+ * pass. */
 static bool copy_both(SplitView *split, const Viewport *left, const Viewport *right) {
     size_t pixels = (size_t)left->width * (size_t)left->height;
     if (left->width != right->width || left->height != right->height) {
@@ -78,7 +78,7 @@ void split_view_draw_bar(const SplitView *split, SDL_Renderer *renderer) {
     int width = 0, height = 0;
     SDL_GetRendererOutputSize(renderer, &width, &height);
     int thick = SDL_max(1, height / 400), x = split_view_column(split, width);
-    // Dark beside light: it is seen on any picture.
+    // Dark beside light: visible on any picture.
     SDL_Rect dark = {x - 2 * thick, 0, 4 * thick, height},
              light = {x - thick, 0, 2 * thick, height};
     SDL_SetRenderDrawColor(renderer, 0, 0, 0, SDL_ALPHA_OPAQUE);

@@ -8,53 +8,49 @@
 #include "render/difference_map.h"
 #include "view/window/viewport.h"
 
-/** How many pictures are shown, and how. */
+/** How pictures share the window. */
 typedef enum {
-    SPLIT_NONE,       /**< One alone. */
-    SPLIT_BAR,        /**< One left of a bar, the other right of it. */
+    SPLIT_NONE,       /**< One picture. */
+    SPLIT_BAR,        /**< Two pictures, left and right of a bar. */
     SPLIT_DIFFERENCE, /**< Their difference. */
-    SPLIT_COUNT       /**< How many ways there are. */
+    SPLIT_COUNT       /**< Number of modes. */
 } SplitMode;
 
-/** How two pictures share a window. Starts as `{.bar = 0.5}`. */
+/** The state of two pictures in a window. Starts as `{.bar_position = 0.5}`. */
 typedef struct SplitView {
-    SplitMode mode;      /**< How. */
-    size_t active;       /**< Which of the two the keys change: 0 left, 1 right. */
-    double bar_position; /**< Where the bar stands, as a share of the window's width. */
-    bool is_dragged;     /**< Whether the mouse drags it. */
-    StreamingTexture difference_texture; /**< The difference. */
-    uint8_t *pixels;                     /**< Room for both pictures; owned. NULL: none yet. */
-    size_t pixel_capacity;               /**< Pixels of each that there is room for. */
-    DifferenceMap difference;            /**< What the difference is. */
+    SplitMode mode;      /**< The mode. */
+    size_t active;       /**< The active picture, which keys change: 0 left, 1 right. */
+    double bar_position; /**< Position of the bar, fraction of the window's width. */
+    bool is_dragged;     /**< Whether the mouse drags the bar. */
+    StreamingTexture difference_texture; /**< Texture of the difference. */
+    uint8_t *pixels;                     /**< Pixels of both pictures; owned; NULL: none yet. */
+    size_t pixel_capacity;               /**< Capacity of #pixels, pixels of each picture. */
+    DifferenceMap difference;            /**< Statistics of the difference. */
 } SplitView;
 
-/** Gives its memory back, as it is needed no more. */
+/** Frees its memory. */
 void split_view_deinit(SplitView *split);
 
-/**
- * @return Column where the bar stands.
- * @param width  Pixels of the window.
- */
+/** @return Column of the bar. @param width Pixels of the window. */
 int split_view_column(const SplitView *split, int width);
 
-/** Moves the bar. @param fraction To where, of the window's width. */
+/** Moves the bar, within margins. @param fraction Fraction of the window's width. */
 void split_view_move_bar(SplitView *split, double fraction);
 
 /**
- * Puts what two sights have drawn together as one picture, as the window shows it.
- * @param[out] bgrx  The picture, of the size of both: blue, green, red, an unused byte a pixel.
+ * Composes two pictures into one, as the window shows it.
+ * @param[out] bgrx  Blue, green, red and an unused byte per pixel, of the size of both.
  * @param pitch  Bytes from a row to the next.
- * @return false without memory, or while one of them has drawn nothing: nothing is written then.
+ * @return false without memory, or while one has no pass: nothing is written then.
  */
 bool split_view_compose(SplitView *split, const Viewport *left, const Viewport *right,
                         uint8_t *bgrx, int pitch);
 
-/** Brings the difference of two sights to its canvas, if both are there. @param renderer What draws
- *  in the window. */
+/** Updates the texture of the difference, if both pictures have a pass. */
 void split_view_update_difference(SplitView *split, const Viewport *left, const Viewport *right,
                                   SDL_Renderer *renderer);
 
-/** Draws the bar. @param renderer What draws in the window. */
+/** Draws the bar. */
 void split_view_draw_bar(const SplitView *split, SDL_Renderer *renderer);
 
 #endif

@@ -1,13 +1,11 @@
 /**
  * @file
- * @brief One picture of the window.
+ * @brief Rendering one picture of the window in the background.
  */
 #include "view/window/viewport.h"
 
-/**
- * Seconds after a change that the picture with all its pixels is waited for, before a coarser one
- * is shown instead. Half a frame of a common screen: the other half is left for showing it.
- */
+/** Seconds after a change before a coarse pass is shown instead of one with all pixels. Half a
+ * frame of a 60 Hz screen: the other half is left for showing it. */
 static const double FULL_RESOLUTION_WAIT = 0.008;
 
 bool viewport_open(Viewport *viewport, const Viewport *reuse_from, const Scene *scene,
@@ -33,7 +31,7 @@ void viewport_close(Viewport *viewport) {
     streaming_texture_release(&viewport->texture);
 }
 
-/** Begins to compare what comes with what is. */
+/** Begins to compare the cost of the next render with that of the last. */
 static void start_cost_comparison(Viewport *viewport) {
     viewport->previous_render_seconds =
         viewport->render_seconds > 0 ? viewport->render_seconds : viewport->previous_render_seconds;
@@ -78,7 +76,7 @@ bool viewport_update_renderer(Viewport *viewport, const Scene *scene, const Rend
     return renderer != NULL;
 }
 
-/** Tells the event loop that a pass has ended. Called from a thread of the renderer. */
+/** Sends the event of a finished pass. Called from a thread of the renderer. */
 static void on_pass_from_thread(void *context) {
     Viewport *viewport = context;
     if (!atomic_exchange(&viewport->is_event_queued, true)) {

@@ -1,10 +1,9 @@
 /**
  * @file
- * @brief A sight: one picture of the window, with settings of its own.
+ * @brief A viewport: one picture of the window, with its own renderer, settings and layer.
  *
- * It is drawn pass by pass in the background, and nobody ever waits for it. A window has one sight,
- * or two of the same scene side by side; a third may look at it with another camera: whoever starts
- * it says which scene, and whoever shows it, where.
+ * It is rendered in the background, pass by pass, and never waited for. A window has one viewport,
+ * or two of the same scene side by side; the inspector has a third with another camera.
  */
 #ifndef DIOPTRE_VIEW_WINDOW_VIEWPORT_H
 #define DIOPTRE_VIEW_WINDOW_VIEWPORT_H
@@ -15,81 +14,81 @@
 
 #include <math.h>
 
-/** What delays say where nothing is to be done until an event comes, seconds. */
+/** Timeout until an event comes, seconds. */
 #define VIEWPORT_NO_TIMEOUT HUGE_VAL
 
-/** One picture of the window. Starts as `{0}`: closed. */
+/** A viewport. Starts as `{0}`: closed. */
 typedef struct Viewport {
-    Renderer *renderer;         /**< What draws; owned. NULL: it is closed. */
-    RenderSettings settings;    /**< How it draws. */
-    SettingsOverride overrides; /**< What the user has changed of that. */
-    Layer layer;                /**< What it shows. */
-    StreamingTexture texture;   /**< Its newest pass that is on screen. */
-    RenderStats report;         /**< How that stands. */
-    double render_seconds;      /**< How long a whole picture took, seconds; 0: not known yet. */
-    double
-        previous_render_seconds; /**< The same before settings or layer were changed; 0: never. */
-    int width;                   /**< Pixels of the drawing under way. */
-    int height;                  /**< Pixels of the drawing under way. */
-    double start_time;           /**< When it was started, seconds. */
-    bool needs_new_renderer;     /**< Whether the settings changed since the renderer was made. */
-    bool needs_restart;      /**< Whether scene, window or settings changed since it was started. */
-    bool awaits_first_frame; /**< Whether nothing of it has been on screen yet. */
+    Renderer *renderer;         /**< The renderer; owned; NULL: the viewport is closed. */
+    RenderSettings settings;    /**< Its settings in force. */
+    SettingsOverride overrides; /**< What the user has changed of the settings. */
+    Layer layer;                /**< The layer on screen. */
+    StreamingTexture texture;   /**< The newest pass on screen. */
+    RenderStats report;         /**< Statistics of that pass. */
+    double render_seconds;      /**< Time of a pass with all pixels, seconds; 0: not known yet. */
+    double previous_render_seconds; /**< The same before the last change of settings or layer; 0:
+                                       none. */
+    int width;                      /**< Pixels of the current render. */
+    int height;                     /**< Pixels of the current render. */
+    double start_time;              /**< Start of the current render, seconds. */
+    bool needs_new_renderer; /**< Whether settings have changed since the renderer was created. */
+    bool needs_restart;      /**< Whether scene, window or settings have changed since the start. */
+    bool awaits_first_frame; /**< Whether no pass of the current render was on screen yet. */
     bool has_new_pass;       /**< Whether there may be a pass that is not on screen yet. */
-    uint32_t pass_event; /**< SDL event that tells of a finished pass; its data1 is the sight. */
-    atomic_bool is_event_queued; /**< Whether such an event is on its way. */
+    uint32_t pass_event;     /**< SDL event of a finished pass; its data1 is the viewport. */
+    atomic_bool is_event_queued; /**< Whether such an event is in the queue. */
 } Viewport;
 
 /**
- * Makes what draws a sight; drawing begins with #viewport_start. Its tuning and its layer stay.
- * @param[in,out] viewport  The sight, closed; give it back with #viewport_close.
- * @param reuse_from  Another sight of the same scene, to share with; NULL: there is none.
- * @param base  What is asked for, but for the tuning.
- * @param pass_event  SDL event, registered, to be handed to #viewport_on_pass.
+ * Creates the renderer; rendering starts with #viewport_start. Overrides and layer are kept.
+ * @param[in,out] viewport  A closed viewport, to be closed with #viewport_close.
+ * @param reuse_from  Another viewport of the same scene, whose data is shared; NULL: none.
+ * @param base  The settings without the user's changes.
+ * @param pass_event  SDL event, registered, whose events go to #viewport_on_pass.
  * @return Whether it is open.
  */
 bool viewport_open(Viewport *viewport, const Viewport *reuse_from, const Scene *scene,
                    const RenderSettings *base, uint32_t pass_event, Error *error);
 
-/** Stops drawing and gives all back but tuning and layer. */
+/** Stops rendering and frees all but overrides and layer. */
 void viewport_close(Viewport *viewport);
 
-/** Changes how it is drawn: #viewport_update_renderer is wanted then. */
+/** Changes a setting; #viewport_update_renderer must follow. */
 void viewport_override_setting(Viewport *viewport, SettingsChangeFn *change, int step);
 
-/** Changes what it shows. */
+/** Changes the layer. */
 void viewport_set_layer(Viewport *viewport, Layer layer);
 
 /**
- * Makes what draws it anew, as its tuning wants it; what is on screen stays meanwhile.
- * @param base  What is asked for, but for the tuning.
- * @return false without memory; it draws as before then.
+ * Replaces the renderer by one with the overridden settings; the picture on screen stays until its
+ * first pass.
+ * @param base  The settings without the user's changes.
+ * @return false without memory; the old renderer stays then.
  */
 bool viewport_update_renderer(Viewport *viewport, const Scene *scene, const RenderSettings *base,
                               Error *error);
 
-/** Shows another scene from now on; what is on screen stays meanwhile. @param renderer What draws;
- *  owned from now on. */
+/** Replaces the renderer by that of another scene; the picture on screen stays until its first
+ * pass. @param renderer Ownership passes. */
 void viewport_set_renderer(Viewport *viewport, Renderer *renderer, const RenderSettings *settings);
 
-/** Takes note of the event that a pass has ended. */
+/** Handles the event of a finished pass. */
 void viewport_on_pass(Viewport *viewport);
 
-/** Stops an unfinished drawing, as nobody sees it. @return Whether there was one. */
+/** Stops an unfinished render, as the window is hidden. @return Whether there was one. */
 bool viewport_stop(Viewport *viewport);
 
-/** Starts to draw a scene as it is now. @return false without memory. */
+/** Starts to render a scene as it is now. @return false without memory. */
 bool viewport_start(Viewport *viewport, const Scene *scene, int width, int height, double now,
                     Error *error);
 
-/** @return Whether there is a pass that should be shown now. */
+/** @return Whether a pass is to be shown now. */
 bool viewport_has_frame(Viewport *viewport, double now);
 
-/** Brings the newest pass to its canvas. @param[in,out] viewport The sight, with a pass. @param
- * renderer What draws in the window. @return Whether it is there. */
+/** Copies the newest pass to the texture. @return false if SDL failed. */
 bool viewport_upload(Viewport *viewport, SDL_Renderer *renderer);
 
-/** @return How long nothing is to be done, seconds. */
+/** @return Seconds until a coarse pass is to be shown. */
 double viewport_timeout(const Viewport *viewport, double now);
 
 /** @return Whether the picture on screen is the last pass of the scene as it is now. */

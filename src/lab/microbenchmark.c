@@ -26,9 +26,9 @@ typedef struct TimedMethod {
     const NumberType *type;     /**< In this type. */
     const MethodFamily *family; /**< Of this family. */
     const Method *method;       /**< The method. */
-    void *packed_inputs;    /**< Its questions; owned. */
-    int rounds;             /**< How often they are asked in a turn. */
-    double ns[TURNS];       /**< What a test cost in each turn. */
+    void *packed_inputs;        /**< Its questions; owned. */
+    int rounds;                 /**< How often they are asked in a turn. */
+    double ns[TURNS];           /**< What a test cost in each turn. */
 } TimedMethod;
 
 /** @return The processor's time that this thread has used, seconds. */
@@ -102,20 +102,6 @@ static void calibrate_rounds(TimedMethod *timed) {
     }
 }
 
-/** @return Order of two numbers, for qsort. */
-static int compare_numbers(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-/** Writes down what a test costs. */
-static void store_quartiles(TimedMethod *timed, MicrobenchmarkPoint *point) {
-    qsort(timed->ns, TURNS, sizeof *timed->ns, compare_numbers);
-    point->ns_low = timed->ns[TURNS / 4];
-    point->ns = timed->ns[TURNS / 2];
-    point->ns_high = timed->ns[TURNS - 1 - TURNS / 4];
-}
-
 /** Times methods in turn. @param stop Whether to give up. */
 static void time_methods(TimedMethod *timed, size_t count, const atomic_bool *stop) {
     for (size_t i = 0; i < count; i++) {
@@ -145,7 +131,7 @@ static bool measure_times(const Experiment *experiment, const atomic_bool *stop,
         time_methods(timed, benchmark->count, stop);
     }
     for (size_t i = 0; i < benchmark->count; i++) {
-        store_quartiles(&timed[i], &benchmark->points[i]);
+        benchmark->points[i].ns = quartiles_of(timed[i].ns, TURNS);
         free(timed[i].packed_inputs);
     }
     if (stop && atomic_load(stop)) {

@@ -13,10 +13,8 @@ enum { MICROBENCHMARK_POINTS_MAXIMUM = 64 };
 
 /** A method in a number type. */
 typedef struct MicrobenchmarkPoint {
-    MethodResult result; /**< What it does wrong, at a level of stress. */
-    double ns;      /**< What a test costs, nanoseconds of the processor: median of the turns. */
-    double ns_low;  /**< Its lower quartile. */
-    double ns_high; /**< Its upper quartile. */
+    MethodResult result;     /**< What it does wrong, at a level of stress. */
+    Quartiles ns;            /**< What a test costs in each turn, nanoseconds of CPU time. */
     double failure_fraction; /**< The largest of its shares of false hits, false misses, leaks,
                           wrong surfaces and what is no number; NaN where none is counted. */
 } MicrobenchmarkPoint;

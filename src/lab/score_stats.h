@@ -32,6 +32,16 @@ typedef struct ScoreStats {
     bool is_out_of_memory;                /**< Whether there was no memory for an error. */
 } ScoreStats;
 
+/** Quartiles of some numbers. */
+typedef struct Quartiles {
+    double low;    /**< A quarter of them is at most this. */
+    double median; /**< Half of them. */
+    double high;   /**< Three quarters. */
+} Quartiles;
+
+/** @return The quartiles. @param[in,out] numbers At least one; sorted. */
+Quartiles quartiles_of(double *numbers, size_t count);
+
 /** Adds an error. */
 void score_error(ScoreStats *score, Quadruple error);
 

@@ -8,8 +8,10 @@
  */
 #include "dioptre/chart.h"
 
+#include "lab/charts/pareto_front.h"
 #include "lab/needs/image_difference.h"
 #include "lab/needs/scaled_tolerance_scene.h"
+#include "lab/score_stats.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -146,12 +148,6 @@ static bool point_render(const ChartMeasurement *measure, const PixelSet *pixels
     return is_taken;
 }
 
-/** @return Order of two numbers, for qsort. */
-static int compare_numbers(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /** Times all settings in turn. @return false if anything is. */
 static bool time_points(ChartMeasurement *measure, Error *error) {
     Chart *chart = measure->chart;
@@ -168,10 +164,10 @@ static bool time_points(ChartMeasurement *measure, Error *error) {
         }
     }
     for (size_t i = 0; i < chart->count; i++) {
-        qsort(seconds[i], TURNS, sizeof **seconds, compare_numbers);
-        chart->points[i].seconds_low = seconds[i][TURNS / 4];
-        chart->points[i].seconds = seconds[i][TURNS / 2];
-        chart->points[i].seconds_high = seconds[i][TURNS - 1 - TURNS / 4];
+        Quartiles quartiles = quartiles_of(seconds[i], TURNS);
+        chart->points[i].seconds_low = quartiles.low;
+        chart->points[i].seconds = quartiles.median;
+        chart->points[i].seconds_high = quartiles.high;
     }
     return true;
 }
@@ -291,17 +287,15 @@ static bool points_measure_errors(ChartMeasurement *measure, Error *error) {
     return is_done;
 }
 
-/** Finds the settings that nothing beats in both time and error. */
+/** Finds the settings that no other beats in both time and error. */
 static void find_pareto_front(Chart *chart) {
+    ParetoPoint points[CHART_POINTS_MAXIMUM];
     for (size_t i = 0; i < chart->count; i++) {
-        ChartPoint *point = &chart->points[i];
-        point->is_pareto = true;
-        for (size_t k = 0; k < chart->count; k++) {
-            const ChartPoint *other = &chart->points[k];
-            bool beats = other->seconds < point->seconds &&
-                         other->total_error <= EQUAL_ERROR_FACTOR * point->total_error;
-            point->is_pareto = point->is_pareto && !beats;
-        }
+        points[i] = (ParetoPoint){chart->points[i].seconds, chart->points[i].total_error, false};
+    }
+    pareto_front_find(points, chart->count, EQUAL_ERROR_FACTOR);
+    for (size_t i = 0; i < chart->count; i++) {
+        chart->points[i].is_pareto = points[i].is_pareto;
     }
 }
 

@@ -194,7 +194,7 @@ static void panel_add_method_series(ReportPlot *chart, PlotPanel *panel, size_t 
     const int own_style = 7;
     panel->series[panel->series_count++] =
         (PlotSeries){.label = row->label,
-                     .row_keys = {row->method, row->type},
+                     .keys = {{1, row->method}, {2, row->type}},
                      .y_column = METRIC_FIRST_COLUMN + (int)metric,
                      .x = experiment->levels,
                      .y = y,
@@ -220,7 +220,7 @@ static void plot_add_metric_row(ReportPlot *chart, size_t metric, char names[HEA
         *panel = (PlotPanel){.title = number_types()[t]->name,
                              .x_label = experiment->difficulty,
                              .y_label = names,
-                             .x_column = 3,
+                             .x_columns = {3},
                              .is_x_reversed = levels[0] > levels[experiment->level_count - 1]};
         for (size_t m = 0; m < chart->results->method_count; m++) {
             panel_add_method_series(chart, panel, metric, m, t);

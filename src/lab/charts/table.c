@@ -6,6 +6,7 @@
 
 #include "base/language.h"
 
+#include <libintl.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -43,6 +44,12 @@ void table_number(Table *table, double number) {
         table_cell(table, "-");
     } else {
         table_cell(table, "%.3g", number);
+    }
+}
+
+void table_heading(Table *table, const char *const *columns) {
+    for (size_t i = 0; i < table->columns; i++) {
+        table_cell(table, "%s", columns[i][0] ? gettext(columns[i]) : "");
     }
 }
 

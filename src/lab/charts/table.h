@@ -35,6 +35,9 @@ void table_cell(Table *table, const char *format, ...) __attribute__((format(pri
 /** Adds a number with three digits. @param number It; NaN: a dash. */
 void table_number(Table *table, double number);
 
+/** Adds a row of column names, translated; an empty name stays empty. */
+void table_heading(Table *table, const char *const *columns);
+
 /** Prints a table. */
 void table_print(const Table *table, FILE *stream);
 

@@ -6,7 +6,7 @@
 #include "dioptre/needs.h"
 #include "dioptre/renderer.h"
 #include "dioptre/script.h"
-#include "lab/needs/outliers.h"
+#include "lab/needs/image_difference.h"
 
 #include <stdio.h>
 #include <string.h>

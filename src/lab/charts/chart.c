@@ -10,7 +10,6 @@
 
 #include "lab/charts/pareto_front.h"
 #include "lab/needs/image_difference.h"
-#include "lab/needs/scaled_tolerance_scene.h"
 #include "lab/score_stats.h"
 
 #include <math.h>

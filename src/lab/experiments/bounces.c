@@ -14,8 +14,8 @@ static const Vec3q sphere_centers[4] = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1
 /** Radius of the balls: they nearly touch, so that rays stay between them for long. */
 #define SPHERE_RADIUS 1.3
 
-/** Poses a ray between the balls. See #Experiment.generate. The truth is what the methods say in
- *  quad, whose own error is that much smaller. @param[in,out] random Where it comes from. */
+/** Generates a ray between the balls, see #Experiment.generate. The truth is what the methods say
+ * in quad, whose own error is that much smaller. */
 static void generate_bounces(const ExperimentSetup *setup, Random *random,
                              ExperimentSample *sample) {
     SampleWriter writer = {setup->type, sample->inputs};
@@ -34,7 +34,7 @@ static void generate_bounces(const ExperimentSetup *setup, Random *random,
     (*widest)->evaluate(family, family->methods, 1, sample->inputs, sample->expected);
 }
 
-/** Judges a direction. See #Experiment.score_sample. */
+/** Scores a direction, see #Experiment.score_sample. */
 static void score_direction(const ExperimentSample *sample, const Quadruple *outputs,
                             ScoreStats *score) {
     Vec3q truth = vec3q_from_array(sample->expected), found = vec3q_from_array(outputs);

@@ -31,23 +31,12 @@ static void fresnel_write_input(const ExperimentSetup *setup, double cosine, dou
     sample->expected[0] = fresnel_expected(c, n);
 }
 
-/** Judges a share. See #Experiment.score_sample. */
-static void score_reflectance(const ExperimentSample *sample, const Quadruple *outputs,
-                              ScoreStats *score) {
-    bool is_number = quad_is_number(outputs[0]);
-    score_outcome(score, OUTCOME_NAN, !is_number);
-    if (is_number) {
-        score_error(score, quad_abs(outputs[0] - sample->expected[0]));
-    }
-}
-
 /* --- into glass --- */
 
 /** Degrees above the surface. */
 static const double grazing_angles[] = {90, 60, 45, 30, 20, 15, 12, 10, 8, 5, 3, 1, 0.3, 0.1};
 
-/** Poses light that comes from air. See #Experiment.generate. @param[in,out] random Where it comes
- *  from. */
+/** Generates light that comes from air, see #Experiment.generate. */
 static void generate_into(const ExperimentSetup *setup, Random *random, ExperimentSample *sample) {
     double height = setup->level * random_range(random, 0.97, 1);
     fresnel_write_input(setup, sin(height * M_PI / 180), GLASS_IOR, sample);
@@ -65,7 +54,7 @@ const Experiment fresnel_into_experiment = {
     .queries_per_sample = 1,
     .timed_level = 5,
     .generate = generate_into,
-    .score_sample = score_reflectance,
+    .score_sample = score_absolute_error,
 };
 
 /* --- out of glass --- */
@@ -73,8 +62,7 @@ const Experiment fresnel_into_experiment = {
 /** Degrees before the angle from which on all is mirrored. */
 static const double angles_before_critical[] = {40, 30, 20, 10, 5, 3, 1, 0.3, 0.1, 0.03, 0.01};
 
-/** Poses light that comes from inside the glass. See #Experiment.generate. @param[in,out] random
- *  Where it comes from. */
+/** Generates light that comes from inside the glass, see #Experiment.generate. */
 static void generate_out(const ExperimentSetup *setup, Random *random, ExperimentSample *sample) {
     double before = setup->level * random_range(random, 0.97, 1) * M_PI / 180;
     fresnel_write_input(setup, cos(asin(1 / GLASS_IOR) - before), 1 / GLASS_IOR, sample);
@@ -91,5 +79,5 @@ const Experiment fresnel_out_experiment = {
     .sample_count = 2000,
     .queries_per_sample = 1,
     .generate = generate_out,
-    .score_sample = score_reflectance,
+    .score_sample = score_absolute_error,
 };

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief What comes of asking a method many questions.
+ * @brief Scores of a method over many samples.
  */
 #include "lab/score_stats.h"
 

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Tables for people.
+ * @brief Tables on the terminal.
  */
 #include "lab/charts/table.h"
 
@@ -16,7 +16,7 @@ Table table_make(size_t columns, size_t words) {
     return (Table){.columns = columns, .text_columns = words};
 }
 
-/** Makes room for a cell. @return Whether there is some. */
+/** Makes room for a cell. @return false without memory. */
 static bool make_room(Table *table) {
     if (table->count < table->capacity) {
         return true;
@@ -53,7 +53,7 @@ void table_heading(Table *table, const char *const *columns) {
     }
 }
 
-/** @return The width that a column needs. */
+/** @return The width of a column, characters. */
 static int column_width(const Table *table, size_t column) {
     int width = 0;
     for (size_t i = column; i < table->count; i += table->columns) {

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief An experiment on balls in all cells of space: which ball is met first?
+ * @brief An experiment on spheres in all cells of space: which one is hit first?
  */
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/sample_writer.h"

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Experiments on how much a surface of glass mirrors, from outside and from inside.
+ * @brief Experiments on the reflectance of glass, from outside and from inside.
  */
 #include "base/language.h"
 #include "lab/experiments/experiments.h"
@@ -11,7 +11,7 @@
 /** Index of glass. */
 #define GLASS_IOR 1.5
 
-/** @return The share that is mirrored, in quad precision. @param c The cosine of the ray.
+/** @return The reflectance in quad precision. @param c The cosine of the ray.
  *  @param n Index beyond over index before the surface. */
 static Quadruple fresnel_expected(Quadruple c, Quadruple n) {
     Quadruple squared = 1 - (1 - c) * (1 + c) / (n * n);
@@ -23,7 +23,7 @@ static Quadruple fresnel_expected(Quadruple c, Quadruple n) {
     return (along * along + across * across) / 2;
 }
 
-/** Writes a question. */
+/** Writes the inputs. */
 static void fresnel_write_input(const ExperimentSetup *setup, double cosine, double index,
                                 ExperimentSample *sample) {
     SampleWriter writer = {setup->type, sample->inputs};
@@ -59,7 +59,7 @@ const Experiment fresnel_into_experiment = {
 
 /* --- out of glass --- */
 
-/** Degrees before the angle from which on all is mirrored. */
+/** Degrees before the critical angle. */
 static const double angles_before_critical[] = {40, 30, 20, 10, 5, 3, 1, 0.3, 0.1, 0.03, 0.01};
 
 /** Generates light that comes from inside the glass, see #Experiment.generate. */

@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-/** A plane under an eye. */
+/** A plane below a viewpoint. */
 typedef struct TestPlane {
     Vec3q point;    /**< A point of it, exact in float. */
     Vec3q normal;   /**< Its normal, exact in float, of about length 1. */
@@ -27,7 +27,7 @@ static TestPlane test_plane_at(double distance, double degree) {
                        vec3q_round(narrowest, normal), degree};
 }
 
-/** Generates an eye one unit above the plane. */
+/** Generates a viewpoint one unit above the plane. */
 static void generate_plane_ray(const ExperimentSetup *setup, const TestPlane *ground,
                                Random *random, ExperimentSample *sample) {
     SampleWriter writer = {setup->type, sample->inputs};

@@ -9,7 +9,7 @@
 
 /** Index of glass over air, upside down: as Snell's law wants it for a ray that goes in. */
 #define IOR_RATIO (1 / 1.5)
-/** Of the way through the glass, what a second ray may be off. */
+/** Tolerance of a distance through the glass, relative. */
 #define DISTANCE_TOLERANCE 0.01
 
 /** A sphere that rays meet and leave. */
@@ -20,14 +20,14 @@ typedef struct OffsetSphere {
 } OffsetSphere;
 
 /** @return How far it is through the glass. @param point Where a ray meets the sphere, from its
- *  centre, over the radius. @param direction Which way it goes, of length 1. */
+ *  centre, over the radius. @param direction Of length 1. */
 static Quadruple chord_length(Vec3q point, Vec3q direction) {
-    // The refracted ray's cosine by Snell; the way is the chord of the sphere.
+    // Snell's law; the distance is a chord of the sphere.
     Quadruple cosine = -vec3q_dot(point, direction);
     return 2 * quad_sqrt(1 - (Quadruple)IOR_RATIO * IOR_RATIO * (1 - cosine * cosine));
 }
 
-/** Generates a ray to a ball from three radii away. */
+/** Generates a ray to a sphere from three radii away. */
 static void generate_offset_ray(const ExperimentSetup *setup, const OffsetSphere *sphere,
                                 Random *random, ExperimentSample *sample) {
     SampleWriter writer = {setup->type, sample->inputs};
@@ -117,7 +117,7 @@ static void query_second_ray(const Engine *engine, Tracer *tracer, const Experim
 static const double sphere_radii[] = {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1,
                                       10,   1e2,  1e3,  1e4,  1e5,  1e6};
 
-/** @return A ball that lies one radius beside the origin. */
+/** @return A sphere at one radius from the origin. */
 static OffsetSphere offset_sphere_at(double radius, double ratio) {
     return (OffsetSphere){far_point(radius), number_types()[0]->round(radius), ratio};
 }
@@ -129,7 +129,7 @@ static void generate_mirror_scale(const ExperimentSetup *setup, Random *random,
     generate_offset_ray(setup, &sphere, random, sample);
 }
 
-/** Generates a ball of glass, small or large, see #Experiment.generate. */
+/** Generates a glass sphere, small or large, see #Experiment.generate. */
 static void generate_glass_scale(const ExperimentSetup *setup, Random *random,
                                  ExperimentSample *sample) {
     OffsetSphere sphere = offset_sphere_at(setup->level, IOR_RATIO);
@@ -187,7 +187,7 @@ static void generate_mirror_offset(const ExperimentSetup *setup, Random *random,
     generate_offset_ray(setup, &(OffsetSphere){far_point(setup->level), 1, 0}, random, sample);
 }
 
-/** Generates a ball of glass far away, see #Experiment.generate. */
+/** Generates a glass sphere far away, see #Experiment.generate. */
 static void generate_glass_offset(const ExperimentSetup *setup, Random *random,
                                   ExperimentSample *sample) {
     generate_offset_ray(setup, &(OffsetSphere){far_point(setup->level), 1, IOR_RATIO}, random,

@@ -1,22 +1,23 @@
 /**
  * @file
- * @brief Experiments on spheres: far from the eye, far from the origin, small, large, underfoot.
+ * @brief Experiments on spheres: far from the viewpoint, far from the origin, small, large,
+ * underfoot.
  */
 #include "base/language.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/sample_writer.h"
 
-/** A sphere that is looked at. */
+/** A sphere in view. */
 typedef struct SphereView {
     Vec3q center;     /**< Where it is. */
     Quadruple radius; /**< How large. */
-    double distance;  /**< From its centre to the eye, radii. */
+    double distance;  /**< From its centre to the viewpoint, radii. */
 } SphereView;
 
 /** Radii around the centre that rays aim at: a few pass beside the sphere. */
 #define AIM_RADIUS 1.02
 
-/** Writes a question. @param ray Where it starts, and which way. */
+/** Writes the inputs. @param ray Origin and direction. */
 static void sphere_write_input(const NumberType *type, const Vec3q ray[2], const SphereView *view,
                                ExperimentSample *sample) {
     SampleWriter writer = {type, sample->inputs};
@@ -39,7 +40,8 @@ static void generate_view(const NumberType *type, const SphereView *view, Random
     sphere_write_input(type, (const Vec3q[]){origin, direction}, view, sample);
 }
 
-/* --- far from the eye ---------------------------------------------------------------------------
+/* --- far from the viewpoint
+ * ---------------------------------------------------------------------------
  */
 
 /** Radii. */
@@ -140,7 +142,7 @@ const Experiment sphere_scale_experiment = {
 /* --- underfoot
  * ------------------------------------------------------------------------------------ */
 
-/** Radii, in heights of the eye. */
+/** Radii, in heights of the viewpoint. */
 static const double ground_radii[] = {1e1, 1e2, 1e3, 1e4, 1e5, 1e6};
 
 /** @return The middle of the earth: straight down along no axis. */
@@ -148,12 +150,12 @@ static Vec3q ground_center(double radius) {
     return far_point(radius);
 }
 
-/** Generates an eye one unit above a large sphere, looking down at 5 to 90 degrees, see
+/** Generates a viewpoint one unit above a large sphere, looking down at 5 to 90 degrees, see
  * #Experiment.generate. */
 static void generate_ground(const ExperimentSetup *setup, Random *random,
                             ExperimentSample *sample) {
     SphereView view = {.center = ground_center(setup->level), .radius = setup->level};
-    // Somewhere on the ground, so that no one rounding of the eye's place decides all.
+    // Somewhere on the ground, so that no single rounding of the viewpoint decides all samples.
     Vec3q walk = random_in_disc(random, (Vec3q){0, 1, 0}, 10);
     Vec3q up = vec3q_normalize(vec3q_subtract(walk, view.center));
     Vec3q origin = vec3q_add(view.center, vec3q_scale(up, setup->level + 1));

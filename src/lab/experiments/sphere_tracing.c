@@ -1,7 +1,6 @@
 /**
  * @file
- * @brief An experiment on marching: how many steps does it take down to the ground, and how far off
- *        does it stop?
+ * @brief An experiment on sphere tracing: steps down to the ground, and the error of the distance.
  */
 #include "base/language.h"
 #include "lab/experiments/experiments.h"
@@ -11,10 +10,10 @@
 
 /** Degrees. */
 static const double angles[] = {30, 10, 3, 1, 0.3, 0.1};
-/** How near is on the surface, heights of the eye. */
+/** Tolerance of the surface, heights of the viewpoint. */
 #define TOLERANCE 1e-4
 
-/** Generates an eye one unit above the ground, see #Experiment.generate. */
+/** Generates a viewpoint one unit above the ground, see #Experiment.generate. */
 static void generate_grazing(const ExperimentSetup *setup, Random *random,
                              ExperimentSample *sample) {
     SampleWriter writer = {setup->type, sample->inputs};
@@ -60,7 +59,7 @@ const Experiment sphere_tracing_angle_experiment = {
     .title = N_("Marching down to the ground under ever smaller angles"),
     .family = "marching",
     .difficulty = N_("angle between ray and ground, degrees"),
-    .error_label = N_("error of the distance t, heights of the eye"),
+    .error_label = N_("error of the distance t, heights of the viewpoint"),
     .cost_label = N_("steps of a ray"),
     .levels = angles,
     .level_count = COUNT_OF(angles),

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief An experiment on pictures on spheres: how far from the pole is a point?
+ * @brief An experiment on texture coordinates of spheres: the angle from the pole.
  */
 #include "base/language.h"
 #include "lab/experiments/experiments.h"

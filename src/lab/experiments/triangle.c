@@ -18,7 +18,7 @@ static void *build_icosphere(double level) {
     return icosphere_create(far_point(level));
 }
 
-/** @return Where a ray starts: somewhere in the middle half of the ball. */
+/** @return The origin of a ray, in the inner half of the sphere. */
 static Vec3q random_origin_inside(const ExperimentSetup *setup, Random *random) {
     Vec3q lateral = vec3q_scale(random_direction(random), random_range(random, 0, 0.5));
     return vec3q_round(setup->type, vec3q_add(far_point(setup->level), lateral));
@@ -103,7 +103,7 @@ static void score_faces(const ExperimentSample *sample, const Quadruple *outputs
     }
 }
 
-/** @return The ball as a model, see #Experiment.create_scene. */
+/** @return The sphere as a mesh, see #Experiment.create_scene. */
 static Scene *icosphere_scene(const ExperimentSetup *setup, Error *error) {
     const Icosphere *ball = setup->shared;
     Mesh counts = {.position_count = ICOSPHERE_CORNERS, .triangle_count = ICOSPHERE_FACES};
@@ -122,7 +122,7 @@ static Scene *icosphere_scene(const ExperimentSetup *setup, Error *error) {
     return scene_fixture_with_mesh(mesh, error);
 }
 
-/** Queries an engine for the nearest face of the whole ball, see #Experiment.query_engine. */
+/** Queries an engine for the nearest face of the whole mesh, see #Experiment.query_engine. */
 static void query_icosphere(const Engine *engine, Tracer *tracer, const ExperimentSample *sample,
                             Quadruple *outputs) {
     RayResult answer;
@@ -172,7 +172,7 @@ const Experiment triangle_corners_experiment = {
 
 /* --- one triangle --- */
 
-/** A triangle that is looked at. */
+/** A triangle in view. */
 typedef struct TestTriangle {
     Vec3q corners[3]; /**< Its corners, exact in float. */
     double distance;  /**< From where. */

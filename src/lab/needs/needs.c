@@ -209,7 +209,7 @@ static bool try_rounding(const NeedsSearch *search, const RenderContext *render_
 
 /** Is a #PixelTest: pixels that are traced in quad, which is a hundred times slower. */
 static bool pixel_is_in_quad_set(const void *context, int x, int y) {
-    /** Of so many cells, each way, one is traced. */
+    /** Of so many cells along each axis, one is traced. */
     const int cells = 5;
     return pixel_is_sampled(context, x, y) && x / 8 % cells == 2 && y / 8 % cells == 2;
 }

@@ -1,11 +1,10 @@
 /**
  * @file
- * @brief The laboratory: its bad methods fail where they should, its good ones and the tracer's own
- *        hold, and the same figures come of every run.
+ * @brief The laboratory: bad methods fail where they should, good ones and the tracer's own do not,
+ *        and every run has the same results.
  *
- * One table: a row a cliff. The bounds of good methods are the targets that the laboratory was
- * planned with, those of bad ones far enough below what they do that another compiler's last bit
- * does not count.
+ * One table with a row per expectation. Good methods have the bounds that they were designed for.
+ * The bounds of bad methods are so far from their results that roundings do not matter.
  */
 #include "lab/charts/metrics.h"
 #include "lab/charts/table.h"
@@ -20,24 +19,24 @@
 
 #include <cmocka.h>
 
-/** Cases of each level here: fewer than the laboratory has, enough for one in a thousand. */
+/** Samples per level: fewer than in the laboratory, but enough for a quantile of 0.999. */
 enum { EXPERIMENT_SAMPLES = 3000 };
 
-/** A cliff, or the lack of one. */
+/** The expected range of a result. */
 typedef struct Expectation {
     const char *experiment; /**< The experiment. */
-    const char *method;     /**< Who. */
-    const char *type;       /**< In which number type. */
-    double level;           /**< Under which stress. */
-    const char *metric;     /**< What, as the CSV calls it. */
-    double low;             /**< At least so much. */
-    double high;            /**< At most so much. */
+    const char *method;     /**< The method. */
+    const char *type;       /**< The number type. */
+    double level;           /**< The level. */
+    const char *metric;     /**< Column of the CSV. */
+    double low;             /**< Least value. */
+    double high;            /**< Largest value. */
 } Expectation;
 
-/** Without an upper end. */
+/** No upper bound. */
 #define ANY_VALUE HUGE_VAL
 
-/** What must come out. */
+/** All expectations. */
 static const Expectation expectations[] = {
     // Spheres far away: the quadratic loses them, projection does not.
     {"sphere-distance", "expanded", "float", 100, "ulps_p999", 300, ANY_VALUE},
@@ -194,7 +193,7 @@ static const Expectation expectations[] = {
     {"marching-angle", "dioptre", "float", 0.1, "false_misses", 0, 0},
 };
 
-/** @return The kind of figure that the CSV calls so. */
+/** @return The quantity of a column of the CSV. */
 static const Metric *find_metric(const char *column) {
     for (size_t i = 0; i < METRIC_COUNT; i++) {
         if (strcmp(metric_at(i)->column, column) == 0) {
@@ -205,7 +204,7 @@ static const Metric *find_metric(const char *column) {
     return NULL;
 }
 
-/** Makes an experiment with fewer cases. @param[out] results What was found, to be given back. */
+/** Runs an experiment with fewer samples. @param[out] results To be released. */
 static void run_small_experiment(const Experiment *experiment, int threads,
                                  ExperimentResults *results) {
     Error error = {0};
@@ -215,7 +214,7 @@ static void run_small_experiment(const Experiment *experiment, int threads,
     assert_true(experiment_run(&small, threads, NULL, results, &error));
 }
 
-/** Checks one row. @param results What was found in it. */
+/** Checks an expectation. */
 static void check_expectation(const Expectation *row, const Experiment *experiment,
                               const ExperimentResults *results) {
     const MethodResult *result =
@@ -231,7 +230,7 @@ static void check_expectation(const Expectation *row, const Experiment *experime
     }
 }
 
-/** Every experiment finds what it is there for. */
+/** All expectations hold. */
 static void test_cliffs(void **state) {
     (void)state;
     for (const Experiment *const *e = experiment_list(); *e; e++) {
@@ -251,7 +250,7 @@ static void test_cliffs(void **state) {
     }
 }
 
-/** Every row is of an experiment that there is. */
+/** Every expectation names an experiment. */
 static void test_expectations_are_used(void **state) {
     (void)state;
     for (size_t i = 0; i < sizeof expectations / sizeof *expectations; i++) {
@@ -263,7 +262,7 @@ static void test_expectations_are_used(void **state) {
     }
 }
 
-/** Every method is asked by some experiment, and its names go into a CSV. */
+/** Every method is run by an experiment, and its name is valid in a CSV. */
 static void test_methods_are_run(void **state) {
     (void)state;
     for (const MethodFamily *const *f = number_types()[0]->families; *f; f++) {
@@ -281,7 +280,7 @@ static void test_methods_are_run(void **state) {
     }
 }
 
-/** The same figures of one thread and of two. */
+/** One thread and two have the same results. */
 static void test_same_metrics(void **state) {
     (void)state;
     ExperimentResults one, two;
@@ -300,7 +299,7 @@ static void test_same_metrics(void **state) {
     experiment_results_deinit(&two);
 }
 
-/** An experiment that is stopped leaves nothing and says so. */
+/** A stopped experiment has no results and an error. */
 static void test_stops(void **state) {
     (void)state;
     Error error = {0};
@@ -311,7 +310,7 @@ static void test_stops(void **state) {
     assert_null(results.rows);
 }
 
-/** Quantiles, shares and means. */
+/** Quantiles, fractions and means. */
 static void test_score(void **state) {
     (void)state;
     ScoreStats score = {0};
@@ -332,7 +331,7 @@ static void test_score(void **state) {
     score_deinit(&score);
 }
 
-/** Columns are as wide as they must be, words left, numbers right. */
+/** Columns are as wide as necessary, text left, numbers right. */
 static void test_table(void **state) {
     (void)state;
     char *text = NULL;
@@ -352,7 +351,7 @@ static void test_table(void **state) {
     free(text);
 }
 
-/** Roots and angles of quads. */
+/** Roots and angles in quad. */
 static void test_quad(void **state) {
     (void)state;
     Quadruple root = quad_sqrt(2);

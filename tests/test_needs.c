@@ -1,18 +1,18 @@
 /**
  * @file
- * @brief Forecasts and pilots: trails tell edges from errors, forecasts choose the right number
- *        type, and what a sample of pixels promises is true of all of them.
+ * @brief What scenes need: path hashes tell edges from errors, estimates choose the right number
+ * type, and results on a sample of pixels hold for all of them.
  */
 #include "testing.h"
 
 #include "dioptre/needs.h"
 #include "dioptre/renderer.h"
 #include "dioptre/script.h"
-#include "lab/needs/outliers.h"
+#include "lab/needs/image_difference.h"
 
 #include <stdlib.h>
 
-/** Pixels of the pictures that are tried. */
+/** Size of the pictures. */
 enum { WIDTH = 96, HEIGHT = 72 };
 
 /** @return A scene from its file. */
@@ -29,9 +29,9 @@ static Scene *load_scene(const char *path) {
 }
 
 /**
- * Shoots all pixels of a small picture of a scene.
+ * Renders all pixels of a small picture of a scene.
  * @param offset  How rays leave surfaces.
- * @return The shot.
+ * @return The rays.
  */
 static SampledRender render_all_pixels(const Scene *scene, const char *engine,
                                        OffsetStrategy offset, const PixelSet *pixels) {
@@ -50,7 +50,7 @@ static SampledRender render_all_pixels(const Scene *scene, const char *engine,
 
 /* --- trails ----------------------------------------------------------------------------------- */
 
-/** Trails are the same at every width; in double they differ from float only at edges. */
+/** Path hashes are the same at every width; double and float differ only at edges. */
 static void test_path_hashes_agree(void **state) {
     (void)state;
     static const char *const scenes[] = {"scenes/box.lua", "scenes/glass-sphere.lua",
@@ -77,7 +77,7 @@ static void test_path_hashes_agree(void **state) {
     }
 }
 
-/** Trails of chosen pixels are those of the whole picture, and shapes, faces and shadows have
+/** Path hashes of selected pixels are those of the whole picture; shapes, faces and shadows have
  *  different ones. */
 static void test_path_hashes_differ(void **state) {
     (void)state;
@@ -110,7 +110,7 @@ static void test_path_hashes_differ(void **state) {
     scene_destroy(scene);
 }
 
-/** Black points are strays: no edge is near them. Float's flips are not. */
+/** Black pixels are outliers: no edge is near them. Edge flips of float are not. */
 static void test_outliers_are_no_edges(void **state) {
     (void)state;
     Scene *scene = load_scene("scenes/box.lua");
@@ -139,14 +139,14 @@ static void test_outliers_are_no_edges(void **state) {
 
 /* --- forecasts -------------------------------------------------------------------------------- */
 
-/** A scene, and what is to be forecast. */
+/** A scene, and its expected estimate. */
 typedef struct ExpectedForecast {
     const char *path;     /**< Its file. */
-    bool is_float;        /**< Whether float is enough. */
-    PrecisionCause cause; /**< If not: why. */
+    bool is_float;        /**< Whether float is sufficient. */
+    PrecisionCause cause; /**< If not: the cause. */
 } ExpectedForecast;
 
-/** Scenes of all kinds, and some that are built to fool the forecast. */
+/** Scenes of all kinds, and some on which simpler estimates fail. */
 static const ExpectedForecast expected[] = {
     {"scenes/box.lua", true, 0},
     {"scenes/facing-mirrors.lua", true, 0},
@@ -166,7 +166,7 @@ static const ExpectedForecast expected[] = {
     {"tests/scenes/deep-mirrors.lua", false, PRECISION_RAY_DIVERGENCE},
     {"tests/scenes/thin-shells.lua", false, PRECISION_THIN_GLASS}};
 
-/** The engine is chosen by the scene's numbers. */
+/** The scene's numbers choose the engine. */
 static void test_forecasts(void **state) {
     (void)state;
     for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
@@ -183,7 +183,7 @@ static void test_forecasts(void **state) {
     }
 }
 
-/** Depth is the script's where it says one, else what the largest share asks for. */
+/** The depth is the script's own, or else follows from the largest reflectance. */
 static void test_depths(void **state) {
     (void)state;
     Scene *scene = load_scene("scenes/orbits.lua");
@@ -204,7 +204,7 @@ static void test_depths(void **state) {
 
 /**
  * @return What a scene needs.
- * @param is_whole  Whether all pixels are tried.
+ * @param is_whole  Whether all pixels are rendered.
  */
 static Needs needs_of(const Scene *scene, bool is_whole) {
     Needs needs;
@@ -223,7 +223,7 @@ static Needs needs_of(const Scene *scene, bool is_whole) {
     return needs;
 }
 
-/** What a pilot finds holds for whole pictures. */
+/** Results on a sample hold for whole pictures. */
 static void test_sparse_pixels_suffice(void **state) {
     (void)state;
     static const char *const scenes[] = {"scenes/box.lua",

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Charts of a scene: what each setting costs, and what it leaves of errors.
+ * @brief Charts of a scene: the time and the errors of each setting.
  */
 #ifndef DIOPTRE_CHART_H
 #define DIOPTRE_CHART_H
@@ -13,52 +13,49 @@ enum { CHART_POINTS_MAXIMUM = 64 };
 /** Longest name of a setting, bytes with its final zero. */
 enum { CHART_LABEL_SIZE = 32 };
 
-/** A setting: all others are as the scene has them. */
+/** A setting; all others are the scene's. */
 typedef struct ChartPoint {
     const char *setting;          /**< What is set, such as `depth`. */
-    char label[CHART_LABEL_SIZE]; /**< To what. */
+    char label[CHART_LABEL_SIZE]; /**< Its value. */
     const Engine *engine;         /**< The engine. */
     TraceSettings trace;          /**< Depth, offset and tree. */
-    int samples;                  /**< Rays a pixel. */
-    double tolerance;    /**< How many times as coarse as the scene's those of fields are. */
-    double seconds;      /**< The processor's time for a megapixel: median of the turns. */
-    double seconds_low;  /**< Its lower quartile. */
-    double seconds_high; /**< Its upper quartile. */
-    double own_error;    /**< The error that this setting is for, root of the mean square of linear
-                        light:    rounding of engines and offsets, of rays that took the same way; what
-                        else    is missing, of depths and tolerances; noise of samples. */
-    double max_steps;    /**< The largest such error, 8-bit steps; of samples: of whole pixels. */
-    double edge_flip_fraction; /**< Share of the rays that passed an edge on its other side. */
-    double total_error;        /**< All errors of the picture together, root of the mean square. */
-    bool is_pareto;            /**< Whether nothing is both faster and nearer to the truth. */
+    int samples;                  /**< Rays per pixel. */
+    double tolerance;             /**< Factor of the tolerances of distance fields. */
+    double seconds;               /**< CPU time per megapixel: median of the turns. */
+    double seconds_low;           /**< Its lower quartile. */
+    double seconds_high;          /**< Its upper quartile. */
+    double own_error; /**< RMS error that this setting causes, linear light: rounding of rays on
+                         the same path for engines and offsets, truncation for depths and
+                         tolerances, noise for samples. */
+    double max_steps; /**< Largest such error of a ray, 8-bit steps; of a pixel for samples. */
+    double edge_flip_fraction; /**< Fraction of the rays that pass an edge on its other side. */
+    double total_error;        /**< RMS error of the picture, linear light. */
+    bool is_pareto;            /**< Whether no setting is both faster and more accurate. */
 } ChartPoint;
 
-/** What is known of a scene. */
+/** All settings of a scene. */
 typedef struct Chart {
-    ChartPoint points[CHART_POINTS_MAXIMUM]; /**< The settings, group by group. */
+    ChartPoint points[CHART_POINTS_MAXIMUM]; /**< All settings, group by group. */
     size_t count;                            /**< How many. */
 } Chart;
 
 /**
  * Measures a scene.
- * @param scene       The scene.
- * @param settings    The picture, and how it would be drawn.
+ * @param settings    The picture, and how it would be rendered.
  * @param stop        It is given up once this is true; may be NULL.
- * @param[out] chart  What is known.
+ * @param[out] chart  The settings.
  * @param[out] error  What is wrong.
- * @return false if anything is.
+ * @return false if anything is wrong.
  */
 bool chart_measure(const Scene *scene, const RenderSettings *settings, const atomic_bool *stop,
                    Chart *chart, Error *error);
 
 /**
- * Keeps what is known of a scene: prints a table, writes `NAME.csv` and `NAME.svg`.
- * @param chart           What is known.
+ * Saves a chart: prints a table, writes `NAME.csv` and `NAME.svg`.
  * @param name            The scene's name.
- * @param request         Where to.
- * @param[out] has_chart  Whether there is an SVG; there is none where gnuplot is missing.
+ * @param[out] has_chart  Whether the SVG is written; it is not if gnuplot is missing.
  * @param[out] error      What is wrong.
- * @return false if anything is.
+ * @return false if anything is wrong.
  */
 bool chart_save(const Chart *chart, const char *name, const LabRequest *request, bool *has_chart,
                 Error *error);

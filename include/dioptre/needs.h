@@ -1,11 +1,11 @@
 /**
  * @file
- * @brief What a scene needs: the cheapest settings that nobody can tell from the reference.
+ * @brief Finds what a scene needs: the cheapest settings without a visible difference.
  *
- * The settings are forecast from the scene's numbers, then tried on a fixed sample of pixels: one
- * of 8 by 8, and more where shapes end. Nobody can tell means: less than half an 8-bit step of the
- * encoded picture, for rays that took the same way; and where roundings put a ray on the other side
- * of an edge, that the edge is moved by less than 1/64 pixel.
+ * The settings are estimated from the scene's numbers and then tried on a fixed sample of pixels:
+ * one of 8 by 8, and more at the edges of shapes. A difference is visible from half an 8-bit step
+ * of the encoded picture on, for rays on the same path. Where roundings put a ray on the other side
+ * of an edge, it is visible if the edge moves by more than 1/64 pixel.
  */
 #ifndef DIOPTRE_NEEDS_H
 #define DIOPTRE_NEEDS_H
@@ -14,88 +14,85 @@
 
 #include <stdatomic.h>
 
-/** Share of the rays that may be off all the same: as few as a sample can tell from none. */
+/** Largest fraction of rays with visible differences: about what a sample can tell from none. */
 #define NEEDS_FRACTION_MAXIMUM 1e-4
 
 /** Engines that are tried at most. */
 enum { NEEDS_ENGINES = 3 };
 
-/** What is asked. */
+/** What is wanted. */
 typedef struct NeedsRequest {
     int width;                  /**< Of the picture, pixels. */
     int height;                 /**< Of the picture, pixels. */
-    int samples;                /**< Rays a pixel that are wanted. */
-    int depth;                  /**< Depth that is wanted; -1: what the scene needs. */
+    int samples;                /**< Rays per pixel. */
+    int depth;                  /**< Depth to judge, such as the scene's own; -1: none. */
     const TraceSettings *trace; /**< How rays leave surfaces. */
-    int threads;                /**< How many work. */
-    bool uses_all_pixels; /**< Whether all pixels are tried: to see whether a sample is enough. */
-    const atomic_bool *stop; /**< It is given up once this is true; may be NULL. */
+    int threads;                /**< How many threads trace. */
+    bool uses_all_pixels;       /**< Whether all pixels are tried, to judge the sample. */
+    const atomic_bool *stop;    /**< The search is given up once this is true; may be NULL. */
 } NeedsRequest;
 
-/** How something was found to be off. */
+/** Differences of a setting from its reference. */
 typedef struct NeedsTrial {
-    size_t rays;       /**< How many were compared. */
-    double max_steps;  /**< By how many steps at most, of those that took the same way. */
-    size_t visible;    /**< How many are off by half a step or more. */
-    size_t edge_flips; /**< How many passed an edge on its other side. */
-    size_t outliers;   /**< How many of those by more than anybody would miss. */
+    size_t rays;       /**< Rays compared. */
+    double max_steps;  /**< Largest difference on the same path, 8-bit steps. */
+    size_t visible;    /**< Rays on the same path with a visible difference. */
+    size_t edge_flips; /**< Rays on another path with a visible difference. */
+    size_t outliers;   /**< Those of them that no small rotation of the camera explains. */
 } NeedsTrial;
 
 /** An engine that was tried. */
 typedef struct NeedsEngine {
-    const Engine *engine; /**< The engine. */
-    const Engine
-        *reference;     /**< What it was compared with; NULL: with nothing, it was only timed. */
-    NeedsTrial trial;   /**< How it did. */
-    double cpu_seconds; /**< The processor's time for the timed part of the picture. */
+    const Engine *engine;    /**< The engine. */
+    const Engine *reference; /**< Its reference; NULL: it was only timed. */
+    NeedsTrial trial;        /**< Its differences. */
+    double cpu_seconds;      /**< CPU time of the timed part of the picture. */
 } NeedsEngine;
 
 /** What a scene needs. */
 typedef struct Needs {
-    PrecisionEstimate forecast;         /**< What its numbers say. */
+    PrecisionEstimate forecast;         /**< The estimate from its numbers. */
     NeedsEngine engines[NEEDS_ENGINES]; /**< The engines that were tried, the fastest first. */
     int engine_count;                   /**< How many. */
-    int engine;                         /**< Which of them is enough. */
-    bool is_recursive;                  /**< Whether anything mirrors or lets light through. */
-    int depth;                          /**< How deep rays must be followed. */
-    NeedsTrial depth_trial;             /**< What following them deeper would change. */
-    NeedsTrial shallower_trial;         /**< What following them once less changes. */
-    NeedsTrial cutoff_trial;            /**< What rays that end at the usual weight leave out. */
-    NeedsTrial scene_depth_trial;       /**< What the scene's own depth changes. */
-    int scene_depth;                    /**< The scene's own depth; -1: it says none. */
+    int engine;                         /**< The first of them that is sufficient. */
+    bool is_recursive;                  /**< Whether anything reflects or transmits light. */
+    int depth;                          /**< The depth that is sufficient. */
+    NeedsTrial depth_trial;             /**< That depth against full depth. */
+    NeedsTrial shallower_trial;         /**< One less against full depth. */
+    NeedsTrial cutoff_trial;            /**< The default cutoff against a smaller one. */
+    NeedsTrial scene_depth_trial;       /**< The scene's own depth against full depth. */
+    int scene_depth;                    /**< The scene's own depth; -1: it has none. */
     bool has_sdf;                       /**< Whether it has distance fields. */
-    double tolerance;                   /**< How many times as coarse as it says they may be. */
-    NeedsTrial tolerance_trial;         /**< What that changes. */
-    NeedsTrial offset_none_trial;       /**< What starting rays at the very surface changes. */
-    NeedsTrial offset_fixed_trial;      /**< What starting them one length away changes. */
-    int samples;                        /**< Rays a pixel. */
-    double samples_rms;                 /**< What edges are still off then, steps: root of the mean
-                                             square of the pixels that are off at all. */
-    double samples_fraction;            /**< Share of the pixels that are off at all. */
-    NeedsTrial total_trial;             /**< All of it together, against the reference. */
-    double reference_cpu_seconds;       /**< The processor's time for everything on, for the timed
-                                  part of the picture. */
+    double tolerance;                   /**< The factor by which tolerances may be coarser. */
+    NeedsTrial tolerance_trial;         /**< That against fine tolerances. */
+    NeedsTrial offset_none_trial;       /**< No ray offset against the error bound. */
+    NeedsTrial offset_fixed_trial;      /**< A fixed ray offset against the error bound. */
+    int samples;                        /**< Rays per pixel. */
+    double samples_rms;                 /**< RMS noise of pixels with visible noise, 8-bit steps. */
+    double samples_fraction;            /**< Fraction of the pixels with visible noise. */
+    NeedsTrial total_trial;             /**< All settings together against the reference. */
+    double reference_cpu_seconds;       /**< CPU time of the reference, for the timed part. */
 } Needs;
 
 /**
  * Finds what a scene needs.
  * @param scene       The scene.
- * @param request     What is asked.
+ * @param request     What is wanted.
  * @param[out] needs  What it needs.
  * @param[out] error  What is wrong.
- * @return false if anything is.
+ * @return false if anything is wrong.
  */
 bool needs_find(const Scene *scene, const NeedsRequest *request, Needs *needs, Error *error);
 
-/** @return Whether somebody could tell. @param trial What was tried. */
+/** @return Whether more than #NEEDS_FRACTION_MAXIMUM of the rays differ visibly. */
 bool needs_trial_fails(const NeedsTrial *trial);
 
-/** @return Rays of which at most one is off, as the sample says with 95 % certainty.
- *  @param trial A trial without any that is off. */
+/** @return n, so that with 95 % confidence at most one ray in n differs visibly.
+ *  @param trial A trial without visible differences. */
 double needs_trial_certainty(const NeedsTrial *trial);
 
 /**
- * Explains it in a paragraph for a pupil.
+ * Explains needs in a paragraph for pupils.
  * @param needs  What a scene needs.
  * @param[out] text  The paragraph, in one line; cut to its size.
  * @param size   Bytes of it.

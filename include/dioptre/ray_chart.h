@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The rays of a pixel as a drawing: an SVG file, as seen from beside.
+ * @brief Draws the rays of a pixel, seen from the side, as an SVG file.
  */
 #ifndef DIOPTRE_RAY_CHART_H
 #define DIOPTRE_RAY_CHART_H
@@ -11,17 +11,16 @@
 typedef struct RayChart {
     const Scene *scene;             /**< The scene. */
     const RenderSettings *settings; /**< How it is traced. */
-    const Renderer *renderer;       /**< Who traced it. */
+    const Renderer *renderer;       /**< The renderer that traced it. */
     const RayTree *probe;           /**< The rays, at least one. */
-    const char *title;              /**< Stands over it. */
+    const char *title;              /**< Drawn above it. */
 } RayChart;
 
 /**
  * Draws the rays over a faint drawing of the scene.
- * @param chart       What is drawn.
  * @param path        The file to write; an old one stays whole until the new one is.
  * @param[out] error  What is wrong.
- * @return Whether it is there.
+ * @return Whether the file is written.
  */
 bool ray_chart_write(const RayChart *chart, const char *path, Error *error);
 

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Experiments are made: each level in each number type is a piece of work of its own.
+ * @brief Runs experiments: a task per level and number type.
  */
 #include "lab/experiment.h"
 
@@ -10,9 +10,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** Cases that are posed before any method is asked: they stay in the cache. */
+/** Samples that are generated before any method runs: they stay in the cache. */
 enum { SAMPLE_CHUNK = 64 };
-/** Quad numbers are a hundred times slower: of so many cases they get one. */
+/** Quad is a hundred times slower: it gets one sample of so many. */
 enum { QUAD_SAMPLE_DIVISOR = 16 };
 
 extern const NumberType number_float;    /**< 24 bits. */
@@ -31,7 +31,7 @@ const MethodFamily *number_type_family(const NumberType *type, const char *name)
 const NumberType *const *number_types(void) {
     static const NumberType *const types[] = {&number_float, &number_double, &number_extended,
                                               &number_quad, NULL};
-    // Where long double is double or quad under another name it says nothing of its own.
+    // On some machines long double is double or quad.
     static const NumberType *const types_without_extended[] = {&number_float, &number_double,
                                                                &number_quad, NULL};
     bool is_own = number_extended.mantissa_bits != number_double.mantissa_bits &&
@@ -39,29 +39,29 @@ const NumberType *const *number_types(void) {
     return is_own ? types : types_without_extended;
 }
 
-/** Most methods of a family, with the engine. */
+/** Most methods of a family, and the engine. */
 enum { METHODS_MAXIMUM = 16 };
 
-/** Somebody who is asked: a method in a number type, or an engine. */
+/** What is run: a method in a number type, or an engine. */
 typedef struct MethodSubject {
-    const Experiment *experiment; /**< In this experiment. */
-    const ExperimentSetup *setup; /**< Where. */
+    const Experiment *experiment; /**< The experiment. */
+    const ExperimentSetup *setup; /**< The level and the number type. */
     const MethodFamily *family;   /**< The family, in the number type. */
-    const Method *method;         /**< The method; NULL: the engine is asked. */
-    const Engine *engine;         /**< The engine of the type; NULL: there is none. */
+    const Method *method;         /**< The method; NULL: the engine is run. */
+    const Engine *engine;         /**< The engine of the number type; NULL: none. */
     Tracer *tracer;               /**< Its tracer, or NULL. */
 } MethodSubject;
 
-/** An experiment that is being made. */
+/** An experiment in progress. */
 typedef struct ExperimentRun {
     const Experiment *experiment; /**< The experiment. */
     const atomic_bool *stop;      /**< Whether to give up. */
     size_t method_count;          /**< Methods of the family; the engine comes after them. */
-    ExperimentResults *results;   /**< What was found. */
-    atomic_bool has_failed;       /**< Whether there was no memory. */
+    ExperimentResults *results;   /**< The results. */
+    atomic_bool has_failed;       /**< Whether memory was short. */
 } ExperimentRun;
 
-/** @return The engine of one ray at a time with a number type; NULL: there is none. */
+/** @return The engine with one lane and a number type, or NULL. */
 static const Engine *scalar_engine_for(const NumberType *type) {
     for (const Engine *const *engine = engine_list(); *engine; engine++) {
         if ((*engine)->lanes == 1 && (*engine)->mantissa_bits == type->mantissa_bits) {
@@ -71,22 +71,19 @@ static const Engine *scalar_engine_for(const NumberType *type) {
     return NULL;
 }
 
-/**
- * Asks an engine for the nearest hit.
- * @param question  A ray, to begin with.
- * @param[out] distance  How far, or #QUAD_NO_HIT.
- */
-static void query_engine_distance(const MethodSubject *subject, const Quadruple *question,
+/** Finds the nearest hit by an engine. @param input Begins with a ray. @param[out] distance Or
+ *  #QUAD_NO_HIT. */
+static void query_engine_distance(const MethodSubject *subject, const Quadruple *input,
                                   Quadruple *distance) {
     RayQueryQuad ray;
     RayResult answer;
-    memcpy(ray.origin, question, sizeof ray.origin);
-    memcpy(ray.direction, question + 3, sizeof ray.direction);
+    memcpy(ray.origin, input, sizeof ray.origin);
+    memcpy(ray.direction, input + 3, sizeof ray.direction);
     subject->engine->intersect(subject->tracer, 1, &ray, &answer);
     *distance = answer.shape < 0 ? QUAD_NO_HIT : answer.distance;
 }
 
-/** Asks somebody all questions of a case. */
+/** Computes the outputs of all queries of a sample. */
 static void query_subject(const MethodSubject *subject, const ExperimentSample *sample,
                           Quadruple *outputs) {
     const Experiment *experiment = subject->experiment;
@@ -100,14 +97,14 @@ static void query_subject(const MethodSubject *subject, const ExperimentSample *
     }
 }
 
-/** @return Cases for a number type. */
+/** @return Samples for a number type. */
 static size_t sample_count_for(const Experiment *experiment, const NumberType *type) {
     bool is_quad = type->mantissa_bits > 64;
     return is_quad ? (experiment->sample_count + QUAD_SAMPLE_DIVISOR - 1) / QUAD_SAMPLE_DIVISOR
                    : experiment->sample_count;
 }
 
-/** Writes down what a score has come to. */
+/** Summarizes scores in a result. */
 static void summarize_score(ScoreStats *score, MethodResult *result) {
     result->median = score_quantile(score, 0.5);
     result->p999 = score_quantile(score, 0.999);
@@ -119,12 +116,12 @@ static void summarize_score(ScoreStats *score, MethodResult *result) {
         score->cost_count ? score->cost_sum / (double)score->cost_count : (double)NAN;
 }
 
-/** @return Whether an experiment is to be given up. */
+/** @return Whether an experiment is stopped. */
 static bool run_is_stopped(const ExperimentRun *run) {
     return run->stop && atomic_load(run->stop);
 }
 
-/** Asks everybody about a number of cases. @param subjects Who is asked, as many as methods. */
+/** Generates samples, and scores all methods. @param subjects As many as methods of the results. */
 static void score_samples(const ExperimentRun *run, const MethodSubject *subjects,
                           const ExperimentSetup *setup, ScoreStats *scores) {
     const Experiment *experiment = run->experiment;
@@ -149,11 +146,7 @@ static void score_samples(const ExperimentRun *run, const MethodSubject *subject
     }
 }
 
-/**
- * Makes the tracer of an engine.
- * @param engine  The engine; may be NULL.
- * @return The tracer, or NULL where there is none.
- */
+/** @return The tracer of a level, or NULL. @param engine May be NULL. */
 static Tracer *create_level_tracer(const Experiment *experiment, const Engine *engine,
                                    const ExperimentSetup *setup) {
     Error error = {0};
@@ -165,7 +158,7 @@ static Tracer *create_level_tracer(const Experiment *experiment, const Engine *e
     return tracer;
 }
 
-/** Writes down what came of all that were asked. @param[in,out] scores Their scores; given back. */
+/** Stores the results of a level. @param[in,out] scores Per method; released. */
 static void store_results(ExperimentRun *run, const MethodSubject *subjects, ScoreStats *scores,
                           size_t index) {
     ExperimentResults *results = run->results;
@@ -190,7 +183,7 @@ static void store_results(ExperimentRun *run, const MethodSubject *subjects, Sco
     }
 }
 
-/** Makes an experiment at one level in one number type, in a world. */
+/** Runs a level in a number type. @param index Of the task. */
 static void run_level(ExperimentRun *run, const ExperimentSetup *setup, size_t index) {
     const Engine *engine = scalar_engine_for(setup->type);
     Tracer *tracer = create_level_tracer(run->experiment, engine, setup);
@@ -208,8 +201,8 @@ static void run_level(ExperimentRun *run, const ExperimentSetup *setup, size_t i
     }
 }
 
-/** Makes an experiment at one level in one number type. See ThreadPoolTask. @param index Which
- *  piece: its type counts up first. */
+/** Is a ThreadPoolTask: a level in a number type. @param index Level times number types, plus the
+ *  number type. */
 static void run_level_task(void *context, size_t index) {
     ExperimentRun *run = context;
     const Experiment *experiment = run->experiment;
@@ -233,7 +226,7 @@ static size_t count_methods(ExperimentRun *run) {
     return run->method_count + (run->experiment->create_scene != NULL);
 }
 
-/** @return How many number types there are. */
+/** @return The number of number types. */
 static size_t number_type_count(void) {
     size_t count = 0;
     while (number_types()[count]) {
@@ -242,11 +235,7 @@ static size_t number_type_count(void) {
     return count;
 }
 
-/**
- * Does all pieces of work.
- * @param threads  How many at once.
- * @return Whether all was done.
- */
+/** Runs all tasks. @return false if anything is wrong. */
 static bool run_all_levels(ExperimentRun *run, int threads, Error *error) {
     ExperimentResults *results = run->results;
     ThreadPool *workers = thread_pool_create(threads, error);

@@ -1,10 +1,10 @@
 /**
  * @file
- * @brief An experiment: the same questions to all methods of a family, under a stress that grows.
+ * @brief An experiment: the same inputs for all methods of a family, at growing difficulty.
  *
- * An experiment is one `const Experiment` and a line in experiments.c. It poses a case (the numbers
- * of one question or of several, and the truth about them), and judges the answers. Who is asked,
- * and in which number types, it does not know.
+ * An experiment is one `const Experiment` and a line in experiments.c. It generates samples (inputs
+ * of one query or of several, and what is expected of them), and scores the outputs. It does not
+ * depend on the methods, on the number types or on the engines.
  */
 #ifndef DIOPTRE_LAB_EXPERIMENT_H
 #define DIOPTRE_LAB_EXPERIMENT_H
@@ -15,27 +15,27 @@
 
 #include <stdatomic.h>
 
-/** Most questions of a case. */
+/** Most queries of a sample. */
 enum { SAMPLE_QUERIES_MAXIMUM = 12 };
-/** Most numbers of a case's truth. */
+/** Most numbers that are expected of a sample. */
 enum { SAMPLE_EXPECTED_MAXIMUM = 12 };
-/** Most numbers of a case's questions. */
+/** Most numbers of a sample's inputs. */
 enum { SAMPLE_NUMBERS_MAXIMUM = SAMPLE_QUERIES_MAXIMUM * METHOD_NUMBERS_MAXIMUM };
 
-/** Questions that are asked together, and what is true. */
+/** Inputs that are scored together, and what is expected. */
 typedef struct ExperimentSample {
-    Quadruple inputs[SAMPLE_NUMBERS_MAXIMUM];    /**< One after the other, rounded to the type. */
-    Quadruple expected[SAMPLE_EXPECTED_MAXIMUM]; /**< What the experiment needs to judge. */
+    Quadruple inputs[SAMPLE_NUMBERS_MAXIMUM]; /**< Query after query, rounded to the number type. */
+    Quadruple expected[SAMPLE_EXPECTED_MAXIMUM]; /**< What the experiment needs to score outputs. */
 } ExperimentSample;
 
-/** Where an experiment is made. */
+/** One level of an experiment in one number type. */
 typedef struct ExperimentSetup {
-    const NumberType *type; /**< What the numbers of questions must be rounded to. */
-    double level;           /**< The stress. */
-    const void *shared;     /**< What #Experiment.create_shared has made, or NULL. */
+    const NumberType *type; /**< Inputs are rounded to it. */
+    double level;           /**< The difficulty. */
+    const void *shared;     /**< Result of #Experiment.create_shared, or NULL. */
 } ExperimentSetup;
 
-/** In place of a level: the one at which a method is best, where the stress is its own choice. */
+/** In place of a level: the best one of each method, where the level is a parameter of methods. */
 #define TIMED_LEVEL_BEST (-1.0)
 
 /** An experiment. */
@@ -43,106 +43,98 @@ typedef struct Experiment {
     const char *name;        /**< As on the command line, such as `sphere-distance`. */
     const char *title;       /**< What it shows. */
     const char *family;      /**< Its methods are run. */
-    const char *difficulty;  /**< What grows, with its unit. */
+    const char *difficulty;  /**< What the levels are, with its unit. */
     const char *error_label; /**< What the error is, with its unit; NULL: none is measured. */
-    bool is_relative;        /**< Whether errors are relative, so that ulps make sense. */
-    const char *cost_label; /**< What an answer costs, such as `steps`; NULL: nothing is counted. */
-    const double *levels;   /**< Of the stress, in the order in which they are asked. */
+    bool is_relative;        /**< Whether errors are relative, and can be given in ulps. */
+    const char *cost_label; /**< What an output costs, such as `steps`; NULL: nothing is counted. */
+    const double *levels;   /**< Levels of difficulty, in this order. */
     size_t level_count;     /**< How many. */
-    size_t sample_count;    /**< How many a level. */
-    size_t queries_per_sample; /**< Questions of a case, at least 1. */
-    double timed_level; /**< The level at which methods are held against their time: where they
-                       differ; #TIMED_LEVEL_BEST: each at the one that suits it; 0: none. */
+    size_t sample_count;    /**< Samples per level. */
+    size_t queries_per_sample; /**< At least 1. */
+    double timed_level; /**< The level at which the errors of methods are charted against their
+                           time; #TIMED_LEVEL_BEST: the best one of each; 0: none. */
 
-    /** Makes what all cases of a level have in common; NULL: there is no such thing. @return It, to
-     *  be given back with free; NULL without memory. */
+    /** Creates what all samples of a level share; NULL: nothing. @return It, to be released with
+     *  free; NULL without memory. */
     void *(*create_shared)(double level);
 
-    /**
-     * Makes a case.
-     * @param[in,out] random  Where it comes from.
-     * @param[out] posed  The case; all zero before.
-     */
-    void (*generate)(const ExperimentSetup *setting, Random *random, ExperimentSample *posed);
+    /** Generates a sample. @param[out] sample The sample, all zero before. */
+    void (*generate)(const ExperimentSetup *setup, Random *random, ExperimentSample *sample);
 
-    /**
-     * Judges answers.
-     * @param answers  Those to its questions, one after the other.
-     * @param[in,out] score  Errors and outcomes are added to it.
-     */
-    void (*score_sample)(const ExperimentSample *posed, const Quadruple *answers,
+    /** Scores the outputs of all queries of a sample. @param[in,out] score Errors and outcomes are
+     *  added to it. */
+    void (*score_sample)(const ExperimentSample *sample, const Quadruple *outputs,
                          ScoreStats *score);
 
     /**
-     * Makes the scene in which the tracer's own engines meet the same thing; NULL: they have no
-     * such part.
-     * @param setting  Where; its number type says nothing.
-     * @return The scene, to be given back with scene_destroy; NULL if anything is wrong.
+     * Creates the scene in which the tracer's own engines compute the same; NULL: they have no such
+     * function.
+     * @param setup  The level; its number type is not set.
+     * @return The scene, to be released with scene_destroy; NULL if anything is wrong.
      */
-    Scene *(*create_scene)(const ExperimentSetup *setting, Error *error);
+    Scene *(*create_scene)(const ExperimentSetup *setup, Error *error);
 
-    /** Asks an engine instead of a method; NULL: a question begins with a ray's origin and
-     *  direction, and an answer is the distance of the nearest hit. @param tracer The tracer of the
-     *  scene. */
-    void (*query_engine)(const Engine *engine, Tracer *tracer, const ExperimentSample *posed,
-                         Quadruple *answers);
+    /** Computes outputs by an engine in that scene. NULL: inputs begin with a ray's origin and
+     *  direction, and the output is the distance of its nearest hit. */
+    void (*query_engine)(const Engine *engine, Tracer *tracer, const ExperimentSample *sample,
+                         Quadruple *outputs);
 } Experiment;
 
-/** How many things an array has. */
+/** Elements of an array. */
 #define COUNT_OF(array) (sizeof(array) / sizeof *(array))
 
-/** The name under which the tracer's own engines appear among the methods. */
+/** Name of the tracer's own engines among the methods. */
 #define TRACER_METHOD "dioptre"
 
-/** A method in a number type at a level of stress. */
+/** Scores of a method in a number type at a level. */
 typedef struct MethodResult {
     const char *method;                      /**< Its name, or #TRACER_METHOD. */
-    const char *label;                       /**< The same, short. */
+    const char *label;                       /**< Its short name. */
     const char *type;                        /**< The number type. */
     int mantissa_bits;                       /**< Of the number type. */
-    double level;                            /**< The stress. */
-    size_t sample_count;                     /**< How often it was asked; 0: not at all. */
-    double median;                           /**< Error; NaN where there is none, here and below. */
+    double level;                            /**< The difficulty. */
+    size_t sample_count;                     /**< Samples; 0: it was not run. */
+    double median;                           /**< Error; NaN: none, here and below. */
     double p999;                             /**< Error that one in a thousand exceeds. */
     double maximum;                          /**< Largest error. */
-    double outcome_fractions[OUTCOME_COUNT]; /**< Outcomes, 0 to 1. */
-    double mean_cost;                        /**< Mean cost of an answer. */
+    double outcome_fractions[OUTCOME_COUNT]; /**< Fractions, 0 to 1. */
+    double mean_cost;                        /**< Mean cost of an output. */
 } MethodResult;
 
-/** All that was found in an experiment: method by method, in each type by type, level by level. */
+/** Results of an experiment, ordered by method, then type, then level. */
 typedef struct ExperimentResults {
-    MethodResult *rows;  /**< The findings; owned. */
+    MethodResult *rows;  /**< The results; owned. */
     size_t method_count; /**< Methods. */
     size_t type_count;   /**< Number types. */
     size_t level_count;  /**< Levels. */
 } ExperimentResults;
 
-/** @return The number types there are, the narrowest first; ended by NULL. */
+/** @return All number types, the narrowest first; ended by NULL. */
 const NumberType *const *number_types(void);
 
-/** @return The experiments there are, ended by NULL. */
+/** @return All experiments, ended by NULL. */
 const Experiment *const *experiment_list(void);
 
 /**
- * Makes an experiment.
- * @param threads  How many work at once.
+ * Runs an experiment.
+ * @param threads  How many threads run it.
  * @param stop  It is given up once this is true; may be NULL.
- * @param[out] results  What was found, to be given back with #experiment_results_deinit.
+ * @param[out] results  The results, to be released with #experiment_results_deinit.
  * @param[out] error  What is wrong: #STATUS_INTERRUPTED, or no memory.
- * @return false if anything is wrong: then there are no findings.
+ * @return false if anything is wrong: then there are no results.
  */
 bool experiment_run(const Experiment *experiment, int threads, const atomic_bool *stop,
                     ExperimentResults *results, Error *error);
 
-/** @return A finding. */
+/** @return A result. */
 MethodResult *experiment_results_at(const ExperimentResults *results, size_t method, size_t type,
                                     size_t level);
 
-/** Finds a finding by names: for tests. @return The finding, or NULL. */
+/** @return A result by names, or NULL. For tests. */
 const MethodResult *experiment_results_find(const ExperimentResults *results, const char *method,
                                             const char *type, double level);
 
-/** Gives findings back. */
+/** Releases results. */
 void experiment_results_deinit(ExperimentResults *results);
 
 #endif

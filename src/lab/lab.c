@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The laboratory.
+ * @brief Runs and saves the experiments of the laboratory.
  */
 #include "dioptre/lab.h"
 
@@ -41,11 +41,7 @@ bool lab_create_folder(const LabRequest *request, Error *error) {
                      error_errno_text(errno));
 }
 
-/**
- * Puts a path together.
- * @param[out] error  That it is too long.
- * @return Whether there is room for it.
- */
+/** Makes the path of a result. @return false if it is too long. */
 static bool result_path(const LabRequest *request, const Experiment *experiment, const char *ending,
                         char path[PATH_MAX], Error *error) {
     int length = snprintf(path, PATH_MAX, "%s/%s.%s", request->folder, experiment->name, ending);
@@ -53,11 +49,8 @@ static bool result_path(const LabRequest *request, const Experiment *experiment,
            error_set(error, STATUS_FAILED, "the folder's name is too long");
 }
 
-/**
- * Keeps what was found.
- * @param[out] has_chart  Whether there is an SVG.
- * @return false if anything is wrong.
- */
+/** Saves results. @param[out] has_chart Whether the SVG is written. @return false if anything is
+ *  wrong. */
 static bool save_results(const Experiment *experiment, const ExperimentResults *results,
                          const LabRequest *request, bool *has_chart, Error *error) {
     char csv[PATH_MAX], svg[PATH_MAX];

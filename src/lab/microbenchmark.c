@@ -1,9 +1,9 @@
 /**
  * @file
- * @brief Measuring what a test of each method costs.
+ * @brief Measures the time per test of each method.
  *
- * All methods in all number types are timed in turn, again and again, so that a clock that drifts
- * drifts for all. A test is a call through a pointer, which costs each the same.
+ * All methods in all number types are timed in turn, several times, so that a drift of the clock
+ * affects all alike. Each test includes a call through a function pointer.
  */
 #include "lab/microbenchmark.h"
 
@@ -12,33 +12,33 @@
 #include <string.h>
 #include <time.h>
 
-/** Questions that are asked one after the other: so few that they stay in the cache. */
+/** Inputs of a method: so few that they stay in the cache. */
 enum { INPUT_COUNT = 256 };
 /** How often each method is timed. */
 enum { TURNS = 11 };
-/** Least length of a turn, seconds. */
+/** Least time of a turn, seconds. */
 #define TURN_SECONDS 3e-4
-/** Most cases that errors are found from. */
+/** Most samples for errors. */
 enum { ERROR_SAMPLES_MAXIMUM = 10000 };
 
 /** A method that is timed. */
 typedef struct TimedMethod {
-    const NumberType *type;     /**< In this type. */
-    const MethodFamily *family; /**< Of this family. */
+    const NumberType *type;     /**< The number type. */
+    const MethodFamily *family; /**< The family, in the number type. */
     const Method *method;       /**< The method. */
-    void *packed_inputs;    /**< Its questions; owned. */
-    int rounds;             /**< How often they are asked in a turn. */
-    double ns[TURNS];       /**< What a test cost in each turn. */
+    void *packed_inputs;        /**< Its inputs; owned. */
+    int rounds;                 /**< Passes over the inputs per turn. */
+    double ns[TURNS];           /**< Time per test in each turn. */
 } TimedMethod;
 
-/** @return The processor's time that this thread has used, seconds. */
+/** @return The CPU time of this thread, seconds. */
 static double thread_cpu_seconds(void) {
     struct timespec now;
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/** @return How long all questions took, seconds. */
+/** @return The CPU time of a turn, seconds. */
 static double time_rounds(const TimedMethod *timed) {
     double start = thread_cpu_seconds();
     for (int i = 0; i < timed->rounds; i++) {
@@ -48,11 +48,7 @@ static double time_rounds(const TimedMethod *timed) {
     return thread_cpu_seconds() - start;
 }
 
-/**
- * Poses the questions of a method.
- * @param[in,out] timed  The method; gets its questions.
- * @return false without memory.
- */
+/** Generates the inputs of a method. @return false without memory. */
 static bool generate_inputs(const Experiment *experiment, const ExperimentSetup *setup,
                             TimedMethod *timed) {
     size_t numbers = (size_t)timed->family->input_count;
@@ -69,10 +65,7 @@ static bool generate_inputs(const Experiment *experiment, const ExperimentSetup 
     return timed->packed_inputs != NULL;
 }
 
-/**
- * Prepares a method.
- * @param result  The method and its level.
- * @return false without memory.
+/** Prepares a method. @param result Names the method and the level. @return false without memory.
  */
 static bool timed_method_init(const Experiment *experiment, const MethodResult *result,
                               TimedMethod *timed) {
@@ -94,7 +87,7 @@ static bool timed_method_init(const Experiment *experiment, const MethodResult *
     return is_generated;
 }
 
-/** Finds how often the questions must be asked to be timed; the first round warms up. */
+/** Finds how many rounds a turn needs; the first round warms up. */
 static void calibrate_rounds(TimedMethod *timed) {
     time_rounds(timed);
     while (time_rounds(timed) < TURN_SECONDS) {
@@ -102,21 +95,7 @@ static void calibrate_rounds(TimedMethod *timed) {
     }
 }
 
-/** @return Order of two numbers, for qsort. */
-static int compare_numbers(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-/** Writes down what a test costs. */
-static void store_quartiles(TimedMethod *timed, MicrobenchmarkPoint *point) {
-    qsort(timed->ns, TURNS, sizeof *timed->ns, compare_numbers);
-    point->ns_low = timed->ns[TURNS / 4];
-    point->ns = timed->ns[TURNS / 2];
-    point->ns_high = timed->ns[TURNS - 1 - TURNS / 4];
-}
-
-/** Times methods in turn. @param stop Whether to give up. */
+/** Times methods in turn. */
 static void time_methods(TimedMethod *timed, size_t count, const atomic_bool *stop) {
     for (size_t i = 0; i < count; i++) {
         calibrate_rounds(&timed[i]);
@@ -129,11 +108,7 @@ static void time_methods(TimedMethod *timed, size_t count, const atomic_bool *st
     }
 }
 
-/**
- * Finds what a test of each method costs.
- * @param stop  Whether to give up.
- * @return false if anything is wrong.
- */
+/** Times all methods of a benchmark. @return false if anything is wrong. */
 static bool measure_times(const Experiment *experiment, const atomic_bool *stop,
                           Microbenchmark *benchmark, Error *error) {
     TimedMethod timed[MICROBENCHMARK_POINTS_MAXIMUM] = {{0}};
@@ -145,7 +120,7 @@ static bool measure_times(const Experiment *experiment, const atomic_bool *stop,
         time_methods(timed, benchmark->count, stop);
     }
     for (size_t i = 0; i < benchmark->count; i++) {
-        store_quartiles(&timed[i], &benchmark->points[i]);
+        benchmark->points[i].ns = quartiles_of(timed[i].ns, TURNS);
         free(timed[i].packed_inputs);
     }
     if (stop && atomic_load(stop)) {
@@ -154,20 +129,19 @@ static bool measure_times(const Experiment *experiment, const atomic_bool *stop,
     return has_room || error_set(error, STATUS_FAILED, "no memory for a clock");
 }
 
-/** @return The largest share of answers that are wrong altogether; NaN where none is counted. */
+/** @return See #MicrobenchmarkPoint.failure_fraction. */
 static double failure_fraction(const MethodResult *result) {
     double worst = NAN;
     for (int i = 0; i < OUTCOME_COUNT; i++) {
         if (i != OUTCOME_DOUBLE_HIT) {
             worst = fmax(worst,
-                         result->outcome_fractions[i]); // What is not counted is NaN, and left out.
+                         result->outcome_fractions[i]); // fmax ignores NaN.
         }
     }
     return worst;
 }
 
-/** Adds a method in a number type: at the level that suits it, where there are several. @param
- *  levels What was found at each. */
+/** Adds a method in a number type, at its best level. @param levels Its results at each. */
 static void add_best_level(Microbenchmark *benchmark, const MethodResult *levels, size_t count) {
     const MethodResult *best = levels;
     for (size_t i = 1; i < count; i++) {
@@ -183,7 +157,7 @@ bool microbenchmark_measure(const Experiment *experiment, int threads, const ato
                             Microbenchmark *benchmark, Error *error) {
     Experiment timed = *experiment;
     ExperimentResults results;
-    timed.create_scene = NULL; // An engine is asked another way: its time would say little.
+    timed.create_scene = NULL; // The time of an engine is not comparable.
     timed.sample_count =
         timed.sample_count < ERROR_SAMPLES_MAXIMUM ? timed.sample_count : ERROR_SAMPLES_MAXIMUM;
     if (experiment->timed_level > 0) {

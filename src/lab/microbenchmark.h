@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Speed against accuracy of the methods: what a test costs, and what it leaves of errors.
+ * @brief Speed and accuracy of methods: time per test, and errors.
  */
 #ifndef DIOPTRE_LAB_MICROBENCHMARK_H
 #define DIOPTRE_LAB_MICROBENCHMARK_H
@@ -13,12 +13,10 @@ enum { MICROBENCHMARK_POINTS_MAXIMUM = 64 };
 
 /** A method in a number type. */
 typedef struct MicrobenchmarkPoint {
-    MethodResult result; /**< What it does wrong, at a level of stress. */
-    double ns;      /**< What a test costs, nanoseconds of the processor: median of the turns. */
-    double ns_low;  /**< Its lower quartile. */
-    double ns_high; /**< Its upper quartile. */
-    double failure_fraction; /**< The largest of its shares of false hits, false misses, leaks,
-                          wrong surfaces and what is no number; NaN where none is counted. */
+    MethodResult result;     /**< Its errors, at a level. */
+    Quartiles ns;            /**< Time per test in each turn, nanoseconds of CPU time. */
+    double failure_fraction; /**< The largest fraction of an outcome but double hits; NaN: none is
+                                counted. */
 } MicrobenchmarkPoint;
 
 /** All methods of a family. */
@@ -30,7 +28,7 @@ typedef struct Microbenchmark {
 
 /**
  * Measures the methods of an experiment, at its level #Experiment.timed_level.
- * @param threads  How many find errors at once; time is measured on one.
+ * @param threads  How many threads find errors; time is measured on one.
  * @param stop  It is given up once this is true; may be NULL.
  * @param[out] error  What is wrong: #STATUS_INTERRUPTED, or no memory.
  * @return false if anything is wrong.
@@ -39,9 +37,9 @@ bool microbenchmark_measure(const Experiment *experiment, int threads, const ato
                             Microbenchmark *benchmark, Error *error);
 
 /**
- * Keeps what was found: prints a table, writes `benchmark-NAME.csv` and `benchmark-NAME.svg`.
+ * Saves a benchmark: prints a table, writes `benchmark-NAME.csv` and `benchmark-NAME.svg`.
  * @param[out] has_chart  Whether there is an SVG; there is none where gnuplot is missing.
- * @return false if anything is.
+ * @return false if anything is wrong.
  */
 bool microbenchmark_save(const Microbenchmark *benchmark, const Experiment *experiment,
                          const LabRequest *request, bool *has_chart, Error *error);

@@ -1,7 +1,7 @@
 /**
  * @file
- * @brief Numbers that look random: sums, products and square roots only, so that they are the same
- *        on every machine.
+ * @brief Pseudo-random numbers from sums, products and square roots only, which are the same on
+ * every machine.
  */
 #include "lab/random.h"
 
@@ -33,7 +33,7 @@ Vec3q random_direction(Random *random) {
 }
 
 Vec3q random_in_disc(Random *random, Vec3q axis, double radius) {
-    // What another direction has across this one: no way round is preferred.
+    // The part of a random direction across the axis is uniform in angle.
     Vec3q other = random_direction(random);
     Vec3q first = vec3q_normalize(vec3q_subtract(other, vec3q_scale(axis, vec3q_dot(axis, other))));
     return vec3q_scale(first, radius * sqrt(random_unit(random)));

@@ -1,7 +1,7 @@
 /**
  * @file
- * @brief Numbers that look random and are the same in every run and on every machine (Steele, Lea,
- *        Flood, *Fast Splittable Pseudorandom Number Generators*, OOPSLA 2014).
+ * @brief Pseudo-random numbers, the same in every run and on every machine (Steele, Lea, Flood,
+ *        *Fast Splittable Pseudorandom Number Generators*, OOPSLA 2014).
  */
 #ifndef DIOPTRE_LAB_RANDOM_H
 #define DIOPTRE_LAB_RANDOM_H
@@ -10,9 +10,9 @@
 
 #include <stdint.h>
 
-/** Where a sequence of random numbers stands; begins as any number. */
+/** State of a sequence. */
 typedef struct Random {
-    uint64_t state; /**< Counts on by a large odd number. */
+    uint64_t state; /**< Initialized with any seed. */
 } Random;
 
 /** @return 64 random bits. */
@@ -28,7 +28,7 @@ double random_range(Random *random, double low, double high);
 Vec3q random_direction(Random *random);
 
 /**
- * @return A vector across a direction, uniform in the disc of a radius.
+ * @return A vector perpendicular to a direction, uniform in a disc.
  * @param axis  The direction, of length 1.
  */
 Vec3q random_in_disc(Random *random, Vec3q axis, double radius);

@@ -1,13 +1,13 @@
 /**
  * @file
- * @brief Small scenes.
+ * @brief Scenes with one shape.
  */
 #include "lab/scene_fixture.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/** Sets a field. @param[out] values The struct that it lies in. */
+/** Sets a parameter. @param[out] values The struct that contains it. */
 static void set_parameter(const Parameter *parameter, const FixtureValue *value, char *values) {
     void *field = values + parameter->offset;
     if (parameter->type == PARAMETER_NUMBER) {
@@ -21,11 +21,8 @@ static void set_parameter(const Parameter *parameter, const FixtureValue *value,
     }
 }
 
-/**
- * Sets fields.
- * @param[out] values  The struct that they lie in.
- * @return Which rows of the table were set, as #Keyword.finish wants it.
- */
+/** Sets parameters. @param[out] values The struct that contains them. @return Which were set, as
+ *  #Keyword.finish expects it. */
 static uint64_t set_parameters(const Keyword *keyword, const FixtureValue *assignments,
                                char *values) {
     uint64_t rows = 0;
@@ -40,7 +37,7 @@ static uint64_t set_parameters(const Keyword *keyword, const FixtureValue *assig
     return rows;
 }
 
-/** Adds a shape. @return Whether it is there. */
+/** Adds a shape. @return false if anything is wrong. */
 static bool add_fixture_shape(Scene *scene, const char *name, const FixtureValue *assignments,
                               Error *error) {
     size_t kind = scene_shape_find(name);
@@ -66,11 +63,8 @@ Scene *scene_fixture_with_shape(const char *keyword, const FixtureValue *values,
     return scene;
 }
 
-/**
- * Makes a field.
- * @param[out] field  Room for one step.
- * @return Whether there is such a field, and memory for it.
- */
+/** Makes a distance field. @param[out] field Of one instruction. @return false without memory, or
+ * if there is no such field. */
 static bool make_sdf_primitive(const char *name, const FixtureValue *assignments, Sdf *field) {
     const SdfPrimitive *const *kind = sdf_primitives;
     while (*kind && strcmp((*kind)->keyword.name, name) != 0) {
@@ -87,7 +81,7 @@ static bool make_sdf_primitive(const char *name, const FixtureValue *assignments
     return true;
 }
 
-/** Adds the surface of a field. @return Whether it is there. */
+/** Adds the surface of a distance field. @return false if anything is wrong. */
 static bool add_sdf_surface(Scene *scene, const Sdf *field, Error *error) {
     size_t kind = scene_shape_find("sdf");
     const Keyword *keyword = scene_shape_keywords[kind];
@@ -97,7 +91,8 @@ static bool add_sdf_surface(Scene *scene, const Sdf *field, Error *error) {
         return error_set(error, STATUS_FAILED, "no memory for a shape");
     }
     memcpy(values, keyword->defaults, keyword->size);
-    memcpy(values + keyword->parameters->offset, &stored, sizeof stored); // The field is its first.
+    memcpy(values + keyword->parameters->offset, &stored,
+           sizeof stored); // The field is its first parameter.
     bool is_added = scene_add_shape(scene, kind, keyword, values, 0, error);
     free(values);
     return is_added;

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief What comes of asking a method many questions.
+ * @brief Scores of a method over many samples.
  */
 #include "lab/score_stats.h"
 
@@ -40,16 +40,21 @@ void score_distance(ScoreStats *score, Quadruple distance, Quadruple truth) {
 }
 
 /** @return Order of two numbers, for qsort. */
-static int compare(const void *a, const void *b) {
+static int compare_numbers(const void *a, const void *b) {
     double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
+}
+
+Quartiles quartiles_of(double *numbers, size_t count) {
+    qsort(numbers, count, sizeof *numbers, compare_numbers);
+    return (Quartiles){numbers[count / 4], numbers[count / 2], numbers[count - 1 - count / 4]};
 }
 
 double score_quantile(ScoreStats *score, double fraction) {
     if (score->count == 0) {
         return NAN;
     }
-    qsort(score->errors, score->count, sizeof *score->errors, compare);
+    qsort(score->errors, score->count, sizeof *score->errors, compare_numbers);
     return score->errors[(size_t)ceil(fraction * (double)(score->count - 1))];
 }
 

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief What comes of asking a method many questions: errors, and outcomes that ought not to be.
+ * @brief Scores of a method over many samples: errors, and outcomes that are failures.
  */
 #ifndef DIOPTRE_LAB_SCORE_STATS_H
 #define DIOPTRE_LAB_SCORE_STATS_H
@@ -9,53 +9,63 @@
 
 #include <stddef.h>
 
-/** What may go wrong, and may be counted. */
+/** Failures that are counted. */
 typedef enum {
-    OUTCOME_FALSE_HIT,  /**< It said that there is something where there is nothing. */
-    OUTCOME_FALSE_MISS, /**< It said that there is nothing where there is something. */
-    OUTCOME_LEAK,       /**< A ray went through what is closed. */
-    OUTCOME_DOUBLE_HIT, /**< A ray met one surface twice. */
-    OUTCOME_WRONG,      /**< It met a surface that it must not meet, or not the one that it must. */
-    OUTCOME_NAN,        /**< The answer was no number. */
-    OUTCOME_COUNT       /**< How many kinds there are. */
+    OUTCOME_FALSE_HIT,  /**< A hit where there is nothing. */
+    OUTCOME_FALSE_MISS, /**< A miss where there is something. */
+    OUTCOME_LEAK,       /**< A ray passed through a closed surface. */
+    OUTCOME_DOUBLE_HIT, /**< A ray hit one surface twice. */
+    OUTCOME_WRONG,      /**< A hit on the wrong surface. */
+    OUTCOME_NAN,        /**< The output is NaN. */
+    OUTCOME_COUNT       /**< Number of outcomes. */
 } Outcome;
 
-/** The errors and outcomes of a method. Begins as `{0}`. */
+/** Scores of a method. Initialized as `{0}`. */
 typedef struct ScoreStats {
-    double *errors;                       /**< Those so far; owned. */
+    double *errors;                       /**< Errors so far; owned. */
     size_t count;                         /**< How many. */
-    size_t capacity;                      /**< How many there is room for. */
-    size_t outcome_trials[OUTCOME_COUNT]; /**< How often each outcome could have been. */
-    size_t outcome_counts[OUTCOME_COUNT]; /**< How often it was. */
-    double cost_sum;                      /**< Sum of what the answers cost, such as steps. */
-    size_t cost_count;                    /**< How many of them said it. */
-    bool is_out_of_memory;                /**< Whether there was no memory for an error. */
+    size_t capacity;                      /**< Errors that fit in. */
+    size_t outcome_trials[OUTCOME_COUNT]; /**< Samples in which it was possible. */
+    size_t outcome_counts[OUTCOME_COUNT]; /**< Samples in which it happened. */
+    double cost_sum;                      /**< Sum of costs, such as steps. */
+    size_t cost_count;                    /**< Samples with a cost. */
+    bool is_out_of_memory;                /**< Whether an error did not fit in memory. */
 } ScoreStats;
+
+/** Quartiles of some numbers. */
+typedef struct Quartiles {
+    double low;    /**< A quarter of them is at most this. */
+    double median; /**< Half of them. */
+    double high;   /**< Three quarters. */
+} Quartiles;
+
+/** @return The quartiles. @param[in,out] numbers At least one; sorted. */
+Quartiles quartiles_of(double *numbers, size_t count);
 
 /** Adds an error. */
 void score_error(ScoreStats *score, Quadruple error);
 
-/** Adds a case of an outcome. @param happened Whether it was so. */
+/** Adds a sample in which an outcome was possible. */
 void score_outcome(ScoreStats *score, Outcome outcome, bool happened);
 
-/** Adds what an answer cost. */
+/** Adds a cost. */
 void score_cost(ScoreStats *score, Quadruple work);
 
-/** Adds a distance to a score: an error relative to the true one, a false hit, or a false miss.
- *  @param distance It; #QUAD_NO_HIT for a miss. */
+/** Adds a distance: its relative error, a false hit, or a false miss. @param distance
+ *  #QUAD_NO_HIT: a miss. */
 void score_distance(ScoreStats *score, Quadruple distance, Quadruple truth);
 
 /**
- * @return The error that a share of them does not exceed; NaN where there is none.
- * @param[in,out] score  The score; its errors are sorted.
- * @param fraction          Such as 0.5 for the median, 1 for the largest.
+ * @return A quantile of the errors; NaN without errors.
+ * @param[in,out] score  Its errors are sorted.
+ * @param fraction       Such as 0.5 for the median, 1 for the largest.
  */
 double score_quantile(ScoreStats *score, double fraction);
 
-/** @return How often an outcome was, 0 to 1; NaN where it could not have been. */
+/** @return The frequency of an outcome, 0 to 1; NaN: it was never possible. */
 double score_fraction(const ScoreStats *score, Outcome outcome);
 
-/** Gives the errors back. */
+/** Releases the errors. */
 void score_deinit(ScoreStats *score);
 
 #endif

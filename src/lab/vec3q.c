@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Points and directions in quad precision.
+ * @brief Vectors in quad precision.
  */
 #include "lab/vec3q.h"
 
@@ -10,10 +10,10 @@ Quadruple quad_sqrt(Quadruple x) {
     if (!(x > 0)) {
         return x == 0 ? 0 : (Quadruple)NAN;
     }
-    // Newton's method from a root of 53 bits: twice as many correct ones each time.
+    // Newton's method from a root of 53 bits: each step doubles the correct bits.
     Quadruple root = (Quadruple)sqrt((double)x);
     if (!(root > 0)) {
-        root = x; // Too small for double: many more steps, but they get there.
+        root = x; // Below the range of double: converges more slowly.
     }
     for (int i = 0; i < 3; i++) {
         root = (root + x / root) / 2;
@@ -22,10 +22,10 @@ Quadruple quad_sqrt(Quadruple x) {
 }
 
 #if defined(__SIZEOF_FLOAT128__)
-/** The angle of a point, from the C library. @return It. */
+/** @return The angle of a point, from the C library. */
 extern Quadruple atan2f128(Quadruple y, Quadruple x);
 #else
-/** The same in what is quad here. */
+/** Long double is quad on this machine. */
 #define atan2f128 atan2l
 #endif
 

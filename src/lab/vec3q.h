@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Points and directions in quad precision: what the methods are held against.
+ * @brief Vectors in quad precision: the reference of all methods.
  */
 #ifndef DIOPTRE_LAB_VEC3Q_H
 #define DIOPTRE_LAB_VEC3Q_H
@@ -24,7 +24,7 @@ static inline Vec3q vec3q_subtract(Vec3q a, Vec3q b) {
     return (Vec3q){a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-/** @return v made s times as long. */
+/** @return v s. */
 static inline Vec3q vec3q_scale(Vec3q v, Quadruple s) {
     return (Vec3q){v.x * s, v.y * s, v.z * s};
 }
@@ -65,7 +65,7 @@ static inline Vec3q vec3q_normalize(Vec3q v) {
     return vec3q_scale(v, 1 / vec3q_length(v));
 }
 
-/** What stands for no distance at all in answers. */
+/** A distance of no hit. */
 #define QUAD_NO_HIT ((Quadruple)__builtin_inf())
 
 #endif

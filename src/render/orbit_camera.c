@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Looking at the rays of a pixel from beside.
+ * @brief A second camera, which views the rays of a pixel from the side.
  */
 #include "render/orbit_camera.h"
 
@@ -12,27 +12,27 @@
 
 /** Horizontal field of view of the second camera, degrees. */
 static const double ORBIT_FOV = 40;
-/** Ways from the eye to the first hit: what is farther from there is not looked at. */
+/** Points farther from the first hit are ignored; relative to its distance from the camera. */
 static const double MAX_DISTANCE_FACTOR = 2;
-/** How many times as large as the rays the picture is. */
+/** Size of the picture relative to the rays. */
 static const double FIT_MARGIN = 1.25;
-/** Degrees that the second camera tilts at most. */
+/** Largest tilt, degrees. */
 static const double ORBIT_TILT_MAXIMUM = 89;
-/** What is nearer to the second camera, in radii, is cut off. */
+/** Distance of the near plane, relative to that of the target. */
 static const double NEAR_PLANE = 1e-3;
 
-/** How often a view is fitted to its points. */
+/** How often a camera is fitted to its points. */
 enum { FIT_ITERATIONS = 4 };
-/** Points of a tree that are looked at, at most. */
+/** Most points of a tree. */
 enum { RAY_POINTS_MAXIMUM = 64 };
 
-/** Points of a tree: where its rays start and where they hit. */
+/** Origins and hit points of the rays of a tree. */
 typedef struct RayPoints {
     Vec3d points[RAY_POINTS_MAXIMUM]; /**< The points. */
     size_t count;                     /**< How many. */
 } RayPoints;
 
-/** @return The way from one point to another, scene units. */
+/** @return The distance of two points, scene units. */
 static double points_distance(Vec3d a, Vec3d b) {
     return vec3d_length(vec3d_subtract(a, b));
 }
@@ -42,26 +42,19 @@ static Vec3d ray_at(const RayTreeNode *ray, double distance) {
     return vec3d_add(ray->origin, vec3d_scale(ray->direction, distance));
 }
 
-/** @return How far a ray goes: to what it hit, to its lamp, or without end. */
+/** @return The length of a ray: to its hit, to its light, or infinite. */
 static double ray_length(const RayTreeNode *ray) {
     return fmin(ray->distance, ray->limit);
 }
 
-/**
- * Adds a point that is near enough.
- * @param center  Where the camera's ray hit.
- * @param radius  How far counts as near.
- */
+/** Adds a point, if its distance from a centre is at most a radius. */
 static void ray_points_add(RayPoints *points, Vec3d point, Vec3d center, double radius) {
     if (points->count < RAY_POINTS_MAXIMUM && points_distance(point, center) <= radius) {
         points->points[points->count++] = point;
     }
 }
 
-/**
- * @return The points of a tree that are looked at.
- * @param radius  How far from the first hit.
- */
+/** @return The points of a tree within a radius of the first hit. */
 static RayPoints ray_points_of(const RayTree *tree, double radius) {
     RayPoints points = {.count = 0};
     const RayTreeNode *camera = &tree->nodes[0];
@@ -75,25 +68,22 @@ static RayPoints ray_points_of(const RayTree *tree, double radius) {
     return points;
 }
 
-/** @return Which way a view looks, one long. */
+/** @return The direction of view, of length 1. */
 static Vec3d orbit_camera_direction(const OrbitCamera *orbit) {
     double pan = orbit->pan * (M_PI / 180), tilt = orbit->tilt * (M_PI / 180);
     return (Vec3d){sin(pan) * cos(tilt), sin(tilt), -cos(pan) * cos(tilt)};
 }
 
-/**
- * @return Where the camera of a view is.
- * @param half  Half of the smaller field of view, radians.
- */
+/** @return The position of the camera. @param half Half of the smaller field of view, radians. */
 static Vec3d orbit_camera_position(const OrbitCamera *orbit, double half) {
     double distance = FIT_MARGIN * orbit->radius / (sin(half) * orbit->zoom);
     return vec3d_subtract(orbit->target, vec3d_scale(orbit_camera_direction(orbit), distance));
 }
 
-/** @return How many of some points a view sees. */
+/** @return How many points are not occluded. */
 static size_t count_visible(const Renderer *renderer, const OrbitCamera *orbit,
                             const RayPoints *points) {
-    /** A point is seen that is not behind something by more than this share of the way. */
+    /** A hit that is nearer by this fraction of the distance occludes a point. */
     const double tolerance = 1e-3;
     RayQuery rays[RAY_POINTS_MAXIMUM];
     int shapes[RAY_POINTS_MAXIMUM];
@@ -112,8 +102,8 @@ static size_t count_visible(const Renderer *renderer, const OrbitCamera *orbit,
     return visible;
 }
 
-/** Turns a view to where it sees most points. @param[in,out] orbit The view; it looks the camera's
- *  way. */
+/** Rotates the camera to where it sees the most points. @param[in,out] orbit Has the pan of the
+ *  pixel's camera. */
 static void choose_angles(const Renderer *renderer, OrbitCamera *orbit, const RayPoints *points) {
     static const double pans[] = {-50, 50, -80, 80, -25, 25, -115, 115};
     static const double tilts[] = {-18, -40, -5, -65};
@@ -156,15 +146,14 @@ ProjectedView orbit_camera_project(const OrbitCamera *orbit, int width, int heig
     return (ProjectedView){camera, width, height};
 }
 
-/** @return A point as the camera has it: to the right, up, and ahead. */
+/** @return A point in camera coordinates: to the right, up, and ahead. */
 static Vec3d to_camera_space(const SceneCamera *camera, Vec3d point) {
     Vec3d from = vec3d_subtract(point, camera->position);
     return (Vec3d){vec3d_dot(from, scene_camera_right(camera)), vec3d_dot(from, camera->up),
                    vec3d_dot(from, camera->direction)};
 }
 
-/** Brings a view nearer, and aside, to where its points fill the picture. @param width Pixels of
- *  the picture. */
+/** Moves the camera so that its points fill the picture. @param width Of the picture, pixels. */
 static void orbit_camera_fit_points(OrbitCamera *orbit, const RayPoints *points, int width,
                                     int height) {
     ProjectedView view = orbit_camera_project(orbit, width, height);
@@ -206,7 +195,7 @@ OrbitCamera orbit_camera_fit(const Renderer *renderer, const SceneCamera *camera
     }
     orbit.pan = atan2(camera->direction.x, -camera->direction.z) * (180 / M_PI);
     choose_angles(renderer, &orbit, &points);
-    // What is nearer grows faster: a few turns come near enough.
+    // Perspective makes one step inexact; a few converge.
     for (int turn = 0; turn < FIT_ITERATIONS; turn++) {
         orbit_camera_fit_points(&orbit, &points, width, height);
     }
@@ -229,11 +218,7 @@ bool projected_view_point(const ProjectedView *view, Vec3d point, double *x, dou
     return true;
 }
 
-/**
- * @return The point of a line where it comes before the camera.
- * @param behind  Its end behind the camera.
- * @param near_plane  How far ahead points must be.
- */
+/** @return The intersection of a line with the near plane. @param behind Its end behind it. */
 static Vec3d clip_to_near(Vec3d behind, Vec3d ahead, double near_plane) {
     double t = (near_plane - behind.z) / (ahead.z - behind.z);
     Vec3d along = vec3d_scale(vec3d_subtract(ahead, behind), t);

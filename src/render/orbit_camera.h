@@ -1,23 +1,23 @@
 /**
  * @file
- * @brief A second camera, which looks at the rays of a pixel from beside.
+ * @brief A second camera, which views the rays of a pixel from the side.
  */
 #ifndef DIOPTRE_RENDER_ORBIT_CAMERA_H
 #define DIOPTRE_RENDER_ORBIT_CAMERA_H
 
 #include "dioptre/renderer.h"
 
-/** How a tree of rays is looked at: from around its middle. */
+/** A camera on a sphere around a target. */
 typedef struct OrbitCamera {
-    Vec3d target;              /**< What it looks at, scene units. */
-    double radius;             /**< Of the ball around the rays, scene units. */
-    double ray_length_maximum; /**< How much of a ray is shown at most, scene units. */
-    double pan;                /**< Which way it looks, degrees to the right of -z. */
+    Vec3d target;              /**< The target, scene units. */
+    double radius;             /**< Of the bounding sphere of the rays, scene units. */
+    double ray_length_maximum; /**< Rays are drawn up to this length, scene units. */
+    double pan;                /**< Direction of view, degrees to the right of -z. */
     double tilt;               /**< Degrees above the horizon: below 0 it looks down. */
-    double zoom;               /**< How many times as near as needed to see all; 1 at first. */
+    double zoom;               /**< Magnification; 1: all rays fit in. */
 } OrbitCamera;
 
-/** The second camera, and the picture that it makes. */
+/** The second camera and the size of its picture. */
 typedef struct ProjectedView {
     SceneCamera camera; /**< The camera. */
     int width;          /**< Pixels. */
@@ -28,63 +28,65 @@ typedef struct ProjectedView {
 typedef struct ProjectedRay {
     double x[2];       /**< Where it starts and ends. */
     double y[2];       /**< See #x. */
-    bool is_truncated; /**< Whether it goes on beyond its end. */
+    bool is_truncated; /**< Whether the ray continues beyond its end. */
 } ProjectedRay;
 
 /**
- * Chooses how a tree of rays is looked at: turned away from the camera that it belongs to, and so
- * that as few as can be of its points are behind something.
- * @param width  Pixels of the second camera's picture, which the rays shall fill.
- * @return The view.
+ * Chooses an orbit: to the side of the pixel's camera, where the fewest points of the rays are
+ * occluded.
+ * @param width   Of the second camera's picture, pixels; the rays fill it.
+ * @param height  See width.
+ * @return The orbit.
  */
 OrbitCamera orbit_camera_fit(const Renderer *renderer, const SceneCamera *camera,
                              const RayTree *tree, int width, int height);
 
 /**
- * Turns a view around its middle.
+ * Rotates a camera around its target.
  * @param pan  Degrees to the right.
- * @param tilt  Degrees up; stops before the pole.
+ * @param tilt  Degrees up; limited before the pole.
  */
 void orbit_camera_rotate(OrbitCamera *orbit, double pan, double tilt);
 
-/** Comes nearer or goes away. @param factor How many times as near. */
+/** Multiplies the magnification by a factor. */
 void orbit_camera_zoom(OrbitCamera *orbit, double factor);
 
 /**
- * @return The camera of a view.
- * @param width  Pixels of its picture.
+ * @return The camera on an orbit.
+ * @param width   Of its picture, pixels.
+ * @param height  See width.
  */
 ProjectedView orbit_camera_project(const OrbitCamera *orbit, int width, int height);
 
 /**
- * Finds where a point is seen.
+ * Projects a point.
  * @param[out] x  Pixels from the left edge.
  * @param[out] y  Pixels from the upper edge.
- * @return Whether it is before the camera.
+ * @return Whether it is in front of the camera.
  */
 bool projected_view_point(const ProjectedView *view, Vec3d point, double *x, double *y);
 
 /**
- * Finds where a ray is seen.
- * @param[out] projected  Its line; what is behind the camera is cut off.
- * @return Whether any of it is before the camera.
+ * Projects a ray.
+ * @param[out] projected  The line, clipped to the front of the camera.
+ * @return Whether any of it is in front of the camera.
  */
 bool orbit_camera_project_ray(const OrbitCamera *orbit, const ProjectedView *view,
                               const RayTreeNode *ray, ProjectedRay *projected);
 
-/** Longest name of what a ray met, bytes with its final zero. */
+/** Longest name of what a ray hit, bytes with its final zero. */
 enum { RAY_HIT_NAME_SIZE = 64 };
 
 /**
- * @return The keyword of the shape that a ray met.
- * @param ray  The ray, which met one.
+ * @return The keyword of the shape that a ray hit.
+ * @param ray  A ray that hit one.
  */
 const char *ray_hit_keyword(const Scene *scene, const RayTreeNode *ray);
 
-/** Names what a ray met, in the user's language: a shape, a lamp or the sky. */
+/** Names what a ray hit, in the user's language: a shape, a light or the sky. */
 void ray_hit_name(const Scene *scene, const RayTreeNode *ray, char name[RAY_HIT_NAME_SIZE]);
 
-/** @return The angle between a ray and the normal of the surface that it met, degrees. */
+/** @return The angle of incidence of a ray that hit a surface, degrees. */
 double ray_incidence_angle(const RayTreeNode *ray);
 
 #endif

@@ -1,17 +1,16 @@
 /**
  * @file
- * @brief What scenes need, tried on a sample of pixels and on all of them: the table of
- *        doc/needs.md.
+ * @brief What scenes need, on a sample of pixels and on all of them: the table of doc/needs.md.
  */
 #include "dioptre/needs.h"
 #include "dioptre/renderer.h"
 #include "dioptre/script.h"
-#include "lab/needs/outliers.h"
+#include "lab/needs/image_difference.h"
 
 #include <stdio.h>
 #include <string.h>
 
-/** Width of the pictures that are tried: small, but whole. */
+/** Width of the pictures. */
 enum { TRIED_WIDTH = 320 };
 
 /** @return What a scene needs. */
@@ -28,7 +27,8 @@ static bool find_needs(const Scene *scene, Needs *needs, Error *error) {
     return needs_find(scene, &request, needs, error);
 }
 
-/** Compares float with double for all pixels, as deep as is needed. @return false if anything is.
+/** Compares float with double for all pixels, at the depth needed. @return false if anything is
+ * wrong.
  */
 static bool verify_float(const Scene *scene, int depth, NeedsTrial *trial, Error *error) {
     RenderSettings settings = render_settings_default(scene);
@@ -61,7 +61,7 @@ static bool verify_float(const Scene *scene, int depth, NeedsTrial *trial, Error
     return is_counted;
 }
 
-/** Prints a scene's row. @param whole What all pixels say of float. */
+/** Prints a scene's row. @param whole Float on all pixels. */
 static void row_print(const char *name, const Needs *sampled_needs, const NeedsTrial *whole) {
     const NeedsEngine *chosen = &sampled_needs->engines[sampled_needs->engine];
     double seconds =
@@ -78,8 +78,8 @@ static void row_print(const char *name, const Needs *sampled_needs, const NeedsT
 }
 
 /**
- * Tries scenes.
- * @param argc  Their number, and one.
+ * Finds what scenes need.
+ * @param argc  Number of scenes, plus one.
  * @return 1 if anything is wrong.
  */
 int main(int argc, char **argv) {

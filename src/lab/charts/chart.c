@@ -1,62 +1,63 @@
 /**
  * @file
- * @brief Measuring what the settings of a scene cost, and what errors they leave.
+ * @brief Measures the time and the errors of the settings of a scene.
  *
- * One setting is changed at a time (Hairer, Wanner, *Solving Ordinary Differential Equations II*,
- * 1996, draw work against precision so). All are timed in turn, again and again, so that a clock
- * that drifts drifts for all.
+ * One setting is changed at a time, as in the work-precision diagrams of Hairer and Wanner
+ * (*Solving Ordinary Differential Equations II*, 1996). All are timed in turn, several times, so
+ * that a drift of the clock affects all alike.
  */
 #include "dioptre/chart.h"
 
+#include "lab/charts/pareto_front.h"
 #include "lab/needs/image_difference.h"
-#include "lab/needs/scaled_tolerance_scene.h"
+#include "lab/score_stats.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/** How many times as large an error may be and count as the same. */
+/** Errors count as equal up to this factor. */
 #define EQUAL_ERROR_FACTOR 1.01
 
 /** How often each setting is timed. */
 enum { TURNS = 5 };
 
-/** Depth and samples of the truth. */
+/** Depth and samples of references. */
 enum { REFERENCE_MAX_DEPTH = 128, REFERENCE_SAMPLES = 64 };
 
-/** Of a group's own errors, which kind they are. */
+/** Kinds of errors. */
 typedef enum {
-    ERROR_KIND_ROUNDING, /**< The same rays in quad. */
-    ERROR_KIND_MODEL,    /**< In the same numbers, but everything followed. */
-    ERROR_KIND_SAMPLING  /**< Many samples. */
+    ERROR_KIND_ROUNDING, /**< Rounding, against quad. */
+    ERROR_KIND_MODEL,    /**< Truncation, against more depth or finer tolerances. */
+    ERROR_KIND_SAMPLING  /**< Noise, against many samples. */
 } ErrorKind;
 
-/** A measurement under way. */
+/** A measurement in progress. */
 typedef struct ChartMeasurement {
     const Scene *scene;             /**< The scene. */
-    const RenderSettings *settings; /**< How it would be drawn. */
-    const atomic_bool *stop;        /**< Whether to give up. */
+    const RenderSettings *settings; /**< How it would be rendered. */
+    const atomic_bool *stop;        /**< Given up once it is true; may be NULL. */
     PixelSet timed_pixels;          /**< The pixels that are timed. */
     PixelSet error_pixels;          /**< Those whose errors are measured. */
-    PixelSet quad_pixels;           /**< Those that quad is asked about. */
-    Chart *chart;                   /**< What is known. */
+    PixelSet quad_pixels;           /**< Those that are traced in quad. */
+    Chart *chart;                   /**< The result. */
 } ChartMeasurement;
 
-/** @return Whether a pixel is timed: whole blocks, here and there. See #PixelTest. */
+/** Is a #PixelTest: the pixels that are timed, in whole tiles. */
 static bool pixel_is_in_timed_set(const void *context, int x, int y) {
     (void)context;
     return (x / 64 + 5 * (y / 16)) % 16 == 0;
 }
 
-/** @return Whether quad is asked about a pixel. See #PixelTest. */
+/** Is a #PixelTest: the pixels that are traced in quad. */
 static bool pixel_is_in_quad_set(const void *context, int x, int y) {
     return pixel_is_sampled(context, x, y) && (x / 8 + y / 8) % 4 == 0;
 }
 
-/** Adds a setting. @return It, as the scene has all others; NULL: there are too many. */
+/** Adds a setting. @return It, with the scene's own values. */
 static ChartPoint *add_setting(ChartMeasurement *measure, const char *group, const char *label) {
-    static ChartPoint none; // What cannot be kept is set here and forgotten.
+    static ChartPoint none; // Discarded: there are too many.
     Chart *chart = measure->chart;
     ChartPoint *point =
         chart->count < CHART_POINTS_MAXIMUM ? &chart->points[chart->count++] : &none;
@@ -78,7 +79,7 @@ static void engines_add(ChartMeasurement *measure) {
     }
 }
 
-/** Adds ways to leave a surface. */
+/** Adds ray offsets. */
 static void offsets_add(ChartMeasurement *measure) {
     add_setting(measure, "offset", "none")->trace.offset = OFFSET_NONE;
     for (double epsilon = 1e-6; epsilon < 0.05; epsilon *= 10) {
@@ -122,13 +123,13 @@ static void tolerances_add(ChartMeasurement *measure) {
     }
 }
 
-/** Adds the tree. */
+/** Adds rendering with and without BVH. */
 static void bvh_modes_add(ChartMeasurement *measure) {
     add_setting(measure, "tree", "no tree")->trace.bvh = BVH_NEVER;
     add_setting(measure, "tree", "tree")->trace.bvh = BVH_ALWAYS;
 }
 
-/** Shoots a setting. @return false if anything is. */
+/** Renders a setting. @return false if anything is wrong. */
 static bool point_render(const ChartMeasurement *measure, const PixelSet *pixels,
                          const ChartPoint *point, SampledRender *render, Error *error) {
     ScaledToleranceScene scaled;
@@ -145,13 +146,7 @@ static bool point_render(const ChartMeasurement *measure, const PixelSet *pixels
     return is_taken;
 }
 
-/** @return Order of two numbers, for qsort. */
-static int compare_numbers(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-/** Times all settings in turn. @return false if anything is. */
+/** Times all settings in turn. @return false if anything is wrong. */
 static bool time_points(ChartMeasurement *measure, Error *error) {
     Chart *chart = measure->chart;
     double seconds[CHART_POINTS_MAXIMUM][TURNS];
@@ -167,16 +162,15 @@ static bool time_points(ChartMeasurement *measure, Error *error) {
         }
     }
     for (size_t i = 0; i < chart->count; i++) {
-        qsort(seconds[i], TURNS, sizeof **seconds, compare_numbers);
-        chart->points[i].seconds_low = seconds[i][TURNS / 4];
-        chart->points[i].seconds = seconds[i][TURNS / 2];
-        chart->points[i].seconds_high = seconds[i][TURNS - 1 - TURNS / 4];
+        Quartiles quartiles = quartiles_of(seconds[i], TURNS);
+        chart->points[i].seconds_low = quartiles.low;
+        chart->points[i].seconds = quartiles.median;
+        chart->points[i].seconds_high = quartiles.high;
     }
     return true;
 }
 
-/** Takes the mean of the samples of each pixel: then a shot has one ray a pixel. Trails are lost.
- */
+/** Replaces the samples of each pixel by their mean; path hashes become meaningless. */
 static void average_samples(SampledRender *render, size_t pixels) {
     size_t samples = render->ray_count / pixels;
     for (size_t i = 0; i < 3 * pixels; i++) {
@@ -189,7 +183,7 @@ static void average_samples(SampledRender *render, size_t pixels) {
     render->ray_count = pixels;
 }
 
-/** @return Of which kind a group's own errors are. */
+/** @return The kind of a group's own errors. */
 static ErrorKind error_kind_of(const char *group) {
     bool is_truncation = strcmp(group, "depth") == 0 || strcmp(group, "tolerance") == 0;
     return strcmp(group, "samples") == 0 ? ERROR_KIND_SAMPLING
@@ -197,7 +191,7 @@ static ErrorKind error_kind_of(const char *group) {
                                          : ERROR_KIND_ROUNDING;
 }
 
-/** @return What a setting's own error is measured against. */
+/** @return The reference of a setting's own error. */
 static ChartPoint reference_of(const ChartPoint *point, ErrorKind kind) {
     ChartPoint truth = *point;
     if (kind == ERROR_KIND_ROUNDING) {
@@ -213,7 +207,7 @@ static ChartPoint reference_of(const ChartPoint *point, ErrorKind kind) {
     return truth;
 }
 
-/** Finds a setting's own error. @return false if anything is. */
+/** Measures a setting's own error. @return false if anything is wrong. */
 static bool point_measure_own_error(const ChartMeasurement *measure, ChartPoint *point,
                                     Error *error) {
     ErrorKind kind = error_kind_of(point->setting);
@@ -238,7 +232,7 @@ static bool point_measure_own_error(const ChartMeasurement *measure, ChartPoint 
         ImageDifference difference = image_difference_of(
             &render, &reference_render, compares_paths ? &reference_render : NULL, encoding);
         bool uses_total_error = strcmp(point->setting, "offset") == 0 || kind == ERROR_KIND_MODEL;
-        // Rays that met their own surface, or passed it, took another way: that is the error.
+        // Rays that hit their own surface again are on another path: that is the error.
         point->own_error = uses_total_error ? difference.total_rms : difference.same_path_rms;
         point->max_steps = difference.max_steps;
         point->edge_flip_fraction = (double)difference.edge_flips / (double)difference.rays;
@@ -248,11 +242,7 @@ static bool point_measure_own_error(const ChartMeasurement *measure, ChartPoint 
     return is_done;
 }
 
-/**
- * Finds the error of a setting's whole picture.
- * @param reference_render  The picture as it should be.
- * @return false if anything is.
- */
+/** Measures the error of a setting's picture. @return false if anything is wrong. */
 static bool point_measure_total_error(const ChartMeasurement *measure,
                                       const SampledRender *reference_render, ChartPoint *point,
                                       Error *error) {
@@ -267,7 +257,7 @@ static bool point_measure_total_error(const ChartMeasurement *measure,
     return true;
 }
 
-/** Finds all errors. @return false if anything is. */
+/** Measures all errors. @return false if anything is wrong. */
 static bool points_measure_errors(ChartMeasurement *measure, Error *error) {
     SampledRender reference_render;
     ChartPoint best = {.engine = engine_scalar(engine_with_role(ENGINE_DOUBLE)),
@@ -290,25 +280,19 @@ static bool points_measure_errors(ChartMeasurement *measure, Error *error) {
     return is_done;
 }
 
-/** Finds the settings that nothing beats in both time and error. */
+/** Finds the settings that no other beats in both time and error. */
 static void find_pareto_front(Chart *chart) {
+    ParetoPoint points[CHART_POINTS_MAXIMUM];
     for (size_t i = 0; i < chart->count; i++) {
-        ChartPoint *point = &chart->points[i];
-        point->is_pareto = true;
-        for (size_t k = 0; k < chart->count; k++) {
-            const ChartPoint *other = &chart->points[k];
-            bool beats = other->seconds < point->seconds &&
-                         other->total_error <= EQUAL_ERROR_FACTOR * point->total_error;
-            point->is_pareto = point->is_pareto && !beats;
-        }
+        points[i] = (ParetoPoint){chart->points[i].seconds, chart->points[i].total_error, false};
+    }
+    pareto_front_find(points, chart->count, EQUAL_ERROR_FACTOR);
+    for (size_t i = 0; i < chart->count; i++) {
+        chart->points[i].is_pareto = points[i].is_pareto;
     }
 }
 
-/**
- * Measures everything.
- * @param[in,out] measure  The measurement, with its pixels.
- * @return false if anything is.
- */
+/** Measures everything. @return false if anything is wrong. */
 static bool measure_all(ChartMeasurement *measure, Error *error) {
     engines_add(measure);
     offsets_add(measure);

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief What is known of a scene's settings, as a table, as CSV, as a chart.
+ * @brief What the settings of a scene cost and leave of errors, as a table, as CSV, as a chart.
  */
 #include "dioptre/chart.h"
 
@@ -16,28 +16,34 @@
 #include <string.h>
 
 /** Columns of the CSV that charts are drawn from. */
-enum { COLUMN_SECONDS = 4, COLUMN_OWN_ERROR = 7, COLUMN_TOTAL_ERROR = 10 };
+enum { COLUMN_GROUP = 1, COLUMN_SERIES, COLUMN_SECONDS = 4, COLUMN_OWN = 7, COLUMN_TOTAL = 10 };
+/** Numbers of a row: times and errors. */
+enum { ROW_NUMBERS = 7 };
+
+/** Lists the numbers of a row, as the table and the CSV have them. */
+static void row_numbers(const ChartPoint *point, double numbers[ROW_NUMBERS]) {
+    const double values[ROW_NUMBERS] = {
+        point->seconds,   point->seconds_low,        point->seconds_high, point->own_error,
+        point->max_steps, point->edge_flip_fraction, point->total_error};
+    memcpy(numbers, values, sizeof values);
+}
 
 /** Prints a table. */
 static void chart_print_table(const Chart *chart, const char *name, FILE *stream) {
-    static const char *const heads[] = {
+    static const char *const columns[] = {
         N_("setting"),   "",          N_("s/megapixel"), N_("from"),  N_("to"),
         N_("own error"), N_("steps"), N_("flips"),       N_("total"), N_("front")};
-    Table table = table_make(sizeof heads / sizeof *heads, 2);
-    for (size_t i = 0; i < sizeof heads / sizeof *heads; i++) {
-        table_cell(&table, "%s", heads[i][0] ? gettext(heads[i]) : "");
-    }
+    Table table = table_make(sizeof columns / sizeof *columns, 2);
+    table_heading(&table, columns);
     for (size_t i = 0; i < chart->count; i++) {
         const ChartPoint *point = &chart->points[i];
+        double numbers[ROW_NUMBERS];
+        row_numbers(point, numbers);
         table_cell(&table, "%s", point->setting);
         table_cell(&table, "%s", point->label);
-        table_number(&table, point->seconds);
-        table_number(&table, point->seconds_low);
-        table_number(&table, point->seconds_high);
-        table_number(&table, point->own_error);
-        table_number(&table, point->max_steps);
-        table_number(&table, point->edge_flip_fraction);
-        table_number(&table, point->total_error);
+        for (size_t n = 0; n < ROW_NUMBERS; n++) {
+            table_number(&table, numbers[n]);
+        }
         table_cell(&table, "%s", point->is_pareto ? gettext("yes") : "");
     }
     fprintf(stream, "%s\n", name);
@@ -48,24 +54,20 @@ static void chart_print_table(const Chart *chart, const char *name, FILE *stream
 /** Writes a setting's row. */
 static void write_csv_row(Csv *csv, const char *group, const char *series,
                           const ChartPoint *point) {
+    double numbers[ROW_NUMBERS];
+    row_numbers(point, numbers);
     csv_text(csv, group);
     csv_text(csv, series);
     csv_text(csv, point->label);
-    const double numbers[] = {point->seconds,    point->seconds_low, point->seconds_high,
-                              point->own_error,  point->max_steps,   point->edge_flip_fraction,
-                              point->total_error};
-    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
-        csv_number(csv, numbers[i]);
-    }
-    csv_end_row(csv);
+    csv_numbers(csv, numbers, ROW_NUMBERS);
 }
 
-/** A line of points. */
+/** Points that a line joins. */
 typedef struct Series {
     const ChartPoint *points[CHART_POINTS_MAXIMUM]; /**< The points. */
-    double x[CHART_POINTS_MAXIMUM];                 /**< Their time. */
+    double x[CHART_POINTS_MAXIMUM];                 /**< Their times. */
     double own_error[CHART_POINTS_MAXIMUM];         /**< Their own errors. */
-    double total_error[CHART_POINTS_MAXIMUM];       /**< Their whole errors. */
+    double total_error[CHART_POINTS_MAXIMUM];       /**< Their total errors. */
     size_t count;                                   /**< How many. */
 } Series;
 
@@ -85,36 +87,35 @@ static int compare_points(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-/** @return The front, the fastest first. */
+/** @return The Pareto front, the fastest first. */
 static Series pareto_front_of(const Chart *chart) {
-    Series pareto_front = {.count = 0}, sorted = {.count = 0};
+    Series pareto_front = {.count = 0};
+    const ChartPoint *sorted[CHART_POINTS_MAXIMUM];
+    size_t count = 0;
     for (size_t i = 0; i < chart->count; i++) {
         if (chart->points[i].is_pareto) {
-            series_add(&pareto_front, &chart->points[i]);
+            sorted[count++] = &chart->points[i];
         }
     }
-    qsort(pareto_front.points, pareto_front.count, sizeof *pareto_front.points, compare_points);
-    for (size_t i = 0; i < pareto_front.count; i++) {
-        series_add(&sorted, pareto_front.points[i]);
+    qsort(sorted, count, sizeof *sorted, compare_points);
+    for (size_t i = 0; i < count; i++) {
+        series_add(&pareto_front, sorted[i]);
     }
-    return sorted;
+    return pareto_front;
 }
 
-/** Writes the table. @return Whether it is there. */
+/** Writes the CSV. @return Whether it is written. */
 static bool chart_write_csv(const Chart *chart, const char *name, const char *path, Error *error) {
+    static const char *const columns[] = {"group",       "series",       "setting", "seconds",
+                                          "seconds_low", "seconds_high", "own_rms", "own_steps",
+                                          "flips",       "total_rms"};
     Csv csv;
     char title[256];
     snprintf(title, sizeof title, "%s: what settings cost and what errors they leave", name);
     if (!csv_begin(&csv, path, title, error)) {
         return false;
     }
-    static const char *const heads[] = {"group",       "series",       "setting", "seconds",
-                                        "seconds_low", "seconds_high", "own_rms", "own_steps",
-                                        "flips",       "total_rms"};
-    for (size_t i = 0; i < sizeof heads / sizeof *heads; i++) {
-        csv_text(&csv, heads[i]);
-    }
-    csv_end_row(&csv);
+    csv_heading(&csv, columns, sizeof columns / sizeof *columns);
     for (size_t i = 0; i < chart->count; i++) {
         write_csv_row(&csv, chart->points[i].setting, "all", &chart->points[i]);
     }
@@ -126,10 +127,7 @@ static bool chart_write_csv(const Chart *chart, const char *name, const char *pa
     return csv_commit(&csv, error);
 }
 
-/**
- * @return The points of a group.
- * @param[in,out] next  The first point of the group; then of the next.
- */
+/** @return The points of a group. @param[in,out] next Its first point; then that of the next. */
 static Series take_group_series(const Chart *chart, size_t *next) {
     Series series = {.count = 0};
     const char *group = chart->points[*next].setting;
@@ -139,59 +137,59 @@ static Series take_group_series(const Chart *chart, size_t *next) {
     return series;
 }
 
-/** Most lines that are not of the front. */
+/** Most lines besides the Pareto front. */
 enum { GROUP_SERIES_MAXIMUM = 8 };
 
-/** What a chart is drawn of. */
+/** A chart, and the numbers in it. */
 typedef struct SettingsChart {
-    Series group_series[GROUP_SERIES_MAXIMUM]; /**< A line each. */
+    Series group_series[GROUP_SERIES_MAXIMUM]; /**< A line per group of settings. */
     size_t group_count;                        /**< How many. */
-    Series pareto_front;                       /**< The front. */
-    Plot plot;                                 /**< Lines that point to all that. */
+    Series pareto_front;                       /**< The Pareto front. */
+    Plot plot;                                 /**< The chart, which points to all that. */
 } SettingsChart;
 
-/** Adds a line. @param group First cell of its rows. */
-static void panel_add_series(PlotPanel *panel, const char *label, const char *group,
-                             const char *key, const Series *series, int column) {
+/** Adds a line. @param group First cell of its rows. @param column Of y. */
+static void panel_add_series(PlotPanel *panel, const char *group, const Series *series,
+                             int column) {
     if (panel->series_count < PLOT_SERIES_MAXIMUM) {
         panel->series[panel->series_count] =
-            (PlotSeries){.label = label,
-                         .row_keys = {group, key},
+            (PlotSeries){.label = group,
+                         .keys = {{COLUMN_GROUP, group}, {COLUMN_SERIES, "all"}},
                          .y_column = column,
                          .x = series->x,
-                         .y = column == COLUMN_OWN_ERROR ? series->own_error : series->total_error,
+                         .y = column == COLUMN_OWN ? series->own_error : series->total_error,
                          .count = series->count,
                          .style = (int)panel->series_count};
         panel->series_count++;
     }
 }
 
-/** Lays out the chart. @param[out] layout What it is drawn of. */
-static void chart_layout_init(SettingsChart *layout, const Chart *chart, const char *title,
-                              const char *csv) {
+/** Makes a chart. @param csv Path of its table. */
+static void settings_chart_init(SettingsChart *layout, const Chart *chart, const char *title,
+                                const char *csv) {
     *layout = (SettingsChart){.pareto_front = pareto_front_of(chart)};
     layout->plot = (Plot){.title = title, .csv = csv, .panel_count = 2, .columns = 2};
     PlotPanel *own = &layout->plot.panels[0], *total = &layout->plot.panels[1];
     *own = (PlotPanel){.title = "each error alone: rounding, model, noise",
                        .x_label = "CPU seconds a megapixel",
                        .y_label = "error, rms of linear light",
-                       .x_column = COLUMN_SECONDS};
+                       .x_columns = {COLUMN_SECONDS}};
     *total = *own;
     total->title = "all errors together; the front, which nothing beats";
     for (size_t next = 0; next < chart->count && layout->group_count < GROUP_SERIES_MAXIMUM;) {
         const char *group = chart->points[next].setting;
         Series *series = &layout->group_series[layout->group_count++];
         *series = take_group_series(chart, &next);
-        panel_add_series(own, group, group, "all", series, COLUMN_OWN_ERROR);
-        panel_add_series(total, group, group, "all", series, COLUMN_TOTAL_ERROR);
+        panel_add_series(own, group, series, COLUMN_OWN);
+        panel_add_series(total, group, series, COLUMN_TOTAL);
     }
-    panel_add_series(total, "front", "front", "all", &layout->pareto_front, COLUMN_TOTAL_ERROR);
+    panel_add_series(total, "front", &layout->pareto_front, COLUMN_TOTAL);
     plot_set_common_y_range(own, 1);
     plot_set_common_y_range(total, 1);
 }
 
-/** Puts the front into words. @param[out] title The words; cut to their size. */
-static void pareto_caption(const Chart *chart, const char *name, char *title, size_t size) {
+/** Lists the Pareto front. @param[out] title The list; cut to its size. */
+static void write_pareto_caption(const Chart *chart, const char *name, char *title, size_t size) {
     Series pareto_front = pareto_front_of(chart);
     snprintf(title, size, "%s; front:", name);
     for (size_t i = 0; i < pareto_front.count; i++) {
@@ -214,8 +212,8 @@ bool chart_save(const Chart *chart, const char *name, const LabRequest *request,
         return error_set(error, STATUS_FAILED, "the folder's name is too long");
     }
     SettingsChart layout;
-    pareto_caption(chart, name, title, sizeof title);
-    chart_layout_init(&layout, chart, title, csv);
+    write_pareto_caption(chart, name, title, sizeof title);
+    settings_chart_init(&layout, chart, title, csv);
     return chart_write_csv(chart, name, csv, error) &&
            (!*has_chart || plot_draw(&layout.plot, svg, request->stop, error));
 }

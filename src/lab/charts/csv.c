@@ -58,8 +58,8 @@ static FILE *next_cell(Csv *csv) {
     return csv->file.stream;
 }
 
-void csv_text(Csv *csv, const char *word) {
-    fputs(word, next_cell(csv));
+void csv_text(Csv *csv, const char *text) {
+    fputs(text, next_cell(csv));
 }
 
 void csv_number(Csv *csv, double number) {
@@ -74,11 +74,21 @@ void csv_end_row(Csv *csv) {
     csv->is_in_row = false;
 }
 
+void csv_numbers(Csv *csv, const double *numbers, size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        csv_number(csv, numbers[i]);
+    }
+    csv_end_row(csv);
+}
+
+void csv_heading(Csv *csv, const char *const *columns, size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        csv_text(csv, columns[i]);
+    }
+    csv_end_row(csv);
+}
+
 bool csv_commit(Csv *csv, Error *error) {
     return atomic_file_commit(&csv->file, error) ||
            error_prefix(error, "cannot write '%s': ", csv->path);
-}
-
-void csv_discard(Csv *csv) {
-    atomic_file_discard(&csv->file);
 }

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief What an experiment has found, for people and for programs.
+ * @brief Results of an experiment as tables, as CSV, as a chart.
  */
 #include "lab/charts/experiment_report.h"
 
@@ -18,18 +18,18 @@
 
 /** Longest heading, bytes with its final zero. */
 enum { HEADING_SIZE = 200 };
-/** Most number types that a chart shows side by side: quad is measured against itself. */
+/** Most number types in a chart: quad is the reference. */
 enum { PLOTTED_TYPES = 3 };
 
-/** Says words in a language. @return They. */
+/** Translates a text. @return The translation. */
 typedef char *TranslateFunction(const char *words);
 
-/** Is a #TranslateFunction: English, as files are. @return They. */
+/** Is a #TranslateFunction: English, as files are. */
 static char *untranslated(const char *text) {
     return (char *)(uintptr_t)text;
 }
 
-/** @return What a figure is, with its unit. */
+/** @return The name of a quantity, with its unit. */
 static const char *metric_label(const Metric *metric, const Experiment *experiment,
                                 TranslateFunction *translate, char heading[HEADING_SIZE]) {
     const char *name = translate(metric->heading);
@@ -62,7 +62,7 @@ static void add_table_row(Table *table, const Metric *metric, const Experiment *
     }
 }
 
-/** Prints a figure of all methods. */
+/** Prints a quantity of all methods. */
 static void print_metric(const Metric *metric, const Experiment *experiment,
                          const ExperimentResults *results, FILE *stream) {
     char heading[HEADING_SIZE];
@@ -86,7 +86,7 @@ static void print_metric(const Metric *metric, const Experiment *experiment,
     table_deinit(&table);
 }
 
-/** @return Whether a figure could have been anything but 0. */
+/** @return Whether a quantity is measured, and is 0 somewhere. */
 static bool metric_is_measured(const Metric *metric, const Experiment *experiment,
                                const ExperimentResults *results) {
     size_t count = results->method_count * results->type_count * results->level_count;
@@ -134,7 +134,7 @@ static void write_heading(Csv *csv) {
     csv_end_row(csv);
 }
 
-/** Writes a finding. */
+/** Writes a result. */
 static void write_row(Csv *csv, const Experiment *experiment, const MethodResult *result) {
     csv_text(csv, result->method);
     csv_text(csv, result->type);
@@ -168,16 +168,16 @@ bool experiment_report_write_csv(const Experiment *experiment, const ExperimentR
 /* --- as a chart ----------------------------------------------------------------------------------
  */
 
-/** A chart with what it is drawn from. */
+/** A chart and its data. */
 typedef struct ReportPlot {
     const Experiment *experiment;     /**< The experiment. */
-    const ExperimentResults *results; /**< What was found. */
+    const ExperimentResults *results; /**< The results. */
     double *y_values;                 /**< The y of all lines; owned. */
     size_t y_count;                   /**< How many. */
     Plot plot;                        /**< The chart. */
 } ReportPlot;
 
-/** Adds a line to a panel. @param method Place of the method. */
+/** Adds a line to a panel. @param method Index of the method. */
 static void panel_add_method_series(ReportPlot *chart, PlotPanel *panel, size_t metric,
                                     size_t method, size_t type) {
     const Experiment *experiment = chart->experiment;
@@ -194,7 +194,7 @@ static void panel_add_method_series(ReportPlot *chart, PlotPanel *panel, size_t 
     const int own_style = 7;
     panel->series[panel->series_count++] =
         (PlotSeries){.label = row->label,
-                     .row_keys = {row->method, row->type},
+                     .keys = {{1, row->method}, {2, row->type}},
                      .y_column = METRIC_FIRST_COLUMN + (int)metric,
                      .x = experiment->levels,
                      .y = y,
@@ -202,8 +202,8 @@ static void panel_add_method_series(ReportPlot *chart, PlotPanel *panel, size_t 
                      .style = strcmp(row->method, TRACER_METHOD) == 0 ? own_style : (int)method};
 }
 
-/** Adds a row of panels, one for each number type. @param names Where it is named, for as long as
- *  the chart lives. */
+/** Adds a row of panels, one per number type. @param names Receives its name; must live as long as
+ * the chart. */
 static void plot_add_metric_row(ReportPlot *chart, size_t metric, char names[HEADING_SIZE]) {
     const Experiment *experiment = chart->experiment;
     Plot *plot = &chart->plot;
@@ -220,7 +220,7 @@ static void plot_add_metric_row(ReportPlot *chart, size_t metric, char names[HEA
         *panel = (PlotPanel){.title = number_types()[t]->name,
                              .x_label = experiment->difficulty,
                              .y_label = names,
-                             .x_column = 3,
+                             .x_columns = {3},
                              .is_x_reversed = levels[0] > levels[experiment->level_count - 1]};
         for (size_t m = 0; m < chart->results->method_count; m++) {
             panel_add_method_series(chart, panel, metric, m, t);

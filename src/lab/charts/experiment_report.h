@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief What an experiment has found: as tables on the terminal, as CSV, as a chart.
+ * @brief Results of an experiment as tables on the terminal, as CSV, as a chart.
  */
 #ifndef DIOPTRE_LAB_CHARTS_EXPERIMENT_REPORT_H
 #define DIOPTRE_LAB_CHARTS_EXPERIMENT_REPORT_H
@@ -9,25 +9,24 @@
 
 #include <stdio.h>
 
-/** Prints what was found, a table for each kind of figure. */
+/** Prints results, a table per quantity. */
 void experiment_report_print(const Experiment *experiment, const ExperimentResults *results,
                              FILE *stream);
 
-/** Writes what was found as comma-separated values. @return Whether it is there. */
+/** Writes results as CSV. @return Whether the file is written. */
 bool experiment_report_write_csv(const Experiment *experiment, const ExperimentResults *results,
                                  const char *path, Error *error);
 
-/** Where a chart comes from and goes to. */
+/** Files of a chart. */
 typedef struct ReportPaths {
-    const char *csv; /**< What #experiment_report_write_csv has written. */
+    const char *csv; /**< Written by #experiment_report_write_csv. */
     const char *svg; /**< The chart. */
 } ReportPaths;
 
 /**
- * Draws what was found: a column of panels for each number type, a row for each kind of figure.
- * @param files  From where, and where to.
+ * Draws results: a column of panels per number type, a row per quantity.
  * @param stop  It is given up once this is true; may be NULL.
- * @return Whether it is there.
+ * @return Whether the file is written.
  */
 bool experiment_report_draw(const Experiment *experiment, const ExperimentResults *results,
                             const ReportPaths *files, const atomic_bool *stop, Error *error);

@@ -1,9 +1,9 @@
 /**
  * @file
- * @brief Has gnuplot draw what somebody writes a script for.
+ * @brief Runs gnuplot.
  *
- * The script goes through a pipe, and the files' names as arguments of their own: whatever is in
- * them, it is no part of the script.
+ * The script is piped to it, and the names of files are arguments of their own: nothing in them can
+ * become part of the script.
  */
 #ifndef DIOPTRE_LAB_CHARTS_GNUPLOT_H
 #define DIOPTRE_LAB_CHARTS_GNUPLOT_H
@@ -12,34 +12,25 @@
 
 #include <stdatomic.h>
 #include <stddef.h>
-#include <stdio.h>
 
-/** What is to be drawn. */
-typedef struct GnuplotJob {
-    const void *context; /**< Anything. */
-    /** Writes the script. @param script Where to: `ARG1` is there the table, `ARG2` the SVG file.
-     */
-    void (*write_script)(const void *context, FILE *script);
-    const char *csv; /**< The table's file. */
-} GnuplotJob;
+/** A script. */
+typedef struct GnuplotScript {
+    const char *text; /**< `ARG1` is the table in it, `ARG2` the SVG file. */
+    size_t size;      /**< Bytes of the text. */
+    const char *csv;  /**< The table's file. */
+} GnuplotScript;
 
-/** @return Whether charts can be drawn here. */
+/** @return Whether gnuplot is installed. */
 bool gnuplot_is_available(void);
 
 /**
- * Draws a chart.
- * @param stop  It is given up once this is true; may be NULL.
- * @return Whether it is in its place.
+ * Runs a script.
+ * @param path        The SVG file to write; an old one stays whole until the new one is.
+ * @param stop        It is given up once this is true; may be NULL.
+ * @param[out] error  What is wrong; #STATUS_INTERRUPTED where it was stopped.
+ * @return Whether the file is written.
  */
-bool gnuplot_draw(const GnuplotJob *job, const char *path, const atomic_bool *stop, Error *error);
-
-/** @return A text that stands in a script between single quotes. */
-const char *gnuplot_quote(const char *text, char *quoted, size_t size);
-
-/** @return A colour that the colour-blind can tell apart from the seven others. */
-const char *gnuplot_color(int style);
-
-/** @return A sign that goes with the colour. */
-int gnuplot_point_type(int style);
+bool gnuplot_run(const GnuplotScript *script, const char *path, const atomic_bool *stop,
+                 Error *error);
 
 #endif

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The kinds of figures that experiments find.
+ * @brief The quantities in the results of experiments.
  */
 #include "lab/charts/metrics.h"
 

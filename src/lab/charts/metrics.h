@@ -1,40 +1,40 @@
 /**
  * @file
- * @brief The kinds of figures that experiments find: what they are called, and how they are had.
+ * @brief The quantities in the results of experiments.
  */
 #ifndef DIOPTRE_LAB_CHARTS_METRICS_H
 #define DIOPTRE_LAB_CHARTS_METRICS_H
 
 #include "lab/experiment.h"
 
-/** What a figure is of. */
+/** Kinds of quantities. */
 typedef enum {
-    METRIC_ERROR,    /**< An error, in the experiment's unit. */
+    METRIC_ERROR,    /**< An error in the experiment's unit. */
     METRIC_ULPS,     /**< An error, in ulps. */
-    METRIC_FRACTION, /**< An outcome, 0 to 1. */
-    METRIC_COST      /**< What an answer costs. */
+    METRIC_FRACTION, /**< A fraction of samples, 0 to 1. */
+    METRIC_COST      /**< A cost of an output. */
 } MetricKind;
 
-/** A kind of figure. */
+/** A quantity. */
 typedef struct Metric {
-    const char *column;  /**< What the CSV calls it. */
-    const char *heading; /**< What it is, for people, in English. */
-    MetricKind kind;     /**< What of: errors and work, the experiment says more of. */
-    bool is_plotted;     /**< Whether it has panels of its own in a chart. */
-    /** @return The figure; NaN where there is none. */
+    const char *column;  /**< Its column in the CSV. */
+    const char *heading; /**< Its name, in English. */
+    MetricKind kind;     /**< Its kind. */
+    bool is_plotted;     /**< Whether charts have panels of it. */
+    /** @return Its value; NaN: none. */
     double (*value)(const Experiment *experiment, const MethodResult *finding);
 } Metric;
 
-/** How many kinds there are. */
+/** Number of quantities. */
 enum { METRIC_COUNT = 13 };
 
-/** @return A kind of figure. @param index Which, in the order of the CSV's columns. */
+/** @return A quantity. @param index In the order of the CSV's columns. */
 const Metric *metric_at(size_t index);
 
-/** Column of the CSV that the first kind of figure has, from 1. */
+/** Column of the first quantity in the CSV, from 1. */
 enum { METRIC_FIRST_COLUMN = 5 };
 
-/** @return Whether anything of a kind was found, and was not always 0. */
+/** @return Whether any value of a quantity exceeds 0. */
 bool metric_is_nonzero(const Metric *metric, const Experiment *experiment,
                        const ExperimentResults *results);
 

@@ -1,13 +1,14 @@
 /**
  * @file
- * @brief What was found of methods' speed and accuracy, as a table, as CSV, as a chart.
+ * @brief Speed and accuracy of methods, as a table, as CSV, as a chart.
  */
 #include "lab/microbenchmark.h"
 
 #include "base/language.h"
 #include "lab/charts/csv.h"
 #include "lab/charts/gnuplot.h"
-#include "lab/charts/scatter.h"
+#include "lab/charts/pareto_front.h"
+#include "lab/charts/plot.h"
 #include "lab/charts/table.h"
 
 #include <libintl.h>
@@ -17,32 +18,35 @@
 
 /** Columns of the CSV that charts are drawn from. */
 enum { COLUMN_TYPE = 2, COLUMN_NS = 4, COLUMN_ERROR = 7, COLUMN_FAILURES = 9 };
+/** Most panels: errors and failures. */
+enum { PANELS_MAXIMUM = 2 };
 /** Longest title of a panel, bytes with its final zero. */
 enum { TITLE_SIZE = 400 };
-/** Longest heading, bytes with its final zero. */
-enum { HEADING_SIZE = 160 };
+/** Longest label of an axis, bytes with its final zero. */
+enum { LABEL_SIZE = 160 };
+/** Numbers of a row: times, errors, failures, double hits. */
+enum { ROW_NUMBERS = 7 };
 
-/** @return A method's error; NaN where there is none. */
+/** @return A method's error; NaN: none is measured. */
 static double point_error_p999(const MicrobenchmarkPoint *point) {
     return point->result.p999;
 }
 
-/** @return A method's failures; NaN where there are none. */
+/** @return The fraction of a method's failures; NaN: none is counted. */
 static double point_failures(const MicrobenchmarkPoint *point) {
     return point->failure_fraction;
 }
 
-/** What a chart is drawn of. */
+/** A chart, and the text in it. */
 typedef struct BenchmarkChart {
-    Scatter scatter;                                     /**< It. */
-    char titles[SCATTER_PANELS_MAXIMUM][TITLE_SIZE];     /**< Of its panels. */
-    char y_labels[SCATTER_PANELS_MAXIMUM][HEADING_SIZE]; /**< Of their y. */
-    char x_label[HEADING_SIZE];                          /**< Of x. */
-    bool is_pareto[SCATTER_PANELS_MAXIMUM]
-                  [MICROBENCHMARK_POINTS_MAXIMUM]; /**< Whether each is of a front. */
+    Plot plot;                                     /**< The chart. */
+    char titles[PANELS_MAXIMUM][TITLE_SIZE];       /**< Of its panels. */
+    char y_labels[PANELS_MAXIMUM][LABEL_SIZE];     /**< Of their y axes. */
+    char x_label[LABEL_SIZE];                      /**< Of all x axes. */
+    bool is_pareto[MICROBENCHMARK_POINTS_MAXIMUM]; /**< Whether each is part of a panel's front. */
 } BenchmarkChart;
 
-/** @return The place of a number type. */
+/** @return The index of a number type. */
 static int type_index(const char *name) {
     int index = 0;
     while (strcmp(number_types()[index]->name, name) != 0) {
@@ -51,7 +55,7 @@ static int type_index(const char *name) {
     return index;
 }
 
-/** @return How many number types are drawn: quad is measured against its equal. */
+/** @return How many number types are drawn: all but quad, which is the reference of the others. */
 static size_t plotted_type_count(void) {
     size_t count = 0;
     while (number_types()[count + 1]) {
@@ -60,166 +64,153 @@ static size_t plotted_type_count(void) {
     return count;
 }
 
-/** Puts the front of a panel into words. @param kinds What kinds of points are called. */
-static void pareto_caption(const ScatterPanel *panel, const char *const *kinds,
-                           char title[TITLE_SIZE]) {
+/** Lists the Pareto front of a panel. */
+static void write_pareto_caption(const PlotPanel *panel, char title[TITLE_SIZE]) {
     const char *comma = "front: ";
     title[0] = '\0';
     for (size_t i = 0; i < panel->point_count; i++) {
-        const ScatterPoint *point = &panel->points[i];
+        const PlotPoint *point = &panel->points[i];
         size_t length = strlen(title);
         if (point->is_pareto) {
             snprintf(title + length, TITLE_SIZE - length, "%s%s %s", comma, point->label,
-                     kinds[point->kind]);
+                     number_types()[point->style]->name);
             comma = ", ";
         }
     }
 }
 
-/** Adds a panel, where there is anything to be seen. @param[in,out] layout The chart; the panel's
- *  heading is there. */
-static void benchmark_chart_add_panel(BenchmarkChart *layout, const Microbenchmark *benchmark,
-                                      double (*of)(const MicrobenchmarkPoint *point), int column) {
-    Scatter *scatter = &layout->scatter;
-    size_t index = scatter->panel_count, rows[SCATTER_POINTS_MAXIMUM];
-    ScatterPanel *panel = &scatter->panels[index];
+/** Marks the Pareto front of a panel. @param rows For each point, its index in the benchmark. */
+static void mark_pareto_front(BenchmarkChart *chart, PlotPanel *panel, const size_t *rows) {
+    ParetoPoint points[PLOT_POINTS_MAXIMUM];
+    for (size_t i = 0; i < panel->point_count; i++) {
+        points[i] = (ParetoPoint){panel->points[i].x, panel->points[i].y, false};
+    }
+    pareto_front_find(points, panel->point_count, 1);
+    for (size_t i = 0; i < panel->point_count; i++) {
+        panel->points[i].is_pareto = points[i].is_pareto;
+        chart->is_pareto[rows[i]] = chart->is_pareto[rows[i]] || points[i].is_pareto;
+    }
+}
+
+/** Adds a panel, unless all of its values are 0 or missing. @param column Of y. */
+static void benchmark_chart_add_panel(BenchmarkChart *chart, const Microbenchmark *benchmark,
+                                      double (*y_of)(const MicrobenchmarkPoint *point),
+                                      int column) {
+    size_t index = chart->plot.panel_count, rows[PLOT_POINTS_MAXIMUM];
+    PlotPanel *panel = &chart->plot.panels[index];
     double sum = 0;
-    *panel = (ScatterPanel){.title = layout->titles[index],
-                            .y_label = layout->y_labels[index],
-                            .y_column = column,
-                            .is_fraction = column == COLUMN_FAILURES};
+    *panel = (PlotPanel){.title = chart->titles[index],
+                         .x_label = chart->x_label,
+                         .y_label = chart->y_labels[index],
+                         .x_columns = {COLUMN_NS, COLUMN_NS + 1, COLUMN_NS + 2},
+                         .series_count = plotted_type_count(),
+                         .is_fraction = column == COLUMN_FAILURES};
+    for (size_t i = 0; i < panel->series_count; i++) {
+        const char *type = number_types()[i]->name;
+        panel->series[i] = (PlotSeries){
+            .label = type, .keys = {{COLUMN_TYPE, type}}, .y_column = column, .style = (int)i};
+    }
     for (size_t i = 0; i < benchmark->count; i++) {
         const MicrobenchmarkPoint *point = &benchmark->points[i];
-        int kind = type_index(point->result.type);
-        double y = of(point);
-        if (kind < (int)scatter->kind_count && !isnan(y)) {
+        int type = type_index(point->result.type);
+        double y = y_of(point);
+        if (type < (int)panel->series_count && !isnan(y)) {
             rows[panel->point_count] = i;
-            panel->points[panel->point_count++] =
-                (ScatterPoint){.label = point->result.label, .x = point->ns, .y = y, .kind = kind};
+            panel->points[panel->point_count++] = (PlotPoint){
+                .label = point->result.label, .x = point->ns.median, .y = y, .style = type};
             sum += y;
         }
     }
     if (sum > 0) {
-        scatter_find_pareto_front(panel);
-        pareto_caption(panel, scatter->kinds, layout->titles[index]);
-        for (size_t i = 0; i < panel->point_count; i++) {
-            layout->is_pareto[index][rows[i]] = panel->points[i].is_pareto;
-        }
-        scatter->panel_count++;
+        mark_pareto_front(chart, panel, rows);
+        write_pareto_caption(panel, chart->titles[index]);
+        chart->plot.panel_count++;
+        chart->plot.columns++;
     }
 }
 
-/** Says what time is measured of, and at which stress. */
-static void describe_x_axis(const Experiment *experiment, char text[HEADING_SIZE]) {
+/** Writes the label of the x axis: the time, and the level of difficulty it is measured at. */
+static void write_x_label(const Experiment *experiment, char label[LABEL_SIZE]) {
     static const char *const time = "nanoseconds a test, one thread";
     if (experiment->timed_level > 0) {
-        snprintf(text, HEADING_SIZE, "%s; %s: %g", time, experiment->difficulty,
+        snprintf(label, LABEL_SIZE, "%s; %s: %g", time, experiment->difficulty,
                  experiment->timed_level);
     } else {
-        snprintf(text, HEADING_SIZE, "%s; %s: as suits each", time, experiment->difficulty);
+        snprintf(label, LABEL_SIZE, "%s; %s: as suits each", time, experiment->difficulty);
     }
 }
 
-/** Lays a chart out. */
-static void benchmark_chart_init(BenchmarkChart *layout, const Microbenchmark *benchmark,
+/** Makes a chart. @param csv Path of its table. */
+static void benchmark_chart_init(BenchmarkChart *chart, const Microbenchmark *benchmark,
                                  const Experiment *experiment, const char *csv) {
-    *layout = (BenchmarkChart){.scatter = {.title = experiment->title,
-                                           .csv = csv,
-                                           .x_label = layout->x_label,
-                                           .x_columns = {COLUMN_NS, COLUMN_NS + 1, COLUMN_NS + 2},
-                                           .kind_column = COLUMN_TYPE,
-                                           .kind_count = plotted_type_count()}};
-    describe_x_axis(experiment, layout->x_label);
-    for (size_t i = 0; i < layout->scatter.kind_count; i++) {
-        layout->scatter.kinds[i] = number_types()[i]->name;
-    }
-    snprintf(layout->y_labels[0], HEADING_SIZE, "%s: one in a thousand is worse",
+    *chart =
+        (BenchmarkChart){.plot = {.kind = PLOT_POINTS, .title = experiment->title, .csv = csv}};
+    write_x_label(experiment, chart->x_label);
+    snprintf(chart->y_labels[0], LABEL_SIZE, "%s: one in a thousand is worse",
              experiment->error_label ? experiment->error_label : "");
-    benchmark_chart_add_panel(layout, benchmark, point_error_p999, COLUMN_ERROR);
-    snprintf(layout->y_labels[layout->scatter.panel_count], HEADING_SIZE,
+    benchmark_chart_add_panel(chart, benchmark, point_error_p999, COLUMN_ERROR);
+    snprintf(chart->y_labels[chart->plot.panel_count], LABEL_SIZE,
              "share of rays: false, leaking or wrong");
-    benchmark_chart_add_panel(layout, benchmark, point_failures, COLUMN_FAILURES);
+    benchmark_chart_add_panel(chart, benchmark, point_failures, COLUMN_FAILURES);
 }
 
-/** @return Whether a method is of some front. */
-static bool is_on_pareto_front(const BenchmarkChart *layout, size_t i) {
-    bool is_on_pareto_front = false;
-    for (size_t panel = 0; panel < layout->scatter.panel_count; panel++) {
-        is_on_pareto_front = is_on_pareto_front || layout->is_pareto[panel][i];
-    }
-    return is_on_pareto_front;
+/** Lists the numbers of a row, as the table and the CSV have them. */
+static void row_numbers(const MicrobenchmarkPoint *point, double numbers[ROW_NUMBERS]) {
+    const double values[ROW_NUMBERS] = {point->ns.median,
+                                        point->ns.low,
+                                        point->ns.high,
+                                        point_error_p999(point),
+                                        point->result.maximum,
+                                        point->failure_fraction,
+                                        point->result.outcome_fractions[OUTCOME_DOUBLE_HIT]};
+    memcpy(numbers, values, sizeof values);
 }
 
 /** Prints a table. */
-static void microbenchmark_print(const Microbenchmark *benchmark, const BenchmarkChart *layout,
+static void microbenchmark_print(const Microbenchmark *benchmark, const BenchmarkChart *chart,
                                  FILE *stream) {
-    static const char *const heads[] = {
+    static const char *const columns[] = {
         N_("method"), N_("number type"), N_("ns a test"), N_("from"),        N_("to"),
         N_("error"),  N_("worst"),       N_("failures"),  N_("double hits"), N_("front")};
-    Table table = table_make(sizeof heads / sizeof *heads, 2);
-    for (size_t i = 0; i < sizeof heads / sizeof *heads; i++) {
-        table_cell(&table, "%s", gettext(heads[i]));
-    }
+    Table table = table_make(COUNT_OF(columns), 2);
+    table_heading(&table, columns);
     for (size_t i = 0; i < benchmark->count; i++) {
-        const MicrobenchmarkPoint *point = &benchmark->points[i];
-        table_cell(&table, "%s", point->result.method);
-        table_cell(&table, "%s", point->result.type);
-        table_number(&table, point->ns);
-        table_number(&table, point->ns_low);
-        table_number(&table, point->ns_high);
-        table_number(&table, point_error_p999(point));
-        table_number(&table, point->result.maximum);
-        table_number(&table, point->failure_fraction);
-        table_number(&table, point->result.outcome_fractions[OUTCOME_DOUBLE_HIT]);
-        table_cell(&table, "%s", is_on_pareto_front(layout, i) ? gettext("yes") : "");
+        double numbers[ROW_NUMBERS];
+        row_numbers(&benchmark->points[i], numbers);
+        table_cell(&table, "%s", benchmark->points[i].result.method);
+        table_cell(&table, "%s", benchmark->points[i].result.type);
+        for (size_t n = 0; n < ROW_NUMBERS; n++) {
+            table_number(&table, numbers[n]);
+        }
+        table_cell(&table, "%s", chart->is_pareto[i] ? gettext("yes") : "");
     }
-    fprintf(stream, "%s\n", gettext(layout->scatter.title));
+    fprintf(stream, "%s\n", gettext(chart->plot.title));
     table_print(&table, stream);
     fputc('\n', stream);
     table_deinit(&table);
 }
 
-/** Writes a row. @param is_pareto Whether it is of a front. */
-static void write_csv_row(Csv *csv, const MicrobenchmarkPoint *point, bool is_pareto) {
-    csv_text(csv, point->result.method);
-    csv_text(csv, point->result.type);
-    const double numbers[] = {point->result.level,
-                              point->ns,
-                              point->ns_low,
-                              point->ns_high,
-                              point_error_p999(point),
-                              point->result.maximum,
-                              point->failure_fraction,
-                              point->result.outcome_fractions[OUTCOME_DOUBLE_HIT],
-                              is_pareto};
-    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
-        csv_number(csv, numbers[i]);
-    }
-    csv_end_row(csv);
-}
-
-/**
- * Writes the table.
- * @param layout  With its fronts, its title and its file.
- * @return Whether it is there.
- */
-static bool microbenchmark_write_csv(const Microbenchmark *benchmark, const BenchmarkChart *layout,
+/** Writes the CSV. @return Whether it is written. */
+static bool microbenchmark_write_csv(const Microbenchmark *benchmark, const BenchmarkChart *chart,
                                      Error *error) {
-    static const char *const heads[] = {"method",   "type",        "stress",     "ns",
-                                        "ns_low",   "ns_high",     "error_p999", "error_max",
-                                        "failures", "double_hits", "front"};
+    static const char *const columns[] = {"method",   "type",        "stress",     "ns",
+                                          "ns_low",   "ns_high",     "error_p999", "error_max",
+                                          "failures", "double_hits", "front"};
     Csv csv;
-    char title[2 * HEADING_SIZE];
-    snprintf(title, sizeof title, "%s; %s", layout->scatter.title, layout->x_label);
-    if (!csv_begin(&csv, layout->scatter.csv, title, error)) {
+    char title[2 * LABEL_SIZE];
+    snprintf(title, sizeof title, "%s; %s", chart->plot.title, chart->x_label);
+    if (!csv_begin(&csv, chart->plot.csv, title, error)) {
         return false;
     }
-    for (size_t i = 0; i < sizeof heads / sizeof *heads; i++) {
-        csv_text(&csv, heads[i]);
-    }
-    csv_end_row(&csv);
+    csv_heading(&csv, columns, COUNT_OF(columns));
     for (size_t i = 0; i < benchmark->count; i++) {
-        write_csv_row(&csv, &benchmark->points[i], is_on_pareto_front(layout, i));
+        double numbers[ROW_NUMBERS + 1];
+        row_numbers(&benchmark->points[i], numbers);
+        numbers[ROW_NUMBERS] = chart->is_pareto[i];
+        csv_text(&csv, benchmark->points[i].result.method);
+        csv_text(&csv, benchmark->points[i].result.type);
+        csv_number(&csv, benchmark->points[i].result.level);
+        csv_numbers(&csv, numbers, COUNT_OF(numbers));
     }
     return csv_commit(&csv, error);
 }
@@ -232,13 +223,13 @@ bool microbenchmark_save(const Microbenchmark *benchmark, const Experiment *expe
         return error_set(error, STATUS_FAILED, "the folder's name is too long");
     }
     snprintf(svg, sizeof svg, "%.*s.svg", length - 4, csv);
-    BenchmarkChart layout;
-    benchmark_chart_init(&layout, benchmark, experiment, csv);
+    BenchmarkChart chart;
+    benchmark_chart_init(&chart, benchmark, experiment, csv);
     if (request->table_stream) {
-        microbenchmark_print(benchmark, &layout, request->table_stream);
+        microbenchmark_print(benchmark, &chart, request->table_stream);
     }
     *has_chart = gnuplot_is_available();
-    return microbenchmark_write_csv(benchmark, &layout, error) &&
-           (!*has_chart || layout.scatter.panel_count == 0 ||
-            scatter_draw(&layout.scatter, svg, request->stop, error));
+    return microbenchmark_write_csv(benchmark, &chart, error) &&
+           (!*has_chart || chart.plot.panel_count == 0 ||
+            plot_draw(&chart.plot, svg, request->stop, error));
 }

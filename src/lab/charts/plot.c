@@ -1,24 +1,56 @@
 /**
  * @file
- * @brief Charts, drawn by gnuplot.
+ * @brief Writes gnuplot scripts of charts.
  */
 #include "lab/charts/plot.h"
 
 #include "lab/charts/gnuplot.h"
+#include "lab/charts/plot_labels.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/** Pixels of a panel. */
-enum { PANEL_WIDTH = 470, PANEL_HEIGHT = 380 };
-/** Share of a panel's width that is left for the names of lines. */
-#define LABEL_WIDTH_FRACTION 0.30
-/** Least distance between two names, as a share of a panel's height. */
-#define LABEL_HEIGHT 0.055
+/** Pixels of a panel of lines. */
+enum { LINES_WIDTH = 470, LINES_HEIGHT = 380 };
+/** Pixels of the title above panels of lines. */
+enum { LINES_TITLE_HEIGHT = 40 };
+/** Fractions of the x axis that are left for the names of lines, and of the last point. */
+#define LINE_LABEL_WIDTH 0.30
+#define POINT_LABEL_WIDTH 0.22
 
-/** Numbers before which a panel has marks, within a power of ten. */
-static const double tick_mantissas[] = {1, 2, 5};
+/** How many styles there are. */
+enum { STYLE_COUNT = 8 };
+
+/** @return The colour of a style, dark enough for paper. */
+static const char *style_color(int style) {
+    static const char *const colors[STYLE_COUNT] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                                    "#E69F00", "#56B4E9", "#7F7F7F", "#000000"};
+    return colors[style % STYLE_COUNT];
+}
+
+/** @return The sign of a style, as gnuplot numbers them. */
+static int style_point_type(int style) {
+    static const int signs[STYLE_COUNT] = {7, 5, 9, 13, 4, 6, 8, 3};
+    return signs[style % STYLE_COUNT];
+}
+
+/** @return A text for single quotes in a script. */
+static const char *quoted(const char *text, char *buffer, size_t size) {
+    size_t at = 0;
+    for (; *text && at + 3 < size; text++) {
+        if (*text == '\'') {
+            buffer[at++] = '\'';
+        }
+        buffer[at++] = *text == '\n' ? ' ' : *text;
+    }
+    buffer[at] = '\0';
+    return buffer;
+}
+
+/* --- axes ----------------------------------------------------------------------------------------
+ */
 
 void plot_set_common_y_range(PlotPanel *panels, size_t count) {
     double low = INFINITY, high = 0;
@@ -34,7 +66,7 @@ void plot_set_common_y_range(PlotPanel *panels, size_t count) {
         }
     }
     if (high == 0) {
-        low = high = 1; // All of it is zero.
+        low = high = 1; // All values are zero.
     }
     for (size_t p = 0; p < count; p++) {
         panels[p].has_zero_floor = has_floor;
@@ -43,66 +75,8 @@ void plot_set_common_y_range(PlotPanel *panels, size_t count) {
     }
 }
 
-/** The name of a line, on its way to its place. */
-typedef struct SeriesLabel {
-    const PlotSeries *series; /**< The line. */
-    double height;            /**< Where, 0 at the bottom to 1 at the top. */
-} SeriesLabel;
-
-/** @return Order of two names from the bottom, for qsort. */
-static int compare_series_labels(const void *a, const void *b) {
-    double x = ((const SeriesLabel *)a)->height, y = ((const SeriesLabel *)b)->height;
-    return (x > y) - (x < y);
-}
-
-/** @return Where on a panel a value is, 0 at the bottom to 1 at the top. */
-static double relative_height(const PlotPanel *panel, double y) {
-    double low = log10(panel->y_low), high = log10(panel->y_high);
-    double at = (log10(fmin(fmax(y, panel->y_low), panel->y_high)) - low) / (high - low);
-    return fmin(fmax(at, 0), 1);
-}
-
-/** Moves names apart that would overlap: upwards from the bottom, then back from the top. */
-static void spread_series_labels(SeriesLabel *names, size_t count) {
-    qsort(names, count, sizeof *names, compare_series_labels);
-    if (count > 0) {
-        names[0].height = fmax(names[0].height, LABEL_HEIGHT / 2); // Not into the axis.
-    }
-    for (size_t i = 1; i < count; i++) {
-        names[i].height = fmax(names[i].height, names[i - 1].height + LABEL_HEIGHT);
-    }
-    double top = 1;
-    for (size_t i = count; i-- > 0; top = names[i].height - LABEL_HEIGHT) {
-        names[i].height = fmin(names[i].height, top);
-    }
-}
-
-/** Finds where the names of a panel's lines go. @return How many. */
-static size_t place_series_labels(const PlotPanel *panel, SeriesLabel names[PLOT_SERIES_MAXIMUM]) {
-    size_t count = 0;
-    for (size_t i = 0; i < panel->series_count; i++) {
-        const PlotSeries *line = &panel->series[i];
-        size_t last = line->count;
-        while (last > 0 && isnan(line->y[last - 1])) {
-            last--;
-        }
-        if (last > 0) {
-            names[count++] = (SeriesLabel){line, relative_height(panel, line->y[last - 1])};
-        }
-    }
-    spread_series_labels(names, count);
-    return count;
-}
-
-/** The ends of a panel's x. */
-typedef struct XRange {
-    double first;     /**< At the left. */
-    double last;      /**< Of the lines, where their names begin. */
-    double panel_end; /**< Of the panel, at the right. */
-} XRange;
-
-/** @return The ends of x. */
-static XRange find_x_range(const PlotPanel *panel) {
+/** @return The axes of a panel of lines. */
+static PlotAxes line_axes(const PlotPanel *panel) {
     double low = INFINITY, high = 0;
     for (size_t i = 0; i < panel->series_count; i++) {
         for (size_t n = 0; n < panel->series[i].count; n++) {
@@ -110,40 +84,53 @@ static XRange find_x_range(const PlotPanel *panel) {
             high = fmax(high, panel->series[i].x[n]);
         }
     }
-    XRange ends = panel->is_x_reversed ? (XRange){high, low, 0} : (XRange){low, high, 0};
-    double stretch = LABEL_WIDTH_FRACTION / (1 - LABEL_WIDTH_FRACTION);
-    ends.panel_end = ends.last * pow(ends.last / ends.first, stretch);
-    return ends;
+    PlotAxes axes = {.x_first = panel->is_x_reversed ? high : low,
+                     .x_last = panel->is_x_reversed ? low : high,
+                     .y_low = panel->y_low,
+                     .y_high = panel->y_high,
+                     .has_zero_floor = panel->has_zero_floor};
+    double range = axes.x_last / axes.x_first;
+    axes.x_left = axes.x_first * pow(axes.x_first / axes.x_last, 0.03);
+    axes.x_right = axes.x_last * pow(range, LINE_LABEL_WIDTH / (1 - LINE_LABEL_WIDTH));
+    return axes;
 }
 
-/** Writes the names of a panel's lines. @param ends The ends of its x. */
-static void write_series_labels(const PlotPanel *panel, const XRange *ends, FILE *script) {
-    SeriesLabel names[PLOT_SERIES_MAXIMUM];
-    size_t count = place_series_labels(panel, names);
-    double x = ends->last * pow(ends->last / ends->first, 0.03);
-    fputs("unset label\n", script);
-    for (size_t i = 0; i < count; i++) {
-        char text[128];
-        double low = log10(panel->y_low), high = log10(panel->y_high);
-        fprintf(script, "set label %zu '%s' at %g, %g left noenhanced textcolor rgb '%s'\n", i + 1,
-                gnuplot_quote(names[i].series->label, text, sizeof text), x,
-                pow(10, low + names[i].height * (high - low)),
-                gnuplot_color(names[i].series->style));
+/** @return The axes of a panel of points. @param panel With at least one point. */
+static PlotAxes point_axes(const PlotPanel *panel) {
+    PlotAxes axes = {.x_first = INFINITY, .y_low = INFINITY};
+    for (size_t i = 0; i < panel->point_count; i++) {
+        const PlotPoint *point = &panel->points[i];
+        axes.x_first = fmin(axes.x_first, point->x);
+        axes.x_last = fmax(axes.x_last, point->x);
+        axes.has_zero_floor = axes.has_zero_floor || point->y == 0;
+        axes.y_low = point->y > 0 ? fmin(axes.y_low, point->y) : axes.y_low;
+        axes.y_high = fmax(axes.y_high, point->y);
     }
+    if (axes.y_high == 0) {
+        axes.y_low = axes.y_high = 1; // All values are zero.
+    }
+    double decades = fmax(log10(axes.x_last / axes.x_first), 0.3);
+    axes.x_right = axes.x_first * pow(10, decades / (1 - POINT_LABEL_WIDTH));
+    axes.x_left = axes.x_first / pow(10, 0.05 * decades);
+    axes.y_low = pow(10, floor(log10(axes.y_low)) - axes.has_zero_floor);
+    // The key needs room above all points, but no fraction exceeds 1.
+    axes.y_high = pow(10, floor(log10(axes.y_high)) + 2);
+    axes.y_high = panel->is_fraction ? fmin(axes.y_high, 1) : axes.y_high;
+    return axes;
 }
 
-/** Writes the marks of a panel's x: powers of ten, or 1, 2, 5 where it is short; none under the
- *  names of lines. */
-static void write_x_ticks(const XRange *ends, FILE *script) {
-    double low = fmin(ends->first, ends->last), high = fmax(ends->first, ends->last);
-    double wide = log10(high / low);
-    int step = wide > 7 ? 2 : 1;
-    size_t count = wide > 2.5 ? 1 : sizeof tick_mantissas / sizeof *tick_mantissas;
-    fprintf(script, "set format x '%s'\nset xtics (", count == 1 ? "10^{%L}" : "%g");
+/**
+ * Writes the ticks of an x axis from low to high.
+ * @param has_mantissas  Whether 2 and 5 have ticks besides powers of ten.
+ * @param step           Powers of ten from a tick to the next.
+ */
+static void write_x_ticks(double low, double high, bool has_mantissas, int step, FILE *script) {
+    static const double mantissas[] = {1, 2, 5};
     const char *comma = "";
+    fprintf(script, "set format x '%s'\nset xtics (", has_mantissas ? "%g" : "10^{%L}");
     for (int power = (int)floor(log10(low)); power <= log10(high); power += step) {
-        for (size_t i = 0; i < count; i++) {
-            double at = pow(10, power) * tick_mantissas[i];
+        for (size_t i = 0; i < (has_mantissas ? sizeof mantissas / sizeof *mantissas : 1); i++) {
+            double at = pow(10, power) * mantissas[i];
             if (at >= low * 0.999 && at <= high * 1.001) {
                 fprintf(script, "%s%.10g", comma, at);
                 comma = ", ";
@@ -153,65 +140,218 @@ static void write_x_ticks(const XRange *ends, FILE *script) {
     fputs(")\n", script);
 }
 
-/** Writes the axes of a panel. @param ends The ends of its x. */
-static void write_axes(const PlotPanel *panel, const XRange *ends, FILE *script) {
-    char text[256];
-    fprintf(script, "set title '%s' noenhanced\n", gnuplot_quote(panel->title, text, sizeof text));
-    fprintf(script, "set xlabel '%s' noenhanced\n",
-            gnuplot_quote(panel->x_label, text, sizeof text));
-    fprintf(script, "set ylabel '%s' noenhanced\n",
-            gnuplot_quote(panel->y_label, text, sizeof text));
-    double left = ends->first * pow(ends->first / ends->last, 0.03);
-    fprintf(script, "set xrange [%g:%g]\nset yrange [%g:%g]\n", left, ends->panel_end, panel->y_low,
-            panel->y_high);
-    double decades = log10(panel->y_high / panel->y_low);
-    fprintf(script, "set ytics %g\n", pow(10, fmax(1, ceil(decades / 9))));
-    fprintf(script, panel->has_zero_floor ? "set ytics add ('0' %g)\n" : "# %g\n", panel->y_low);
-    write_x_ticks(ends, script);
+/** Writes what the axes of all panels have. @param y_ticks Most ticks of y. */
+static void write_ranges(const PlotAxes *axes, double y_ticks, FILE *script) {
+    fprintf(script, "set xrange [%g:%g]\nset yrange [%g:%g]\n", axes->x_left, axes->x_right,
+            axes->y_low, axes->y_high);
+    double decades = log10(axes->y_high / axes->y_low);
+    fprintf(script, "set ytics %g\n", pow(10, fmax(1, ceil(decades / y_ticks))));
+    fprintf(script, axes->has_zero_floor ? "set ytics add ('0' %g)\n" : "# %g\n", axes->y_low);
 }
 
-/** Writes a panel's lines. */
-static void write_lines(const PlotPanel *panel, FILE *script) {
+/** Writes the titles of a panel. @param title_font, y_font Options of gnuplot. */
+static void write_titles(const PlotPanel *panel, const char *title_font, const char *y_font,
+                         FILE *script) {
+    char text[512];
+    fprintf(script, "set title '%s' noenhanced%s\n", quoted(panel->title, text, sizeof text),
+            title_font);
+    fprintf(script, "set xlabel '%s' noenhanced\n", quoted(panel->x_label, text, sizeof text));
+    fprintf(script, "set ylabel '%s' noenhanced%s\n", quoted(panel->y_label, text, sizeof text),
+            y_font);
+}
+
+/* --- series --------------------------------------------------------------------------------------
+ */
+
+/** Writes the conditions that select a series' rows. */
+static void write_row_condition(const PlotSeries *series, FILE *script) {
+    const char *conjunction = "";
+    for (size_t i = 0; i < sizeof series->keys / sizeof *series->keys; i++) {
+        char value[128];
+        if (series->keys[i].value) {
+            fprintf(script, "%sstrcol(%d) eq '%s'", conjunction, series->keys[i].column,
+                    quoted(series->keys[i].value, value, sizeof value));
+            conjunction = " && ";
+        }
+    }
+}
+
+/** Writes the series of a panel. */
+static void write_series(const Plot *plot, const PlotPanel *panel, const PlotAxes *axes,
+                         FILE *script) {
+    bool is_lines = plot->kind == PLOT_LINES;
     fputs("plot ", script);
     for (size_t i = 0; i < panel->series_count; i++) {
-        const PlotSeries *line = &panel->series[i];
-        char first[128], second[128];
-        fprintf(script,
-                "%sARG1 using %d:(strcol(1) eq '%s' && strcol(2) eq '%s' ? shown(column(%d), %g) "
-                ": NaN) with linespoints lc rgb '%s' pt %d ps 0.7 lw 2",
-                i ? ", \\\n  " : "", panel->x_column,
-                gnuplot_quote(line->row_keys[0], first, sizeof first),
-                gnuplot_quote(line->row_keys[1], second, sizeof second), line->y_column,
-                panel->y_low, gnuplot_color(line->style), gnuplot_point_type(line->style));
+        const PlotSeries *series = &panel->series[i];
+        char label[128];
+        fprintf(script, "%sARG1 using %d:(", i ? ", \\\n  " : "", panel->x_columns[0]);
+        write_row_condition(series, script);
+        fprintf(script, " ? shown(column(%d), %g) : NaN)", series->y_column, axes->y_low);
+        if (!is_lines) {
+            fprintf(script, ":%d:%d", panel->x_columns[1], panel->x_columns[2]);
+        }
+        fprintf(script, " with %s lc rgb '%s' pt %d %s", is_lines ? "linespoints" : "xerrorbars",
+                style_color(series->style), style_point_type(series->style),
+                is_lines ? "ps 0.7 lw 2" : "ps 0.9 lw 1.5");
+        if (!is_lines) {
+            fprintf(script, " title '%s'", quoted(series->label, label, sizeof label));
+        }
     }
     fputc('\n', script);
 }
 
-/** Writes the script of a chart. See #GnuplotJob.write_script. */
-static void write_script(const void *chart, FILE *script) {
-    const Plot *plot = chart;
+/** Writes the names of a panel's lines. */
+static void write_line_labels(const PlotPanel *panel, const PlotAxes *axes, FILE *script) {
+    LineLabel labels[PLOT_SERIES_MAXIMUM];
+    size_t count = plot_line_labels(panel, axes, labels);
+    double x = axes->x_last * pow(axes->x_last / axes->x_first, 0.03);
+    double low = log10(axes->y_low), high = log10(axes->y_high);
+    fputs("unset label\n", script);
+    for (size_t i = 0; i < count; i++) {
+        char text[128];
+        fprintf(script, "set label %zu '%s' at %g, %g left noenhanced textcolor rgb '%s'\n", i + 1,
+                quoted(labels[i].series->label, text, sizeof text), x,
+                pow(10, low + labels[i].height * (high - low)),
+                style_color(labels[i].series->style));
+    }
+}
+
+/** @return A point's name as enhanced text for single quotes, bold on the Pareto front. */
+static const char *point_label_text(const PlotPoint *point, char *text, size_t size) {
+    char escaped[64] = "";
+    size_t at = 0;
+    for (const char *c = point->label; *c && at + 3 < sizeof escaped; c++) {
+        if (strchr("^_{}@&~\\", *c)) {
+            escaped[at++] = '\\';
+        }
+        escaped[at++] = *c;
+    }
+    char styled[80];
+    snprintf(styled, sizeof styled, point->is_pareto ? "{/:Bold %s}" : "%s", escaped);
+    return quoted(styled, text, size);
+}
+
+/** Writes the names of a panel's points, and lines to those that stand elsewhere. */
+static void write_point_labels(const PlotPanel *panel, const PlotAxes *axes, FILE *script) {
+    LabelBox labels[PLOT_POINTS_MAXIMUM];
+    const double wide = POINTS_INNER_WIDTH, high = POINTS_INNER_HEIGHT;
+    plot_point_labels(panel, axes, labels);
+    for (size_t i = 0; i < panel->point_count; i++) {
+        const PlotPoint *point = &panel->points[i];
+        LabelBox at = plot_point_position(point, axes);
+        double middle = (labels[i].bottom + labels[i].top) / 2;
+        char text[128];
+        if (plot_label_is_displaced(&at, &labels[i])) {
+            fprintf(script,
+                    "set arrow from graph %g,%g to graph %g,%g nohead lc rgb '#aaaaaa' lw 0.7\n",
+                    at.left / wide, at.top / high, (labels[i].left - 1) / wide, middle / high);
+        }
+        fprintf(script, "set label '%s' at graph %g,%g left font ',12' textcolor rgb '%s'\n",
+                point_label_text(point, text, sizeof text), labels[i].left / wide, middle / high,
+                style_color(point->style));
+    }
+}
+
+/** @return Order of two points from the left, for qsort. */
+static int compare_points(const void *a, const void *b) {
+    double x = ((const PlotPoint *)a)->x, y = ((const PlotPoint *)b)->x;
+    return (x > y) - (x < y);
+}
+
+/** Writes the line that joins the Pareto front. */
+static void write_pareto_front(const PlotPanel *panel, const PlotAxes *axes, FILE *script) {
+    PlotPoint front[PLOT_POINTS_MAXIMUM];
+    size_t count = 0;
+    for (size_t i = 0; i < panel->point_count; i++) {
+        if (panel->points[i].is_pareto) {
+            front[count++] = panel->points[i];
+        }
+    }
+    qsort(front, count, sizeof *front, compare_points);
+    for (size_t i = 1; i < count; i++) {
+        fprintf(script,
+                "set arrow from %.10g,%.10g to %.10g,%.10g nohead back lc rgb '#cccccc' lw 5\n",
+                front[i - 1].x, fmax(front[i - 1].y, axes->y_low), front[i].x,
+                fmax(front[i].y, axes->y_low));
+    }
+}
+
+/* --- panels --------------------------------------------------------------------------------------
+ */
+
+/** Writes a panel of lines. */
+static void write_line_panel(const Plot *plot, size_t index, FILE *script) {
+    const PlotPanel *panel = &plot->panels[index];
+    PlotAxes axes = line_axes(panel);
+    double low = fmin(axes.x_first, axes.x_last), high = fmax(axes.x_first, axes.x_last);
+    double decades = log10(high / low);
+    write_titles(panel, "", "", script);
+    write_ranges(&axes, 9, script);
+    write_x_ticks(low, high, decades <= 2.5, decades > 7 ? 2 : 1, script); // None under the names.
+    write_line_labels(panel, &axes, script);
+    write_series(plot, panel, &axes, script);
+}
+
+/** Writes a panel of points. */
+static void write_point_panel(const Plot *plot, size_t index, FILE *script) {
+    const PlotPanel *panel = &plot->panels[index];
+    PlotAxes axes = point_axes(panel);
+    double wide = POINTS_WIDTH * (double)plot->panel_count, left = POINTS_WIDTH * (double)index;
+    fputs("unset label\nunset arrow\n", script);
+    write_titles(panel, " font ',13'", " font ',12' offset 1", script);
+    fprintf(script,
+            "set lmargin at screen %g\nset rmargin at screen %g\nset bmargin at screen %g\n"
+            "set tmargin at screen %g\n",
+            (left + POINTS_LEFT) / wide, (left + POINTS_WIDTH - POINTS_RIGHT) / wide,
+            (double)POINTS_BOTTOM / POINTS_HEIGHT, 1 - (double)POINTS_TOP / POINTS_HEIGHT);
+    write_ranges(&axes, 10, script);
+    fprintf(script, "set key %s right font ',12' samplen 1\n",
+            panel->is_fraction ? "center" : "top");
+    write_x_ticks(axes.x_left, axes.x_right, true, 1, script);
+    write_pareto_front(panel, &axes, script);
+    write_point_labels(panel, &axes, script);
+    write_series(plot, panel, &axes, script);
+}
+
+/** Writes a script. */
+static void write_script(const Plot *plot, FILE *script) {
     size_t rows = (plot->panel_count + plot->columns - 1) / plot->columns;
-    char text[256];
-    fprintf(
-        script,
-        "set terminal svg size %zu,%zu font 'sans-serif,14' background 'white'\n"
-        "set output ARG2\nset datafile separator ','\nset datafile commentschars '#'\n"
-        "set datafile missing NaN\nset border 3 lw 1.2\nset tics nomirror out\n"
-        "set grid lc rgb '#dddddd' lw 1 dt 1\nunset key\nset logscale xy 10\n"
-        "set format y '10^{%%L}'\nunset mxtics\nunset mytics\nshown(y, low) = y < low ? low : y\n"
-        "set multiplot layout %zu,%zu title '%s' noenhanced font ',16'\n",
-        plot->columns * PANEL_WIDTH, rows * PANEL_HEIGHT + 40, rows, plot->columns,
-        gnuplot_quote(plot->title, text, sizeof text));
+    bool is_lines = plot->kind == PLOT_LINES;
+    char title[256];
+    quoted(plot->title, title, sizeof title);
+    fprintf(script, "set terminal svg size %zu,%zu font 'sans-serif,14' background 'white'\n",
+            plot->columns * (is_lines ? LINES_WIDTH : POINTS_WIDTH),
+            is_lines ? rows * LINES_HEIGHT + LINES_TITLE_HEIGHT : rows * POINTS_HEIGHT);
+    fprintf(script,
+            "set output ARG2\nset datafile separator ','\nset datafile commentschars '#'\n"
+            "%sset border 3 lw 1.2\nset tics nomirror out\nset grid lc rgb '#dddddd' lw 1 dt 1\n"
+            "%sset logscale xy 10\nset format y '10^{%%L}'\nunset mxtics\nunset mytics\n"
+            "%sshown(y, low) = y < low ? low : y\n",
+            is_lines ? "set datafile missing NaN\n" : "", is_lines ? "unset key\n" : "",
+            is_lines ? "" : "set errorbars small\n");
+    if (is_lines) {
+        fprintf(script, "set multiplot layout %zu,%zu title '%s' noenhanced font ',16'\n", rows,
+                plot->columns, title);
+    } else {
+        fprintf(script, "set multiplot title '%s' noenhanced font ',14'\n", title);
+    }
     for (size_t i = 0; i < plot->panel_count; i++) {
-        const PlotPanel *panel = &plot->panels[i];
-        XRange ends = find_x_range(panel);
-        write_axes(panel, &ends, script);
-        write_series_labels(panel, &ends, script);
-        write_lines(panel, script);
+        (is_lines ? write_line_panel : write_point_panel)(plot, i, script);
     }
     fputs("unset multiplot\n", script);
 }
 
 bool plot_draw(const Plot *plot, const char *path, const atomic_bool *stop, Error *error) {
-    return gnuplot_draw(&(GnuplotJob){plot, write_script, plot->csv}, path, stop, error);
+    char *text = NULL;
+    size_t size = 0;
+    FILE *stream = open_memstream(&text, &size);
+    if (!stream) {
+        return error_set(error, STATUS_FAILED, "no memory for a chart");
+    }
+    write_script(plot, stream);
+    bool is_drawn = fclose(stream) == 0
+                        ? gnuplot_run(&(GnuplotScript){text, size, plot->csv}, path, stop, error)
+                        : error_set(error, STATUS_FAILED, "no memory for a chart");
+    free(text);
+    return is_drawn;
 }

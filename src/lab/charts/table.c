@@ -1,11 +1,12 @@
 /**
  * @file
- * @brief Tables for people.
+ * @brief Tables on the terminal.
  */
 #include "lab/charts/table.h"
 
 #include "base/language.h"
 
+#include <libintl.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -15,7 +16,7 @@ Table table_make(size_t columns, size_t words) {
     return (Table){.columns = columns, .text_columns = words};
 }
 
-/** Makes room for a cell. @return Whether there is some. */
+/** Makes room for a cell. @return false without memory. */
 static bool make_room(Table *table) {
     if (table->count < table->capacity) {
         return true;
@@ -46,7 +47,13 @@ void table_number(Table *table, double number) {
     }
 }
 
-/** @return The width that a column needs. */
+void table_heading(Table *table, const char *const *columns) {
+    for (size_t i = 0; i < table->columns; i++) {
+        table_cell(table, "%s", columns[i][0] ? gettext(columns[i]) : "");
+    }
+}
+
+/** @return The width of a column, characters. */
 static int column_width(const Table *table, size_t column) {
     int width = 0;
     for (size_t i = column; i < table->count; i += table->columns) {

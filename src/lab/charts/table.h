@@ -1,7 +1,6 @@
 /**
  * @file
- * @brief Tables for people: columns of the width that they need, words to the left, numbers to the
- *        right.
+ * @brief Tables on the terminal: text is aligned left, numbers right.
  */
 #ifndef DIOPTRE_LAB_CHARTS_TABLE_H
 #define DIOPTRE_LAB_CHARTS_TABLE_H
@@ -17,28 +16,30 @@ enum { TABLE_CELL_SIZE = 48 };
 typedef struct Table {
     char (*cells)[TABLE_CELL_SIZE]; /**< Row by row, the heading first; owned. */
     size_t columns;                 /**< How many columns. */
-    size_t text_columns;            /**< How many of them, the first ones, hold words. */
+    size_t text_columns;            /**< How many of them, the first ones, hold text. */
     size_t count;                   /**< Cells so far. */
-    size_t capacity;                /**< Cells that there is room for. */
+    size_t capacity;                /**< Cells that fit in. */
 } Table;
 
 /**
- * @return A table without cells, to be given back with #table_deinit.
- * @param words  How many of them, the first ones, hold words.
+ * @return A table without cells, to be released with #table_deinit.
+ * @param words  How many columns, the first ones, hold text.
  */
 Table table_make(size_t columns, size_t words);
 
-/** Adds a cell. @param[in,out] table The table; without memory the cell is left out.
- *  @param format Its text, as for printf. */
+/** Adds a cell, unless memory is short. @param format Its text, as for printf. */
 void table_cell(Table *table, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/** Adds a number with three digits. @param number It; NaN: a dash. */
+/** Adds a number with three digits; NaN: a dash. */
 void table_number(Table *table, double number);
+
+/** Adds a row of column names, translated; an empty name stays empty. */
+void table_heading(Table *table, const char *const *columns);
 
 /** Prints a table. */
 void table_print(const Table *table, FILE *stream);
 
-/** Gives the cells back. */
+/** Releases the cells. */
 void table_deinit(Table *table);
 
 #endif

@@ -1,21 +1,21 @@
 /**
  * @file
- * @brief An experiment on mirrors: how far off is a ray's direction after many of them?
+ * @brief An experiment on reflections: the error of a direction after many of them.
  */
 #include "base/language.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/sample_writer.h"
 
-/** Mirrorings. */
+/** Numbers of reflections. */
 static const double bounce_counts[] = {1, 2, 3, 4, 5, 6, 8, 10, 12};
 
-/** Corners of a tetrahedron, and the radius of the balls there. */
+/** Centres of the spheres: the corners of a tetrahedron. */
 static const Vec3q sphere_centers[4] = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
-/** Radius of the balls: they nearly touch, so that rays stay between them for long. */
+/** Radius of the spheres: they nearly touch, so that rays stay between them. */
 #define SPHERE_RADIUS 1.3
 
-/** Poses a ray between the balls. See #Experiment.generate. The truth is what the methods say in
- *  quad, whose own error is that much smaller. @param[in,out] random Where it comes from. */
+/** Generates a ray between the spheres, see #Experiment.generate. The truth is what the methods say
+ * in quad, whose own error is that much smaller. */
 static void generate_bounces(const ExperimentSetup *setup, Random *random,
                              ExperimentSample *sample) {
     SampleWriter writer = {setup->type, sample->inputs};
@@ -34,11 +34,11 @@ static void generate_bounces(const ExperimentSetup *setup, Random *random,
     (*widest)->evaluate(family, family->methods, 1, sample->inputs, sample->expected);
 }
 
-/** Judges a direction. See #Experiment.score_sample. */
+/** Scores a direction, see #Experiment.score_sample. */
 static void score_direction(const ExperimentSample *sample, const Quadruple *outputs,
                             ScoreStats *score) {
     Vec3q truth = vec3q_from_array(sample->expected), found = vec3q_from_array(outputs);
-    // Rays that get out between the balls are no cases.
+    // Rays that leave the spheres are no samples.
     if (quad_is_number(truth.x) && quad_is_number(found.x)) {
         Vec3q difference = vec3q_subtract(vec3q_normalize(found), vec3q_normalize(truth));
         score_error(score, vec3q_length(difference));

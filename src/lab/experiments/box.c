@@ -18,11 +18,8 @@ static const Vec3q box_low = {-1, -2, -1};
 /** Its highest; a flat one is 0 high. */
 static const Vec3q box_high = {1, 2, 3};
 
-/**
- * @return A part of a direction: a fraction of so few bits that rays are exact in float, even if
- *         its quotients are not. One in five is zero.
- * @param[in,out] random  Where it comes from.
- */
+/** @return A part of a direction: a fraction of so few bits that rays are exact in float, even if
+ * its quotients are not. One in five is zero. */
 static Quadruple random_direction_component(Random *random, double count) {
     uint64_t steps = (uint64_t)1 << (int)count;
     bool is_zero = random_bits(random) % 5 == 0;
@@ -30,18 +27,15 @@ static Quadruple random_direction_component(Random *random, double count) {
     return is_zero ? 0 : number / (Quadruple)steps;
 }
 
-/**
- * @return A place along one axis: an end of it, or sometimes somewhere between, in eighths.
- * @param[in,out] random  Where it comes from.
- */
+/** @return A place along one axis: an end of it, or sometimes somewhere between, in eighths. */
 static Quadruple random_box_coordinate(Random *random, Quadruple low, Quadruple high) {
     uint64_t where = random_bits(random) % 5;
     Quadruple between = low + (high - low) * (Quadruple)(random_bits(random) % 9) / 8;
     return where == 0 ? between : where % 2 ? low : high;
 }
 
-/** Poses a ray that runs exactly through a point of a box's surface. See #Experiment.generate.
- *  @param[in,out] random Where it comes from. */
+/** Generates a ray that runs exactly through a point of a box's surface, see #Experiment.generate.
+ */
 static void generate_through_point(const ExperimentSetup *setup, Random *random, Vec3q high,
                                    ExperimentSample *sample) {
     Vec3q point = {random_box_coordinate(random, box_low.x, high.x),
@@ -61,19 +55,17 @@ static void generate_through_point(const ExperimentSetup *setup, Random *random,
     sample_writer_vec3(&writer, high);
 }
 
-/** Poses a ray that touches a box. See #Experiment.generate. @param[in,out] random Where it comes
- *  from. */
+/** Generates a ray that touches a box, see #Experiment.generate. */
 static void generate_touch(const ExperimentSetup *setup, Random *random, ExperimentSample *sample) {
     generate_through_point(setup, random, box_high, sample);
 }
 
-/** Poses a ray that touches a flat box. See #Experiment.generate. @param[in,out] random Where it
- *  comes from. */
+/** Generates a ray that touches a flat box, see #Experiment.generate. */
 static void generate_flat(const ExperimentSetup *setup, Random *random, ExperimentSample *sample) {
     generate_through_point(setup, random, (Vec3q){box_high.x, box_low.y, box_high.z}, sample);
 }
 
-/** Judges whether a ray met what it touches. See #Experiment.score_sample. */
+/** Scores whether a ray met what it touches, see #Experiment.score_sample. */
 static void score_touch(const ExperimentSample *sample, const Quadruple *outputs,
                         ScoreStats *score) {
     (void)sample;
@@ -88,7 +80,7 @@ static Scene *box_scene(Vec3q low, Vec3q high, Error *error) {
     return scene_fixture_with_shape("box", values, error);
 }
 
-/** @return The box. See #Experiment.create_scene. */
+/** @return The box, see #Experiment.create_scene. */
 static Scene *scene_touch(const ExperimentSetup *setup, Error *error) {
     (void)setup;
     return box_scene(box_low, box_high, error);
@@ -127,17 +119,9 @@ const Experiment box_flat_experiment = {
 /** Edges of the cube. */
 static const double origin_distances[] = {1, 10, 1e2, 1e3, 1e4};
 
-/** @return The lowest corner of a cube of edge 1: at whole coordinates, so that it is one.
- *  @param level How far from the origin. */
-static Vec3q cube_corner(double level) {
-    Vec3q position = far_point(level);
-    return (Vec3q){(int)position.x, (int)position.y, (int)position.z};
-}
-
-/** Poses a ray from inside a cube to one of its edges. See #Experiment.generate. @param[in,out]
- *  random Where it comes from. */
+/** Generates a ray from inside a cube to one of its edges, see #Experiment.generate. */
 static void generate_edge(const ExperimentSetup *setup, Random *random, ExperimentSample *sample) {
-    Vec3q corner = cube_corner(setup->level);
+    Vec3q corner = far_whole_point(setup->level);
     Quadruple ends[2] = {(Quadruple)(random_bits(random) % 2),
                          (Quadruple)(random_bits(random) % 2)};
     Quadruple along = random_unit(random);
@@ -155,9 +139,9 @@ static void generate_edge(const ExperimentSetup *setup, Random *random, Experime
     sample_writer_vec3(&writer, vec3q_add(corner, (Vec3q){1, 1, 1}));
 }
 
-/** @return The cube. See #Experiment.create_scene. */
+/** @return The cube, see #Experiment.create_scene. */
 static Scene *scene_edge(const ExperimentSetup *setup, Error *error) {
-    Vec3q corner = cube_corner(setup->level);
+    Vec3q corner = far_whole_point(setup->level);
     return box_scene(corner, vec3q_add(corner, (Vec3q){1, 1, 1}), error);
 }
 

@@ -25,8 +25,7 @@ static Quadruple cylinder_wall_expected(Vec3q o, Vec3q d) {
     return near > 0 ? near : far > 0 ? far : QUAD_NO_HIT;
 }
 
-/** Poses a wall far away, that rays cross at up to 45 degrees. See #Experiment.generate.
- *  @param[in,out] random Where it comes from. */
+/** Generates a wall far away, that rays cross at up to 45 degrees, see #Experiment.generate. */
 static void generate_wall(const ExperimentSetup *setup, Random *random, ExperimentSample *sample) {
     SampleWriter writer = {setup->type, sample->inputs};
     Vec3q around = random_direction(random);
@@ -42,7 +41,7 @@ static void generate_wall(const ExperimentSetup *setup, Random *random, Experime
     sample->expected[0] = cylinder_wall_expected(origin, direction);
 }
 
-/** @return A pipe that is longer than rays go up or down. See #Experiment.create_scene. */
+/** @return A pipe that is longer than rays go up or down, see #Experiment.create_scene. */
 static Scene *scene_wall(const ExperimentSetup *setup, Error *error) {
     double half_length = 4 * setup->level;
     FixtureValue values[] = {{"base", {0, -half_length, 0}},
@@ -77,18 +76,10 @@ static const double origin_distances[] = {1, 10, 1e2, 1e3, 1e4};
 /** Height of the cylinder, radii: a place that float holds plus this is one that it holds, too. */
 enum { HEIGHT = 2 };
 
-/** @return The foot of the cylinder: at whole coordinates, so that its top is exact.
- *  @param level Radii from the origin. */
-static Vec3q cylinder_base(double level) {
-    Vec3q position = far_point(level);
-    return (Vec3q){(int)position.x, (int)position.y, (int)position.z};
-}
-
-/** Poses a ray from inside to the rim. See #Experiment.generate. @param[in,out] random Where it
- *  comes from. */
+/** Generates a ray from inside to the rim, see #Experiment.generate. */
 static void generate_rim(const ExperimentSetup *setup, Random *random, ExperimentSample *sample) {
     SampleWriter writer = {setup->type, sample->inputs};
-    Vec3q base = cylinder_base(setup->level), up = {0, 1, 0};
+    Vec3q base = far_whole_point(setup->level), up = {0, 1, 0};
     Vec3q inside = random_in_disc(random, up, 0.7);
     inside.y = random_range(random, 0.3, HEIGHT - 0.3);
     Vec3q origin = sample_writer_vec3(&writer, vec3q_add(base, inside));
@@ -101,9 +92,9 @@ static void generate_rim(const ExperimentSetup *setup, Random *random, Experimen
     sample_writer_number(&writer, HEIGHT);
 }
 
-/** @return The closed cylinder. See #Experiment.create_scene. */
+/** @return The closed cylinder, see #Experiment.create_scene. */
 static Scene *scene_rim(const ExperimentSetup *setup, Error *error) {
-    Vec3q base = cylinder_base(setup->level);
+    Vec3q base = far_whole_point(setup->level);
     FixtureValue values[] = {
         {.name = "base"}, {.name = "top"}, {"radius", {1}}, {"capped", {1}}, {0}};
     vec3q_to_doubles(base, values[0].components);

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief An experiment on balls in all cells of space: which ball is met first?
+ * @brief An experiment on spheres in all cells of space: which one is hit first?
  */
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/sample_writer.h"
@@ -35,8 +35,7 @@ static Quadruple sphere_grid_expected(Vec3d o, Vec3d d, double spread) {
     return nearest <= SPHERE_GRID_REACH ? nearest : QUAD_NO_HIT;
 }
 
-/** Poses a ray from a corner between cells. See #Experiment.generate. @param[in,out] random Where
- *  it comes from. */
+/** Generates a ray from a corner between cells, see #Experiment.generate. */
 static void generate_sphere_grid(const ExperimentSetup *setup, Random *random,
                                  ExperimentSample *sample) {
     SampleWriter writer = {setup->type, sample->inputs};
@@ -48,7 +47,7 @@ static void generate_sphere_grid(const ExperimentSetup *setup, Random *random,
                              (Vec3d){(double)d.x, (double)d.y, (double)d.z}, setup->level);
 }
 
-/** Judges where a ray stopped. See #Experiment.score_sample. */
+/** Scores where a ray stopped, see #Experiment.score_sample. */
 static void score_sphere_grid(const ExperimentSample *sample, const Quadruple *outputs,
                               ScoreStats *score) {
     Quadruple truth = sample->expected[0];

@@ -7,11 +7,11 @@
 
 #include "lab/experiment.h"
 
-extern const Experiment sphere_distance_experiment;   /**< Spheres far from the eye. */
+extern const Experiment sphere_distance_experiment;   /**< Spheres far from the viewpoint. */
 extern const Experiment sphere_offset_experiment;     /**< Spheres far from the origin. */
 extern const Experiment sphere_scale_experiment;      /**< Spheres small and large. */
 extern const Experiment sphere_ground_experiment;     /**< Spheres that one stands on. */
-extern const Experiment cylinder_distance_experiment; /**< A pipe far from the eye. */
+extern const Experiment cylinder_distance_experiment; /**< A pipe far from the viewpoint. */
 extern const Experiment cylinder_rim_experiment;      /**< The rim of a closed cylinder. */
 extern const Experiment plane_angle_experiment;       /**< Grazing rays. */
 extern const Experiment plane_point_experiment;       /**< A plane given by a point far away. */

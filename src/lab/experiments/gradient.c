@@ -1,15 +1,15 @@
 /**
  * @file
- * @brief An experiment on the normals of distance fields: how far apart should the field be asked?
+ * @brief An experiment on the normals of distance fields: which step is best for differences?
  */
 #include "base/language.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/sample_writer.h"
 
-/** Radii of the ball. */
+/** Steps, in radii of the sphere. */
 static const double step_lengths[] = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10};
 
-/** Poses a point of a ball. See #Experiment.generate. @param[in,out] random Where it comes from. */
+/** Generates a point of a sphere, see #Experiment.generate. */
 static void generate_normal(const ExperimentSetup *setup, Random *random,
                             ExperimentSample *sample) {
     SampleWriter writer = {setup->type, sample->inputs};
@@ -23,8 +23,8 @@ static void generate_normal(const ExperimentSetup *setup, Random *random,
     sample->expected[2] = normal.z;
 }
 
-/** Judges a direction: the sine of the angle to the true one, or 2 minus it beyond a right angle.
- *  See #Experiment.score_sample. */
+/** Scores a direction: the sine of the angle to the true one, or 2 minus it beyond a right angle,
+ * see #Experiment.score_sample. */
 static void score_normal(const ExperimentSample *sample, const Quadruple *outputs,
                          ScoreStats *score) {
     Vec3q truth = vec3q_from_array(sample->expected), found = vec3q_from_array(outputs);
@@ -37,15 +37,15 @@ static void score_normal(const ExperimentSample *sample, const Quadruple *output
     }
 }
 
-/** @return The ball as a field. See #Experiment.create_scene. */
+/** @return The sphere as a distance field, see #Experiment.create_scene. */
 static Scene *normal_scene(const ExperimentSetup *setup, Error *error) {
     const FixtureValue values[] = {{"radius", {1}}, {0}};
     (void)setup;
     return scene_fixture_with_sdf("distance.sphere", values, (Vec3d){0, 0, 0}, error);
 }
 
-/** Asks an engine for the normal where a ray meets the ball that comes straight down to the point.
- *  See #Experiment.query_engine. */
+/** Queries an engine for the normal where a perpendicular ray hits the sphere at the
+ * point, see #Experiment.query_engine. */
 static void query_normal(const Engine *engine, Tracer *tracer, const ExperimentSample *sample,
                          Quadruple *outputs) {
     RayResult answer;

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief A closed surface of triangles.
+ * @brief A closed mesh.
  */
 #include "lab/experiments/icosphere.h"
 
@@ -28,7 +28,7 @@ static void icosphere_init_icosahedron(Icosphere *icosphere) {
     }
 }
 
-/** @return Whether two corners are the same. */
+/** @return Whether two vertices are the same. */
 static bool points_are_equal(Vec3q a, Vec3q b) {
     Vec3q between = vec3q_subtract(a, b);
     return vec3q_dot(between, between) < 1e-12;
@@ -49,7 +49,7 @@ static int edge_midpoint(Icosphere *icosphere, int a, int b) {
     return icosphere->vertex_count++;
 }
 
-/** Cuts each face into four. */
+/** Subdivides each face into four. */
 static void icosphere_subdivide(Icosphere *icosphere) {
     int count = icosphere->face_count;
     for (int i = 0; i < count; i++) {
@@ -63,7 +63,7 @@ static void icosphere_subdivide(Icosphere *icosphere) {
     }
 }
 
-/** Finds the faces around each corner. */
+/** Finds the faces around each vertex. */
 static void icosphere_find_vertex_faces(Icosphere *icosphere) {
     for (int i = 0; i < icosphere->face_count; i++) {
         for (int k = 0; k < 3; k++) {

@@ -1,32 +1,31 @@
 /**
  * @file
- * @brief A closed surface of triangles: an icosahedron, each of its faces cut into four, again and
- *        again, blown up to a sphere.
+ * @brief A closed mesh: an icosahedron, subdivided several times and projected onto a sphere.
  */
 #ifndef DIOPTRE_LAB_EXPERIMENTS_ICOSPHERE_H
 #define DIOPTRE_LAB_EXPERIMENTS_ICOSPHERE_H
 
 #include "lab/vec3q.h"
 
-/** How often faces are cut into four, and what comes of it. */
+/** Subdivisions of a face into four, and the resulting counts. */
 enum { ICOSPHERE_SUBDIVISIONS = 3, ICOSPHERE_FACES = 1280, ICOSPHERE_CORNERS = 642 };
-/** Most triangles around a corner. */
+/** Most triangles around a vertex. */
 enum { ICOSPHERE_VALENCE = 6 };
 
-/** A closed surface. */
+/** A closed mesh. */
 typedef struct Icosphere {
-    Vec3q vertices[ICOSPHERE_CORNERS];                      /**< Where its corners are. */
+    Vec3q vertices[ICOSPHERE_CORNERS];                      /**< Positions of the vertices. */
     int vertex_count;                                       /**< How many. */
-    int faces[ICOSPHERE_FACES][3];                          /**< Three corners each. */
+    int faces[ICOSPHERE_FACES][3];                          /**< Three vertices each. */
     int face_count;                                         /**< How many. */
-    int vertex_faces[ICOSPHERE_CORNERS][ICOSPHERE_VALENCE]; /**< The faces around each corner. */
+    int vertex_faces[ICOSPHERE_CORNERS][ICOSPHERE_VALENCE]; /**< The faces around each vertex. */
     int valence[ICOSPHERE_CORNERS];                         /**< How many. */
 } Icosphere;
 
 /**
  * Makes an icosphere of radius 1.
- * @param center  Its centre; corners are rounded to float.
- * @return It, to be given back with free; NULL without memory.
+ * @param center  Its centre; vertices are rounded to float.
+ * @return It, to be released with free; NULL without memory.
  */
 Icosphere *icosphere_create(Vec3q center);
 

@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-/** A plane under an eye. */
+/** A plane below a viewpoint. */
 typedef struct TestPlane {
     Vec3q point;    /**< A point of it, exact in float. */
     Vec3q normal;   /**< Its normal, exact in float, of about length 1. */
@@ -27,7 +27,7 @@ static TestPlane test_plane_at(double distance, double degree) {
                        vec3q_round(narrowest, normal), degree};
 }
 
-/** Poses an eye one unit above the plane. @param[in,out] random Where it comes from. */
+/** Generates a viewpoint one unit above the plane. */
 static void generate_plane_ray(const ExperimentSetup *setup, const TestPlane *ground,
                                Random *random, ExperimentSample *sample) {
     SampleWriter writer = {setup->type, sample->inputs};
@@ -59,13 +59,13 @@ static Scene *plane_scene(const TestPlane *ground, Error *error) {
 /** Degrees. */
 static const double angles[] = {30, 10, 3, 1, 0.3, 0.1, 0.03, 0.01};
 
-/** Poses grazing rays. See #Experiment.generate. @param[in,out] random Where it comes from. */
+/** Generates grazing rays, see #Experiment.generate. */
 static void generate_angle(const ExperimentSetup *setup, Random *random, ExperimentSample *sample) {
     TestPlane ground = test_plane_at(1, setup->level);
     generate_plane_ray(setup, &ground, random, sample);
 }
 
-/** @return Its scene. See #Experiment.create_scene. */
+/** Is an #Experiment.create_scene. */
 static Scene *scene_angle(const ExperimentSetup *setup, Error *error) {
     TestPlane ground = test_plane_at(1, setup->level);
     return plane_scene(&ground, error);
@@ -94,14 +94,13 @@ static const double distances[] = {1, 10, 1e2, 1e3, 1e4, 1e5, 1e6};
 /** Under what angle rays meet the plane, degrees. */
 #define STEEP_DEGREES 30
 
-/** Poses a plane whose point lies far away. See #Experiment.generate. @param[in,out] random Where
- *  it comes from. */
+/** Generates a plane whose point lies far away, see #Experiment.generate. */
 static void generate_point(const ExperimentSetup *setup, Random *random, ExperimentSample *sample) {
     TestPlane ground = test_plane_at(setup->level, STEEP_DEGREES);
     generate_plane_ray(setup, &ground, random, sample);
 }
 
-/** @return Its scene. See #Experiment.create_scene. */
+/** Is an #Experiment.create_scene. */
 static Scene *scene_point(const ExperimentSetup *setup, Error *error) {
     TestPlane ground = test_plane_at(setup->level, STEEP_DEGREES);
     return plane_scene(&ground, error);

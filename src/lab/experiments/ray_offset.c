@@ -9,7 +9,7 @@
 
 /** Index of glass over air, upside down: as Snell's law wants it for a ray that goes in. */
 #define IOR_RATIO (1 / 1.5)
-/** Of the way through the glass, what a second ray may be off. */
+/** Tolerance of a distance through the glass, relative. */
 #define DISTANCE_TOLERANCE 0.01
 
 /** A sphere that rays meet and leave. */
@@ -20,14 +20,14 @@ typedef struct OffsetSphere {
 } OffsetSphere;
 
 /** @return How far it is through the glass. @param point Where a ray meets the sphere, from its
- *  centre, over the radius. @param direction Which way it goes, of length 1. */
+ *  centre, over the radius. @param direction Of length 1. */
 static Quadruple chord_length(Vec3q point, Vec3q direction) {
-    // The refracted ray's cosine by Snell; the way is the chord of the sphere.
+    // Snell's law; the distance is a chord of the sphere.
     Quadruple cosine = -vec3q_dot(point, direction);
     return 2 * quad_sqrt(1 - (Quadruple)IOR_RATIO * IOR_RATIO * (1 - cosine * cosine));
 }
 
-/** Poses a ray to a ball from three radii away. @param[in,out] random Where it comes from. */
+/** Generates a ray to a sphere from three radii away. */
 static void generate_offset_ray(const ExperimentSetup *setup, const OffsetSphere *sphere,
                                 Random *random, ExperimentSample *sample) {
     SampleWriter writer = {setup->type, sample->inputs};
@@ -58,13 +58,13 @@ static void score_second_hit(const ExperimentSample *sample, bool is_wrong, Quad
     score_error(score, shift / sample->expected[0]);
 }
 
-/** Judges a mirrored ray: it meets nothing. See #Experiment.score_sample. */
+/** Scores a mirrored ray: it meets nothing, see #Experiment.score_sample. */
 static void score_reflected(const ExperimentSample *sample, const Quadruple *outputs,
                             ScoreStats *score) {
     score_second_hit(sample, outputs[0] < QUAD_NO_HIT, outputs[1], score);
 }
 
-/** Judges a refracted ray: it meets the other side. See #Experiment.score_sample. */
+/** Scores a refracted ray: it meets the other side, see #Experiment.score_sample. */
 static void score_refracted(const ExperimentSample *sample, const Quadruple *outputs,
                             ScoreStats *score) {
     Quadruple difference = quad_abs(outputs[0] - sample->expected[1]);
@@ -97,7 +97,7 @@ static Vec3q tracer_ray_origin(const RayResult *hit, Vec3q d) {
     return vec3q_add(point, vec3q_scale(d, transmit_offset / (-cosine > least ? -cosine : least)));
 }
 
-/** Asks an engine for both rays. See #Experiment.query_engine. */
+/** Queries an engine for both rays, see #Experiment.query_engine. */
 static void query_second_ray(const Engine *engine, Tracer *tracer, const ExperimentSample *sample,
                              Quadruple *outputs) {
     const Quadruple *q = sample->inputs;
@@ -117,28 +117,26 @@ static void query_second_ray(const Engine *engine, Tracer *tracer, const Experim
 static const double sphere_radii[] = {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1,
                                       10,   1e2,  1e3,  1e4,  1e5,  1e6};
 
-/** @return A ball that lies one radius beside the origin. */
+/** @return A sphere at one radius from the origin. */
 static OffsetSphere offset_sphere_at(double radius, double ratio) {
     return (OffsetSphere){far_point(radius), number_types()[0]->round(radius), ratio};
 }
 
-/** Poses a mirror, small or large. See #Experiment.generate. @param[in,out] random Where it comes
- *  from. */
+/** Generates a mirror, small or large, see #Experiment.generate. */
 static void generate_mirror_scale(const ExperimentSetup *setup, Random *random,
                                   ExperimentSample *sample) {
     OffsetSphere sphere = offset_sphere_at(setup->level, 0);
     generate_offset_ray(setup, &sphere, random, sample);
 }
 
-/** Poses a ball of glass, small or large. See #Experiment.generate. @param[in,out] random Where it
- *  comes from. */
+/** Generates a glass sphere, small or large, see #Experiment.generate. */
 static void generate_glass_scale(const ExperimentSetup *setup, Random *random,
                                  ExperimentSample *sample) {
     OffsetSphere sphere = offset_sphere_at(setup->level, IOR_RATIO);
     generate_offset_ray(setup, &sphere, random, sample);
 }
 
-/** @return Its scene. See #Experiment.create_scene. */
+/** Is an #Experiment.create_scene. */
 static Scene *scene_scale(const ExperimentSetup *setup, Error *error) {
     OffsetSphere sphere = offset_sphere_at(setup->level, 0);
     return sphere_scene(sphere.center, (double)sphere.radius, error);
@@ -183,23 +181,17 @@ const Experiment glass_scale_experiment = {
 /** Radii. */
 static const double offsets[] = {1, 10, 1e2, 1e3, 1e4, 1e5};
 
-/** Poses a mirror far away. See #Experiment.generate. @param[in,out] random Where it comes from. */
+/** Generates a mirror far away, see #Experiment.generate. */
 static void generate_mirror_offset(const ExperimentSetup *setup, Random *random,
                                    ExperimentSample *sample) {
     generate_offset_ray(setup, &(OffsetSphere){far_point(setup->level), 1, 0}, random, sample);
 }
 
-/** Poses a ball of glass far away. See #Experiment.generate. @param[in,out] random Where it comes
- *  from. */
+/** Generates a glass sphere far away, see #Experiment.generate. */
 static void generate_glass_offset(const ExperimentSetup *setup, Random *random,
                                   ExperimentSample *sample) {
     generate_offset_ray(setup, &(OffsetSphere){far_point(setup->level), 1, IOR_RATIO}, random,
                         sample);
-}
-
-/** @return Its scene. See #Experiment.create_scene. */
-static Scene *offset_scene(const ExperimentSetup *setup, Error *error) {
-    return sphere_scene(far_point(setup->level), 1, error);
 }
 
 const Experiment mirror_offset_experiment = {
@@ -214,7 +206,7 @@ const Experiment mirror_offset_experiment = {
     .queries_per_sample = 1,
     .generate = generate_mirror_offset,
     .score_sample = score_reflected,
-    .create_scene = offset_scene,
+    .create_scene = create_far_sphere_scene,
     .query_engine = query_second_ray,
 };
 
@@ -230,6 +222,6 @@ const Experiment glass_offset_experiment = {
     .queries_per_sample = 1,
     .generate = generate_glass_offset,
     .score_sample = score_refracted,
-    .create_scene = offset_scene,
+    .create_scene = create_far_sphere_scene,
     .query_engine = query_second_ray,
 };

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief What experiments pose their cases with.
+ * @brief What several experiments need to generate and score samples.
  */
 #include "lab/experiments/sample_writer.h"
 
@@ -24,6 +24,11 @@ Vec3q far_point(double distance) {
     // A direction of length 1 but for rounding, without a zero or two equal coordinates.
     Vec3q position = vec3q_scale(vec3q_normalize((Vec3q){0.61, -0.47, 0.64}), distance);
     return vec3q_round(number_types()[0], position);
+}
+
+Vec3q far_whole_point(double distance) {
+    Vec3q point = far_point(distance);
+    return (Vec3q){(int)point.x, (int)point.y, (int)point.z};
 }
 
 void vec3q_to_doubles(Vec3q v, double numbers[3]) {
@@ -50,6 +55,10 @@ Scene *sphere_scene(Vec3q center, double radius, Error *error) {
     FixtureValue values[] = {{.name = "center"}, {.name = "radius", .components = {radius}}, {0}};
     vec3q_to_doubles(center, values[0].components);
     return scene_fixture_with_shape("sphere", values, error);
+}
+
+Scene *create_far_sphere_scene(const ExperimentSetup *setup, Error *error) {
+    return sphere_scene(far_point(setup->level), 1, error);
 }
 
 void intersect_ray(const Engine *engine, const Tracer *tracer, const Vec3q ray[2],
@@ -82,4 +91,13 @@ void query_hit_count(const Engine *engine, Tracer *tracer, const ExperimentSampl
 void score_expected_distance(const ExperimentSample *sample, const Quadruple *outputs,
                              ScoreStats *score) {
     score_distance(score, outputs[0], sample->expected[0]);
+}
+
+void score_absolute_error(const ExperimentSample *sample, const Quadruple *outputs,
+                          ScoreStats *score) {
+    bool is_number = quad_is_number(outputs[0]);
+    score_outcome(score, OUTCOME_NAN, !is_number);
+    if (is_number) {
+        score_error(score, quad_abs(outputs[0] - sample->expected[0]));
+    }
 }

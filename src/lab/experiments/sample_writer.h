@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief What experiments pose their cases with.
+ * @brief What several experiments need to generate and score samples.
  */
 #ifndef DIOPTRE_LAB_EXPERIMENTS_SAMPLE_WRITER_H
 #define DIOPTRE_LAB_EXPERIMENTS_SAMPLE_WRITER_H
@@ -8,62 +8,65 @@
 #include "lab/experiment.h"
 #include "lab/scene_fixture.h"
 
-/** Numbers one after the other, as a method's question wants them. */
+/** Writes the inputs of a method, number after number. */
 typedef struct SampleWriter {
-    const NumberType *type; /**< What they are rounded to. */
-    Quadruple *next;        /**< Where the next goes. */
+    const NumberType *type; /**< Numbers are rounded to this type. */
+    Quadruple *next;        /**< Where the next one goes. */
 } SampleWriter;
 
-/** @return The nearest point of a number type. */
+/** @return A vector rounded to a number type. */
 Vec3q vec3q_round(const NumberType *type, Vec3q v);
 
-/** @return The vector that was written: rounded. */
+/** Writes a vector. @return The vector, rounded. */
 Vec3q sample_writer_vec3(SampleWriter *writer, Vec3q v);
 
-/** @return The number that was written: rounded. */
+/** Writes a number. @return The number, rounded. */
 Quadruple sample_writer_number(SampleWriter *writer, Quadruple x);
 
-/** @return A place that is so far from the origin of the world, in no special direction, and that
- *  float can hold. */
+/** @return A float point at a distance from the origin, in a direction without symmetry. */
 Vec3q far_point(double distance);
 
-/** Numbers for a scene: three of a vector. */
+/** @return #far_point truncated to whole coordinates: sums with small whole numbers are exact. */
+Vec3q far_whole_point(double distance);
+
+/** Converts a vector to doubles, for a scene. */
 void vec3q_to_doubles(Vec3q v, double numbers[3]);
-
-/**
- * @return Where a ray first meets a sphere, in quad precision: the discriminant from the nearest
- *         point of its line, the near root as a quotient. #QUAD_NO_HIT where it does not.
- * @param origin  Where the ray starts.
- * @param direction  Which way, of any length.
- */
-Quadruple sphere_expected(Vec3q origin, Vec3q direction, Vec3q center, Quadruple radius);
-
-/**
- * @return The scene of a sphere.
- * @param center  Its centre, as a double can hold it.
- */
-Scene *sphere_scene(Vec3q center, double radius, Error *error);
-
-/** Asks an engine a ray. @param ray Where it starts, and which way. */
-void intersect_ray(const Engine *engine, const Tracer *tracer, const Vec3q ray[2],
-                   RayResult *answer);
 
 /** @return Three numbers as a vector. */
 Vec3q vec3q_from_array(const Quadruple numbers[3]);
 
-/** Said in place of a count by who meets something and does not say how often: engines. */
+/**
+ * @return The distance to a sphere in quad precision, by a stable quadratic; #QUAD_NO_HIT: a miss.
+ * @param direction  Of any length.
+ */
+Quadruple sphere_expected(Vec3q origin, Vec3q direction, Vec3q center, Quadruple radius);
+
+/** @return A scene with a sphere. @param center Its centre, which doubles represent. */
+Scene *sphere_scene(Vec3q center, double radius, Error *error);
+
+/** Is an #Experiment.create_scene: a unit sphere as far from the origin as the level says. */
+Scene *create_far_sphere_scene(const ExperimentSetup *setup, Error *error);
+
+/** Traces a ray by an engine. @param ray Origin and direction. */
+void intersect_ray(const Engine *engine, const Tracer *tracer, const Vec3q ray[2],
+                   RayResult *answer);
+
+/** In place of a number of hits: engines report a hit, but not how many there are. */
 #define COUNT_UNKNOWN ((Quadruple)-1)
 
-/** Judges how often a ray that leaves a solid meets its surface: once. See
- *  #Experiment.score_sample. */
+/** Is an #Experiment.score_sample: a ray from inside a solid hits its surface once. */
 void score_hit_count(const ExperimentSample *sample, const Quadruple *outputs, ScoreStats *score);
 
-/** Asks an engine for distance and count: 0 or #COUNT_UNKNOWN. See #Experiment.query_engine. */
+/** Is an #Experiment.query_engine: the distance, and 0 or #COUNT_UNKNOWN hits. */
 void query_hit_count(const Engine *engine, Tracer *tracer, const ExperimentSample *sample,
                      Quadruple *outputs);
 
-/** Judges a distance against the first number of the truth. See #Experiment.score_sample. */
+/** Is an #Experiment.score_sample: a distance, expected first in #ExperimentSample.expected. */
 void score_expected_distance(const ExperimentSample *sample, const Quadruple *outputs,
                              ScoreStats *score);
+
+/** Is an #Experiment.score_sample: the absolute error of a number, or that it is NaN. */
+void score_absolute_error(const ExperimentSample *sample, const Quadruple *outputs,
+                          ScoreStats *score);
 
 #endif

@@ -1,22 +1,23 @@
 /**
  * @file
- * @brief Experiments on spheres: far from the eye, far from the origin, small, large, underfoot.
+ * @brief Experiments on spheres: far from the viewpoint, far from the origin, small, large,
+ * underfoot.
  */
 #include "base/language.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/sample_writer.h"
 
-/** A sphere that is looked at. */
+/** A sphere in view. */
 typedef struct SphereView {
     Vec3q center;     /**< Where it is. */
     Quadruple radius; /**< How large. */
-    double distance;  /**< From its centre to the eye, radii. */
+    double distance;  /**< From its centre to the viewpoint, radii. */
 } SphereView;
 
 /** Radii around the centre that rays aim at: a few pass beside the sphere. */
 #define AIM_RADIUS 1.02
 
-/** Writes a question. @param ray Where it starts, and which way. */
+/** Writes the inputs. @param ray Origin and direction. */
 static void sphere_write_input(const NumberType *type, const Vec3q ray[2], const SphereView *view,
                                ExperimentSample *sample) {
     SampleWriter writer = {type, sample->inputs};
@@ -27,8 +28,7 @@ static void sphere_write_input(const NumberType *type, const Vec3q ray[2], const
     sample->expected[0] = sphere_expected(origin, direction, center, radius);
 }
 
-/** Poses a ray from around a sphere to a disc around its centre. @param[in,out] random Where it
- *  comes from. */
+/** Generates a ray from around a sphere to a disc around its centre. */
 static void generate_view(const NumberType *type, const SphereView *view, Random *random,
                           ExperimentSample *sample) {
     Vec3q outwards = random_direction(random);
@@ -40,20 +40,21 @@ static void generate_view(const NumberType *type, const SphereView *view, Random
     sphere_write_input(type, (const Vec3q[]){origin, direction}, view, sample);
 }
 
-/* --- far from the eye ---------------------------------------------------------------------------
+/* --- far from the viewpoint
+ * ---------------------------------------------------------------------------
  */
 
 /** Radii. */
 static const double distances[] = {1.01, 2, 10, 1e2, 1e3, 1e4, 1e5, 1e6};
 
-/** Poses a sphere far away. See #Experiment.generate. @param[in,out] random Where it comes from. */
+/** Generates a sphere far away, see #Experiment.generate. */
 static void generate_distance(const ExperimentSetup *setup, Random *random,
                               ExperimentSample *sample) {
     SphereView view = {.radius = 1, .distance = setup->level};
     generate_view(setup->type, &view, random, sample);
 }
 
-/** @return Its scene. See #Experiment.create_scene. */
+/** Is an #Experiment.create_scene. */
 static Scene *scene_distance(const ExperimentSetup *setup, Error *error) {
     (void)setup;
     return sphere_scene((Vec3q){0, 0, 0}, 1, error);
@@ -82,17 +83,11 @@ const Experiment sphere_distance_experiment = {
 /** Radii. */
 static const double origin_distances[] = {1, 10, 1e2, 1e3, 1e4, 1e5, 1e6};
 
-/** Poses a sphere, ten radii away, far from the origin. See #Experiment.generate. @param[in,out]
- *  random Where it comes from. */
+/** Generates a sphere, ten radii away, far from the origin, see #Experiment.generate. */
 static void generate_offset(const ExperimentSetup *setup, Random *random,
                             ExperimentSample *sample) {
     SphereView view = {.center = far_point(setup->level), .radius = 1, .distance = 10};
     generate_view(setup->type, &view, random, sample);
-}
-
-/** @return Its scene. See #Experiment.create_scene. */
-static Scene *offset_scene(const ExperimentSetup *setup, Error *error) {
-    return sphere_scene(far_point(setup->level), 1, error);
 }
 
 const Experiment sphere_offset_experiment = {
@@ -108,7 +103,7 @@ const Experiment sphere_offset_experiment = {
     .queries_per_sample = 1,
     .generate = generate_offset,
     .score_sample = score_expected_distance,
-    .create_scene = offset_scene,
+    .create_scene = create_far_sphere_scene,
 };
 
 /* --- small and large -----------------------------------------------------------------------------
@@ -117,14 +112,13 @@ const Experiment sphere_offset_experiment = {
 /** Scene units; as powers of two the figures would be the same to the bit. */
 static const double sphere_radii[] = {1e-6, 1e-4, 1e-2, 1, 1e2, 1e4, 1e6};
 
-/** Poses a sphere, ten radii away. See #Experiment.generate. @param[in,out] random Where it comes
- *  from. */
+/** Generates a sphere, ten radii away, see #Experiment.generate. */
 static void generate_scale(const ExperimentSetup *setup, Random *random, ExperimentSample *sample) {
     SphereView view = {.radius = number_types()[0]->round(setup->level), .distance = 10};
     generate_view(setup->type, &view, random, sample);
 }
 
-/** @return Its scene. See #Experiment.create_scene. */
+/** Is an #Experiment.create_scene. */
 static Scene *scene_scale(const ExperimentSetup *setup, Error *error) {
     return sphere_scene((Vec3q){0, 0, 0}, (double)number_types()[0]->round(setup->level), error);
 }
@@ -148,7 +142,7 @@ const Experiment sphere_scale_experiment = {
 /* --- underfoot
  * ------------------------------------------------------------------------------------ */
 
-/** Radii, in heights of the eye. */
+/** Radii, in heights of the viewpoint. */
 static const double ground_radii[] = {1e1, 1e2, 1e3, 1e4, 1e5, 1e6};
 
 /** @return The middle of the earth: straight down along no axis. */
@@ -156,12 +150,12 @@ static Vec3q ground_center(double radius) {
     return far_point(radius);
 }
 
-/** Poses an eye one unit above a large sphere, looking down at 5 to 90 degrees. See
- *  #Experiment.generate. @param[in,out] random Where it comes from. */
+/** Generates a viewpoint one unit above a large sphere, looking down at 5 to 90 degrees, see
+ * #Experiment.generate. */
 static void generate_ground(const ExperimentSetup *setup, Random *random,
                             ExperimentSample *sample) {
     SphereView view = {.center = ground_center(setup->level), .radius = setup->level};
-    // Somewhere on the ground, so that no one rounding of the eye's place decides all.
+    // Somewhere on the ground, so that no single rounding of the viewpoint decides all samples.
     Vec3q walk = random_in_disc(random, (Vec3q){0, 1, 0}, 10);
     Vec3q up = vec3q_normalize(vec3q_subtract(walk, view.center));
     Vec3q origin = vec3q_add(view.center, vec3q_scale(up, setup->level + 1));
@@ -172,7 +166,7 @@ static void generate_ground(const ExperimentSetup *setup, Random *random,
     sphere_write_input(setup->type, (const Vec3q[]){origin, direction}, &view, sample);
 }
 
-/** @return Its scene. See #Experiment.create_scene. */
+/** Is an #Experiment.create_scene. */
 static Scene *scene_ground(const ExperimentSetup *setup, Error *error) {
     return sphere_scene(ground_center(setup->level), setup->level, error);
 }

@@ -1,7 +1,6 @@
 /**
  * @file
- * @brief An experiment on marching: how many steps does it take down to the ground, and how far off
- *        does it stop?
+ * @brief An experiment on sphere tracing: steps down to the ground, and the error of the distance.
  */
 #include "base/language.h"
 #include "lab/experiments/experiments.h"
@@ -11,11 +10,10 @@
 
 /** Degrees. */
 static const double angles[] = {30, 10, 3, 1, 0.3, 0.1};
-/** How near is on the surface, heights of the eye. */
+/** Tolerance of the surface, heights of the viewpoint. */
 #define TOLERANCE 1e-4
 
-/** Poses an eye one unit above the ground. See #Experiment.generate. @param[in,out] random Where it
- *  comes from. */
+/** Generates a viewpoint one unit above the ground, see #Experiment.generate. */
 static void generate_grazing(const ExperimentSetup *setup, Random *random,
                              ExperimentSample *sample) {
     SampleWriter writer = {setup->type, sample->inputs};
@@ -26,7 +24,7 @@ static void generate_grazing(const ExperimentSetup *setup, Random *random,
     sample->expected[0] = origin.y / -direction.y;
 }
 
-/** Judges where and after how many steps a ray stopped. See #Experiment.score_sample. */
+/** Scores where and after how many steps a ray stopped, see #Experiment.score_sample. */
 static void score_grazing(const ExperimentSample *sample, const Quadruple *outputs,
                           ScoreStats *score) {
     score_outcome(score, OUTCOME_FALSE_MISS, !(outputs[0] < QUAD_NO_HIT));
@@ -39,14 +37,14 @@ static void score_grazing(const ExperimentSample *sample, const Quadruple *outpu
 }
 
 /** @return The ground: a box that no ray comes to the end of, and not larger, for what it measures
- *  is as rounded as it is large. See #Experiment.create_scene. */
+ * is as rounded as it is large, see #Experiment.create_scene. */
 static Scene *floor_scene(const ExperimentSetup *setup, Error *error) {
     double half_length = 1.1 / tan(setup->level * M_PI / 180);
     const FixtureValue values[] = {{"size", {2 * half_length, 2, 2}}, {0}};
     return scene_fixture_with_sdf("distance.box", values, (Vec3d){0, -1, 0}, error);
 }
 
-/** Asks an engine for the distance; it does not say its steps. See #Experiment.query_engine. */
+/** Queries an engine for the distance; it does not say its steps, see #Experiment.query_engine. */
 static void query_grazing(const Engine *engine, Tracer *tracer, const ExperimentSample *sample,
                           Quadruple *outputs) {
     RayResult answer;
@@ -61,7 +59,7 @@ const Experiment sphere_tracing_angle_experiment = {
     .title = N_("Marching down to the ground under ever smaller angles"),
     .family = "marching",
     .difficulty = N_("angle between ray and ground, degrees"),
-    .error_label = N_("error of the distance t, heights of the eye"),
+    .error_label = N_("error of the distance t, heights of the viewpoint"),
     .cost_label = N_("steps of a ray"),
     .levels = angles,
     .level_count = COUNT_OF(angles),

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief An experiment on pictures on spheres: how far from the pole is a point?
+ * @brief An experiment on texture coordinates of spheres: the angle from the pole.
  */
 #include "base/language.h"
 #include "lab/experiments/experiments.h"
@@ -23,8 +23,7 @@ static Vec3q rounded_hit_point(const NumberType *type, Vec3q o, Vec3q d) {
     return vec3q_round(type, vec3q_add(o, displacement));
 }
 
-/** Poses a point near the pole, met from ten radii above. See #Experiment.generate. @param[in,out]
- *  random Where it comes from. */
+/** Generates a point near the pole, met from ten radii above, see #Experiment.generate. */
 static void generate_pole_hit(const ExperimentSetup *setup, Random *random,
                               ExperimentSample *sample) {
     const NumberType *type = setup->type;
@@ -44,23 +43,13 @@ static void generate_pole_hit(const ExperimentSetup *setup, Random *random,
     sample->expected[0] = quad_atan2(quad_sqrt(n.x * n.x + n.z * n.z), n.y);
 }
 
-/** Judges an angle. See #Experiment.score_sample. */
-static void score_polar_angle(const ExperimentSample *sample, const Quadruple *outputs,
-                              ScoreStats *score) {
-    bool is_number = quad_is_number(outputs[0]);
-    score_outcome(score, OUTCOME_NAN, !is_number);
-    if (is_number) {
-        score_error(score, quad_abs(outputs[0] - sample->expected[0]));
-    }
-}
-
-/** @return The sphere. See #Experiment.create_scene. */
+/** @return The sphere, see #Experiment.create_scene. */
 static Scene *pole_scene(const ExperimentSetup *setup, Error *error) {
     (void)setup;
     return sphere_scene(sphere_center(), 1, error);
 }
 
-/** Asks an engine with a ray straight down onto the point. See #Experiment.query_engine. */
+/** Queries an engine with a ray straight down onto the point, see #Experiment.query_engine. */
 static void query_polar_angle(const Engine *engine, Tracer *tracer, const ExperimentSample *sample,
                               Quadruple *outputs) {
     Vec3q point = vec3q_from_array(sample->inputs), center = vec3q_from_array(sample->inputs + 3);
@@ -83,7 +72,7 @@ const Experiment sphere_pole_experiment = {
     .queries_per_sample = 1,
     .timed_level = 1e-3,
     .generate = generate_pole_hit,
-    .score_sample = score_polar_angle,
+    .score_sample = score_absolute_error,
     .create_scene = pole_scene,
     .query_engine = query_polar_angle,
 };

@@ -18,10 +18,7 @@ static void *build_icosphere(double level) {
     return icosphere_create(far_point(level));
 }
 
-/**
- * @return Where a ray starts: somewhere in the middle half of the ball.
- * @param[in,out] random  Where it comes from.
- */
+/** @return The origin of a ray, in the inner half of the sphere. */
 static Vec3q random_origin_inside(const ExperimentSetup *setup, Random *random) {
     Vec3q lateral = vec3q_scale(random_direction(random), random_range(random, 0, 0.5));
     return vec3q_round(setup->type, vec3q_add(far_point(setup->level), lateral));
@@ -65,11 +62,8 @@ static void write_fan_faces(const ExperimentSetup *setup, const Vec3q ray[2], co
     }
 }
 
-/**
- * Poses a ray to an edge or a corner.
- * @param[in,out] random  Where it comes from.
- * @param fraction  How far along an edge it aims, 0 for its end.
- */
+/** Generates a ray to an edge or a corner. @param fraction  How far along an edge it aims, 0 for
+ * its end. */
 static void generate_edge_ray(const ExperimentSetup *setup, Random *random, Quadruple fraction,
                               ExperimentSample *sample) {
     const Icosphere *ball = setup->shared;
@@ -83,19 +77,19 @@ static void generate_edge_ray(const ExperimentSetup *setup, Random *random, Quad
     write_fan_faces(setup, (const Vec3q[]){origin, direction}, ends, sample);
 }
 
-/** Poses a ray to an edge. See #Experiment.generate. @param[in,out] random Where it comes from. */
+/** Generates a ray to an edge, see #Experiment.generate. */
 static void generate_edge(const ExperimentSetup *setup, Random *random, ExperimentSample *sample) {
     generate_edge_ray(setup, random, random_range(random, 0.01, 0.99), sample);
 }
 
-/** Poses a ray to a corner. See #Experiment.generate. @param[in,out] random Where it comes from. */
+/** Generates a ray to a corner, see #Experiment.generate. */
 static void generate_corner(const ExperimentSetup *setup, Random *random,
                             ExperimentSample *sample) {
     generate_edge_ray(setup, random, 0, sample);
 }
 
-/** Judges how many faces were met: one, where a ray leaves a closed surface. See
- *  #Experiment.score_sample. */
+/** Scores how many faces were met: one, where a ray leaves a closed surface, see
+ * #Experiment.score_sample. */
 static void score_faces(const ExperimentSample *sample, const Quadruple *outputs,
                         ScoreStats *score) {
     (void)sample;
@@ -109,7 +103,7 @@ static void score_faces(const ExperimentSample *sample, const Quadruple *outputs
     }
 }
 
-/** @return The ball as a model. See #Experiment.create_scene. */
+/** @return The sphere as a mesh, see #Experiment.create_scene. */
 static Scene *icosphere_scene(const ExperimentSetup *setup, Error *error) {
     const Icosphere *ball = setup->shared;
     Mesh counts = {.position_count = ICOSPHERE_CORNERS, .triangle_count = ICOSPHERE_FACES};
@@ -128,7 +122,7 @@ static Scene *icosphere_scene(const ExperimentSetup *setup, Error *error) {
     return scene_fixture_with_mesh(mesh, error);
 }
 
-/** Asks an engine for the nearest face of the whole ball. See #Experiment.query_engine. */
+/** Queries an engine for the nearest face of the whole mesh, see #Experiment.query_engine. */
 static void query_icosphere(const Engine *engine, Tracer *tracer, const ExperimentSample *sample,
                             Quadruple *outputs) {
     RayResult answer;
@@ -178,7 +172,7 @@ const Experiment triangle_corners_experiment = {
 
 /* --- one triangle --- */
 
-/** A triangle that is looked at. */
+/** A triangle in view. */
 typedef struct TestTriangle {
     Vec3q corners[3]; /**< Its corners, exact in float. */
     double distance;  /**< From where. */
@@ -195,7 +189,7 @@ static Quadruple triangle_expected(Vec3q o, Vec3q d, const Vec3q c[3]) {
     return u >= 0 && v >= 0 && u + v <= 1 && t > 0 ? t : QUAD_NO_HIT;
 }
 
-/** Poses a ray to somewhere inside a triangle. @param[in,out] random Where it comes from. */
+/** Generates a ray to somewhere inside a triangle. */
 static void generate_triangle_ray(const ExperimentSetup *setup, const TestTriangle *single,
                                   Random *random, ExperimentSample *sample) {
     const Vec3q *c = single->corners;
@@ -246,13 +240,13 @@ static TestTriangle small_triangle(double leg) {
     return single;
 }
 
-/** Poses a small triangle. See #Experiment.generate. @param[in,out] random Where it comes from. */
+/** Generates a small triangle, see #Experiment.generate. */
 static void generate_small(const ExperimentSetup *setup, Random *random, ExperimentSample *sample) {
     TestTriangle single = small_triangle(setup->level);
     generate_triangle_ray(setup, &single, random, sample);
 }
 
-/** @return Its scene. See #Experiment.create_scene. */
+/** Is an #Experiment.create_scene. */
 static Scene *scene_small(const ExperimentSetup *setup, Error *error) {
     TestTriangle single = small_triangle(setup->level);
     return test_triangle_scene(&single, error);
@@ -285,13 +279,13 @@ static TestTriangle thin_triangle(double aspect) {
     return single;
 }
 
-/** Poses a thin triangle. See #Experiment.generate. @param[in,out] random Where it comes from. */
+/** Generates a thin triangle, see #Experiment.generate. */
 static void generate_thin(const ExperimentSetup *setup, Random *random, ExperimentSample *sample) {
     TestTriangle single = thin_triangle(setup->level);
     generate_triangle_ray(setup, &single, random, sample);
 }
 
-/** @return Its scene. See #Experiment.create_scene. */
+/** Is an #Experiment.create_scene. */
 static Scene *scene_thin(const ExperimentSetup *setup, Error *error) {
     TestTriangle single = thin_triangle(setup->level);
     return test_triangle_scene(&single, error);

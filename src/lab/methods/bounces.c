@@ -18,7 +18,7 @@ typedef struct BouncesOutput {
     Vec3 direction; /**< NaN: the ray left the spheres before. */
 } BouncesOutput;
 
-/** A ray on its way. */
+/** A ray between two reflections. */
 typedef struct BounceRay {
     Vec3 origin;    /**< Origin. */
     Vec3 direction; /**< Direction. */

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Saying in a paragraph what a scene needs, and why.
+ * @brief Explains in a paragraph what a scene needs, and why.
  */
 #include "base/language.h"
 #include "dioptre/needs.h"
@@ -12,11 +12,11 @@
 
 /** A text that grows. */
 typedef struct TextBuffer {
-    char *buffer; /**< It. */
-    size_t size;  /**< Bytes there is room for. */
+    char *buffer; /**< The text, ended by a zero. */
+    size_t size;  /**< Bytes of the buffer. */
 } TextBuffer;
 
-/** Adds to a text. @param format What, in English, as for printf, looked up here. */
+/** Appends to a text. @param format English, as for printf; translated here. */
 static void append_format(TextBuffer *text, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
@@ -28,13 +28,13 @@ static void append_format(TextBuffer *text, const char *format, ...) {
     va_end(arguments);
 }
 
-/** Adds to a text what is no format. @param words What, in English, looked up here. */
+/** Appends to a text. @param words English, no format; translated here. */
 static void append_text(TextBuffer *text, const char *words) {
     size_t length = strlen(text->buffer);
     snprintf(text->buffer + length, text->size - length, "%s", gettext(words));
 }
 
-/** @return What an engine computes with. */
+/** @return The number type of an engine. */
 static const char *type_name(const Engine *engine) {
     return engine->mantissa_bits < 53 ? "float" : engine->mantissa_bits == 53 ? "double" : "quad";
 }
@@ -42,12 +42,9 @@ static const char *type_name(const Engine *engine) {
 /** Bytes of an ordinal number, with its final zero. */
 enum { ORDINAL_SIZE = 24 };
 
-/**
- * @return A number's ordinal.
- * @param n  The number, at least 0.
- */
+/** @return The ordinal of a number. @param n At least 0. */
 static const char *format_ordinal(int n, char words[ORDINAL_SIZE]) {
-    // A language may have a word of its own for the first alone, not for the 21st.
+    // French has a form of its own for 1, but not for 21.
     static const char *const forms[] = {N_("%dth"), N_("%dst"), N_("%dnd"), N_("%drd"), N_("1st")};
     int last = n % 10;
     int form = n / 10 % 10 == 1 || last > 3 ? 0 : last;
@@ -55,7 +52,7 @@ static const char *format_ordinal(int n, char words[ORDINAL_SIZE]) {
     return words;
 }
 
-/** Says why float is forecast to be enough, or not. */
+/** Explains the estimate: why float is sufficient, or not. */
 static void append_cause(TextBuffer *text, const PrecisionEstimate *forecast, bool is_enough) {
     if (is_enough && forecast->max_distance_in_radii > 0) {
         append_format(text, "the farthest thing is %.3g of its radii away",
@@ -76,7 +73,7 @@ static void append_cause(TextBuffer *text, const PrecisionEstimate *forecast, bo
                                 : causes[forecast->cause]);
 }
 
-/** Says which number type is enough. */
+/** Names the sufficient number type. */
 static void append_number_type(TextBuffer *text, const Needs *needs) {
     const NeedsEngine *chosen = &needs->engines[needs->engine], *fast = &needs->engines[0];
     bool is_float = needs->engine == 0;
@@ -106,7 +103,7 @@ static void append_number_type(TextBuffer *text, const Needs *needs) {
     }
 }
 
-/** Says how deep rays must be followed. */
+/** Explains the depth. */
 static void append_depth(TextBuffer *text, const Needs *needs) {
     if (!needs->is_recursive) {
         append_format(text, ". Depth 0: nothing mirrors and nothing lets light through");
@@ -133,7 +130,7 @@ static void append_depth(TextBuffer *text, const Needs *needs) {
     }
 }
 
-/** Says what else is needed. */
+/** Explains tolerances, offset and samples. */
 static void append_other_settings(TextBuffer *text, const Needs *needs) {
     if (needs->has_sdf && needs_trial_fails(&needs->tolerance_trial)) {
         append_format(

@@ -1,10 +1,10 @@
 /**
  * @file
- * @brief How two shots of the same pixels differ: in colour, and in what their rays met.
+ * @brief Compares renders: differences of colour, rays on other paths, and noise.
  *
- * A ray that passes an edge on its other side sees something else, in any number type: such a pixel
- * is another picture of the edge, not a wrong colour. So colours are compared where both rays took
- * the same way; the others are counted.
+ * A ray that passes an edge on its other side sees another surface, in any number type. Such a
+ * pixel shows another sample of the edge, not a wrong colour. So colours are compared where both
+ * rays took the same path; the other rays are counted.
  */
 #ifndef DIOPTRE_LAB_NEEDS_IMAGE_DIFFERENCE_H
 #define DIOPTRE_LAB_NEEDS_IMAGE_DIFFERENCE_H
@@ -12,35 +12,63 @@
 #include "dioptre/encoding.h"
 #include "lab/needs/sampled_render.h"
 
-/** Half an 8-bit step of the encoded picture: less than this, nobody can tell. */
+/** The least visible difference: half an 8-bit step of the encoded picture. */
 #define IMAGE_DIFFERENCE_VISIBLE 0.5
 
-/** How two shots differ. */
+/** How two renders differ. */
 typedef struct ImageDifference {
-    size_t rays;          /**< How many were compared. */
-    size_t same_path;     /**< How many took the same way. */
-    size_t edge_flips;    /**< How many took another, and show it by half a step or more. */
-    size_t visible;       /**< How many took the same way and are off by half a step or more. */
-    double max_steps;     /**< Largest difference on the same way, steps. */
-    double same_path_rms; /**< Root of the mean square of it, linear light. */
-    double total_rms;     /**< The same of all rays, edges too. */
+    size_t rays;          /**< Rays compared. */
+    size_t same_path;     /**< Rays on the same path. */
+    size_t edge_flips;    /**< Rays on another path with a visible difference. */
+    size_t visible;       /**< Rays on the same path with a visible difference. */
+    double max_steps;     /**< Largest difference on the same path, 8-bit steps. */
+    double same_path_rms; /**< RMS difference on the same path, linear light. */
+    double total_rms;     /**< RMS difference of all rays, linear light. */
 } ImageDifference;
 
 /**
- * Compares two shots.
- * @param b  Another, of the same pixels and samples.
- * @param path_reference  Whose trails stand for the second's: a shot of the same pixels and samples
- *         that takes the ways that those of \p a should; NULL: rays are taken to be the same.
- * @param encoding  How their light is shown.
+ * Compares two renders.
+ * @param b               A render of the same pixels and samples.
+ * @param path_reference  Has the paths that the rays of a should take; NULL: all paths are equal.
+ * @param encoding        How light is displayed.
  * @return How they differ.
  */
 ImageDifference image_difference_of(const SampledRender *a, const SampledRender *b,
                                     const SampledRender *path_reference, Encoding encoding);
 
-/**
- * @return By how many steps two colours differ, in the primary where they differ most.
- * @param encoding  How it is shown.
- */
+/** @return The difference of two colours in 8-bit steps, in the channel where it is largest. */
 double image_difference_steps(const double a[3], const double b[3], Encoding encoding);
+
+/** Rotation of the camera in pixels: an edge that moves by so little is not noticed. */
+#define OUTLIER_CAMERA_SHIFT (1.0 / 64)
+
+/**
+ * Counts outliers: rays on another path with a visible difference, which the reference shows in no
+ * direction even after the camera is rotated by up to #OUTLIER_CAMERA_SHIFT.
+ * @param reference         How the reference was rendered.
+ * @param reference_render  The reference.
+ * @param render            The render whose outliers are counted.
+ * @return false if anything is wrong.
+ */
+bool outliers_count(const RenderContext *render_context, const Variant *reference,
+                    const SampledRender *reference_render, const SampledRender *render,
+                    size_t *outliers, Error *error);
+
+/** The noise that a number of samples leaves. */
+typedef struct SamplingError {
+    int samples;     /**< Rays per pixel. */
+    double rms;      /**< RMS change with four times as many, of pixels that change visibly; 8-bit
+                          steps. */
+    double fraction; /**< Fraction of the pixels that change visibly. */
+} SamplingError;
+
+/**
+ * Measures the noise of a variant against four times as many samples; while half as many leave no
+ * visible noise, takes half.
+ * @param variant  #TraceSettings.samples are those to begin with.
+ * @return false if anything is wrong.
+ */
+bool sampling_error_measure(const RenderContext *render_context, const Variant *variant,
+                            SamplingError *sampling_error, Error *error);
 
 #endif

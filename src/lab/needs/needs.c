@@ -1,36 +1,32 @@
 /**
  * @file
- * @brief Finding what a scene needs: depth, tolerance, number type, in this order; then what each
- *        costs.
+ * @brief Finds what a scene needs: depth, tolerances, number type, in this order; then their cost.
  */
 #include "dioptre/needs.h"
 
-#include "lab/needs/outliers.h"
-#include "lab/needs/sampling_error.h"
-#include "lab/needs/scaled_tolerance_scene.h"
+#include "lab/needs/image_difference.h"
 
-/** Depth of the reference, and the weight where its rays end: more changes nothing. */
+/** Depth of the reference: a larger one changes nothing. */
 enum { REFERENCE_DEPTH = 128 };
-/** See #REFERENCE_DEPTH; a fifteenth of what the tracer takes. */
+/** Throughput at which the reference's rays end: a fifteenth of the tracer's default. */
 #define REFERENCE_CUTOFF 1e-5
 
-/** Rays a pixel that number types are compared with: soft lamps are aimed at another place by each.
- */
+/** Rays per pixel when number types are compared: each samples soft lights differently. */
 enum { ROUNDING_SAMPLES = 4 };
 
-/** How often each manner is timed, in turn with the others: the least time is taken. */
+/** How often each variant is timed, in turn with the others; the least time counts. */
 enum { TIMING_REPEATS = 3 };
 
-/** How many times as fine as the scene says tolerances of the reference are. */
+/** Tolerances of the reference over the scene's own. */
 #define REFERENCE_TOLERANCE (1.0 / 16)
 
-/** A pilot under way. */
+/** A search in progress. */
 typedef struct NeedsSearch {
-    const NeedsRequest *request; /**< What is asked. */
-    RenderContext context;       /**< The scene and the pixels that are tried. */
-    Variant best;                /**< The cheapest manner so far that is enough, in double. */
-    Encoding encoding;           /**< How light is shown. */
-    Needs *needs;                /**< What was found. */
+    const NeedsRequest *request; /**< What is wanted. */
+    RenderContext context;       /**< The scene and the pixels that are rendered. */
+    Variant best;                /**< The cheapest sufficient variant so far, in double. */
+    Encoding encoding;           /**< How light is displayed. */
+    Needs *needs;                /**< The result. */
 } NeedsSearch;
 
 bool needs_trial_fails(const NeedsTrial *trial) {
@@ -39,12 +35,12 @@ bool needs_trial_fails(const NeedsTrial *trial) {
 }
 
 double needs_trial_certainty(const NeedsTrial *trial) {
-    /** -ln 0.05: if one in n were off, none of 3 n would be seen in one case of twenty. */
+    /** -ln 0.05: if one ray in n were wrong, 3 n rays would show none with probability 0.05. */
     const double rule_of_three = 3;
     return (double)trial->rays / rule_of_three;
 }
 
-/** @return What a comparison says. */
+/** @return A trial without outliers. */
 static NeedsTrial trial_from_difference(const ImageDifference *difference) {
     return (NeedsTrial){.rays = difference->rays,
                         .max_steps = difference->max_steps,
@@ -52,11 +48,8 @@ static NeedsTrial trial_from_difference(const ImageDifference *difference) {
                         .edge_flips = difference->edge_flips};
 }
 
-/**
- * Compares two manners whose rays start alike, in one number type.
- * @param reference_render  How it should be.
- * @return false if anything is.
- */
+/** Tries a variant against a reference of the same number type, without outliers. @return false if
+ *  anything is wrong. */
 static bool try_same_precision(const NeedsSearch *search, const Variant *variant,
                                const SampledRender *reference_render, NeedsTrial *trial,
                                Error *error) {
@@ -71,7 +64,7 @@ static bool try_same_precision(const NeedsSearch *search, const Variant *variant
     return true;
 }
 
-/** Tries a depth. @return false if anything is. */
+/** Tries a depth. @return false if anything is wrong. */
 static bool try_depth(const NeedsSearch *search, int depth, const SampledRender *reference_render,
                       NeedsTrial *trial, Error *error) {
     Variant variant = search->best;
@@ -79,8 +72,8 @@ static bool try_depth(const NeedsSearch *search, int depth, const SampledRender 
     return try_same_precision(search, &variant, reference_render, trial, error);
 }
 
-/** Finds the least depth that is enough: doubled until it is, then halved between. @return false if
- *  anything is. */
+/** Finds the least sufficient depth: by doubling, then by bisection. @return false if anything is
+ *  wrong. */
 static bool search_depth(NeedsSearch *search, const SampledRender *reference_render, Error *error) {
     Needs *needs = search->needs;
     int low = -1, high = 0;
@@ -109,7 +102,7 @@ static bool search_depth(NeedsSearch *search, const SampledRender *reference_ren
     return true;
 }
 
-/** Finds the depth. @return false if anything is. */
+/** Finds the depth. @return false if anything is wrong. */
 static bool find_depth(NeedsSearch *search, Error *error) {
     Needs *needs = search->needs;
     Variant reference = search->best;
@@ -133,11 +126,7 @@ static bool find_depth(NeedsSearch *search, Error *error) {
     return is_found;
 }
 
-/**
- * Shoots with other tolerances.
- * @param factor  How many times as large.
- * @return false if anything is.
- */
+/** Renders the best variant with scaled tolerances. @return false if anything is wrong. */
 static bool render_with_tolerance(const NeedsSearch *search, double factor, SampledRender *render,
                                   Error *error) {
     ScaledToleranceScene scaled;
@@ -151,7 +140,7 @@ static bool render_with_tolerance(const NeedsSearch *search, double factor, Samp
     return is_taken;
 }
 
-/** Finds how coarse tolerances may be. @return false if anything is. */
+/** Finds how coarse tolerances may be. @return false if anything is wrong. */
 static bool find_tolerance(NeedsSearch *search, Error *error) {
     Needs *needs = search->needs;
     SampledRender reference_render;
@@ -168,7 +157,7 @@ static bool find_tolerance(NeedsSearch *search, Error *error) {
         SampledRender render;
         is_done = render_with_tolerance(search, factor, &render, error);
         if (is_done) {
-            // Rays end elsewhere with each: which of them pass an edge is no fault of theirs.
+            // Hit points depend on the tolerance, and so do the rays that pass an edge.
             ImageDifference difference = image_difference_of(&render, &reference_render,
                                                              &reference_render, search->encoding);
             NeedsTrial trial = trial_from_difference(&difference);
@@ -182,11 +171,7 @@ static bool find_tolerance(NeedsSearch *search, Error *error) {
     return is_done;
 }
 
-/**
- * Compares two number types, or ways to leave a surface.
- * @param reference  How it should be.
- * @return false if anything is.
- */
+/** Tries a number type or an offset against a reference. @return false if anything is wrong. */
 static bool try_rounding(const NeedsSearch *search, const RenderContext *render_context,
                          const Variant *variant, const Variant *reference, NeedsTrial *trial,
                          Error *error) {
@@ -207,15 +192,14 @@ static bool try_rounding(const NeedsSearch *search, const RenderContext *render_
     return is_done;
 }
 
-/** @return Whether a pixel is one of the few that quad is asked about: it takes a hundred times as
- *  long. See #PixelTest. */
+/** Is a #PixelTest: pixels that are traced in quad, which is a hundred times slower. */
 static bool pixel_is_in_quad_set(const void *context, int x, int y) {
-    /** Cells of which one is asked, each way. */
+    /** Of so many cells along each axis, one is traced. */
     const int cells = 5;
     return pixel_is_sampled(context, x, y) && x / 8 % cells == 2 && y / 8 % cells == 2;
 }
 
-/** Tries double against quad. @return false if anything is. */
+/** Tries double against quad. @return false if anything is wrong. */
 static bool try_double(const NeedsSearch *search, NeedsEngine *tried, Error *error) {
     PixelSet quad_pixels;
     Variant variant = search->best, reference = search->best;
@@ -234,7 +218,7 @@ static bool try_double(const NeedsSearch *search, NeedsEngine *tried, Error *err
     return is_done;
 }
 
-/** Finds the number type. @return false if anything is. */
+/** Finds the number type. @return false if anything is wrong. */
 static bool find_sufficient_engine(NeedsSearch *search, Error *error) {
     Needs *needs = search->needs;
     Variant variant = search->best;
@@ -265,7 +249,7 @@ static bool find_sufficient_engine(NeedsSearch *search, Error *error) {
     return true;
 }
 
-/** Looks what the other ways to leave a surface would change. @return false if anything is. */
+/** Tries the other ray offsets. @return false if anything is wrong. */
 static bool try_offset_modes(NeedsSearch *search, Error *error) {
     Needs *needs = search->needs;
     Variant bound = search->best;
@@ -280,7 +264,7 @@ static bool try_offset_modes(NeedsSearch *search, Error *error) {
                         error);
 }
 
-/** Looks what the samples that are wanted leave. @return false if anything is. */
+/** Finds the samples, and their noise. @return false if anything is wrong. */
 static bool find_sampling_error(NeedsSearch *search, Error *error) {
     SamplingError sampling_error;
     Variant variant = search->best;
@@ -292,8 +276,8 @@ static bool find_sampling_error(NeedsSearch *search, Error *error) {
     return is_found;
 }
 
-/** Tries all of it together: what was found against a reference with everything on. @return false
- *  if anything is. */
+/** Tries all settings found together, against a reference with full depth and cutoff. @return false
+ *  if anything is wrong. */
 static bool try_total(NeedsSearch *search, Error *error) {
     Needs *needs = search->needs;
     const NeedsEngine *chosen = &needs->engines[needs->engine];
@@ -317,18 +301,14 @@ static bool try_total(NeedsSearch *search, Error *error) {
     return is_done;
 }
 
-/** @return Whether a pixel is in the part of the picture that is timed: whole blocks, as pictures
- *  are drawn, here and there. See #PixelTest. */
+/** Is a #PixelTest: the pixels that are timed, in whole tiles, as pictures are rendered. */
 static bool pixel_is_in_timed_set(const void *context, int x, int y) {
     (void)context;
     return (x / 64 + 5 * (y / 16)) % 32 == 0;
 }
 
-/**
- * Times manners in turn.
- * @param[out] seconds  The least time of each.
- * @return false if anything is.
- */
+/** Times variants in turn. @param[out] seconds The least time of each. @return false if anything is
+ *  wrong. */
 static bool time_variants(const RenderContext *render_context, const Variant *variants,
                           size_t count, double *seconds, Error *error) {
     for (int turn = 0; turn < TIMING_REPEATS; turn++) {
@@ -345,7 +325,7 @@ static bool time_variants(const RenderContext *render_context, const Variant *va
     return true;
 }
 
-/** Finds what each engine costs, and everything on. @return false if anything is. */
+/** Times the engines and the reference. @return false if anything is wrong. */
 static bool find_costs(NeedsSearch *search, Error *error) {
     Needs *needs = search->needs;
     Variant variants[3] = {search->best, search->best, search->best};
@@ -370,7 +350,7 @@ static bool find_costs(NeedsSearch *search, Error *error) {
     return is_timed;
 }
 
-/** Tries everything. @return false if anything is. */
+/** Finds everything. @return false if anything is wrong. */
 static bool run_search(NeedsSearch *search, Error *error) {
     return find_depth(search, error) && find_tolerance(search, error) &&
            find_sufficient_engine(search, error) && try_offset_modes(search, error) &&

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Taking shots.
+ * @brief Chooses pixels, scales tolerances, and renders.
  */
 #include "lab/needs/sampled_render.h"
 
@@ -8,37 +8,221 @@
 #include "render/thread_pool.h"
 
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
-/** Rays of a block. */
+/* --- which pixels -------------------------------------------------------------------------------
+ */
+
+/** Pixels along a side of a cell of which one pixel is sampled. */
+enum { SAMPLING_CELL = 8 };
+
+bool pixel_is_any(const void *context, int x, int y) {
+    (void)context;
+    (void)x;
+    (void)y;
+    return true;
+}
+
+bool pixel_is_sampled(const void *context, int x, int y) {
+    (void)context;
+    uint64_t z =
+        ((uint64_t)(y / SAMPLING_CELL) << 32 | (uint64_t)(x / SAMPLING_CELL)) + 0x9E3779B97F4A7C15u;
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
+    z ^= z >> 31;
+    return x % SAMPLING_CELL == (int)(z % SAMPLING_CELL) &&
+           y % SAMPLING_CELL == (int)(z / SAMPLING_CELL % SAMPLING_CELL);
+}
+
+/** Adds the pixels of a tile. */
+static void add_tile_pixels(PixelSet *pixels, size_t tile, PixelTest test, const void *context) {
+    PixelGrid grid = tile_at(pixels->width, pixels->height, tile);
+    pixels->tile_first[tile] = pixels->count;
+    for (int index = 0; index < grid.rows * grid.columns; index++) {
+        if (test(context, grid.x + index % grid.columns, grid.y + index / grid.columns)) {
+            pixels->chosen[pixels->count++] = (uint16_t)index;
+        }
+    }
+    pixels->tile_first[tile + 1] = pixels->count;
+}
+
+bool pixel_set_init(PixelSet *pixels, int width, int height, PixelTest test, const void *context,
+                    Error *error) {
+    size_t all = (size_t)width * (size_t)height;
+    *pixels = (PixelSet){.width = width, .height = height, .tile_count = tile_count(width, height)};
+    pixels->tile_first = calloc(pixels->tile_count + 1, sizeof *pixels->tile_first);
+    pixels->chosen = malloc(all * sizeof *pixels->chosen);
+    if (!pixels->tile_first || !pixels->chosen) {
+        pixel_set_deinit(pixels);
+        return error_set(error, STATUS_FAILED, "no memory for %zu pixels", all);
+    }
+    for (size_t tile = 0; tile < pixels->tile_count; tile++) {
+        add_tile_pixels(pixels, tile, test, context);
+    }
+    return true;
+}
+
+/** The edges of shapes in a picture. */
+typedef struct ShapeEdges {
+    const int *shapes; /**< The shape in each pixel. */
+    int width;         /**< Of the picture. */
+    int height;        /**< Of the picture. */
+    size_t stride;     /**< One of so many pixels at edges is taken. */
+} ShapeEdges;
+
+/** @return Whether the pixel below, or to the right, shows another shape. */
+static bool pixel_is_on_shape_edge(const ShapeEdges *ends, int x, int y) {
+    const int *here = ends->shapes + (size_t)y * (size_t)ends->width + x;
+    return (x + 1 < ends->width && here[1] != *here) ||
+           (y + 1 < ends->height && here[ends->width] != *here);
+}
+
+/** Is a #PixelTest, see #pixel_set_init_sparse. */
+static bool pixel_is_in_sparse_set(const void *context, int x, int y) {
+    const ShapeEdges *ends = context;
+    return pixel_is_sampled(NULL, x, y) ||
+           (((size_t)x + 31 * (size_t)y) % ends->stride == 0 && pixel_is_on_shape_edge(ends, x, y));
+}
+
+/** Makes the set of #pixel_set_init_sparse. @return false without memory. */
+static bool choose_sparse_pixels(PixelSet *pixels, ShapeEdges *ends, Error *error) {
+    size_t count = 0,
+           limit = (size_t)ends->width * (size_t)ends->height / (SAMPLING_CELL * SAMPLING_CELL);
+    for (int y = 0; y < ends->height; y++) {
+        for (int x = 0; x < ends->width; x++) {
+            count += pixel_is_on_shape_edge(ends, x, y);
+        }
+    }
+    ends->stride = count / (limit + 1) + 1;
+    return pixel_set_init(pixels, ends->width, ends->height, pixel_is_in_sparse_set, ends, error);
+}
+
+bool pixel_set_init_sparse(PixelSet *pixels, const Scene *scene, int width, int height,
+                           Error *error) {
+    const Engine *engine = engine_find("auto", NULL);
+    const TraceSettings settings = {.samples = 1, .offset = OFFSET_BOUND};
+    size_t count = (size_t)width * (size_t)height;
+    int *shapes = malloc(count * sizeof *shapes);
+    double *distances = malloc(count * sizeof *distances);
+    bool has_room = shapes && distances, is_made = false;
+    Tracer *tracer = has_room ? engine->create_tracer(scene, &settings, error) : NULL;
+    if (tracer) {
+        PixelGrid all = {.columns = width, .rows = height, .stride = 1};
+        engine->set_view(tracer, scene, width, height);
+        engine->trace_primary(tracer, &all, shapes, distances);
+        engine->destroy(tracer);
+        is_made = choose_sparse_pixels(pixels, &(ShapeEdges){shapes, width, height, 1}, error);
+    } else if (!has_room) {
+        error_set(error, STATUS_FAILED, "no memory for %zu pixels", count);
+    }
+    free(shapes);
+    free(distances);
+    return is_made;
+}
+
+void pixel_set_deinit(PixelSet *pixels) {
+    free(pixels->tile_first);
+    free(pixels->chosen);
+    *pixels = (PixelSet){0};
+}
+
+PixelGrid pixel_set_tile_grid(const PixelSet *pixels, size_t tile) {
+    PixelGrid grid = tile_at(pixels->width, pixels->height, tile);
+    grid.selected = pixels->chosen + pixels->tile_first[tile];
+    grid.selected_count = pixels->tile_first[tile + 1] - pixels->tile_first[tile];
+    return grid;
+}
+
+/* --- of which scene -----------------------------------------------------------------------------
+ */
+
+/** @return The description of a shape's kind. */
+static const SceneShapeClass *class_of(const SceneShape *shape) {
+    return scene_shape_classes[shape->class_index];
+}
+
+/** @return Bytes of a shape's parameters, rounded up to the alignment of what follows; 0 if it has
+ *          no tolerance. */
+static size_t scaled_size(const SceneShape *shape) {
+    const size_t alignment = _Alignof(max_align_t);
+    const SceneShapeClass *class = class_of(shape);
+    size_t size = class->scale_tolerance ? class->keyword.size : 0;
+    return (size + alignment - 1) / alignment * alignment;
+}
+
+/** @return Bytes of the parameters of all shapes with a tolerance. */
+static size_t scaled_parameters_size(const Scene *scene) {
+    size_t size = 0;
+    for (size_t i = 0; i < scene->shape_count; i++) {
+        size += scaled_size(&scene->shapes[i]);
+    }
+    return size;
+}
+
+bool scene_has_tolerances(const Scene *scene) {
+    return scaled_parameters_size(scene) > 0;
+}
+
+bool scaled_tolerance_scene_init(ScaledToleranceScene *scaled, const Scene *scene, double factor,
+                                 Error *error) {
+    *scaled = (ScaledToleranceScene){.scene = *scene,
+                                     .shapes = calloc(scene->shape_count + 1, sizeof(SceneShape)),
+                                     .parameters = malloc(scaled_parameters_size(scene) + 1)};
+    if (!scaled->shapes || !scaled->parameters) {
+        scaled_tolerance_scene_deinit(scaled);
+        return error_set(error, STATUS_FAILED, "no memory for %zu shapes", scene->shape_count);
+    }
+    char *next = scaled->parameters;
+    for (size_t i = 0; i < scene->shape_count; i++) {
+        SceneShape *shape = &scaled->shapes[i];
+        *shape = scene->shapes[i];
+        const SceneShapeClass *class = class_of(shape);
+        if (class->scale_tolerance) {
+            memcpy(next, shape->parameters, class->keyword.size);
+            class->scale_tolerance(next, factor);
+            shape->parameters = next;
+            next += scaled_size(shape);
+        }
+    }
+    scaled->scene.shapes = scaled->shapes;
+    return true;
+}
+
+void scaled_tolerance_scene_deinit(ScaledToleranceScene *scaled) {
+    free(scaled->shapes);
+    free(scaled->parameters);
+    *scaled = (ScaledToleranceScene){0};
+}
+
+/* --- rendered how -------------------------------------------------------------------------------
+ */
+
+/** Most rays of a tile, per sample. */
 enum { RAYS_PER_TILE = TILE_COLUMNS * TILE_ROWS };
 
-/** A shot under way, shared by its threads. */
+/** A render in progress, shared by its threads. */
 typedef struct SampleJob {
-    const RenderContext *context; /**< What is shot. */
-    const Variant *variant;       /**< How. */
-    const Tracer *tracer;         /**< The manner's tracer. */
-    SampledRender *render;        /**< Where it goes. */
-    RayCounts *counts;            /**< Rays traced, for each block. */
+    const RenderContext *context; /**< What is rendered. */
+    const Variant *variant;       /**< How it is rendered. */
+    const Tracer *tracer;         /**< The variant's tracer. */
+    SampledRender *render;        /**< The result. */
+    RayCounts *counts;            /**< Rays traced, per tile. */
 } SampleJob;
 
-/** @return The processor's time that this program has used, seconds. */
+/** @return The CPU time of the process, seconds. */
 static double process_cpu_seconds(void) {
     struct timespec now;
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/** @return Whether a studio was stopped. */
+/** @return Whether rendering was stopped. */
 static bool context_is_stopped(const RenderContext *render_context) {
     return render_context->stop && atomic_load_explicit(render_context->stop, memory_order_relaxed);
 }
 
-/**
- * Traces one sample of a block's pixels.
- * @param grid  The pixels, with their sample.
- * @param first  How many pixels come before.
- */
+/** Traces one sample of a tile's pixels. @param first Pixels of the set before the tile. */
 static void trace_sample(const SampleJob *job, PixelGrid *grid, size_t first, RayCounts *counts) {
     double planes[3 * RAYS_PER_TILE];
     size_t count = grid->selected_count;
@@ -50,7 +234,7 @@ static void trace_sample(const SampleJob *job, PixelGrid *grid, size_t first, Ra
     }
 }
 
-/** Traces a block. See #ThreadPoolTask. */
+/** Is a #ThreadPoolTask: traces a tile. */
 static void render_tile(void *context, size_t index) {
     const SampleJob *job = context;
     PixelGrid grid = pixel_set_tile_grid(job->context->pixels, index);
@@ -64,10 +248,7 @@ static void render_tile(void *context, size_t index) {
     }
 }
 
-/**
- * @return A camera that is turned by a part of a pixel.
- * @param width  Pixels of the picture.
- */
+/** @return A camera, rotated by a variant's shift. @param width Of the picture, pixels. */
 static SceneCamera camera_rotated(SceneCamera camera, const Variant *variant, int width) {
     double pixel = 2 * tan(camera.fov / 2 * (M_PI / 180)) / width;
     Vec3d right = vec3d_scale(scene_camera_right(&camera), variant->shift_right * pixel);
@@ -79,11 +260,7 @@ static SceneCamera camera_rotated(SceneCamera camera, const Variant *variant, in
     return camera;
 }
 
-/**
- * Traces all blocks.
- * @param job  The shot, but for its tracer.
- * @return false if anything is.
- */
+/** Traces all tiles. @return false if anything is wrong. */
 static bool render_tiles(SampleJob *job, ThreadPool *workers, Error *error) {
     const RenderContext *render_context = job->context;
     const Engine *engine = job->variant->engine;
@@ -106,10 +283,10 @@ static bool render_tiles(SampleJob *job, ThreadPool *workers, Error *error) {
            error_set(error, STATUS_INTERRUPTED, "interrupted");
 }
 
-/** @return The sum of the rays of all blocks. */
-static RayCounts sum_counts(const RayCounts *counts, size_t blocks) {
+/** @return The rays of all tiles. */
+static RayCounts sum_counts(const RayCounts *counts, size_t tiles) {
     RayCounts sum = {0};
-    for (size_t i = 0; i < blocks; i++) {
+    for (size_t i = 0; i < tiles; i++) {
         sum.camera += counts[i].camera;
         sum.reflection += counts[i].reflection;
         sum.refraction += counts[i].refraction;

@@ -1,50 +1,126 @@
 /**
  * @file
- * @brief Shots: some pixels of a scene, traced in one manner, with every ray's colour and trail.
+ * @brief Renders some pixels of a scene, and keeps the colour and the path of every ray.
  */
 #ifndef DIOPTRE_LAB_NEEDS_SAMPLED_RENDER_H
 #define DIOPTRE_LAB_NEEDS_SAMPLED_RENDER_H
 
-#include "lab/needs/pixel_set.h"
+#include "dioptre/engine.h"
 
 #include <stdatomic.h>
 
-/** How pixels are traced. */
-typedef struct Variant {
-    const Engine *engine; /**< With which engine. */
-    TraceSettings trace;  /**< With which settings; its samples are the picture's. */
-    int samples_traced;   /**< How many of the samples of each pixel are traced. */
-    double shift_right;   /**< By how much the camera is turned to the right, pixels. */
-    double shift_up;      /**< By how much it is turned up, pixels. */
-} Variant;
+/* --- which pixels ------------------------------------------------------------------------------
+ */
 
-/** What a scene looked like. */
-typedef struct SampledRender {
-    size_t ray_count;      /**< Rays: pixels times samples. */
-    double *rgb;           /**< Linear light of each, three numbers; sample after sample; owned. */
-    uint64_t *path_hashes; /**< The trail of each; owned. */
-    double cpu_seconds;    /**< The processor's time for tracing, of all threads. */
-    RayCounts ray_counts;  /**< Rays traced in all. */
-} SampledRender;
+/** Some pixels of a picture, in the order of its tiles. */
+typedef struct PixelSet {
+    int width;          /**< Of the whole picture. */
+    int height;         /**< Of the whole picture. */
+    size_t tile_count;  /**< Tiles of the whole picture. */
+    size_t *tile_first; /**< Per tile, and once more at the end: pixels before it; owned. */
+    uint16_t *chosen;   /**< See #PixelGrid.selected, tile after tile; owned. */
+    size_t count;       /**< Pixels in the set. */
+} PixelSet;
 
-/** What is shot, and by whom. */
-typedef struct RenderContext {
-    const Scene *scene;      /**< The scene. */
-    const PixelSet *pixels;  /**< Of the picture. */
-    int threads;             /**< How many trace. */
-    const atomic_bool *stop; /**< A shot is given up once it is true; may be NULL. */
-} RenderContext;
+/** @return Whether a pixel is in a set. */
+typedef bool (*PixelTest)(const void *context, int x, int y);
 
 /**
- * Traces.
- * @param[out] render  The shot, to be given back with #sampled_render_deinit.
- * @param[out] error  What is wrong; #STATUS_INTERRUPTED where it was stopped.
- * @return false if anything is.
+ * Makes a set.
+ * @param[out] pixels  The set, to be released with #pixel_set_deinit.
+ * @param test         Which pixels are in it.
+ * @param context      Passed to the test.
+ * @return false without memory.
+ */
+bool pixel_set_init(PixelSet *pixels, int width, int height, PixelTest test, const void *context,
+                    Error *error);
+
+/** Is a #PixelTest: all pixels. */
+bool pixel_is_any(const void *context, int x, int y);
+
+/** Is a #PixelTest: one pixel of each 8 by 8, at a pseudo-random position that is always the same.
+ */
+bool pixel_is_sampled(const void *context, int x, int y);
+
+/**
+ * Makes a set for trials: one pixel of each 8 by 8, and pixels at the edges of shapes; if there are
+ * very many of those, only some.
+ * @param[out] pixels  The set, to be released with #pixel_set_deinit.
+ * @return false without memory.
+ */
+bool pixel_set_init_sparse(PixelSet *pixels, const Scene *scene, int width, int height,
+                           Error *error);
+
+/** Releases a set, which may be empty. */
+void pixel_set_deinit(PixelSet *pixels);
+
+/** @return The pixels of a set in a tile; an empty grid must not be traced. */
+PixelGrid pixel_set_tile_grid(const PixelSet *pixels, size_t tile);
+
+/* --- of which scene ----------------------------------------------------------------------------
+ */
+
+/** A scene whose distance fields have other tolerances. */
+typedef struct ScaledToleranceScene {
+    Scene scene;        /**< The scene; all but the following belongs to the original. */
+    SceneShape *shapes; /**< Its shapes; owned. */
+    char *parameters;   /**< Parameters of the shapes that differ; owned. */
+} ScaledToleranceScene;
+
+/** @return Whether a scene has shapes with a tolerance. */
+bool scene_has_tolerances(const Scene *scene);
+
+/**
+ * Makes a scene whose tolerances are scaled.
+ * @param[out] scaled  The scene, to be released with #scaled_tolerance_scene_deinit before the
+ *                     original.
+ * @return false without memory.
+ */
+bool scaled_tolerance_scene_init(ScaledToleranceScene *scaled, const Scene *scene, double factor,
+                                 Error *error);
+
+/** Releases a scaled scene, which may be empty. */
+void scaled_tolerance_scene_deinit(ScaledToleranceScene *scaled);
+
+/* --- rendered how ------------------------------------------------------------------------------
+ */
+
+/** How pixels are traced. */
+typedef struct Variant {
+    const Engine *engine; /**< The engine. */
+    TraceSettings trace;  /**< Its settings; the samples are those of the whole picture. */
+    int samples_traced;   /**< How many of the samples of each pixel are traced. */
+    double shift_right;   /**< Rotation of the camera to the right, pixels. */
+    double shift_up;      /**< Rotation of the camera up, pixels. */
+} Variant;
+
+/** What is rendered. */
+typedef struct RenderContext {
+    const Scene *scene;      /**< The scene. */
+    const PixelSet *pixels;  /**< The pixels. */
+    int threads;             /**< How many threads trace. */
+    const atomic_bool *stop; /**< Rendering is given up once it is true; may be NULL. */
+} RenderContext;
+
+/** The rays of rendered pixels. */
+typedef struct SampledRender {
+    size_t ray_count;      /**< Camera rays: pixels times samples. */
+    double *rgb;           /**< Linear light per ray, three numbers; sample after sample; owned. */
+    uint64_t *path_hashes; /**< Path hash per ray; owned. */
+    double cpu_seconds;    /**< CPU time of all threads. */
+    RayCounts ray_counts;  /**< All rays traced. */
+} SampledRender;
+
+/**
+ * Renders.
+ * @param[out] render  The rays, to be released with #sampled_render_deinit.
+ * @param[out] error   What is wrong; #STATUS_INTERRUPTED where it was stopped.
+ * @return false if anything is wrong.
  */
 bool render_samples(const RenderContext *render_context, const Variant *variant,
                     SampledRender *render, Error *error);
 
-/** Gives a shot back. @param render The shot; may be empty. */
+/** Releases rays; there may be none. */
 void sampled_render_deinit(SampledRender *render);
 
 #endif

@@ -1,0 +1,25 @@
+/**
+ * @file
+ * @brief The Pareto front of costs and errors: what nothing else beats in both.
+ */
+#ifndef DIOPTRE_LAB_CHARTS_PARETO_FRONT_H
+#define DIOPTRE_LAB_CHARTS_PARETO_FRONT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/** What something costs, and how accurate it is. */
+typedef struct ParetoPoint {
+    double cost;    /**< Such as a time. */
+    double error;   /**< At least 0. */
+    bool is_pareto; /**< Whether it is part of the front. */
+} ParetoPoint;
+
+/**
+ * Finds the front: points that no cheaper point equals in error, and no equally cheap one beats.
+ * @param[in,out] points  The points; #ParetoPoint.is_pareto is set.
+ * @param equal_factor    Errors count as equal up to this factor, at least 1.
+ */
+void pareto_front_find(ParetoPoint *points, size_t count, double equal_factor);
+
+#endif

@@ -74,12 +74,6 @@ const char *layer_name(Layer layer);
  *  layer. */
 const char *layer_unit(Layer layer);
 
-/** @return What must be wanted of a survey for a layer. See #AOV_RADIANCE. @param layer It. */
-unsigned layer_aov_mask(Layer layer);
-
-/** @return Whether a layer compares with a reference engine. @param layer The layer. */
-bool layer_needs_reference(Layer layer);
-
 /**
  * Takes the numbers of a layer from a survey. Not for #LAYER_TIME and those that compare.
  * @param layer         The layer.

@@ -5,3 +5,6 @@
 
 # A constant in an enum of its own is shown, and linked to, by its name.
 s/^enum \{ ([A-Z_0-9]+) = ([^,=]*) \};$/#define \1 \2/
+
+# An assertion for the compiler is no function.
+s/^_Static_assert\(.*\);$//

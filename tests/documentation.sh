@@ -62,7 +62,7 @@ for words in 'quite_undocumented\(int value\).* is not documented' 'parameters o
 done
 
 # --- the scene reference -------------------------------------------------------------------------
-objects="$BUILD/obj/src/scene/*.o $BUILD/obj/engine-f32x1.o"
+objects="$BUILD/obj/src/scene/*.o $BUILD/obj/src/scene/*/*.o $BUILD/obj/src/base/*.o"
 # shellcheck disable=SC2086 # a list of files
 if ${CC:-cc} -std=gnu11 -Iinclude -o "$work/print_keywords" tests/print_keywords.c $objects -lm 2>"$work/err"; then
     "$work/print_keywords" >"$work/tables"

@@ -1,43 +1,47 @@
 #!/bin/sh
-# Runs every test: the unit tests of the release and the sanitizer build, then the scripts that use
-# the program as a person would. Ends with `N passed, N failed`.
+# Runs every test: the unit tests of the release and of the sanitizer build, then the scripts that use
+# the program as a person would. Two at a time (JOBS), but for what measures time. Prints what failed
+# in full, and ends with `N passed, N failed`.
 set -u
 cd "$(dirname "$0")/.."
 # use_sigaltstack=0: the runtime of gcc 12 takes the alternate stack of a thread that ends for an overflow.
 export ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=1:use_sigaltstack=0
 export UBSAN_OPTIONS=print_stacktrace=1
-passed=0
-failed=0
+logs=build/test-logs
 
-# check NAME COMMAND...: runs a command, prints its output only if it failed. Ten minutes are many
-# times what the slowest takes: only a hang meets the limit.
-check() {
-    name=$1
-    shift
+# --one COMMAND: runs a test, a word or several, and notes how it went. Ten minutes are many times what
+# the slowest takes: only a test that hangs meets the limit.
+if [ "${1:-}" = --one ]; then
+    log=$logs/$(echo "$2" | tr -c 'a-zA-Z0-9\n' -)
     start=$(date +%s)
-    if timeout 600 "$@" >build/test.log 2>&1 </dev/null; then
-        passed=$((passed + 1))
-        echo "ok $name ($(($(date +%s) - start)) s)"
-        grep -E '^(worst errors|  [a-z ]+ f[0-9]+x|skipped)' build/test.log
+    # shellcheck disable=SC2086 # a command and its environment
+    if timeout 600 env $2 >"$log" 2>&1 </dev/null; then
+        echo "ok $2 ($(($(date +%s) - start)) s)" >"$log.result"
+        grep -E '^(worst errors|  [a-z ]+ f[0-9]+x|skipped)' "$log" >>"$log.result"
     else
-        failed=$((failed + 1))
-        echo "not ok $name"
-        cat build/test.log
+        echo "not ok $2 ($(($(date +%s) - start)) s)" | cat - "$log" >"$log.result"
     fi
-}
+    # In one piece, whatever runs beside it.
+    exec flock "$logs" cat "$log.result"
+fi
 
-for build in build build/asan; do
-    for test in "$build"/tests/test_*; do
-        case $test in *.d) continue ;; esac
-        check "$test" "$test"
+rm -rf "$logs" && mkdir -p "$logs"
+# The longest first, so that none is left over at the end.
+{
+    for build in build/asan build; do
+        ls -S tests/test_*.c | sed "s|^tests/\(.*\)\.c$|$build/tests/\1|"
+        if [ $build = build/asan ]; then
+            for script in film readme farm lesson models pictures documentation bad-input language lab chart engines probe \
+                command-line desktop trouble style; do
+                echo "tests/$script.sh"
+            done
+            echo BUILD=build/asan tests/soak.sh
+        fi
     done
-done
-for script in command-line probe language bad-input models pictures engines film farm desktop lab chart lesson readme documentation style; do
-    check "$script" "tests/$script.sh"
-done
-check window env BUILD=build tests/window.sh
-check scene-list tests/scene-list.sh
-check trouble tests/trouble.sh
-check soak env BUILD=build/asan tests/soak.sh
+} | xargs -d '\n' -P "${JOBS:-2}" -n 1 "$0" --one
+# What measures time has the machine to itself.
+for script in window scene-list; do "$0" --one "BUILD=build tests/$script.sh"; done
+passed=$(head -qn 1 "$logs"/*.result | grep -c "^ok ")
+failed=$(head -qn 1 "$logs"/*.result | grep -c "^not ok ")
 echo "$passed passed, $failed failed"
 [ "$failed" = 0 ]

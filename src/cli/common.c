@@ -19,13 +19,11 @@ Scene *command_load_scene(const Options *options, Error *error) {
 Scene *command_load_scene_at(const Options *options, double time, AssetCache *cache,
                              const atomic_bool *stop, Error *error) {
     MeshReadProgress mesh_progress;
-    // The keywords of an engine that this processor can run: their checks are its code.
     ScriptRequest request = {.path = options->arguments[0],
                              .base_dir = options->base_dir,
                              .time = time,
                              .time_limit = SCRIPT_TIME_LIMIT,
                              .memory_limit = SCRIPT_MEMORY_LIMIT,
-                             .shape_keywords = engine_find("auto", NULL)->shape_keywords,
                              .progress = mesh_read_progress_init(&mesh_progress, options),
                              .cache = cache,
                              .stop = stop};

@@ -31,15 +31,9 @@ typedef struct SceneInfo {
 
 /* --- gathering -------------------------------------------------------------------------------- */
 
-/** @return The keywords of the shape classes, ended by NULL. */
-static const Keyword *const *shape_keywords(const SceneInfo *info) {
-    return info->settings.engine->shape_keywords;
-}
-
 /** Counts the shapes by class and by material. */
 static void count_shapes(SceneInfo *info) {
     const Scene *scene = info->scene;
-    const Keyword *const *keywords = shape_keywords(info);
     for (size_t i = 0; i < scene->shape_count; i++) {
         const SceneMaterial *material = &scene->materials[scene->shapes[i].material_index];
         size_t class_index = scene->shapes[i].class_index;
@@ -47,7 +41,7 @@ static void count_shapes(SceneInfo *info) {
         info->reflective += scene_material_is_reflective(material);
         info->transparent += scene_material_is_transparent(material);
         info->specular += material->specular > 0;
-        info->has_sdfs = info->has_sdfs || strcmp(keywords[class_index]->name, "sdf") == 0;
+        info->has_sdfs = info->has_sdfs || scene_shape_facts(scene, &scene->shapes[i]).sdf;
     }
 }
 
@@ -90,7 +84,7 @@ static const char *engine_reason(const SceneInfo *info) {
 
 /** Prints the number of shapes and how many there are of each class. */
 static void print_shapes(const SceneInfo *info) {
-    const Keyword *const *keywords = shape_keywords(info);
+    const Keyword *const *keywords = scene_shape_keywords;
     printf(gettext("%zu:"), info->scene->shape_count);
     for (size_t kind = 0; keywords[kind]; kind++) {
         if (info->shape_counts[kind]) {
@@ -102,7 +96,7 @@ static void print_shapes(const SceneInfo *info) {
 
 /** Writes the same as JSON. */
 static void write_shapes(const SceneInfo *info, JsonWriter *json) {
-    const Keyword *const *keywords = shape_keywords(info);
+    const Keyword *const *keywords = scene_shape_keywords;
     json_object_begin(json, "shapes");
     for (size_t kind = 0; keywords[kind]; kind++) {
         if (info->shape_counts[kind]) {

@@ -146,8 +146,8 @@ static bool apply_lesson_settings(Options *options, const Lesson *lesson, Error 
 /** Plays a lesson. */
 static void play_lesson(const Options *options, Error *error) {
     Options lesson_options = *options;
-    ActionNames actions;
-    actions.names = view_actions(&actions.move_count);
+    const char *names[VIEW_ACTIONS_MAXIMUM];
+    const ActionNames actions = {names, view_actions(names)};
     Lesson *lesson = script_load_lesson(options->lesson, &actions, error);
     if (lesson && use_lesson_scene(&lesson_options, lesson, error) &&
         apply_lesson_settings(&lesson_options, lesson, error)) {

@@ -114,7 +114,7 @@ static void samples_add(ChartMeasurement *measure) {
 
 /** Adds tolerances. */
 static void tolerances_add(ChartMeasurement *measure) {
-    bool is_marched = scene_has_tolerances(measure->scene, engine_list()[0]->shape_keywords);
+    bool is_marched = scene_has_tolerances(measure->scene);
     for (double factor = 0.25; is_marched && factor <= 256; factor *= 4) {
         char label[CHART_LABEL_SIZE];
         snprintf(label, sizeof label, "tolerance x %g", factor);
@@ -132,8 +132,7 @@ static void bvh_modes_add(ChartMeasurement *measure) {
 static bool point_render(const ChartMeasurement *measure, const PixelSet *pixels,
                          const ChartPoint *point, SampledRender *render, Error *error) {
     ScaledToleranceScene scaled;
-    if (!scaled_tolerance_scene_init(&scaled, measure->scene, point->engine->shape_keywords,
-                                     point->tolerance, error)) {
+    if (!scaled_tolerance_scene_init(&scaled, measure->scene, point->tolerance, error)) {
         return false;
     }
     const Scene *scene = point->tolerance == 1 ? measure->scene : &scaled.scene;

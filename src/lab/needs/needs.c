@@ -141,8 +141,7 @@ static bool find_depth(NeedsSearch *search, Error *error) {
 static bool render_with_tolerance(const NeedsSearch *search, double factor, SampledRender *render,
                                   Error *error) {
     ScaledToleranceScene scaled;
-    if (!scaled_tolerance_scene_init(&scaled, search->context.scene,
-                                     search->best.engine->shape_keywords, factor, error)) {
+    if (!scaled_tolerance_scene_init(&scaled, search->context.scene, factor, error)) {
         return false;
     }
     RenderContext render_context = search->context;
@@ -157,8 +156,7 @@ static bool find_tolerance(NeedsSearch *search, Error *error) {
     Needs *needs = search->needs;
     SampledRender reference_render;
     needs->tolerance = 1;
-    needs->has_sdf =
-        scene_has_tolerances(search->context.scene, search->best.engine->shape_keywords);
+    needs->has_sdf = scene_has_tolerances(search->context.scene);
     if (!needs->has_sdf) {
         return true;
     }

@@ -64,7 +64,7 @@ static void find_overridden(const RayOffset *offset, const Dielectrics *dielectr
 /**
  * Filters a packet through the next surface of each ray.
  * @param offset  How rays leave a surface.
- * @param material  The points that the rays come from.
+ * @param surface  The points that the rays come from.
  * @param[in,out] rays  The rays; active where there may be more surfaces.
  * @param[in,out] interior  What they are inside of; only where #Dielectrics.may_override.
  * @param[in,out] transmittance  What is left of the light.

@@ -30,7 +30,7 @@ static bool surface_hit_find(const Tracer *tracer, const Packet *packet, Surface
     surface->packet = packet;
     shape_set_closest_hits(&tracer->shapes, packet, surface->hits);
     if (tracer->emitters.count > 0) {
-        emitter_spheres_closest_hits(&tracer->emitters, packet, surface->hits);
+        emitters_closest_hits(&tracer->emitters, packet, surface->hits);
     }
     for (int v = 0; v < PACKET_VECTORS; v++) {
         const Hit *hit = &surface->hits[v];
@@ -67,8 +67,8 @@ typedef struct SecondaryRays {
 
 /**
  * Weighs rays that could go on, and drops those that cannot change the picture.
- * @param throughput  Of what they bring back.
- * @param throughput  What the rays before them weighed.
+ * @param weight  Factor on the colour that each ray brings back.
+ * @param throughput  Throughput of the rays before them.
  * @return Those that go on.
  */
 INLINE mask secondary_rays_set_weight(const Tracer *tracer, int v, mask lanes, Rgb weight,
@@ -241,7 +241,7 @@ INLINE bool intersect_packet(const Tracer *tracer, const Packet *packet,
         }
     }
     if (tracer->emitters.count > 0) {
-        emitter_spheres_shade(&tracer->emitters, surface->hits, colors);
+        emitters_shade(tracer->lights, surface->hits, colors);
     }
     return any_hit;
 }

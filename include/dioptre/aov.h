@@ -1,39 +1,39 @@
 /**
  * @file
- * @brief A survey: what the rays of pixels do, in numbers instead of colours.
+ * @brief Arbitrary output variables (AOVs): numbers of the rays of a pixel, for debug views.
  */
 #ifndef DIOPTRE_AOV_H
 #define DIOPTRE_AOV_H
 
 #include <stdint.h>
 
-/** What is wanted besides what the camera's rays meet first; these can be added up. */
+/** Optional AOVs, as bits of a mask. The first hit of the camera ray is always there. */
 enum {
-    AOV_RADIANCE = 1, /**< All rays are followed: colour, rays spent, lamps, the next surfaces. */
-    AOV_STEPS = 2,    /**< The marching steps of the camera's rays. */
-    AOV_UV = 4        /**< Where on a picture they meet the surfaces. */
+    AOV_RADIANCE = 1, /**< From full shading: colour, ray count, lights, secondary hits. */
+    AOV_STEPS = 2,    /**< The sphere-tracing steps of the camera ray. */
+    AOV_UV = 4        /**< Texture coordinates of the first hit. */
 };
 
-/** Lamps that are told apart; of the others nothing is noted. */
+/** Lights with a bit of their own; further lights are not recorded. */
 enum { AOV_MAX_LIGHTS = 64 };
 
-/** Rays that go on from the first surface: mirrored and refracted. */
+/** Secondary rays of the first hit: reflected and refracted. */
 enum { AOV_MAX_SECONDARY = 2 };
 
-/** What is known of a pixel: of its camera's ray, and of what became of it. */
+/** The AOVs of one pixel. */
 typedef struct AovSample {
-    int shape;                /**< Place of the shape that it meets first; -1: none. */
-    double distance;          /**< How far away, scene units; infinite where nothing is met. */
-    double normal[3];         /**< The surface's unit normal there, outwards; zero where none is. */
-    double uv[2];             /**< Where on a picture: (u, v); with #AOV_UV. */
-    double color[3];          /**< What it brings back, linear; with #AOV_RADIANCE. */
+    int shape;                /**< Index of the shape hit first; -1: none. */
+    double distance;          /**< Distance to it, scene units; infinite without a hit. */
+    double normal[3];         /**< Outward unit normal there; zero without a hit. */
+    double uv[2];             /**< Texture coordinates; with #AOV_UV. */
+    double color[3];          /**< Radiance, linear; with #AOV_RADIANCE. */
     uint32_t ray_count;       /**< Rays of the pixel, of all kinds; with #AOV_RADIANCE. */
-    uint32_t step_count;      /**< Steps that its march took; with #AOV_STEPS. */
-    uint64_t lights_tested;   /**< Bit i: whether lamp i was asked there. */
-    uint64_t lights_occluded; /**< Bit i: whether something stood between. */
-    int secondary_shapes[AOV_MAX_SECONDARY]; /**< What the rays that go on meet, as #shape says it:
-                                the mirrored one first. */
-    uint32_t secondary_count;                /**< How many go on. */
+    uint32_t step_count;      /**< Sphere-tracing steps; with #AOV_STEPS. */
+    uint64_t lights_tested;   /**< Bit i: light i has a shadow ray there. */
+    uint64_t lights_occluded; /**< Bit i: that shadow ray is occluded. */
+    int secondary_shapes[AOV_MAX_SECONDARY]; /**< Shapes that secondary rays hit, as
+                                #shape; the reflected one first. */
+    uint32_t secondary_count;                /**< Number of secondary rays. */
 } AovSample;
 
 #endif

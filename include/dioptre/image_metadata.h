@@ -1,14 +1,14 @@
 /**
  * @file
- * @brief What picture files say of their pictures; plain enough for the picture module, too.
+ * @brief Metadata of picture files; in plain C types, for the image plug-in, too.
  */
 #ifndef DIOPTRE_IMAGE_METADATA_H
 #define DIOPTRE_IMAGE_METADATA_H
 
-/** Something that a picture file says of its picture. */
+/** An entry of metadata. */
 typedef struct MetadataEntry {
-    const char *name;  /**< What it is, such as `Software`; as OpenImageIO names it. */
-    const char *value; /**< The text, in one line. */
+    const char *name;  /**< Its name in OpenImageIO, such as `Software`. */
+    const char *value; /**< The text, one line. */
 } MetadataEntry;
 
 #endif

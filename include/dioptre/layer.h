@@ -1,10 +1,9 @@
 /**
  * @file
- * @brief Layers: pictures of what rays do, instead of the light that they bring back.
+ * @brief Layers: debug views of the rays, besides the shaded picture.
  *
- * Colours are told apart by people who are colour-blind, too: magnitudes go from dark to light
- * (cividis and viridis), shapes have the colours of Okabe and Ito, and every colour stands with its
- * number in a legend.
+ * Colours are safe for colour-blind people: magnitudes go from dark to light (cividis and viridis),
+ * shapes have the colours of Okabe and Ito, and a legend gives the number of every colour.
  */
 #ifndef DIOPTRE_LAYER_H
 #define DIOPTRE_LAYER_H
@@ -14,89 +13,82 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/** What a picture shows of the rays. */
+/** What a picture shows. */
 typedef enum Layer {
-    LAYER_SHADED,   /**< The light: the picture itself. */
-    LAYER_NORMALS,  /**< The surfaces' unit normals. */
-    LAYER_DISTANCE, /**< How far away surfaces are. */
-    LAYER_SHAPES,   /**< Which shape is met. */
-    LAYER_UV,       /**< Where on a picture: (u, v). */
-    LAYER_RAYS,     /**< How many rays a pixel takes. */
-    LAYER_STEPS,    /**< How many steps the camera's ray marches. */
-    LAYER_TIME,     /**< How long a pixel takes. */
-    LAYER_ERROR,    /**< How far its colour is from that of the reference engine. */
-    LAYER_ACNE, /**< Where rays meet the surface that they leave, or pass what they should meet. */
-    LAYER_COUNT /**< How many there are. */
+    LAYER_SHADED,   /**< Radiance: the picture itself. */
+    LAYER_NORMALS,  /**< Unit normals of surfaces. */
+    LAYER_DISTANCE, /**< Distance to surfaces. */
+    LAYER_SHAPES,   /**< Which shape is hit. */
+    LAYER_UV,       /**< Texture coordinates. */
+    LAYER_RAYS,     /**< Rays per pixel. */
+    LAYER_STEPS,    /**< Sphere-tracing steps of the camera ray. */
+    LAYER_TIME,     /**< Time per pixel. */
+    LAYER_ERROR,    /**< Difference from the colour of the reference engine. */
+    LAYER_ACNE,     /**< Self-intersections, and hits that are missed. */
+    LAYER_COUNT     /**< Number of layers. */
 } Layer;
 
-/** Numbers that are kept of a pixel, at most. */
+/** Most numbers per pixel. */
 enum { LAYER_VALUES = 3 };
 
-/** What the pixels of #LAYER_ACNE are. */
+/** The pixels of #LAYER_ACNE. */
 typedef enum ShadingArtifact {
-    ARTIFACT_NONE, /**< As they should be. */
-    ARTIFACT_ACNE, /**< A ray meets the surface that it leaves: dark where there should be light. */
-    ARTIFACT_LEAK  /**< A ray does not meet what it should: light where it should be dark. */
+    ARTIFACT_NONE, /**< As in the reference. */
+    ARTIFACT_ACNE, /**< A ray hits the surface that it leaves: dark, should be lit. */
+    ARTIFACT_LEAK  /**< A ray misses what it should hit: lit, should be dark. */
 } ShadingArtifact;
 
-/** Where the colours of magnitudes begin and end. */
+/** The scale of a layer of magnitudes. */
 typedef struct LayerScale {
-    double low;   /**< The number with the first colour. */
-    double high;  /**< The number with the last one. */
-    bool is_log;  /**< Whether equal ratios, and not equal differences, are equally far apart. */
-    double slope; /**< Share of the colours that a difference of 1 is, of numbers or logarithms. */
+    double low;   /**< Number of the first colour. */
+    double high;  /**< Number of the last colour. */
+    bool is_log;  /**< Whether it is logarithmic. */
+    double slope; /**< Share of the palette per unit of the number or its logarithm. */
 } LayerScale;
 
-/** How a layer stands. */
+/** The statistics of a layer. */
 typedef struct LayerStats {
-    Layer layer;              /**< Which. */
-    LayerScale scale;         /**< Its colours; of those without a scale, zero. */
-    uint64_t pixel_count;     /**< Pixels that were looked at. */
-    uint64_t artifact_pixels; /**< Of these: in #LAYER_ACNE, those with acne; in #LAYER_ERROR, those
-                          that are off by more than a step. */
-    uint64_t leak_pixels;     /**< In #LAYER_ACNE, those that leak. */
+    Layer layer;              /**< The layer. */
+    LayerScale scale;         /**< Its scale; zero for layers without one. */
+    uint64_t pixel_count;     /**< Rays, one per pixel at full resolution. */
+    uint64_t artifact_pixels; /**< Of these, in #LAYER_ACNE: with acne; in #LAYER_ERROR: with an
+                          error of more than a step. */
+    uint64_t leak_pixels;     /**< In #LAYER_ACNE: with a leak. */
 } LayerStats;
 
-/** One colour of a legend. */
+/** A row of a legend. */
 typedef struct LegendEntry {
     uint8_t rgb[3];    /**< The colour. */
-    char number[24];   /**< What it stands for, as a number; empty: it is none. */
-    const char *label; /**< What it stands for, in words; NULL: in a number. */
+    char number[24];   /**< Its number; empty: none. */
+    const char *label; /**< Its meaning, in English; NULL: the number. */
 } LegendEntry;
 
-/** Colours of a legend, at most. */
+/** Most rows of a legend. */
 enum { LEGEND_ENTRIES_MAXIMUM = 10 };
 
-/** @return A layer's name, such as `distance`. @param layer The layer. */
+/** @return A layer's name, such as `distance`, in English. */
 const char *layer_name(Layer layer);
 
-/** @return What its numbers are, such as `scene units`; empty: there are none. @param layer The
- *  layer. */
+/** @return The unit of its numbers, such as `scene units`, in English; empty: none. */
 const char *layer_unit(Layer layer);
 
-/** @return What must be wanted of a survey for a layer. See #AOV_RADIANCE. @param layer It. */
-unsigned layer_aov_mask(Layer layer);
-
-/** @return Whether a layer compares with a reference engine. @param layer The layer. */
-bool layer_needs_reference(Layer layer);
-
 /**
- * Takes the numbers of a layer from a survey. Not for #LAYER_TIME and those that compare.
- * @param layer         The layer.
- * @param sample         What is known of the pixel.
- * @param[out] values  Its numbers; the first is NaN where there is nothing.
+ * Reads the numbers of a layer from AOVs.
+ * @param layer        A layer before #LAYER_TIME.
+ * @param sample       The AOVs of the pixel.
+ * @param[out] values  Its numbers; the first is NaN without a hit.
  */
 void layer_values(Layer layer, const AovSample *sample, float values[LAYER_VALUES]);
 
-/** @return A scale with round ends. @param layer The layer. @param low Least number of a picture.
- *  @param high Greatest one; less than the least where there is none. */
+/** @return A scale with round ends. @param low Least number of the picture. @param high Greatest
+ *  number; below \p low if there is none. */
 LayerScale layer_scale(Layer layer, double low, double high);
 
 /**
  * Finds the colour of a pixel.
  * @param layer    The layer.
  * @param scale    Its scale.
- * @param values  The pixel's numbers.
+ * @param values   Its numbers.
  * @param[out] rgb The colour, sRGB.
  */
 void layer_color(Layer layer, const LayerScale *scale, const float values[LAYER_VALUES],
@@ -106,8 +98,8 @@ void layer_color(Layer layer, const LayerScale *scale, const float values[LAYER_
  * Writes a layer's legend.
  * @param layer       The layer.
  * @param scale       Its scale.
- * @param[out] entries  The colours, from the highest number to the lowest.
- * @return How many.
+ * @param[out] entries  The rows, from the highest number to the lowest.
+ * @return Number of rows.
  */
 size_t layer_legend(Layer layer, const LayerScale *scale,
                     LegendEntry entries[LEGEND_ENTRIES_MAXIMUM]);

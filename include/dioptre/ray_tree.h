@@ -1,9 +1,9 @@
 /**
  * @file
- * @brief The probe: the tree of rays of one pixel, with all numbers that its colour comes of.
+ * @brief The ray tree of one pixel, with all numbers that its colour is computed from.
  *
- * The rays are noted while the tracer itself follows them, so they are those of the picture, bit
- * for bit. All numbers are those of the engine, held exactly in double (of `f128x1`: rounded).
+ * The tracer records the rays while it traces them, so they are those of the picture, bit for bit.
+ * All numbers are those of the engine, held exactly in double (of `f128x1`: rounded).
  */
 #ifndef DIOPTRE_RAY_TREE_H
 #define DIOPTRE_RAY_TREE_H
@@ -13,81 +13,77 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/** What kind of ray it is. */
+/** The type of a ray. */
 typedef enum {
-    RAY_CAMERA,     /**< From the camera: the first of a tree. */
-    RAY_SHADOW,     /**< From a surface to a lamp. */
-    RAY_REFLECTION, /**< Mirrored by a surface. */
-    RAY_REFRACTION  /**< Through the surface of something transparent. */
+    RAY_CAMERA,     /**< From the camera: the root of the tree. */
+    RAY_SHADOW,     /**< From a surface to a light. */
+    RAY_REFLECTION, /**< Reflected by a surface. */
+    RAY_REFRACTION  /**< Refracted into or out of a transparent shape. */
 } RayType;
 
-/** Most rays of a tree: a guard for the memory. */
+/** Most rays of a tree: a limit of memory. */
 enum { RAY_TREE_MAX_NODES = 1 << 20 };
 
-/** What a surface does with light: its colour is `emission + body (ambient + diffuse M) +
- *  highlight H`, where M and H are the sums of #RayTreeNode.diffuse and #RayTreeNode.specular of
- * its shadow rays, in their order. */
+/** Optics of a surface at a hit. Its colour without secondary rays is `emission + albedo (ambient +
+ *  diffuse D) + specular S`, where D and S are the sums of #RayTreeNode.diffuse and
+ *  #RayTreeNode.specular of its shadow rays, in their order. */
 typedef struct RayTreeSurface {
-    double epsilon;      /**< How far from it rays that leave it start, scene units. */
+    double epsilon;      /**< Offset of rays that leave the surface, scene units. */
     double ulps;         /**< The same in ulps of the largest coordinate of the point. */
-    double cosine;       /**< Of the angle between the ray and the normal on its side. */
-    bool is_inside;      /**< Whether it was met from inside. */
-    bool is_transparent; /**< Whether light goes through; else the next five say nothing. */
-    bool is_overridden;  /**< Whether it is not there: a later shape is in its place. */
-    bool is_total;       /**< Whether all is mirrored: there is no way to refract. */
-    double ior_from;     /**< Index of refraction where the ray comes from. */
-    double ior_to;       /**< Index of refraction behind. */
-    double fresnel;      /**< Fresnel's share: what is mirrored of the light that could go through.
-                          */
-    Rgbd emission;       /**< Light of its own. */
-    Rgbd albedo;         /**< Colour of the body, weighted, and times that of a picture. */
+    double cosine;       /**< Cosine of the angle of incidence. */
+    bool is_inside;      /**< Whether the ray comes from inside. */
+    bool is_transparent; /**< Whether light is refracted; otherwise the next five are unset. */
+    bool is_overridden;  /**< Whether a later shape overrides the interface. */
+    bool is_total;       /**< Whether reflection is total. */
+    double ior_from;     /**< Index of refraction on the ray's side. */
+    double ior_to;       /**< Index of refraction behind the surface. */
+    double fresnel;      /**< Fresnel reflectance. */
+    Rgbd emission;       /**< Emitted light. */
+    Rgbd albedo;         /**< Diffuse albedo, weighted, and times the texture's. */
     Rgbd specular;       /**< Weight of highlights. */
-    Rgbd ambient;        /**< Light from everywhere. */
-    double diffuse;      /**< Weight of the lamps' matt shine. */
-    Rgbd reflect_weight; /**< Share of what a mirrored ray brings back, whether there is one or not.
-                          */
-    Rgbd refract_weight; /**< The same of a refracted ray. */
+    Rgbd ambient;        /**< Ambient light. */
+    double diffuse;      /**< Weight of diffuse light of the lights. */
+    Rgbd reflect_weight; /**< Weight of a reflected ray's colour, whether it was traced or not. */
+    Rgbd refract_weight; /**< Weight of a refracted ray's colour, likewise. */
 } RayTreeSurface;
 
-/** One ray of a tree. */
+/** A ray of the tree. */
 typedef struct RayTreeNode {
-    int parent;        /**< Place of the ray that it comes from, lower than its own; -1: none. */
-    RayType kind;      /**< What it is. */
-    int depth;         /**< Rays before it on its way: 0 for the camera's. */
-    Vec3d origin;      /**< Where it starts, scene units. */
-    Vec3d direction;   /**< Which way, one long. */
-    double limit;      /**< How far it goes, scene units: to the lamp, or infinity. */
-    double throughput; /**< Largest share with which a primary of what it brings back enters the
-                        picture; of a shadow ray: what its surface brings back. */
-    Rgbd weight;       /**< What is added to its parent's colour of what it brings back. */
-    bool is_hit; /**< Whether it met a shape or a lamp; of a shadow ray: whether the lamp does not
-                      reach the point. */
-    int shape;   /**< Place in the scene of the shape that it met; -1: none. */
-    int light;   /**< Place of the lamp that it was sent to, or that it met; -1: none. */
-    double distance;        /**< Where it met that, scene units; infinity: nothing. */
-    Vec3d point;            /**< Where that is. */
-    Vec3d normal;           /**< The surface's unit normal there, outwards. */
-    RayTreeSurface surface; /**< What it met, if that is a shape; not of shadow rays. */
-    Rgbd diffuse;  /**< Of shadow rays: V L f max(0, n . l), what the lamp gives for matt shine. */
-    Rgbd specular; /**< Of shadow rays: V L f max(0, r . v)^shininess, for highlights. */
-    Rgbd transmittance; /**< Of shadow rays: share of the light that glass on its way leaves. */
-    Rgbd local_color; /**< What it brings back without mirrored and refracted rays: of the sky, of a
-                    lamp, of the surface's body; of a shadow ray all. */
-    Rgbd color; /**< What it brings back: #local_color, then each mirrored and refracted child's
-                   colour times its share is added. */
+    int parent;        /**< Index of the ray that it comes from, below its own; -1: none. */
+    RayType kind;      /**< Its type. */
+    int depth;         /**< Number of its ancestors. */
+    Vec3d origin;      /**< Its origin, scene units. */
+    Vec3d direction;   /**< Its direction, a unit vector. */
+    double limit;      /**< Its length, scene units: to the light, or infinity. */
+    double throughput; /**< Largest channel of the product of weights from the pixel; of shadow
+                            rays that of the surface. */
+    Rgbd weight;       /**< Weight of its colour in that of its parent. */
+    bool is_hit;       /**< Whether it hits a shape or a light; of a shadow ray: whether no light
+                            arrives. */
+    int shape;         /**< Index of the shape that it hits; -1: none. */
+    int light;         /**< Index of the light that it is sent to, or hits; -1: none. */
+    double distance;   /**< Distance of the hit, scene units; infinity: none. */
+    Vec3d point;       /**< The hit point. */
+    Vec3d normal;      /**< Outward unit normal there. */
+    RayTreeSurface surface; /**< Optics of the surface hit; not of shadow rays. */
+    Rgbd diffuse;           /**< Of shadow rays: V L f max(0, n . l), for diffuse light. */
+    Rgbd specular;          /**< Of shadow rays: V L f max(0, r . v)^shininess, for highlights. */
+    Rgbd transmittance;     /**< Of shadow rays: share of light that transparent shapes leave. */
+    Rgbd local_color; /**< Radiance without secondary rays: of the sky, a light or a surface. */
+    Rgbd color;       /**< Radiance: #local_color plus the weighted colours of secondary
+                           rays. */
 } RayTreeNode;
 
-/** The tree of rays of one pixel. Starts as `{0}`; given back by #ray_tree_deinit. */
+/** The ray tree of one pixel. Starts as `{0}`; freed by #ray_tree_deinit. */
 typedef struct RayTree {
-    RayTreeNode *nodes; /**< The rays, each behind the one that it comes from; owned. */
-    size_t count;       /**< How many. */
-    size_t capacity;    /**< For how many there is room. */
-    int current;        /**< While it is noted: the ray that is being followed. */
-    bool is_truncated; /**< Whether memory or #RAY_TREE_MAX_NODES did not do: then rays are missing.
-                        */
+    RayTreeNode *nodes; /**< The rays, each after its parent; owned. */
+    size_t count;       /**< Number of rays. */
+    size_t capacity;    /**< Number of rays that the memory is enough for. */
+    int current;        /**< While recording: the ray being traced. */
+    bool is_truncated;  /**< Whether rays are missing for lack of memory, or #RAY_TREE_MAX_NODES. */
 } RayTree;
 
-/** Gives the rays back. @param probe The tree, empty afterwards. */
-void ray_tree_deinit(RayTree *probe);
+/** Frees the rays of a tree and empties it. */
+void ray_tree_deinit(RayTree *tree);
 
 #endif

@@ -2,8 +2,8 @@
  * @file
  * @brief `dioptre animate`: a film, or its numbered frames.
  *
- * A frame is drawn as `render --time` draws it, bit by bit: only its number says what is in it. So
- * frames may come from several machines, in any order, and a stopped film goes on where it was.
+ * A frame has the bits of `render --time`: it depends on its number alone. So frames may come from
+ * several machines, in any order, and an interrupted film can be continued.
  */
 #include "base/language.h"
 #include "cli/commands.h"
@@ -14,26 +14,25 @@
 #include <math.h>
 #include <unistd.h>
 
-/** A film that is being made. */
+/** An animation under way. */
 typedef struct Animation {
     const Options *options; /**< The command line. */
-    FrameRange frames;      /**< Which frames. */
-    double fps;             /**< Frames a second. */
-    bool is_film;           /**< Whether it goes into one file, and not into numbered ones. */
-    bool is_rendered;       /**< Whether frames are drawn, and not read from numbered files. */
+    FrameRange frames;      /**< The frames. */
+    double fps;             /**< Frames per second. */
+    bool is_film;           /**< Whether the output is one film instead of numbered files. */
+    bool is_rendered;       /**< Whether frames are rendered instead of read from files. */
     FramePattern output;    /**< Numbered files to write, unless #is_film. */
     FramePattern input;     /**< Numbered files to read, unless #is_rendered. */
-    Film *film;             /**< The film, once its size is known; owned. */
-    AssetCache *cache;      /**< What all frames' scenes have in common; owned. */
-    Scene *scene;           /**< The scene of the frame drawn last; owned. */
-    Renderer *renderer;     /**< Who drew it; owned. */
+    Film *film;             /**< The film, from the first frame on; owned. */
+    AssetCache *cache;      /**< Assets of the scenes of all frames; owned. */
+    Scene *scene;           /**< Scene of the newest frame; owned. */
+    Renderer *renderer;     /**< Its renderer; owned. */
     Picture picture;        /**< The newest frame. */
-    Progress *progress;     /**< Who tells how far it is, or NULL. */
-    int done;               /**< Frames that are done. */
+    Progress *progress;     /**< Progress, or NULL. */
+    int done;               /**< Number of frames that are done. */
 } Animation;
 
-/** Finds which frames are asked for. @return false for none, too many, or some beyond the end of
- *  the film. */
+/** Computes the range of frames. @return false for none, too many, or frames beyond the end. */
 static bool plan_frames(Animation *animation, Error *error) {
     const Options *options = animation->options;
     animation->fps = options->fps > 0 ? options->fps : FRAMES_FPS_DEFAULT;
@@ -58,7 +57,7 @@ static bool plan_frames(Animation *animation, Error *error) {
     return true;
 }
 
-/** Finds where frames come from and go to. @return Whether it makes sense. */
+/** Determines the input and the output of frames. @return false if they are wrong. */
 static bool plan_files(Animation *animation, Error *error) {
     const Options *options = animation->options;
     const char *output = options->output, *input = options->arguments[0];
@@ -77,9 +76,8 @@ static bool plan_files(Animation *animation, Error *error) {
 }
 
 /**
- * Says whether what is to be written could be, before time is spent on drawing it.
- * @param[out] error  What is wrong or missing.
- * @return Whether it could.
+ * Checks before rendering that the output can be written.
+ * @return false if it cannot.
  */
 static bool check_output(const Animation *animation, Error *error) {
     char path[PATH_MAX];
@@ -91,9 +89,8 @@ static bool check_output(const Animation *animation, Error *error) {
 }
 
 /**
- * Draws a frame. Where the scene asks for no time, the frame before is it, too.
- * @param job  What is to be drawn.
- * @return Whether all of it is drawn.
+ * Renders a frame. Where the scene does not depend on time, the previous frame is kept.
+ * @return false on failure or interruption.
  */
 static bool render_frame(Animation *animation, const RenderJob *job, Error *error) {
     RenderStats report = {.is_finished = true};
@@ -110,7 +107,7 @@ static bool render_frame(Animation *animation, const RenderJob *job, Error *erro
            (report.is_finished || error_set(error, STATUS_INTERRUPTED, "interrupted"));
 }
 
-/** Reads a frame from its numbered file. @return Whether it is read. */
+/** Reads a frame from its numbered file. @return false on failure. */
 static bool read_frame(Animation *animation, int number, Error *error) {
     char path[PATH_MAX];
     picture_deinit(&animation->picture);
@@ -120,8 +117,7 @@ static bool read_frame(Animation *animation, int number, Error *error) {
     return is_read;
 }
 
-/** Adds the newest frame to the film, which is begun with the first one. @return Whether it is
- *  added. */
+/** Adds the newest frame to the film, which begins with the first one. @return false on failure. */
 static bool add_frame(Animation *animation, Error *error) {
     const Picture *picture = &animation->picture;
     if (!animation->film) {
@@ -134,7 +130,7 @@ static bool add_frame(Animation *animation, Error *error) {
     return animation->film && film_add_frame(animation->film, picture, error);
 }
 
-/** Writes the newest frame where it belongs. @return Whether it is there. */
+/** Writes the newest frame to the output. @return false on failure. */
 static bool write_frame(Animation *animation, const RenderJob *job, Error *error) {
     if (animation->is_film) {
         return add_frame(animation, error);
@@ -144,7 +140,7 @@ static bool write_frame(Animation *animation, const RenderJob *job, Error *error
                : image_file_write(job->output, &animation->picture, error);
 }
 
-/** Makes a frame. @return Whether it is where it belongs. */
+/** Renders or reads a frame and writes it. @return false on failure. */
 static bool produce_frame(Animation *animation, int number, Error *error) {
     char path[PATH_MAX];
     const Options *options = animation->options;
@@ -164,8 +160,7 @@ static bool produce_frame(Animation *animation, int number, Error *error) {
     return is_there && write_frame(animation, &job, error);
 }
 
-/** Makes all frames, until anything goes wrong or somebody interrupts. @return Whether all are
- *  there. */
+/** Produces all frames. @return false on failure or interruption. */
 static bool produce_frames(Animation *animation, const atomic_bool *stop, Error *error) {
     int count = frame_range_count(&animation->frames);
     bool is_good = true;
@@ -177,7 +172,7 @@ static bool produce_frames(Animation *animation, const atomic_bool *stop, Error 
     return is_good && animation->done == count;
 }
 
-/** Makes all frames and ends the film. */
+/** Produces all frames and finishes the film. */
 static void animate(Animation *animation, Error *error) {
     int count = frame_range_count(&animation->frames);
     const atomic_bool *stop = interrupt_flag();

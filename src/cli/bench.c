@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief `dioptre bench`: how fast a scene is drawn.
+ * @brief `dioptre bench`: rendering speed of a scene.
  */
 #include "base/json.h"
 #include "base/language.h"
@@ -10,16 +10,16 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/** Pictures that are timed when nothing is said. */
+/** Default number of pictures that are timed. */
 #define BENCH_FRAMES_DEFAULT 10
 
-/** What was measured. */
+/** The measurements. */
 typedef struct BenchResult {
     int frames;           /**< Pictures timed. */
     double ms_min;        /**< Fastest, milliseconds. */
     double ms_median;     /**< Median, milliseconds. */
-    uint64_t rays;        /**< Rays a picture. */
-    uint64_t camera_rays; /**< Those of them that leave the camera. */
+    uint64_t rays;        /**< Rays per picture. */
+    uint64_t camera_rays; /**< Camera rays per picture. */
 } BenchResult;
 
 /** @return Order of two doubles, for qsort. */
@@ -28,7 +28,7 @@ static int compare_doubles(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-/** Draws, or casts, one picture. @return How it went. */
+/** Renders one picture, or traces its primary or random rays. */
 static RenderStats bench_frame(Renderer *renderer, BenchRays rays) {
     return rays == BENCH_IMAGE ? renderer_render(renderer, interrupt_flag(), NULL)
                                : renderer_benchmark_rays(renderer, rays == BENCH_RANDOM);
@@ -57,7 +57,7 @@ static bool bench_measure(Renderer *renderer, BenchRays rays, int frames, BenchR
     return report.is_finished || error_set(error, STATUS_INTERRUPTED, "interrupted");
 }
 
-/** Prints what was measured. */
+/** Prints the measurements. */
 static void bench_print(const BenchResult *result, const RenderSettings *settings,
                         const Options *options) {
     /** Significant digits of numbers in JSON. */
@@ -90,9 +90,8 @@ static void bench_print(const BenchResult *result, const RenderSettings *setting
 }
 
 /**
- * Finds how many pictures are to be timed.
- * @param[out] error  That a range was given, or none.
- * @return Whether it is a number.
+ * Reads the number of pictures from `--frames`.
+ * @return false if that is a range or 0.
  */
 static bool bench_frame_count(const Options *options, int *frames, Error *error) {
     const FrameRange *range = &options->frames;

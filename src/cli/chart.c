@@ -13,7 +13,7 @@
 /**
  * Charts a scene.
  * @param[out] has_chart  Whether there is an SVG.
- * @return false if anything is.
+ * @return false on failure.
  */
 static bool chart_scene(const Options *options, const char *path, const LabRequest *request,
                         bool *has_chart, Error *error) {
@@ -34,7 +34,7 @@ static bool chart_scene(const Options *options, const char *path, const LabReque
     return is_written;
 }
 
-/** Charts scenes. @return false if anything is; what was finished is kept. */
+/** Charts scenes. @return false on failure; finished charts are kept. */
 static bool chart_scenes(const Options *options, const LabRequest *request, Error *error) {
     size_t without_chart = 0;
     for (int i = 0; i < options->argument_count; i++) {
@@ -48,8 +48,7 @@ static bool chart_scenes(const Options *options, const LabRequest *request, Erro
 }
 
 /** Finds the tests whose methods are charted. @param options The command line: its arguments, or
- *  all. @param[out] indices Their places: room for all tests. @param[out] error That there is no
- *  such test. @return How many; 0: something is wrong. */
+ *  all tests. @param[out] indices Their indices. @return Number of tests; 0 on failure. */
 static size_t find_timed_tests(const Options *options, size_t *indices, Error *error) {
     size_t count = 0;
     for (size_t i = 0; options->argument_count == 0 && i < lab_test_count(); i++) {
@@ -71,7 +70,7 @@ static size_t find_timed_tests(const Options *options, size_t *indices, Error *e
     return count;
 }
 
-/** Charts methods. @return false if anything is; what was finished is kept. */
+/** Charts methods. @return false on failure; finished charts are kept. */
 static bool chart_methods(const Options *options, const LabRequest *request, Error *error) {
     size_t indices[ARGUMENTS_MAXIMUM];
     size_t count = find_timed_tests(options, indices, error), without_chart = 0;

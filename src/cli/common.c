@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief What the commands share.
+ * @brief Functions that several commands share.
  */
 #include "base/language.h"
 #include "cli/commands.h"
@@ -9,7 +9,7 @@
 #include <ctype.h>
 #include <signal.h>
 
-/** Set by the signal handler; a signal handler can reach nothing else. */
+/** Set by the signal handler, which can reach nothing but a global. */
 static atomic_bool is_interrupted;
 
 Scene *command_load_scene(const Options *options, Error *error) {
@@ -56,7 +56,7 @@ void print_sanitized(const char *text, FILE *stream) {
     }
 }
 
-/** Notes that the program should stop. */
+/** Handles SIGINT and SIGTERM. */
 static void on_signal(int number) {
     (void)number;
     atomic_store(&is_interrupted, true);

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The frames of a film.
+ * @brief Ranges of frames, and patterns of their file names.
  */
 #include "cli/frames.h"
 
@@ -11,10 +11,10 @@
 #include <string.h>
 
 /**
- * Reads a whole number at the start of a text.
- * @param[in,out] text  The text; after the number then.
- * @return Whether there is one, from \p minimum to #FRAMES_MAXIMUM, that begins with a digit or,
- *         where it may be below 0, a sign.
+ * Parses an integer at the start of a text.
+ * @param[in,out] text  The text; then the rest after the number.
+ * @return false unless there is one from \p minimum to #FRAMES_MAXIMUM that begins with a digit or,
+ *         where it may be negative, a minus sign.
  */
 static bool read_number(const char **text, int minimum, int *value) {
     char *end = NULL;

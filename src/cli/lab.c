@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief `dioptre lab`: where each method fails.
+ * @brief `dioptre lab`: accuracy tests of methods.
  */
 #include "dioptre/lab.h"
 #include "base/language.h"
@@ -41,8 +41,8 @@ bool command_check_charts(size_t count, Error *error) {
                                    CHART_PACKAGE);
 }
 
-/** Makes the tests that a command line names, or all of them. @return false if anything is wrong: a
- *  chart that is missing, too. */
+/** Runs the tests of a command line, or all. @return false on failure, also if charts are missing.
+ */
 static bool run_tests(const Options *options, const LabRequest *request, Error *error) {
     size_t named = (size_t)options->argument_count, count = named ? named : lab_test_count();
     size_t without_chart = 0;

@@ -59,7 +59,7 @@ static void needs_print_json(const Needs *needs, const Options *options) {
     json_line_end(&json);
 }
 
-/** Prints a paragraph in lines. */
+/** Prints a paragraph, wrapped. */
 static void paragraph_print(const char *text) {
     /** Characters of a line. */
     const int width = 79;
@@ -80,7 +80,7 @@ static void paragraph_print(const char *text) {
     putchar('\n');
 }
 
-/** Prints it for people. */
+/** Prints the result as text. */
 static void needs_print(const Needs *needs) {
     const NeedsEngine *chosen = &needs->engines[needs->engine];
     char explanation[2048];

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief `dioptre probe`: the tree of rays of one pixel.
+ * @brief `dioptre probe`: the ray tree of one pixel.
  */
 #include "cli/probe.h"
 #include "base/language.h"
@@ -12,10 +12,9 @@
 #include <stdlib.h>
 
 /**
- * @return A column or a row.
- * @param name  Which of the two.
- * @param size  Pixels of the picture that way.
- * @param[out] error  What is wrong; then -1.
+ * @return A column or a row; -1 if it is wrong.
+ * @param name  Its name in errors.
+ * @param size  Pixels of the picture in that direction.
  */
 static int read_pixel(const char *name, const char *text, int size, Error *error) {
     char *end = NULL;
@@ -34,9 +33,9 @@ static int read_pixel(const char *name, const char *text, int size, Error *error
 }
 
 /**
- * Reads the pixel.
- * @param[out] report  Gets it, and the picture's size.
- * @return Whether it is one.
+ * Parses the pixel position.
+ * @param[in,out] report  Has the size of the picture; gets the position.
+ * @return false if it is wrong.
  */
 static bool read_pixel_position(const Options *options, ProbeReport *report, Error *error) {
     report->x = read_pixel("X", options->arguments[1], report->settings.width, error);
@@ -45,8 +44,7 @@ static bool read_pixel_position(const Options *options, ProbeReport *report, Err
     return report->y >= 0;
 }
 
-/** @return How a scene is probed: as `render` draws it, with one ray a pixel where nothing is said.
- */
+/** @return The settings of a probe: those of `render`, but one sample per pixel by default. */
 static RenderSettings probe_settings(const Options *options, const Scene *scene) {
     RenderSettings settings = command_render_settings(options, scene);
     settings.samples = options->samples ? options->samples : 1;
@@ -55,9 +53,9 @@ static RenderSettings probe_settings(const Options *options, const Scene *scene)
 }
 
 /**
- * Draws the rays as seen from beside.
- * @param path  The SVG file to write.
- * @return Whether it is there.
+ * Writes a side view of the rays as SVG.
+ * @param path  The file.
+ * @return false on failure.
  */
 static bool probe_write_svg(const ProbeReport *report, const Renderer *renderer, const char *path,
                             Error *error) {
@@ -72,8 +70,7 @@ static bool probe_write_svg(const ProbeReport *report, const Renderer *renderer,
     return ray_chart_write(&chart, path, error);
 }
 
-/** Traces the pixel, and tells. @param report What is told; its scene, settings and pixel are
- *  there. */
+/** Records the ray tree of a pixel and prints it. @param report The pixel; gets the tree. */
 static void probe_trace_and_print(const Options *options, ProbeReport *report, Error *error) {
     Renderer *renderer = renderer_create(report->scene, &report->settings, error);
     RayTree tree = {0};

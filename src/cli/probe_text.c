@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The rays of a pixel in words.
+ * @brief `dioptre probe`: the ray tree of a pixel as text.
  */
 #include "base/language.h"
 #include "cli/commands.h"
@@ -10,13 +10,13 @@
 #include <libintl.h>
 #include <stdio.h>
 
-/** Columns that a ray is moved in for each ray before it. */
+/** Indent of a ray per ancestor, columns. */
 enum { INDENT = 2 };
-/** Most columns that rays are moved in: numbers must stay on the line. */
+/** Greatest indent: numbers must stay on the line. */
 enum { INDENT_MAXIMUM = 24 };
-/** Letters that what a line tells takes. */
+/** Width of the labels of lines, letters. */
 enum { LABEL_WIDTH = 14 };
-/** Longest name of a part of the sum, bytes. */
+/** Bytes of the label of a term of the sum. */
 enum { TERM_NAME_SIZE = 64 };
 
 ProbePixel probe_pixel(const ProbeReport *report) {
@@ -46,7 +46,7 @@ static void print_color(int indent, const char *label, Rgbd color, const char *w
     print_three(indent, label, color.red, color.green, color.blue, words);
 }
 
-/** Prints what becomes of a ray at glass. */
+/** Prints refraction at a transparent surface. */
 static void print_glass(int indent, const RayTreeSurface *surface) {
     begin_line(indent, N_("index"));
     printf(gettext("%12.6g before it, %.6g behind it"), surface->ior_from, surface->ior_to);
@@ -61,14 +61,14 @@ static void print_glass(int indent, const RayTreeSurface *surface) {
     }
 }
 
-/** Prints how far from a surface rays start. */
+/** Prints the offset of rays that leave a surface. */
 static void print_epsilon(int indent, const RayTreeSurface *surface) {
     begin_line(indent, N_("epsilon"));
     printf(gettext("%12.4g = %.4g ulps: so far from it the next rays start\n"), surface->epsilon,
            surface->ulps);
 }
 
-/** Prints the numbers of a surface that was met. */
+/** Prints the optics of a surface that was hit. */
 static void print_surface(int indent, const RayTreeNode *ray) {
     begin_line(indent, N_("angle"));
     printf(gettext("%12.6g degrees from the normal"), ray_incidence_angle(ray));
@@ -79,7 +79,7 @@ static void print_surface(int indent, const RayTreeNode *ray) {
     print_epsilon(indent, &ray->surface);
 }
 
-/** Prints where a ray met something. */
+/** Prints a hit. */
 static void print_hit(int indent, const RayTreeNode *ray) {
     begin_line(indent, N_("distance"));
     printf("%12.6g\n", ray->distance);
@@ -87,7 +87,7 @@ static void print_hit(int indent, const RayTreeNode *ray) {
     print_three(indent, N_("normal"), ray->normal.x, ray->normal.y, ray->normal.z, "");
 }
 
-/** @return Columns of a ray's lines. */
+/** @return The indent of a ray's lines. */
 static int ray_indent(const RayTreeNode *ray) {
     int indent = INDENT * ray->depth;
     return indent < INDENT_MAXIMUM ? indent : INDENT_MAXIMUM;
@@ -115,7 +115,7 @@ static void print_shadow(const ProbeReport *report, size_t index) {
     }
 }
 
-/** Prints a ray that looks. */
+/** Prints a camera or secondary ray. */
 static void print_traced_ray(const ProbeReport *report, size_t index) {
     static const char *const names[] = {[RAY_CAMERA] = N_("camera ray meets %s\n"),
                                         [RAY_REFLECTION] = N_("mirrored ray meets %s\n"),
@@ -140,7 +140,7 @@ static void print_traced_ray(const ProbeReport *report, size_t index) {
     print_color(inner, N_("brings back"), ray->color, "");
 }
 
-/** Prints the rays, each behind the one that it comes from. */
+/** Prints the rays, each after its parent. */
 static void print_rays(const ProbeReport *report) {
     for (size_t i = 0; i < report->tree->count; i++) {
         if (report->tree->nodes[i].kind == RAY_SHADOW) {
@@ -151,7 +151,7 @@ static void print_rays(const ProbeReport *report) {
     }
 }
 
-/** @return What a surface sends back of light of its own and of light from everywhere. */
+/** @return Emitted and reflected ambient light of a surface. */
 static Rgbd emitted_and_ambient(const RayTreeSurface *surface) {
     const Rgbd *albedo = &surface->albedo, *ambient = &surface->ambient, *own = &surface->emission;
     return (Rgbd){own->red + albedo->red * ambient->red,
@@ -159,12 +159,12 @@ static Rgbd emitted_and_ambient(const RayTreeSurface *surface) {
                   own->blue + albedo->blue * ambient->blue};
 }
 
-/** @return a times b, primary by primary. */
+/** @return The product of two colours. */
 static Rgbd multiply_colors(Rgbd a, Rgbd b) {
     return (Rgbd){a.red * b.red, a.green * b.green, a.blue * b.blue};
 }
 
-/** Prints how the camera's ray got its colour. */
+/** Prints the sum that makes the colour of the camera ray. */
 static void print_sum(const ProbeReport *report) {
     const RayTreeNode *camera = &report->tree->nodes[0];
     char label[TERM_NAME_SIZE];

@@ -13,20 +13,20 @@
 #include <time.h>
 #include <unistd.h>
 
-/** Nanoseconds from one line to the next: five a second are smooth enough to read. */
+/** Nanoseconds from one report to the next: five per second are smooth enough. */
 #define PROGRESS_NANOSECONDS 200000000L
 
 struct Progress {
-    const Renderer *renderer; /**< Who draws the picture under way; NULL: nobody. */
-    int pictures;             /**< How many pictures there will be. */
-    int done;                 /**< How many of them are done. */
-    bool is_film;             /**< Whether there are several. */
-    bool is_json;             /**< JSON lines, not one line for people. */
-    bool is_ended;            /**< Whether to end. */
-    pthread_mutex_t mutex;    /**< Guards all of it. */
-    pthread_cond_t wake;      /**< Told when it is over. */
-    pthread_t thread;         /**< Who tells. */
-    double start;             /**< When it began, on #clock_now_seconds. */
+    const Renderer *renderer; /**< Renderer of the picture under way, or NULL. */
+    int pictures;             /**< Number of pictures. */
+    int done;                 /**< Number of pictures that are done. */
+    bool is_film;             /**< Whether there are several pictures. */
+    bool is_json;             /**< JSON lines instead of one line for people. */
+    bool is_ended;            /**< Whether the thread is to end. */
+    pthread_mutex_t mutex;    /**< Guards all members. */
+    pthread_cond_t wake;      /**< Signalled at the end. */
+    pthread_t thread;         /**< The thread that reports. */
+    double start;             /**< Begin, on #clock_now_seconds. */
 };
 
 /** @return Seconds since the start. */
@@ -72,7 +72,7 @@ static void progress_print(const Progress *progress) {
     fflush(stderr);
 }
 
-/** Tells until it is over. @return NULL */
+/** Main function of the thread: reports until the end. @return NULL */
 static void *progress_main(void *argument) {
     Progress *progress = argument;
     pthread_mutex_lock(&progress->mutex);
@@ -91,18 +91,18 @@ static void *progress_main(void *argument) {
     return NULL;
 }
 
-/** @return Whether progress is to be told. */
+/** @return Whether progress is on. */
 static bool progress_is_wanted(const Options *options) {
     bool is_shown = options->progress == PROGRESS_JSON ||
                     (options->progress == PROGRESS_AUTO && isatty(STDERR_FILENO));
     return is_shown && !options->quiet;
 }
 
-/** Tells how far a model file is read, if that takes long enough to be felt. See
- *  MeshProgress::tell. @param fraction How much is done. */
+/** Prints the progress of a mesh file that takes long to read. See MeshProgress::report. @param
+ *  fraction The share that is read, 0 to 1. */
 static void mesh_read_progress_print(void *context, const char *name, double fraction,
                                      double seconds) {
-    /** Seconds after which people want to know. */
+    /** Seconds without a report. */
     const double delay = 0.5;
     MeshReadProgress *progress = context;
     double seconds_left = fraction > 0 ? seconds / fraction - seconds : 0;
@@ -124,7 +124,7 @@ static void mesh_read_progress_print(void *context, const char *name, double fra
     fflush(stderr);
 }
 
-/** Clears the line, if there is one. See MeshProgress::end. */
+/** Clears the line of a mesh file, if there is one. See MeshProgress::end. */
 static void mesh_read_progress_clear(void *context) {
     MeshReadProgress *progress = context;
     if (progress->is_shown && !progress->is_json) {
@@ -163,11 +163,11 @@ Progress *progress_begin(const Options *options, int pictures) {
 }
 
 /**
- * Changes what is told.
+ * Updates the numbers that are reported.
  * @param progress  The progress, or NULL.
- * @param renderer  Who draws the picture under way; NULL: nobody.
- * @param done      How many pictures more are done.
- * @param skipped  How many pictures less there will be.
+ * @param renderer  Renderer of the picture under way, or NULL.
+ * @param done      Pictures finished by this call.
+ * @param skipped   Pictures skipped by this call.
  */
 static void progress_update(Progress *progress, const Renderer *renderer, int done, int skipped) {
     if (progress) {

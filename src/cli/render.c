@@ -37,7 +37,7 @@ bool command_write_image(const RenderJob *job, const Scene *scene, Picture *pict
     return is_written;
 }
 
-/** Draws and writes. */
+/** Renders a scene and writes the picture. */
 static void render_scene(const Scene *scene, const Options *options, Error *error) {
     RenderJob job = {.options = options, .output = options->output, .time = options->time};
     Picture picture = {0};

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief What a picture file says of how its picture came about.
+ * @brief Metadata of a rendered picture.
  */
 #include "cli/render_metadata.h"
 
@@ -11,8 +11,8 @@
 #include <stdarg.h>
 #include <string.h>
 
-/** Adds a note. Of what is not printable ASCII, not every format can tell what it means. @param
- *  format The text, as for printf. */
+/** Adds an entry. Other than printable ASCII becomes `?`, as not every file format names its
+ *  encoding. @param format The text, as for printf. */
 __attribute__((format(printf, 3, 4))) static void
 add_entry(RenderMetadata *metadata, const char *name, const char *format, ...) {
     char *text = metadata->texts[metadata->count];

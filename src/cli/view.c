@@ -13,14 +13,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** What scenes are loaded from. */
+/** The source of scenes for the window. */
 typedef struct SceneSource {
-    Options options;     /**< The command line; its scene is the one that was loaded last. */
-    char path[PATH_MAX]; /**< That scene's file, where it is not the command line's. */
-    AssetCache *cache;   /**< What no time changes of it; NULL before the first; owned. */
+    Options options;     /**< The command line, with the newest scene. */
+    char path[PATH_MAX]; /**< File of that scene, if it is not that of the command line. */
+    AssetCache *cache;   /**< Its assets; NULL before the first scene; owned. */
 } SceneSource;
 
-/** Notes that a scene was loaded. */
+/** Stores the source of a scene that was loaded. */
 static void store_loaded(SceneSource *source, const Options *options, AssetCache *cache) {
     if (options->arguments[0] != source->options.arguments[0]) {
         snprintf(source->path, sizeof source->path, "%s", options->arguments[0]);
@@ -35,9 +35,9 @@ static void store_loaded(SceneSource *source, const Options *options, AssetCache
 
 /**
  * Loads a scene. See #ViewLoader.
- * @param stop  Whether to give up.
- * @param[out] render  How it is drawn.
- * @return The scene.
+ * @param stop  Loading ends early once this is true.
+ * @param[out] render  Its settings.
+ * @return The scene, or NULL.
  */
 static Scene *load_scene(void *context, const ViewRequest *request, const atomic_bool *stop,
                          RenderSettings *render, Error *error) {
@@ -60,8 +60,8 @@ static Scene *load_scene(void *context, const ViewRequest *request, const atomic
     return scene;
 }
 
-/** Loads a scene for the list of scenes, as it is by itself: what the command line says is for
- *  another scene. See #ViewPreviewLoader. @return See there. */
+/** Loads a scene for the scene browser, without the options of the command line, which are for
+ * another scene. See #ViewPreviewLoader. */
 static Scene *load_preview(void *context, const char *path, const atomic_bool *stop,
                            RenderSettings *render, Error *error) {
     (void)context;
@@ -105,9 +105,9 @@ static void show_scene(const Options *options, const Lesson *lesson, Error *erro
 }
 
 /**
- * Sees that a lesson is for the scene that is asked for, if any is.
- * @param[in,out] options  The command line; gets the lesson's scene.
- * @return Whether it is.
+ * Uses the scene of a lesson; one on the command line must be the same.
+ * @param[in,out] options  The command line; gets the scene.
+ * @return false if they differ.
  */
 static bool use_lesson_scene(Options *options, const Lesson *lesson, Error *error) {
     char wanted[PATH_MAX], named[PATH_MAX];
@@ -120,8 +120,8 @@ static bool use_lesson_scene(Options *options, const Lesson *lesson, Error *erro
                                 options->lesson, lesson->scene, given);
 }
 
-/** Takes what a lesson says of how its scene is drawn, where the command line says nothing. @return
- *  Whether all is well. */
+/** Applies the settings of a lesson that the command line does not set. @return false if its engine
+ *  cannot run. */
 static bool apply_lesson_settings(Options *options, const Lesson *lesson, Error *error) {
     const LessonSettings *initial = &lesson->initial_settings;
     options->samples = options->samples ? options->samples : initial->samples;

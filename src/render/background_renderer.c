@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Drawing in the background: passes from coarse to fine, stopped and begun again at will.
+ * @brief Rendering in the background: passes coarse to fine, double-buffered, restarted at will.
  */
 #include "render/renderer_internal.h"
 
@@ -13,36 +13,8 @@ void background_renderer_init(BackgroundRenderer *background) {
     pthread_cond_init(&background->idle, NULL);
 }
 
-/**
- * Finds the next pass: 8, 4, 2 and 1 pixels a ray, then one more sample a pixel each.
- * @param[in,out] range  The pass that has ended; `stride` 0 before the first.
- * @param samples       Samples a pixel that are wanted.
- * @return false after the last pass.
- */
-static bool pass_range_next(PassRange *range, int samples) {
-    if (range->stride == 0) {
-        *range = (PassRange){.stride = COARSEST_STRIDE};
-    } else if (range->stride > 1) {
-        range->stride /= 2;
-    } else {
-        range->first_sample = ++range->last_sample;
-    }
-    return range->last_sample < samples;
-}
-
-/** @return Rays from pixels in all passes. */
-static size_t total_ray_count(int width, int height, int samples) {
-    size_t rays = 0;
-    PassRange range = {0};
-    while (pass_range_next(&range, samples)) {
-        size_t across = ((size_t)width + (size_t)range.stride - 1) / (size_t)range.stride;
-        size_t down = ((size_t)height + (size_t)range.stride - 1) / (size_t)range.stride;
-        rays += across * down;
-    }
-    return rays;
-}
-
-void background_renderer_publish(Renderer *renderer, const RenderStats *stats) {
+/** Makes a finished pass, in the back picture, the one that is shown. */
+static void background_renderer_publish(Renderer *renderer, const RenderStats *stats) {
     BackgroundRenderer *background = &renderer->background;
     pthread_mutex_lock(&background->mutex);
     Picture shown = background->back;
@@ -58,40 +30,29 @@ void background_renderer_publish(Renderer *renderer, const RenderStats *stats) {
     }
 }
 
-/** Draws the light asked for, pass by pass, until it is finished or stopped. */
+/** Renders the requested picture, pass by pass, until it is finished or stopped. */
 static void background_renderer_render(Renderer *renderer) {
     BackgroundRenderer *background = &renderer->background;
-    int samples = renderer->settings.samples;
-    double start = clock_now_seconds();
+    LayerPasses passes = layer_passes(renderer);
     RenderPass pass =
         renderer_make_pass(renderer, background->width, background->height, &background->stop);
     pass.accumulator = &renderer->accumulator;
-    double full_resolution_seconds = 0;
+    pass.layer = renderer->layer_renderer.layer;
     PassRange next = {0};
-    bool is_more = pass_range_next(&next, samples);
+    bool is_more = pass_range_next(&next, passes.samples, passes.has_preview);
     while (is_more) {
         pass.range = next;
         pass.picture = &background->back;
-        if (!render_pass_run(&pass, renderer->thread_pool)) {
+        if (!passes.run(&pass)) {
             return;
         }
-        is_more = pass_range_next(&next, samples);
-        double seconds = clock_now_seconds() - start;
-        full_resolution_seconds = pass.range.stride == 1 && full_resolution_seconds == 0
-                                      ? seconds
-                                      : full_resolution_seconds;
-        RenderStats stats = {.seconds = seconds,
-                             .full_resolution_seconds = full_resolution_seconds,
-                             .rays = render_pass_ray_counts(&pass),
-                             .stride = pass.range.stride,
-                             .samples = pass.range.last_sample + 1,
-                             .progress = renderer_progress(renderer),
-                             .is_finished = !is_more};
+        is_more = pass_range_next(&next, passes.samples, passes.has_preview);
+        RenderStats stats = render_pass_stats(&pass, !is_more);
         background_renderer_publish(renderer, &stats);
     }
 }
 
-/** The thread's life: waits to be asked, draws. @return NULL */
+/** Main function of the thread: renders on request. @return NULL */
 static void *background_renderer_main(void *argument) {
     Renderer *renderer = argument;
     BackgroundRenderer *background = &renderer->background;
@@ -106,11 +67,7 @@ static void *background_renderer_main(void *argument) {
         background->is_requested = false;
         background->is_rendering = true;
         pthread_mutex_unlock(&background->mutex);
-        if (renderer->layer_renderer.layer == LAYER_SHADED) {
-            background_renderer_render(renderer);
-        } else {
-            layer_renderer_render(renderer);
-        }
+        background_renderer_render(renderer);
         pthread_mutex_lock(&background->mutex);
         background->is_rendering = false;
         pthread_cond_signal(&background->idle);
@@ -130,14 +87,14 @@ void renderer_stop(Renderer *renderer) {
     pthread_mutex_unlock(&background->mutex);
 }
 
-/** Gives the pictures back. */
+/** Frees the pictures. */
 static void background_buffers_deinit(BackgroundRenderer *background) {
     picture_deinit(&background->back);
     picture_deinit(&background->front);
 }
 
 /**
- * Makes room for a picture of another size.
+ * Resizes the pictures and the accumulator.
  * @param renderer  The renderer; its background part is idle.
  * @return false without memory.
  */
@@ -184,7 +141,9 @@ bool renderer_start(Renderer *renderer, const Scene *scene, int width, int heigh
     }
     renderer->settings.engine->set_view(renderer->tracer, scene, width, height);
     atomic_store(&renderer->rays_done, 0);
-    atomic_store(&renderer->rays_total, total_ray_count(width, height, renderer->settings.samples));
+    LayerPasses passes = layer_passes(renderer);
+    atomic_store(&renderer->rays_total,
+                 pass_range_total_rays(width, height, passes.samples, passes.has_preview));
     pthread_mutex_lock(&background->mutex);
     background->callback = callback;
     background->context = context;
@@ -196,8 +155,7 @@ bool renderer_start(Renderer *renderer, const Scene *scene, int width, int heigh
     return true;
 }
 
-/** Copies a picture in the order of bytes that screens like. @param pitch Bytes from a row to the
- *  next. */
+/** Copies a picture in the byte order of screens. @param pitch Bytes from a row to the next. */
 static void copy_bgrx(const Picture *picture, uint8_t *bgrx, int pitch) {
     const uint8_t *from = picture->pixels;
     for (int y = 0; y < picture->height; y++) {

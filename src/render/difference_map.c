@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The difference of two pictures, in colours.
+ * @brief False-colour picture of the difference of two pictures.
  */
 #include "render/difference_map.h"
 
@@ -10,19 +10,19 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/** Steps at which the legend has a number, from the greatest on. */
+/** Differences in the legend, steps of 8 bits. */
 static const int LEGEND_DIFFERENCES[] = {255, 31, 7, 1, 0, -1, -7, -31, -255};
-/** How many. */
+/** Number of them. */
 enum { LEGEND_COUNT = sizeof LEGEND_DIFFERENCES / sizeof LEGEND_DIFFERENCES[0] };
 
-/** @return Where a difference stands between the ends of its colours: one step is far from none,
- *  and the largest are near each other. */
+/** @return Position of a difference in the palette, 0 to 1: logarithmic, so that one step is far
+ * from none. */
 static double difference_palette_position(int difference) {
     double bits = log2(1.0 + abs(difference)) / 8; // 255 steps: 8 bits.
     return 0.5 + (difference < 0 ? -bits : bits) / 2;
 }
 
-/** Makes the colours of all differences. @param[out] colors Of -255 to 255: blue, green, red. */
+/** Computes the colours of all differences. @param[out] colors Of -255 to 255: blue, green, red. */
 static void difference_colors_init(uint8_t colors[2 * UINT8_MAX + 1][3]) {
     for (int difference = -UINT8_MAX; difference <= UINT8_MAX; difference++) {
         uint8_t *color = colors[difference + UINT8_MAX], rgb[3];
@@ -33,7 +33,7 @@ static void difference_colors_init(uint8_t colors[2 * UINT8_MAX + 1][3]) {
     }
 }
 
-/** @return The difference of the primary that differs most, with its sign. */
+/** @return The difference of the channel that differs most, with its sign. */
 static int pixel_difference(const uint8_t *a, const uint8_t *b) {
     int largest = 0;
     for (int i = 0; i < 3; i++) {

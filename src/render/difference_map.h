@@ -7,23 +7,23 @@
 
 #include "dioptre/layer.h"
 
-/** How two pictures differ. */
+/** The difference of two pictures. */
 typedef struct DifferenceMap {
     size_t pixel_count;      /**< Pixels of each. */
-    size_t differing_pixels; /**< Pixels that are off by more than a step of 255. */
-    int max_difference;      /**< Steps of the one that is off most. */
+    size_t differing_pixels; /**< Pixels that differ by more than a step. */
+    int max_difference;      /**< Largest difference of a channel, steps. */
 } DifferenceMap;
 
 /**
- * Draws a difference. White is none; the colours of few steps are far apart.
- * @param a  A picture: blue, green, red and an unused byte a pixel.
- * @param[out] bgrx  Their difference, likewise; may be one of the two.
- * @return How they differ.
+ * Draws a difference; white is none.
+ * @param a  A picture: blue, green, red and an unused byte per pixel.
+ * @param[out] bgrx  The difference, likewise; may be one of the two.
+ * @return The difference.
  */
 DifferenceMap difference_map_draw(const uint8_t *a, const uint8_t *b, size_t pixel_count,
                                   uint8_t *bgrx);
 
-/** Writes the legend: steps, from the greatest down. @return How many. */
+/** Writes the legend, from the greatest difference down. @return Number of rows. */
 size_t difference_map_legend(LegendEntry entries[LEGEND_ENTRIES_MAXIMUM]);
 
 #endif

@@ -1,20 +1,20 @@
 /**
  * @file
- * @brief From linear light to 8-bit steps, by table.
+ * @brief Encoding of linear light to 8 bits by table.
  *
- * A picture of 8-bit steps needs no power function a pixel. The curve only rises, so each step
- * begins at one light, and to encode is to find the last step that has begun. #encoder_init finds
- * the 255 floats where steps begin, once; #encoder_encode looks one of them up.
+ * The transfer curve is monotonic, so each code begins at one threshold, and encoding is a search
+ * for the last threshold that is not above the light. #encoder_init finds the 255 thresholds once;
+ * #encoder_encode needs no power function.
  */
 #include "dioptre/picture.h"
 
-/** Cells that the light from 0 to 1 is cut into: so fine that each holds at most one threshold,
- *  as the narrowest step, at the dark end of sRGB, is 1 / (12.92 * 255) wide. */
+/** Cells of the table over 0 to 1. Each holds at most one threshold, as the narrowest step, at the
+ *  dark end of sRGB, is 1 / (12.92 * 255) wide. */
 enum { ENCODER_CELLS = 4096 };
 
-/** Finds where a step begins. The curve backwards comes within a float or two of it; from there the
- *  neighbours are tried, with the curve forwards, which is what the step is defined by. @return The
- *  smallest float whose light is rounded to this step or a higher one. */
+/** Finds the threshold of a code. The inverse curve comes within a float or two; from there
+ *  neighbours are tried with the forward curve, which defines the code. @return The least float
+ * that is rounded to this code or a higher one. */
 static float find_threshold(Encoding encoding, int code) {
     double border = code - 0.5;
     float linear = (float)encoding_decode(encoding, border);

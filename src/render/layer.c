@@ -1,74 +1,72 @@
 /**
  * @file
- * @brief Layers: their numbers, scales, colours and legends.
+ * @brief The table of layers: their numbers, scales, colours and legends.
  */
-#include "dioptre/layer.h"
-
 #include "base/language.h"
-#include "dioptre/scene.h"
+#include "render/layer_renderer.h"
 #include "render/palette.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-/** Where nothing is met: neither end of any palette. */
+/** Colour of rays without a hit: at neither end of any palette. */
 static const uint8_t MISSING_COLOR[3] = {0x48, 0x4c, 0x54};
-/** Acne: one of two colours that nobody takes for the other. */
+/** Colour of acne: distinct from that of leaks for colour-blind people, too. */
 static const uint8_t ACNE_COLOR[3] = {0xff, 0x7a, 0x00};
-/** Leaks. */
+/** Colour of leaks. */
 static const uint8_t LEAK_COLOR[3] = {0x2f, 0xb4, 0xff};
 
-/** Errors from that share of a step on are told apart; 0 is always the first colour. */
+/** Low end of the scale of errors, in steps of 8 bits. */
 static const double ERROR_SCALE_MINIMUM = 1e-4;
-/** Times that the greatest number is the least one from which on ratios are shown. */
+/** Ratio of greatest to least number from which a scale is logarithmic. */
 static const double LOG_SCALE_RATIO = 4;
-/** Powers of ten within which the legend of ratios has all of 1, 2, 5, 10, 20 and so on. */
+/** Decades up to which the legend of a logarithmic scale has 1, 2, 5, 10, 20 and so on. */
 static const double FEW_DECADES = 2.5;
-/** Powers of ten within which it has 1, 3, 10, 30 and so on; beyond, powers of ten alone. */
+/** Decades up to which it has 1, 3, 10, 30 and so on; beyond, powers of ten alone. */
 static const double SOME_DECADES = 4;
-/** Steps that a scale of differences has about. */
+/** Approximate number of ticks of a linear scale. */
 static const double LINEAR_TICKS = 5;
 
 /* --- numbers ---------------------------------------------------------------------------------- */
 
-/** Takes the normal. See #LayerClass.read. */
+/** Reads the normal. See #LayerClass.read. */
 static void read_normal(const AovSample *sample, float values[LAYER_VALUES]) {
     for (int i = 0; i < LAYER_VALUES; i++) {
         values[i] = sample->shape < 0 ? NAN : (float)sample->normal[i];
     }
 }
 
-/** Takes the distance. See #LayerClass.read. */
+/** Reads the distance. See #LayerClass.read. */
 static void read_distance(const AovSample *sample, float values[LAYER_VALUES]) {
     values[0] = isfinite(sample->distance) ? (float)sample->distance : NAN;
 }
 
-/** Takes the shape. See #LayerClass.read. */
+/** Reads the shape. See #LayerClass.read. */
 static void read_shape_id(const AovSample *sample, float values[LAYER_VALUES]) {
     values[0] = sample->shape < 0 ? NAN : (float)sample->shape;
 }
 
-/** Takes the place on a picture. See #LayerClass.read. */
+/** Reads (u, v). See #LayerClass.read. */
 static void read_uv(const AovSample *sample, float values[LAYER_VALUES]) {
     values[0] = sample->shape < 0 ? NAN : (float)sample->uv[0];
     values[1] = (float)sample->uv[1];
 }
 
-/** Takes the rays. See #LayerClass.read. */
+/** Reads the number of rays. See #LayerClass.read. */
 static void read_ray_count(const AovSample *sample, float values[LAYER_VALUES]) {
     values[0] = (float)sample->ray_count;
 }
 
-/** Takes the steps. See #LayerClass.read. @param[out] values Its numbers; none where nothing is
- *  marched. */
+/** Reads the number of steps; none where no distance field is sphere-traced. See
+ *  #LayerClass.read. */
 static void read_step_count(const AovSample *sample, float values[LAYER_VALUES]) {
     values[0] = sample->step_count > 0 ? (float)sample->step_count : NAN;
 }
 
 /* --- colours ---------------------------------------------------------------------------------- */
 
-/** @return Where a number stands on a scale, 0 to 1. */
+/** @return Position of a number on a scale, 0 to 1. */
 static double scale_fraction(const LayerScale *scale, double value) {
     if (scale->is_log) {
         return value > scale->low ? log(value / scale->low) * scale->slope : 0;
@@ -86,7 +84,7 @@ static void color_viridis(const LayerScale *scale, const float *values, uint8_t 
     palette_color(&palette_viridis, scale_fraction(scale, (double)values[0]), rgb);
 }
 
-/** @return A share as a step of 8 bits. @param unit_value It, cut to 0 to 1. */
+/** @return A number as a step of 8 bits. @param unit_value The number; clamped to 0 to 1. */
 static uint8_t to_8_bits(double unit_value) {
     return (uint8_t)(fmin(fmax(unit_value, 0), 1) * UINT8_MAX + 0.5);
 }
@@ -105,20 +103,20 @@ static void color_shape(const LayerScale *scale, const float *values, uint8_t rg
     palette_category((unsigned)values[0], rgb);
 }
 
-/** Colours of the corners of a picture: (0, 0), (1, 0), (0, 1) and (1, 1). */
+/** Colours of the corners of a texture: (0, 0), (1, 0), (0, 1) and (1, 1). */
 static const uint8_t UV_CORNER_COLORS[4][3] = {
     {0x14, 0x18, 0x30}, {0xe6, 0x8a, 0x00}, {0x1c, 0x8c, 0xe0}, {0xff, 0xf8, 0xe0}};
-/** Lines of a picture are drawn at every so many of its width or height. */
+/** Grid lines per width and height of a texture. */
 static const double UV_LINES = 10;
-/** How wide they are, of the way from one to the next. */
+/** Width of a grid line, as a fraction of the distance between two. */
 static const double UV_LINE_WIDTH = 0.08;
 
-/** @return The part of a number after its whole part. */
+/** @return The fractional part of a number. */
 static double fraction(double x) {
     return x - floor(x);
 }
 
-/** Colours a place on a picture, with lines at its tenths. See #LayerClass.color. */
+/** Colours (u, v), with a grid line at each tenth. See #LayerClass.color. */
 static void color_uv(const LayerScale *scale, const float *values, uint8_t rgb[3]) {
     (void)scale;
     double u = (double)values[0], v = (double)values[1];
@@ -134,8 +132,8 @@ static void color_uv(const LayerScale *scale, const float *values, uint8_t rgb[3
     }
 }
 
-/** Colours an error; what is not known yet is grey, as bright as the picture. See
- *  #LayerClass.color. @param values The pixel's: error, brightness. */
+/** Colours an error; in a preview the pixel is grey, as bright as the picture. See
+ *  #LayerClass.color. @param values Error, brightness. */
 static void color_error(const LayerScale *scale, const float *values, uint8_t rgb[3]) {
     bool is_known = values[0] >= 0;
     memset(rgb, is_known ? 0 : to_8_bits((double)values[1]), 3);
@@ -144,8 +142,8 @@ static void color_error(const LayerScale *scale, const float *values, uint8_t rg
     }
 }
 
-/** Colours a fault; the others are grey, as bright as the picture. See #LayerClass.color. @param
- *  values The pixel's: brightness, #ShadingArtifact. */
+/** Colours an artefact; other pixels are grey, as bright as the picture. See #LayerClass.color.
+ *  @param values Brightness, #ShadingArtifact. */
 static void color_artifact(const LayerScale *scale, const float *values, uint8_t rgb[3]) {
     (void)scale;
     memset(rgb, to_8_bits((double)values[0]), 3);
@@ -156,13 +154,6 @@ static void color_artifact(const LayerScale *scale, const float *values, uint8_t
 
 /* --- legends ---------------------------------------------------------------------------------- */
 
-/** A row of a legend that always says the same. */
-typedef struct FixedLegendEntry {
-    float values[LAYER_VALUES]; /**< A pixel of its colour. */
-    const char *number;         /**< What it stands for; empty: words do. */
-    const char *label;          /**< The words, or NULL. */
-} FixedLegendEntry;
-
 /** Normals along the axes. */
 static const FixedLegendEntry normal_legend[] = {{{1, 0, 0}, "+x", NULL}, {{-1, 0, 0}, "−x", NULL},
                                                  {{0, 1, 0}, "+y", NULL}, {{0, -1, 0}, "−y", NULL},
@@ -172,13 +163,13 @@ static const FixedLegendEntry normal_legend[] = {{{1, 0, 0}, "+x", NULL}, {{-1, 
 static const FixedLegendEntry shape_legend[] = {
     {{0}, "0", NULL}, {{1}, "1", NULL}, {{2}, "2", NULL},   {{3}, "3", NULL}, {{4}, "4", NULL},
     {{5}, "5", NULL}, {{6}, "6", NULL}, {{7}, "7 …", NULL}, {{0}, NULL, NULL}};
-/** The corners of a picture, just inside. */
+/** The corners of a texture, just inside. */
 static const FixedLegendEntry uv_legend[] = {{{0.99F, 0.99F}, "(1, 1)", NULL},
                                              {{0.05F, 0.99F}, "(0, 1)", NULL},
                                              {{0.99F, 0.05F}, "(1, 0)", NULL},
                                              {{0.05F, 0.05F}, "(0, 0)", NULL},
                                              {{0}, NULL, NULL}};
-/** What may be wrong. */
+/** The artefacts. */
 static const FixedLegendEntry artifact_legend[] = {
     {{0, ARTIFACT_ACNE}, "", N_("acne: dark, should be lit")},
     {{0, ARTIFACT_LEAK}, "", N_("leak: lit, should be dark")},
@@ -186,23 +177,10 @@ static const FixedLegendEntry artifact_legend[] = {
 
 /* --- the layers ------------------------------------------------------------------------------- */
 
-/** A layer. */
-typedef struct LayerClass {
-    const char *name;               /**< See #layer_name. */
-    const char *unit;               /**< See #layer_unit. */
-    unsigned aov_mask;              /**< See #layer_aov_mask. */
-    bool needs_reference;           /**< See #layer_needs_reference. */
-    bool has_missing;               /**< Whether some pixels may have no number. */
-    const FixedLegendEntry *legend; /**< Its legend; NULL: it has a scale. */
+/** How often the time of each pixel is taken; the shortest counts. */
+enum { TIME_REPEATS = 5 };
 
-    /** Takes its numbers. See #layer_values. NULL: they do not come from a survey. */
-    void (*read)(const AovSample *point, float numbers[LAYER_VALUES]);
-
-    /** Finds the colour of a pixel that has numbers. */
-    void (*color)(const LayerScale *scale, const float *numbers, uint8_t rgb[3]);
-} LayerClass;
-
-/** All layers, but for the light itself. */
+/** All layers. */
 static const LayerClass layers[LAYER_COUNT] = {
     [LAYER_SHADED] = {.name = N_("light"), .unit = ""},
     [LAYER_NORMALS] = {.name = N_("normals"),
@@ -240,18 +218,34 @@ static const LayerClass layers[LAYER_COUNT] = {
                      .has_missing = true,
                      .read = read_step_count,
                      .color = color_viridis},
-    [LAYER_TIME] = {.name = N_("time spent"), .unit = N_("ns a pixel"), .color = color_cividis},
+    [LAYER_TIME] = {.name = N_("time spent"),
+                    .unit = N_("ns a pixel"),
+                    .is_timed = true,
+                    .repeats = TIME_REPEATS,
+                    .measure = measure_time,
+                    .color = color_cividis},
     [LAYER_ERROR] = {.name = N_("error"),
                      .unit = N_("steps of 255"),
-                     .needs_reference = true,
+                     .scale_low = ERROR_SCALE_MINIMUM,
+                     .scale_high = ENCODING_CODE_MAXIMUM,
+                     .zero_label = N_("no error"),
+                     .reference = REFERENCE_EXACT,
+                     .has_preview = true, // The reference may be slow.
+                     .measure = measure_error,
+                     .classify = classify_error,
                      .color = color_error},
     [LAYER_ACNE] = {.name = N_("acne and leaks"),
                     .unit = "",
-                    .aov_mask = AOV_RADIANCE,
-                    .needs_reference = true,
                     .legend = artifact_legend,
+                    .reference = REFERENCE_DOUBLE,
+                    .measure = measure_artifacts,
+                    .classify = classify_path,
                     .color = color_artifact},
 };
+
+const LayerClass *layer_class(Layer layer) {
+    return &layers[layer];
+}
 
 const char *layer_name(Layer layer) {
     return layers[layer].name;
@@ -259,14 +253,6 @@ const char *layer_name(Layer layer) {
 
 const char *layer_unit(Layer layer) {
     return layers[layer].unit;
-}
-
-unsigned layer_aov_mask(Layer layer) {
-    return layers[layer].aov_mask;
-}
-
-bool layer_needs_reference(Layer layer) {
-    return layers[layer].needs_reference;
 }
 
 void layer_values(Layer layer, const AovSample *sample, float values[LAYER_VALUES]) {
@@ -303,13 +289,13 @@ static double round_up_1_2_5(double x) {
     return below < x ? next_1_2_5(below) : below;
 }
 
-/** @return The way from one number of a legend to the next. */
+/** @return Distance between two ticks of a linear scale. */
 static double linear_step(const LayerScale *scale) {
     return round_up_1_2_5((scale->high - scale->low) / LINEAR_TICKS * 0.999);
 }
 
 /**
- * @return A scale of ratios.
+ * @return A logarithmic scale.
  * @param low  Its lower end, above 0.
  */
 static LayerScale log_scale(double low, double high) {
@@ -317,8 +303,8 @@ static LayerScale log_scale(double low, double high) {
 }
 
 LayerScale layer_scale(Layer layer, double low, double high) {
-    if (layer == LAYER_ERROR) {
-        return log_scale(ERROR_SCALE_MINIMUM, ENCODING_CODE_MAXIMUM);
+    if (layers[layer].scale_high > 0) {
+        return log_scale(layers[layer].scale_low, layers[layer].scale_high);
     }
     if (layers[layer].legend || !(high >= low)) {
         return (LayerScale){0};
@@ -333,7 +319,7 @@ LayerScale layer_scale(Layer layer, double low, double high) {
     return (LayerScale){low, high, false, 1 / (high - low)};
 }
 
-/** Adds a row to a legend. */
+/** Writes a row of a legend. */
 static void legend_entry_at(Layer layer, const LayerScale *scale, double value,
                             LegendEntry *entry) {
     float values[LAYER_VALUES] = {(float)value};
@@ -342,7 +328,7 @@ static void legend_entry_at(Layer layer, const LayerScale *scale, double value,
     layer_color(layer, scale, values, entry->rgb);
 }
 
-/** @return The number below another in a legend of ratios, so that not too many are named. */
+/** @return The next lower number in the legend of a logarithmic scale; few enough fit. */
 static double next_log_value_below(const LayerScale *scale, double value) {
     double decades = log10(scale->high / scale->low);
     if (decades < FEW_DECADES) {
@@ -357,7 +343,7 @@ static double next_log_value_below(const LayerScale *scale, double value) {
     return power < value * 0.999 ? power : value / ratio;
 }
 
-/** Writes the legend of a scale. @return How many. */
+/** Writes the legend of a scale. @return Number of rows. */
 static size_t scale_legend(Layer layer, const LayerScale *scale,
                            LegendEntry entries[LEGEND_ENTRIES_MAXIMUM]) {
     size_t count = 0;
@@ -375,7 +361,7 @@ static size_t scale_legend(Layer layer, const LayerScale *scale,
     return count;
 }
 
-/** Writes a legend that always says the same. @return How many. */
+/** Writes a legend that is always the same. @return Number of rows. */
 static size_t fixed_legend(Layer layer, const LayerScale *scale,
                            LegendEntry entries[LEGEND_ENTRIES_MAXIMUM]) {
     size_t count = 0;
@@ -394,11 +380,11 @@ size_t layer_legend(Layer layer, const LayerScale *scale,
     }
     size_t count = layers[layer].legend ? fixed_legend(layer, scale, entries)
                                         : scale_legend(layer, scale, entries);
-    if (layers[layer].has_missing || layer == LAYER_ERROR) {
-        const float missing[LAYER_VALUES] = {layer == LAYER_ERROR ? 0 : NAN};
-        entries[count] =
-            (LegendEntry){.label = layer == LAYER_ERROR ? N_("no error") : N_("nothing")};
-        layer_color(layer, scale, missing, entries[count++].rgb);
+    const char *zero_label = layers[layer].zero_label;
+    if (layers[layer].has_missing || zero_label) {
+        const float values[LAYER_VALUES] = {zero_label ? 0 : NAN};
+        entries[count] = (LegendEntry){.label = zero_label ? zero_label : N_("nothing")};
+        layer_color(layer, scale, values, entries[count++].rgb);
     }
     return count;
 }

@@ -1,55 +1,104 @@
 /**
  * @file
- * @brief The inside of drawing layers: a pass, and what its parts share.
+ * @brief The table of layers, and how a layer is measured.
+ *
+ * A new layer is a #Layer, a row of the table in layer.c and its functions: #LayerClass.color, and
+ * #LayerClass.read where it comes from AOVs, or #LayerClass.measure where it does not.
  */
 #ifndef DIOPTRE_RENDER_LAYER_RENDERER_H
 #define DIOPTRE_RENDER_LAYER_RENDERER_H
 
 #include "render/renderer_internal.h"
 
-/** A pass of a layer. */
-typedef struct LayerPass {
-    const Renderer *renderer;            /**< Whose. */
-    const LayerRenderer *layer_renderer; /**< What it needs. */
-    Picture *picture;                    /**< Where the colours go. */
-    int width;                           /**< Pixels. */
-    int height;                          /**< Pixels. */
-    int stride;                          /**< Pixels from one ray to the next. */
-    int repeat;                 /**< How often it was drawn like this before; -1: coarsely first. */
-    bool uses_reference;        /**< Whether the reference is asked. */
-    LayerScale scale;           /**< Its colours. */
-    _Atomic uint64_t ray_count; /**< Rays traced. */
-    _Atomic uint64_t pixel_count;     /**< Pixels that were looked at. */
-    _Atomic uint64_t artifact_pixels; /**< See #LayerStats.artifact_pixels. */
-    _Atomic uint64_t leak_pixels;     /**< See #LayerStats.leak_pixels. */
-} LayerPass;
+/** The engine that a layer is compared with. */
+typedef enum {
+    REFERENCE_NONE,   /**< None. */
+    REFERENCE_DOUBLE, /**< Double: paths are all that counts. */
+    REFERENCE_EXACT   /**< The widest, or double where that is wider than the engine. */
+} LayerReference;
 
-/** @return Cells of a pass from one row to the next. */
-static inline size_t layer_pass_columns(const LayerPass *pass) {
-    return ((size_t)pass->width + (size_t)pass->stride - 1) / (size_t)pass->stride;
+/** A row of a legend that is always the same. */
+typedef struct FixedLegendEntry {
+    float values[LAYER_VALUES]; /**< Numbers of a pixel of its colour. */
+    const char *number;         /**< What it stands for; empty: the label says it. */
+    const char *label;          /**< What it stands for, in English; NULL: the number says it. */
+} FixedLegendEntry;
+
+/** A layer: one row of the table. */
+typedef struct LayerClass {
+    const char *name;               /**< See #layer_name. */
+    const char *unit;               /**< See #layer_unit. */
+    const FixedLegendEntry *legend; /**< Its legend, ended by an empty row; NULL: it has a scale. */
+    double scale_low;         /**< Low end of a scale that is always the same; 0: by values. */
+    double scale_high;        /**< High end of it. */
+    const char *zero_label;   /**< Label of the number 0 in the legend, in English; NULL: none. */
+    bool has_missing;         /**< Whether some pixels have no number: NaN. */
+    unsigned aov_mask;        /**< The AOVs that it needs. See #AOV_RADIANCE. */
+    LayerReference reference; /**< The engine that it is compared with. */
+    bool has_preview;         /**< Whether a pass without the reference comes first. */
+    bool is_timed;            /**< Whether rays are measured in small groups, one by one. */
+    int repeats;              /**< Passes at full resolution; 0: one. */
+
+    /** Reads its numbers from the AOVs of a pixel; NULL: they do not come from AOVs. */
+    void (*read)(const AovSample *sample, float values[LAYER_VALUES]);
+
+    /**
+     * Measures a strip of rays into #LayerRenderer.values; NULL: by #read.
+     * @param strip  A few rows of rays of a tile, or a group of rays.
+     * @param[in,out] counts  The rays traced are added to this.
+     */
+    void (*measure)(const RenderPass *pass, const PixelGrid *strip, RayCounts *counts);
+
+    /**
+     * Finds the artefact of a measured ray, once all are measured; NULL: there are none.
+     * @param cell  Index of the ray in the pass.
+     * @param[in,out] values  Its numbers.
+     */
+    ShadingArtifact (*classify)(const RenderPass *pass, size_t cell, float values[LAYER_VALUES]);
+
+    /** Finds the colour of a pixel that has numbers. */
+    void (*color)(const LayerScale *scale, const float *values, uint8_t rgb[3]);
+} LayerClass;
+
+/** @return The row of a layer. */
+const LayerClass *layer_class(Layer layer);
+
+/** Measures the error against the reference engine. See #LayerClass.measure. */
+void measure_error(const RenderPass *pass, const PixelGrid *strip, RayCounts *counts);
+
+/** Compares paths with those of the reference engine. See #LayerClass.measure. */
+void measure_artifacts(const RenderPass *pass, const PixelGrid *strip, RayCounts *counts);
+
+/** Measures the time per ray; of several passes the shortest counts. See #LayerClass.measure. */
+void measure_time(const RenderPass *pass, const PixelGrid *strip, RayCounts *counts);
+
+/** Counts errors of more than a step as #ARTIFACT_ACNE. See #LayerClass.classify. */
+ShadingArtifact classify_error(const RenderPass *pass, size_t cell, float values[LAYER_VALUES]);
+
+/** Drops artefacts at edges, where either path is right. See #LayerClass.classify. */
+ShadingArtifact classify_path(const RenderPass *pass, size_t cell, float values[LAYER_VALUES]);
+
+/** Measures the rays of a tile. See #ShadeTile. */
+void layer_measure_tile(RenderPass *pass, const PixelGrid *tile, size_t index);
+
+/** @return Rays of a pass per row of the picture. */
+static inline size_t layer_pass_columns(const RenderPass *pass) {
+    return ((size_t)pass->width + (size_t)pass->range.stride - 1) / (size_t)pass->range.stride;
 }
 
-/**
- * @return Place of a ray's cell among those of the pass.
- * @param column  Its column in the grid.
- */
-static inline size_t layer_pass_cell_index(const LayerPass *pass, const PixelGrid *grid, int column,
-                                           int row) {
-    size_t x = (size_t)(grid->x / pass->stride + column);
-    size_t y = (size_t)(grid->y / pass->stride + row);
+/** @return Index of a ray among those of the pass. @param column Its column in the grid. */
+static inline size_t layer_cell_index(const RenderPass *pass, const PixelGrid *grid, int column,
+                                      int row) {
+    size_t x = (size_t)(grid->x / pass->range.stride + column);
+    size_t y = (size_t)(grid->y / pass->range.stride + row);
     return y * layer_pass_columns(pass) + x;
 }
 
-/** @return Whether a drawing was stopped. */
-static inline bool layer_pass_is_stopped(const LayerPass *pass) {
-    return atomic_load_explicit(&pass->renderer->background.stop, memory_order_relaxed);
+/** @return The numbers of a ray. See #layer_cell_index. */
+static inline float *layer_cell_values(const RenderPass *pass, const PixelGrid *grid, int column,
+                                       int row) {
+    return pass->renderer->layer_renderer.values +
+           LAYER_VALUES * layer_cell_index(pass, grid, column, row);
 }
-
-/** Measures the pixels of a block. See #ThreadPoolTask. */
-void layer_measure_tile(void *context, size_t index);
-
-/** Takes the time of the pixels of a block; in the first pass, of a few in its middle. See
- *  #ThreadPoolTask. */
-void layer_time_tile(void *context, size_t index);
 
 #endif

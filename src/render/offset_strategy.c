@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief What the offset strategies are called.
+ * @brief Names of the offset strategies.
  */
 #include "dioptre/offset_strategy.h"
 

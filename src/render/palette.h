@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Colours that mean numbers, safe for the colour-blind.
+ * @brief Palettes that are safe for colour-blind people.
  */
 #ifndef DIOPTRE_RENDER_PALETTE_H
 #define DIOPTRE_RENDER_PALETTE_H
@@ -8,10 +8,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/** Colours from dark to light. */
+/** A palette. */
 typedef struct Palette {
-    size_t count;               /**< How many colours it goes through. */
-    const uint8_t (*colors)[3]; /**< The colours, sRGB, equally far apart. */
+    size_t count;               /**< Number of colours. */
+    const uint8_t (*colors)[3]; /**< The colours, sRGB, equally spaced. */
 } Palette;
 
 /** From blue to yellow, the same to nearly all eyes (Nuñez, Anderton and Renslow, *Optimizing
@@ -20,18 +20,17 @@ extern const Palette palette_cividis;
 /** From violet to yellow (van der Walt and Smith, *A better default colormap for Matplotlib*,
  * 2015). */
 extern const Palette palette_viridis;
-/** From blue over white to red: for what may be on either side of zero. */
+/** From blue over white to red, for signed numbers. */
 extern const Palette palette_diverging;
 
-/** Finds a colour between two of them. @param fraction Where, 0 to 1; beyond, the first or the
- *  last. */
+/** Interpolates a palette. @param fraction Position, 0 to 1; clamped. */
 void palette_color(const Palette *palette, double fraction, uint8_t rgb[3]);
 
-/** Finds the colour of a thing that is one of many. @param[out] rgb The colour, sRGB (Okabe and
- *  Ito, *Color Universal Design*, 2008). */
+/** Finds the colour of a category; they repeat after #PALETTE_CATEGORIES. @param[out] rgb The
+ * colour, sRGB (Okabe and Ito, *Color Universal Design*, 2008). */
 void palette_category(unsigned index, uint8_t rgb[3]);
 
-/** How many kinds have a colour of their own. */
+/** Number of distinct categories. */
 enum { PALETTE_CATEGORIES = 16 };
 
 #endif

@@ -1,12 +1,12 @@
 /**
  * @file
- * @brief Pictures: their memory.
+ * @brief Memory of pictures.
  */
 #include "dioptre/picture.h"
 
 #include <stdlib.h>
 
-/** Bytes a pixel: red, green, blue. */
+/** Channels of a pixel. */
 enum { CHANNELS = 3 };
 
 bool picture_init(Picture *picture, int width, int height, Error *error) {

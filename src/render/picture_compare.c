@@ -1,26 +1,25 @@
 /**
  * @file
- * @brief How two pictures differ.
+ * @brief Comparison of two pictures.
  */
 #include "dioptre/picture.h"
 
 #include <stdlib.h>
 
-/** Steps that a pixel may be off before #PictureComparison.differing_fraction counts it: rounding
- * at a border. */
+/** Largest difference that #PictureComparison.differing_fraction ignores, as it may be rounding. */
 enum { DIFFERENCE_TOLERANCE = 1 };
-/** Brightness in the map of a pixel that is off by the least: dim, but to be seen on black. */
+/** Brightness in the map of the least difference: dim, but visible on black. */
 enum { MAP_BRIGHTNESS_MINIMUM = 64 };
-/** Colours a pixel. */
+/** Channels of a pixel. */
 enum { CHANNELS = 3 };
 
-/** What is added up over all pixels. */
+/** Sums over all pixels. */
 typedef struct DifferenceSums {
     int max_difference;      /**< Largest difference of a channel, in steps. */
-    size_t differing_pixels; /**< Pixels that are off by more than `DIFFERENCE_TOLERANCE`. */
+    size_t differing_pixels; /**< Pixels that differ by more than #DIFFERENCE_TOLERANCE. */
     uint64_t code_squares;   /**< Sum of the squares of the differences, in steps. */
     double linear_squares;   /**< Sum of the squares of the differences, in linear light. */
-    double linear[256];      /**< The linear light of each step. */
+    double linear[256];      /**< Linear light of each code. */
 } DifferenceSums;
 
 /**
@@ -46,7 +45,7 @@ static int add_pixel_difference(DifferenceSums *sums, const uint8_t *a, const ui
 /**
  * Draws a pixel of the map.
  * @param[out] pixel  Its red, green and blue.
- * @param difference       How far the pixel is off, 0 to 255.
+ * @param difference       Largest difference of a channel, 0 to 255.
  */
 static void set_map_pixel(uint8_t *pixel, int difference) {
     int grey = difference == 0 ? 0
@@ -58,9 +57,8 @@ static void set_map_pixel(uint8_t *pixel, int difference) {
 }
 
 /**
- * Makes the measures of the sums.
- * @param sums  The sums over all pixels.
- * @return The measures.
+ * @return The comparison of the sums over all pixels.
+ * @param sums  The sums.
  */
 static PictureComparison comparison_from_sums(const DifferenceSums *sums, int width, int height) {
     double pixels = (double)width * height;

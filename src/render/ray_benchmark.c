@@ -1,25 +1,25 @@
 /**
  * @file
- * @brief Nearest hits alone, for `bench --rays`.
+ * @brief Benchmark of closest hits alone, for `bench --rays`.
  */
 #include "render/renderer_internal.h"
 
 #include <stdlib.h>
 
-/** Rays that a thread takes at a time. */
+/** Rays of a task. */
 #define BENCHMARK_BATCH_RAYS ((size_t)TILE_COLUMNS * TILE_ROWS)
 
-/** The first number of the random rays: any will do, as long as it is always the same. */
+/** Seed of the random rays. */
 #define BENCHMARK_SEED 20260104u
 
-/** What the threads share. */
+/** A benchmark, as its threads share it. */
 typedef struct RayBenchmark {
     const Renderer *renderer; /**< The renderer. */
-    const RayQuery *rays;     /**< Random rays; NULL: the camera's. */
-    size_t count;             /**< How many rays in all. */
+    const RayQuery *rays;     /**< Random rays; NULL: camera rays. */
+    size_t count;             /**< Number of rays. */
 } RayBenchmark;
 
-/** Casts the camera rays of a block. See #ThreadPoolTask. */
+/** Traces the camera rays of a tile. See #ThreadPoolTask. */
 static void benchmark_tile(void *context, size_t index) {
     const RayBenchmark *benchmark = context;
     const RenderSettings *settings = &benchmark->renderer->settings;
@@ -29,7 +29,7 @@ static void benchmark_tile(void *context, size_t index) {
     settings->engine->trace_primary(benchmark->renderer->tracer, &tile, shapes, distances);
 }
 
-/** Casts some random rays. See #ThreadPoolTask. */
+/** Traces a batch of random rays. See #ThreadPoolTask. */
 static void benchmark_batch(void *context, size_t index) {
     const RayBenchmark *benchmark = context;
     int shapes[BENCHMARK_BATCH_RAYS];
@@ -50,7 +50,7 @@ static double random_uniform(uint64_t *state) {
     return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
 }
 
-/** @return A ray from anywhere in a box to anywhere. */
+/** @return A ray from a uniform point of a box in a uniform direction. */
 static RayQuery random_ray(uint64_t *state, Vec3d low, Vec3d high) {
     double height = 2 * random_uniform(state) - 1, angle = 2 * M_PI * random_uniform(state);
     double radius = sqrt(1 - height * height);

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The tree of rays of one pixel of a renderer's picture.
+ * @brief The ray tree of one pixel of a renderer's picture.
  */
 #include "dioptre/ray_tree.h"
 
@@ -8,9 +8,9 @@
 
 #include <stdlib.h>
 
-void ray_tree_deinit(RayTree *probe) {
-    free(probe->nodes);
-    *probe = (RayTree){0};
+void ray_tree_deinit(RayTree *tree) {
+    free(tree->nodes);
+    *tree = (RayTree){0};
 }
 
 bool renderer_record_ray_tree(const Renderer *renderer, int x, int y, RayTree *tree, Error *error) {

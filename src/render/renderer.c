@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The renderer: settings, life, and drawing at once.
+ * @brief The renderer: default settings, creation, and rendering in one call.
  */
 #include "render/renderer_internal.h"
 
@@ -19,9 +19,9 @@ int render_cpu_count(void) {
 }
 
 RenderSettings render_settings_default(const Scene *scene) {
-    /** Scene units: the size of report C's constant. */
+    /** The constant offset of the textbook tracer, scene units. */
     const double report_epsilon = 1e-4;
-    /** Of half a pixel, that marched rays may end before a surface (doc/marching.md). */
+    /** Distance to a surface at which sphere tracing stops, in half pixels (doc/marching.md). */
     const double footprint = 0.125;
     PrecisionEstimate estimate = precision_estimate_of(scene);
     int depth = scene->image.depth;
@@ -39,7 +39,7 @@ RenderSettings render_settings_default(const Scene *scene) {
     };
 }
 
-/** Lets workers do what a crew is asked to. See #ParallelFor.run. */
+/** Runs the tasks of a tracer on the thread pool. See #ParallelFor.run. */
 static void parallel_for_thread_pool(void *thread_pool, size_t count, void (*task)(void *, size_t),
                                      void *context) {
     thread_pool_run(thread_pool, count, task, context);
@@ -121,20 +121,20 @@ void renderer_destroy(Renderer *renderer) {
 }
 
 RenderPass renderer_make_pass(Renderer *renderer, int width, int height, const atomic_bool *stop) {
-    return (RenderPass){.engine = renderer->settings.engine,
+    return (RenderPass){.renderer = renderer,
+                        .engine = renderer->settings.engine,
                         .tracer = renderer->tracer,
                         .encoder = &renderer->encoder,
                         .adaptive_encoder = &renderer->encoder,
                         .width = width,
                         .height = height,
                         .stop = stop,
-                        .samples = renderer->settings.samples,
-                        .rays_done = &renderer->rays_done,
-                        .rays_total = &renderer->rays_total};
+                        .start = clock_now_seconds(),
+                        .samples = renderer->settings.samples};
 }
 
-/** Draws a picture whose pixels are judged, by passes from one judgement to the next. @return false
- *  when it was stopped. */
+/** Renders with adaptive sampling, a pass from each update of the active pixels to the next.
+ * @return false when it was stopped. */
 static bool render_adaptive(Renderer *renderer, RenderPass *pass) {
     int samples = renderer->settings.samples;
     bool is_complete = true;
@@ -142,21 +142,21 @@ static bool render_adaptive(Renderer *renderer, RenderPass *pass) {
     pass->has_previous = true;
     for (int first = 0; is_complete && first < samples; first = pass->range.last_sample + 1) {
         int end = first == 0 ? adaptive_first_samples(samples) : 2 * first;
-        pass->range = (PassRange){1, first, (end < samples ? end : samples) - 1};
-        is_complete = render_pass_run(pass, renderer->thread_pool);
+        pass->range = (PassRange){
+            .stride = 1, .first_sample = first, .last_sample = (end < samples ? end : samples) - 1};
+        is_complete = render_pass_run_samples(pass);
     }
     return is_complete;
 }
 
 RenderStats renderer_render(Renderer *renderer, const atomic_bool *stop, Picture *picture) {
     const RenderSettings *settings = &renderer->settings;
-    double start = clock_now_seconds();
     RenderPass pass = renderer_make_pass(renderer, settings->width, settings->height, stop);
     pass.picture = picture;
     pass.range = (PassRange){.stride = 1, .first_sample = 0, .last_sample = settings->samples - 1};
     Encoder srgb;
     if (picture && picture->linear) {
-        // Linear light has no steps of its own: what counts are those in which it will be seen.
+        // Linear light has no steps: samples are compared in those of sRGB, as it will be seen.
         encoder_init(&srgb, ENCODING_SRGB);
         pass.adaptive_encoder = &srgb;
     }
@@ -166,15 +166,11 @@ RenderStats renderer_render(Renderer *renderer, const atomic_bool *stop, Picture
     if (picture) {
         picture->encoding = (Encoding)settings->encoding;
     }
-    bool is_finished = renderer_is_adaptive(renderer)
-                           ? render_adaptive(renderer, &pass)
-                           : render_pass_run(&pass, renderer->thread_pool);
-    return (RenderStats){.seconds = clock_now_seconds() - start,
-                         .rays = render_pass_ray_counts(&pass),
-                         .stride = 1,
-                         .samples = settings->samples,
-                         .progress = renderer_progress(renderer),
-                         .is_finished = is_finished};
+    bool is_finished = renderer_is_adaptive(renderer) ? render_adaptive(renderer, &pass)
+                                                      : render_pass_run_samples(&pass);
+    RenderStats stats = render_pass_stats(&pass, is_finished);
+    stats.samples = settings->samples;
+    return stats;
 }
 
 double renderer_progress(const Renderer *renderer) {

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Which pixels need more samples.
+ * @brief Sums of samples and adaptive sampling.
  */
 #include "render/sample_accumulator.h"
 
@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** Pixels along a side of the tiles in whose order open pixels are listed: those of a packet then
- *  lie close together. */
+/** Side of the squares in whose order active pixels are listed, pixels: those of a packet are then
+ *  close together. */
 #define LIST_TILE 8
 
 bool sample_accumulator_resize(SampleAccumulator *accumulator, int width, int height,
@@ -61,7 +61,7 @@ bool adaptive_is_update_due(int sample) {
 }
 
 uint16_t adaptive_code(const Encoder *encoder, float linear, bool beyond_white) {
-    /** Of a float: bits of the mantissa below those that make 128 steps an octave. */
+    /** Mantissa bits of a float below those that make 128 steps per octave. */
     enum { BITS_BELOW_STEP = 16 };
     uint16_t code = encoder_encode(encoder, linear);
     if (linear > 1 && beyond_white) {
@@ -74,7 +74,7 @@ uint16_t adaptive_code(const Encoder *encoder, float linear, bool beyond_white) 
     return code;
 }
 
-/** @return Whether the samples of a pixel differ. */
+/** @return Whether the samples of a pixel differ by more than the tolerance. */
 static bool is_noisy(const SampleAccumulator *accumulator, size_t pixel) {
     bool is_different = false;
     for (size_t i = 3 * pixel; i < 3 * pixel + 3; i++) {
@@ -84,14 +84,14 @@ static bool is_noisy(const SampleAccumulator *accumulator, size_t pixel) {
     return is_different;
 }
 
-/** A judgement under way. */
+/** An update of the active pixels. */
 typedef struct ActiveUpdate {
-    SampleAccumulator *accumulator; /**< The tally. */
-    int samples;                    /**< Rays a pixel that are wanted. */
-    atomic_size_t remaining;        /**< Rays that are still to be drawn. */
+    SampleAccumulator *accumulator; /**< The accumulator. */
+    int samples;                    /**< Samples per pixel. */
+    atomic_size_t remaining;        /**< Rays that remain. */
 } ActiveUpdate;
 
-/** Judges a row of pixels by themselves. See #ThreadPoolTask. */
+/** Finds the noisy pixels of a row. See #ThreadPoolTask. */
 static void update_noisy_row(void *context, size_t index) {
     SampleAccumulator *accumulator = ((ActiveUpdate *)context)->accumulator;
     size_t first = index * (size_t)accumulator->width;
@@ -100,7 +100,8 @@ static void update_noisy_row(void *context, size_t index) {
     }
 }
 
-/** Says which pixels of a row are open. @param accumulator The tally, all its rows judged. */
+/** Finds the active pixels of a row. @param accumulator The accumulator, with the noisy pixels of
+ * all rows. */
 static void update_active_row(SampleAccumulator *accumulator, int y) {
     size_t width = (size_t)accumulator->width;
     int top = y > 0 ? y - 1 : 0, bottom = y + 1 < accumulator->height ? y + 1 : y;
@@ -115,7 +116,7 @@ static void update_active_row(SampleAccumulator *accumulator, int y) {
     }
 }
 
-/** Finds what is to be drawn in a row of pixels. See #ThreadPoolTask. */
+/** Finds the active pixels of a row and counts their remaining rays. See #ThreadPoolTask. */
 static void count_remaining_row(void *context, size_t index) {
     ActiveUpdate *update = context;
     SampleAccumulator *accumulator = update->accumulator;
@@ -137,10 +138,10 @@ size_t sample_accumulator_update_active(SampleAccumulator *accumulator, ThreadPo
 }
 
 /**
- * Lists the open pixels of a row of a tile.
- * @param active  Whether each pixel of the row is.
- * @param[out] indices  Of those that are.
- * @return How many.
+ * Lists the active pixels of a row of a tile.
+ * @param active  For each pixel of the row, whether it is active.
+ * @param[out] indices  Indices of the active pixels.
+ * @return Number of active pixels.
  */
 static size_t list_active_row(const uint8_t *active, int columns, int first_index,
                               uint16_t *indices) {

@@ -1,17 +1,15 @@
 /**
  * @file
- * @brief The tally: what is known of every pixel of a picture that is drawn sample after sample,
- * and which pixels need more.
+ * @brief Sums of samples per pixel, and adaptive sampling: which pixels need more samples.
  *
- * A pixel that is calm has enough with few samples (Mitchell, *Generating Antialiased Images at Low
- * Sampling Densities*, 1987). It is rough when two of its samples differ by
- * more than #ADAPTIVE_TOLERANCE steps in any primary, of the 8 bits that are written, or of linear
- * light as it will be seen; it is *open* when it or one of its eight neighbours is rough. All
- * pixels get #adaptive_first_samples samples. Then, and whenever their number has doubled, the
- * tally judges which pixels are open; these get all further samples until the next judgement. One
- * that is found open late, because a neighbour has become rough, catches up. The judgement looks at
- * the whole picture between two passes, so it does not depend on threads, blocks or lanes, and is
- * the same whether the samples come one pass each or many.
+ * Pixels whose first samples agree get few (Mitchell, *Generating Antialiased Images at Low
+ * Sampling Densities*, 1987). A pixel is noisy when two of its samples differ by more than
+ * #ADAPTIVE_TOLERANCE steps in any channel. It is active when it or one of its eight neighbours is
+ * noisy. All pixels get #adaptive_first_samples samples; then, and whenever their number has
+ * doubled, the active pixels are updated, and only these get further samples. A pixel that becomes
+ * active late, because a neighbour has become noisy, catches up. The update covers the whole
+ * picture between two passes. So it does not depend on threads, tiles or lanes, nor on the number
+ * of passes.
  */
 #ifndef DIOPTRE_RENDER_SAMPLE_ACCUMULATOR_H
 #define DIOPTRE_RENDER_SAMPLE_ACCUMULATOR_H
@@ -20,66 +18,66 @@
 #include "dioptre/picture.h"
 #include "render/thread_pool.h"
 
-/** Samples that every pixel gets at least, before the first judgement. */
+/** Least number of samples before the first update of active pixels. */
 enum { ADAPTIVE_SAMPLES_MINIMUM = 8 };
 
-/** Steps of 255 by which the samples of a calm pixel differ at most. */
+/** Largest difference of samples of a pixel that is not noisy, in steps of 8 bits. */
 enum { ADAPTIVE_TOLERANCE = 2 };
 
-/** What is known of every pixel. */
+/** The samples of every pixel. */
 typedef struct SampleAccumulator {
     int width;        /**< Pixels. */
     int height;       /**< Pixels. */
     double *sums;     /**< Sum of the samples: all reds, all greens, all blues; owned. */
-    uint32_t *counts; /**< How many samples; owned. NULL, as all below, where it does not judge. */
-    uint16_t *minima; /**< Step of the least sample, 3 numbers a pixel; owned. */
-    uint16_t *maxima; /**< Step of the greatest sample, 3 numbers a pixel; owned. */
-    uint8_t *noisy;   /**< Whether it was rough at the last judgement; owned. */
-    uint8_t *active;  /**< Whether it or a neighbour was; owned. */
+    uint32_t *counts; /**< Number of samples; owned. This and all below: NULL unless adaptive. */
+    uint16_t *minima; /**< Code of the least sample, 3 channels per pixel; owned. */
+    uint16_t *maxima; /**< Code of the greatest sample, 3 channels per pixel; owned. */
+    uint8_t *noisy;   /**< Whether the pixel was noisy at the last update; owned. */
+    uint8_t *active;  /**< Whether it or a neighbour was noisy; owned. */
 } SampleAccumulator;
 
 /**
- * Makes a tally fit a picture.
- * @param[in,out] accumulator  The tally, empty or of another size; give it back with
+ * Resizes an accumulator to a picture.
+ * @param[in,out] accumulator  The accumulator, `{0}` or of another size; to be freed with
  *         #sample_accumulator_deinit.
  * @return false without memory; it is empty then.
  */
 bool sample_accumulator_resize(SampleAccumulator *accumulator, int width, int height,
                                bool is_adaptive, Error *error);
 
-/** Gives a tally back. */
+/** Frees an accumulator and empties it. */
 void sample_accumulator_deinit(SampleAccumulator *accumulator);
 
-/** @return Samples that every pixel gets before the first judgement: a power of two, about a
- * quarter of those that are asked for, so that who asks for more is surer of small things.
- *  @param samples Rays a pixel that are asked for. */
+/** @return Samples that every pixel gets before the first update: a power of two, about a quarter
+ * of all, so that with more samples small features are missed less. @param samples Samples per
+ * pixel. */
 int adaptive_first_samples(int samples);
 
-/** @return Whether pixels are judged before a sample is drawn. @param sample Which, at least
+/** @return Whether active pixels are updated before a sample. @param sample Its number, at least
  *          #adaptive_first_samples. */
 bool adaptive_is_update_due(int sample);
 
 /**
- * @return The step of a sample, for comparing.
- * @param beyond_white  Whether steps go on beyond white, as shares of the light about as wide as
- *         those of sRGB are there: for pictures that keep their light and may be seen darker than
- *         they are.
+ * @return The code of a sample, for comparison.
+ * @param beyond_white  Whether codes continue beyond white, with steps about as wide, in proportion
+ *         to the light, as those of sRGB at white: for pictures of linear light, whose exposure may
+ *         be lowered.
  */
 uint16_t adaptive_code(const Encoder *encoder, float linear, bool beyond_white);
 
 /**
- * Judges all pixels.
- * @param accumulator  The tally, with nobody at work on it.
- * @param samples  Rays a pixel that are wanted.
- * @return Rays that are still to be drawn, if none is found open later.
+ * Updates which pixels are active.
+ * @param accumulator  The accumulator, between two passes.
+ * @param samples  Samples per pixel.
+ * @return Rays that remain, unless further pixels become active.
  */
 size_t sample_accumulator_update_active(SampleAccumulator *accumulator, ThreadPool *thread_pool,
                                         int samples);
 
 /**
- * Lists the open pixels of a block, so that neighbours stand together.
- * @param[out] indices  `row * columns + column` of each within the block.
- * @return How many.
+ * Lists the active pixels of a tile, neighbours together.
+ * @param[out] indices  `row * columns + column` of each within the tile.
+ * @return Number of active pixels.
  */
 size_t sample_accumulator_list_active(const SampleAccumulator *accumulator, const PixelGrid *tile,
                                       uint16_t *indices);

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Worker threads.
+ * @brief A thread pool.
  */
 #include "render/thread_pool.h"
 
@@ -11,20 +11,20 @@
 
 struct ThreadPool {
     pthread_mutex_t mutex;         /**< Guards all below but #next_task. */
-    pthread_cond_t work_available; /**< Told when there is work, or the end. */
-    pthread_cond_t all_idle;       /**< Told when the last helper has nothing left. */
-    pthread_t *threads;            /**< The threads besides the caller's; owned. */
-    int thread_count;              /**< How many of them run. */
-    int busy_count;                /**< How many of them are at work. */
-    unsigned generation;           /**< Grows with every call of #thread_pool_run. */
-    bool is_stopping;              /**< Whether the threads should end. */
-    ThreadPoolTask task;           /**< What is to be done. */
-    void *context;                 /**< Handed to it. */
-    size_t task_count;             /**< How many pieces. */
-    atomic_size_t next_task;       /**< The first piece that nobody has taken. */
+    pthread_cond_t work_available; /**< Signalled when there are tasks, or the pool ends. */
+    pthread_cond_t all_idle;       /**< Signalled when the last thread is idle. */
+    pthread_t *threads;            /**< The threads besides the caller; owned. */
+    int thread_count;              /**< Number of threads that run. */
+    int busy_count;                /**< Number of threads that are busy. */
+    unsigned generation;           /**< Number of calls of #thread_pool_run. */
+    bool is_stopping;              /**< Whether the threads are to end. */
+    ThreadPoolTask task;           /**< Runs a task. */
+    void *context;                 /**< Its argument. */
+    size_t task_count;             /**< Number of tasks. */
+    atomic_size_t next_task;       /**< The first task that is not taken yet. */
 };
 
-/** Takes pieces until there are none. */
+/** Runs tasks until none is left. */
 static void thread_pool_run_tasks(ThreadPool *pool) {
     size_t index = atomic_fetch_add(&pool->next_task, 1);
     while (index < pool->task_count) {
@@ -33,7 +33,7 @@ static void thread_pool_run_tasks(ThreadPool *pool) {
     }
 }
 
-/** A helper's life: waits for a round, takes part in it. @return NULL */
+/** Main function of a thread. @return NULL */
 static void *thread_pool_thread_main(void *argument) {
     ThreadPool *pool = argument;
     unsigned generation = 0;

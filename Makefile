@@ -8,8 +8,8 @@ CXX       ?= c++
 OBJCOPY   ?= objcopy
 OPTIMIZE  ?= -O3 -g
 SANITIZE  ?=
-# V=1 prints whole commands.
-SAY       = $(if $(V),,@echo "  $(1) $(2:$(CURDIR)/%=%)" &&)
+# $(call SAY,WORD,FILE): says in a line what the recipe does; V=1 prints the whole command instead.
+SAY       = $(if $(V),,@echo '  $(1)  $(2)' && )
 
 # --- flags ---------------------------------------------------------------------------------------
 WARNINGS  := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion -Wmissing-prototypes -Werror
@@ -23,7 +23,7 @@ SANITIZERS := $(if $(SANITIZE),-fsanitize=$(SANITIZE) -fno-omit-frame-pointer -f
 PKG_CFLAGS = $(shell pkg-config --cflags $(1) 2>/dev/null)
 PKG_LIBS   = $(shell pkg-config --libs $(1) 2>/dev/null)
 # Asked once: a make that installs packages runs a make of its own afterwards.
-ROOM_CFLAGS := $(call PKG_CFLAGS,sdl2 SDL2_ttf lua5.4)
+ROOM_CFLAGS := $(call PKG_CFLAGS,sdl2 SDL2_ttf lua5.4 cairo)
 # $(call NEED,LIBRARY,PACKAGE): stops with the package's name and not with a compiler's error.
 NEED = @pkg-config --exists $(1) 2>/dev/null || { \
     echo "$(1) is missing: sudo apt-get install pkg-config $(2), or make run, which does that" >&2; exit 1; }
@@ -71,7 +71,7 @@ MODULES       := $(IMAGES_MODULE) $(MESHES_MODULE)
 LANGUAGES     := $(patsubst src/po/%.po,%,$(wildcard src/po/*.po))
 CATALOGUES    := $(LANGUAGES:%=$(BUILD)/locale/%/LC_MESSAGES/dioptre.mo)
 # Words are not looked up while another thread forks: src/base/language.c.
-LIBRARIES     = $(call PKG_LIBS,sdl2 SDL2_ttf lua5.4) -ldl -lm -pthread -Wl,--wrap=dcgettext,--wrap=dcngettext
+LIBRARIES     = $(call PKG_LIBS,sdl2 SDL2_ttf lua5.4 cairo) -ldl -lm -pthread -Wl,--wrap=dcgettext,--wrap=dcngettext
 
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
@@ -79,29 +79,30 @@ LIBRARIES     = $(call PKG_LIBS,sdl2 SDL2_ttf lua5.4) -ldl -lm -pthread -Wl,--wr
 all: $(PROGRAM) $(MODULES) $(CATALOGUES)
 
 $(PROGRAM): $(CLI_OBJECTS) $(ROOM_OBJECTS)
-	$(CC) $(CFLAGS) -o $@ $^ $(LIBRARIES)
+	$(call SAY,cc,$@)$(CC) $(CFLAGS) -o $@ $^ $(LIBRARIES)
 
 $(IMAGES_MODULE): src/assets/images/image_plugin.cpp src/assets/images/image_plugin.h $(FLAGS)
 	$(call NEED,OpenImageIO,libopenimageio-dev)
 	@mkdir -p $(@D)
-	$(CXX) $(CPPFLAGS) $(CXXFLAGS) $(call PKG_CFLAGS,OpenImageIO) -shared -o $@ $< $(call PKG_LIBS,OpenImageIO)
+	$(call SAY,c++,$@)$(CXX) $(CPPFLAGS) $(CXXFLAGS) $(call PKG_CFLAGS,OpenImageIO) -shared -o $@ $< $(call PKG_LIBS,OpenImageIO)
 
 $(MESHES_MODULE): src/assets/meshes/mesh_plugin.c src/assets/meshes/mesh_plugin.h $(FLAGS)
 	$(call NEED,assimp,libassimp-dev)
 	@mkdir -p $(@D)
-	$(CC) $(CPPFLAGS) $(CFLAGS) -fvisibility=hidden $(call PKG_CFLAGS,assimp) -shared -o $@ $< $(call PKG_LIBS,assimp)
+	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) -fvisibility=hidden $(call PKG_CFLAGS,assimp) -shared -o $@ $< $(call PKG_LIBS,assimp)
 
 $(BUILD)/locale/%/LC_MESSAGES/dioptre.mo: src/po/%.po
 	@command -v msgfmt >/dev/null || { \
 	    echo "msgfmt is missing: sudo apt-get install gettext, or make run, which does that" >&2; exit 1; }
 	@mkdir -p $(@D)
-	msgfmt --check -o $@ $<
+	$(call SAY,msgfmt,$@)msgfmt --check -o $@ $<
 
 .PHONY: libraries
 libraries:
 	$(call NEED,sdl2,libsdl2-dev)
 	$(call NEED,SDL2_ttf,libsdl2-ttf-dev)
 	$(call NEED,lua5.4,liblua5.4-dev)
+	$(call NEED,cairo,libcairo2-dev)
 
 # Other flags than last time make everything anew.
 FLAGS     := $(BUILD)/flags
@@ -114,18 +115,18 @@ $(FLAGS): always
 
 $(OBJ)/%.o: %.c $(FLAGS) | libraries
 	@mkdir -p $(@D)
-	$(CC) $(CPPFLAGS) $(CFLAGS) $(ROOM_CFLAGS) -MMD -MP -c -o $@ $<
+	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) $(ROOM_CFLAGS) -MMD -MP -c -o $@ $<
 $(OBJ)/src/render/engines.o: CPPFLAGS += '-DENGINE_LIST(X)=$(foreach engine,$(ENGINES),X($(engine)))'
 
 # One relocatable object per engine, with one symbol: everything else in it becomes local. The
 # compiler sees all of src/trace as one file; SPLIT=1 compiles file by file, for who edits there.
 # $(call KEEP,SYMBOL): links $^ into $@.
-KEEP = $(LD) -r -o $@.all $(filter %.o,$^) && $(OBJCOPY) --keep-global-symbol=$(1) $@.all $@ && rm -f $@.all
+KEEP = $(call SAY,ld,$@)$(LD) -r -o $@.all $(filter %.o,$^) && $(OBJCOPY) --keep-global-symbol=$(1) $@.all $@ && rm -f $@.all
 # $(eval $(call ONE_SYMBOL,OBJECT,FOLDER,SOURCES,FLAGS,SYMBOL))
 define ONE_SYMBOL
 $(OBJ)/$(1)/%.o: $(2)/%.c $(FLAGS)
 	@mkdir -p $$(@D)
-	$$(CC) $$(CPPFLAGS) $$(CFLAGS) $(4) -MMD -MP -c -o $$@ $$<
+	$$(call SAY,cc,$$@)$$(CC) $$(CPPFLAGS) $$(CFLAGS) $(4) -MMD -MP -c -o $$@ $$<
 $(OBJ)/$(1).o: $(if $(SPLIT),$(3:$(2)/%.c=$(OBJ)/$(1)/%.o),$(OBJ)/$(1)/all.o)
 	$$(call KEEP,$(5))
 endef
@@ -142,7 +143,7 @@ $(OBJ)/src/lab/charts/csv.o: CPPFLAGS += -DDIOPTRE_FLAGS='"$(OPTIMIZE) $(ARITHME
 -include $(shell find $(OBJ) -name '*.d' 2>/dev/null)
 
 # --- packages: what a bare Debian 12 with gcc and make lacks --------------------------------------
-RUN_PACKAGES  := g++ pkg-config gettext libsdl2-dev libsdl2-ttf-dev liblua5.4-dev libopenimageio-dev libassimp-dev fonts-dejavu-core
+RUN_PACKAGES  := g++ pkg-config gettext libsdl2-dev libsdl2-ttf-dev liblua5.4-dev libcairo2-dev libopenimageio-dev libassimp-dev fonts-dejavu-core
 TEST_PACKAGES := libcmocka-dev clang libclang-rt-14-dev xvfb xauth xdotool x11-xkb-utils xkb-data \
                  imagemagick openbox qemu-user doxygen graphviz ffmpeg parallel slurm-wlm munge gnuplot-nox \
                  desktop-file-utils appstream shared-mime-info libglib2.0-bin
@@ -185,11 +186,11 @@ clang:
 ROOMS         := $(BUILD)/tests/librooms.so
 $(ROOMS): $(ROOM_OBJECTS)
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) -shared -o $@ $^ $(LIBRARIES)
+	$(call SAY,cc,$@)$(CC) $(CFLAGS) -shared -o $@ $^ $(LIBRARIES)
 WITH_ROOMS    := -L$(BUILD)/tests -lrooms -Wl,-rpath,'$$ORIGIN:$$ORIGIN/..:$$ORIGIN/tests'
 $(BUILD)/tests/%: tests/%.c $(wildcard tests/*.h) $(ROOMS)
 	@mkdir -p $(@D)
-	$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,cmocka) $(ROOM_CFLAGS) -Itests -o $@ $< $(WITH_ROOMS) $(LIBRARIES) $(call PKG_LIBS,cmocka)
+	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,cmocka) $(ROOM_CFLAGS) -Itests -o $@ $< $(WITH_ROOMS) $(LIBRARIES) $(call PKG_LIBS,cmocka)
 
 .PHONY: test tests
 test: test-packages
@@ -220,17 +221,17 @@ peers: packages
 
 # Beside the modules, so that it finds them.
 $(BUILD)/peer-embree: tests/peers/embree.c $(ROOMS)
-	$(CC) $(CPPFLAGS) $(CFLAGS) -o $@ $< $(WITH_ROOMS) $(LIBRARIES) -lembree3
+	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) -o $@ $< $(WITH_ROOMS) $(LIBRARIES) -lembree3
 $(BUILD)/peer-accuracy: tests/peers/accuracy.c $(wildcard tests/*.h) $(ROOMS)
-	$(CC) $(CPPFLAGS) $(CFLAGS) -Itests -o $@ $< $(WITH_ROOMS) $(LIBRARIES) -lembree3 $(call PKG_LIBS,cmocka)
+	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) -Itests -o $@ $< $(WITH_ROOMS) $(LIBRARIES) -lembree3 $(call PKG_LIBS,cmocka)
 
 $(BUILD)/peer-fragment: tests/peers/fragment.c
-	$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,sdl2) -o $@ $< $(call PKG_LIBS,sdl2) -lGL
+	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,sdl2) -o $@ $< $(call PKG_LIBS,sdl2) -lGL
 
 # --- the laboratory ------------------------------------------------------------------------------
 # Beside the modules, so that it finds them.
 $(BUILD)/bench-needs: tests/bench/needs.c $(ROOMS)
-	$(CC) $(CPPFLAGS) $(CFLAGS) -o $@ $< $(WITH_ROOMS) $(LIBRARIES)
+	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) -o $@ $< $(WITH_ROOMS) $(LIBRARIES)
 CHARTED := $(addprefix scenes/,$(addsuffix .lua,box glass-sphere mandelbulb figure-16))
 .PHONY: charts
 charts: packages

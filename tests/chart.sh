@@ -9,7 +9,7 @@ small='-s 192x144 --samples 2'
     holds "$work/out" '^engine +f32' 'the box needs float'
     holds "$work/out" 'Float is enough' 'needs explains itself'
     expect 0 '' 'needs as JSON' "$dioptre" needs scenes/box.lua $small --json
-    holds "$work/out" '"engine": "f32.*"depth": [0-9]+.*"worst_step": .*"why": "Float' 'the JSON has its names'
+    holds "$work/out" '"engine": "f32.*"depth": [0-9]+.*"worst_step": .*"explanation": "Float' 'the JSON has its names'
     expect 0 '' 'needs of a ground of a million units' "$dioptre" needs tests/scenes/ground-sphere.lua $small
     holds "$work/out" '^engine +f64' 'it needs double'
     expect 0 '' 'auto draws it so' "$dioptre" info tests/scenes/ground-sphere.lua --engine auto

@@ -56,24 +56,36 @@ expect 4 'readme|ending|README' 'compare what is no picture' "$dioptre" compare 
 
 expect 0 '' 'info' "$dioptre" info "$box"
 holds "$work/out" '6 quad' 'info counts shapes'
-holds "$work/out" '^time +not asked for' 'info says that no time changes the box'
+holds "$work/out" '^time +not used' 'info says that no time changes the box'
+holds "$work/out" '^acceleration tree none \(8 shapes; used from 24\)$' 'info says why there is no tree'
+holds "$work/out" '^reflections +[0-9]+ mirrors?, [0-9]+ glass shapes?, depth [0-9]+$' 'info counts mirrors and glass'
 expect 0 '' 'info json' "$dioptre" info "$box" --json --engine f64x1
 holds "$work/out" '"engine": "f64x1".*"left_out": \[' 'info json names engine and what is left out'
-holds "$work/out" '"tree": \{"planted": 0, "listed": 8, "from": 24\}' 'info json says why there is no tree'
+holds "$work/out" '"bvh": \{"in_bvh": 0, "linear": 8, "threshold": 24\}' 'info json says why there is no tree'
+# A name that is not UTF-8, has quotes and a control character: what comes out is JSON all the same.
+odd=$work/$(printf 'odd\377"\\\001\303\251.lua')
+cp "$box" "$odd"
+for command in "info" "bench --frames 1 -s 8x6" "needs -s 8x6"; do
+    # shellcheck disable=SC2086 # a command and its options
+    expect 0 '' "$command of an odd name" "$dioptre" $command "$odd" --json
+    python3 -m json.tool <"$work/out" >"$work/tree.json" 2>"$work/err" &&
+        ok "$command --json is JSON" || fail "$command --json: $(cat "$work/err")"
+    holds "$work/out" 'odd\\ufffd\\"\\\\\\u0001é\.lua"' "$command --json escapes the name"
+done
 expect 0 '' 'info of a scene with a time' "$dioptre" info scenes/orbits.lua
-holds "$work/out" '^time +asked for' 'info says that the time changes it'
+holds "$work/out" '^time +used' 'info says that the time changes it'
 expect 0 '' 'info json of it' "$dioptre" info scenes/orbits.lua --json
-holds "$work/out" '"reads_time": true' 'and so does info json'
+holds "$work/out" '"is_time_dependent": true' 'and so does info json'
 echo 'camera {} for i = 1, 500 do sphere { center = {i, 0, -9} } end plane {}' >"$work/many.lua"
 expect 0 '' 'info of many shapes' "$dioptre" info "$work/many.lua"
-holds "$work/out" '^tree +over 500 shapes; 1 asked one by one: here a tree pays from [0-9]+ on$' 'info says that there is a tree'
+holds "$work/out" '^acceleration tree over 500 shapes \(1 outside it; used from [0-9]+\)$' 'info says that there is a tree'
 expect 0 '' 'bench json' "$dioptre" bench "$box" --json -s 80x60 --frames 3 --samples 1
 holds "$work/out" '^\{"scene": "scenes/box.lua", "engine": "[a-z0-9]+", "threads": [0-9]+, "width": 80, "height": 60, "frames": 3, "ms_min": [0-9.e-]+, "ms_median": [0-9.e-]+, "rays": [0-9]+, "mrays_per_s": [0-9.e+]+, "samples_per_pixel": [0-9.]+\}$' 'bench json has its names'
 for rays in primary random; do
     expect 0 '' "bench --rays $rays" "$dioptre" bench "$box" --json -s 80x60 --frames 2 --rays $rays
     holds "$work/out" '"rays": 4800,' "bench --rays $rays traces a ray a pixel"
 done
-expect 0 '"share"' 'progress as json' "$dioptre" render "$box" -o "$work/j.bmp" --progress json -s 80x60
+expect 0 '"progress"' 'progress as json' "$dioptre" render "$box" -o "$work/j.bmp" --progress json -s 80x60
 expect 0 '' 'progress is only for terminals' "$dioptre" render "$box" -o "$work/q.bmp" -s 80x60
 for offset in none fixed bound; do
     expect 0 '' "offset $offset" "$dioptre" render "$box" -o "$work/$offset.bmp" -s 160x120 --offset $offset

@@ -59,7 +59,7 @@ for words in 'quite_undocumented\(int value\).* is not documented' "argument 'ot
 done
 
 # --- the scene reference -------------------------------------------------------------------------
-objects="$(find "$BUILD/obj/src/base" "$BUILD/obj/src/scene" -name '*.o') $BUILD/obj/engine-f32x1.o"
+objects=$(find "$BUILD/obj/src/base" "$BUILD/obj/src/scene" -name '*.o')
 # shellcheck disable=SC2086 # a list of files
 if ${CC:-cc} -std=gnu11 -Iinclude -o "$work/print_keywords" tests/print_keywords.c $objects -lm -pthread 2>"$work/err"; then
     "$work/print_keywords" >"$work/tables"
@@ -84,15 +84,18 @@ fi
 version=$(sed -n 's/^VERSION *:= *//p' Makefile)
 holds doc/dioptre.1 "^\.TH DIOPTRE 1 .*\"dioptre $version\"" 'the manual page is of this version'
 
-# Options: `--name=VALUE` or `-x --name`, then the commands that take it, in the order of the manual.
-keys=$(sed -nE "s/^    \{'(.)', (true|false), \"([a-z-]+)\".*/\1 \2 \3/p" src/cli/options.c)
-echo "$keys" | while read -r key is_short name; do
+# Options: `--name` or `-x --name`, then the commands whose help has it, in the order of the manual.
+commands="view render animate probe info compare bench lab needs chart"
+for command in $commands; do
+    "$dioptre" $command --help | sed -nE 's/^ +(-. )?(--[a-z-]+).*/\1\2/p' >"$work/help-$command"
+done
+sort -u "$work"/help-* | while read -r option; do
     takers=
-    for command in view render animate probe info compare bench lab needs chart; do
-        sed -n 's/.*\.accepts = "\(.*\)",/\1/p' src/cli/$command.c | grep -q "$key" && takers="$takers $command"
+    for command in $commands; do
+        grep -qxe "$option" "$work/help-$command" && takers="$takers $command"
     done
-    [ "$is_short" = true ] && printf '%s ' "-$key"
-    echo "--$name:$takers"
+    case $option in *--help | *--version) takers= ;; esac # Every command takes them.
+    echo "$option:$takers"
 done | sort >"$work/options"
 awk '/^\.SH/ { in_options = $2 == "OPTIONS" }
     !in_options { next }
@@ -104,11 +107,6 @@ awk '/^\.SH/ { in_options = $2 == "OPTIONS" }
     END { print name ":" takers }' doc/dioptre.1 >"$work/manual"
 sort -o "$work/manual" "$work/manual"
 agree "$work/manual" "$work/options" 'the manual page has the options, and who takes them'
-for command in view render animate probe info compare bench lab needs chart; do
-    "$dioptre" $command --help | sed -nE 's/^ +(-. )?(--[a-z-]+).*/\2/p' | sort >"$work/a"
-    grep -E "(:| )$command( |\$)|--help|--version" "$work/manual" | grep -oE -- '--[a-z-]+' | sort >"$work/b"
-    agree "$work/b" "$work/a" "dioptre $command --help has the same options"
-done
 
 # --- the page of the four reports: its figures are those of the tables ------------------------------
 doc/reports.sh "$work/reports.md" 2>"$work/err" || fail "doc/reports.sh: $(cat "$work/err")"

@@ -32,7 +32,7 @@ done
 # --- going on where it was -----------------------------------------------------------------------
 rm one/00001.bmp
 echo 'drawn by somebody else' >one/00002.bmp
-expect 0 '"done": 1, "frames": 1, "share": 1.0000' '--skip-existing, told as JSON' \
+expect 0 '"done": 1, "frames": 1, "progress": 1.0000' '--skip-existing, told as JSON' \
     film --seconds 0.2 --skip-existing --progress json -o one/%05d.bmp
 same one/00001.bmp two/00001.bmp 'what lacks is drawn'
 holds one/00002.bmp 'somebody else' 'what is there stays'

@@ -14,13 +14,13 @@ scene() {
 
 scene spot.obj hand-mixed-refs.obj spot.obj
 expect 0 '' 'info of models' limited "$dioptre" info "$work/s.lua"
-[ "$(grep -c '^model ' "$work/out")" = 2 ] && ok 'a model is told of once' || fail "models: $(cat "$work/out")"
-holds "$work/out" '^model +spot.obj: 5856 triangles, 2930 positions, \(u, v\)$' 'info tells what is in a model'
+[ "$(grep -c '^mesh ' "$work/out")" = 2 ] && ok 'a model is told of once' || fail "models: $(cat "$work/out")"
+holds "$work/out" '^mesh +spot.obj: 5856 triangles, 2930 positions, \(u, v\)$' 'info tells what is in a model'
 holds "$work/out" "hand-mixed-refs.obj: 6 triangles.*; corners given their triangle's normal: 12" 'info tells what was put right'
 expect 0 '' 'info of models, in JSON' limited "$dioptre" info --json "$work/s.lua"
-holds "$work/out" '"meshes": \[\{"file": "spot.obj", "triangles": 5856, "positions": 2930, "normals": 0, "uvs": 3225, "degenerate": 0, "uncut": 0, "lost_normals": 0, "lost_uvs": 0\}, \{' 'JSON has the same'
+holds "$work/out" '"meshes": \[\{"file": "spot.obj", "triangles": 5856, "positions": 2930, "normals": 0, "uvs": 3225, "degenerate_triangles": 0, "missing_triangles": 0, "missing_normals": 0, "missing_uvs": 0\}, \{' 'JSON has the same'
 
-holds "$work/out" '"triangles": 5862, "triangle_bytes": [0-9]+\}$' 'and what memory its triangles take'
+holds "$work/out" '"triangles": 5862, "triangle_bytes": [0-9]+,' 'and what memory its triangles take'
 
 for file in "$work"/hand-*.obj "$work/obj-hand-mtllib-traversal.obj" "$work/teapot.obj"; do
     scene "${file##*/}"

@@ -21,8 +21,7 @@ static inline Scene *load_scene(const char *path) {
     Error error = {0};
     ScriptRequest request = {.path = path,
                              .time_limit = SCRIPT_TIME_LIMIT,
-                             .memory_limit = SCRIPT_MEMORY_LIMIT,
-                             .shape_keywords = engine_list()[0]->shape_keywords};
+                             .memory_limit = SCRIPT_MEMORY_LIMIT};
     Scene *scene = script_load(&request, &error);
     if (!scene) {
         fail_msg("%s", error.message);

@@ -5,12 +5,10 @@
  * Not a test by itself: tests/documentation.sh compares what this prints with the document. Whoever
  * adds a keyword pastes its table from here.
  */
-#include "dioptre/engine.h"
+#include "dioptre/scene.h"
 
 #include <stdio.h>
 
-/** Any engine: the keywords of the shapes are the same in all. */
-extern const Engine engine_f32x1;
 
 /** @return What a field of a type takes, for people. */
 static const char *type_name(const Parameter *row) {
@@ -95,13 +93,17 @@ static void print_keyword(const Keyword *keyword) {
 
 /** Prints all keywords. @return 0 */
 int main(void) {
-    const Keyword *const common[] = {
-        &scene_camera_keyword, &scene_image_keyword,    &scene_light_keyword, &scene_sun_keyword,
-        &scene_sky_keyword,    &scene_material_keyword, &transform_keyword,   NULL};
+    const Keyword *const common[] = {&scene_sky_keyword, &scene_material_keyword,
+                                     &transform_keyword, NULL};
+    print_keyword(&scene_camera_keyword);
+    print_keyword(&scene_image_keyword);
+    for (const SceneLightClass *const *light = scene_light_classes; *light; light++) {
+        print_keyword((*light)->keyword);
+    }
     for (const Keyword *const *keyword = common; *keyword; keyword++) {
         print_keyword(*keyword);
     }
-    for (const Keyword *const *keyword = engine_f32x1.shape_keywords; *keyword; keyword++) {
+    for (const Keyword *const *keyword = scene_shape_keywords; *keyword; keyword++) {
         print_keyword(*keyword);
     }
     for (const SdfPrimitive *const *kind = sdf_primitives; *kind; kind++) {

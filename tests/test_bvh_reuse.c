@@ -30,6 +30,7 @@ static Mesh *sphere_mesh_with_uvs(void) {
     memcpy(mesh->triangles, t.triangles, t.triangle_count * sizeof *t.triangles);
     memcpy(mesh->triangle_uvs, t.triangles, t.triangle_count * sizeof *t.triangles);
     triangle_soup_destroy(&t);
+    mesh_update_bounds(mesh);
     return mesh;
 }
 

@@ -448,7 +448,7 @@ static void case_lanes(const ContractRun *subject, WorstErrors *unused) {
 /** Every class has a row. */
 static void test_every_shape_has_a_row(void **state) {
     (void)state;
-    for (const Keyword *const *keyword = engine_list()[0]->shape_keywords; *keyword; keyword++) {
+    for (const Keyword *const *keyword = scene_shape_keywords; *keyword; keyword++) {
         size_t r = 0;
         while (r < CONTRACT_SHAPE_COUNT &&
                strcmp(contract_shapes[r].keyword, (*keyword)->name) != 0) {

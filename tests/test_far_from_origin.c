@@ -251,13 +251,12 @@ static void test_bounds(void **state) {
  *  own. */
 static void test_moved(void **state) {
     Error error = {0};
-    const Keyword *const *kinds = engine_list()[0]->shape_keywords;
     Scene *scene = scene_at_offset(state, 0);
     RenderSettings settings = small_settings(scene, "auto", 2);
     Picture picture = draw_picture(scene, &settings);
-    Scene *there = scene_translated(scene, kinds, (Vec3d){1024, -512, 2048}, &error);
+    Scene *there = scene_translated(scene, (Vec3d){1024, -512, 2048}, &error);
     assert_non_null(there);
-    Scene *back = scene_translated(there, kinds, (Vec3d){-1024, 512, -2048}, &error);
+    Scene *back = scene_translated(there, (Vec3d){-1024, 512, -2048}, &error);
     assert_non_null(back);
     Picture again = draw_picture(back, &settings);
     int elsewhere, different = count_different_pixels(&picture, &again, &elsewhere);

@@ -266,16 +266,18 @@ static void test_expectations_are_used(void **state) {
 /** Every method is asked by some experiment, and its names go into a CSV. */
 static void test_methods_are_run(void **state) {
     (void)state;
-    for (const Method *const *m = number_types()[0]->methods; *m; m++) {
+    for (const MethodFamily *const *f = number_types()[0]->families; *f; f++) {
         const Experiment *const *e = experiment_list();
-        while (*e && strcmp((*e)->group, (*m)->group) != 0) {
+        while (*e && strcmp((*e)->family, (*f)->name) != 0) {
             e++;
         }
         assert_non_null(*e);
-        assert_null(strpbrk((*m)->name, ",\"\n"));
-        assert_true((*m)->input_count <= METHOD_NUMBERS_MAXIMUM);
-        assert_true((*m)->output_count <= METHOD_NUMBERS_MAXIMUM);
-        assert_true((size_t)(*m)->input_count * (*e)->queries_per_sample <= SAMPLE_NUMBERS_MAXIMUM);
+        assert_true((*f)->input_count <= METHOD_NUMBERS_MAXIMUM);
+        assert_true((*f)->output_count <= METHOD_NUMBERS_MAXIMUM);
+        assert_true((size_t)(*f)->input_count * (*e)->queries_per_sample <= SAMPLE_NUMBERS_MAXIMUM);
+        for (const Method *m = (*f)->methods; m->name; m++) {
+            assert_null(strpbrk(m->name, ",\"\n"));
+        }
     }
 }
 

@@ -152,8 +152,7 @@ static void test_uvs(void **state) {
 /** Adds a lamp. */
 static void add_point_light(Scene *scene, Vec3d position) {
     Error error = {0};
-    SceneLight light = {
-        .kind = SCENE_LIGHT_POINT, .color = {1, 1, 1}, .intensity = 1, .position = position};
+    SceneLight light = {.color = {1, 1, 1}, .intensity = 1, .position = position};
     assert_true(scene_add_light(scene, &light, &error));
 }
 

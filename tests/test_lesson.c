@@ -6,10 +6,9 @@
 #include "testing.h"
 
 #include "dioptre/lesson.h"
-#include "view/commands/action.h"
-#include "view/lesson/lesson_writer.h"
-#include "view/lesson/step_clock.h"
-#include "view/panels/word_wrap.h"
+#include "view/commands/commands.h"
+#include "view/commands/recorder.h"
+#include "view/state/clocks.h"
 
 #include <stdlib.h>
 
@@ -26,6 +25,11 @@ static void log_movement(void *context, Movement light, Movement camera) {
     log->count += movement_is_nonzero(camera) || movement_is_nonzero(light);
 }
 
+/** @return What a command moves. */
+static Move move(const char *name) {
+    return command_find(command_table, name)->move;
+}
+
 /**
  * Holds two keys for a while, on a machine of some speed.
  * @param frame  Milliseconds from one look at the clock to the next.
@@ -36,18 +40,18 @@ static MovementLog hold_two_keys(int64_t frame) {
     StepClock step_clock = {.move = log_movement, .context = &log, .held_keys = {.speed = 1}};
     static const struct {
         int64_t time;
-        Action action;
+        const char *name;
         bool is_press;
-    } keys[] = {{33, ACTION_CAMERA_RIGHT, true},
-                {48, ACTION_LIGHT_UP, true}, // On a beat.
-                {411, ACTION_CAMERA_RIGHT, false},
-                {412, ACTION_LIGHT_UP, false}};
+    } keys[] = {{33, "camera right", true},
+                {48, "light up", true}, // On a beat.
+                {411, "camera right", false},
+                {412, "light up", false}};
     size_t next = 0;
     for (int64_t now = frame; now < 1000 + frame; now += frame) {
         for (; next < 4 && keys[next].time <= now; next++) {
             step_clock_advance(&step_clock, keys[next].time);
             (keys[next].is_press ? held_keys_press : held_keys_release)(
-                &step_clock.held_keys, keys[next].action, step_clock_seconds(&step_clock));
+                &step_clock.held_keys, move(keys[next].name), step_clock_seconds(&step_clock));
         }
         step_clock_advance(&step_clock, now);
     }
@@ -73,24 +77,26 @@ static void test_step_clock_next(void **state) {
     StepClock step_clock = {.move = log_movement, .context = &log, .held_keys = {.speed = 1}};
     step_clock_advance(&step_clock, 100);
     assert_true(step_clock_next_tick(&step_clock) == INT64_MAX);
-    held_keys_press(&step_clock.held_keys, ACTION_CAMERA_UP, step_clock_seconds(&step_clock));
+    held_keys_press(&step_clock.held_keys, move("camera up"), step_clock_seconds(&step_clock));
     assert_int_equal(step_clock_next_tick(&step_clock), 112);
     assert_int_equal(log.count, 0);
 }
 
-/** Every action has a name of its own. */
+/** Lessons name commands by an index, moves first. */
 static void test_action_names(void **state) {
     (void)state;
-    const char *const *names = action_names();
-    assert_null(names[ACTION_NONE]);
-    for (int i = 0; i < ACTION_NONE; i++) {
-        assert_non_null(names[i]);
-        for (int j = 0; j < i; j++) {
-            assert_string_not_equal(names[i], names[j]);
-        }
+    const char *names[VIEW_ACTIONS_MAXIMUM];
+    int move_count = view_actions(names), count = 0;
+    for (; names[count]; count++) {
+        const Command *command = command_of_action(count);
+        assert_string_equal(names[count], command->name);
+        assert_true(command_is_move(command) == (count < move_count));
     }
-    assert_string_equal(names[ACTION_LIGHT_LEFT], "light left");
-    assert_true(action_is_recorded(ACTION_RESET_VIEW) && !action_is_recorded(ACTION_QUIT));
+    assert_null(command_of_action(count));
+    assert_int_equal(move_count, 12);
+    assert_string_equal(names[0], "light up");
+    assert_false(command_find(command_table, "home")->flags & COMMAND_UNRECORDED);
+    assert_true(command_find(command_table, "leave")->flags & COMMAND_UNRECORDED);
 }
 
 /** Words are cut at blanks, by letters and not by bytes. */

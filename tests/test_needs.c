@@ -20,8 +20,7 @@ static Scene *load_scene(const char *path) {
     Error error = {0};
     ScriptRequest request = {.path = path,
                              .time_limit = SCRIPT_TIME_LIMIT,
-                             .memory_limit = SCRIPT_MEMORY_LIMIT,
-                             .shape_keywords = engine_find("f32x1", NULL)->shape_keywords};
+                             .memory_limit = SCRIPT_MEMORY_LIMIT};
     Scene *scene = script_load(&request, &error);
     if (!scene) {
         fail_msg("%s", error.message);

@@ -69,9 +69,8 @@ static void scale_scene(Scene *scene, double factor) {
         light->position = scaled_point(light->position, factor);
         light->intensity *= light->falloff == FALLOFF_INVERSE_SQUARE ? factor * factor : 1;
     }
-    const Keyword *const *keywords = engine_list()[0]->shape_keywords;
     for (size_t i = 0; i < scene->shape_count; i++) {
-        const Keyword *keyword = keywords[scene->shapes[i].class_index];
+        const Keyword *keyword = scene_shape_keywords[scene->shapes[i].class_index];
         char *values = (char *)(uintptr_t)scene->shapes[i].parameters;
         for (const Parameter *row = keyword->parameters; row->name; row++) {
             double *numbers = (double *)(void *)(values + row->offset);

@@ -212,6 +212,7 @@ static void check_mesh(const Engine *engine) {
         memcpy(mesh->triangles, triangles, sizeof triangles);
         memcpy(mesh->triangle_uvs, triangles, sizeof triangles);
         memcpy(mesh->uvs, uvs, sizeof uvs);
+        mesh_update_bounds(mesh);
         double move = 0;
         if (turned) {
             Transform transform = *plain;

@@ -7,21 +7,14 @@
 
 #include "dioptre/image_file.h"
 #include "dioptre/view.h"
-#include "view/commands/scene_text.h"
-#include "view/commands/settings_override.h"
-#include "view/commands/snapshot.h"
-#include "view/commands/timeline.h"
-#include "view/commands/view_state.h"
-#include "view/input/held_keys.h"
-#include "view/input/keymap.h"
-#include "view/input/latency.h"
-#include "view/panels/help_panel.h"
-#include "view/panels/key_labels.h"
-#include "view/panels/keyboard_diagram.h"
-#include "view/panels/panel.h"
+#include "view/commands/commands.h"
+#include "view/panels/help.h"
+#include "view/panels/hud.h"
+#include "view/state/scene_text.h"
+#include "view/state/snapshot.h"
 #include "view/window/font.h"
-#include "view/window/title.h"
 
+#include <glob.h>
 #include <pthread.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -32,6 +25,11 @@ static const double TIME_ROUNDING = 1e-12;
 /** Fails unless two numbers are equal up to rounding. */
 static void assert_near(double a, double b) {
     assert_at_most(fabs(a - b), TIME_ROUNDING, "%g should be %g", a, b);
+}
+
+/** @return What a command moves. */
+static Move move(const char *name) {
+    return command_find(command_table, name)->move;
 }
 
 /** @return What the camera is moved by up to a time. */
@@ -47,8 +45,8 @@ static void test_motion_tap(void **state) {
     (void)state;
     HeldKeys held_keys = {.speed = 1};
     assert_false(held_keys_is_active(&held_keys));
-    held_keys_press(&held_keys, ACTION_CAMERA_UP, 5);
-    held_keys_release(&held_keys, ACTION_CAMERA_UP, 5.001);
+    held_keys_press(&held_keys, move("camera up"), 5);
+    held_keys_release(&held_keys, move("camera up"), 5.001);
     assert_true(held_keys_is_active(&held_keys));
     assert_near(consume_camera_motion(&held_keys, 5.002).up, HELD_KEYS_MINIMUM_HOLD);
     assert_false(held_keys_is_active(&held_keys));
@@ -59,15 +57,15 @@ static void test_motion_tap(void **state) {
 static void test_motion_held(void **state) {
     (void)state;
     HeldKeys held_keys = {.speed = 1};
-    held_keys_press(&held_keys, ACTION_CAMERA_LEFT, 5);
+    held_keys_press(&held_keys, move("camera left"), 5);
     double way = consume_camera_motion(&held_keys, 5).right;
     assert_near(way, -HELD_KEYS_MINIMUM_HOLD);
     for (double time = 5.01; time < 5.5; time += 0.0137) {
-        held_keys_press(&held_keys, ACTION_CAMERA_LEFT, time); /* the keyboard repeats it */
+        held_keys_press(&held_keys, move("camera left"), time); /* the keyboard repeats it */
         way += consume_camera_motion(&held_keys, time).right;
         assert_true(held_keys_is_active(&held_keys));
     }
-    held_keys_release(&held_keys, ACTION_CAMERA_LEFT, 5.5);
+    held_keys_release(&held_keys, move("camera left"), 5.5);
     way += consume_camera_motion(&held_keys, 9).right;
     assert_near(way, -0.5);
 }
@@ -76,9 +74,9 @@ static void test_motion_held(void **state) {
 static void test_motion_opposite(void **state) {
     (void)state;
     HeldKeys held_keys = {.speed = 1};
-    held_keys_press(&held_keys, ACTION_CAMERA_LEFT, 0.1);
-    held_keys_press(&held_keys, ACTION_CAMERA_RIGHT, 0.1);
-    held_keys_press(&held_keys, ACTION_CAMERA_FORWARD, 0.2);
+    held_keys_press(&held_keys, move("camera left"), 0.1);
+    held_keys_press(&held_keys, move("camera right"), 0.1);
+    held_keys_press(&held_keys, move("camera forward"), 0.2);
     Movement way = consume_camera_motion(&held_keys, 1.3);
     assert_true(way.right == 0);
     assert_near(way.forward, 1.1);
@@ -88,13 +86,13 @@ static void test_motion_opposite(void **state) {
 static void test_motion_speed(void **state) {
     (void)state;
     HeldKeys held_keys = {.speed = 1};
-    held_keys_press(&held_keys, ACTION_CAMERA_BACK, 1);
+    held_keys_press(&held_keys, move("camera back"), 1);
     held_keys_set_speed(&held_keys, 4, 2);
     held_keys_set_speed(&held_keys, 1, 2.5);
     assert_near(consume_camera_motion(&held_keys, 3).forward, -(1 + 0.5 * 4 + 0.5));
     held_keys_set_speed(&held_keys, 0.25, 3);
     held_keys_release_all(&held_keys, 3);
-    held_keys_press(&held_keys, ACTION_CAMERA_BACK, 4);
+    held_keys_press(&held_keys, move("camera back"), 4);
     held_keys_release_all(&held_keys, 4);
     assert_near(consume_camera_motion(&held_keys, 5).forward, -HELD_KEYS_MINIMUM_HOLD / 4);
 }
@@ -104,20 +102,25 @@ static void test_motion_two(void **state) {
     (void)state;
     HeldKeys held_keys = {.speed = 1};
     Movement light, camera;
-    held_keys_press(&held_keys, ACTION_LIGHT_AWAY, 0);
-    held_keys_press(&held_keys, ACTION_CAMERA_DOWN, 0);
+    held_keys_press(&held_keys, move("light away"), 0);
+    held_keys_press(&held_keys, move("camera down"), 0);
     held_keys_consume(&held_keys, 2, &light, &camera);
     assert_near(light.forward, 2);
     assert_near(camera.up, -2);
     assert_true(light.up == 0 && light.right == 0 && camera.forward == 0);
 }
 
-/**
- * @return What a key asks for.
- * @param by_letter  How the light's keys go.
- */
-static Action key(SDL_Scancode scancode, SDL_Keycode letter, bool by_letter) {
-    return keymap_action((SDL_Keysym){.scancode = scancode, .sym = letter}, by_letter);
+/** Fails unless a key has a command. @param name Its name; NULL: the key has none. */
+static void assert_key(SDL_Scancode scancode, SDL_Keycode letter, bool by_letter,
+                       const char *name) {
+    const SDL_Keysym key = {.scancode = scancode, .sym = letter};
+    const Command *command = command_find_key(command_table, key, by_letter);
+    if (name) {
+        assert_non_null(command);
+        assert_string_equal(command->name, name);
+    } else {
+        assert_null(command);
+    }
 }
 
 /** The light's keys are places, or letters; never both. */
@@ -125,23 +128,23 @@ static void test_keymap_light(void **state) {
     (void)state;
     /* The keys of an AZERTY keyboard: the same either way. */
     for (int by_letter = 0; by_letter < 2; by_letter++) {
-        assert_int_equal(key(SDL_SCANCODE_W, SDLK_z, by_letter), ACTION_LIGHT_UP);
-        assert_int_equal(key(SDL_SCANCODE_S, SDLK_s, by_letter), ACTION_LIGHT_DOWN);
-        assert_int_equal(key(SDL_SCANCODE_A, SDLK_q, by_letter), ACTION_LIGHT_LEFT);
-        assert_int_equal(key(SDL_SCANCODE_D, SDLK_d, by_letter), ACTION_LIGHT_RIGHT);
-        assert_int_equal(key(SDL_SCANCODE_E, SDLK_e, by_letter), ACTION_LIGHT_AWAY);
-        assert_int_equal(key(SDL_SCANCODE_Z, SDLK_w, by_letter), ACTION_LIGHT_NEARER);
+        assert_key(SDL_SCANCODE_W, SDLK_z, by_letter, "light up");
+        assert_key(SDL_SCANCODE_S, SDLK_s, by_letter, "light down");
+        assert_key(SDL_SCANCODE_A, SDLK_q, by_letter, "light left");
+        assert_key(SDL_SCANCODE_D, SDLK_d, by_letter, "light right");
+        assert_key(SDL_SCANCODE_E, SDLK_e, by_letter, "light away");
+        assert_key(SDL_SCANCODE_Z, SDLK_w, by_letter, "light nearer");
     }
     /* The keys of a QWERTY keyboard. */
-    assert_int_equal(key(SDL_SCANCODE_W, SDLK_w, false), ACTION_LIGHT_UP);
-    assert_int_equal(key(SDL_SCANCODE_W, SDLK_w, true), ACTION_LIGHT_NEARER);
-    assert_int_equal(key(SDL_SCANCODE_Z, SDLK_z, false), ACTION_LIGHT_NEARER);
-    assert_int_equal(key(SDL_SCANCODE_Z, SDLK_z, true), ACTION_LIGHT_UP);
-    assert_int_equal(key(SDL_SCANCODE_Q, SDLK_q, false), ACTION_NONE);
-    assert_int_equal(key(SDL_SCANCODE_A, SDLK_a, true), ACTION_NONE);
+    assert_key(SDL_SCANCODE_W, SDLK_w, false, "light up");
+    assert_key(SDL_SCANCODE_W, SDLK_w, true, "light nearer");
+    assert_key(SDL_SCANCODE_Z, SDLK_z, false, "light nearer");
+    assert_key(SDL_SCANCODE_Z, SDLK_z, true, "light up");
+    assert_key(SDL_SCANCODE_Q, SDLK_q, false, NULL);
+    assert_key(SDL_SCANCODE_A, SDLK_a, true, NULL);
     /* The P of a Dvorak keyboard is at the place of R, its O at that of S. */
-    assert_int_equal(key(SDL_SCANCODE_R, SDLK_p, false), ACTION_SNAPSHOT);
-    assert_int_equal(key(SDL_SCANCODE_S, SDLK_o, false), ACTION_LIGHT_DOWN);
+    assert_key(SDL_SCANCODE_R, SDLK_p, false, "snapshot");
+    assert_key(SDL_SCANCODE_S, SDLK_o, false, "light down");
 }
 
 /** The other keys go by what is printed on them. */
@@ -149,30 +152,30 @@ static void test_keymap_others(void **state) {
     (void)state;
     static const struct {
         SDL_Keycode key;
-        Action action;
-    } rows[] = {{SDLK_UP, ACTION_CAMERA_UP},
-                {SDLK_DOWN, ACTION_CAMERA_DOWN},
-                {SDLK_LEFT, ACTION_CAMERA_LEFT},
-                {SDLK_RIGHT, ACTION_CAMERA_RIGHT},
-                {SDLK_PAGEUP, ACTION_CAMERA_FORWARD},
-                {SDLK_PAGEDOWN, ACTION_CAMERA_BACK},
-                {SDLK_p, ACTION_SNAPSHOT},
-                {SDLK_F12, ACTION_SNAPSHOT},
-                {SDLK_HOME, ACTION_RESET_VIEW},
-                {SDLK_TAB, ACTION_NEXT_LIGHT},
-                {SDLK_F1, ACTION_HELP},
-                {SDLK_h, ACTION_HELP},
-                {SDLK_F11, ACTION_FULL_SCREEN},
-                {SDLK_ESCAPE, ACTION_QUIT},
-                {SDLK_SPACE, ACTION_TOGGLE_TIME},
-                {SDLK_r, ACTION_RECORD},
-                {SDLK_f, ACTION_BROWSE_SCENES},
-                {SDLK_RETURN, ACTION_CAPTION},
-                {SDLK_F5, ACTION_NONE},
-                {0, ACTION_NONE}};
+        const char *name;
+    } rows[] = {{SDLK_UP, "camera up"},
+                {SDLK_DOWN, "camera down"},
+                {SDLK_LEFT, "camera left"},
+                {SDLK_RIGHT, "camera right"},
+                {SDLK_PAGEUP, "camera forward"},
+                {SDLK_PAGEDOWN, "camera back"},
+                {SDLK_p, "snapshot"},
+                {SDLK_F12, "snapshot"},
+                {SDLK_HOME, "home"},
+                {SDLK_TAB, "next light"},
+                {SDLK_F1, "help"},
+                {SDLK_h, "help"},
+                {SDLK_F11, "full screen"},
+                {SDLK_ESCAPE, "leave"},
+                {SDLK_SPACE, "time"},
+                {SDLK_r, "record"},
+                {SDLK_f, "scenes"},
+                {SDLK_RETURN, "caption"},
+                {SDLK_F5, NULL},
+                {0, NULL}};
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        assert_int_equal(key(SDL_SCANCODE_UNKNOWN, rows[i].key, false), rows[i].action);
-        assert_int_equal(key(SDL_SCANCODE_UNKNOWN, rows[i].key, true), rows[i].action);
+        assert_key(SDL_SCANCODE_UNKNOWN, rows[i].key, false, rows[i].name);
+        assert_key(SDL_SCANCODE_UNKNOWN, rows[i].key, true, rows[i].name);
     }
 }
 
@@ -191,7 +194,8 @@ static const char *help_text_keys(const PanelRow *rows, size_t count, const char
 static void test_keymap_help(void **state) {
     (void)state;
     PanelRow rows[HELP_ROWS_MAXIMUM];
-    size_t count = keymap_help_rows(false, rows);
+    Help help = {.commands = command_table};
+    size_t count = help_write_rows(&help, rows);
     assert_string_equal(rows[0].text, "Light");
     assert_true(rows[0].is_heading);
     assert_string_equal(rows[1].label, "W  S");
@@ -199,7 +203,8 @@ static void test_keymap_help(void **state) {
     assert_string_equal(help_text_keys(rows, count, "forward, back"), "Page Up  Page Down");
     assert_string_equal(help_text_keys(rows, count, "snapshot"), "P  F12");
     assert_string_equal(help_text_keys(rows, count, "leave"), "Esc");
-    count = keymap_help_rows(true, rows);
+    help.by_letter = true;
+    count = help_write_rows(&help, rows);
     assert_string_equal(rows[1].label, "Z  S");
     assert_string_equal(help_text_keys(rows, count, "away from you, nearer"), "E  W");
 }
@@ -208,7 +213,7 @@ static void test_keymap_help(void **state) {
 static void test_panel(void **state) {
     (void)state;
     PanelRow rows[HELP_ROWS_MAXIMUM];
-    size_t count = keymap_help_rows(false, rows);
+    size_t count = help_write_rows(&(Help){.commands = command_table}, rows);
     static const int sizes[][2] = {{800, 600}, {320, 240}, {3840, 2160}, {200, 2000}, {1, 1}};
     if (!font_is_available()) {
         skip();
@@ -229,12 +234,13 @@ static void test_panel(void **state) {
 static void test_help_panel(void **state) {
     (void)state;
     static const int sizes[][2] = {{800, 600}, {3840, 2160}, {1280, 500}, {400, 300}, {300, 900}};
+    const Help help = {.commands = command_table};
     if (!font_is_available()) {
         skip();
     }
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
         int width = sizes[i][0], height = sizes[i][1];
-        SDL_Surface *panel = help_panel_draw(false, &(PanelBounds){width, height, i % 2 ? 2 : 1});
+        SDL_Surface *panel = help_draw(&help, &(PanelBounds){width, height, i % 2 ? 2 : 1});
         assert_non_null(panel);
         assert_in_range(panel->w, 100, width);
         assert_in_range(panel->h, 100, height);
@@ -242,20 +248,85 @@ static void test_help_panel(void **state) {
     }
     assert_int_equal(keyboard_diagram_size(790, 270).x, 788);
     assert_int_equal(keyboard_diagram_size(400, 300).y, 0);
-    SDL_FreeSurface(help_panel_draw(false, &(PanelBounds){1, 1, 1}));
+    SDL_FreeSurface(help_draw(&help, &(PanelBounds){1, 1, 1}));
 }
 
-/** A key says what it means, in its group's colour, wherever it is. */
-static void test_keyboard_words(void **state) {
+/** @return The row of a position. */
+static const Command *row_at(SDL_Scancode scancode) {
+    return command_find_key(command_table, (SDL_Keysym){.scancode = scancode}, false);
+}
+
+/** The drawn keyboard has a word on each key with a command, in the colour of its group. */
+static void test_keyboard_labels(void **state) {
     (void)state;
-    KeyInfo up = keymap_lookup((SDL_Keysym){.scancode = SDL_SCANCODE_W, .sym = SDLK_z}, false);
-    KeyInfo none = keymap_lookup((SDL_Keysym){.scancode = SDL_SCANCODE_F5, .sym = SDLK_F5}, false);
-    assert_int_equal(up.action, ACTION_LIGHT_UP);
-    assert_int_equal(up.tint, 1);
-    assert_string_equal(key_action_label(SDL_SCANCODE_W, &up), "up");
-    assert_string_equal(key_action_label(SDL_SCANCODE_F5, &none), "");
-    assert_string_equal(key_action_label(SDL_SCANCODE_LSHIFT, &none), "fast");
+    const Help help = {.commands = command_table};
+    assert_string_equal(row_at(SDL_SCANCODE_W)->name, "light up");
+    assert_int_equal(help_tint(&help, row_at(SDL_SCANCODE_W)), 1);
+    assert_string_equal(key_action_label(row_at(SDL_SCANCODE_W)), "up");
+    assert_null(row_at(SDL_SCANCODE_F5));
+    assert_string_equal(key_action_label(NULL), "");
+    assert_string_equal(key_action_label(row_at(SDL_SCANCODE_LSHIFT)), "fast");
+    assert_string_equal(key_action_label(row_at(SDL_SCANCODE_RCTRL)), "fine");
+    assert_int_equal(help_tint(&help, row_at(SDL_SCANCODE_LSHIFT)), 6);
     assert_string_equal(key_cap_label(SDL_SCANCODE_LEFT), "←");
+}
+
+/** Every command has a name of its own and something to do; every row is found by its keys. */
+static void test_command_table(void **state) {
+    (void)state;
+    for (const Command *row = command_table; command_is_row(row); row++) {
+        if (row->name) {
+            assert_ptr_equal(command_find(command_table, row->name), row);
+            assert_true(command_is_move(row) == !row->run);
+        }
+        for (int i = 0; i < COMMAND_KEYS; i++) {
+            SDL_Keysym key = {.scancode = row->keys[i].scancode,
+                              .sym = row->keys[i].keycode,
+                              .mod = row->flags & COMMAND_SHIFT ? KMOD_LSHIFT : 0};
+            if (key.scancode || key.sym) {
+                assert_ptr_equal(command_find_key(command_table, key, false), row);
+            }
+        }
+    }
+    const SDL_Keysym shifted = {.sym = SDLK_HOME, .mod = KMOD_RSHIFT};
+    assert_string_equal(command_find_key(command_table, shifted, false)->name, "home");
+}
+
+/** The parts of src/view, from the bottom, as the comment of view/app.h lists them. */
+static const char *const view_parts[] = {"state/", "window/",   "loading/", "panels/", "window.",
+                                         "app.",   "commands/", "lesson/",  "input/",  "view."};
+
+/** @return The part of a file, as an index. @param path The path after `view/`. */
+static int view_part(const char *path) {
+    for (int i = 0; i < (int)(sizeof view_parts / sizeof *view_parts); i++) {
+        if (strncmp(path, view_parts[i], strlen(view_parts[i])) == 0) {
+            return i;
+        }
+    }
+    fail_msg("%s is in no part of src/view", path);
+    return -1;
+}
+
+/** Each part of src/view includes only parts below it. */
+static void test_parts(void **state) {
+    (void)state;
+    glob_t files = {0};
+    assert_int_equal(glob("src/view/*.[ch]", 0, NULL, &files), 0);
+    assert_int_equal(glob("src/view/*/*.[ch]", GLOB_APPEND, NULL, &files), 0);
+    for (size_t i = 0; i < files.gl_pathc; i++) {
+        const char *path = files.gl_pathv[i] + strlen("src/view/");
+        FILE *file = fopen(files.gl_pathv[i], "r");
+        char line[512], included[512];
+        assert_non_null(file);
+        while (fgets(line, sizeof line, file)) {
+            if (sscanf(line, "#include \"view/%[^\"]", included) == 1 &&
+                view_part(included) > view_part(path)) {
+                fail_msg("src/view/%s includes view/%s", path, included);
+            }
+        }
+        fclose(file);
+    }
+    globfree(&files);
 }
 
 /** What keys change counts, and nothing else; strategies and lights go around, numbers stop at
@@ -264,16 +335,19 @@ static void test_settings_override(void **state) {
     (void)state;
     Error error = {0};
     SettingsOverride overrides = {0};
-    RenderSettings now = {.engine = engine_find("f32x1", &error),
+    RenderSettings now = {.engine = engine_find("auto", &error),
                           .samples = 1,
                           .trace = {.offset = OFFSET_BOUND, .epsilon = 1e-4, .depth = 0}};
     const RenderSettings requested = now;
-    static const Action actions[] = {ACTION_OFFSET_NEXT,       ACTION_EPSILON_TWICE,
-                                     ACTION_EPSILON_TEN_TIMES, ACTION_SAMPLES_HALF,
-                                     ACTION_DEPTH_LESS,        ACTION_LIGHT_MODE_PREVIOUS,
-                                     ACTION_ENGINE_PREVIOUS};
-    for (size_t i = 0; i < sizeof actions / sizeof *actions; i++) {
-        settings_override_change(&overrides, &now, actions[i]);
+    static const struct {
+        SettingsChangeFn *change;
+        int step;
+    } changes[] = {{settings_override_offset, 1},   {settings_override_epsilon, 2},
+                   {settings_override_epsilon, 10}, {settings_override_samples, -1},
+                   {settings_override_depth, -1},   {settings_override_lighting, -1},
+                   {settings_override_engine, -1}};
+    for (size_t i = 0; i < sizeof changes / sizeof *changes; i++) {
+        changes[i].change(&overrides, &now, changes[i].step);
         settings_override_apply(&overrides, &now);
         assert_int_equal(now.trace.offset, i == 0 ? OFFSET_NONE : OFFSET_FIXED);
     }
@@ -283,15 +357,13 @@ static void test_settings_override(void **state) {
     assert_int_equal(now.lighting, LIGHTING_UNLIT);
     assert_true(now.engine->mantissa_bits > 53);
     for (int i = 0; i < 100; i++) {
-        settings_override_change(&overrides, &now, ACTION_EPSILON_TENTH);
+        settings_override_epsilon(&overrides, &now, -10);
         settings_override_apply(&overrides, &now);
     }
     assert_true(now.trace.epsilon > 0);
     RenderSettings other = requested;
     settings_override_apply(&(SettingsOverride){0}, &other);
     assert_memory_equal(&other, &requested, sizeof other);
-    assert_int_equal(action_shifted(ACTION_ENGINE_NEXT), ACTION_ENGINE_PREVIOUS);
-    assert_int_equal(action_shifted(ACTION_RESET_VIEW), ACTION_RESET_VIEW);
 }
 
 /** Median and worst of the waits, and what does not count. */
@@ -585,10 +657,10 @@ static void test_window(void **state) {
     scene_destroy(scene);
 }
 
-/** Which scenes a window asked for. */
+/** The requests of a window for scenes. */
 typedef struct LoadRequests {
-    char path[64]; /**< The newest file; empty: none. */
-    int count;     /**< How many. */
+    char path[64];    /**< The newest file; empty: none. */
+    atomic_int count; /**< Number of requests. */
 } LoadRequests;
 
 /**
@@ -611,16 +683,19 @@ static Scene *load_requested(void *context, const ViewRequest *request, const at
     return scene;
 }
 
-/** Drops two files on the window, then closes it, as a thread. @return NULL */
+/** Drops two files on the window, each once the one before was requested, then closes it, as a
+ *  thread. @return NULL */
 static void *drop_two_files(void *context) {
-    (void)context;
+    LoadRequests *requests = context;
     static const char *const files[] = {"other.lua", "wrong.lua"};
-    for (size_t i = 0; i < 2; i++) {
-        SDL_Delay(300);
+    SDL_Delay(300); // There is no window yet to ask.
+    for (int i = 0; i < 2; i++) {
         SDL_Event event = {.drop = {.type = SDL_DROPFILE, .file = SDL_strdup(files[i])}};
         SDL_PushEvent(&event);
+        for (int wait = 0; wait < 500 && atomic_load(&requests->count) <= i; wait++) {
+            SDL_Delay(20);
+        }
     }
-    SDL_Delay(300);
     SDL_Event event = {.type = SDL_QUIT};
     SDL_PushEvent(&event);
     return NULL;
@@ -638,7 +713,7 @@ static void test_drop(void **state) {
                              .load = load_requested,
                              .loader_context = &requests};
     pthread_t dropper;
-    assert_int_equal(pthread_create(&dropper, NULL, drop_two_files, NULL), 0);
+    assert_int_equal(pthread_create(&dropper, NULL, drop_two_files, &requests), 0);
     Error error = {0};
     assert_int_equal(view_run(scene, &settings, NULL, &error), STATUS_OK);
     pthread_join(dropper, NULL);
@@ -660,7 +735,9 @@ int main(void) {
         cmocka_unit_test(test_keymap_help),
         cmocka_unit_test(test_panel),
         cmocka_unit_test(test_help_panel),
-        cmocka_unit_test(test_keyboard_words),
+        cmocka_unit_test(test_keyboard_labels),
+        cmocka_unit_test(test_command_table),
+        cmocka_unit_test(test_parts),
         cmocka_unit_test(test_settings_override),
         cmocka_unit_test(test_latency),
         cmocka_unit_test(test_latency_many),

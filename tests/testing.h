@@ -58,47 +58,6 @@ static inline Quadruple roundoff(const Engine *engine) {
     return u;
 }
 
-/** As the scene language says a sphere. */
-typedef struct SphereParameters {
-    Vec3d center;  /**< Centre. */
-    double radius; /**< Radius. */
-} SphereParameters;
-
-/** As the scene language says a plane. */
-typedef struct PlaneParameters {
-    Vec3d point;  /**< A point. */
-    Vec3d normal; /**< Its normal. */
-} PlaneParameters;
-
-/** As the scene language says a quad. */
-typedef struct QuadParameters {
-    Vec3d corner; /**< A corner. */
-    Vec3d u;      /**< To the next. */
-    Vec3d v;      /**< To the other next. */
-} QuadParameters;
-
-/** As the scene language says a box. */
-typedef struct BoxParameters {
-    Vec3d low;  /**< Lowest corner. */
-    Vec3d high; /**< Highest corner. */
-} BoxParameters;
-
-/** As the scene language says a cylinder. */
-typedef struct CylinderParameters {
-    Vec3d base;    /**< Centre of one end. */
-    Vec3d top;     /**< Of the other. */
-    double radius; /**< Radius. */
-    bool capped;   /**< Whether the ends are closed. */
-} CylinderParameters;
-
-/** As the scene language says a triangle. */
-typedef struct TriangleParameters {
-    Vec3d corners[3]; /**< Corners. */
-    Vec3d normals[3]; /**< Normals there. */
-    Uvd uvs[3];       /**< Places in a picture there. */
-    bool is_smooth;   /**< Whether the normals count. */
-} TriangleParameters;
-
 /** @return An empty scene with a camera at the origin that looks along -z; to be given back. Its
  *          depth is said: tracers are asked, and not what scenes need. */
 static inline Scene *create_empty_scene(void) {
@@ -112,23 +71,13 @@ static inline Scene *create_empty_scene(void) {
 
 /** Adds a shape of the newest material. @param parameters As the scene language says it. */
 static inline void add_shape(Scene *scene, const char *name, const void *parameters) {
-    const Keyword *const *keywords = engine_list()[0]->shape_keywords;
-    size_t kind = 0;
-    while (keywords[kind] && strcmp(keywords[kind]->name, name) != 0) {
-        kind++;
-    }
-    assert_non_null(keywords[kind]);
+    size_t kind = scene_shape_find(name);
+    const Keyword *keyword = scene_shape_keywords[kind];
+    assert_non_null(keyword);
     Error error = {0};
     size_t material = scene->material_count - 1;
-    assert_true(scene_add_shape(scene, kind, keywords[kind], parameters, material, &error));
+    assert_true(scene_add_shape(scene, kind, keyword, parameters, material, &error));
 }
-
-/** How the scene language says the surface of a field. */
-typedef struct SdfShapeParameters {
-    const Sdf *field; /**< The field. */
-    double tolerance; /**< How near is on it. */
-    int max_steps;    /**< After so many a ray is given up. */
-} SdfShapeParameters;
 
 /** Adds the surface of a field to a scene. */
 static inline void add_sdf(Scene *scene, SdfShapeParameters row) {
@@ -137,12 +86,6 @@ static inline void add_sdf(Scene *scene, SdfShapeParameters row) {
     assert_non_null(row.field);
     add_shape(scene, "sdf", &row);
 }
-
-/** How the scene language says a mesh. */
-typedef struct MeshShapeParameters {
-    size_t file; /**< Place of its model in the scene. */
-    int normals; /**< 0: the file's; 1: smooth; 2: flat. */
-} MeshShapeParameters;
 
 /** Adds a mesh of its own file to a scene. */
 static inline void add_mesh(Scene *scene, const Vec3d *positions, size_t position_count,
@@ -158,6 +101,7 @@ static inline void add_mesh(Scene *scene, const Vec3d *positions, size_t positio
     assert_non_null(mesh);
     memcpy(mesh->positions, positions, position_count * sizeof *positions);
     memcpy(mesh->triangles, triangles, triangle_count * sizeof *triangles);
+    mesh_update_bounds(mesh);
     scene->meshes[row.file].mesh = mesh;
     add_shape(scene, "mesh", &row);
 }

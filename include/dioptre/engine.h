@@ -54,6 +54,12 @@ typedef enum {
 /** The tracer for one scene; what is in it, only its engine knows. */
 typedef struct Tracer Tracer;
 
+/**
+ * Default of #TraceSettings.cutoff: a ray of this weight changes no pixel by half a step of 8 bits,
+ * 1 / 510, at the dark end of the sRGB curve, whose slope is 12.92.
+ */
+#define THROUGHPUT_CUTOFF 1.5e-4
+
 /** What a tracer is told besides the scene. */
 typedef struct TraceSettings {
     int depth;   /**< How often a ray may be mirrored or refracted. */
@@ -139,13 +145,6 @@ typedef struct RayResult {
     Quadruple uv[2];     /**< Where on a picture: (u, v). Of meshes only if a shape shows one. */
 } RayResult;
 
-/** What is known of a shape without making a tracer. */
-typedef struct ShapeMeasure {
-    Vec3d low;    /**< Lowest corner of its box; infinite where it has no end. */
-    Vec3d high;   /**< Highest corner. */
-    bool is_flat; /**< Whether it has flat faces only. */
-} ShapeMeasure;
-
 /** What an engine needs of the processor. */
 typedef enum {
     ENGINE_NEEDS_NOTHING, /**< It runs everywhere. */
@@ -159,9 +158,6 @@ typedef struct Engine {
     int lanes;         /**< Rays at once. */
     int mantissa_bits; /**< Of its number type, the leading 1 included: 24, 53, 113. */
     EngineNeeds needs; /**< What the processor must be able to do. */
-
-    /** The keywords of its shape classes, ended by NULL; the same in every engine. */
-    const Keyword *const *shape_keywords;
 
     /**
      * Makes the tracer for a scene, with only what this scene needs.
@@ -251,14 +247,6 @@ typedef struct Engine {
      */
     void (*bounds)(const Tracer *tracer, Vec3d *low, Vec3d *high);
 
-    /**
-     * Measures a shape of a scene before it is transformed, without a tracer. The box of one that
-     * shows a model is infinite: the model has the points.
-     * @param shape  The shape.
-     * @return Its measures.
-     */
-    ShapeMeasure (*measure)(const SceneShape *shape);
-
     /** @return What a tracer was made of. @param tracer The tracer. */
     TracerStats (*stats)(const Tracer *tracer);
 
@@ -284,5 +272,19 @@ bool engine_is_supported(const Engine *engine);
  * @return The engine, or NULL.
  */
 const Engine *engine_find(const char *name, Error *error);
+
+/** The purpose that an engine is chosen for. */
+typedef enum {
+    ENGINE_FASTEST,  /**< The default: the preferred engine of this processor. */
+    ENGINE_DOUBLE,   /**< Where single precision shows errors. */
+    ENGINE_REFERENCE /**< Errors are measured against it: more bits than double. */
+} EngineRole;
+
+/** @return The preferred engine for a purpose that this processor can run; NULL: none is built. */
+const Engine *engine_with_role(EngineRole role);
+
+/** @return The engine with one lane of the same number type, whose bits are the same; the engine
+ *          itself where no such engine is built. */
+const Engine *engine_scalar(const Engine *engine);
 
 #endif

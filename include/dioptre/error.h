@@ -16,6 +16,7 @@ typedef enum {
     STATUS_FAILED = 1,       /**< It could not be finished: disk full, no memory. */
     STATUS_USAGE = 2,        /**< The command line is wrong. */
     STATUS_SCENE = 3,        /**< Something is wrong with a scene or a file that it names. */
+    STATUS_UNREADABLE = 4,   /**< A picture to be compared cannot be read. */
     STATUS_INTERRUPTED = 130 /**< Stopped from outside (SIGINT); what is finished is kept. */
 } Status;
 

@@ -39,6 +39,7 @@ typedef struct MeshRepairs {
 typedef struct Mesh {
     size_t position_count;          /**< How many positions, at least 3. */
     Vec3d *positions;               /**< Places in space, scene units, no two the same. */
+    Aabbd bounds;                   /**< Bounding box; set by #mesh_update_bounds. */
     size_t normal_count;            /**< How many normals; 0: the file has none. */
     Vec3d *normals;                 /**< The file's, of unit length. */
     size_t uv_count;                /**< How many (u, v); 0: the file has none. */
@@ -109,6 +110,9 @@ void mesh_bind_arrays(Mesh *mesh);
  *         length, and every place is one.
  */
 bool mesh_validate(const Mesh *mesh, Error *error);
+
+/** Computes #Mesh.bounds, once all positions are set. @param[in,out] mesh The mesh. */
+void mesh_update_bounds(Mesh *mesh);
 
 /**
  * Finds normals that make a mesh look smooth: at each position the mean of its triangles' normals,

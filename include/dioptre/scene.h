@@ -13,9 +13,7 @@
 #include "dioptre/encoding.h"
 #include "dioptre/light.h"
 #include "dioptre/material.h"
-#include "dioptre/mesh.h"
-#include "dioptre/parameter.h"
-#include "dioptre/sdf.h"
+#include "dioptre/shape.h"
 #include "dioptre/texture.h"
 #include "dioptre/transform.h"
 
@@ -117,14 +115,12 @@ Scene *scene_create(Error *error);
 /**
  * Makes a scene of which all is as in another, but elsewhere: its shapes, camera and lamps.
  * @param scene       The other; its words, as of files, are shared, so it must live as long.
- * @param shape_keywords       The keywords of the shape classes, by #SceneShape.class_index.
  * @param offset         How far it is moved, scene units.
  * @param[out] error  What is wrong.
  * @return The scene, to be given back with #scene_destroy; NULL without memory. Behind its models
  *         stand those that had to be moved themselves.
  */
-Scene *scene_translated(const Scene *scene, const Keyword *const *shape_keywords, Vec3d offset,
-                        Error *error);
+Scene *scene_translated(const Scene *scene, Vec3d offset, Error *error);
 
 /** Gives a scene back. @param scene The scene, or NULL. */
 void scene_destroy(Scene *scene);

@@ -40,7 +40,8 @@ typedef struct ScriptRequest {
     double time;          /**< The scene's `t`, seconds. */
     double time_limit;    /**< How long it may run; #SCRIPT_TIME_LIMIT. */
     size_t memory_limit;  /**< How many bytes its data may take; #SCRIPT_MEMORY_LIMIT. */
-    const Keyword *const *shape_keywords; /**< The shapes it can name, ended by NULL. */
+    const Keyword *const *shape_keywords; /**< Shapes it can create; NULL ends the list. NULL:
+                                               those of the program, #scene_shape_keywords. */
     const MeshProgress *progress; /**< Told how far its model files are read; NULL: nobody is. */
     AssetCache *cache;       /**< What an earlier load left, and this one leaves; NULL: nothing. */
     const atomic_bool *stop; /**< The file is given up once this is true; NULL: never. */

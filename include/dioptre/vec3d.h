@@ -10,6 +10,7 @@
 #define DIOPTRE_VEC3D_H
 
 #include <math.h>
+#include <stdbool.h>
 
 /** A point (scene units) or a direction in space. */
 typedef struct Vec3d {
@@ -100,6 +101,36 @@ static inline double vec3d_length(Vec3d v) {
 static inline Vec3d vec3d_normalize(Vec3d v) {
     double length = vec3d_length(v);
     return (Vec3d){v.x / length, v.y / length, v.z / length};
+}
+
+/** A bounding box along the axes, in double. */
+typedef struct Aabbd {
+    Vec3d low;  /**< Lowest corner. */
+    Vec3d high; /**< Highest corner. */
+} Aabbd;
+
+/** @return A box without any point: each point that is added becomes its bounds. */
+static inline Aabbd aabbd_empty(void) {
+    return (Aabbd){{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+}
+
+/** @return The box of all space. */
+static inline Aabbd aabbd_infinite(void) {
+    return (Aabbd){{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, HUGE_VAL, HUGE_VAL}};
+}
+
+/** @return The smallest box that holds a box and a point. @param box The box. @param p The point.
+ */
+static inline Aabbd aabbd_add_point(Aabbd box, Vec3d p) {
+    return (Aabbd){{p.x < box.low.x ? p.x : box.low.x, p.y < box.low.y ? p.y : box.low.y,
+                    p.z < box.low.z ? p.z : box.low.z},
+                   {p.x > box.high.x ? p.x : box.high.x, p.y > box.high.y ? p.y : box.high.y,
+                    p.z > box.high.z ? p.z : box.high.z}};
+}
+
+/** @return Whether a box is finite along all axes. @param box The box. */
+static inline bool aabbd_is_bounded(Aabbd box) {
+    return vec3d_max_abs(box.low) < HUGE_VAL && vec3d_max_abs(box.high) < HUGE_VAL;
 }
 
 #endif

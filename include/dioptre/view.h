@@ -59,9 +59,12 @@ typedef struct ViewSettings {
     bool prints_timing;       /**< Whether first picture and latencies are said when it closes. */
 } ViewSettings;
 
-/** @return The names of what can be done in the window, in the order of #LessonStep.action, ended
- *          by NULL; moves come first. @param[out] move_count How many are moves. */
-const char *const *view_actions(int *move_count);
+/** Most names of #view_actions, with the final NULL. */
+enum { VIEW_ACTIONS_MAXIMUM = 96 };
+
+/** Returns the names of the window's commands, for lessons. @param[out] names The names, moves
+ *  first, ended by NULL; #LessonStep.action is an index into them. @return Number of moves. */
+int view_actions(const char *names[VIEW_ACTIONS_MAXIMUM]);
 
 /**
  * @return Whether a window can be opened here at all.

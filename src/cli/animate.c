@@ -201,8 +201,7 @@ static void animate(Animation *animation, Error *error) {
     scene_destroy(animation->scene);
 }
 
-/** Makes a film. See #Command.run. @return The exit status. */
-static int animate_run(const Options *options, Error *error) {
+void cli_animate(const Options *options, Error *error) {
     Animation animation = {.options = options};
     if (plan_files(&animation, error) && plan_frames(&animation, error) &&
         check_output(&animation, error)) {
@@ -212,12 +211,4 @@ static int animate_run(const Options *options, Error *error) {
             asset_cache_destroy(animation.cache);
         }
     }
-    return (int)error->status;
 }
-
-const Command animate_command = {.name = "animate",
-                                 .usage = N_("SCENE|FRAMES -o FILM|FRAMES"),
-                                 .help = N_("draws a film, or its numbered frames"),
-                                 .accepts = "osASDtjEOXBCGFNPq",
-                                 .arguments = 1,
-                                 .run = animate_run};

@@ -2,6 +2,7 @@
  * @file
  * @brief `dioptre bench`: how fast a scene is drawn.
  */
+#include "base/json.h"
 #include "base/language.h"
 #include "cli/commands.h"
 
@@ -59,16 +60,25 @@ static bool bench_measure(Renderer *renderer, BenchRays rays, int frames, BenchR
 /** Prints what was measured. */
 static void bench_print(const BenchResult *result, const RenderSettings *settings,
                         const Options *options) {
+    /** Significant digits of numbers in JSON. */
+    const int digits = 6;
     double mrays = (double)result->rays / (1e3 * result->ms_median);
     if (options->json) {
-        printf("{\"scene\": ");
-        json_print_string(options->arguments[0], stdout);
-        printf(", \"engine\": \"%s\", \"threads\": %d, \"width\": %d, \"height\": %d, "
-               "\"frames\": %d, \"ms_min\": %.6g, \"ms_median\": %.6g, \"rays\": %llu, "
-               "\"mrays_per_s\": %.6g, \"samples_per_pixel\": %.6g}\n",
-               settings->engine->name, settings->threads, settings->width, settings->height,
-               result->frames, result->ms_min, result->ms_median, (unsigned long long)result->rays,
-               mrays, (double)result->camera_rays / settings->width / settings->height);
+        JsonWriter json = {.stream = stdout};
+        json_object_begin(&json, NULL);
+        json_string(&json, "scene", options->arguments[0]);
+        json_string(&json, "engine", settings->engine->name);
+        json_integer(&json, "threads", settings->threads);
+        json_integer(&json, "width", settings->width);
+        json_integer(&json, "height", settings->height);
+        json_integer(&json, "frames", result->frames);
+        json_number(&json, "ms_min", result->ms_min, digits);
+        json_number(&json, "ms_median", result->ms_median, digits);
+        json_count(&json, "rays", result->rays);
+        json_number(&json, "mrays_per_s", mrays, digits);
+        json_number(&json, "samples_per_pixel",
+                    (double)result->camera_rays / settings->width / settings->height, digits);
+        json_line_end(&json);
     } else {
         printf(ngettext("%s: %s, %d thread, ", "%s: %s, %d threads, ",
                         (unsigned long)settings->threads),
@@ -91,28 +101,19 @@ static bool bench_frame_count(const Options *options, int *frames, Error *error)
            error_set(error, STATUS_USAGE, "bench --frames takes how many, at least 1");
 }
 
-/** Times a scene. See #Command.run. @return The exit status. */
-static int bench_run(const Options *options, Error *error) {
+void cli_bench(const Options *options, Error *error) {
     int frames;
     Scene *scene =
         bench_frame_count(options, &frames, error) ? command_load_scene(options, error) : NULL;
     if (!scene) {
-        return (int)error->status;
+        return;
     }
     RenderSettings settings = command_render_settings(options, scene);
     Renderer *renderer = renderer_create(scene, &settings, error);
     BenchResult result = {0};
-    if (renderer && bench_measure(renderer, options->rays, frames, &result, error)) {
+    if (renderer && bench_measure(renderer, (BenchRays)options->rays, frames, &result, error)) {
         bench_print(&result, &settings, options);
     }
     renderer_destroy(renderer);
     scene_destroy(scene);
-    return (int)error->status;
 }
-
-const Command bench_command = {.name = "bench",
-                               .usage = N_("SCENE"),
-                               .help = N_("times the drawing of a scene"),
-                               .accepts = "sASDtjEOXBFRJq",
-                               .arguments = 1,
-                               .run = bench_run};

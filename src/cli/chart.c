@@ -88,12 +88,7 @@ static bool chart_methods(const Options *options, const LabRequest *request, Err
     return command_check_charts(without_chart, error);
 }
 
-/**
- * Charts scenes or methods. See #Command.run.
- * @param[out] error  What is wrong; what was finished before is kept.
- * @return The exit status.
- */
-static int chart_run(const Options *options, Error *error) {
+void cli_chart(const Options *options, Error *error) {
     LabRequest request = {.folder = options->out_dir,
                           .threads = command_threads(options),
                           .stop = interrupt_flag(),
@@ -107,13 +102,4 @@ static int chart_run(const Options *options, Error *error) {
     } else if (lab_create_folder(&request, error)) {
         chart_scenes(options, &request, error);
     }
-    return (int)error->status;
 }
-
-const Command chart_command = {.name = "chart",
-                               .usage = N_("SCENE... --out DIR"),
-                               .help = N_("says what settings cost and what errors they leave"),
-                               .accepts = "UZsASDtjEOXBq",
-                               .arguments = 0,
-                               .accepts_more_arguments = true,
-                               .run = chart_run};

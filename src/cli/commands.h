@@ -10,16 +10,18 @@
 
 #include <stdio.h>
 
-extern const Command view_command;    /**< `view` */
-extern const Command render_command;  /**< `render` */
-extern const Command animate_command; /**< `animate` */
-extern const Command info_command;    /**< `info` */
-extern const Command probe_command;   /**< `probe` */
-extern const Command compare_command; /**< `compare` */
-extern const Command bench_command;   /**< `bench` */
-extern const Command lab_command;     /**< `lab` */
-extern const Command needs_command;   /**< `needs` */
-extern const Command chart_command;   /**< `chart` */
+/* The commands; see Command.run. */
+
+void cli_view(const Options *options, Error *error);    /**< `view` */
+void cli_render(const Options *options, Error *error);  /**< `render` */
+void cli_animate(const Options *options, Error *error); /**< `animate` */
+void cli_probe(const Options *options, Error *error);   /**< `probe` */
+void cli_info(const Options *options, Error *error);    /**< `info` */
+void cli_compare(const Options *options, Error *error); /**< `compare` */
+void cli_bench(const Options *options, Error *error);   /**< `bench` */
+void cli_needs(const Options *options, Error *error);   /**< `needs` */
+void cli_chart(const Options *options, Error *error);   /**< `chart` */
+void cli_lab(const Options *options, Error *error);     /**< `lab` */
 
 /** Loads the scene that a command line names. @return The scene, to be given back with
  *  #scene_destroy; NULL if anything is wrong. */
@@ -54,10 +56,6 @@ int command_threads(const Options *options);
  * @return Whether none is.
  */
 bool command_check_charts(size_t count, Error *error);
-
-/** Prints a text as a JSON string, quotes included. @param text The text; bytes that are not
- *  printable ASCII are kept or escaped. */
-void json_print_string(const char *text, FILE *stream);
 
 /** Prints a text with blanks after it, up to the width of a column. @param width Letters that the
  *  column is wide; a longer text sticks out. */

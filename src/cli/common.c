@@ -19,13 +19,11 @@ Scene *command_load_scene(const Options *options, Error *error) {
 Scene *command_load_scene_at(const Options *options, double time, AssetCache *cache,
                              const atomic_bool *stop, Error *error) {
     MeshReadProgress mesh_progress;
-    // The keywords of an engine that this processor can run: their checks are its code.
     ScriptRequest request = {.path = options->arguments[0],
                              .base_dir = options->base_dir,
                              .time = time,
                              .time_limit = SCRIPT_TIME_LIMIT,
                              .memory_limit = SCRIPT_MEMORY_LIMIT,
-                             .shape_keywords = engine_find("auto", NULL)->shape_keywords,
                              .progress = mesh_read_progress_init(&mesh_progress, options),
                              .cache = cache,
                              .stop = stop};
@@ -39,26 +37,12 @@ RenderSettings command_render_settings(const Options *options, const Scene *scen
     settings.width = options->width ? options->width : settings.width;
     settings.height = options->height ? options->height : settings.height;
     settings.samples = options->samples ? options->samples : settings.samples;
-    settings.sampling = options->sampling;
+    settings.sampling = (Sampling)options->sampling;
     TraceSettings *trace = &settings.trace;
     trace->depth = options->depth >= 0 ? options->depth : trace->depth;
     trace->offset = options->offset >= 0 ? (OffsetStrategy)options->offset : trace->offset;
     trace->epsilon = options->epsilon >= 0 ? options->epsilon : trace->epsilon;
     return settings;
-}
-
-void json_print_string(const char *text, FILE *stream) {
-    fputc('"', stream);
-    for (const unsigned char *c = (const unsigned char *)text; *c; c++) {
-        if (*c == '"' || *c == '\\') {
-            fprintf(stream, "\\%c", *c);
-        } else if (*c < ' ') {
-            fprintf(stream, "\\u%04x", *c);
-        } else {
-            fputc(*c, stream);
-        }
-    }
-    fputc('"', stream);
 }
 
 void print_padded(const char *text, int width) {

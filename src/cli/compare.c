@@ -2,6 +2,7 @@
  * @file
  * @brief `dioptre compare`: how two pictures differ.
  */
+#include "base/json.h"
 #include "base/language.h"
 #include "cli/commands.h"
 #include "dioptre/image_file.h"
@@ -9,21 +10,20 @@
 #include <libintl.h>
 #include <stdio.h>
 
-/** Exit statuses of `compare` that other commands do not have. */
-enum {
-    COMPARE_DIFFERENT = 1,     /**< They differ by more than the threshold. */
-    COMPARE_SIZE_MISMATCH = 3, /**< Their sizes differ. */
-    COMPARE_UNREADABLE = 4     /**< One of them cannot be read. */
-};
-
 /** Prints a comparison. */
 static void comparison_print(const PictureComparison *c, const Options *options) {
+    /** Significant digits of numbers in JSON. */
+    const int digits = 9;
     if (options->json) {
-        printf("{\"width\": %d, \"height\": %d, \"worst_step\": %d, \"share_off\": %.9g, "
-               "\"rmse\": %.9g, \"psnr\": ",
-               c->width, c->height, c->max_difference, c->differing_fraction, c->rmse);
-        // JSON has no infinity: equal pictures have no ratio of signal to noise.
-        isfinite(c->psnr) ? printf("%.9g}\n", c->psnr) : printf("null}\n");
+        JsonWriter json = {.stream = stdout};
+        json_object_begin(&json, NULL);
+        json_integer(&json, "width", c->width);
+        json_integer(&json, "height", c->height);
+        json_integer(&json, "worst_step", c->max_difference);
+        json_number(&json, "share_off", c->differing_fraction, digits);
+        json_number(&json, "rmse", c->rmse, digits);
+        json_number(&json, "psnr", c->psnr, digits);
+        json_line_end(&json);
     } else if (!options->quiet) {
         printf(gettext("worst step   %d of 255\n"), c->max_difference);
         printf(gettext("pixels off   %.4f %% by more than one step\n"),
@@ -34,44 +34,40 @@ static void comparison_print(const PictureComparison *c, const Options *options)
     }
 }
 
-/** Compares two pictures that were read. @return The exit status. */
-static int compare_pictures(const Picture *a, const Picture *b, const Options *options,
-                            Error *error) {
+/**
+ * Compares two pictures that were read.
+ * @param[out] error  #STATUS_SCENE: their sizes differ; #STATUS_FAILED, without a message: they
+ *                    differ by more than the threshold.
+ */
+static void compare_pictures(const Picture *a, const Picture *b, const Options *options,
+                             Error *error) {
     if (a->width != b->width || a->height != b->height) {
-        error_set(error, STATUS_FAILED, "sizes differ: %s has %d x %d pixels, %s has %d x %d",
+        error_set(error, STATUS_SCENE, "%s: sizes differ: %d x %d pixels, but %s has %d x %d",
                   options->arguments[0], a->width, a->height, options->arguments[1], b->width,
                   b->height);
-        return COMPARE_SIZE_MISMATCH;
+        return;
     }
     Picture map = {0};
     if (options->map && !picture_init(&map, a->width, a->height, error)) {
-        return STATUS_FAILED;
+        return;
     }
     PictureComparison comparison = picture_compare(a, b, options->map ? &map : NULL);
     bool is_written = !options->map || image_file_write(options->map, &map, error);
     picture_deinit(&map);
     comparison_print(&comparison, options);
-    return !is_written                                      ? (int)error->status
-           : comparison.max_difference > options->threshold ? COMPARE_DIFFERENT
-                                                            : STATUS_OK;
+    if (is_written && comparison.max_difference > options->threshold) {
+        error->status = STATUS_FAILED;
+    }
 }
 
-/** Compares two files. See #Command.run. @return The exit status. */
-static int compare_run(const Options *options, Error *error) {
+void cli_compare(const Options *options, Error *error) {
     Picture a = {0}, b = {0};
-    int status = COMPARE_UNREADABLE;
     if (image_file_read(options->arguments[0], &a, error) &&
         image_file_read(options->arguments[1], &b, error)) {
-        status = compare_pictures(&a, &b, options, error);
+        compare_pictures(&a, &b, options, error);
+    } else {
+        error->status = STATUS_UNREADABLE;
     }
     picture_deinit(&a);
     picture_deinit(&b);
-    return status;
 }
-
-const Command compare_command = {.name = "compare",
-                                 .usage = N_("A B"),
-                                 .help = N_("says how two pictures differ"),
-                                 .accepts = "TMJq",
-                                 .arguments = 2,
-                                 .run = compare_run};

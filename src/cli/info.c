@@ -2,6 +2,7 @@
  * @file
  * @brief `dioptre info`: what a scene uses, and what the tracer leaves out for it.
  */
+#include "base/json.h"
 #include "base/language.h"
 #include "cli/commands.h"
 #include "dioptre/offset_strategy.h"
@@ -10,304 +11,449 @@
 #include <stdio.h>
 #include <string.h>
 
-/** Most kinds of shape that are counted apart, and most things that can be left out. */
+/** Most shape classes, and most omissions. */
 enum { SHAPE_CLASSES_MAXIMUM = 64, OMISSIONS_MAXIMUM = 8 };
 
-/** What is said of a scene. */
+/** The facts about a scene. */
 typedef struct SceneInfo {
+    const Scene *scene;                         /**< The scene. */
+    const Options *options;                     /**< The command line. */
+    RenderSettings settings;                    /**< The settings for rendering it. */
+    TracerStats contents;                       /**< The contents of its tracer. */
     size_t shape_counts[SHAPE_CLASSES_MAXIMUM]; /**< Shapes of each class. */
-    size_t reflective;                          /**< Shapes that mirror. */
-    size_t transparent;                         /**< Shapes that let light through. */
-    size_t specular;                            /**< Shapes with highlights. */
-    bool has_sky_gradient;                      /**< Whether the sky has two colours. */
-    TracerStats contents;                       /**< What the tracer is made of. */
+    size_t reflective;                          /**< Shapes with a reflective material. */
+    size_t transparent;                         /**< Shapes with a transparent material. */
+    size_t specular;                            /**< Shapes with specular highlights. */
+    bool has_sdfs;                              /**< Whether any shape is a distance field. */
+    const char *omissions[OMISSIONS_MAXIMUM];   /**< What the tracer leaves out, in English. */
+    int omission_count;                         /**< How many. */
 } SceneInfo;
 
-/** @return What a scene uses. */
-static SceneInfo scene_info(const Scene *scene) {
-    const SceneSky *sky = &scene->sky;
-    SceneInfo info = {.has_sky_gradient =
-                          memcmp(&sky->horizon, &sky->zenith, sizeof sky->zenith) != 0};
+/* --- gathering -------------------------------------------------------------------------------- */
+
+/** Counts the shapes by class and by material. */
+static void count_shapes(SceneInfo *info) {
+    const Scene *scene = info->scene;
     for (size_t i = 0; i < scene->shape_count; i++) {
         const SceneMaterial *material = &scene->materials[scene->shapes[i].material_index];
-        info.shape_counts[scene->shapes[i].class_index]++;
-        info.reflective += scene_material_is_reflective(material);
-        info.transparent += scene_material_is_transparent(material);
-        info.specular += material->specular > 0;
+        size_t class_index = scene->shapes[i].class_index;
+        info->shape_counts[class_index]++;
+        info->reflective += scene_material_is_reflective(material);
+        info->transparent += scene_material_is_transparent(material);
+        info->specular += material->specular > 0;
+        info->has_sdfs = info->has_sdfs || scene_shape_facts(scene, &scene->shapes[i]).sdf;
     }
-    return info;
 }
 
-/** @return Why an engine was taken, in English. */
-static const char *engine_reason(const Options *options, const Engine *engine) {
-    if (options->engine) {
+/** Lists the features that the tracer leaves out for the scene. */
+static void list_omissions(SceneInfo *info) {
+    const Scene *scene = info->scene;
+    const SceneSky *sky = &scene->sky;
+    bool has_sky_gradient = memcmp(&sky->horizon, &sky->zenith, sizeof sky->zenith) != 0;
+    const struct {
+        bool is_used;     /**< Whether the scene uses the feature. */
+        const char *name; /**< Its name, in English. */
+    } features[OMISSIONS_MAXIMUM] = {
+        {info->reflective + info->transparent > 0, N_("recursion")},
+        {info->transparent > 0, N_("media")},
+        {info->specular > 0, N_("highlights")},
+        {scene->light_count > 0, N_("shadows")},
+        {has_sky_gradient, N_("sky gradient")},
+        {scene_has_textures(scene), N_("textures")},
+        {sky->texture_id != 0, N_("panorama")},
+        {info->contents.in_bvh > 0, N_("tree")},
+    };
+    for (int i = 0; i < OMISSIONS_MAXIMUM; i++) {
+        if (!features[i].is_used) {
+            info->omissions[info->omission_count++] = features[i].name;
+        }
+    }
+}
+
+/** @return The reason for the choice of the engine, in English. */
+static const char *engine_reason(const SceneInfo *info) {
+    if (info->options->engine) {
         return N_("asked for");
     }
-    return engine == engine_find("auto", NULL)
+    return info->settings.engine == engine_with_role(ENGINE_FASTEST)
                ? N_("the fastest that this processor can run")
                : N_("double precision, as single precision is estimated to show errors here");
 }
 
-/**
- * Names what the tracer leaves out for a scene, in English.
- * @param omissions  Room for the names.
- * @return How many.
- */
-static int info_omissions(const Scene *scene, const SceneInfo *info,
-                          const char *omissions[OMISSIONS_MAXIMUM]) {
-    int count = 0;
-    if (info->reflective + info->transparent == 0) {
-        omissions[count++] = N_("recursion");
-    }
-    if (info->transparent == 0) {
-        omissions[count++] = N_("media");
-    }
-    if (info->specular == 0) {
-        omissions[count++] = N_("highlights");
-    }
-    if (scene->light_count == 0) {
-        omissions[count++] = N_("shadows");
-    }
-    if (!info->has_sky_gradient) {
-        omissions[count++] = N_("sky gradient");
-    }
-    if (!scene_has_textures(scene)) {
-        omissions[count++] = N_("textures");
-    }
-    if (!scene->sky.texture_id) {
-        omissions[count++] = N_("panorama");
-    }
-    if (info->contents.in_bvh == 0) {
-        omissions[count++] = N_("tree");
-    }
-    return count;
-}
+/* --- facts: each as text for people and as JSON ----------------------------------------------- */
 
-/**
- * @return Whether a scene has distance fields.
- * @param settings  How it would be drawn.
- */
-static bool info_has_sdfs(const Scene *scene, const RenderSettings *settings) {
-    const Keyword *const *keywords = settings->engine->shape_keywords;
-    for (size_t i = 0; i < scene->shape_count; i++) {
-        if (strcmp(keywords[scene->shapes[i].class_index]->name, "sdf") == 0) {
-            return true;
-        }
-    }
-    return false;
-}
-
-/** Prints the models for programs. */
-static void info_print_meshes_json(const Scene *scene) {
-    printf(", \"meshes\": [");
-    for (size_t i = 0; i < scene->mesh_count; i++) {
-        const Mesh *mesh = scene->meshes[i].mesh;
-        const MeshRepairs *repairs = &mesh->repairs;
-        printf("%s{\"file\": ", i ? ", " : "");
-        json_print_string(scene->meshes[i].file.name, stdout);
-        printf(", \"triangles\": %zu, \"positions\": %zu, \"normals\": %zu, \"uvs\": %zu, "
-               "\"degenerate\": %zu, \"uncut\": %zu, \"lost_normals\": %zu, \"lost_uvs\": %zu}",
-               mesh->triangle_count, mesh->position_count, mesh->normal_count, mesh->uv_count,
-               repairs->degenerate_triangles, repairs->untriangulated_polygons,
-               repairs->missing_normals, repairs->missing_uvs);
-    }
-    printf("]");
-}
-
-/** Prints what was put right in a model, for people. */
-static void info_print_repairs(const MeshRepairs *repairs) {
-    const struct {
-        size_t count;      /**< How many. */
-        const char *words; /**< Of what. */
-    } all[] = {
-        {repairs->degenerate_triangles, N_("without area, left out")},
-        {repairs->untriangulated_polygons, N_("missing, as polygons cannot be cut")},
-        {repairs->missing_normals, N_("corners given their triangle's normal")},
-        {repairs->missing_uvs, N_("corners given (0, 0) as (u, v)")},
-    };
-    for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
-        if (all[i].count > 0) {
-            printf("; %s%s%zu", gettext(all[i].words), gettext(": "), all[i].count);
-        }
-    }
-}
-
-/** Prints the models for people, a line each. */
-static void info_print_meshes(const Scene *scene) {
-    for (size_t i = 0; i < scene->mesh_count; i++) {
-        const Mesh *mesh = scene->meshes[i].mesh;
-        fputs(gettext("model      "), stdout);
-        print_sanitized(scene->meshes[i].file.name, stdout);
-        printf(ngettext(": %zu triangle", ": %zu triangles", mesh->triangle_count),
-               mesh->triangle_count);
-        printf(ngettext(", %zu position", ", %zu positions", mesh->position_count),
-               mesh->position_count);
-        printf("%s%s", mesh->normal_count ? gettext(", normals") : "",
-               mesh->uv_count ? ", (u, v)" : "");
-        info_print_repairs(&mesh->repairs);
-        putchar('\n');
-    }
-}
-
-/** @return How the texels of a picture are kept, in English. */
-static const char *texels_name(const Texture *texture) {
-    return texture->is_hdr ? N_("linear light, floats") : N_("sRGB, 8 bits");
-}
-
-/** Prints the pictures for people, a line each. */
-static void info_print_textures(const Scene *scene) {
-    for (size_t i = 0; i < scene->texture_count; i++) {
-        const Texture *texture = scene->textures[i].texture;
-        fputs(gettext("texture    "), stdout);
-        print_sanitized(scene->textures[i].file.name, stdout);
-        printf(gettext(": %d x %d, %s, %.1f MB\n"), texture->width, texture->height,
-               gettext(texels_name(texture)), 1e-6 * (double)texture_block_size(texture));
-    }
-}
-
-/** Prints the pictures for programs. */
-static void info_print_textures_json(const Scene *scene) {
-    printf(", \"textures\": [");
-    for (size_t i = 0; i < scene->texture_count; i++) {
-        const Texture *texture = scene->textures[i].texture;
-        printf("%s{\"file\": ", i ? ", " : "");
-        json_print_string(scene->textures[i].file.name, stdout);
-        printf(", \"width\": %d, \"height\": %d, \"texels\": \"%s\", \"bytes\": %zu}",
-               texture->width, texture->height, texture->is_hdr ? "light" : "srgb",
-               texture_block_size(texture));
-    }
-    printf("]");
-}
-
-/** Prints how shapes are found, and why so, for people. */
-static void info_print_bvh(const TracerStats *contents) {
-    bool has_bvh = contents->in_bvh > 0;
-    if (has_bvh) {
-        printf(gettext("tree       over %zu shapes; "), contents->in_bvh);
-    } else {
-        fputs(gettext("no tree    "), stdout);
-    }
-    printf(gettext("%zu asked one by one: here a tree pays from %zu on\n"), contents->linear,
-           contents->bvh_threshold);
-    if (contents->triangles > 0) {
-        printf(gettext("memory     %.1f MB for %zu triangles and their trees: %zu bytes each\n"),
-               1e-6 * (double)contents->triangle_bytes, contents->triangles,
-               contents->triangle_bytes / contents->triangles);
-    }
-}
-
-/** Prints how shapes are found, for programs. */
-static void info_print_bvh_json(const TracerStats *contents) {
-    printf(", \"tree\": {\"planted\": %zu, \"listed\": %zu, \"from\": %zu}, "
-           "\"triangles\": %zu, \"triangle_bytes\": %zu",
-           contents->in_bvh, contents->linear, contents->bvh_threshold, contents->triangles,
-           contents->triangle_bytes);
-}
-
-/** Prints it for programs. @param settings How it would be drawn. */
-static void info_print_json(const Scene *scene, const SceneInfo *info,
-                            const RenderSettings *settings, const Options *options) {
-    const char *omissions[OMISSIONS_MAXIMUM];
-    int omission_count = info_omissions(scene, info, omissions);
-    printf("{\"scene\": ");
-    json_print_string(options->arguments[0], stdout);
-    printf(", \"shapes\": {");
-    const Keyword *const *keywords = settings->engine->shape_keywords;
-    const char *comma = "";
-    for (size_t kind = 0; keywords[kind]; kind++) {
-        if (info->shape_counts[kind]) {
-            printf("%s\"%s\": %zu", comma, keywords[kind]->name, info->shape_counts[kind]);
-            comma = ", ";
-        }
-    }
-    printf("}, \"shape_count\": %zu, \"lights\": %zu, \"materials\": %zu, \"mirrors\": %zu, "
-           "\"glass\": %zu, \"highlights\": %zu, \"width\": %d, \"height\": %d, \"samples\": %d, "
-           "\"depth\": %d, "
-           "\"engine\": \"%s\", \"engine_reason\": \"%s\", \"threads\": %d, \"offset\": \"%s\", "
-           "\"left_out\": [",
-           scene->shape_count, scene->light_count, scene->material_count - 1, info->reflective,
-           info->transparent, info->specular, settings->width, settings->height, settings->samples,
-           settings->trace.depth, settings->engine->name, engine_reason(options, settings->engine),
-           settings->threads, offset_strategy_names[settings->trace.offset]);
-    for (int i = 0; i < omission_count; i++) {
-        printf("%s\"%s\"", i ? ", " : "", omissions[i]);
-    }
-    putchar(']');
-    info_print_meshes_json(scene);
-    info_print_textures_json(scene);
-    printf(", \"reads_time\": %s, \"stalled\": %llu", scene->is_time_dependent ? "true" : "false",
-           (unsigned long long)info->contents.step_limit_count);
-    info_print_bvh_json(&info->contents);
-    puts("}");
-}
-
-/** Prints it for people. @param settings How it would be drawn. */
-static void info_print(const Scene *scene, const SceneInfo *info, const RenderSettings *settings,
-                       const Options *options) {
-    const Keyword *const *keywords = settings->engine->shape_keywords;
-    printf(gettext("shapes     %zu:"), scene->shape_count);
+/** Prints the number of shapes and how many there are of each class. */
+static void print_shapes(const SceneInfo *info) {
+    const Keyword *const *keywords = scene_shape_keywords;
+    printf(gettext("%zu:"), info->scene->shape_count);
     for (size_t kind = 0; keywords[kind]; kind++) {
         if (info->shape_counts[kind]) {
             printf(" %zu %s", info->shape_counts[kind], keywords[kind]->name);
         }
     }
     putchar('\n');
-    info_print_meshes(scene);
-    info_print_textures(scene);
-    printf(gettext("lights     %zu\n"), scene->light_count);
-    printf(gettext("materials  %zu\n"), scene->material_count - 1);
-    printf(gettext("mirrors    %zu shapes, glass %zu, depth %d\n"), info->reflective,
-           info->transparent, info->reflective + info->transparent ? settings->trace.depth : 0);
-    printf(gettext("picture    %d x %d, "), settings->width, settings->height);
-    printf(ngettext("%d ray a pixel\n", "%d rays a pixel\n", (unsigned long)settings->samples),
-           settings->samples);
-    fputs(scene->is_time_dependent
-              ? gettext("time       asked for: frames of a film differ\n")
-              : gettext("time       not asked for: frames of a film are alike\n"),
-          stdout);
-    printf(gettext("engine     %s: %s\n"), settings->engine->name,
-           gettext(engine_reason(options, settings->engine)));
-    printf(gettext("offset     %s\n"), offset_strategy_names[settings->trace.offset]);
-    info_print_bvh(&info->contents);
-    if (info_has_sdfs(scene, settings)) {
-        printf(gettext("marching   %llu of %zu rays from the eye run out of steps\n"),
-               (unsigned long long)info->contents.step_limit_count,
-               (size_t)settings->width * (size_t)settings->height);
-    }
-    const char *omissions[OMISSIONS_MAXIMUM];
-    int omission_count = info_omissions(scene, info, omissions);
-    fputs(gettext("left out   "), stdout);
-    for (int i = 0; i < omission_count; i++) {
-        printf("%s%s", i ? ", " : "", gettext(omissions[i]));
-    }
-    printf("%s\n", omission_count ? "" : gettext("nothing"));
 }
 
-/** Tells about a scene. See #Command.run. @return The exit status. */
-static int info_run(const Options *options, Error *error) {
+/** Writes the same as JSON. */
+static void write_shapes(const SceneInfo *info, JsonWriter *json) {
+    const Keyword *const *keywords = scene_shape_keywords;
+    json_object_begin(json, "shapes");
+    for (size_t kind = 0; keywords[kind]; kind++) {
+        if (info->shape_counts[kind]) {
+            json_count(json, keywords[kind]->name, info->shape_counts[kind]);
+        }
+    }
+    json_object_end(json);
+    json_count(json, "shape_count", info->scene->shape_count);
+}
+
+/** Prints the number of lights. */
+static void print_lights(const SceneInfo *info) {
+    printf("%zu\n", info->scene->light_count);
+}
+
+/** Writes the same as JSON. */
+static void write_lights(const SceneInfo *info, JsonWriter *json) {
+    json_count(json, "lights", info->scene->light_count);
+}
+
+/** Prints the number of materials. */
+static void print_materials(const SceneInfo *info) {
+    printf("%zu\n", info->scene->material_count - 1);
+}
+
+/** Writes the same as JSON. */
+static void write_materials(const SceneInfo *info, JsonWriter *json) {
+    json_count(json, "materials", info->scene->material_count - 1);
+}
+
+/** Prints how many shapes reflect and refract, and how deep their rays go. */
+static void print_reflections(const SceneInfo *info) {
+    bool has_any = info->reflective + info->transparent > 0;
+    printf(ngettext("%zu mirror, ", "%zu mirrors, ", info->reflective), info->reflective);
+    printf(ngettext("%zu glass shape, ", "%zu glass shapes, ", info->transparent),
+           info->transparent);
+    printf(gettext("depth %d\n"), has_any ? info->settings.trace.depth : 0);
+}
+
+/** Writes the same as JSON. */
+static void write_reflections(const SceneInfo *info, JsonWriter *json) {
+    json_count(json, "reflective", info->reflective);
+    json_count(json, "transparent", info->transparent);
+    json_count(json, "specular", info->specular);
+    json_integer(json, "depth", info->settings.trace.depth);
+}
+
+/** Prints the size of the picture and its rays per pixel. */
+static void print_picture(const SceneInfo *info) {
+    const RenderSettings *settings = &info->settings;
+    printf("%d x %d, ", settings->width, settings->height);
+    printf(ngettext("%d ray a pixel\n", "%d rays a pixel\n", (unsigned long)settings->samples),
+           settings->samples);
+}
+
+/** Writes the same as JSON. */
+static void write_picture(const SceneInfo *info, JsonWriter *json) {
+    json_integer(json, "width", info->settings.width);
+    json_integer(json, "height", info->settings.height);
+    json_integer(json, "samples", info->settings.samples);
+}
+
+/** Prints whether the scene depends on its time. */
+static void print_time(const SceneInfo *info) {
+    fputs(info->scene->is_time_dependent ? gettext("used: frames of a film differ\n")
+                                         : gettext("not used: frames of a film are alike\n"),
+          stdout);
+}
+
+/** Writes the same as JSON. */
+static void write_time(const SceneInfo *info, JsonWriter *json) {
+    json_bool(json, "is_time_dependent", info->scene->is_time_dependent);
+}
+
+/** Prints the engine and the reason for it. */
+static void print_engine(const SceneInfo *info) {
+    printf(gettext("%s: %s\n"), info->settings.engine->name, gettext(engine_reason(info)));
+}
+
+/** Writes the same as JSON. */
+static void write_engine(const SceneInfo *info, JsonWriter *json) {
+    json_string(json, "engine", info->settings.engine->name);
+    json_string(json, "engine_reason", engine_reason(info));
+    json_integer(json, "threads", info->settings.threads);
+}
+
+/** Prints the offset strategy. */
+static void print_offset(const SceneInfo *info) {
+    printf("%s\n", offset_strategy_names[info->settings.trace.offset]);
+}
+
+/** Writes the same as JSON. */
+static void write_offset(const SceneInfo *info, JsonWriter *json) {
+    json_string(json, "offset", offset_strategy_names[info->settings.trace.offset]);
+}
+
+/** Prints whether there is a BVH over the shapes, and from how many shapes on there is one. */
+static void print_bvh(const SceneInfo *info) {
+    const TracerStats *contents = &info->contents;
+    if (contents->in_bvh == 0) {
+        printf(ngettext("none (%zu shape; ", "none (%zu shapes; ", contents->linear),
+               contents->linear);
+    } else {
+        printf(ngettext("over %zu shape (", "over %zu shapes (", contents->in_bvh),
+               contents->in_bvh);
+        if (contents->linear > 0) {
+            printf(gettext("%zu outside it; "), contents->linear);
+        }
+    }
+    printf(gettext("used from %zu)\n"), contents->bvh_threshold);
+}
+
+/** Writes the same as JSON. */
+static void write_bvh(const SceneInfo *info, JsonWriter *json) {
+    json_object_begin(json, "bvh");
+    json_count(json, "in_bvh", info->contents.in_bvh);
+    json_count(json, "linear", info->contents.linear);
+    json_count(json, "threshold", info->contents.bvh_threshold);
+    json_object_end(json);
+}
+
+/** Prints the memory of all triangles. */
+static void print_memory(const SceneInfo *info) {
+    const TracerStats *contents = &info->contents;
+    printf(gettext("%.1f MB for %zu triangles and their trees: %zu bytes each\n"),
+           1e-6 * (double)contents->triangle_bytes, contents->triangles,
+           contents->triangle_bytes / contents->triangles);
+}
+
+/** @return Whether there are triangles. */
+static bool has_memory(const SceneInfo *info) {
+    return info->contents.triangles > 0;
+}
+
+/** Writes the same as JSON. */
+static void write_memory(const SceneInfo *info, JsonWriter *json) {
+    json_count(json, "triangles", info->contents.triangles);
+    json_count(json, "triangle_bytes", info->contents.triangle_bytes);
+}
+
+/** Prints how many camera rays reach the step limit of sphere tracing. */
+static void print_step_limit(const SceneInfo *info) {
+    printf(gettext("%llu of %zu camera rays reach the step limit\n"),
+           (unsigned long long)info->contents.step_limit_count,
+           (size_t)info->settings.width * (size_t)info->settings.height);
+}
+
+/** @return Whether there are distance fields. */
+static bool has_sdfs(const SceneInfo *info) {
+    return info->has_sdfs;
+}
+
+/** Writes the same as JSON. */
+static void write_step_limit(const SceneInfo *info, JsonWriter *json) {
+    json_count(json, "step_limit_count", info->contents.step_limit_count);
+}
+
+/** Prints what the tracer leaves out. */
+static void print_omissions(const SceneInfo *info) {
+    for (int i = 0; i < info->omission_count; i++) {
+        printf("%s%s", i ? ", " : "", gettext(info->omissions[i]));
+    }
+    printf("%s\n", info->omission_count ? "" : gettext("nothing"));
+}
+
+/** Writes the same as JSON. */
+static void write_omissions(const SceneInfo *info, JsonWriter *json) {
+    json_array_begin(json, "left_out");
+    for (int i = 0; i < info->omission_count; i++) {
+        json_string(json, NULL, info->omissions[i]);
+    }
+    json_array_end(json);
+}
+
+/** A repair of a mesh. */
+typedef struct RepairFact {
+    const char *key;   /**< Its key in JSON. */
+    size_t offset;     /**< Where its number is in #MeshRepairs, bytes. */
+    const char *label; /**< Its name for people, in English. */
+} RepairFact;
+
+/** The repairs of meshes. */
+static const RepairFact repair_facts[] = {
+    {"degenerate_triangles", offsetof(MeshRepairs, degenerate_triangles),
+     N_("without area, left out")},
+    {"missing_triangles", offsetof(MeshRepairs, untriangulated_polygons),
+     N_("missing, as polygons cannot be cut")},
+    {"missing_normals", offsetof(MeshRepairs, missing_normals),
+     N_("corners given their triangle's normal")},
+    {"missing_uvs", offsetof(MeshRepairs, missing_uvs), N_("corners given (0, 0) as (u, v)")},
+};
+
+/** Number of repairs. */
+enum { REPAIR_COUNT = sizeof repair_facts / sizeof *repair_facts };
+
+/** @return How often a repair was made. */
+static size_t repair_count(const MeshRepairs *repairs, const RepairFact *fact) {
+    return *(const size_t *)((const char *)repairs + fact->offset);
+}
+
+/** Prints a mesh. */
+static void print_mesh(const SceneMesh *file) {
+    const Mesh *mesh = file->mesh;
+    print_sanitized(file->file.name, stdout);
+    printf(ngettext(": %zu triangle", ": %zu triangles", mesh->triangle_count),
+           mesh->triangle_count);
+    printf(ngettext(", %zu position", ", %zu positions", mesh->position_count),
+           mesh->position_count);
+    printf("%s%s", mesh->normal_count ? gettext(", normals") : "",
+           mesh->uv_count ? ", (u, v)" : "");
+    for (int i = 0; i < REPAIR_COUNT; i++) {
+        size_t count = repair_count(&mesh->repairs, &repair_facts[i]);
+        if (count > 0) {
+            printf("; %s%s%zu", gettext(repair_facts[i].label), gettext(": "), count);
+        }
+    }
+    putchar('\n');
+}
+
+/** Writes all meshes as JSON. */
+static void write_meshes(const SceneInfo *info, JsonWriter *json) {
+    json_array_begin(json, "meshes");
+    for (size_t i = 0; i < info->scene->mesh_count; i++) {
+        const Mesh *mesh = info->scene->meshes[i].mesh;
+        json_object_begin(json, NULL);
+        json_string(json, "file", info->scene->meshes[i].file.name);
+        json_count(json, "triangles", mesh->triangle_count);
+        json_count(json, "positions", mesh->position_count);
+        json_count(json, "normals", mesh->normal_count);
+        json_count(json, "uvs", mesh->uv_count);
+        for (int k = 0; k < REPAIR_COUNT; k++) {
+            json_count(json, repair_facts[k].key, repair_count(&mesh->repairs, &repair_facts[k]));
+        }
+        json_object_end(json);
+    }
+    json_array_end(json);
+}
+
+/** Prints a texture. */
+static void print_texture(const SceneTexture *file) {
+    const Texture *texture = file->texture;
+    print_sanitized(file->file.name, stdout);
+    printf(gettext(": %d x %d, %s, %.1f MB\n"), texture->width, texture->height,
+           texture->is_hdr ? gettext("linear light, floats") : gettext("sRGB, 8 bits"),
+           1e-6 * (double)texture_block_size(texture));
+}
+
+/** Writes all textures as JSON. */
+static void write_textures(const SceneInfo *info, JsonWriter *json) {
+    json_array_begin(json, "textures");
+    for (size_t i = 0; i < info->scene->texture_count; i++) {
+        const Texture *texture = info->scene->textures[i].texture;
+        json_object_begin(json, NULL);
+        json_string(json, "file", info->scene->textures[i].file.name);
+        json_integer(json, "width", texture->width);
+        json_integer(json, "height", texture->height);
+        json_string(json, "texels", texture->is_hdr ? "linear" : "srgb");
+        json_count(json, "bytes", texture_block_size(texture));
+        json_object_end(json);
+    }
+    json_array_end(json);
+}
+
+/* --- output ----------------------------------------------------------------------------------- */
+
+/** A fact in its two forms. A new fact is a row of #facts and these two functions. */
+typedef struct Fact {
+    const char *label; /**< The label of its line, in English. */
+
+    /** Prints it for people, with the end of the line. */
+    void (*print)(const SceneInfo *info);
+
+    /** Writes it as one or more members of the JSON object. */
+    void (*write)(const SceneInfo *info, JsonWriter *json);
+
+    /** @return Whether its line is printed; NULL: always. */
+    bool (*is_printed)(const SceneInfo *info);
+} Fact;
+
+/** All facts, in the order of the output; meshes and textures, a line each, follow the first. */
+static const Fact facts[] = {
+    {N_("shapes"), print_shapes, write_shapes, NULL},
+    {N_("lights"), print_lights, write_lights, NULL},
+    {N_("materials"), print_materials, write_materials, NULL},
+    {N_("reflections"), print_reflections, write_reflections, NULL},
+    {N_("picture"), print_picture, write_picture, NULL},
+    {N_("time"), print_time, write_time, NULL},
+    {N_("engine"), print_engine, write_engine, NULL},
+    {N_("offset"), print_offset, write_offset, NULL},
+    {N_("acceleration tree"), print_bvh, write_bvh, NULL},
+    {N_("memory"), print_memory, write_memory, has_memory},
+    {N_("sphere tracing"), print_step_limit, write_step_limit, has_sdfs},
+    {N_("left out"), print_omissions, write_omissions, NULL},
+};
+
+/** Number of facts. */
+enum { FACT_COUNT = sizeof facts / sizeof *facts };
+
+/** @return Width of the column of labels, letters: the longest label and a blank. */
+static int label_column_width(void) {
+    int width = 0;
+    for (int i = 0; i < FACT_COUNT; i++) {
+        int label_width = language_text_width(gettext(facts[i].label));
+        width = label_width > width ? label_width : width;
+    }
+    return width + 1;
+}
+
+/** Prints all facts for people. */
+static void info_print(const SceneInfo *info) {
+    int width = label_column_width();
+    for (int i = 0; i < FACT_COUNT; i++) {
+        if (!facts[i].is_printed || facts[i].is_printed(info)) {
+            print_padded(gettext(facts[i].label), width);
+            facts[i].print(info);
+        }
+        for (size_t k = 0; i == 0 && k < info->scene->mesh_count; k++) {
+            print_padded(gettext("mesh"), width);
+            print_mesh(&info->scene->meshes[k]);
+        }
+        for (size_t k = 0; i == 0 && k < info->scene->texture_count; k++) {
+            print_padded(gettext("texture"), width);
+            print_texture(&info->scene->textures[k]);
+        }
+    }
+}
+
+/** Prints all facts as one JSON object. */
+static void info_print_json(const SceneInfo *info) {
+    JsonWriter json = {.stream = stdout};
+    json_object_begin(&json, NULL);
+    json_string(&json, "scene", info->options->arguments[0]);
+    for (int i = 0; i < FACT_COUNT; i++) {
+        facts[i].write(info, &json);
+    }
+    write_meshes(info, &json);
+    write_textures(info, &json);
+    json_line_end(&json);
+}
+
+void cli_info(const Options *options, Error *error) {
     Scene *scene = command_load_scene(options, error);
     if (!scene) {
-        return (int)error->status;
+        return;
     }
-    RenderSettings settings = command_render_settings(options, scene);
-    Renderer *renderer = renderer_create(scene, &settings, error);
+    SceneInfo info = {
+        .scene = scene, .options = options, .settings = command_render_settings(options, scene)};
+    Renderer *renderer = renderer_create(scene, &info.settings, error);
     if (renderer) {
-        SceneInfo info = scene_info(scene);
-        if (info_has_sdfs(scene, &settings)) {
-            renderer_benchmark_rays(renderer, false);
+        count_shapes(&info);
+        if (info.has_sdfs) {
+            renderer_benchmark_rays(renderer, false); // Counts the rays at the step limit.
         }
         info.contents = renderer_contents(renderer);
-        options->json ? info_print_json(scene, &info, &settings, options)
-                      : info_print(scene, &info, &settings, options);
+        list_omissions(&info);
+        options->json ? info_print_json(&info) : info_print(&info);
     }
     renderer_destroy(renderer);
     scene_destroy(scene);
-    return (int)error->status;
 }
-
-const Command info_command = {.name = "info",
-                              .usage = N_("SCENE"),
-                              .help = N_("says what a scene uses and what the tracer leaves out"),
-                              .accepts = "sASDtjEOXBJq",
-                              .arguments = 1,
-                              .run = info_run};

@@ -58,33 +58,23 @@ static bool run_tests(const Options *options, const LabRequest *request, Error *
     return command_check_charts(without_chart, error);
 }
 
-/** Makes tests. See #Command.run. @return The exit status. */
-static int lab_run(const Options *options, Error *error) {
+void cli_lab(const Options *options, Error *error) {
     LabRequest request = {.folder = options->out_dir,
                           .threads = command_threads(options),
                           .stop = interrupt_flag(),
                           .table_stream = options->quiet ? NULL : stdout};
     if (!options->out_dir) {
         error_set(error, STATUS_USAGE, "lab needs --out DIR: where its CSV and SVG files go");
-        return STATUS_USAGE;
+        return;
     }
-    // Misspelt names are said before any work is done.
+    // Misspelt names are reported before the first test runs.
     for (int i = 0; i < options->argument_count; i++) {
         size_t index;
         if (!command_find_test(options->arguments[i], &index, error)) {
-            return STATUS_USAGE;
+            return;
         }
     }
     if (lab_create_folder(&request, error)) {
         run_tests(options, &request, error);
     }
-    return (int)error->status;
 }
-
-const Command lab_command = {.name = "lab",
-                             .usage = N_("[TEST...] --out DIR"),
-                             .help = N_("says where each method fails"),
-                             .accepts = "Ujq",
-                             .arguments = 0,
-                             .accepts_more_arguments = true,
-                             .run = lab_run};

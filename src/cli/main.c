@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The program: finds the command and runs it.
+ * @brief The program: the table of commands, their help, and the choice among them.
  */
 #include "base/language.h"
 #include "base/suggest.h"
@@ -12,20 +12,36 @@
 #include <string.h>
 #include <unistd.h>
 
-/** All commands, ended by NULL. */
-static const Command *const commands[] = {&view_command,
-                                          &render_command,
-                                          &animate_command,
-                                          &probe_command,
-                                          &info_command,
-                                          &compare_command,
-                                          &bench_command,
-                                          &needs_command,
-                                          &chart_command,
-                                          &lab_command,
-                                          NULL};
+/** All commands; a new command is a row here, a #CommandId and a function. */
+static const Command commands[] = {
+    {COMMAND_VIEW, "view", N_("SCENE"), N_("shows a scene in a window and moves camera and light"),
+     .arguments = 1, .optional_arguments = 1, .run = cli_view},
+    {COMMAND_RENDER, "render", N_("SCENE -o FILE"), N_("draws one picture, without a window"),
+     .arguments = 1, .run = cli_render},
+    {COMMAND_ANIMATE, "animate", N_("SCENE|FRAMES -o FILM|FRAMES"),
+     N_("draws a film, or its numbered frames"), .arguments = 1, .run = cli_animate},
+    {COMMAND_PROBE, "probe", N_("SCENE X Y"),
+     N_("tells the rays of one pixel, and how they add up to it"), .arguments = 3,
+     .run = cli_probe},
+    {COMMAND_INFO, "info", N_("SCENE"), N_("says what a scene uses and what the tracer leaves out"),
+     .arguments = 1, .run = cli_info},
+    {COMMAND_COMPARE, "compare", N_("A B"), N_("says how two pictures differ"), .arguments = 2,
+     .run = cli_compare},
+    {COMMAND_BENCH, "bench", N_("SCENE"), N_("times the drawing of a scene"), .arguments = 1,
+     .run = cli_bench},
+    {COMMAND_NEEDS, "needs", N_("SCENE"),
+     N_("says the cheapest settings whose error nobody can see"), .arguments = 1, .run = cli_needs},
+    {COMMAND_CHART, "chart", N_("SCENE... --out DIR"),
+     N_("says what settings cost and what errors they leave"), .arguments = 0,
+     .accepts_more_arguments = true, .run = cli_chart},
+    {COMMAND_LAB, "lab", N_("[TEST...] --out DIR"), N_("says where each method fails"),
+     .arguments = 0, .accepts_more_arguments = true, .run = cli_lab},
+};
 
-/** Letters that the column of usages is wide in the help. */
+/** Number of commands. */
+enum { COMMAND_COUNT = sizeof commands / sizeof *commands };
+
+/** Width of the column of usages in the help, letters. */
 static const int USAGE_WIDTH = 28;
 
 /** Prints the help of the program. */
@@ -34,10 +50,10 @@ static void print_help(void) {
                   "usage: dioptre COMMAND ...\n"
                   "       dioptre SCENE     the same as dioptre view SCENE\n\n"),
           stdout);
-    for (const Command *const *command = commands; *command; command++) {
-        printf("  %-8s ", (*command)->name);
-        print_padded(gettext((*command)->usage), USAGE_WIDTH);
-        printf(" %s\n", gettext((*command)->help));
+    for (int i = 0; i < COMMAND_COUNT; i++) {
+        printf("  %-8s ", commands[i].name);
+        print_padded(gettext(commands[i].usage), USAGE_WIDTH);
+        printf(" %s\n", gettext(commands[i].help));
     }
     fputs(gettext("\n`dioptre COMMAND --help` names the options. "
                   "`-` as SCENE reads standard input.\n"),
@@ -53,42 +69,41 @@ static void print_command_help(const Command *command) {
 
 /** @return The command of a name, or NULL. */
 static const Command *find_command(const char *name) {
-    for (const Command *const *command = commands; *command; command++) {
-        if (strcmp(name, (*command)->name) == 0) {
-            return *command;
+    for (int i = 0; i < COMMAND_COUNT; i++) {
+        if (strcmp(name, commands[i].name) == 0) {
+            return &commands[i];
         }
     }
     return NULL;
 }
 
-/** Says what went wrong; a scene's errors begin with its file. */
+/** Prints an error. Errors of a scene or of a picture begin with its file. */
 static void print_error(const Error *error) {
     if (error->message[0]) {
-        const char *prefix = error->status == STATUS_SCENE ? "" : "dioptre: ";
+        bool begins_with_file = error->status == STATUS_SCENE || error->status == STATUS_UNREADABLE;
+        const char *prefix = begins_with_file ? "" : "dioptre: ";
         fprintf(stderr, "%s%s\n", prefix, error->message);
     }
 }
 
-/** Runs a command whose options were read. @return The exit status. */
-static int run_command(const Command *command, const Options *options, Error *error) {
+/** Runs a command whose options are parsed. */
+static void run_command(const Command *command, const Options *options, Error *error) {
     int more = options->argument_count - command->arguments;
     if (more > 0 && !command->accepts_more_arguments) {
         error_set(error, STATUS_USAGE, "too many arguments: '%s'",
                   options->arguments[command->arguments]);
-        return STATUS_USAGE;
+        return;
     }
     if (more + command->optional_arguments < 0) {
         error_set(error, STATUS_USAGE, "usage: dioptre %s %s (--help says more)", command->name,
                   gettext(command->usage));
-        return STATUS_USAGE;
+        return;
     }
-    int status = command->run(options, error);
-    // What was printed must have got out: a full disk behind a redirection is an error too.
-    if (fflush(stdout) != 0 && status == STATUS_OK) {
+    command->run(options, error);
+    // The output must arrive: a full disk behind a redirection is an error, too.
+    if (fflush(stdout) != 0 && error->status == STATUS_OK) {
         error_set(error, STATUS_FAILED, "cannot write to standard output");
-        return STATUS_FAILED;
     }
-    return status;
 }
 
 /** @return Whether a first word may name a scene: there is such a file, it is standard input, or it
@@ -99,20 +114,19 @@ static bool may_be_scene(const char *word) {
            (ending && strcmp(ending, ".lua") == 0);
 }
 
-/** Says that a first word is no command. @return The exit status. */
-static int refuse_word(const char *word, Error *error) {
+/** Rejects a first word that is neither a command nor a scene. */
+static void reject_first_word(const char *word, Error *error) {
     Suggestion suggestion = {.word = word};
     char hint[SUGGEST_HINT_SIZE];
-    for (const Command *const *command = commands; *command; command++) {
-        suggest_try(&suggestion, (*command)->name);
+    for (int i = 0; i < COMMAND_COUNT; i++) {
+        suggest_try(&suggestion, commands[i].name);
     }
     error_set(error, STATUS_USAGE, "'%s' is neither a command nor a scene file%s", word,
               suggest_hint(&suggestion, hint));
-    return STATUS_USAGE;
 }
 
-/** Does what a command line says. @return The exit status. */
-static int parse_and_run(int argc, char **argv, Error *error) {
+/** Parses a command line and runs its command. */
+static void parse_and_run(int argc, char **argv, Error *error) {
     const Command *command = argc > 1 ? find_command(argv[1]) : NULL;
     // A first word that is neither a command nor an option is a scene to view.
     bool is_scene = !command && argc > 1 && (argv[1][0] != '-' || argv[1][1] == 0);
@@ -120,25 +134,23 @@ static int parse_and_run(int argc, char **argv, Error *error) {
     Options options;
     if (is_scene) {
         if (!may_be_scene(argv[1])) {
-            return refuse_word(argv[1], error);
+            reject_first_word(argv[1], error);
+            return;
         }
-        command = &view_command;
+        command = find_command("view");
     }
     if (!options_parse(command, argc - skip, argv + skip, &options, error)) {
-        return STATUS_USAGE;
+        return;
     }
     if (options.version) {
         printf("dioptre %s\n", DIOPTRE_VERSION);
-        return STATUS_OK;
-    }
-    if (options.help) {
+    } else if (options.help) {
         command ? print_command_help(command) : print_help();
-        return STATUS_OK;
+    } else if (command) {
+        run_command(command, &options, error);
+    } else {
+        error_set(error, STATUS_USAGE, "which command? (--help names them)");
     }
-    if (!command) {
-        return error_set(error, STATUS_USAGE, "which command? (--help names them)"), STATUS_USAGE;
-    }
-    return run_command(command, &options, error);
 }
 
 /**
@@ -149,11 +161,10 @@ static int parse_and_run(int argc, char **argv, Error *error) {
 int main(int argc, char **argv) {
     Error error = {0};
     language_init();
-    // Without this, writing to a pipe whose reader has gone, or a file larger than the system
-    // allows, would kill the program unheard.
+    // Otherwise a write to a closed pipe, or past the file size limit, kills the program silently.
     signal(SIGPIPE, SIG_IGN);
     signal(SIGXFSZ, SIG_IGN);
-    int status = parse_and_run(argc, argv, &error);
+    parse_and_run(argc, argv, &error);
     print_error(&error);
-    return status;
+    return (int)error.status;
 }

@@ -3,6 +3,7 @@
  * @brief `dioptre needs`: the cheapest settings whose error nobody can see.
  */
 #include "dioptre/needs.h"
+#include "base/json.h"
 #include "base/language.h"
 #include "cli/commands.h"
 #include "dioptre/offset_strategy.h"
@@ -10,40 +11,52 @@
 #include <libintl.h>
 #include <stdio.h>
 
-/** Prints what was tried, for programs. */
-static void trial_print_json(const char *name, const NeedsTrial *trial) {
-    printf(", \"%s\": {\"rays\": %zu, \"worst\": %.4g, \"off\": %zu, \"flips\": %zu, "
-           "\"strays\": %zu}",
-           name, trial->rays, trial->max_steps, trial->visible, trial->edge_flips, trial->outliers);
+/** Significant digits of errors and shares in JSON. */
+enum { ERROR_DIGITS = 4 };
+
+/** Writes the error of one trial as a JSON object. */
+static void trial_write_json(JsonWriter *json, const char *name, const NeedsTrial *trial) {
+    json_object_begin(json, name);
+    json_count(json, "rays", trial->rays);
+    json_number(json, "worst_step", trial->max_steps, ERROR_DIGITS);
+    json_count(json, "visible", trial->visible);
+    json_count(json, "edge_flips", trial->edge_flips);
+    json_count(json, "outliers", trial->outliers);
+    json_object_end(json);
 }
 
-/** Prints it for programs. */
+/** Prints the result as JSON. */
 static void needs_print_json(const Needs *needs, const Options *options) {
+    /** Significant digits of settings and times. */
+    const int digits = 6;
     const NeedsEngine *chosen = &needs->engines[needs->engine];
+    size_t off = needs->total_trial.visible + needs->total_trial.outliers;
     char explanation[2048];
+    JsonWriter json = {.stream = stdout};
     needs_explain(needs, explanation, sizeof explanation);
-    printf("{\"scene\": ");
-    json_print_string(options->arguments[0], stdout);
-    printf(", \"engine\": \"%s\", \"depth\": %d, \"samples\": %d, \"offset\": \"bound\", "
-           "\"tolerance\": %g, \"forecast_engine\": \"%s\", \"forecast_steps\": %.4g, "
-           "\"forecast_depth\": %d, \"pilot_steps\": %.4g, \"worst_step\": %.4g, "
-           "\"share_off\": %.4g, \"seconds\": %.6g, \"everything_seconds\": %.6g",
-           chosen->engine->name, needs->depth, needs->samples, needs->tolerance,
-           precision_estimate_engine(&needs->forecast)->name,
-           precision_estimate_error(&needs->forecast), needs->forecast.depth,
-           needs->engines[0].trial.max_steps, needs->total_trial.max_steps,
-           (double)(needs->total_trial.visible + needs->total_trial.outliers) /
-               (double)needs->total_trial.rays,
-           needs->engines[needs->engine < 2 ? needs->engine : 1].cpu_seconds,
-           needs->reference_cpu_seconds);
-    trial_print_json("float", &needs->engines[0].trial);
-    trial_print_json("at_depth", &needs->depth_trial);
-    trial_print_json("offset_none", &needs->offset_none_trial);
-    trial_print_json("offset_fixed", &needs->offset_fixed_trial);
-    trial_print_json("total", &needs->total_trial);
-    printf(", \"why\": ");
-    json_print_string(explanation, stdout);
-    puts("}");
+    json_object_begin(&json, NULL);
+    json_string(&json, "scene", options->arguments[0]);
+    json_string(&json, "engine", chosen->engine->name);
+    json_integer(&json, "depth", needs->depth);
+    json_integer(&json, "samples", needs->samples);
+    json_string(&json, "offset", offset_strategy_names[OFFSET_BOUND]);
+    json_number(&json, "tolerance", needs->tolerance, digits);
+    json_string(&json, "estimated_engine", precision_estimate_engine(&needs->forecast)->name);
+    json_number(&json, "estimated_error", precision_estimate_error(&needs->forecast), ERROR_DIGITS);
+    json_integer(&json, "estimated_depth", needs->forecast.depth);
+    json_number(&json, "measured_error", needs->engines[0].trial.max_steps, ERROR_DIGITS);
+    json_number(&json, "worst_step", needs->total_trial.max_steps, ERROR_DIGITS);
+    json_number(&json, "share_off", (double)off / (double)needs->total_trial.rays, ERROR_DIGITS);
+    json_number(&json, "seconds", needs->engines[needs->engine < 2 ? needs->engine : 1].cpu_seconds,
+                digits);
+    json_number(&json, "search_seconds", needs->reference_cpu_seconds, digits);
+    trial_write_json(&json, "float", &needs->engines[0].trial);
+    trial_write_json(&json, "at_depth", &needs->depth_trial);
+    trial_write_json(&json, "offset_none", &needs->offset_none_trial);
+    trial_write_json(&json, "offset_fixed", &needs->offset_fixed_trial);
+    trial_write_json(&json, "total", &needs->total_trial);
+    json_string(&json, "explanation", explanation);
+    json_line_end(&json);
 }
 
 /** Prints a paragraph in lines. */
@@ -94,11 +107,10 @@ static void needs_print(const Needs *needs) {
     paragraph_print(explanation);
 }
 
-/** Says what a scene needs. See #Command.run. @return The exit status. */
-static int needs_run(const Options *options, Error *error) {
+void cli_needs(const Options *options, Error *error) {
     Scene *scene = command_load_scene(options, error);
     if (!scene) {
-        return (int)error->status;
+        return;
     }
     Needs needs;
     RenderSettings settings = command_render_settings(options, scene);
@@ -113,12 +125,4 @@ static int needs_run(const Options *options, Error *error) {
         options->json ? needs_print_json(&needs, options) : needs_print(&needs);
     }
     scene_destroy(scene);
-    return (int)error->status;
 }
-
-const Command needs_command = {.name = "needs",
-                               .usage = N_("SCENE"),
-                               .help = N_("says the cheapest settings whose error nobody can see"),
-                               .accepts = "sADtjXBJq",
-                               .arguments = 1,
-                               .run = needs_run};

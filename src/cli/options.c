@@ -16,264 +16,245 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** One option. Its key is its short letter, or a capital letter that is not offered as one. */
+/** An option: one row of the table. A new option is a row here and a member of #Options. */
 typedef struct OptionSpec {
-    char key;          /**< What #Command.accepts names it by. */
-    bool is_short;     /**< Whether the key is a short option, too. */
-    const char *name;  /**< The long name. */
-    const char *value; /**< What its value is called in the help; NULL: it takes none. */
-    const char *help;  /**< What it does. */
+    const char *name;     /**< The long name. */
+    char letter;          /**< The short name; 0: none. */
+    const char *argument; /**< Name of its value in the help; NULL: a flag without value. */
+
+    /** Parses the value and stores it; see #OptionParser. */
+    bool (*parse)(const struct OptionSpec *option, const char *text, Options *options,
+                  Error *error);
+
+    size_t offset;            /**< Where its member is in #Options, bytes. */
+    double minimum;           /**< Least value of a number. */
+    double maximum;           /**< Greatest value of a number. */
+    const char *const *words; /**< Values of a word, ended by NULL. */
+    const char *help;         /**< Its purpose in one line, in English. */
+    unsigned commands;        /**< The commands that take it: a set of #CommandId. */
 } OptionSpec;
 
-/** All options of all commands. */
-static const OptionSpec option_specs[] = {
-    {'o', true, "output", N_("FILE"), N_("write there; the ending names the format")},
-    {'U', false, "out", N_("DIR"), N_("write there; the folder is made where it is not there")},
-    {'s', true, "size", N_("WxH"), N_("size of the picture, pixels")},
-    {'A', false, "samples", N_("N"), N_("rays a pixel")},
-    {'S', false, "sampling", N_("WAY"),
-     N_("adaptive or full: whether every pixel gets all its rays")},
-    {'D', false, "depth", N_("N"), N_("how often a ray may be mirrored or refracted")},
-    {'t', true, "time", N_("SECONDS"), N_("the scene's t")},
-    {'j', true, "threads", N_("N"), N_("worker threads (default: all cores)")},
-    {'E', false, "engine", N_("NAME"),
-     N_("auto, f32x16, f32x8, f32x4, f32x1, f64x4, f64x1 or f128x1")},
-    {'O', false, "offset", N_("WAY"), N_("none, fixed or bound: how rays leave a surface")},
-    {'X', false, "epsilon", N_("LENGTH"), N_("for --offset fixed, scene units")},
-    {'B', false, "base-dir", N_("DIR"), N_("where the files lie that the scene names")},
-    {'C', false, "seconds", N_("S"), N_("how long the film lasts (default: 10)")},
-    {'G', false, "fps", N_("F"), N_("frames a second (default: 25)")},
-    {'F', false, "frames", N_("A-B[:STEP]"),
-     N_("which frames, from 0; for bench how many (default: 10)")},
-    {'N', false, "skip-existing", NULL, N_("leave out frames whose file is there")},
-    {'R', false, "rays", N_("KIND"), N_("image, primary or random")},
-    {'T', false, "threshold", N_("STEPS"),
-     N_("largest difference that still counts as alike (default: 0)")},
-    {'M', false, "map", N_("FILE"), N_("write a picture of the differences")},
-    {'Y', false, "svg", N_("FILE"), N_("draw the rays there, as seen from beside")},
-    {'K', false, "keys", N_("WAY"), N_("places or letters: what the light's keys are bound to")},
-    {'I', false, "lesson", N_("FILE"), N_("play that lesson; its scene is the one that it names")},
-    {'W', false, "lesson-snapshots", N_("DIR"),
-     N_("play it without waiting, and write a picture at each caption there")},
-    {'L', false, "timing", NULL, N_("say at the end how long pictures took to come")},
-    {'Z', false, "kernels", NULL, N_("chart methods of the laboratory and not scenes")},
-    {'J', false, "json", NULL, N_("print one JSON object a line")},
-    {'P', false, "progress", N_("WAY"), N_("auto, json or none")},
-    {'q', true, "quiet", NULL, N_("say nothing but errors")},
-    {'h', true, "help", NULL, N_("print this")},
-    {'V', true, "version", NULL, N_("print the version")},
-};
+/* --- parsers of values ------------------------------------------------------------------------ */
 
-/** Letters that the column of names is wide in the help. */
-static const int NAME_WIDTH = 22;
-
-/** How many options there are. */
-enum { OPTION_COUNT = sizeof option_specs / sizeof *option_specs };
-
-/**
- * @return Whether a command takes an option.
- * @param command  The command, or NULL.
- */
-static bool command_accepts(const Command *command, int key) {
-    return strchr("hV", key) || (command && strchr(command->accepts, key));
+/** Takes a text as it is. See #OptionSpec.parse. */
+static bool parse_text(const OptionSpec *option, const char *text, Options *options, Error *error) {
+    (void)error;
+    *(const char **)((char *)options + option->offset) = text;
+    return true;
 }
 
-/** Reads a whole number. @return Whether it is one, in range. */
-static bool read_integer(const char *name, const char *text, int minimum, int maximum, int *value,
-                         Error *error) {
+/** Sets a flag. See #OptionSpec.parse. */
+static bool parse_flag(const OptionSpec *option, const char *text, Options *options, Error *error) {
+    (void)text, (void)error;
+    *(bool *)((char *)options + option->offset) = true;
+    return true;
+}
+
+/** Parses an integer. See #OptionSpec.parse. */
+static bool parse_integer(const OptionSpec *option, const char *text, Options *options,
+                          Error *error) {
+    int minimum = (int)option->minimum, maximum = (int)option->maximum;
     char *end = NULL;
     errno = 0;
     long number = strtol(text, &end, 10);
     if (errno || end == text || *end || number < minimum || number > maximum) {
         return error_set(error, STATUS_USAGE, "--%s takes a whole number from %d to %d, not '%s'",
-                         name, minimum, maximum, text);
+                         option->name, minimum, maximum, text);
     }
-    *value = (int)number;
+    *(int *)((char *)options + option->offset) = (int)number;
     return true;
 }
 
-/** Reads a number. @return Whether it is one, finite and in range. */
-static bool read_number(const char *name, const char *text, double minimum, double *value,
-                        Error *error) {
+/** Parses a finite number. See #OptionSpec.parse. */
+static bool parse_number(const OptionSpec *option, const char *text, Options *options,
+                         Error *error) {
     char *end = NULL;
     double number = strtod(text, &end);
-    if (end == text || *end || !isfinite(number) || number < minimum) {
+    if (end == text || *end || !isfinite(number) || number < option->minimum) {
         return error_set(error, STATUS_USAGE,
-                         minimum >= 0 ? N_("--%s takes a number, at least 0, not '%s'")
-                                      : N_("--%s takes a number, not '%s'"),
-                         name, text);
+                         option->minimum >= 0 ? N_("--%s takes a number, at least 0, not '%s'")
+                                              : N_("--%s takes a number, not '%s'"),
+                         option->name, text);
     }
-    *value = number;
+    *(double *)((char *)options + option->offset) = number;
     return true;
 }
 
-/** Reads a number of frames a second. @return Whether it is one, in range. */
-static bool read_fps(const char *text, double *fps, Error *error) {
-    Error ignored;
-    return (read_number("fps", text, 0, fps, &ignored) && *fps > 0 && *fps <= FRAMES_FPS_MAXIMUM) ||
+/** Parses a frame rate, which is above 0. See #OptionSpec.parse. */
+static bool parse_fps(const OptionSpec *option, const char *text, Options *options, Error *error) {
+    return (parse_number(option, text, options, NULL) && options->fps > 0 &&
+            options->fps <= option->maximum) ||
            error_set(error, STATUS_USAGE, "--fps takes a number above 0, at most %g, not '%s'",
-                     FRAMES_FPS_MAXIMUM, text);
+                     option->maximum, text);
 }
 
-/**
- * Reads a size.
- * @param text  What was said: two whole numbers with an x between them.
- * @param[out] options  Gets width and height.
- * @return Whether it is a size that can be drawn.
- */
-static bool read_size(const char *text, Options *options, Error *error) {
+/** Parses one of a few words; the value is its index. See #OptionSpec.parse. */
+static bool parse_word(const OptionSpec *option, const char *text, Options *options, Error *error) {
+    char choices[128] = "";
+    for (int i = 0; option->words[i]; i++) {
+        if (strcmp(text, option->words[i]) == 0) {
+            *(int *)((char *)options + option->offset) = i;
+            return true;
+        }
+        const char *separator = i == 0 ? "" : option->words[i + 1] ? ", " : gettext(" or ");
+        strncat(choices, separator, sizeof choices - strlen(choices) - 1);
+        strncat(choices, option->words[i], sizeof choices - strlen(choices) - 1);
+    }
+    return error_set(error, STATUS_USAGE, "--%s takes %s, not '%s'", option->name, choices, text);
+}
+
+/** Parses a size: two integers with an x between them. See #OptionSpec.parse. */
+static bool parse_size(const OptionSpec *option, const char *text, Options *options, Error *error) {
     char *end = NULL;
     long width = strtol(text, &end, 10);
-    long height = 0;
+    long height = 0, maximum = (long)option->maximum;
     bool is_pair = end != text && (*end == 'x' || *end == 'X');
     if (is_pair) {
         const char *second = end + 1;
         height = strtol(second, &end, 10);
         is_pair = end != second && !*end;
     }
-    if (!is_pair || width < 1 || height < 1 || width > IMAGE_SIZE_MAXIMUM ||
-        height > IMAGE_SIZE_MAXIMUM) {
+    if (!is_pair || width < 1 || height < 1 || width > maximum || height > maximum) {
         return error_set(error, STATUS_USAGE,
                          "--size takes WxH with both from 1 to %d, such as 800x600, not '%s'",
-                         IMAGE_SIZE_MAXIMUM, text);
+                         (int)maximum, text);
     }
     options->width = (int)width;
     options->height = (int)height;
     return true;
 }
 
-/**
- * Reads one of a few words.
- * @param words  The words, ended by NULL.
- * @return Whether it is one of them.
- */
-static bool read_word(const char *name, const char *text, const char *const *words, int *index,
-                      Error *error) {
-    char choices[128] = "";
-    for (int i = 0; words[i]; i++) {
-        if (strcmp(text, words[i]) == 0) {
-            *index = i;
-            return true;
-        }
-        const char *separator = i == 0 ? "" : words[i + 1] ? ", " : gettext(" or ");
-        strncat(choices, separator, sizeof choices - strlen(choices) - 1);
-        strncat(choices, words[i], sizeof choices - strlen(choices) - 1);
-    }
-    return error_set(error, STATUS_USAGE, "--%s takes %s, not '%s'", name, choices, text);
+/** Parses the name of an engine. See #OptionSpec.parse. */
+static bool parse_engine(const OptionSpec *option, const char *text, Options *options,
+                         Error *error) {
+    (void)option;
+    bool is_automatic = strcmp(text, "auto") == 0;
+    options->engine = is_automatic ? NULL : engine_find(text, error);
+    return options->engine || is_automatic;
 }
 
-/** Takes an option whose value is a word. @return Whether it is good. */
-static bool set_word_option(const OptionSpec *option, const char *text, Options *options,
-                            Error *error) {
-    static const char *const rays[] = {"image", "primary", "random", NULL};
-    static const char *const styles[] = {"auto", "json", "none", NULL};
-    static const char *const samplings[] = {"adaptive", "full", NULL};
-    static const char *const keys[] = {"places", "letters", NULL};
-    int index = 0;
-    switch (option->key) {
-    case 'O':
-        return read_word(option->name, text, offset_strategy_names, &options->offset, error);
-    case 'S':
-        if (!read_word(option->name, text, samplings, &index, error)) {
-            return false;
-        }
-        options->sampling = (Sampling)index;
-        return true;
-    case 'R':
-        if (!read_word(option->name, text, rays, &index, error)) {
-            return false;
-        }
-        options->rays = (BenchRays)index;
-        return true;
-    case 'P':
-        if (!read_word(option->name, text, styles, &index, error)) {
-            return false;
-        }
-        options->progress = (ProgressStyle)index;
-        return true;
-    default:
-        if (!read_word(option->name, text, keys, &index, error)) {
-            return false;
-        }
-        options->keys_by_letter = index == 1;
-        return true;
-    }
+/** Parses a range of frames. See #OptionSpec.parse. */
+static bool parse_frames(const OptionSpec *option, const char *text, Options *options,
+                         Error *error) {
+    (void)option;
+    return frame_range_parse(text, &options->frames, error);
 }
 
-/** @return Where an option's value goes as it is; NULL: it is no text. */
-static const char **text_option_target(char key, Options *options) {
-    switch (key) {
-    case 'o':
-        return &options->output;
-    case 'U':
-        return &options->out_dir;
-    case 'B':
-        return &options->base_dir;
-    case 'M':
-        return &options->map;
-    case 'I':
-        return &options->lesson;
-    case 'W':
-        return &options->lesson_snapshots;
-    case 'Y':
-        return &options->svg;
-    default:
-        return NULL;
-    }
+/* --- the table -------------------------------------------------------------------------------- */
+
+/** Values of `--sampling`, in the order of #Sampling. */
+static const char *const sampling_words[] = {"adaptive", "full", NULL};
+/** Values of `--rays`, in the order of #BenchRays. */
+static const char *const rays_words[] = {"image", "primary", "random", NULL};
+/** Values of `--keys`, in the order of #KeyBinding. */
+static const char *const keys_words[] = {"places", "letters", NULL};
+/** Values of `--progress`, in the order of #ProgressStyle. */
+static const char *const progress_words[] = {"auto", "json", "none", NULL};
+
+/** Commands that write pictures. */
+#define PICTURES (COMMAND_RENDER | COMMAND_ANIMATE)
+/** Commands that trace a scene. */
+#define TRACING                                                                                    \
+    (PICTURES | COMMAND_VIEW | COMMAND_PROBE | COMMAND_INFO | COMMAND_BENCH | COMMAND_CHART)
+/** Commands that load a scene. */
+#define SCENES (TRACING | COMMAND_NEEDS)
+/** Commands whose results are files in a folder. */
+#define FOLDERS (COMMAND_CHART | COMMAND_LAB)
+/** Commands that report facts. */
+#define REPORTS (COMMAND_PROBE | COMMAND_INFO | COMMAND_COMPARE | COMMAND_BENCH | COMMAND_NEEDS)
+/** All commands. */
+#define ALL (~0u)
+
+/** The parser and the member of an option. */
+#define STORES(parser, member) .parse = parse_##parser, .offset = offsetof(Options, member)
+
+/** All options of all commands, in the order of the help. */
+static const OptionSpec option_specs[] = {
+    {"output", 'o', N_("FILE"), STORES(text, output), .commands = PICTURES,
+     .help = N_("write there; the ending names the format")},
+    {"out", 0, N_("DIR"), STORES(text, out_dir), .commands = FOLDERS,
+     .help = N_("write there; the folder is made where it is not there")},
+    {"size", 's', N_("WxH"), STORES(size, width), .maximum = IMAGE_SIZE_MAXIMUM, .commands = SCENES,
+     .help = N_("size of the picture, pixels")},
+    {"samples", 0, N_("N"), STORES(integer, samples), .minimum = 1, .maximum = SAMPLES_MAXIMUM,
+     .commands = SCENES, .help = N_("rays a pixel")},
+    {"sampling", 0, N_("WAY"), STORES(word, sampling), .words = sampling_words,
+     .commands = TRACING & ~COMMAND_PROBE,
+     .help = N_("adaptive or full: whether every pixel gets all its rays")},
+    {"depth", 0, N_("N"), STORES(integer, depth), .maximum = DEPTH_MAXIMUM, .commands = SCENES,
+     .help = N_("how often a ray may be mirrored or refracted")},
+    {"time", 't', N_("SECONDS"), STORES(number, time), .minimum = -HUGE_VAL, .commands = SCENES,
+     .help = N_("the scene's t")},
+    {"threads", 'j', N_("N"), STORES(integer, threads), .minimum = 1, .maximum = THREADS_MAXIMUM,
+     .commands = SCENES | COMMAND_LAB, .help = N_("worker threads (default: all cores)")},
+    {"engine", 0, N_("NAME"), STORES(engine, engine), .commands = TRACING,
+     .help = N_("auto, f32x16, f32x8, f32x4, f32x1, f64x4, f64x1 or f128x1")},
+    {"offset", 0, N_("WAY"), STORES(word, offset), .words = offset_strategy_names,
+     .commands = TRACING, .help = N_("none, fixed or bound: how rays leave a surface")},
+    {"epsilon", 0, N_("LENGTH"), STORES(number, epsilon), .commands = SCENES,
+     .help = N_("for --offset fixed, scene units")},
+    {"base-dir", 0, N_("DIR"), STORES(text, base_dir), .commands = SCENES,
+     .help = N_("where the files lie that the scene names")},
+    {"seconds", 0, N_("S"), STORES(number, seconds), .commands = COMMAND_ANIMATE,
+     .help = N_("how long the film lasts (default: 10)")},
+    {"fps", 0, N_("F"), STORES(fps, fps), .maximum = FRAMES_FPS_MAXIMUM,
+     .commands = COMMAND_ANIMATE, .help = N_("frames a second (default: 25)")},
+    {"frames", 0, N_("A-B[:STEP]"), STORES(frames, frames),
+     .commands = COMMAND_ANIMATE | COMMAND_BENCH,
+     .help = N_("which frames, from 0; for bench how many (default: 10)")},
+    {"skip-existing", 0, NULL, STORES(flag, skip_existing), .commands = COMMAND_ANIMATE,
+     .help = N_("leave out frames whose file is there")},
+    {"rays", 0, N_("KIND"), STORES(word, rays), .words = rays_words, .commands = COMMAND_BENCH,
+     .help = N_("image, primary or random")},
+    {"threshold", 0, N_("STEPS"), STORES(integer, threshold), .maximum = UINT8_MAX,
+     .commands = COMMAND_COMPARE,
+     .help = N_("largest difference that still counts as alike (default: 0)")},
+    {"map", 0, N_("FILE"), STORES(text, map), .commands = COMMAND_COMPARE,
+     .help = N_("write a picture of the differences")},
+    {"svg", 0, N_("FILE"), STORES(text, svg), .commands = COMMAND_PROBE,
+     .help = N_("draw the rays there, as seen from beside")},
+    {"keys", 0, N_("WAY"), STORES(word, keys), .words = keys_words, .commands = COMMAND_VIEW,
+     .help = N_("places or letters: what the light's keys are bound to")},
+    {"lesson", 0, N_("FILE"), STORES(text, lesson), .commands = COMMAND_VIEW,
+     .help = N_("play that lesson; its scene is the one that it names")},
+    {"lesson-snapshots", 0, N_("DIR"), STORES(text, lesson_snapshots), .commands = COMMAND_VIEW,
+     .help = N_("play it without waiting, and write a picture at each caption there")},
+    {"timing", 0, NULL, STORES(flag, timing), .commands = COMMAND_VIEW,
+     .help = N_("say at the end how long pictures took to come")},
+    {"kernels", 0, NULL, STORES(flag, kernels), .commands = COMMAND_CHART,
+     .help = N_("chart methods of the laboratory and not scenes")},
+    {"json", 0, NULL, STORES(flag, json), .commands = REPORTS,
+     .help = N_("print one JSON object a line")},
+    {"progress", 0, N_("WAY"), STORES(word, progress), .words = progress_words,
+     .commands = PICTURES, .help = N_("auto, json or none")},
+    {"quiet", 'q', NULL, STORES(flag, quiet), .commands = ALL,
+     .help = N_("say nothing but errors")},
+    {"help", 'h', NULL, STORES(flag, help), .commands = ALL, .help = N_("print this")},
+    {"version", 'V', NULL, STORES(flag, version), .commands = ALL, .help = N_("print the version")},
+};
+
+/** Width of the column of names in the help, letters. */
+static const int NAME_WIDTH = 22;
+
+/** Number of options. */
+enum { OPTION_COUNT = sizeof option_specs / sizeof *option_specs };
+
+/** @return Whether a command takes an option. @param command The command; NULL: a command line
+ *  without one, which takes `--help` and `--version` alone. */
+static bool command_accepts(const Command *command, const OptionSpec *option) {
+    return command ? (option->commands & command->id) != 0
+                   : option->offset == offsetof(Options, help) ||
+                         option->offset == offsetof(Options, version);
 }
 
-/** Takes an option that has a value. @return Whether it is good. */
-static bool set_value_option(const OptionSpec *option, const char *text, Options *options,
-                             Error *error) {
-    const char **target = text_option_target(option->key, options);
-    if (target) {
-        *target = text;
-        return true;
-    }
-    switch (option->key) {
-    case 's':
-        return read_size(text, options, error);
-    case 'A':
-        return read_integer(option->name, text, 1, SAMPLES_MAXIMUM, &options->samples, error);
-    case 'D':
-        return read_integer(option->name, text, 0, DEPTH_MAXIMUM, &options->depth, error);
-    case 'j':
-        return read_integer(option->name, text, 1, THREADS_MAXIMUM, &options->threads, error);
-    case 'F':
-        return frame_range_parse(text, &options->frames, error);
-    case 'C':
-        return read_number(option->name, text, 0, &options->seconds, error);
-    case 'G':
-        return read_fps(text, &options->fps, error);
-    case 'T':
-        return read_integer(option->name, text, 0, UINT8_MAX, &options->threshold, error);
-    case 't':
-        return read_number(option->name, text, -HUGE_VAL, &options->time, error);
-    case 'X':
-        return read_number(option->name, text, 0, &options->epsilon, error);
-    case 'E':
-        options->engine = strcmp(text, "auto") == 0 ? NULL : engine_find(text, error);
-        return options->engine || strcmp(text, "auto") == 0;
-    default:
-        return set_word_option(option, text, options, error);
-    }
-}
+/* --- parsing ---------------------------------------------------------------------------------- */
 
-/** Takes an option that has no value. */
-static void set_flag_option(char key, Options *options) {
-    options->json = options->json || key == 'J';
-    options->timing = options->timing || key == 'L';
-    options->kernels = options->kernels || key == 'Z';
-    options->skip_existing = options->skip_existing || key == 'N';
-    options->quiet = options->quiet || key == 'q';
-    options->help = options->help || key == 'h';
-    options->version = options->version || key == 'V';
-}
+/** The value of getopt_long() for row 0; options count up from it, beyond all characters. */
+enum { FIRST_OPTION_CODE = UCHAR_MAX + 1 };
 
-/** Tables as getopt_long wants them. */
+/** The table in the form of getopt_long(). */
 typedef struct GetoptTables {
-    char short_options[2 * OPTION_COUNT +
-                       2]; /**< Short options; first a colon: it prints nothing. */
+    char short_options[2 * OPTION_COUNT + 2];     /**< A colon first: getopt prints nothing. */
     struct option long_options[OPTION_COUNT + 1]; /**< Long options. */
 } GetoptTables;
 
@@ -283,11 +264,12 @@ static GetoptTables getopt_tables(void) {
     char *letter = tables.short_options + 1;
     for (int i = 0; i < OPTION_COUNT; i++) {
         const OptionSpec *spec = &option_specs[i];
-        tables.long_options[i] = (struct option){
-            spec->name, spec->value ? required_argument : no_argument, NULL, spec->key};
-        if (spec->is_short) {
-            *letter++ = spec->key;
-            if (spec->value) {
+        tables.long_options[i] =
+            (struct option){spec->name, spec->argument ? required_argument : no_argument, NULL,
+                            FIRST_OPTION_CODE + i};
+        if (spec->letter) {
+            *letter++ = spec->letter;
+            if (spec->argument) {
                 *letter++ = ':';
             }
         }
@@ -295,10 +277,10 @@ static GetoptTables getopt_tables(void) {
     return tables;
 }
 
-/** @return The option with a key, or NULL. */
-static const OptionSpec *find_option(int key) {
+/** @return The option that getopt_long() has found, or NULL. */
+static const OptionSpec *find_option(int code) {
     for (int i = 0; i < OPTION_COUNT; i++) {
-        if (option_specs[i].key == key) {
+        if (FIRST_OPTION_CODE + i == code || (option_specs[i].letter == code && code)) {
             return &option_specs[i];
         }
     }
@@ -306,38 +288,39 @@ static const OptionSpec *find_option(int key) {
 }
 
 /**
- * Takes one option as getopt_long found it.
+ * Parses one option as getopt_long() found it.
  * @param command  The command, or NULL.
- * @param word  The word that it came from.
- * @return Whether it is good.
+ * @param word  The word of the command line.
+ * @return false if it is wrong.
  */
-static bool set_option(const Command *command, int key, const char *word, Options *options,
-                       Error *error) {
-    const OptionSpec *option = key == '?' || key == ':' ? NULL : find_option(key);
-    if (key == ':') {
+static bool parse_option(const Command *command, int code, const char *word, Options *options,
+                         Error *error) {
+    const OptionSpec *option = find_option(code);
+    if (code == ':') {
         return error_set(error, STATUS_USAGE, "%s needs a value", word);
     }
     if (!option) {
         return error_set(error, STATUS_USAGE, "there is no option %s", word);
     }
-    if (!command_accepts(command, key)) {
+    if (!command_accepts(command, option)) {
         return error_set(error, STATUS_USAGE, "%s does not take --%s",
                          command ? command->name : "dioptre", option->name);
     }
-    if (option->value) {
-        return set_value_option(option, optarg, options, error);
-    }
-    set_flag_option(option->key, options);
-    return true;
+    return option->parse(option, optarg, options, error);
+}
+
+Options options_default(void) {
+    return (Options){.depth = -1, .offset = -1, .epsilon = -1, .seconds = -1};
 }
 
 bool options_parse(const Command *command, int argc, char **argv, Options *options, Error *error) {
     GetoptTables tables = getopt_tables();
-    *options = (Options){.depth = -1, .offset = -1, .epsilon = -1, .seconds = -1};
+    *options = options_default();
     optind = 1;
-    int key = 0;
-    while ((key = getopt_long(argc, argv, tables.short_options, tables.long_options, NULL)) != -1) {
-        if (!set_option(command, key, argv[optind - 1], options, error)) {
+    int code = 0;
+    while ((code = getopt_long(argc, argv, tables.short_options, tables.long_options, NULL)) !=
+           -1) {
+        if (!parse_option(command, code, argv[optind - 1], options, error)) {
             return false;
         }
     }
@@ -353,11 +336,11 @@ bool options_parse(const Command *command, int argc, char **argv, Options *optio
 void options_print(const Command *command) {
     for (int i = 0; i < OPTION_COUNT; i++) {
         const OptionSpec *option = &option_specs[i];
-        if (command_accepts(command, option->key)) {
+        if (command_accepts(command, option)) {
             char name[64];
             snprintf(name, sizeof name, "--%s %s", option->name,
-                     option->value ? gettext(option->value) : "");
-            printf("  %c%c ", option->is_short ? '-' : ' ', option->is_short ? option->key : ' ');
+                     option->argument ? gettext(option->argument) : "");
+            printf("  %c%c ", option->letter ? '-' : ' ', option->letter ? option->letter : ' ');
             print_padded(name, NAME_WIDTH);
             printf(" %s\n", gettext(option->help));
         }

@@ -8,55 +8,75 @@
 #include "cli/frames.h"
 #include "dioptre/renderer.h"
 
-/** How progress is told. */
+/** The commands, as bits of a set. */
+typedef enum {
+    COMMAND_VIEW = 1 << 0,    /**< `view` */
+    COMMAND_RENDER = 1 << 1,  /**< `render` */
+    COMMAND_ANIMATE = 1 << 2, /**< `animate` */
+    COMMAND_PROBE = 1 << 3,   /**< `probe` */
+    COMMAND_INFO = 1 << 4,    /**< `info` */
+    COMMAND_COMPARE = 1 << 5, /**< `compare` */
+    COMMAND_BENCH = 1 << 6,   /**< `bench` */
+    COMMAND_NEEDS = 1 << 7,   /**< `needs` */
+    COMMAND_CHART = 1 << 8,   /**< `chart` */
+    COMMAND_LAB = 1 << 9      /**< `lab` */
+} CommandId;
+
+/** How progress is reported. */
 typedef enum {
     PROGRESS_AUTO, /**< A line with an estimate, only on a terminal. */
-    PROGRESS_JSON, /**< One JSON object a line. */
+    PROGRESS_JSON, /**< One JSON object per line. */
     PROGRESS_NONE  /**< Not at all. */
 } ProgressStyle;
 
 /** Which rays `bench` times. */
 typedef enum {
     BENCH_IMAGE,   /**< The whole picture. */
-    BENCH_PRIMARY, /**< Nearest hits of the camera's rays. */
-    BENCH_RANDOM   /**< Nearest hits of random rays. */
+    BENCH_PRIMARY, /**< Closest hits of the camera rays. */
+    BENCH_RANDOM   /**< Closest hits of random rays. */
 } BenchRays;
+
+/** What the window's keys for the light are bound to. */
+typedef enum {
+    KEYS_BY_POSITION, /**< Positions on the keyboard, whatever is printed there. */
+    KEYS_BY_LETTER    /**< The letters themselves. */
+} KeyBinding;
 
 /** Most arguments that a command takes besides options. */
 enum { ARGUMENTS_MAXIMUM = 64 };
 
-/** Everything that a command line can say. Numbers are 0, and words NULL, where nothing was said.
- */
+/** The values of a command line. Without an option its number is 0 and its word NULL, unless the
+ *  member names another default. */
 typedef struct Options {
     const char *arguments[ARGUMENTS_MAXIMUM]; /**< Scene or picture files, or tests. */
-    int argument_count;                       /**< How many. */
+    int argument_count;                       /**< Number of arguments. */
     const char *output;                       /**< `-o`: file to write. */
     const char *out_dir;                      /**< `--out`: folder to write into. */
     const char *base_dir;                     /**< `--base-dir` */
     const char *svg;                          /**< `--svg`: drawing to write. */
     const char *map;                          /**< `--map`: difference picture to write. */
-    const char *lesson;                       /**< `--lesson`: what is done in the window. */
+    const char *lesson;                       /**< `--lesson`: lesson to play. */
     const char *lesson_snapshots;             /**< `--lesson-snapshots`: folder to write into. */
-    const Engine *engine;                     /**< `--engine`; NULL: as the scene needs. */
+    const Engine *engine;                     /**< `--engine`; NULL: automatic. */
     int width;                                /**< `--size` */
     int height;                               /**< `--size` */
     int samples;                              /**< `--samples` */
-    Sampling sampling;                        /**< `--sampling` */
-    int depth;                                /**< `--depth`; -1: not said. */
+    int sampling;                             /**< `--sampling`: a #Sampling. */
+    int depth;                                /**< `--depth`; default -1. */
     int threads;                              /**< `--threads` */
-    FrameRange frames;                        /**< `--frames`; step 0: not said. */
-    double seconds;                           /**< `--seconds`; negative: not said. */
-    double fps;                               /**< `--fps`; 0: not said. */
-    int threshold;                            /**< `--threshold`, steps. */
+    FrameRange frames;                        /**< `--frames`; default: step 0. */
+    double seconds;                           /**< `--seconds`; default -1. */
+    double fps;                               /**< `--fps` */
+    int threshold;                            /**< `--threshold`, steps of 8 bits. */
     double time;                              /**< `--time`, seconds. */
-    int offset;                               /**< `--offset`: an #OffsetStrategy; -1: not said. */
-    double epsilon;                           /**< `--epsilon`, scene units; negative: not said. */
-    ProgressStyle progress;                   /**< `--progress` */
-    BenchRays rays;                           /**< `--rays` */
+    int offset;                               /**< `--offset`: an #OffsetStrategy; default -1. */
+    double epsilon;                           /**< `--epsilon`, scene units; default -1. */
+    int progress;                             /**< `--progress`: a #ProgressStyle. */
+    int rays;                                 /**< `--rays`: a #BenchRays. */
+    int keys;                                 /**< `--keys`: a #KeyBinding. */
     bool skip_existing;                       /**< `--skip-existing` */
     bool quiet;                               /**< `--quiet` */
     bool json;                                /**< `--json` */
-    bool keys_by_letter;                      /**< `--keys letters` */
     bool timing;                              /**< `--timing` */
     bool kernels;                             /**< `--kernels` */
     bool help;                                /**< `--help` */
@@ -65,30 +85,34 @@ typedef struct Options {
 
 /** A command. */
 typedef struct Command {
+    CommandId id;                /**< Its bit in #OptionSpec.commands. */
     const char *name;            /**< Such as `render`. */
-    const char *usage;           /**< Its arguments, such as `SCENE -o FILE`, in English. */
-    const char *help;            /**< What it does, in one line, in English. */
-    const char *accepts;         /**< Keys of the options it takes; see #options_parse. */
-    int arguments;               /**< How many arguments it takes. */
-    int optional_arguments;      /**< How many of them may be left out. */
-    bool accepts_more_arguments; /**< Whether it takes more than that, too. */
+    const char *usage;           /**< Its arguments in one line, in English. */
+    const char *help;            /**< Its purpose in one line, in English. */
+    int arguments;               /**< Number of arguments. */
+    int optional_arguments;      /**< How many of these may be left out. */
+    bool accepts_more_arguments; /**< Whether any number of further arguments is allowed. */
+
     /**
-     * Does it.
-     * @param options  What the command line says.
-     * @return The exit status.
+     * Runs the command.
+     * @param options     The parsed command line.
+     * @param[out] error  Its status is the exit status of the program; #STATUS_OK if left alone.
      */
-    int (*run)(const Options *options, Error *error);
+    void (*run)(const Options *options, Error *error);
 } Command;
 
+/** @return Options as an empty command line gives them. */
+Options options_default(void);
+
 /**
- * Reads a command line.
+ * Parses a command line.
  * @param command  The command, or NULL: only `--help` and `--version` are known.
  * @param argc  Number of words, the command's own first.
- * @return false if anything is wrong.
+ * @return false if anything is wrong (#STATUS_USAGE).
  */
 bool options_parse(const Command *command, int argc, char **argv, Options *options, Error *error);
 
-/** Prints the options of a command, one a line. */
+/** Prints the options of a command, one per line. */
 void options_print(const Command *command);
 
 #endif

@@ -90,11 +90,10 @@ static void probe_trace_and_print(const Options *options, ProbeReport *report, E
     renderer_destroy(renderer);
 }
 
-/** Probes a pixel. See #Command.run. @return The exit status. */
-static int probe_run(const Options *options, Error *error) {
+void cli_probe(const Options *options, Error *error) {
     Scene *scene = command_load_scene(options, error);
     if (!scene) {
-        return (int)error->status;
+        return;
     }
     ProbeReport report = {
         .scene = scene, .path = options->arguments[0], .settings = probe_settings(options, scene)};
@@ -102,12 +101,4 @@ static int probe_run(const Options *options, Error *error) {
         probe_trace_and_print(options, &report, error);
     }
     scene_destroy(scene);
-    return (int)error->status;
 }
-
-const Command probe_command = {.name = "probe",
-                               .usage = N_("SCENE X Y"),
-                               .help = N_("tells the rays of one pixel, and how they add up to it"),
-                               .accepts = "sADtjEOXBYJq",
-                               .arguments = 3,
-                               .run = probe_run};

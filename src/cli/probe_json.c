@@ -1,96 +1,104 @@
 /**
  * @file
- * @brief The rays of a pixel for programs.
+ * @brief `dioptre probe --json`: the ray tree of a pixel, one object per ray.
  */
+#include "base/json.h"
 #include "cli/probe.h"
 
-#include <stdio.h>
-
-/** Prints a number; null where it is infinite. */
-static void print_number(const char *name, double x) {
-    isfinite(x) ? printf(", \"%s\": %.17g", name, x) : printf(", \"%s\": null", name);
+/** Writes a number so that it can be read back exactly. */
+static void write_exact(JsonWriter *json, const char *name, double value) {
+    json_number(json, name, value, JSON_EXACT_DIGITS);
 }
 
-/** Prints a whole number; null where it is negative: there is none. */
-static void print_index(const char *name, int x) {
-    x >= 0 ? printf(", \"%s\": %d", name, x) : printf(", \"%s\": null", name);
+/** Writes an index; null where it is negative: there is none. */
+static void write_index(JsonWriter *json, const char *name, int index) {
+    index >= 0 ? json_integer(json, name, index) : json_null(json, name);
 }
 
-/** Prints three numbers. */
-static void print_three(const char *name, double x, double y, double z) {
-    printf(", \"%s\": [%.17g, %.17g, %.17g]", name, x, y, z);
+/** Writes a vector. */
+static void write_vector(JsonWriter *json, const char *name, Vec3d v) {
+    json_numbers(json, name, (const double[]){v.x, v.y, v.z}, 3, JSON_EXACT_DIGITS);
 }
 
-/** Prints a vector. */
-static void print_vector(const char *name, Vec3d v) {
-    print_three(name, v.x, v.y, v.z);
+/** Writes a colour. */
+static void write_color(JsonWriter *json, const char *name, Rgbd color) {
+    json_numbers(json, name, (const double[]){color.red, color.green, color.blue}, 3,
+                 JSON_EXACT_DIGITS);
 }
 
-/** Prints a colour. */
-static void print_color(const char *name, Rgbd color) {
-    print_three(name, color.red, color.green, color.blue);
+/** Writes a point or a normal of the hit; null without a hit. */
+static void write_hit_vector(JsonWriter *json, const char *name, Vec3d v, bool is_hit) {
+    is_hit ? write_vector(json, name, v) : json_null(json, name);
 }
 
-/** Prints a vector of what was met; null where nothing was. */
-static void print_vector_if_hit(const char *name, Vec3d v, bool is_hit) {
-    is_hit ? print_vector(name, v) : (void)printf(", \"%s\": null", name);
-}
-
-/** Prints what a ray met besides where. */
-static void print_surface(const ProbeReport *report, const RayTreeNode *ray) {
+/** Writes the shape that a ray hit and the optics of its surface. */
+static void write_surface(JsonWriter *json, const ProbeReport *report, const RayTreeNode *ray) {
     const RayTreeSurface *surface = &ray->surface;
-    printf(", \"keyword\": \"%s\"", ray_hit_keyword(report->scene, ray));
+    json_string(json, "keyword", ray_hit_keyword(report->scene, ray));
     int line = report->scene->shapes[ray->shape].line;
-    print_index("line", line > 0 ? line : -1);
+    write_index(json, "line", line > 0 ? line : -1);
     if (ray->kind == RAY_SHADOW) {
         return;
     }
-    print_number("angle", ray_incidence_angle(ray));
-    print_number("epsilon", surface->epsilon);
-    print_number("ulps", surface->ulps);
+    write_exact(json, "angle", ray_incidence_angle(ray));
+    write_exact(json, "epsilon", surface->epsilon);
+    write_exact(json, "ulps", surface->ulps);
     if (surface->is_transparent) {
-        print_number("index_before", surface->ior_from);
-        print_number("index_behind", surface->ior_to);
-        print_number("fresnel", surface->fresnel);
-        printf(", \"total\": %s", surface->is_total ? "true" : "false");
+        write_exact(json, "index_before", surface->ior_from);
+        write_exact(json, "index_behind", surface->ior_to);
+        write_exact(json, "fresnel", surface->fresnel);
+        json_bool(json, "total", surface->is_total);
     }
 }
 
-/** Prints a ray. */
-static void print_ray(const ProbeReport *report, size_t index) {
+/** Writes the members that only the first object has: pixel, engine and 8-bit colour. */
+static void write_pixel(JsonWriter *json, const ProbeReport *report) {
+    ProbePixel pixel = probe_pixel(report);
+    json_integer(json, "x", report->x);
+    json_integer(json, "y", report->y);
+    json_string(json, "engine", report->settings.engine->name);
+    json_array_begin(json, "steps");
+    for (int channel = 0; channel < 3; channel++) {
+        json_integer(json, NULL, pixel.channels[channel]);
+    }
+    json_array_end(json);
+}
+
+/** Writes a ray. */
+static void write_ray(JsonWriter *json, const ProbeReport *report, size_t index) {
     static const char *const kinds[] = {"camera", "shadow", "mirror", "refract"};
     const RayTreeNode *ray = &report->tree->nodes[index];
     bool has_point = isfinite(ray->distance);
-    printf("{\"id\": %zu", index);
-    print_index("parent", ray->parent);
-    printf(", \"kind\": \"%s\", \"depth\": %d", kinds[ray->kind], ray->depth);
-    print_vector("origin", ray->origin);
-    print_vector("direction", ray->direction);
-    printf(", \"hit\": %s", ray->is_hit ? "true" : "false");
-    print_index("shape", ray->shape);
-    print_number("distance", ray->distance);
-    print_vector_if_hit("point", ray->point, has_point);
-    print_vector_if_hit("normal", ray->normal, has_point);
-    print_number("weight", ray->throughput);
-    print_color("color", ray->color);
-    print_color("own", ray->local_color);
-    print_color("share", ray->weight);
-    print_index("lamp", ray->light);
-    print_number("limit", ray->limit);
+    json_object_begin(json, NULL);
+    json_count(json, "id", index);
+    write_index(json, "parent", ray->parent);
+    json_string(json, "kind", kinds[ray->kind]);
+    json_integer(json, "depth", ray->depth);
+    write_vector(json, "origin", ray->origin);
+    write_vector(json, "direction", ray->direction);
+    json_bool(json, "hit", ray->is_hit);
+    write_index(json, "shape", ray->shape);
+    write_exact(json, "distance", ray->distance);
+    write_hit_vector(json, "point", ray->point, has_point);
+    write_hit_vector(json, "normal", ray->normal, has_point);
+    write_exact(json, "weight", ray->throughput);
+    write_color(json, "color", ray->color);
+    write_color(json, "own", ray->local_color);
+    write_color(json, "share", ray->weight);
+    write_index(json, "lamp", ray->light);
+    write_exact(json, "limit", ray->limit);
     if (ray->shape >= 0) {
-        print_surface(report, ray);
+        write_surface(json, report, ray);
     }
+    if (index == 0) {
+        write_pixel(json, report);
+    }
+    json_line_end(json);
 }
 
 void probe_print_json(const ProbeReport *report) {
+    JsonWriter json = {.stream = stdout};
     for (size_t i = 0; i < report->tree->count; i++) {
-        print_ray(report, i);
-        if (i == 0) {
-            ProbePixel pixel = probe_pixel(report);
-            printf(", \"x\": %d, \"y\": %d, \"engine\": \"%s\", \"steps\": [%d, %d, %d]", report->x,
-                   report->y, report->settings.engine->name, pixel.channels[0], pixel.channels[1],
-                   pixel.channels[2]);
-        }
-        puts("}");
+        write_ray(&json, report, i);
     }
 }

@@ -3,6 +3,7 @@
  * @brief Progress on standard error, with an estimate.
  */
 #include "base/clock.h"
+#include "base/json.h"
 #include "cli/commands.h"
 
 #include <libintl.h>
@@ -39,17 +40,27 @@ static double progress_fraction(const Progress *progress) {
     return progress->pictures > 0 ? (progress->done + current_fraction) / progress->pictures : 1;
 }
 
-/** Tells once. */
+/** Ends a JSON line of progress. @param fraction The share of the work that is done, 0 to 1. */
+static void write_json_estimate(JsonWriter *json, double fraction, double seconds,
+                                double seconds_left) {
+    json_decimal(json, "progress", fraction, 4);
+    json_decimal(json, "seconds", seconds, 2);
+    json_decimal(json, "seconds_left", seconds_left, 2);
+    json_line_end(json);
+}
+
+/** Prints one report. */
 static void progress_print(const Progress *progress) {
     double fraction = progress_fraction(progress), seconds = progress_seconds(progress);
     double seconds_left = fraction > 0 ? seconds / fraction - seconds : 0;
     if (progress->is_json) {
-        fputc('{', stderr);
+        JsonWriter json = {.stream = stderr};
+        json_object_begin(&json, NULL);
         if (progress->is_film) {
-            fprintf(stderr, "\"done\": %d, \"frames\": %d, ", progress->done, progress->pictures);
+            json_integer(&json, "done", progress->done);
+            json_integer(&json, "frames", progress->pictures);
         }
-        fprintf(stderr, "\"share\": %.4f, \"seconds\": %.2f, \"seconds_left\": %.2f}\n", fraction,
-                seconds, seconds_left);
+        write_json_estimate(&json, fraction, seconds, seconds_left);
     } else {
         fputc('\r', stderr);
         if (progress->is_film) {
@@ -99,10 +110,10 @@ static void mesh_read_progress_print(void *context, const char *name, double fra
         return;
     }
     if (progress->is_json) {
-        fputs("{\"model\": ", stderr);
-        json_print_string(name, stderr);
-        fprintf(stderr, ", \"share\": %.4f, \"seconds\": %.2f, \"seconds_left\": %.2f}\n", fraction,
-                seconds, seconds_left);
+        JsonWriter json = {.stream = stderr};
+        json_object_begin(&json, NULL);
+        json_string(&json, "mesh", name);
+        write_json_estimate(&json, fraction, seconds, seconds_left);
     } else {
         fputc('\r', stderr);
         print_sanitized(name, stderr);

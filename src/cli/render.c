@@ -55,26 +55,17 @@ static void render_scene(const Scene *scene, const Options *options, Error *erro
     }
 }
 
-/** Renders a scene. See #Command.run. @return The exit status. */
-static int render_run(const Options *options, Error *error) {
+void cli_render(const Options *options, Error *error) {
     if (!options->output) {
         error_set(error, STATUS_USAGE, "render needs -o FILE");
-        return STATUS_USAGE;
+        return;
     }
     if (!image_file_check(options->output, error)) {
-        return (int)error->status;
+        return;
     }
     Scene *scene = command_load_scene(options, error);
     if (scene) {
         render_scene(scene, options, error);
         scene_destroy(scene);
     }
-    return (int)error->status;
 }
-
-const Command render_command = {.name = "render",
-                                .usage = N_("SCENE -o FILE"),
-                                .help = N_("draws one picture, without a window"),
-                                .accepts = "osASDtjEOXBPq",
-                                .arguments = 1,
-                                .run = render_run};

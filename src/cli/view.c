@@ -65,12 +65,10 @@ static Scene *load_scene(void *context, const ViewRequest *request, const atomic
 static Scene *load_preview(void *context, const char *path, const atomic_bool *stop,
                            RenderSettings *render, Error *error) {
     (void)context;
-    Options options = {.arguments = {path},
-                       .argument_count = 1,
-                       .depth = -1,
-                       .offset = -1,
-                       .epsilon = -1,
-                       .progress = PROGRESS_NONE};
+    Options options = options_default();
+    options.arguments[0] = path;
+    options.argument_count = 1;
+    options.progress = PROGRESS_NONE;
     Scene *scene = command_load_scene_at(&options, 0, NULL, stop, error);
     if (scene) {
         *render = command_render_settings(&options, scene);
@@ -78,15 +76,11 @@ static Scene *load_preview(void *context, const char *path, const atomic_bool *s
     return scene;
 }
 
-/**
- * Shows a scene.
- * @param lesson  What is done; NULL: nothing by itself.
- * @return The exit status.
- */
-static int show_scene(const Options *options, const Lesson *lesson, Error *error) {
+/** Shows a scene until its window is closed. @param lesson The lesson to play, or NULL. */
+static void show_scene(const Options *options, const Lesson *lesson, Error *error) {
     char lesson_name[PATH_MAX] = "";
     SceneSource source = {.options = *options};
-    ViewSettings settings = {.keys_by_letter = options->keys_by_letter,
+    ViewSettings settings = {.keys_by_letter = options->keys == KEYS_BY_LETTER,
                              .path = options->arguments[0],
                              .snapshot_dir = ".",
                              .launch_time = clock_now_seconds(),
@@ -103,13 +97,11 @@ static int show_scene(const Options *options, const Lesson *lesson, Error *error
     }
     const ViewRequest first = {.time = options->time};
     Scene *scene = load_scene(&source, &first, NULL, &settings.render, error);
-    int status = (int)error->status;
     if (scene) {
-        status = (int)view_run(scene, &settings, interrupt_flag(), error);
+        error->status = view_run(scene, &settings, interrupt_flag(), error);
         scene_destroy(scene);
     }
     asset_cache_destroy(source.cache);
-    return status;
 }
 
 /**
@@ -151,37 +143,27 @@ static bool apply_lesson_settings(Options *options, const Lesson *lesson, Error 
     return true;
 }
 
-/** Plays a lesson. @return The exit status. */
-static int play_lesson(const Options *options, Error *error) {
+/** Plays a lesson. */
+static void play_lesson(const Options *options, Error *error) {
     Options lesson_options = *options;
-    ActionNames actions;
-    actions.names = view_actions(&actions.move_count);
+    const char *names[VIEW_ACTIONS_MAXIMUM];
+    const ActionNames actions = {names, view_actions(names)};
     Lesson *lesson = script_load_lesson(options->lesson, &actions, error);
-    bool is_good = lesson && use_lesson_scene(&lesson_options, lesson, error) &&
-                   apply_lesson_settings(&lesson_options, lesson, error);
-    int status = is_good ? show_scene(&lesson_options, lesson, error) : (int)error->status;
+    if (lesson && use_lesson_scene(&lesson_options, lesson, error) &&
+        apply_lesson_settings(&lesson_options, lesson, error)) {
+        show_scene(&lesson_options, lesson, error);
+    }
     lesson_destroy(lesson);
-    return status;
 }
 
-/** Shows a scene, or plays a lesson. See #Command.run. @return The exit status. */
-static int view_command_run(const Options *options, Error *error) {
+void cli_view(const Options *options, Error *error) {
     if (options->lesson) {
-        return play_lesson(options, error);
+        play_lesson(options, error);
+    } else if (options->argument_count == 0) {
+        error_set(error, STATUS_USAGE, "view needs a SCENE, or --lesson FILE");
+    } else if (options->lesson_snapshots) {
+        error_set(error, STATUS_USAGE, "--lesson-snapshots needs --lesson");
+    } else {
+        show_scene(options, NULL, error);
     }
-    if (options->argument_count == 0 || options->lesson_snapshots) {
-        return error_set(error, STATUS_USAGE,
-                         options->argument_count == 0 ? N_("view needs a SCENE, or --lesson FILE")
-                                                      : N_("--lesson-snapshots needs --lesson")),
-               STATUS_USAGE;
-    }
-    return show_scene(options, NULL, error);
 }
-
-const Command view_command = {.name = "view",
-                              .usage = N_("SCENE"),
-                              .help = N_("shows a scene in a window and moves camera and light"),
-                              .accepts = "sASDtjEOXBKIWLq",
-                              .arguments = 1,
-                              .optional_arguments = 1,
-                              .run = view_command_run};

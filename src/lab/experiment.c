@@ -20,6 +20,14 @@ extern const NumberType number_double;   /**< 53 bits. */
 extern const NumberType number_extended; /**< Long double: 64 bits on x86. */
 extern const NumberType number_quad;     /**< 113 bits. */
 
+const MethodFamily *number_type_family(const NumberType *type, const char *name) {
+    const MethodFamily *const *family = type->families;
+    while (*family && strcmp((*family)->name, name) != 0) {
+        family++;
+    }
+    return *family;
+}
+
 const NumberType *const *number_types(void) {
     static const NumberType *const types[] = {&number_float, &number_double, &number_extended,
                                               &number_quad, NULL};
@@ -38,6 +46,7 @@ enum { METHODS_MAXIMUM = 16 };
 typedef struct MethodSubject {
     const Experiment *experiment; /**< In this experiment. */
     const ExperimentSetup *setup; /**< Where. */
+    const MethodFamily *family;   /**< The family, in the number type. */
     const Method *method;         /**< The method; NULL: the engine is asked. */
     const Engine *engine;         /**< The engine of the type; NULL: there is none. */
     Tracer *tracer;               /**< Its tracer, or NULL. */
@@ -47,11 +56,9 @@ typedef struct MethodSubject {
 typedef struct ExperimentRun {
     const Experiment *experiment; /**< The experiment. */
     const atomic_bool *stop;      /**< Whether to give up. */
-    size_t
-        method_indices[METHODS_MAXIMUM]; /**< The methods of the family, by #NumberType.methods. */
-    size_t method_count;                 /**< How many; whoever comes after them is an engine. */
-    ExperimentResults *results;          /**< What was found. */
-    atomic_bool has_failed;              /**< Whether there was no memory. */
+    size_t method_count;          /**< Methods of the family; the engine comes after them. */
+    ExperimentResults *results;   /**< What was found. */
+    atomic_bool has_failed;       /**< Whether there was no memory. */
 } ExperimentRun;
 
 /** @return The engine of one ray at a time with a number type; NULL: there is none. */
@@ -84,8 +91,8 @@ static void query_subject(const MethodSubject *subject, const ExperimentSample *
                           Quadruple *outputs) {
     const Experiment *experiment = subject->experiment;
     if (subject->method) {
-        subject->setup->type->evaluate(subject->method, experiment->queries_per_sample,
-                                       sample->inputs, outputs);
+        subject->setup->type->evaluate(subject->family, subject->method,
+                                       experiment->queries_per_sample, sample->inputs, outputs);
     } else if (experiment->query_engine) {
         experiment->query_engine(subject->engine, subject->tracer, sample, outputs);
     } else {
@@ -158,14 +165,6 @@ static Tracer *create_level_tracer(const Experiment *experiment, const Engine *e
     return tracer;
 }
 
-/**
- * @return A method in a number type; NULL for the engine.
- * @param m  Which, of those that are asked.
- */
-static const Method *run_method_at(const ExperimentRun *run, const NumberType *type, size_t m) {
-    return m < run->method_count ? type->methods[run->method_indices[m]] : NULL;
-}
-
 /** Writes down what came of all that were asked. @param[in,out] scores Their scores; given back. */
 static void store_results(ExperimentRun *run, const MethodSubject *subjects, ScoreStats *scores,
                           size_t index) {
@@ -195,11 +194,12 @@ static void store_results(ExperimentRun *run, const MethodSubject *subjects, Sco
 static void run_level(ExperimentRun *run, const ExperimentSetup *setup, size_t index) {
     const Engine *engine = scalar_engine_for(setup->type);
     Tracer *tracer = create_level_tracer(run->experiment, engine, setup);
+    const MethodFamily *family = number_type_family(setup->type, run->experiment->family);
     MethodSubject subjects[METHODS_MAXIMUM];
     ScoreStats scores[METHODS_MAXIMUM] = {{0}};
     for (size_t m = 0; m < run->results->method_count; m++) {
-        const Method *method = run_method_at(run, setup->type, m);
-        subjects[m] = (MethodSubject){run->experiment, setup, method, engine, tracer};
+        const Method *method = m < run->method_count ? &family->methods[m] : NULL;
+        subjects[m] = (MethodSubject){run->experiment, setup, family, method, engine, tracer};
     }
     score_samples(run, subjects, setup, scores);
     store_results(run, subjects, scores, index);
@@ -224,14 +224,11 @@ static void run_level_task(void *context, size_t index) {
     free(shared);
 }
 
-/** Finds who is to be asked. @return How many, the engine counted. */
-static size_t find_group_methods(ExperimentRun *run) {
-    const Method *const *methods = number_float.methods;
-    for (size_t i = 0; methods[i]; i++) {
-        bool is_included = strcmp(methods[i]->group, run->experiment->group) == 0;
-        if (is_included && run->method_count < METHODS_MAXIMUM - 1) {
-            run->method_indices[run->method_count++] = i;
-        }
+/** Counts the methods of the family. @return How many, with the engine. */
+static size_t count_methods(ExperimentRun *run) {
+    const MethodFamily *family = number_type_family(&number_float, run->experiment->family);
+    while (family->methods[run->method_count].name && run->method_count < METHODS_MAXIMUM - 1) {
+        run->method_count++;
     }
     return run->method_count + (run->experiment->create_scene != NULL);
 }
@@ -268,7 +265,7 @@ static bool run_all_levels(ExperimentRun *run, int threads, Error *error) {
 bool experiment_run(const Experiment *experiment, int threads, const atomic_bool *stop,
                     ExperimentResults *results, Error *error) {
     ExperimentRun run = {.experiment = experiment, .stop = stop, .results = results};
-    *results = (ExperimentResults){.method_count = find_group_methods(&run),
+    *results = (ExperimentResults){.method_count = count_methods(&run),
                                    .type_count = number_type_count(),
                                    .level_count = experiment->level_count};
     size_t rows = results->method_count * results->type_count * results->level_count;

@@ -42,7 +42,7 @@ typedef struct ExperimentSetup {
 typedef struct Experiment {
     const char *name;        /**< As on the command line, such as `sphere-distance`. */
     const char *title;       /**< What it shows. */
-    const char *group;       /**< Whose methods are asked. */
+    const char *family;      /**< Its methods are run. */
     const char *difficulty;  /**< What grows, with its unit. */
     const char *error_label; /**< What the error is, with its unit; NULL: none is measured. */
     bool is_relative;        /**< Whether errors are relative, so that ulps make sense. */

@@ -23,8 +23,9 @@ enum { ERROR_SAMPLES_MAXIMUM = 10000 };
 
 /** A method that is timed. */
 typedef struct TimedMethod {
-    const NumberType *type; /**< In this type. */
-    const Method *method;   /**< The method. */
+    const NumberType *type;     /**< In this type. */
+    const MethodFamily *family; /**< Of this family. */
+    const Method *method;       /**< The method. */
     void *packed_inputs;    /**< Its questions; owned. */
     int rounds;             /**< How often they are asked in a turn. */
     double ns[TURNS];       /**< What a test cost in each turn. */
@@ -41,7 +42,8 @@ static double thread_cpu_seconds(void) {
 static double time_rounds(const TimedMethod *timed) {
     double start = thread_cpu_seconds();
     for (int i = 0; i < timed->rounds; i++) {
-        timed->type->evaluate_packed(timed->method, INPUT_COUNT, timed->packed_inputs);
+        timed->type->evaluate_packed(timed->family, timed->method, INPUT_COUNT,
+                                     timed->packed_inputs);
     }
     return thread_cpu_seconds() - start;
 }
@@ -53,7 +55,7 @@ static double time_rounds(const TimedMethod *timed) {
  */
 static bool generate_inputs(const Experiment *experiment, const ExperimentSetup *setup,
                             TimedMethod *timed) {
-    size_t numbers = (size_t)timed->method->input_count;
+    size_t numbers = (size_t)timed->family->input_count;
     Quadruple *inputs = calloc(INPUT_COUNT * numbers, sizeof *inputs);
     Random random = {20261121};
     for (size_t i = 0; inputs && i < INPUT_COUNT; i++) {
@@ -62,7 +64,7 @@ static bool generate_inputs(const Experiment *experiment, const ExperimentSetup 
         memcpy(inputs + i * numbers, sample.inputs, numbers * sizeof *inputs);
     }
     timed->packed_inputs =
-        inputs ? timed->type->pack_inputs(timed->method, INPUT_COUNT, inputs) : NULL;
+        inputs ? timed->type->pack_inputs(timed->family, INPUT_COUNT, inputs) : NULL;
     free(inputs);
     return timed->packed_inputs != NULL;
 }
@@ -78,12 +80,12 @@ static bool timed_method_init(const Experiment *experiment, const MethodResult *
     while (strcmp((*type)->name, result->type) != 0) {
         type++;
     }
-    const Method *const *method = (*type)->methods;
-    while (strcmp((*method)->group, experiment->group) != 0 ||
-           strcmp((*method)->name, result->method) != 0) {
+    const MethodFamily *family = number_type_family(*type, experiment->family);
+    const Method *method = family->methods;
+    while (strcmp(method->name, result->method) != 0) {
         method++;
     }
-    *timed = (TimedMethod){.type = *type, .method = *method, .rounds = 1};
+    *timed = (TimedMethod){.type = *type, .family = family, .method = method, .rounds = 1};
     void *shared = experiment->create_shared ? experiment->create_shared(result->level) : NULL;
     bool is_generated =
         (!experiment->create_shared || shared) &&

@@ -4,20 +4,8 @@
  */
 #include "lab/scene_fixture.h"
 
-#include "dioptre/engine.h"
-
 #include <stdlib.h>
 #include <string.h>
-
-/** @return The place of a shape's keyword among all, whose keyword is NULL if there is none. */
-static size_t find_shape_kind(const char *name) {
-    const Keyword *const *keywords = engine_list()[0]->shape_keywords;
-    size_t kind = 0;
-    while (keywords[kind] && strcmp(keywords[kind]->name, name) != 0) {
-        kind++;
-    }
-    return kind;
-}
 
 /** Sets a field. @param[out] values The struct that it lies in. */
 static void set_parameter(const Parameter *parameter, const FixtureValue *value, char *values) {
@@ -55,8 +43,8 @@ static uint64_t set_parameters(const Keyword *keyword, const FixtureValue *assig
 /** Adds a shape. @return Whether it is there. */
 static bool add_fixture_shape(Scene *scene, const char *name, const FixtureValue *assignments,
                               Error *error) {
-    size_t kind = find_shape_kind(name);
-    const Keyword *keyword = engine_list()[0]->shape_keywords[kind];
+    size_t kind = scene_shape_find(name);
+    const Keyword *keyword = scene_shape_keywords[kind];
     char *values = malloc(keyword->size);
     if (!values) {
         return error_set(error, STATUS_FAILED, "no memory for a shape");
@@ -101,8 +89,8 @@ static bool make_sdf_primitive(const char *name, const FixtureValue *assignments
 
 /** Adds the surface of a field. @return Whether it is there. */
 static bool add_sdf_surface(Scene *scene, const Sdf *field, Error *error) {
-    size_t kind = find_shape_kind("sdf");
-    const Keyword *keyword = engine_list()[0]->shape_keywords[kind];
+    size_t kind = scene_shape_find("sdf");
+    const Keyword *keyword = scene_shape_keywords[kind];
     const Sdf *stored = scene_add_sdf(scene, field, error);
     char *values = stored ? malloc(keyword->size) : NULL;
     if (!values) {
@@ -143,6 +131,7 @@ Scene *scene_fixture_with_mesh(Mesh *mesh, Error *error) {
         mesh_release(mesh);
         return NULL;
     }
+    mesh_update_bounds(mesh);
     scene->meshes[index].mesh = mesh;
     if (!add_fixture_shape(scene, "mesh", values, error)) {
         scene_destroy(scene);

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/** Declares an engine. The makefile lists them: ENGINE_LIST(X) is X(name) for each. */
+/** Declares an engine. The makefile defines ENGINE_LIST(X) as X(name) for each. */
 #define DECLARE(name) extern const Engine engine_##name;
 ENGINE_LIST(DECLARE)
 
@@ -19,7 +19,7 @@ const Engine *const *engine_list(void) {
     return engines;
 }
 
-/** @return What an engine needs of the processor and it does not have; NULL where it can run. */
+/** @return The instruction set that an engine needs and the processor lacks; NULL: none. */
 static const char *engine_missing_feature(const Engine *engine) {
 #if defined(__x86_64__)
     if (engine->needs == ENGINE_NEEDS_AVX2 && !__builtin_cpu_supports("avx2")) {
@@ -39,17 +39,32 @@ bool engine_is_supported(const Engine *engine) {
     return engine_missing_feature(engine) == NULL;
 }
 
-/** @return The first engine that this machine can run; there is always one. Sixteen lanes are for
- *          who asks for them: some processors slow down their clock to run them. */
-static const Engine *engine_preferred(void) {
-    const Engine *const *engine = engine_list();
-    while (!engine_is_supported(*engine)) {
-        engine++;
+const Engine *engine_with_role(EngineRole role) {
+    // The list is in order of preference. Sixteen lanes are behind eight there: some processors
+    // lower their clock to run them.
+    enum { DOUBLE_BITS = 53 };
+    for (const Engine *const *engine = engine_list(); *engine; engine++) {
+        int bits = (*engine)->mantissa_bits;
+        bool has_role = role == ENGINE_FASTEST  ? true
+                        : role == ENGINE_DOUBLE ? bits == DOUBLE_BITS
+                                                : bits > DOUBLE_BITS;
+        if (has_role && engine_is_supported(*engine)) {
+            return *engine;
+        }
     }
-    return *engine;
+    return NULL;
 }
 
-/** Says which engines there are. */
+const Engine *engine_scalar(const Engine *engine) {
+    for (const Engine *const *other = engine_list(); *other; other++) {
+        if ((*other)->lanes == 1 && (*other)->mantissa_bits == engine->mantissa_bits) {
+            return *other;
+        }
+    }
+    return engine;
+}
+
+/** Reports that there is no engine of a name, and which there are. */
 static void error_unknown_engine(const char *name, Error *error) {
     char names[128] = "";
     for (const Engine *const *engine = engine_list(); *engine; engine++) {
@@ -61,7 +76,7 @@ static void error_unknown_engine(const char *name, Error *error) {
 
 const Engine *engine_find(const char *name, Error *error) {
     if (strcmp(name, "auto") == 0) {
-        return engine_preferred();
+        return engine_with_role(ENGINE_FASTEST);
     }
     for (const Engine *const *engine = engine_list(); *engine; engine++) {
         if (strcmp(name, (*engine)->name) == 0) {

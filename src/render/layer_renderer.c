@@ -51,17 +51,9 @@ void layer_renderer_deinit(Renderer *renderer) {
  *  judged or where paths are all that counts. */
 static const Engine *reference_engine_for(const Renderer *renderer) {
     enum { DOUBLE_BITS = 53 };
-    bool wants_widest = renderer->layer_renderer.layer == LAYER_ERROR &&
-                        renderer->settings.engine->mantissa_bits <= DOUBLE_BITS;
-    const Engine *found = NULL;
-    for (const Engine *const *engine = engine_list(); *engine; engine++) {
-        bool is_wide = (*engine)->mantissa_bits > DOUBLE_BITS;
-        bool is_double = (*engine)->mantissa_bits == DOUBLE_BITS;
-        if (!found && (wants_widest ? is_wide : is_double) && engine_is_supported(*engine)) {
-            found = *engine;
-        }
-    }
-    return found;
+    bool needs_more_than_double = renderer->layer_renderer.layer == LAYER_ERROR &&
+                                  renderer->settings.engine->mantissa_bits <= DOUBLE_BITS;
+    return engine_with_role(needs_more_than_double ? ENGINE_REFERENCE : ENGINE_DOUBLE);
 }
 
 /** Makes the tracer that a layer compares with. @return Whether it is there. */

@@ -261,24 +261,8 @@ bool orbit_camera_project_ray(const OrbitCamera *orbit, const ProjectedView *vie
     return true;
 }
 
-const RayStyle *ray_styles(void) {
-    static const RayStyle styles[RAY_STYLE_COUNT] = {
-        {0x000000, 0, 0, N_("camera ray")},          {0x0072B2, 0, 0, N_("mirrored ray")},
-        {0x009E73, 8, 2, N_("refracted ray")},       {0xE69F00, 3, 2, N_("shadow ray: lit")},
-        {0xCC79A7, 1, 2, N_("shadow ray: blocked")},
-    };
-    return styles;
-}
-
-const RayStyle *ray_style(const RayTreeNode *ray) {
-    static const int indices[] = {
-        [RAY_CAMERA] = 0, [RAY_REFLECTION] = 1, [RAY_REFRACTION] = 2, [RAY_SHADOW] = 3};
-    return &ray_styles()[indices[ray->kind] + (ray->kind == RAY_SHADOW && ray->is_hit)];
-}
-
 const char *ray_hit_keyword(const Scene *scene, const RayTreeNode *ray) {
-    // The keywords are the same in every engine.
-    return engine_list()[0]->shape_keywords[scene->shapes[ray->shape].class_index]->name;
+    return scene_shape_keywords[scene->shapes[ray->shape].class_index]->name;
 }
 
 void ray_hit_name(const Scene *scene, const RayTreeNode *ray, char name[RAY_HIT_NAME_SIZE]) {

@@ -72,18 +72,6 @@ bool projected_view_point(const ProjectedView *view, Vec3d point, double *x, dou
 bool orbit_camera_project_ray(const OrbitCamera *orbit, const ProjectedView *view,
                               const RayTreeNode *ray, ProjectedRay *projected);
 
-/** How a kind of rays is drawn: in colours that the colour-blind tell apart (Okabe, Ito, *Color
- *  Universal Design*, 2008), and by dashes. */
-typedef struct RayStyle {
-    unsigned color;   /**< 0xRRGGBB. */
-    double dash;      /**< Length of a dash, in widths of the line; 0: it is not broken. */
-    double gap;       /**< Length of a gap, in widths of the line. */
-    const char *name; /**< What it is called, in English. */
-} RayStyle;
-
-/** @return How a ray is drawn. */
-const RayStyle *ray_style(const RayTreeNode *ray);
-
 /** Longest name of what a ray met, bytes with its final zero. */
 enum { RAY_HIT_NAME_SIZE = 64 };
 
@@ -98,11 +86,5 @@ void ray_hit_name(const Scene *scene, const RayTreeNode *ray, char name[RAY_HIT_
 
 /** @return The angle between a ray and the normal of the surface that it met, degrees. */
 double ray_incidence_angle(const RayTreeNode *ray);
-
-/** How many styles there are. */
-enum { RAY_STYLE_COUNT = 5 };
-
-/** @return All styles, in the order of a legend. */
-const RayStyle *ray_styles(void);
 
 #endif

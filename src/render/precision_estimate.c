@@ -1,159 +1,89 @@
 /**
  * @file
- * @brief Forecasting errors from the numbers of a scene.
+ * @brief Estimate of the rounding errors of a picture from the numbers of its scene.
  *
- * Each cause is a product: half an ulp of float, times how often it happens, times what makes it
- * grow, times how many steps the picture changes with it. The factors were compared with the whole
- * pictures of all scenes (doc/needs.md).
+ * Each cause is a product: half an ulp of float, the number of roundings, the factor that magnifies
+ * them, and the change of the picture per unit. The factors were compared with whole pictures of
+ * all scenes (doc/needs.md).
  */
 #include "render/precision_estimate.h"
 
 #include "render/shadow_terminator.h"
 
 #include <math.h>
-#include <string.h>
 
 /** Half an ulp of 1 in float. */
 #define FLOAT_ROUNDOFF 0x1p-24
 
-/** Steps of a picture. */
+/** Largest 8-bit value. */
 #define CODE_MAXIMUM 255.0
 
-/** Half ulps that a point may be off, and as far away rays start that leave it. */
+/** Error bound of a point, and of the ray offset there, in half ulps. */
 #define POSITION_ROUNDINGS 16
 
-/** Half ulps that a direction may be off. */
+/** Error bound of a direction, in half ulps. */
 #define DIRECTION_ROUNDINGS 4
 
-/** Share of a pixel that an edge may be moved by and nobody can tell. */
+/** Displacement of an edge that is not visible, in pixels. */
 #define EDGE_TOLERANCE (1.0 / 16)
 
-/** How much farther apart rays go at a curved mirror: four spheres that mirror one another turn
- * them apart by 2.5 in the middle and by 4 in one case of a hundred. */
+/** Factor by which a reflection on a curved surface increases the angle between two rays: four
+ *  spheres that reflect one another have a median of 2.5, and 4 in one case of a hundred. */
 #define REFLECTION_SPREAD 4
 
-/** The same at a curved surface of glass, which bends less. */
+/** The same factor for refraction, which bends less. */
 #define REFRACTION_SPREAD 2
 
-/** Steps between neighbouring texels of a picture that is full of detail. */
+/** Difference of neighbouring texels of a detailed texture, in 8-bit steps. */
 #define TEXEL_CONTRAST 40.0
 
-/** How much more neighbouring texels differ in pictures of light, which hold the sun itself. */
+/** Ratio of that difference in HDR panoramas, which contain the sun. */
 #define HDR_CONTRAST 4
 
-/** Share of the pixels that may be off. */
+/** Fraction of the pixels that may be wrong. */
 #define PIXEL_FRACTION_ALLOWED 1e-4
 
-/** How many times the share of faces in doubt it may become by chance: they come in rows. */
+/** Margin on the fraction of faces at the shadow terminator: they come in rows. */
 #define TERMINATOR_MARGIN 1.25
 
-/** Walls of glass that are thinner than so many half ulps of their coordinates may be jumped. */
+/** Thickness of glass below which rays may skip a wall, in half ulps of its coordinates. */
 #define WALL_ROUNDINGS 64
 
-/** How deep rays are followed at most where nobody says: a guard, and deeper than eyes can count.
- */
+/** Largest recursion depth that is chosen automatically. */
 enum { DEPTH_LIMIT = 64 };
 
-/** Turns that are counted with: fewer than one ray in ten thousand makes more on curved mirrors,
- *  even between four that touch. */
+/** Largest number of bounces that count: fewer than one ray in ten thousand has more on curved
+ *  mirrors, even between four that touch. */
 enum { BOUNCES_COUNTED = 8 };
 
-/** Transparent shapes whose walls are compared; more are not looked at. */
+/** Largest number of transparent shapes whose walls are compared. */
 enum { WALLS_MAXIMUM = 64 };
 
-/** A box in the scene. */
-typedef struct Aabbd {
-    Vec3d low;  /**< Lowest corner. */
-    Vec3d high; /**< Highest corner. */
-} Aabbd;
-
-/** What is gathered from the shapes. */
+/** Quantities accumulated over the shapes. */
 typedef struct SceneMeasures {
     const Scene *scene;          /**< The scene. */
-    const Engine *engine;        /**< Who measures. */
-    PrecisionEstimate *estimate; /**< What comes of it. */
-    int reflective_count;        /**< Curved shapes that mirror. */
-    int transparent_count;       /**< Curved shapes that let light through. */
-    double max_reflectance;      /**< The largest share that a curved shape mirrors. */
-    Aabbd bounds;                /**< A box around all shapes with an end. */
-    Vec3d origin;                /**< Where tracers count from. */
-    double terminator_fraction; /**< Share of the picture whose faces are lit otherwise in float. */
-    double texels_per_radian;   /**< Most texels that a turn of one radian may pass. */
+    PrecisionEstimate *estimate; /**< The result. */
+    int reflective_count;        /**< Number of curved reflective shapes. */
+    int transparent_count;       /**< Number of curved transparent shapes. */
+    double max_reflectance;      /**< Largest reflectance of a curved shape. */
+    Vec3d origin;                /**< #scene_local_origin */
+    double terminator_fraction;  /**< Fraction of the picture whose faces float lights wrongly. */
+    double texels_per_radian;    /**< Largest number of texels per radian of direction. */
     Aabbd glass_bounds[WALLS_MAXIMUM]; /**< Boxes of transparent shapes. */
-    size_t glass_count;                /**< How many. */
+    size_t glass_count;                /**< Number of #glass_bounds. */
 } SceneMeasures;
 
-/** @return The largest primary. */
+/** @return The largest channel. */
 static double rgbd_max(Rgbd color) {
     return fmax(color.red, fmax(color.green, color.blue));
 }
 
-/** Keeps a number of steps that float may be off by. */
+/** Keeps the largest error of a cause, in 8-bit steps. */
 static void keep_largest_error(PrecisionEstimate *estimate, PrecisionCause cause, double error) {
     estimate->errors[cause] = fmax(estimate->errors[cause], error);
 }
 
-/** @return A box around points of a model. */
-static Aabbd mesh_bounds_d(const Mesh *mesh) {
-    Aabbd box = {mesh->positions[0], mesh->positions[0]};
-    for (size_t i = 1; i < mesh->position_count; i++) {
-        box.low = vec3d_min(box.low, mesh->positions[i]);
-        box.high = vec3d_max(box.high, mesh->positions[i]);
-    }
-    return box;
-}
-
-/** @return A box around a transformed box that ends. */
-static Aabbd aabbd_transform(const Transform *t, Aabbd box) {
-    Aabbd out = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
-    for (int corner = 0; corner < 8; corner++) {
-        Vec3d p = {corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y,
-                   corner & 4 ? box.high.z : box.low.z};
-        p = transform_point(t, p);
-        out.low = vec3d_min(out.low, p);
-        out.high = vec3d_max(out.high, p);
-    }
-    return out;
-}
-
-/** @return The row of a shape's table with a name and a type; NULL: there is none. */
-static const Parameter *shape_parameter(const SceneMeasures *measures, const SceneShape *shape,
-                                        const char *name, ParameterType type) {
-    const Parameter *row = measures->engine->shape_keywords[shape->class_index]->parameters;
-    while (row->name && !(row->type == type && strcmp(row->name, name) == 0)) {
-        row++;
-    }
-    return row->name ? row : NULL;
-}
-
-/** @return The value of a row of a shape, by name; NULL: it has none. */
-static const void *shape_value(const SceneMeasures *measures, const SceneShape *shape,
-                               const char *name, ParameterType type) {
-    const Parameter *row = shape_parameter(measures, shape, name, type);
-    return row ? (const char *)shape->parameters + row->offset : NULL;
-}
-
-/** @return Whether a shape says a word. */
-static bool shape_has_choice(const SceneMeasures *measures, const SceneShape *shape,
-                             const char *name, const char *choice) {
-    const Parameter *row = shape_parameter(measures, shape, name, PARAMETER_CHOICE);
-    const int *index = shape_value(measures, shape, name, PARAMETER_CHOICE);
-    return row && strcmp(row->choices[*index], choice) == 0;
-}
-
-/** @return A shape's box in the scene. */
-static Aabbd shape_bounds(const SceneMeasures *measures, const SceneShape *shape,
-                          const ShapeMeasure *measure) {
-    Aabbd bounds = {measure->low, measure->high};
-    const size_t *mesh_index = shape_value(measures, shape, "file", PARAMETER_MESH);
-    if (mesh_index && measures->scene->meshes[*mesh_index].mesh) {
-        bounds = mesh_bounds_d(measures->scene->meshes[*mesh_index].mesh);
-    }
-    bool is_bounded = vec3d_max_abs(bounds.low) < HUGE_VAL && vec3d_max_abs(bounds.high) < HUGE_VAL;
-    return shape->transform && is_bounded ? aabbd_transform(shape->transform, bounds) : bounds;
-}
-
-/** @return How far a point is from a box; 0 inside. */
+/** @return The distance of a point from a box; 0 inside. */
 static double aabbd_distance(const Aabbd *box, Vec3d p) {
     Vec3d away = {fmax(0, fmax(box->low.x - p.x, p.x - box->high.x)),
                   fmax(0, fmax(box->low.y - p.y, p.y - box->high.y)),
@@ -161,13 +91,12 @@ static double aabbd_distance(const Aabbd *box, Vec3d p) {
     return vec3d_length(away);
 }
 
-/** @return The largest coordinate of a point, as tracers count. */
+/** @return The largest coordinate of a point relative to the origin of tracers. */
 static double magnitude_from_origin(const SceneMeasures *measures, Vec3d p) {
     return vec3d_max_abs(vec3d_subtract(p, measures->origin));
 }
 
-/** Notes how far away a shape is, and how far its coordinates reach. @param box The shape's box,
- *  which ends. */
+/** Accumulates the distance and the coordinates of a bounded shape. */
 static void accumulate_bounds(SceneMeasures *measures, const Aabbd *box) {
     PrecisionEstimate *estimate = measures->estimate;
     const SceneCamera *camera = &measures->scene->camera;
@@ -177,12 +106,10 @@ static void accumulate_bounds(SceneMeasures *measures, const Aabbd *box) {
         return;
     }
     estimate->max_distance_in_radii = fmax(estimate->max_distance_in_radii, distance / radius);
-    // A thing that is smaller than a pixel is hardly there.
+    // A shape smaller than a pixel is hardly visible.
     double radii = fmin(distance / radius, 1 / estimate->pixel_angle);
     keep_largest_error(estimate, PRECISION_DISTANCE,
                        CODE_MAXIMUM * DIRECTION_ROUNDINGS * FLOAT_ROUNDOFF * radii);
-    measures->bounds.low = vec3d_min(measures->bounds.low, box->low);
-    measures->bounds.high = vec3d_max(measures->bounds.high, box->high);
     double magnitude =
         fmax(magnitude_from_origin(measures, box->low), magnitude_from_origin(measures, box->high));
     magnitude = fmax(magnitude, magnitude_from_origin(measures, camera->position));
@@ -193,8 +120,8 @@ static void accumulate_bounds(SceneMeasures *measures, const Aabbd *box) {
                        PRECISION_VISIBLE_ERROR * pixels / EDGE_TOLERANCE);
 }
 
-/** Notes a picture on a shape without end. Near the horizon, rows of pixels are h / p^2 apart from
- *  a height h, and so much larger are roundings of the way. */
+/** Accumulates a texture on an unbounded shape. Near the horizon, a camera at height h sees rows of
+ *  pixels h / p^2 apart, for a pixel angle p; roundings of the direction grow likewise. */
 static void accumulate_horizon(SceneMeasures *measures, const SceneShape *shape,
                                const Texture *texture) {
     const PrecisionEstimate *estimate = measures->estimate;
@@ -205,35 +132,28 @@ static void accumulate_horizon(SceneMeasures *measures, const SceneShape *shape,
     keep_largest_error(measures->estimate, PRECISION_HORIZON, TEXEL_CONTRAST * fmin(1, texels));
 }
 
-/** Notes the fractals in a shape's field: their normals turn within a tolerance. */
-static void accumulate_sdf(SceneMeasures *measures, const SceneShape *shape) {
-    const Sdf *const *sdf = shape_value(measures, shape, "field", PARAMETER_SDF);
-    const double *tolerance = shape_value(measures, shape, "tolerance", PARAMETER_NUMBER);
-    for (int i = 0; sdf && tolerance && i < (*sdf)->node_count; i++) {
-        const SdfNode *node = &(*sdf)->nodes[i];
+/** Accumulates the fractals in a distance field: their normals change within a tolerance. */
+static void accumulate_sdf(SceneMeasures *measures, const Sdf *sdf, double tolerance) {
+    for (int i = 0; i < sdf->node_count; i++) {
+        const SdfNode *node = &sdf->nodes[i];
         if (node->op == SDF_MANDELBULB) {
             double power = node->operands[0], iterations = node->operands[1];
-            double detail = fmax(*tolerance, pow(power, 1 - iterations));
+            double detail = fmax(tolerance, pow(power, 1 - iterations));
             keep_largest_error(measures->estimate, PRECISION_FRACTAL,
                                CODE_MAXIMUM * POSITION_ROUNDINGS * FLOAT_ROUNDOFF / detail);
         }
     }
 }
 
-/** Adds the faces of a model that float lights otherwise. */
+/** Adds the faces of a smooth mesh that float lights differently. */
 static void accumulate_shadow_terminator(SceneMeasures *measures, const SceneShape *shape,
-                                         const Aabbd *box) {
-    const size_t *mesh_index = shape_value(measures, shape, "file", PARAMETER_MESH);
+                                         const Mesh *mesh, const Aabbd *box) {
     const Scene *scene = measures->scene;
-    const Mesh *mesh = mesh_index ? scene->meshes[*mesh_index].mesh : NULL;
-    if (!mesh || shape_has_choice(measures, shape, "normals", "flat")) {
-        return;
-    }
     double magnitude =
         fmax(magnitude_from_origin(measures, box->low), magnitude_from_origin(measures, box->high));
     MeshInstance instance = {scene, mesh, shape->transform,
                              POSITION_ROUNDINGS * FLOAT_ROUNDOFF * magnitude};
-    // A model fills about as much of the picture as a ball between those in and around its box.
+    // A mesh covers about as many pixels as a sphere between those inside and around its box.
     double size = vec3d_length(vec3d_subtract(box->high, box->low)) / 3.2;
     Vec3d middle = vec3d_scale(vec3d_add(box->low, box->high), 0.5);
     double distance = vec3d_length(vec3d_subtract(middle, scene->camera.position));
@@ -243,13 +163,13 @@ static void accumulate_shadow_terminator(SceneMeasures *measures, const SceneSha
         fmin(1, pixels / picture) * shadow_terminator_fraction(&instance);
 }
 
-/** Takes a shape's surface into account. @param is_flat Whether it is flat. */
-static void accumulate_material(SceneMeasures *measures, const SceneShape *shape, const Aabbd *box,
-                                bool is_flat) {
+/** Accumulates the material of a shape. */
+static void accumulate_material(SceneMeasures *measures, const SceneShape *shape,
+                                const ShapeFacts *facts) {
     const SceneMaterial *material = &measures->scene->materials[shape->material_index];
     double reflectance = rgbd_max(material->reflectivity),
            transmittance = rgbd_max(material->transparency);
-    bool is_bounded = vec3d_max_abs(box->high) < HUGE_VAL && vec3d_max_abs(box->low) < HUGE_VAL;
+    bool is_bounded = aabbd_is_bounded(facts->bounds), is_flat = facts->is_flat;
     measures->estimate->max_secondary_weight =
         fmax(measures->estimate->max_secondary_weight, fmin(1, reflectance + transmittance));
     measures->reflective_count += !is_flat && reflectance > 0;
@@ -257,7 +177,7 @@ static void accumulate_material(SceneMeasures *measures, const SceneShape *shape
     measures->max_reflectance =
         !is_flat ? fmax(measures->max_reflectance, reflectance) : measures->max_reflectance;
     if (transmittance > 0 && is_bounded && measures->glass_count < WALLS_MAXIMUM) {
-        measures->glass_bounds[measures->glass_count++] = *box;
+        measures->glass_bounds[measures->glass_count++] = facts->bounds;
     }
     if (material->texture_id) {
         const Texture *texture = measures->scene->textures[material->texture_id - 1].texture;
@@ -269,27 +189,31 @@ static void accumulate_material(SceneMeasures *measures, const SceneShape *shape
     }
 }
 
-/** Takes a shape into account. */
+/** Accumulates a shape. */
 static void accumulate_shape(SceneMeasures *measures, const SceneShape *shape) {
-    ShapeMeasure measure = measures->engine->measure(shape);
-    Aabbd box = shape_bounds(measures, shape, &measure);
-    if (vec3d_max_abs(box.low) < HUGE_VAL && vec3d_max_abs(box.high) < HUGE_VAL) {
-        accumulate_bounds(measures, &box);
-        accumulate_shadow_terminator(measures, shape, &box);
+    ShapeFacts facts = scene_shape_facts(measures->scene, shape);
+    if (aabbd_is_bounded(facts.bounds)) {
+        accumulate_bounds(measures, &facts.bounds);
+        if (facts.mesh && facts.is_smooth) {
+            accumulate_shadow_terminator(measures, shape, facts.mesh, &facts.bounds);
+        }
     } else {
-        // Without end: as far as the eye can tell things apart.
+        // The visible part of an unbounded shape extends until a pixel cannot resolve it.
         keep_largest_error(measures->estimate, PRECISION_DISTANCE,
                            CODE_MAXIMUM * DIRECTION_ROUNDINGS * FLOAT_ROUNDOFF /
                                measures->estimate->pixel_angle);
     }
-    accumulate_sdf(measures, shape);
-    accumulate_material(measures, shape, &box, measure.is_flat);
+    if (facts.sdf) {
+        accumulate_sdf(measures, facts.sdf, facts.tolerance);
+    }
+    accumulate_material(measures, shape, &facts);
 }
 
 /**
- * @return The smaller of a gap and the distance of two walls; the gap where they are in one place
- *         but for roundings of the scene's own numbers: then they are one.
- * @param distance  From one wall to the other.
+ * @return The smaller of a gap and the distance of two walls. Two walls that coincide except for
+ *         roundings of the scene's own numbers count as one.
+ * @param distance   Signed distance of the walls.
+ * @param magnitude  Largest coordinate.
  */
 static double narrow_gap(double gap, double distance, double magnitude) {
     /** Roundings of a few operations in double. */
@@ -297,7 +221,7 @@ static double narrow_gap(double gap, double distance, double magnitude) {
     return fabs(distance) > tolerance * magnitude ? fmin(gap, fabs(distance)) : gap;
 }
 
-/** Notes how near the walls of two things of glass are to each other. */
+/** Accumulates the smallest distance between the walls of two transparent shapes. */
 static void accumulate_wall_pair(SceneMeasures *measures, const Aabbd *a, const Aabbd *b) {
     double magnitude = fmax(magnitude_from_origin(measures, a->low),
                             magnitude_from_origin(measures, a->high)),
@@ -311,8 +235,8 @@ static void accumulate_wall_pair(SceneMeasures *measures, const Aabbd *a, const 
                        PRECISION_VISIBLE_ERROR * WALL_ROUNDINGS * FLOAT_ROUNDOFF * magnitude / gap);
 }
 
-/** Forecasts what curved mirrors and glass make of roundings. @param[in,out] measures The survey,
- * all shapes seen. @param depth How deep rays are followed. */
+/** Estimates the divergence of rays on curved mirrors and glass, after all shapes are accumulated.
+ *  @param depth Recursion depth. */
 static void accumulate_ray_divergence(SceneMeasures *measures, int depth) {
     PrecisionEstimate *estimate = measures->estimate;
     double spread = REFLECTION_SPREAD * measures->max_reflectance, reflection_growth = 1;
@@ -331,49 +255,23 @@ static void accumulate_ray_divergence(SceneMeasures *measures, int depth) {
                        estimate->bounces > 0 ? CODE_MAXIMUM * error : 0);
 }
 
-/** @return How deep rays must be followed until none can change 8 bits, whatever they meet: a share
- *          of so many factors is below the weight where rays end. @param weight The largest share
- *          that a surface sends on. */
+/** @return The recursion depth at which the weight of a ray falls below the cutoff of tracers.
+ *  @param weight Largest reflectance or transmittance of a surface. */
 static int depth_needed(double weight) {
-    /** As the tracer has it (src/trace/tracer/engine.c). */
-    const double cutoff = 1.5e-4;
     if (weight <= 0) {
         return 0;
     }
-    double depth = weight < 1 ? ceil(log(cutoff) / log(weight)) : DEPTH_LIMIT;
+    double depth = weight < 1 ? ceil(log(THROUGHPUT_CUTOFF) / log(weight)) : DEPTH_LIMIT;
     return depth < DEPTH_LIMIT ? (int)depth : DEPTH_LIMIT;
 }
 
-/**
- * Looks at all shapes.
- * @param origin  Where tracers count from.
- * @return What was gathered.
- */
-static SceneMeasures accumulate_scene(const Scene *scene, Vec3d origin,
-                                      PrecisionEstimate *estimate) {
+PrecisionEstimate precision_estimate_of(const Scene *scene) {
+    PrecisionEstimate estimate = {.pixel_angle = 2 * tan(scene->camera.fov / 2 * (M_PI / 180)) /
+                                                 scene->image.width};
     SceneMeasures measures = {
-        .scene = scene,
-        .engine = engine_find("f64x1", NULL),
-        .estimate = estimate,
-        .bounds = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}},
-        .origin = origin};
-    *estimate = (PrecisionEstimate){.pixel_angle = 2 * tan(scene->camera.fov / 2 * (M_PI / 180)) /
-                                                   scene->image.width};
+        .scene = scene, .estimate = &estimate, .origin = scene_local_origin(scene)};
     for (size_t i = 0; i < scene->shape_count; i++) {
         accumulate_shape(&measures, &scene->shapes[i]);
-    }
-    return measures;
-}
-
-PrecisionEstimate precision_estimate_of(const Scene *scene) {
-    /** As far away, in sizes, tracers move there (src/trace/rebase.c). */
-    const double far_sizes = 4;
-    PrecisionEstimate estimate;
-    SceneMeasures measures = accumulate_scene(scene, (Vec3d){0, 0, 0}, &estimate);
-    Vec3d middle = vec3d_scale(vec3d_add(measures.bounds.low, measures.bounds.high), 0.5);
-    double size = vec3d_max_abs(vec3d_subtract(measures.bounds.high, measures.bounds.low));
-    if (vec3d_max_abs(middle) > far_sizes * size) {
-        measures = accumulate_scene(scene, middle, &estimate);
     }
     for (size_t i = 0; i < measures.glass_count; i++) {
         for (size_t k = 0; k < i; k++) {
@@ -390,7 +288,7 @@ PrecisionEstimate precision_estimate_of(const Scene *scene) {
     keep_largest_error(&estimate, PRECISION_PIXEL_ANGLE,
                        PRECISION_VISIBLE_ERROR * shift / EDGE_TOLERANCE);
     estimate.depth = depth_needed(estimate.max_secondary_weight);
-    // What mirrors shows the models once more.
+    // A mirror shows the meshes once more.
     double images = estimate.max_secondary_weight > 0 ? 2 : 1;
     keep_largest_error(&estimate, PRECISION_SHADOW_TERMINATOR,
                        PRECISION_VISIBLE_ERROR * TERMINATOR_MARGIN * images *
@@ -405,9 +303,6 @@ PrecisionEstimate precision_estimate_of(const Scene *scene) {
 }
 
 const Engine *precision_estimate_engine(const PrecisionEstimate *estimate) {
-    const Engine *wide = engine_find("f64x4", NULL);
-    if (precision_estimate_error(estimate) < PRECISION_VISIBLE_ERROR) {
-        return engine_find("auto", NULL);
-    }
-    return wide ? wide : engine_find("f64x1", NULL);
+    bool is_visible = precision_estimate_error(estimate) >= PRECISION_VISIBLE_ERROR;
+    return engine_with_role(is_visible ? ENGINE_DOUBLE : ENGINE_FASTEST);
 }

@@ -1,56 +1,55 @@
 /**
  * @file
- * @brief A forecast: what can be said of a scene's errors from its numbers, before any ray is
- *        traced.
+ * @brief Estimate of the rounding errors of a picture from the numbers of its scene, before any ray
+ *        is traced.
  *
- * Float has 24 bits. How far that is off in the picture is the product of its half ulp and of what
- * makes it grow: lengths against lengths, and turns of rays on curved mirrors. The forecast takes
- * the largest of these products, in 8-bit steps. It is meant for what one ray in ten thousand may
- * be off: `dioptre needs` looks whether that is true.
+ * Float has 24 bits. The error in the picture is half an ulp times what magnifies it: ratios of
+ * lengths, and the divergence of rays on curved mirrors. The estimate is the largest of these
+ * products, in 8-bit steps, for the worst ray of ten thousand. `dioptre needs` measures whether it
+ * is right.
  */
 #ifndef DIOPTRE_RENDER_PRECISION_ESTIMATE_H
 #define DIOPTRE_RENDER_PRECISION_ESTIMATE_H
 
 #include "dioptre/engine.h"
 
-/** Half an 8-bit step of the encoded picture: what is off by less, nobody can tell. */
+/** Half an 8-bit step of the encoded picture: smaller errors are not visible. */
 #define PRECISION_VISIBLE_ERROR 0.5
 
-/** What makes roundings grow. */
+/** What magnifies rounding errors. */
 typedef enum {
-    PRECISION_DISTANCE,    /**< How far away things are, in their own sizes. */
-    PRECISION_PIXEL_ANGLE, /**< How narrow a pixel is: its angle against an ulp of a direction. */
-    PRECISION_POSITION,    /**< How large coordinates are against what a pixel shows of them. */
-    PRECISION_RAY_DIVERGENCE, /**< Curved mirrors and glass: each makes rays go apart. */
-    PRECISION_HORIZON,        /**< A picture on a plane without end: far away its texels crowd. */
-    PRECISION_FRACTAL,        /**< A fractal: normals that turn within a tolerance. */
-    PRECISION_THIN_GLASS,     /**< Walls of glass that are thin against their coordinates. */
-    PRECISION_SHADOW_TERMINATOR, /**< Faces of models that lamps see from a little behind. */
-    PRECISION_CAUSE_COUNT        /**< How many there are. */
+    PRECISION_DISTANCE,          /**< Distance of a shape relative to its size. */
+    PRECISION_PIXEL_ANGLE,       /**< Narrow pixels: their angle against an ulp of a direction. */
+    PRECISION_POSITION,          /**< Large coordinates against the size of a pixel in the scene. */
+    PRECISION_RAY_DIVERGENCE,    /**< Curved mirrors and glass, which make rays diverge. */
+    PRECISION_HORIZON,           /**< A texture on an infinite plane, dense at the horizon. */
+    PRECISION_FRACTAL,           /**< A fractal, whose normals change within a tolerance. */
+    PRECISION_THIN_GLASS,        /**< Walls of glass that are thin against their coordinates. */
+    PRECISION_SHADOW_TERMINATOR, /**< Faces of smooth meshes at grazing angles to a light. */
+    PRECISION_CAUSE_COUNT        /**< Number of causes. */
 } PrecisionCause;
 
-/** What is forecast. */
+/** An estimate. */
 typedef struct PrecisionEstimate {
-    double errors[PRECISION_CAUSE_COUNT]; /**< Steps that float may be off by, for each cause. */
-    PrecisionCause cause;                 /**< The one with most. */
-    double max_distance_in_radii; /**< How far away the farthest thing is, in its own radii; 0:
-                                     nothing ends. */
+    double errors[PRECISION_CAUSE_COUNT]; /**< Error of float per cause, 8-bit steps. */
+    PrecisionCause cause;                 /**< The cause with the largest error. */
+    double max_distance_in_radii; /**< Largest distance of a shape, in its own radii; 0: no shape is
+                                       bounded. */
     double pixel_angle;           /**< Angle of a pixel, radians. */
-    double max_secondary_weight;  /**< The largest share that a surface mirrors or lets through. */
-    int bounces;                  /**< How many turns on curved surfaces were counted with. */
-    int depth; /**< How deep rays must be followed until none can change 8 bits. */
+    double max_secondary_weight;  /**< Largest reflectance plus transmittance of a surface. */
+    int bounces;                  /**< Number of bounces on curved surfaces that were counted. */
+    int depth; /**< Recursion depth beyond which no ray can change an 8-bit value. */
 } PrecisionEstimate;
 
-/** Looks at a scene's numbers. Takes no time to speak of. @return The forecast. */
+/** @return The estimate for a scene. Its time is proportional to the number of shapes. */
 PrecisionEstimate precision_estimate_of(const Scene *scene);
 
-/** @return Steps that float may be off by. */
+/** @return The largest error of float, 8-bit steps. */
 static inline double precision_estimate_error(const PrecisionEstimate *estimate) {
     return estimate->errors[estimate->cause];
 }
 
-/** Finds the engine for a scene. @return The fastest that this machine can run and that is exact
- *  enough. */
+/** @return The fastest engine that the processor supports and that is exact enough. */
 const Engine *precision_estimate_engine(const PrecisionEstimate *estimate);
 
 #endif

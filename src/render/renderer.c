@@ -94,13 +94,14 @@ Renderer *renderer_create_reusing(const Renderer *reuse_from, const Scene *scene
     if (renderer->thread_pool && has_memory) {
         TraceSettings trace = renderer_trace_settings(renderer, reuse_from);
         Scene lit = renderer_lit_scene(renderer, scene);
+        lit.image.width = settings->width;
+        lit.image.height = settings->height;
         renderer->tracer = settings->engine->create_tracer(&lit, &trace, error);
     }
     if (!renderer->tracer) {
         renderer_destroy(renderer);
         return NULL;
     }
-    settings->engine->set_view(renderer->tracer, scene, settings->width, settings->height);
     return renderer;
 }
 

@@ -34,8 +34,7 @@ static Face face_at(const MeshInstance *instance, size_t index) {
 /** @return The share of a face that float lights and double does not. */
 static double face_lit_wrongly(const MeshInstance *instance, const Face *face,
                                const SceneLight *light) {
-    Vec3d to_light = light->kind == SCENE_LIGHT_SUN ? vec3d_scale(light->direction, -1)
-                                                    : vec3d_subtract(light->position, face->corner);
+    Vec3d to_light = scene_light_offset_from(light, face->corner);
     double sine_behind = -vec3d_dot(vec3d_normalize(to_light), face->normal);
     double edge = sqrt(2 * face->area);
     bool is_affected = sine_behind > 0 && sine_behind < TERMINATOR_SINE && edge > 0;

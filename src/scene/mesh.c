@@ -56,6 +56,7 @@ Mesh *mesh_translated(const Mesh *mesh, Vec3d offset, Error *error) {
         for (size_t i = 0; i < moved->position_count; i++) {
             moved->positions[i] = vec3d_add(mesh->positions[i], offset);
         }
+        mesh_update_bounds(moved);
     }
     return moved;
 }
@@ -70,6 +71,13 @@ Mesh *mesh_retain(Mesh *mesh) {
 void mesh_release(Mesh *mesh) {
     if (mesh && atomic_fetch_sub(&mesh->reference_count, 1) == 1) {
         munmap(mesh, mesh_block_size(mesh));
+    }
+}
+
+void mesh_update_bounds(Mesh *mesh) {
+    mesh->bounds = aabbd_empty();
+    for (size_t i = 0; i < mesh->position_count; i++) {
+        mesh->bounds = aabbd_add_point(mesh->bounds, mesh->positions[i]);
     }
 }
 

@@ -302,8 +302,9 @@ static bool scene_translate_shape(Scene *scene, const Keyword *keyword, void *va
 
 /** Adds a shape to a moved scene. Of one that is transformed only the transform moves: its own
  *  space stays. @return false without memory. */
-static bool scene_add_translated(Scene *scene, const SceneShape *shape, const Keyword *keyword,
-                                 Vec3d offset, Error *error) {
+static bool scene_add_translated(Scene *scene, const SceneShape *shape, Vec3d offset,
+                                 Error *error) {
+    const Keyword *keyword = scene_shape_keywords[shape->class_index];
     if (!scene_add_shape(scene, shape->class_index, keyword, shape->parameters,
                          shape->material_index, error)) {
         return false;
@@ -317,8 +318,7 @@ static bool scene_add_translated(Scene *scene, const SceneShape *shape, const Ke
     return scene_translate_shape(scene, keyword, values, offset, error);
 }
 
-Scene *scene_translated(const Scene *scene, const Keyword *const *shape_keywords, Vec3d offset,
-                        Error *error) {
+Scene *scene_translated(const Scene *scene, Vec3d offset, Error *error) {
     SceneArena *arena = scene_arena_create(error);
     if (!arena) {
         return NULL;
@@ -328,9 +328,7 @@ Scene *scene_translated(const Scene *scene, const Keyword *const *shape_keywords
     moved->shape_count = moved->mesh_count = moved->texture_count = 0;
     bool is_made = scene_copy_arrays(arena, scene, error) && scene_copy_meshes(arena, scene, error);
     for (size_t i = 0; i < scene->shape_count && is_made; i++) {
-        const SceneShape *shape = &scene->shapes[i];
-        is_made =
-            scene_add_translated(moved, shape, shape_keywords[shape->class_index], offset, error);
+        is_made = scene_add_translated(moved, &scene->shapes[i], offset, error);
     }
     if (!is_made) {
         scene_destroy(moved);

@@ -14,7 +14,7 @@
 /** What a call of a word has read. */
 typedef struct KeywordCall {
     const Keyword *keyword;     /**< The word. */
-    size_t kind;                /**< Which shape it is, in the engines' order; if it is one. */
+    size_t kind;                /**< Index of the shape's or light's class; if it is one. */
     const void *values;         /**< The keyword's struct, finished. */
     size_t material;            /**< Place of the material that it wears; if it is a shape. */
     const Transform *transform; /**< What becomes of it; NULL: nothing, or it is no shape. */
@@ -28,7 +28,7 @@ typedef struct KeywordFunction {
     const Keyword *keyword; /**< Its name and fields. */
     AddFunction *add;       /**< What becomes of them. */
     bool is_shape;          /**< Whether it takes the fields of every shape too. */
-    size_t kind;            /**< Which shape, in the engines' order. */
+    size_t kind;            /**< Index of the shape's or light's class. */
 } KeywordFunction;
 
 /** What the words return: a thing of the scene. */
@@ -58,9 +58,11 @@ static bool add_sky(Scene *scene, const KeywordCall *call, Error *error) {
     return true;
 }
 
-/** Adds a lamp or a sun. See #AddFunction. @return See there. */
+/** Adds a light. See #AddFunction. @return See there. */
 static bool add_light(Scene *scene, const KeywordCall *call, Error *error) {
-    return scene_add_light(scene, call->values, error);
+    SceneLight light = *(const SceneLight *)call->values;
+    light.class_index = call->kind;
+    return scene_add_light(scene, &light, error);
 }
 
 /** Adds a material. See #AddFunction. @return See there. */
@@ -84,8 +86,6 @@ static const KeywordFunction scene_keywords[] = {
     {.keyword = &scene_camera_keyword, .add = add_camera},
     {.keyword = &scene_image_keyword, .add = add_image},
     {.keyword = &scene_sky_keyword, .add = add_sky},
-    {.keyword = &scene_light_keyword, .add = add_light},
-    {.keyword = &scene_sun_keyword, .add = add_light},
     {.keyword = &scene_material_keyword, .add = add_material}};
 
 /** What `ambient` takes. */
@@ -211,6 +211,11 @@ void keywords_open(lua_State *L) {
     const Keyword *const *shapes = run->request->shape_keywords;
     for (size_t i = 0; i < sizeof scene_keywords / sizeof *scene_keywords; i++) {
         register_keyword(L, &scene_keywords[i]);
+    }
+    for (size_t i = 0; scene_light_classes[i]; i++) {
+        register_keyword(L, &(KeywordFunction){.keyword = scene_light_classes[i]->keyword,
+                                               .add = add_light,
+                                               .kind = i});
     }
     for (size_t i = 0; shapes[i]; i++) {
         register_keyword(L,

@@ -130,12 +130,16 @@ static Scene *load_text(const ScriptRequest *request, const ScriptText *text, Er
 }
 
 Scene *script_load(const ScriptRequest *request, Error *error) {
+    ScriptRequest complete = *request;
+    if (!complete.shape_keywords) {
+        complete.shape_keywords = scene_shape_keywords;
+    }
     ScriptText uncached = {0};
     ScriptText *text = request->cache ? asset_cache_text(request->cache) : &uncached;
     if (!text->text && !script_text_load(request->path, text, error)) {
         return NULL;
     }
-    Scene *scene = load_text(request, text, error);
+    Scene *scene = load_text(&complete, text, error);
     script_text_deinit(&uncached);
     return scene;
 }

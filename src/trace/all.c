@@ -14,10 +14,14 @@
 // Light and matter.
 #include "trace/glass/dielectric.c"
 #include "trace/glass/interior_list.c"
+#include "trace/lights/cylinder_light.c"
 #include "trace/lights/direct_lighting.c"
-#include "trace/lights/emitter_spheres.c"
+#include "trace/lights/emitters.c"
 #include "trace/lights/light.c"
+#include "trace/lights/point_light.c"
+#include "trace/lights/rectangle_light.c"
 #include "trace/lights/shadow_transmittance.c"
+#include "trace/lights/sun.c"
 #include "trace/materials/material.c"
 #include "trace/materials/textures.c"
 // Shapes.
@@ -28,7 +32,6 @@
 #include "trace/shapes/mesh.c"
 #include "trace/shapes/plane.c"
 #include "trace/shapes/quad.c"
-#include "trace/shapes/registry.c"
 #include "trace/shapes/sdf.c"
 #include "trace/shapes/shape.c"
 #include "trace/shapes/sphere.c"
@@ -56,5 +59,4 @@
 #include "trace/tracer/query.c"
 #include "trace/tracer/ray_tree_recorder.c"
 // The engine itself.
-#include "trace/rebase.c"
 #include "trace/tracer/engine.c"

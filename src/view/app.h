@@ -1,80 +1,198 @@
 /**
  * @file
- * @brief All that an open window knows.
+ * @brief The state of an open window, and the functions that everything in the window shares.
+ *
+ * The parts of src/view, from the bottom; each includes only parts above it in this list:
+ *
+ *     state/      models without a screen: commands' type, held keys, clocks, overrides, snapshots
+ *     window/     SDL: the window, textures, viewports (Window > Viewport > StreamingTexture >
+ * SdlWindow) loading/    threads: the scene loader, the list of scenes, the file watcher panels/
+ * what lies over the picture: help, hud, inspector, captions, list of scenes window.h    the
+ * viewports and panels of one window app.h       all of that with scene, time, lesson and input:
+ * this file commands/   the table of commands, what they do, the scene on screen, the recorder
+ *     lesson/     the player: it issues commands
+ *     input/      keyboard, mouse, window events: they issue commands
+ *     view.c      the event loop
+ *
+ * test_view checks this list against the `#include` lines.
  */
 #ifndef DIOPTRE_VIEW_APP_H
 #define DIOPTRE_VIEW_APP_H
 
 #include "dioptre/view.h"
-#include "view/commands/timeline.h"
-#include "view/commands/view_state.h"
-#include "view/input/held_keys.h"
-#include "view/lesson/player.h"
-#include "view/lesson/recorder.h"
 #include "view/loading/file_watcher.h"
 #include "view/loading/scene_loader.h"
-#include "view/window/window.h"
+#include "view/state/clocks.h"
+#include "view/state/command.h"
+#include "view/state/view_state.h"
+#include "view/window.h"
 
-/** Longest note in the title, bytes with the final zero; a longer one is cut. */
+/** Longest status in the title, bytes with the final zero; a longer one is cut. */
 enum { STATUS_TEXT_SIZE = 256 };
 /** Longest name of a scene, bytes with the final zero; a longer one is cut. */
 enum { SCENE_NAME_SIZE = 256 };
+/** Bytes of a caption that is typed, with the final zero. */
+enum { CAPTION_INPUT_SIZE = 512 };
 
-/** SDL event types of the window's own. */
+/** SDL event types of the window's own, from #App.first_event on. */
 typedef enum {
-    EVENT_PASS_FINISHED,      /**< A pass has ended. */
-    EVENT_SCENE_LOADED,       /**< The scene that was asked for is there. */
+    EVENT_PASS_FINISHED,      /**< A render pass has finished. */
+    EVENT_SCENE_LOADED,       /**< The requested scene is loaded. */
     EVENT_FILE_CHANGED,       /**< The scene's file was written. */
-    EVENT_SCENE_LIST_CHANGED, /**< There is news in the list of scenes. */
+    EVENT_SCENE_LIST_CHANGED, /**< The list of scenes has changed. */
     EVENT_SIGNAL,             /**< A signal asks the program to end. */
-    EVENT_COUNT               /**< How many there are. */
+    EVENT_COUNT               /**< Number of events. */
 } AppEvent;
 
-/** An open window. */
+/** Where the scene comes from, and the next one. */
+typedef struct SceneSource {
+    char path[PATH_MAX];        /**< File of the scene on screen, or `-`. */
+    char name[SCENE_NAME_SIZE]; /**< Its name, for the title and the snapshots. */
+    Scene *owned;               /**< The scene on screen; NULL: it is the first, the caller's. */
+    SceneLoader loader;         /**< Loads the next scene. */
+    FileWatcher watcher;        /**< Reports that the file was written. */
+    bool is_file_changed;       /**< Whether it was, since the last request. */
+    bool has_load_error;        /**< Whether the newest scene could not be loaded. */
+    char failed_path[PATH_MAX]; /**< Its file; empty: #path. */
+    char next_path[PATH_MAX];   /**< File of the scene to load next; empty: none. */
+    double next_load_time;      /**< Earliest time of the next request, seconds. */
+} SceneSource;
+
+/** What keyboard and mouse are doing. */
+typedef struct InputState {
+    HeldKeys held_keys;      /**< The keys that are held. */
+    double next_move_time;   /**< When held keys move things again, seconds. */
+    bool is_click_candidate; /**< Whether the mouse button is down and the mouse has not moved. */
+    int click_x;             /**< Where it went down, screen units. */
+    int click_y;             /**< The same. */
+} InputState;
+
+/** A lesson that plays. Starts as `{0}`: none. */
+typedef struct Player {
+    const Lesson *lesson;     /**< The lesson; NULL: none. */
+    StepClock step_clock;     /**< Its clock. */
+    size_t next_step;         /**< Index of its next step. */
+    double start_time;        /**< When its clock was 0, seconds on #clock_now_seconds. */
+    bool is_paused;           /**< Whether it waits for Space. */
+    bool is_capturing;        /**< Whether it waits for the finished picture, to save it. */
+    ViewState paused_view;    /**< Camera and lights when it was paused; owned. */
+    size_t paused_light;      /**< The selected light at that time. */
+    Timeline paused_timeline; /**< The scene's time at that time. */
+} Player;
+
+/** A lesson that is recorded. Starts as `{0}`: none. */
+typedef struct Recorder {
+    FILE *stream;                     /**< Writes #text; NULL: nothing is recorded. */
+    char *text;                       /**< Text of the lesson; owned. */
+    size_t size;                      /**< Its bytes. */
+    StepClock step_clock;             /**< Its clock. */
+    int64_t last_step_time;           /**< Time of the last step, milliseconds. */
+    double start_time;                /**< When its clock was 0, seconds on #clock_now_seconds. */
+    bool is_entering_caption;         /**< Whether a caption is typed: the clock stands still. */
+    char caption[CAPTION_INPUT_SIZE]; /**< What is typed so far, UTF-8. */
+} Recorder;
+
+/** The title of the window. */
+typedef struct TitleState {
+    char status_text[STATUS_TEXT_SIZE]; /**< Its last part: the newest message; empty: none. */
+    double next_update_time;            /**< Earliest time of its next change, seconds. */
+} TitleState;
+
+/** The end of the program. */
+typedef struct ExitState {
+    bool is_requested; /**< Whether the window is to be closed. */
+    Status status;     /**< Exit status of the program. */
+} ExitState;
+
+/** The state of an open window. */
 typedef struct App {
     const ViewSettings *settings; /**< How it was opened. */
-    Scene *scene;                 /**< What it shows; camera and lights are moved. */
-    Scene *owned_scene;           /**< The same where it is not the first; owned, else NULL. */
-    Timeline timeline;            /**< What time it is. */
-    double scene_time;            /**< The time of the scene, seconds: that of some moments ago. */
-    double next_load_time;        /**< When a scene of another time is asked for, seconds. */
-    SceneLoader loader;           /**< Who makes it. */
-    FileWatcher watcher;          /**< Who tells that its file was written. */
-    bool is_file_changed;         /**< Whether it was. */
-    bool has_load_error;          /**< Whether the newest scene could not be had. */
-    char failed_path[PATH_MAX];   /**< Its file; empty: that of the scene that is shown. */
-    char next_path[PATH_MAX];     /**< File of another scene that is wanted; empty: none is. */
-    char path[PATH_MAX];          /**< File of the scene that is shown, or `-`. */
-    char name[SCENE_NAME_SIZE];   /**< Name of the scene: in the title and of the snapshots. */
-    ViewState home_view;          /**< The scene's own view. */
-    Window window;                /**< The way from the scene to the screen. */
-    HeldKeys held_keys;           /**< The keys that are held. */
-    Player player;                /**< The lesson that is played. */
+    const Command *commands;      /**< All commands, see #command_table. */
+    Window window;                /**< The picture and the panels on screen. */
+    Scene *scene;                 /**< The scene on screen; its camera and lights are moved. */
+    SceneSource source;           /**< Where it comes from. */
+    double scene_time;            /**< Time of #scene, seconds; #timeline may be ahead. */
+    Timeline timeline;            /**< The scene's time. */
+    ViewState home_view;          /**< Camera and lights as the scene file has them. */
+    size_t selected_light;        /**< Index of the light that keys move. */
+    InputState input;             /**< Keyboard and mouse. */
+    Player player;                /**< The lesson that plays. */
     Recorder recorder;            /**< The lesson that is recorded. */
-    size_t selected_light;        /**< Place of the light that the keys move. */
-    double next_move_time;        /**< When held keys move things again, seconds. */
-    bool is_click_candidate;      /**< Whether the mouse's button is down and it has not moved. */
-    int click_x;                  /**< Where it went down, units of the screen. */
-    int click_y;                  /**< See #click_x. */
+    TitleState title;             /**< The window's title. */
     bool wants_snapshot;          /**< Whether a snapshot waits for the last pass. */
-    char status_text[STATUS_TEXT_SIZE]; /**< What the title says besides how the drawing stands. */
-    double next_title_time;             /**< When the title may change again, seconds. */
-    Uint32 first_event; /**< SDL's number for #EVENT_PASS_FINISHED; the others follow. */
-    bool should_quit;   /**< Whether the window is to be closed. */
-    Status exit_status; /**< What the program should end with. */
+    Uint32 first_event;           /**< SDL's number of #EVENT_PASS_FINISHED; the others follow. */
+    ExitState exit;               /**< Whether and how the program ends. */
 } App;
 
-/** Puts a note into the title, until the next change of the view. @param format The note in
- *  English, as for printf, looked up here. */
+/* --- messages --------------------------------------------------------------------------------- */
+
+/** Shows a status in the title, until the view changes. @param format In English, as for printf;
+ *  translated here. */
 void app_set_status(App *app, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/** Says on standard error, in the title and over the picture what went wrong. */
-void app_report_error(App *app, const Error *error);
-
-/** Takes the note out of the title. */
+/** Removes the status from the title. */
 void app_clear_status(App *app);
 
-/** The view has changed: it is drawn anew. */
+/** Reports an error on standard error, in the title and over the picture. */
+void app_report_error(App *app, const Error *error);
+
+/* --- time ------------------------------------------------------------------------------------- */
+
+/** @return Whether a lesson plays. */
+bool app_is_playing(const App *app);
+
+/** @return Whether a lesson plays and its clock stands still. */
+bool app_is_lesson_stopped(const App *app);
+
+/** @return Whether a lesson is recorded. */
+bool app_is_recording(const App *app);
+
+/** @return Now on the clock that the scene's time follows, seconds: the lesson's clock, or
+ *  #clock_now_seconds. */
+double app_clock(const App *app);
+
+/** @return The scene's time as it should be now, seconds. */
+double app_scene_time(const App *app);
+
+/** @return Whether the scene depends on time, and can be loaded for other times. */
+bool app_is_animated(const App *app);
+
+/** @return Whether the time is paused, and the scene on screen is of that time. */
+bool app_is_time_settled(const App *app);
+
+/* --- the view --------------------------------------------------------------------------------- */
+
+/** The view has changed: the picture is drawn again. */
 void app_on_view_changed(App *app);
+
+/** Moves the selected light and the camera along the axes of the picture. While rays are shown, it
+ *  moves the second camera. */
+void app_move(App *app, Movement light, Movement camera);
+
+/** Turns the camera, or the second camera around the rays. @param right Degrees to the right.
+ *  @param up Degrees up. */
+void app_turn(App *app, double right, double up);
+
+/** Narrows the field of view, or moves the second camera nearer. @param notches Notches of the
+ *  wheel; negative: the opposite. */
+void app_zoom(App *app, double notches);
+
+/** Shows the rays of a pixel. @param x Fraction of the picture's width. @param y Fraction of its
+ *  height, from the top. */
+void app_pick_pixel(App *app, double x, double y);
+
+/** Shows the rays of a pixel nearby. @param right Pixels to the right. @param down Pixels down. */
+void app_step_pixel(App *app, int right, int down);
+
+/** Puts camera and lights back where the scene file has them. */
+void app_reset_view(App *app);
+
+/**
+ * Saves the finished picture in a numbered file, and prints the view and the path.
+ * @param folder  Folder of the file.
+ * @param name    First part of its name.
+ * @return Whether it is saved.
+ */
+bool app_save_picture(App *app, const char *folder, const char *name, Error *error);
 
 #endif

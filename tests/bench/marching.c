@@ -64,8 +64,7 @@ static double picture_cpu_seconds(Renderer *renderer) {
 static Scene *scene_of(const char *path, Error *error) {
     const ScriptRequest request = {.path = path,
                                    .time_limit = SCRIPT_TIME_LIMIT,
-                                   .memory_limit = SCRIPT_MEMORY_LIMIT,
-                                   .shape_keywords = engine_list()[0]->shape_keywords};
+                                   .memory_limit = SCRIPT_MEMORY_LIMIT};
     return script_load(&request, error);
 }
 

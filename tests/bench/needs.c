@@ -89,8 +89,7 @@ int main(int argc, char **argv) {
         NeedsTrial whole;
         ScriptRequest request = {.path = argv[i],
                                  .time_limit = SCRIPT_TIME_LIMIT,
-                                 .memory_limit = SCRIPT_MEMORY_LIMIT,
-                                 .shape_keywords = engine_find("f32x1", NULL)->shape_keywords};
+                                 .memory_limit = SCRIPT_MEMORY_LIMIT};
         Scene *scene = script_load(&request, &error);
         if (!scene || !find_needs(scene, &sampled_needs, &error) ||
             !verify_float(scene, sampled_needs.depth, &whole, &error)) {

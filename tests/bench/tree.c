@@ -69,8 +69,7 @@ static bool measure_shape_count(const char *path, const char *name, const Engine
     const ScriptRequest request = {.path = path,
                                    .time = shapes,
                                    .time_limit = SCRIPT_TIME_LIMIT,
-                                   .memory_limit = SCRIPT_MEMORY_LIMIT,
-                                   .shape_keywords = engine->shape_keywords};
+                                   .memory_limit = SCRIPT_MEMORY_LIMIT};
     Scene *scene = script_load(&request, error);
     Renderer *list = scene ? renderer_of(scene, engine, BVH_NEVER, error) : NULL;
     Renderer *tree = list ? renderer_of(scene, engine, BVH_ALWAYS, error) : NULL;

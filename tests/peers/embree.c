@@ -535,9 +535,8 @@ static Scene *scene_load(const char *path, const char *folder) {
     Error error = {0};
     const ScriptRequest request = {.path = path,
                                    .base_dir = folder,
-                                   .seconds = SCRIPT_TIME_LIMIT,
-                                   .memory = SCRIPT_MEMORY_LIMIT,
-                                   .shape_keywords = engine_find("auto", &error)->shape_keywords};
+                                   .time_limit = SCRIPT_TIME_LIMIT,
+                                   .memory_limit = SCRIPT_MEMORY_LIMIT};
     Scene *scene = script_load(&request, &error);
     if (!scene) {
         fail(error.message);

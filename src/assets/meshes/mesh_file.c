@@ -244,6 +244,7 @@ static bool validate_mesh(Mesh *mesh, Error *error) {
     if (!mesh_validate(mesh, error)) {
         return false;
     }
+    mesh_update_bounds(mesh);
     size_t page = (size_t)sysconf(_SC_PAGESIZE);
     size_t kept = (mesh_block_size(mesh) + page - 1) / page * page;
     if (kept < MESH_CAPACITY) {

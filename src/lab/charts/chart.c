@@ -114,7 +114,7 @@ static void samples_add(ChartMeasurement *measure) {
 
 /** Adds tolerances. */
 static void tolerances_add(ChartMeasurement *measure) {
-    bool is_marched = scene_has_tolerances(measure->scene, engine_list()[0]->shape_keywords);
+    bool is_marched = scene_has_tolerances(measure->scene);
     for (double factor = 0.25; is_marched && factor <= 256; factor *= 4) {
         char label[CHART_LABEL_SIZE];
         snprintf(label, sizeof label, "tolerance x %g", factor);
@@ -132,8 +132,7 @@ static void bvh_modes_add(ChartMeasurement *measure) {
 static bool point_render(const ChartMeasurement *measure, const PixelSet *pixels,
                          const ChartPoint *point, SampledRender *render, Error *error) {
     ScaledToleranceScene scaled;
-    if (!scaled_tolerance_scene_init(&scaled, measure->scene, point->engine->shape_keywords,
-                                     point->tolerance, error)) {
+    if (!scaled_tolerance_scene_init(&scaled, measure->scene, point->tolerance, error)) {
         return false;
     }
     const Scene *scene = point->tolerance == 1 ? measure->scene : &scaled.scene;
@@ -202,7 +201,7 @@ static ErrorKind error_kind_of(const char *group) {
 static ChartPoint reference_of(const ChartPoint *point, ErrorKind kind) {
     ChartPoint truth = *point;
     if (kind == ERROR_KIND_ROUNDING) {
-        truth.engine = engine_find("f128x1", NULL);
+        truth.engine = engine_with_role(ENGINE_REFERENCE);
         truth.trace.offset = OFFSET_BOUND;
     } else if (kind == ERROR_KIND_MODEL) {
         truth.trace.depth =
@@ -271,7 +270,7 @@ static bool point_measure_total_error(const ChartMeasurement *measure,
 /** Finds all errors. @return false if anything is. */
 static bool points_measure_errors(ChartMeasurement *measure, Error *error) {
     SampledRender reference_render;
-    ChartPoint best = {.engine = engine_find("f64x1", NULL),
+    ChartPoint best = {.engine = engine_scalar(engine_with_role(ENGINE_DOUBLE)),
                        .trace = measure->settings->trace,
                        .samples = REFERENCE_SAMPLES,
                        .tolerance = 1.0 / 16};

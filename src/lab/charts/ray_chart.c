@@ -1,335 +1,289 @@
 /**
  * @file
- * @brief The rays of a pixel as a drawing.
+ * @brief The rays of a pixel as an SVG file.
  *
- * The scene is drawn from the second camera in a few greys, each grey one path, with a line where
- * one shape ends and another begins: faint, small and sharp in print. The rays lie over it.
+ * The background is the scene from a second camera, in a few light greys, with a line where one
+ * shape ends and another begins: faint, small and sharp in print. The rays are drawn over it.
  */
 #include "dioptre/ray_chart.h"
 
 #include "base/atomic_file.h"
 #include "base/language.h"
+#include "render/ray_drawing.h"
 
+#include <cairo-svg.h>
 #include <libintl.h>
 #include <stdlib.h>
+#include <string.h>
 
-/** Units of the drawing, which are pixels of the outlines. */
+/** Size of the drawing: its units are the pixels of the outlines. */
 enum { WIDTH = 1000, HEIGHT = 750 };
-/** Units of a cell of grey. */
-enum { BACKGROUND_CELL = 2 };
+/** Units of a pixel of the greys. */
+enum { GREY_CELL = 2 };
+/** Size of the greys. */
+enum { GREY_COLUMNS = WIDTH / GREY_CELL, GREY_ROWS = HEIGHT / GREY_CELL };
 /** How many greys there are. */
 enum { GREY_LEVELS = 12 };
-/** Rays whose numbers are written, at most: more would hide the drawing. */
-enum { NUMBERED_RAYS_MAXIMUM = 40 };
-
-/** The faintest grey, of 255. */
-static const double GREY_BRIGHTEST = 255;
-/** The darkest grey, of 255. */
-static const double GREY_DARKEST = 170;
+/** The brightest and the darkest grey. */
+enum { GREY_BRIGHTEST = 255, GREY_DARKEST = 170 };
 
 /** What the second camera sees of the scene. */
-typedef struct BackgroundRaster {
+typedef struct Background {
     int *shapes;       /**< The shape in each pixel, or -1; owned. */
-    double *distances; /**< How far it is; owned. */
-    double *rgb;       /**< Linear light of each cell, plane by plane; owned. */
-} BackgroundRaster;
+    double *distances; /**< The distance in each pixel; owned. */
+    double *rgb;       /**< Linear light of each pixel of the greys, plane by plane; owned. */
+} Background;
 
-/** Gives a backcloth back. */
-static void background_raster_deinit(BackgroundRaster *raster) {
-    free(raster->shapes);
-    free(raster->distances);
-    free(raster->rgb);
+/** Releases a background. */
+static void background_deinit(Background *background) {
+    free(background->shapes);
+    free(background->distances);
+    free(background->rgb);
 }
 
-/**
- * Looks at the scene.
- * @param side  The scene, with the second camera.
- * @return false without memory.
- */
-static bool background_raster_trace(const Engine *engine, Tracer *tracer, const Scene *side,
-                                    BackgroundRaster *raster) {
-    const size_t pixels = (size_t)WIDTH * HEIGHT,
-                 cells = pixels / (BACKGROUND_CELL * BACKGROUND_CELL);
+/** Traces a background. @param side The scene with the second camera. @return false without
+ *  memory. */
+static bool background_trace(const Engine *engine, Tracer *tracer, const Scene *side,
+                             Background *background) {
+    const size_t pixels = (size_t)WIDTH * HEIGHT, cells = (size_t)GREY_COLUMNS * GREY_ROWS;
     RayCounts counts = {0};
     PixelGrid all = {.columns = WIDTH, .rows = HEIGHT, .stride = 1};
-    PixelGrid coarse = {.columns = WIDTH / BACKGROUND_CELL,
-                        .rows = HEIGHT / BACKGROUND_CELL,
-                        .stride = BACKGROUND_CELL};
-    raster->shapes = malloc(pixels * sizeof *raster->shapes);
-    raster->distances = malloc(pixels * sizeof *raster->distances);
-    raster->rgb = malloc(3 * cells * sizeof *raster->rgb);
-    if (!raster->shapes || !raster->distances || !raster->rgb) {
+    PixelGrid coarse = {.columns = GREY_COLUMNS, .rows = GREY_ROWS, .stride = GREY_CELL};
+    background->shapes = malloc(pixels * sizeof *background->shapes);
+    background->distances = malloc(pixels * sizeof *background->distances);
+    background->rgb = malloc(3 * cells * sizeof *background->rgb);
+    if (!background->shapes || !background->distances || !background->rgb) {
         return false;
     }
     engine->set_view(tracer, side, WIDTH, HEIGHT);
-    engine->trace_primary(tracer, &all, raster->shapes, raster->distances);
-    engine->trace(tracer, &coarse, raster->rgb, &counts);
+    engine->trace_primary(tracer, &all, background->shapes, background->distances);
+    engine->trace(tracer, &coarse, background->rgb, &counts);
     return true;
 }
 
 /**
- * Makes a backcloth.
- * @param[out] raster  What it sees; to be released also where anything is wrong.
- * @return Whether it is there.
+ * Makes a background.
+ * @param[out] background  It; to be released also where anything is wrong.
+ * @return false if anything is wrong.
  */
-static bool background_raster_init(const RayChart *chart, const ProjectedView *projected,
-                                   BackgroundRaster *raster, Error *error) {
-    // The fastest engine is good enough for it; what is drawn of the rays is the chosen one's.
+static bool background_init(const RayChart *chart, const SceneCamera *camera,
+                            Background *background, Error *error) {
+    // The fastest engine is accurate enough for it; the rays are the chosen engine's.
     const Engine *engine = engine_find("auto", error);
     Scene side = *chart->scene;
-    side.camera = projected->camera;
+    side.camera = *camera;
     TraceSettings trace = chart->settings->trace;
     trace.samples = 1;
-    *raster = (BackgroundRaster){0};
+    *background = (Background){0};
     Tracer *tracer = engine->create_tracer(&side, &trace, error);
-    bool is_made = tracer && (background_raster_trace(engine, tracer, &side, raster) ||
+    bool is_made = tracer && (background_trace(engine, tracer, &side, background) ||
                               error_set(error, STATUS_FAILED, "no memory for the drawing"));
     engine->destroy(tracer);
     return is_made;
 }
 
-/** @return A cell's grey: 0 is the darkest. */
-static int background_cell_grey(const BackgroundRaster *raster, size_t index) {
-    const size_t cells = (size_t)WIDTH * HEIGHT / (BACKGROUND_CELL * BACKGROUND_CELL),
-                 columns = WIDTH / BACKGROUND_CELL;
-    const double *light = raster->rgb + index;
-    if (raster->shapes[index / columns * BACKGROUND_CELL * WIDTH +
-                       index % columns * BACKGROUND_CELL] < 0) {
-        return GREY_LEVELS - 1;
+/** @return The grey of a pixel, #GREY_DARKEST to #GREY_BRIGHTEST. */
+static unsigned background_grey(const Background *background, size_t column, size_t row) {
+    const size_t cells = (size_t)GREY_COLUMNS * GREY_ROWS;
+    const double *light = background->rgb + row * GREY_COLUMNS + column;
+    if (background->shapes[(row * WIDTH + column) * GREY_CELL] < 0) {
+        return GREY_BRIGHTEST;
     }
-    double bright = 0.2126 * light[0] + 0.7152 * light[cells] + 0.0722 * light[2 * cells];
-    double step = encoding_encode(ENCODING_SRGB, fmin(fmax(bright, 0), 1));
-    int grey = (int)(step * GREY_LEVELS / (ENCODING_CODE_MAXIMUM + 1));
-    return grey;
+    double luminance = 0.2126 * light[0] + 0.7152 * light[cells] + 0.0722 * light[2 * cells];
+    double code = encoding_encode(ENCODING_SRGB, fmin(fmax(luminance, 0), 1));
+    unsigned level = (unsigned)(code * GREY_LEVELS / (ENCODING_CODE_MAXIMUM + 1));
+    return GREY_DARKEST + (GREY_BRIGHTEST - GREY_DARKEST) * level / (GREY_LEVELS - 1);
 }
 
-/** Draws the cells of one grey, in runs. */
-static void draw_grey(FILE *file, const BackgroundRaster *raster, int grey) {
-    const int columns = WIDTH / BACKGROUND_CELL;
-    double shade = GREY_DARKEST + (GREY_BRIGHTEST - GREY_DARKEST) * grey / (GREY_LEVELS - 1);
-    fprintf(file, "<path fill=\"#%02x%02x%02x\" d=\"", (unsigned)shade, (unsigned)shade,
-            (unsigned)shade);
-    for (int row = 0; row < HEIGHT / BACKGROUND_CELL; row++) {
-        const size_t first = (size_t)row * (size_t)columns;
-        for (int column = 0, run; column < columns; column += run) {
-            for (run = 0; column + run < columns &&
-                          background_cell_grey(raster, first + (size_t)(column + run)) == grey;) {
-                run++;
-            }
-            if (run > 0) {
-                fprintf(file, "M%d %dh%dv%dh%dz", column * BACKGROUND_CELL, row * BACKGROUND_CELL,
-                        run * BACKGROUND_CELL, BACKGROUND_CELL, -run * BACKGROUND_CELL);
-            }
-            run += run == 0;
+/** Draws the greys. */
+static void draw_greys(cairo_t *cairo, const Background *background) {
+    cairo_surface_t *image =
+        cairo_image_surface_create(CAIRO_FORMAT_RGB24, GREY_COLUMNS, GREY_ROWS);
+    unsigned char *data = cairo_image_surface_get_data(image);
+    size_t stride = (size_t)cairo_image_surface_get_stride(image);
+    for (size_t row = 0; data && row < GREY_ROWS; row++) {
+        uint32_t *pixels = (uint32_t *)(void *)(data + row * stride);
+        for (size_t column = 0; column < GREY_COLUMNS; column++) {
+            pixels[column] = 0x010101 * background_grey(background, column, row);
         }
     }
-    fputs("\"/>\n", file);
-}
-
-/** @return Whether one shape ends between two pixels. */
-static bool background_is_edge(const BackgroundRaster *raster, int a, int b) {
-    return raster->shapes[a] != raster->shapes[b];
+    cairo_surface_mark_dirty(image);
+    cairo_save(cairo);
+    cairo_scale(cairo, GREY_CELL, GREY_CELL);
+    cairo_set_source_surface(cairo, image, 0, 0);
+    cairo_paint(cairo);
+    cairo_restore(cairo);
+    cairo_surface_destroy(image);
 }
 
 /**
- * Draws the edges between the pixels of neighbouring rows, or columns, in runs.
- * @param across  Pixels along the edges.
- * @param along  Places from a pixel to the next along.
- * @param over  Places to the next across.
+ * Draws the lines between neighbouring rows, or columns, where the shapes differ.
+ * @param length  Pixels along a line.
+ * @param lines   Rows or columns.
+ * @param along   Indices from a pixel to the next along a line.
+ * @param across  Indices from a line to the next.
  */
-static void draw_edges(FILE *file, const BackgroundRaster *raster, int across, int down, int along,
-                       int over) {
-    for (int line = 1; line < down; line++) {
-        for (int at = 0, run; at < across; at += run) {
-            int index = line * over + at * along;
-            for (run = 0; at + run < across && background_is_edge(raster, index, index - over);) {
-                run++;
-                index += along;
+static void draw_edges(cairo_t *cairo, const int *shapes, int length, int lines, int along,
+                       int across) {
+    for (int line = 1; line < lines; line++) {
+        for (int start = 0, end; start < length; start = end + 1) {
+            const int *pixel = shapes + line * across;
+            for (end = start; end < length && pixel[end * along] != pixel[end * along - across];) {
+                end++;
             }
-            if (run > 0 && along == 1) {
-                fprintf(file, "M%d %dh%d", at, line, run);
-            } else if (run > 0) {
-                fprintf(file, "M%d %dv%d", line, at, run);
+            if (end > start) {
+                cairo_move_to(cairo, along == 1 ? start : line, along == 1 ? line : start);
+                cairo_line_to(cairo, along == 1 ? end : line, along == 1 ? line : end);
             }
-            run += run == 0;
         }
     }
 }
 
-/** Draws the scene. @param raster What is seen of it. */
-static void draw_background(FILE *file, const BackgroundRaster *raster) {
-    fputs("<g shape-rendering=\"crispEdges\">\n", file);
-    for (int grey = 0; grey < GREY_LEVELS; grey++) {
-        draw_grey(file, raster, grey);
-    }
-    fputs("</g>\n<path fill=\"none\" stroke=\"#999\" stroke-width=\"1\" d=\"", file);
-    draw_edges(file, raster, WIDTH, HEIGHT, 1, WIDTH);
-    draw_edges(file, raster, HEIGHT, WIDTH, WIDTH, 1);
-    fputs("\"/>\n", file);
+/** Draws the scene. */
+static void draw_background(cairo_t *cairo, const Background *background) {
+    draw_greys(cairo, background);
+    draw_edges(cairo, background->shapes, WIDTH, HEIGHT, 1, WIDTH);
+    draw_edges(cairo, background->shapes, HEIGHT, WIDTH, WIDTH, 1);
+    cairo_set_source_rgb(cairo, 0.6, 0.6, 0.6);
+    cairo_set_line_width(cairo, 1);
+    cairo_stroke(cairo);
 }
 
-/** Draws a line. */
-static void draw_line(FILE *file, const RayStyle *style, const ProjectedRay *line) {
-    fprintf(file, "<path d=\"M%.1f %.1fL%.1f %.1f\" stroke=\"#%06x\"", line->x[0], line->y[0],
-            line->x[1], line->y[1], style->color);
-    if (style->dash > 0) {
-        fprintf(file, " stroke-dasharray=\"%g %g\"", 3 * style->dash, 3 * style->gap);
-    }
-    fputs("/>\n", file);
-}
-
-/** Draws an arrowhead on a line. */
-static void draw_arrow(FILE *file, const RayStyle *style, const ProjectedRay *line) {
-    /** Units that it is long; share of the line where its point is. */
-    const double size = 11, share = 0.6;
-    double x = line->x[1] - line->x[0], y = line->y[1] - line->y[0], length = hypot(x, y);
-    if (length < 3 * size) {
-        return;
-    }
-    double u = x / length, v = y / length;
-    double px = line->x[0] + share * x, py = line->y[0] + share * y;
-    double bx = px - size * u, by = py - size * v, half = 0.4 * size;
-    fprintf(file, "<path d=\"M%.1f %.1fL%.1f %.1fL%.1f %.1fz\" fill=\"#%06x\" stroke=\"none\"/>\n",
-            px, py, bx - half * v, by + half * u, bx + half * v, by - half * u, style->color);
-}
-
-/** Draws a ray. @param line Where it is seen. */
-static void draw_ray(FILE *file, const ProjectedRay *line, const RayTreeNode *ray) {
-    const RayStyle halo = {0xffffff, 0, 0, NULL};
-    fputs("<g stroke-width=\"6\" stroke-opacity=\"0.8\">", file);
-    draw_line(file, &halo, line);
-    fputs("</g>", file);
-    draw_line(file, ray_style(ray), line);
-    draw_arrow(file, ray_style(ray), line);
-}
-
-/** Writes words with a white border. @param text The words, without <, > and &. */
-static void draw_label(FILE *file, double x, double y, const char *anchor, const char *text) {
-    fprintf(file,
-            "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\" fill=\"#000\" stroke=\"#fff\" "
-            "stroke-width=\"4\" paint-order=\"stroke\">%s</text>\n",
-            x, y, anchor, text);
-}
-
-/** Draws all rays and their numbers. */
-static void draw_rays(FILE *file, const RayChart *chart, const OrbitCamera *orbit,
-                      const ProjectedView *projected) {
-    const RayTree *probe = chart->probe;
-    char number[16];
-    ProjectedRay line;
-    fputs("<g stroke-width=\"3\" fill=\"none\" stroke-linecap=\"butt\">\n", file);
-    for (size_t i = probe->count; i-- > 0;) {
-        if (orbit_camera_project_ray(orbit, projected, &probe->nodes[i], &line)) {
-            draw_ray(file, &line, &probe->nodes[i]);
-        }
-    }
-    fputs("</g>\n", file);
-    for (size_t i = 0; i < probe->count && i < NUMBERED_RAYS_MAXIMUM; i++) {
-        if (orbit_camera_project_ray(orbit, projected, &probe->nodes[i], &line)) {
-            snprintf(number, sizeof number, "%zu", i);
-            draw_label(file, 0.5 * (line.x[0] + line.x[1]) + 12, 0.5 * (line.y[0] + line.y[1]) - 8,
-                       "middle", number);
+/** Marks the eye and the lights. */
+static void draw_marks(const RayDrawing *drawing, const Scene *scene) {
+    ray_drawing_mark(drawing, drawing->tree->nodes[0].origin, RAY_MARK_EYE, gettext("eye"));
+    for (size_t i = 0; i < scene->light_count; i++) {
+        Vec3d center;
+        if (scene_light_center(&scene->lights[i], &center)) {
+            char label[64];
+            snprintf(label, sizeof label, gettext("lamp %zu"), i + 1);
+            ray_drawing_mark(drawing, center, RAY_MARK_LIGHT, label);
         }
     }
 }
 
-/** Draws the eye and the lamps that are in the picture. */
-static void draw_markers(FILE *file, const RayChart *chart, const ProjectedView *projected) {
-    char words[64];
-    double x, y;
-    if (projected_view_point(projected, chart->probe->nodes[0].origin, &x, &y)) {
-        fprintf(file, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"6\" fill=\"#000\"/>\n", x, y);
-        draw_label(file, x + 11, y + 6, "start", gettext("eye"));
-    }
-    for (size_t i = 0; i < chart->scene->light_count; i++) {
-        const SceneLight *light = &chart->scene->lights[i];
-        if (light->kind == SCENE_LIGHT_POINT &&
-            projected_view_point(projected, light->position, &x, &y)) {
-            fprintf(file,
-                    "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"7\" fill=\"#f0e442\" stroke=\"#000\"/>\n",
-                    x, y);
-            snprintf(words, sizeof words, gettext("lamp %zu"), i + 1);
-            draw_label(file, x + 11, y + 6, "start", words);
-        }
-    }
+/** Is a cairo_write_func_t. @param stream A FILE. */
+static cairo_status_t write_bytes(void *stream, const unsigned char *bytes, unsigned length) {
+    return fwrite(bytes, 1, length, stream) == length ? CAIRO_STATUS_SUCCESS
+                                                      : CAIRO_STATUS_WRITE_ERROR;
 }
 
-/** @return Whether any ray is drawn in a style. */
-static bool style_is_used(const RayTree *probe, const RayStyle *style) {
-    bool is_any = false;
-    for (size_t i = 0; i < probe->count && !is_any; i++) {
-        is_any = ray_style(&probe->nodes[i]) == style;
+/** Draws everything as SVG. @param title Printable. @return Whether cairo could do it. */
+static bool draw_svg(const RayChart *chart, const OrbitCamera *orbit, const char *title,
+                     FILE *stream, Error *error) {
+    ProjectedView view = orbit_camera_project(orbit, WIDTH, HEIGHT);
+    Background background;
+    bool is_drawn = background_init(chart, &view.camera, &background, error);
+    if (is_drawn) {
+        cairo_surface_t *surface =
+            cairo_svg_surface_create_for_stream(write_bytes, stream, WIDTH, HEIGHT);
+        cairo_svg_surface_set_document_unit(surface, CAIRO_SVG_UNIT_PX);
+        RayDrawing drawing = {.cairo = cairo_create(surface),
+                              .tree = chart->probe,
+                              .orbit = orbit,
+                              .view = view,
+                              .selected = RAY_DRAWING_UNSELECTED};
+        draw_background(drawing.cairo, &background);
+        ray_drawing_rays(&drawing);
+        draw_marks(&drawing, chart->scene);
+        ray_drawing_legend(&drawing);
+        ray_drawing_text(&drawing, 20, 30, title);
+        cairo_surface_finish(surface);
+        is_drawn = cairo_status(drawing.cairo) == CAIRO_STATUS_SUCCESS ||
+                   error_set(error, STATUS_FAILED, "no memory for the drawing");
+        cairo_destroy(drawing.cairo);
+        cairo_surface_destroy(surface);
     }
-    return is_any;
+    background_deinit(&background);
+    return is_drawn;
 }
 
-/** Draws the legend. */
-static void draw_legend(FILE *file, const RayTree *probe) {
-    double y = HEIGHT - 20;
-    for (int i = RAY_STYLE_COUNT - 1; i >= 0; i--) {
-        const RayStyle *style = &ray_styles()[i];
-        if (style_is_used(probe, style)) {
-            ProjectedRay line = {.x = {20, 75}, .y = {y - 5, y - 5}};
-            fputs("<g stroke-width=\"3\">", file);
-            draw_line(file, style, &line);
-            fputs("</g>", file);
-            draw_label(file, 85, y, "start", gettext(style->name));
-            y -= 24;
-        }
+/** Writes text that XML may contain. @param text Printable. */
+static void write_escaped(FILE *file, const char *text) {
+    for (; *text; text++) {
+        *text == '&'   ? (void)fputs("&amp;", file)
+        : *text == '<' ? (void)fputs("&lt;", file)
+                       : (void)fputc(*text, file);
     }
-}
-
-/** Writes the title. @param title The title, of any letters. */
-static void draw_title(FILE *file, const char *title) {
-    fputs("<text x=\"20\" y=\"30\" stroke=\"#fff\" stroke-width=\"4\" paint-order=\"stroke\">",
-          file);
-    for (const char *c = title; *c; c++) {
-        *c == '&'   ? (void)fputs("&amp;", file)
-        : *c == '<' ? (void)fputs("&lt;", file)
-                    : (void)fputc((unsigned char)*c < ' ' ? '?' : *c, file);
-    }
-    fputs("</text>\n", file);
-}
-
-/** Draws everything. @param raster What is seen of the scene. */
-static void draw_all(FILE *file, const RayChart *chart, const OrbitCamera *orbit,
-                     const ProjectedView *projected, const BackgroundRaster *raster) {
-    fprintf(file,
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" "
-            "font-family=\"sans-serif\" font-size=\"18\">\n"
-            "<rect width=\"%d\" height=\"%d\" fill=\"#fff\"/>\n",
-            WIDTH, HEIGHT, WIDTH, HEIGHT);
-    draw_background(file, raster);
-    draw_rays(file, chart, orbit, projected);
-    draw_markers(file, chart, projected);
-    draw_legend(file, chart->probe);
-    draw_title(file, chart->title);
-    fputs("</svg>\n", file);
 }
 
 /**
- * Writes the drawing.
- * @param raster  What is seen of the scene.
- * @return Whether it is there.
+ * Writes an SVG image with a title and a description: cairo draws text as outlines, which cannot
+ * be searched or read aloud.
+ * @param svg   The image, as cairo has drawn it.
+ * @param tree  Whose legend is the description.
  */
-static bool save_chart(const RayChart *chart, const OrbitCamera *orbit,
-                       const ProjectedView *projected, const BackgroundRaster *raster,
-                       const char *path, Error *error) {
-    AtomicFile file;
-    if (!atomic_file_open(&file, path, ATOMIC_REPLACE, error)) {
-        return error_prefix(error, "cannot write '%s': ", path);
+static void write_described(FILE *file, const char *svg, const char *title, const RayTree *tree) {
+    const char *root = strstr(svg, "<svg");
+    size_t head = root ? (size_t)(strchr(root, '>') + 1 - svg) : 0;
+    fwrite(svg, 1, head, file);
+    fputs("\n<title>", file);
+    write_escaped(file, title);
+    fputs("</title>\n<desc>", file);
+    const char *comma = "";
+    for (int i = 0; i < RAY_STYLE_COUNT; i++) {
+        if (ray_style_is_used(tree, &ray_styles()[i])) {
+            fputs(comma, file);
+            write_escaped(file, gettext(ray_styles()[i].name));
+            comma = ", ";
+        }
     }
-    draw_all(file.stream, chart, orbit, projected, raster);
-    return atomic_file_commit(&file, error) || error_prefix(error, "cannot write '%s': ", path);
+    fputs("</desc>", file);
+    fputs(svg + head, file);
+}
+
+/** @return Bytes of the character at the start of a text, by UTF-8; 0: it is not valid. */
+static size_t utf8_character_size(const char *text) {
+    static const unsigned minimums[] = {0, 0, 0x80, 0x800, 0x10000}; // Per size: none is overlong.
+    unsigned char first = (unsigned char)text[0];
+    size_t size = first < 0x80   ? 1
+                  : first < 0xc0 ? 0
+                  : first < 0xe0 ? 2
+                  : first < 0xf0 ? 3
+                  : first < 0xf8 ? 4
+                                 : 0;
+    unsigned code = size == 1 ? first : first & (0x7fu >> size);
+    for (size_t i = 1; i < size; i++) {
+        unsigned char next = (unsigned char)text[i];
+        if ((next & 0xc0) != 0x80) {
+            return 0;
+        }
+        code = code << 6 | (next & 0x3f);
+    }
+    bool is_valid = size > 0 && code >= minimums[size] && code <= 0x10ffff && code >> 11 != 0x1b;
+    return is_valid ? size : 0;
+}
+
+/** Copies text. What is not printable or not UTF-8, which cairo refuses, becomes `?`. */
+static void copy_printable(const char *text, char *copy, size_t size) {
+    size_t length = 0;
+    while (*text && length + 5 < size) {
+        size_t bytes = utf8_character_size(text);
+        bool is_printable = bytes > 0 && (unsigned char)*text >= ' ' && *text != 0x7f;
+        memcpy(copy + length, is_printable ? text : "?", is_printable ? bytes : 1);
+        length += is_printable ? bytes : 1;
+        text += is_printable ? bytes : 1;
+    }
+    copy[length] = '\0';
 }
 
 bool ray_chart_write(const RayChart *chart, const char *path, Error *error) {
     OrbitCamera orbit =
         orbit_camera_fit(chart->renderer, &chart->scene->camera, chart->probe, WIDTH, HEIGHT);
-    ProjectedView projected = orbit_camera_project(&orbit, WIDTH, HEIGHT);
-    BackgroundRaster raster;
-    bool is_written = background_raster_init(chart, &projected, &raster, error) &&
-                      save_chart(chart, &orbit, &projected, &raster, path, error);
-    background_raster_deinit(&raster);
-    return is_written;
+    char *svg = NULL, title[512];
+    size_t size = 0;
+    AtomicFile file;
+    copy_printable(chart->title, title, sizeof title);
+    FILE *stream = open_memstream(&svg, &size);
+    bool is_drawn = stream && draw_svg(chart, &orbit, title, stream, error);
+    if (!stream || (fclose(stream) != 0 && is_drawn)) {
+        is_drawn = error_set(error, STATUS_FAILED, "no memory for the drawing");
+    }
+    bool is_open = is_drawn && atomic_file_open(&file, path, ATOMIC_REPLACE, error);
+    if (is_open) {
+        write_described(file.stream, svg, title, chart->probe);
+        is_open = atomic_file_commit(&file, error);
+    }
+    free(svg);
+    return is_open || (is_drawn && error_prefix(error, "cannot write '%s': ", path));
 }

@@ -6,8 +6,6 @@
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/sample_writer.h"
 
-#include <string.h>
-
 /** Mirrorings. */
 static const double bounce_counts[] = {1, 2, 3, 4, 5, 6, 8, 10, 12};
 
@@ -32,11 +30,8 @@ static void generate_bounces(const ExperimentSetup *setup, Random *random,
     while (widest[1]) {
         widest++;
     }
-    const Method *const *method = (*widest)->methods;
-    while (strcmp((*method)->group, "bounces") != 0) {
-        method++;
-    }
-    (*widest)->evaluate(*method, 1, sample->inputs, sample->expected);
+    const MethodFamily *family = number_type_family(*widest, "bounces");
+    (*widest)->evaluate(family, family->methods, 1, sample->inputs, sample->expected);
 }
 
 /** Judges a direction. See #Experiment.score_sample. */
@@ -53,7 +48,7 @@ static void score_direction(const ExperimentSample *sample, const Quadruple *out
 const Experiment mirror_bounces_experiment = {
     .name = "mirror-bounces",
     .title = N_("A ray between four mirroring balls: its direction after many mirrorings"),
-    .group = "bounces",
+    .family = "bounces",
     .difficulty = N_("mirrorings"),
     .error_label = N_("error of the direction, radians"),
     .levels = bounce_counts,

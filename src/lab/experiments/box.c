@@ -97,7 +97,7 @@ static Scene *scene_touch(const ExperimentSetup *setup, Error *error) {
 const Experiment box_touch_experiment = {
     .name = "box-touch",
     .title = N_("Rays that just touch a box: its corners, its edges, along its faces"),
-    .group = "box-slabs",
+    .family = "box-slabs",
     .difficulty = N_("bits of each part of the direction"),
     .levels = direction_bits,
     .level_count = COUNT_OF(direction_bits),
@@ -112,7 +112,7 @@ const Experiment box_touch_experiment = {
 const Experiment box_flat_experiment = {
     .name = "box-flat",
     .title = N_("Rays that meet a flat box, as trees have them around flat models"),
-    .group = "box-slabs",
+    .family = "box-slabs",
     .difficulty = N_("bits of each part of the direction"),
     .levels = direction_bits,
     .level_count = COUNT_OF(direction_bits),
@@ -164,7 +164,7 @@ static Scene *scene_edge(const ExperimentSetup *setup, Error *error) {
 const Experiment cube_edges_experiment = {
     .name = "cube-edges",
     .title = N_("Rays from inside a cube, aimed at its edges"),
-    .group = "box-cube",
+    .family = "box-cube",
     .difficulty = N_("distance from the origin / edge"),
     .levels = origin_distances,
     .level_count = COUNT_OF(origin_distances),

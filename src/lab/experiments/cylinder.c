@@ -56,7 +56,7 @@ static Scene *scene_wall(const ExperimentSetup *setup, Error *error) {
 const Experiment cylinder_distance_experiment = {
     .name = "cylinder-distance",
     .title = N_("The wall of a cylinder, seen from far away"),
-    .group = "cylinder-wall",
+    .family = "cylinder-wall",
     .difficulty = N_("distance / radius"),
     .error_label = N_("error of the distance t, relative to t"),
     .is_relative = true,
@@ -114,7 +114,7 @@ static Scene *scene_rim(const ExperimentSetup *setup, Error *error) {
 const Experiment cylinder_rim_experiment = {
     .name = "cylinder-rim",
     .title = N_("Rays from inside a closed cylinder, aimed at its rim"),
-    .group = "cylinder-solid",
+    .family = "cylinder-solid",
     .difficulty = N_("distance from the origin / radius"),
     .levels = origin_distances,
     .level_count = COUNT_OF(origin_distances),

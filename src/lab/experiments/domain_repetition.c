@@ -60,7 +60,7 @@ static void score_sphere_grid(const ExperimentSample *sample, const Quadruple *o
 const Experiment sdf_repetition_experiment = {
     .name = "field-cells",
     .title = N_("A ball in each cell of space, of a size of its own: is the right one met?"),
-    .group = "cells",
+    .family = "cells",
     .difficulty = N_("radii differ by, more or less, of the cell's edge"),
     .levels = spreads,
     .level_count = COUNT_OF(spreads),

@@ -56,7 +56,7 @@ static void generate_into(const ExperimentSetup *setup, Random *random, Experime
 const Experiment fresnel_into_experiment = {
     .name = "fresnel-into",
     .title = N_("How much glass mirrors of light that comes from air"),
-    .group = "fresnel",
+    .family = "fresnel",
     .difficulty = N_("angle between ray and surface, degrees"),
     .error_label = N_("error of the share that is mirrored"),
     .levels = grazing_angles,
@@ -83,7 +83,7 @@ static void generate_out(const ExperimentSetup *setup, Random *random, Experimen
 const Experiment fresnel_out_experiment = {
     .name = "fresnel-out",
     .title = N_("How much glass mirrors of light that comes from inside it"),
-    .group = "fresnel",
+    .family = "fresnel",
     .difficulty = N_("degrees before total reflection"),
     .error_label = N_("error of the share that is mirrored"),
     .levels = angles_before_critical,

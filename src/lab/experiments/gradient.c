@@ -61,7 +61,7 @@ static void query_normal(const Engine *engine, Tracer *tracer, const ExperimentS
 const Experiment sdf_normal_experiment = {
     .name = "field-normal",
     .title = N_("Normals of a ball's distance field, by differences over a length"),
-    .group = "gradient",
+    .family = "gradient",
     .difficulty = N_("length of the difference / radius"),
     .error_label = N_("error of the angle, radians"),
     .levels = step_lengths,

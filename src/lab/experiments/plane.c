@@ -74,7 +74,7 @@ static Scene *scene_angle(const ExperimentSetup *setup, Error *error) {
 const Experiment plane_angle_experiment = {
     .name = "plane-angle",
     .title = N_("A plane one unit below the eye, met under ever smaller angles"),
-    .group = "plane",
+    .family = "plane",
     .difficulty = N_("angle between ray and plane, degrees"),
     .error_label = N_("error of the distance t, relative to t"),
     .is_relative = true,
@@ -110,7 +110,7 @@ static Scene *scene_point(const ExperimentSetup *setup, Error *error) {
 const Experiment plane_point_experiment = {
     .name = "plane-point",
     .title = N_("A plane one unit below the eye, given by a point far away"),
-    .group = "plane",
+    .family = "plane",
     .difficulty = N_("distance of the point / height of the eye"),
     .error_label = N_("error of the distance t, relative to t"),
     .is_relative = true,

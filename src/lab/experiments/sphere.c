@@ -62,7 +62,7 @@ static Scene *scene_distance(const ExperimentSetup *setup, Error *error) {
 const Experiment sphere_distance_experiment = {
     .name = "sphere-distance",
     .title = N_("A sphere, seen from far away"),
-    .group = "sphere",
+    .family = "sphere",
     .difficulty = N_("distance / radius"),
     .error_label = N_("error of the distance t, relative to t"),
     .is_relative = true,
@@ -98,7 +98,7 @@ static Scene *offset_scene(const ExperimentSetup *setup, Error *error) {
 const Experiment sphere_offset_experiment = {
     .name = "sphere-world",
     .title = N_("A sphere and an eye ten radii away, both far from the origin of the world"),
-    .group = "sphere",
+    .family = "sphere",
     .difficulty = N_("distance from the origin / radius"),
     .error_label = N_("error of the distance t, relative to t"),
     .is_relative = true,
@@ -132,7 +132,7 @@ static Scene *scene_scale(const ExperimentSetup *setup, Error *error) {
 const Experiment sphere_scale_experiment = {
     .name = "sphere-scale",
     .title = N_("A sphere, small and large, ten radii away"),
-    .group = "sphere",
+    .family = "sphere",
     .difficulty = N_("radius, scene units"),
     .error_label = N_("error of the distance t, relative to t"),
     .is_relative = true,
@@ -180,7 +180,7 @@ static Scene *scene_ground(const ExperimentSetup *setup, Error *error) {
 const Experiment sphere_ground_experiment = {
     .name = "sphere-ground",
     .title = N_("A sphere as the ground, the eye one unit above it"),
-    .group = "sphere",
+    .family = "sphere",
     .difficulty = N_("radius / height of the eye"),
     .error_label = N_("error of the distance t, relative to t"),
     .is_relative = true,

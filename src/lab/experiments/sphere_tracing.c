@@ -59,7 +59,7 @@ static void query_grazing(const Engine *engine, Tracer *tracer, const Experiment
 const Experiment sphere_tracing_angle_experiment = {
     .name = "marching-angle",
     .title = N_("Marching down to the ground under ever smaller angles"),
-    .group = "marching",
+    .family = "marching",
     .difficulty = N_("angle between ray and ground, degrees"),
     .error_label = N_("error of the distance t, heights of the eye"),
     .cost_label = N_("steps of a ray"),

@@ -74,7 +74,7 @@ static void query_polar_angle(const Engine *engine, Tracer *tracer, const Experi
 const Experiment sphere_pole_experiment = {
     .name = "sphere-pole",
     .title = N_("Latitude on a sphere, near its pole"),
-    .group = "latitude",
+    .family = "latitude",
     .difficulty = N_("angle from the pole, radians"),
     .error_label = N_("error of the angle, radians"),
     .levels = angles,

@@ -146,7 +146,7 @@ static void query_icosphere(const Engine *engine, Tracer *tracer, const Experime
 const Experiment triangle_edges_experiment = {
     .name = "triangle-edges",
     .title = N_("Rays from inside a closed surface of 1280 triangles, aimed at their edges"),
-    .group = "triangle",
+    .family = "triangle",
     .difficulty = N_("distance from the origin / radius"),
     .levels = origin_distances,
     .level_count = COUNT_OF(origin_distances),
@@ -163,7 +163,7 @@ const Experiment triangle_edges_experiment = {
 const Experiment triangle_corners_experiment = {
     .name = "triangle-corners",
     .title = N_("Rays from inside a closed surface of 1280 triangles, aimed at their corners"),
-    .group = "triangle",
+    .family = "triangle",
     .difficulty = N_("distance from the origin / radius"),
     .levels = origin_distances,
     .level_count = COUNT_OF(origin_distances),
@@ -261,7 +261,7 @@ static Scene *scene_small(const ExperimentSetup *setup, Error *error) {
 const Experiment triangle_small_experiment = {
     .name = "triangle-small",
     .title = N_("A right triangle, ever smaller, three legs away"),
-    .group = "triangle",
+    .family = "triangle",
     .difficulty = N_("leg, scene units"),
     .error_label = N_("error of the distance t, relative to t"),
     .is_relative = true,
@@ -300,7 +300,7 @@ static Scene *scene_thin(const ExperimentSetup *setup, Error *error) {
 const Experiment triangle_thin_experiment = {
     .name = "triangle-thin",
     .title = N_("A right triangle of length 1, ever thinner, ten units away, under six degrees"),
-    .group = "triangle",
+    .family = "triangle",
     .difficulty = N_("length / width"),
     .error_label = N_("error of the distance t, relative to t"),
     .is_relative = true,

@@ -1,12 +1,11 @@
 /**
  * @file
- * @brief A method: one way of answering a question that every ray tracer asks, in every number
- *        type.
+ * @brief A method: one formula for a question that every ray tracer has to answer.
  *
- * The files of this folder are written over `real` (trace/math/real.h) as the tracer is, and
- * compiled once a number type. A method is one file with one `const Method`, and two lines in
- * registry.h and registry.c. What it is asked and what it answers are structs of nothing but
- * `real`s, which all methods of a family share (sphere.h, triangle.h, ...).
+ * The C files of this folder are written over `real` (trace/math/real.h), as the tracer is, and are
+ * compiled once per number type. One file holds one or two families: the methods that answer the
+ * same question, side by side, and a table of them at the end. A new method is a function and a
+ * row of that table.
  */
 #ifndef DIOPTRE_LAB_METHODS_METHOD_H
 #define DIOPTRE_LAB_METHODS_METHOD_H
@@ -15,51 +14,57 @@
 
 /** A method. */
 typedef struct Method {
-    const char *group; /**< Those that are asked the same, such as `sphere`. */
-    const char *name;  /**< Such as `textbook`. */
-    const char *label; /**< The same in a chart, as short as can be. */
-    int input_count;   /**< Numbers of a question. */
-    int output_count;  /**< Numbers of an answer. */
+    const char *name;  /**< As in tables, such as `textbook`. */
+    const char *label; /**< As in charts, where room is short. */
     /**
-     * Answers a question.
-     * @param question     The family's struct of questions, in the number type.
-     * @param[out] answer  The family's struct of answers, in the number type.
+     * Computes an answer.
+     * @param input        The family's input struct, in the number type.
+     * @param[out] output  The family's output struct, in the number type.
      */
-    void (*run)(const void *question, void *answer);
+    void (*run)(const void *input, void *output);
 } Method;
 
-/** How many numbers a struct of nothing but `real`s has. */
-#define NUMBERS_IN(type) ((int)(sizeof(type) / sizeof(real)))
+/** Methods that answer the same question. */
+typedef struct MethodFamily {
+    const char *name;      /**< Such as `sphere`. */
+    int input_count;       /**< Numbers of an input. */
+    int output_count;      /**< Numbers of an output. */
+    const Method *methods; /**< The methods, ended by one without a name. */
+} MethodFamily;
 
-/** Most numbers of a question or an answer. */
+/** Most numbers of an input or an output. */
 enum { METHOD_NUMBERS_MAXIMUM = 24 };
 
 /** All methods in one number type. */
 typedef struct NumberType {
-    const char *name;             /**< Such as `double`. */
-    int mantissa_bits;            /**< The leading 1 included. */
-    const Method *const *methods; /**< The same in each type, ended by NULL. */
+    const char *name;                    /**< Such as `double`. */
+    int mantissa_bits;                   /**< With the leading 1. */
+    const MethodFamily *const *families; /**< The same in each type, ended by NULL. */
 
     /** @return The nearest number of the type. */
     Quadruple (*round)(Quadruple x);
 
     /**
-     * Asks a method.
-     * @param questions  The numbers of each, which the type can hold.
-     * @param[out] answers  The numbers of each answer, exactly.
+     * Runs a method of a family.
+     * @param inputs        The numbers of all inputs, which the type can represent.
+     * @param[out] outputs  The numbers of all outputs, exactly.
      */
-    void (*evaluate)(const Method *method, size_t count, const Quadruple *questions,
-                     Quadruple *answers);
+    void (*evaluate)(const MethodFamily *family, const Method *method, size_t count,
+                     const Quadruple *inputs, Quadruple *outputs);
 
     /**
-     * Makes questions what methods want, for #evaluate_packed.
-     * @param questions  The numbers of each, which the type can hold.
-     * @return They, to be given back with free; NULL without memory.
+     * Converts inputs to the number type, for #evaluate_packed.
+     * @param inputs  The numbers of all inputs, which the type can represent.
+     * @return They, to be released with free; NULL without memory.
      */
-    void *(*pack_inputs)(const Method *method, size_t count, const Quadruple *questions);
+    void *(*pack_inputs)(const MethodFamily *family, size_t count, const Quadruple *inputs);
 
-    /** Asks a method one question after the other and forgets the answers: for a clock. */
-    void (*evaluate_packed)(const Method *method, size_t count, const void *packed);
+    /** Runs a method on all inputs and discards the outputs, to be timed. */
+    void (*evaluate_packed)(const MethodFamily *family, const Method *method, size_t count,
+                            const void *packed);
 } NumberType;
+
+/** @return A family by its name, or NULL. */
+const MethodFamily *number_type_family(const NumberType *type, const char *name);
 
 #endif

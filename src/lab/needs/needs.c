@@ -52,22 +52,6 @@ static NeedsTrial trial_from_difference(const ImageDifference *difference) {
                         .edge_flips = difference->edge_flips};
 }
 
-/** @return The engine that others are compared with first. */
-static const Engine *double_engine(void) {
-    const Engine *engine = engine_find("f64x4", NULL);
-    return engine ? engine : engine_find("f64x1", NULL);
-}
-
-/**
- * @return An engine of a number type that takes ray by ray: pixels that lie far apart share
- * nothing, and the bits are the same.
- * @param engine  Any engine of that type.
- */
-static const Engine *scalar_engine_of(const Engine *engine) {
-    int bits = engine->mantissa_bits;
-    return engine_find(bits < 53 ? "f32x1" : bits == 53 ? "f64x1" : "f128x1", NULL);
-}
-
 /**
  * Compares two manners whose rays start alike, in one number type.
  * @param reference_render  How it should be.
@@ -157,8 +141,7 @@ static bool find_depth(NeedsSearch *search, Error *error) {
 static bool render_with_tolerance(const NeedsSearch *search, double factor, SampledRender *render,
                                   Error *error) {
     ScaledToleranceScene scaled;
-    if (!scaled_tolerance_scene_init(&scaled, search->context.scene,
-                                     search->best.engine->shape_keywords, factor, error)) {
+    if (!scaled_tolerance_scene_init(&scaled, search->context.scene, factor, error)) {
         return false;
     }
     RenderContext render_context = search->context;
@@ -173,8 +156,7 @@ static bool find_tolerance(NeedsSearch *search, Error *error) {
     Needs *needs = search->needs;
     SampledRender reference_render;
     needs->tolerance = 1;
-    needs->has_sdf =
-        scene_has_tolerances(search->context.scene, search->best.engine->shape_keywords);
+    needs->has_sdf = scene_has_tolerances(search->context.scene);
     if (!needs->has_sdf) {
         return true;
     }
@@ -237,7 +219,7 @@ static bool pixel_is_in_quad_set(const void *context, int x, int y) {
 static bool try_double(const NeedsSearch *search, NeedsEngine *tried, Error *error) {
     PixelSet quad_pixels;
     Variant variant = search->best, reference = search->best;
-    tried->reference = engine_find("f128x1", NULL);
+    tried->reference = engine_with_role(ENGINE_REFERENCE);
     reference.engine = tried->reference;
     variant.samples_traced = reference.samples_traced = 1;
     if (!pixel_set_init(&quad_pixels, search->request->width, search->request->height,
@@ -258,13 +240,13 @@ static bool find_sufficient_engine(NeedsSearch *search, Error *error) {
     Variant variant = search->best;
     NeedsEngine *fast = &needs->engines[0], *exact = &needs->engines[1];
     int rays = search->request->samples;
-    fast->engine = engine_find("auto", NULL);
-    fast->reference = exact->engine = double_engine();
-    variant.engine = scalar_engine_of(fast->engine);
+    fast->engine = engine_with_role(ENGINE_FASTEST);
+    fast->reference = exact->engine = engine_with_role(ENGINE_DOUBLE);
+    variant.engine = engine_scalar(fast->engine);
     needs->engine_count = 2;
     variant.samples_traced = rays < ROUNDING_SAMPLES ? rays : ROUNDING_SAMPLES;
     Variant reference = variant;
-    reference.engine = scalar_engine_of(exact->engine);
+    reference.engine = engine_scalar(exact->engine);
     if (!try_rounding(search, &search->context, &variant, &reference, &fast->trial, error)) {
         return false;
     }
@@ -287,7 +269,7 @@ static bool find_sufficient_engine(NeedsSearch *search, Error *error) {
 static bool try_offset_modes(NeedsSearch *search, Error *error) {
     Needs *needs = search->needs;
     Variant bound = search->best;
-    bound.engine = scalar_engine_of(needs->engines[needs->engine].engine);
+    bound.engine = engine_scalar(needs->engines[needs->engine].engine);
     bound.trace.offset = OFFSET_BOUND;
     Variant none = bound, fixed = bound;
     none.trace.offset = OFFSET_NONE;
@@ -302,7 +284,7 @@ static bool try_offset_modes(NeedsSearch *search, Error *error) {
 static bool find_sampling_error(NeedsSearch *search, Error *error) {
     SamplingError sampling_error;
     Variant variant = search->best;
-    variant.engine = scalar_engine_of(search->needs->engines[0].engine);
+    variant.engine = engine_scalar(search->needs->engines[0].engine);
     bool is_found = sampling_error_measure(&search->context, &variant, &sampling_error, error);
     search->needs->samples = sampling_error.samples;
     search->needs->samples_rms = sampling_error.rms;
@@ -317,7 +299,7 @@ static bool try_total(NeedsSearch *search, Error *error) {
     const NeedsEngine *chosen = &needs->engines[needs->engine];
     Variant variant = search->best, path_variant = search->best, reference = search->best;
     SampledRender render = {0}, path_render = {0}, reference_render = {0};
-    variant.engine = scalar_engine_of(chosen->engine);
+    variant.engine = engine_scalar(chosen->engine);
     reference.trace.depth = REFERENCE_DEPTH;
     reference.trace.cutoff = REFERENCE_CUTOFF;
     bool is_done = render_samples(&search->context, &variant, &render, error) &&
@@ -408,7 +390,7 @@ bool needs_find(const Scene *scene, const NeedsRequest *request, Needs *needs, E
     }
     NeedsSearch search = {.request = request,
                           .context = {scene, &pixels, request->threads, request->stop},
-                          .best = {.engine = scalar_engine_of(double_engine()),
+                          .best = {.engine = engine_scalar(engine_with_role(ENGINE_DOUBLE)),
                                    .trace = *request->trace,
                                    .samples_traced = 1},
                           .encoding = (Encoding)scene->image.encoding,

@@ -15,7 +15,7 @@ typedef struct ScaledToleranceScene {
 } ScaledToleranceScene;
 
 /** @return Whether a scene has shapes that are marched. */
-bool scene_has_tolerances(const Scene *scene, const Keyword *const *keywords);
+bool scene_has_tolerances(const Scene *scene);
 
 /**
  * Makes a scene whose tolerances are so many times as large.
@@ -23,8 +23,8 @@ bool scene_has_tolerances(const Scene *scene, const Keyword *const *keywords);
  *         other is.
  * @return false without memory.
  */
-bool scaled_tolerance_scene_init(ScaledToleranceScene *scaled, const Scene *scene,
-                                 const Keyword *const *keywords, double factor, Error *error);
+bool scaled_tolerance_scene_init(ScaledToleranceScene *scaled, const Scene *scene, double factor,
+                                 Error *error);
 
 /** Gives back what is its own. @param scaled It; may be empty. */
 void scaled_tolerance_scene_deinit(ScaledToleranceScene *scaled);

@@ -76,7 +76,7 @@ static bool bvh_takes_instances(const ShapeSet *set) {
     const size_t few = 8;
     size_t count = 0;
     for (size_t i = 0; i < set->count; i++) {
-        count += set->shapes[i]->class->closest_hits != NULL;
+        count += shape_takes_packets(set->shapes[i]);
     }
     return count > few;
 }
@@ -87,7 +87,7 @@ static bool bvh_takes_instances(const ShapeSet *set) {
  */
 static bool shape_goes_in_bvh(const Shape *shape, bool include_instances) {
     Aabbs box = shape->class->bounds(shape);
-    return aabbs_is_finite(&box) && (include_instances || !shape->class->closest_hits);
+    return aabbs_is_finite(&box) && (include_instances || !shape_takes_packets(shape));
 }
 
 /** @return How many shapes of a list would go into a tree. @param set The list, its shapes made.
@@ -208,6 +208,21 @@ bool shape_set_filter(ShapeSet *subset, const ShapeSet *all, ShapePredicate pred
         return false;
     }
     return true;
+}
+
+Aabbd shape_set_bounds(const ShapeSet *set) {
+    Aabbd bounds = aabbd_empty();
+    for (size_t i = 0; i < set->count; i++) {
+        Aabbs box = set->shapes[i]->class->bounds(set->shapes[i]);
+        if (box.high[0] < INFINITE) {
+            const scalar *low = box.low, *high = box.high;
+            bounds =
+                aabbd_add_point(bounds, (Vec3d){(double)low[0], (double)low[1], (double)low[2]});
+            bounds =
+                aabbd_add_point(bounds, (Vec3d){(double)high[0], (double)high[1], (double)high[2]});
+        }
+    }
+    return bounds;
 }
 
 void shape_set_deinit(ShapeSet *set) {

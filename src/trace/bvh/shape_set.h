@@ -52,6 +52,10 @@ bool shape_set_filter(ShapeSet *subset, const ShapeSet *all, ShapePredicate pred
 /** Gives the shapes back. */
 void shape_set_deinit(ShapeSet *set);
 
+/** @return The box of all bounded shapes; its lowest corner is above its highest one if there is
+ *  none. */
+Aabbd shape_set_bounds(const ShapeSet *set);
+
 /**
  * Finds what the rays of a packet meet first.
  * @param packet  The rays, at least one active.

@@ -51,8 +51,8 @@ static int candidates_pop_nearest(Candidates *candidates) {
  * @param[in,out] hits  What they have met so far.
  */
 static void shape_closest_hits(const Shape *shape, scalar near, const Packet *packet, Hit *hits) {
-    if (shape->class->closest_hits) {
-        shape->class->closest_hits(shape, packet, hits);
+    if (shape_takes_packets(shape)) {
+        shape->class->extension->closest_hits(shape, packet, hits);
         return;
     }
     for (int v = 0; v < PACKET_VECTORS; v++) {
@@ -66,8 +66,8 @@ static void shape_closest_hits(const Shape *shape, scalar near, const Packet *pa
 /** Asks one shape whether it blocks the rays of a packet that are not blocked yet. @param[in,out]
  *  occluded Those that are blocked. */
 static void shape_occluded(const Shape *shape, const Packet *packet, mask *occluded) {
-    if (shape->class->occluded) {
-        shape->class->occluded(shape, packet, occluded);
+    if (shape_takes_packets(shape)) {
+        shape->class->extension->occluded(shape, packet, occluded);
         return;
     }
     for (int v = 0; v < PACKET_VECTORS; v++) {

@@ -5,7 +5,7 @@
 #ifndef DIOPTRE_TRACE_GLASS_DIELECTRIC_H
 #define DIOPTRE_TRACE_GLASS_DIELECTRIC_H
 
-#include "trace/lights/direct_lighting.h"
+#include "trace/tracer/surface_hit.h"
 
 /** What becomes of rays at transparent surfaces. */
 typedef struct DielectricHit {

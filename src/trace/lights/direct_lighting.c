@@ -43,7 +43,7 @@ INLINE void light_sample_add_specular(const Light *light, const LightSample *sam
         material_pack_gather(surface->materials, &surface->material_ids[v], unoccluded);
     mask shiny = unoccluded & (rgb_max(material.specular) > real_of(0));
     if (any(shiny)) {
-        Vec3 to_light = light_direction(light, sample, v, surface->hits[v].point);
+        Vec3 to_light = light_sample_direction(sample, v);
         real bright = phong_specular(surface, v, to_light, sample->cosine[v], material.shininess);
         bright = real_select(shiny, attenuation * bright, real_of(0));
         lighting->specular[v] =
@@ -122,7 +122,8 @@ uint64_t shade_direct(const ShapeSet *shapes, const Light *lights, size_t light_
     for (size_t i = 0; i < light_count; i++) {
         LightSample sample;
         mask occluded[PACKET_VECTORS];
-        light_sample_packet(&lights[i], i, offset, surface, &sample);
+        sample.shadow_rays.wants_points = false;
+        lights[i].sample(&lights[i], i, offset, surface, &sample);
         unsigned count = packet_active_count(&sample.shadow_rays);
         if (count > 0) {
             shape_set_occluded(surface->interior ? &surface->dielectrics->opaque : shapes,

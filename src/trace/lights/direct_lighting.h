@@ -5,25 +5,10 @@
 #ifndef DIOPTRE_TRACE_LIGHTS_DIRECT_LIGHTING_H
 #define DIOPTRE_TRACE_LIGHTS_DIRECT_LIGHTING_H
 
-#include "trace/glass/interior_list.h"
-#include "trace/materials/material_ids.h"
-#include "trace/tracer/ray_offset.h"
+#include "trace/tracer/surface_hit.h"
 
 /** A light in the engine's number type: see trace/lights/light.h. */
 typedef struct Light Light;
-
-/** The points that a packet of rays has met. */
-typedef struct SurfaceHit {
-    const Material *materials;                /**< All materials of the scene. */
-    const Packet *packet;                     /**< The rays, of unit direction. */
-    const Dielectrics *dielectrics;           /**< What the scene has of glass. */
-    const InteriorList *interior;             /**< What the rays are in; NULL: there is no glass. */
-    Hit hits[PACKET_VECTORS];                 /**< Where. */
-    mask is_hit[PACKET_VECTORS];              /**< Which rays met anything. */
-    mask needs_light[PACKET_VECTORS];         /**< Which of the points ask for light. */
-    MaterialIds material_ids[PACKET_VECTORS]; /**< What they met is made of. */
-    Vec3 n_front[PACKET_VECTORS]; /**< The normals, turned to where the rays come from. */
-} SurfaceHit;
 
 /** What the lamps give, before the surfaces weigh it. */
 typedef struct DirectLighting {

@@ -5,7 +5,7 @@
 #ifndef DIOPTRE_TRACE_MATERIALS_TEXTURES_H
 #define DIOPTRE_TRACE_MATERIALS_TEXTURES_H
 
-#include "trace/lights/direct_lighting.h"
+#include "trace/tracer/surface_hit.h"
 
 /** Steps of a texel that is no light. */
 enum { TEXEL_LEVELS = 256 };

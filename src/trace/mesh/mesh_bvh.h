@@ -54,16 +54,6 @@ typedef struct MeshBvh {
 /** @return Bytes that a model holds. */
 size_t mesh_bvh_memory_size(const MeshBvh *mesh_bvh);
 
-/** Where the normals of a model come from. */
-typedef enum {
-    NORMALS_FROM_FILE, /**< The file's; smooth where it has none. */
-    NORMALS_SMOOTH,    /**< Worked out from the triangles around each corner. */
-    NORMALS_FLAT       /**< Each triangle's own. */
-} NormalSource;
-
-/** Models that a mesh can be made into: one for each #NormalSource. */
-enum { NORMAL_SOURCE_COUNT = 3 };
-
 /** The models of a scene, each made, or shared, when a shape first asks for it. */
 struct MeshBvhCache {
     MeshBvh **entries; /**< #NORMAL_SOURCE_COUNT for each mesh of the scene; NULL where no shape has

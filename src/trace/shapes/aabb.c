@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Boxes around shapes.
+ * @brief Bounding boxes of shapes.
  */
 #include "trace/shapes/shape.h"
 
@@ -9,17 +9,17 @@ Aabbs aabbs_from_corners(Vec3d low, Vec3d high) {
                                 {(scalar)high.x, (scalar)high.y, (scalar)high.z}});
 }
 
-Aabbs aabbs_padded_by_largest(Aabbs bounds) {
+Aabbs aabbs_padded_by_largest(Aabbs box) {
     scalar largest = 0;
     for (int axis = 0; axis < 3; axis++) {
-        largest = -bounds.low[axis] > largest ? -bounds.low[axis] : largest;
-        largest = bounds.high[axis] > largest ? bounds.high[axis] : largest;
+        largest = -box.low[axis] > largest ? -box.low[axis] : largest;
+        largest = box.high[axis] > largest ? box.high[axis] : largest;
     }
     for (int axis = 0; axis < 3; axis++) {
-        bounds.low[axis] -= AABB_ROUNDINGS * AABB_ROUNDOFF * largest;
-        bounds.high[axis] += AABB_ROUNDINGS * AABB_ROUNDOFF * largest;
+        box.low[axis] -= AABB_ROUNDINGS * AABB_ROUNDOFF * largest;
+        box.high[axis] += AABB_ROUNDINGS * AABB_ROUNDOFF * largest;
     }
-    return bounds;
+    return box;
 }
 
 Aabbs aabbs_infinite(void) {

@@ -2,74 +2,40 @@
  * @file
  * @brief Box along the axes.
  *
- * One convex solid, not six quads: where the ray is between the planes of all three pairs at once
- * (Kay and Kajiya's slabs), so that no ray slips through an edge and none is counted twice. A
- * direction along an axis gives infinite or NaN distances, and every comparison drops the NaN; the
- * far side is moved out by the rounding of three operations (Ize, *Robust BVH Ray Traversal*, JCGT
- * 2013).
+ * A box is one convex solid, not six quads: the part of the ray that lies between the planes of all
+ * three pairs (the slabs of Kay and Kajiya). No ray slips through an edge, and none is counted
+ * twice. A direction along an axis gives infinite or NaN distances, and every comparison rejects
+ * NaN. The far side has the slack of three roundings (Ize, *Robust BVH Ray Traversal*, JCGT 2013).
  */
-#include "trace/shapes/registry.h"
+#include "trace/shapes/shape.h"
 
-/** Half ulps of the coordinates that a point can be off the box. */
+/** Bound on the error of a point, in half ulps of its coordinates. */
 #define BOX_ERROR 8
 
 /** Relative slack of the far side: twice gamma 3, the error bound of three roundings. */
 #define BOX_SLACK (1 + 2 * (3 * ROUNDOFF / (1 - 3 * ROUNDOFF)))
 
-/** What a scene file says of a box. */
-typedef struct BoxParameters {
-    Vec3d min; /**< Lowest corner. */
-    Vec3d max; /**< Highest corner. */
-} BoxParameters;
-
 /** A box. @extends Shape */
 typedef struct Box {
-    Shape base;     /**< What all shapes have. */
+    Shape base;     /**< Base. */
     scalar low[3];  /**< Lowest coordinates. */
     scalar high[3]; /**< Highest coordinates. */
 } Box;
 
-/** Where LANES rays enter and leave a box. */
+/** The parts of LANES rays inside a box. */
 typedef struct BoxInterval {
-    real near;         /**< Where they are between all pairs of planes. */
-    real far;          /**< Where they no longer are. */
-    integer near_axis; /**< The axis whose pair they enter last. */
-    integer far_axis;  /**< The axis whose pair they leave first. */
+    real near;         /**< Distance of entry. */
+    real far;          /**< Distance of exit. */
+    integer near_axis; /**< Axis of the pair of planes that is entered last. */
+    integer far_axis;  /**< Axis of the pair that is left first. */
 } BoxInterval;
 
-/** Fields of `box`. */
-static const Parameter box_parameters[] = {{.name = "min",
-                                            .type = PARAMETER_POINT,
-                                            .offset = offsetof(BoxParameters, min),
-                                            .minimum = -LENGTH_MAXIMUM,
-                                            .maximum = LENGTH_MAXIMUM,
-                                            .unit = "scene units",
-                                            .help = "its lowest corner"},
-                                           {.name = "max",
-                                            .type = PARAMETER_POINT,
-                                            .offset = offsetof(BoxParameters, max),
-                                            .minimum = -LENGTH_MAXIMUM,
-                                            .maximum = LENGTH_MAXIMUM,
-                                            .unit = "scene units",
-                                            .help = "its highest corner"},
-                                           {0}};
-
-/** A cube of side 1. */
-static const BoxParameters box_defaults = {.max = {1, 1, 1}};
-
-/** Refuses boxes without volume. See #Keyword.finish. @return Whether the box has a volume. */
-static bool box_finish(void *values, uint64_t given, Error *error) {
-    (void)given;
-    const BoxParameters *p = values;
-    return (p->min.x < p->max.x && p->min.y < p->max.y && p->min.z < p->max.z) ||
-           error_set(error, STATUS_SCENE, "box needs min below max in x, y and z");
-}
-
-/** Makes a box. */
+/** See #ShapeClass.init. */
 static void box_init(Shape *self, const void *parameters) {
     Box *box = (Box *)self;
     const BoxParameters *p = parameters;
-    const double low[3] = {p->min.x, p->min.y, p->min.z}, high[3] = {p->max.x, p->max.y, p->max.z};
+    const double low[3] = {p->low.x, p->low.y, p->low.z};
+    const double high[3] = {p->high.x, p->high.y, p->high.z};
     for (int axis = 0; axis < 3; axis++) {
         box->low[axis] = (scalar)low[axis];
         box->high[axis] = (scalar)high[axis];
@@ -77,10 +43,10 @@ static void box_init(Shape *self, const void *parameters) {
 }
 
 /**
- * Narrows an interval to the part of the rays between one pair of planes.
- * @param axis  0, 1 or 2 for x, y or z.
- * @param origin  Where the rays start, along the axis.
- * @param inverse  1 / direction, along the axis.
+ * Clips an interval to the part of the rays between one pair of planes.
+ * @param axis     0, 1 or 2 for x, y or z.
+ * @param origin   Coordinate of the origins along the axis.
+ * @param inverse  1 / direction along the axis.
  */
 INLINE void box_interval_clip(BoxInterval *interval, int axis, scalar low, scalar high, real origin,
                               real inverse) {
@@ -94,35 +60,39 @@ INLINE void box_interval_clip(BoxInterval *interval, int axis, scalar low, scala
     interval->far_axis = integer_select(is_earlier, integer_of(axis), interval->far_axis);
 }
 
-/** @return The lanes whose ray has no NaN. Slabs drop NaN of their own making, on purpose, and with
- *  it one that came in. */
+/** @return The lanes whose ray has no NaN: the slab test would not notice it, because it ignores
+ * NaN that arises in its own products. */
 INLINE mask ray_has_no_nan(const Ray *ray) {
     real sum = (ray->origin.x + ray->origin.y + ray->origin.z) +
                (ray->direction.x + ray->direction.y + ray->direction.z);
     return sum == sum;
 }
 
-/** Finds where rays enter and leave a box. @return The lanes whose line meets the box. */
-INLINE mask box_intersect(const Box *box, const Ray *ray, mask active, BoxInterval *interval) {
-    const scalar *low = box->low, *high = box->high;
+/** Finds the interval inside a box; its end is the distance for rays that start inside. See
+ *  #IntersectFunction. */
+INLINE mask box_intersect(const Shape *self, const Ray *ray, mask active, real *distance,
+                          void *roots) {
+    BoxInterval *interval = roots;
+    const scalar *low = ((const Box *)self)->low, *high = ((const Box *)self)->high;
     *interval = (BoxInterval){real_of(-INFINITE), real_of(INFINITE), integer_of(0), integer_of(0)};
     box_interval_clip(interval, 0, low[0], high[0], ray->origin.x, ray->inverse_direction.x);
     box_interval_clip(interval, 1, low[1], high[1], ray->origin.y, ray->inverse_direction.y);
     box_interval_clip(interval, 2, low[2], high[2], ray->origin.z, ray->inverse_direction.z);
+    *distance = real_select(interval->near > 0, interval->near, interval->far);
     return active & ray_has_no_nan(ray) & (interval->far > 0) &
            (interval->near <= interval->far * BOX_SLACK);
 }
 
 /**
- * Puts a point on the face that it was found on: that coordinate is the face's, exactly, and the
- * normal is the one of the face.
- * @param[in,out] found  The hit; its distance and point are filled.
- * @param face  The axis of the face.
- * @param is_high  Whether it is the face with the highest coordinate.
+ * Moves points onto the face that the rays meet: their coordinate there is exactly that of the
+ * face.
+ * @param[in,out] surface  The points; the normals become those of the faces.
+ * @param face             Axis of the face.
+ * @param is_high          Whether it is the face with the highest coordinate.
  */
-INLINE void box_snap_to_face(Hit *found, const Box *box, integer face, mask is_high) {
-    real *point[3] = {&found->point.x, &found->point.y, &found->point.z};
-    real *normal[3] = {&found->normal.x, &found->normal.y, &found->normal.z};
+INLINE void box_snap_to_face(SurfacePoint *surface, const Box *box, integer face, mask is_high) {
+    real *point[3] = {&surface->point.x, &surface->point.y, &surface->point.z};
+    real *normal[3] = {&surface->normal.x, &surface->normal.y, &surface->normal.z};
     real sign = real_select(is_high, real_of(1), real_of(-1));
     for (int axis = 0; axis < 3; axis++) {
         mask is_face_axis = face == integer_of(axis);
@@ -133,53 +103,49 @@ INLINE void box_snap_to_face(Hit *found, const Box *box, integer face, mask is_h
     }
 }
 
-/** @return Whether rays go up along an axis. */
+/** @return Whether the direction is positive along an axis. */
 INLINE mask ray_goes_up_along(const Ray *ray, integer axis) {
     mask x = axis == integer_of(0), y = axis == integer_of(1);
     return (x & (ray->inverse_direction.x > 0)) | (y & (ray->inverse_direction.y > 0)) |
            (mask_not(x | y) & (ray->inverse_direction.z > 0));
 }
 
-/** @return The lanes where the box is nearer. See #ShapeClass.is_hit. @callgraph */
-static mask box_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
-    const Box *box = (const Box *)self;
-    BoxInterval interval;
-    mask crosses = box_intersect(box, ray, active, &interval);
-    mask is_outside = interval.near > 0;
-    real distance = real_select(is_outside, interval.near, interval.far);
-    mask nearer = hit_is_nearer(hit, crosses, distance, self->index);
-    if (!any(nearer)) {
-        return nearer;
-    }
-    // Entering upwards or leaving downwards, a ray is on the low face of the axis.
-    integer face = integer_select(is_outside, interval.near_axis, interval.far_axis);
+/** See #SurfaceFunction. */
+INLINE SurfacePoint box_surface(const Shape *self, const Ray *ray, real distance,
+                                const void *roots) {
+    const BoxInterval *interval = roots;
+    mask is_outside = interval->near > 0;
+    // A ray that enters upwards or leaves downwards is on the low face of the axis.
+    integer face = integer_select(is_outside, interval->near_axis, interval->far_axis);
     mask goes_up = ray_goes_up_along(ray, face);
     mask is_high = (is_outside & mask_not(goes_up)) | (mask_not(is_outside) & goes_up);
-    Hit found = hit_none(distance);
-    found.point = vec3_add(ray->origin, vec3_scale(ray->direction, distance));
-    box_snap_to_face(&found, box, face, is_high);
-    found.error = BOX_ERROR * ROUNDOFF * vec3_max_abs(found.point);
-    found.shape = integer_of(self->index);
-    hit_update(hit, nearer, &found);
-    return nearer;
+    SurfacePoint surface = {.point = vec3_add(ray->origin, vec3_scale(ray->direction, distance))};
+    box_snap_to_face(&surface, (const Box *)self, face, is_high);
+    surface.error = BOX_ERROR * ROUNDOFF * vec3_max_abs(surface.point);
+    return surface;
 }
 
-/** @return The lanes where the box is on the way. See #ShapeClass.is_occluding. */
+/** See #ShapeClass.is_hit. @callgraph */
+static mask box_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
+    BoxInterval interval;
+    return primitive_is_hit(self, ray, active, hit, box_intersect, box_surface, &interval);
+}
+
+/** See #ShapeClass.is_occluding. */
 static mask box_is_occluding(const Shape *self, const Ray *ray, mask active, real limit) {
     BoxInterval interval;
-    mask crosses = box_intersect((const Box *)self, ray, active, &interval);
-    return crosses & (real_select(interval.near > 0, interval.near, interval.far) < limit);
+    return primitive_is_occluding(self, ray, active, limit, box_intersect, &interval);
 }
 
-/** @return The box around a box. */
+/** See #ShapeClass.bounds. */
 static Aabbs box_bounds(const Shape *self) {
     const scalar *low = ((const Box *)self)->low, *high = ((const Box *)self)->high;
     return aabbs_from_corners((Vec3d){(double)low[0], (double)low[1], (double)low[2]},
                               (Vec3d){(double)high[0], (double)high[1], (double)high[2]});
 }
 
-/** @return Where on a picture points of a box lie. Each face shows all of the picture, as
- *  uv_frame_of says. See #ShapeClass.texture_uv. */
+/** @return Coordinates on the face: each face shows the whole picture, upright as in #uv_frame_of.
+ *  See #ShapeClass.texture_uv. */
 static TextureUv box_texture_uv(const Shape *self, const Hit *hit, mask lanes) {
     (void)lanes;
     const Box *box = (const Box *)self;
@@ -198,14 +164,7 @@ static TextureUv box_texture_uv(const Shape *self, const Hit *hit, mask lanes) {
 }
 
 const ShapeClass box_class = {
-    .keyword = {.name = "box",
-                .help = "a box along the axes",
-                .parameters = box_parameters,
-                .size = sizeof(BoxParameters),
-                .defaults = &box_defaults,
-                .finish = box_finish},
     .size = sizeof(Box),
-    .is_flat = true,
     .init = box_init,
     .is_hit = box_is_hit,
     .is_occluding = box_is_occluding,

@@ -1,111 +1,65 @@
 /**
  * @file
- * @brief Cylinder, open or capped (row D1).
+ * @brief Cylinder, open or capped.
  *
- * A ray is between the two planes of its ends in one interval, and inside the endless wall in
- * another. A capped cylinder is where it is both: one convex solid, so that no ray slips through
- * the rim and none is counted twice. An open one has a hit wherever the wall is crossed between the
+ * One interval of the ray lies between the planes of the ends, another one inside the infinite
+ * wall. A capped cylinder is their intersection: one convex solid, so that no ray slips through the
+ * rim and none is counted twice. An open one has a hit where the ray crosses the wall between the
  * planes.
  *
- * Whether the wall is met at all is seen in the plane across the axis: by how far the ray passes
- * beside it, a cross product, and never by b^2 - ac, which cancels. All of it is relative to the
- * origin of the ray and in the wide precision.
+ * Whether the ray meets the wall follows from its distance to the axis, a cross product, in the
+ * plane across the axis; b^2 - ac would cancel. All of it is relative to the origin of the ray and
+ * in the wide precision.
  */
 #include "trace/math/angle.h"
-#include "trace/shapes/circle.h"
-#include "trace/shapes/registry.h"
 #include "trace/shapes/uv_frame.h"
 
-/** Half ulps of the coordinates that a point can be off the cylinder. */
+/** Bound on the error of a point, in half ulps of its coordinates and of #Cylinder.magnitude. */
 #define CYLINDER_ERROR 8
 
-/** What a scene file says of a cylinder. */
-typedef struct CylinderParameters {
-    Vec3d base;    /**< Centre of one end. */
-    Vec3d top;     /**< Centre of the other. */
-    double radius; /**< Its radius, scene units. */
-    bool capped;   /**< Whether the ends are closed. */
-} CylinderParameters;
-
-/** A cylinder. Its own axes: two across, and z from the base to the top. @extends Shape */
+/** A cylinder with local axes: two across, and z from the base to the top. @extends Shape */
 typedef struct Cylinder {
-    Shape base;         /**< What all shapes have. */
-    Vec3sw base_center; /**< Centre of its base. */
-    Vec3sw axes[3];     /**< Its own axes, unit vectors. */
-    wide_scalar length; /**< From base to top. */
-    wide_scalar radius; /**< Its radius. */
-    scalar magnitude;   /**< Largest coordinate of the foot, length and radius: what its rounding
-                         errors scale with. */
+    Shape base;         /**< Base. */
+    Vec3sw base_center; /**< Centre of the base. */
+    Vec3sw axes[3];     /**< Local axes, unit vectors. */
+    wide_scalar length; /**< Distance from base to top. */
+    wide_scalar radius; /**< Radius. */
+    scalar magnitude;   /**< Largest coordinate of the base, plus length and radius: rounding errors
+                             scale with it. */
     bool is_capped;     /**< Whether the ends are closed. */
 } Cylinder;
 
-/** A part of LANES rays. */
+/** A part of LANES rays, in lengths of the direction. */
 typedef struct RayInterval {
-    wide near; /**< Where it begins, in lengths of the direction. */
-    wide far;  /**< Where it ends. */
+    wide near; /**< Its start. */
+    wide far;  /**< Its end. */
 } RayInterval;
 
-/** LANES rays as a cylinder sees them. */
+/** LANES rays in local coordinates. */
 typedef struct CylinderRay {
-    Vec3w origin;     /**< Where they start, along its own axes, from its foot. */
-    Vec3w direction;  /**< Which way, along its own axes. */
-    wide axis_offset; /**< How far they pass beside the axis, over the length across it. */
-    wide half_chord;  /**< Half the chord of the wall. */
-    RayInterval wall; /**< Where they are inside the wall. */
-    RayInterval caps; /**< Where they are between the planes of the ends. */
+    Vec3w origin;     /**< Origins, relative to the centre of the base. */
+    Vec3w direction;  /**< Directions. */
+    wide axis_offset; /**< Distance from the axis, over the length of the direction across it. */
+    wide half_chord;  /**< Half the chord of the wall, in lengths of the direction. */
+    RayInterval wall; /**< The part inside the infinite wall. */
+    RayInterval caps; /**< The part between the planes of the ends. */
 } CylinderRay;
 
-/** Where LANES rays meet a cylinder. */
+/** Hits of LANES rays. */
 typedef struct CylinderHit {
-    wide distance;      /**< Where. */
-    wide_mask is_wall;  /**< Whether on the wall, not on an end. */
-    wide_mask is_entry; /**< Whether from outside, where the interval begins. */
+    wide distance;      /**< Distance. */
+    wide_mask is_wall;  /**< Whether on the wall; else on an end. */
+    wide_mask is_entry; /**< Whether at the start of the interval: from outside. */
 } CylinderHit;
 
-/** Fields of `cylinder`. */
-static const Parameter cylinder_parameters[] = {
-    {.name = "base",
-     .type = PARAMETER_POINT,
-     .offset = offsetof(CylinderParameters, base),
-     .minimum = -LENGTH_MAXIMUM,
-     .maximum = LENGTH_MAXIMUM,
-     .unit = "scene units",
-     .help = "centre of one end"},
-    {.name = "top",
-     .type = PARAMETER_POINT,
-     .offset = offsetof(CylinderParameters, top),
-     .minimum = -LENGTH_MAXIMUM,
-     .maximum = LENGTH_MAXIMUM,
-     .unit = "scene units",
-     .help = "centre of the other end"},
-    {.name = "radius",
-     .type = PARAMETER_NUMBER,
-     .offset = offsetof(CylinderParameters, radius),
-     .minimum = LENGTH_MINIMUM,
-     .maximum = LENGTH_MAXIMUM,
-     .unit = "scene units",
-     .help = "its radius"},
-    {.name = "capped",
-     .type = PARAMETER_BOOLEAN,
-     .offset = offsetof(CylinderParameters, capped),
-     .unit = "yes or no",
-     .help = "whether its ends are closed; else it is a pipe"},
-    {0}};
+/** What #cylinder_intersect finds. */
+typedef struct CylinderRoots {
+    CylinderRay ray; /**< The rays in local coordinates. */
+    CylinderHit hit; /**< The hits. */
+} CylinderRoots;
 
-/** A cylinder of radius 1 and height 1 that stands on the ground. */
-static const CylinderParameters cylinder_defaults = {.top = {0, 1, 0}, .radius = 1, .capped = true};
-
-/** Refuses cylinders without length. See #Keyword.finish. @return Whether the cylinder has a
- *  length. */
-static bool cylinder_finish(void *values, uint64_t given, Error *error) {
-    (void)given;
-    const CylinderParameters *p = values;
-    return vec3d_length(vec3d_subtract(p->top, p->base)) >= LENGTH_MINIMUM ||
-           error_set(error, STATUS_SCENE, "cylinder has no length: base and top are the same");
-}
-
-/** @return The axis that a direction runs least along, so that a product with it is safe and, for a
- *  direction along an axis, exact. */
+/** @return The coordinate axis at the largest angle to a vector: their cross product is well
+ *  conditioned, and exact for vectors along an axis. */
 static Vec3sw least_aligned_axis(Vec3d v) {
     Vec3d a = {fabs(v.x), fabs(v.y), fabs(v.z)};
     if (a.x <= a.y && a.x <= a.z) {
@@ -114,7 +68,7 @@ static Vec3sw least_aligned_axis(Vec3d v) {
     return a.y <= a.z ? (Vec3sw){0, 1, 0} : (Vec3sw){0, 0, 1};
 }
 
-/** Makes a cylinder. */
+/** See #ShapeClass.init. */
 static void cylinder_init(Shape *self, const void *parameters) {
     Cylinder *cylinder = (Cylinder *)self;
     const CylinderParameters *p = parameters;
@@ -130,17 +84,14 @@ static void cylinder_init(Shape *self, const void *parameters) {
     cylinder->is_capped = p->capped;
 }
 
-/** @return Vectors along a cylinder's own axes. */
+/** @return Vectors in local coordinates. */
 INLINE Vec3w cylinder_to_local(const Cylinder *cylinder, Vec3w v) {
     return (Vec3w){vec3w_dot(vec3w_splat(cylinder->axes[0]), v),
                    vec3w_dot(vec3w_splat(cylinder->axes[1]), v),
                    vec3w_dot(vec3w_splat(cylinder->axes[2]), v)};
 }
 
-/**
- * @return Vectors along x, y and z.
- * @param v  Along its own axes.
- */
+/** @return Vectors in the coordinates of the scene. @param v Local vectors. */
 INLINE Vec3w cylinder_to_world(const Cylinder *cylinder, Vec3w v) {
     Vec3w sum = vec3w_scale(vec3w_splat(cylinder->axes[0]), v.x);
     sum = vec3w_add_scaled(sum, vec3w_splat(cylinder->axes[1]), v.y);
@@ -148,11 +99,12 @@ INLINE Vec3w cylinder_to_world(const Cylinder *cylinder, Vec3w v) {
 }
 
 /**
- * Finds where rays are inside the endless wall. Seen along the axis they run in a plane; they pass
- * beside the axis at |direction x origin| / |direction|.
- * @param[in,out] local_ray  The rays; #CylinderRay.wall, and what belongs to it, is filled.
- * @param radius           Radius of the wall.
- * @return The lanes whose line is inside anywhere.
+ * Finds the part of rays inside the infinite wall. Projected along the axis, their distance from it
+ * is |direction x origin| / |direction|.
+ * @param[in,out] local_ray  The rays; sets #CylinderRay.wall, #CylinderRay.axis_offset and
+ *                           #CylinderRay.half_chord.
+ * @param radius             Radius of the wall.
+ * @return The lanes whose line meets the inside.
  */
 INLINE mask cylinder_ray_clip_wall(CylinderRay *local_ray, wide radius) {
     wide ox = local_ray->origin.x, oy = local_ray->origin.y;
@@ -161,7 +113,7 @@ INLINE mask cylinder_ray_clip_wall(CylinderRay *local_ray, wide radius) {
     wide discriminant = radius * radius * length_squared - cross * cross;
     wide center_power = ox * ox + oy * oy - radius * radius;
 
-    // The root farther from zero by a sum, the other by the product of the two.
+    // The root farther from zero is a sum, the other one follows from the product of both.
     wide per_across = 1 / length_squared, middle = -(ox * dx + oy * dy) * per_across;
     wide half = wide_sqrt(discriminant) * per_across;
     const wide zero = wide_of(0), endless = wide_of((wide_scalar)INFINITE);
@@ -169,7 +121,7 @@ INLINE mask cylinder_ray_clip_wall(CylinderRay *local_ray, wide radius) {
     wide sum = middle + wide_select(is_ahead, half, -half);
     wide quotient = center_power * per_across / sum;
 
-    // Along the axis there are no roots: all of the ray is inside, or nothing.
+    // A ray along the axis has no roots: it is inside everywhere or nowhere.
     wide_mask is_along = wide_equal(length_squared, zero);
     local_ray->wall.near = wide_select(is_along, -endless, wide_select(is_ahead, quotient, sum));
     local_ray->wall.far = wide_select(is_along, endless, wide_select(is_ahead, sum, quotient));
@@ -180,9 +132,9 @@ INLINE mask cylinder_ray_clip_wall(CylinderRay *local_ray, wide radius) {
 }
 
 /**
- * Finds where rays are between the planes of the ends: Kay and Kajiya's slab, as in the box.
- * @param[in,out] local_ray  The rays; #CylinderRay.caps is filled. Along the ends it is infinite.
- * @param length           From one to the other.
+ * Finds the part of rays between the planes of the ends: a slab, as in the box.
+ * @param[in,out] local_ray  The rays; sets #CylinderRay.caps, infinite for rays along the ends.
+ * @param length             Length of the cylinder.
  */
 INLINE void cylinder_ray_clip_caps(CylinderRay *local_ray, wide length) {
     wide inverse = 1 / local_ray->direction.z, to_base = -local_ray->origin.z;
@@ -190,12 +142,13 @@ INLINE void cylinder_ray_clip_caps(CylinderRay *local_ray, wide length) {
     wide_mask is_downwards = wide_less(inverse, wide_of(0));
     wide enter = wide_select(is_downwards, to_top, to_base) * inverse;
     wide leave = wide_select(is_downwards, to_base, to_top) * inverse;
-    // 0 times infinity, in the plane of an end, is no number and drops out: that counts as between.
+    // In the plane of an end, 0 times infinity is NaN: the comparison fails, which counts as
+    // inside.
     local_ray->caps.near = wide_select(wide_less(-endless, enter), enter, -endless);
     local_ray->caps.far = wide_select(wide_less(leave, endless), leave, endless);
 }
 
-/** @return The lanes where a convex solid is met. */
+/** Intersects both intervals: the capped cylinder. @return The lanes with a hit. */
 INLINE mask cylinder_ray_intersect_solid(const CylinderRay *local_ray, CylinderHit *local_hit) {
     const RayInterval *wall = &local_ray->wall, *ends = &local_ray->caps;
     const wide zero = wide_of(0);
@@ -210,13 +163,14 @@ INLINE mask cylinder_ray_intersect_solid(const CylinderRay *local_ray, CylinderH
     return narrow_mask(wide_less_equal(near, far) & wide_less(zero, far));
 }
 
-/** @return Where a distance is ahead and within an interval. */
+/** @return Whether distances are above 0 and within an interval. */
 INLINE wide_mask ray_interval_contains_ahead(wide distance, const RayInterval *interval) {
     return wide_less(wide_of(0), distance) & wide_less_equal(interval->near, distance) &
            wide_less_equal(distance, interval->far);
 }
 
-/** @return The lanes where the wall alone is met: where it is entered, else where it is left. */
+/** Finds the first crossing of the wall between the ends: the open cylinder. @return The lanes with
+ *  a hit. */
 INLINE mask cylinder_ray_intersect_wall(const CylinderRay *local_ray, CylinderHit *local_hit) {
     const RayInterval *wall = &local_ray->wall, *ends = &local_ray->caps;
     wide_mask near_is_there = ray_interval_contains_ahead(wall->near, ends),
@@ -227,13 +181,12 @@ INLINE mask cylinder_ray_intersect_wall(const CylinderRay *local_ray, CylinderHi
     return narrow_mask(near_is_there | far_is_there);
 }
 
-/**
- * @return The lanes where a cylinder is met ahead.
- * @param[out] local_ray  The rays as the cylinder sees them.
- * @param[out] local_hit  Where; filled if any lane meets it.
- */
-INLINE mask cylinder_intersect(const Cylinder *cylinder, const Ray *ray, mask active,
-                               CylinderRay *local_ray, CylinderHit *local_hit) {
+/** Finds hits ahead of the origin. See #IntersectFunction. */
+INLINE mask cylinder_intersect(const Shape *self, const Ray *ray, mask active, real *distance,
+                               void *roots) {
+    const Cylinder *cylinder = (const Cylinder *)self;
+    CylinderRay *local_ray = &((CylinderRoots *)roots)->ray;
+    CylinderHit *local_hit = &((CylinderRoots *)roots)->hit;
     Vec3w from_base = vec3w_subtract(vec3_widen(ray->origin), vec3w_splat(cylinder->base_center));
     local_ray->origin = cylinder_to_local(cylinder, from_base);
     local_ray->direction = cylinder_to_local(cylinder, vec3_widen(ray->direction));
@@ -242,15 +195,17 @@ INLINE mask cylinder_intersect(const Cylinder *cylinder, const Ray *ray, mask ac
         return crosses;
     }
     cylinder_ray_clip_caps(local_ray, wide_of(cylinder->length));
-    return crosses & (cylinder->is_capped ? cylinder_ray_intersect_solid(local_ray, local_hit)
-                                          : cylinder_ray_intersect_wall(local_ray, local_hit));
+    crosses &= cylinder->is_capped ? cylinder_ray_intersect_solid(local_ray, local_hit)
+                                   : cylinder_ray_intersect_wall(local_ray, local_hit);
+    *distance = narrow(local_hit->distance);
+    return crosses;
 }
 
 /**
- * Finds point and normal where rays meet the wall: on the chord, from its middle, which is the
- * point next to the axis. Never a difference of large numbers.
- * @param[out] normal  The normal, along the cylinder's own axes.
- * @return The point, along them.
+ * Finds points on the wall, from the middle of the chord, which is the point nearest to the axis:
+ * never a difference of large numbers.
+ * @param[out] normal  The normals, in local coordinates.
+ * @return The points, in local coordinates.
  */
 INLINE Vec3w cylinder_ray_wall_point(const Cylinder *cylinder, const CylinderRay *local_ray,
                                      const CylinderHit *local_hit, Vec3w *normal) {
@@ -266,14 +221,14 @@ INLINE Vec3w cylinder_ray_wall_point(const Cylinder *cylinder, const CylinderRay
 }
 
 /**
- * Finds point and normal where rays meet an end.
- * @param[out] normal  The normal, along the cylinder's own axes.
- * @return The point, along them.
+ * Finds points on an end.
+ * @param[out] normal  The normals, in local coordinates.
+ * @return The points, in local coordinates.
  */
 INLINE Vec3w cylinder_ray_cap_point(const Cylinder *cylinder, const CylinderRay *local_ray,
                                     const CylinderHit *local_hit, Vec3w *normal) {
     Vec3w point = vec3w_add_scaled(local_ray->origin, local_ray->direction, local_hit->distance);
-    // Entering upwards or leaving downwards, a ray is on the base.
+    // A ray that enters upwards or leaves downwards is on the base.
     wide zero = wide_of(0), one = wide_of(1);
     wide_mask goes_up = wide_less(zero, local_ray->direction.z), enters = local_hit->is_entry;
     wide_mask is_base = (enters & goes_up) | wide_mask_not(enters | goes_up);
@@ -282,65 +237,49 @@ INLINE Vec3w cylinder_ray_cap_point(const Cylinder *cylinder, const CylinderRay 
     return point;
 }
 
-/** @return Where rays meet a cylinder, in full. */
-INLINE Hit cylinder_make_hit(const Cylinder *cylinder, const CylinderRay *local_ray,
-                             const CylinderHit *local_hit) {
+/** See #SurfaceFunction. */
+INLINE SurfacePoint cylinder_surface(const Shape *self, const Ray *ray, real distance,
+                                     const void *roots) {
+    (void)ray;
+    (void)distance;
+    const Cylinder *cylinder = (const Cylinder *)self;
+    const CylinderRay *local_ray = &((const CylinderRoots *)roots)->ray;
+    const CylinderHit *local_hit = &((const CylinderRoots *)roots)->hit;
     Vec3w wall_normal, end_normal;
     Vec3w on_wall = cylinder_ray_wall_point(cylinder, local_ray, local_hit, &wall_normal);
     Vec3w on_end = cylinder_ray_cap_point(cylinder, local_ray, local_hit, &end_normal);
     Vec3w local_point = vec3w_select(local_hit->is_wall, on_wall, on_end);
-    Vec3w normal = vec3w_select(local_hit->is_wall, wall_normal, end_normal);
-    Vec3w point = vec3w_add_scaled(vec3w_splat(cylinder->base_center),
-                                   cylinder_to_world(cylinder, local_point), wide_of(1));
-    Hit found = hit_none(narrow(local_hit->distance));
-    found.point = vec3_narrow(point);
-    found.normal = vec3_narrow(cylinder_to_world(cylinder, normal));
-    found.error = CYLINDER_ERROR * ROUNDOFF * (vec3_max_abs(found.point) + cylinder->magnitude);
-    found.shape = integer_of(cylinder->base.index);
-    return found;
+    Vec3w local_normal = vec3w_select(local_hit->is_wall, wall_normal, end_normal);
+    Vec3 point = vec3_narrow(vec3w_add_scaled(
+        vec3w_splat(cylinder->base_center), cylinder_to_world(cylinder, local_point), wide_of(1)));
+    return (SurfacePoint){point, vec3_narrow(cylinder_to_world(cylinder, local_normal)),
+                          CYLINDER_ERROR * ROUNDOFF * (vec3_max_abs(point) + cylinder->magnitude)};
 }
 
-/** @return The lanes where the cylinder is nearer. See #ShapeClass.is_hit. @callgraph */
+/** See #ShapeClass.is_hit. @callgraph */
 static mask cylinder_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
-    const Cylinder *cylinder = (const Cylinder *)self;
-    CylinderRay local_ray;
-    CylinderHit local_hit;
-    mask met = cylinder_intersect(cylinder, ray, active, &local_ray, &local_hit);
-    if (!any(met)) {
-        return met;
-    }
-    mask nearer = hit_is_nearer(hit, met, narrow(local_hit.distance), self->index);
-    if (any(nearer)) {
-        Hit found = cylinder_make_hit(cylinder, &local_ray, &local_hit);
-        hit_update(hit, nearer, &found);
-    }
-    return nearer;
+    CylinderRoots roots;
+    return primitive_is_hit(self, ray, active, hit, cylinder_intersect, cylinder_surface, &roots);
 }
 
-/** @return The lanes where the cylinder is on the way. See #ShapeClass.is_occluding. */
+/** See #ShapeClass.is_occluding. */
 static mask cylinder_is_occluding(const Shape *self, const Ray *ray, mask active, real limit) {
-    CylinderRay local_ray;
-    CylinderHit local_hit;
-    mask met = cylinder_intersect((const Cylinder *)self, ray, active, &local_ray, &local_hit);
-    if (!any(met)) {
-        return met;
-    }
-    real distance = narrow(local_hit.distance);
-    return met & (distance > 0) & (distance < limit);
+    CylinderRoots roots;
+    return primitive_is_occluding(self, ray, active, limit, cylinder_intersect, &roots);
 }
 
-/** @return The box around a cylinder: around the circles of its ends. */
+/** @return The box around the circles of the ends. See #ShapeClass.bounds. */
 static Aabbs cylinder_bounds(const Shape *self) {
     const Cylinder *cylinder = (const Cylinder *)self;
     Vec3sw axis_vector = vec3sw_scale(cylinder->axes[2], cylinder->length);
     Vec3d base = vec3d_of(cylinder->base_center), top = vec3d_add(base, vec3d_of(axis_vector));
-    Vec3d extent = circle_extent(cylinder->axes[2], cylinder->radius);
+    Vec3d extent = circle_extent(vec3d_of(cylinder->axes[2]), (double)cylinder->radius);
     return aabbs_from_corners(vec3d_subtract(vec3d_min(base, top), extent),
                               vec3d_add(vec3d_max(base, top), extent));
 }
 
-/** @return Where on a picture points of a cylinder lie: around it and from base to top; on an end,
- *  as on a disk. See #ShapeClass.texture_uv. */
+/** @return Angle and height on the wall; on an end, coordinates as on a disk. See
+ *  #ShapeClass.texture_uv. */
 static TextureUv cylinder_texture_uv(const Shape *self, const Hit *hit, mask lanes) {
     (void)lanes;
     const Cylinder *cylinder = (const Cylinder *)self;
@@ -350,7 +289,7 @@ static TextureUv cylinder_texture_uv(const Shape *self, const Hit *hit, mask lan
     Vec3w in_radii = vec3w_scale(from_base, wide_of(1 / cylinder->radius));
     real along_axis = component_along(vec3_widen(hit->normal), axes[2]);
     mask on_base = along_axis < -half, on_end = on_base | (along_axis > half);
-    // The front, opposite the first axis, is the middle of the picture.
+    // The middle of the picture is at the front, opposite the first axis.
     real front = -component_along(in_radii, axes[0]), right = -component_along(in_radii, axes[1]);
     real height =
         narrow(vec3w_dot(from_base, vec3w_splat(axes[2])) * wide_of(1 / cylinder->length));
@@ -363,12 +302,6 @@ static TextureUv cylinder_texture_uv(const Shape *self, const Hit *hit, mask lan
 }
 
 const ShapeClass cylinder_class = {
-    .keyword = {.name = "cylinder",
-                .help = "a cylinder, solid or a pipe",
-                .parameters = cylinder_parameters,
-                .size = sizeof(CylinderParameters),
-                .defaults = &cylinder_defaults,
-                .finish = cylinder_finish},
     .size = sizeof(Cylinder),
     .init = cylinder_init,
     .is_hit = cylinder_is_hit,

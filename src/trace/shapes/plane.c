@@ -1,52 +1,26 @@
 /**
  * @file
- * @brief Plane without end.
+ * @brief Infinite plane.
  */
 #include "trace/shapes/plane_equation.h"
-#include "trace/shapes/registry.h"
 #include "trace/shapes/uv_frame.h"
 
-/** Heights of a plane over the origin beyond which a point of it is far. */
+/** A point of a plane is far away if its distance from the origin exceeds so many times the
+ *  distance of the plane. */
 #define PLANE_FAR_HEIGHTS 64
-
-/** What a scene file says of a plane. */
-typedef struct PlaneParameters {
-    Vec3d point;  /**< A point of it. */
-    Vec3d normal; /**< Its normal, of any length. */
-} PlaneParameters;
 
 /** A plane. @extends Shape */
 typedef struct Plane {
-    Shape base;             /**< What all shapes have. */
-    PlaneEquation equation; /**< The plane itself. */
-    Vec3sw texture_origin;  /**< The point that was said: there pictures begin. */
+    Shape base;             /**< Base. */
+    PlaneEquation equation; /**< The plane. */
+    Vec3sw texture_origin;  /**< The point of the scene file: (0, 0) of textures. */
 } Plane;
 
-/** Fields of `plane`. */
-static const Parameter plane_parameters[] = {{.name = "point",
-                                              .type = PARAMETER_POINT,
-                                              .offset = offsetof(PlaneParameters, point),
-                                              .minimum = -LENGTH_MAXIMUM,
-                                              .maximum = LENGTH_MAXIMUM,
-                                              .unit = "scene units",
-                                              .help = "a point of it"},
-                                             {.name = "normal",
-                                              .type = PARAMETER_DIRECTION,
-                                              .offset = offsetof(PlaneParameters, normal),
-                                              .minimum = -LENGTH_MAXIMUM,
-                                              .maximum = LENGTH_MAXIMUM,
-                                              .unit = "any length",
-                                              .help = "its normal"},
-                                             {0}};
-
-/** The floor. */
-static const PlaneParameters plane_defaults = {.normal = {0, 1, 0}};
-
 /**
- * @return The point of a plane that is nearest to the origin, in quad precision: from a point far
- *         away, the height of an eye would be wrong by roundings of that distance.
+ * @return The point of a plane nearest to the origin, computed in quad precision: relative to a
+ *         far point, the height of a camera would carry the roundings of that distance.
  * @param point   A point of the plane.
- * @param normal  Its normal, about one long.
+ * @param normal  Its normal, of length about 1.
  */
 static Vec3sw plane_nearest_to_origin(Vec3d point, Vec3d normal) {
     const Quadruple x = (Quadruple)normal.x, y = (Quadruple)normal.y, z = (Quadruple)normal.z;
@@ -55,44 +29,51 @@ static Vec3sw plane_nearest_to_origin(Vec3d point, Vec3d normal) {
     return (Vec3sw){(wide_scalar)(scale * x), (wide_scalar)(scale * y), (wide_scalar)(scale * z)};
 }
 
-/** Makes a plane. */
+/** See #ShapeClass.init. */
 static void plane_init(Shape *self, const void *parameters) {
     const PlaneParameters *p = parameters;
     Plane *plane = (Plane *)self;
     Vec3d normal = vec3d_scale_exponent(p->normal);
     Vec3sw nearest = plane_nearest_to_origin(p->point, normal);
     plane->texture_origin = vec3sw_of(p->point);
-    // What is near enough stays as it was said: points on the plane are then often exactly on it.
+    // A near point stays as the scene gives it: points of the plane are then often exactly on it.
     bool is_far = vec3d_max_abs(p->point) > PLANE_FAR_HEIGHTS * vec3d_max_abs(vec3d_of(nearest));
     plane->equation =
         plane_equation_through(is_far ? nearest : plane->texture_origin, vec3sw_of(normal));
 }
 
-/** @return The lanes where the plane is nearer. See #ShapeClass.is_hit. @callgraph */
+/** See #IntersectFunction. */
+INLINE mask plane_intersect(const Shape *self, const Ray *ray, mask active, real *distance,
+                            void *roots) {
+    (void)roots;
+    *distance = plane_equation_distance(&((const Plane *)self)->equation, ray);
+    return active;
+}
+
+/** See #SurfaceFunction. */
+INLINE SurfacePoint plane_surface(const Shape *self, const Ray *ray, real distance,
+                                  const void *roots) {
+    (void)roots;
+    return plane_equation_surface(&((const Plane *)self)->equation, ray, distance);
+}
+
+/** See #ShapeClass.is_hit. @callgraph */
 static mask plane_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
-    const PlaneEquation *plane = &((const Plane *)self)->equation;
-    real distance = plane_equation_distance(plane, ray);
-    mask nearer = hit_is_nearer(hit, active, distance, self->index);
-    if (any(nearer)) {
-        Hit found = plane_equation_hit(plane, ray, distance, self->index);
-        hit_update(hit, nearer, &found);
-    }
-    return nearer;
+    return primitive_is_hit(self, ray, active, hit, plane_intersect, plane_surface, NULL);
 }
 
-/** @return The lanes where the plane is on the way. See #ShapeClass.is_occluding. */
+/** See #ShapeClass.is_occluding. */
 static mask plane_is_occluding(const Shape *self, const Ray *ray, mask active, real limit) {
-    real distance = plane_equation_distance(&((const Plane *)self)->equation, ray);
-    return active & (distance > 0) & (distance < limit);
+    return primitive_is_occluding(self, ray, active, limit, plane_intersect, NULL);
 }
 
-/** @return A box without end. */
+/** See #ShapeClass.bounds. */
 static Aabbs plane_bounds(const Shape *self) {
     (void)self;
     return aabbs_infinite();
 }
 
-/** @return Where on a picture points of a plane lie: one picture a scene unit, again and again. See
+/** @return Coordinates in the plane, one repetition of the picture per scene unit. See
  *  #ShapeClass.texture_uv. */
 static TextureUv plane_texture_uv(const Shape *self, const Hit *hit, mask lanes) {
     (void)lanes;
@@ -106,13 +87,7 @@ static TextureUv plane_texture_uv(const Shape *self, const Hit *hit, mask lanes)
 }
 
 const ShapeClass plane_class = {
-    .keyword = {.name = "plane",
-                .help = "a plane without end",
-                .parameters = plane_parameters,
-                .size = sizeof(PlaneParameters),
-                .defaults = &plane_defaults},
     .size = sizeof(Plane),
-    .is_flat = true,
     .init = plane_init,
     .is_hit = plane_is_hit,
     .is_occluding = plane_is_occluding,

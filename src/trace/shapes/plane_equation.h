@@ -1,50 +1,44 @@
 /**
  * @file
- * @brief What flat shapes share: where a ray crosses their plane.
+ * @brief Plane equation: what all flat shapes share.
  */
 #ifndef DIOPTRE_TRACE_SHAPES_PLANE_EQUATION_H
 #define DIOPTRE_TRACE_SHAPES_PLANE_EQUATION_H
 
 #include "trace/shapes/shape.h"
 
-/** Half ulps of the coordinates that a point can be off its plane. */
+/** Bound on the error of a point, in half ulps of its coordinates and of the anchor. */
 #define PLANE_ERROR 8
 
-/** A plane: the points p with normal . (p - anchor) = 0. */
+/** A plane: all points p with normal . (p - anchor) = 0. */
 typedef struct PlaneEquation {
-    Vec3sw wide_anchor; /**< A point of it. */
-    Vec3sw wide_normal; /**< Its unit normal. */
-    Vec3s anchor;       /**< The point, rounded. */
-    Vec3s normal;       /**< The normal, rounded. */
-    scalar magnitude; /**< Largest coordinate of the anchor: what its rounding errors scale with. */
+    Vec3sw wide_anchor; /**< A point of the plane. */
+    Vec3sw wide_normal; /**< Unit normal. */
+    Vec3s anchor;       /**< #wide_anchor, rounded. */
+    Vec3s normal;       /**< #wide_normal, rounded. */
+    scalar magnitude;   /**< Largest coordinate of the anchor: rounding errors scale with it. */
 } PlaneEquation;
 
-/**
- * @return A plane.
- * @param normal  Its normal, about one long.
- */
+/** @return The plane through a point. @param normal Normal of length about 1. */
 static inline PlaneEquation plane_equation_through(Vec3sw anchor, Vec3sw normal) {
     Vec3sw unit = vec3sw_normalize(normal);
     return (PlaneEquation){anchor, unit, vec3s_narrow(anchor), vec3s_narrow(unit),
                            (scalar)vec3d_max_abs(vec3d_of(anchor))};
 }
 
-/**
- * @return A plane.
- * @param normal  Its normal, about one long.
- */
+/** @return The plane through a point in double. @param normal Normal of length about 1. */
 static inline PlaneEquation plane_equation_of(Vec3d anchor, Vec3sw normal) {
     return plane_equation_through(vec3sw_of(anchor), normal);
 }
 
-/** What tells how much of two edges it takes to get to a point of their plane: the products with
- *  the vector to it. */
+/** Dual basis of two edges: the products of its vectors with a point of their plane are the
+ *  coordinates of the point along the edges. */
 typedef struct DualBasis {
     Vec3sw first;  /**< For the first edge. */
-    Vec3sw second; /**< For the second. */
+    Vec3sw second; /**< For the second edge. */
 } DualBasis;
 
-/** @return What tells the shares of two edges. */
+/** @return The dual basis of two edges. */
 static inline DualBasis dual_basis_of(Vec3sw a, Vec3sw b) {
     Vec3sw normal = vec3sw_cross(a, b);
     wide_scalar per_area = 1 / vec3sw_dot(normal, normal);
@@ -52,16 +46,15 @@ static inline DualBasis dual_basis_of(Vec3sw a, Vec3sw b) {
                        vec3sw_scale(vec3sw_cross(normal, a), per_area)};
 }
 
-/** How LANES rays cross a plane, before anything is rounded or divided. */
+/** The crossing of LANES rays with a plane, before rounding and division. */
 typedef struct PlaneHit {
     Vec3w to_anchor; /**< From the origins to the anchor. */
-    wide height;     /**< How far below the plane they start. */
-    wide slope;      /**< How much they rise in one length of the direction. */
+    wide height;     /**< Height of the plane above the origins. */
+    wide slope;      /**< Height gained per length of the direction. */
 } PlaneHit;
 
-/** @return How rays cross a plane. The height above it is taken relative to the origin and in the
- *  wide precision: in float it would be wrong by an ulp of the distance to the anchor (7.5e-2 at
- *  1e6 away). */
+/** @return The crossings. The height is relative to the origin and in the wide precision: in float
+ *  it would be wrong by an ulp of the distance to the anchor (7.5e-2 at a distance of 1e6). */
 INLINE PlaneHit plane_equation_intersect(const PlaneEquation *plane, const Ray *ray) {
     Vec3w normal = vec3w_splat(plane->wide_normal);
     Vec3w to_anchor = vec3w_subtract(vec3w_splat(plane->wide_anchor), vec3_widen(ray->origin));
@@ -69,32 +62,27 @@ INLINE PlaneHit plane_equation_intersect(const PlaneEquation *plane, const Ray *
                       vec3w_dot(normal, vec3_widen(ray->direction))};
 }
 
-/** @return The t of a crossing: infinite or NaN where rays run along the plane. */
+/** @return Distance of a crossing: infinite or NaN for rays along the plane. */
 INLINE real plane_hit_distance(const PlaneHit *plane_hit) {
     return narrow(plane_hit->height) / narrow(plane_hit->slope);
 }
 
-/** @return The t at which rays cross a plane. */
+/** @return Distance at which rays cross a plane. */
 INLINE real plane_equation_distance(const PlaneEquation *plane, const Ray *ray) {
     PlaneHit plane_hit = plane_equation_intersect(plane, ray);
     return plane_hit_distance(&plane_hit);
 }
 
-/**
- * @return Where rays cross a plane: the point of the ray, put back on the plane.
- * @param shape_index  The shape's place in the scene.
- */
-INLINE Hit plane_equation_hit(const PlaneEquation *plane, const Ray *ray, real distance,
-                              int shape_index) {
+/** @return The points of rays at a distance, moved onto the plane. */
+INLINE SurfacePoint plane_equation_surface(const PlaneEquation *plane, const Ray *ray,
+                                           real distance) {
     Vec3 normal = vec3_splat(plane->normal);
     Vec3 anchor = vec3_splat(plane->anchor);
     Vec3 point = vec3_add(ray->origin, vec3_scale(ray->direction, distance));
     real height = vec3_dot(normal, vec3_subtract(point, anchor));
     point = vec3_subtract(point, vec3_scale(normal, height));
     real magnitude = vec3_max_abs(point) + real_of(plane->magnitude);
-    return (Hit){
-        distance,     point, normal, PLANE_ERROR * ROUNDOFF * magnitude, integer_of(shape_index),
-        integer_of(0)};
+    return (SurfacePoint){point, normal, PLANE_ERROR * ROUNDOFF * magnitude};
 }
 
 #endif

@@ -1,95 +1,56 @@
 /**
  * @file
- * @brief Sdf: the surface of a distance field, found by marching.
+ * @brief Sdf: the surface of a signed distance field, found by sphere tracing.
  *
- * Marching ends just before the surface (see march.h); then hits are brought onto it by the
- * derivative of the field, which gives the normal, too.
+ * Sphere tracing ends just before the surface (sphere_tracer.h). The derivative of the field then
+ * moves the hit onto it, and gives the normal.
  */
-#include "trace/shapes/sdf.h"
-
 #include "trace/mesh/mesh_bvh.h"
 #include "trace/sdf/sphere_tracer.h"
-#include "trace/shapes/registry.h"
 
-/** Tolerances that a hit is moved at most to be on the surface. */
+/** Largest correction of a hit, in tolerances. */
 #define SPHERE_TRACE_REFINE_TOLERANCES 64
 
 /** The surface of a field. @extends Shape */
 typedef struct SdfShape {
-    Shape base;          /**< What all shapes have. */
-    SphereTracer tracer; /**< The field; its tape lies behind this object. */
-    Aabbs box;           /**< A box that holds all points within the tolerance. */
+    Shape base;          /**< Base. */
+    SphereTracer tracer; /**< The field; its program lies behind this object. */
+    Aabbs box;           /**< Box of all points within the tolerance. */
 } SdfShape;
 
-/** Fields of `sdf`. */
-static const Parameter sdf_shape_parameters[] = {
-    {.name = "field",
-     .type = PARAMETER_SDF,
-     .offset = offsetof(SdfParameters, field),
-     .unit = "field",
-     .help = "the field; it may also stand first, without a name"},
-    {.name = "tolerance",
-     .type = PARAMETER_NUMBER,
-     .offset = offsetof(SdfParameters, tolerance),
-     .minimum = LENGTH_MINIMUM,
-     .maximum = LENGTH_MAXIMUM,
-     .unit = "scene units",
-     .help = "how near to the surface is on it"},
-    {.name = "max_steps",
-     .type = PARAMETER_INTEGER,
-     .offset = offsetof(SdfParameters, max_steps),
-     .minimum = 1,
-     .maximum = 1000000,
-     .unit = "steps",
-     .help = "after so many a ray is given up"},
-    {0}};
-
-/** A tolerance that no pixel shows. */
-static const SdfParameters sdf_shape_defaults = {.tolerance = 1e-4, .max_steps = 512};
-
-/** Refuses shapes without a field. See #Keyword.finish. @return Whether there is one. */
-static bool sdf_shape_finish(void *values, uint64_t given, Error *error) {
-    (void)given;
-    return ((SdfParameters *)values)->field ||
-           error_set(error, STATUS_SCENE,
-                     "sdf needs a field, such as sdf { distance.sphere { radius = 1 } }");
-}
-
-/** @return Bytes of the tape. See #ShapeClass.tail_size. */
+/** @return Bytes of the program. See #ShapeExtension.tail_size. */
 static size_t sdf_shape_tail(const void *parameters) {
-    return (size_t)((const SdfParameters *)parameters)->field->node_count * sizeof(SdfInstruction);
+    return (size_t)((const SdfShapeParameters *)parameters)->field->node_count *
+           sizeof(SdfInstruction);
 }
 
-/** Makes it. */
+/** See #ShapeClass.init. */
 static void sdf_shape_init(Shape *self, const void *parameters) {
     SdfShape *shape = (SdfShape *)self;
-    const SdfParameters *p = parameters;
+    const SdfShapeParameters *p = parameters;
     shape->tracer = (SphereTracer){
         .program = shape_tail(self), .tolerance = (scalar)p->tolerance, .max_steps = p->max_steps};
     sphere_tracer_init(&shape->tracer, p->field, &shape->box);
 }
 
-/**
- * Finds where to count. See #ShapeClass.bind_mesh.
- * @param scene_shape  As the scene has it.
- * @return true
- */
+/** Connects the sphere tracer with step counter, relaxation and footprint. See
+ * #ShapeExtension.bind.
+ *  @return true */
 static bool sdf_shape_bind(Shape *self, const SceneShape *scene_shape, MeshBvhCache *cache,
                            Error *error) {
     (void)error;
     SphereTracer *tracer = &((SdfShape *)self)->tracer;
     tracer->step_limit_counter = &cache->step_limit_counter;
     tracer->relaxation = cache->relaxation;
-    // A transformed shape does not know where the eye is.
+    // Inside a transformed shape, the camera is not known in local coordinates.
     tracer->footprint = scene_shape->transform ? NULL : &cache->footprint;
     return true;
 }
 
 /* --- hits ------------------------------------------------------------------------------------- */
 
-/** Brings rays that have arrived nearer to the surface, by the derivative along the ray (Newton):
- *  by a few tolerances at most, and only where it helps. @param[in,out] sample What the field says
- *  where they are. */
+/** Moves hits along their rays to the surface by one Newton step, of a few tolerances at most, and
+ *  only where it decreases the distance. @param[in,out] sample The field at the hits. */
 INLINE void sphere_trace_refine(const SphereTracer *tracer, SphereTrace *trace, SdfSample *sample,
                                 real tolerance) {
     real slope = vec3_dot(sample->gradient, trace->unit_direction);
@@ -108,33 +69,24 @@ INLINE void sphere_trace_refine(const SphereTracer *tracer, SphereTrace *trace, 
     sample->gradient = vec3_select(is_nearer, refined.gradient, sample->gradient);
 }
 
-/**
- * @return What rays have met.
- * @param sample  What the field says there.
- * @param distance  How far it is.
- */
-INLINE Hit sdf_shape_make_hit(const SdfShape *shape, const SphereTrace *trace,
-                              const SdfSample *sample, real tolerance, real distance) {
-    const SphereTracer *tracer = &shape->tracer;
-    // Where the field is level in all directions, as in the middle of a ball, any normal is right.
+/** @return The points on the surface. @param sample The field at the hits. */
+INLINE SurfacePoint sdf_shape_surface(const SphereTracer *tracer, const SphereTrace *trace,
+                                      const SdfSample *sample, real tolerance) {
+    // Where the gradient is zero, as in the middle of a ball, any normal is right.
     real square = vec3_dot(sample->gradient, sample->gradient);
     Vec3 gradient =
         vec3_select(square > 0, sample->gradient, vec3_scale(trace->unit_direction, real_of(-1)));
     Vec3 normal = vec3_normalize(gradient), point = sphere_trace_point(trace, trace->t);
-    Hit found = hit_none(distance);
     point = vec3_subtract(point, vec3_scale(normal, sample->distance));
-    found.point = sphere_trace_world_point(tracer, trace, point);
-    found.normal = sphere_trace_world_direction(tracer, normal);
-    found.error = SDF_ERROR_TOLERANCES * real_max(tolerance * tracer->scale,
-                                                  SDF_ERROR * ROUNDOFF * vec3_max_abs(found.point));
-    found.shape = integer_of(shape->base.index);
-    return found;
+    point = sphere_trace_world_point(tracer, trace, point);
+    real roundings = SDF_ERROR * ROUNDOFF * vec3_max_abs(point);
+    return (SurfacePoint){point, sphere_trace_world_direction(tracer, normal),
+                          SDF_ERROR_TOLERANCES * real_max(tolerance * tracer->scale, roundings)};
 }
 
-/** @return The lanes where the shape is nearer. See #ShapeClass.is_hit. @callgraph */
+/** See #ShapeClass.is_hit. @callgraph */
 static mask sdf_shape_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
-    const SdfShape *shape = (const SdfShape *)self;
-    const SphereTracer *tracer = &shape->tracer;
+    const SphereTracer *tracer = &((const SdfShape *)self)->tracer;
     SphereTrace trace;
     if (!sphere_trace_run(tracer, ray, active, hit->distance, false, &trace)) {
         return mask_of(false);
@@ -145,12 +97,12 @@ static mask sdf_shape_is_hit(const Shape *self, const Ray *ray, mask active, Hit
     sphere_trace_refine(tracer, &trace, &sample, tolerance);
     real distance = sphere_trace_distance(&trace);
     mask nearer = hit_is_nearer(hit, trace.arrived, distance, self->index);
-    Hit found = sdf_shape_make_hit(shape, &trace, &sample, tolerance, distance);
-    hit_update(hit, nearer, &found);
+    SurfacePoint surface = sdf_shape_surface(tracer, &trace, &sample, tolerance);
+    shape_update_hit(self, hit, nearer, distance, &surface);
     return nearer;
 }
 
-/** @return The lanes where the shape is on the way. See #ShapeClass.is_occluding. */
+/** See #ShapeClass.is_occluding. */
 static mask sdf_shape_is_occluding(const Shape *self, const Ray *ray, mask active, real limit) {
     SphereTrace trace;
     if (!sphere_trace_run(&((const SdfShape *)self)->tracer, ray, active, limit, true, &trace)) {
@@ -160,29 +112,28 @@ static mask sdf_shape_is_occluding(const Shape *self, const Ray *ray, mask activ
     return trace.arrived & (distance > 0) & (distance < limit);
 }
 
-/** @return How many steps rays take to it. See #ShapeClass.count_steps. */
-static real sdf_shape_steps(const Shape *self, const Ray *ray, mask active, real limit) {
+/** See #ShapeExtension.count_steps. */
+static real sdf_shape_count_steps(const Shape *self, const Ray *ray, mask active, real limit) {
     return sphere_trace_count_steps(&((const SdfShape *)self)->tracer, ray, active, limit);
 }
 
-/** @return The box around the shape. */
+/** See #ShapeClass.bounds. */
 static Aabbs sdf_shape_bounds(const Shape *self) {
     return ((const SdfShape *)self)->box;
 }
 
-const ShapeClass sdf_class = {
-    .keyword = {.name = "sdf",
-                .help = "the surface of a distance field, found by marching",
-                .parameters = sdf_shape_parameters,
-                .size = sizeof(SdfParameters),
-                .defaults = &sdf_shape_defaults,
-                .finish = sdf_shape_finish},
-    .size = sizeof(SdfShape),
+/** A distance field has a program of any length, and counts its steps. */
+static const ShapeExtension sdf_shape_extension = {
     .tail_size = sdf_shape_tail,
+    .bind = sdf_shape_bind,
+    .count_steps = sdf_shape_count_steps,
+};
+
+const ShapeClass sdf_class = {
+    .size = sizeof(SdfShape),
     .init = sdf_shape_init,
-    .bind_mesh = sdf_shape_bind,
     .is_hit = sdf_shape_is_hit,
     .is_occluding = sdf_shape_is_occluding,
     .bounds = sdf_shape_bounds,
-    .count_steps = sdf_shape_steps,
+    .extension = &sdf_shape_extension,
 };

@@ -1,162 +1,228 @@
 /**
  * @file
- * @brief Shapes: the abstract class and its vtable.
+ * @brief The class Shape: what rays can meet.
  *
- * A new shape is one file in `shapes/` that ends in a #ShapeClass, one line in `shapes/registry.c`,
- * one row in the contract test and one scene.
+ * Every shape is an object that starts with #Shape and a class that fills the table #ShapeClass.
+ * `include/dioptre/shape.h` says what a new shape takes.
  */
 #ifndef DIOPTRE_TRACE_SHAPES_SHAPE_H
 #define DIOPTRE_TRACE_SHAPES_SHAPE_H
 
+#include "dioptre/scene.h"
 #include "trace/tracer/ray.h"
 
 typedef struct Shape Shape;
 typedef struct Packet Packet;
 typedef struct MeshBvhCache MeshBvhCache;
 
-/** A box along the axes that holds a shape, rounded outwards; infinite where the shape is. */
+/** A bounding box along the axes, rounded outwards; infinite where a shape is unbounded. */
 typedef struct Aabbs {
     scalar low[3];  /**< Lowest coordinates. */
     scalar high[3]; /**< Highest coordinates. */
 } Aabbs;
 
 /**
- * Where on a picture LANES points of a shape lie: (0, 0) is its lower left corner, (1, 1) its upper
- * right one.
+ * Texture coordinates of LANES points: (0, 0) is the lower left corner of the picture, (1, 1) its
+ * upper right corner.
  */
 typedef struct TextureUv {
     real u;      /**< To the right. */
     real v;      /**< Up. */
-    mask wrap_u; /**< Where the picture goes on at its left and right edges, rather than ending. */
-    mask wrap_v; /**< The same at its upper and lower edges. */
+    mask wrap_u; /**< Whether the picture repeats beyond its left and right edges. */
+    mask wrap_v; /**< Whether it repeats beyond its lower and upper edges. */
 } TextureUv;
 
-/** What every shape can do: the vtable. */
-typedef struct ShapeClass {
-    Keyword keyword; /**< Base: its name, fields and checks in the scene language. */
-    size_t size;     /**< Bytes of an object of the class, a multiple of its alignment. */
-
-    bool is_flat; /**< Whether it has flat faces only: in them, mirrored rays go apart no faster
-                     than before. */
-
+/** Methods of the few kinds of shapes that are more than a primitive: meshes, distance fields and
+ *  transformed shapes. Each may be NULL. */
+typedef struct ShapeExtension {
     /** @return Bytes that an object needs behind itself: see #shape_tail. NULL: none.
-     *  @param parameters The struct that #keyword describes, finished. */
+     *  @param parameters The parameter struct of the shape, finished. */
     size_t (*tail_size)(const void *parameters);
 
     /**
-     * Makes an object out of what the scene file said. The base is already filled.
-     * @param self        Memory of #size bytes, and those of its #tail_size.
-     * @param parameters  The struct that #keyword describes, finished.
+     * Connects a new object with data that shapes of a tracer share. NULL: there is none.
+     * @param self         The object, after #ShapeClass.init.
+     * @param scene_shape  The shape in the scene.
+     * @return false without memory.
+     */
+    bool (*bind)(Shape *self, const SceneShape *scene_shape, MeshBvhCache *meshes, Error *error);
+
+    /**
+     * Intersects a whole packet with a shape that has a BVH of its own. NULL: the caller calls
+     * #ShapeClass.is_hit for each vector of rays. #closest_hits and #occluded come together.
+     * @param[in,out] hits  Nearest hits so far, one per vector of rays.
+     */
+    void (*closest_hits)(const Shape *self, const Packet *packet, Hit *hits);
+
+    /** Finds the rays of a packet that the shape occludes. @param[in,out] occluded The occluded
+     *  rays so far; they are not tested again. */
+    void (*occluded)(const Shape *self, const Packet *packet, mask *occluded);
+
+    /**
+     * Counts the steps of sphere tracing, for the AOVs. NULL: there are none.
+     * @param active  Lanes that count; the result in other lanes is undefined.
+     * @param limit   Largest distance.
+     * @return Number of steps per ray.
+     */
+    real (*count_steps)(const Shape *self, const Ray *ray, mask active, real limit);
+} ShapeExtension;
+
+/** The table of methods of a class of shapes. */
+typedef struct ShapeClass {
+    size_t size; /**< Bytes of an object, a multiple of its alignment. */
+
+    /**
+     * Initialises an object. Its base is already filled.
+     * @param self        Memory of #size bytes, and #ShapeExtension.tail_size behind.
+     * @param parameters  The parameter struct of the shape (dioptre/shape.h), finished.
      */
     void (*init)(Shape *self, const void *parameters);
 
     /**
-     * Finds the model that the shape shows, once #init has filled it. NULL: it shows none.
-     * @param said  The shape, as the scene has it.
-     * @return false without memory.
-     */
-    bool (*bind_mesh)(Shape *self, const SceneShape *said, MeshBvhCache *models, Error *error);
-
-    /**
-     * Finds where LANES rays meet the shape.
-     * @param active  The lanes that count; others are neither read nor written.
-     * @param[in,out] hit  The nearest hit so far, replaced in the lanes where this one is nearer.
-     * @return The lanes that were replaced.
+     * Intersects LANES rays with the shape: whether, at which point and with which normal.
+     * @param active       Lanes that count; others are neither read nor written.
+     * @param[in,out] hit  Nearest hits so far, replaced in the lanes where this one is nearer.
+     * @return The replaced lanes.
      */
     mask (*is_hit)(const Shape *self, const Ray *ray, mask active, Hit *hit);
 
     /**
-     * Says whether the shape is anywhere on the way.
-     * @param limit  How far the way goes; what lies there or beyond does not block.
-     * @return The lanes that are blocked.
+     * Finds the rays that meet the shape before a limit: shadow rays.
+     * @param limit  Distances at or beyond it do not count.
+     * @return The lanes that are occluded.
      */
     mask (*is_occluding)(const Shape *self, const Ray *ray, mask active, real limit);
 
-    /** Finds where the rays of a packet meet the shape. NULL: #is_hit is asked, vector by vector.
-     *  @param[in,out] hits What each vector has met so far. */
-    void (*closest_hits)(const Shape *self, const Packet *packet, Hit *hits);
-
-    /** Finds which rays of a packet the shape blocks. NULL: #is_occluding is asked. @param[in,out]
-     *  blocked Those that are blocked; they need not be asked again. */
-    void (*occluded)(const Shape *self, const Packet *packet, mask *blocked);
-
-    /** @return A box that holds the shape, rounded outwards. */
+    /** @return The bounding box. */
     Aabbs (*bounds)(const Shape *self);
 
     /**
-     * Finds where on a picture points of the shape lie. Only asked where a material has a picture.
-     * NULL: all of them in its lower left corner.
-     * @param hit  What was found of the points.
-     * @param lanes  The lanes that count; of the others anything may be said.
-     * @return The places.
+     * Finds texture coordinates; called for materials with a texture only. NULL: (0, 0) everywhere.
+     * @param hit    The hits.
+     * @param lanes  Lanes that count; the result in other lanes is undefined.
+     * @return The coordinates.
      */
     TextureUv (*texture_uv)(const Shape *self, const Hit *hit, mask lanes);
 
-    /**
-     * Counts the steps in which rays come to the shape, for surveys. NULL: it takes none.
-     * @param active  The lanes that count; of the others anything may be said.
-     * @param limit  How far they look.
-     * @return How many.
-     */
-    real (*count_steps)(const Shape *self, const Ray *ray, mask active, real limit);
+    const ShapeExtension *extension; /**< Methods of shapes that are no primitives; NULL: none. */
 } ShapeClass;
 
-/** What all shapes have. Every class embeds it first. */
+/** Base of all shapes: their objects start with it. */
 struct Shape {
-    const ShapeClass *class; /**< What it is. */
-    int index;               /**< Its place in the scene; the lower one wins a tie. */
-    int material;            /**< Place of its material in the scene. */
+    const ShapeClass *class; /**< Its class. */
+    int index;               /**< Index in #Scene.shapes; at equal distance the lower one wins. */
+    int material;            /**< Index in #Scene.materials. */
 };
 
-/** @return Where on a picture points of a shape lie. See #ShapeClass.texture_uv. */
+/** Declares a class, which its own file defines. */
+#define DECLARE_SHAPE_CLASS(name) extern const ShapeClass name##_class;
+SHAPES(DECLARE_SHAPE_CLASS)
+
+/** @return Texture coordinates of points of a shape. See #ShapeClass.texture_uv. */
 static inline TextureUv shape_texture_uv(const Shape *shape, const Hit *hit, mask lanes) {
     return shape->class->texture_uv
                ? shape->class->texture_uv(shape, hit, lanes)
                : (TextureUv){real_of(0), real_of(0), mask_of(false), mask_of(false)};
 }
 
-/**
- * The registry: the keyword of each shape class, ended by NULL. The class is found by the keyword,
- * which it embeds first.
- */
-extern const Keyword *const shape_keywords[];
-
-/** @return A shape class. @param kind Its place in #shape_keywords. */
-static inline const ShapeClass *shape_class(size_t kind) {
-    return (const ShapeClass *)shape_keywords[kind];
+/** @return Whether a shape intersects whole packets: it has a BVH of its own. */
+static inline bool shape_takes_packets(const Shape *shape) {
+    return shape->class->extension && shape->class->extension->closest_hits;
 }
 
-/** Alignment of shapes, bytes: that of the widest vector of numbers in any class. */
+/* --- what all primitives share ---------------------------------------------------------------- */
+
+/** A point of a surface that LANES rays meet. */
+typedef struct SurfacePoint {
+    Vec3 point;  /**< The point. */
+    Vec3 normal; /**< Unit normal of the surface, outwards. */
+    real error;  /**< Bound on the distance of #point from the surface, scene units. */
+} SurfacePoint;
+
+/**
+ * Solves the equation of a shape for the distance.
+ * @param active           Lanes that count.
+ * @param[out] distance    Nearest root above 0, if there is any.
+ * @param[out] roots       What #SurfaceFunction needs besides; a struct of the shape.
+ * @return The lanes with a root, above 0 or not.
+ */
+typedef mask IntersectFunction(const Shape *self, const Ray *ray, mask active, real *distance,
+                               void *roots);
+
+/** @return The points at the distances that #IntersectFunction has found. @param roots Its roots.
+ */
+typedef SurfacePoint SurfaceFunction(const Shape *self, const Ray *ray, real distance,
+                                     const void *roots);
+
+/** Writes the lanes in which a shape is nearer. @param[in,out] hit The nearest hits so far. */
+INLINE void shape_update_hit(const Shape *self, Hit *hit, mask nearer, real distance,
+                             const SurfacePoint *surface) {
+    Hit found = {.distance = distance,
+                 .point = surface->point,
+                 .normal = surface->normal,
+                 .error = surface->error,
+                 .shape = integer_of(self->index)};
+    hit_update(hit, nearer, &found);
+}
+
+/**
+ * #ShapeClass.is_hit of a primitive, from its two functions. They are inlined.
+ * @param roots  A struct of the shape for its roots.
+ */
+INLINE mask primitive_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit,
+                             IntersectFunction *intersect, SurfaceFunction *surface_at,
+                             void *roots) {
+    real distance;
+    mask crosses = intersect(self, ray, active, &distance, roots);
+    if (!any(crosses)) {
+        return crosses;
+    }
+    mask nearer = hit_is_nearer(hit, crosses, distance, self->index);
+    if (any(nearer)) {
+        SurfacePoint surface = surface_at(self, ray, distance, roots);
+        shape_update_hit(self, hit, nearer, distance, &surface);
+    }
+    return nearer;
+}
+
+/** #ShapeClass.is_occluding of a primitive, from its function. @param roots A struct of the shape
+ *  for its roots. */
+INLINE mask primitive_is_occluding(const Shape *self, const Ray *ray, mask active, real limit,
+                                   IntersectFunction *intersect, void *roots) {
+    real distance;
+    mask crosses = intersect(self, ray, active, &distance, roots);
+    if (!any(crosses)) {
+        return crosses;
+    }
+    return crosses & (distance > 0) & (distance < limit);
+}
+
+/* --- shapes of a scene ------------------------------------------------------------------------ */
+
+/** Alignment of shapes, bytes: that of the widest vector in any class. */
 #define SHAPE_ALIGNMENT 64
 
-/** @return The memory behind an object that its class has asked for by #ShapeClass.tail_size. */
+/** @return The memory behind an object that its class has requested by #ShapeExtension.tail_size.
+ */
 void *shape_tail(Shape *shape);
 
-/** @return Bytes of the object that a shape of the scene becomes, a multiple of
- *          #SHAPE_ALIGNMENT. @param scene_shape The shape, as the scene has it. */
+/** @return Bytes of the object of a shape, a multiple of #SHAPE_ALIGNMENT. */
 size_t shape_size(const SceneShape *scene_shape);
 
 /**
- * Makes the object that a shape of the scene becomes; inside a Transformed one if it is
- * transformed.
+ * Creates the object of a shape, inside a transformed one if the scene transforms it.
  * @param memory  #shape_size bytes, aligned to #SHAPE_ALIGNMENT.
- * @param scene_shape  The shape, as the scene has it.
- * @param index  Its place in the scene.
+ * @param index   Index of the shape in the scene.
  * @return The object; it lies in the memory and owns nothing else. NULL without memory for its
- *         model.
+ *         mesh.
  */
 Shape *shape_init_from_scene(void *memory, const SceneShape *scene_shape, int index,
                              MeshBvhCache *meshes, Error *error);
 
-/**
- * Measures a shape of the scene before it is transformed, without making a tracer.
- * @param scene_shape  The shape, as the scene has it.
- * @return Its box and whether it is flat. The box of a shape that shows a model is not known here.
- */
-ShapeMeasure shape_measure(const SceneShape *scene_shape);
+/* --- bounding boxes --------------------------------------------------------------------------- */
 
 /**
- * Roundings that may move a found point off the box of its shape, each half an ulp of the largest
+ * Roundings that can move a hit point off the box of its shape, each half an ulp of the largest
  * coordinate: eight cover the corner itself, the point and the ray's own rounding with room.
  */
 #define AABB_ROUNDINGS 8
@@ -164,8 +230,8 @@ ShapeMeasure shape_measure(const SceneShape *scene_shape);
 /** Half an ulp of 1 of the corners, which come in double. */
 #define AABB_ROUNDOFF (REAL_BITS == 128 ? (scalar)0x1p-53 : ROUNDOFF)
 
-/** @return A box moved out on all sides by the roundings of its own coordinates, far enough that no
- *  rounding of an intersection can find a point outside. */
+/** @return A box enlarged by the roundings of its own coordinates: no rounding of an intersection
+ *  can find a point outside. */
 static inline Aabbs aabbs_padded(Aabbs box) {
     for (int axis = 0; axis < 3; axis++) {
         scalar low = box.low[axis], high = box.high[axis], magnitude = high > -low ? high : -low;
@@ -178,11 +244,11 @@ static inline Aabbs aabbs_padded(Aabbs box) {
 /** @return A box around two corners, by #aabbs_padded. */
 Aabbs aabbs_from_corners(Vec3d low, Vec3d high);
 
-/** @return A box moved out on all sides by the roundings of its largest coordinate: for shapes
- *  whose roundings along one axis come from the others. */
-Aabbs aabbs_padded_by_largest(Aabbs bounds);
+/** @return A box enlarged by the roundings of its largest coordinate: for shapes whose rounding
+ *  errors along one axis come from the others. */
+Aabbs aabbs_padded_by_largest(Aabbs box);
 
-/** @return A box that holds everything. */
+/** @return The box of all space. */
 Aabbs aabbs_infinite(void);
 
 #endif

@@ -1,56 +1,56 @@
 /**
  * @file
- * @brief Any shape, stretched, turned and moved.
+ * @brief Transformed shape: any shape, scaled, rotated and translated.
  *
- * Not the shape is transformed but the ray, the other way round: into the space in which the shape
- * is as its own fields say it. The direction keeps its new length there, so that t is the same in
- * both. The point comes back by the matrix; the normal by the transpose of the inverse, which keeps
- * it at right angles and outwards, also in a mirror.
+ * The inverse transform is applied to the ray: it leads to the local space, where the shape is as
+ * its own fields describe it. The direction keeps its new length there, so that t is the same in
+ * both spaces. Points come back by the matrix; normals by the transpose of the inverse, which keeps
+ * them perpendicular and outwards, also in a reflection.
  *
- * Rays are transformed in the wide precision, and a ray that comes from afar starts anew just
- * before it reaches the shape: else its start, rounded, would be off by an ulp of all of the way.
+ * Rays are transformed in the wide precision. A ray from far away restarts just before the shape:
+ * its origin, rounded, would else be wrong by an ulp of the whole distance.
  */
 #include "trace/shapes/transformed.h"
 #include "trace/bvh/slab.h"
 
-/** Half ulps of the coordinates that a point, and a ray that leaves it, can be off by transforming
- *  them; the shape's own error comes on top. */
+/** Bound on the error by transforming a point and a ray that leaves it, in half ulps of their
+ *  coordinates. The error of the inner shape adds to it. */
 #define TRANSFORMED_ERROR 8
 
-/** How much farther than the shape reaches a ray starts anew: more than all roundings. */
+/** Ratio of the restart distance and the radius of the shape: larger than all roundings. */
 #define TRANSFORMED_MARGIN ((wide_scalar)1.0625f)
 
-/** Rays to a shape of triangles that start no farther than this from its middle, in units of how
- * far it reaches, go the whole way: differences to its corners are taken in the wide precision, and
- *  what is rounded of their start is a few ulps of the shape. Other shapes are less exact. */
+/** Rays to a mesh restart only if they start farther than so many radii from its centre:
+ * differences to its vertices are computed in the wide precision, and the rounding of a near origin
+ * is a few ulps of the shape. Other shapes are less exact. */
 #define TRANSFORMED_NEAR ((wide_scalar)8)
 
-/** A matrix by its rows. */
+/** A matrix. */
 typedef struct Matrix3 {
     Vec3sw rows[3]; /**< The rows. */
 } Matrix3;
 
 /** Any shape, transformed. @extends Shape */
 typedef struct TransformedShape {
-    Shape base;                   /**< What all shapes have. */
-    const Shape *inner;           /**< The shape before it is transformed. */
-    Matrix3 to_world;             /**< From its space to the scene's, but for the move. */
-    Matrix3 to_local;             /**< The inverse. */
-    Vec3sw translation;           /**< Where the zero of its space goes. */
-    Vec3sw center;                /**< Middle of the shape's box, in its space. */
-    wide_scalar radius;           /**< A little more than how far the shape reaches from there. */
-    wide_scalar restart_distance; /**< Rays that start no farther from there start anew nowhere. */
-    scalar magnitude;             /**< Largest coordinate of the move. */
-    Aabbs bounds;                 /**< The box around it, in the scene. */
+    Shape base;                   /**< Base. */
+    const Shape *inner;           /**< The shape in its local space. */
+    Matrix3 to_world;             /**< From local to scene coordinates, without the translation. */
+    Matrix3 to_local;             /**< Inverse of #to_world. */
+    Vec3sw translation;           /**< Origin of the local space, in the scene. */
+    Vec3sw center;                /**< Centre of the local bounding box. */
+    wide_scalar radius;           /**< Radius of a sphere around that box, with a margin. */
+    wide_scalar restart_distance; /**< Rays that start farther from the centre restart. */
+    scalar magnitude;             /**< Largest coordinate of #translation. */
+    Aabbs bounds;                 /**< Bounding box in the scene. */
 } TransformedShape;
 
-/** LANES rays in a shape's own space. */
+/** LANES rays in the local space. */
 typedef struct LocalRay {
     Ray ray;      /**< The rays. */
-    wide skipped; /**< How much of each was left out at its start, in lengths of the direction. */
+    wide skipped; /**< Distance between the old and the new origin, in lengths of the direction. */
 } LocalRay;
 
-/** @return The matrix of a transform. */
+/** @return Scale and rotation of a transform. */
 static Matrix3 matrix3_of_transform(const Transform *t) {
     Matrix3 matrix;
     for (int i = 0; i < 3; i++) {
@@ -60,15 +60,15 @@ static Matrix3 matrix3_of_transform(const Transform *t) {
     return matrix;
 }
 
-/** @return The rows as columns. */
+/** @return The transpose. */
 static Matrix3 matrix3_transpose(Matrix3 m) {
     const Vec3sw *r = m.rows;
     return (Matrix3){
         {{r[0].x, r[1].x, r[2].x}, {r[0].y, r[1].y, r[2].y}, {r[0].z, r[1].z, r[2].z}}};
 }
 
-/** @return The inverse: products of two columns, over the determinant. @param m A matrix that has
- *          one. */
+/** @return The inverse: cross products of columns, over the determinant. @param m A regular matrix.
+ */
 static Matrix3 matrix3_inverse(Matrix3 m) {
     Matrix3 columns = matrix3_transpose(m), inverse;
     const Vec3sw *c = columns.rows;
@@ -80,21 +80,20 @@ static Matrix3 matrix3_inverse(Matrix3 m) {
     return inverse;
 }
 
-/** @return Vectors transformed. */
+/** @return Vectors transformed by a matrix. */
 INLINE Vec3w matrix3_apply(const Matrix3 *m, Vec3w v) {
     return (Vec3w){vec3w_dot(vec3w_splat(m->rows[0]), v), vec3w_dot(vec3w_splat(m->rows[1]), v),
                    vec3w_dot(vec3w_splat(m->rows[2]), v)};
 }
 
-/** @return Vectors transformed by the transpose. */
+/** @return Vectors transformed by the transpose of a matrix. */
 INLINE Vec3w matrix3_apply_transposed(const Matrix3 *m, Vec3w v) {
     Vec3w sum = vec3w_scale(vec3w_splat(m->rows[0]), v.x);
     sum = vec3w_add_scaled(sum, vec3w_splat(m->rows[1]), v.y);
     return vec3w_add_scaled(sum, vec3w_splat(m->rows[2]), v.z);
 }
 
-/** Finds where a shape is in its own space. @param[in,out] self Its middle and how far it reaches
- *  are filled. */
+/** Computes the bounding sphere in the local space. @param[in,out] self Sets centre and radius. */
 static void transformed_compute_sphere(TransformedShape *self) {
     Aabbs box = self->inner->class->bounds(self->inner);
     if (box.high[0] == INFINITE) {
@@ -109,8 +108,8 @@ static void transformed_compute_sphere(TransformedShape *self) {
 }
 
 /**
- * @return The lowest, or the highest, that a coordinate of a transformed box can be.
- * @param row  The row of the matrix that makes the coordinate.
+ * @return The lowest or the highest value of a coordinate of a transformed box.
+ * @param row   Row of the matrix for the coordinate.
  * @param sign  1: the highest; -1: the lowest.
  */
 static wide_scalar box_extreme_coordinate(Vec3sw row, const scalar low[3], const scalar high[3],
@@ -124,8 +123,7 @@ static wide_scalar box_extreme_coordinate(Vec3sw row, const scalar low[3], const
     return sum;
 }
 
-/** @return The box around a shape's transformed box. @param transformed The shape, but for its
- *  bounds. */
+/** @return The bounding box of the transformed local box. */
 static Aabbs transformed_compute_bounds(const TransformedShape *transformed) {
     const Vec3sw *rows = transformed->to_world.rows;
     Aabbs inner = transformed->inner->class->bounds(transformed->inner);
@@ -144,7 +142,7 @@ static Aabbs transformed_compute_bounds(const TransformedShape *transformed) {
                                                       vec3d_add(vec3d_of(corners[1]), move)));
 }
 
-/** Makes a transformed shape. */
+/** See #ShapeClass.init. */
 static void transformed_init(Shape *self, const void *parameters) {
     TransformedShape *transformed = (TransformedShape *)self;
     const TransformedParameters *p = parameters;
@@ -155,15 +153,15 @@ static void transformed_init(Shape *self, const void *parameters) {
     transformed->magnitude = (scalar)vec3d_max_abs(p->transform->translate);
     transformed_compute_sphere(transformed);
     transformed->restart_distance =
-        p->inner->class->closest_hits ? TRANSFORMED_NEAR * transformed->radius : 0;
+        shape_takes_packets(p->inner) ? TRANSFORMED_NEAR * transformed->radius : 0;
     transformed->bounds = transformed_compute_bounds(transformed);
 }
 
 /**
- * @return How much of rays may be left out: the way to where they can first meet the shape; nothing
- *         where they start near it, or where the shape has no end.
- * @param origin  Where they start, in its space.
- * @param direction  Which way, in its space.
+ * @return The distance to the bounding sphere, by which the origin of a ray moves; 0 if it starts
+ *         near the shape, or if the shape is unbounded.
+ * @param origin     Origins in the local space.
+ * @param direction  Directions in the local space.
  */
 INLINE wide transformed_skipped_length(const TransformedShape *self, Vec3w origin,
                                        Vec3w direction) {
@@ -180,7 +178,7 @@ INLINE wide transformed_skipped_length(const TransformedShape *self, Vec3w origi
     return wide_select(is_far & wide_less(zero, skipped), skipped, zero);
 }
 
-/** @return Rays in a shape's own space. */
+/** @return Rays in the local space. */
 INLINE LocalRay transformed_to_local(const TransformedShape *self, const Ray *ray) {
     Vec3w from_zero = vec3w_subtract(vec3_widen(ray->origin), vec3w_splat(self->translation));
     Vec3w origin = matrix3_apply(&self->to_local, from_zero);
@@ -190,39 +188,34 @@ INLINE LocalRay transformed_to_local(const TransformedShape *self, const Ray *ra
     return (LocalRay){ray_of(vec3_narrow(origin), vec3_narrow(direction)), skipped};
 }
 
-/**
- * @return What was met in a shape's own space, as the scene sees it.
- * @param distance  Where, in the scene.
- */
-INLINE Hit transformed_make_hit(const TransformedShape *self, const Hit *inner, real distance) {
+/** @return Points of the scene. @param inner Hits in the local space. */
+INLINE SurfacePoint transformed_surface(const TransformedShape *self, const Hit *inner) {
     Vec3w point = matrix3_apply(&self->to_world, vec3_widen(inner->point));
     point = vec3w_add_scaled(point, vec3w_splat(self->translation), wide_of(1));
-    // What lies e above the surface there lies e / |normal| above it here.
+    // A height e above the surface in local space is a height e / |normal| in the scene.
     Vec3w normal = matrix3_apply_transposed(&self->to_local, vec3_widen(inner->normal));
     wide per_length = 1 / wide_sqrt(vec3w_dot(normal, normal));
-    Hit found = hit_none(distance);
-    found.point = vec3_narrow(point);
-    found.normal = vec3_narrow(vec3w_scale(normal, per_length));
-    found.error = inner->error * narrow(per_length) +
-                  TRANSFORMED_ERROR * ROUNDOFF * (vec3_max_abs(found.point) + self->magnitude);
-    found.shape = integer_of(self->base.index);
-    return found;
+    SurfacePoint surface = {.point = vec3_narrow(point),
+                            .normal = vec3_narrow(vec3w_scale(normal, per_length))};
+    surface.error = inner->error * narrow(per_length) +
+                    TRANSFORMED_ERROR * ROUNDOFF * (vec3_max_abs(surface.point) + self->magnitude);
+    return surface;
 }
 
 /**
- * Writes the lanes in which a shape is nearer.
- * @param[in,out] hit  What was met so far.
- * @param inner  What was met in its own space.
- * @param distance  Where, in the scene.
+ * Writes the lanes in which the shape is nearer.
+ * @param[in,out] hit  The nearest hits so far.
+ * @param inner        Hits in the local space.
+ * @param distance     Distances in the scene.
  */
 INLINE void transformed_accept_hit(Hit *hit, mask nearer, const TransformedShape *self,
                                    const Hit *inner, real distance) {
-    Hit found = transformed_make_hit(self, inner, distance);
-    hit_update(hit, nearer, &found);
+    SurfacePoint surface = transformed_surface(self, inner);
+    shape_update_hit(&self->base, hit, nearer, distance, &surface);
     hit->primitive = integer_select(nearer, inner->primitive, hit->primitive);
 }
 
-/** @return The lanes where the shape is nearer. See #ShapeClass.is_hit. @callgraph */
+/** See #ShapeClass.is_hit. @callgraph */
 static mask transformed_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
     const TransformedShape *transformed = (const TransformedShape *)self;
     const Shape *inner = transformed->inner;
@@ -240,7 +233,7 @@ static mask transformed_is_hit(const Shape *self, const Ray *ray, mask active, H
     return nearer;
 }
 
-/** @return The lanes where the shape is on the way. See #ShapeClass.is_occluding. */
+/** See #ShapeClass.is_occluding. */
 static mask transformed_is_occluding(const Shape *self, const Ray *ray, mask active, real limit) {
     const TransformedShape *transformed = (const TransformedShape *)self;
     const Shape *inner = transformed->inner;
@@ -249,18 +242,17 @@ static mask transformed_is_occluding(const Shape *self, const Ray *ray, mask act
     return inner->class->is_occluding(inner, &local.ray, active, local_limit);
 }
 
-/** @return The box around it. */
+/** See #ShapeClass.bounds. */
 static Aabbs transformed_bounds(const Shape *self) {
     return ((const TransformedShape *)self)->bounds;
 }
 
-/** @return Where on a picture points of the shape lie: where they lie in its own space. See
- *  #ShapeClass.texture_uv. */
+/** @return The texture coordinates in the local space. See #ShapeClass.texture_uv. */
 static TextureUv transformed_texture_uv(const Shape *self, const Hit *hit, mask lanes) {
     const TransformedShape *transformed = (const TransformedShape *)self;
     const Shape *inner = transformed->inner;
     Vec3w from_zero = vec3w_subtract(vec3_widen(hit->point), vec3w_splat(transformed->translation));
-    // The normal went forth by the transpose of the inverse, and comes back by the transpose.
+    // Normals go to the scene by the transpose of the inverse, and back by the transpose.
     Vec3w normal = matrix3_apply_transposed(&transformed->to_world, vec3_widen(hit->normal));
     Hit local = *hit;
     local.point = vec3_narrow(matrix3_apply(&transformed->to_local, from_zero));
@@ -268,21 +260,22 @@ static TextureUv transformed_texture_uv(const Shape *self, const Hit *hit, mask 
     return shape_texture_uv(inner, &local, lanes);
 }
 
-/** @return How many steps rays take to the shape. See #ShapeClass.count_steps. */
-static real transformed_steps(const Shape *self, const Ray *ray, mask active, real limit) {
+/** See #ShapeExtension.count_steps. */
+static real transformed_count_steps(const Shape *self, const Ray *ray, mask active, real limit) {
     const TransformedShape *transformed = (const TransformedShape *)self;
     const Shape *inner = transformed->inner;
-    if (!inner->class->count_steps) {
+    const ShapeExtension *extension = inner->class->extension;
+    if (!extension || !extension->count_steps) {
         return real_of(0);
     }
     LocalRay local = transformed_to_local(transformed, ray);
     real local_limit = narrow(widen(limit) - local.skipped);
-    return inner->class->count_steps(inner, &local.ray, active, local_limit);
+    return extension->count_steps(inner, &local.ray, active, local_limit);
 }
 
-/* --- shapes that take whole packets ---------------------------------------------------------- */
+/* --- whole packets --------------------------------------------------------------------------- */
 
-/** @return The same box for every ray. */
+/** @return The same box in all lanes. */
 INLINE Aabb transformed_splat_bounds(const Aabbs *box) {
     Aabb same;
     for (int axis = 0; axis < 3; axis++) {
@@ -293,9 +286,9 @@ INLINE Aabb transformed_splat_bounds(const Aabbs *box) {
 }
 
 /**
- * @return A packet in a shape's own space; active are only the rays that may meet it.
- * @param limits  How far each looks.
- * @param[out] skipped  How much of each ray was left out.
+ * @return A packet in the local space; only rays that meet the bounding box stay active.
+ * @param limits        Largest distances.
+ * @param[out] skipped  See #LocalRay.skipped.
  */
 static Packet transformed_packet_to_local(const TransformedShape *self, const Packet *packet,
                                           const real *limits, wide *skipped) {
@@ -317,7 +310,7 @@ static Packet transformed_packet_to_local(const TransformedShape *self, const Pa
     return local_packet;
 }
 
-/** Finds where a packet meets the shape. See #ShapeClass.closest_hits. @callgraph */
+/** See #ShapeExtension.closest_hits. @callgraph */
 static void transformed_closest_hits(const Shape *self, const Packet *packet, Hit *hits) {
     const TransformedShape *transformed = (const TransformedShape *)self;
     wide skipped[PACKET_VECTORS];
@@ -331,7 +324,8 @@ static void transformed_closest_hits(const Shape *self, const Packet *packet, Hi
     if (packet_active_count(&local_packet) == 0) {
         return;
     }
-    transformed->inner->class->closest_hits(transformed->inner, &local_packet, local_hit);
+    transformed->inner->class->extension->closest_hits(transformed->inner, &local_packet,
+                                                       local_hit);
     for (int v = 0; v < PACKET_VECTORS; v++) {
         mask is_hit_local = local_packet.active[v] & (local_hit[v].shape >= integer_of(0));
         real distance = narrow(skipped[v] + widen(local_hit[v].distance));
@@ -342,25 +336,33 @@ static void transformed_closest_hits(const Shape *self, const Packet *packet, Hi
     }
 }
 
-/** Finds which rays of a packet the shape blocks. See #ShapeClass.occluded. */
-static void transformed_occluded(const Shape *self, const Packet *packet, mask *blocked) {
+/** See #ShapeExtension.occluded. */
+static void transformed_occluded(const Shape *self, const Packet *packet, mask *occluded) {
     const TransformedShape *transformed = (const TransformedShape *)self;
     wide skipped[PACKET_VECTORS];
     Packet local_packet = transformed_packet_to_local(transformed, packet, packet->limit, skipped);
     if (packet_active_count(&local_packet) > 0) {
-        transformed->inner->class->occluded(transformed->inner, &local_packet, blocked);
+        transformed->inner->class->extension->occluded(transformed->inner, &local_packet, occluded);
     }
 }
+
+/** Around a shape that intersects whole packets. */
+static const ShapeExtension transformed_packet_extension = {
+    .closest_hits = transformed_closest_hits,
+    .occluded = transformed_occluded,
+};
+
+/** Around all other shapes. */
+static const ShapeExtension transformed_extension = {.count_steps = transformed_count_steps};
 
 const ShapeClass transformed_packet_class = {
     .size = sizeof(TransformedShape),
     .init = transformed_init,
     .is_hit = transformed_is_hit,
     .is_occluding = transformed_is_occluding,
-    .closest_hits = transformed_closest_hits,
-    .occluded = transformed_occluded,
     .bounds = transformed_bounds,
     .texture_uv = transformed_texture_uv,
+    .extension = &transformed_packet_extension,
 };
 
 const ShapeClass transformed_class = {
@@ -370,5 +372,5 @@ const ShapeClass transformed_class = {
     .is_occluding = transformed_is_occluding,
     .bounds = transformed_bounds,
     .texture_uv = transformed_texture_uv,
-    .count_steps = transformed_steps,
+    .extension = &transformed_extension,
 };

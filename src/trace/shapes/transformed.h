@@ -1,23 +1,23 @@
 /**
  * @file
- * @brief Any shape, stretched, turned and moved.
+ * @brief Transformed shape: any shape, scaled, rotated and translated.
  */
 #ifndef DIOPTRE_TRACE_SHAPES_TRANSFORMED_H
 #define DIOPTRE_TRACE_SHAPES_TRANSFORMED_H
 
 #include "trace/shapes/shape.h"
 
-/** What a transformed shape is made of. */
+/** Parameters of a transformed shape. */
 typedef struct TransformedParameters {
-    const Transform *transform; /**< How it is stretched, turned and moved. */
-    const Shape *inner;         /**< The shape before that; it must live as long. */
+    const Transform *transform; /**< The transform. */
+    const Shape *inner;         /**< The shape in its local space; it must live as long. */
 } TransformedParameters;
 
-/** The class; it has no keyword, because the fields `scale`, `rotate` and `translate` of any shape
- *  ask for it. #ShapeClass.init takes #TransformedParameters. */
+/** The class. It has no keyword: any shape with a field `scale`, `rotate` or `translate` becomes
+ * one. #ShapeClass.init takes #TransformedParameters. */
 extern const ShapeClass transformed_class;
 
-/** The same, around shapes that take whole packets of rays. */
+/** The class around shapes that intersect whole packets: #shape_takes_packets. */
 extern const ShapeClass transformed_packet_class;
 
 #endif

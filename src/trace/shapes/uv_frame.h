@@ -1,22 +1,22 @@
 /**
  * @file
- * @brief How pictures lie on flat shapes: upright, as somebody sees them who looks at the front.
+ * @brief Orientation of textures on flat shapes: upright for a viewer in front.
  */
 #ifndef DIOPTRE_TRACE_SHAPES_UV_FRAME_H
 #define DIOPTRE_TRACE_SHAPES_UV_FRAME_H
 
 #include "trace/shapes/shape.h"
 
-/** Which way a picture lies on a flat shape. */
+/** Axes of a texture on a flat shape. */
 typedef struct UvFrame {
-    Vec3sw right; /**< Its right, a unit vector. */
-    Vec3sw up;    /**< Its up, a unit vector. */
+    Vec3sw right; /**< Unit vector to the right of the picture. */
+    Vec3sw up;    /**< Unit vector to its upper edge. */
 } UvFrame;
 
 /**
- * @return Which way a picture lies: its up is as near to y as the shape allows; on the ground, and
- *         on what lies more than it stands, as near to -z, which is up for who looks along -z.
- * @param n  The shape's unit normal, which points at who sees the picture.
+ * @return The axes: up is as close to y as the shape allows; on shapes that lie more than they
+ *         stand, as close to -z, which is up for a camera that looks along -z.
+ * @param n  Unit normal of the shape, towards the viewer of the picture.
  */
 static inline UvFrame uv_frame_of(Vec3sw n) {
     wide_scalar x = n.x < 0 ? -n.x : n.x, y = n.y < 0 ? -n.y : n.y, z = n.z < 0 ? -n.z : n.z;
@@ -27,13 +27,12 @@ static inline UvFrame uv_frame_of(Vec3sw n) {
     return (UvFrame){vec3sw_cross(up, n), up};
 }
 
-/** @return How far points are along a direction. */
+/** @return Components of vectors along a unit vector. */
 INLINE real component_along(Vec3w offset, Vec3sw axis) {
     return narrow(vec3w_dot(offset, vec3w_splat(axis)));
 }
 
-/** @return Where on a picture points of a disk lie. @param offset From its middle, in radii.
- *  @param frame Which way the picture lies. */
+/** @return Texture coordinates on a disk. @param offset From the centre, in radii. */
 INLINE TextureUv circle_texture_uv(Vec3w offset, const UvFrame *frame) {
     const real half = real_of((scalar)0.5f);
     return (TextureUv){.u = half + half * component_along(offset, frame->right),

@@ -105,13 +105,14 @@ static void shape_count_steps(const Shape *shape, const Packet *packet, int v, m
                               void *found) {
     StepCount *step_count = found;
     const Hit *hit = &step_count->hits[v];
-    if (!shape->class->count_steps) {
+    const ShapeExtension *extension = shape->class->extension;
+    if (!extension || !extension->count_steps) {
         return;
     }
     // The shape that was met is marched to its surface, wherever roundings put the limit.
     mask is_hit = hit->shape == integer_of(shape->index);
     real limit = real_select(is_hit, real_of(INFINITE), hit->distance);
-    real steps = shape->class->count_steps(shape, &packet->rays[v], active, limit);
+    real steps = extension->count_steps(shape, &packet->rays[v], active, limit);
     step_count->steps[v] += real_select(active, steps, real_of(0));
 }
 
@@ -139,7 +140,7 @@ static void aov_trace_packet(const Tracer *tracer, const Packet *packet, unsigne
     Hit hits[PACKET_VECTORS];
     shape_set_closest_hits(&tracer->shapes, packet, hits);
     if (tracer->emitters.count > 0) {
-        emitter_spheres_closest_hits(&tracer->emitters, packet, hits);
+        emitters_closest_hits(&tracer->emitters, packet, hits);
     }
     aov_record_hits(packet, hits, samples);
     if (flags & AOV_UV) {

@@ -2,18 +2,11 @@
  * @file
  * @brief The engine: the tracer of this number type and width as an object.
  */
-#include "trace/rebase.h"
 #include "trace/tracer/aov.h"
 #include "trace/tracer/query.h"
 #include "trace/tracer/tile.h"
 
 #include <stdlib.h>
-
-/**
- * Weight below which a ray cannot change the picture: half a step of 8 bits, 1 / 510, at the dark
- * end of the sRGB curve, where the slope is 12.92.
- */
-#define THROUGHPUT_CUTOFF 1.5e-4
 
 /** @return The sky in the engine's number type. */
 static Sky sky_of(const SceneSky *sky) {
@@ -35,12 +28,12 @@ static void engine_destroy_tracer(Tracer *tracer) {
         dielectrics_deinit(&tracer->dielectrics);
         free(tracer->materials);
         free(tracer->lights);
-        emitter_spheres_deinit(&tracer->emitters);
+        emitters_deinit(&tracer->emitters);
         free(tracer);
     }
 }
 
-/** @return Memory for things that hold vectors, zero. */
+/** @return Memory aligned for vectors, not cleared; NULL without. */
 static void *simd_allocate(size_t size) {
     /** Bytes: the widest vector of any engine. */
     const size_t alignment = 64;
@@ -61,11 +54,16 @@ static void engine_set_view(Tracer *tracer, const Scene *scene, int width, int h
         tracer->lights[i] = light_of(&light, tracer->samples);
         tracer->has_soft_shadows = tracer->has_soft_shadows || tracer->lights[i].is_soft;
     }
-    emitter_spheres_set(&tracer->emitters, scene, tracer->origin);
+    emitters_set(&tracer->emitters, scene, tracer->lights, tracer->origin);
 }
 
-/** @return A tracer whose shapes are there, without camera; NULL without memory. */
-static Tracer *tracer_create(const Scene *scene, const TraceSettings *settings, Error *error) {
+/**
+ * Creates the shapes, textures and dielectrics of a tracer; #engine_set_view adds camera and lights.
+ * @param origin  Where in the scene its coordinates start.
+ * @return The tracer, or NULL without memory.
+ */
+static Tracer *tracer_create(const Scene *scene, Vec3d origin, const TraceSettings *settings,
+                             Error *error) {
     Tracer *tracer = simd_allocate(sizeof *tracer);
     if (!tracer) {
         error_set(error, STATUS_FAILED, "no memory for a tracer");
@@ -79,12 +77,13 @@ static Tracer *tracer_create(const Scene *scene, const TraceSettings *settings, 
                  .depth = is_recursive ? settings->depth : 0,
                  .cutoff = (scalar)(settings->cutoff > 0 ? settings->cutoff : THROUGHPUT_CUTOFF),
                  .samples = settings->samples,
+                 .origin = origin,
                  .has_specular = scene_has_specular(scene),
                  .ray_offset = {settings->offset, (scalar)settings->epsilon}};
     tracer->lights = simd_allocate((scene->light_count + 1) * sizeof(Light));
     tracer->materials = simd_allocate(scene->material_count * sizeof(Material));
     if (!tracer->lights || !tracer->materials ||
-        !emitter_spheres_init(&tracer->emitters, scene, error) ||
+        !emitters_init(&tracer->emitters, scene, error) ||
         !textures_init(&tracer->textures, scene, error) ||
         !mesh_bvh_cache_init(&tracer->meshes, scene, reuse_from, settings, error) ||
         !shape_set_init(&tracer->shapes, scene, &tracer->meshes, settings, error) ||
@@ -96,38 +95,16 @@ static Tracer *tracer_create(const Scene *scene, const TraceSettings *settings, 
     return tracer;
 }
 
-/**
- * @return The same, with coordinates that begin elsewhere.
- * @param origin  Where in the scene.
- */
-static Tracer *tracer_create_at(const Scene *scene, const TraceSettings *settings, Vec3d origin,
-                                Error *error) {
-    Scene *local_scene = scene_translated(scene, shape_keywords, vec3d_scale(origin, -1), error);
-    Tracer *tracer = local_scene ? tracer_create(local_scene, settings, error) : NULL;
-    if (tracer) {
-        tracer->origin = origin;
-    }
-    scene_destroy(local_scene);
-    return tracer;
-}
-
-/** How often the origin is moved at most: very far away, where a scene's size is not seen in the
- *  engine's numbers, the first move only comes near. */
-enum { MAX_ORIGIN_MOVES = 4 };
-
-/** @return A tracer for a scene. See #Engine.create_tracer. */
+/** Creates a tracer whose coordinates start at #scene_local_origin. See #Engine.create_tracer.
+ *  @return The tracer, or NULL without memory. */
 static Tracer *engine_create_tracer(const Scene *scene, const TraceSettings *settings,
                                     Error *error) {
-    Tracer *tracer = tracer_create(scene, settings, error);
-    for (int moves = 0; tracer && moves < MAX_ORIGIN_MOVES; moves++) {
-        Vec3d offset = rebase_offset(&tracer->shapes);
-        if (vec3d_max_abs(offset) == 0) {
-            break;
-        }
-        Vec3d origin = vec3d_add(tracer->origin, offset);
-        engine_destroy_tracer(tracer);
-        tracer = tracer_create_at(scene, settings, origin, error);
-    }
+    Vec3d origin = scene_local_origin(scene);
+    bool is_moved = vec3d_max_abs(origin) > 0;
+    Scene *moved = is_moved ? scene_translated(scene, vec3d_scale(origin, -1), error) : NULL;
+    Tracer *tracer =
+        is_moved && !moved ? NULL : tracer_create(moved ? moved : scene, origin, settings, error);
+    scene_destroy(moved);
     if (tracer) {
         for (size_t i = 0; i < scene->material_count; i++) {
             tracer->materials[i] = material_of(&scene->materials[i], scene->ambient);
@@ -140,7 +117,9 @@ static Tracer *engine_create_tracer(const Scene *scene, const TraceSettings *set
 
 /** Finds the box of all bounded shapes. See #Engine.bounds. */
 static void engine_bounds(const Tracer *tracer, Vec3d *low, Vec3d *high) {
-    rebase_bounds(&tracer->shapes, low, high);
+    Aabbd bounds = shape_set_bounds(&tracer->shapes);
+    *low = bounds.low;
+    *high = bounds.high;
     *low = vec3d_add(*low, tracer->origin);
     *high = vec3d_add(*high, tracer->origin);
 }
@@ -177,7 +156,6 @@ const Engine ENGINE = {
     .lanes = LANES,
     .mantissa_bits = MANTISSA_BITS,
     .needs = ENGINE_NEEDS,
-    .shape_keywords = shape_keywords,
     .create_tracer = engine_create_tracer,
     .set_view = engine_set_view,
     .trace = trace_tile,
@@ -188,6 +166,5 @@ const Engine ENGINE = {
     .intersect = query_intersect,
     .bounds = engine_bounds,
     .stats = engine_stats,
-    .measure = shape_measure,
     .destroy = engine_destroy_tracer,
 };

@@ -9,7 +9,7 @@
 #ifndef DIOPTRE_TRACE_TRACER_PATH_HASH_H
 #define DIOPTRE_TRACE_TRACER_PATH_HASH_H
 
-#include "trace/lights/direct_lighting.h"
+#include "trace/tracer/surface_hit.h"
 
 /**
  * Notes what rays have met: which shape, and on which side of its edges, as their normals differ.

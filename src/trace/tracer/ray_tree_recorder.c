@@ -4,7 +4,7 @@
  */
 #include "trace/tracer/ray_tree_recorder.h"
 
-#include "trace/lights/emitter_spheres.h"
+#include "trace/lights/emitters.h"
 
 #include <stdlib.h>
 
@@ -107,11 +107,11 @@ void ray_tree_pop(RayTree *ray_tree, Rgb color) {
 
 /** Notes where a ray met something. @param length Of its direction in the engine. */
 static void ray_tree_node_set_hit(RayTreeNode *ray, const Hit *hit, double length) {
-    int shape = integer_lane(hit->shape, 0), sphere = emitter_sphere_index(shape);
-    ray->is_hit = shape >= 0 || sphere >= 0;
+    int shape = integer_lane(hit->shape, 0), light = emitter_light_index(shape);
+    ray->is_hit = shape >= 0 || light >= 0;
     if (ray->is_hit) {
         ray->shape = shape >= 0 ? shape : -1;
-        ray->light = shape >= 0 ? ray->light : sphere;
+        ray->light = shape >= 0 ? ray->light : light;
         ray->distance = real_first_lane(hit->distance) * length;
         ray->point = vec3_first_lane(hit->point);
         ray->normal = vec3_first_lane(hit->normal);
@@ -250,28 +250,10 @@ void ray_tree_record_shading(const SurfaceHit *surface, const DielectricHit *die
 
 /* --- the end ---------------------------------------------------------------------------------- */
 
-/**
- * @return The place of a lamp's ball among the lamps.
- * @param sphere  Which of the balls.
- */
-static int light_of_sphere(int sphere, const Light *lights, size_t count) {
-    int light_index = -1;
-    for (size_t i = 0; i < count && sphere >= 0; i++) {
-        if (lights[i].radius > 0) {
-            sphere--;
-            light_index = (int)i;
-        }
-    }
-    return light_index;
-}
-
-void ray_tree_finish(RayTree *ray_tree, Vec3d origin, const Light *lights, size_t count) {
+void ray_tree_finish(RayTree *ray_tree, Vec3d origin) {
     for (size_t i = 0; i < ray_tree->count; i++) {
         RayTreeNode *ray = &ray_tree->nodes[i];
         ray->origin = vec3d_add(ray->origin, origin);
         ray->point = vec3d_add(ray->point, origin);
-        if (ray->kind != RAY_SHADOW) {
-            ray->light = light_of_sphere(ray->light, lights, count);
-        }
     }
 }

@@ -49,6 +49,6 @@ void ray_tree_pop(RayTree *ray_tree, Rgb color);
 
 /** Ends a tree: names the lamps that were met, and gives places in the scene. @param origin Where
  *  in the scene the tracer's coordinates begin. */
-void ray_tree_finish(RayTree *ray_tree, Vec3d origin, const Light *lights, size_t count);
+void ray_tree_finish(RayTree *ray_tree, Vec3d origin);
 
 #endif

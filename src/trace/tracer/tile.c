@@ -83,7 +83,7 @@ static void trace_recorded_packet(const TileTrace *tile, Packet *packet, const u
     trace_camera_packet(tile, packet, pixel_ids, recorders, colors);
     if (ray_tree) {
         ray_tree_pop(ray_tree, colors[0]);
-        ray_tree_finish(ray_tree, tracer->origin, tracer->lights, tracer->light_count);
+        ray_tree_finish(ray_tree, tracer->origin);
     }
 }
 

@@ -30,7 +30,7 @@ static bool surface_hit_find(const Tracer *tracer, const Packet *packet, Surface
     surface->packet = packet;
     shape_set_closest_hits(&tracer->shapes, packet, surface->hits);
     if (tracer->emitters.count > 0) {
-        emitter_spheres_closest_hits(&tracer->emitters, packet, surface->hits);
+        emitters_closest_hits(&tracer->emitters, packet, surface->hits);
     }
     for (int v = 0; v < PACKET_VECTORS; v++) {
         const Hit *hit = &surface->hits[v];
@@ -241,7 +241,7 @@ INLINE bool intersect_packet(const Tracer *tracer, const Packet *packet,
         }
     }
     if (tracer->emitters.count > 0) {
-        emitter_spheres_shade(&tracer->emitters, surface->hits, colors);
+        emitters_shade(tracer->lights, surface->hits, colors);
     }
     return any_hit;
 }

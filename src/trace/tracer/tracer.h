@@ -6,7 +6,7 @@
 #define DIOPTRE_TRACE_TRACER_TRACER_H
 
 #include "trace/glass/dielectric.h"
-#include "trace/lights/emitter_spheres.h"
+#include "trace/lights/emitters.h"
 #include "trace/materials/textures.h"
 #include "trace/mesh/mesh_bvh.h"
 #include "trace/tracer/camera.h"
@@ -27,7 +27,7 @@ struct Tracer {
     Material *materials;     /**< The materials; owned. */
     Light *lights;           /**< The lamps; owned. */
     size_t light_count;      /**< How many. */
-    EmitterSpheres emitters; /**< Those of them that are seen. */
+    Emitters emitters;       /**< Those of them that are seen. */
     int samples;             /**< Rays a pixel. */
     bool has_soft_shadows;   /**< Whether any lamp's shadows are soft. */
     Camera camera;           /**< The camera. */

@@ -1,41 +1,31 @@
 /**
  * @file
- * @brief What actions do to the view.
+ * @brief The table of commands, and what they do.
+ *
+ * The light's keys are at fixed positions, wherever the letters of the keyboard in use are: those
+ * of z s q d e w on an AZERTY keyboard. So are the two keys that step the time, right of M or N: ;
+ * and : on an AZERTY keyboard. SDL names positions by the US keyboard. All other keys go by what is
+ * printed on them.
  */
 #include "view/commands/commands.h"
 
 #include "base/language.h"
-#include "view/commands/scene_text.h"
-#include "view/commands/time_control.h"
-#include "view/commands/view_commands.h"
-#include "view/input/browser_input.h"
-#include "view/lesson/recorder.h"
-#include "view/loading/current_scene.h"
+#include "dioptre/offset_strategy.h"
+#include "view/commands/current_scene.h"
+#include "view/commands/recorder.h"
+#include "view/state/scene_text.h"
 
-#include <stdio.h>
+#include <libintl.h>
 #include <stdlib.h>
 
-/** Shows the rays of one pixel, or the picture again. */
-static void toggle_rays(App *app) {
-    inspector_toggle(&app->window.inspector);
-    window_present(&app->window);
-}
+/** How far a key moves the bar between two pictures, as a fraction of the window's width. */
+static const double BAR_STEP = 0.02;
 
-/** Closes the window. */
-static void quit(App *app) {
-    app->should_quit = true;
-}
+/* --- time and view ---------------------------------------------------------------------------- */
 
-/** Puts the scene's own view back. */
-static void reset_view(App *app) {
-    inspector_reset_camera(&app->window.inspector);
-    view_state_reset(&app->home_view, app->scene);
-    app->selected_light = 0;
-    app_on_view_changed(app);
-}
-
-/** The light keys move the next light from now on. */
-static void select_next_light(App *app) {
+/** Selects the next light for the light's keys. */
+static void select_next_light(App *app, int argument) {
+    (void)argument;
     size_t count = app->scene->light_count;
     app->selected_light = count > 0 ? (app->selected_light + 1) % count : 0;
     if (count > 1) {
@@ -45,25 +35,149 @@ static void select_next_light(App *app) {
     }
 }
 
-/** Opens or closes the help. */
-static void toggle_help(App *app) {
-    if (!help_toggle(&app->window.help)) {
-        app_set_status(app, "no font found: the help is on standard output");
+/** Reports that the scene does not depend on time. */
+static void show_no_time_status(App *app) {
+    app_set_status(app, "this scene does not ask for the time t");
+}
+
+/** Pauses the time, or lets it run. */
+static void toggle_time(App *app, int argument) {
+    (void)argument;
+    if (!app_is_animated(app)) {
+        show_no_time_status(app);
+    } else if (app->timeline.is_running) {
+        timeline_pause(&app->timeline, app_clock(app));
+    } else {
+        timeline_run(&app->timeline, app_clock(app));
     }
+    app->title.next_update_time = 0;
+}
+
+/** Pauses the time, and moves it some steps. */
+static void step_time(App *app, int steps) {
+    if (app_is_animated(app)) {
+        timeline_step(&app->timeline, steps, app_clock(app));
+    } else {
+        show_no_time_status(app);
+    }
+}
+
+/** Puts the scene's own view back. */
+static void reset_view(App *app, int argument) {
+    (void)argument;
+    app_reset_view(app);
+}
+
+/* --- how the picture is drawn ----------------------------------------------------------------- */
+
+/** Shows the settings of the active picture in the title. */
+static void show_settings_status(App *app) {
+    Viewport *viewport = window_active_viewport(&app->window);
+    RenderSettings settings = app->window.base_settings;
+    settings_override_apply(&viewport->overrides, &settings);
+    app_set_status(app, "%s, offset %s, epsilon %.3g, depth %d, samples %d, light: %s",
+                   settings.engine->name, offset_strategy_names[settings.trace.offset],
+                   settings.trace.epsilon, settings.trace.depth, settings.samples,
+                   gettext(light_mode_name(settings.lighting)));
+}
+
+/** Shows a layer. */
+static void set_layer(App *app, int layer) {
+    window_set_layer(&app->window, (Layer)layer);
+}
+
+/** Changes one setting of the active picture. */
+static void change_setting(App *app, SettingsChangeFn *change, int step) {
+    window_override_setting(&app->window, change, step);
+    show_settings_status(app);
+}
+
+/** Changes the number type. See #settings_override_engine. */
+static void change_engine(App *app, int step) {
+    change_setting(app, settings_override_engine, step);
+}
+
+/** Changes the offset strategy. See #settings_override_offset. */
+static void change_offset(App *app, int step) {
+    change_setting(app, settings_override_offset, step);
+}
+
+/** Scales epsilon. See #settings_override_epsilon. */
+static void change_epsilon(App *app, int factor) {
+    change_setting(app, settings_override_epsilon, factor);
+}
+
+/** Changes the depth. See #settings_override_depth. */
+static void change_depth(App *app, int step) {
+    change_setting(app, settings_override_depth, step);
+}
+
+/** Changes the samples. See #settings_override_samples. */
+static void change_samples(App *app, int step) {
+    change_setting(app, settings_override_samples, step);
+}
+
+/** Changes the lighting mode. See #settings_override_lighting. */
+static void change_lighting(App *app, int step) {
+    change_setting(app, settings_override_lighting, step);
+}
+
+/** Takes all changes of settings, layers and the split view back. */
+static void reset_settings(App *app, int argument) {
+    (void)argument;
+    window_reset_overrides(&app->window);
+    show_settings_status(app);
+}
+
+/** Shows or hides settings and costs. */
+static void toggle_settings(App *app, int argument) {
+    (void)argument;
+    window_toggle_settings(&app->window);
+}
+
+/** Shows one picture, two side by side, or their difference. */
+static void cycle_split(App *app, int step) {
+    window_cycle_split(&app->window, step);
+}
+
+/** Makes the other of two pictures the active one. */
+static void swap_side(App *app, int argument) {
+    (void)argument;
+    window_swap_active(&app->window);
+}
+
+/** Moves the bar between two pictures. */
+static void move_bar(App *app, int direction) {
+    window_move_bar(&app->window, app->window.split.bar_position + direction * BAR_STEP);
+}
+
+/* --- the rays of one pixel -------------------------------------------------------------------- */
+
+/** Shows the rays of one pixel, or the picture again. */
+static void toggle_rays(App *app, int argument) {
+    (void)argument;
+    inspector_toggle(&app->window.inspector);
     window_present(&app->window);
 }
 
-/** Speaks the other language. A scene that is wrong is read again, to say what is wrong in it. */
-static void switch_language(App *app) {
-    language_toggle();
-    app_set_status(app, "messages are in English");
-    current_scene_repeat_error(app);
-    window_invalidate_text(&app->window);
-    window_present(&app->window);
+/** Shows the numbers of another ray. */
+static void select_ray(App *app, int step) {
+    inspector_select_ray(&app->window.inspector, step);
 }
 
-/** Prints camera and lights as text of the scene language, and keeps it ready to be pasted. */
-static void copy_view(App *app) {
+/* --- the program ------------------------------------------------------------------------------ */
+
+/** Requests a snapshot. It is taken when the picture is finished, so the time is paused. */
+static void request_snapshot(App *app, int argument) {
+    (void)argument;
+    app->wants_snapshot = true;
+    timeline_pause(&app->timeline, app_clock(app));
+    app_set_status(app, "the snapshot waits for the last pass");
+}
+
+/** Prints camera and lights as text of the scene language, and puts it on the clipboard. */
+static void copy_view(App *app, int argument) {
+    (void)argument;
     char *text = scene_text_create(app->scene);
     if (!text) {
         app_set_status(app, "no memory for the view");
@@ -77,81 +191,240 @@ static void copy_view(App *app) {
     free(text);
 }
 
-/** Asks for a snapshot. It is of the finished picture: of the view as it is when that is there, so
- *  the time is held. */
-static void request_snapshot(App *app) {
-    app->wants_snapshot = true;
-    timeline_pause(&app->timeline, time_control_clock(app));
-    app_set_status(app, "the snapshot waits for the last pass");
+/** Makes the letters larger or smaller. */
+static void scale_text(App *app, int steps) {
+    window_scale_text(&app->window, steps);
+}
+
+/** Changes the language. A faulty scene is loaded again, for its error in that language. */
+static void switch_language(App *app, int argument) {
+    (void)argument;
+    language_toggle();
+    app_set_status(app, "messages are in English");
+    current_scene_repeat_error(app);
+    window_invalidate_text(&app->window);
+    window_present(&app->window);
+}
+
+/** Opens the list of scenes. */
+static void browse_scenes(App *app, int argument) {
+    (void)argument;
+    current_scene_browse(app);
 }
 
 /** Begins to record a lesson, or ends it. */
-static void toggle_recording(App *app) {
+static void toggle_recording(App *app, int argument) {
+    (void)argument;
     Error error = {0};
-    if (!recorder_toggle(app, &error)) {
+    bool ok = app_is_recording(app) ? recorder_end(app, &error) : recorder_begin(app, &error);
+    if (!ok) {
         app_report_error(app, &error);
     }
 }
 
-/** The time a step back. */
-static void step_time_back(App *app) {
-    time_control_step(app, -1);
+/** Begins to type a caption. */
+static void begin_caption(App *app, int argument) {
+    (void)argument;
+    recorder_begin_caption(app);
 }
 
-/** The time a step on. */
-static void step_time_forward(App *app) {
-    time_control_step(app, 1);
+/** Opens or closes the help. */
+static void toggle_help(App *app, int argument) {
+    (void)argument;
+    if (!help_toggle(&app->window.help)) {
+        app_set_status(app, "no font found: the help is on standard output");
+    }
+    window_present(&app->window);
 }
 
-/** Larger letters. */
-static void enlarge_text(App *app) {
-    window_scale_text(&app->window, 1);
-}
-
-/** Smaller letters. */
-static void shrink_text(App *app) {
-    window_scale_text(&app->window, -1);
-}
-
-/** The whole screen, or a window again. */
-static void toggle_full_screen(App *app) {
+/** Changes between the full screen and a window. */
+static void toggle_full_screen(App *app, int argument) {
+    (void)argument;
     sdl_window_toggle_full_screen(&app->window.sdl);
 }
 
-/** The numbers of the ray before. */
-static void select_previous_ray(App *app) {
-    inspector_select_ray(&app->window.inspector, -1);
+/** Closes the window. */
+static void quit(App *app, int argument) {
+    (void)argument;
+    app->exit.is_requested = true;
 }
 
-/** The numbers of the next ray. */
-static void select_next_ray(App *app) {
-    inspector_select_ray(&app->window.inspector, 1);
+/* --- the table -------------------------------------------------------------------------------- */
+
+/** A key by its position, named by the US keyboard, and by its letter with `--keys letters`. */
+#define PLACE(position, letter)                                                                    \
+    { .scancode = SDL_SCANCODE_##position, .keycode = SDLK_##letter }
+/** A key by its position, always, with its name in the help. */
+#define ONLY_PLACE(position, name_)                                                                \
+    { .scancode = SDL_SCANCODE_##position, .label = name_ }
+/** A key by what is printed on it. */
+#define KEY(letter)                                                                                \
+    { .keycode = SDLK_##letter }
+/** A key by what is printed on it, with its name in the help; empty: none. */
+#define NAMED(letter, name_)                                                                       \
+    { .keycode = SDLK_##letter, .label = name_ }
+/** No key, only a name in the help. */
+#define NO_KEY(name_)                                                                              \
+    { .label = name_ }
+
+/** The keys of one heading of the help. */
+#define LIGHT .group = N_("Light")
+#define CAMERA .group = N_("Camera")
+#define TIME .group = N_("Time")
+#define PICTURE .group = N_("Picture")
+#define RAYS .group = N_("Rays of one pixel")
+#define PROGRAM .group = N_("Program")
+
+/** A move along an axis of the picture (1) or against it (-1). */
+#define MOVES(subject_, axis_, sign_)                                                              \
+    .flags = COMMAND_WHILE_PAUSED, .move = {MOVE_##subject_, MOVE_##axis_, sign_}
+/** A function with its argument. */
+#define RUNS(function, argument_) .run = function, .argument = argument_
+
+/** The help of the first five layers, and of the others. */
+#define FIRST_LAYERS .help = N_("light, normals, distance, shapes, (u, v)")
+#define LAST_LAYERS .help = N_("rays, marching, time, error, acne")
+/** The help of the keys of epsilon. */
+#define EPSILON .help = N_("epsilon half, twice (Shift: 1/10, 10 times)")
+
+// clang-format off
+const Command command_table[] = {
+    {"light up", {PLACE(W, z)}, N_("up"), LIGHT, .help = N_("up, down"), MOVES(LIGHT, UP, 1)},
+    {"light down", {PLACE(S, s)}, N_("down"), LIGHT, .help = N_("up, down"), MOVES(LIGHT, UP, -1)},
+    {"light left", {PLACE(A, q)}, N_("left"), LIGHT, .help = N_("left, right"), MOVES(LIGHT, RIGHT, -1)},
+    {"light right", {PLACE(D, d)}, N_("right"), LIGHT, .help = N_("left, right"), MOVES(LIGHT, RIGHT, 1)},
+    {"light away", {PLACE(E, e)}, N_("away"), LIGHT, .help = N_("away from you, nearer"), MOVES(LIGHT, FORWARD, 1)},
+    {"light nearer", {PLACE(Z, w)}, N_("near"), LIGHT, .help = N_("away from you, nearer"), MOVES(LIGHT, FORWARD, -1)},
+    {"next light", {NAMED(TAB, N_("Tab"))}, N_("next"), LIGHT, .help = N_("next light"),
+     .flags = COMMAND_WHILE_PAUSED, RUNS(select_next_light, 0)},
+
+    {"camera up", {NAMED(UP, "↑")}, N_("up"), CAMERA, .help = N_("up, down"), MOVES(CAMERA, UP, 1)},
+    {"camera down", {NAMED(DOWN, "↓")}, N_("down"), CAMERA, .help = N_("up, down"), MOVES(CAMERA, UP, -1)},
+    {"camera left", {NAMED(LEFT, "←")}, N_("left"), CAMERA, .help = N_("left, right"), MOVES(CAMERA, RIGHT, -1)},
+    {"camera right", {NAMED(RIGHT, "→")}, N_("right"), CAMERA, .help = N_("left, right"), MOVES(CAMERA, RIGHT, 1)},
+    {"camera forward", {NAMED(PAGEUP, N_("Page Up"))}, N_("forward"), CAMERA, .help = N_("forward, back"), MOVES(CAMERA, FORWARD, 1)},
+    {"camera back", {NAMED(PAGEDOWN, N_("Page Down"))}, N_("back"), CAMERA, .help = N_("forward, back"), MOVES(CAMERA, FORWARD, -1)},
+    {NULL, {NO_KEY(N_("Mouse drag"))}, NULL, CAMERA, .help = N_("look around")},
+    {NULL, {NO_KEY(N_("Wheel"))}, NULL, CAMERA, .help = N_("field of view")},
+
+    {"time", {NAMED(SPACE, N_("Space"))}, NULL, TIME, .help = N_("run, hold"), RUNS(toggle_time, 0)},
+    {"time back", {PLACE(COMMA, COMMA)}, N_("back"), TIME, .help = N_("a step back, on"), .flags = COMMAND_REPEATS, RUNS(step_time, -1)},
+    {"time on", {PLACE(PERIOD, PERIOD)}, N_("on"), TIME, .help = N_("a step back, on"), .flags = COMMAND_REPEATS, RUNS(step_time, 1)},
+
+    {"layer light", {ONLY_PLACE(1, "1")}, N_("light"), PICTURE, FIRST_LAYERS, RUNS(set_layer, LAYER_SHADED)},
+    {"layer normals", {ONLY_PLACE(2, "2")}, N_("normals"), PICTURE, FIRST_LAYERS, RUNS(set_layer, LAYER_NORMALS)},
+    {"layer distance", {ONLY_PLACE(3, "3")}, N_("distance"), PICTURE, FIRST_LAYERS, RUNS(set_layer, LAYER_DISTANCE)},
+    {"layer shapes", {ONLY_PLACE(4, "4")}, N_("shapes"), PICTURE, FIRST_LAYERS, RUNS(set_layer, LAYER_SHAPES)},
+    {"layer places", {ONLY_PLACE(5, "5")}, "(u, v)", PICTURE, FIRST_LAYERS, RUNS(set_layer, LAYER_UV)},
+    {"layer rays", {ONLY_PLACE(6, "6")}, N_("rays"), PICTURE, LAST_LAYERS, RUNS(set_layer, LAYER_RAYS)},
+    {"layer steps", {ONLY_PLACE(7, "7")}, N_("march"), PICTURE, LAST_LAYERS, RUNS(set_layer, LAYER_STEPS)},
+    {"layer time", {ONLY_PLACE(8, "8")}, N_("time"), PICTURE, LAST_LAYERS, RUNS(set_layer, LAYER_TIME)},
+    {"layer error", {ONLY_PLACE(9, "9")}, N_("error"), PICTURE, LAST_LAYERS, RUNS(set_layer, LAYER_ERROR)},
+    {"layer acne", {ONLY_PLACE(0, "0")}, N_("acne"), PICTURE, LAST_LAYERS, RUNS(set_layer, LAYER_ACNE)},
+    {"offset", {KEY(o)}, N_("offset"), PICTURE, .help = N_("offset: none, fixed, bound"), RUNS(change_offset, 1)},
+    {"offset back", {KEY(o)}, .flags = COMMAND_SHIFT, RUNS(change_offset, -1)},
+    {"epsilon half", {ONLY_PLACE(LEFTBRACKET, NULL)}, "ε / 2", PICTURE, EPSILON, RUNS(change_epsilon, -2)},
+    {"epsilon tenth", {ONLY_PLACE(LEFTBRACKET, NULL)}, .flags = COMMAND_SHIFT, RUNS(change_epsilon, -10)},
+    {"epsilon twice", {ONLY_PLACE(RIGHTBRACKET, NULL)}, "ε × 2", PICTURE, EPSILON, RUNS(change_epsilon, 2)},
+    {"epsilon ten times", {ONLY_PLACE(RIGHTBRACKET, NULL)}, .flags = COMMAND_SHIFT, RUNS(change_epsilon, 10)},
+    {"engine", {KEY(g)}, N_("engine"), PICTURE, .help = N_("float, double, quad; which light"), RUNS(change_engine, 1)},
+    {"engine back", {KEY(g)}, .flags = COMMAND_SHIFT, RUNS(change_engine, -1)},
+    {"light mode", {KEY(m)}, N_("light"), PICTURE, .help = N_("float, double, quad; which light"), RUNS(change_lighting, 1)},
+    {"light mode back", {KEY(m)}, .flags = COMMAND_SHIFT, RUNS(change_lighting, -1)},
+    {"deeper", {KEY(b)}, N_("depth"), PICTURE, .help = N_("deeper, more samples (Shift: less)"), RUNS(change_depth, 1)},
+    {"less deep", {KEY(b)}, .flags = COMMAND_SHIFT, RUNS(change_depth, -1)},
+    {"samples twice", {KEY(n)}, N_("samples"), PICTURE, .help = N_("deeper, more samples (Shift: less)"), RUNS(change_samples, 1)},
+    {"samples half", {KEY(n)}, .flags = COMMAND_SHIFT, RUNS(change_samples, -1)},
+    {"settings", {KEY(i)}, N_("costs"), PICTURE, .help = N_("settings and costs; all as at first"), RUNS(toggle_settings, 0)},
+    {"as at first", {NAMED(BACKSPACE, N_("Backspace"))}, N_("as at first"), PICTURE, .help = N_("settings and costs; all as at first"), RUNS(reset_settings, 0)},
+    {"split", {KEY(x)}, N_("split"), PICTURE, .help = N_("side by side, difference; which side"), RUNS(cycle_split, 1)},
+    {"split back", {KEY(x)}, .flags = COMMAND_SHIFT, RUNS(cycle_split, -1)},
+    {"other side", {KEY(t)}, N_("side"), PICTURE, .help = N_("side by side, difference; which side"), RUNS(swap_side, 0)},
+    {"bar left", {KEY(F6)}, N_("bar ←"), PICTURE, .help = N_("bar left, right; or the mouse"), .flags = COMMAND_REPEATS, RUNS(move_bar, -1)},
+    {"bar right", {KEY(F7)}, N_("bar →"), PICTURE, .help = N_("bar left, right; or the mouse"), .flags = COMMAND_REPEATS, RUNS(move_bar, 1)},
+
+    {"rays", {KEY(v)}, N_("rays"), RAYS, .help = N_("show them, or the picture again"), RUNS(toggle_rays, 0)},
+    {NULL, {NO_KEY(N_("Click"))}, NULL, RAYS, .help = N_("of that pixel")},
+    {NULL, {NO_KEY("Ctrl ←↑↓→")}, NULL, RAYS, .help = N_("of the pixel beside")},
+    {"ray back", {KEY(j)}, N_("ray −"), RAYS, .help = N_("numbers of the ray before, after"), RUNS(select_ray, -1)},
+    {"ray on", {KEY(k)}, N_("ray +"), RAYS, .help = N_("numbers of the ray before, after"), RUNS(select_ray, 1)},
+    {NULL, {NO_KEY("←↑↓→")}, NULL, RAYS, .help = N_("around them; or the mouse")},
+
+    {NULL, {ONLY_PLACE(LSHIFT, N_("Shift")), ONLY_PLACE(RSHIFT, "")}, N_("fast"), PROGRAM, .help = N_("with a move: fast, fine")},
+    {NULL, {ONLY_PLACE(LCTRL, N_("Ctrl")), ONLY_PLACE(RCTRL, "")}, N_("fine"), PROGRAM, .help = N_("with a move: fast, fine")},
+    {"home", {NAMED(HOME, N_("Home"))}, N_("reset"), PROGRAM, .help = N_("the scene's own view"),
+     .flags = COMMAND_WHILE_PAUSED, RUNS(reset_view, 0)},
+    {"snapshot", {KEY(p), KEY(F12)}, N_("photo"), PROGRAM, .help = N_("snapshot"), .flags = COMMAND_WHILE_PLAYING, RUNS(request_snapshot, 0)},
+    {"copy", {KEY(c)}, N_("copy"), PROGRAM, .help = N_("camera and light as text, to paste"),
+     .flags = COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(copy_view, 0)},
+    {"text larger", {NAMED(PLUS, "+"), NAMED(EQUALS, ""), NAMED(KP_PLUS, "")}, "A +", PROGRAM, .help = N_("larger, smaller letters"),
+     .flags = COMMAND_WHILE_PLAYING, RUNS(scale_text, 1)},
+    {"text smaller", {NAMED(MINUS, "-"), NAMED(KP_MINUS, "")}, "A −", PROGRAM, .help = N_("larger, smaller letters"),
+     .flags = COMMAND_WHILE_PLAYING, RUNS(scale_text, -1)},
+    {"language", {KEY(l)}, "en / fr", PROGRAM, .help = N_("English, français"),
+     .flags = COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(switch_language, 0)},
+    {"scenes", {KEY(f)}, N_("scenes"), PROGRAM, .help = N_("other scenes: a list with pictures"), .flags = COMMAND_UNRECORDED, RUNS(browse_scenes, 0)},
+    {"record", {KEY(r)}, N_("record"), PROGRAM, .help = N_("record a lesson, or end it"), .flags = COMMAND_UNRECORDED, RUNS(toggle_recording, 0)},
+    {"caption", {NAMED(RETURN, N_("Enter"))}, N_("words"), PROGRAM, .help = N_("words for that lesson"), .flags = COMMAND_UNRECORDED, RUNS(begin_caption, 0)},
+    {"help", {KEY(F1), KEY(h)}, N_("help"), PROGRAM, .help = N_("this help"), .flags = COMMAND_WHILE_PLAYING, RUNS(toggle_help, 0)},
+    {"full screen", {KEY(F11)}, N_("screen"), PROGRAM, .help = N_("full screen"), .flags = COMMAND_WHILE_PLAYING, RUNS(toggle_full_screen, 0)},
+    {"leave", {NAMED(ESCAPE, N_("Esc"))}, N_("leave"), PROGRAM, .help = N_("leave"),
+     .flags = COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(quit, 0)},
+    {NULL},
+};
+// clang-format on
+
+/* --- running ---------------------------------------------------------------------------------- */
+
+void command_run(App *app, const Command *command) {
+    command->run(app, command->argument);
 }
 
-void command_run(App *app, Action action) {
-    static void (*const commands[])(App * app) = {[ACTION_SNAPSHOT] = request_snapshot,
-                                                  [ACTION_RESET_VIEW] = reset_view,
-                                                  [ACTION_NEXT_LIGHT] = select_next_light,
-                                                  [ACTION_TOGGLE_TIME] = time_control_toggle,
-                                                  [ACTION_TIME_BACK] = step_time_back,
-                                                  [ACTION_TIME_FORWARD] = step_time_forward,
-                                                  [ACTION_COPY_VIEW] = copy_view,
-                                                  [ACTION_TEXT_LARGER] = enlarge_text,
-                                                  [ACTION_TEXT_SMALLER] = shrink_text,
-                                                  [ACTION_LANGUAGE] = switch_language,
-                                                  [ACTION_BROWSE_SCENES] = browser_input_open,
-                                                  [ACTION_RECORD] = toggle_recording,
-                                                  [ACTION_CAPTION] = caption_input_begin,
-                                                  [ACTION_HELP] = toggle_help,
-                                                  [ACTION_FULL_SCREEN] = toggle_full_screen,
-                                                  [ACTION_TOGGLE_RAYS] = toggle_rays,
-                                                  [ACTION_RAY_PREVIOUS] = select_previous_ray,
-                                                  [ACTION_RAY_NEXT] = select_next_ray,
-                                                  [ACTION_QUIT] = quit,
-                                                  [ACTION_NONE] = NULL};
-    if (commands[action]) {
-        commands[action](app);
-    } else {
-        view_commands_run(app, action);
+void command_issue(App *app, const Command *command, double time) {
+    recorder_on_command(app, command, time);
+    if (!command_is_move(command)) {
+        command_run(app, command);
+        return;
     }
+    // While a lesson is recorded, things move at the ticks of its clock.
+    if (!app_is_recording(app)) {
+        held_keys_press(&app->input.held_keys, command->move, time);
+    }
+    latency_on_key(&app->window.latency, time);
+    app->input.next_move_time = 0;
+}
+
+/* --- names for lessons ------------------------------------------------------------------------ */
+
+/** Finds the next command that is a move, or that is none. @return NULL: there is no other. */
+static const Command *next_named(const Command *row, bool is_move) {
+    while (command_is_row(row) && (!row->name || command_is_move(row) != is_move)) {
+        row++;
+    }
+    return command_is_row(row) ? row : NULL;
+}
+
+/** @return The command of an index, moves first; NULL: there are fewer. @param[out] is_move Whether
+ *  it is a move. */
+const Command *command_of_action(int action) {
+    for (int is_move = 1; is_move >= 0; is_move--) {
+        const Command *row = next_named(command_table, is_move);
+        for (; row; row = next_named(row + 1, is_move)) {
+            if (action-- == 0) {
+                return row;
+            }
+        }
+    }
+    return NULL;
+}
+
+int view_actions(const char *names[VIEW_ACTIONS_MAXIMUM]) {
+    int count = 0, move_count = 0;
+    for (const Command *row;
+         count < VIEW_ACTIONS_MAXIMUM - 1 && (row = command_of_action(count));) {
+        names[count++] = row->name;
+        move_count += command_is_move(row);
+    }
+    names[count] = NULL;
+    return move_count;
 }

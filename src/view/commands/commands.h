@@ -1,14 +1,26 @@
 /**
  * @file
- * @brief What actions do to the view, whoever asks: a key, or a lesson.
+ * @brief The commands of the window: one table, and running them.
+ *
+ * A new key is one row of #command_table and the function that it runs.
  */
 #ifndef DIOPTRE_VIEW_COMMANDS_COMMANDS_H
 #define DIOPTRE_VIEW_COMMANDS_COMMANDS_H
 
 #include "view/app.h"
-#include "view/commands/action.h"
+#include "view/state/command.h"
 
-/** Does what an action asks for. @param action What it asks for, not a move. */
-void command_run(App *app, Action action);
+/** All commands, in the order of the help; see #command_is_row for its end. */
+extern const Command command_table[];
+
+/** Runs a command that is no move: for a lesson that plays. */
+void command_run(App *app, const Command *command);
+
+/** Runs a command for the viewer, or begins its move; the recorder is notified first. @param time
+ *  When its key went down, seconds on #clock_now_seconds. */
+void command_issue(App *app, const Command *command, double time);
+
+/** @return The command of a step of a lesson. @param action Index in the list of #view_actions. */
+const Command *command_of_action(int action);
 
 #endif

@@ -1,200 +1,266 @@
 /**
  * @file
- * @brief What keys, mouse and window do to the view.
+ * @brief Events of keyboard, mouse and window.
  */
 #include "view/input/input.h"
 
 #include "view/commands/commands.h"
-#include "view/input/browser_input.h"
-#include "view/input/keymap.h"
-#include "view/input/mouse.h"
-#include "view/loading/current_scene.h"
+#include "view/commands/current_scene.h"
+#include "view/commands/recorder.h"
+#include "view/lesson/player.h"
 
-#include <stdio.h>
-
-/** Factor for the speed of a move while Shift is held. */
+/** Factor of a move's speed while Shift is held. */
 static const double FAST_FACTOR = 4;
-/** Factor for the speed of a move while Ctrl is held: pixel by pixel. */
+/** Factor of a move's speed while Ctrl is held: pixel by pixel. */
 static const double FINE_FACTOR = 0.25;
-/** Factor for the width of the field of view with each notch of the wheel away from the user. */
-static const double ZOOM_PER_NOTCH = 0.9;
-/** Seconds of a held key that a notch of the wheel brings the second camera as near as. */
-static const double FORWARD_PER_NOTCH = 0.125;
-/** Modifiers that make a key one of the window manager's, not ours. */
+/** Pixels that an arrow with Ctrl and Shift steps. */
+static const int LARGE_PIXEL_STEP = 10;
+/** Degrees that the second camera turns around rays while the mouse crosses the window. */
+static const double ORBIT_PER_WINDOW = 180;
+/** Screen units that the mouse may move during a click. */
+static const int CLICK_TOLERANCE = 3;
+/** Modifiers with which a key is for the window manager. */
 static const int WINDOW_MANAGER_MODIFIERS = KMOD_LALT | KMOD_GUI;
 
-/**
- * @return When an event came, seconds on #clock_now_seconds; it may have waited in the queue.
- * @param timestamp  SDL's time of the event, milliseconds.
- */
+/* --- keyboard --------------------------------------------------------------------------------- */
+
+/** @return When an event happened, seconds on #clock_now_seconds; it may have waited in the queue.
+ *  @param timestamp SDL's time of the event, milliseconds. */
 static double event_time(Uint32 timestamp) {
     return clock_now_seconds() - (double)(SDL_GetTicks() - timestamp) / 1000;
 }
 
-/** @return Factor for the speed of moves. @param modifiers SDL's modifier keys that are held. */
+/** @return Factor of a move's speed. @param modifiers SDL's modifiers that are held. */
 static double speed_factor(int modifiers) {
     return (modifiers & KMOD_SHIFT ? FAST_FACTOR : 1) * (modifiers & KMOD_CTRL ? FINE_FACTOR : 1);
 }
 
-/** Begins to move something. @param time When the key went down, seconds. */
-static void begin_move(App *app, Action action, double time) {
-    if (!recorder_is_active(app)) {
-        held_keys_press(&app->held_keys, action, time);
-    }
-    latency_on_key(&app->window.latency, time);
-    app->next_move_time = 0;
-}
-
-/** A move ends. @param time When its key went up, seconds. */
-static void end_move(App *app, Action action, double time) {
-    if (recorder_is_active(app)) {
-        recorder_release(app, action, time);
-    }
-    held_keys_release(&app->held_keys, action, time);
-}
-
-/** All moves end. */
+/** All keys go up: the window lost the keyboard, or its layout changed. */
 static void end_all_moves(App *app, double time) {
-    if (recorder_is_active(app)) {
-        recorder_release_all(app, time);
+    recorder_on_release_all(app, time);
+    held_keys_release_all(&app->input.held_keys, time);
+}
+
+/** Steps to a pixel nearby: an arrow with Ctrl, while rays are shown. @return Whether the key is
+ *  one for that. */
+static bool step_pixel_by_key(App *app, const Command *command, int modifiers) {
+    bool is_arrow =
+        command && command->move.subject == MOVE_CAMERA && command->move.axis != MOVE_FORWARD;
+    if (!is_arrow || !app->window.inspector.is_open || !(modifiers & KMOD_CTRL)) {
+        return false;
     }
-    held_keys_release_all(&app->held_keys, time);
-}
-
-/** Moves go faster or slower. */
-static void set_move_speed(App *app, double factor, double time) {
-    if (recorder_is_active(app)) {
-        recorder_set_speed(app, factor, time);
+    if (!app_is_playing(app)) {
+        int step = (modifiers & KMOD_SHIFT ? LARGE_PIXEL_STEP : 1) * command->move.sign;
+        int right = command->move.axis == MOVE_RIGHT ? step : 0;
+        int down = command->move.axis == MOVE_UP ? -step : 0;
+        recorder_on_step(app, "walk(%d, %d)", right, down);
+        app_step_pixel(app, right, down);
     }
-    held_keys_set_speed(&app->held_keys, factor, time);
+    return true;
 }
 
-/** @return Whether an action goes on while its key is held, though it is no move. */
-static bool action_repeats(Action action) {
-    return action == ACTION_TIME_BACK || action == ACTION_TIME_FORWARD ||
-           action == ACTION_BAR_LEFT || action == ACTION_BAR_RIGHT;
-}
-
-/**
- * Walks to a pixel beside, where the arrows do that: with Ctrl, while the rays of one are shown.
- * @param action  What the key asks for.
- * @param modifiers  SDL's modifier keys that are held; with Shift it goes ten times as far.
- * @return Whether it is such a key.
- */
-static bool step_pixel_by_key(App *app, Action action, int modifiers) {
-    int step = modifiers & KMOD_SHIFT ? 10 : 1;
-    int right = (action == ACTION_CAMERA_RIGHT) - (action == ACTION_CAMERA_LEFT);
-    int down = (action == ACTION_CAMERA_DOWN) - (action == ACTION_CAMERA_UP);
-    bool is_pixel_step =
-        app->window.inspector.is_open && (modifiers & KMOD_CTRL) && (right || down);
-    if (is_pixel_step && !player_is_active(app)) {
-        char text[LESSON_STEP_TEXT_SIZE];
-        snprintf(text, sizeof text, "walk(%d, %d)", step * right, step * down);
-        recorder_record_step(app, text);
-        app_step_pixel(app, step * right, step * down);
+/** @return The command of a key; NULL: none. The key that leaves the program first leaves the rays
+ *  on screen, unless a lesson shows them. */
+static const Command *command_of_key(const App *app, SDL_Keysym key) {
+    const Command *command = command_find_key(app->commands, key, app->settings->keys_by_letter);
+    if (!command || !command->name) {
+        return NULL;
     }
-    return is_pixel_step;
+    bool leaves_rays = app->window.inspector.is_open && !app_is_playing(app);
+    return command_is(command, "leave") && leaves_rays ? command_find(app->commands, "rays")
+                                                       : command;
 }
 
-/** @return What a key asks for: to leave is first to leave the rays that are shown, unless a lesson
- *  shows them. */
-static Action key_action(const App *app, SDL_Keysym key) {
-    Action action = keymap_action(key, app->settings->keys_by_letter);
-    bool shows_rays = app->window.inspector.is_open && !player_is_active(app);
-    return action == ACTION_QUIT && shows_rays ? ACTION_TOGGLE_RAYS : action;
-}
-
-/** A key went down or up. */
+/** Handles a key that goes down or up. */
 static void on_key(App *app, const SDL_KeyboardEvent *key) {
     double time = event_time(key->timestamp);
-    Action action = key_action(app, key->keysym);
-    if (key->type == SDL_KEYDOWN && step_pixel_by_key(app, action, key->keysym.mod)) {
+    bool is_down = key->type == SDL_KEYDOWN;
+    const Command *command = command_of_key(app, key->keysym);
+    if (is_down && step_pixel_by_key(app, command, key->keysym.mod)) {
         return;
     }
-    set_move_speed(app, speed_factor(key->keysym.mod), time);
-    if (key->type == SDL_KEYUP && action_is_move(action)) {
-        end_move(app, action, time);
+    double factor = speed_factor(key->keysym.mod);
+    recorder_on_speed(app, factor, time);
+    held_keys_set_speed(&app->input.held_keys, factor, time);
+    if (!is_down && command && command_is_move(command)) {
+        recorder_on_release(app, command, time);
+        held_keys_release(&app->input.held_keys, command->move, time);
     }
-    bool is_repeat = key->repeat && !action_repeats(action);
-    if (key->type == SDL_KEYUP || is_repeat || (key->keysym.mod & WINDOW_MANAGER_MODIFIERS)) {
+    bool is_ignored_repeat = key->repeat && !(command && command->flags & COMMAND_REPEATS);
+    if (!is_down || is_ignored_repeat || (key->keysym.mod & WINDOW_MANAGER_MODIFIERS)) {
         return;
     }
-    if (player_handle_action(app, action)) {
-        return;
-    }
-    if (recorder_is_active(app)) {
-        recorder_press(app, action, time);
-    }
-    if (action_is_move(action)) {
-        begin_move(app, action, time);
-    } else {
-        command_run(app, action);
+    if (!player_handle_command(app, command) && command) {
+        command_issue(app, command, time);
     }
 }
 
-void app_move(App *app, Movement light, Movement camera) {
-    if (app->window.inspector.is_open && movement_is_nonzero(camera)) {
-        inspector_move(&app->window.inspector, camera);
-        camera = (Movement){0};
-        if (!movement_is_nonzero(light)) {
-            latency_discard_pending(&app->window.latency);
-            return;
-        }
-    }
-    bool is_light_moved =
-        movement_is_nonzero(light) && app->selected_light < app->scene->light_count;
-    if (is_light_moved || movement_is_nonzero(camera)) {
-        view_state_move(&app->home_view, app->scene, app->selected_light, light, camera);
-        app_on_view_changed(app);
-    } else {
-        latency_discard_pending(&app->window.latency);
-        if (movement_is_nonzero(light)) {
-            app_set_status(app, "there is no light to move");
-        }
-    }
+/* --- mouse ------------------------------------------------------------------------------------ */
+
+/** @return Width of the window, screen units. */
+static int mouse_window_width(const App *app) {
+    int width = 1;
+    SDL_GetWindowSize(app->window.sdl.window, &width, NULL);
+    return SDL_max(1, width);
 }
 
-void app_turn(App *app, double right, double up) {
+/** Shows the rays of the pixel at a position: in the picture, or in the inset while rays are shown.
+ *  @param x Screen units. */
+static void pick_at(App *app, int x, int y) {
+    SDL_Rect rect = {0};
+    SDL_GetWindowSize(app->window.sdl.window, &rect.w, &rect.h);
     if (app->window.inspector.is_open) {
-        inspector_turn(&app->window.inspector, right, up);
+        rect = inspector_inset(rect.w, rect.h);
+    }
+    if (SDL_PointInRect(&(SDL_Point){x, y}, &rect)) {
+        double right = (x - rect.x + 0.5) / rect.w, down = (y - rect.y + 0.5) / rect.h;
+        recorder_on_step(app, "pixel(%.17g, %.17g)", right, down);
+        app_pick_pixel(app, right, down);
+    }
+}
+
+/** Handles a mouse button: it drags the bar between two pictures, or clicks on a pixel. */
+static void on_button(App *app, const SDL_MouseButtonEvent *button) {
+    InputState *input = &app->input;
+    bool is_down = button->state == SDL_PRESSED;
+    if (button->button != SDL_BUTTON_LEFT) {
         return;
     }
-    scene_camera_rotate(&app->scene->camera, app->home_view.up_axis, right, up);
-    app->home_view.is_camera_moved = true;
-    app_on_view_changed(app);
-}
-
-void app_zoom(App *app, double notches) {
-    if (app->window.inspector.is_open) {
-        inspector_move(&app->window.inspector, (Movement){.forward = notches * FORWARD_PER_NOTCH});
-        return;
+    if (!is_down && input->is_click_candidate) {
+        pick_at(app, input->click_x, input->click_y);
     }
-    scene_camera_zoom(&app->scene->camera, pow(ZOOM_PER_NOTCH, notches));
-    app->home_view.is_camera_moved = true;
-    app_on_view_changed(app);
+    double fraction = (double)button->x / mouse_window_width(app);
+    // A lesson restores camera and lights when it resumes, but neither bar nor rays.
+    bool is_accepted = is_down && !app_is_playing(app);
+    app->window.split.is_dragged =
+        is_accepted && !app->window.inspector.is_open && window_is_at_bar(&app->window, fraction);
+    input->is_click_candidate = is_accepted && !app->window.split.is_dragged;
+    input->click_x = button->x;
+    input->click_y = button->y;
 }
 
-void app_pick_pixel(App *app, double x, double y) {
-    inspector_pick(&app->window.inspector, x, y);
+/** @return Whether the mouse has hardly moved since its button went down. */
+static bool is_click_candidate(InputState *input, const SDL_MouseMotionEvent *mouse) {
+    input->is_click_candidate = input->is_click_candidate &&
+                                SDL_abs(mouse->x - input->click_x) <= CLICK_TOLERANCE &&
+                                SDL_abs(mouse->y - input->click_y) <= CLICK_TOLERANCE;
+    return input->is_click_candidate;
 }
 
-void app_step_pixel(App *app, int right, int down) {
-    inspector_step_pixel(&app->window.inspector, right, down);
+/** Drags the bar between two pictures. @param fraction New position, fraction of the width. */
+static void drag_bar(App *app, double fraction) {
+    fraction = SDL_clamp(fraction, 0, 1);
+    recorder_on_step(app, "bar(%.17g)", fraction);
+    window_move_bar(&app->window, fraction);
 }
 
-/** The window has another size. */
+/** Handles a mouse motion: drags the bar, or turns the camera by the angle that the mouse crosses.
+ */
+static void on_motion(App *app, const SDL_MouseMotionEvent *mouse) {
+    int width = mouse_window_width(app);
+    if (app->window.split.is_dragged) {
+        drag_bar(app, (double)mouse->x / width);
+    } else if (!(mouse->state & SDL_BUTTON_LMASK) || is_click_candidate(&app->input, mouse)) {
+        return;
+    } else if (player_allows_input(app)) {
+        bool is_orbiting = app->window.inspector.is_open;
+        double degrees = (is_orbiting ? ORBIT_PER_WINDOW : app->scene->camera.fov) / width;
+        double right = mouse->xrel * degrees, up = -mouse->yrel * degrees;
+        recorder_on_step(app, "turn(%.17g, %.17g)", right, up);
+        app_turn(app, right, up);
+    }
+}
+
+/** Handles the wheel: away from the user zooms in. */
+static void on_wheel(App *app, const SDL_MouseWheelEvent *wheel) {
+    if (player_allows_input(app)) {
+        recorder_on_step(app, "zoom(%.17g)", (double)wheel->preciseY);
+        app_zoom(app, (double)wheel->preciseY);
+    }
+}
+
+/* --- the list of scenes ----------------------------------------------------------------------- */
+
+/** @return The size of the list of scenes. */
+static PanelBounds browser_bounds(const App *app) {
+    const OverlayTarget target = {app->window.sdl.renderer,
+                                  app->window.text_scale > 0 ? app->window.text_scale : 1, 1};
+    return overlay_bounds(&target);
+}
+
+/** Closes the list, or opens a scene, as a key or a click asks. */
+static void apply_browser_result(App *app, BrowserResult result) {
+    Browser *browser = &app->window.browser;
+    char path[PATH_MAX];
+    if (result == BROWSER_OPEN_SCENE && browser_selected_path(browser, path)) {
+        current_scene_open(app, path);
+    }
+    if (result != BROWSER_KEEP_OPEN) {
+        browser_close(browser);
+    }
+    window_present(&app->window);
+}
+
+/** Handles a click while the list of scenes is open. */
+static void on_browser_click(App *app, const SDL_MouseButtonEvent *click,
+                             const PanelBounds *bounds) {
+    int width = 1, height = 1;
+    SDL_GetWindowSize(app->window.sdl.window, &width, &height);
+    int x = click->x * bounds->width / SDL_max(1, width);
+    int y = click->y * bounds->height / SDL_max(1, height);
+    apply_browser_result(app, browser_click(&app->window.browser, x, y, bounds));
+}
+
+/** Handles an event while the list of scenes is open. @return Whether it was for the list. */
+static bool handle_browser_event(App *app, const SDL_Event *event) {
+    Browser *browser = &app->window.browser;
+    if (!browser->is_open) {
+        return false;
+    }
+    PanelBounds bounds = browser_bounds(app);
+    switch (event->type) {
+    case SDL_KEYDOWN:
+        apply_browser_result(app, browser_key(browser, event->key.keysym.sym, &bounds));
+        return true;
+    case SDL_MOUSEBUTTONDOWN:
+        on_browser_click(app, &event->button, &bounds);
+        return true;
+    case SDL_MOUSEWHEEL:
+        browser_scroll(browser, -event->wheel.y, &bounds);
+        window_present(&app->window);
+        return true;
+    default:
+        return event->type == SDL_MOUSEMOTION;
+    }
+}
+
+/** Handles a change of the list of scenes. */
+static void on_scene_list_changed(App *app) {
+    Browser *browser = &app->window.browser;
+    PanelBounds bounds = browser_bounds(app);
+    if (browser->is_reopen_pending) {
+        current_scene_browse(app);
+    }
+    if (browser->is_open) {
+        browser_select_current(browser, &bounds);
+    }
+    overlay_invalidate(&browser->overlay);
+    window_present(&app->window);
+}
+
+/* --- window ----------------------------------------------------------------------------------- */
+
+/** Handles another size of the window. */
 static void on_resize(App *app) {
     if (window_on_resize(&app->window)) {
         int width, height;
-        char step[LESSON_STEP_TEXT_SIZE];
         SDL_GetWindowSize(app->window.sdl.window, &width, &height);
-        snprintf(step, sizeof step, "size(%d, %d)", width, height);
-        recorder_record_step(app, step);
+        recorder_on_step(app, "size(%d, %d)", width, height);
         app_on_view_changed(app);
     }
 }
 
-/** Something happened to the window. */
+/** Handles a window event. */
 static void on_window(App *app, const SDL_WindowEvent *event) {
     window_on_visibility(&app->window);
     switch (event->event) {
@@ -213,14 +279,14 @@ static void on_window(App *app, const SDL_WindowEvent *event) {
     }
 }
 
-/** The keyboard has another layout. */
+/** Handles another keyboard layout. */
 static void on_keymap(App *app, double time) {
     end_all_moves(app, time);
     window_invalidate_text(&app->window);
     window_present(&app->window);
 }
 
-/** One of our own events came. */
+/** Handles one of the window's own events. */
 static void on_app_event(App *app, const SDL_Event *event) {
     Uint32 type = event->type;
     if (type == app->first_event + EVENT_PASS_FINISHED) {
@@ -228,15 +294,14 @@ static void on_app_event(App *app, const SDL_Event *event) {
     } else if (type == app->first_event + EVENT_FILE_CHANGED) {
         current_scene_reload(app);
     } else if (type == app->first_event + EVENT_SCENE_LIST_CHANGED) {
-        browser_input_on_list_changed(app);
+        on_scene_list_changed(app);
     } else if (type == app->first_event + EVENT_SIGNAL) {
-        app->should_quit = true;
-        app->exit_status = STATUS_INTERRUPTED;
+        app->exit = (ExitState){.is_requested = true, .status = STATUS_INTERRUPTED};
     }
 }
 
 void input_handle_event(App *app, const SDL_Event *event) {
-    if (caption_input_handle(app, event) || browser_input_handle(app, event)) {
+    if (recorder_handle_caption_event(app, event) || handle_browser_event(app, event)) {
         return;
     }
     switch (event->type) {
@@ -245,14 +310,14 @@ void input_handle_event(App *app, const SDL_Event *event) {
         on_key(app, &event->key);
         break;
     case SDL_MOUSEMOTION:
-        mouse_on_motion(app, &event->motion);
+        on_motion(app, &event->motion);
         break;
     case SDL_MOUSEBUTTONDOWN:
     case SDL_MOUSEBUTTONUP:
-        mouse_on_button(app, &event->button);
+        on_button(app, &event->button);
         break;
     case SDL_MOUSEWHEEL:
-        mouse_on_wheel(app, &event->wheel);
+        on_wheel(app, &event->wheel);
         break;
     case SDL_WINDOWEVENT:
         on_window(app, &event->window);
@@ -269,7 +334,7 @@ void input_handle_event(App *app, const SDL_Event *event) {
         window_on_device_reset(&app->window);
         break;
     case SDL_QUIT:
-        app->should_quit = true;
+        app->exit.is_requested = true;
         break;
     default:
         on_app_event(app, event);

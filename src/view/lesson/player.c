@@ -6,27 +6,14 @@
 
 #include "base/language.h"
 #include "view/commands/commands.h"
-#include "view/commands/snapshot_command.h"
-#include "view/commands/time_control.h"
-#include "view/input/input.h"
 
-#include <string.h>
-
-/** @return Whether nobody is waited for. */
+/** @return Whether the lesson plays without a viewer. */
 static bool is_unattended(const App *app) {
     return app->settings->lesson_snapshot_dir != NULL;
 }
 
-bool player_is_active(const App *app) {
-    return app->player.lesson != NULL;
-}
-
-bool player_is_clock_stopped(const Player *player) {
-    return player->is_paused || player->is_capturing;
-}
-
 bool player_allows_input(const App *app) {
-    return !player_is_active(app) || app->player.is_paused;
+    return !app_is_playing(app) || app->player.is_paused;
 }
 
 /** Moves light and camera. See #StepClockMoveFn. */
@@ -45,13 +32,13 @@ void player_begin(App *app) {
     }
 }
 
-/** Lets the clock go on. */
+/** Lets the clock run again. */
 static void resume_clock(Player *player) {
     player->is_paused = player->is_capturing = false;
     player->start_time = clock_now_seconds() - step_clock_seconds(&player->step_clock);
 }
 
-/** Says what can be done, under the caption's heading. */
+/** Shows beside the caption's heading which key resumes the lesson. */
 static void update_hint(App *app) {
     Caption *caption = &app->window.caption;
     caption->hint = app->player.is_paused ? N_("Space: go on") : NULL;
@@ -59,7 +46,7 @@ static void update_hint(App *app) {
     window_present(&app->window);
 }
 
-/** Holds the lesson. */
+/** Pauses the lesson, and saves the view. */
 static void player_pause(App *app) {
     Player *player = &app->player;
     Error error = {0};
@@ -74,10 +61,10 @@ static void player_pause(App *app) {
     update_hint(app);
 }
 
-/** Puts back what the viewer has moved, and goes on. */
+/** Restores the view, and resumes the lesson. */
 static void player_resume(App *app) {
     Player *player = &app->player;
-    held_keys_clear(&app->held_keys);
+    held_keys_clear(&app->input.held_keys);
     view_state_restore_current(&player->paused_view, &app->home_view, app->scene);
     app->selected_light = player->paused_light;
     app->timeline = player->paused_timeline;
@@ -86,7 +73,7 @@ static void player_resume(App *app) {
     update_hint(app);
 }
 
-/** @return How many captions a lesson has before a step. */
+/** @return Number of captions before a step. */
 static size_t captions_before(const Lesson *lesson, size_t end) {
     size_t count = 0;
     for (size_t i = 0; i < end; i++) {
@@ -95,7 +82,7 @@ static size_t captions_before(const Lesson *lesson, size_t end) {
     return count;
 }
 
-/** Shows a caption. @param step The caption, the one before the next step. */
+/** Shows a caption, and pauses or captures. */
 static void show_caption(App *app, const LessonStep *step) {
     Player *player = &app->player;
     Caption *caption = &app->window.caption;
@@ -110,27 +97,26 @@ static void show_caption(App *app, const LessonStep *step) {
     }
 }
 
-/** A key goes down. */
-static void press_action(App *app, const LessonStep *step) {
-    Action action = (Action)step->action;
+/** Runs a command, or begins its move. */
+static void press(App *app, const Command *command) {
     StepClock *step_clock = &app->player.step_clock;
-    if (action_is_move(action)) {
-        held_keys_press(&step_clock->held_keys, action, step_clock_seconds(step_clock));
+    if (command_is_move(command)) {
+        held_keys_press(&step_clock->held_keys, command->move, step_clock_seconds(step_clock));
     } else {
-        command_run(app, action);
+        command_run(app, command);
     }
 }
 
-/** Does a step. @param step The step, the one before the next. */
+/** Does a step. */
 static void do_step(App *app, const LessonStep *step) {
     StepClock *step_clock = &app->player.step_clock;
     double now = step_clock_seconds(step_clock);
     switch (step->kind) {
     case LESSON_PRESS:
-        press_action(app, step);
+        press(app, command_of_action(step->action));
         break;
     case LESSON_RELEASE:
-        held_keys_release(&step_clock->held_keys, (Action)step->action, now);
+        held_keys_release(&step_clock->held_keys, command_of_action(step->action)->move, now);
         break;
     case LESSON_SPEED:
         held_keys_set_speed(&step_clock->held_keys, step->x, now);
@@ -164,44 +150,43 @@ static void do_step(App *app, const LessonStep *step) {
 
 void player_end(App *app) {
     view_state_deinit(&app->player.paused_view);
-    if (player_is_active(app)) {
-        timeline_pause(&app->timeline, time_control_clock(app));
+    if (app_is_playing(app)) {
+        timeline_pause(&app->timeline, app_clock(app));
         app->player = (Player){0};
         caption_close(&app->window.caption);
     }
 }
 
-/** The last step was done. */
+/** Ends the lesson after its last step. */
 static void player_finish(App *app) {
-    bool is_over = is_unattended(app);
+    bool closes_window = is_unattended(app);
     step_clock_advance(&app->player.step_clock, app->player.step_clock.now + STEP_CLOCK_TICK);
     player_end(app);
     app_set_status(app, "the lesson is over");
     window_present(&app->window);
-    app->should_quit = app->should_quit || is_over;
+    app->exit.is_requested = app->exit.is_requested || closes_window;
 }
 
-/** Does all steps up to a moment, unless one of them stops the clock. */
+/** Does all steps up to a time, until one of them stops the clock. @param until Milliseconds. */
 static void play_until(App *app, int64_t until) {
     Player *player = &app->player;
     const Lesson *lesson = player->lesson;
-    while (!player_is_clock_stopped(player) && player->next_step < lesson->count &&
+    while (!app_is_lesson_stopped(app) && player->next_step < lesson->count &&
            lesson->steps[player->next_step].time <= until) {
         const LessonStep *step = &lesson->steps[player->next_step++];
         step_clock_advance(&player->step_clock, step->time);
         do_step(app, step);
     }
-    if (!player_is_clock_stopped(player) && player->next_step == lesson->count) {
+    if (!app_is_lesson_stopped(app) && player->next_step == lesson->count) {
         player_finish(app);
-    } else if (!player_is_clock_stopped(player)) {
+    } else if (!app_is_lesson_stopped(app)) {
         step_clock_advance(&player->step_clock, until);
     }
 }
 
 void player_update(App *app, double now) {
     const Player *player = &app->player;
-    if (player_is_active(app) && !player_is_clock_stopped(player) &&
-        window_is_ready(&app->window)) {
+    if (app_is_playing(app) && !app_is_lesson_stopped(app) && window_is_ready(&app->window)) {
         int64_t passed = (int64_t)floor((now - player->start_time) * 1000);
         play_until(app, is_unattended(app) ? INT64_MAX : SDL_max(passed, player->step_clock.now));
     }
@@ -209,8 +194,7 @@ void player_update(App *app, double now) {
 
 double player_timeout(const App *app, double now) {
     const Player *player = &app->player;
-    if (!player_is_active(app) || player_is_clock_stopped(player) ||
-        !window_is_ready(&app->window)) {
+    if (!app_is_playing(app) || app_is_lesson_stopped(app) || !window_is_ready(&app->window)) {
         return WINDOW_NO_TIMEOUT;
     }
     int64_t step = player->next_step < player->lesson->count
@@ -222,49 +206,33 @@ double player_timeout(const App *app, double now) {
 
 bool player_capture(App *app, Error *error) {
     Player *player = &app->player;
-    if (!player->is_capturing || !window_is_finished(&app->window) ||
-        !time_control_is_settled(app)) {
+    if (!player->is_capturing || !window_is_finished(&app->window) || !app_is_time_settled(app)) {
         return true;
     }
     resume_clock(player);
-    if (!snapshot_take(app, app->settings->lesson_snapshot_dir, app->settings->lesson_name,
-                       error)) {
-        app->should_quit = true;
-        app->exit_status = error->status;
+    if (!app_save_picture(app, app->settings->lesson_snapshot_dir, app->settings->lesson_name,
+                          error)) {
+        app->exit.is_requested = true;
+        app->exit.status = error->status;
         return false;
     }
     return true;
 }
 
-/** @return Whether an action is the viewer's own even while a lesson is played: it changes nothing
- *  of what is drawn. */
-static bool is_allowed_while_playing(Action action) {
-    static const Action allowed[] = {ACTION_COPY_VIEW, ACTION_SNAPSHOT,    ACTION_TEXT_LARGER,
-                                     ACTION_LANGUAGE,  ACTION_FULL_SCREEN, ACTION_TEXT_SMALLER,
-                                     ACTION_HELP,      ACTION_QUIT};
-    for (size_t i = 0; i < sizeof allowed / sizeof *allowed; i++) {
-        if (allowed[i] == action) {
-            return true;
-        }
-    }
-    return false;
-}
-
-bool player_handle_action(App *app, Action action) {
+bool player_handle_command(App *app, const Command *command) {
     bool is_paused = app->player.is_paused;
-    if (!player_is_active(app) || is_allowed_while_playing(action)) {
+    unsigned flags = command ? command->flags : 0;
+    if (!app_is_playing(app) || (flags & COMMAND_WHILE_PLAYING)) {
         return false;
     }
-    if (action == ACTION_TOGGLE_TIME && !app->player.is_capturing) {
+    if (command_is(command, "time") && !app->player.is_capturing) {
         is_paused ? player_resume(app) : player_pause(app);
         return true;
     }
-    bool is_moving =
-        action_is_move(action) || action == ACTION_RESET_VIEW || action == ACTION_NEXT_LIGHT;
-    if (is_paused && is_moving) {
+    if (is_paused && (flags & COMMAND_WHILE_PAUSED)) {
         return false;
     }
-    if (action != ACTION_NONE) {
+    if (command) {
         app_set_status(app, is_paused ? N_("a lesson is held: Space goes on")
                                       : N_("a lesson is played: Space holds it"));
     }

@@ -7,7 +7,7 @@
 #define DIOPTRE_VIEW_LOADING_SCENE_LOADER_H
 
 #include "dioptre/view.h"
-#include "view/commands/settings_override.h"
+#include "view/state/settings_override.h"
 
 #include <limits.h>
 #include <pthread.h>

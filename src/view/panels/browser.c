@@ -1,17 +1,15 @@
 /**
  * @file
- * @brief The list of scenes: its keys.
+ * @brief The list of scenes: opening, selecting, closing.
  */
 #include "view/panels/browser.h"
-
-#include "view/panels/browser_panel.h"
 
 #include <string.h>
 
 bool browser_open(Browser *browser, const ViewSettings *settings, uint32_t event,
                   const char *path) {
     if (scene_list_is_busy(&browser->list)) {
-        // The thread was told to end, and tells when it has; until then the list before is seen.
+        // Its thread is ending, and sends an event then; until then the previous list is shown.
         browser->is_open = browser->is_reopen_pending = true;
         return true;
     }
@@ -35,7 +33,7 @@ void browser_deinit(Browser *browser) {
     scene_list_deinit(&browser->list);
 }
 
-/** @return How many scenes there are by now. */
+/** @return Number of scenes found by now. */
 static size_t browser_scene_count(Browser *browser) {
     scene_list_lock(&browser->list);
     size_t scenes = browser->list.count;
@@ -43,8 +41,7 @@ static size_t browser_scene_count(Browser *browser) {
     return scenes;
 }
 
-/** Chooses a scene, and sees that it is seen. @param index Which; beyond the ends: the last or the
- *  first. */
+/** Selects a scene, and scrolls to it. @param index Clamped to the list. */
 static void browser_select(Browser *browser, long index, const PanelBounds *bounds) {
     BrowserGrid grid = browser_panel_grid(bounds);
     long last = (long)browser_scene_count(browser) - 1;

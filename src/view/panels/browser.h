@@ -1,69 +1,78 @@
 /**
  * @file
- * @brief The list of scenes over the picture: small pictures of them, of which one is chosen.
+ * @brief The list of scenes over the picture: thumbnails, of which one is selected.
  */
 #ifndef DIOPTRE_VIEW_PANELS_BROWSER_H
 #define DIOPTRE_VIEW_PANELS_BROWSER_H
 
 #include "view/loading/scene_list.h"
-#include "view/panels/overlay.h"
+#include "view/panels/panel.h"
 
-/** The list of scenes on screen. Starts as `{0}`: closed. */
+/** The list of scenes. Starts as `{0}`: closed. */
 typedef struct Browser {
-    SceneList list;           /**< The scenes. */
-    bool is_open;             /**< Whether it is to be seen. */
-    bool is_reopen_pending;   /**< Whether to fill it anew once the thread of the list before has
-                                 ended. */
-    bool is_current_selected; /**< Whether the scene that is shown was looked for in it. */
-    char path[PATH_MAX];      /**< That scene's file. */
-    size_t selected;          /**< Which scene is chosen. */
-    size_t first_row;         /**< First row of pictures that is seen. */
-    Overlay overlay;          /**< It as a picture. */
+    SceneList list;         /**< The scenes. */
+    bool is_open;           /**< Whether it is shown. */
+    bool is_reopen_pending; /**< Whether it is filled once the previous list's thread has ended. */
+    bool is_current_selected; /**< Whether the scene on screen was searched in it. */
+    char path[PATH_MAX];      /**< File of the scene on screen. */
+    size_t selected;          /**< Index of the selected scene. */
+    size_t first_row;         /**< First visible row. */
+    Overlay overlay;          /**< Its panel. */
 } Browser;
 
-/** What became of a key or a click. */
+/** Result of a key or a click. */
 typedef enum {
-    BROWSER_KEEP_OPEN, /**< It is shown as before, or with another choice. */
-    BROWSER_CLOSE,     /**< It was closed. */
-    BROWSER_OPEN_SCENE /**< The chosen scene is to be shown. */
+    BROWSER_KEEP_OPEN, /**< The list stays open. */
+    BROWSER_CLOSE,     /**< The list is to be closed. */
+    BROWSER_OPEN_SCENE /**< The selected scene is to be opened. */
 } BrowserResult;
 
-/**
- * Opens it.
- * @param settings  How scenes are loaded.
- * @param event  SDL event, registered, that tells of news.
- * @param path  The scene that is shown.
- * @return false if no thread could be started.
- */
+/** Opens the list. @param event See #scene_list_start. @param path File of the scene on screen.
+ *  @return false if its thread cannot start. */
 bool browser_open(Browser *browser, const ViewSettings *settings, uint32_t event, const char *path);
 
-/** Finds the scene that is shown among those that are found by now, once. */
+/** Selects the scene on screen, once, if it is in the list by now. */
 void browser_select_current(Browser *browser, const PanelBounds *bounds);
 
-/** Closes it, without waiting. */
+/** Closes the list, without waiting for its thread. */
 void browser_close(Browser *browser);
 
-/** Ends it, before the window closes. */
+/** Frees the list; waits for its thread. */
 void browser_deinit(Browser *browser);
 
-/** Takes a key. @return What became of it. */
+/** Handles a key. */
 BrowserResult browser_key(Browser *browser, SDL_Keycode key, const PanelBounds *bounds);
 
-/**
- * Takes a click.
- * @param x  Pixels of the window.
- * @return What became of it.
- */
+/** Handles a click. @param x Pixels of the window. */
 BrowserResult browser_click(Browser *browser, int x, int y, const PanelBounds *bounds);
 
-/** Goes some rows down. @param rows How many; below 0: up. */
+/** Selects the scene some rows below. @param rows Negative: above. */
 void browser_scroll(Browser *browser, int rows, const PanelBounds *bounds);
 
-/** @return Whether a scene is chosen. */
+/** @return Whether a scene is selected. @param[out] path Its file. */
 bool browser_selected_path(Browser *browser, char path[PATH_MAX]);
 
-/** Lays it over what the window shows, if it is open. @param[in,out] browser The list, which keeps
- *  its picture. */
+/** Shows the list over the picture, if it is open. */
 void browser_show(Browser *browser, const OverlayTarget *target);
+
+/* --- its layout ------------------------------------------------------------------------------- */
+
+/** The layout of the thumbnails. All lengths are pixels. */
+typedef struct BrowserGrid {
+    int columns;   /**< Thumbnails per row. */
+    int rows;      /**< Visible rows. */
+    int width;     /**< Width of a thumbnail with its border. */
+    int height;    /**< Height of a thumbnail with its name. */
+    int font_size; /**< Size of the letters. */
+    int left;      /**< Left end of the first column. */
+    int top;       /**< Top of the first row. */
+} BrowserGrid;
+
+/** @return The layout in a window. */
+BrowserGrid browser_panel_grid(const PanelBounds *bounds);
+
+/** @return The list as a panel that fills the window, owned by the caller; NULL without font or
+ *  memory. The list must be locked. */
+SDL_Surface *browser_panel_draw(const Browser *browser, const PanelBounds *bounds);
 
 #endif

@@ -2,26 +2,25 @@
  * @file
  * @brief Drawing the list of scenes.
  */
-#include "view/panels/browser_panel.h"
+#include "view/panels/browser.h"
 
 #include "base/language.h"
-#include "view/panels/word_wrap.h"
 #include "view/window/font.h"
 
 #include <libintl.h>
 #include <string.h>
 
-/** Colour of the words. */
+/** Colour of texts. */
 static const SDL_Color TEXT_COLOR = {240, 240, 240, SDL_ALPHA_OPAQUE};
-/** Colour of the heading, and around the chosen scene. */
+/** Colour of the heading, and of the frame of the selected scene. */
 static const SDL_Color SELECTED_COLOR = {255, 205, 90, SDL_ALPHA_OPAQUE};
-/** Colour of what is wrong. */
+/** Colour of errors. */
 static const SDL_Color ERROR_COLOR = {255, 160, 130, SDL_ALPHA_OPAQUE};
-/** Colour where there is no picture yet. */
+/** Colour of a thumbnail that is not drawn yet. */
 static const SDL_Color PLACEHOLDER_COLOR = {42, 46, 58, SDL_ALPHA_OPAQUE};
 
 BrowserGrid browser_panel_grid(const PanelBounds *bounds) {
-    /** Pixels that a picture is wide about, in a window of usual size. */
+    /** Approximate width of a thumbnail in a window of 600 pixels' height. */
     const int usual_width = 155;
     const int font_size = SDL_clamp((int)(bounds->height / 34 * bounds->scale), 8, 60);
     int columns =
@@ -34,12 +33,12 @@ BrowserGrid browser_panel_grid(const PanelBounds *bounds) {
     return grid;
 }
 
-/** Fills a part of the panel. */
+/** Fills a rectangle. */
 static void fill_rect(SDL_Surface *panel, const SDL_Rect *area, SDL_Color color) {
     SDL_FillRect(panel, area, SDL_MapRGBA(panel->format, color.r, color.g, color.b, color.a));
 }
 
-/** Draws a scene's picture. */
+/** Draws a thumbnail. */
 static void draw_thumbnail(SDL_Surface *panel, const Picture *picture, SDL_Rect area) {
     SDL_Surface *small =
         SDL_CreateRGBSurfaceWithFormatFrom(picture->pixels, picture->width, picture->height, 24,
@@ -50,7 +49,7 @@ static void draw_thumbnail(SDL_Surface *panel, const Picture *picture, SDL_Rect 
     }
 }
 
-/** Writes words in rows. @param area Where; what does not fit is left out. */
+/** Writes a text in rows; those that do not fit are left out. */
 static void draw_wrapped_text(SDL_Surface *panel, TTF_Font *font, const char *text, SDL_Rect area,
                               SDL_Color color) {
     char copy[SCENE_ENTRY_TITLE_SIZE];
@@ -65,10 +64,10 @@ static void draw_wrapped_text(SDL_Surface *panel, TTF_Font *font, const char *te
     }
 }
 
-/** Draws a scene. @param is_selected Whether it is the chosen one. */
+/** Draws a scene: its thumbnail, or its error, and its name. */
 static void draw_entry(SDL_Surface *panel, TTF_Font *font, const SceneEntry *scene, SDL_Rect cell,
                        bool is_selected) {
-    /** Pixels between pictures, which is also the frame of the chosen one. */
+    /** Pixels between thumbnails, and width of the frame of the selected one. */
     const int frame = 4;
     SDL_Rect area = {cell.x + frame, cell.y + frame, cell.w - 2 * frame,
                      (cell.w - 2 * frame) * 3 / 4};
@@ -92,7 +91,7 @@ static void draw_entry(SDL_Surface *panel, TTF_Font *font, const SceneEntry *sce
     SDL_SetClipRect(panel, NULL);
 }
 
-/** Draws all scenes that are seen. */
+/** Draws all visible scenes. */
 static void draw_entries(SDL_Surface *panel, TTF_Font *font, const Browser *browser,
                          const BrowserGrid *grid) {
     for (int i = 0; i < grid->rows * grid->columns; i++) {
@@ -105,8 +104,7 @@ static void draw_entries(SDL_Surface *panel, TTF_Font *font, const Browser *brow
     }
 }
 
-/** Writes what stands around the scenes: a heading above, the chosen one's words below. @param grid
- *  Where the scenes stand. */
+/** Writes the heading above the scenes, and the selected one's title or error below. */
 static void draw_heading_and_title(SDL_Surface *panel, TTF_Font *font, const Browser *browser,
                                    const BrowserGrid *grid) {
     const SceneList *list = &browser->list;

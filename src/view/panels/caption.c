@@ -1,23 +1,26 @@
 /**
  * @file
- * @brief Captions: a small heading with the lesson's title and the caption's number, then the
- *        words.
+ * @brief Captions with a heading: the lesson's title and the caption's number; notices.
  */
 #include "view/panels/caption.h"
 
 #include "base/language.h"
-#include "view/panels/word_wrap.h"
 
 #include <libintl.h>
 #include <stdio.h>
+#include <string.h>
 
-/** Rows of words at most. */
+/** Most rows of a caption. */
 enum { CAPTION_ROWS_MAXIMUM = 6 };
-/** Letters of a row, unless a word is longer: so many can be large in a window of 800 pixels. */
+/** Most characters of a row: as many as fit in large letters in a window of 800 pixels. */
 enum { CAPTION_ROW_CHARACTERS = 46 };
 /** Bytes of a caption; a longer one is cut. */
 enum { CAPTION_TEXT_SIZE = 1024 };
-/** How many times as large as other words captions are. */
+/** Most rows of a notice. */
+enum { NOTICE_ROWS_MAXIMUM = 8 };
+/** Most characters of a row of a notice. */
+enum { NOTICE_ROW_CHARACTERS = 64 };
+/** Factor of the size of a caption's letters. */
 static const double FONT_SCALE = 1.4;
 
 void caption_close(Caption *caption) {
@@ -38,7 +41,7 @@ static void caption_write_heading(const Caption *caption, char *text, size_t siz
     }
 }
 
-/** Draws the caption anew. */
+/** Draws the caption. */
 static void caption_draw(Caption *caption, const OverlayTarget *target) {
     char text[CAPTION_TEXT_SIZE], heading[CAPTION_TEXT_SIZE];
     PanelRow rows[CAPTION_ROWS_MAXIMUM + 1];
@@ -61,4 +64,27 @@ void caption_show(Caption *caption, const OverlayTarget *target) {
         caption_draw(caption, target);
     }
     overlay_show(&caption->overlay, target);
+}
+
+bool notice_set(Notice *notice, const char *text) {
+    if (strncmp(notice->text, text, NOTICE_SIZE - 1) == 0) {
+        return false;
+    }
+    snprintf(notice->text, NOTICE_SIZE, "%s", text);
+    overlay_invalidate(&notice->overlay);
+    return true;
+}
+
+void notice_show(Notice *notice, const OverlayTarget *target) {
+    if (notice->text[0] == '\0') {
+        return;
+    }
+    if (overlay_is_stale(&notice->overlay)) {
+        char text[NOTICE_SIZE];
+        PanelRow rows[NOTICE_ROWS_MAXIMUM];
+        memcpy(text, notice->text, sizeof text);
+        size_t count = word_wrap(text, NOTICE_ROW_CHARACTERS, rows, NOTICE_ROWS_MAXIMUM);
+        overlay_draw(&notice->overlay, target, rows, count);
+    }
+    overlay_show(&notice->overlay, target);
 }

@@ -1,28 +1,42 @@
 /**
  * @file
- * @brief A lesson's words at the lower edge of the picture, large.
+ * @brief Text at the lower edge of the picture: captions of lessons, and notices of errors.
  */
 #ifndef DIOPTRE_VIEW_PANELS_CAPTION_H
 #define DIOPTRE_VIEW_PANELS_CAPTION_H
 
 #include "dioptre/lesson.h"
-#include "view/panels/overlay.h"
+#include "view/panels/panel.h"
 
-/** A caption. Starts as `{.overlay.place = OVERLAY_BOTTOM}`: there is none. */
+/** A caption of a lesson, in large letters. Starts as `{.overlay.anchor = OVERLAY_BOTTOM}`. */
 typedef struct Caption {
-    LessonText text;  /**< What it says; none: it is closed. The lesson's. */
-    LessonText title; /**< What the lesson is called. */
-    size_t number;    /**< Which caption of the lesson, from 1; 0: it is not of one. */
-    size_t count;     /**< How many it has. */
-    const char *hint; /**< What can be done now, in English; NULL: nothing is said of it. */
-    Overlay overlay;  /**< It as a picture. */
+    LessonText text;  /**< Its text, owned by the lesson; none: it is closed. */
+    LessonText title; /**< Title of the lesson. */
+    size_t number;    /**< Which caption of the lesson, from 1; 0: it belongs to no lesson. */
+    size_t count;     /**< Number of captions of the lesson. */
+    const char *hint; /**< Which key to press now, in English; NULL: no hint. */
+    Overlay overlay;  /**< Its panel. */
 } Caption;
 
-/** Takes the caption away. */
+/** Closes the caption. */
 void caption_close(Caption *caption);
 
-/** Lays the caption over what the window shows, if there is one. @param[in,out] caption The
- *  caption, which keeps its picture. */
+/** Shows the caption over the picture, if there is one. */
 void caption_show(Caption *caption, const OverlayTarget *target);
+
+/** Bytes of a notice with the final zero; a longer one is cut. */
+enum { NOTICE_SIZE = 512 };
+
+/** A notice of an error. Starts as `{.overlay.anchor = OVERLAY_BOTTOM}`. */
+typedef struct Notice {
+    char text[NOTICE_SIZE]; /**< Its text, UTF-8; empty: it is closed. */
+    Overlay overlay;        /**< Its panel. */
+} Notice;
+
+/** Sets the text. @param text UTF-8; empty: closes it. @return Whether the text has changed. */
+bool notice_set(Notice *notice, const char *text);
+
+/** Shows the notice over the picture, if there is one. */
+void notice_show(Notice *notice, const OverlayTarget *target);
 
 #endif

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Writing what is said beside a picture.
+ * @brief Writing the panel on a picture, and the title.
  */
 #include "view/panels/hud.h"
 
@@ -9,20 +9,18 @@
 
 #include <libintl.h>
 #include <stdarg.h>
+#include <stdio.h>
 #include <string.h>
 
-/** Seconds that words stand at least while a picture is drawn. */
+/** Minimum seconds between two changes while a picture is drawn. */
 static const double UPDATE_INTERVAL = 0.2;
-/** Smaller shares are not said beside their number. */
+/** Smallest percentage that is shown. */
 static const double MINIMUM_PERCENT = 0.001;
-/** How large its letters are, of those of the help: there is a picture to be seen. */
+/** Factor of the size of letters: the panel must not hide the picture. */
 static const double FONT_SCALE = 0.7;
 
-/**
- * Adds a row.
- * @param format  Its words, as for printf.
- * @return The row; the last one where there is no room.
- */
+/** Adds a row. @param format Its text, as for printf. @return The row; the last one if all rows are
+ *  used. */
 static PanelRow *hud_add_row(Hud *hud, const char *label, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
@@ -37,7 +35,7 @@ static PanelRow *hud_add_row(Hud *hud, const char *label, const char *format, ..
     return &hud->rows[index];
 }
 
-/** Says how rays leave surfaces. */
+/** Adds the offset strategy. */
 static void add_offset(Hud *hud, const TraceSettings *trace) {
     const char *name = offset_strategy_names[trace->offset];
     if (trace->offset == OFFSET_FIXED) {
@@ -47,11 +45,11 @@ static void add_offset(Hud *hud, const TraceSettings *trace) {
     }
 }
 
-/** Says how long a picture takes, and what the last change has cost. */
+/** Adds the time of a picture, and the cost of the last change. */
 static void add_cost(Hud *hud, const Viewport *viewport) {
     double milliseconds = viewport->render_seconds * 1e3,
            previous = viewport->previous_render_seconds * 1e3;
-    /** Rays in a million. */
+    /** A million rays. */
     const double million = 1e6;
     if (milliseconds > 0 && previous > 0) {
         hud_add_row(hud, gettext("picture"), "%.1f ms, %+.1f (× %.2g)", milliseconds,
@@ -65,7 +63,7 @@ static void add_cost(Hud *hud, const Viewport *viewport) {
     }
 }
 
-/** Says how a picture is drawn. */
+/** Adds the settings of a picture. */
 static void add_settings(Hud *hud, const Viewport *viewport) {
     const RenderSettings *settings = &viewport->settings;
     unsigned long count = (unsigned long)settings->samples;
@@ -77,12 +75,12 @@ static void add_settings(Hud *hud, const Viewport *viewport) {
     add_cost(hud, viewport);
 }
 
-/** Adds a heading. @param more More words, translated; empty: no more. */
+/** Adds a heading. @param more Its second part, translated; empty: none. */
 static void add_heading(Hud *hud, const char *name, const char *more) {
     hud_add_row(hud, "", "%s%s%s", name, more[0] != '\0' ? ", " : "", more)->is_heading = true;
 }
 
-/** Shows a colour in a row. */
+/** Adds a colour to a row. */
 static void add_swatch(PanelRow *row, const LegendEntry *tick) {
     row->has_swatch = true;
     memcpy(row->swatch, tick->rgb, sizeof row->swatch);
@@ -96,7 +94,7 @@ static void add_ticks(Hud *hud, const LegendEntry *ticks, size_t count) {
     }
 }
 
-/** Says how many pixels there are of a kind. @return The row. */
+/** Adds a number of pixels. @return The row. */
 static PanelRow *add_fraction(Hud *hud, const char *kind, uint64_t count, uint64_t all) {
     double percent = all > 0 ? 100 * (double)count / (double)all : 0;
     unsigned long long number = count;
@@ -106,7 +104,7 @@ static PanelRow *add_fraction(Hud *hud, const char *kind, uint64_t count, uint64
     return hud_add_row(hud, "", gettext("%s: %llu (%.3g %%)"), kind, number, percent);
 }
 
-/** Says how many pixels are wrong. @param ticks The colours of acne and of leaks. */
+/** Adds the numbers of faulty pixels. @param ticks The colours of acne and of leaks. */
 static void add_faults(Hud *hud, const LayerStats *report, const LegendEntry ticks[2]) {
     const uint64_t counts[] = {report->artifact_pixels, report->leak_pixels};
     for (int i = 0; i < 2; i++) {
@@ -115,7 +113,7 @@ static void add_faults(Hud *hud, const LayerStats *report, const LegendEntry tic
     }
 }
 
-/** Says what the colours of a layer mean. @param report How the layer stands. */
+/** Adds the legend of a layer. */
 static void add_layer(Hud *hud, const LayerStats *report) {
     LegendEntry ticks[LEGEND_ENTRIES_MAXIMUM];
     const char *unit = layer_unit(report->layer);
@@ -132,7 +130,7 @@ static void add_layer(Hud *hud, const LayerStats *report) {
     }
 }
 
-/** Says what the colours of a difference mean. */
+/** Adds the legend of a difference. */
 static void add_difference(Hud *hud, const DifferenceMap *difference) {
     LegendEntry ticks[LEGEND_ENTRIES_MAXIMUM];
     add_heading(hud, gettext("left minus right"), gettext("steps of 255"));
@@ -142,7 +140,7 @@ static void add_difference(Hud *hud, const DifferenceMap *difference) {
     hud_add_row(hud, "", gettext("at most: %d"), difference->max_difference);
 }
 
-/** Writes everything anew. @param content What there is to be said. */
+/** Writes all rows. */
 static void write_rows(Hud *hud, const HudContent *content) {
     const Viewport *viewport = content->viewport;
     hud->count = 0;
@@ -159,7 +157,7 @@ static void write_rows(Hud *hud, const HudContent *content) {
     }
 }
 
-/** @return Whether two panels say the same. */
+/** @return Whether two panels have equal rows. */
 static bool hud_is_equal(const Hud *a, const Hud *b) {
     bool is_equal = a->count == b->count;
     for (size_t i = 0; is_equal && i < a->count; i++) {
@@ -198,4 +196,60 @@ void hud_show(Hud *hud, const OverlayTarget *target) {
 void hud_invalidate(Hud *hud) {
     overlay_invalidate(&hud->overlay);
     hud->next_update_time = 0;
+}
+
+/* --- the window's title ----------------------------------------------------------------------- */
+
+/** Appends to a title. @param format In English, as for printf; translated here. */
+static void title_add(char title[TITLE_SIZE], const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+static void title_add(char title[TITLE_SIZE], const char *format, ...) {
+    size_t used = strlen(title);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(title + used, TITLE_SIZE - used, gettext(format), arguments);
+    va_end(arguments);
+}
+
+/** Appends layer, pass and speed. */
+static void add_report(char title[TITLE_SIZE], const RenderStats *report) {
+    /** A million rays; the shortest time that is divided by, seconds. */
+    const double million = 1e6, instant = 1e-9;
+    uint64_t rays = ray_counts_sum(&report->rays);
+    double seconds = report->seconds > instant ? report->seconds : instant;
+    int samples = report->samples;
+    if (report->layer.layer != LAYER_SHADED) {
+        title_add(title, ", %s", gettext(layer_name(report->layer.layer)));
+    }
+    title_add(title, ", pass %d px", report->stride);
+    title_add(title, ngettext(", %d sample", ", %d samples", (unsigned long)samples), samples);
+    title_add(title, ", %.1f ms, %.0f Mrays/s", report->seconds * 1e3,
+              (double)rays / seconds / million);
+    if (report->is_finished) {
+        title_add(title, ", finished");
+    }
+}
+
+void title_write(const TitleContent *content, char title[TITLE_SIZE]) {
+    title[0] = '\0';
+    title_add(title, "%s — %d×%d", content->name, content->width, content->height);
+    if (content->report) {
+        add_report(title, content->report);
+    }
+    if (content->time) {
+        title_add(title, " — t %.15g s", *content->time);
+    }
+    if (content->is_running) {
+        title_add(title, ", running");
+    }
+    if (content->is_recording) {
+        title_add(title, " — recording a lesson");
+    }
+    if (content->light_count > 1) {
+        title_add(title, " — light %zu of %zu", content->light + 1, content->light_count);
+    }
+    if (content->status_text[0] != '\0') {
+        title_add(title, " — %s", content->status_text);
+    }
 }

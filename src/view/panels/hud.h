@@ -1,45 +1,65 @@
 /**
  * @file
- * @brief What is said beside a picture: how it is drawn, what that costs, what its colours mean.
+ * @brief The panel on a picture: its settings, its cost, the legend of its layer; and the title.
  */
 #ifndef DIOPTRE_VIEW_PANELS_HUD_H
 #define DIOPTRE_VIEW_PANELS_HUD_H
 
 #include "render/difference_map.h"
-#include "view/panels/overlay.h"
+#include "view/panels/panel.h"
 #include "view/window/viewport.h"
 
-/** Rows at most, and bytes of one. */
+/** Most rows, and bytes of a row with the final zero. */
 enum { HUD_ROWS = 28, HUD_TEXT_SIZE = 96 };
 
-/** The panel beside a picture. Starts as `{.overlay = {.place = ...}}`. */
+/** The panel on a picture. Starts as `{.overlay = {.anchor = ...}}`. */
 typedef struct Hud {
-    Overlay overlay;                         /**< The panel. */
-    PanelRow rows[HUD_ROWS];                 /**< What it says. */
-    char row_texts[HUD_ROWS][HUD_TEXT_SIZE]; /**< The words of the rows. */
-    size_t count;                            /**< How many rows. */
-    double width_fraction;                   /**< Share of the window's width that it may take. */
-    double next_update_time;                 /**< When it may say something else again, seconds. */
+    Overlay overlay;                         /**< Its texture. */
+    PanelRow rows[HUD_ROWS];                 /**< Its rows. */
+    char row_texts[HUD_ROWS][HUD_TEXT_SIZE]; /**< Texts of the rows. */
+    size_t count;                            /**< Number of rows. */
+    double width_fraction;                   /**< Largest fraction of the window's width. */
+    double next_update_time;                 /**< Earliest time of the next change, seconds. */
 } Hud;
 
-/** What there is to be said. */
+/** The content of the panel. */
 typedef struct HudContent {
-    const Viewport *viewport;        /**< Of which picture. */
-    const char *title;               /**< What to call it, in English; NULL: there is only one. */
-    bool shows_settings;             /**< Whether to say how it is drawn. */
-    bool hides_layer;                /**< Whether the colours that are seen are not its layer's. */
-    const DifferenceMap *difference; /**< What its difference to another is, where that is shown;
-                                       else NULL. */
+    const Viewport *viewport;        /**< The picture. */
+    const char *title;               /**< Its name, in English; NULL: there is only one picture. */
+    bool shows_settings;             /**< Whether settings and cost are shown. */
+    bool hides_layer;                /**< Whether the colours on screen are not its layer's. */
+    const DifferenceMap *difference; /**< The difference that is shown; NULL: none. */
 } HudContent;
 
-/** Brings the words up to date, not too often: nobody reads so fast. @param content What there is
- *  to be said. */
+/** Updates the panel, at most a few times per second, so that it can be read. */
 void hud_update(Hud *hud, const HudContent *content, double now);
 
-/** Shows it, if it has anything to say. */
+/** Shows the panel, if it has rows. */
 void hud_show(Hud *hud, const OverlayTarget *target);
 
-/** Words have changed, or the size of letters. */
+/** Has the panel drawn again: language or size of letters have changed. */
 void hud_invalidate(Hud *hud);
+
+/* --- the window's title ----------------------------------------------------------------------- */
+
+/** Longest title, bytes with the final zero; a longer one is cut. */
+enum { TITLE_SIZE = 512 };
+
+/** The content of the title. */
+typedef struct TitleContent {
+    const char *name;          /**< Name of the scene. */
+    int width;                 /**< Pixels of the picture. */
+    int height;                /**< Pixels of the picture. */
+    const RenderStats *report; /**< The newest pass; NULL: none yet. */
+    const double *time;        /**< The scene's time, seconds; NULL: it does not depend on time. */
+    bool is_running;           /**< Whether the time runs. */
+    bool is_recording;         /**< Whether a lesson is recorded. */
+    size_t light;              /**< Index of the selected light. */
+    size_t light_count;        /**< Number of lights. */
+    const char *status_text;   /**< The newest message; empty: none. */
+} TitleContent;
+
+/** Writes the title. */
+void title_write(const TitleContent *content, char title[TITLE_SIZE]);
 
 #endif

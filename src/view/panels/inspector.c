@@ -4,7 +4,6 @@
  */
 #include "view/panels/inspector.h"
 
-#include "view/panels/inspector_rows.h"
 #include "view/panels/ray_overlay.h"
 
 /** Degrees a second that held keys turn the second camera by. */
@@ -132,9 +131,8 @@ static SDL_Rect side_view_rect(int width, int height) {
 static void collect_light_positions(Inspector *inspector, const Scene *scene) {
     inspector->light_count = 0;
     for (size_t i = 0; i < scene->light_count && inspector->light_count < INSPECTOR_LIGHTS; i++) {
-        if (scene->lights[i].kind == SCENE_LIGHT_POINT) {
-            inspector->light_positions[inspector->light_count++] = scene->lights[i].position;
-        }
+        Vec3d *position = &inspector->light_positions[inspector->light_count];
+        inspector->light_count += scene_light_center(&scene->lights[i], position);
     }
 }
 

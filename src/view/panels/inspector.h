@@ -7,8 +7,8 @@
 #define DIOPTRE_VIEW_PANELS_INSPECTOR_H
 
 #include "render/orbit_camera.h"
-#include "view/input/held_keys.h"
-#include "view/panels/overlay.h"
+#include "view/panels/panel.h"
+#include "view/state/held_keys.h"
 #include "view/window/viewport.h"
 
 /** Rows of numbers at most. */
@@ -118,5 +118,9 @@ void inspector_release_textures(Inspector *inspector);
 
 /** Gives all back. */
 void inspector_deinit(Inspector *inspector);
+
+/** Writes the rows of the panel: the rays, the selected one in full, and the sum of the pixel.
+ *  @param[in,out] inspector Its rays are read, its rows written. @param x Column of the pixel. */
+void inspector_rows_write(Inspector *inspector, const InspectorInput *input, int x, int y);
 
 #endif

@@ -2,9 +2,10 @@
  * @file
  * @brief Numbers of rays in rows.
  */
-#include "view/panels/inspector_rows.h"
+#include "view/panels/inspector.h"
 
 #include "base/language.h"
+#include "render/ray_drawing.h"
 
 #include <libintl.h>
 #include <stdarg.h>

@@ -1,47 +1,48 @@
 /**
  * @file
- * @brief Drawing the keyboard.
+ * @brief The drawn keyboard: what is printed on each key, and what it does.
  *
- * Places and sizes of keys are quarters of a key. Keyboards of America (ANSI) and of the rest of
- * the world (ISO) differ around Enter and the left Shift.
+ * Positions and sizes of keys are in quarters of a key. American keyboards (ANSI) and all others
+ * (ISO) differ around Enter and the left Shift.
  */
-#include "view/panels/keyboard_diagram.h"
-
-#include "view/panels/key_labels.h"
+#include "base/language.h"
+#include "view/panels/help.h"
 #include "view/window/font.h"
 
-/** Quarters of a key that the keyboard is wide. */
+#include <libintl.h>
+
+/** Width of the keyboard, quarters of a key. */
 static const int KEYBOARD_WIDTH = 73;
-/** Quarters of a key that it is high. */
+/** Height of the keyboard, quarters of a key. */
 static const int KEYBOARD_HEIGHT = 25;
-/** Pixels of a key below which nobody can read what it does. */
+/** Smallest readable key, pixels. */
 static const int MINIMUM_KEY_SIZE = 28;
 
-/** Which keyboards have a key. */
+/** The layouts that have a key. */
 typedef enum {
-    LAYOUT_ANY,  /**< All. */
-    LAYOUT_ANSI, /**< Those of America. */
-    LAYOUT_ISO   /**< All others. */
+    LAYOUT_ANY,  /**< Both. */
+    LAYOUT_ANSI, /**< The American one. */
+    LAYOUT_ISO   /**< The other one. */
 } KeyboardLayout;
 
-/** A key of its own size or place. */
+/** A key of special size or position. */
 typedef struct KeyShape {
-    SDL_Scancode scancode; /**< Which. */
+    SDL_Scancode scancode; /**< Its position. */
     int x;                 /**< Quarters of a key from the left. */
     int y;                 /**< From above. */
     int width;             /**< Quarters. */
     int height;            /**< Quarters. */
-    KeyboardLayout layout; /**< Which keyboards have it. */
+    KeyboardLayout layout; /**< The layouts that have it. */
 } KeyShape;
 
-/** Keys of usual size, side by side. */
+/** Keys of equal size, side by side. */
 typedef struct KeyRow {
     int x;                      /**< Quarters of a key from the left. */
     int y;                      /**< From above. */
-    SDL_Scancode scancodes[13]; /**< Which, ended by SDL's "unknown". */
+    SDL_Scancode scancodes[13]; /**< Their positions, ended by SDL's "unknown". */
 } KeyRow;
 
-/** The keys that stand side by side. */
+/** All keys of equal size. */
 static const KeyRow key_rows[] = {
     {0, 0, {SDL_SCANCODE_ESCAPE}},
     {8, 0, {SDL_SCANCODE_F1, SDL_SCANCODE_F2, SDL_SCANCODE_F3, SDL_SCANCODE_F4}},
@@ -96,16 +97,16 @@ static const KeyShape special_keys[] = {
     {SDL_SCANCODE_RCTRL, 55, 21, 5, 4, LAYOUT_ANY},
 };
 
-/** What the keyboard is drawn with. */
+/** Where the keyboard is drawn, and its font. */
 typedef struct KeyboardPainter {
-    SDL_Surface *surface; /**< Where to. */
-    SDL_Point origin;     /**< Where its upper left corner is. */
+    SDL_Surface *surface; /**< The surface. */
+    SDL_Point origin;     /**< Upper left corner, pixels. */
     double quarter_key;   /**< Pixels of a quarter of a key. */
-    TTF_Font *font;       /**< The letters; owned. */
-    bool by_letter;       /**< Whether the light's keys go by their letters. */
+    TTF_Font *font;       /**< The font; owned. */
+    const Help *help;     /**< The commands. */
 } KeyboardPainter;
 
-/** @return Pixels of a quarter of a key in a room. */
+/** @return Pixels of a quarter of a key in a space. */
 static double quarter_key_size(int width, int height) {
     return fmin((double)width / KEYBOARD_WIDTH, (double)height / KEYBOARD_HEIGHT);
 }
@@ -124,18 +125,16 @@ static void fill_rect(const KeyboardPainter *painter, const SDL_Rect *area, SDL_
                  SDL_MapRGBA(painter->surface->format, color.r, color.g, color.b, color.a));
 }
 
-/** @return A colour of which only a share is left. */
-static SDL_Color dim_color(SDL_Color color, double perceived_brightness) {
-    return (SDL_Color){(Uint8)(color.r * perceived_brightness),
-                       (Uint8)(color.g * perceived_brightness),
-                       (Uint8)(color.b * perceived_brightness), color.a};
+/** @return A darker colour. */
+static SDL_Color dim_color(SDL_Color color, double factor) {
+    return (SDL_Color){(Uint8)(color.r * factor), (Uint8)(color.g * factor),
+                       (Uint8)(color.b * factor), color.a};
 }
 
-/** Writes words into the middle of a line, smaller where they are too wide. @param line The line:
- *  its upper end, its width; the letters are as high as it at most. */
+/** Writes a text centred in a line, in smaller letters where it is too wide. */
 static void draw_fitted_text(const KeyboardPainter *painter, const char *text, const SDL_Rect *line,
                              SDL_Color color) {
-    /** Size of letters below which nothing is gained, pixels. */
+    /** Smallest size of letters, pixels. */
     const int smallest = 6;
     int size = SDL_max(smallest, line->h);
     TTF_SetFontSize(painter->font, size);
@@ -146,7 +145,7 @@ static void draw_fitted_text(const KeyboardPainter *painter, const char *text, c
     font_draw_text(painter->surface, painter->font, text, color, x, line->y + (line->h - size) / 2);
 }
 
-/** @return Where a key is, pixels. */
+/** @return The rectangle of a key, pixels. */
 static SDL_Rect key_rect(const KeyboardPainter *painter, const KeyShape *key) {
     int left = (int)(key->x * painter->quarter_key), top = (int)(key->y * painter->quarter_key);
     int right = (int)((key->x + key->width) * painter->quarter_key);
@@ -155,31 +154,55 @@ static SDL_Rect key_rect(const KeyboardPainter *painter, const KeyShape *key) {
                       bottom - top - 2};
 }
 
-/** @return What a key means. */
-static KeyInfo key_info(const KeyboardPainter *painter, SDL_Scancode scancode) {
+/** @return The row of a key; NULL: it does nothing. */
+static const Command *find_row(const KeyboardPainter *painter, SDL_Scancode scancode) {
     SDL_Keysym key = {.scancode = scancode, .sym = SDL_GetKeyFromScancode(scancode)};
-    KeyInfo info = keymap_lookup(key, painter->by_letter);
-    if (key_action_label(scancode, &info)[0] != '\0' && info.tint == 0) {
-        /* Shift and Ctrl go with the moves: the last of the lists. */
-        info.tint = keymap_lookup((SDL_Keysym){.sym = SDLK_ESCAPE}, false).tint;
+    return command_find_key(painter->help->commands, key, painter->help->by_letter);
+}
+
+const char *key_action_label(const Command *row) {
+    return row ? gettext(row->cap ? row->cap : row->help) : "";
+}
+
+const char *key_cap_label(SDL_Scancode scancode) {
+    static const struct {
+        SDL_Scancode scancode;
+        const char *label;
+    } signs[] = {{SDL_SCANCODE_LSHIFT, "⇧"},      {SDL_SCANCODE_RSHIFT, "⇧"},
+                 {SDL_SCANCODE_BACKSPACE, "⌫"},   {SDL_SCANCODE_RETURN, "↵"},
+                 {SDL_SCANCODE_CAPSLOCK, "⇪"},    {SDL_SCANCODE_SPACE, N_("Space")},
+                 {SDL_SCANCODE_TAB, N_("Tab")},   {SDL_SCANCODE_LCTRL, "Ctrl"},
+                 {SDL_SCANCODE_RCTRL, "Ctrl"},    {SDL_SCANCODE_LALT, "Alt"},
+                 {SDL_SCANCODE_RALT, "Alt"},      {SDL_SCANCODE_LGUI, ""},
+                 {SDL_SCANCODE_RGUI, ""},         {SDL_SCANCODE_APPLICATION, ""},
+                 {SDL_SCANCODE_LEFT, "←"},        {SDL_SCANCODE_RIGHT, "→"},
+                 {SDL_SCANCODE_UP, "↑"},          {SDL_SCANCODE_DOWN, "↓"},
+                 {SDL_SCANCODE_INSERT, ""},       {SDL_SCANCODE_DELETE, ""},
+                 {SDL_SCANCODE_END, ""},          {SDL_SCANCODE_HOME, N_("Home")},
+                 {SDL_SCANCODE_PAGEUP, "Page↑"},  {SDL_SCANCODE_PAGEDOWN, "Page↓"},
+                 {SDL_SCANCODE_ESCAPE, N_("Esc")}};
+    for (size_t i = 0; i < sizeof signs / sizeof *signs; i++) {
+        if (signs[i].scancode == scancode) {
+            return signs[i].label[0] ? gettext(signs[i].label) : "";
+        }
     }
-    return info;
+    return SDL_GetKeyName(SDL_GetKeyFromScancode(scancode));
 }
 
 /** Draws a key. */
 static void draw_key(const KeyboardPainter *painter, const KeyShape *key) {
-    /** A key that does nothing, and what is printed on it. */
+    /** Colours of a key without a command, and of what is printed on it. */
     static const SDL_Color idle = {42, 46, 58, SDL_ALPHA_OPAQUE},
                            faint = {125, 130, 142, SDL_ALPHA_OPAQUE};
     static const SDL_Color white = {245, 245, 245, SDL_ALPHA_OPAQUE};
-    /** How dark the key behind its words is. */
-    const double perceived_brightness = 0.36;
-    KeyInfo info = key_info(painter, key->scancode);
-    const char *word = key_action_label(key->scancode, &info);
+    /** Brightness of a key behind its text. */
+    const double brightness = 0.36;
+    const Command *row = find_row(painter, key->scancode);
+    const char *word = key_action_label(row);
     bool is_used = word[0] != '\0';
-    SDL_Color tint = is_used ? panel_tint_color(info.tint) : faint;
+    SDL_Color tint = is_used ? panel_tint_color(help_tint(painter->help, row)) : faint;
     SDL_Rect area = key_rect(painter, key);
-    fill_rect(painter, &area, is_used ? dim_color(tint, perceived_brightness) : idle);
+    fill_rect(painter, &area, is_used ? dim_color(tint, brightness) : idle);
     SDL_Rect label = {area.x + 1, area.y + (int)(0.45 * painter->quarter_key), area.w - 2,
                       (int)(1.5 * painter->quarter_key)};
     SDL_Rect below = {area.x + 1, area.y + area.h - (int)(1.75 * painter->quarter_key), area.w - 2,
@@ -190,7 +213,7 @@ static void draw_key(const KeyboardPainter *painter, const KeyShape *key) {
     SDL_SetClipRect(painter->surface, NULL);
 }
 
-/** @return Which keyboard is in use, by what is printed right of P. */
+/** @return The layout in use, by the key right of P. */
 static KeyboardLayout detect_layout(void) {
     return SDL_GetKeyFromScancode(SDL_SCANCODE_LEFTBRACKET) == SDLK_LEFTBRACKET ? LAYOUT_ANSI
                                                                                 : LAYOUT_ISO;
@@ -212,12 +235,12 @@ static void draw_keys(const KeyboardPainter *painter) {
     }
 }
 
-void keyboard_diagram_draw(SDL_Surface *panel, const SDL_Rect *area, bool by_letter) {
+void keyboard_diagram_draw(SDL_Surface *panel, const SDL_Rect *area, const Help *help) {
     KeyboardPainter painter = {.surface = panel,
                                .origin = {area->x, area->y},
                                .quarter_key = quarter_key_size(area->w, area->h),
                                .font = font_open(),
-                               .by_letter = by_letter};
+                               .help = help};
     if (painter.font) {
         draw_keys(&painter);
         font_close(painter.font);

@@ -1,52 +1,49 @@
 /**
  * @file
- * @brief Drawing panels: letters as large as wanted, where the window has room for them.
+ * @brief Drawing panels, breaking text into rows, and keeping panels as textures.
  */
 #include "view/panels/panel.h"
 
 #include "view/window/font.h"
 
-/** A row is as high as the window's height divided by this. */
+#include <string.h>
+
+/** Rows of default size that fill the window's height. */
 static const int LINES_PER_WINDOW = 28;
-/** Smallest size of letters that is tried, pixels: below it they are only dots. */
+/** Smallest size of letters, pixels: smaller ones are only dots. */
 static const int FONT_SIZE_MINIMUM = 4;
-/** Size of letters below which no window of a sensible size goes, pixels. */
+/** Smallest default size of letters, pixels. */
 static const int FONT_SIZE_READABLE = 12;
 
-/** How many times as wide as a letter's size a colour is shown. */
+/** Width of a colour swatch, in sizes of letters. */
 static const int SWATCH_WIDTH = 2;
 
-/** Colour of the words. */
+/** Colour of texts. */
 static const SDL_Color TEXT_COLOR = {240, 240, 240, SDL_ALPHA_OPAQUE};
-/** Colour of the labels: apart from the words by hue and by lightness. */
+/** Colour of labels: differs from the texts by hue and by lightness. */
 static const SDL_Color LABEL_COLOR = {255, 205, 90, SDL_ALPHA_OPAQUE};
 /** Colour of the headings. */
 static const SDL_Color HEADING_COLOR = {150, 200, 255, SDL_ALPHA_OPAQUE};
-/** Colours of headings and labels that belong together, as on a drawn keyboard; told apart by those
- *  who are colour-blind, too. */
+/** Colours of groups, as on the drawn keyboard; distinct for colour-blind viewers too. */
 static const SDL_Color tint_colors[] = {
     {255, 205, 90, SDL_ALPHA_OPAQUE},  {120, 190, 255, SDL_ALPHA_OPAQUE},
     {90, 215, 170, SDL_ALPHA_OPAQUE},  {255, 145, 110, SDL_ALPHA_OPAQUE},
     {205, 205, 215, SDL_ALPHA_OPAQUE}, {225, 165, 215, SDL_ALPHA_OPAQUE}};
-/** Colour of the panel: dark, and the picture can be guessed behind it. */
+/** Colour of a panel: dark, slightly transparent. */
 static const SDL_Color PANEL_COLOR = {15, 18, 28, 215};
 
-/** A panel laid out in letters of one size. All lengths are pixels. */
+/** The layout of a panel in letters of one size. All lengths are pixels. */
 typedef struct PanelLayout {
-    const PanelRow *rows; /**< What is said. */
-    size_t count;         /**< How many rows. */
-    TTF_Font *font;       /**< The letters; owned. */
+    const PanelRow *rows; /**< The rows. */
+    size_t count;         /**< Their number. */
+    TTF_Font *font;       /**< The font; owned. */
     int line_height;      /**< Height of a row. */
     int margin;           /**< Empty border, and gap between the columns. */
-    int label_width;      /**< Width of the column of labels, with the gap after it; 0: none. */
-    int text_width;       /**< Width of the column of words. */
+    int label_width;      /**< Width of the labels' column with its gap; 0: none. */
+    int text_width;       /**< Width of the texts' column. */
 } PanelLayout;
 
-/**
- * Lays the rows out in letters of one size.
- * @param[in,out] layout  The rows and the font; the lengths are set.
- * @param size            Size of the letters, pixels.
- */
+/** Computes the lengths of a layout. @param size Size of the letters, pixels. */
 static void layout_rows(PanelLayout *layout, int size) {
     TTF_SetFontSize(layout->font, size);
     layout->line_height = TTF_FontLineSkip(layout->font);
@@ -71,11 +68,8 @@ static int panel_width(const PanelLayout *layout) {
     return layout->label_width + layout->text_width + 2 * layout->margin;
 }
 
-/**
- * @return Where a row begins, counted from the panel's upper end. A heading stands off what is
- *         before it.
- * @param index  Which row; the number of rows: where the next would begin.
- */
+/** @return Top of a row, from the top of the panel; there is a gap above each heading. @param index
+ *  The row; the number of rows: the end of the last one. */
 static int row_top(const PanelLayout *layout, size_t index) {
     int top = layout->margin / 2 + layout->line_height * (int)index;
     for (size_t i = 1; i <= index && i < layout->count; i++) {
@@ -89,11 +83,8 @@ static int panel_height(const PanelLayout *layout) {
     return row_top(layout, layout->count) + layout->margin / 2;
 }
 
-/**
- * Lays the rows out in the largest letters, up to those wanted, that fit a window.
- * @param[in,out] layout  The rows and the font; the lengths are set.
- * @return Their size, pixels.
- */
+/** Computes the layout in the largest letters that fit, up to the default size. @return Their size,
+ *  pixels. */
 static int layout_to_fit(PanelLayout *layout, const PanelBounds *bounds) {
     int size =
         (int)(SDL_max(FONT_SIZE_READABLE, bounds->height / LINES_PER_WINDOW) * bounds->scale);
@@ -121,8 +112,7 @@ SDL_Surface *panel_create(int width, int height) {
     return panel;
 }
 
-/** Shows a colour; those of rows that follow each other touch. @param y Upper end of its row,
- *  pixels. */
+/** Draws a colour swatch; those of neighbouring rows touch. @param y Top of its row, pixels. */
 static void draw_swatch(SDL_Surface *panel, const PanelLayout *layout, const uint8_t rgb[3],
                         int y) {
     int width = layout->label_width - layout->margin; // The gap is as wide as the margin.
@@ -131,7 +121,7 @@ static void draw_swatch(SDL_Surface *panel, const PanelLayout *layout, const uin
                  SDL_MapRGBA(panel->format, rgb[0], rgb[1], rgb[2], SDL_ALPHA_OPAQUE));
 }
 
-/** @return The panel with all rows, or NULL without memory. */
+/** @return The panel with all rows; NULL without memory. */
 static SDL_Surface *draw_layout(const PanelLayout *layout) {
     SDL_Surface *panel = panel_create(panel_width(layout), panel_height(layout));
     if (!panel) {
@@ -177,4 +167,88 @@ SDL_Surface *panel_draw_at_size(const PanelRow *rows, size_t count, int size) {
 SDL_Surface *panel_draw(const PanelRow *rows, size_t count, const PanelBounds *bounds) {
     int size = panel_font_size(rows, count, bounds);
     return size > 0 ? panel_draw_at_size(rows, count, size) : NULL;
+}
+
+/* --- breaking text into rows ------------------------------------------------------------------ */
+
+/** @return Where a row is full, or its line ends. @param row The rest of the text, UTF-8. */
+static char *word_wrap_row_limit(char *row, int characters) {
+    char *end = row;
+    for (; *end && *end != '\n'; end++) {
+        bool is_character = (*end & 0xC0) != 0x80; // No continuation byte of UTF-8.
+        if (is_character && characters-- == 0) {
+            break;
+        }
+    }
+    return end;
+}
+
+/** @return Where a row is broken: at its last space, or after a first word that is too long. */
+static char *word_wrap_row_end(char *row, int characters) {
+    char *limit = word_wrap_row_limit(row, characters), *end = limit;
+    while (end > row && *end && *end != ' ' && *end != '\n') {
+        end--;
+    }
+    return end > row || *row == '\n' ? end : limit + strcspn(limit, " \n");
+}
+
+size_t word_wrap(char *text, int characters, PanelRow *rows, size_t maximum) {
+    size_t count = 0;
+    char *rest = text;
+    while (*rest && count < maximum) {
+        char *end = word_wrap_row_end(rest, characters);
+        rows[count++] = (PanelRow){.text = rest};
+        rest = *end ? end + 1 : end;
+        *end = '\0';
+    }
+    return count;
+}
+
+/* --- panels as textures ----------------------------------------------------------------------- */
+
+bool overlay_is_stale(const Overlay *overlay) {
+    return !overlay->texture;
+}
+
+void overlay_draw(Overlay *overlay, const OverlayTarget *target, const PanelRow *rows,
+                  size_t count) {
+    PanelBounds bounds = overlay_bounds(target);
+    overlay_set_surface(overlay, target, panel_draw(rows, count, &bounds));
+}
+
+PanelBounds overlay_bounds(const OverlayTarget *target) {
+    PanelBounds bounds = {.scale = target->scale};
+    SDL_GetRendererOutputSize(target->renderer, &bounds.width, &bounds.height);
+    bounds.width = (int)(bounds.width * target->width_fraction);
+    return bounds;
+}
+
+void overlay_set_surface(Overlay *overlay, const OverlayTarget *target, SDL_Surface *panel) {
+    overlay_invalidate(overlay);
+    if (panel) {
+        overlay->texture = SDL_CreateTextureFromSurface(target->renderer, panel);
+        SDL_FreeSurface(panel);
+    }
+}
+
+void overlay_show(const Overlay *overlay, const OverlayTarget *target) {
+    SDL_Rect destination = {0};
+    int width = 0, height = 0;
+    if (!overlay->texture) {
+        return;
+    }
+    SDL_GetRendererOutputSize(target->renderer, &width, &height);
+    SDL_QueryTexture(overlay->texture, NULL, NULL, &destination.w, &destination.h);
+    bool is_corner = overlay->anchor == OVERLAY_TOP_LEFT || overlay->anchor == OVERLAY_TOP_RIGHT;
+    int right = width - destination.w, below = height - destination.h;
+    destination.x = !is_corner ? right / 2 : overlay->anchor == OVERLAY_TOP_LEFT ? 0 : right;
+    destination.y = is_corner ? 0 : overlay->anchor == OVERLAY_CENTER ? below / 2 : below;
+    SDL_RenderCopy(target->renderer, overlay->texture, NULL, &destination);
+}
+
+void overlay_invalidate(Overlay *overlay) {
+    if (overlay->texture) {
+        SDL_DestroyTexture(overlay->texture);
+        overlay->texture = NULL;
+    }
 }

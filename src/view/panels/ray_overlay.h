@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The rays of a pixel, drawn over what a second camera sees.
+ * @brief Draws the rays of a pixel over the picture of a second camera.
  */
 #ifndef DIOPTRE_VIEW_PANELS_RAY_OVERLAY_H
 #define DIOPTRE_VIEW_PANELS_RAY_OVERLAY_H
@@ -11,26 +11,24 @@
 
 /** What is drawn. */
 typedef struct RayOverlay {
-    const Vec3d *light_positions; /**< Where lamps are, which are marked. */
+    const Vec3d *light_positions; /**< Positions of lights, which are marked. */
     size_t light_count;           /**< How many. */
     const RayTree *ray_tree;      /**< The rays. */
-    const OrbitCamera *orbit;     /**< How they are looked at. */
-    size_t selected;              /**< Which of them is drawn thicker. */
+    const OrbitCamera *orbit;     /**< The second camera's orbit. */
+    size_t selected;              /**< Index of a ray that is drawn thicker. */
 } RayOverlay;
 
 /**
- * Draws rays, their numbers, the eye and the lamps.
- * @param renderer  What draws in the window.
- * @param rect  Where the picture of the second camera lies, pixels of the window.
+ * Draws rays, their numbers, the eye and the lights. Draws nothing without memory.
+ * @param rect  Where the picture of the second camera is, pixels of the window.
  */
 void ray_overlay_draw(const RayOverlay *overlay, SDL_Renderer *renderer, const SDL_Rect *rect);
 
 /**
- * Marks a pixel by a cross that leaves it free.
- * @param renderer  What draws in the window.
- * @param x         Where its middle is, pixels of the window.
- * @param y         Where its middle is.
- * @param size      Length of an arm, pixels of the window.
+ * Marks a pixel by a cross that leaves the pixel itself free.
+ * @param x     Centre of the pixel, pixels of the window.
+ * @param y     See x.
+ * @param size  Length of an arm, pixels of the window.
  */
 void ray_overlay_mark_pixel(SDL_Renderer *renderer, double x, double y, double size);
 

@@ -1,12 +1,11 @@
 /**
  * @file
- * @brief The window on the screen.
+ * @brief The window on the screen, and textures.
  *
- * The picture is made by the processor and is shown pixel by pixel, so there is nothing for a
- * graphics card to do. On X11 it goes straight into the window through shared memory: that opens
- * in 30 ms and shows 800x600 in 0.2 ms, where OpenGL took 80 to 260 ms and 2 ms. Wayland and the
- * others have no such way in SDL 2, so there the card is used, and SDL's own choice is the last
- * resort. `SDL_RENDER_DRIVER` overrules all this.
+ * The processor renders all pixels, so a graphics card cannot help. On X11 SDL's software renderer
+ * copies them to the window through shared memory: it opens in 30 ms and shows 800x600 in 0.2 ms;
+ * OpenGL took 80 to 260 ms and 2 ms. SDL 2 has no such path for Wayland and others: there the
+ * accelerated renderer is used, else the software one. `SDL_RENDER_DRIVER` overrides all this.
  */
 #include "view/window/sdl_window.h"
 
@@ -15,17 +14,13 @@
 
 #include <string.h>
 
-/**
- * Says what SDL did not like.
- * @return false.
- * @param format  What failed, with room for SDL's words.
- */
+/** Sets an error with SDL's message. @param format What failed, with `%s`. @return false. */
 __attribute__((format(printf, 2, 0))) static bool set_sdl_error(Error *error, const char *format) {
     return error_set(error, STATUS_FAILED, format, SDL_GetError());
 }
 
-/** Makes a size no larger than the room on the first screen, keeping its shape. @param[in,out]
- *  width Width, in the screen's units. */
+/** Shrinks a size to the first screen, with the same aspect ratio. @param[in,out] width Screen
+ *  units. */
 static void fit_to_screen(int *width, int *height) {
     SDL_Rect usable;
     if (SDL_GetDisplayUsableBounds(0, &usable) == 0 && usable.w > 0 && usable.h > 0) {
@@ -37,7 +32,7 @@ static void fit_to_screen(int *width, int *height) {
     }
 }
 
-/** @return What draws in a window, or NULL. */
+/** @return The renderer of a window; NULL: SDL failed. */
 static SDL_Renderer *create_renderer(SDL_Window *window) {
     bool is_x11 = strcmp(SDL_GetCurrentVideoDriver(), "x11") == 0;
     bool is_forced = SDL_GetHint(SDL_HINT_RENDER_DRIVER) != NULL;
@@ -51,7 +46,7 @@ static SDL_Renderer *create_renderer(SDL_Window *window) {
 
 bool sdl_window_open(SdlWindow *sdl, const char *title, int width, int height, Error *error) {
     *sdl = (SdlWindow){0};
-    /* Honest pixels: no smoothing, so that a class sees what was traced. */
+    // No smoothing: a class sees the pixels as they were traced.
     SDL_SetHint(SDL_HINT_RENDER_SCALE_QUALITY, "nearest");
     fit_to_screen(&width, &height);
     sdl->window = SDL_CreateWindow(title, SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width,
@@ -98,4 +93,44 @@ void sdl_window_present(SdlWindow *sdl) {
 void sdl_window_toggle_full_screen(SdlWindow *sdl) {
     bool is_full = SDL_GetWindowFlags(sdl->window) & SDL_WINDOW_FULLSCREEN_DESKTOP;
     SDL_SetWindowFullscreen(sdl->window, is_full ? 0 : SDL_WINDOW_FULLSCREEN_DESKTOP);
+}
+
+/* --- textures --------------------------------------------------------------------------------- */
+
+uint8_t *streaming_texture_lock(StreamingTexture *texture, SDL_Renderer *renderer, int width,
+                                int height, int *pitch) {
+    if (texture->width != width || texture->height != height) {
+        streaming_texture_release(texture);
+    }
+    if (!texture->texture) {
+        texture->texture = SDL_CreateTexture(renderer, SDL_PIXELFORMAT_XRGB8888,
+                                             SDL_TEXTUREACCESS_STREAMING, width, height);
+        texture->width = width;
+        texture->height = height;
+    }
+    void *pixels = NULL;
+    if (!texture->texture || SDL_LockTexture(texture->texture, NULL, &pixels, pitch) != 0) {
+        return NULL;
+    }
+    return pixels;
+}
+
+void streaming_texture_unlock(StreamingTexture *texture) {
+    SDL_UnlockTexture(texture->texture);
+}
+
+void streaming_texture_draw(const StreamingTexture *texture, SDL_Renderer *renderer,
+                            const SDL_Rect *destination, const SDL_Rect *clip) {
+    if (texture->texture) {
+        SDL_RenderSetClipRect(renderer, clip);
+        SDL_RenderCopy(renderer, texture->texture, NULL, destination);
+        SDL_RenderSetClipRect(renderer, NULL);
+    }
+}
+
+void streaming_texture_release(StreamingTexture *texture) {
+    if (texture->texture) {
+        SDL_DestroyTexture(texture->texture);
+    }
+    *texture = (StreamingTexture){0};
 }

@@ -40,10 +40,10 @@ static void start_cost_comparison(Viewport *viewport) {
     viewport->render_seconds = 0;
 }
 
-void viewport_override_setting(Viewport *viewport, Action action) {
+void viewport_override_setting(Viewport *viewport, SettingsChangeFn *change, int step) {
     RenderSettings current = viewport->settings;
     settings_override_apply(&viewport->overrides, &current);
-    settings_override_change(&viewport->overrides, &current, action);
+    change(&viewport->overrides, &current, step);
     viewport->needs_new_renderer = viewport->needs_restart = true;
 }
 

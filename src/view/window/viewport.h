@@ -10,8 +10,8 @@
 #define DIOPTRE_VIEW_WINDOW_VIEWPORT_H
 
 #include "base/clock.h"
-#include "view/commands/settings_override.h"
-#include "view/window/streaming_texture.h"
+#include "view/state/settings_override.h"
+#include "view/window/sdl_window.h"
 
 #include <math.h>
 
@@ -55,7 +55,7 @@ bool viewport_open(Viewport *viewport, const Viewport *reuse_from, const Scene *
 void viewport_close(Viewport *viewport);
 
 /** Changes how it is drawn: #viewport_update_renderer is wanted then. */
-void viewport_override_setting(Viewport *viewport, Action action);
+void viewport_override_setting(Viewport *viewport, SettingsChangeFn *change, int step);
 
 /** Changes what it shows. */
 void viewport_set_layer(Viewport *viewport, Layer layer);

@@ -1,0 +1,61 @@
+/**
+ * @file
+ * @brief `cylinder_light`: a tube that glows.
+ */
+#include "scene/lights/cylinder_light.h"
+
+#include "scene/lights/light_rows.h"
+
+_Static_assert(sizeof(CylinderLightFields) <= SCENE_LIGHT_OWN_DOUBLES * sizeof(double),
+               "the fields of a cylinder light must fit into a light");
+
+/** Fields of `cylinder_light`. */
+static const Parameter cylinder_light_parameters[] = {
+    LIGHT_LENGTH_ROW("base", PARAMETER_POINT, offsetof(SceneLight, position), -LENGTH_MAXIMUM,
+                     "centre of one end"),
+    LIGHT_LENGTH_ROW("top", PARAMETER_POINT, SCENE_LIGHT_OWN_OFFSET(CylinderLightFields, top),
+                     -LENGTH_MAXIMUM, "centre of the other end"),
+    LIGHT_LENGTH_ROW("radius", PARAMETER_NUMBER, offsetof(SceneLight, radius), LENGTH_MINIMUM,
+                     "its radius"),
+    LIGHT_COLOR_ROW,
+    LIGHT_INTENSITY_ROW,
+    LIGHT_FALLOFF_ROW,
+    {0}};
+
+/** A white tube, 1 long, just under a ceiling 2 units high. */
+static const SceneLight cylinder_light_defaults = {.color = {1, 1, 1},
+                                                   .intensity = 1,
+                                                   .falloff = FALLOFF_NONE,
+                                                   .position = {-0.5, 1.9, 0},
+                                                   .radius = 0.05,
+                                                   .own = {0.5, 1.9, 0}};
+
+/** Refuses cylinders without length. See #Keyword.finish. */
+static bool cylinder_light_finish(void *values, uint64_t given, Error *error) {
+    (void)given;
+    const SceneLight *light = values;
+    const CylinderLightFields *own = scene_light_own(light);
+    return vec3d_length(vec3d_subtract(own->top, light->position)) >= LENGTH_MINIMUM ||
+           error_set(error, STATUS_SCENE,
+                     "cylinder_light has no length: base and top are the same");
+}
+
+/** The scene language's `cylinder_light`. */
+static const Keyword cylinder_light_keyword = {.name = "cylinder_light",
+                                               .help = "a lamp: a glowing tube",
+                                               .parameters = cylinder_light_parameters,
+                                               .size = sizeof(SceneLight),
+                                               .defaults = &cylinder_light_defaults,
+                                               .finish = cylinder_light_finish};
+
+/** @return The middle of the axis. See #SceneLightClass.center. */
+static Vec3d cylinder_light_center(const SceneLight *light) {
+    const CylinderLightFields *own = scene_light_own(light);
+    return vec3d_scale(vec3d_add(light->position, own->top), 0.5);
+}
+
+/** The class of `cylinder_light`. */
+extern const SceneLightClass scene_cylinder_light_class;
+
+const SceneLightClass scene_cylinder_light_class = {.keyword = &cylinder_light_keyword,
+                                                    .center = cylinder_light_center};

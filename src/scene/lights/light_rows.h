@@ -1,0 +1,43 @@
+/**
+ * @file
+ * @brief Rows of parameter tables that several classes of lights share.
+ */
+#ifndef DIOPTRE_SCENE_LIGHT_ROWS_H
+#define DIOPTRE_SCENE_LIGHT_ROWS_H
+
+#include "dioptre/light.h"
+
+/** The row `color`. */
+#define LIGHT_COLOR_ROW                                                                            \
+    {                                                                                              \
+        .name = "color", .type = PARAMETER_COLOR, .offset = offsetof(SceneLight, color),           \
+        .minimum = 0, .maximum = INTENSITY_MAXIMUM, .unit = "linear light", .help = "its colour"   \
+    }
+
+/** The row `intensity`. */
+#define LIGHT_INTENSITY_ROW                                                                        \
+    {                                                                                              \
+        .name = "intensity", .type = PARAMETER_NUMBER, .offset = offsetof(SceneLight, intensity),  \
+        .minimum = 0, .maximum = INTENSITY_MAXIMUM, .unit = "factor",                              \
+        .help = "multiplies the colour"                                                            \
+    }
+
+/** The words of `falloff`, in the order of #Falloff. */
+extern const char *const light_falloff_words[];
+
+/** The row `falloff`. */
+#define LIGHT_FALLOFF_ROW                                                                          \
+    {                                                                                              \
+        .name = "falloff", .type = PARAMETER_CHOICE, .offset = offsetof(SceneLight, falloff),      \
+        .choices = light_falloff_words, .unit = "word",                                            \
+        .help = "how it weakens with the distance"                                                 \
+    }
+
+/** A row for a length or a position in scene units. */
+#define LIGHT_LENGTH_ROW(name_, type_, offset_, minimum_, help_)                                   \
+    {                                                                                              \
+        .name = name_, .type = type_, .offset = offset_, .minimum = minimum_,                      \
+        .maximum = LENGTH_MAXIMUM, .unit = "scene units", .help = help_                            \
+    }
+
+#endif

@@ -1,0 +1,51 @@
+/**
+ * @file
+ * @brief `light`: a point, or a sphere that is seen.
+ */
+#include "scene/lights/light_rows.h"
+
+const char *const light_falloff_words[] = {"none", "inverse_square", NULL};
+
+/** Fields of `light`. */
+static const Parameter point_light_parameters[] = {
+    LIGHT_LENGTH_ROW("position", PARAMETER_POINT, offsetof(SceneLight, position), -LENGTH_MAXIMUM,
+                     "where the lamp is"),
+    LIGHT_COLOR_ROW,
+    LIGHT_INTENSITY_ROW,
+    LIGHT_FALLOFF_ROW,
+    LIGHT_LENGTH_ROW("radius", PARAMETER_NUMBER, offsetof(SceneLight, radius), 0,
+                     "above 0: seen as a glowing ball, with soft shadows"),
+    {0}};
+
+/** A white light just under a ceiling 2 units high. */
+static const SceneLight point_light_defaults = {
+    .color = {1, 1, 1}, .intensity = 1, .position = {0, 1.9, 0}, .falloff = FALLOFF_NONE};
+
+/** Refuses a sphere too small for the engines' numbers. See #Keyword.finish. */
+static bool point_light_finish(void *values, uint64_t given, Error *error) {
+    (void)given;
+    const SceneLight *light = values;
+    if (light->radius > 0 && light->radius < LENGTH_MINIMUM) {
+        return error_set(error, STATUS_SCENE, "radius must be 0 or at least %g, not %g",
+                         LENGTH_MINIMUM, light->radius);
+    }
+    return true;
+}
+
+/** @return The position. See #SceneLightClass.center. */
+static Vec3d point_light_center(const SceneLight *light) {
+    return light->position;
+}
+
+const Keyword scene_light_keyword = {.name = "light",
+                                     .help = "a lamp: a point, or a glowing ball",
+                                     .parameters = point_light_parameters,
+                                     .size = sizeof(SceneLight),
+                                     .defaults = &point_light_defaults,
+                                     .finish = point_light_finish};
+
+/** The class of `light`. */
+extern const SceneLightClass scene_point_light_class;
+
+const SceneLightClass scene_point_light_class = {.keyword = &scene_light_keyword,
+                                                 .center = point_light_center};

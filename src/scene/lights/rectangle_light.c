@@ -1,0 +1,66 @@
+/**
+ * @file
+ * @brief `rectangle_light`: a parallelogram that glows on one side or on both.
+ */
+#include "scene/lights/rectangle_light.h"
+
+#include "scene/lights/light_rows.h"
+
+_Static_assert(sizeof(RectangleLightFields) <= SCENE_LIGHT_OWN_DOUBLES * sizeof(double),
+               "the fields of a rectangle light must fit into a light");
+
+/** Fields of `rectangle_light`. */
+static const Parameter rectangle_light_parameters[] = {
+    LIGHT_LENGTH_ROW("corner", PARAMETER_POINT, offsetof(SceneLight, position), -LENGTH_MAXIMUM,
+                     "one corner"),
+    LIGHT_LENGTH_ROW("u", PARAMETER_DIRECTION, SCENE_LIGHT_OWN_OFFSET(RectangleLightFields, u),
+                     -LENGTH_MAXIMUM, "from it to the next corner"),
+    LIGHT_LENGTH_ROW("v", PARAMETER_DIRECTION, SCENE_LIGHT_OWN_OFFSET(RectangleLightFields, v),
+                     -LENGTH_MAXIMUM, "from it to the corner on the other side"),
+    {.name = "two_sided",
+     .type = PARAMETER_BOOLEAN,
+     .offset = SCENE_LIGHT_OWN_OFFSET(RectangleLightFields, two_sided),
+     .unit = "yes or no",
+     .help = "whether it glows on both sides; else on that of u × v"},
+    LIGHT_COLOR_ROW,
+    LIGHT_INTENSITY_ROW,
+    LIGHT_FALLOFF_ROW,
+    {0}};
+
+/** A white square of side 1, just under a ceiling 2 units high, that shines down. */
+static const SceneLight rectangle_light_defaults = {.color = {1, 1, 1},
+                                                    .intensity = 1,
+                                                    .falloff = FALLOFF_NONE,
+                                                    .position = {-0.5, 1.9, -0.5},
+                                                    .own = {1, 0, 0, 0, 0, 1}};
+
+/** Refuses rectangles without area. See #Keyword.finish. */
+static bool rectangle_light_finish(void *values, uint64_t given, Error *error) {
+    (void)given;
+    const RectangleLightFields *own = scene_light_own(values);
+    /** Sine of the angle below which two edges count as parallel: a double cannot tell less. */
+    const double parallel = 1e-12;
+    Vec3d normal = vec3d_cross(vec3d_normalize(own->u), vec3d_normalize(own->v));
+    return vec3d_length(normal) > parallel ||
+           error_set(error, STATUS_SCENE, "rectangle_light has no area: u and v are parallel");
+}
+
+/** The scene language's `rectangle_light`. */
+static const Keyword rectangle_light_keyword = {.name = "rectangle_light",
+                                                .help = "a lamp: a glowing rectangle",
+                                                .parameters = rectangle_light_parameters,
+                                                .size = sizeof(SceneLight),
+                                                .defaults = &rectangle_light_defaults,
+                                                .finish = rectangle_light_finish};
+
+/** @return The middle. See #SceneLightClass.center. */
+static Vec3d rectangle_light_center(const SceneLight *light) {
+    const RectangleLightFields *own = scene_light_own(light);
+    return vec3d_add(light->position, vec3d_scale(vec3d_add(own->u, own->v), 0.5));
+}
+
+/** The class of `rectangle_light`. */
+extern const SceneLightClass scene_rectangle_light_class;
+
+const SceneLightClass scene_rectangle_light_class = {.keyword = &rectangle_light_keyword,
+                                                     .center = rectangle_light_center};

@@ -1,0 +1,39 @@
+/**
+ * @file
+ * @brief Description of boxes along the axes.
+ */
+#include "scene/shapes/fields.h"
+
+/** Fields of `box`. */
+static const Parameter box_parameters[] = {
+    POINT_FIELD("min", BoxParameters, low, "its lowest corner"),
+    POINT_FIELD("max", BoxParameters, high, "its highest corner"),
+    {0}};
+
+/** A cube of side 1. */
+static const BoxParameters box_defaults = {.high = {1, 1, 1}};
+
+/** Rejects boxes without volume. See #Keyword.finish. @return Whether the box has a volume. */
+static bool box_finish(void *values, uint64_t given, Error *error) {
+    (void)given;
+    const BoxParameters *p = values;
+    return (p->low.x < p->high.x && p->low.y < p->high.y && p->low.z < p->high.z) ||
+           error_set(error, STATUS_SCENE, "box needs min below max in x, y and z");
+}
+
+/** @return Facts of a box. See #SceneShapeClass.facts. */
+static ShapeFacts box_facts(const void *parameters, const Scene *scene) {
+    (void)scene;
+    const BoxParameters *p = parameters;
+    return (ShapeFacts){.bounds = {p->low, p->high}, .is_flat = true};
+}
+
+const SceneShapeClass scene_box_class = {
+    .keyword = {.name = "box",
+                .help = "a box along the axes",
+                .parameters = box_parameters,
+                .size = sizeof(BoxParameters),
+                .defaults = &box_defaults,
+                .finish = box_finish},
+    .facts = box_facts,
+};

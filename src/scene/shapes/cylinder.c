@@ -1,0 +1,49 @@
+/**
+ * @file
+ * @brief Description of cylinders, open or capped.
+ */
+#include "scene/shapes/fields.h"
+
+/** Fields of `cylinder`. */
+static const Parameter cylinder_parameters[] = {
+    POINT_FIELD("base", CylinderParameters, base, "centre of one end"),
+    POINT_FIELD("top", CylinderParameters, top, "centre of the other end"),
+    LENGTH_FIELD("radius", CylinderParameters, radius, "its radius"),
+    {.name = "capped",
+     .type = PARAMETER_BOOLEAN,
+     .offset = offsetof(CylinderParameters, capped),
+     .unit = "yes or no",
+     .help = "whether its ends are closed; else it is a pipe"},
+    {0}};
+
+/** A capped cylinder of radius 1 and height 1 that stands on the ground. */
+static const CylinderParameters cylinder_defaults = {.top = {0, 1, 0}, .radius = 1, .capped = true};
+
+/** Rejects cylinders without length. See #Keyword.finish. @return Whether there is a length. */
+static bool cylinder_finish(void *values, uint64_t given, Error *error) {
+    (void)given;
+    const CylinderParameters *p = values;
+    return vec3d_length(vec3d_subtract(p->top, p->base)) >= LENGTH_MINIMUM ||
+           error_set(error, STATUS_SCENE, "cylinder has no length: base and top are the same");
+}
+
+/** @return Facts of a cylinder: the box around the circles at its ends. See #SceneShapeClass.facts.
+ */
+static ShapeFacts cylinder_facts(const void *parameters, const Scene *scene) {
+    (void)scene;
+    const CylinderParameters *p = parameters;
+    Vec3d axis = vec3d_normalize(vec3d_subtract(p->top, p->base));
+    Vec3d extent = circle_extent(axis, p->radius);
+    return (ShapeFacts){.bounds = {vec3d_subtract(vec3d_min(p->base, p->top), extent),
+                                   vec3d_add(vec3d_max(p->base, p->top), extent)}};
+}
+
+const SceneShapeClass scene_cylinder_class = {
+    .keyword = {.name = "cylinder",
+                .help = "a cylinder, solid or a pipe",
+                .parameters = cylinder_parameters,
+                .size = sizeof(CylinderParameters),
+                .defaults = &cylinder_defaults,
+                .finish = cylinder_finish},
+    .facts = cylinder_facts,
+};

@@ -1,0 +1,30 @@
+/**
+ * @file
+ * @brief Description of infinite planes.
+ */
+#include "scene/shapes/fields.h"
+
+/** Fields of `plane`. */
+static const Parameter plane_parameters[] = {
+    POINT_FIELD("point", PlaneParameters, point, "a point of it"),
+    NORMAL_FIELD("normal", PlaneParameters, normal, "its normal"),
+    {0}};
+
+/** The plane y = 0. */
+static const PlaneParameters plane_defaults = {.normal = {0, 1, 0}};
+
+/** @return Facts of a plane: it is unbounded. See #SceneShapeClass.facts. */
+static ShapeFacts plane_facts(const void *parameters, const Scene *scene) {
+    (void)parameters;
+    (void)scene;
+    return (ShapeFacts){.bounds = aabbd_infinite(), .is_flat = true};
+}
+
+const SceneShapeClass scene_plane_class = {
+    .keyword = {.name = "plane",
+                .help = "a plane without end",
+                .parameters = plane_parameters,
+                .size = sizeof(PlaneParameters),
+                .defaults = &plane_defaults},
+    .facts = plane_facts,
+};

@@ -1,0 +1,85 @@
+/**
+ * @file
+ * @brief The list of all kinds of shapes, and where the shapes of a scene are.
+ */
+#include "dioptre/scene.h"
+
+#include <string.h>
+
+/** Ratio of distance and size of a scene above which tracers move their origin: its coordinates
+ *  then share their two leading bits. */
+#define REBASE_MIN_SIZES 4
+
+/** The new origin is a multiple of a power of two, at most this fraction of the size: it has few
+ *  digits, so that differences to it are exact in double. */
+#define REBASE_SIZE_GRAINS 8
+
+/** Declares a description, which its own file defines. */
+#define DECLARE_SHAPE(name) extern const SceneShapeClass scene_##name##_class;
+SHAPES(DECLARE_SHAPE)
+
+/** An entry of #scene_shape_classes. */
+#define LIST_CLASS(name) &scene_##name##_class,
+const SceneShapeClass *const scene_shape_classes[] = {SHAPES(LIST_CLASS) NULL};
+
+/** An entry of #scene_shape_keywords. */
+#define LIST_KEYWORD(name) &scene_##name##_class.keyword,
+const Keyword *const scene_shape_keywords[] = {SHAPES(LIST_KEYWORD) NULL};
+
+size_t scene_shape_find(const char *name) {
+    size_t index = 0;
+    while (scene_shape_keywords[index] && strcmp(scene_shape_keywords[index]->name, name) != 0) {
+        index++;
+    }
+    return index;
+}
+
+/** @return The bounding box of a transformed box, which must be bounded. */
+static Aabbd aabbd_transform(const Transform *transform, Aabbd box) {
+    Aabbd transformed = aabbd_empty();
+    for (int corner = 0; corner < 8; corner++) {
+        Vec3d point = {corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y,
+                       corner & 4 ? box.high.z : box.low.z};
+        transformed = aabbd_add_point(transformed, transform_point(transform, point));
+    }
+    return transformed;
+}
+
+ShapeFacts scene_shape_facts(const Scene *scene, const SceneShape *shape) {
+    ShapeFacts facts = scene_shape_classes[shape->class_index]->facts(shape->parameters, scene);
+    if (shape->transform && aabbd_is_bounded(facts.bounds)) {
+        facts.bounds = aabbd_transform(shape->transform, facts.bounds);
+    }
+    return facts;
+}
+
+Aabbd scene_bounds(const Scene *scene) {
+    Aabbd bounds = aabbd_empty();
+    for (size_t i = 0; i < scene->shape_count; i++) {
+        Aabbd box = scene_shape_facts(scene, &scene->shapes[i]).bounds;
+        if (aabbd_is_bounded(box)) {
+            bounds = aabbd_add_point(aabbd_add_point(bounds, box.low), box.high);
+        }
+    }
+    return bounds;
+}
+
+/** @return The nearest multiple of a number. */
+static double nearest_multiple(double x, double grain) {
+    return floor(x / grain + 0.5) * grain;
+}
+
+Vec3d scene_local_origin(const Scene *scene) {
+    Aabbd bounds = scene_bounds(scene);
+    double size = vec3d_max_abs(vec3d_subtract(bounds.high, bounds.low));
+    Vec3d center = vec3d_scale(vec3d_add(bounds.low, bounds.high), 0.5);
+    // False also if no shape is bounded: the centre is then not a number.
+    if (!(vec3d_max_abs(center) > REBASE_MIN_SIZES * size)) {
+        return (Vec3d){0, 0, 0};
+    }
+    int exponent;
+    frexp(size / REBASE_SIZE_GRAINS, &exponent);
+    double grain = ldexp(0.5, exponent);
+    return (Vec3d){nearest_multiple(center.x, grain), nearest_multiple(center.y, grain),
+                   nearest_multiple(center.z, grain)};
+}

@@ -1,0 +1,32 @@
+/**
+ * @file
+ * @brief Description of spheres.
+ */
+#include "scene/shapes/fields.h"
+
+/** Fields of `sphere`. */
+static const Parameter sphere_parameters[] = {
+    POINT_FIELD("center", SphereParameters, center, "its centre"),
+    LENGTH_FIELD("radius", SphereParameters, radius, "its radius"),
+    {0}};
+
+/** A sphere of radius 1 at the origin. */
+static const SphereParameters sphere_defaults = {.radius = 1};
+
+/** @return Facts of a sphere. See #SceneShapeClass.facts. */
+static ShapeFacts sphere_facts(const void *parameters, const Scene *scene) {
+    (void)scene;
+    const SphereParameters *p = parameters;
+    Vec3d extent = {p->radius, p->radius, p->radius};
+    return (ShapeFacts){
+        .bounds = {vec3d_subtract(p->center, extent), vec3d_add(p->center, extent)}};
+}
+
+const SceneShapeClass scene_sphere_class = {
+    .keyword = {.name = "sphere",
+                .help = "a ball",
+                .parameters = sphere_parameters,
+                .size = sizeof(SphereParameters),
+                .defaults = &sphere_defaults},
+    .facts = sphere_facts,
+};

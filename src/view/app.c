@@ -1,0 +1,159 @@
+/**
+ * @file
+ * @brief Messages, time and view of an open window.
+ */
+#include "view/app.h"
+
+#include "view/state/scene_text.h"
+#include "view/state/snapshot.h"
+
+#include <libintl.h>
+#include <stdarg.h>
+
+/** Factor of the field of view per notch of the wheel. */
+static const double ZOOM_PER_NOTCH = 0.9;
+/** Movement of the second camera per notch of the wheel, in seconds of a held key. */
+static const double FORWARD_PER_NOTCH = 0.125;
+
+/* --- messages --------------------------------------------------------------------------------- */
+
+void app_set_status(App *app, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(app->title.status_text, sizeof app->title.status_text, gettext(format), arguments);
+    va_end(arguments);
+    app->title.next_update_time = 0;
+}
+
+void app_clear_status(App *app) {
+    app->title.status_text[0] = '\0';
+    app->title.next_update_time = 0;
+}
+
+void app_report_error(App *app, const Error *error) {
+    fprintf(stderr, "dioptre: %s\n", error->message);
+    app_set_status(app, "%.*s", STATUS_TEXT_SIZE - 1, error->message);
+    window_set_notice(&app->window, error->message);
+}
+
+/* --- time ------------------------------------------------------------------------------------- */
+
+bool app_is_playing(const App *app) {
+    return app->player.lesson != NULL;
+}
+
+bool app_is_lesson_stopped(const App *app) {
+    return app->player.is_paused || app->player.is_capturing;
+}
+
+bool app_is_recording(const App *app) {
+    return app->recorder.stream != NULL;
+}
+
+double app_clock(const App *app) {
+    if (app_is_playing(app)) {
+        return step_clock_seconds(&app->player.step_clock);
+    }
+    return app_is_recording(app) ? step_clock_seconds(&app->recorder.step_clock)
+                                 : clock_now_seconds();
+}
+
+double app_scene_time(const App *app) {
+    return timeline_time_at(&app->timeline, app_clock(app));
+}
+
+bool app_is_animated(const App *app) {
+    return app->settings->load && app->scene->is_time_dependent;
+}
+
+bool app_is_time_settled(const App *app) {
+    bool is_stopped = !app->timeline.is_running || app_is_lesson_stopped(app);
+    return is_stopped && (!app_is_animated(app) || app_scene_time(app) == app->scene_time);
+}
+
+/* --- the view --------------------------------------------------------------------------------- */
+
+void app_on_view_changed(App *app) {
+    window_invalidate(&app->window);
+    if (!app->wants_snapshot) {
+        app->title.status_text[0] = '\0';
+    }
+    if (!app->source.has_load_error) {
+        window_set_notice(&app->window, "");
+    }
+}
+
+void app_move(App *app, Movement light, Movement camera) {
+    if (app->window.inspector.is_open && movement_is_nonzero(camera)) {
+        inspector_move(&app->window.inspector, camera);
+        camera = (Movement){0};
+        if (!movement_is_nonzero(light)) {
+            latency_discard_pending(&app->window.latency);
+            return;
+        }
+    }
+    bool is_light_moved =
+        movement_is_nonzero(light) && app->selected_light < app->scene->light_count;
+    if (is_light_moved || movement_is_nonzero(camera)) {
+        view_state_move(&app->home_view, app->scene, app->selected_light, light, camera);
+        app_on_view_changed(app);
+    } else {
+        latency_discard_pending(&app->window.latency);
+        if (movement_is_nonzero(light)) {
+            app_set_status(app, "there is no light to move");
+        }
+    }
+}
+
+void app_turn(App *app, double right, double up) {
+    if (app->window.inspector.is_open) {
+        inspector_turn(&app->window.inspector, right, up);
+        return;
+    }
+    scene_camera_rotate(&app->scene->camera, app->home_view.up_axis, right, up);
+    app->home_view.is_camera_moved = true;
+    app_on_view_changed(app);
+}
+
+void app_zoom(App *app, double notches) {
+    if (app->window.inspector.is_open) {
+        inspector_move(&app->window.inspector, (Movement){.forward = notches * FORWARD_PER_NOTCH});
+        return;
+    }
+    scene_camera_zoom(&app->scene->camera, pow(ZOOM_PER_NOTCH, notches));
+    app->home_view.is_camera_moved = true;
+    app_on_view_changed(app);
+}
+
+void app_pick_pixel(App *app, double x, double y) {
+    inspector_pick(&app->window.inspector, x, y);
+}
+
+void app_step_pixel(App *app, int right, int down) {
+    inspector_step_pixel(&app->window.inspector, right, down);
+}
+
+void app_reset_view(App *app) {
+    inspector_reset_camera(&app->window.inspector);
+    view_state_reset(&app->home_view, app->scene);
+    app->selected_light = 0;
+    app_on_view_changed(app);
+}
+
+bool app_save_picture(App *app, const char *folder, const char *name, Error *error) {
+    Picture picture = {0};
+    char path[NUMBERED_FILE_PATH_SIZE];
+    bool is_saved = window_copy_picture(&app->window, &picture, error) &&
+                    snapshot_write(folder, name, &picture, path, error);
+    picture_deinit(&picture);
+    if (is_saved) {
+        scene_text_print(app->scene, stdout);
+        if (app->scene->is_time_dependent) {
+            printf("  -- t = %.17g", app->scene_time);
+        }
+        printf("  -- %s\n", path);
+        fflush(stdout);
+        app_set_status(app, "saved %s", path);
+    }
+    return is_saved;
+}

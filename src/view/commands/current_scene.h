@@ -1,0 +1,39 @@
+/**
+ * @file
+ * @brief The scene on screen: of another time, of a file that was written again, or another scene.
+ */
+#ifndef DIOPTRE_VIEW_COMMANDS_CURRENT_SCENE_H
+#define DIOPTRE_VIEW_COMMANDS_CURRENT_SCENE_H
+
+#include "view/app.h"
+
+/** Starts to watch the scene's file. */
+void current_scene_begin(App *app);
+
+/** Loads the scene's file again, after it was written; what the user moved stays where it is. */
+void current_scene_reload(App *app);
+
+/** Loads another scene. */
+void current_scene_open(App *app, const char *path);
+
+/** Opens the list of scenes, unless a lesson needs the scene on screen. */
+void current_scene_browse(App *app);
+
+/** Loads the newest scene again if it is faulty, to report its error again. */
+void current_scene_repeat_error(App *app);
+
+/**
+ * Requests the scene that is wanted, and shows it once it is loaded and the previous picture is on
+ * screen.
+ * @param[out] error  The error of the loaded scene: the previous scene stays, its time paused.
+ * @return Whether there was no error.
+ */
+bool current_scene_update(App *app, double now, Error *error);
+
+/** @return Seconds until the next update; see #window_timeout. */
+double current_scene_timeout(App *app, double now);
+
+/** Frees all scenes but the first; the window's renderers must still exist. */
+void current_scene_end(App *app);
+
+#endif

@@ -1,0 +1,70 @@
+/**
+ * @file
+ * @brief How long it takes from a key to its picture.
+ */
+#include "view/state/latency.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/** Waits that the first piece of memory holds; doubled when they are more. */
+enum { FIRST_CAPACITY = 128 };
+
+void latency_on_key(Latency *latency, double time) {
+    if (latency->pending_count < LATENCY_PENDING_MAXIMUM) {
+        latency->pending[latency->pending_count++] = time;
+    }
+}
+
+void latency_on_draw_started(Latency *latency) {
+    latency->in_flight_count = latency->pending_count;
+}
+
+void latency_discard_pending(Latency *latency) {
+    latency->pending_count = latency->in_flight_count = 0;
+}
+
+/** Keeps one wait. */
+static void latency_record(Latency *latency, double wait) {
+    if (latency->count == latency->capacity) {
+        size_t capacity = latency->capacity > 0 ? 2 * latency->capacity : FIRST_CAPACITY;
+        double *waits = realloc(latency->waits, capacity * sizeof *waits);
+        if (!waits) {
+            return;
+        }
+        latency->waits = waits;
+        latency->capacity = capacity;
+    }
+    latency->waits[latency->count++] = wait;
+}
+
+void latency_on_presented(Latency *latency, double time) {
+    for (size_t i = 0; i < latency->in_flight_count; i++) {
+        latency_record(latency, time - latency->pending[i]);
+    }
+    latency->pending_count -= latency->in_flight_count;
+    memmove(latency->pending, latency->pending + latency->in_flight_count,
+            latency->pending_count * sizeof latency->pending[0]);
+    latency->in_flight_count = 0;
+}
+
+/** @return Below 0, 0 or above 0, for qsort. */
+static int compare_doubles(const void *a, const void *b) {
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+LatencySummary latency_summary(Latency *latency) {
+    size_t n = latency->count;
+    if (n == 0) {
+        return (LatencySummary){0};
+    }
+    qsort(latency->waits, n, sizeof latency->waits[0], compare_doubles);
+    double median = (latency->waits[(n - 1) / 2] + latency->waits[n / 2]) / 2;
+    return (LatencySummary){.count = n, .median = median, .worst = latency->waits[n - 1]};
+}
+
+void latency_deinit(Latency *latency) {
+    free(latency->waits);
+    *latency = (Latency){0};
+}

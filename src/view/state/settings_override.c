@@ -1,0 +1,113 @@
+/**
+ * @file
+ * @brief Changing render settings step by step.
+ */
+#include "view/state/settings_override.h"
+
+#include "base/language.h"
+
+#include <math.h>
+
+/** Smallest epsilon, scene units: far below any visible effect. */
+static const double EPSILON_MINIMUM = 1e-15;
+/** Largest epsilon, scene units. */
+static const double EPSILON_MAXIMUM = 1e6;
+/** Largest depth that keys set. */
+enum { KEY_DEPTH_MAXIMUM = 64 };
+/** Most samples that keys set. */
+enum { KEY_SAMPLES_MAXIMUM = 4096 };
+/** Number of offset strategies. */
+enum { OFFSET_COUNT = OFFSET_BOUND + 1 };
+
+void settings_override_apply(const SettingsOverride *overrides, RenderSettings *settings) {
+    const RenderSettings *values = &overrides->values;
+    unsigned mask = overrides->mask;
+    settings->engine = mask & SETTING_ENGINE ? values->engine : settings->engine;
+    settings->trace.offset = mask & SETTING_OFFSET ? values->trace.offset : settings->trace.offset;
+    settings->trace.epsilon =
+        mask & SETTING_EPSILON ? values->trace.epsilon : settings->trace.epsilon;
+    settings->trace.depth = mask & SETTING_DEPTH ? values->trace.depth : settings->trace.depth;
+    settings->samples = mask & SETTING_SAMPLES ? values->samples : settings->samples;
+    settings->lighting = mask & SETTING_LIGHT ? values->lighting : settings->lighting;
+}
+
+/** @return A number below a count, some steps after another, cyclically. */
+static int wrap(int current, int step, int count) {
+    return (current + step + count) % count;
+}
+
+/** @return The preferred engine of a number type; NULL: this processor has none. */
+static const Engine *engine_with_mantissa(int bits) {
+    for (const Engine *const *engine = engine_list(); *engine; engine++) {
+        if ((*engine)->mantissa_bits == bits && engine_is_supported(*engine)) {
+            return *engine;
+        }
+    }
+    return NULL;
+}
+
+/**
+ * @return The engine of the next number type: float, double, quad.
+ * @param step  1: wider; -1: narrower.
+ */
+static const Engine *next_number_type(const Engine *engine, int step) {
+    static const int types[] = {24, 53, 113};
+    enum { TYPE_COUNT = sizeof types / sizeof types[0] };
+    int current = 0;
+    for (int i = 0; i < TYPE_COUNT; i++) {
+        current = engine->mantissa_bits >= types[i] ? i : current;
+    }
+    const Engine *next = engine_with_mantissa(types[wrap(current, step, TYPE_COUNT)]);
+    return next ? next : engine;
+}
+
+void settings_override_engine(SettingsOverride *overrides, const RenderSettings *current,
+                              int step) {
+    overrides->values.engine = next_number_type(current->engine, step);
+    overrides->mask |= SETTING_ENGINE;
+}
+
+void settings_override_offset(SettingsOverride *overrides, const RenderSettings *current,
+                              int step) {
+    overrides->values.trace.offset =
+        (OffsetStrategy)wrap((int)current->trace.offset, step, OFFSET_COUNT);
+    overrides->mask |= SETTING_OFFSET;
+}
+
+void settings_override_epsilon(SettingsOverride *overrides, const RenderSettings *current,
+                               int step) {
+    double factor = step > 0 ? step : 1.0 / -step;
+    double epsilon = current->trace.epsilon * factor;
+    overrides->values.trace.epsilon = fmin(fmax(epsilon, EPSILON_MINIMUM), EPSILON_MAXIMUM);
+    overrides->values.trace.offset = OFFSET_FIXED;
+    overrides->mask |= SETTING_EPSILON | SETTING_OFFSET;
+}
+
+/** @return A number within limits. */
+static int clamp(int number, int minimum, int maximum) {
+    return number < minimum ? minimum : number > maximum ? maximum : number;
+}
+
+void settings_override_depth(SettingsOverride *overrides, const RenderSettings *current, int step) {
+    overrides->values.trace.depth = clamp(current->trace.depth + step, 0, KEY_DEPTH_MAXIMUM);
+    overrides->mask |= SETTING_DEPTH;
+}
+
+void settings_override_samples(SettingsOverride *overrides, const RenderSettings *current,
+                               int step) {
+    int samples = step > 0 ? current->samples * 2 : current->samples / 2;
+    overrides->values.samples = clamp(samples, 1, KEY_SAMPLES_MAXIMUM);
+    overrides->mask |= SETTING_SAMPLES;
+}
+
+void settings_override_lighting(SettingsOverride *overrides, const RenderSettings *current,
+                                int step) {
+    overrides->values.lighting =
+        (LightingMode)wrap((int)current->lighting, step, LIGHTING_MODE_COUNT);
+    overrides->mask |= SETTING_LIGHT;
+}
+
+const char *light_mode_name(LightingMode light) {
+    static const char *const names[] = {N_("light and ambient"), N_("light alone"), N_("none")};
+    return names[light];
+}

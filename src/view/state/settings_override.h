@@ -1,0 +1,61 @@
+/**
+ * @file
+ * @brief What the user has changed of the render settings: engine, offset, depth and so on.
+ */
+#ifndef DIOPTRE_VIEW_STATE_SETTINGS_OVERRIDE_H
+#define DIOPTRE_VIEW_STATE_SETTINGS_OVERRIDE_H
+
+#include "dioptre/renderer.h"
+
+/** The settings that can be changed, as bits. */
+typedef enum {
+    SETTING_ENGINE = 1,   /**< The engine. */
+    SETTING_OFFSET = 2,   /**< The offset strategy. */
+    SETTING_EPSILON = 4,  /**< Its epsilon. */
+    SETTING_DEPTH = 8,    /**< The depth. */
+    SETTING_SAMPLES = 16, /**< The samples. */
+    SETTING_LIGHT = 32    /**< The lighting mode. */
+} SettingsMask;
+
+/** What the user has changed. Starts as `{0}`: nothing. */
+typedef struct SettingsOverride {
+    unsigned mask;         /**< Which settings are overridden, see #SettingsMask. */
+    RenderSettings values; /**< Their values; only those in #mask are valid. */
+} SettingsOverride;
+
+/** Overwrites the settings that the user has changed. */
+void settings_override_apply(const SettingsOverride *overrides, RenderSettings *settings);
+
+/**
+ * Changes one setting.
+ * @param[in,out] overrides  What is changed so far.
+ * @param current  The settings in force.
+ * @param step     How far; see each function.
+ */
+typedef void SettingsChangeFn(SettingsOverride *overrides, const RenderSettings *current, int step);
+
+/** Changes the number type. @param step 1: float, double, quad, float; -1: backwards. */
+void settings_override_engine(SettingsOverride *overrides, const RenderSettings *current, int step);
+
+/** Changes the offset strategy. @param step 1: none, fixed, bound, none; -1: backwards. */
+void settings_override_offset(SettingsOverride *overrides, const RenderSettings *current, int step);
+
+/** Scales epsilon, and makes the offset strategy `fixed`. @param step Factor; negative: divisor. */
+void settings_override_epsilon(SettingsOverride *overrides, const RenderSettings *current,
+                               int step);
+
+/** Changes the depth, within its limits. @param step How much it grows. */
+void settings_override_depth(SettingsOverride *overrides, const RenderSettings *current, int step);
+
+/** Doubles or halves the samples, within their limits. @param step 1: twice; -1: half. */
+void settings_override_samples(SettingsOverride *overrides, const RenderSettings *current,
+                               int step);
+
+/** Changes the lighting mode. @param step 1: the next; -1: the previous. */
+void settings_override_lighting(SettingsOverride *overrides, const RenderSettings *current,
+                                int step);
+
+/** @return Name of a lighting mode, in English. */
+const char *light_mode_name(LightingMode light);
+
+#endif

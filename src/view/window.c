@@ -1,0 +1,405 @@
+/**
+ * @file
+ * @brief The pictures' way from the scene to the screen.
+ */
+#include "view/window.h"
+
+#include "base/language.h"
+#include "view/state/snapshot.h"
+
+#include <stdlib.h>
+
+/** How many times as large letters get with each step. */
+static const double TEXT_SCALE_STEP = 1.2;
+/** How many times as large, or as small, as usual they get at most. */
+static const double TEXT_SCALE_MAXIMUM = 3;
+
+/** How near to the bar the mouse drags it, as a share of the window's width. */
+static const double BAR_REACH = 0.015;
+
+bool window_open(Window *window, const Scene *scene, const RenderSettings *settings,
+                 const char *title, uint32_t pass_event, Error *error) {
+    window->pass_event = pass_event;
+    window->base_settings = *settings;
+    window->notice.overlay.anchor = window->caption.overlay.anchor = OVERLAY_BOTTOM;
+    window->huds[0].overlay.anchor = OVERLAY_TOP_LEFT;
+    window->huds[1].overlay.anchor = OVERLAY_TOP_RIGHT;
+    split_view_move_bar(&window->split, 0.5);
+    return viewport_open(&window->viewports[0], NULL, scene, settings, pass_event, error) &&
+           sdl_window_open(&window->sdl, title, settings->width, settings->height, error);
+}
+
+void window_close(Window *window) {
+    inspector_deinit(&window->inspector);
+    for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
+        viewport_close(&window->viewports[i]);
+    }
+    split_view_deinit(&window->split);
+    browser_deinit(&window->browser);
+    window_invalidate_text(window);
+    sdl_window_close(&window->sdl);
+    latency_deinit(&window->latency);
+}
+
+/* --- pictures --------------------------------------------------------------------------------- */
+
+size_t window_viewport_count(const Window *window) {
+    return window->split.mode != SPLIT_NONE && window->viewports[1].renderer ? 2 : 1;
+}
+
+Viewport *window_active_viewport(Window *window) {
+    return &window->viewports[window_viewport_count(window) > 1 ? window->split.active : 0];
+}
+
+void window_invalidate(Window *window) {
+    for (size_t i = 0; i < window_viewport_count(window); i++) {
+        window->viewports[i].needs_restart = true;
+        window->viewports[i].previous_render_seconds = 0;
+    }
+}
+
+/** Words are brought up to date at once. */
+static void update_text_now(Window *window) {
+    for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
+        window->huds[i].next_update_time = 0;
+    }
+}
+
+void window_set_layer(Window *window, Layer layer) {
+    update_text_now(window);
+    viewport_set_layer(window_active_viewport(window), layer);
+}
+
+void window_override_setting(Window *window, SettingsChangeFn *change, int step) {
+    update_text_now(window);
+    window->shows_settings = true;
+    viewport_override_setting(window_active_viewport(window), change, step);
+}
+
+void window_request_new_renderers(Window *window) {
+    for (size_t i = 0; i < window_viewport_count(window); i++) {
+        window->viewports[i].needs_new_renderer = true;
+    }
+}
+
+void window_reset_overrides(Window *window) {
+    update_text_now(window);
+    for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
+        Viewport *viewport = &window->viewports[i];
+        viewport->overrides = (SettingsOverride){0};
+        viewport->needs_new_renderer = true;
+        if (viewport->renderer) {
+            viewport_set_layer(viewport, LAYER_SHADED);
+        } else {
+            viewport->layer = LAYER_SHADED;
+        }
+    }
+    window->split.mode = SPLIT_NONE;
+    split_view_move_bar(&window->split, 0.5);
+}
+
+void window_cycle_split(Window *window, int step) {
+    update_text_now(window);
+    window->split.mode = (SplitMode)(((int)window->split.mode + step + SPLIT_COUNT) % SPLIT_COUNT);
+    window->split.active = window->split.mode == SPLIT_BAR ? 1 : window->split.active;
+    for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
+        window->viewports[i].has_new_pass = window->viewports[i].renderer != NULL;
+    }
+}
+
+void window_swap_active(Window *window) {
+    update_text_now(window);
+    window->split.active = 1 - window->split.active;
+    window_present(window);
+}
+
+void window_move_bar(Window *window, double fraction) {
+    split_view_move_bar(&window->split, fraction);
+    window_present(window);
+}
+
+bool window_is_at_bar(const Window *window, double fraction) {
+    return window->split.mode == SPLIT_BAR &&
+           fabs(fraction - window->split.bar_position) < BAR_REACH;
+}
+
+void window_toggle_settings(Window *window) {
+    update_text_now(window);
+    window->shows_settings = !window->shows_settings;
+    window_present(window);
+}
+
+/** Opens or closes the second picture, as is wanted. @return false without memory: there is one
+ *  then. */
+static bool update_second_viewport(Window *window, const Scene *scene, Error *error) {
+    Viewport *first = &window->viewports[0], *second = &window->viewports[1];
+    bool is_wanted = window->split.mode != SPLIT_NONE;
+    if (!is_wanted && second->renderer) {
+        viewport_close(second);
+        split_view_deinit(&window->split);
+    }
+    if (!is_wanted || second->renderer) {
+        return true;
+    }
+    if (!viewport_open(second, first, scene, &window->base_settings, window->pass_event, error)) {
+        window->split.mode = SPLIT_NONE;
+    }
+    return second->renderer != NULL;
+}
+
+bool window_update_renderers(Window *window, const Scene *scene, Error *error) {
+    bool ok = update_second_viewport(window, scene, error);
+    for (size_t i = 0; i < window_viewport_count(window); i++) {
+        if (window->viewports[i].needs_new_renderer) {
+            ok = viewport_update_renderer(&window->viewports[i], scene, &window->base_settings,
+                                          error) &&
+                 ok;
+            inspector_on_renderer_changed(&window->inspector);
+        }
+    }
+    return ok;
+}
+
+/* --- events ----------------------------------------------------------------------------------- */
+
+void window_on_pass(Window *window, const SDL_Event *event) {
+    for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
+        if (event->user.data1 == &window->viewports[i] && window->viewports[i].renderer) {
+            viewport_on_pass(&window->viewports[i]);
+        }
+    }
+    inspector_on_pass(&window->inspector, event);
+}
+
+void window_on_visibility(Window *window) {
+    Uint32 flags = SDL_GetWindowFlags(window->sdl.window);
+    window->is_hidden = flags & (SDL_WINDOW_HIDDEN | SDL_WINDOW_MINIMIZED);
+    for (size_t i = 0; window->is_hidden && i < window_viewport_count(window); i++) {
+        if (viewport_stop(&window->viewports[i])) {
+            latency_discard_pending(&window->latency);
+        }
+    }
+    if (window->is_hidden) {
+        inspector_stop(&window->inspector);
+    }
+}
+
+bool window_on_resize(Window *window) {
+    int width, height;
+    sdl_window_size(&window->sdl, &width, &height);
+    bool is_other = width != window->viewports[0].width || height != window->viewports[0].height;
+    if (is_other) {
+        window_invalidate_text(window);
+        window_invalidate(window);
+    }
+    window_present(window);
+    return is_other;
+}
+
+void window_on_device_reset(Window *window) {
+    window_invalidate_text(window);
+    streaming_texture_release(&window->split.difference_texture);
+    for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
+        streaming_texture_release(&window->viewports[i].texture);
+        window->viewports[i].has_new_pass = window->viewports[i].renderer != NULL;
+    }
+    inspector_release_textures(&window->inspector);
+}
+
+/* --- showing ---------------------------------------------------------------------------------- */
+
+/** Puts the pictures where they are shown next. */
+static void draw_viewports(Window *window) {
+    SDL_Renderer *renderer = window->sdl.renderer;
+    SDL_Rect rect = {0}, clip;
+    sdl_window_size(&window->sdl, &rect.w, &rect.h);
+    clip = rect;
+    if (window_viewport_count(window) == 1) {
+        streaming_texture_draw(&window->viewports[0].texture, renderer, &rect, &clip);
+    } else if (window->split.mode == SPLIT_DIFFERENCE) {
+        streaming_texture_draw(&window->split.difference_texture, renderer, &rect, &clip);
+    } else {
+        clip.w = split_view_column(&window->split, rect.w);
+        streaming_texture_draw(&window->viewports[0].texture, renderer, &rect, &clip);
+        clip.x = clip.w;
+        clip.w = rect.w - clip.x;
+        streaming_texture_draw(&window->viewports[1].texture, renderer, &rect, &clip);
+        split_view_draw_bar(&window->split, renderer);
+    }
+}
+
+/** Shows what is said beside the pictures. */
+static void draw_huds(Window *window, const OverlayTarget *target) {
+    static const char *const titles[2][WINDOW_VIEWPORTS] = {{N_("left"), N_("right")},
+                                                            {N_("left ←"), N_("right ←")}};
+    size_t count = window_viewport_count(window);
+    bool is_difference = count > 1 && window->split.mode == SPLIT_DIFFERENCE;
+    for (size_t i = 0; i < count; i++) {
+        bool is_active = window->split.active == i;
+        HudContent content = {.viewport = &window->viewports[i],
+                              .title = count > 1 ? titles[is_active][i] : NULL,
+                              .shows_settings = window->shows_settings,
+                              .hides_layer = is_difference,
+                              .difference =
+                                  is_difference && i == 0 ? &window->split.difference : NULL};
+        hud_update(&window->huds[i], &content, clock_now_seconds());
+        hud_show(&window->huds[i], target);
+    }
+}
+
+void window_present(Window *window) {
+    double scale = window->text_scale > 0 ? window->text_scale : 1;
+    OverlayTarget target = {window->sdl.renderer, scale, 1};
+    sdl_window_clear(&window->sdl);
+    if (window->inspector.is_open && !window->help.is_open) {
+        inspector_show(&window->inspector, &window_active_viewport(window)->texture, &target);
+    } else {
+        draw_viewports(window);
+    }
+    if (!window->help.is_open && !window->inspector.is_open) {
+        draw_huds(window, &target);
+    }
+    caption_show(&window->caption, &target);
+    notice_show(&window->notice, &target);
+    browser_show(&window->browser, &target);
+    help_show(&window->help, &target);
+    sdl_window_present(&window->sdl);
+}
+
+void window_invalidate_text(Window *window) {
+    overlay_invalidate(&window->help.overlay);
+    overlay_invalidate(&window->browser.overlay);
+    overlay_invalidate(&window->notice.overlay);
+    overlay_invalidate(&window->caption.overlay);
+    for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
+        hud_invalidate(&window->huds[i]);
+    }
+    inspector_invalidate(&window->inspector);
+}
+
+void window_scale_text(Window *window, int steps) {
+    double scale = window->text_scale > 0 ? window->text_scale : 1;
+    scale *= pow(TEXT_SCALE_STEP, steps);
+    window->text_scale =
+        steps == 0 ? 0 : SDL_clamp(scale, 1 / TEXT_SCALE_MAXIMUM, TEXT_SCALE_MAXIMUM);
+    window_invalidate_text(window);
+    window_present(window);
+}
+
+void window_set_notice(Window *window, const char *text) {
+    if (notice_set(&window->notice, text)) {
+        window_present(window);
+    }
+}
+
+/** Starts to draw what has changed. @return false without memory. */
+static bool start_invalidated(Window *window, const Scene *scene, double now, Error *error) {
+    int width, height;
+    sdl_window_size(&window->sdl, &width, &height);
+    bool ok = true;
+    for (size_t i = 0; i < window_viewport_count(window); i++) {
+        Viewport *viewport = &window->viewports[i];
+        if (viewport->needs_restart && !viewport->awaits_first_frame) {
+            latency_on_draw_started(&window->latency);
+            inspector_invalidate(&window->inspector);
+            ok = viewport_start(viewport, scene, width, height, now, error) && ok;
+        }
+    }
+    return ok;
+}
+
+/** Shows the newest passes. */
+static void upload_due(Window *window, double now) {
+    size_t count = window_viewport_count(window);
+    bool has_uploaded = false;
+    for (size_t i = 0; i < count; i++) {
+        if (viewport_has_frame(&window->viewports[i], now)) {
+            has_uploaded =
+                viewport_upload(&window->viewports[i], window->sdl.renderer) || has_uploaded;
+        }
+    }
+    if (!has_uploaded) {
+        return;
+    }
+    if (count > 1 && window->split.mode == SPLIT_DIFFERENCE) {
+        split_view_update_difference(&window->split, &window->viewports[0], &window->viewports[1],
+                                     window->sdl.renderer);
+    }
+    window_present(window);
+    double shown = clock_now_seconds();
+    latency_on_presented(&window->latency, shown);
+    window->first_present_time =
+        window->first_present_time > 0 ? window->first_present_time : shown;
+}
+
+bool window_update(Window *window, const Scene *scene, double now, Error *error) {
+    if (window->is_hidden) {
+        return true;
+    }
+    if (!start_invalidated(window, scene, now, error)) {
+        return false;
+    }
+    upload_due(window, now);
+    InspectorInput input = {window_active_viewport(window), scene, window->pass_event, now};
+    bool ok = inspector_update(&window->inspector, &input, window->sdl.renderer, error);
+    if (window->inspector.needs_present) {
+        window_present(window);
+    }
+    return ok;
+}
+
+double window_timeout(const Window *window, double now) {
+    double delay = WINDOW_NO_TIMEOUT;
+    for (size_t i = 0; !window->is_hidden && i < window_viewport_count(window); i++) {
+        delay = fmin(delay, viewport_timeout(&window->viewports[i], now));
+    }
+    if (window->inspector.is_open && !window->is_hidden) {
+        delay = fmin(delay, viewport_timeout(&window->inspector.viewport, now));
+    }
+    return delay;
+}
+
+bool window_is_ready(const Window *window) {
+    bool is_ready = false;
+    for (size_t i = 0; i < window_viewport_count(window); i++) {
+        is_ready = is_ready || !window->viewports[i].awaits_first_frame;
+    }
+    return is_ready && !window->is_hidden;
+}
+
+bool window_is_finished(const Window *window) {
+    bool is_finished = true;
+    for (size_t i = 0; i < window_viewport_count(window); i++) {
+        is_finished = is_finished && viewport_is_finished(&window->viewports[i]);
+    }
+    return is_finished;
+}
+
+/**
+ * Copies what the window shows.
+ * @param pitch  Bytes from a row to the next.
+ * @return false without memory.
+ */
+static bool copy_pixels(Window *window, uint8_t *bgrx, int pitch) {
+    RenderStats report;
+    return window_viewport_count(window) > 1
+               ? split_view_compose(&window->split, &window->viewports[0], &window->viewports[1],
+                                    bgrx, pitch)
+               : renderer_copy_latest(window->viewports[0].renderer, &report, bgrx, pitch);
+}
+
+bool window_copy_picture(Window *window, Picture *picture, Error *error) {
+    int width = window->viewports[0].width, height = window->viewports[0].height;
+    size_t row = (size_t)width * 4;
+    uint8_t *bgrx = malloc(row * (size_t)height);
+    if (!bgrx || !copy_pixels(window, bgrx, (int)row)) {
+        free(bgrx);
+        return error_set(error, STATUS_FAILED, "no memory for a snapshot");
+    }
+    bool is_copied = picture_init(picture, width, height, error);
+    if (is_copied) {
+        snapshot_from_bgrx(bgrx, picture);
+    }
+    free(bgrx);
+    return is_copied;
+}

@@ -269,11 +269,11 @@ static void quit(App *app, int argument) {
 
 /** The keys of one heading of the help. */
 #define LIGHT .group = N_("Light")
-#define CAMERA .group = N_("Camera")
-#define TIME .group = N_("Time")
-#define PICTURE .group = N_("Picture")
-#define RAYS .group = N_("Rays of one pixel")
-#define PROGRAM .group = N_("Program")
+#define CAMERA .group = N_("Camera") /**< See #LIGHT. */
+#define TIME .group = N_("Time") /**< See #LIGHT. */
+#define PICTURE .group = N_("Picture") /**< See #LIGHT. */
+#define RAYS .group = N_("Rays of one pixel") /**< See #LIGHT. */
+#define PROGRAM .group = N_("Program") /**< See #LIGHT. */
 
 /** A move along an axis of the picture (1) or against it (-1). */
 #define MOVES(subject_, axis_, sign_)                                                              \
@@ -283,7 +283,7 @@ static void quit(App *app, int argument) {
 
 /** The help of the first five layers, and of the others. */
 #define FIRST_LAYERS .help = N_("light, normals, distance, shapes, (u, v)")
-#define LAST_LAYERS .help = N_("rays, marching, time, error, acne")
+#define LAST_LAYERS .help = N_("rays, marching, time, error, acne") /**< See #FIRST_LAYERS. */
 /** The help of the keys of epsilon. */
 #define EPSILON .help = N_("epsilon half, twice (Shift: 1/10, 10 times)")
 
@@ -404,8 +404,7 @@ static const Command *next_named(const Command *row, bool is_move) {
     return command_is_row(row) ? row : NULL;
 }
 
-/** @return The command of an index, moves first; NULL: there are fewer. @param[out] is_move Whether
- *  it is a move. */
+/** @return The command of an index, moves first; NULL: there are fewer. */
 const Command *command_of_action(int action) {
     for (int is_move = 1; is_move >= 0; is_move--) {
         const Command *row = next_named(command_table, is_move);

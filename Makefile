@@ -29,20 +29,25 @@ NEED = @pkg-config --exists $(1) 2>/dev/null || { \
     echo "$(1) is missing: sudo apt-get install pkg-config $(2), or make run, which does that" >&2; exit 1; }
 
 # --- engines: the objects of src/trace at one number type and width ------------------------------
-FLAGS_f32x16 := -DREAL_BITS=32  -DLANES=16 -mavx512vl -mavx512dq -mprefer-vector-width=512
-FLAGS_f32x8  := -DREAL_BITS=32  -DLANES=8 -mavx2
-FLAGS_f32x4  := -DREAL_BITS=32  -DLANES=4
-FLAGS_f32x1  := -DREAL_BITS=32  -DLANES=1
-FLAGS_f64x4  := -DREAL_BITS=64  -DLANES=4 -mavx2
-FLAGS_f64x1  := -DREAL_BITS=64  -DLANES=1
+# An engine is two lines: its name, the preferred first, and its flags.
+X86 = $(if $(filter x86_64,$(MACHINE)),$(1))
+MACHINE := $(shell uname -m)
+ALL_ENGINES  := f32x8
+FLAGS_f32x8  := -DREAL_BITS=32 -DLANES=8 $(call X86,-mavx2)
+ALL_ENGINES  += f32x16
+FLAGS_f32x16 := -DREAL_BITS=32 -DLANES=16 $(call X86,-mavx512vl -mavx512dq -mprefer-vector-width=512)
+ALL_ENGINES  += f32x4
+FLAGS_f32x4  := -DREAL_BITS=32 -DLANES=4
+ALL_ENGINES  += f32x1
+FLAGS_f32x1  := -DREAL_BITS=32 -DLANES=1
+ALL_ENGINES  += f64x4
+FLAGS_f64x4  := -DREAL_BITS=64 -DLANES=4 $(call X86,-mavx2)
+ALL_ENGINES  += f64x1
+FLAGS_f64x1  := -DREAL_BITS=64 -DLANES=1
+ALL_ENGINES  += f128x1
 FLAGS_f128x1 := -DREAL_BITS=128 -DLANES=1
-ifneq ($(shell uname -m),x86_64)
-FLAGS_f32x16 := -DREAL_BITS=32  -DLANES=16
-FLAGS_f32x8  := -DREAL_BITS=32  -DLANES=8
-FLAGS_f64x4  := -DREAL_BITS=64  -DLANES=4
-endif
-# The preferred first. Fewer build faster: make ENGINES="f32x8 f128x1"
-ENGINES ?= f32x8 f32x16 f32x4 f32x1 f64x4 f64x1 f128x1
+# Fewer build faster: make ENGINES="f32x8 f64x1 f128x1"
+ENGINES      ?= $(ALL_ENGINES)
 
 # --- number types: the objects of src/lab/methods at one of them ------------------------------------
 TYPE_float    := -DREAL_BITS=32

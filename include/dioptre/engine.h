@@ -1,9 +1,9 @@
 /**
  * @file
- * @brief An engine: the whole tracer at one precision and one width.
+ * @brief An engine: the tracer, compiled for one number type and one number of SIMD lanes.
  *
- * All engines come from the same source, `src/trace/`. Each is an object of this class; nothing
- * else of it can be seen from outside.
+ * All engines are compiled from the same source, `src/trace/`. Each is an object of class #Engine,
+ * and its only exported symbol.
  */
 #ifndef DIOPTRE_ENGINE_H
 #define DIOPTRE_ENGINE_H
@@ -13,45 +13,43 @@
 #include "dioptre/scene.h"
 
 #if defined(__SIZEOF_FLOAT128__)
-/** The widest number there is: what errors are measured with. */
+/** The widest number type, in which errors are measured. */
 __extension__ typedef __float128 Quadruple;
 #else
-/** The widest number there is: what errors are measured with (quad on ARM and RISC-V). */
+/** The widest number type, in which errors are measured (quad on ARM and RISC-V). */
 typedef long double Quadruple;
 #endif
 
-/** Where rays that leave a surface start. */
+/** How far from a surface secondary rays start. */
 typedef enum {
-    OFFSET_NONE,  /**< At the very point: shows the black points of report C. */
-    OFFSET_FIXED, /**< One constant away from it, as in the reports. */
-    OFFSET_BOUND  /**< As far as that hit's rounding error can reach: the default. */
+    OFFSET_NONE,  /**< At the hit point: shows shadow acne. */
+    OFFSET_FIXED, /**< At a constant distance from it. */
+    OFFSET_BOUND  /**< At the error bound of the hit point: the default. */
 } OffsetStrategy;
 
-/** Who does work side by side, where there is much of it; NULL in #run: the caller, piece by piece.
- */
+/** A parallel for loop. #run is NULL: the caller runs the iterations one by one. */
 typedef struct ParallelFor {
-    void *pool;       /**< Handed to #run. */
-    int thread_count; /**< How many work at once. */
+    void *pool;       /**< Passed to #run. */
+    int thread_count; /**< Number of threads. */
 
     /**
-     * Does pieces 0 to count - 1 of some work and waits until all are done.
-     * @param workers  See #pool.
-     * @param count    How many pieces.
-     * @param job      Does a piece.
-     * @param context  Handed to it.
+     * Runs iterations 0 to count - 1, and returns when all are finished.
+     * @param pool  See #pool.
+     * @param count  Number of iterations.
+     * @param job  One iteration.
+     * @param context  Passed to it.
      */
-    void (*run)(void *pool, size_t thread_count, void (*job)(void *context, size_t index),
-                void *context);
+    void (*run)(void *pool, size_t count, void (*job)(void *context, size_t index), void *context);
 } ParallelFor;
 
-/** Whether the shapes of a scene get a tree; the picture is the same, to the bit. */
+/** Whether a BVH is built over the shapes of a scene; the image is the same, to the bit. */
 typedef enum {
-    BVH_AUTO,  /**< Where they are so many that it pays: the default. */
-    BVH_NEVER, /**< They are asked one by one: to measure what a tree is worth. */
-    BVH_ALWAYS /**< However few they are. */
+    BVH_AUTO,  /**< If there are enough shapes for it to be faster: the default. */
+    BVH_NEVER, /**< Never: to measure the benefit of the BVH. */
+    BVH_ALWAYS /**< Always. */
 } BvhMode;
 
-/** The tracer for one scene; what is in it, only its engine knows. */
+/** The tracer of one scene; opaque outside its engine. */
 typedef struct Tracer Tracer;
 
 /**
@@ -60,216 +58,211 @@ typedef struct Tracer Tracer;
  */
 #define THROUGHPUT_CUTOFF 1.5e-4
 
-/** What a tracer is told besides the scene. */
+/** How a tracer traces a scene. */
 typedef struct TraceSettings {
-    int depth;   /**< How often a ray may be mirrored or refracted. */
-    int samples; /**< Rays a pixel; with more than one, balls of light give soft shadows. */
-    OffsetStrategy offset; /**< Where secondary rays start. */
-    double epsilon;        /**< For #OFFSET_FIXED: how far away, scene units. */
-    double cutoff;         /**< Weight below which a ray ends; 0: where it cannot change 8 bits. */
-    ParallelFor parallel_for; /**< Who prepares the tracer. */
-    BvhMode bvh; /**< Whether the shapes get a tree; the triangles of a mesh always do. */
-    const Tracer *reuse_from; /**< Another tracer of the same engine, perhaps at work: the trees
-                                      of its meshes are shared where the new one shows the same.
-                                      Read while the new one is prepared only; NULL: none. */
-    double footprint;  /**< Marched rays are on a surface when they are nearer than this share
-                            of half a pixel, seen from the camera; 0: by its tolerance alone. */
-    double relaxation; /**< How much longer than allowed their steps are; 0: as it pays. */
+    int depth;   /**< Most reflections and refractions in succession. */
+    int samples; /**< Rays per pixel; if more than one, spherical lights cast soft shadows. */
+    OffsetStrategy offset; /**< How far from a surface secondary rays start. */
+    double epsilon;        /**< The distance for #OFFSET_FIXED, scene units. */
+    double
+        cutoff; /**< Throughput below which a ray ends; 0: where it cannot change an 8-bit image. */
+    ParallelFor parallel_for; /**< Builds the tracer in parallel. */
+    BvhMode bvh; /**< Whether there is a BVH over the shapes; meshes always have one of their
+                    triangles. */
+    const Tracer *reuse_from; /**< A tracer of the same engine, which may be tracing: BVHs of meshes
+                                 that both scenes contain are shared. Read during the call only;
+                                 NULL: none. */
+    double footprint;  /**< Sphere tracing stops nearer to a surface than this fraction of half
+                            a pixel, as seen from the camera; 0: at the tolerance alone. */
+    double relaxation; /**< Factor of over-relaxation of its steps; 0: chosen automatically. */
 } TraceSettings;
 
-/** What a tracer was made of. */
+/** Statistics of a tracer. */
 typedef struct TracerStats {
-    size_t linear;             /**< Shapes that are asked one by one. */
-    size_t in_bvh;             /**< Shapes in the tree; 0: there is none. */
-    size_t bvh_threshold;      /**< Shapes with an end from which on they get a tree. */
-    size_t triangles;          /**< Triangles of models, each model counted once. */
-    size_t triangle_bytes;     /**< Memory of those, with their trees and normals. */
-    uint64_t step_limit_count; /**< Rays so far that a distance field gave up: out of steps. */
+    size_t linear;             /**< Shapes that are tested one by one. */
+    size_t in_bvh;             /**< Shapes in the BVH; 0: there is none. */
+    size_t bvh_threshold;      /**< Number of bounded shapes from which on a BVH is built. */
+    size_t triangles;          /**< Triangles of meshes; each mesh is counted once. */
+    size_t triangle_bytes;     /**< Bytes of those, with their BVHs and normals. */
+    uint64_t step_limit_count; /**< Rays so far whose sphere tracing ended at the step limit. */
 } TracerStats;
 
-/** A rectangle of pixels, all of them or every n-th, to be traced with one ray each. */
+/** A rectangle of pixels, all of them or every n-th, traced with one ray each. */
 typedef struct PixelGrid {
-    int x;                    /**< First column, from the left. */
-    int y;                    /**< First row, from the top. */
-    int columns;              /**< How many columns of rays, at least 1. */
-    int rows;                 /**< How many rows of rays, at least 1. */
-    int stride;               /**< Pixels from one ray to the next, both ways, at least 1. */
-    int sample;               /**< Which of a pixel's samples; 0 is its centre. */
-    const uint16_t *selected; /**< Only these get a ray, of a grid of stride 1: `row * columns +
-                                 column` of each; NULL: all do. */
-    size_t selected_count;    /**< How many, at least 1. */
-    uint64_t *path_hashes; /**< Where a number goes for each ray, in the order of its colour, that
-                           says which way its light took: what it met, on which side of its
-                           edges, and which lamps it saw. It is the same in all engines but
-                           where roundings put a ray on the other side of an edge. NULL: they
-                           are not wanted. */
-    RayTree *ray_tree; /**< Where the rays of a grid of one pixel are noted, an empty tree; NULL:
-                       nobody asks. */
+    int x;       /**< First column, from the left. */
+    int y;       /**< First row, from the top. */
+    int columns; /**< Columns of rays, at least 1. */
+    int rows;    /**< Rows of rays, at least 1. */
+    int stride;  /**< Pixels from one ray to the next, in both directions, at least 1. */
+    int sample;  /**< Index of the sample in its pixel; 0 is the centre. */
+    const uint16_t *selected; /**< The pixels that are traced, as `row * columns + column`; #stride
+                                 is 1. NULL: all. */
+    size_t selected_count;    /**< Number of those, at least 1. */
+    uint64_t *path_hashes; /**< Receives a hash per ray, in the order of the colours, of its path:
+                              the shapes and faces that it hits, and the lights that it sees.
+                              Engines disagree only where rounding puts a ray on the other side
+                              of an edge. NULL: none. */
+    RayTree *ray_tree; /**< Receives the rays of a grid of one pixel; an empty tree. NULL: none. */
 } PixelGrid;
 
-/** How many rays were traced. */
+/** Numbers of rays traced. */
 typedef struct RayCounts {
     uint64_t camera;           /**< From the camera. */
-    uint64_t reflection;       /**< Mirrored. */
+    uint64_t reflection;       /**< Reflected. */
     uint64_t refraction;       /**< Refracted. */
     uint64_t shadow;           /**< To a light. */
-    uint64_t total_reflection; /**< How often there was no way to refract a ray: not rays of their
-                                  own. */
+    uint64_t total_reflection; /**< Rays that were totally reflected at an interface; counted as
+                                  reflected rays, too. */
 } RayCounts;
 
-/** @return How many rays were traced in all. @param counts Rays. */
+/** @return The number of all rays. */
 static inline uint64_t ray_counts_sum(const RayCounts *counts) {
     return counts->camera + counts->reflection + counts->refraction + counts->shadow;
 }
 
-/** A ray as a question to an engine from outside. */
+/** A ray query in full precision. */
 typedef struct RayQueryQuad {
-    Quadruple origin[3];    /**< Where it starts; rounded to the engine's number type. */
-    Quadruple direction[3]; /**< Which way, of any length but 0; rounded likewise. */
+    Quadruple origin[3];    /**< Origin; rounded to the engine's number type. */
+    Quadruple direction[3]; /**< Direction, of any length but 0; rounded likewise. */
 } RayQueryQuad;
 
-/** A ray as a question in bulk, where only the answer's speed counts. */
+/** A ray query in bulk, for speed. */
 typedef struct RayQuery {
-    double origin[3];    /**< Where it starts; rounded to the engine's number type. */
-    double direction[3]; /**< Which way, of any length but 0; rounded likewise. */
+    double origin[3];    /**< Origin; rounded to the engine's number type. */
+    double direction[3]; /**< Direction, of any length but 0; rounded likewise. */
 } RayQuery;
 
-/** What an engine answers. */
+/** The result of a query. */
 typedef struct RayResult {
-    int shape;           /**< Place of the nearest shape in the scene, or -1: nothing. */
-    bool occluded;       /**< What `is_blocking` said, with the limit at infinity. */
-    Quadruple distance;  /**< In lengths of the direction. */
-    Quadruple point[3];  /**< Where. */
-    Quadruple normal[3]; /**< The surface's unit normal there, outwards. */
-    Quadruple error;     /**< Bound on how far the point can be off the surface. */
-    Quadruple uv[2];     /**< Where on a picture: (u, v). Of meshes only if a shape shows one. */
+    int shape;           /**< Index of the nearest shape in the scene; -1: none. */
+    bool occluded;       /**< The result of `is_occluding`, with an infinite limit. */
+    Quadruple distance;  /**< Distance in lengths of the direction. */
+    Quadruple point[3];  /**< The hit point. */
+    Quadruple normal[3]; /**< The surface's outward unit normal there. */
+    Quadruple error;     /**< Error bound: distance from the point to the surface, at most. */
+    Quadruple uv[2]; /**< Texture coordinates; of a mesh only if the scene has a texture for it. */
 } RayResult;
 
-/** What an engine needs of the processor. */
+/** The processor features that an engine needs. */
 typedef enum {
-    ENGINE_NEEDS_NOTHING, /**< It runs everywhere. */
+    ENGINE_NEEDS_NOTHING, /**< None: it runs on every processor. */
     ENGINE_NEEDS_AVX2,    /**< AVX2. */
-    ENGINE_NEEDS_AVX512   /**< AVX-512 DQ and VL. */
+    ENGINE_NEEDS_AVX512   /**< AVX-512 with DQ and VL. */
 } EngineNeeds;
 
-/** The tracer at one precision and width. */
+/** The vtable of an engine. */
 typedef struct Engine {
-    const char *name;  /**< Such as `f32x8`: type, bits and lanes. */
-    int lanes;         /**< Rays at once. */
-    int mantissa_bits; /**< Of its number type, the leading 1 included: 24, 53, 113. */
-    EngineNeeds needs; /**< What the processor must be able to do. */
+    const char *name;  /**< Number type and lanes, such as `f32x8`. */
+    int lanes;         /**< Number of SIMD lanes. */
+    int mantissa_bits; /**< Bits of the significand, the leading 1 included: 24, 53 or 113. */
+    EngineNeeds needs; /**< The processor features that it needs. */
 
     /**
-     * Makes the tracer for a scene, with only what this scene needs.
-     * @param scene     The scene; read during this call only.
-     * @param settings  Depth, offset, tree and crew.
-     * @param[out] error  What is wrong.
-     * @return The tracer, to be given back with #destroy; NULL without memory.
+     * Creates the tracer of a scene.
+     * @param scene  The scene; read during the call only.
+     * @param settings  How it is traced.
+     * @param[out] error  Why there is no tracer.
+     * @return The tracer, owned by the caller; NULL if memory is exhausted.
      */
     Tracer *(*create_tracer)(const Scene *scene, const TraceSettings *settings, Error *error);
 
     /**
-     * Takes camera, lights and picture size anew from a scene whose shapes are the same.
+     * Sets camera, lights and image size from a scene with unchanged shapes.
      * @param tracer  The tracer.
-     * @param scene   The scene, with as many lights as before.
-     * @param width   Pixels of the whole picture.
-     * @param height  Pixels of the whole picture.
+     * @param scene  The scene, with as many lights as before.
+     * @param width  Pixels of the whole image.
+     * @param height  Pixels of the whole image.
      */
     void (*set_view)(Tracer *tracer, const Scene *scene, int width, int height);
 
     /**
-     * Traces one ray for each point of a grid of pixels, or for the chosen ones. Any number of
-     * threads may trace at once.
-     * @param tracer       The tracer, after #set_view.
-     * @param grid         Which pixels.
-     * @param[out] rgb     Linear colours: the red of all rays, row by row or in the order of the
-     *                     chosen, then green, then blue.
+     * Traces one ray for each pixel of a grid. Any number of threads may call this at once.
+     * @param tracer  The tracer, after #set_view.
+     * @param grid  The pixels.
+     * @param[out] rgb  Linear colours: the red of all rays, row by row or in the order of
+     *         #PixelGrid.selected, then green, then blue.
      * @param[in,out] counts  The rays traced are added to this.
      */
     void (*trace)(const Tracer *tracer, const PixelGrid *grid, double *rgb, RayCounts *counts);
 
     /**
-     * Only finds the nearest hit of each pixel's ray: no shading, no other rays.
-     * @param tracer         The tracer, after #set_view.
-     * @param grid           Which pixels.
-     * @param[out] shapes    The shape met, or -1, row by row.
-     * @param[out] distances How far, or infinity, row by row.
+     * Finds the nearest hits of the camera rays of a grid, without shading and secondary rays.
+     * @param tracer  The tracer, after #set_view.
+     * @param grid  The pixels.
+     * @param[out] shapes  Indices of the shapes, row by row; -1: none.
+     * @param[out] distances  Distances, row by row; infinity: none.
      */
     void (*trace_primary)(const Tracer *tracer, const PixelGrid *grid, int *shapes,
                           double *distances);
 
     /**
-     * Surveys a grid of pixels: what their rays do, in numbers. Any number of threads may at once.
-     * @param tracer       The tracer, after #set_view.
-     * @param grid         Which pixels, all of them.
-     * @param wanted       What of them besides what they meet first: #AOV_RADIANCE and so on.
-     * @param[out] points  What is known of them, row by row.
+     * Finds arbitrary output variables of the pixels of a grid. Any number of threads may call this
+     * at once.
+     * @param tracer  The tracer, after #set_view.
+     * @param grid  The pixels; none may be selected.
+     * @param flags  What is needed besides the first hits: #AOV_RADIANCE, #AOV_STEPS, #AOV_UV.
+     * @param[out] samples  The variables, row by row.
      * @param[in,out] counts  The rays traced are added to this.
      */
-    void (*trace_aovs)(const Tracer *tracer, const PixelGrid *grid, unsigned wanted,
-                       AovSample *points, RayCounts *counts);
+    void (*trace_aovs)(const Tracer *tracer, const PixelGrid *grid, unsigned flags,
+                       AovSample *samples, RayCounts *counts);
 
     /**
-     * Finds the nearest hit of any rays: no shading, no other rays.
-     * @param tracer         The tracer.
-     * @param count          How many.
-     * @param rays           The rays.
-     * @param[out] shapes    The shape that each meets, or -1.
-     * @param[out] distances How far, in lengths of its direction, or infinity.
+     * Finds the nearest hits of rays.
+     * @param tracer  The tracer.
+     * @param count  Number of rays.
+     * @param rays  The rays.
+     * @param[out] shapes  Index of the shape that each ray hits; -1: none.
+     * @param[out] distances  Distances in lengths of the directions; infinity: none.
      */
     void (*closest_hits)(const Tracer *tracer, size_t count, const RayQuery *rays, int *shapes,
                          double *distances);
 
     /**
-     * Finds which of any rays meet anything at all, however far: less work than the nearest hit.
-     * @param tracer         The tracer.
-     * @param count          How many.
-     * @param rays           The rays.
-     * @param[out] shadowed  Whether each meets anything.
+     * Finds which rays hit any shape, at any distance: faster than the nearest hit.
+     * @param tracer  The tracer.
+     * @param count  Number of rays.
+     * @param rays  The rays.
+     * @param[out] occluded  Whether each ray hits a shape.
      */
-    void (*occluded)(const Tracer *tracer, size_t count, const RayQuery *rays, bool *shadowed);
+    void (*occluded)(const Tracer *tracer, size_t count, const RayQuery *rays, bool *occluded);
 
     /**
-     * Answers any rays in full, with every bit of the engine's numbers: for tests and probes.
-     * @param tracer        The tracer.
-     * @param count         How many.
-     * @param queries       The rays.
-     * @param[out] answers  As many answers.
+     * Finds all properties of the nearest hits of rays, exactly as the engine computes them.
+     * @param tracer  The tracer.
+     * @param count  Number of rays.
+     * @param queries  The rays.
+     * @param[out] results  One result per ray.
      */
     void (*intersect)(const Tracer *tracer, size_t count, const RayQueryQuad *queries,
-                      RayResult *answers);
+                      RayResult *results);
 
     /**
-     * Finds where a box holds all bounded shapes.
-     * @param tracer     The tracer.
-     * @param[out] low   Its lowest corner.
-     * @param[out] high  Its highest; lower than the lowest where no shape is bounded.
+     * Finds the bounding box of all bounded shapes.
+     * @param tracer  The tracer.
+     * @param[out] low  Its lowest corner.
+     * @param[out] high  Its highest corner; below the lowest if no shape is bounded.
      */
     void (*bounds)(const Tracer *tracer, Vec3d *low, Vec3d *high);
 
-    /** @return What a tracer was made of. @param tracer The tracer. */
+    /** @return The statistics of a tracer. */
     TracerStats (*stats)(const Tracer *tracer);
 
-    /** Gives a tracer back. @param tracer The tracer, or NULL. */
+    /** Frees a tracer, or NULL. */
     void (*destroy)(Tracer *tracer);
 } Engine;
 
-/**
- * @return The engines that this program was built with, the preferred first; ended by NULL.
- */
+/** @return The engines that this program was built with, the preferred first; then NULL. */
 const Engine *const *engine_list(void);
 
-/**
- * @return Whether this machine's processor can run an engine.
- * @param engine  The engine.
- */
+/** @return Whether the processor has the features that an engine needs. */
 bool engine_is_supported(const Engine *engine);
 
 /**
  * Finds an engine.
- * @param name        Its name, or `auto` for the first of #engine_list that the processor can run.
- * @param[out] error  Which names there are, or what the processor lacks.
- * @return The engine, or NULL.
+ * @param name  Its name, or `auto` for the first of #engine_list that the processor can run.
+ * @param[out] error  The names that exist, or the feature that the processor lacks.
+ * @return The engine; NULL if none has the name or the processor cannot run it.
  */
 const Engine *engine_find(const char *name, Error *error);
 

@@ -2,16 +2,18 @@
  * @file
  * @brief The whole tracer as one file for the compiler, in an order to read it in.
  *
- * An engine is this file at one number type and width. Compiled as one, the headers are read once
- * and calls across files are inlined; `make SPLIT=1` compiles file by file instead.
+ * An engine is this file, compiled for one number type and one number of lanes. As one file, its
+ * headers are compiled once, and calls across files can be inlined. `make SPLIT=1` compiles each
+ * file on its own.
  */
 // The recursion: camera rays, hits, direct light, reflection, refraction.
+#include "trace/tracer/tracer.c"
+#include "trace/tracer/secondary_rays.c"
+#include "trace/tracer/tile.c"
 #include "trace/tracer/camera.c"
 #include "trace/tracer/packet.c"
 #include "trace/tracer/packet_merge.c"
-#include "trace/tracer/tile.c"
-#include "trace/tracer/tracer.c"
-// Light and matter.
+// Light and materials.
 #include "trace/glass/dielectric.c"
 #include "trace/glass/interior_list.c"
 #include "trace/lights/cylinder_light.c"
@@ -53,7 +55,7 @@
 #include "trace/sdf/sdf_vm.c"
 #include "trace/sdf/sphere_tracer.c"
 #include "trace/sdf/sphere_tracer_init.c"
-// What can be recorded of rays, and asked from outside.
+// Recorders, and ray queries.
 #include "trace/tracer/aov.c"
 #include "trace/tracer/path_hash.c"
 #include "trace/tracer/query.c"

@@ -1,40 +1,37 @@
 /**
  * @file
- * @brief Crossings: what becomes of a packet of rays at the transparent surfaces that it has met.
+ * @brief Rays at transparent surfaces: Fresnel reflectance and refracted rays of a packet.
  */
 #ifndef DIOPTRE_TRACE_GLASS_DIELECTRIC_H
 #define DIOPTRE_TRACE_GLASS_DIELECTRIC_H
 
 #include "trace/tracer/surface_hit.h"
 
-/** What becomes of rays at transparent surfaces. */
-typedef struct DielectricHit {
-    mask is_transmitted[PACKET_VECTORS]; /**< The rays that go on behind the surface. */
-    mask is_overridden[PACKET_VECTORS];  /**< Those whose surface is not there: a later shape is. */
-    real reflectance[PACKET_VECTORS];    /**< Fresnel's share of what is not the body's; else 0. */
-    Vec3 origin[PACKET_VECTORS];         /**< Where the rays behind the surface start. */
-    Vec3 direction[PACKET_VECTORS];      /**< Which way they go, one long. */
-    InteriorList interior[PACKET_VECTORS]; /**< What they are inside of. */
-} DielectricHit;
+/** What happens to rays at transparent surfaces. A surface is overridden where a later shape of the
+ *  scene is on both of its sides: light passes as if it did not exist. */
+struct DielectricHit {
+    mask is_transmitted[PACKET_VECTORS]; /**< The rays that continue behind a surface. */
+    mask is_overridden[PACKET_VECTORS];  /**< The rays at overridden surfaces. */
+    real reflectance[PACKET_VECTORS]; /**< Fresnel reflectance F, 0 to 1; 0 at opaque surfaces. */
+    Vec3 origin[PACKET_VECTORS];      /**< Origins of the refracted rays. */
+    Vec3 direction[PACKET_VECTORS];   /**< Unit directions of the refracted rays. */
+    InteriorList *interior_behind;    /**< The shapes that those are inside of, per vector. */
+};
 
 /**
- * Finds what becomes of rays at transparent surfaces.
- * @param dielectrics  What the scene has of glass.
- * @param offset  How rays leave a surface.
- * @param[in,out] surface  What the rays met; points that ask for no light are taken out of `lit`.
- * @return How many are reflected totally.
+ * Finds what happens to rays at transparent surfaces.
+ * @param offset  How far behind a surface refracted rays start.
+ * @param[in,out] surface  The hits. Points without diffuse and specular reflection are removed from
+ *         #SurfaceHit.needs_light; #SurfaceHit.dielectric is set.
+ * @param[out] interior_behind  Memory for #DielectricHit.interior_behind: PACKET_VECTORS lists.
+ * @return The number of rays that are totally reflected.
  */
-unsigned dielectric_hit_find(const Dielectrics *dielectrics, const RayOffset *offset,
-                             SurfaceHit *surface, DielectricHit *dielectric);
+unsigned dielectric_hit_find(const RayOffset *offset, SurfaceHit *surface,
+                             InteriorList *interior_behind, DielectricHit *dielectric);
 
-/**
- * @return The share of what rays bring back that is mirrored: R + T F; nothing where the surface is
- *         not there.
- * @param dielectric  What becomes of the rays; NULL: there is no glass.
- * @param v  Which vector of them.
- */
-INLINE Rgb dielectric_hit_reflectance(const DielectricHit *dielectric, int v,
-                                      const MaterialPack *material) {
+/** @return R + T F, the weight of reflected rays; 0 at overridden surfaces. */
+INLINE Rgb surface_reflectance(const SurfaceHit *surface, int v, const MaterialPack *material) {
+    const DielectricHit *dielectric = surface->dielectric;
     if (!dielectric) {
         return material->reflectance;
     }
@@ -43,14 +40,9 @@ INLINE Rgb dielectric_hit_reflectance(const DielectricHit *dielectric, int v,
     return rgb_select(dielectric->is_overridden[v], black, rgb_add(material->reflectance, fresnel));
 }
 
-/**
- * @return The share that comes from behind the surface: T (1 - F); all where the surface is not
- *         there.
- * @param dielectric  What becomes of the rays.
- * @param v  Which vector of them.
- */
-INLINE Rgb dielectric_hit_transmittance(const DielectricHit *dielectric, int v,
-                                        const MaterialPack *material) {
+/** @return T (1 - F), the weight of refracted rays; 1 at overridden surfaces. */
+INLINE Rgb surface_transmittance(const SurfaceHit *surface, int v, const MaterialPack *material) {
+    const DielectricHit *dielectric = surface->dielectric;
     Rgb one = {real_of(1), real_of(1), real_of(1)};
     Rgb weight = rgb_scale(material->transmittance, 1 - dielectric->reflectance[v]);
     return rgb_select(dielectric->is_overridden[v], one, weight);

@@ -1,12 +1,12 @@
 /**
  * @file
- * @brief Which transparent shapes rays are inside of.
+ * @brief Interior lists.
  */
 #include "trace/glass/interior_list.h"
 
 #include <stdlib.h>
 
-/** Takes the indices of a scene's shapes. @return false without memory. */
+/** Sets the indices of refraction of all shapes. @return Whether memory sufficed. */
 static bool iors_init(Dielectrics *dielectrics, const Scene *scene) {
     dielectrics->iors = calloc(scene->shape_count + 1, sizeof *dielectrics->iors);
     if (!dielectrics->iors) {
@@ -42,10 +42,10 @@ bool dielectrics_init(Dielectrics *dielectrics, const Scene *scene, const ShapeS
             shape_set_filter(&dielectrics->opaque, shapes, shape_is_opaque, dielectrics, settings));
 }
 
-/** Tinted shapes from which on nobody looks whether a later shape meets them: one may. */
+/** Most tinted shapes that are tested for overlaps; if there are more, an override is assumed. */
 enum { MAX_TINTED_SHAPES = 1000 };
 
-/** @return Whether two boxes have a point in common. */
+/** @return Whether two boxes overlap. */
 static bool aabbs_overlap(const Aabbs *a, const Aabbs *b) {
     bool overlap = true;
     for (int axis = 0; axis < 3; axis++) {
@@ -54,7 +54,7 @@ static bool aabbs_overlap(const Aabbs *a, const Aabbs *b) {
     return overlap;
 }
 
-/** @return Whether a surface takes a share of the light that goes through. */
+/** @return Whether a material absorbs some of the transmitted light. */
 static bool material_is_tinted(const Material *s) {
     return s->transmittance.red < 1 || s->transmittance.green < 1 || s->transmittance.blue < 1;
 }
@@ -83,9 +83,7 @@ void dielectrics_deinit(Dielectrics *dielectrics) {
     shape_set_deinit(&dielectrics->opaque);
 }
 
-/**
- * @return The lanes in which rays meet a shape from inside.
- * @param hit_lanes  The lanes that meet it.
+/** @return The lanes in which rays hit a shape from inside. @param hit_lanes The lanes that hit it.
  */
 INLINE mask is_hit_from_inside(const Ray *ray, mask hit_lanes, const Hit *hit) {
     return hit_lanes & (vec3_dot(ray->direction, hit->normal) > 0);
@@ -93,10 +91,7 @@ INLINE mask is_hit_from_inside(const Ray *ray, mask hit_lanes, const Hit *hit) {
 
 /* --- the camera ------------------------------------------------------------------------------ */
 
-/**
- * @return Rays along an axis.
- * @param axis  0 to 5: x, y, z, -x, -y, -z.
- */
+/** @return Rays along an axis. @param axis 0 to 5: x, y, z, -x, -y, -z. */
 static Ray axis_ray(Vec3 origin, int axis) {
     real along = real_of(axis < 3 ? 1 : -1), zero = real_of(0);
     Vec3 direction = {axis % 3 == 0 ? along : zero, axis % 3 == 1 ? along : zero,
@@ -104,7 +99,7 @@ static Ray axis_ray(Vec3 origin, int axis) {
     return ray_of(origin, direction);
 }
 
-/** @return Whether a point is inside of a shape. */
+/** @return The lanes whose point is inside of a shape. */
 static mask shape_contains(const Shape *shape, Vec3 point) {
     mask inside = mask_of(false);
     Hit nearest = hit_none(real_of(INFINITE));
@@ -125,10 +120,10 @@ void dielectrics_set_camera(Dielectrics *dielectrics, Vec3 camera_position) {
     }
 }
 
-/* --- jumps ----------------------------------------------------------------------------------- */
+/* --- offset segments ------------------------------------------------------------------------- */
 
-/** Asks whether a shape's surface lies in jumps. See #ShapeVisitor. @param[in,out] found A
- *  #InteriorList for each vector: what the rays are inside of. */
+/** Crosses the surface of a shape within offset segments. See #ShapeVisitor. @param[in,out] found
+ * One #InteriorList per vector. */
 static void segment_cross_shape(const Shape *shape, const Packet *segments, int v, mask active,
                                 void *found) {
     InteriorList *interior = (InteriorList *)found + v;

@@ -1,12 +1,12 @@
 /**
  * @file
- * @brief Media: which transparent shapes rays are inside of, and what the index of refraction is
- *        there.
+ * @brief Interior lists: the transparent shapes that rays are inside of, and their indices of
+ *        refraction.
  *
- * Where shapes overlap, the one that comes later in the scene is there, and the earlier is not: a
- * bubble is a ball of air after the glass that it is in. So a ray need not know in which order it
- * has entered shapes, only which ones it is in (Schmidt and Budge, *Simple Nested Dielectrics in
- * Ray Traced Images*, 2002, with the scene's order as priority).
+ * Where transparent shapes overlap, the one that comes later in the scene replaces the earlier
+ * ones: an air bubble in glass is a sphere of air after the glass. So a ray needs no history of the
+ * shapes that it entered, only the set of those that it is inside of (Schmidt and Budge, *Simple
+ * Nested Dielectrics in Ray Traced Images*, 2002; the order of the scene is the priority).
  */
 #ifndef DIOPTRE_TRACE_GLASS_INTERIOR_LIST_H
 #define DIOPTRE_TRACE_GLASS_INTERIOR_LIST_H
@@ -15,27 +15,25 @@
 #include "trace/materials/material.h"
 #include "trace/tracer/ray_offset.h"
 
-/** Most shapes that a ray is inside of at once; of more, those that come first in the scene are
- *  forgotten. */
+/** Most shapes in a list; of more, those that come first in the scene are dropped. */
 enum { INTERIOR_LIST_CAPACITY = 8 };
 
 /** The transparent shapes that LANES rays are inside of. */
 typedef struct InteriorList {
-    integer
-        shapes[INTERIOR_LIST_CAPACITY]; /**< Their places, the last of the scene first; then -1. */
+    integer shapes[INTERIOR_LIST_CAPACITY]; /**< Their indices in descending order; then -1. */
 } InteriorList;
 
-/** What a scene has of glass. */
+/** The transparent shapes of a scene. */
 typedef struct Dielectrics {
-    scalar *iors;         /**< Of refraction: air's, then each shape's, 0 where it is opaque; owned.
-                                  NULL: there is no glass. */
+    scalar *iors;         /**< Indices of refraction: of air, then of each shape, 0 if it is opaque;
+                               owned. NULL: no shape is transparent. */
     ShapeSet transparent; /**< The transparent shapes. */
-    ShapeSet opaque;      /**< The others. */
-    InteriorList camera_interior; /**< What the camera is inside of. */
-    bool may_override; /**< Whether a later shape may hide a tinted surface from a lamp's light. */
+    ShapeSet opaque;      /**< The opaque shapes. */
+    InteriorList camera_interior; /**< The shapes that the camera is inside of. */
+    bool may_override; /**< Whether a later shape may override a tinted surface, for shadow rays. */
 } Dielectrics;
 
-/** @return Nothing but air. */
+/** @return The empty list: air. */
 INLINE InteriorList interior_list_empty(void) {
     InteriorList interior;
     for (int i = 0; i < INTERIOR_LIST_CAPACITY; i++) {
@@ -44,11 +42,7 @@ INLINE InteriorList interior_list_empty(void) {
     return interior;
 }
 
-/**
- * Takes shapes out.
- * @param[in,out] interior  What rays are inside of.
- * @param shape_index  What they leave, whether they are in it or not.
- */
+/** Removes a shape from the lists of rays, where it is in them. */
 INLINE void interior_list_remove(InteriorList *interior, mask leaving, integer shape_index) {
     mask is_behind = mask_of(false);
     for (int i = 0; i < INTERIOR_LIST_CAPACITY; i++) {
@@ -58,11 +52,7 @@ INLINE void interior_list_remove(InteriorList *interior, mask leaving, integer s
     }
 }
 
-/**
- * Puts shapes in.
- * @param[in,out] interior  What rays are inside of.
- * @param shape_index  What they enter, whether they are in it already or not.
- */
+/** Inserts a shape into the lists of rays, where it is not in them. */
 INLINE void interior_list_insert(InteriorList *interior, mask entering, integer shape_index) {
     interior_list_remove(interior, entering, shape_index);
     integer next = integer_select(entering, shape_index, integer_of(-1));
@@ -74,18 +64,16 @@ INLINE void interior_list_insert(InteriorList *interior, mask entering, integer 
     }
 }
 
-/** @return Place of the shape that rays are in: of several, the last of the scene; -1: air.
- *  @param interior What they are inside of. */
+/** @return The shape whose medium rays are in: the last one in the scene; -1: air. */
 INLINE integer interior_list_top(const InteriorList *interior) {
     return interior->shapes[0];
 }
 
 /**
- * Takes rays over surfaces. Whoever leaves a shape was inside, whoever enters it was not, whatever
- * has been noted before.
- * @param[in,out] interior  What the rays are inside of.
- * @param lanes  The lanes that met a transparent one.
- * @return Place of the medium before the surface.
+ * Updates the lists of rays that cross a surface. The hit overrules the list: a ray that leaves a
+ * shape was inside of it, and a ray that enters one was not.
+ * @param lanes  The lanes that hit a transparent shape.
+ * @return The shape whose medium is before the surface; -1: air.
  */
 INLINE integer interior_list_cross(InteriorList *interior, const Ray *ray, const Hit *hit,
                                    mask lanes) {
@@ -100,10 +88,10 @@ INLINE integer interior_list_cross(InteriorList *interior, const Ray *ray, const
 }
 
 /**
- * Aims a jump over a surface, backwards: from where rays behind it start to where those before it
- * do.
- * @param n_front  Its normal, on the side that the rays come from.
- * @param v  Which vector of the packet.
+ * Sets the offset segment of a surface: from the origin of transmitted rays, behind it, back to the
+ * origin of reflected rays, before it. Surfaces in between would be missed by both.
+ * @param n_front  The unit normal on the side that the rays come from.
+ * @param v  Vector of the packet that is set.
  */
 INLINE void offset_segment_set(real offset_length, const Hit *hit, Vec3 n_front, mask lanes, int v,
                                Packet *segments) {
@@ -115,42 +103,41 @@ INLINE void offset_segment_set(real offset_length, const Hit *hit, Vec3 n_front,
     segments->limit[v] = real_of(1);
 }
 
-/** @return Indices of refraction. */
+/** @return The indices of refraction of shapes; -1 is air. */
 INLINE real dielectrics_ior(const Dielectrics *dielectrics, integer shape_index) {
     return real_gather(dielectrics->iors, shape_index + 1);
 }
 
 /**
- * Sorts a scene's shapes into transparent and opaque ones.
- * @param[out] dielectrics  What the scene has; give it back with #dielectrics_deinit.
- * @param shapes  Its shapes, which must live longer.
- * @param settings  Whether there are trees, and who builds them.
- * @return false without memory.
+ * Divides the shapes of a scene into transparent and opaque ones.
+ * @param[out] dielectrics  Both sets; release them with #dielectrics_deinit.
+ * @param shapes  The shapes, which must live longer.
+ * @param settings  Whether BVHs are built, and the parallel for loop for that.
+ * @return Whether memory sufficed.
  */
 bool dielectrics_init(Dielectrics *dielectrics, const Scene *scene, const ShapeSet *shapes,
                       const TraceSettings *settings);
 
-/** Finds whether any tinted shape meets a later transparent one: whether the boxes around them do.
- */
+/** Sets #Dielectrics.may_override: whether the bounding box of a tinted shape overlaps that of a
+ * later transparent one. */
 void dielectrics_find_overrides(Dielectrics *dielectrics, const Material *materials);
 
-/** Gives indices and lists back. */
+/** Releases both sets. */
 void dielectrics_deinit(Dielectrics *dielectrics);
 
 /**
- * Finds what the camera is inside of. No shape is asked for it: rays along the axes tell, by the
- * side on which the nearest of them meets a shape.
- * @param[in,out] dielectrics  What the scene has; at_eye is filled.
- * @param camera_position            Where the camera is.
+ * Sets #Dielectrics.camera_interior. Six rays along the axes test each shape: the camera is inside
+ * if the nearest hit is from inside.
+ * @param camera_position  The eye point.
  */
 void dielectrics_set_camera(Dielectrics *dielectrics, Vec3 camera_position);
 
 /**
- * Sets right what rays are inside of, where they jump over a surface: every surface that lies in
- * the jump is crossed, also those that the first one hides.
- * @param segments  From the end of each jump back to its start: the end is inside of a shape whose
- *         inside is seen first on the way back.
- * @param[in,out] interior  What the rays are inside of.
+ * Corrects the interior lists of transmitted rays: every surface within an offset segment is
+ * crossed, not only the one that was hit.
+ * @param segments  The segments, by offset_segment_set(). They run backwards: the transmitted ray
+ *         starts inside of the shapes that a segment first hits from inside.
+ * @param[in,out] interior  One list per vector.
  */
 void dielectrics_cross_segments(const Dielectrics *dielectrics, const Packet *segments,
                                 InteriorList *interior);

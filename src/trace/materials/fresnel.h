@@ -1,31 +1,31 @@
 /**
  * @file
- * @brief Refraction: which way light goes on where the medium changes, and how much is mirrored
- *        (doc/tour.md, "Glass"). Snell's law and Fresnel's shares (*Mémoire sur la loi des
- *        modifications que la réflexion imprime à la lumière polarisée*, 1823).
+ * @brief Refraction at the interface of two media: Snell's law for the direction, and Fresnel's
+ *        equations for the reflectance (*Mémoire sur la loi des modifications que la réflexion
+ *        imprime à la lumière polarisée*, 1823). See doc/tour.md, "Glass".
  */
 #ifndef DIOPTRE_TRACE_MATERIALS_FRESNEL_H
 #define DIOPTRE_TRACE_MATERIALS_FRESNEL_H
 
 #include "trace/math/vec3.h"
 
-/** Half ulps that cos^2 of the refracted angle can be off, where the indices are the same. */
+/** Error bound of cos^2 of the refraction angle, in half ulps, for equal indices. */
 #define REFRACTION_ERROR 32
 
-/** What becomes of LANES rays at an interface. */
+/** LANES rays at an interface. */
 typedef struct Refraction {
-    Vec3 direction;   /**< Of the refracted rays, one long; any where there is none. */
-    real cos_t;       /**< Of the angle between them and the normal. */
-    real reflectance; /**< Fresnel's F: the share that is mirrored. */
-    mask is_total;    /**< Whether all is: there is no way to refract. */
+    Vec3 direction;   /**< Unit direction of the refracted rays; undefined where #is_total. */
+    real cos_t;       /**< Cosine of the refraction angle. */
+    real reflectance; /**< Fresnel reflectance F, 0 to 1. */
+    mask is_total;    /**< Total internal reflection: no refracted ray exists. */
 } Refraction;
 
 /**
- * @return Fresnel's share for light that is not polarised: the mean of the two polarisations.
- * @param cos_i   Cosine of the angle of incidence.
- * @param cos_t  Cosine of the refracted angle.
- * @param eta_i     Index of refraction where the light comes from.
- * @param eta_t       Where it goes to.
+ * @return The Fresnel reflectance of unpolarized light: the mean of both polarizations.
+ * @param cos_i  Cosine of the angle of incidence.
+ * @param cos_t  Cosine of the refraction angle.
+ * @param eta_i  Index of refraction on the incident side.
+ * @param eta_t  Index of refraction on the other side.
  */
 INLINE real fresnel_reflectance(real cos_i, real cos_t, real eta_i, real eta_t) {
     real r_perpendicular = (eta_i * cos_i - eta_t * cos_t) / (eta_i * cos_i + eta_t * cos_t);
@@ -34,20 +34,21 @@ INLINE real fresnel_reflectance(real cos_i, real cos_t, real eta_i, real eta_t) 
 }
 
 /**
- * @return What becomes of rays at an interface. Where the indices are the same, nothing at all
- *         does, to the bit.
- * @param incident  Which way they come, one long.
- * @param n_front  The unit normal on the side that they come from.
+ * @return Refraction and reflectance of rays. Between equal indices the direction does not change
+ * by one bit.
+ * @param incident  Unit directions of the rays.
+ * @param n_front  The unit normal on the incident side.
  * @param eta_i  Index of refraction on that side.
- * @param relative_error  How much, relatively, the angle of incidence is in doubt besides the
- *         roundings here: total reflection within it is called grazing, which looks the same.
+ * @param relative_error  Relative error of the angle of incidence, besides the roundings here.
+ * Total reflection within this error is treated as refraction at a grazing angle: it looks the
+ *         same.
  */
 INLINE Refraction refraction_at(Vec3 incident, Vec3 n_front, real eta_i, real eta_t,
                                 real relative_error) {
     const real one = real_of(1), zero = real_of(0);
     real cos_i = real_max(real_min(-vec3_dot(incident, n_front), one), zero);
     real eta = eta_i / eta_t, eta_squared = eta * eta;
-    // Snell: sin out = ratio sin in. No square is subtracted from 1, which would cancel.
+    // Snell: sin_t = eta sin_i; sin_i^2 = (1 - cos_i)(1 + cos_i), since 1 - cos_i^2 would cancel.
     real cos_squared = 1 - eta_squared * ((1 - cos_i) * (1 + cos_i));
     real slack = eta_squared * (relative_error + REFRACTION_ERROR * ROUNDOFF);
     real cos_t = real_sqrt(real_max(cos_squared, zero));

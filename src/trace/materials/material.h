@@ -1,81 +1,84 @@
 /**
  * @file
- * @brief Surfaces: materials in the engine's number type, and what they do with light.
+ * @brief Materials in the engine's number type.
  */
 #ifndef DIOPTRE_TRACE_MATERIALS_MATERIAL_H
 #define DIOPTRE_TRACE_MATERIALS_MATERIAL_H
 
 #include "trace/tracer/ray.h"
 
-/** A material. What is neither mirrored nor let through is left to the body: its weights hold the
- *  factor 1 - R - T. */
+/**
+ * The properties of a material: COLOR(name, value) or NUMBER(name, value). A new property is one
+ * row here. The value comes from #SceneMaterial `scene` and the scene's `ambient_light`; `rest` is
+ * max(0, 1 - R - T), the fraction of light that is neither reflected nor transmitted.
+ */
+#define MATERIAL_PROPERTIES(COLOR, NUMBER)                                                         \
+    COLOR(emission, rgbs_of(scene->emission))                  /* Emitted radiance. */             \
+    COLOR(albedo, rgbs_multiply(rest, rgbs_of(scene->color)))  /* Diffuse reflectance. */          \
+    COLOR(specular, rgbs_scale(rest, (scalar)scene->specular)) /* Weight of highlights. */         \
+    COLOR(reflectance, rgbs_of(scene->reflectivity))           /* R, of mirror reflection. */      \
+    COLOR(transmittance, rgbs_of(scene->transparency))         /* T, of refraction. */             \
+    COLOR(ambient, rgbs_scale(rgbs_of(ambient_light), (scalar)scene->ambient)) /* Weighted. */     \
+    NUMBER(diffuse, (scalar)scene->diffuse)     /* Weight of diffuse light. */                     \
+    NUMBER(shininess, (scalar)scene->shininess) /* Exponent of highlights. */
+
+/** A material. See #MATERIAL_PROPERTIES. */
 typedef struct Material {
-    Rgbs emission;      /**< Light of its own. */
-    Rgbs albedo;        /**< (1 - R - T) times the colour. */
-    Rgbs specular;      /**< (1 - R - T) times the weight of highlights. */
-    Rgbs reflectance;   /**< R: the share that is mirrored. */
-    Rgbs transmittance; /**< T: the share that is let through. */
-    Rgbs ambient;       /**< Light from everywhere, weighted. */
-    scalar diffuse;     /**< Weight of the lights' matt shine. */
-    scalar shininess;   /**< Exponent of highlights. */
+#define COLOR(name, value) Rgbs name;
+#define NUMBER(name, value) scalar name;
+    MATERIAL_PROPERTIES(COLOR, NUMBER)
+#undef COLOR
+#undef NUMBER
 } Material;
 
-/** The materials that LANES rays have met. */
+/** The materials at the hits of LANES rays. See #MATERIAL_PROPERTIES. */
 typedef struct MaterialPack {
-    Rgb emission;      /**< See #Material. */
-    Rgb albedo;        /**< See #Material. */
-    Rgb specular;      /**< See #Material. */
-    Rgb reflectance;   /**< See #Material. */
-    Rgb transmittance; /**< See #Material. */
-    Rgb ambient;       /**< See #Material. */
-    real diffuse;      /**< See #Material. */
-    real shininess;    /**< See #Material. */
+#define COLOR(name, value) Rgb name;
+#define NUMBER(name, value) real name;
+    MATERIAL_PROPERTIES(COLOR, NUMBER)
+#undef COLOR
+#undef NUMBER
 } MaterialPack;
 
 /** @return A material in the engine's number type. */
-Material material_of(const SceneMaterial *material, Rgbd ambient);
+Material material_of(const SceneMaterial *scene, Rgbd ambient_light);
 
 /** @return A material in all lanes. */
-INLINE MaterialPack material_pack_splat(const Material *s) {
-    return (MaterialPack){.emission = rgb_splat(s->emission),
-                          .albedo = rgb_splat(s->albedo),
-                          .specular = rgb_splat(s->specular),
-                          .reflectance = rgb_splat(s->reflectance),
-                          .transmittance = rgb_splat(s->transmittance),
-                          .ambient = rgb_splat(s->ambient),
-                          .diffuse = real_of(s->diffuse),
-                          .shininess = real_of(s->shininess)};
+INLINE MaterialPack material_pack_splat(const Material *material) {
+#define COLOR(name, value) .name = rgb_splat(material->name),
+#define NUMBER(name, value) .name = real_of(material->name),
+    return (MaterialPack){MATERIAL_PROPERTIES(COLOR, NUMBER)};
+#undef COLOR
+#undef NUMBER
 }
 
 /** @return a where the mask is set, b elsewhere. */
 INLINE MaterialPack material_pack_select(mask m, const MaterialPack *a, const MaterialPack *b) {
-    return (MaterialPack){.emission = rgb_select(m, a->emission, b->emission),
-                          .albedo = rgb_select(m, a->albedo, b->albedo),
-                          .specular = rgb_select(m, a->specular, b->specular),
-                          .reflectance = rgb_select(m, a->reflectance, b->reflectance),
-                          .transmittance = rgb_select(m, a->transmittance, b->transmittance),
-                          .ambient = rgb_select(m, a->ambient, b->ambient),
-                          .diffuse = real_select(m, a->diffuse, b->diffuse),
-                          .shininess = real_select(m, a->shininess, b->shininess)};
+#define COLOR(name, value) .name = rgb_select(m, a->name, b->name),
+#define NUMBER(name, value) .name = real_select(m, a->name, b->name),
+    return (MaterialPack){MATERIAL_PROPERTIES(COLOR, NUMBER)};
+#undef COLOR
+#undef NUMBER
 }
 
-/** Places of the materials that LANES rays have met: mostly one, for neighbours meet the same. */
+/** The indices of the materials at the hits of LANES rays. Mostly all are equal, for neighbouring
+ *  rays hit the same shape. */
 typedef struct MaterialIds {
-    integer ids; /**< Place of each lane's material. */
-    int first;   /**< Place of one of them. */
-    mask others; /**< The lanes that met something and not this one. */
+    integer ids; /**< Index per lane. */
+    int first;   /**< Index in the first lane with a hit. */
+    mask others; /**< The lanes whose hits have another shape, and so perhaps another material. */
 } MaterialIds;
 
 /**
- * @return What LANES rays have met. Part of its callers, so that each reads only the members that
- *         it uses.
- * @param active  The lanes that count; the others get any material.
+ * @return The materials at the hits of LANES rays. Inlined, so that the compiler loads only the
+ *         properties that the caller uses.
+ * @param active  The lanes that are needed; others get any material.
  */
 INLINE MaterialPack material_pack_gather(const Material *materials, const MaterialIds *ids,
                                          mask active) {
     MaterialPack gathered = material_pack_splat(&materials[ids->first]);
     mask remaining = active & ids->others;
-    // One more turn for each different material.
+    // One iteration per further material.
     while (any(remaining)) {
         int material = integer_lane(ids->ids, mask_first(remaining));
         mask same = remaining & (ids->ids == integer_of(material));
@@ -87,10 +90,10 @@ INLINE MaterialPack material_pack_gather(const Material *materials, const Materi
 }
 
 /**
- * @return base to the power of exponent: by squares for the whole part of the exponent and square
- *         roots for the rest, so only correctly rounded operations are used and every machine gets
- *         the same bits (a C library's pow may differ). The error is about `exponent` half ulps, no
- *         more than one rounding of the base would cause.
+ * @return base to the power of exponent: by repeated squaring for the integer part of the exponent,
+ *         and by square roots for its fraction. Only correctly rounded operations are used, so
+ * every machine gets the same bits (the pow of C libraries differs). The relative error is about
+ *         `exponent` half ulps, no more than one rounding of the base causes.
  */
 real real_pow(real base, real exponent);
 

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The materials of what rays have met.
+ * @brief Material indices of hits.
  */
 #ifndef DIOPTRE_TRACE_MATERIALS_MATERIAL_IDS_H
 #define DIOPTRE_TRACE_MATERIALS_MATERIAL_IDS_H
@@ -8,10 +8,7 @@
 #include "trace/bvh/shape_set.h"
 #include "trace/materials/material.h"
 
-/**
- * @return The materials in each lane.
- * @param hit_lanes  The lanes that met anything.
- */
+/** @return The indices of the materials at hits. @param hit_lanes The lanes with a hit. */
 INLINE MaterialIds material_ids_of(const ShapeSet *shapes, const Hit *hit, mask hit_lanes) {
     if (!any(hit_lanes)) {
         return (MaterialIds){0};

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Pictures on surfaces and in the sky.
+ * @brief Textures of surfaces and of the sky.
  */
 #include "trace/materials/textures.h"
 
@@ -11,7 +11,7 @@
 /** Degrees of a whole turn. */
 #define TURN_DEGREES 360
 
-/** @return Places for the pictures of all materials; NULL without memory. */
+/** @return The textures of all materials; NULL if memory is exhausted. */
 static Texture **material_maps_of(const Scene *scene) {
     Texture **maps = calloc(scene->material_count, sizeof *maps);
     for (size_t i = 0; maps && i < scene->material_count; i++) {
@@ -47,32 +47,29 @@ void textures_deinit(Textures *textures) {
     *textures = (Textures){0};
 }
 
-/** Where LANES points lie along one edge of a picture. */
+/** The positions of LANES points along one axis of a texture. */
 typedef struct TexelAxis {
-    real first;    /**< The texel whose middle is just before; -1 to #size - 1. */
-    real fraction; /**< How far from there to the middle of the next, 0 to 1. */
-    mask wraps;    /**< Where the last texel is followed by the first. */
-    int size;      /**< How many texels. */
+    real first;    /**< The texel whose centre is just before; -1 to #size - 1. */
+    real fraction; /**< Position between that centre and the next, 0 to 1. */
+    mask wraps;    /**< Whether the first texel follows the last. */
+    int size;      /**< Number of texels. */
 } TexelAxis;
 
 /**
- * @return Where points lie along an edge.
- * @param position      0 at its beginning, 1 at its end.
- * @param wraps  Where it goes on beyond.
- * @param size    How many texels it has.
+ * @return The positions of points along an axis.
+ * @param position  0 at its start, 1 at its end.
+ * @param wraps  Whether the texture repeats.
+ * @param size  Number of texels.
  */
 INLINE TexelAxis texel_axis_of(real position, mask wraps, int size) {
     position = real_select(wraps, position - real_floor(position), position);
-    position = real_min(real_max(position, real_of(0)), real_of(1)); // 0 where it is no number.
+    position = real_min(real_max(position, real_of(0)), real_of(1)); // NaN becomes 0.
     real texel = position * (scalar)size - (scalar)0.5f;
     real first = real_floor(texel);
     return (TexelAxis){first, texel - first, wraps, size};
 }
 
-/**
- * @return A texel along an edge.
- * @param next  Whether the second of the two that it lies between.
- */
+/** @return The texel before a point, or the next one. */
 INLINE size_t texel_axis_at(const TexelAxis *row, int lane, bool next) {
     int texel = (int)real_lane(row->first, lane) + next, last = row->size - 1;
     bool is_wrapped = mask_lane(row->wraps, lane);
@@ -81,10 +78,7 @@ INLINE size_t texel_axis_at(const TexelAxis *row, int lane, bool next) {
                                    : texel);
 }
 
-/**
- * @return A texel's light.
- * @param row  Which, from the top.
- */
+/** @return The linear colour of a texel. @param row Its row, from the top. */
 INLINE Rgbs texel_color(const Textures *textures, const Texture *texture, size_t column,
                         size_t row) {
     size_t index = (row * (size_t)texture->width + column) * TEXEL_CHANNELS;
@@ -97,16 +91,13 @@ INLINE Rgbs texel_color(const Textures *textures, const Texture *texture, size_t
     return (Rgbs){light[steps[0]], light[steps[1]], light[steps[2]]};
 }
 
-/**
- * @return Light between two lights.
- * @param fraction  How near to the second.
- */
+/** @return Linear interpolation: a at fraction 0, b at 1. */
 INLINE Rgb rgb_lerp(Rgb a, Rgb b, real fraction) {
     return (Rgb){a.red + (b.red - a.red) * fraction, a.green + (b.green - a.green) * fraction,
                  a.blue + (b.blue - a.blue) * fraction};
 }
 
-/** @return What a picture shows: between the four texels around each point. */
+/** @return The colours of a texture, by bilinear interpolation. */
 static Rgb texture_sample_bilinear(const Textures *textures, const Texture *texture,
                                    const TextureUv *uv, mask lanes) {
     const Rgb black = {real_of(0), real_of(0), real_of(0)};
@@ -129,10 +120,8 @@ static Rgb texture_sample_bilinear(const Textures *textures, const Texture *text
     return rgb_lerp(upper, lower, y_axis.fraction);
 }
 
-/**
- * @return What the pictures show at LANES points; 1 where there is none.
- * @param hit_lanes  The lanes that met any.
- */
+/** @return The colours of the textures at hits; 1 where a material has none. @param hit_lanes The
+ *  lanes with a hit. */
 static Rgb texture_colors_at(const Textures *textures, const ShapeSet *shapes, const Hit *hit,
                              mask hit_lanes) {
     Rgb color = {real_of(1), real_of(1), real_of(1)};

@@ -1,24 +1,24 @@
 /**
  * @file
- * @brief Angles, by correctly rounded operations only: every machine gets the same bits.
+ * @brief Arctangents, from correctly rounded operations only: every machine gets the same bits.
  */
 #ifndef DIOPTRE_TRACE_MATH_ANGLE_H
 #define DIOPTRE_TRACE_MATH_ANGLE_H
 
-#include "trace/math/simd_sqrt.h"
+#include "trace/math/real.h"
 
-/** Half a turn, radians, in three pieces: their sum is right in every number type. */
+/** Pi as a sum of three terms, which is exact enough for every number type. */
 #define SCALAR_PI                                                                                  \
     ((scalar)0x1.921fb54442d18p+1 + (scalar)0x1.1a62633145c07p-53 + (scalar)-0x1.f1976b7ed8fbcp-109)
 
 /**
- * Terms of the series that bring its rest below the number type's own rounding. Each term is
- * smaller by tan(1/32 turn)^2, which is 0.0396.
+ * Terms of the series, so that the remainder is below the rounding of the number type. Each term is
+ * smaller than the last by tan(pi / 16)^2 = 0.0396.
  */
 #define ATAN_TERMS (REAL_BITS == 32 ? 6 : REAL_BITS == 64 ? 12 : 25)
 
-/** @return The angle whose tangent is t, radians: halved twice, by tan(a/2) = tan a / (1 + sqrt(1 +
- *  tan^2 a)), then by the series t - t^3/3 + t^5/5 - ..., whose coefficients need no table. */
+/** @return atan t for t from 0 to 1, radians. The angle is halved twice, by tan(a/2) = tan a / (1 +
+ *  sqrt(1 + tan^2 a)); then the series t - t^3/3 + t^5/5 - ... converges fast. */
 INLINE real real_atan_unit(real t) {
     const real one = real_of(1);
     t = t / (one + real_sqrt(one + t * t));
@@ -30,9 +30,8 @@ INLINE real real_atan_unit(real t) {
     return 4 * (t * sum);
 }
 
-/** @return How far points are turned from the x axis towards the y axis: -1/2 to 1/2 turn, 0 where
- *  both are 0. The eighths of the circle are put together exactly, so that there is no seam between
- *  them. */
+/** @return atan2(y, x) in turns, -1/2 to 1/2; 0 if both are 0. The octants are combined by exact
+ *  operations, so that textures have no seams between them. */
 INLINE real real_atan2_turns(real y, real x) {
     real abs_x = real_abs(x), abs_y = real_abs(y);
     real small = real_min(abs_x, abs_y), large = real_max(abs_x, abs_y);

@@ -1,21 +1,32 @@
 /**
  * @file
- * @brief The number type of an engine: `real`, its masks, and the few functions that C's operators
- *        do not give.
+ * @brief The number type of an engine: `real`, its masks, and the functions that C's operators do
+ *        not provide.
  *
- * Everything in `src/trace/` is written over the types of this file and compiled once an engine,
- * with REAL_BITS (32, 64, 128) and LANES (1, 4, 8, 16) on the command line. The laboratory's
- * methods (src/lab/methods) are, too, with one lane, and with 80 bits as well.
+ * The source in `src/trace/` uses the types of this file. It is compiled once per engine, with
+ * REAL_BITS (32, 64, 128) and LANES (1, 4, 8, 16) defined on the command line. The methods of the
+ * laboratory (src/lab/methods) use them with one lane, and with 80 bits as well.
  *
  *   scalar   one number: float, double or quad
- *   real     LANES of them, side by side; + - * / < <= work lane by lane
- *   mask     LANES answers to a comparison; & and | work on them
- *   wide     as many numbers of the next better precision, where float alone would fail
+ *   real     a vector of LANES scalars; + - * / < <= work lane by lane
+ *   mask     a vector of LANES truth values, from a comparison; & and | combine them
+ *   integer  a vector of LANES integers
+ *   wide     a vector in the next wider type (trace/math/wide.h), where float alone cancels
  *
- * With one lane `real` is a plain number and `mask` an int that is 0 or 1, so the compiler sees
- * textbook code. With more, both are vectors of GCC and Clang. Lane i of a wide engine has the very
- * bits of the narrow one: the operations are the same, in the same order, none is contracted, and
- * what no lane needs changes no lane.
+ * How to read the code: as if LANES were 1. Then real is a plain float, double or quad; mask is an
+ * int, 0 or 1; and `real_select(m, a, b)` is `m ? a : b`. A branch that lanes may take differently
+ * becomes a select, and "if any lane" skips work that no lane needs. For example
+ *
+ *     mask is_hit = active & (t > 0);                if (t > 0) {
+ *     if (any(is_hit)) {                                 depth = t;
+ *         depth = real_select(is_hit, t, depth);     }
+ *     }
+ *
+ * are the same for one lane, where `active` is 1. The left side does it for 8 rays at once: rays
+ * that miss keep their depth. Functions named `..._of(x)` put a scalar into all lanes.
+ *
+ * Lane i of a wide engine gets the same bits as the engine of one lane: the operations and their
+ * order are the same, none is contracted, and a select leaves other lanes unchanged.
  */
 #ifndef DIOPTRE_TRACE_MATH_REAL_H
 #define DIOPTRE_TRACE_MATH_REAL_H
@@ -30,7 +41,7 @@
 #if REAL_BITS == 32
 /** One number of the engine. */
 typedef float scalar;
-/** One number of the next better precision. */
+/** One number of the next wider type. */
 typedef double wide_scalar;
 /** An integer as large as a #scalar. */
 typedef int32_t lane_integer;
@@ -39,36 +50,36 @@ typedef int32_t lane_integer;
 #elif REAL_BITS == 64
 /** One number of the engine. */
 typedef double scalar;
-/** One number of the next better precision: double has none that is fast. */
+/** The next wider type: the same, as quad is too slow. */
 typedef double wide_scalar;
 /** An integer as large as a #scalar. */
 typedef int64_t lane_integer;
 /** Half an ulp of 1: the largest relative error of one rounding. */
 #define ROUNDOFF 0x1p-53
 #elif REAL_BITS == 80
-/** One number: 80 bits on x86, elsewhere what the machine calls long double. */
+/** One number: 80 bits on x86; long double of the machine elsewhere. */
 typedef long double scalar;
-/** One number of the next better precision: there is none that is fast. */
+/** The next wider type: the same, as quad is too slow. */
 typedef long double wide_scalar;
-/** An integer; there is one lane only. */
+/** An integer; there is only one lane. */
 typedef int lane_integer;
 /** Half an ulp of 1: the largest relative error of one rounding. */
 #define ROUNDOFF (__LDBL_EPSILON__ / 2)
 #else
 /** One number of the engine. */
 typedef Quadruple scalar;
-/** One number of the next better precision: quad has none. */
+/** The next wider type: the same, as there is none. */
 typedef Quadruple wide_scalar;
-/** An integer; quad engines have one lane only. */
+/** An integer; quad engines have only one lane. */
 typedef int lane_integer;
 /** Half an ulp of 1: the largest relative error of one rounding. */
 #define ROUNDOFF ((Quadruple)0x1p-113L)
 #endif
 
-/** Larger than every distance. */
+/** Infinity: the limit of rays without end. */
 #define INFINITE ((scalar)__builtin_inf())
 
-/** Bits of the number that the engine computes with, the leading 1 included. */
+/** Bits of the scalar's significand, the leading 1 included. */
 #define MANTISSA_BITS                                                                              \
     (REAL_BITS == 32 ? 24 : REAL_BITS == 64 ? 53 : REAL_BITS == 80 ? __LDBL_MANT_DIG__ : 113)
 
@@ -77,33 +88,24 @@ typedef int lane_integer;
 #if LANES > 1
 /** LANES numbers. */
 typedef scalar real __attribute__((vector_size(LANES * sizeof(scalar))));
-/** LANES answers to a comparison: 0 or all bits set. */
+/** LANES truth values: 0 or all bits set. */
 typedef lane_integer mask __attribute__((vector_size(LANES * sizeof(scalar))));
-/** LANES numbers of the next better precision. */
-typedef wide_scalar wide __attribute__((vector_size(LANES * sizeof(wide_scalar))));
-/** LANES answers to a comparison of #wide numbers. */
-typedef int64_t wide_mask __attribute__((vector_size(LANES * sizeof(int64_t))));
 #else
 typedef scalar real;
 typedef int mask;
-typedef wide_scalar wide;
-typedef int wide_mask;
 #endif
 
 #include "trace/math/simd_x86.h"
 
-/** LANES integers, such as the places of shapes. */
+/** LANES integers, such as indices of shapes. */
 typedef mask integer;
 
-/** A function that is part of its callers: vectors then stay in registers. */
+/** A function that is always inlined: vectors then stay in registers. */
 #define INLINE static inline __attribute__((always_inline))
 
 /* --- lanes in and out ------------------------------------------------------------------------ */
 
-/**
- * @return One lane.
- * @param i  Which, 0 to LANES - 1.
- */
+/** @return Lane i, 0 to LANES - 1. */
 INLINE scalar real_lane(real x, int i) {
 #if LANES > 1
     return x[i];
@@ -113,29 +115,15 @@ INLINE scalar real_lane(real x, int i) {
 #endif
 }
 
-/** A number where vectors lie in memory. */
+/** A lane of a #real in memory. */
 typedef scalar stored_scalar __attribute__((may_alias));
 
-/**
- * @return One lane of numbers that lie in memory: only that one is loaded.
- * @param i  Which, 0 to LANES - 1.
- */
+/** @return Lane i of numbers in memory; only this lane is loaded. */
 INLINE scalar real_at(const real *x, int i) {
     return ((const stored_scalar *)x)[i];
 }
 
-/** A better number where vectors lie in memory. */
-typedef wide_scalar stored_wide __attribute__((may_alias));
-
-/**
- * @return One lane of better numbers that lie in memory.
- * @param i  Which, 0 to LANES - 1.
- */
-INLINE wide_scalar wide_at(const wide *x, int i) {
-    return ((const stored_wide *)x)[i];
-}
-
-/** Sets one lane. */
+/** Sets lane i. */
 INLINE void real_set_lane(real *x, int i, scalar value) {
 #if LANES > 1
     (*x)[i] = value;
@@ -145,10 +133,7 @@ INLINE void real_set_lane(real *x, int i, scalar value) {
 #endif
 }
 
-/**
- * @return One lane.
- * @param i  Which, 0 to LANES - 1.
- */
+/** @return Lane i, 0 to LANES - 1. */
 INLINE int integer_lane(integer x, int i) {
 #if LANES > 1
     return (int)x[i];
@@ -158,23 +143,20 @@ INLINE int integer_lane(integer x, int i) {
 #endif
 }
 
-/** An integer where vectors lie in memory. */
+/** A lane of an #integer in memory. */
 typedef lane_integer stored_integer __attribute__((may_alias));
 
-/**
- * @return One lane of integers that lie in memory: only that one is loaded.
- * @param i  Which, 0 to LANES - 1.
- */
+/** @return Lane i of integers in memory; only this lane is loaded. */
 INLINE int integer_at(const integer *x, int i) {
     return (int)((const stored_integer *)x)[i];
 }
 
-/** @return Whether a lane is set. */
+/** @return Whether lane i is set. */
 INLINE bool mask_lane(mask m, int i) {
     return integer_lane(m, i) != 0;
 }
 
-/** Sets one lane. */
+/** Sets lane i. */
 INLINE void mask_set_lane(mask *m, int i, bool value) {
 #if LANES > 1
     (*m)[i] = value ? -1 : 0;
@@ -184,10 +166,7 @@ INLINE void mask_set_lane(mask *m, int i, bool value) {
 #endif
 }
 
-/* The compiler spreads one number over all lanes of a vector that it is combined with. Less zero is
-   that number, -0 and NaN too, and costs nothing. */
-
-/** Sets one lane. */
+/** Sets lane i. */
 INLINE void integer_set_lane(integer *x, int i, int value) {
 #if LANES > 1
     (*x)[i] = value;
@@ -197,53 +176,22 @@ INLINE void integer_set_lane(integer *x, int i, int value) {
 #endif
 }
 
-/** @return The same number in all lanes. */
+/* GCC spreads a scalar over all lanes of the vector that it is combined with. x - 0 is x for every
+   x, -0 and NaN included, and is optimized away. */
+
+/** @return x in all lanes. */
 INLINE real real_of(scalar x) {
     return x - (real){0};
 }
 
-/** @return The same number in all lanes. */
-INLINE wide wide_of(wide_scalar x) {
-    return x - (wide){0};
-}
-
-/** @return The same integer in all lanes. */
+/** @return x in all lanes. */
 INLINE integer integer_of(int x) {
     return x - (integer){0};
 }
 
-/* --- from one precision to the other --------------------------------------------------------- */
-
-/** @return The same numbers, exactly. */
-INLINE wide widen(real x) {
-#if LANES > 1
-    return __builtin_convertvector(x, wide);
-#else
-    return (wide)x;
-#endif
-}
-
-/** @return The nearest numbers of the engine's type. */
-INLINE real narrow(wide x) {
-#if LANES > 1
-    return __builtin_convertvector(x, real);
-#else
-    return (real)x;
-#endif
-}
-
-/** @return The same answers. @param m A mask of better numbers. */
-INLINE mask narrow_mask(wide_mask m) {
-#if LANES > 1
-    return __builtin_convertvector(m, mask);
-#else
-    return m;
-#endif
-}
-
 /* --- masks ----------------------------------------------------------------------------------- */
 
-/** @return All lanes set, or none. @param value Which of the two. */
+/** @return All lanes set to value. */
 INLINE mask mask_of(bool value) {
 #if LANES > 1
     return integer_of(value ? -1 : 0);
@@ -252,17 +200,8 @@ INLINE mask mask_of(bool value) {
 #endif
 }
 
-/** @return The opposite answers. */
+/** @return The negation of each lane. */
 INLINE mask mask_not(mask m) {
-#if LANES > 1
-    return ~m;
-#else
-    return !m;
-#endif
-}
-
-/** @return The opposite answers. @param m A mask of better numbers. */
-INLINE wide_mask wide_mask_not(wide_mask m) {
 #if LANES > 1
     return ~m;
 #else
@@ -292,10 +231,10 @@ INLINE unsigned real_less_equal_bits(real a, real b) {
 #endif
 }
 
-/** What #mask_bits gives where every lane is set. */
+/** The #mask_bits of a mask with all lanes set. */
 #define ALL_LANES ((1u << LANES) - 1)
 
-/** @return The lanes whose bit is set. @param bits Bit i for lane i. */
+/** @return A mask with lane i set where bit i is. */
 INLINE mask mask_of_bits(unsigned bits) {
 #if LANES > 1
     mask lanes = {0};
@@ -313,17 +252,17 @@ INLINE bool any(mask m) {
     return mask_bits(m) != 0;
 }
 
-/** @return How many lanes are set. */
+/** @return The number of lanes that are set. */
 INLINE unsigned mask_count(mask m) {
     return (unsigned)__builtin_popcount(mask_bits(m));
 }
 
-/** @return The first lane that is set. @param m A mask with at least one. */
+/** @return The first lane that is set; at least one must be. */
 INLINE int mask_first(mask m) {
     return __builtin_ctz(mask_bits(m));
 }
 
-/* --- choosing -------------------------------------------------------------------------------- */
+/* --- selection and rounding ------------------------------------------------------------------ */
 
 /** @return a where the mask is set, b elsewhere. */
 INLINE real real_select(mask m, real a, real b) {
@@ -339,21 +278,12 @@ INLINE integer integer_select(mask m, integer a, integer b) {
 #endif
 }
 
-/** @return a where the mask is set, b elsewhere. */
-INLINE wide wide_select(wide_mask m, wide a, wide b) {
-#if LANES > 1
-    return (wide)((m & (wide_mask)a) | (~m & (wide_mask)b));
-#else
-    return m ? a : b;
-#endif
-}
-
-/** @return The smaller; b where they cannot be compared. */
+/** @return The minimum; b if either is NaN. */
 INLINE real real_min(real a, real b) {
     return LANES_MIN(a, b);
 }
 
-/** @return The larger; b where they cannot be compared. */
+/** @return The maximum; b if either is NaN. */
 INLINE real real_max(real a, real b) {
     return LANES_MAX(a, b);
 }
@@ -367,9 +297,9 @@ INLINE real real_abs(real x) {
 #endif
 }
 
-/** @return The largest whole numbers that are not larger. */
+/** @return The largest integer that is not larger. */
 INLINE real real_floor(real x) {
-    // From here on a number type has whole numbers only.
+    // From this magnitude on, all numbers of the type are integers.
     const real whole = real_of((scalar)(REAL_BITS == 32   ? 0x1p23f
                                         : REAL_BITS == 64 ? 0x1p52f
                                                           : 0x1p112f));
@@ -380,12 +310,43 @@ INLINE real real_floor(real x) {
     return real_select(magnitude < whole, floored, x);
 }
 
-/* --- from anywhere in memory ------------------------------------------------------------------ */
+/* --- square roots, correctly rounded in every number type ------------------------------------- */
 
-/**
- * @return A number for each lane.
- * @param indices  The place of each lane's, counted from there.
- */
+#if REAL_BITS == 128
+#if defined(__SIZEOF_FLOAT128__)
+/** @return The square root, from the C library. */
+extern Quadruple sqrtf128(Quadruple x);
+/** The square root of one number. */
+#define SCALAR_SQRT sqrtf128
+#else
+#define SCALAR_SQRT sqrtl
+#endif
+#define WIDE_SQRT SCALAR_SQRT
+#elif REAL_BITS == 80
+#define SCALAR_SQRT __builtin_sqrtl
+#define WIDE_SQRT __builtin_sqrtl
+#elif REAL_BITS == 64
+#define SCALAR_SQRT __builtin_sqrt
+#define WIDE_SQRT __builtin_sqrt
+#else
+/** The square root of one number. */
+#define SCALAR_SQRT __builtin_sqrtf
+/** The square root of one number of the next wider type. */
+#define WIDE_SQRT __builtin_sqrt
+#endif
+
+/** @return The square root; NaN if x is negative. */
+INLINE real real_sqrt(real x) {
+    real r = {0};
+    for (int i = 0; i < LANES; i++) {
+        real_set_lane(&r, i, SCALAR_SQRT(real_lane(x, i)));
+    }
+    return r;
+}
+
+/* --- gather ---------------------------------------------------------------------------------- */
+
+/** @return base[indices[i]] in lane i. */
 INLINE real real_gather(const scalar *base, integer indices) {
 #ifdef LANES_GATHER
     return LANES_GATHER(base, indices);

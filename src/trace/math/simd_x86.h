@@ -1,16 +1,14 @@
 /**
  * @file
- * @brief Processor instructions: where there is one for what a tracer needs, it is named here, and
- *        nowhere else.
+ * @brief Processor instructions (intrinsics), the only ones in the program.
  *
- * The smaller and larger are `a < b ? a : b` and `a > b ? a : b` to the bit, as the instructions
- * define them. What has no name here for an engine, real.h does lane by lane.
+ * LANES_MIN and LANES_MAX are `a < b ? a : b` and `a > b ? a : b` to the bit, as the instructions
+ * define them. For a macro that is not defined for an engine, real.h has a loop over the lanes.
  */
 #ifndef DIOPTRE_TRACE_MATH_SIMD_X86_H
 #define DIOPTRE_TRACE_MATH_SIMD_X86_H
 
-// The header of all of Intel's instructions takes the compiler a third of a second: engines of one
-// lane do without it, and those of SSE2 take the header of that.
+// <immintrin.h> takes a third of a second to compile, so only engines that need it include it.
 #if LANES > 1 && defined(__AVX2__)
 #include <immintrin.h>
 #elif LANES > 1 && defined(__SSE2__)
@@ -20,29 +18,29 @@
 #if LANES == 16 && defined(__AVX512DQ__)
 /** Bit i set where lane i of the mask m is. */
 #define LANES_BITS(m) (unsigned)_mm512_movepi32_mask((__m512i)(m))
-/** Bit i set where a is at most b in lane i: no mask need be made of it first. */
+/** Bit i set where a <= b in lane i, by one instruction. */
 #define LANES_LESS_EQUAL_BITS(a, b)                                                                \
     (unsigned)_mm512_cmp_ps_mask((__m512)(a), (__m512)(b), _CMP_LE_OQ)
-/** For each lane the number at its place. */
+/** base[places[i]] in lane i. */
 #define LANES_GATHER(base, places)                                                                 \
     (real) _mm512_i32gather_ps((__m512i)(places), base, sizeof(scalar))
-/** a where the mask m is set, b elsewhere: one instruction, too. */
+/** a where the mask m is set, b elsewhere; compiled to one instruction. */
 #define LANES_SELECT(m, a, b) (real)(((m) & (mask)(a)) | (~(m) & (mask)(b)))
-/** The smaller; b where they cannot be compared. */
+/** The minimum; b if either is NaN. */
 #define LANES_MIN(a, b) (real) _mm512_min_ps((__m512)(a), (__m512)(b))
-/** The larger; b where they cannot be compared. */
+/** The maximum; b if either is NaN. */
 #define LANES_MAX(a, b) (real) _mm512_max_ps((__m512)(a), (__m512)(b))
 #elif LANES == 8 && defined(__AVX2__)
 /** Bit i set where lane i of the mask m is. */
 #define LANES_BITS(m) (unsigned)_mm256_movemask_ps((__m256)(m))
-/** For each lane the number at its place. */
+/** base[places[i]] in lane i. */
 #define LANES_GATHER(base, places)                                                                 \
     (real) _mm256_i32gather_ps(base, (__m256i)(places), sizeof(scalar))
 /** a where the mask m is set, b elsewhere. */
 #define LANES_SELECT(m, a, b) (real) _mm256_blendv_ps((__m256)(b), (__m256)(a), (__m256)(m))
-/** The smaller; b where they cannot be compared. */
+/** The minimum; b if either is NaN. */
 #define LANES_MIN(a, b) (real) _mm256_min_ps((__m256)(a), (__m256)(b))
-/** The larger; b where they cannot be compared. */
+/** The maximum; b if either is NaN. */
 #define LANES_MAX(a, b) (real) _mm256_max_ps((__m256)(a), (__m256)(b))
 #elif LANES == 4 && REAL_BITS == 64 && defined(__AVX2__)
 #define LANES_BITS(m) (unsigned)_mm256_movemask_pd((__m256d)(m))

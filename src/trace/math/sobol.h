@@ -1,40 +1,37 @@
 /**
  * @file
- * @brief Points that fill a square evenly, however many of them are taken: where in a pixel its
- * rays go, and to which points of a lamp.
+ * @brief Sobol's sequence: sample points in the unit square, for pixels and for spherical lights.
  *
- * Sobol's sequence in two dimensions: of the first 2^k points, one lies in each of the 2^k
- * rectangles of any shape a x b with a b = 2^-k. Owen's scrambling moves the points and keeps this;
- * it makes the mean of n samples converge faster and hides the grid that the points would lie on
- * (Sobol, *On the Distribution of Points in a Cube and the Approximate Evaluation of Integrals*,
- * 1967; Burley, *Practical Hash-Based Owen Scrambling*, 2020). All of it is integers: the same on
- * every machine, whatever the number type and the lanes.
+ * Of its first 2^k points, one lies in each of the 2^k rectangles of any shape a x b with a b =
+ * 2^-k (Sobol, *On the Distribution of Points in a Cube and the Approximate Evaluation of
+ * Integrals*, 1967). Owen's scrambling keeps this property; the mean of n samples converges faster,
+ * and the points do not lie on a grid (Burley, *Practical Hash-Based Owen Scrambling*, 2020). Only
+ * integers are used: the points are the same on every machine and in every engine.
  */
 #ifndef DIOPTRE_TRACE_MATH_SOBOL_H
 #define DIOPTRE_TRACE_MATH_SOBOL_H
 
 #include <stdint.h>
 
-/** A point of the unit square, in shares of 2^32. */
+/** A point of the unit square, in units of 2^-32. */
 typedef struct SobolPoint {
     uint32_t x; /**< From the left. */
     uint32_t y; /**< From the bottom. */
 } SobolPoint;
 
-/** @return A number whose bits all depend on all bits of another; different ones for different ones
- *  (Wellons, *Prospecting for Hash Functions*, 2018). */
+/** @return A bijective hash (Wellons, *Prospecting for Hash Functions*, 2018). */
 static inline uint32_t hash_u32(uint32_t x) {
     x = (x ^ x >> 16) * 0x21F0AAADu;
     x = (x ^ x >> 15) * 0xD35A2D97u;
     return x ^ x >> 15;
 }
 
-/** @return One number that depends on both. */
+/** @return A hash of two numbers. */
 static inline uint32_t hash_combine_u32(uint32_t a, uint32_t b) {
     return hash_u32(a ^ hash_u32(b + 0x9E3779B9u));
 }
 
-/** @return The bits in the opposite order. */
+/** @return The bits in reverse order. */
 static inline uint32_t reverse_bits_u32(uint32_t x) {
     x = (x >> 1 & 0x55555555u) | (x & 0x55555555u) << 1;
     x = (x >> 2 & 0x33333333u) | (x & 0x33333333u) << 2;
@@ -43,8 +40,7 @@ static inline uint32_t reverse_bits_u32(uint32_t x) {
     return x >> 16 | x << 16;
 }
 
-/** @return Owen's scrambling of a number: each bit is flipped or not, depending on those above it.
- */
+/** @return Owen's scrambling: each bit is flipped or not, depending on the bits above it. */
 static inline uint32_t owen_scramble(uint32_t x, uint32_t seed) {
     x = reverse_bits_u32(x);
     x ^= x * 0x3D20ADEAu;
@@ -64,12 +60,9 @@ static inline uint32_t sobol_second_dimension(uint32_t index) {
     return y;
 }
 
-/**
- * @return A point of the sequence.
- * @param seed  Which scrambling of the sequence.
- */
+/** @return A point of the sequence. @param seed Selects the scrambling. */
 static inline SobolPoint sobol_point(uint32_t index, uint32_t seed) {
-    // Scrambling the index takes the points in another order: any first 2^k stay a whole net.
+    // A scrambled index permutes the points so that the first 2^k are still evenly distributed.
     uint32_t scrambled_index = owen_scramble(index, seed);
     return (SobolPoint){
         owen_scramble(reverse_bits_u32(scrambled_index), hash_u32(seed + 1)),

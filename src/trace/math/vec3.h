@@ -1,12 +1,14 @@
 /**
  * @file
- * @brief Vectors of an engine: LANES points or directions side by side.
+ * @brief Points, directions and colours in the engine's number type.
+ *
+ * Suffixes name the representation: Vec3 is LANES of them, Vec3s one, Vec3w LANES in the next wider
+ * type, Vec3sw one in that; Vec3d (include/dioptre/vec3d.h) is the scene's, in double.
  */
 #ifndef DIOPTRE_TRACE_MATH_VEC3_H
 #define DIOPTRE_TRACE_MATH_VEC3_H
 
-#include "trace/math/simd_sqrt.h"
-#include "trace/math/simd_wide.h"
+#include "trace/math/wide.h"
 
 /** LANES points or directions. */
 typedef struct Vec3 {
@@ -15,69 +17,69 @@ typedef struct Vec3 {
     real z; /**< Towards the viewer. */
 } Vec3;
 
-/** LANES points or directions in the next better precision. */
+/** LANES points or directions in the next wider type. */
 typedef struct Vec3w {
     wide x; /**< To the right. */
     wide y; /**< Up. */
     wide z; /**< Towards the viewer. */
 } Vec3w;
 
-/** One point or direction, in the next better precision: how shapes keep theirs. */
+/** One point or direction in the next wider type, in which shapes store theirs. */
 typedef struct Vec3sw {
     wide_scalar x; /**< To the right. */
     wide_scalar y; /**< Up. */
     wide_scalar z; /**< Towards the viewer. */
 } Vec3sw;
 
-/** One point or direction in the engine's numbers. */
+/** One point or direction. */
 typedef struct Vec3s {
     scalar x; /**< To the right. */
     scalar y; /**< Up. */
     scalar z; /**< Towards the viewer. */
 } Vec3s;
 
-/** LANES amounts of linear light. */
+/** LANES linear RGB colours. */
 typedef struct Rgb {
     real red;   /**< Red. */
     real green; /**< Green. */
     real blue;  /**< Blue. */
 } Rgb;
 
-/** One amount of linear light, or a share of it. */
+/** One linear RGB colour. */
 typedef struct Rgbs {
     scalar red;   /**< Red. */
     scalar green; /**< Green. */
     scalar blue;  /**< Blue. */
 } Rgbs;
 
-/* --- making them ------------------------------------------------------------------------------ */
+/* --- conversion ------------------------------------------------------------------------------- */
 
-/** @return The same point in all lanes. @param v A point of the scene. */
+/** @return A vector of the scene, rounded, in all lanes. */
 INLINE Vec3 vec3_of(Vec3d v) {
     return (Vec3){real_of((scalar)v.x), real_of((scalar)v.y), real_of((scalar)v.z)};
 }
 
-/** @return A point, exactly. @param v A point of the scene. */
+/** @return A vector of the scene; of float and double engines exactly. */
 INLINE Vec3sw vec3sw_of(Vec3d v) {
     return (Vec3sw){(wide_scalar)v.x, (wide_scalar)v.y, (wide_scalar)v.z};
 }
 
-/** @return A point of the scene, rounded. */
+/** @return A vector in double, rounded. */
 INLINE Vec3d vec3d_of(Vec3sw p) {
     return (Vec3d){(double)p.x, (double)p.y, (double)p.z};
 }
 
-/** @return The same point in all lanes. */
+/** @return A vector in all lanes. */
 INLINE Vec3w vec3w_splat(Vec3sw p) {
     return (Vec3w){wide_of(p.x), wide_of(p.y), wide_of(p.z)};
 }
 
-/** @return A point, rounded. */
+/** @return The nearest vector. */
 INLINE Vec3s vec3s_narrow(Vec3sw p) {
     return (Vec3s){(scalar)p.x, (scalar)p.y, (scalar)p.z};
 }
 
-/** @return The same point in all lanes. */
+/** @return A vector in all lanes. */
 INLINE Vec3 vec3_splat(Vec3s p) {
     return (Vec3){real_of(p.x), real_of(p.y), real_of(p.z)};
 }
@@ -104,22 +106,22 @@ INLINE Vec3 vec3_subtract(Vec3 a, Vec3 b) {
     return (Vec3){a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-/** @return v made s times as long. */
+/** @return s v. */
 INLINE Vec3 vec3_scale(Vec3 v, real s) {
     return (Vec3){v.x * s, v.y * s, v.z * s};
 }
 
-/** @return a . b, added up in the order x, y, z. */
+/** @return a . b, summed in the order x, y, z. */
 INLINE real vec3_dot(Vec3 a, Vec3 b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/** @return v with length 1. @param v Vectors that are not zero. */
+/** @return v / |v|; v must not be zero. */
 INLINE Vec3 vec3_normalize(Vec3 v) {
     return vec3_scale(v, 1 / real_sqrt(vec3_dot(v, v)));
 }
 
-/** @return The largest absolute component. */
+/** @return The maximum norm. */
 INLINE real vec3_max_abs(Vec3 v) {
     return real_max(real_abs(v.x), real_max(real_abs(v.y), real_abs(v.z)));
 }
@@ -134,7 +136,7 @@ INLINE Vec3w vec3w_subtract(Vec3w a, Vec3w b) {
     return (Vec3w){a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-/** @return v made s times as long. */
+/** @return s v. */
 INLINE Vec3w vec3w_scale(Vec3w v, wide s) {
     return (Vec3w){v.x * s, v.y * s, v.z * s};
 }
@@ -144,12 +146,12 @@ INLINE Vec3w vec3w_select(wide_mask m, Vec3w a, Vec3w b) {
     return (Vec3w){wide_select(m, a.x, b.x), wide_select(m, a.y, b.y), wide_select(m, a.z, b.z)};
 }
 
-/** @return a + s * v. */
+/** @return a + s v. */
 INLINE Vec3w vec3w_add_scaled(Vec3w a, Vec3w v, wide s) {
     return (Vec3w){a.x + v.x * s, a.y + v.y * s, a.z + v.z * s};
 }
 
-/** @return a . b, added up in the order x, y, z. */
+/** @return a . b, summed in the order x, y, z. */
 INLINE wide vec3w_dot(Vec3w a, Vec3w b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
@@ -159,40 +161,40 @@ INLINE Vec3w vec3w_cross(Vec3w a, Vec3w b) {
     return (Vec3w){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/** @return a - b, one of each. */
+/** @return a - b. */
 static inline Vec3sw vec3sw_subtract(Vec3sw a, Vec3sw b) {
     return (Vec3sw){a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-/** @return v made s times as long. */
+/** @return s v. */
 static inline Vec3sw vec3sw_scale(Vec3sw v, wide_scalar s) {
     return (Vec3sw){v.x * s, v.y * s, v.z * s};
 }
 
-/** @return a . b, one of each. */
+/** @return a . b. */
 static inline wide_scalar vec3sw_dot(Vec3sw a, Vec3sw b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/** @return a x b, one of each. */
+/** @return a x b. */
 static inline Vec3sw vec3sw_cross(Vec3sw a, Vec3sw b) {
     return (Vec3sw){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/** @return v with length 1. */
+/** @return v / |v|. */
 static inline Vec3sw vec3sw_normalize(Vec3sw v) {
     wide_scalar length = (wide_scalar)WIDE_SQRT(v.x * v.x + v.y * v.y + v.z * v.z);
     return (Vec3sw){v.x / length, v.y / length, v.z / length};
 }
 
-/* --- light ------------------------------------------------------------------------------------ */
+/* --- colours ---------------------------------------------------------------------------------- */
 
-/** @return A colour in the engine's number type. @param c A colour of the scene. */
+/** @return A colour of the scene, rounded. */
 INLINE Rgbs rgbs_of(Rgbd c) {
     return (Rgbs){(scalar)c.red, (scalar)c.green, (scalar)c.blue};
 }
 
-/** @return The same light in all lanes. */
+/** @return A colour in all lanes. */
 INLINE Rgb rgb_splat(Rgbs c) {
     return (Rgb){real_of(c.red), real_of(c.green), real_of(c.blue)};
 }
@@ -202,7 +204,7 @@ INLINE Rgb rgb_add(Rgb a, Rgb b) {
     return (Rgb){a.red + b.red, a.green + b.green, a.blue + b.blue};
 }
 
-/** @return a times b, primary by primary. */
+/** @return a times b, channel by channel. */
 INLINE Rgb rgb_multiply(Rgb a, Rgb b) {
     return (Rgb){a.red * b.red, a.green * b.green, a.blue * b.blue};
 }
@@ -212,7 +214,7 @@ INLINE Rgb rgb_scale(Rgb a, real s) {
     return (Rgb){a.red * s, a.green * s, a.blue * s};
 }
 
-/** @return The strongest primary. */
+/** @return The largest channel. */
 INLINE real rgb_max(Rgb a) {
     return real_max(a.red, real_max(a.green, a.blue));
 }

@@ -1,18 +1,20 @@
 /**
  * @file
- * @brief What is noted of the rays of pixels.
+ * @brief Recording of arbitrary output variables (AOVs).
  */
 #include "trace/tracer/aov.h"
 
 #include "trace/tracer/tile.h"
 
-/** @return Place of a shape, or -1: a lamp that is seen is none. */
+#include <string.h>
+
+/** @return The index of the shape, or -1; visible lights are not shapes. */
 static int hit_shape_or_none(const Hit *hit, int lane) {
     int shape = integer_lane(hit->shape, lane);
     return shape >= 0 ? shape : -1;
 }
 
-/** Notes what the camera's rays have met. @param[in,out] samples What is known of them. */
+/** Records the hits of camera rays. */
 static void aov_record_hits(const Packet *packet, const Hit *hits, AovSample *samples) {
     for (int i = 0; i < PACKET_RAYS; i++) {
         const Hit *hit = &hits[i / LANES];
@@ -27,8 +29,7 @@ static void aov_record_hits(const Packet *packet, const Hit *hits, AovSample *sa
     }
 }
 
-/** Notes where on a picture rays have met a shape. @param[in,out] samples What is known of the
- *  rays. */
+/** Records texture coordinates of a vector. */
 static void aov_record_uv(const TextureUv *uv, mask lanes, AovSample *samples) {
     for (unsigned remaining = mask_bits(lanes); remaining; remaining &= remaining - 1) {
         int lane = __builtin_ctz(remaining);
@@ -37,8 +38,7 @@ static void aov_record_uv(const TextureUv *uv, mask lanes, AovSample *samples) {
     }
 }
 
-/** Notes where on pictures the camera's rays have met shapes. @param[in,out] samples What is known
- *  of them. */
+/** Records the texture coordinates of camera rays. */
 static void aov_record_uvs(const ShapeSet *shapes, const Packet *packet, const Hit *hits,
                            AovSample *samples) {
     for (int v = 0; v < PACKET_VECTORS; v++) {
@@ -53,8 +53,7 @@ static void aov_record_uvs(const ShapeSet *shapes, const Packet *packet, const H
     }
 }
 
-/** Notes what a ray that goes on has met. @param shape The shape, or -1. @param[in,out] sample What
- *  is known of its pixel. */
+/** Records the hit of a secondary ray. @param shape The shape, or -1. */
 static void aov_record_secondary(int shape, AovSample *sample) {
     if (sample->secondary_count < AOV_MAX_SECONDARY) {
         sample->secondary_shapes[sample->secondary_count++] = shape;
@@ -92,15 +91,15 @@ void aov_record_shadows(const SurfaceHit *surface, size_t light_index, const Pac
     }
 }
 
-/* --- marching steps --------------------------------------------------------------------------- */
+/* --- sphere tracing steps --------------------------------------------------------------------- */
 
-/** Marches to where rays have met anything, and their steps. */
+/** The sphere tracing steps of a packet up to its hits. */
 typedef struct StepCount {
-    const Hit *hits;            /**< What they have met. */
+    const Hit *hits;            /**< The hits. */
     real steps[PACKET_VECTORS]; /**< The steps so far. */
 } StepCount;
 
-/** Adds the steps of a shape. See #ShapeVisitor. */
+/** Adds the steps that a shape takes. See #ShapeVisitor. */
 static void shape_count_steps(const Shape *shape, const Packet *packet, int v, mask active,
                               void *found) {
     StepCount *step_count = found;
@@ -109,15 +108,15 @@ static void shape_count_steps(const Shape *shape, const Packet *packet, int v, m
     if (!extension || !extension->count_steps) {
         return;
     }
-    // The shape that was met is marched to its surface, wherever roundings put the limit.
+    // The shape that is hit takes all its steps, even if rounding has put the limit before its
+    // surface.
     mask is_hit = hit->shape == integer_of(shape->index);
     real limit = real_select(is_hit, real_of(INFINITE), hit->distance);
     real steps = extension->count_steps(shape, &packet->rays[v], active, limit);
     step_count->steps[v] += real_select(active, steps, real_of(0));
 }
 
-/** Counts the steps of the camera's rays to what they met. @param[in,out] samples What is known of
- *  them. */
+/** Records the steps of camera rays up to their hits. */
 static void aov_record_steps(const ShapeSet *shapes, const Packet *packet, const Hit *hits,
                              AovSample *samples) {
     Packet limited = *packet;
@@ -132,9 +131,9 @@ static void aov_record_steps(const ShapeSet *shapes, const Packet *packet, const
     }
 }
 
-/* --- pixels ----------------------------------------------------------------------------------- */
+/* --- grids ------------------------------------------------------------------------------------ */
 
-/** Surveys a packet by its camera's rays alone. @param[in,out] samples What is known of them. */
+/** Records a packet of camera rays, without secondary rays. */
 static void aov_trace_packet(const Tracer *tracer, const Packet *packet, unsigned flags,
                              AovSample *samples) {
     Hit hits[PACKET_VECTORS];
@@ -151,47 +150,44 @@ static void aov_trace_packet(const Tracer *tracer, const Packet *packet, unsigne
     }
 }
 
-/**
- * Puts what is known of a packet where it belongs.
- * @param colors  Its colours; NULL: nobody asked.
- * @param samples  What is known of it.
- * @param[out] out  What is known of the grid.
- */
-static void aov_samples_write(const Rgb *colors, const PixelGrid *grid, int column, int row,
-                              AovSample *samples, AovSample *out) {
+/** Adds the colours of a packet to its samples. */
+static void aov_samples_set_colors(const Rgb *colors, AovSample *samples) {
     for (int i = 0; i < PACKET_RAYS; i++) {
-        int c = column + i % PACKET_COLUMNS, r = row + i / PACKET_COLUMNS;
-        if (colors) {
-            samples[i].color[0] = (double)real_lane(colors[i / LANES].red, i % LANES);
-            samples[i].color[1] = (double)real_lane(colors[i / LANES].green, i % LANES);
-            samples[i].color[2] = (double)real_lane(colors[i / LANES].blue, i % LANES);
-        }
-        if (c < grid->columns && r < grid->rows) {
-            out[(size_t)r * (size_t)grid->columns + (size_t)c] = samples[i];
-        }
+        samples[i].color[0] = (double)real_lane(colors[i / LANES].red, i % LANES);
+        samples[i].color[1] = (double)real_lane(colors[i / LANES].green, i % LANES);
+        samples[i].color[2] = (double)real_lane(colors[i / LANES].blue, i % LANES);
+    }
+}
+
+/** Copies the samples of a packet to those of its grid. */
+static void aov_samples_write(const AovSample *packet_samples, const PixelGrid *grid, int index,
+                              AovSample *samples) {
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        OutputRange range = output_range(grid, index, v);
+        memcpy(samples + range.first, packet_samples + v * LANES,
+               (size_t)range.count * sizeof *samples);
     }
 }
 
 void aov_trace(const Tracer *tracer, const PixelGrid *grid, unsigned flags, AovSample *samples,
                RayCounts *counts) {
-    bool wants_radiance = flags & AOV_RADIANCE;
-    TileTrace tile = {tracer, grid, pixel_jitter_of(grid->sample), NULL, counts};
-    for (int row = 0; row < grid->rows; row += PACKET_ROWS) {
-        for (int column = 0; column < grid->columns; column += PACKET_COLUMNS) {
-            AovSample packet_samples[PACKET_RAYS] = {0};
-            Packet packet;
+    const TraceContext context = {tracer, counts};
+    const PixelJitter jitter = pixel_jitter_of(grid->sample);
+    int packet_count = grid_packet_count(grid);
+    for (int index = 0; index < packet_count; index++) {
+        AovSample packet_samples[PACKET_RAYS] = {0};
+        const Recorders recorders = {.aovs = packet_samples};
+        CameraRays rays;
+        camera_rays_init(tracer, grid, jitter, index, &recorders, &rays);
+        if (flags & AOV_RADIANCE) {
             Rgb colors[PACKET_VECTORS];
-            if (wants_radiance) {
-                trace_tile_packet_colors(&tile, column, row, &(Recorders){.aovs = packet_samples},
-                                         colors);
-            }
-            if (!wants_radiance || (flags & ~(unsigned)AOV_RADIANCE)) {
-                camera_generate_rays(&tracer->camera, grid, tile.jitter, column, row, &packet);
-                aov_trace_packet(tracer, &packet, flags, packet_samples);
-            }
-            aov_samples_write(wants_radiance ? colors : NULL, grid, column, row, packet_samples,
-                              samples);
+            trace_packet(&context, &rays.state, colors);
+            aov_samples_set_colors(colors, packet_samples);
         }
+        if (flags != AOV_RADIANCE) {
+            aov_trace_packet(tracer, &rays.state.packet, flags, packet_samples);
+        }
+        aov_samples_write(packet_samples, grid, index, samples);
     }
-    counts->camera += (uint64_t)grid->columns * (uint64_t)grid->rows;
+    counts->camera += grid_ray_count(grid);
 }

@@ -1,58 +1,81 @@
 /**
  * @file
- * @brief The eye: the camera's rays.
+ * @brief The camera: ray generation.
  */
 #ifndef DIOPTRE_TRACE_TRACER_CAMERA_H
 #define DIOPTRE_TRACE_TRACER_CAMERA_H
 
 #include "trace/tracer/packet.h"
 
-/** What it takes to make a camera ray of a pixel. */
+/** The camera of an image in the engine's number type. */
 typedef struct Camera {
-    Vec3 origin;  /**< Where the eye is. */
-    Vec3 forward; /**< Ahead, one long. */
+    Vec3 origin;  /**< The eye point. */
+    Vec3 forward; /**< Viewing direction, a unit vector. */
     Vec3 right;   /**< To the right, half a pixel long at distance 1. */
     Vec3 up;      /**< Up, half a pixel long at distance 1. */
-    int width;    /**< Pixels of the picture. */
-    int height;   /**< Pixels of the picture. */
+    int width;    /**< Pixels of the image. */
+    int height;   /**< Pixels of the image. */
 } Camera;
 
-/** A sample's place, in 1 / 256 pixels from the left and the top of its pixel; perhaps beyond it.
- */
+/** The position of a sample in its pixel, in 1 / 256 pixels from the left and the top. The filter
+ *  is wider than a pixel, so it may lie outside. */
 typedef struct PixelJitter {
     int x; /**< To the right. */
     int y; /**< Down. */
 } PixelJitter;
 
-/** @return Where a sample of every pixel lies; that of sample 0 is the centre. */
+/** @return The position of a sample, the same in all pixels; sample 0 is the centre. */
 PixelJitter pixel_jitter_of(int sample);
 
 /**
- * @return The eye of a camera (rows A1, B2): pixels are square, the height follows from the
- *         horizontal field of view.
- * @param width  Pixels of the picture.
- * @param height  Pixels of the picture.
+ * @return The camera of an image. Pixels are square: the height follows from the horizontal field
+ *         of view.
+ * @param width  Pixels of the image.
+ * @param height  Pixels of the image.
  */
 Camera camera_of(const SceneCamera *camera, int width, int height);
 
-/**
- * Makes the rays of #PACKET_COLUMNS by #PACKET_ROWS points of a grid of pixels.
- * @param jitter  Where in their pixels they go.
- * @param column  First column of the grid.
- * @param row  First row of the grid.
- * @param[out] packet  The rays, without lineage; those beyond the grid are not active.
- */
-void camera_generate_rays(const Camera *camera, const PixelGrid *grid, PixelJitter jitter,
-                          int column, int row, Packet *packet);
+/* A grid is divided into packets: of PACKET_COLUMNS by PACKET_ROWS pixels, row by row; or, if
+   pixels are selected, of PACKET_RAYS of those in their order. */
+
+/** @return The number of rays of a grid. */
+static inline size_t grid_ray_count(const PixelGrid *grid) {
+    return grid->selected ? grid->selected_count : (size_t)grid->columns * (size_t)grid->rows;
+}
+
+/** @return The number of packets along the rows of a grid. */
+static inline int grid_packet_columns(const PixelGrid *grid) {
+    return (grid->columns + PACKET_COLUMNS - 1) / PACKET_COLUMNS;
+}
+
+/** @return The number of packets of a grid. */
+static inline int grid_packet_count(const PixelGrid *grid) {
+    return grid->selected
+               ? (int)((grid->selected_count + PACKET_RAYS - 1) / PACKET_RAYS)
+               : grid_packet_columns(grid) * ((grid->rows + PACKET_ROWS - 1) / PACKET_ROWS);
+}
+
+/** The position of a pixel in a grid. */
+typedef struct GridPosition {
+    int column; /**< From the left. */
+    int row;    /**< From the top. */
+} GridPosition;
+
+/** @return The pixel of the first lane of a vector; it may lie beyond the grid. The other lanes
+ *          follow in its row. @param index Index of the packet; no pixels are selected. */
+static inline GridPosition grid_vector_position(const PixelGrid *grid, int index, int v) {
+    int across = grid_packet_columns(grid);
+    return (GridPosition){index % across * PACKET_COLUMNS + v * LANES % PACKET_COLUMNS,
+                          index / across * PACKET_ROWS + v * LANES / PACKET_COLUMNS};
+}
 
 /**
- * Makes the rays of #PACKET_RAYS chosen pixels.
- * @param grid  The grid, of stride 1, with chosen pixels.
- * @param jitter  Where in their pixels they go.
- * @param first  Which of the chosen is the first.
- * @param[out] packet  The rays, without lineage; those beyond the chosen are not active.
+ * Generates the camera rays of a packet.
+ * @param jitter  Where in its pixel each ray goes.
+ * @param index  Index of the packet, below grid_packet_count().
+ * @param[out] packet  The rays, without #Packet.context; inactive beyond the grid.
  */
-void camera_generate_selected_rays(const Camera *camera, const PixelGrid *grid, PixelJitter jitter,
-                                   size_t first, Packet *packet);
+void camera_generate_rays(const Camera *camera, const PixelGrid *grid, PixelJitter jitter,
+                          int index, Packet *packet);
 
 #endif

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The engine: the tracer of this number type and width as an object.
+ * @brief The engine of this number type and width: construction of its tracer, and its vtable.
  */
 #include "trace/tracer/aov.h"
 #include "trace/tracer/query.h"
@@ -19,7 +19,7 @@ static Sky sky_of(const SceneSky *sky) {
                  is_gradient};
 }
 
-/** Gives a tracer back. See #Engine.destroy. @param tracer The tracer, or NULL. */
+/** Frees a tracer, or NULL. See #Engine.destroy. */
 static void engine_destroy_tracer(Tracer *tracer) {
     if (tracer) {
         shape_set_deinit(&tracer->shapes);
@@ -33,14 +33,14 @@ static void engine_destroy_tracer(Tracer *tracer) {
     }
 }
 
-/** @return Memory aligned for vectors, not cleared; NULL without. */
+/** @return Memory for arrays of vectors, uninitialized; NULL if memory is exhausted. */
 static void *simd_allocate(size_t size) {
-    /** Bytes: the widest vector of any engine. */
+    /** Bytes of the widest vector of all engines. */
     const size_t alignment = 64;
     return aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
 }
 
-/** Takes camera, lights and size anew. See #Engine.set_view. */
+/** Sets camera, lights and image size. See #Engine.set_view. */
 static void engine_set_view(Tracer *tracer, const Scene *scene, int width, int height) {
     Vec3d shift = vec3d_scale(tracer->origin, -1);
     SceneCamera camera = scene->camera;
@@ -115,7 +115,7 @@ static Tracer *engine_create_tracer(const Scene *scene, const TraceSettings *set
     return tracer;
 }
 
-/** Finds the box of all bounded shapes. See #Engine.bounds. */
+/** Finds the bounding box of all bounded shapes. See #Engine.bounds. */
 static void engine_bounds(const Tracer *tracer, Vec3d *low, Vec3d *high) {
     Aabbd bounds = shape_set_bounds(&tracer->shapes);
     *low = bounds.low;
@@ -124,7 +124,7 @@ static void engine_bounds(const Tracer *tracer, Vec3d *low, Vec3d *high) {
     *high = vec3d_add(*high, tracer->origin);
 }
 
-/** Says what a tracer was made of. See #Engine.stats. @return It. */
+/** @return The statistics of a tracer. See #Engine.stats. */
 static TracerStats engine_stats(const Tracer *tracer) {
     const ShapeSet *shapes = &tracer->shapes;
     TracerStats stats = {.linear = shapes->linear_count,
@@ -139,7 +139,7 @@ static TracerStats engine_stats(const Tracer *tracer) {
     return stats;
 }
 
-/** What the processor must be able to do: that for which this file is compiled. */
+/** The processor features that this file is compiled for. */
 #if defined(__AVX512DQ__)
 #define ENGINE_NEEDS ENGINE_NEEDS_AVX512
 #elif defined(__AVX2__)

@@ -1,20 +1,20 @@
 /**
  * @file
- * @brief The footprint of pixels: how finely the camera sees what is how far away.
+ * @brief Pixel footprints: the size of the smallest visible detail at a distance.
  */
 #ifndef DIOPTRE_TRACE_TRACER_FOOTPRINT_H
 #define DIOPTRE_TRACE_TRACER_FOOTPRINT_H
 
 #include "trace/tracer/camera.h"
 
-/** How finely the camera sees. */
+/** The footprint of a pixel: a cone from the camera. */
 typedef struct Footprint {
-    scalar pixel_fraction; /**< Of half a pixel, that is not seen. */
-    Vec3s camera_position; /**< Where it is. */
-    scalar spread;         /**< What is smaller than this at distance 1 is not seen. */
+    scalar pixel_fraction; /**< The fraction of half a pixel below which details are invisible. */
+    Vec3s camera_position; /**< The apex of the cone. */
+    scalar spread;         /**< The smallest visible size at distance 1. */
 } Footprint;
 
-/** Takes the camera anew. */
+/** Sets the camera. */
 static inline void footprint_set_camera(Footprint *footprint, const Camera *camera) {
     footprint->camera_position =
         (Vec3s){real_lane(camera->origin.x, 0), real_lane(camera->origin.y, 0),

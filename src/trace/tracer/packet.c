@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Packets and their intervals.
+ * @brief Packets and the intervals that contain them.
  */
 #include "trace/tracer/packet.h"
 
@@ -14,7 +14,7 @@ unsigned packet_active_count(const Packet *packet) {
     return count;
 }
 
-/** @return The smallest lane, found by halves. */
+/** @return The smallest lane, in log2(LANES) steps: each compares one half with the other. */
 INLINE scalar real_reduce_min(real x) {
 #if LANES == 16
     x = real_min(
@@ -41,15 +41,12 @@ INLINE scalar real_reduce_max(real x) {
     return -real_reduce_min(-x);
 }
 
-/**
- * @return A coordinate of a vector.
- * @param axis  0, 1 or 2 for x, y or z.
- */
+/** @return A component. @param axis 0, 1 or 2 for x, y or z. */
 INLINE real vec3_component(const Vec3 *v, int axis) {
     return axis == 0 ? v->x : axis == 1 ? v->y : v->z;
 }
 
-/** The intervals that the rays of each lane lie in, along one axis. */
+/** The intervals that contain the rays of each lane, along one axis. */
 typedef struct LaneIntervals {
     real origin_low;   /**< Lowest origins. */
     real origin_high;  /**< Highest origins. */
@@ -57,7 +54,7 @@ typedef struct LaneIntervals {
     real inverse_high; /**< Highest 1 / direction. */
 } LaneIntervals;
 
-/** Widens intervals by one ray a lane. @param origin Where the rays start, along the axis. */
+/** Extends intervals by one ray per lane. @param origin Its origin along the axis. */
 INLINE void lane_intervals_extend(LaneIntervals *s, real origin, real inverse) {
     s->origin_low = real_min(origin, s->origin_low);
     s->origin_high = real_max(origin, s->origin_high);
@@ -65,7 +62,7 @@ INLINE void lane_intervals_extend(LaneIntervals *s, real origin, real inverse) {
     s->inverse_high = real_max(inverse, s->inverse_high);
 }
 
-/** @return The intervals along one axis. */
+/** @return The interval along one axis. Inactive lanes count as a copy of an active lane. */
 INLINE AxisInterval packet_axis_interval(const Packet *packet, int axis) {
     const real most = real_of(INFINITE), least = real_of(-INFINITE);
     LaneIntervals s = {most, least, most, least};
@@ -97,9 +94,9 @@ PacketIntervals packet_intervals(const Packet *packet) {
                              real_reduce_max(limit)};
 }
 
-/** Narrows the interval of distances in which any ray can be between two planes, where all go up
- *  along the axis. A comparison that is false for NaN leaves the interval as it is. @param[in,out]
- *  near Earliest distance, for each box. */
+/** Clips the interval of distances in which any ray can be between two planes, for rays whose
+ *  directions are positive along the axis. NaN, for which comparisons are false, clips nothing.
+ *  @param[in,out] near Lower bound of the distance, per box. */
 INLINE void interval_clip_positive(real *near, real *far, const AxisInterval *interval, real low,
                                    real high) {
     real max_inverse = real_of(interval->inverse_high),
@@ -112,7 +109,7 @@ INLINE void interval_clip_positive(real *near, real *far, const AxisInterval *in
     *far = real_min(leave, *far);
 }
 
-/** @return The span of the same rays seen in a mirror: up is down. */
+/** @return The interval of the rays mirrored at 0. */
 static AxisInterval axis_interval_negated(const AxisInterval *interval) {
     return (AxisInterval){-interval->origin_high, -interval->origin_low, -interval->inverse_high,
                           -interval->inverse_low};

@@ -1,11 +1,11 @@
 /**
  * @file
- * @brief Packets: rays of neighbouring pixels that travel together.
+ * @brief Packets: rays of neighbouring pixels that are traced together.
  *
- * Rays that start together meet the same few shapes. A packet is tested against a shape's box once,
- * by intervals, before any of its rays is; what it cannot meet is dropped for all of them. The test
- * uses the same operations as a ray against a slab and rounds outwards, so it never drops a shape
- * that a ray of the packet would have hit: it changes the time, not one bit of the picture.
+ * Neighbouring rays hit the same few shapes. A packet is tested against the bounding box of a shape
+ * once, by interval arithmetic, before its rays are tested against the shape. The interval test
+ * uses the operations of the ray-slab test and rounds outwards, so it never drops a shape that a
+ * ray of the packet hits: it changes the time, and not one bit of the image.
  */
 #ifndef DIOPTRE_TRACE_TRACER_PACKET_H
 #define DIOPTRE_TRACE_TRACER_PACKET_H
@@ -14,69 +14,69 @@
 #include "trace/shapes/shape.h"
 
 #if LANES > 1
-/** Pixels a packet, across: a vector is a row, or half of one. */
+/** Pixels per packet, across. A vector is a row of pixels, or half a row. */
 #define PACKET_COLUMNS (LANES > 8 ? LANES : 8)
-/** Pixels a packet, down: 8 by 8 rays share the cost of the intervals best. */
+/** Pixels per packet, down. Packets of 8 by 8 rays were the fastest (measured). */
 #define PACKET_ROWS 8
 #else
-/** An engine of one lane is the textbook tracer, the baseline of every chart: ray by ray. */
+/** An engine of one lane is the textbook tracer, the baseline of all charts: one ray at a time. */
 #define PACKET_COLUMNS 1
 /** See #PACKET_COLUMNS. */
 #define PACKET_ROWS 1
 #endif
-/** Rays a packet. */
+/** Rays per packet. */
 #define PACKET_RAYS (PACKET_COLUMNS * PACKET_ROWS)
-/** Vectors a packet. */
+/** Vectors per packet. */
 #define PACKET_VECTORS (PACKET_RAYS / LANES)
 
-/** What is noted of the rays of a packet while they are followed. A ray that goes on has its
- *  ancestor's lane, so each note is of the same pixel as before. */
+/** What is recorded of the rays of a packet. A secondary ray is in the lane of its camera ray, so
+ *  each record belongs to one pixel. */
 typedef struct Recorders {
-    uint64_t *path_hashes; /**< A number for each ray, of the way that its light took; NULL: nobody
-                           asks. See trace/tracer/path_hash.h. */
-    AovSample *aovs;       /**< What is known of each ray's pixel; NULL: nobody asks. See
-                                    trace/tracer/aov.h. */
-    RayTree *ray_tree;     /**< Where the rays of the first lane are noted; NULL: nobody asks. See
-                           trace/tracer/ray_tree_recorder.h. */
+    uint64_t *path_hashes; /**< One hash per ray, see trace/tracer/path_hash.h; NULL: none. */
+    AovSample *aovs;       /**< One sample per ray, see trace/tracer/aov.h; NULL: none. */
+    RayTree *ray_tree;     /**< The rays of the first lane, see trace/tracer/ray_tree_recorder.h;
+                                NULL: none. */
 } Recorders;
 
-/** Whose rays travel together: what their choices among the points of a lamp go by. */
+/** What identifies the samples that the rays of a packet belong to. */
 typedef struct SampleContext {
-    const uint32_t
-        *pixel_ids; /**< A number for each ray, its pixel's own; NULL where no lamp is soft.
-                     */
-    const Recorders *recorders; /**< What is noted of their ways; NULL: nothing. */
-    uint32_t sample;            /**< Which of the pixels' samples they are. */
-    uint32_t bounce;            /**< How often they were turned. */
+    const uint32_t *pixel_ids; /**< One number per ray, unique to its pixel, that selects its sample
+                                    points on lights; NULL: no light has soft shadows. */
+    const Recorders *recorders; /**< What is recorded; NULL: nothing. */
+    uint32_t sample;            /**< Index of the sample in its pixel. */
+    uint32_t bounce;            /**< Number of reflections and refractions so far. */
 } SampleContext;
 
-/** @return Where the rays of the first lane are noted; NULL: nobody asks. */
+/** @return The ray tree that the rays of the first lane are recorded in; NULL: none. */
 static inline RayTree *sample_context_ray_tree(const SampleContext *context) {
     return context->recorders ? context->recorders->ray_tree : NULL;
 }
 
-/** @return Of what becomes of rays at a surface. @param context Of the rays that met it. */
-static inline SampleContext sample_context_next_bounce(SampleContext context) {
-    context.bounce++;
-    return context;
-}
-
-/** Rays that travel together. */
+/** Rays that are traced together. */
 struct Packet {
     Ray rays[PACKET_VECTORS];    /**< The rays. */
-    mask active[PACKET_VECTORS]; /**< Those that are there at all. */
-    real limit[PACKET_VECTORS];  /**< How far each goes. */
-    bool wants_points;           /**< Whether points and normals are wanted of what they meet; else
-                                      only which shape and how far away. */
-    SampleContext context;       /**< Whose they are. */
+    mask active[PACKET_VECTORS]; /**< The lanes that hold a ray. */
+    real limit[PACKET_VECTORS];  /**< The largest distance that counts. */
+    bool wants_points;           /**< Whether hit points and normals are needed, not only shapes and
+                                      distances. */
+    SampleContext context;       /**< The samples that the rays belong to. */
 };
 
-/** Boxes of LANES shapes side by side, so that one test answers for all of them. */
+/** A packet on its path from the camera through the scene. */
+typedef struct RayState {
+    Packet packet;                       /**< The rays; their directions are unit vectors. */
+    real throughput[PACKET_VECTORS];     /**< The factor of a ray's colour in its pixel; the largest
+                                              of the three channels. */
+    const struct InteriorList *interior; /**< The transparent shapes that each vector of rays is
+                                              inside of; NULL: the scene has none. */
+} RayState;
+
+/** The bounding boxes of LANES shapes, for one test of all of them. */
 typedef struct Aabb {
     real planes[6]; /**< Lowest coordinates along x, y and z; then highest. */
 } Aabb;
 
-/** The intervals that all active rays of a packet lie in, along one axis. */
+/** The intervals that contain all active rays of a packet, along one axis. */
 typedef struct AxisInterval {
     scalar origin_low;   /**< Lowest origin. */
     scalar origin_high;  /**< Highest origin. */
@@ -84,21 +84,21 @@ typedef struct AxisInterval {
     scalar inverse_high; /**< Highest 1 / direction. */
 } AxisInterval;
 
-/** What is known of all rays of a packet at once. */
+/** The intervals that contain all active rays of a packet. */
 typedef struct PacketIntervals {
     AxisInterval axis[3]; /**< Along x, y and z. */
-    scalar limit;         /**< How far the farthest goes. */
+    scalar limit;         /**< The largest limit. */
 } PacketIntervals;
 
-/** @return How many rays of a packet are active. */
+/** @return The number of active rays. */
 unsigned packet_active_count(const Packet *packet);
 
 /** @return The intervals of a packet with at least one active ray. */
 PacketIntervals packet_intervals(const Packet *packet);
 
 /**
- * @return The boxes that some ray within the spans may meet; set where that cannot be excluded.
- * @param[out] nearest  For each box: no ray meets anything in it nearer than this.
+ * @return The boxes that rays within the intervals may hit; set where that cannot be excluded.
+ * @param[out] nearest  For each box, a lower bound of the distance of any hit in it.
  */
 mask packet_intervals_may_hit(const PacketIntervals *intervals, const Aabb *boxes, real *nearest);
 

@@ -1,22 +1,21 @@
 /**
  * @file
- * @brief Convoys of rays.
+ * @brief Packet merging.
  */
 #include "trace/tracer/packet_merge.h"
 
-/** One ray of many: a lane of a vector. */
+/** Where a ray is in a packet: a lane of a vector. */
 typedef struct LaneSlot {
-    unsigned vector; /**< Which vector. */
-    int lane;        /**< Which lane of it. */
+    unsigned vector; /**< Index of the vector. */
+    int lane;        /**< Index of the lane. */
 } LaneSlot;
 
-/** @return A ray's seat. @param index Its place, counted from the first lane of the first vector.
- */
+/** @return The slot of the ray with an index, counted from the first lane of the first vector. */
 static LaneSlot lane_slot_of(unsigned index) {
     return (LaneSlot){index / LANES, (int)(index % LANES)};
 }
 
-/** @return How many vectors of a packet have active rays. */
+/** @return The number of vectors with active rays. */
 static unsigned packet_vectors_used(const Packet *packet) {
     unsigned used = 0;
     for (int v = 0; v < PACKET_VECTORS; v++) {
@@ -29,8 +28,8 @@ bool packet_merge_is_worthwhile(const Packet *one, const Packet *other) {
     unsigned rays = packet_active_count(one) + packet_active_count(other);
     unsigned before = packet_vectors_used(one) + packet_vectors_used(other),
              after = (rays + LANES - 1) / LANES;
-    // Rays that go all ways take longer a vector: a quarter of the vectors pays for it (measured).
-    // What is noted is of one pixel, and first of what is mirrored: its rays stay in their places.
+    // Incoherent rays take longer per vector: to save a quarter of the vectors pays (measured).
+    // Recorders identify rays by their lanes, so recorded rays stay in their lanes.
     return LANES > 1 && !one->context.recorders &&
            one->context.bounce <= PACKET_MERGE_MAX_BOUNCES && rays > 0 && rays <= PACKET_RAYS &&
            4 * after <= 3 * before;
@@ -48,6 +47,13 @@ INLINE void vec3_copy_lane(Vec3 *to, int slot, const Vec3 *from, int lane) {
     real_copy_lane(&to->z, slot, &from->z, lane);
 }
 
+/** Copies a lane. */
+INLINE void rgb_copy_lane(Rgb *to, int slot, const Rgb *from, int lane) {
+    real_copy_lane(&to->red, slot, &from->red, lane);
+    real_copy_lane(&to->green, slot, &from->green, lane);
+    real_copy_lane(&to->blue, slot, &from->blue, lane);
+}
+
 /** Copies a ray. */
 INLINE void ray_copy_lane(Ray *to, int slot, const Ray *from, int lane) {
     vec3_copy_lane(&to->origin, slot, &from->origin, lane);
@@ -55,7 +61,7 @@ INLINE void ray_copy_lane(Ray *to, int slot, const Ray *from, int lane) {
     vec3_copy_lane(&to->inverse_direction, slot, &from->inverse_direction, lane);
 }
 
-/** Copies what a ray is inside of. */
+/** Copies the list of one ray. */
 INLINE void interior_list_copy_lane(InteriorList *to, int slot, const InteriorList *from,
                                     int lane) {
     for (int i = 0; i < INTERIOR_LIST_CAPACITY; i++) {
@@ -63,70 +69,67 @@ INLINE void interior_list_copy_lane(InteriorList *to, int slot, const InteriorLi
     }
 }
 
-void packet_merge_begin(PacketMerge *merge, SampleContext context) {
-    merge->count = 0;
-    merge->packet.wants_points = true;
-    merge->packet.context = context;
-    if (context.pixel_ids) {
-        merge->packet.context.pixel_ids = merge->pixel_ids;
-    }
-    for (int v = 0; v < PACKET_VECTORS; v++) {
-        merge->packet.active[v] = mask_of(false);
-        merge->packet.limit[v] = real_of(INFINITE);
-    }
-}
-
-void packet_merge_add(PacketMerge *merge, const Packet *packet, const InteriorList *interior,
-                      const real *throughputs) {
+/** Appends the active rays of a packet. */
+static void packet_merge_append(PacketMerge *merge, const RayState *rays) {
+    const Packet *packet = &rays->packet;
     const uint32_t *pixel_ids = packet->context.pixel_ids;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         for (unsigned remaining = mask_bits(packet->active[v]); remaining;
              remaining &= remaining - 1) {
             int lane = __builtin_ctz(remaining);
             LaneSlot slot = lane_slot_of(merge->count);
-            ray_copy_lane(&merge->packet.rays[slot.vector], slot.lane, &packet->rays[v], lane);
-            interior_list_copy_lane(&merge->interior[slot.vector], slot.lane, &interior[v], lane);
-            real_copy_lane(&merge->throughputs[slot.vector], slot.lane, &throughputs[v], lane);
+            ray_copy_lane(&merge->rays.packet.rays[slot.vector], slot.lane, &packet->rays[v], lane);
+            interior_list_copy_lane(&merge->interior[slot.vector], slot.lane, &rays->interior[v],
+                                    lane);
+            real_copy_lane(&merge->rays.throughput[slot.vector], slot.lane, &rays->throughput[v],
+                           lane);
             merge->pixel_ids[merge->count++] = pixel_ids ? pixel_ids[v * LANES + lane] : 0;
         }
     }
 }
 
-/** Fills the lanes that are left of the last vector with its first ray, which is harmless to
- *  compute with. */
+/** Fills the unused lanes of the last vector with its first ray, which is safe to compute with. */
 static void packet_merge_pad(PacketMerge *merge) {
     for (unsigned index = merge->count; index % LANES; index++) {
         LaneSlot slot = lane_slot_of(index);
-        Ray *rays = &merge->packet.rays[slot.vector];
+        Ray *rays = &merge->rays.packet.rays[slot.vector];
         InteriorList *interior = &merge->interior[slot.vector];
         ray_copy_lane(rays, slot.lane, rays, 0);
         interior_list_copy_lane(interior, slot.lane, interior, 0);
-        real_set_lane(&merge->throughputs[slot.vector], slot.lane, 0);
+        real_set_lane(&merge->rays.throughput[slot.vector], slot.lane, 0);
         merge->pixel_ids[index] = 0;
     }
 }
 
-void packet_merge_end(PacketMerge *merge) {
-    unsigned whole = merge->count / LANES, rest = merge->count % LANES;
-    for (unsigned v = 0; v < whole; v++) {
-        merge->packet.active[v] = mask_of(true);
+void packet_merge_init(PacketMerge *merge, const RayState *one, const RayState *other) {
+    Packet *packet = &merge->rays.packet;
+    merge->count = 0;
+    merge->rays.interior = merge->interior;
+    packet->wants_points = true;
+    packet->context = one->packet.context;
+    if (packet->context.pixel_ids) {
+        packet->context.pixel_ids = merge->pixel_ids;
     }
-    if (rest) {
-        merge->packet.active[whole] = mask_of_bits((1u << rest) - 1);
-        packet_merge_pad(merge);
+    packet_merge_append(merge, one);
+    packet_merge_append(merge, other);
+    packet_merge_pad(merge);
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        int left = (int)merge->count - v * LANES;
+        packet->active[v] = left >= LANES ? mask_of(true)
+                            : left > 0    ? mask_of_bits((1u << left) - 1)
+                                          : mask_of(false);
+        packet->limit[v] = real_of(INFINITE);
     }
 }
 
-unsigned packet_merge_scatter(const Rgb *incoming, unsigned first, const Packet *packet,
+unsigned packet_merge_scatter(const Rgb *merged_colors, unsigned first, const Packet *packet,
                               Rgb *colors) {
     for (int v = 0; v < PACKET_VECTORS; v++) {
         for (unsigned remaining = mask_bits(packet->active[v]); remaining;
              remaining &= remaining - 1) {
             int lane = __builtin_ctz(remaining);
             LaneSlot slot = lane_slot_of(first++);
-            real_copy_lane(&colors[v].red, lane, &incoming[slot.vector].red, slot.lane);
-            real_copy_lane(&colors[v].green, lane, &incoming[slot.vector].green, slot.lane);
-            real_copy_lane(&colors[v].blue, lane, &incoming[slot.vector].blue, slot.lane);
+            rgb_copy_lane(&colors[v], lane, &merged_colors[slot.vector], slot.lane);
         }
     }
     return first;

@@ -1,57 +1,52 @@
 /**
  * @file
- * @brief Convoys: the last rays of two packets that go on as one.
+ * @brief Packet merging (stream compaction): two sparse packets become one dense packet.
  *
- * At glass a packet becomes two, one mirrored and one refracted, and at the next glass four. Few
- * rays are left in each of them, for each has lost those that met something else; but a vector
- * takes as long for one ray as for all its lanes. So the rays of the two are put side by side into
- * one packet where that saves vectors. What a ray meets does not depend on its neighbours: this
- * changes the time, not one bit of the picture.
+ * At a transparent surface a packet becomes two, one reflected and one refracted, and each of them
+ * becomes two again. Their rays get fewer, but a vector costs the same for one ray as for LANES.
+ * So the active rays of both packets are moved into one packet where that saves vectors. A ray's
+ * result does not depend on the other lanes: merging changes the time, and not one bit of the
+ * image.
  */
 #ifndef DIOPTRE_TRACE_TRACER_PACKET_MERGE_H
 #define DIOPTRE_TRACE_TRACER_PACKET_MERGE_H
 
 #include "trace/glass/interior_list.h"
-#include "trace/materials/material.h"
 
-/** Rays that were turned this often go on without convoys, whose memory would add up on the stack:
- *  few are left by then. */
+/** Rays of more bounces are not merged: the merged packets of all levels of the recursion are on
+ *  the stack, and few rays are left at this depth. */
 enum { PACKET_MERGE_MAX_BOUNCES = 48 };
 
-/** Rays that were gathered. */
+/** A packet made of the active rays of two packets. */
 typedef struct PacketMerge {
-    Packet packet;                         /**< The rays, close together from the first lane on. */
-    InteriorList interior[PACKET_VECTORS]; /**< What they are inside of. */
-    real throughputs[PACKET_VECTORS];      /**< See #tracer_trace_packet. */
+    RayState rays; /**< The rays: first those of one packet, then those of the other, without gaps.
+                    */
+    InteriorList interior[PACKET_VECTORS]; /**< The shapes that they are inside of. */
     uint32_t pixel_ids[PACKET_RAYS];       /**< See #SampleContext. */
-    unsigned count;                        /**< How many. */
+    unsigned count;                        /**< Number of rays. */
 } PacketMerge;
 
-/** @return Whether two packets had better go on as one. */
+/** @return Whether it is faster to trace two packets as one. */
 bool packet_merge_is_worthwhile(const Packet *one, const Packet *other);
 
-/** Begins a convoy of mirrored and refracted rays. @param context Whose rays will join. */
-void packet_merge_begin(PacketMerge *merge, SampleContext context);
+/**
+ * Merges two packets.
+ * @param[out] merge  The merged packet; it contains pointers into itself.
+ * @param one  Rays with interior lists.
+ * @param other  Rays with interior lists, of the same context; #PACKET_RAYS at most in all, and at
+ *         least one.
+ */
+void packet_merge_init(PacketMerge *merge, const RayState *one, const RayState *other);
 
 /**
- * Lets the active rays of a packet join.
- * @param[in,out] merge  The convoy, with room for them.
- * @param interior  What they are inside of.
+ * Copies colours of a merged packet back to the lanes of one of its two packets.
+ * @param merged_colors  The colours of the merged packet.
+ * @param first  Index of the packet's first ray in the merged packet.
+ * @param packet  The packet as it was merged.
+ * @param[out] colors  The colours of its active rays.
+ * @return The index behind the packet's last ray.
  */
-void packet_merge_add(PacketMerge *merge, const Packet *packet, const InteriorList *interior,
-                      const real *throughputs);
-
-/** Closes a convoy. @param[in,out] merge The convoy, not empty; its packet is now ready. */
-void packet_merge_end(PacketMerge *merge);
-
-/**
- * Gives a packet what its rays have brought back.
- * @param incoming  What the rays of the convoy have.
- * @param first  Which of them is the packet's first.
- * @param[out] colors  What its active rays have.
- * @return Which of the convoy's rays is the first of the packet that joined next.
- */
-unsigned packet_merge_scatter(const Rgb *incoming, unsigned first, const Packet *packet,
+unsigned packet_merge_scatter(const Rgb *merged_colors, unsigned first, const Packet *packet,
                               Rgb *colors);
 
 #endif

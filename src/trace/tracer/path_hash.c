@@ -1,23 +1,23 @@
 /**
  * @file
- * @brief What is noted of a ray's way.
+ * @brief Path hashes.
  */
 #include "trace/tracer/path_hash.h"
 
-/** Steps that a component of a normal, or a share of light, is told apart in; the two together with
- *  #QUANTIZE_OFFSET put no step where scenes have their normals. */
+/** Quantization steps per unit of a normal's component, or of a transmittance. With
+ *  #QUANTIZE_OFFSET, no step is at a value that is common in scenes, such as 0 or 1. */
 #define QUANTIZE_SCALE 3.71
-/** Where the steps begin. */
+/** Offset of the quantization, in steps. */
 #define QUANTIZE_OFFSET 4.63
 
-/** @return A number in few steps: roundings hardly ever change it, an edge does. @param x It, from
- *  -1 to 1. */
+/** @return A number, coarsely quantized: rounding errors rarely change it, an edge does.
+ *  @param x A number from -1 to 1. */
 static uint64_t quantize(scalar x) {
     double level = (double)x * QUANTIZE_SCALE + QUANTIZE_OFFSET;
     return level > 0 && level < 16 ? (uint64_t)level : 15;
 }
 
-/** Goes on with a trail. */
+/** Adds an event to a path hash. */
 static void path_hash_add(uint64_t *path_hash, uint64_t event) {
     // Steele, Lea, Flood, Fast Splittable Pseudorandom Number Generators, 2014: splitmix64.
     uint64_t z = (*path_hash + event + 1) * 0x9E3779B97F4A7C15u;
@@ -25,7 +25,7 @@ static void path_hash_add(uint64_t *path_hash, uint64_t event) {
     *path_hash = z ^ (z >> 31);
 }
 
-/** @return Three numbers in few steps each. */
+/** @return Three numbers of a lane, quantized. */
 static uint64_t quantize_lanes(real x, real y, real z, int i) {
     return quantize(real_lane(x, i)) << 8 | quantize(real_lane(y, i)) << 4 |
            quantize(real_lane(z, i));

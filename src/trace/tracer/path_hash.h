@@ -1,28 +1,26 @@
 /**
  * @file
- * @brief Trails: a number for each ray of the camera that says which way its light took.
+ * @brief Path hashes: a number per camera ray that identifies the path that its light took.
  *
- * Two pictures may differ in a pixel because numbers were rounded, or because a ray passed an edge
- * on its other side: then it has met something else. The trails tell which. Nobody else asks for
- * them, and where nobody does, a packet costs one look at a pointer.
+ * Two images may differ at a pixel because of rounding, or because a ray passed an edge on the
+ * other side and hit something else. The path hashes tell these cases apart. Without a recorder, a
+ * packet costs one test of a pointer.
  */
 #ifndef DIOPTRE_TRACE_TRACER_PATH_HASH_H
 #define DIOPTRE_TRACE_TRACER_PATH_HASH_H
 
 #include "trace/tracer/surface_hit.h"
 
-/**
- * Notes what rays have met: which shape, and on which side of its edges, as their normals differ.
- * @param surface  The surfaces; its packet has trails.
- */
+/** Adds the hits of a packet with #Recorders.path_hashes: the shapes, and their coarsely quantized
+ *  normals, which tell the faces of a shape apart. */
 void path_hash_add_surfaces(const SurfaceHit *surface);
 
 /**
- * Notes which points a lamp does not reach.
- * @param surface      The points; their packet has trails.
- * @param shadow   The rays to the lamp.
- * @param occluded  Those with something in their way.
- * @param transmittance  The share that glass leaves; NULL: there is no glass.
+ * Adds the shadow rays to one light of a packet with #Recorders.path_hashes.
+ * @param surface  The points that they start from.
+ * @param shadow  The shadow rays.
+ * @param occluded  The rays that do not reach the light.
+ * @param transmittance  The transmittance of the transparent shapes on them; NULL: there are none.
  */
 void path_hash_add_shadows(const SurfaceHit *surface, const Packet *shadow, const mask *occluded,
                            const Rgb *transmittance);

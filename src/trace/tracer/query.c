@@ -1,10 +1,10 @@
 /**
  * @file
- * @brief Rays from outside: packed, asked, and answered.
+ * @brief Ray queries: rays into packets, hits out of packets.
  */
 #include "trace/tracer/query.h"
 
-/** Begins a packet of rays from outside: none is active yet. */
+/** Begins a packet without active rays. */
 static void packet_clear(Packet *packet) {
     packet->wants_points = true;
     for (int v = 0; v < PACKET_VECTORS; v++) {
@@ -15,12 +15,8 @@ static void packet_clear(Packet *packet) {
     }
 }
 
-/**
- * Puts a ray into a packet; #packet_finish makes it whole.
- * @param i  Its place, 0 to #PACKET_RAYS - 1.
- * @param origin  Where it starts, in the engine's numbers.
- * @param direction  Which way, in the engine's numbers.
- */
+/** Adds a ray to a packet, without its inverse direction. @param i Its index, 0 to #PACKET_RAYS
+ * - 1. */
 INLINE void packet_set_ray(Packet *packet, size_t i, const scalar origin[3],
                            const scalar direction[3]) {
     Ray *ray = &packet->rays[i / LANES];
@@ -34,7 +30,7 @@ INLINE void packet_set_ray(Packet *packet, size_t i, const scalar origin[3],
     mask_set_lane(&packet->active[i / LANES], lane, true);
 }
 
-/** Works out what follows from the rays that were put in. */
+/** Completes the rays of a packet. */
 static void packet_finish(Packet *packet) {
     for (int v = 0; v < PACKET_VECTORS; v++) {
         packet->rays[v] = ray_of(packet->rays[v].origin, packet->rays[v].direction);
@@ -42,9 +38,9 @@ static void packet_finish(Packet *packet) {
 }
 
 /**
- * Makes a packet of plain rays.
- * @param count  How many, at most #PACKET_RAYS.
- * @param scene_origin  Where the tracer's coordinates begin.
+ * Makes a packet of double-precision queries.
+ * @param count  Number of rays, at most #PACKET_RAYS.
+ * @param scene_origin  The origin of the tracer's coordinates.
  */
 static void ray_queries_pack(const RayQuery *rays, size_t count, Vec3d scene_origin,
                              Packet *packet) {
@@ -61,9 +57,9 @@ static void ray_queries_pack(const RayQuery *rays, size_t count, Vec3d scene_ori
 }
 
 /**
- * Makes a packet of rays asked in full.
- * @param count  How many, at most #PACKET_RAYS.
- * @param scene_origin  Where the tracer's coordinates begin.
+ * Makes a packet of quadruple-precision queries.
+ * @param count  Number of rays, at most #PACKET_RAYS.
+ * @param scene_origin  The origin of the tracer's coordinates.
  */
 static void quad_queries_pack(const RayQueryQuad *queries, size_t count, Vec3d scene_origin,
                               Packet *packet) {
@@ -79,7 +75,7 @@ static void quad_queries_pack(const RayQueryQuad *queries, size_t count, Vec3d s
     packet_finish(packet);
 }
 
-/** @return How many of the rays from `done` on fill the next packet. */
+/** @return The number of rays in the next packet. @param done Rays in earlier packets. */
 static size_t packet_fill_count(size_t count, size_t done) {
     return count - done < PACKET_RAYS ? count - done : PACKET_RAYS;
 }
@@ -112,16 +108,12 @@ void query_occluded(const Tracer *tracer, size_t count, const RayQuery *rays, bo
     }
 }
 
-/** @return One lane, exactly, in the widest type. */
+/** @return Lane i, exactly, in the widest type. */
 INLINE Quadruple quad_lane(real x, int i) {
     return (Quadruple)real_lane(x, i);
 }
 
-/**
- * @return One lane of a hit, as an answer.
- * @param scene_origin  Where the tracer's coordinates begin.
- * @param occluded  Which lanes `is_blocking` called blocked.
- */
+/** @return The result of lane i. @param scene_origin The origin of the tracer's coordinates. */
 static RayResult ray_result_of(Vec3d scene_origin, const Hit *hit, mask occluded, int i) {
     const Vec3 *p = &hit->point, *n = &hit->normal;
     return (RayResult){.shape = integer_lane(hit->shape, i),
@@ -134,7 +126,7 @@ static RayResult ray_result_of(Vec3d scene_origin, const Hit *hit, mask occluded
                        .error = quad_lane(hit->error, i)};
 }
 
-/** Adds to an answer where on a picture its point lies. */
+/** Adds the texture coordinates to a result. */
 static void ray_result_set_uv(const Tracer *tracer, const Hit *hit, int i, RayResult *result) {
     if (result->shape >= 0) {
         mask lane = mask_of(false);

@@ -1,55 +1,48 @@
 /**
  * @file
- * @brief Rays and hits: the question and the answer of every shape.
+ * @brief Rays and hits: the input and the output of every intersection test.
  */
 #ifndef DIOPTRE_TRACE_TRACER_RAY_H
 #define DIOPTRE_TRACE_TRACER_RAY_H
 
 #include "trace/math/vec3.h"
 
-/** LANES rays: the points origin + t * direction with t > 0. The direction has any length but 0. */
+/** LANES rays: the points origin + t direction, t > 0. The direction has any length but 0. */
 typedef struct Ray {
-    Vec3 origin;            /**< Where they start. */
-    Vec3 direction;         /**< Which way they go. */
-    Vec3 inverse_direction; /**< 1 / direction, for slabs; infinite where a component is 0. */
+    Vec3 origin;            /**< Origins. */
+    Vec3 direction;         /**< Directions. */
+    Vec3 inverse_direction; /**< 1 / direction, for slab tests; infinite where a component is 0. */
 } Ray;
 
-/**
- * What LANES rays have met so far. `is_hit` answers whether, where (point) and with which normal,
- * as in report C.
- */
+/** The nearest hits of LANES rays so far. `is_hit` of a shape says whether a ray hits it, where
+ *  (point), and with which normal. */
 typedef struct Hit {
-    real distance;     /**< The nearest t so far; at first the farthest that counts. */
-    Vec3 point;        /**< Where. */
-    Vec3 normal;       /**< Unit normal of the surface there, outwards. */
-    real error;        /**< Bound on how far #point can be off the surface, scene units. */
-    integer shape;     /**< Place of the shape in the scene; -1 while nothing is met. */
-    integer primitive; /**< Which part of the shape, where it is a mesh: a slot of its model's
-                       blocks. Other shapes leave there what was there. */
+    real distance; /**< The t of the hit; of no hit, the largest t that counts. */
+    Vec3 point;    /**< The hit point. */
+    Vec3 normal;   /**< The surface's outward unit normal there. */
+    real error;    /**< Error bound: distance from #point to the surface at most, scene units. */
+    integer shape; /**< Index of the shape in the scene; -1: no hit. */
+    integer primitive; /**< Of a mesh, the triangle: its slot in the mesh's blocks. Other shapes do
+                            not set it. */
 } Hit;
 
-/**
- * @return LANES rays.
- * @param direction  Which way, not zero.
- */
+/** @return LANES rays. @param direction Their directions, not zero. */
 INLINE Ray ray_of(Vec3 origin, Vec3 direction) {
     Vec3 inverse = {1 / direction.x, 1 / direction.y, 1 / direction.z};
     return (Ray){origin, direction, inverse};
 }
 
-/** @return A hit that has met nothing yet. @param limit The farthest distance that counts. */
+/** @return No hit. @param limit The largest distance that counts. */
 INLINE Hit hit_none(real limit) {
     Vec3 zero = {real_of(0), real_of(0), real_of(0)};
     return (Hit){limit, zero, zero, real_of(0), integer_of(-1), integer_of(0)};
 }
 
 /**
- * @return The lanes in which a shape is nearer than what was met so far. At the same distance the
- *         shape that comes first in the scene is taken, in every engine and in any order of asking.
- *         A distance that is NaN is not nearer.
- * @param hit  What was met so far.
- * @param distance  Where the shape is met.
- * @param shape  Its place in the scene.
+ * @return The lanes in which a shape is nearer than the hit so far. At equal distances the shape
+ * that comes first in the scene wins, in any order of the tests. NaN is never nearer.
+ * @param distance  Distance to the shape.
+ * @param shape  Its index in the scene.
  */
 INLINE mask hit_is_nearer(const Hit *hit, mask active, real distance, int shape) {
     mask earlier = integer_of(shape) < hit->shape;
@@ -57,10 +50,7 @@ INLINE mask hit_is_nearer(const Hit *hit, mask active, real distance, int shape)
     return active & (distance > 0) & ((distance < hit->distance) | tie);
 }
 
-/**
- * Writes the lanes in which a shape is nearer.
- * @param[in,out] hit  What was met so far.
- * @param found  The new hit; its shape is that of all lanes.
+/** Replaces the hits in the lanes in which a shape is nearer. @param found The hits of the shape.
  */
 INLINE void hit_update(Hit *hit, mask nearer, const Hit *found) {
     hit->distance = real_select(nearer, found->distance, hit->distance);

@@ -1,25 +1,25 @@
 /**
  * @file
- * @brief How rays leave a surface: off it, so that they do not meet it again.
+ * @brief Ray offsets: secondary rays start off their surface, so that they do not hit it again.
  */
 #ifndef DIOPTRE_TRACE_TRACER_RAY_OFFSET_H
 #define DIOPTRE_TRACE_TRACER_RAY_OFFSET_H
 
 #include "trace/tracer/ray.h"
 
-/** Bounds on the error of a hit that a ray goes before it is behind the surface for good: its own,
- *  and that of another surface at the same place. */
+/** Error bounds that a ray must pass to be safely behind a surface: that of the surface, and that
+ * of another surface at the same position. */
 #define TRANSMIT_OFFSET_BOUNDS 2
-/** Least cosine of a ray that is moved along itself: nearer to the surface it would go too far. */
+/** Smallest cosine for an offset along the ray alone: at grazing angles that would be too long. */
 #define TRANSMIT_OFFSET_MIN_COSINE ((scalar)0.0625f)
 
-/** How rays leave a surface. */
+/** How far from a surface secondary rays start. */
 typedef struct RayOffset {
-    OffsetStrategy strategy; /**< Which of the three. */
-    scalar epsilon;          /**< For #OFFSET_FIXED: scene units. */
+    OffsetStrategy strategy; /**< How the distance is chosen. */
+    scalar epsilon;          /**< The distance for #OFFSET_FIXED, scene units. */
 } RayOffset;
 
-/** @return How far from a surface rays start, scene units. */
+/** @return The distance from the surface at which rays start, scene units. */
 INLINE real ray_offset_length(const RayOffset *offset, const Hit *hit) {
     return offset->strategy == OFFSET_FIXED  ? real_of(offset->epsilon)
            : offset->strategy == OFFSET_NONE ? real_of(0)
@@ -27,10 +27,9 @@ INLINE real ray_offset_length(const RayOffset *offset, const Hit *hit) {
 }
 
 /**
- * @return Where rays that leave a surface start: moved along the normal, to the side that they
- *         travel to, by nothing, a fixed length or the hit's own error bound (doc/tour.md, "Leaving
- *         a surface").
- * @param direction  Which way they leave.
+ * @return The origins of rays that leave a surface: offset along the normal, to the side of their
+ *         direction (doc/tour.md, "Leaving a surface").
+ * @param direction  Directions of the rays.
  */
 INLINE Vec3 ray_offset_origin(const RayOffset *offset, const Hit *hit, Vec3 direction) {
     if (offset->strategy == OFFSET_NONE) {
@@ -43,10 +42,10 @@ INLINE Vec3 ray_offset_origin(const RayOffset *offset, const Hit *hit, Vec3 dire
 }
 
 /**
- * @return How far behind a surface rays start that go through it, in lengths of their direction:
- *         along themselves, so that they stay on their line, until they are #TRANSMIT_OFFSET_BOUNDS
- *         bounds behind the surface.
- * @param cosine  Between their direction, as long as it is, and the surface's normal; not negative.
+ * @return The offset of transmitted rays along themselves, in lengths of their direction: until
+ * they are #TRANSMIT_OFFSET_BOUNDS error bounds behind the surface. So they stay on their line.
+ * @param cosine  direction . n_behind, not negative; the direction need not be a unit vector.
+ * @param length  Length of the direction.
  */
 INLINE real ray_offset_transmitted_t(real offset_length, real cosine, real length) {
     return TRANSMIT_OFFSET_BOUNDS * offset_length /
@@ -54,11 +53,12 @@ INLINE real ray_offset_transmitted_t(real offset_length, real cosine, real lengt
 }
 
 /**
- * @return Where rays start that go through a surface. Those that graze it are moved along the
- *         normal for the rest.
- * @param n_behind  The normal, on the side that the rays go to.
- * @param direction  Which way they go.
- * @param cosine  direction . onward, not negative.
+ * @return The origins of transmitted rays. At grazing angles, the rest of the offset is along the
+ *         normal.
+ * @param n_behind  The unit normal on the side that the rays go to.
+ * @param direction  Directions of the rays.
+ * @param cosine  direction . n_behind, not negative.
+ * @param t  The offset along the rays, by ray_offset_transmitted_t().
  */
 INLINE Vec3 ray_offset_transmitted_origin(const Hit *hit, real offset_length, Vec3 n_behind,
                                           Vec3 direction, real cosine, real t) {

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Noting the rays of one pixel.
+ * @brief Recording of the tree of rays of one pixel.
  */
 #include "trace/tracer/ray_tree_recorder.h"
 
@@ -8,17 +8,17 @@
 
 #include <stdlib.h>
 
-/** Rays for which there is room at first. */
+/** Rays that memory is allocated for at first. */
 enum { RAY_TREE_INITIAL_CAPACITY = 64 };
 
-/* --- out of the engine's numbers -------------------------------------------------------------- */
+/* --- conversion to double --------------------------------------------------------------------- */
 
 /** @return The vector in the first lane. */
 static Vec3d vec3_first_lane(Vec3 v) {
     return (Vec3d){(double)real_lane(v.x, 0), (double)real_lane(v.y, 0), (double)real_lane(v.z, 0)};
 }
 
-/** @return The light in the first lane. */
+/** @return The colour in the first lane. */
 static Rgbd rgb_first_lane(Rgb color) {
     return (Rgbd){(double)real_lane(color.red, 0), (double)real_lane(color.green, 0),
                   (double)real_lane(color.blue, 0)};
@@ -29,7 +29,7 @@ static double real_first_lane(real x) {
     return (double)real_lane(x, 0);
 }
 
-/** @return A length in units of the last place of a number of the engine. */
+/** @return A length in ulps of a number of the engine. */
 static double in_ulps(double length, double x) {
     int exponent;
     frexp(x, &exponent);
@@ -38,7 +38,7 @@ static double in_ulps(double length, double x) {
 
 /* --- the list of rays ------------------------------------------------------------------------- */
 
-/** Makes room for one more ray. @return false without memory. */
+/** Makes room for one more ray. @return Whether there is; false if memory is exhausted. */
 static bool ray_tree_reserve(RayTree *ray_tree) {
     if (ray_tree->count < ray_tree->capacity) {
         return true;
@@ -55,9 +55,9 @@ static bool ray_tree_reserve(RayTree *ray_tree) {
 
 /**
  * Adds a ray as a child of the current one.
- * @param ray  Where it goes, in the first lane.
- * @param limit  How far, in lengths of its direction.
- * @return It; NULL without memory.
+ * @param ray  The ray, in the first lane.
+ * @param limit  The largest distance that counts, in lengths of its direction.
+ * @return Its node; NULL if memory is exhausted.
  */
 static RayTreeNode *ray_tree_add(RayTree *ray_tree, RayType kind, const Ray *ray, real limit) {
     ray_tree->is_truncated = ray_tree->is_truncated || !ray_tree_reserve(ray_tree);
@@ -79,17 +79,17 @@ static RayTreeNode *ray_tree_add(RayTree *ray_tree, RayType kind, const Ray *ray
     return added;
 }
 
-/** @return The ray that is being followed; NULL where memory did not do. */
+/** @return The current ray; NULL if memory was exhausted. */
 static RayTreeNode *ray_tree_current(const RayTree *ray_tree) {
     return ray_tree->is_truncated ? NULL : &ray_tree->nodes[ray_tree->current];
 }
 
-void ray_tree_push(RayTree *ray_tree, RayType kind, const Packet *packet, Rgb weight,
-                   real throughput) {
-    RayTreeNode *ray = ray_tree_add(ray_tree, kind, &packet->rays[0], packet->limit[0]);
+void ray_tree_push(RayTree *ray_tree, RayType type, const RayState *rays, Rgb weight) {
+    const Packet *packet = &rays->packet;
+    RayTreeNode *ray = ray_tree_add(ray_tree, type, &packet->rays[0], packet->limit[0]);
     if (ray) {
         ray->weight = rgb_first_lane(weight);
-        ray->throughput = real_first_lane(throughput);
+        ray->throughput = real_first_lane(rays->throughput[0]);
         ray_tree->current = (int)(ray - ray_tree->nodes);
     }
 }
@@ -103,9 +103,9 @@ void ray_tree_pop(RayTree *ray_tree, Rgb color) {
     }
 }
 
-/* --- what the current ray met ----------------------------------------------------------------- */
+/* --- hits ------------------------------------------------------------------------------------- */
 
-/** Notes where a ray met something. @param length Of its direction in the engine. */
+/** Records a hit. @param length Length of the ray's direction in the engine. */
 static void ray_tree_node_set_hit(RayTreeNode *ray, const Hit *hit, double length) {
     int shape = integer_lane(hit->shape, 0), light = emitter_light_index(shape);
     ray->is_hit = shape >= 0 || light >= 0;
@@ -136,7 +136,8 @@ void ray_tree_record_surface(const SurfaceHit *surface, const RayOffset *offset)
     }
 }
 
-void ray_tree_record_dielectric(const SurfaceHit *surface, const DielectricHit *dielectric) {
+void ray_tree_record_dielectric(const SurfaceHit *surface) {
+    const DielectricHit *dielectric = surface->dielectric;
     RayTreeNode *ray = ray_tree_current(surface->packet->context.recorders->ray_tree);
     MaterialPack material =
         material_pack_gather(surface->materials, &surface->material_ids[0], surface->is_hit[0]);
@@ -147,7 +148,7 @@ void ray_tree_record_dielectric(const SurfaceHit *surface, const DielectricHit *
     InteriorList interior = surface->interior[0];
     integer shape_before = interior_list_cross(&interior, &surface->packet->rays[0],
                                                &surface->hits[0], is_transmitted);
-    integer shape_behind = interior_list_top(&dielectric->interior[0]);
+    integer shape_behind = interior_list_top(&dielectric->interior_behind[0]);
     RayTreeSurface *record = &ray->surface;
     record->is_transparent = true;
     record->is_overridden = mask_lane(dielectric->is_overridden[0], 0);
@@ -160,10 +161,9 @@ void ray_tree_record_dielectric(const SurfaceHit *surface, const DielectricHit *
 /* --- light ------------------------------------------------------------------------------------ */
 
 /**
- * Finds what is in the way of a shadow ray.
- * @param surface  The surface that it comes from.
- * @param[out] hit  What it meets first, if anything: of shapes that light goes through, only where
- *         no other is in the way.
+ * Finds the first shape that a shadow ray hits.
+ * @param surface  The surface that it starts from.
+ * @param[out] hit  The hit; of a transparent shape only if no opaque one is hit.
  */
 static void occluder_find(const ShapeSet *shapes, const SurfaceHit *surface, const Packet *shadow,
                           Hit *hit) {
@@ -202,13 +202,13 @@ void ray_tree_record_shadow(const ShapeSet *shapes, const SurfaceHit *surface, s
     }
 }
 
-/** @return The same light in all lanes. @param color Light, in numbers of the engine. */
+/** @return The same colour in all lanes. */
 static Rgb rgb_of_color(Rgbd color) {
     return rgb_splat(rgbs_of(color));
 }
 
-/** Works out what each shadow ray of a surface adds to its colour. @param parent_index The place of
- *  the ray that met the surface. */
+/** Computes what each shadow ray adds to the colour of its surface. @param parent_index Index of
+ *  the ray that hit the surface. */
 static void ray_tree_weight_shadows(RayTree *ray_tree, int parent_index,
                                     const MaterialPack *material) {
     for (size_t i = (size_t)parent_index + 1; i < ray_tree->count; i++) {
@@ -221,8 +221,7 @@ static void ray_tree_weight_shadows(RayTree *ray_tree, int parent_index,
     }
 }
 
-void ray_tree_record_shading(const SurfaceHit *surface, const DielectricHit *dielectric,
-                             const Rgb *texture_color, Rgb color) {
+void ray_tree_record_shading(const SurfaceHit *surface, const Rgb *texture_color, Rgb color) {
     RayTree *ray_tree = surface->packet->context.recorders->ray_tree;
     RayTreeNode *ray = ray_tree_current(ray_tree);
     if (!ray) {
@@ -238,17 +237,16 @@ void ray_tree_record_shading(const SurfaceHit *surface, const DielectricHit *die
     record->specular = rgb_first_lane(material.specular);
     record->ambient = rgb_first_lane(material.ambient);
     record->diffuse = real_first_lane(material.diffuse);
-    record->reflect_weight = rgb_first_lane(dielectric_hit_reflectance(dielectric, 0, &material));
+    record->reflect_weight = rgb_first_lane(surface_reflectance(surface, 0, &material));
     if (record->is_transparent) {
-        record->refract_weight =
-            rgb_first_lane(dielectric_hit_transmittance(dielectric, 0, &material));
+        record->refract_weight = rgb_first_lane(surface_transmittance(surface, 0, &material));
     }
     ray->local_color = rgb_first_lane(color);
-    // The newest rays are this surface's shadow rays: none has gone on from it yet.
+    // The newest nodes are this surface's shadow rays: its secondary rays are not generated yet.
     ray_tree_weight_shadows(ray_tree, ray_tree->current, &material);
 }
 
-/* --- the end ---------------------------------------------------------------------------------- */
+/* --- completion ------------------------------------------------------------------------------- */
 
 void ray_tree_finish(RayTree *ray_tree, Vec3d origin) {
     for (size_t i = 0; i < ray_tree->count; i++) {

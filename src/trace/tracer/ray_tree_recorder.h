@@ -1,9 +1,10 @@
 /**
  * @file
- * @brief Noting the rays of one pixel while they are followed: see dioptre/ray_tree.h.
+ * @brief Recording of the tree of rays of one pixel. See dioptre/ray_tree.h.
  *
- * The packet that is noted has one ray, in its first lane, and so have those that come of it.
- * Where nobody asks, a packet costs a few looks at a pointer.
+ * The recorded packet has one ray, in its first lane, and so have the packets of its secondary
+ * rays. The current ray is the one that is being traced. Without a recorder, a packet costs a few
+ * tests of a pointer.
  */
 #ifndef DIOPTRE_TRACE_TRACER_RAY_TREE_RECORDER_H
 #define DIOPTRE_TRACE_TRACER_RAY_TREE_RECORDER_H
@@ -12,43 +13,40 @@
 #include "trace/lights/light.h"
 
 /**
- * Notes a ray that is about to be followed, as a child of the current one. It is the current one
- * now.
- * @param[in,out] ray_tree  The tree; the ray is the camera's where it is empty.
- * @param throughput  Of what it brings back, that goes to its parent.
+ * Records a ray that is traced next, as a child of the current ray, and makes it the current ray.
+ * @param[in,out] ray_tree  The tree; the first ray is the camera's.
+ * @param weight  The factor of its colour in the colour of its parent.
  */
-void ray_tree_push(RayTree *ray_tree, RayType kind, const Packet *packet, Rgb weight,
-                   real throughput);
+void ray_tree_push(RayTree *ray_tree, RayType type, const RayState *rays, Rgb weight);
 
-/** Notes what the current ray has met. @param surface The surface; its packet has a probe.
- *  @param offset How rays leave it. */
+/** Records what the current ray hits. @param offset How far from the surface rays start. */
 void ray_tree_record_surface(const SurfaceHit *surface, const RayOffset *offset);
 
-/** Notes what becomes of the current ray at glass. */
-void ray_tree_record_dielectric(const SurfaceHit *surface, const DielectricHit *dielectric);
+/** Records what happens to the current ray at a transparent surface. */
+void ray_tree_record_dielectric(const SurfaceHit *surface);
 
 /**
- * Notes a shadow ray from the current ray's surface.
- * @param sample  What the lamp would give, with the ray.
- * @param occluded  Whether it does not reach the point.
+ * Records a shadow ray from the current ray's surface.
+ * @param sample  The light sample with the shadow ray.
+ * @param occluded  Whether the light does not reach the point.
+ * @param lighting  The light of this light alone.
  */
 void ray_tree_record_shadow(const ShapeSet *shapes, const SurfaceHit *surface, size_t light_index,
                             const LightSample *sample, mask occluded,
                             const DirectLighting *lighting);
 
 /**
- * Notes what the body of the current ray's surface sends back.
- * @param dielectric  What becomes of the ray at glass; NULL: there is none.
- * @param texture_color  The picture's colour; NULL: it shows none.
+ * Records the shading of the current ray's surface.
+ * @param texture_color  The colour of the texture; NULL: no shape has one.
+ * @param color  The colour without reflection and refraction.
  */
-void ray_tree_record_shading(const SurfaceHit *surface, const DielectricHit *dielectric,
-                             const Rgb *texture_color, Rgb color);
+void ray_tree_record_shading(const SurfaceHit *surface, const Rgb *texture_color, Rgb color);
 
-/** Notes what the current ray has brought back; its parent is the current one now. */
+/** Records the colour of the current ray, and makes its parent the current ray. */
 void ray_tree_pop(RayTree *ray_tree, Rgb color);
 
-/** Ends a tree: names the lamps that were met, and gives places in the scene. @param origin Where
- *  in the scene the tracer's coordinates begin. */
+/** Completes a tree: points are moved into the
+ * coordinates of the scene. @param origin The origin of the tracer's coordinates. */
 void ray_tree_finish(RayTree *ray_tree, Vec3d origin);
 
 #endif

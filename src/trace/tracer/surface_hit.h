@@ -9,15 +9,19 @@
 #include "trace/glass/interior_list.h"
 #include "trace/materials/material_ids.h"
 
+/** What happens at transparent surfaces: see trace/glass/dielectric.h. */
+typedef struct DielectricHit DielectricHit;
+
 /** The points at which the rays of a packet meet surfaces. */
 typedef struct SurfaceHit {
-    const Material *materials;      /**< All materials of the scene. */
-    const Packet *packet;           /**< The rays; their directions are unit vectors. */
-    const Dielectrics *dielectrics; /**< The scene's transparent shapes. */
-    const InteriorList *interior;   /**< The shapes that each ray is inside of; NULL: the scene has
-                                         no transparent shape. */
-    Hit hits[PACKET_VECTORS];       /**< The nearest hits. */
-    mask is_hit[PACKET_VECTORS];    /**< The rays that meet a shape. */
+    const Material *materials;       /**< All materials of the scene. */
+    const Packet *packet;            /**< The rays; their directions are unit vectors. */
+    const Dielectrics *dielectrics;  /**< The scene's transparent shapes. */
+    const InteriorList *interior;    /**< The shapes that each ray is inside of; NULL: the scene has
+                                          no transparent shape. */
+    const DielectricHit *dielectric; /**< What happens at transparent surfaces; NULL: none. */
+    Hit hits[PACKET_VECTORS];        /**< The nearest hits. */
+    mask is_hit[PACKET_VECTORS];     /**< The rays that meet a shape. */
     mask needs_light[PACKET_VECTORS];         /**< The points that direct light is computed for. */
     MaterialIds material_ids[PACKET_VECTORS]; /**< The materials at the points. */
     Vec3 n_front[PACKET_VECTORS]; /**< The normals on the side that the rays come from. */

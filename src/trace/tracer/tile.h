@@ -1,26 +1,51 @@
 /**
  * @file
- * @brief The camera's rays of a grid of pixels.
+ * @brief Tiles: grids of pixels, traced packet by packet.
  */
 #ifndef DIOPTRE_TRACE_TRACER_TILE_H
 #define DIOPTRE_TRACE_TRACER_TILE_H
 
-#include "trace/math/sobol.h"
 #include "trace/tracer/tracer.h"
 
-/** What it takes to trace a grid of pixels. */
-typedef struct TileTrace {
-    const Tracer *tracer;  /**< The tracer. */
-    const PixelGrid *grid; /**< The pixels. */
-    PixelJitter jitter;    /**< Where in their pixels the rays go. */
-    double *rgb;           /**< Where their colours go; NULL: they are taken packet by packet. */
-    RayCounts *counts;     /**< The rays traced. */
-} TileTrace;
+/** The camera rays of a packet, and the memory that their state points to. */
+typedef struct CameraRays {
+    RayState state;                        /**< The rays. */
+    InteriorList interior[PACKET_VECTORS]; /**< The shapes that the camera is inside of. */
+    uint32_t pixel_ids[PACKET_RAYS];       /**< See #SampleContext. */
+} CameraRays;
 
-/** Follows the camera's rays of a packet of a grid. @param recorders What is noted of them; NULL:
- *  nothing. */
-void trace_tile_packet_colors(const TileTrace *tile, int column, int row,
-                              const Recorders *recorders, Rgb *colors);
+/**
+ * Generates the camera rays of a packet of a grid.
+ * @param jitter  Where in its pixel each ray goes.
+ * @param index  Index of the packet, below grid_packet_count().
+ * @param recorders  What is recorded of the rays; NULL: nothing.
+ * @param[out] rays  The rays; it contains pointers into itself.
+ */
+void camera_rays_init(const Tracer *tracer, const PixelGrid *grid, PixelJitter jitter, int index,
+                      const Recorders *recorders, CameraRays *rays);
+
+/** The elements of an output array that the lanes of a vector are written to, one by one. */
+typedef struct OutputRange {
+    size_t first; /**< Index of the first element. */
+    int count;    /**< Lanes that are written, from the first on: 0 to LANES. */
+} OutputRange;
+
+/** @return The elements of a vector: an array has one per pixel of the grid, or per selected pixel.
+ *  @param index Index of the packet. */
+static inline OutputRange output_range(const PixelGrid *grid, int index, int v) {
+    size_t first, left;
+    if (grid->selected) {
+        first = (size_t)index * PACKET_RAYS + (size_t)v * LANES;
+        left = first < grid->selected_count ? grid->selected_count - first : 0;
+    } else {
+        GridPosition position = grid_vector_position(grid, index, v);
+        first = (size_t)position.row * (size_t)grid->columns + (size_t)position.column;
+        left = position.row < grid->rows && position.column < grid->columns
+                   ? (size_t)(grid->columns - position.column)
+                   : 0;
+    }
+    return (OutputRange){first, left < LANES ? (int)left : LANES};
+}
 
 /** Traces a grid of pixels. See #Engine.trace. */
 void trace_tile(const Tracer *tracer, const PixelGrid *grid, double *rgb, RayCounts *counts);

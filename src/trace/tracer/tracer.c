@@ -1,33 +1,33 @@
 /**
  * @file
- * @brief The recursive tracer: light, shadow, mirrors and glass (Whitted, *An
- *        Improved Illumination Model for Shaded Display*, 1980).
+ * @brief Recursive ray tracing: direct light and shadows, reflection and refraction (Whitted,
+ *        *An Improved Illumination Model for Shaded Display*, 1980).
+ *
+ * The recursion is at the end, in two steps. shade_and_scatter() finds the hits, adds up the light
+ * of the background and of the lights, and generates the reflected and refracted rays.
+ * trace_packet() traces those and adds their colours. Each function handles a packet of rays; an
+ * array holds PACKET_VECTORS vectors of LANES rays each.
  */
 #include "trace/tracer/tracer.h"
 
+#include "trace/lights/direct_lighting.h"
 #include "trace/tracer/aov.h"
 #include "trace/tracer/packet_merge.h"
 #include "trace/tracer/path_hash.h"
 #include "trace/tracer/ray_tree_recorder.h"
+#include "trace/tracer/secondary_rays.h"
 
-/** @return What rays that meet nothing see. */
-static Rgb sky_color(const Tracer *tracer, Vec3 direction, mask lanes) {
-    const Sky *sky = &tracer->sky;
-    if (tracer->textures.sky) {
-        return textures_sample_sky(&tracer->textures, direction, lanes);
-    }
-    if (!sky->is_gradient) {
-        return sky->horizon;
-    }
-    real height = real_max(direction.y, real_of(0));
-    return rgb_add(sky->horizon, rgb_scale(sky->zenith_minus_horizon, height));
-}
+/* --- hits ------------------------------------------------------------------------------------- */
 
-/** Finds what a packet of rays meets. @return Whether any ray met anything. */
-static bool surface_hit_find(const Tracer *tracer, const Packet *packet, SurfaceHit *surface) {
-    bool any_hit = false;
+/** Finds the nearest hit of each ray. @return Whether any ray hits a shape. */
+static bool find_hits(const Tracer *tracer, const RayState *rays, SurfaceHit *surface) {
+    const Packet *packet = &rays->packet;
+    bool is_any_hit = false;
     surface->materials = tracer->materials;
     surface->packet = packet;
+    surface->dielectrics = &tracer->dielectrics;
+    surface->dielectric = NULL;
+    surface->interior = rays->interior;
     shape_set_closest_hits(&tracer->shapes, packet, surface->hits);
     if (tracer->emitters.count > 0) {
         emitters_closest_hits(&tracer->emitters, packet, surface->hits);
@@ -40,172 +40,13 @@ static bool surface_hit_find(const Tracer *tracer, const Packet *packet, Surface
         surface->n_front[v] =
             vec3_select(is_inside, vec3_scale(hit->normal, real_of(-1)), hit->normal);
         surface->material_ids[v] = material_ids_of(&tracer->shapes, hit, surface->is_hit[v]);
-        any_hit = any_hit || any(surface->is_hit[v]);
+        is_any_hit = is_any_hit || any(surface->is_hit[v]);
     }
-    return any_hit;
+    return is_any_hit;
 }
 
-/**
- * @return What the body of surfaces sends back: all but what is mirrored or let through.
- * @param diffuse  What the lamps give for the matt shine.
- * @param specular  What they give for highlights.
- */
-INLINE Rgb direct_color(const MaterialPack *material, Rgb diffuse, Rgb specular) {
-    Rgb light = rgb_add(material->ambient, rgb_scale(diffuse, material->diffuse));
-    Rgb color = rgb_add(material->emission, rgb_multiply(material->albedo, light));
-    return rgb_add(color, rgb_multiply(material->specular, specular));
-}
-
-/** Rays that go on from surfaces, and what they are worth. */
-typedef struct SecondaryRays {
-    RayType kind;                /**< What they are, for who notes them. */
-    Packet packet;               /**< The rays; active where they can still change the picture. */
-    Rgb weights[PACKET_VECTORS]; /**< Of what they bring back, that the surfaces send on. */
-    real throughputs[PACKET_VECTORS]; /**< The largest share with which a primary of theirs counts.
-                                       */
-} SecondaryRays;
-
-/**
- * Weighs rays that could go on, and drops those that cannot change the picture.
- * @param weight  Factor on the colour that each ray brings back.
- * @param throughput  Throughput of the rays before them.
- * @return Those that go on.
- */
-INLINE mask secondary_rays_set_weight(const Tracer *tracer, int v, mask lanes, Rgb weight,
-                                      real throughput, SecondaryRays *secondary) {
-    secondary->weights[v] = weight;
-    secondary->throughputs[v] = throughput * rgb_max(weight);
-    return secondary->packet.active[v] = lanes & (secondary->throughputs[v] >= tracer->cutoff);
-}
-
-/** Turns the rays of a packet that met mirrors, or glass, into mirrored rays (rows A9, C3). @param
- *  dielectric What becomes of them in glass, or NULL. */
-INLINE void reflect_rays(const Tracer *tracer, const SurfaceHit *surface,
-                         const DielectricHit *dielectric, const real *throughput,
-                         SecondaryRays *reflected) {
-    reflected->kind = RAY_REFLECTION;
-    reflected->packet.wants_points = true;
-    reflected->packet.context = sample_context_next_bounce(surface->packet->context);
-    for (int v = 0; v < PACKET_VECTORS; v++) {
-        MaterialPack material =
-            material_pack_gather(surface->materials, &surface->material_ids[v], surface->is_hit[v]);
-        Rgb weight = dielectric_hit_reflectance(dielectric, v, &material);
-        if (!any(secondary_rays_set_weight(tracer, v, surface->is_hit[v], weight, throughput[v],
-                                           reflected))) {
-            continue;
-        }
-        Vec3 in = surface->packet->rays[v].direction, normal = surface->n_front[v];
-        real along = vec3_dot(in, normal);
-        // Made one long again each time: else the length drifts by an ulp or two a mirror.
-        Vec3 out = vec3_normalize(vec3_subtract(in, vec3_scale(normal, 2 * along)));
-        Vec3 origin = ray_offset_origin(&tracer->ray_offset, &surface->hits[v], out);
-        reflected->packet.rays[v] = ray_of(origin, out);
-        reflected->packet.limit[v] = real_of(INFINITE);
-    }
-}
-
-/** Turns the rays of a packet that met glass into refracted rays (row A10). */
-INLINE void refract_rays(const Tracer *tracer, const SurfaceHit *surface,
-                         const DielectricHit *dielectric, const real *throughput,
-                         SecondaryRays *refracted) {
-    refracted->kind = RAY_REFRACTION;
-    refracted->packet.wants_points = true;
-    refracted->packet.context = sample_context_next_bounce(surface->packet->context);
-    for (int v = 0; v < PACKET_VECTORS; v++) {
-        MaterialPack material =
-            material_pack_gather(surface->materials, &surface->material_ids[v], surface->is_hit[v]);
-        Rgb weight = dielectric_hit_transmittance(dielectric, v, &material);
-        if (any(secondary_rays_set_weight(tracer, v, dielectric->is_transmitted[v], weight,
-                                          throughput[v], refracted))) {
-            refracted->packet.rays[v] = ray_of(dielectric->origin[v], dielectric->direction[v]);
-            refracted->packet.limit[v] = real_of(INFINITE);
-        }
-    }
-}
-
-/** Adds what rays that went on from surfaces have brought back. @param[in,out] colors The colours
- *  of the rays before them. */
-INLINE void secondary_rays_add(const SecondaryRays *secondary, const Rgb *incoming, Rgb *colors) {
-    for (int v = 0; v < PACKET_VECTORS; v++) {
-        Rgb sum = rgb_add(colors[v], rgb_multiply(secondary->weights[v], incoming[v]));
-        colors[v] = rgb_select(secondary->packet.active[v], sum, colors[v]);
-    }
-}
-
-/**
- * Follows rays that go on from surfaces, and adds what they bring back.
- * @param interior  What they are inside of; NULL: the scene has no glass.
- * @param depth  How often they may still be mirrored or refracted.
- * @param[in,out] colors  The colours of the rays before them.
- */
-INLINE void secondary_rays_trace(const Tracer *tracer, const SecondaryRays *secondary,
-                                 const InteriorList *interior, int depth, Rgb *colors,
-                                 RayCounts *counts) {
-    Rgb incoming[PACKET_VECTORS];
-    RayTree *ray_tree = sample_context_ray_tree(&secondary->packet.context);
-    if (ray_tree) {
-        ray_tree_push(ray_tree, secondary->kind, &secondary->packet, secondary->weights[0],
-                      secondary->throughputs[0]);
-    }
-    tracer_trace_packet(tracer, &secondary->packet, interior, secondary->throughputs, depth,
-                        incoming, counts);
-    if (ray_tree) {
-        ray_tree_pop(ray_tree, incoming[0]);
-    }
-    secondary_rays_add(secondary, incoming, colors);
-}
-
-/** Adds what mirrors show, in a scene without glass. @param depth How often they may still be
- *  mirrored, at least once. */
-INLINE void reflections_add(const Tracer *tracer, const SurfaceHit *surface, const real *throughput,
-                            int depth, Rgb *colors, RayCounts *counts) {
-    SecondaryRays reflected;
-    reflect_rays(tracer, surface, NULL, throughput, &reflected);
-    unsigned count = packet_active_count(&reflected.packet);
-    if (count > 0) {
-        counts->reflection += count;
-        secondary_rays_trace(tracer, &reflected, NULL, depth - 1, colors, counts);
-    }
-}
-
-/**
- * Finds what the bodies of surfaces send back.
- * @param dielectric  What becomes of the rays in glass, or NULL.
- * @param[in,out] colors  The rays' colours, written where they met anything.
- * @return How many shadow rays were traced.
- */
-INLINE uint64_t surfaces_shade(const Tracer *tracer, const SurfaceHit *surface,
-                               const DielectricHit *dielectric, Rgb *colors) {
-    const Rgb black = {real_of(0), real_of(0), real_of(0)};
-    DirectLighting lighting;
-    uint64_t rays = shade_direct(&tracer->shapes, tracer->lights, tracer->light_count,
-                                 &tracer->ray_offset, tracer->has_specular, surface, &lighting);
-    Rgb texture_color[PACKET_VECTORS];
-    if (tracer->textures.material_maps) {
-        textures_sample(&tracer->textures, &tracer->shapes, surface, texture_color);
-    }
-    for (int v = 0; v < PACKET_VECTORS; v++) {
-        MaterialPack material =
-            material_pack_gather(surface->materials, &surface->material_ids[v], surface->is_hit[v]);
-        if (tracer->textures.material_maps) {
-            material.albedo = rgb_multiply(material.albedo, texture_color[v]);
-        }
-        Rgb direct = direct_color(&material, lighting.diffuse[v], lighting.specular[v]);
-        if (dielectric) {
-            direct = rgb_select(dielectric->is_overridden[v], black, direct);
-        }
-        colors[v] = rgb_select(surface->is_hit[v], direct, colors[v]);
-    }
-    if (sample_context_ray_tree(&surface->packet->context)) {
-        ray_tree_record_shading(surface, dielectric,
-                                tracer->textures.material_maps ? texture_color : NULL, colors[0]);
-    }
-    return rays;
-}
-
-/** Notes what rays have met. Never a part of its caller, which is called for every picture.
- *  @param surface The surfaces; something is noted of their packet. @param offset How rays leave
- *  them. */
+/** Records the hits where a recorder is set. Not inlined: images are rendered without recorders,
+ *  and the code would only lengthen their path. */
 static __attribute__((noinline)) void surface_hit_record(const SurfaceHit *surface,
                                                          const RayOffset *offset) {
     const Recorders *recorders = surface->packet->context.recorders;
@@ -220,20 +61,24 @@ static __attribute__((noinline)) void surface_hit_record(const SurfaceHit *surfa
     }
 }
 
-/**
- * Finds what rays meet, and the colours of those that meet nothing.
- * @param interior  What they are inside of, or NULL.
- * @param[out] colors  Their colours, where they met nothing.
- * @return Whether any ray met anything.
- */
-INLINE bool intersect_packet(const Tracer *tracer, const Packet *packet,
-                             const InteriorList *interior, SurfaceHit *surface, Rgb *colors) {
-    bool any_hit = surface_hit_find(tracer, packet, surface);
-    surface->dielectrics = &tracer->dielectrics;
-    surface->interior = interior;
-    if (packet->context.recorders) {
-        surface_hit_record(surface, &tracer->ray_offset);
+/* --- local shading ---------------------------------------------------------------------------- */
+
+/** @return The radiance of the sky. @param lanes The lanes that it is needed in. */
+static Rgb sky_color(const Tracer *tracer, Vec3 direction, mask lanes) {
+    const Sky *sky = &tracer->sky;
+    if (tracer->textures.sky) {
+        return textures_sample_sky(&tracer->textures, direction, lanes);
     }
+    if (!sky->is_gradient) {
+        return sky->horizon;
+    }
+    real height = real_max(direction.y, real_of(0));
+    return rgb_add(sky->horizon, rgb_scale(sky->zenith_minus_horizon, height));
+}
+
+/** Sets the colours of the rays that hit no shape: of the sky, or of a visible light. */
+INLINE void shade_background(const Tracer *tracer, const SurfaceHit *surface, Rgb *colors) {
+    const Packet *packet = surface->packet;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         mask missed = packet->active[v] & mask_not(surface->is_hit[v]);
         if (any(missed)) {
@@ -243,125 +88,145 @@ INLINE bool intersect_packet(const Tracer *tracer, const Packet *packet,
     if (tracer->emitters.count > 0) {
         emitters_shade(tracer->lights, surface->hits, colors);
     }
-    return any_hit;
 }
 
-/** As #tracer_trace_packet, in a scene without glass. @param depth How often they may still be
- *  mirrored. */
-static void trace_without_dielectrics(const Tracer *tracer, const Packet *packet,
-                                      const real *throughput, int depth, Rgb *colors,
-                                      RayCounts *counts) {
-    SurfaceHit surface;
-    if (!intersect_packet(tracer, packet, NULL, &surface, colors)) {
-        return;
+/** @return emission + albedo (ambient + diffuse D) + specular S: the radiance of a surface without
+ *          reflected and refracted rays. @param lighting Its sums D and S of direct light. */
+INLINE Rgb local_color(const MaterialPack *material, const DirectLighting *lighting, int v) {
+    Rgb light = rgb_add(material->ambient, rgb_scale(lighting->diffuse[v], material->diffuse));
+    Rgb color = rgb_add(material->emission, rgb_multiply(material->albedo, light));
+    return rgb_add(color, rgb_multiply(material->specular, lighting->specular[v]));
+}
+
+/** Sets the colours of the rays that hit a shape, without reflection and refraction. */
+INLINE void shade_surfaces(const TraceContext *context, const SurfaceHit *surface, Rgb *colors) {
+    const Tracer *tracer = context->tracer;
+    const Rgb black = {real_of(0), real_of(0), real_of(0)};
+    bool has_textures = tracer->textures.material_maps != NULL;
+    DirectLighting lighting;
+    Rgb texture_color[PACKET_VECTORS];
+    context->counts->shadow +=
+        shade_direct(&tracer->shapes, tracer->lights, tracer->light_count, &tracer->ray_offset,
+                     tracer->has_specular, surface, &lighting);
+    if (has_textures) {
+        textures_sample(&tracer->textures, &tracer->shapes, surface, texture_color);
     }
-    counts->shadow += surfaces_shade(tracer, &surface, NULL, colors);
-    if (depth > 0) {
-        reflections_add(tracer, &surface, throughput, depth, colors, counts);
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        MaterialPack material =
+            material_pack_gather(surface->materials, &surface->material_ids[v], surface->is_hit[v]);
+        if (has_textures) {
+            material.albedo = rgb_multiply(material.albedo, texture_color[v]);
+        }
+        Rgb color = local_color(&material, &lighting, v);
+        if (surface->dielectric) {
+            color = rgb_select(surface->dielectric->is_overridden[v], black, color);
+        }
+        colors[v] = rgb_select(surface->is_hit[v], color, colors[v]);
+    }
+    if (sample_context_ray_tree(&surface->packet->context)) {
+        ray_tree_record_shading(surface, has_textures ? texture_color : NULL, colors[0]);
     }
 }
 
-/** Rays that glass parts. */
-typedef struct SplitRays {
-    SecondaryRays reflected;                      /**< Those that stay on this side. */
-    SecondaryRays refracted;                      /**< Those that go on behind the surface. */
-    InteriorList interior_behind[PACKET_VECTORS]; /**< What those are inside of. */
-} SplitRays;
+/* --- the recursion ---------------------------------------------------------------------------- */
+
+/** The rays that start at the surfaces that a packet hits. */
+typedef struct ScatteredRays {
+    SecondaryRays reflected; /**< The reflected rays. */
+    SecondaryRays refracted; /**< The refracted rays; set only if the scene has transparent shapes.
+                              */
+    InteriorList interior_behind[PACKET_VECTORS]; /**< The shapes that those are inside of. */
+} ScatteredRays;
 
 /**
- * Finds the colours of what rays meet in a scene with glass, and the rays that go on. Never a part
- * of its caller: what it needs is off the stack before those rays are followed.
- * @param interior  What they are inside of.
- * @param depth  How often they may still be mirrored or refracted.
- * @param[out] colors  Their colours, without what the rays that go on bring back.
- * @param[out] split  The rays that go on.
- * @return Whether any may.
+ * Finds what a packet of rays hits, shades it, and generates reflected and refracted rays.
+ *
+ * Not inlined: its locals, several kilobytes, must be off the stack before trace_packet() calls
+ * itself, since that happens up to #Tracer.depth times.
+ * @param[out] colors  The colours without reflection and refraction.
+ * @return Whether rays may have been generated.
  */
-static __attribute__((noinline)) bool
-split_rays_generate(const Tracer *tracer, const Packet *packet, const InteriorList *interior,
-                    const real *throughput, int depth, Rgb *colors, RayCounts *counts,
-                    SplitRays *split) {
+static __attribute__((noinline)) bool shade_and_scatter(const TraceContext *context,
+                                                        const RayState *rays,
+                                                        ScatteredRays *scattered, Rgb *colors) {
+    const Tracer *tracer = context->tracer;
     SurfaceHit surface;
     DielectricHit dielectric;
-    if (!intersect_packet(tracer, packet, interior, &surface, colors)) {
+    bool is_any_hit = find_hits(tracer, rays, &surface);
+    if (rays->packet.context.recorders) {
+        surface_hit_record(&surface, &tracer->ray_offset);
+    }
+    shade_background(tracer, &surface, colors);
+    if (!is_any_hit) {
         return false;
     }
-    counts->total_reflection +=
-        dielectric_hit_find(&tracer->dielectrics, &tracer->ray_offset, &surface, &dielectric);
-    if (sample_context_ray_tree(&packet->context)) {
-        ray_tree_record_dielectric(&surface, &dielectric);
+    if (rays->interior) {
+        context->counts->total_reflection += dielectric_hit_find(
+            &tracer->ray_offset, &surface, scattered->interior_behind, &dielectric);
+        if (sample_context_ray_tree(&rays->packet.context)) {
+            ray_tree_record_dielectric(&surface);
+        }
     }
-    counts->shadow += surfaces_shade(tracer, &surface, &dielectric, colors);
-    if (depth == 0) {
+    shade_surfaces(context, &surface, colors);
+    if (rays->packet.context.bounce >= (uint32_t)tracer->depth) {
         return false;
     }
-    reflect_rays(tracer, &surface, &dielectric, throughput, &split->reflected);
-    refract_rays(tracer, &surface, &dielectric, throughput, &split->refracted);
-    for (int v = 0; v < PACKET_VECTORS; v++) {
-        split->interior_behind[v] = dielectric.interior[v];
+    reflect_rays(tracer, rays, &surface, &scattered->reflected);
+    context->counts->reflection += packet_active_count(&scattered->reflected.rays.packet);
+    if (rays->interior) {
+        refract_rays(tracer, rays, &surface, &scattered->refracted);
+        context->counts->refraction += packet_active_count(&scattered->refracted.rays.packet);
     }
     return true;
 }
 
-/**
- * Follows mirrored and refracted rays side by side in one packet, and adds what they bring back.
- * Never a part of its caller: see #PACKET_MERGE_MAX_BOUNCES.
- * @param interior  What the mirrored ones are inside of.
- * @param depth  How often they may still be mirrored or refracted.
- * @param[in,out] colors  The colours of the rays before them.
- */
-static __attribute__((noinline)) void
-split_rays_trace_merged(const Tracer *tracer, const SplitRays *split, const InteriorList *interior,
-                        int depth, Rgb *colors, RayCounts *counts) {
-    const SecondaryRays *reflected = &split->reflected, *refracted = &split->refracted;
+/** Traces secondary rays, if any are active, and adds their colours. */
+INLINE void trace_secondary(const TraceContext *context, const SecondaryRays *secondary,
+                            Rgb *colors) {
+    const RayState *rays = &secondary->rays;
+    RayTree *ray_tree = sample_context_ray_tree(&rays->packet.context);
+    Rgb incoming[PACKET_VECTORS];
+    if (packet_active_count(&rays->packet) == 0) {
+        return;
+    }
+    if (ray_tree) {
+        ray_tree_push(ray_tree, secondary->type, rays, secondary->weights[0]);
+    }
+    trace_packet(context, rays, incoming);
+    if (ray_tree) {
+        ray_tree_pop(ray_tree, incoming[0]);
+    }
+    secondary_rays_add(secondary, incoming, colors);
+}
+
+/** Traces reflected and refracted rays side by side in one packet, and adds their colours. Not
+ *  inlined: the merged packet takes stack memory only where there is one; see
+ *  #PACKET_MERGE_MAX_BOUNCES. */
+static __attribute__((noinline)) void trace_merged(const TraceContext *context,
+                                                   const ScatteredRays *scattered, Rgb *colors) {
+    const SecondaryRays *reflected = &scattered->reflected, *refracted = &scattered->refracted;
     PacketMerge merge;
-    Rgb incoming[PACKET_VECTORS], own_colors[PACKET_VECTORS];
-    packet_merge_begin(&merge, reflected->packet.context);
-    packet_merge_add(&merge, &reflected->packet, interior, reflected->throughputs);
-    packet_merge_add(&merge, &refracted->packet, split->interior_behind, refracted->throughputs);
-    packet_merge_end(&merge);
-    tracer_trace_packet(tracer, &merge.packet, merge.interior, merge.throughputs, depth, incoming,
-                        counts);
-    unsigned next = packet_merge_scatter(incoming, 0, &reflected->packet, own_colors);
-    secondary_rays_add(reflected, own_colors, colors);
-    packet_merge_scatter(incoming, next, &refracted->packet, own_colors);
-    secondary_rays_add(refracted, own_colors, colors);
+    Rgb merged_colors[PACKET_VECTORS], incoming[PACKET_VECTORS];
+    packet_merge_init(&merge, &reflected->rays, &refracted->rays);
+    trace_packet(context, &merge.rays, merged_colors);
+    unsigned next = packet_merge_scatter(merged_colors, 0, &reflected->rays.packet, incoming);
+    secondary_rays_add(reflected, incoming, colors);
+    packet_merge_scatter(merged_colors, next, &refracted->rays.packet, incoming);
+    secondary_rays_add(refracted, incoming, colors);
 }
 
-/**
- * As #tracer_trace_packet, in a scene with glass.
- * @param interior  What they are inside of.
- * @param depth  How often they may still be mirrored or refracted.
- */
-static void trace_with_dielectrics(const Tracer *tracer, const Packet *packet,
-                                   const InteriorList *interior, const real *throughput, int depth,
-                                   Rgb *colors, RayCounts *counts) {
-    SplitRays split;
-    if (!split_rays_generate(tracer, packet, interior, throughput, depth, colors, counts, &split)) {
+void trace_packet(const TraceContext *context, const RayState *rays, Rgb *colors) {
+    ScatteredRays scattered;
+    if (!shade_and_scatter(context, rays, &scattered, colors)) {
         return;
     }
-    const SecondaryRays *reflected = &split.reflected, *refracted = &split.refracted;
-    unsigned reflected_count = packet_active_count(&reflected->packet),
-             refracted_count = packet_active_count(&refracted->packet);
-    counts->reflection += reflected_count;
-    counts->refraction += refracted_count;
-    if (packet_merge_is_worthwhile(&reflected->packet, &refracted->packet)) {
-        split_rays_trace_merged(tracer, &split, interior, depth - 1, colors, counts);
+    if (rays->interior && packet_merge_is_worthwhile(&scattered.reflected.rays.packet,
+                                                     &scattered.refracted.rays.packet)) {
+        trace_merged(context, &scattered, colors);
         return;
     }
-    if (reflected_count > 0) {
-        secondary_rays_trace(tracer, reflected, interior, depth - 1, colors, counts);
-    }
-    if (refracted_count > 0) {
-        secondary_rays_trace(tracer, refracted, split.interior_behind, depth - 1, colors, counts);
-    }
-}
-
-void tracer_trace_packet(const Tracer *tracer, const Packet *packet, const InteriorList *interior,
-                         const real *throughput, int depth, Rgb *colors, RayCounts *counts) {
-    if (interior) {
-        trace_with_dielectrics(tracer, packet, interior, throughput, depth, colors, counts);
-    } else {
-        trace_without_dielectrics(tracer, packet, throughput, depth, colors, counts);
+    trace_secondary(context, &scattered.reflected, colors);
+    if (rays->interior) {
+        trace_secondary(context, &scattered.refracted, colors);
     }
 }

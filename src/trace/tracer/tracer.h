@@ -13,43 +13,44 @@
 
 /** The sky in the engine's number type. */
 typedef struct Sky {
-    Rgb horizon;              /**< At the horizon and below. */
-    Rgb zenith_minus_horizon; /**< What the zenith has more than the horizon. */
-    bool is_gradient; /**< Whether the two differ; otherwise the direction is not looked at. */
+    Rgb horizon;              /**< Radiance at the horizon and below. */
+    Rgb zenith_minus_horizon; /**< Radiance at the zenith, less that at the horizon. */
+    bool is_gradient;         /**< Whether the two differ; otherwise the direction has no effect. */
 } Sky;
 
 /** The tracer of one scene at one precision and width. */
 struct Tracer {
-    Vec3d origin;            /**< Where in the scene its coordinates begin. */
+    Vec3d origin;            /**< The origin of the tracer's coordinates, in scene coordinates. */
     ShapeSet shapes;         /**< The shapes. */
-    MeshBvhCache meshes;     /**< The meshes that they show. */
-    Dielectrics dielectrics; /**< Those that let light through. */
+    MeshBvhCache meshes;     /**< The meshes of the shapes. */
+    Dielectrics dielectrics; /**< The transparent shapes. */
     Material *materials;     /**< The materials; owned. */
-    Light *lights;           /**< The lamps; owned. */
-    size_t light_count;      /**< How many. */
-    Emitters emitters;       /**< Those of them that are seen. */
-    int samples;             /**< Rays a pixel. */
-    bool has_soft_shadows;   /**< Whether any lamp's shadows are soft. */
+    Light *lights;           /**< The lights; owned. */
+    size_t light_count;      /**< Number of lights. */
+    Emitters emitters;       /**< The visible lights. */
+    int samples;             /**< Rays per pixel. */
+    bool has_soft_shadows;   /**< Whether any light casts soft shadows. */
     Camera camera;           /**< The camera. */
     Sky sky;                 /**< The sky. */
-    Textures textures;       /**< The pictures on surfaces and in the sky. */
-    RayOffset ray_offset;    /**< How rays leave surfaces. */
-    int depth;               /**< How often a ray may be mirrored or refracted; 0 where none is. */
-    scalar cutoff;           /**< Weight below which a ray ends. */
-    bool has_specular;       /**< Whether any surface has highlights. */
+    Textures textures;       /**< The textures of surfaces and sky. */
+    RayOffset ray_offset;    /**< How far from surfaces secondary rays start. */
+    int depth;               /**< Most reflections and refractions in succession; 0 if no material
+                                  reflects or transmits. */
+    scalar cutoff;           /**< A ray ends when its throughput is below. */
+    bool has_specular;       /**< Whether any material has specular highlights. */
 };
 
+/** What all rays of one call of an engine share. */
+typedef struct TraceContext {
+    const Tracer *tracer; /**< The scene. */
+    RayCounts *counts;    /**< The rays traced are added to this. */
+} TraceContext;
+
 /**
- * Finds the colours that a packet of rays brings back.
- * @param packet  The rays, of unit direction, at least one active.
- * @param interior  What they are inside of; NULL: the scene has no glass.
- * @param throughput  For each vector of rays: the largest share with which a primary of its colour
- *         enters the picture.
- * @param depth  How often the rays may still be mirrored or refracted.
- * @param[out] colors  A colour for each vector of rays.
- * @param[in,out] counts  Mirrored, refracted and shadow rays are added to this.
+ * Traces a packet of rays, recursively.
+ * @param rays  The rays; at least one is active.
+ * @param[out] colors  The radiance that arrives along each ray.
  */
-void tracer_trace_packet(const Tracer *tracer, const Packet *packet, const InteriorList *interior,
-                         const real *throughput, int depth, Rgb *colors, RayCounts *counts);
+void trace_packet(const TraceContext *context, const RayState *rays, Rgb *colors);
 
 #endif

@@ -1,0 +1,44 @@
+/**
+ * @file
+ * @brief Secondary rays: the reflected and refracted rays that start at surfaces.
+ */
+#ifndef DIOPTRE_TRACE_TRACER_SECONDARY_RAYS_H
+#define DIOPTRE_TRACE_TRACER_SECONDARY_RAYS_H
+
+#include "trace/glass/dielectric.h"
+
+/** Rays of one type that start at the surfaces that a packet hits. */
+typedef struct SecondaryRays {
+    RayType type;                /**< Reflected or refracted. */
+    RayState rays;               /**< The rays; active are those that can change the image. */
+    Rgb weights[PACKET_VECTORS]; /**< The factors of their colours in the colours of the rays that
+                                      hit the surfaces. */
+} SecondaryRays;
+
+/**
+ * Generates the reflected rays: r = d - 2 (d . n) n.
+ * @param tracer  For the offset of their origins and the cutoff of their throughput.
+ * @param rays  The rays that hit the surfaces.
+ * @param[out] reflected  The reflected rays.
+ */
+void reflect_rays(const Tracer *tracer, const RayState *rays, const SurfaceHit *surface,
+                  SecondaryRays *reflected);
+
+/**
+ * Generates the refracted rays. Snell's law is in trace/materials/fresnel.h.
+ * @param tracer  For the cutoff of their throughput.
+ * @param rays  The rays that hit the surfaces.
+ * @param surface  The surfaces, with #SurfaceHit.dielectric.
+ * @param[out] refracted  The refracted rays.
+ */
+void refract_rays(const Tracer *tracer, const RayState *rays, const SurfaceHit *surface,
+                  SecondaryRays *refracted);
+
+/**
+ * Adds the colours of secondary rays, weighted, to those of the rays that hit the surfaces.
+ * @param incoming  The colours of the secondary rays.
+ * @param[in,out] colors  The colours of the rays that hit the surfaces.
+ */
+void secondary_rays_add(const SecondaryRays *secondary, const Rgb *incoming, Rgb *colors);
+
+#endif

@@ -15,3 +15,6 @@ s|^const (Scene)?(Shape\|Light)Class \w+_class = |/** A class: its vtable. */ &|
 
 # A method of the laboratory is a function.
 s/^METHOD\((\w+), (\w+), (\w+)\) \{/static \3 \1(const \2 *in) {/
+
+# Columns of a list of properties, defined where the list is read.
+s/^#define (COLOR|NUMBER|PROPERTY)\(name, value\).*//

@@ -75,16 +75,23 @@ MESHES_MODULE := $(BUILD)/dioptre-meshes.so
 MODULES       := $(IMAGES_MODULE) $(MESHES_MODULE)
 LANGUAGES     := $(patsubst src/po/%.po,%,$(wildcard src/po/*.po))
 CATALOGUES    := $(LANGUAGES:%=$(BUILD)/locale/%/LC_MESSAGES/dioptre.mo)
-# Words are not looked up while another thread forks: src/base/language.c.
-LIBRARIES     = $(call PKG_LIBS,sdl2 SDL2_ttf lua5.4 cairo) -ldl -lm -pthread -Wl,--wrap=dcgettext,--wrap=dcngettext
+LIBRARIES     = $(call PKG_LIBS,sdl2 SDL2_ttf lua5.4 cairo) -ldl -lm -pthread
+# The program that reads scenes, pictures and models: src/worker/main.c.
+WORKER         := $(BUILD)/dioptre-worker
+WORKER_SOURCES := $(wildcard src/worker/*.c) $(filter src/base/% src/scene/% src/script/% src/assets/%,$(ROOM_SOURCES)) \
+                  src/render/encoder.c src/render/picture.c src/render/offset_strategy.c
+WORKER_OBJECTS := $(WORKER_SOURCES:%.c=$(OBJ)/%.o)
 
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 .PHONY: all
-all: $(PROGRAM) $(MODULES) $(CATALOGUES)
+all: $(PROGRAM) $(WORKER) $(MODULES) $(CATALOGUES)
 
 $(PROGRAM): $(CLI_OBJECTS) $(ROOM_OBJECTS)
 	$(call SAY,cc,$@)$(CC) $(CFLAGS) -o $@ $^ $(LIBRARIES)
+
+$(WORKER): $(WORKER_OBJECTS)
+	$(CC) $(CFLAGS) -o $@ $^ $(call PKG_LIBS,lua5.4) -ldl -lm -pthread
 
 $(IMAGES_MODULE): src/assets/images/image_plugin.cpp src/assets/images/image_plugin.h $(FLAGS)
 	$(call NEED,OpenImageIO,libopenimageio-dev)
@@ -122,6 +129,7 @@ $(OBJ)/%.o: %.c $(FLAGS) | libraries
 	@mkdir -p $(@D)
 	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) $(ROOM_CFLAGS) -MMD -MP -c -o $@ $<
 $(OBJ)/src/render/engines.o: CPPFLAGS += '-DENGINE_LIST(X)=$(foreach engine,$(ENGINES),X($(engine)))'
+
 
 # One relocatable object per engine, with one symbol: everything else in it becomes local. The
 # compiler sees all of src/trace as one file; SPLIT=1 compiles file by file, for who edits there.
@@ -193,9 +201,14 @@ $(ROOMS): $(ROOM_OBJECTS)
 	@mkdir -p $(@D)
 	$(call SAY,cc,$@)$(CC) $(CFLAGS) -shared -o $@ $^ $(LIBRARIES)
 WITH_ROOMS    := -L$(BUILD)/tests -lrooms -Wl,-rpath,'$$ORIGIN:$$ORIGIN/..:$$ORIGIN/tests'
-$(BUILD)/tests/%: tests/%.c $(wildcard tests/*.h) $(ROOMS)
+$(BUILD)/tests/%: tests/%.c $(wildcard tests/*.h) $(ROOMS) $(WORKER)
 	@mkdir -p $(@D)
-	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,cmocka) $(ROOM_CFLAGS) -Itests -o $@ $< $(WITH_ROOMS) $(LIBRARIES) $(call PKG_LIBS,cmocka)
+LIBRARIES     = $(call PKG_LIBS,sdl2 SDL2_ttf lua5.4 cairo) -ldl -lm -pthread
+# The program that reads scenes, pictures and models: src/worker/main.c.
+WORKER         := $(BUILD)/dioptre-worker
+WORKER_SOURCES := $(wildcard src/worker/*.c) $(filter src/base/% src/scene/% src/script/% src/assets/%,$(ROOM_SOURCES)) \
+                  src/render/encoder.c src/render/picture.c src/render/offset_strategy.c
+WORKER_OBJECTS := $(WORKER_SOURCES:%.c=$(OBJ)/%.o)
 
 .PHONY: test tests
 test: test-packages
@@ -305,7 +318,7 @@ SHARE         = $(DESTDIR)$(PREFIX)/share
 .PHONY: install
 install: all
 	install -D -m 755 $(PROGRAM) $(DESTDIR)$(PREFIX)/bin/dioptre
-	for module in $(MODULES); do \
+	for module in $(WORKER) $(MODULES); do \
 	    install -D -m 755 $$module $(DESTDIR)$(PREFIX)/lib/dioptre/$${module##*/} || exit 1; \
 	done
 	install -D -m 644 doc/dioptre.1 $(SHARE)/man/man1/dioptre.1

@@ -102,7 +102,7 @@ holds "$work/out" '"textures": \[\{"file": "good-one.png", "width": 1, "height":
 
 # --- without the module ----------------------------------------------------------------------------
 mkdir "$work/bin"
-cp "$release" "$work/bin/dioptre"
+cp "$release" "$(dirname "$release")/dioptre-worker" "$work/bin"
 sky good-one.png
 expect 1 's.lua:2: good-one.png: .*dioptre-images.so.*install libopenimageio-dev' 'without the module: which package' "$work/bin/dioptre" render "$work/s.lua" -o "$work/o.bmp"
 "$release" render scenes/box.lua -o "$work/box.bmp" -s 8x8

@@ -7,7 +7,7 @@
 
 #include "fixtures.h"
 
-#include "dioptre/script.h"
+#include "script/script_worker.h"
 
 /** Number of items of an array. */
 #define COUNT(array) (sizeof(array) / sizeof *(array))
@@ -87,6 +87,21 @@ static const Keyword other_keyword = {.name = "plane",
 /** What the scenes of these tests can name. */
 static const Keyword *const shapes[] = {&other_keyword, &ball_keyword, NULL};
 
+// --- the worker: this program itself, since no other knows these shapes --------------------------
+
+/** Runs the text of a scene. See #WorkerTask.run. */
+static void run_test_scene(WorkerJob *job) {
+    script_worker_scene(job, shapes);
+}
+
+/** Acts as a worker where it is started as one; glibc calls it before main. */
+__attribute__((constructor)) static void act_as_worker(int argc, char **argv) {
+    static const WorkerTask tasks[] = {{SCRIPT_SCENE_TASK, run_test_scene}, {0}};
+    if (worker_is_requested(argc, argv)) {
+        worker_main(argv, tasks);
+    }
+}
+
 // --- helpers -------------------------------------------------------------------------------------
 
 /** Makes a folder, and the path of a scene file in it. @return 0 when it is there. */
@@ -108,7 +123,8 @@ static inline ScriptRequest script_request_for(const char *path) {
     return (ScriptRequest){.path = path,
                            .time_limit = SCRIPT_TIME_LIMIT,
                            .memory_limit = SCRIPT_MEMORY_LIMIT,
-                           .shape_keywords = shapes};
+                           .shape_keywords = shapes,
+                           .worker = "/proc/self/exe"};
 }
 
 /** @return The scene of a text, which must be good. */

@@ -382,31 +382,6 @@ static ImageReader *interrupting_plugin_open(const char *path, const char *forma
     return crashing_plugin_open(path, format, header, message);
 }
 
-/** What a fake module may take. */
-static const ImageReadLimits small_limits = {10, 1 << 20, 1 << 20};
-
-/** A file that makes the libraries crash does not bring the program down. */
-static void test_module_crashes(void **state) {
-    (void)state;
-    static const ImagePlugin module = {.open = crashing_plugin_open};
-    Texture *texture;
-    Error error = {0};
-    assert_false(image_sandbox_read(&module, "png", "a.png", &small_limits, &texture, &error));
-    assert_null(texture);
-    assert_int_equal(error.status, STATUS_SCENE);
-    assert_non_null(strstr(error.message, "crash"));
-}
-
-/** Ctrl-C while a picture is read says so and blames no file. */
-static void test_module_interrupted(void **state) {
-    (void)state;
-    static const ImagePlugin module = {.open = interrupting_plugin_open};
-    Texture *texture;
-    Error error = {0};
-    assert_false(image_sandbox_read(&module, "png", "a.png", &small_limits, &texture, &error));
-    assert_int_equal(error.status, STATUS_INTERRUPTED);
-}
-
 /** Stands for a module that never comes to an end. @return Nothing: it does not return. */
 static ImageReader *hanging_plugin_open(const char *path, const char *format, ImageHeader *header,
                                         ImagePluginMessage *message) {
@@ -459,29 +434,69 @@ static void plugin_close_stub(ImageReader *reader) {
     (void)reader;
 }
 
-/** Time, memory and what a child leaves are checked. */
+/** A module, as the task of a worker. */
+#define MODULE_TASK(name, ...)                                                                     \
+    static void name##_task(WorkerJob *job) {                                                      \
+        static const ImagePlugin module = {__VA_ARGS__};                                           \
+        image_worker_read_with(job, &module);                                                      \
+    }
+MODULE_TASK(crashing, .open = crashing_plugin_open)
+MODULE_TASK(interrupting, .open = interrupting_plugin_open)
+MODULE_TASK(hanging, .open = hanging_plugin_open)
+MODULE_TASK(greedy, .open = greedy_plugin_open)
+MODULE_TASK(lying, .open = lying_plugin_open, .read_encoded = plugin_read_stub,
+            .close = plugin_close_stub)
+
+/** Tasks of this program as a worker. */
+static const WorkerTask module_tasks[] = {{"crashing", crashing_task},
+                                          {"interrupting", interrupting_task},
+                                          {"hanging", hanging_task},
+                                          {"greedy", greedy_task},
+                                          {"lying", lying_task},
+                                          {0}};
+
+/** Reads a picture with a module of #module_tasks, and fails. @return What is wrong. */
+static Error fail_with_module(const char *task, const ImageReadLimits *limits) {
+    const ImageWorker worker = {"/proc/self/exe", task};
+    Texture *texture;
+    Error error = {0};
+    assert_false(image_worker_call(&worker, "png", 0, limits, &texture, &error));
+    assert_null(texture);
+    return error;
+}
+
+/** What a fake module may take. */
+static const ImageReadLimits small_limits = {10, 1 << 20, 1 << 20};
+
+/** A file that makes the libraries crash does not bring the program down. */
+static void test_module_crashes(void **state) {
+    (void)state;
+    Error error = fail_with_module("crashing", &small_limits);
+    assert_int_equal(error.status, STATUS_SCENE);
+    assert_non_null(strstr(error.message, "crash"));
+}
+
+/** Ctrl-C while a picture is read says so and blames no file. */
+static void test_module_interrupted(void **state) {
+    (void)state;
+    assert_int_equal(fail_with_module("interrupting", &small_limits).status, STATUS_INTERRUPTED);
+}
+
+/** Time, memory and the texture are checked. */
 static void test_module_limits(void **state) {
     (void)state;
     static const struct {
-        ImagePlugin module;     /**< A module. */
+        const char *task;       /**< A module. */
         ImageReadLimits limits; /**< What it may take. */
         const char *words;      /**< What must be said. */
     } cases[] = {
-        {{.open = hanging_plugin_open}, {0.3, 1 << 20, 1 << 20}, "more than 0 s"},
-        {{.open = greedy_plugin_open}, {10, 1 << 20, 1 << 20}, "got nothing"},
-        {{.open = lying_plugin_open, .close = plugin_close_stub},
-         {10, 1 << 20, 1 << 10},
-         "more than 0 MiB"},
-        {{.open = lying_plugin_open, .read_encoded = plugin_read_stub, .close = plugin_close_stub},
-         {10, 1 << 20, 1 << 20},
-         "go astray"},
+        {"hanging", {0.3, 1 << 20, 1 << 20}, "more than 0 s"},
+        {"greedy", {10, 1 << 20, 1 << 20}, "got nothing"},
+        {"lying", {10, 1 << 20, 1 << 10}, "more than 0 MiB"},
+        {"lying", {10, 1 << 20, 1 << 20}, "go astray"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        Texture *texture;
-        Error error = {0};
-        assert_false(image_sandbox_read(&cases[i].module, "png", "a.png", &cases[i].limits,
-                                        &texture, &error));
-        assert_null(texture);
+        Error error = fail_with_module(cases[i].task, &cases[i].limits);
         assert_int_equal(error.status, STATUS_SCENE);
         assert_non_null(strstr(error.message, cases[i].words));
     }
@@ -625,7 +640,10 @@ static void test_module_hostile(void **state) {
 }
 
 /** Runs the tests. @return How many failed. */
-int main(void) {
+int main(int argc, char **argv) {
+    if (worker_is_requested(argc, argv)) {
+        worker_main(argv, module_tasks);
+    }
     const struct CMUnitTest file_tests[] = {
         cmocka_unit_test_setup_teardown(test_bmp_round_trip, fixture_set_up, fixture_tear_down),
         cmocka_unit_test_setup_teardown(test_bmp_bytes, fixture_set_up, fixture_tear_down),

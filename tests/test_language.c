@@ -1,23 +1,22 @@
 /**
  * @file
- * @brief Tests of the languages that need threads: a child can look words up, whatever other
- *        threads were doing when it was made. tests/language.sh tests the words.
+ * @brief Tests of the languages that need threads or processes. tests/language.sh tests the words.
  */
 #include "testing.h"
 
-#include "assets/process/sandbox_process.h"
+#include "assets/process/worker_main.h"
+#include "assets/process/worker_process.h"
 #include "base/language.h"
 
 #include <libintl.h>
-#include <locale.h>
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 
-/** How many children are made. */
-enum { CHILDREN = 200 };
+/** How many workers are started. */
+enum { WORKERS = 30 };
 
-/** Looks words up until it is told to end. @return NULL */
+/** Looks words up until it is stopped. @return NULL */
 static void *translate_until_stopped(void *context) {
     atomic_bool *is_over = context;
     while (!atomic_load(is_over)) {
@@ -28,16 +27,16 @@ static void *translate_until_stopped(void *context) {
     return NULL;
 }
 
-/** Is the child: does what a scene's child does with words. */
-static void translate_in_child(void *context) {
-    (void)context;
-    setlocale(LC_CTYPE, "C");
-    language_toggle();
-    _Exit(gettext("no memory for a lesson") ? EXIT_SUCCESS : EXIT_FAILURE);
+/** Is the worker: reports its language, and looks words up. */
+static void translate_task(WorkerJob *job) {
+    static bool is_french;
+    is_french = language_is_french() && gettext("no memory for a lesson");
+    job->report = &is_french;
+    job->report_size = sizeof is_french;
 }
 
-/** No child waits for a thread that it does not have. */
-static void test_fork(void **state) {
+/** Workers speak the language of the program, whatever its other threads do. */
+static void test_workers(void **state) {
     (void)state;
     pthread_t threads[2];
     atomic_bool is_over = false;
@@ -48,19 +47,31 @@ static void test_fork(void **state) {
     for (int i = 0; i < 2; i++) {
         assert_int_equal(pthread_create(&threads[i], NULL, translate_until_stopped, &is_over), 0);
     }
-    int late = 0, detail;
-    for (int i = 0; i < CHILDREN && late == 0; i++) {
-        late += sandbox_process_run(translate_in_child, NULL, 5, &detail) != SANDBOX_PROCESS_EXITED;
+    int wrong = 0;
+    for (int i = 0; i < WORKERS; i++) {
+        bool is_french;
+        const WorkerCall call = {.program = "/proc/self/exe",
+                                 .task = "translate",
+                                 .time_limit = 5,
+                                 .report = &is_french,
+                                 .report_capacity = sizeof is_french};
+        wrong += worker_process_call_once(&call).end != WORKER_FINISHED;
+        wrong += is_french != language_is_french();
+        language_toggle();
     }
     atomic_store(&is_over, true);
     for (int i = 0; i < 2; i++) {
         pthread_join(threads[i], NULL);
     }
-    assert_int_equal(late, 0);
+    assert_int_equal(wrong, 0);
 }
 
 /** Runs the tests. @return How many failed. */
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_fork)};
+int main(int argc, char **argv) {
+    static const WorkerTask tasks[] = {{"translate", translate_task}, {0}};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_workers)};
+    if (worker_is_requested(argc, argv)) {
+        worker_main(argv, tasks);
+    }
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

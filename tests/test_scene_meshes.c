@@ -4,7 +4,7 @@
  */
 #include "fixtures.h"
 
-#include "dioptre/script.h"
+#include "script/script_worker.h"
 
 /** A triangle. */
 #define TRIANGLE "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
@@ -44,6 +44,11 @@ static const Keyword statue_keyword = {.name = "statue",
 /** What the scenes of these tests can name. */
 static const Keyword *const shapes[] = {&statue_keyword, NULL};
 
+/** Runs the text of a scene in this program as a worker: no other knows the shape. */
+static void run_test_scene(WorkerJob *job) {
+    script_worker_scene(job, shapes);
+}
+
 // --- helpers -------------------------------------------------------------------------------------
 
 /** Makes a folder with a scene's folder in it, and the module findable. @return 0 when they are
@@ -68,6 +73,7 @@ static Scene *load_scene(void **state, const char *text, const MeshProgress *pro
                                    .time_limit = SCRIPT_TIME_LIMIT,
                                    .memory_limit = SCRIPT_MEMORY_LIMIT,
                                    .shape_keywords = shapes,
+                                   .worker = "/proc/self/exe",
                                    .progress = progress};
     return script_load(&request, error);
 }
@@ -227,7 +233,11 @@ static void test_progress(void **state) {
 }
 
 /** Runs the tests. @return How many failed. */
-int main(void) {
+int main(int argc, char **argv) {
+    static const WorkerTask tasks[] = {{SCRIPT_SCENE_TASK, run_test_scene}, {0}};
+    if (worker_is_requested(argc, argv)) {
+        worker_main(argv, tasks);
+    }
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_once, scene_mesh_set_up, fixture_tear_down),
         cmocka_unit_test_setup_teardown(test_many, scene_mesh_set_up, fixture_tear_down),

@@ -2,8 +2,8 @@
  * @file
  * @brief A lesson: what is done in the window, and when, with words for the class.
  *
- * A lesson is plain data. It lives in one block of memory that is shared with child processes, as a
- * scene does: its file is run in a child.
+ * A lesson is plain data. It lives in one block of memory that a worker process can make and send,
+ * as a scene does.
  */
 #ifndef DIOPTRE_LESSON_H
 #define DIOPTRE_LESSON_H
@@ -83,6 +83,13 @@ typedef struct Lesson {
 /** @return An empty lesson, to be given back with #lesson_destroy; NULL without memory.
  *  @param[out] error What is wrong. */
 Lesson *lesson_create(Error *error);
+
+/** Makes an empty lesson at an address of its own, in a worker process. @return NULL where the
+ *  address is taken. */
+Lesson *lesson_create_at(void *address, Error *error);
+
+/** @return Bytes of a lesson's block that are used: all that another process needs of it. */
+size_t lesson_block_size(const Lesson *lesson);
 
 /** Gives a lesson back. @param lesson The lesson, or NULL. */
 void lesson_destroy(Lesson *lesson);

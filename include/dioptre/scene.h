@@ -2,9 +2,9 @@
  * @file
  * @brief A scene: what is to be drawn, as plain data in double precision.
  *
- * A scene lives in one block of memory of its own, which one call gives back. The block is shared
- * with child processes, so that a scene file can be run in a child, safely away from the program,
- * and what it made is there when the child has ended.
+ * A scene lives in one block of memory of its own, which one call gives back. Pointers in it lead
+ * into it. So a worker process can make a scene at the address where the program wants it, and send
+ * the bytes (script/script_worker.h).
  */
 #ifndef DIOPTRE_SCENE_H
 #define DIOPTRE_SCENE_H
@@ -111,6 +111,13 @@ typedef struct Scene {
  * @return The scene, to be given back with #scene_destroy; NULL without memory.
  */
 Scene *scene_create(Error *error);
+
+/** Makes an empty scene at an address of its own, in a worker process. @return NULL where the
+ *  address is taken. */
+Scene *scene_create_at(void *address, Error *error);
+
+/** @return Bytes of a scene's block that are used: all that another process needs of it. */
+size_t scene_block_size(const Scene *scene);
 
 /**
  * Makes a scene of which all is as in another, but elsewhere: its shapes, camera and lamps.

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Scene and lesson files: Lua 5.4 in a sandbox, run in a child process.
+ * @brief Scene and lesson files: Lua 5.4 in a sandbox, run in a worker process.
  */
 #ifndef DIOPTRE_SCRIPT_H
 #define DIOPTRE_SCRIPT_H
@@ -19,7 +19,7 @@
 /**
  * What a scene file needs that no time changes: its text, and the models and pictures of the scene
  * that was loaded last. Where a file is run again and again, each is read once. What it includes is
- * read by each run, in its child: texts, in less than a millisecond.
+ * read by each run, in its worker: texts, in less than a millisecond.
  */
 typedef struct AssetCache AssetCache;
 
@@ -45,6 +45,7 @@ typedef struct ScriptRequest {
     const MeshProgress *progress; /**< Told how far its model files are read; NULL: nobody is. */
     AssetCache *cache;       /**< What an earlier load left, and this one leaves; NULL: nothing. */
     const atomic_bool *stop; /**< The file is given up once this is true; NULL: never. */
+    const char *worker; /**< Program that runs it, see script/script_worker.h; NULL: dioptre-worker. */
 } ScriptRequest;
 
 /** Names of what can be done in the window, for lessons. */

@@ -5,7 +5,7 @@
  * glibc takes the words of the language that LANGUAGE names, unless LC_MESSAGES is the locale "C":
  * then they stay English. "C.UTF-8" is on every system, whatever locales were made there. So
  * LANGUAGE is set once, while there is one thread, and LC_MESSAGES goes to and fro between these
- * two; setlocale and gettext keep out of each other's way by a lock of their own.
+ * two. glibc locks setlocale and gettext against each other.
  */
 #include "base/language.h"
 
@@ -13,60 +13,10 @@
 
 #include <libintl.h>
 #include <locale.h>
-#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-
-/** What gettext and ngettext come to in libintl.h. @return See there. */
-char *__real_dcgettext(const char *domain, const char *words, int category);
-/** See #__real_dcgettext. @return See there. */
-char *__real_dcngettext(const char *domain, const char *one, const char *more, unsigned long count,
-                        int category);
-/** Takes the place of dcgettext where the program is linked (see the Makefile). @return See there.
- */
-char *__wrap_dcgettext(const char *domain, const char *words, int category);
-/** Takes the place of dcngettext. @return See there. */
-char *__wrap_dcngettext(const char *domain, const char *one, const char *more, unsigned long count,
-                        int category);
-
-/**
- * Held by threads that look words up or set the locale, and alone by a thread that forks: glibc's
- * own locks for that are not mended in a child, which would then wait for ever for a thread that it
- * does not have.
- */
-static pthread_rwlock_t gettext_lock = PTHREAD_RWLOCK_WRITER_NONRECURSIVE_INITIALIZER_NP;
-
-char *__wrap_dcgettext(const char *domain, const char *words, int category) {
-    pthread_rwlock_rdlock(&gettext_lock);
-    char *found = __real_dcgettext(domain, words, category);
-    pthread_rwlock_unlock(&gettext_lock);
-    return found;
-}
-
-char *__wrap_dcngettext(const char *domain, const char *one, const char *more, unsigned long count,
-                        int category) {
-    pthread_rwlock_rdlock(&gettext_lock);
-    char *found = __real_dcngettext(domain, one, more, count, category);
-    pthread_rwlock_unlock(&gettext_lock);
-    return found;
-}
-
-/** Waits until nobody looks words up: this thread is about to fork. */
-static void lock_before_fork(void) {
-    pthread_rwlock_wrlock(&gettext_lock);
-}
-
-/** Lets others look words up again, after a fork. */
-static void unlock_after_fork(void) {
-    pthread_rwlock_unlock(&gettext_lock);
-}
-
-/** Makes the lock anew in a child: it is held there by a thread of the parent. */
-static void reset_lock_in_child(void) {
-    gettext_lock = (pthread_rwlock_t)PTHREAD_RWLOCK_WRITER_NONRECURSIVE_INITIALIZER_NP;
-}
 
 /** What the words are filed under. */
 static const char TEXT_DOMAIN[] = "dioptre";
@@ -113,16 +63,20 @@ static bool is_french_wanted(void) {
     return is_french_first(list && *list ? list : locale);
 }
 
-/** Says where the words are: beside the program, or where they were installed. */
+/** Binds the domain to the catalogues: beside the program, or where they are installed. The worker
+ *  is installed one folder deeper than the program. */
 static void bind_text_domain(void) {
+    static const char *const places[] = {"locale", "../share/locale", "../../share/locale"};
     char folder[PATH_MAX];
-    char path[PATH_MAX + sizeof "/../share/locale"];
+    char path[PATH_MAX + sizeof "/../../share/locale"];
     if (!executable_dir(folder)) {
         return;
     }
-    snprintf(path, sizeof path, "%s/locale", folder);
-    if (access(path, R_OK) != 0) {
-        snprintf(path, sizeof path, "%s/../share/locale", folder);
+    for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
+        snprintf(path, sizeof path, "%s/%s", folder, places[i]);
+        if (access(path, R_OK) == 0) {
+            break;
+        }
     }
     bindtextdomain(TEXT_DOMAIN, path);
     bind_textdomain_codeset(TEXT_DOMAIN, "UTF-8");
@@ -130,17 +84,17 @@ static void bind_text_domain(void) {
 }
 
 void language_init(void) {
-    bool is_french = is_french_wanted();
+    language_init_as(is_french_wanted());
+}
+
+void language_init_as(bool is_french) {
     bind_text_domain();
-    pthread_atfork(lock_before_fork, unlock_after_fork, reset_lock_in_child);
     setenv("LANGUAGE", "fr", 1);
     setlocale(LC_MESSAGES, is_french ? TRANSLATED_LOCALE : ENGLISH_LOCALE);
 }
 
 void language_toggle(void) {
-    pthread_rwlock_rdlock(&gettext_lock);
     setlocale(LC_MESSAGES, language_is_french() ? ENGLISH_LOCALE : TRANSLATED_LOCALE);
-    pthread_rwlock_unlock(&gettext_lock);
 }
 
 bool language_is_french(void) {

@@ -22,6 +22,9 @@
  */
 void language_init(void);
 
+/** Uses one language from now on, as #language_init does: in worker processes. */
+void language_init_as(bool is_french);
+
 /**
  * Speaks the other language from now on, in all threads. What was said before stays as it is.
  */

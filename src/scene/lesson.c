@@ -8,8 +8,21 @@
 #include <sys/mman.h>
 
 Lesson *lesson_create(Error *error) {
-    Lesson *lesson = mmap(NULL, sizeof *lesson, PROT_READ | PROT_WRITE,
-                          MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    return lesson_create_at(NULL, error);
+}
+
+size_t lesson_block_size(const Lesson *lesson) {
+    return offsetof(Lesson, text) + lesson->text_used;
+}
+
+Lesson *lesson_create_at(void *address, Error *error) {
+    int placement = address ? MAP_FIXED_NOREPLACE : 0;
+    Lesson *lesson = mmap(address, sizeof *lesson, PROT_READ | PROT_WRITE,
+                          MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | placement, -1, 0);
+    if (lesson != MAP_FAILED && address && lesson != address) { // Linux before 4.17.
+        munmap(lesson, sizeof *lesson);
+        lesson = MAP_FAILED;
+    }
     if (lesson == MAP_FAILED) {
         error_set(error, STATUS_FAILED, "no memory for a lesson");
         return NULL;

@@ -58,10 +58,16 @@ static void *scene_arena_append(SceneArena *arena, void **array, size_t *capacit
     return (char *)*array + count * size;
 }
 
-/** @return A block of which nothing is handed out; NULL without memory. */
-static SceneArena *scene_arena_create(Error *error) {
-    SceneArena *arena = mmap(NULL, SCENE_MEMORY_SIZE, PROT_READ | PROT_WRITE,
-                             MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+/** @param address Where it must lie; NULL: anywhere.
+ *  @return A block of which nothing is handed out; NULL without memory. */
+static SceneArena *scene_arena_create(void *address, Error *error) {
+    int placement = address ? MAP_FIXED_NOREPLACE : 0;
+    SceneArena *arena = mmap(address, SCENE_MEMORY_SIZE, PROT_READ | PROT_WRITE,
+                             MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | placement, -1, 0);
+    if (arena != MAP_FAILED && address && arena != address) { // Linux before 4.17.
+        munmap(arena, SCENE_MEMORY_SIZE);
+        arena = MAP_FAILED;
+    }
     if (arena == MAP_FAILED) {
         error_set(error, STATUS_FAILED, "no memory for a scene");
         return NULL;
@@ -70,8 +76,16 @@ static SceneArena *scene_arena_create(Error *error) {
     return arena;
 }
 
+size_t scene_block_size(const Scene *scene) {
+    return ((const SceneArena *)scene)->used;
+}
+
 Scene *scene_create(Error *error) {
-    SceneArena *arena = scene_arena_create(error);
+    return scene_create_at(NULL, error);
+}
+
+Scene *scene_create_at(void *address, Error *error) {
+    SceneArena *arena = scene_arena_create(address, error);
     if (!arena) {
         return NULL;
     }
@@ -319,7 +333,7 @@ static bool scene_add_translated(Scene *scene, const SceneShape *shape, Vec3d of
 }
 
 Scene *scene_translated(const Scene *scene, Vec3d offset, Error *error) {
-    SceneArena *arena = scene_arena_create(error);
+    SceneArena *arena = scene_arena_create(NULL, error);
     if (!arena) {
         return NULL;
     }

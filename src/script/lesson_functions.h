@@ -9,7 +9,7 @@
 
 /** A lesson that is being read. */
 struct LessonBuilder {
-    Lesson *lesson;             /**< What the text adds to; shared with the parent. */
+    Lesson *lesson;             /**< What the text adds to. */
     const ActionNames *actions; /**< What can be done. */
     int64_t time;               /**< When the next step is, milliseconds. */
 };

@@ -29,8 +29,7 @@ static const luaL_Reg libraries[] = {{LUA_MATHLIBNAME, luaopen_math},
                                      {LUA_TABLIBNAME, luaopen_table},
                                      {LUA_UTF8LIBNAME, luaopen_utf8}};
 
-/** Writes to standard error, as far as it goes. Not by stdio, whose lock another thread of the
- *  parent may have held when this process was made. */
+/** Writes to standard error, as far as it goes. */
 static void write_error(const char *text, size_t length) {
     while (length > 0) {
         ssize_t count = write(STDERR_FILENO, text, length);

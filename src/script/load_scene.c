@@ -7,8 +7,8 @@
 #include "assets/images/texture_file.h"
 #include "assets/meshes/mesh_file.h"
 #include "script/asset_cache.h"
-#include "script/sandboxed_run.h"
 #include "script/sanitize.h"
+#include "script/script_worker.h"
 
 #include <string.h>
 
@@ -115,17 +115,15 @@ static bool read_files(const ScriptRequest *request, Scene *scene, Error *error)
 /** Makes the scene that a text describes. @return The scene; NULL if anything is wrong. */
 static Scene *load_text(const ScriptRequest *request, const ScriptText *text, Error *error) {
     Scene *scene = scene_create(error);
-    ScriptResult *result = scene ? script_result_create(request->path, error) : NULL;
-    ScriptRun run = {.request = request,
-                     .dialect = &scene_dialect,
-                     .text = text,
-                     .scene = scene,
-                     .result = result};
-    if (!result || !script_run_sandboxed(&run, error) || !read_files(request, scene, error)) {
+    const ScriptCall call = {.request = request,
+                             .task = SCRIPT_SCENE_TASK,
+                             .text = text,
+                             .block = scene,
+                             .capacity = SCENE_MEMORY_SIZE};
+    if (!scene || !script_worker_run(&call, error) || !read_files(request, scene, error)) {
         scene_destroy(scene);
         scene = NULL;
     }
-    script_result_destroy(result);
     return scene;
 }
 

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief What the child that runs a scene tells the parent.
+ * @brief The report of a run.
  */
 #include "script/script_result.h"
 
@@ -9,24 +9,22 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/mman.h>
 
-ScriptResult *script_result_create(const char *path, Error *error) {
-    ScriptResult *result = mmap(NULL, sizeof *result, PROT_READ | PROT_WRITE,
-                                MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-    if (result == MAP_FAILED) {
-        error_set(error, STATUS_FAILED, "no memory to run a scene");
-        return NULL;
+ScriptResult *script_result_create(const char *path) {
+    ScriptResult *result = calloc(1, sizeof *result);
+    if (result) {
+        result->location = SOURCE_LOCATION_START;
+        script_result_add_file(result, path);
     }
-    result->location = SOURCE_LOCATION_START;
-    script_result_add_file(result, path);
     return result;
 }
 
+size_t script_result_size(const ScriptResult *result) {
+    return offsetof(ScriptResult, files) + (size_t)result->file_count * sizeof *result->files;
+}
+
 void script_result_destroy(ScriptResult *result) {
-    if (result) {
-        munmap(result, sizeof *result);
-    }
+    free(result);
 }
 
 /** Makes up the name by which Lua knows a file. Lua would cut a long one, and two files could then

@@ -1,9 +1,8 @@
 /**
  * @file
- * @brief What the child that runs a scene tells the parent: where it is, and what went wrong.
+ * @brief The report of a run: where it is, and what went wrong.
  *
- * A report lies in memory that both share, so it is readable even when the child was killed in the
- * middle of its work.
+ * The worker sends it at the end, and also when a time limit or a crash ends the run.
  */
 #ifndef DIOPTRE_SCRIPT_SCRIPT_RESULT_H
 #define DIOPTRE_SCRIPT_SCRIPT_RESULT_H
@@ -34,21 +33,23 @@ typedef struct SourceLocation {
 /** The beginning of the scene file: where an error is that no line is to blame for. */
 #define SOURCE_LOCATION_START ((SourceLocation){0, 1})
 
-/** What the parent learns. */
+/** The report of a run. */
 typedef struct ScriptResult {
     Error error;             /**< What went wrong; with file and line. */
-    bool is_done;            /**< Whether the child came to the end of its work, well or badly. */
     SourceLocation location; /**< Where the scene was seen last. */
     int file_count;          /**< How many files it is made of, the scene file first. */
     ScriptFile files[SCRIPT_FILES_MAXIMUM]; /**< Those files. */
 } ScriptResult;
 
 /**
- * Makes an empty report in shared memory.
+ * Makes an empty report.
  * @param path  The scene file, as the user knows it.
  * @return The report, to be given back with #script_result_destroy; NULL without memory.
  */
-ScriptResult *script_result_create(const char *path, Error *error);
+ScriptResult *script_result_create(const char *path);
+
+/** @return Bytes of a report that are used. */
+size_t script_result_size(const ScriptResult *result);
 
 /** Gives a report back. @param result The report, or NULL. */
 void script_result_destroy(ScriptResult *result);

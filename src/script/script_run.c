@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief What the child does.
+ * @brief Runs the text of a scene or a lesson.
  */
 #include "script/script_run.h"
 
@@ -8,7 +8,6 @@
 #include "script/keywords.h"
 #include "script/library.h"
 #include "script/lua_error.h"
-#include "script/lua_messages.h"
 #include "script/script_sandbox.h"
 #include "script/sdf_binding.h"
 
@@ -69,12 +68,7 @@ static int handle_error(lua_State *L) {
     }
     SourceLocation location = script_sandbox_location(L);
     size_t start = script_result_parse_location(result, text, &location);
-    char translated[ERROR_MESSAGE_SIZE];
-    if (lua_message_translate(text + start, translated, sizeof translated)) {
-        script_result_fail(result, location, translated, strlen(translated));
-    } else {
-        script_result_fail(result, location, text + start, length - start);
-    }
+    script_result_fail(result, location, text + start, length - start);
     return 1;
 }
 
@@ -101,7 +95,8 @@ static void use_c_locale(void) {
 
 void script_run_execute(ScriptRun *run) {
     ScriptSandbox sandbox = {
-        .result = run->result, .context = run, .memory_limit = run->request->memory_limit};
+        .result = run->result, .job = run->job, .context = run,
+                             .memory_limit = run->request->memory_limit};
     int status = LUA_ERRMEM;
     use_c_locale();
     if (script_sandbox_init(&sandbox)) {
@@ -111,5 +106,4 @@ void script_run_execute(ScriptRun *run) {
         status = lua_pcall(L, 0, 0, 1);
     }
     finish_result(&sandbox, status);
-    run->result->is_done = true;
 }

@@ -1,10 +1,11 @@
 /**
  * @file
- * @brief What the child does: it runs the text of a scene or of a lesson, and leaves a report.
+ * @brief Runs the text of a scene or a lesson, in a worker process, and fills a report.
  */
 #ifndef DIOPTRE_SCRIPT_SCRIPT_RUN_H
 #define DIOPTRE_SCRIPT_SCRIPT_RUN_H
 
+#include "assets/process/worker_main.h"
 #include "dioptre/script.h"
 #include "script/script_result.h"
 #include "script/script_text.h"
@@ -28,14 +29,15 @@ typedef struct ScriptRun {
     const ScriptRequest *request;  /**< What was asked for. */
     const ScriptDialect *dialect;  /**< What the text may say. */
     const ScriptText *text;        /**< The text of the file. */
-    Scene *scene;                  /**< What a scene's text adds to; shared with the parent. */
+    Scene *scene;                  /**< What a scene's text adds to. */
     LessonBuilder *lesson_builder; /**< What a lesson's text adds to; NULL: it is a scene. */
-    ScriptResult *result;          /**< How it went; shared with the parent. */
+    ScriptResult *result;          /**< Its report. */
+    WorkerJob *job;                /**< The job in whose report it is. */
 } ScriptRun;
 
 /**
- * Runs a text. To be called in a child process: nothing is given back, and it may take for ever.
- * @param[in,out] run  The text; what it makes is filled, and its report is done.
+ * Runs a text. To be called in a worker process: nothing is freed, and it may never return.
+ * @param[in,out] run  The text; what it makes is filled, and its report.
  */
 void script_run_execute(ScriptRun *run);
 

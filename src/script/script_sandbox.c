@@ -82,7 +82,9 @@ void script_sandbox_track_location(lua_State *L) {
 }
 
 void script_sandbox_load(lua_State *L, ScriptText *script, const char *path) {
-    const ScriptFile *file = script_result_add_file(script_sandbox_of(L)->result, path);
+    ScriptSandbox *sandbox = script_sandbox_of(L);
+    const ScriptFile *file = script_result_add_file(sandbox->result, path);
+    sandbox->job->report_size = script_result_size(sandbox->result);
     if (!file) {
         script_text_deinit(script);
         lua_error_tr(L, "a scene may not be made of more than %d files", SCRIPT_FILES_MAXIMUM);
@@ -94,7 +96,7 @@ void script_sandbox_load(lua_State *L, ScriptText *script, const char *path) {
     script_text_deinit(script);
     if (status == LUA_ERRMEM) {
         char message[ERROR_MESSAGE_SIZE];
-        script_sandbox_memory_message(script_sandbox_of(L), message, sizeof message);
+        script_sandbox_memory_message(sandbox, message, sizeof message);
         lua_error_tr(L, "%s", message);
     } else if (status != LUA_OK) {
         lua_error(L);

@@ -6,6 +6,7 @@
 #ifndef DIOPTRE_SCRIPT_SCRIPT_SANDBOX_H
 #define DIOPTRE_SCRIPT_SCRIPT_SANDBOX_H
 
+#include "assets/process/worker_main.h"
 #include "script/script_result.h"
 #include "script/script_text.h"
 
@@ -14,7 +15,8 @@
 /** Limits of a Lua state, and what it has used of them. The rest of the room finds it by L. */
 typedef struct ScriptSandbox {
     lua_State *lua;       /**< The state; NULL while it is being made. */
-    ScriptResult *result; /**< Where the state is; shared with the parent. */
+    ScriptResult *result; /**< Report of the run: where the state is. */
+    WorkerJob *job;       /**< Sends the report. */
     void *context;        /**< What the keywords work on. */
     size_t memory_limit;  /**< Bytes that it may use. */
     size_t memory_used;   /**< Bytes that it uses. */

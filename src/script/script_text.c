@@ -4,6 +4,8 @@
  */
 #include "script/script_text.h"
 
+#include "script/sanitize.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <stdlib.h>
@@ -135,6 +137,20 @@ bool script_text_check(const ScriptText *script, int *line, Error *error) {
     if (zero) {
         return error_set(error, STATUS_SCENE,
                          "this is not text in UTF-8 (there is a zero byte in it)");
+    }
+    return true;
+}
+
+bool script_text_load(const char *path, ScriptText *text, Error *error) {
+    char display_path[SANITIZED_PATH_SIZE];
+    sanitize_path(display_path, path);
+    if (!script_text_read(text, path, error)) {
+        return error_prefix(error, "%s: ", display_path);
+    }
+    int line;
+    if (!script_text_check(text, &line, error)) {
+        script_text_deinit(text);
+        return error_prefix(error, "%s:%d: ", display_path, line);
     }
     return true;
 }

@@ -29,6 +29,14 @@ typedef struct ScriptText {
 bool script_text_read(ScriptText *script, const char *path, Error *error);
 
 /**
+ * Reads a scene or lesson file that is to be run, and checks that it is text.
+ * @param[out] text  The text; give it back with #script_text_deinit.
+ * @param[out] error  `FILE: what is wrong` or `FILE:LINE: what is wrong`.
+ * @return Whether it is text.
+ */
+bool script_text_load(const char *path, ScriptText *text, Error *error);
+
+/**
  * Says whether a file holds text, as against compiled Lua, a picture, or text in UTF-16.
  * @param[out] line  Where it does not, from 1; may be NULL.
  * @param[out] error  What is wrong, without path and line.

@@ -6,7 +6,7 @@
 
 #include "assets/images/bmp.h"
 #include "assets/images/image_format.h"
-#include "assets/images/texture_file.h"
+#include "assets/images/image_worker.h"
 #include "base/atomic_file.h"
 #include "base/regular_file.h"
 
@@ -58,38 +58,23 @@ bool image_file_is_linear(const char *path) {
     return format && format->is_linear;
 }
 
-/**
- * Says whether a format's module is there, if it needs one.
- * @param[out] plugin  The module; NULL for a format that needs none.
- * @return Whether it is.
- */
-static bool load_plugin(const ImageFormat *format, const ImagePlugin **plugin, Error *error) {
-    *plugin = format->plugin_name ? image_plugin_load(error) : NULL;
-    return *plugin || !format->plugin_name;
-}
-
 bool image_file_check(const char *path, Error *error) {
-    const ImagePlugin *plugin;
     const ImageFormat *format = format_to_write(path, error);
-    bool can_be_written =
-        format && atomic_file_check(path, error) && load_plugin(format, &plugin, error);
+    bool can_be_written = format && atomic_file_check(path, error) &&
+                          (!format->plugin_name || image_worker_check(error));
     return can_be_written || set_write_error(error, path);
 }
 
 /** Writes a picture in a format. @return Whether all was handed to the stream. */
 static bool write_format(const ImageFormat *format, const Picture *picture, FILE *stream,
                          Error *error) {
-    const ImagePlugin *plugin;
     if (picture->width > IMAGE_SIZE_MAXIMUM || picture->height > IMAGE_SIZE_MAXIMUM) {
         return error_set(error, STATUS_FAILED, "%d x %d pixels: each must be at most %d",
                          picture->width, picture->height, IMAGE_SIZE_MAXIMUM);
     }
-    if (!load_plugin(format, &plugin, error)) {
-        return false;
-    }
-    return plugin ? image_plugin_write(plugin, format->plugin_name, format->is_linear, picture,
-                                       stream, error)
-                  : bmp_write(picture, stream, error);
+    return format->plugin_name
+               ? image_worker_write(format->plugin_name, format->is_linear, picture, stream, error)
+               : bmp_write(picture, stream, error);
 }
 
 /**
@@ -152,7 +137,7 @@ static bool read_open_file(const ImageFormat *format, int file, Picture *picture
         return bmp_read(file, picture, error);
     }
     Texture *texture;
-    bool is_read = texture_file_read_open(format, file, &compare_limits, &texture, error) &&
+    bool is_read = image_worker_call(NULL, format->plugin_name, file, &compare_limits, &texture, error) &&
                    picture_from_texture(texture, picture, error);
     texture_release(texture);
     return is_read;

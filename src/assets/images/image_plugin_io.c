@@ -44,11 +44,7 @@ const ImagePlugin *image_plugin_load(Error *error) {
     return plugin_open(&image_plugin, error);
 }
 
-/** What is said of a picture that says nothing of itself. */
-static const MetadataEntry no_metadata[] = {{0}};
-
-/** @return The light that the steps of a picture stand for, to be freed; NULL without memory. */
-static float *decode_picture(const Picture *picture) {
+float *image_plugin_decode(const Picture *picture) {
     size_t count = (size_t)picture->width * (size_t)picture->height * CHANNELS;
     float *linear = malloc(count * sizeof *linear), table[UINT8_MAX + 1];
     for (int step = 0; step <= UINT8_MAX; step++) {
@@ -58,43 +54,6 @@ static float *decode_picture(const Picture *picture) {
         linear[i] = table[picture->pixels[i]];
     }
     return linear;
-}
-
-/**
- * Makes a picture file in memory.
- * @param linear  Its linear light, for a format that holds it; else NULL.
- * @param[out] file  The file, to be given back.
- * @return Whether it was made.
- */
-static bool encode(const ImagePlugin *plugin, const char *format, const Picture *picture,
-                   const float *linear, EncodedImage *file, Error *error) {
-    ImagePluginSource source = {.width = picture->width,
-                                .height = picture->height,
-                                .encoded = picture->pixels,
-                                .linear = linear,
-                                .metadata = picture->metadata ? picture->metadata : no_metadata};
-    ImagePluginMessage message;
-    return plugin->encode(format, &source, file, &message) ||
-           error_set(error, STATUS_FAILED, "%s", message.text);
-}
-
-bool image_plugin_write(const ImagePlugin *plugin, const char *format, bool is_linear,
-                        const Picture *picture, FILE *stream, Error *error) {
-    EncodedImage file;
-    float *decoded = is_linear && !picture->linear ? decode_picture(picture) : NULL;
-    const float *linear = !is_linear ? NULL : decoded ? decoded : picture->linear;
-    if (is_linear && !linear) {
-        return error_set(error, STATUS_FAILED, "no memory");
-    }
-    bool is_encoded = encode(plugin, format, picture, linear, &file, error);
-    free(decoded);
-    if (!is_encoded) {
-        return false;
-    }
-    bool is_fine = fwrite(file.bytes, 1, file.size, stream) == file.size ||
-                   error_set(error, STATUS_FAILED, "%s", error_errno_text(errno));
-    plugin->free_encoded(&file);
-    return is_fine;
 }
 
 /** Steps of the curve that numbers finer than 8 bits are decoded by. */

@@ -25,18 +25,9 @@ const ImagePlugin *image_plugin_load(Error *error);
  */
 const ImagePlugin *image_plugin_load_from(const char *folder, Error *error);
 
-/**
- * Writes a picture in a format of the module. Where that holds linear light (OpenEXR, Radiance),
- * the picture's own light is written, if it was kept; else it is decoded from the steps, by the
- * curve of the picture's encoding.
- * @param format  The format, as OpenImageIO names it.
- * @param is_linear  Whether it holds linear light.
- * @param stream  Where to; need not be seekable.
- * @param[out] error  Why not (#STATUS_FAILED); the file is not named in it.
- * @return Whether all was handed to the stream; whether it arrives, closing the stream tells.
- */
-bool image_plugin_write(const ImagePlugin *plugin, const char *format, bool is_linear,
-                        const Picture *picture, FILE *stream, Error *error);
+/** @return Linear light of a picture, decoded from its 8-bit steps by the curve of its encoding; to
+ *  be freed. NULL without memory. */
+float *image_plugin_decode(const Picture *picture);
 
 /** A picture file to be read. */
 typedef struct ImageReadRequest {

@@ -53,19 +53,10 @@ static Texture *read_bmp(int file, Error *error) {
     return texture;
 }
 
-bool texture_file_read_open(const ImageFormat *format, int file, const ImageReadLimits *limits,
-                            Texture **texture, Error *error) {
-    char path[sizeof "/proc/self/fd/-2147483648"];
-    snprintf(path, sizeof path, "/proc/self/fd/%d", file);
-    *texture = NULL;
-    const ImagePlugin *plugin = image_plugin_load(error);
-    return plugin && image_sandbox_read(plugin, format->plugin_name, path, limits, texture, error);
-}
-
 /** Reads an open file. @return Whether it was read. */
 static bool read_open_file(const ImageFormat *format, int file, Texture **texture, Error *error) {
     if (format->plugin_name) {
-        return texture_file_read_open(format, file, &scene_limits, texture, error);
+        return image_worker_call(NULL, format->plugin_name, file, &scene_limits, texture, error);
     }
     *texture = read_bmp(file, error);
     return *texture != NULL;

@@ -6,7 +6,7 @@
 #define DIOPTRE_ASSETS_IMAGES_TEXTURE_FILE_H
 
 #include "assets/images/image_format.h"
-#include "assets/images/image_sandbox.h"
+#include "assets/images/image_worker.h"
 
 /** Seconds that reading a picture of a scene may take. */
 #define TEXTURE_FILE_TIME_LIMIT 10.0
@@ -23,7 +23,8 @@
 bool texture_file_check(const char *path, Error *error);
 
 /**
- * Reads a picture file. BMP is read here; every other format by the picture module, in a child.
+ * Reads a picture file. BMP is read here; every other format by the picture module, in a
+ * worker.
  * @param[out] texture  The picture, to be given back with #texture_release; NULL if anything is
  *         wrong.
  * @param[out] error  What is wrong, without the path (#STATUS_SCENE; #STATUS_FAILED without module,
@@ -31,13 +32,5 @@ bool texture_file_check(const char *path, Error *error);
  * @return Whether it was read.
  */
 bool texture_file_read(const char *path, Texture **texture, Error *error);
-
-/**
- * Reads an open picture file in a format of the module.
- * @param file  The file; no other is opened, whatever is put in its place meanwhile.
- * @return Whether it was read.
- */
-bool texture_file_read_open(const ImageFormat *format, int file, const ImageReadLimits *limits,
-                            Texture **texture, Error *error);
 
 #endif

@@ -2,9 +2,8 @@
  * @file
  * @brief Model files: from the path to a mesh that is checked.
  *
- * Libraries that read models were written for files from friends. So the model is read in a child
- * process, which may take so much time and memory only; it leaves a mesh in memory that both share,
- * and that is looked at again when the child has ended.
+ * Libraries that read models do not expect hostile files. So the model is read in a worker process
+ * with limits of time and memory; the mesh that it sends is checked again here.
  */
 #ifndef DIOPTRE_ASSETS_MESHES_MESH_FILE_H
 #define DIOPTRE_ASSETS_MESHES_MESH_FILE_H
@@ -15,8 +14,6 @@
 #define MESH_FILE_TIME_LIMIT 8.0
 /** Bytes of a file for which it may take a second more: ten times what a usual machine needs. */
 #define MESH_FILE_BYTES_PER_SECOND ((size_t)4 << 20)
-/** Bytes that the library may take for a model. */
-#define MESH_FILE_MEMORY_LIMIT ((size_t)2 << 30)
 
 /**
  * Says whether a file may be a model, by its name and kind; does not read it.

@@ -1,0 +1,299 @@
+/**
+ * @file
+ * @brief Reads and encodes pictures in a worker process.
+ */
+#include "assets/images/image_worker.h"
+
+#include "assets/process/worker_process.h"
+
+#include <errno.h>
+#include <libintl.h>
+#include <math.h>
+#include <pthread.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+
+/** What the picture module is asked. */
+typedef enum {
+    IMAGE_CHECK, /**< Whether it is there. */
+    IMAGE_READ,  /**< A texture of the file that comes with the request. */
+    IMAGE_ENCODE /**< A file of the pixels that follow. */
+} ImageOperation;
+
+/** Request to the picture module. */
+typedef struct ImageWorkerRequest {
+    ImageOperation operation; /**< What is asked. */
+    char format[32];          /**< The format, as OpenImageIO names it. */
+    ImageReadLimits limits;   /**< Limits of reading. */
+    int width;                /**< Size of the picture to encode, pixels. */
+    int height;               /**< See #width. */
+    bool is_linear; /**< Whether floats of linear light follow; else 8-bit steps. Names and values
+                         of the metadata follow them, each ended by a zero byte. */
+    size_t metadata_count; /**< How many of them. */
+} ImageWorkerRequest;
+
+/** @return Bytes of the pixels behind a request. */
+static size_t pixels_size(const ImageWorkerRequest *request) {
+    return (size_t)request->width * (size_t)request->height * TEXEL_CHANNELS *
+           (request->is_linear ? sizeof(float) : sizeof(uint8_t));
+}
+
+/** Report on a picture. */
+typedef struct ImageWorkerReport {
+    bool is_done; /**< Whether the block is what was asked for. */
+    Error error;  /**< What is wrong, if it is not. */
+} ImageWorkerReport;
+
+// --- in the program ------------------------------------------------------------------------------
+
+/** The worker that is kept from picture to picture, as a module that was opened would be. */
+static struct {
+    pthread_mutex_t mutex; /**< Held during a call. */
+    WorkerProcess process; /**< The worker, if one runs. */
+} kept = {.mutex = PTHREAD_MUTEX_INITIALIZER};
+
+/** Sends a request to the kept worker. @return The answer. */
+static WorkerReply call_kept_worker(const WorkerCall *call) {
+    pthread_mutex_lock(&kept.mutex);
+    WorkerReply reply = worker_process_call(&kept.process, call);
+    const ImageWorkerReport *report = call->report;
+    if (reply.end == WORKER_FINISHED && !report->is_done) {
+        worker_process_stop(&kept.process); // A bad file may have left anything in it.
+    }
+    pthread_mutex_unlock(&kept.mutex);
+    return reply;
+}
+
+/** Sets the error of a worker without a picture. @return false, always. */
+static bool set_failure(const WorkerReply *reply, const ImageWorkerReport *report,
+                        const ImageReadLimits *limits, Error *error) {
+    if (reply->end == WORKER_NOT_STARTED) {
+        return error_set(error, STATUS_FAILED, "no process to read a picture in: %s",
+                         error_errno_text(reply->detail));
+    }
+    if (reply->end == WORKER_TIMED_OUT) {
+        return error_set(error, STATUS_SCENE, "it takes more than %.0f s to read",
+                         limits->time_limit);
+    }
+    if (reply->end == WORKER_CRASHED && reply->detail == SIGINT) {
+        return error_set(error, STATUS_INTERRUPTED, "interrupted");
+    }
+    if (reply->end == WORKER_FINISHED && report->error.status != STATUS_OK) {
+        return error_set(error, report->error.status, "%.*s", ERROR_MESSAGE_SIZE - 1,
+                         report->error.message);
+    }
+    return error_set(error, STATUS_SCENE, "it makes the libraries that read it crash (%s)",
+                     reply->detail ? strsignal(reply->detail) : gettext("it ended early"));
+}
+
+/** Checks a texture from a worker: the file may have taken control of it. @param size Bytes of the
+ *  block that it lies in. @return Whether it is a texture. */
+static bool validate_texture(Texture *texture, size_t size, Error *error) {
+    bool has_size = size >= sizeof *texture && texture->width >= 1 &&
+                    texture->width <= IMAGE_SIZE_MAXIMUM && texture->height >= 1 &&
+                    texture->height <= IMAGE_SIZE_MAXIMUM;
+    if (!has_size || texture_block_size(texture) != size) {
+        return error_set(error, STATUS_SCENE, "it makes the libraries that read it go astray");
+    }
+    atomic_store(&texture->reference_count, 1);
+    texture_sanitize(texture);
+    return true;
+}
+
+bool image_worker_call(const ImageWorker *worker, const char *format, int file,
+                       const ImageReadLimits *limits, Texture **texture, Error *error) {
+    ImageWorkerRequest request = {.operation = IMAGE_READ, .limits = *limits};
+    ImageWorkerReport report = {0};
+    strncpy(request.format, format, sizeof request.format - 1);
+    const WorkerCall call = {.program = worker ? worker->program : NULL,
+                             .task = worker ? worker->task : IMAGE_WORKER_TASK,
+                             .request = &request,
+                             .request_size = sizeof request,
+                             .file = file,
+                             .time_limit = limits->time_limit,
+                             .report = &report,
+                             .report_capacity = sizeof report,
+                             .block_capacity = limits->texture_capacity};
+    WorkerReply reply = worker ? worker_process_call_once(&call) : call_kept_worker(&call);
+    bool is_read = reply.end == WORKER_FINISHED && report.is_done
+                       ? validate_texture(reply.block, reply.block_size, error)
+                       : set_failure(&reply, &report, limits, error);
+    if (!is_read && reply.block) {
+        munmap(reply.block, reply.block_size);
+    }
+    *texture = is_read ? reply.block : NULL;
+    return is_read;
+}
+
+/** Sends a request without limits to the kept worker. @return Whether it was fulfilled. */
+static bool call_unlimited(const ImageWorkerRequest *request, size_t size, WorkerReply *reply,
+                           Error *error) {
+    ImageWorkerReport report = {0};
+    *reply = call_kept_worker(&(WorkerCall){.task = IMAGE_WORKER_TASK,
+                                            .request = request,
+                                            .request_size = size,
+                                            .time_limit = HUGE_VAL,
+                                            .report = &report,
+                                            .report_capacity = sizeof report,
+                                            .block_capacity = SIZE_MAX});
+    bool is_done = reply->end == WORKER_FINISHED && report.is_done;
+    return is_done || set_failure(reply, &report, &request->limits, error);
+}
+
+bool image_worker_check(Error *error) {
+    const ImageWorkerRequest request = {.operation = IMAGE_CHECK};
+    WorkerReply reply;
+    return call_unlimited(&request, sizeof request, &reply, error);
+}
+
+/** @return Bytes of the metadata of a picture. @param[out] count How many rows. */
+static size_t metadata_size(const MetadataEntry *metadata, size_t *count) {
+    size_t size = 0;
+    for (*count = 0; metadata && metadata[*count].name; (*count)++) {
+        size += strlen(metadata[*count].name) + strlen(metadata[*count].value) + 2;
+    }
+    return size;
+}
+
+/** Packs a request to encode. @param linear Its light; NULL: the steps. @return The request, to be
+ *  freed; NULL without memory. */
+static ImageWorkerRequest *pack_picture(const char *format, const Picture *picture,
+                                        const float *linear, size_t *size) {
+    ImageWorkerRequest head = {.operation = IMAGE_ENCODE,
+                               .width = picture->width,
+                               .height = picture->height,
+                               .is_linear = linear};
+    strncpy(head.format, format, sizeof head.format - 1);
+    *size = sizeof head + pixels_size(&head) + metadata_size(picture->metadata, &head.metadata_count);
+    ImageWorkerRequest *request = malloc(*size);
+    if (request) {
+        *request = head;
+        char *next = mempcpy(request + 1, linear ? (const void *)linear : picture->pixels,
+                             pixels_size(&head));
+        for (size_t i = 0; i < head.metadata_count; i++) {
+            next = stpcpy(next, picture->metadata[i].name) + 1;
+            next = stpcpy(next, picture->metadata[i].value) + 1;
+        }
+    }
+    return request;
+}
+
+bool image_worker_write(const char *format, bool is_linear, const Picture *picture, FILE *stream,
+                        Error *error) {
+    WorkerReply reply = {0};
+    size_t size;
+    float *decoded = is_linear && !picture->linear ? image_plugin_decode(picture) : NULL;
+    const float *linear = !is_linear ? NULL : decoded ? decoded : picture->linear;
+    bool has_memory = linear || !is_linear;
+    ImageWorkerRequest *request = has_memory ? pack_picture(format, picture, linear, &size) : NULL;
+    bool is_written = request ? call_unlimited(request, size, &reply, error)
+                              : error_set(error, STATUS_FAILED, "no memory");
+    free(decoded);
+    free(request);
+    if (is_written) {
+        is_written = fwrite(reply.block, 1, reply.block_size, stream) == reply.block_size ||
+                     error_set(error, STATUS_FAILED, "%s", error_errno_text(errno));
+    }
+    if (reply.block) {
+        munmap(reply.block, reply.block_size);
+    }
+    return is_written;
+}
+
+// --- in the worker -------------------------------------------------------------------------------
+
+/** Reads the picture of a request. @return Whether it was read. */
+static bool read_texture(WorkerJob *job, const ImagePlugin *plugin, Error *error) {
+    const ImageWorkerRequest *request = job->request;
+    size_t capacity = request->limits.texture_capacity;
+    char path[sizeof "/proc/self/fd/-2147483648"];
+    snprintf(path, sizeof path, "/proc/self/fd/%d", job->file);
+    // Shared, so that the limit of data does not count it.
+    Texture *texture = mmap(NULL, capacity, PROT_READ | PROT_WRITE,
+                            MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (texture == MAP_FAILED) {
+        return error_set(error, STATUS_FAILED, "no memory for a picture");
+    }
+    const ImageReadRequest read = {plugin, request->format, path, capacity};
+    job->block = texture;
+    job->block_capacity = capacity;
+    if (!image_plugin_read(&read, texture, error)) {
+        return false;
+    }
+    job->block_size = texture_block_size(texture);
+    return true;
+}
+
+/** Prepares the report of a job. @return The report, empty. */
+static ImageWorkerReport *prepare_report(WorkerJob *job) {
+    static ImageWorkerReport report;
+    report = (ImageWorkerReport){0};
+    job->report = &report;
+    job->report_size = sizeof report;
+    return &report;
+}
+
+void image_worker_read_with(WorkerJob *job, const ImagePlugin *plugin) {
+    const ImageWorkerRequest *request = job->request;
+    ImageWorkerReport *report = prepare_report(job);
+    worker_job_ready();
+    worker_enter_sandbox(request->limits.memory_limit);
+    report->is_done = read_texture(job, plugin, &report->error);
+}
+
+/** Unpacks the metadata of a request. @return Rows, ended by one without a name; to be freed. */
+static MetadataEntry *unpack_metadata(const ImageWorkerRequest *request) {
+    const char *next = (const char *)(request + 1) + pixels_size(request);
+    MetadataEntry *metadata = calloc(request->metadata_count + 1, sizeof *metadata);
+    for (size_t i = 0; metadata && i < request->metadata_count; i++) {
+        metadata[i].name = next;
+        next += strlen(next) + 1;
+        metadata[i].value = next;
+        next += strlen(next) + 1;
+    }
+    return metadata;
+}
+
+/** Encodes the picture of a request. The file is given back at the next one. @return Whether it was
+ *  encoded. */
+static bool encode_picture(WorkerJob *job, const ImagePlugin *plugin, Error *error) {
+    static EncodedImage file;
+    const ImageWorkerRequest *request = job->request;
+    const void *pixels = request + 1;
+    if (file.owner) {
+        plugin->free_encoded(&file);
+    }
+    file = (EncodedImage){0};
+    MetadataEntry *metadata = unpack_metadata(request);
+    const ImagePluginSource source = {.width = request->width,
+                                      .height = request->height,
+                                      .encoded = request->is_linear ? NULL : pixels,
+                                      .linear = request->is_linear ? pixels : NULL,
+                                      .metadata = metadata};
+    ImagePluginMessage message = {""};
+    bool is_encoded = metadata && plugin->encode(request->format, &source, &file, &message);
+    free(metadata);
+    job->block = (void *)(uintptr_t)file.bytes;
+    job->block_size = is_encoded ? file.size : 0;
+    return is_encoded || error_set(error, STATUS_FAILED, "%s", message.text);
+}
+
+void image_worker_run(WorkerJob *job) {
+    const ImageWorkerRequest *request = job->request;
+    ImageWorkerReport *report = prepare_report(job);
+    const ImagePlugin *plugin = image_plugin_load(&report->error);
+    if (plugin && request->operation == IMAGE_READ) {
+        image_worker_read_with(job, plugin);
+    } else if (plugin && request->operation == IMAGE_ENCODE) {
+        // A picture that Ctrl-C has cut short is written all the same.
+        signal(SIGINT, SIG_IGN);
+        worker_job_ready();
+        worker_enter_sandbox(SIZE_MAX / 2);
+        report->is_done = encode_picture(job, plugin, &report->error);
+        signal(SIGINT, SIG_DFL);
+    } else {
+        report->is_done = plugin;
+    }
+}

@@ -1,0 +1,120 @@
+/**
+ * @file
+ * @brief Reads a model in a worker process: the part that runs there.
+ */
+#include "assets/meshes/mesh_worker.h"
+
+#include "assets/meshes/mesh_builder.h"
+#include "assets/plugin.h"
+#include "base/language.h"
+
+#include <errno.h>
+#include <libintl.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+/** The model module. */
+static const Plugin mesh_plugin = {.file = "dioptre-meshes.so",
+                                   .symbol = MESH_PLUGIN_SYMBOL,
+                                   .version = MESH_PLUGIN_VERSION,
+                                   .purpose = N_("models from files"),
+                                   .library = "assimp",
+                                   .build_package = "libassimp-dev",
+                                   .runtime_package = "libassimp5",
+                                   .fallback_hint = ""};
+
+/** Reads all bytes of a file. @return The bytes, to be freed; NULL if they cannot be read. */
+static char *read_bytes(int file, size_t size, Error *error) {
+    size_t done = 0;
+    char *bytes = malloc(size + 1);
+    if (!bytes) {
+        error_set(error, STATUS_SCENE, "it needs more memory than a model may take");
+    }
+    while (bytes && done < size) {
+        ssize_t count = pread(file, bytes + done, size - done, (off_t)done);
+        if (count > 0) {
+            done += (size_t)count;
+        } else if (count == 0 || errno != EINTR) {
+            error_set(error, STATUS_SCENE, "%s",
+                      count ? error_errno_text(errno) : gettext("it has become shorter"));
+            free(bytes);
+            bytes = NULL;
+        }
+    }
+    return bytes;
+}
+
+/** A model that is being read. */
+typedef struct Import {
+    MeshBuilder builder; /**< Collects the triangles. */
+    int per_mille;       /**< Progress that was sent last. */
+} Import;
+
+/** Sends progress, where it has changed. See #MeshSink.report_progress. */
+static void report_progress(void *context, double fraction) {
+    Import *import = context;
+    int per_mille = (int)(1000 * fraction);
+    if (per_mille != import->per_mille) {
+        import->per_mille = per_mille;
+        worker_job_progress(fraction);
+    }
+}
+
+/** Adds a triangle. See #MeshSink.add_triangle. @return Whether more are wanted. */
+static bool add_triangle(void *context, const MeshCorner corners[3]) {
+    Import *import = context;
+    return mesh_builder_add(&import->builder, corners);
+}
+
+/** Reads the file with the module. @return Whether all triangles were added. */
+static bool read_triangles(const WorkerJob *job, Import *import, Error *error) {
+    const MeshWorkerRequest *request = job->request;
+    MeshSink sink = {
+        .context = import, .add_triangle = add_triangle, .report_progress = report_progress};
+    MeshSource source = {.extension = request->extension, .size = request->size};
+    MeshImportResult result;
+    const MeshPlugin *plugin = plugin_open(&mesh_plugin, error);
+    char *bytes = plugin ? read_bytes(job->file, request->size, error) : NULL;
+    source.bytes = bytes;
+    bool is_read = bytes && plugin->read(&source, &sink, &result);
+    if (bytes && !is_read && result.message[0]) {
+        error_set(error, STATUS_SCENE, "%s", result.message);
+    }
+    import->builder.repairs.untriangulated_polygons = is_read ? result.untriangulated_polygons : 0;
+    free(bytes);
+    return is_read;
+}
+
+/** Makes the block: the mesh of a builder. @return false if there is none, or it is too large. */
+static bool make_block(WorkerJob *job, MeshBuilder *builder, Error *error) {
+    Mesh counts;
+    if (!mesh_builder_finish(builder, &counts)) {
+        return false;
+    }
+    if (mesh_block_size(&counts) > MESH_CAPACITY) {
+        return error_set(error, STATUS_SCENE, "its %zu triangles take more than %zu MiB",
+                         counts.triangle_count, MESH_CAPACITY >> 20);
+    }
+    Mesh *mesh = mesh_create(&counts, error);
+    if (mesh) {
+        mesh->repairs = counts.repairs;
+        mesh_builder_copy(builder, mesh);
+        job->block = mesh;
+        job->block_size = mesh_block_size(mesh);
+    }
+    return mesh != NULL;
+}
+
+void mesh_worker_read(WorkerJob *job) {
+    static MeshWorkerReport report;
+    Import import = {.per_mille = 0};
+    report = (MeshWorkerReport){0};
+    job->report = &report;
+    job->report_size = sizeof report;
+    worker_job_ready();
+    worker_enter_sandbox(MESH_FILE_MEMORY_LIMIT);
+    mesh_builder_init(&import.builder, &report.error);
+    report.is_done = read_triangles(job, &import, &report.error) &&
+                     make_block(job, &import.builder, &report.error);
+    mesh_builder_deinit(&import.builder);
+}

@@ -1,0 +1,186 @@
+/**
+ * @file
+ * @brief The life of a worker process.
+ */
+#include "assets/process/worker_main.h"
+
+#include "assets/process/worker_protocol.h"
+#include "base/language.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+/** The job under way, for the signal handler; NULL: none, or its result is being sent. */
+static WorkerJob *volatile current_job;
+
+/** Sends bytes; ends the process if the program has gone. */
+static void send_bytes(const void *bytes, size_t size) {
+    const char *next = bytes;
+    while (size > 0) {
+        ssize_t count = send(WORKER_SOCKET, next, size, MSG_NOSIGNAL);
+        if (count < 0 && errno != EINTR) {
+            _exit(EXIT_FAILURE);
+        }
+        next += count > 0 ? count : 0;
+        size -= count > 0 ? (size_t)count : 0;
+    }
+}
+
+/** Receives bytes; ends the process if the program has gone. */
+static void receive(void *bytes, size_t size) {
+    char *next = bytes;
+    while (size > 0) {
+        ssize_t count = recv(WORKER_SOCKET, next, size, 0);
+        if (count == 0 || (count < 0 && errno != EINTR)) {
+            _exit(EXIT_FAILURE);
+        }
+        next += count > 0 ? count : 0;
+        size -= count > 0 ? (size_t)count : 0;
+    }
+}
+
+/** Sends a job's report, and the block if there is a result. */
+static void send_answer(const WorkerJob *job, WorkerFrameKind kind) {
+    const WorkerFrame frame = {.kind = kind,
+                               .report_size = job->report ? job->report_size : 0,
+                               .block_size = kind == WORKER_FRAME_RESULT ? job->block_size : 0};
+    send_bytes(&frame, sizeof frame);
+    send_bytes(job->report, frame.report_size);
+    send_bytes(job->block, frame.block_size);
+}
+
+/** Sends the report as it is, then dies of the signal. */
+static void handle_fatal_signal(int number) {
+    WorkerJob *job = current_job;
+    current_job = NULL;
+    if (job && job->report) {
+        send_answer(job, WORKER_FRAME_REPORT);
+    }
+    signal(number, SIG_DFL);
+    raise(number);
+}
+
+/** Lets the program's end, Ctrl-C and crashes end this process, and leaves no core file. */
+static void set_signals(pid_t parent) {
+    static const int fatal[] = {SIGXCPU, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+    static char stack[1 << 16];
+    static const struct rlimit no_core = {0, 0};
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent) {
+        _exit(EXIT_FAILURE);
+    }
+    setrlimit(RLIMIT_CORE, &no_core);
+    signal(SIGPIPE, SIG_IGN);
+    sigaltstack(&(stack_t){.ss_sp = stack, .ss_size = sizeof stack}, NULL);
+    struct sigaction action = {.sa_handler = handle_fatal_signal, .sa_flags = SA_ONSTACK};
+    sigfillset(&action.sa_mask);
+    for (size_t i = 0; i < sizeof fatal / sizeof *fatal; i++) {
+        sigaction(fatal[i], &action, NULL);
+    }
+}
+
+/** Receives a request; waits for it. @return The bytes, to be freed. */
+static void *receive_request(WorkerJob *job) {
+    WorkerRequestHeader header;
+    struct iovec part = {&header, sizeof header};
+    union {
+        struct cmsghdr align;                 /**< For the alignment. */
+        char bytes[CMSG_SPACE(sizeof(int))]; /**< Room for a descriptor. */
+    } control;
+    struct msghdr message = {.msg_iov = &part,
+                             .msg_iovlen = 1,
+                             .msg_control = control.bytes,
+                             .msg_controllen = sizeof control.bytes};
+    ssize_t count;
+    do {
+        count = recvmsg(WORKER_SOCKET, &message, MSG_CMSG_CLOEXEC | MSG_WAITALL);
+    } while (count < 0 && errno == EINTR);
+    void *bytes = count == sizeof header ? malloc(header.size) : NULL;
+    if (!bytes) {
+        _exit(EXIT_FAILURE);
+    }
+    const struct cmsghdr *rights = CMSG_FIRSTHDR(&message);
+    *job = (WorkerJob){.request = bytes, .request_size = header.size, .file = -1};
+    if (rights && rights->cmsg_type == SCM_RIGHTS) {
+        memcpy(&job->file, CMSG_DATA(rights), sizeof job->file);
+    }
+    receive(bytes, header.size);
+    return bytes;
+}
+
+bool worker_is_requested(int argc, char **argv) {
+    return argc == WORKER_ARGUMENT_COUNT && strcmp(argv[1], WORKER_OPTION) == 0;
+}
+
+_Noreturn void worker_main(char **argv, const WorkerTask *tasks) {
+    const WorkerTask *task = tasks;
+    set_signals((pid_t)atoi(argv[3]));
+    language_init_as(strcmp(argv[4], "fr") == 0);
+    while (task->name && strcmp(task->name, argv[2]) != 0) {
+        task++;
+    }
+    while (task->name) {
+        WorkerJob job;
+        void *bytes = receive_request(&job);
+        current_job = &job;
+        task->run(&job);
+        current_job = NULL;
+        send_answer(&job, WORKER_FRAME_RESULT);
+        free(bytes);
+        if (job.block_capacity > 0) {
+            munmap(job.block, job.block_capacity);
+        }
+        if (job.file >= 0) {
+            close(job.file);
+        }
+    }
+    _exit(EXIT_FAILURE);
+}
+
+void worker_job_ready(void) {
+    send_bytes(&(WorkerFrame){.kind = WORKER_FRAME_READY}, sizeof(WorkerFrame));
+}
+
+void worker_job_progress(double fraction) {
+    const WorkerFrame frame = {.kind = WORKER_FRAME_PROGRESS, .per_mille = (int)(1000 * fraction)};
+    send_bytes(&frame, sizeof frame);
+}
+
+/** @return Bytes that this process has for its data already. */
+static size_t data_memory_used(void) {
+    unsigned long pages = 0;
+    FILE *file = fopen("/proc/self/statm", "re");
+    bool is_read = file && fscanf(file, "%*s %*s %*s %*s %*s %lu", &pages) == 1;
+    if (file) {
+        fclose(file);
+    }
+    return is_read ? pages * (size_t)sysconf(_SC_PAGESIZE) : 0;
+}
+
+void worker_enter_sandbox(size_t bytes) {
+    // Only the soft limit: the next request to this worker sets another.
+    struct rlimit limit;
+    getrlimit(RLIMIT_DATA, &limit);
+    rlim_t wanted = (rlim_t)(data_memory_used() + bytes);
+    limit.rlim_cur = wanted < limit.rlim_max ? wanted : limit.rlim_max;
+    setrlimit(RLIMIT_DATA, &limit);
+    int null_device = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (null_device >= 0) {
+        dup2(null_device, STDOUT_FILENO);
+        dup2(null_device, STDERR_FILENO);
+        close(null_device);
+    }
+}
+
+_Noreturn void worker_exit_to_retry(void) {
+    _exit(WORKER_EXIT_RETRY);
+}

@@ -1,0 +1,344 @@
+/**
+ * @file
+ * @brief Worker processes, seen from the program.
+ */
+#include "assets/process/worker_process.h"
+
+#include "assets/process/worker_protocol.h"
+#include "base/clock.h"
+#include "base/executable_dir.h"
+#include "base/language.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <math.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+/** Seconds that a worker has to load its modules. */
+static const double START_LIMIT = 60;
+/** Seconds that a worker has to send its report once it is late. */
+static const double REPORT_LIMIT = 0.25;
+/** Seconds between two calls of #WorkerMonitor.on_tick. */
+static const double TICK_INTERVAL = 0.2;
+/** Starts of a worker until one has free memory where the result must lie. */
+enum { START_ATTEMPTS = 16 };
+
+// --- starting and ending -------------------------------------------------------------------------
+
+/** Finds the worker program: beside this program, or where it is installed. */
+static const char *find_program(char path[PATH_MAX]) {
+    static const char *const places[] = {"dioptre-worker", "../lib/dioptre/dioptre-worker"};
+    char folder[PATH_MAX];
+    bool has_folder = executable_dir(folder);
+    for (size_t i = 0; has_folder && i < sizeof places / sizeof *places; i++) {
+        int length = snprintf(path, PATH_MAX, "%s/%s", folder, places[i]);
+        if (length < PATH_MAX && access(path, X_OK) == 0) {
+            break;
+        }
+    }
+    return path;
+}
+
+/** Sets default signal handling in the worker, whatever the program has arranged for itself, and
+ *  leaves it one end of the sockets. */
+static int spawn(WorkerProcess *process, const WorkerCall *call, int socket) {
+    char path[PATH_MAX] = "dioptre-worker", task[32], parent[16], language[4];
+    char option[] = WORKER_OPTION;
+    snprintf(task, sizeof task, "%s", call->task);
+    snprintf(parent, sizeof parent, "%d", (int)getpid());
+    snprintf(language, sizeof language, "%s", language_is_french() ? "fr" : "en");
+    const char *program = call->program ? call->program : find_program(path);
+    char name[] = "dioptre-worker", *arguments[] = {name, option, task, parent, language, NULL};
+    sigset_t all, none;
+    posix_spawnattr_t attributes;
+    posix_spawn_file_actions_t files;
+    sigfillset(&all);
+    sigemptyset(&none);
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setsigdefault(&attributes, &all);
+    posix_spawnattr_setsigmask(&attributes, &none);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
+    posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_adddup2(&files, socket, WORKER_SOCKET);
+    int failed = posix_spawn(&process->pid, program, &files, &attributes, arguments, environ);
+    posix_spawn_file_actions_destroy(&files);
+    posix_spawnattr_destroy(&attributes);
+    return failed;
+}
+
+/** Starts a worker. @return 0, or an error number. */
+static int start(WorkerProcess *process, const WorkerCall *call) {
+    int ends[2];
+    *process = (WorkerProcess){0};
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
+        return errno;
+    }
+    int failed = spawn(process, call, ends[1]);
+    close(ends[1]);
+    process->socket = ends[0];
+    if (failed) {
+        close(ends[0]);
+        *process = (WorkerProcess){0};
+    }
+    return failed;
+}
+
+/** Waits for the end of a worker. @return As waitpid says it; 0 where the system has reaped it. */
+static int reap(WorkerProcess *process) {
+    int status = 0;
+    pid_t ended;
+    do {
+        ended = waitpid(process->pid, &status, 0);
+    } while (ended < 0 && errno == EINTR);
+    close(process->socket);
+    pid_t pid = process->pid;
+    *process = (WorkerProcess){0};
+    return ended == pid ? status : 0;
+}
+
+void worker_process_stop(WorkerProcess *process) {
+    if (process->pid > 0) {
+        kill(process->pid, SIGKILL);
+        reap(process);
+    }
+}
+
+// --- messages ------------------------------------------------------------------------------------
+
+/** A call under way. */
+typedef struct Exchange {
+    const WorkerProcess *process; /**< The worker. */
+    const WorkerCall *call;       /**< The request. */
+    double started;               /**< When the time limit began, on #clock_now_seconds. */
+    double deadline;              /**< When it ends. */
+    double fraction;              /**< Progress, 0 to 1. */
+    bool is_late;                 /**< Whether the deadline has passed, or the call is stopped. */
+} Exchange;
+
+/** @return Whether the call is to be given up. */
+static bool is_stopped(const Exchange *exchange) {
+    const WorkerMonitor *monitor = exchange->call->monitor;
+    return monitor && monitor->stop && atomic_load(monitor->stop);
+}
+
+/** @return Milliseconds to sleep: to the next tick or the deadline, rounded up. */
+static int sleep_time(const Exchange *exchange, double now) {
+    double left = exchange->deadline - now;
+    double seconds = exchange->call->monitor ? fmin(left, TICK_INTERVAL) : left;
+    return (int)fmin(fmax(ceil(1000 * seconds), 0), INT_MAX);
+}
+
+/**
+ * Sleeps until the socket is ready; calls the monitor meanwhile.
+ * @param events  POLLIN or POLLOUT.
+ * @return false at the deadline, and where the call is stopped; #Exchange.is_late says so.
+ */
+static bool wait_until_ready(Exchange *exchange, short events) {
+    struct pollfd watched = {.fd = exchange->process->socket, .events = events};
+    const WorkerMonitor *monitor = exchange->call->monitor;
+    while (!is_stopped(exchange)) {
+        double now = clock_now_seconds();
+        int ready = poll(&watched, 1, sleep_time(exchange, now));
+        if (ready > 0) {
+            return true;
+        }
+        now = clock_now_seconds();
+        if (ready == 0 && now >= exchange->deadline) {
+            break;
+        }
+        if (ready == 0 && monitor && monitor->on_tick) {
+            monitor->on_tick(monitor->context, now - exchange->started, exchange->fraction);
+        }
+    }
+    exchange->is_late = true;
+    return false;
+}
+
+/** @return Whether a transfer that failed can be tried again. */
+static bool is_temporary(int reason) {
+    return reason == EAGAIN || reason == EINTR;
+}
+
+/** Receives bytes. @return false if the worker has ended, or is late. */
+static bool receive(Exchange *exchange, void *bytes, size_t size) {
+    char *next = bytes;
+    while (size > 0) {
+        ssize_t count = wait_until_ready(exchange, POLLIN)
+                            ? recv(exchange->process->socket, next, size, MSG_DONTWAIT)
+                            : 0;
+        if (count == 0 || (count < 0 && !is_temporary(errno))) {
+            return false;
+        }
+        next += count > 0 ? count : 0;
+        size -= count > 0 ? (size_t)count : 0;
+    }
+    return true;
+}
+
+/** Sends bytes. @return false if the worker has ended, or is late. */
+static bool send_bytes(Exchange *exchange, const void *bytes, size_t size) {
+    const char *next = bytes;
+    while (size > 0) {
+        if (!wait_until_ready(exchange, POLLOUT)) {
+            return false;
+        }
+        ssize_t count =
+            send(exchange->process->socket, next, size, MSG_DONTWAIT | MSG_NOSIGNAL);
+        if (count < 0 && !is_temporary(errno)) {
+            return false;
+        }
+        next += count > 0 ? count : 0;
+        size -= count > 0 ? (size_t)count : 0;
+    }
+    return true;
+}
+
+/** Sends the request, with the file. @return false if the worker has ended, or is late. */
+static bool send_request(Exchange *exchange) {
+    const WorkerCall *call = exchange->call;
+    WorkerRequestHeader header = {.size = call->request_size};
+    struct iovec part = {&header, sizeof header};
+    union {
+        struct cmsghdr align;                 /**< For the alignment. */
+        char bytes[CMSG_SPACE(sizeof(int))]; /**< Room for a descriptor. */
+    } control = {0};
+    struct msghdr message = {.msg_iov = &part, .msg_iovlen = 1};
+    if (call->file > 0) {
+        message.msg_control = control.bytes;
+        message.msg_controllen = sizeof control.bytes;
+        struct cmsghdr *rights = CMSG_FIRSTHDR(&message);
+        rights->cmsg_level = SOL_SOCKET;
+        rights->cmsg_type = SCM_RIGHTS;
+        rights->cmsg_len = CMSG_LEN(sizeof(int));
+        memcpy(CMSG_DATA(rights), &call->file, sizeof call->file);
+    }
+    // The first message of a socket that is empty: it goes as a whole.
+    return sendmsg(exchange->process->socket, &message, MSG_NOSIGNAL) == sizeof header &&
+           send_bytes(exchange, call->request, call->request_size);
+}
+
+/** Receives the report of a frame. @return false if it does not fit, or the worker has ended. */
+static bool receive_report(Exchange *exchange, const WorkerFrame *frame) {
+    return frame->report_size <= exchange->call->report_capacity &&
+           receive(exchange, exchange->call->report, frame->report_size);
+}
+
+/** Receives the block of a frame. @return false if it does not fit, or the worker has ended. */
+static bool receive_block(Exchange *exchange, const WorkerFrame *frame, WorkerReply *reply) {
+    const WorkerCall *call = exchange->call;
+    if (frame->block_size == 0 || frame->block_size > call->block_capacity) {
+        return frame->block_size == 0;
+    }
+    void *block = call->block ? call->block
+                              : mmap(NULL, frame->block_size, PROT_READ | PROT_WRITE,
+                                     MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (block == MAP_FAILED) {
+        return false;
+    }
+    bool is_received = receive(exchange, block, frame->block_size);
+    if (is_received) {
+        reply->block = block;
+        reply->block_size = frame->block_size;
+    } else if (!call->block) {
+        munmap(block, frame->block_size);
+    }
+    return is_received;
+}
+
+/** Receives the answer. @return Whether there is a result. */
+static bool receive_reply(Exchange *exchange, WorkerReply *reply) {
+    WorkerFrame frame;
+    while (receive(exchange, &frame, sizeof frame)) {
+        if (frame.kind == WORKER_FRAME_READY) {
+            exchange->started = clock_now_seconds();
+            exchange->deadline = exchange->started + exchange->call->time_limit;
+        } else if (frame.kind == WORKER_FRAME_PROGRESS) {
+            exchange->fraction = fmin(fmax(frame.per_mille / 1000.0, 0), 1);
+        } else if (!receive_report(exchange, &frame)) {
+            return false;
+        } else if (frame.kind == WORKER_FRAME_RESULT) {
+            return receive_block(exchange, &frame, reply);
+        }
+        // After a report without a result the worker dies; its signal says more.
+    }
+    return false;
+}
+
+/** Asks a late worker for its report, and kills it. */
+static void end_late_worker(Exchange *exchange, WorkerProcess *process) {
+    if (!is_stopped(exchange)) {
+        WorkerReply none = {0};
+        Exchange last = {.process = process, .call = exchange->call};
+        last.deadline = clock_now_seconds() + REPORT_LIMIT;
+        kill(process->pid, SIGXCPU);
+        if (receive_reply(&last, &none) && none.block && !exchange->call->block) {
+            munmap(none.block, none.block_size);
+        }
+    }
+    worker_process_stop(process);
+}
+
+/** Sends the request and waits for the answer. @param[out] exit_status Of a worker without one. */
+static WorkerReply converse(WorkerProcess *process, const WorkerCall *call, int *exit_status) {
+    double now = clock_now_seconds();
+    WorkerReply reply = {.end = WORKER_FINISHED};
+    Exchange exchange = {
+        .process = process, .call = call, .started = now, .deadline = now + START_LIMIT};
+    if (send_request(&exchange) && receive_reply(&exchange, &reply)) {
+        return reply;
+    }
+    if (exchange.is_late) {
+        end_late_worker(&exchange, process);
+        return (WorkerReply){.end = WORKER_TIMED_OUT};
+    }
+    // A worker that has closed its socket has its exit status already: no signal changes that. One
+    // whose answer is no answer still runs.
+    kill(process->pid, SIGKILL);
+    int status = reap(process);
+    if (WIFSIGNALED(status)) {
+        return (WorkerReply){.end = WORKER_CRASHED, .detail = WTERMSIG(status)};
+    }
+    *exit_status = WEXITSTATUS(status);
+    return (WorkerReply){.end = WORKER_EXITED};
+}
+
+/** @return Whether a kept worker has ended meanwhile, as by Ctrl-C. */
+static bool has_ended(const WorkerProcess *process) {
+    char byte;
+    return process->pid > 0 &&
+           recv(process->socket, &byte, sizeof byte, MSG_PEEK | MSG_DONTWAIT) == 0;
+}
+
+WorkerReply worker_process_call(WorkerProcess *process, const WorkerCall *call) {
+    WorkerReply reply;
+    int exit_status, attempts = 0;
+    if (has_ended(process)) {
+        worker_process_stop(process);
+    }
+    do {
+        exit_status = 0;
+        int failed = process->pid > 0 ? 0 : start(process, call);
+        if (failed) {
+            return (WorkerReply){.end = WORKER_NOT_STARTED, .detail = failed};
+        }
+        reply = converse(process, call, &exit_status);
+    } while (exit_status == WORKER_EXIT_RETRY && ++attempts < START_ATTEMPTS);
+    return reply;
+}
+
+WorkerReply worker_process_call_once(const WorkerCall *call) {
+    WorkerProcess process = {0};
+    WorkerReply reply = worker_process_call(&process, call);
+    worker_process_stop(&process);
+    return reply;
+}

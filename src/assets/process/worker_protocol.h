@@ -1,0 +1,45 @@
+/**
+ * @file
+ * @brief Messages between the program and a worker process, over a pair of sockets.
+ *
+ * The program sends a #WorkerRequestHeader and the bytes of the request. The worker answers with
+ * #WorkerFrame headers: any number of #WORKER_FRAME_READY and #WORKER_FRAME_PROGRESS, then one
+ * #WORKER_FRAME_RESULT. Both ends are built from the same sources, so structs travel as they are.
+ */
+#ifndef DIOPTRE_ASSETS_PROCESS_WORKER_PROTOCOL_H
+#define DIOPTRE_ASSETS_PROCESS_WORKER_PROTOCOL_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/** First word of a worker's command line; task, parent process id and language follow. */
+#define WORKER_OPTION "--worker"
+/** Words of a worker's command line: program, option, task, parent, language. */
+enum { WORKER_ARGUMENT_COUNT = 5 };
+/** Descriptor of the worker's end of the sockets. */
+enum { WORKER_SOCKET = 3 };
+/** Exit status of a worker whose layout of memory does not fit the request: another may fit. */
+enum { WORKER_EXIT_RETRY = 75 };
+
+/** Beginning of a request. A file descriptor may travel with it. */
+typedef struct WorkerRequestHeader {
+    size_t size; /**< Bytes that follow. */
+} WorkerRequestHeader;
+
+/** Kind of a message from a worker. */
+typedef enum {
+    WORKER_FRAME_READY,    /**< The time limit starts now: modules are loaded. */
+    WORKER_FRAME_PROGRESS, /**< #WorkerFrame.per_mille has changed. */
+    WORKER_FRAME_REPORT,   /**< A fatal signal has arrived: the report follows, then the end. */
+    WORKER_FRAME_RESULT    /**< The task has ended: report and block follow. */
+} WorkerFrameKind;
+
+/** Beginning of a message from a worker. */
+typedef struct WorkerFrame {
+    WorkerFrameKind kind; /**< What it says. */
+    int per_mille;        /**< Progress, 0 to 1000. */
+    size_t report_size;   /**< Bytes of the report, which follows first. */
+    size_t block_size;    /**< Bytes of the block, which follows second; 0: none. */
+} WorkerFrame;
+
+#endif

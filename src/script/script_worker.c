@@ -1,0 +1,211 @@
+/**
+ * @file
+ * @brief Texts of scenes and lessons, run in a worker process.
+ */
+#include "script/script_worker.h"
+
+#include "assets/process/worker_process.h"
+#include "script/lesson_functions.h"
+#include "script/script_run.h"
+
+#include <libintl.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/** The request as the worker gets it: this head, the text, the names of actions. */
+typedef struct ScriptJobHead {
+    char path[PATH_MAX];     /**< See #ScriptRequest.path. */
+    char base_dir[PATH_MAX]; /**< See #ScriptRequest.base_dir. */
+    bool has_base_dir;       /**< Whether it is not NULL. */
+    double time;             /**< See #ScriptRequest.time. */
+    size_t memory_limit;     /**< See #ScriptRequest.memory_limit. */
+    void *address;           /**< Where the scene or lesson is to lie. */
+    size_t text_size;        /**< Bytes of the text. */
+    size_t action_count;     /**< How many names, each ended by a zero byte. */
+    int move_count;          /**< See #ActionNames.move_count. */
+} ScriptJobHead;
+
+// --- in the program ------------------------------------------------------------------------------
+
+/** @return Bytes of all names of actions. @param[out] count How many names. */
+static size_t action_names_size(const ActionNames *actions, size_t *count) {
+    size_t size = 0;
+    for (*count = 0; actions && actions->names[*count]; (*count)++) {
+        size += strlen(actions->names[*count]) + 1;
+    }
+    return size;
+}
+
+/** Packs a request. @param[out] size Bytes of it. @return The bytes, to be freed; or NULL. */
+static void *pack_request(const ScriptCall *call, size_t *size) {
+    const ScriptRequest *request = call->request;
+    size_t action_count, text_size = call->text->size;
+    size_t names_size = action_names_size(call->actions, &action_count);
+    *size = sizeof(ScriptJobHead) + text_size + names_size;
+    ScriptJobHead *head = calloc(1, *size);
+    if (!head) {
+        return NULL;
+    }
+    *head = (ScriptJobHead){.has_base_dir = request->base_dir,
+                            .time = request->time,
+                            .memory_limit = request->memory_limit,
+                            .address = call->block,
+                            .text_size = text_size,
+                            .action_count = action_count,
+                            .move_count = call->actions ? call->actions->move_count : 0};
+    snprintf(head->path, sizeof head->path, "%s", request->path);
+    snprintf(head->base_dir, sizeof head->base_dir, "%s",
+             request->base_dir ? request->base_dir : "");
+    char *next = mempcpy(head + 1, call->text->text, text_size);
+    for (size_t i = 0; i < action_count; i++) {
+        next = stpcpy(next, call->actions->names[i]) + 1;
+    }
+    return head;
+}
+
+/** Reports that a scene was stopped, at the line where it was last. */
+static void fail_at_location(ScriptResult *result, const char *message) {
+    script_result_fail(result, result->location, message, strlen(message));
+}
+
+/** Sets the error of a run whose worker has not ended it. */
+static void set_failure(const ScriptRequest *request, const WorkerReply *reply,
+                        ScriptResult *result) {
+    char message[ERROR_MESSAGE_SIZE];
+    bool is_stopped = request->stop && atomic_load(request->stop);
+    if (reply->end == WORKER_NOT_STARTED) {
+        error_set(&result->error, STATUS_FAILED, "no process to run a scene in: %s",
+                  error_errno_text(reply->detail));
+    } else if (reply->end == WORKER_TIMED_OUT && is_stopped) {
+        error_set(&result->error, STATUS_INTERRUPTED, "interrupted");
+    } else if (reply->end == WORKER_TIMED_OUT) {
+        snprintf(message, sizeof message, gettext("the scene ran for more than %g s"),
+                 request->time_limit);
+        fail_at_location(result, message);
+    } else if (reply->end == WORKER_CRASHED && reply->detail == SIGINT) {
+        error_set(&result->error, STATUS_INTERRUPTED, "interrupted");
+    } else {
+        snprintf(message, sizeof message, gettext("the process that ran the scene died (%s)"),
+                 reply->detail ? strsignal(reply->detail) : gettext("nobody knows why"));
+        fail_at_location(result, message);
+    }
+}
+
+bool script_worker_run(const ScriptCall *call, Error *error) {
+    const ScriptRequest *request = call->request;
+    size_t size = 0;
+    ScriptResult *result = script_result_create(request->path);
+    void *bytes = result ? pack_request(call, &size) : NULL;
+    bool is_good = bytes || error_set(error, STATUS_FAILED, "no memory to run a scene");
+    if (is_good) {
+        const WorkerMonitor monitor = {.stop = request->stop};
+        const WorkerReply reply =
+            worker_process_call_once(&(WorkerCall){.program = request->worker,
+                                                   .task = call->task,
+                                                   .request = bytes,
+                                                   .request_size = size,
+                                                   .time_limit = request->time_limit,
+                                                   .monitor = request->stop ? &monitor : NULL,
+                                                   .report = result,
+                                                   .report_capacity = sizeof *result,
+                                                   .block = call->block,
+                                                   .block_capacity = call->capacity});
+        if (reply.end != WORKER_FINISHED) {
+            set_failure(request, &reply, result);
+        }
+        is_good = result->error.status == STATUS_OK;
+        if (!is_good && error) {
+            *error = result->error;
+        }
+    }
+    free(bytes);
+    script_result_destroy(result);
+    return is_good;
+}
+
+// --- in the worker -------------------------------------------------------------------------------
+
+/** Copies the text out of a request: the run frees it. @return The text; empty without memory. */
+static ScriptText unpack_text(const ScriptJobHead *head) {
+    ScriptText text = {.text = malloc(head->text_size + 1), .size = head->text_size};
+    if (!text.text) {
+        _Exit(EXIT_FAILURE);
+    }
+    memcpy(text.text, head + 1, head->text_size);
+    return text;
+}
+
+/**
+ * Runs a text.
+ * @param run  The run, without what the request says.
+ * @param[out] job  Its report; the block is set by the caller.
+ * @return Whether it ran to its end without an error.
+ */
+static bool run_job(WorkerJob *job, ScriptRun *run) {
+    const ScriptJobHead *head = job->request;
+    const ScriptText text = unpack_text(head);
+    const ScriptRequest request = {.path = head->path,
+                                   .base_dir = head->has_base_dir ? head->base_dir : NULL,
+                                   .time = head->time,
+                                   .memory_limit = head->memory_limit,
+                                   .shape_keywords = scene_shape_keywords};
+    run->request = &request;
+    run->text = &text;
+    run->job = job;
+    run->result = script_result_create(head->path);
+    if (!run->result) {
+        _Exit(EXIT_FAILURE);
+    }
+    job->report = run->result;
+    job->report_size = script_result_size(run->result);
+    worker_job_ready();
+    script_run_execute(run);
+    return run->result->error.status == STATUS_OK;
+}
+
+void script_worker_scene(WorkerJob *job) {
+    const ScriptJobHead *head = job->request;
+    Error error;
+    Scene *scene = scene_create_at(head->address, &error);
+    if (!scene) {
+        worker_exit_to_retry();
+    }
+    ScriptRun run = {.dialect = &scene_dialect, .scene = scene};
+    if (run_job(job, &run)) {
+        job->block = scene;
+        job->block_size = scene_block_size(scene);
+    }
+}
+
+/** @return The names of actions in a request, ended by NULL. */
+static const char **unpack_action_names(const ScriptJobHead *head) {
+    const char **names = calloc(head->action_count + 1, sizeof *names);
+    const char *next = (const char *)(head + 1) + head->text_size;
+    for (size_t i = 0; names && i < head->action_count; i++) {
+        names[i] = next;
+        next += strlen(next) + 1;
+    }
+    if (!names) {
+        _Exit(EXIT_FAILURE);
+    }
+    return names;
+}
+
+void script_worker_lesson(WorkerJob *job) {
+    const ScriptJobHead *head = job->request;
+    Error error;
+    Lesson *lesson = lesson_create_at(head->address, &error);
+    if (!lesson) {
+        worker_exit_to_retry();
+    }
+    const ActionNames actions = {.names = unpack_action_names(head),
+                                 .move_count = head->move_count};
+    LessonBuilder builder = {.lesson = lesson, .actions = &actions};
+    ScriptRun run = {.dialect = &lesson_dialect, .lesson_builder = &builder};
+    if (run_job(job, &run)) {
+        job->block = lesson;
+        job->block_size = lesson_block_size(lesson);
+    }
+}

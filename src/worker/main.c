@@ -1,0 +1,27 @@
+/**
+ * @file
+ * @brief The program `dioptre-worker`: reads scenes, pictures and models, and encodes pictures, for `dioptre`.
+ *
+ * It is a program of its own so that it starts in a millisecond: it is linked with Lua, and not with
+ * SDL, whose libraries take ten.
+ */
+#include "assets/images/image_worker.h"
+#include "assets/meshes/mesh_worker.h"
+#include "script/script_worker.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+/** The worker program. @return EXIT_FAILURE where it is not started by `dioptre`. */
+int main(int argc, char **argv) {
+    static const WorkerTask tasks[] = {{SCRIPT_SCENE_TASK, script_worker_scene},
+                                       {SCRIPT_LESSON_TASK, script_worker_lesson},
+                                       {IMAGE_WORKER_TASK, image_worker_run},
+                                       {MESH_WORKER_TASK, mesh_worker_read},
+                                       {0}};
+    if (worker_is_requested(argc, argv)) {
+        worker_main(argv, tasks);
+    }
+    fputs("dioptre-worker is started by dioptre, not by hand\n", stderr);
+    return EXIT_FAILURE;
+}

@@ -203,12 +203,8 @@ $(ROOMS): $(ROOM_OBJECTS)
 WITH_ROOMS    := -L$(BUILD)/tests -lrooms -Wl,-rpath,'$$ORIGIN:$$ORIGIN/..:$$ORIGIN/tests'
 $(BUILD)/tests/%: tests/%.c $(wildcard tests/*.h) $(ROOMS) $(WORKER)
 	@mkdir -p $(@D)
-LIBRARIES     = $(call PKG_LIBS,sdl2 SDL2_ttf lua5.4 cairo) -ldl -lm -pthread
-# The program that reads scenes, pictures and models: src/worker/main.c.
-WORKER         := $(BUILD)/dioptre-worker
-WORKER_SOURCES := $(wildcard src/worker/*.c) $(filter src/base/% src/scene/% src/script/% src/assets/%,$(ROOM_SOURCES)) \
-                  src/render/encoder.c src/render/picture.c src/render/offset_strategy.c
-WORKER_OBJECTS := $(WORKER_SOURCES:%.c=$(OBJ)/%.o)
+	@ln -sfr $(WORKER) $(@D)
+	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,cmocka) $(ROOM_CFLAGS) -Itests -o $@ $< $(WITH_ROOMS) $(LIBRARIES) $(call PKG_LIBS,cmocka)
 
 .PHONY: test tests
 test: test-packages

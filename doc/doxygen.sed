@@ -8,3 +8,13 @@ s/^enum \{ ([A-Z_0-9]+) = ([^,=]*) \};$/#define \1 \2/
 
 # An assertion for the compiler is no function.
 s/^_Static_assert\(.*\);$//
+/^_Static_assert\(/,/\);$/s/.*//
+
+# A class is declared by the list of all classes, and says itself what it is.
+s|^const (Scene)?(Shape\|Light)Class \w+_class = |/** A class: its vtable. */ &|
+
+# A method of the laboratory is a function.
+s/^METHOD\((\w+), (\w+), (\w+)\) \{/static \3 \1(const \2 *in) {/
+
+# Columns of a list of properties, defined where the list is read.
+s/^#define (COLOR|NUMBER|PROPERTY)\(name, value\).*//

@@ -1,11 +1,11 @@
--- Report C, its box (row C2): five matt green walls, a red sphere and a blue cube that mirror.
+-- Report C, its box: five matt green walls, a red sphere and a blue cube that mirror.
 --
 -- The walls stand 2 units from the middle, and the box is open towards the viewer. Distances are
 -- in any unit you like; x runs to the right, y up, and z towards you.
 
 camera { position = {0, 0, 6.5}, look_at = {0, 0, 0}, fov = 46 }
 
--- depth: a ray may be mirrored 8 times, from sphere to cube and back. samples: 16 rays a pixel make
+-- depth: a ray may be reflected 8 times, from sphere to cube and back. samples: 16 rays per pixel make
 -- the edges smooth.
 image { width = 800, height = 600, depth = 8, samples = 16 }
 

@@ -1,7 +1,7 @@
--- Report B (row B6): a frame of a cube, a sphere and a cube, under a sun and a sky, by ray marching.
+-- Report B: a frame of a cube, a sphere and a cube, under a sun and a sky, by sphere tracing.
 --
--- Nobody has solved an equation for these: each is only a rule that says how far a point is from the
--- surface. A ray walks as far as the rule allows, asks again, and stops when it is as good as there.
+-- No equation is solved for these: each is only a rule that says how far a point is from the
+-- surface. A ray walks as far as the rule allows, asks again, and stops when it is near enough.
 
 camera { position = {2.6, 2.1, 5.2}, look_at = {0, 0.45, 0}, fov = 46 }
 image { width = 800, height = 600 }

@@ -1,4 +1,4 @@
--- Report D, its pictures `earth` and `galaxy` (row D2): the earth and the moon before the Milky Way. --time
+-- Report D, its pictures `earth` and `galaxy`: the earth and the moon before the Milky Way. --time
 -- turns the earth, 24 seconds a day.
 --
 -- The stars are a panorama of the whole sky; the earth's night side is dark but for a little light of

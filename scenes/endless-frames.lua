@@ -1,7 +1,7 @@
--- Report B (rows B8 and B10): frames of cubes without end, which turn with the time: --time, or Space in the
+-- Report B: frames of cubes without end, which turn with the time: --time, or Space in the
 -- window.
 --
--- One frame is enough. The point that asks is put back into the cell around zero, wherever it is; but the
+-- One frame is enough. The point is put back into the cell around zero, wherever it is; but the
 -- nearest frame may stand in the next cell, so those are asked, too. A sun would light none of them: on
 -- its endless way here every ray of light is stopped. So the eye carries a lamp.
 

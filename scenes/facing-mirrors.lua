@@ -1,7 +1,7 @@
--- Report C, its counter (row C3): two mirrors that face each other. The ray goes to and fro until it is
+-- Report C, its counter: two mirrors that face each other. The ray goes to and fro until it is
 -- stopped.
 --
--- Each time a ray is mirrored, the mirror keeps a little of its light, so the tunnel gets darker
+-- Each time a ray is reflected, the mirror keeps a little of its light, so the tunnel gets darker
 -- and greener towards its end, as between two real mirrors. Make depth smaller to see what
 -- the counter of the report does: each step shows one room more.
 

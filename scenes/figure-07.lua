@@ -1,6 +1,6 @@
 -- Report A, figure 7: its first picture. Two spheres, each in one flat colour.
 --
--- No lamp is needed: a ray that meets a sphere brings back the sphere's colour, and nothing else.
+-- No light is needed: a ray that meets a sphere brings back the sphere's colour, and nothing else.
 -- So the material is black, with light of its own. The report's text does not say which colours
 -- its figure has; these are those of its next figures.
 --

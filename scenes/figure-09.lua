@@ -1,7 +1,7 @@
 -- Report A, figure 9: figure 8 with light that weakens with the distance and with the angle.
 --
--- At twice the distance a lamp gives a quarter of its light ("inverse_square"), and a
--- surface gets the less of it the more it is turned away. Both lamps have intensity 200, as in
+-- At twice the distance a light gives a quarter of its light ("inverse_square"), and a
+-- surface gets the less of it the more it is turned away. Both lights have intensity 200, as in
 -- the report. Its program wrote numbers of light into the picture as they were: "linear".
 --
 -- The report looks along +z, we look along -z: every z of the report has a minus here.

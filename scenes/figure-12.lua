@@ -1,10 +1,10 @@
--- Report A, figure 12: a model with flat normals, the first of its two methods.
+-- Report A, figure 12: a mesh with flat normals, the first of its two methods.
 --
--- A model is nothing but triangles. The vector at right angles to two edges of a triangle, their
+-- A mesh is nothing but triangles. The vector at right angles to two edges of a triangle, their
 -- cross product, is the normal of all its points. So each triangle is evenly lit, like a facet
 -- of a cut stone, and you can count them: Spot the cow has 372 here.
 --
--- The report's text does not say which model its figures show. Figure 13 has the second method.
+-- The report's text does not say which mesh its figures show. Figure 13 has the second method.
 
 camera { position = {0, 1.1, 4.6}, look_at = {0, -0.02, 0}, fov = 37 }
 image { width = 800, height = 600, samples = 16 }

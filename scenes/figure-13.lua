@@ -1,4 +1,4 @@
--- Report A, figure 13: a model with interpolated normals; beside it figure 12, with flat ones.
+-- Report A, figure 13: a mesh with interpolated normals; beside it figure 12, with flat ones.
 --
 -- Both are the same 372 triangles. On the right each corner has a normal of its own, and between
 -- the corners the normal turns little by little: n = nA + u (nB - nA) + v (nC - nA). The light then
@@ -18,7 +18,7 @@ sky { color = "#5f7386" }
 local hide = material { color = "#efe6d8" }
 local stone = material { color = "#a9b4bd" }
 
--- The model file has no normals. The program computes those of the corners: the mean over the
+-- The mesh file has no normals. The program computes those of the corners: the mean over the
 -- triangles that meet there, of which the one with the widest angle there counts most.
 for i, normals in ipairs { "flat", "smooth" } do
   local x = 2.3 * i - 3.45

@@ -1,8 +1,8 @@
--- Report A, figure 16: mirrors between models and spheres.
+-- Report A, figure 16: mirrors between meshes and spheres.
 --
--- A ray that meets a mirror goes on in the mirrored direction, whatever it meets next: the teapot
+-- A ray that meets a mirror goes on in the reflected direction, whatever it meets next: the teapot
 -- sees itself in the ball, and in that image the ball again. The program needs to know the point
--- and the normal only, not which shape it was. The report says neither which models its figure
+-- and the normal only, not which shape it was. The report says neither which meshs its figure
 -- shows nor where they are.
 
 camera { position = {0, 2.6, 7.2}, look_at = {0, 0.85, 0}, fov = 44 }
@@ -28,7 +28,7 @@ for i = -5, 4 do
   end
 end
 
--- Two models, and a sphere between them.
+-- Two meshes, and a sphere between them.
 mesh {
   file = "models/teapot.obj", scale = 0.5, rotate = {0, -30, 0}, translate = {-1.9, 0.002, -0.3},
   material = mirror("#20160a", {0.80, 0.62, 0.34}),

@@ -1,4 +1,4 @@
--- Report A, figure 18: a glass cube, and the image of a sphere that it refracts (row A10).
+-- Report A, figure 18: a glass cube, and the image of a sphere that it refracts.
 --
 -- Light is bent where it enters the cube and where it leaves. Through two faces that are opposite, it
 -- goes on as it came, only moved aside. Through two that stand at right angles it cannot leave: it

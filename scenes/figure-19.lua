@@ -1,7 +1,7 @@
--- Report A, figure 19: a die with a picture on its faces, and the earth.
+-- Report A, figure 19: a die with a texture on its faces, and the earth.
 --
--- The die is a model whose file says which part of the picture goes where; the earth is a sphere, which
--- takes its picture by longitude and latitude. Africa is in front, as the map's middle is; the die's
+-- The die is a mesh whose file says which part of the picture goes where; the earth is a sphere, which
+-- takes its texture by longitude and latitude. Africa is in front, as the map's middle is; the die's
 -- opposite faces make seven.
 
 camera { position = {0, 1.1, 8.2}, look_at = {0, 0, 0}, fov = 40 }

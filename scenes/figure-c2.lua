@@ -1,5 +1,5 @@
--- Report C, figures 2 and 3 (row C8): with `--offset none` the mirror is full of dark points, where
--- the mirrored ray meets the sphere that it leaves; as it is, there are none.
+-- Report C, figures 2 and 3: with `--offset none` the mirror is full of dark points, where
+-- the reflected ray hits the sphere that it leaves; as it is, there are none.
 --
 -- The points stand in rings and not at random: the same places are rounded the same way each time.
 

@@ -1,4 +1,4 @@
--- Report C, figures 4 and 5 (row C8): with `--offset none` lit walls are strewn with black points,
+-- Report C, figures 4 and 5: with `--offset none` lit walls are strewn with black points,
 -- where the shadow ray meets the wall that it leaves: shadow acne; as it is, there is none.
 
 camera { position = {0, 0.6, 6.5}, look_at = {0, -0.2, 0}, fov = 38 }

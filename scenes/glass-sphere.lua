@@ -1,4 +1,4 @@
--- Report A, what its author could not draw (row A10): a glass ball. It turns what is behind it upside
+-- Report A, what its author could not draw: a glass ball. It turns what is behind it upside
 -- down.
 --
 -- Light is bent twice, where it enters and where it leaves, and the rays that come from far behind

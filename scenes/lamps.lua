@@ -1,7 +1,7 @@
--- Report D, its result "lumière" (row D4): lights that are seen. Three glowing balls hang in a room whose
--- back wall is a mirror, and edges are smooth (row D6).
+-- Report D, its result "lumière": lights that are seen. Three glowing balls hang in a room whose
+-- back wall is a mirror, and edges are smooth.
 --
--- Each lights what is around it and stands in no other's light; the keys move them like any lamp.
+-- Each lights what is around it and stands in no other's light; the keys move them like any light.
 
 camera { position = {0, 1.5, 6.5}, look_at = {0, 1.15, 0}, fov = 48 }
 image { width = 800, height = 600, samples = 64, depth = 5 }

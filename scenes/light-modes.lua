@@ -1,4 +1,4 @@
--- Report D, its light modes (row D4): on the left no light at all, in the middle light and ambient light,
+-- Report D, its light modes: on the left no light at all, in the middle light and ambient light,
 -- on the right light alone.
 --
 -- The modes are weights of a material. Without light a thing shows its own colour everywhere (it is

@@ -1,4 +1,4 @@
--- Report B (row B9): a Mandelbulb, the points of space that stay near zero when they are raised to the 8th power
+-- Report B: a Mandelbulb, the points of space that stay near zero when they are raised to the 8th power
 -- and added to, again and again. Its distance is only estimated, so its steps are small.
 
 camera { position = {0.9, 1.1, 2.6}, look_at = {0, 0, 0}, fov = 48 }

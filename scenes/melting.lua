@@ -1,7 +1,7 @@
--- Fields that melt into one another, and a mirror and a glass of them: a marched surface is a
+-- Distance functions that blend into one another, and a mirror and a glass of them: such a surface is a
 -- shape like any other.
 --
--- What is in any of two fields, with the seam filled; what is in one and not in the other; edges rounded.
+-- What is in any of two solids, with the seam filled; what is in one and not in the other; edges rounded.
 
 camera { position = {0.4, 2.2, 6}, look_at = {0, 0.65, 0}, fov = 44 }
 image { width = 800, height = 600 }

@@ -1,4 +1,4 @@
--- Report B (row B9): a Menger sponge. A cube loses its middle along all three axes, each of the 20 cubes that
+-- Report B: a Menger sponge. A cube loses its middle along all three axes, each of the 20 cubes that
 -- are left loses its own, and so on: --time takes the steps, from 0 to 6.
 
 camera { position = {1.5, 1.25, 2.2}, look_at = {0, 0.42, 0}, fov = 40 }

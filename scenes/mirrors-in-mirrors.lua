@@ -1,7 +1,7 @@
--- Report D, its results "miroirs" (row D5): mirrors in mirrors. Three mirrors stand in a triangle, and a
+-- Report D, its results "miroirs": mirrors in mirrors. Three mirrors stand in a triangle, and a
 -- few balls become a field without end.
 --
--- Each mirror shows the other two, and what they show: a kaleidoscope. A ray is mirrored up to 24
+-- Each mirror shows the other two, and what they show: a kaleidoscope. A ray is reflected up to 24
 -- times; each mirror keeps a little of the light, so what is far away grows dim. With `--depth 1` you
 -- see what a single mirror image is, with `--depth 0` black walls.
 

@@ -1,4 +1,4 @@
--- Report A (row A12): objects moved by a script, as it wished for: a sun, planets that keep Kepler's
+-- Report A: objects moved by a script, as it wished for: a sun, planets that keep Kepler's
 -- third law, and a moon. Space lets the time run; `dioptre animate` makes the film.
 
 camera { position = {0, 4.2, 8.4}, look_at = {0, -0.2, 0}, fov = 46 }
@@ -6,7 +6,7 @@ image { width = 800, height = 450, samples = 16, depth = 3 }
 ambient { 0.05, 0.05, 0.07 }
 sky { horizon = "#0b1026", zenith = "#02030a" }
 
--- The sun is a lamp that is seen.
+-- The sun is a light that is seen.
 light { position = {0, 0, 0}, color = {1.0, 0.86, 0.6}, intensity = 1.6, radius = 0.55 }
 
 -- orbit RADIUS PERIOD START HEIGHT: where a body is at the time t; a turn takes PERIOD seconds.

@@ -1,4 +1,4 @@
--- Report A, what its author could not draw (rows A10 and A11): a picture seen through glass. A lens, a
+-- Report A, what its author could not draw: a picture seen through glass. A lens, a
 -- ball and a block stand before the Great Wave of Hokusai.
 --
 -- The picture knows nothing of the glass. A ray that has been bent asks the wall for its colour at the

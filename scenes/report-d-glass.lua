@@ -1,5 +1,5 @@
--- Report D, its result "réfraction" (row D3): balls of water, glass and diamond, a glass cylinder, and the
--- pictures behind them. Each surface mirrors one share of the light and refracts the other (Fresnel).
+-- Report D, its result "réfraction": balls of water, glass and diamond, a glass cylinder, and the
+-- pictures behind them. Each surface reflects one fraction of the light and refracts the other (Fresnel).
 --
 -- From left to right the balls have the ior 1.33, 1.5 and 2.42: the more
 -- they bend, the more they mirror. Seen at a flat angle, all of them are mirrors: look at the rims.

@@ -1,4 +1,4 @@
--- Report D, its result "textures" (row D2): a picture on a rectangle, one on the floor, one on a sphere, and
+-- Report D, its result "textures": one on a rectangle, one on the floor, one on a sphere, and
 -- a sky panorama, which a mirror shows too.
 
 camera { position = {0.3, 1.45, 5.6}, look_at = {0, 1.0, 0}, fov = 52 }

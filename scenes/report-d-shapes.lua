@@ -1,4 +1,4 @@
--- Report D, its result "divers objets" (row D1): green disk, blue cylinder, rectangle, red triangle
+-- Report D, its result "divers objets": green disk, blue cylinder, rectangle, red triangle
 -- and floor; and the sphere and the open cylinder that its program knows, too.
 --
 -- The report says which things its picture shows, and in which colours, but not where they are. Its

@@ -1,4 +1,4 @@
--- Report B, its sun and its sky (rows B4 and B5): standing stones in the last light of a day.
+-- Report B, its sun and its sky: standing stones in the last light of a day.
 --
 -- The sun's light is parallel, so all shadows point the same way, each as many times as long as what
 -- throws it is tall. --time moves the sun, an hour each: at 0 it is low, at 4 it stands high.

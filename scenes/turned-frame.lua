@@ -1,6 +1,6 @@
--- Report B (row B7): the frame of a cube, turned about all three axes.
+-- Report B: the frame of a cube, turned about all three axes.
 --
--- Not the frame is turned but the point that asks, the other way round: the rule stays as it was.
+-- Not the frame is turned but the point that is measured, the other way round: the rule stays as it was.
 
 camera { position = {1.2, 1.6, 3.4}, look_at = {0, 0.85, 0}, fov = 46 }
 image { width = 800, height = 600 }

@@ -1,7 +1,7 @@
--- Twins: in front each shape is marched, behind it is solved by its equation. Find the difference!
+-- Twins: in front each shape is sphere traced, behind it is solved by its equation. Find the difference!
 --
--- There is one of a ten thousandth, as the marched ones stop that far before the surface; then they are put
--- onto it by the derivative of their field.
+-- There is one of a ten thousandth, as the traced ones stop that far before the surface; then they are put
+-- onto it by the gradient of their distance.
 
 camera { position = {0, 2.4, 5.2}, look_at = {0, 0.35, -0.2}, fov = 44 }
 image { width = 800, height = 600 }

@@ -6,7 +6,7 @@
 #ifndef TESTS_BVH_QUERIES_H
 #define TESTS_BVH_QUERIES_H
 
-#include "timeout_factor.h"
+#include "workload.h"
 #include "triangle_soup.h"
 
 /** Rays of a packet, in any engine at most. */
@@ -69,8 +69,8 @@ static inline bool engine_matches_type(const Engine *engine, const Engine *refer
  */
 static inline int batch_count(const Engine *reference, int count) {
     int slowness = reference->mantissa_bits > 64   ? 200
-                   : reference->mantissa_bits > 24 ? 2 * TIMEOUT_FACTOR
-                                                   : TIMEOUT_FACTOR;
+                   : reference->mantissa_bits > 24 ? 2 * WORKLOAD_DIVISOR
+                                                   : WORKLOAD_DIVISOR;
     return count > slowness ? count / slowness : 1;
 }
 

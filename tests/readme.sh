@@ -55,7 +55,7 @@ done
 for document in README.md README.fr.md doc/*.md; do
     folder=$(dirname $document)
     missing=
-    for path in $(grep -oE '`(src|include|doc|tests|scenes)/[^` ]*`' $document | tr -d '`' | sort -u); do
+    for path in $(grep -oE '`(src|include|doc|tests|scenes)/[^` ]*`' $document | grep -vE 'NAME|QUESTION' | tr -d '`' | sort -u); do
         [ -e "$path" ] || missing="$missing $path"
     done
     for path in $(grep -oE '\]\([^):]*\)' $document | sed 's/^](//; s/[)#].*//' | sort -u); do

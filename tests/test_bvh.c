@@ -399,7 +399,7 @@ static long edge_rays(const Engine *engine) {
     return (engine->mantissa_bits > 64 ? 4000
             : engine->lanes == 1       ? 50000
                                        : 250000) /
-           TIMEOUT_FACTOR;
+           WORKLOAD_DIVISOR;
 }
 
 /** From inside a closed mesh, rays aimed at its edges and corners: not one gets out, and normals

@@ -110,9 +110,9 @@ static const BuilderCase builder_cases[] = {
     {"one huge triangle", layout_one_huge, 5000, 16},
     {"tiny triangles", layout_tiny, 5000, 16},
     {"huge triangles", layout_huge, 5000, 16},
-    {"triangles along a line", layout_line, 10000 / TIMEOUT_FACTOR, 16},
-    {"random triangles", layout_random, 100000 / TIMEOUT_FACTOR, 16},
-    {"triangles at powers of two", layout_powers, 100000 / TIMEOUT_FACTOR, 16},
+    {"triangles along a line", layout_line, 10000 / WORKLOAD_DIVISOR, 16},
+    {"random triangles", layout_random, 100000 / WORKLOAD_DIVISOR, 16},
+    {"triangles at powers of two", layout_powers, 100000 / WORKLOAD_DIVISOR, 16},
     {"nearly flat triangles", layout_nearly_flat, 2000, 16},
 };
 

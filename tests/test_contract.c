@@ -9,7 +9,7 @@
  */
 #include "contract_shapes.h"
 #include "sdf_builders.h"
-#include "timeout_factor.h"
+#include "workload.h"
 
 /** Rays of each case. */
 enum { RAYS = 20000 };
@@ -112,7 +112,7 @@ static size_t ray_count(const ContractRun *subject) {
     const Engine *engine = subject->engine;
     // Quad numbers are slow; wide engines give the bits of narrow ones, which other tests compare.
     size_t rays = engine->mantissa_bits > 64 ? RAYS / 10 : engine->lanes > 1 ? RAYS / 4 : RAYS;
-    return rays / TIMEOUT_FACTOR;
+    return rays / WORKLOAD_DIVISOR;
 }
 
 /** @return The larger. */

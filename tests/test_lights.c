@@ -79,7 +79,7 @@ static void test_finite(void **state) {
  */
 
 /** A sun lights by the cosine alone, however far away the floor is, and a ball above throws its
- *  shadow along the sun's way (row B4). */
+ *  shadow along the sun's way. */
 static void check_sun(const Engine *engine) {
     for (double away = 1; away <= 1e6; away *= 1000) {
         for (int shadow = 0; shadow < 2; shadow++) {
@@ -132,7 +132,7 @@ static void test_sun_turns(void **state) {
  */
 
 /** A ball is seen as bright as its colour, by the camera and in a mirror, and stands in nobody's
- *  light, its own or another's; a shape before it hides it (row D4). */
+ *  light, its own or another's; a shape before it hides it. */
 static void check_visible_sphere_light(const Engine *engine) {
     double rgb[3];
     Scene *scene = create_empty_scene();

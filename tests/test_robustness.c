@@ -337,7 +337,8 @@ static void watertight_rim(const Engine *engine) {
 
 /** @return How many rays at a mesh: without packets each asks all of its triangles. */
 static long mesh_rays(const Engine *engine) {
-    return engine->mantissa_bits > 64 ? 640 : engine->lanes == 1 ? 20032 : 1000000;
+    long count = engine->mantissa_bits > 64 ? 640 : engine->lanes == 1 ? 20032 : 1000000;
+    return count / WORKLOAD_DIVISOR;
 }
 
 /** From inside a closed mesh, rays aimed at its edges and corners, 64 at one of them: not one gets

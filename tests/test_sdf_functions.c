@@ -14,9 +14,9 @@
 #include "sdf_builders.h"
 
 /** Pairs of points for each field. */
-enum { PAIRS = 1000000 };
+enum { PAIRS = 1000000 / WORKLOAD_DIVISOR };
 /** Points for each field whose truth is known. */
-enum { POINTS = 100000 };
+enum { POINTS = 100000 / WORKLOAD_DIVISOR };
 
 /** A field under test. */
 typedef struct SdfCase {

@@ -7,6 +7,7 @@
 #define DIOPTRE_TESTING_H
 
 #include "lab/vec3q.h"
+#include "workload.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -137,9 +138,10 @@ static inline RayCounts trace_pixel(const Engine *engine, const Scene *scene, do
 /** Rays that are asked at once. */
 enum { BATCH = 4096 };
 
-/** @return How many rays to ask: the reference engine is a hundred times slower. */
+/** @return How many rays to trace: fewer with the quad engine, which is a hundred times slower, and
+ *          under sanitizers. */
 static inline long ray_count_for(const Engine *engine, long count) {
-    return engine->mantissa_bits > 64 ? count / 100 : count;
+    return (engine->mantissa_bits > 64 ? count / 100 : count) / WORKLOAD_DIVISOR;
 }
 
 /** @return A ray from one point towards another. */

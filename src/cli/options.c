@@ -22,7 +22,7 @@ typedef struct OptionSpec {
     char letter;          /**< The short name; 0: none. */
     const char *argument; /**< Name of its value in the help; NULL: a flag without value. */
 
-    /** Parses the value and stores it; see #OptionParser. */
+    /** Parses the value and stores it; see the parsers below. */
     bool (*parse)(const struct OptionSpec *option, const char *text, Options *options,
                   Error *error);
 

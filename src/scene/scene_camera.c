@@ -77,7 +77,7 @@ static const SceneCamera scene_camera_defaults = {.look_at = {0, 0, -1},
                                                   .target_distance = 1};
 
 /**
- * @return The direction of two angles (row B2), a unit vector.
+ * @return The direction of two angles, a unit vector.
  * @param pan   Degrees to the right of -z.
  * @param tilt  Degrees above the horizon.
  */

@@ -82,7 +82,7 @@ static bool background_init(const RayChart *chart, const SceneCamera *camera,
     return is_made;
 }
 
-/** @return The grey of a pixel, #GREY_DARKEST to #GREY_BRIGHTEST. */
+/** @return The grey of a pixel, GREY_DARKEST to GREY_BRIGHTEST. */
 static unsigned background_grey(const Background *background, size_t column, size_t row) {
     const size_t cells = (size_t)GREY_COLUMNS * GREY_ROWS;
     const double *light = background->rgb + row * GREY_COLUMNS + column;

@@ -78,8 +78,7 @@ CATALOGUES    := $(LANGUAGES:%=$(BUILD)/locale/%/LC_MESSAGES/dioptre.mo)
 LIBRARIES     = $(call PKG_LIBS,sdl2 SDL2_ttf lua5.4 cairo) -ldl -lm -pthread
 # The program that reads scenes, pictures and models: src/worker/main.c.
 WORKER         := $(BUILD)/dioptre-worker
-WORKER_SOURCES := $(wildcard src/worker/*.c) $(filter src/base/% src/scene/% src/script/% src/assets/%,$(ROOM_SOURCES)) \
-                  src/render/encoder.c src/render/picture.c src/render/offset_strategy.c
+WORKER_SOURCES := $(wildcard src/worker/*.c) $(filter src/base/% src/scene/% src/script/% src/assets/%,$(ROOM_SOURCES))
 WORKER_OBJECTS := $(WORKER_SOURCES:%.c=$(OBJ)/%.o)
 
 .DEFAULT_GOAL := all

@@ -6,8 +6,8 @@
 #ifndef TESTS_BVH_QUERIES_H
 #define TESTS_BVH_QUERIES_H
 
-#include "workload.h"
 #include "triangle_soup.h"
+#include "workload.h"
 
 /** Rays of a packet, in any engine at most. */
 enum { RAYS_PER_QUERY = 64 };

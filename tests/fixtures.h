@@ -7,7 +7,7 @@
 
 #include "testing.h"
 
-#include "dioptre/picture.h"
+#include "base/picture.h"
 
 #include <errno.h>
 #include <ftw.h>

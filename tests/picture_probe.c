@@ -3,7 +3,7 @@
  * @brief Says where in a picture something is: the middle, and the number, of pixels of a colour.
  *        tests/window.sh asks it which way the keys move things.
  */
-#include "dioptre/image_file.h"
+#include "assets/images/image_file.h"
 
 #include <stdio.h>
 #include <string.h>

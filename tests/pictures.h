@@ -19,9 +19,8 @@ enum { WIDTH = 203, HEIGHT = 157 };
 /** @return A scene of this project, run. */
 static inline Scene *load_scene(const char *path) {
     Error error = {0};
-    ScriptRequest request = {.path = path,
-                             .time_limit = SCRIPT_TIME_LIMIT,
-                             .memory_limit = SCRIPT_MEMORY_LIMIT};
+    ScriptRequest request = {
+        .path = path, .time_limit = SCRIPT_TIME_LIMIT, .memory_limit = SCRIPT_MEMORY_LIMIT};
     Scene *scene = script_load(&request, &error);
     if (!scene) {
         fail_msg("%s", error.message);

@@ -9,7 +9,6 @@
 
 #include <stdio.h>
 
-
 /** @return What a field of a type takes, for people. */
 static const char *type_name(const Parameter *row) {
     static const char *const names[] = {[PARAMETER_NUMBER] = "number",

@@ -5,7 +5,7 @@
  *
  * The far scenes are written as a person would write them, every place with the distance in it.
  */
-#include "dioptre/image_file.h"
+#include "assets/images/image_file.h"
 #include "fixtures.h"
 #include "pictures.h"
 

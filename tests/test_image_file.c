@@ -4,8 +4,8 @@
  */
 #include "fixtures.h"
 
+#include "assets/images/image_file.h"
 #include "assets/images/texture_file.h"
-#include "dioptre/image_file.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -448,12 +448,10 @@ MODULE_TASK(lying, .open = lying_plugin_open, .read_encoded = plugin_read_stub,
             .close = plugin_close_stub)
 
 /** Tasks of this program as a worker. */
-static const WorkerTask module_tasks[] = {{"crashing", crashing_task},
-                                          {"interrupting", interrupting_task},
-                                          {"hanging", hanging_task},
-                                          {"greedy", greedy_task},
-                                          {"lying", lying_task},
-                                          {0}};
+static const WorkerTask module_tasks[] = {
+    {"crashing", crashing_task}, {"interrupting", interrupting_task},
+    {"hanging", hanging_task},   {"greedy", greedy_task},
+    {"lying", lying_task},       {0}};
 
 /** Reads a picture with a module of #module_tasks, and fails. @return What is wrong. */
 static Error fail_with_module(const char *task, const ImageReadLimits *limits) {

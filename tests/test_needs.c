@@ -5,10 +5,10 @@
  */
 #include "testing.h"
 
-#include "dioptre/needs.h"
 #include "dioptre/renderer.h"
 #include "dioptre/script.h"
 #include "lab/needs/image_difference.h"
+#include "lab/needs/needs.h"
 
 #include <stdlib.h>
 
@@ -18,9 +18,8 @@ enum { WIDTH = 96, HEIGHT = 72 };
 /** @return A scene from its file. */
 static Scene *load_scene(const char *path) {
     Error error = {0};
-    ScriptRequest request = {.path = path,
-                             .time_limit = SCRIPT_TIME_LIMIT,
-                             .memory_limit = SCRIPT_MEMORY_LIMIT};
+    ScriptRequest request = {
+        .path = path, .time_limit = SCRIPT_TIME_LIMIT, .memory_limit = SCRIPT_MEMORY_LIMIT};
     Scene *scene = script_load(&request, &error);
     if (!scene) {
         fail_msg("%s", error.message);

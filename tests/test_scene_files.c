@@ -4,7 +4,7 @@
  */
 #include "scene_files.h"
 
-#include "dioptre/image_file.h"
+#include "assets/images/image_file.h"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -5,7 +5,7 @@
  */
 #include "testing.h"
 
-#include "dioptre/encoding.h"
+#include "base/encoding.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -5,7 +5,7 @@
  */
 #include "testing.h"
 
-#include "dioptre/image_file.h"
+#include "assets/images/image_file.h"
 #include "dioptre/view.h"
 #include "view/commands/commands.h"
 #include "view/panels/help.h"

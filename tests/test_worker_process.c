@@ -53,11 +53,8 @@ static void retry_task(WorkerJob *job) {
 }
 
 /** Tasks of this program. */
-static const WorkerTask tasks[] = {{"abort", abort_task},
-                                   {"hang", hang_task},
-                                   {"echo", echo_task},
-                                   {"retry", retry_task},
-                                   {0}};
+static const WorkerTask tasks[] = {
+    {"abort", abort_task}, {"hang", hang_task}, {"echo", echo_task}, {"retry", retry_task}, {0}};
 
 // --- tests ---------------------------------------------------------------------------------------
 

@@ -8,9 +8,120 @@
 #ifndef DIOPTRE_ENGINE_H
 #define DIOPTRE_ENGINE_H
 
-#include "dioptre/aov.h"
-#include "dioptre/ray_tree.h"
+#include "base/vec3d.h"
 #include "dioptre/scene.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* --- Arbitrary output variables (AOVs): what layers show -------------------------------------- */
+
+/** Optional AOVs, as bits of a mask. The first hit of the camera ray is always there. */
+enum {
+    AOV_RADIANCE = 1, /**< From full shading: colour, ray count, lights, secondary hits. */
+    AOV_STEPS = 2,    /**< The sphere-tracing steps of the camera ray. */
+    AOV_UV = 4        /**< Texture coordinates of the first hit. */
+};
+
+/** Lights with a bit of their own; further lights are not recorded. */
+enum { AOV_MAX_LIGHTS = 64 };
+
+/** Secondary rays of the first hit: reflected and refracted. */
+enum { AOV_MAX_SECONDARY = 2 };
+
+/** The AOVs of one pixel. */
+typedef struct AovSample {
+    int shape;                /**< Index of the shape hit first; -1: none. */
+    double distance;          /**< Distance to it, scene units; infinite without a hit. */
+    double normal[3];         /**< Outward unit normal there; zero without a hit. */
+    double uv[2];             /**< Texture coordinates; with #AOV_UV. */
+    double color[3];          /**< Radiance, linear; with #AOV_RADIANCE. */
+    uint32_t ray_count;       /**< Rays of the pixel, of all kinds; with #AOV_RADIANCE. */
+    uint32_t step_count;      /**< Sphere-tracing steps; with #AOV_STEPS. */
+    uint64_t lights_tested;   /**< Bit i: light i has a shadow ray there. */
+    uint64_t lights_occluded; /**< Bit i: that shadow ray is occluded. */
+    int secondary_shapes[AOV_MAX_SECONDARY]; /**< Shapes that secondary rays hit, as
+                                #shape; the reflected one first. */
+    uint32_t secondary_count;                /**< Number of secondary rays. */
+} AovSample;
+
+/* --- The ray tree of one pixel ---------------------------------------------------------------- */
+
+/** The type of a ray. */
+typedef enum {
+    RAY_CAMERA,     /**< From the camera: the root of the tree. */
+    RAY_SHADOW,     /**< From a surface to a light. */
+    RAY_REFLECTION, /**< Reflected by a surface. */
+    RAY_REFRACTION  /**< Refracted into or out of a transparent shape. */
+} RayType;
+
+/** Most rays of a tree: a limit of memory. */
+enum { RAY_TREE_MAX_NODES = 1 << 20 };
+
+/** Optics of a surface at a hit. Its colour without secondary rays is `emission + albedo (ambient +
+ *  diffuse D) + specular S`, where D and S are the sums of #RayTreeNode.diffuse and
+ *  #RayTreeNode.specular of its shadow rays, in their order. */
+typedef struct RayTreeSurface {
+    double epsilon;      /**< Offset of rays that leave the surface, scene units. */
+    double ulps;         /**< The same in ulps of the largest coordinate of the point. */
+    double cosine;       /**< Cosine of the angle of incidence. */
+    bool is_inside;      /**< Whether the ray comes from inside. */
+    bool is_transparent; /**< Whether light is refracted; otherwise the next five are unset. */
+    bool is_overridden;  /**< Whether a later shape overrides the interface. */
+    bool is_total;       /**< Whether reflection is total. */
+    double ior_from;     /**< Index of refraction on the ray's side. */
+    double ior_to;       /**< Index of refraction behind the surface. */
+    double fresnel;      /**< Fresnel reflectance. */
+    Rgbd emission;       /**< Emitted light. */
+    Rgbd albedo;         /**< Diffuse albedo, weighted, and times the texture's. */
+    Rgbd specular;       /**< Weight of highlights. */
+    Rgbd ambient;        /**< Ambient light. */
+    double diffuse;      /**< Weight of diffuse light of the lights. */
+    Rgbd reflect_weight; /**< Weight of a reflected ray's colour, whether it was traced or not. */
+    Rgbd refract_weight; /**< Weight of a refracted ray's colour, likewise. */
+} RayTreeSurface;
+
+/** A ray of the tree. */
+typedef struct RayTreeNode {
+    int parent;        /**< Index of the ray that it comes from, below its own; -1: none. */
+    RayType kind;      /**< Its type. */
+    int depth;         /**< Number of its ancestors. */
+    Vec3d origin;      /**< Its origin, scene units. */
+    Vec3d direction;   /**< Its direction, a unit vector. */
+    double limit;      /**< Its length, scene units: to the light, or infinity. */
+    double throughput; /**< Largest channel of the product of weights from the pixel; of shadow
+                            rays that of the surface. */
+    Rgbd weight;       /**< Weight of its colour in that of its parent. */
+    bool is_hit;       /**< Whether it hits a shape or a light; of a shadow ray: whether no light
+                            arrives. */
+    int shape;         /**< Index of the shape that it hits; -1: none. */
+    int light;         /**< Index of the light that it is sent to, or hits; -1: none. */
+    double distance;   /**< Distance of the hit, scene units; infinity: none. */
+    Vec3d point;       /**< The hit point. */
+    Vec3d normal;      /**< Outward unit normal there. */
+    RayTreeSurface surface; /**< Optics of the surface hit; not of shadow rays. */
+    Rgbd diffuse;           /**< Of shadow rays: V L f max(0, n . l), for diffuse light. */
+    Rgbd specular;          /**< Of shadow rays: V L f max(0, r . v)^shininess, for highlights. */
+    Rgbd transmittance;     /**< Of shadow rays: share of light that transparent shapes leave. */
+    Rgbd local_color; /**< Radiance without secondary rays: of the sky, a light or a surface. */
+    Rgbd color;       /**< Radiance: #local_color plus the weighted colours of secondary
+                           rays. */
+} RayTreeNode;
+
+/** The ray tree of one pixel. Starts as `{0}`; freed by #ray_tree_deinit. */
+typedef struct RayTree {
+    RayTreeNode *nodes; /**< The rays, each after its parent; owned. */
+    size_t count;       /**< Number of rays. */
+    size_t capacity;    /**< Number of rays that the memory is enough for. */
+    int current;        /**< While recording: the ray being traced. */
+    bool is_truncated;  /**< Whether rays are missing for lack of memory, or #RAY_TREE_MAX_NODES. */
+} RayTree;
+
+/** Frees the rays of a tree and empties it. */
+void ray_tree_deinit(RayTree *tree);
+
+/* --- The engine ------------------------------------------------------------------------------- */
 
 #if defined(__SIZEOF_FLOAT128__)
 /** The widest number type, in which errors are measured. */
@@ -19,13 +130,6 @@ __extension__ typedef __float128 Quadruple;
 /** The widest number type, in which errors are measured (quad on ARM and RISC-V). */
 typedef long double Quadruple;
 #endif
-
-/** How far from a surface secondary rays start. */
-typedef enum {
-    OFFSET_NONE,  /**< At the hit point: shows shadow acne. */
-    OFFSET_FIXED, /**< At a constant distance from it. */
-    OFFSET_BOUND  /**< At the error bound of the hit point: the default. */
-} OffsetStrategy;
 
 /** A parallel for loop. #run is NULL: the caller runs the iterations one by one. */
 typedef struct ParallelFor {

@@ -5,7 +5,7 @@
 #ifndef DIOPTRE_LAB_H
 #define DIOPTRE_LAB_H
 
-#include "dioptre/error.h"
+#include "base/error.h"
 
 #include <stdatomic.h>
 #include <stddef.h>

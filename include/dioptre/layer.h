@@ -8,7 +8,7 @@
 #ifndef DIOPTRE_LAYER_H
 #define DIOPTRE_LAYER_H
 
-#include "dioptre/aov.h"
+#include "dioptre/engine.h"
 
 #include <stdbool.h>
 #include <stddef.h>

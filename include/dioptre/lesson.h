@@ -8,7 +8,7 @@
 #ifndef DIOPTRE_LESSON_H
 #define DIOPTRE_LESSON_H
 
-#include "dioptre/error.h"
+#include "base/error.h"
 
 #include <limits.h>
 #include <stddef.h>

@@ -5,8 +5,8 @@
 #ifndef DIOPTRE_MESH_H
 #define DIOPTRE_MESH_H
 
-#include "dioptre/error.h"
-#include "dioptre/vec3d.h"
+#include "base/error.h"
+#include "base/vec3d.h"
 
 #include <stdatomic.h>
 #include <stddef.h>

@@ -9,9 +9,9 @@
 #ifndef DIOPTRE_RENDERER_H
 #define DIOPTRE_RENDERER_H
 
+#include "base/picture.h"
 #include "dioptre/engine.h"
 #include "dioptre/layer.h"
-#include "dioptre/picture.h"
 
 #include <stdatomic.h>
 

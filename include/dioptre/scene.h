@@ -9,13 +9,449 @@
 #ifndef DIOPTRE_SCENE_H
 #define DIOPTRE_SCENE_H
 
-#include "dioptre/camera.h"
-#include "dioptre/encoding.h"
-#include "dioptre/light.h"
-#include "dioptre/material.h"
-#include "dioptre/shape.h"
-#include "dioptre/texture.h"
-#include "dioptre/transform.h"
+#include "base/encoding.h"
+#include "base/error.h"
+#include "dioptre/mesh.h"
+#include "dioptre/parameter.h"
+#include "dioptre/sdf.h"
+
+#include <stdatomic.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* --- Textures --------------------------------------------------------------------------------- */
+
+/** Colours of a texel: red, green, blue. */
+enum { TEXEL_CHANNELS = 3 };
+
+/** A picture to be shown. Its texels follow it in memory: #texture_ldr_texels or
+ * #texture_hdr_texels. */
+typedef struct Texture {
+    int width;   /**< Texels, 1 to `IMAGE_SIZE_MAXIMUM`. */
+    int height;  /**< Texels, 1 to `IMAGE_SIZE_MAXIMUM`. */
+    bool is_hdr; /**< Whether texels are linear light, as floats; else 8-bit steps of sRGB. */
+    atomic_uint reference_count; /**< How many hold it. */
+} Texture;
+
+/**
+ * @return Bytes of the block that a texture lies in.
+ * @param head  The texture; only its size and kind are read.
+ */
+size_t texture_block_size(const Texture *head);
+
+/** @return The texels of a texture of steps. @param texture The texture. */
+static inline uint8_t *texture_ldr_texels(const Texture *texture) {
+    return (uint8_t *)(uintptr_t)(texture + 1);
+}
+
+/** @return The texels of a texture of light. @param texture The texture. */
+static inline float *texture_hdr_texels(const Texture *texture) {
+    return (float *)(uintptr_t)(texture + 1);
+}
+
+/**
+ * Makes a black texture, with one owner.
+ * @param width       Texels.
+ * @param height      Texels.
+ * @param is_hdr    Whether it holds light.
+ * @param[out] error  What is wrong.
+ * @return The texture, to be given back with #texture_release; NULL without memory.
+ */
+Texture *texture_create(int width, int height, bool is_hdr, Error *error);
+
+/** Becomes one more owner. @param texture The texture, or NULL. @return The same. */
+Texture *texture_retain(Texture *texture);
+
+/** Gives a texture back; the last owner's call gives its memory back. @param texture It, or NULL.
+ */
+void texture_release(Texture *texture);
+
+/**
+ * Puts right what no light can be: NaN and what is below 0 become 0, and what is brighter than any
+ * lamp may be, infinity too, becomes as bright as that.
+ * @param[in,out] texture  The texture.
+ */
+void texture_sanitize(Texture *texture);
+
+/* --- The camera ------------------------------------------------------------------------------- */
+
+/** A pinhole camera. Filled from a scene file through #scene_camera_keyword. */
+typedef struct SceneCamera {
+    Vec3d position;  /**< Where the eye is. */
+    Vec3d look_at;   /**< A point in the middle of the picture, when `look_at` was given. */
+    Vec3d direction; /**< Which way it looks; after #Keyword.finish a unit vector. */
+    Vec3d up;        /**< Which way is up; after #Keyword.finish a unit vector at right angles. */
+    double pan;      /**< Degrees to the right of -z, when `pan` was given. */
+    double tilt;     /**< Degrees above the horizon, when `tilt` was given. */
+    double fov;      /**< Horizontal field of view, degrees; the height follows from it. */
+    double target_distance; /**< Distance of what it looks at, scene units: the step of the keys. */
+} SceneCamera;
+
+/** The scene language's `camera`. */
+extern const Keyword scene_camera_keyword;
+
+/**
+ * @return The unit vector to the right in the picture.
+ * @param camera  A finished camera.
+ */
+Vec3d scene_camera_right(const SceneCamera *camera);
+
+/**
+ * Moves the camera without turning it.
+ * @param[in,out] camera  A finished camera.
+ * @param right    Scene units to the right.
+ * @param up       Scene units up in the picture.
+ * @param forward  Scene units ahead.
+ */
+void scene_camera_move(SceneCamera *camera, double right, double up, double forward);
+
+/**
+ * Turns the camera on the spot, as a head turns: about the vertical, then up or down, never over
+ * the pole.
+ * @param[in,out] camera  A finished camera.
+ * @param vertical  The scene's own up, a unit vector.
+ * @param pan       Degrees to the right.
+ * @param tilt      Degrees up; stops 1 degree before the pole.
+ */
+void scene_camera_rotate(SceneCamera *camera, Vec3d vertical, double pan, double tilt);
+
+/**
+ * Opens or closes the field of view.
+ * @param[in,out] camera  A camera.
+ * @param factor          The tangent of half the field is multiplied by this; kept in range.
+ */
+void scene_camera_zoom(SceneCamera *camera, double factor);
+
+/* --- Lights ----------------------------------------------------------------------------------- */
+
+/**
+ * The registry: one line per class of lights. `CLASS(x)` stands for `scene_x_class`, a
+ * #SceneLightClass, and in each engine for `x_class`, a LightClass.
+ */
+#define SCENE_LIGHT_CLASSES(CLASS)                                                                 \
+    CLASS(point_light)                                                                             \
+    CLASS(sun)                                                                                     \
+    CLASS(rectangle_light)                                                                         \
+    CLASS(cylinder_light)
+
+/** How light decreases with the distance. */
+typedef enum {
+    FALLOFF_NONE,          /**< Not at all. */
+    FALLOFF_INVERSE_SQUARE /**< With the square of the distance. */
+} Falloff;
+
+/** Doubles that a class may store in a light besides the common fields. */
+enum { SCENE_LIGHT_OWN_DOUBLES = 8 };
+
+/** A light of a scene, of any class. Filled through #SceneLightClass.keyword. */
+typedef struct SceneLight {
+    size_t class_index; /**< Index in #scene_light_classes; 0 is the point light. */
+    Rgbd color;         /**< Linear colour. */
+    double intensity;   /**< Multiplies the colour. */
+    int falloff;        /**< A #Falloff; lights at infinity have none. */
+    Vec3d position;     /**< Centre, corner or base, scene units; not of lights at infinity. */
+    double radius;      /**< Of round lights, scene units; 0: a point. */
+    Vec3d direction;    /**< Of lights at infinity: where the light travels; not zero. */
+    double own[SCENE_LIGHT_OWN_DOUBLES]; /**< The class's own struct; see #scene_light_own. */
+} SceneLight;
+
+/** Offset in #SceneLight of a field of a class's own struct, for its parameter table. */
+#define SCENE_LIGHT_OWN_OFFSET(type, field) (offsetof(SceneLight, own) + offsetof(type, field))
+
+/** Most points of a light's outline. */
+enum { SCENE_LIGHT_OUTLINE_POINTS = 5 };
+
+/** A class of lights, as a scene sees it: the vtable. */
+typedef struct SceneLightClass {
+    const Keyword *keyword; /**< Name, fields and checks; its struct is a #SceneLight. */
+
+    /**
+     * Moves the light. NULL: all of its points move.
+     * @param offset    Scene units.
+     * @param distance  Distance at which a light at infinity is assumed, scene units.
+     */
+    void (*move)(SceneLight *light, Vec3d offset, double distance);
+
+    /** Puts the light where another one of its class is. NULL: all points are copied. */
+    void (*copy_position)(SceneLight *light, const SceneLight *source);
+
+    /** @return The middle of the light, scene units. NULL: the light is at infinity. */
+    Vec3d (*center)(const SceneLight *light);
+
+    /** Fills the points of a polyline that shows where the light is, scene units; NULL: none.
+     *  @return The number of points, at most #SCENE_LIGHT_OUTLINE_POINTS. */
+    size_t (*outline)(const SceneLight *light, Vec3d *points);
+
+    /** @return The vector to the light, of any length. NULL: to its #center. */
+    Vec3d (*offset_from)(const SceneLight *light, Vec3d point);
+} SceneLightClass;
+
+/** The classes of lights, in the order of #SCENE_LIGHT_CLASSES, ended by NULL. */
+extern const SceneLightClass *const scene_light_classes[];
+
+/** The scene language's `light`. */
+extern const Keyword scene_light_keyword;
+
+/** @return A class's own struct in a light of that class. */
+static inline const void *scene_light_own(const SceneLight *light) {
+    return light->own;
+}
+
+/** @return The keyword of a light's class. @param light The light. */
+const Keyword *scene_light_keyword_for(const SceneLight *light);
+
+/**
+ * Finds the middle of a light, for drawings.
+ * @param light        The light.
+ * @param[out] center  The middle, scene units.
+ * @return false if the light is at infinity.
+ */
+bool scene_light_center(const SceneLight *light, Vec3d *center);
+
+/**
+ * Finds a polyline that shows where a light is, for drawings.
+ * @param light        The light.
+ * @param[out] points  #SCENE_LIGHT_OUTLINE_POINTS of them, scene units.
+ * @return The number of points; 0: the light has no outline.
+ */
+size_t scene_light_outline(const SceneLight *light, Vec3d *points);
+
+/**
+ * @return The vector from a point to a light, of any length.
+ * @param light  The light.
+ * @param point  The point, scene units.
+ */
+Vec3d scene_light_offset_from(const SceneLight *light, Vec3d point);
+
+/**
+ * Moves a light. A light at infinity turns as though it were at a distance, so that the same
+ * movement moves its shadows alike.
+ * @param[in,out] light  The light.
+ * @param offset         Scene units.
+ * @param distance       Distance at which a light at infinity is assumed, scene units.
+ */
+void scene_light_move(SceneLight *light, Vec3d offset, double distance);
+
+/**
+ * Puts a light where another one is; its colour and size stay. Does nothing if the classes differ.
+ * @param[in,out] light  The light.
+ * @param source         The other one.
+ */
+void scene_light_copy_position(SceneLight *light, const SceneLight *source);
+
+/* --- Materials -------------------------------------------------------------------------------- */
+
+/** A surface. Filled through #scene_material_keyword; the model is in doc/scene-reference.md. */
+typedef struct SceneMaterial {
+    Rgbd color;        /**< Share of light that a matt surface sends back, per primary. */
+    size_t texture_id; /**< Place in `Scene.textures`, plus one, of what multiplies the colour; 0:
+                         nothing does. */
+    double ambient;    /**< Weight of the light from everywhere. */
+    double diffuse;    /**< Weight of each light's matt shine. */
+    double specular;   /**< Weight of each light's highlight (Phong). */
+    double shininess;  /**< Exponent of the highlight: the larger, the smaller it is. */
+    Rgbd reflectivity; /**< Share of light that is mirrored, 0 to 1. */
+    Rgbd transparency; /**< Share of light that is let through; 1 at most with #reflectivity. */
+    double ior;        /**< Index of refraction inside; 1 is air. */
+    Rgbd emission;     /**< Light of its own. */
+} SceneMaterial;
+
+/** The scene language's `material`. */
+extern const Keyword scene_material_keyword;
+
+/** @return Whether a surface mirrors anything. @param material A material. */
+bool scene_material_is_reflective(const SceneMaterial *material);
+
+/** @return Whether a surface lets anything through. @param material A material. */
+bool scene_material_is_transparent(const SceneMaterial *material);
+
+/* --- Shapes ----------------------------------------------------------------------------------- */
+
+typedef struct Scene Scene;
+typedef struct SceneShape SceneShape;
+
+/**
+ * The registry: all kinds of shapes, in the order of the documentation. It defines
+ * #SceneShape.class_index, #scene_shape_classes and the tracer's list of the same order.
+ */
+#define SHAPES(X)                                                                                  \
+    X(sphere)                                                                                      \
+    X(plane)                                                                                       \
+    X(quad)                                                                                        \
+    X(box)                                                                                         \
+    X(disk)                                                                                        \
+    X(cylinder)                                                                                    \
+    X(triangle)                                                                                    \
+    X(mesh)                                                                                        \
+    X(sdf)
+
+/** Parameters of `sphere`. */
+typedef struct SphereParameters {
+    Vec3d center;  /**< Centre. */
+    double radius; /**< Radius, scene units. */
+} SphereParameters;
+
+/** Parameters of `plane`, which is infinite. */
+typedef struct PlaneParameters {
+    Vec3d point;  /**< A point of the plane. */
+    Vec3d normal; /**< Normal, of any length. */
+} PlaneParameters;
+
+/** Parameters of `quad`, a parallelogram. */
+typedef struct QuadParameters {
+    Vec3d corner; /**< One corner. */
+    Vec3d u;      /**< Edge to the next corner. */
+    Vec3d v;      /**< Edge to the previous corner. */
+} QuadParameters;
+
+/** Parameters of `box`, whose edges are parallel to the axes. */
+typedef struct BoxParameters {
+    Vec3d low;  /**< Lowest corner: the field `min`. */
+    Vec3d high; /**< Highest corner: the field `max`. */
+} BoxParameters;
+
+/** Parameters of `disk`, the inside of a circle. */
+typedef struct DiskParameters {
+    Vec3d center;  /**< Centre. */
+    Vec3d normal;  /**< Normal, of any length. */
+    double radius; /**< Radius, scene units. */
+} DiskParameters;
+
+/** Parameters of `cylinder`. */
+typedef struct CylinderParameters {
+    Vec3d base;    /**< Centre of one end. */
+    Vec3d top;     /**< Centre of the other end. */
+    double radius; /**< Radius, scene units. */
+    bool capped;   /**< Whether two disks close the ends. */
+} CylinderParameters;
+
+/** Parameters of `triangle`. */
+typedef struct TriangleParameters {
+    Vec3d corners[3]; /**< Vertices. */
+    Vec3d normals[3]; /**< Normals at the vertices, of any length; used if #is_smooth. */
+    Uvd uvs[3];       /**< Texture coordinates at the vertices. */
+    bool is_smooth;   /**< Whether the scene gives the normals; #Keyword.finish sets it. */
+} TriangleParameters;
+
+/** Where the normals of a mesh come from. */
+typedef enum {
+    NORMALS_FROM_FILE, /**< The file's; smooth where it has none. */
+    NORMALS_SMOOTH,    /**< Averages of the triangles around each vertex. */
+    NORMALS_FLAT       /**< One normal per triangle. */
+} NormalSource;
+
+/** Number of values of #NormalSource. */
+enum { NORMAL_SOURCE_COUNT = 3 };
+
+/** Parameters of `mesh`. */
+typedef struct MeshShapeParameters {
+    size_t file; /**< Index of the mesh file in #Scene.meshes. */
+    int normals; /**< A #NormalSource. */
+} MeshShapeParameters;
+
+/** Parameters of `sdf`, the surface of a distance field. */
+typedef struct SdfShapeParameters {
+    const Sdf *field; /**< Distance field; owned by the scene. */
+    double tolerance; /**< Distance from the surface that counts as a hit, scene units. */
+    int max_steps;    /**< Largest number of steps per ray. */
+} SdfShapeParameters;
+
+/** What the description of a shape says about it, without a tracer. */
+typedef struct ShapeFacts {
+    Aabbd bounds;     /**< Bounding box; infinite along the axes where the shape is unbounded. */
+    bool is_flat;     /**< Whether all faces are flat: reflections do not make rays diverge. */
+    const Mesh *mesh; /**< Its triangles; NULL: no mesh, or not read yet. */
+    bool is_smooth;   /**< Whether #mesh is shaded with interpolated normals. */
+    const Sdf *sdf;   /**< Its distance field; NULL: none. */
+    double tolerance; /**< For #sdf: distance that counts as a hit, scene units. */
+} ShapeFacts;
+
+/** Description of a kind of shape. */
+typedef struct SceneShapeClass {
+    Keyword keyword; /**< Base: name, fields, defaults and checks in the scene language. */
+
+    /**
+     * Finds what is known of a shape before its transform.
+     * @param parameters  The struct that #keyword describes, finished.
+     * @param scene       The scene of the shape, for its meshes.
+     * @return The facts.
+     */
+    ShapeFacts (*facts)(const void *parameters, const Scene *scene);
+
+    /**
+     * Multiplies the tolerance of sphere tracing, within the range of its field. NULL: shapes of
+     * this kind have none.
+     * @param[in,out] parameters  The struct that #keyword describes, finished.
+     * @param factor              Factor, above 0.
+     */
+    void (*scale_tolerance)(void *parameters, double factor);
+} SceneShapeClass;
+
+/** Descriptions of all kinds of shapes in the order of #SHAPES; NULL ends the list. */
+extern const SceneShapeClass *const scene_shape_classes[];
+
+/** Keywords of #scene_shape_classes in the same order; NULL ends the list. */
+extern const Keyword *const scene_shape_keywords[];
+
+/**
+ * Finds a kind of shape by its keyword.
+ * @param name  The keyword, such as `sphere`.
+ * @return Its index in #scene_shape_classes; that of the final NULL if there is no such kind.
+ */
+size_t scene_shape_find(const char *name);
+
+/**
+ * Finds what is known of a shape of a scene.
+ * @param scene  The scene.
+ * @param shape  One of its shapes.
+ * @return The facts; the bounding box is that of the transformed shape.
+ */
+ShapeFacts scene_shape_facts(const Scene *scene, const SceneShape *shape);
+
+/**
+ * Finds the bounding box of all bounded shapes of a scene.
+ * @param scene  The scene.
+ * @return The box; its lowest corner is above its highest one if no shape is bounded.
+ */
+Aabbd scene_bounds(const Scene *scene);
+
+/**
+ * Finds the origin for the coordinates of a tracer.
+ *
+ * A float is exact to 1 / 2^24 of its value: in a scene of size 1 at a distance of 10,000 from zero
+ * all coordinates are wrong by up to a thousandth. The scene file gives them in double, which is
+ * enough. Tracers therefore use coordinates relative to the middle of the shapes if it is far away.
+ * @param scene  The scene.
+ * @return The middle of all bounded shapes, rounded to few digits, if it is much farther from zero
+ *         than the shapes are large; else zero.
+ */
+Vec3d scene_local_origin(const Scene *scene);
+
+/**
+ * @return Half the bounding box of a circle: radius * sqrt(1 - n_i^2) along each axis i, computed
+ *         from the other two components, because 1 - n_i^2 would cancel.
+ * @param normal  Unit normal of the plane of the circle.
+ * @param radius  Radius, scene units.
+ */
+static inline Vec3d circle_extent(Vec3d normal, double radius) {
+    double x = normal.x, y = normal.y, z = normal.z;
+    return (Vec3d){radius * sqrt(y * y + z * z), radius * sqrt(z * z + x * x),
+                   radius * sqrt(x * x + y * y)};
+}
+
+/* --- Offset strategies ------------------------------------------------------------------------ */
+
+/** How far from a surface secondary rays start. */
+typedef enum {
+    OFFSET_NONE,  /**< At the hit point: shows shadow acne. */
+    OFFSET_FIXED, /**< At a constant distance from it. */
+    OFFSET_BOUND  /**< At the error bound of the hit point: the default. */
+} OffsetStrategy;
+
+/** The names, in the order of #OffsetStrategy; ended by NULL. */
+extern const char *const offset_strategy_names[];
+
+/* --- The scene -------------------------------------------------------------------------------- */
 
 /** Largest width and height of a picture, in pixels. */
 enum { IMAGE_SIZE_MAXIMUM = 16384 };

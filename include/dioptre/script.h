@@ -45,7 +45,8 @@ typedef struct ScriptRequest {
     const MeshProgress *progress; /**< Told how far its model files are read; NULL: nobody is. */
     AssetCache *cache;       /**< What an earlier load left, and this one leaves; NULL: nothing. */
     const atomic_bool *stop; /**< The file is given up once this is true; NULL: never. */
-    const char *worker; /**< Program that runs it, see script/script_worker.h; NULL: dioptre-worker. */
+    const char
+        *worker; /**< Program that runs it, see script/script_worker.h; NULL: dioptre-worker. */
 } ScriptRequest;
 
 /** Names of what can be done in the window, for lessons. */

@@ -14,7 +14,7 @@
 #ifndef DIOPTRE_SDF_H
 #define DIOPTRE_SDF_H
 
-#include "dioptre/transform.h"
+#include "dioptre/parameter.h"
 
 /** Operation of a node; its operands follow the colon. */
 typedef enum {

@@ -6,10 +6,10 @@
  * one encoding thread, no date and no name of the encoder in the file, colours changed by the exact
  * way and not by the fast one of each processor.
  */
-#include "dioptre/film.h"
+#include "assets/film.h"
 
-#include "assets/process/pipe_process.h"
 #include "base/atomic_file.h"
+#include "base/process/pipe_process.h"
 
 #include <stdlib.h>
 #include <string.h>

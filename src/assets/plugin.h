@@ -5,7 +5,7 @@
 #ifndef DIOPTRE_ASSETS_PLUGIN_H
 #define DIOPTRE_ASSETS_PLUGIN_H
 
-#include "dioptre/error.h"
+#include "base/error.h"
 
 /** A module: where it is, and what is said when it is not there. */
 typedef struct Plugin {

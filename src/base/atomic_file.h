@@ -10,8 +10,8 @@
 #ifndef DIOPTRE_BASE_ATOMIC_FILE_H
 #define DIOPTRE_BASE_ATOMIC_FILE_H
 
+#include "base/error.h"
 #include "base/output_path.h"
-#include "dioptre/error.h"
 
 #include <stdio.h>
 

@@ -2,7 +2,7 @@
  * @file
  * @brief Errors as values.
  */
-#include "dioptre/error.h"
+#include "base/error.h"
 
 #include "base/language.h"
 

@@ -5,7 +5,7 @@
 #ifndef DIOPTRE_BASE_TEXT_FILE_H
 #define DIOPTRE_BASE_TEXT_FILE_H
 
-#include "dioptre/error.h"
+#include "base/error.h"
 
 #include <stddef.h>
 

@@ -5,11 +5,11 @@
  * A frame has the bits of `render --time`: it depends on its number alone. So frames may come from
  * several machines, in any order, and an interrupted film can be continued.
  */
+#include "assets/film.h"
+#include "assets/images/image_file.h"
 #include "base/language.h"
 #include "cli/commands.h"
 #include "cli/frames.h"
-#include "dioptre/film.h"
-#include "dioptre/image_file.h"
 
 #include <math.h>
 #include <unistd.h>

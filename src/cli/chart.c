@@ -2,7 +2,7 @@
  * @file
  * @brief `dioptre chart`: speed against accuracy.
  */
-#include "dioptre/chart.h"
+#include "lab/charts/chart.h"
 #include "base/language.h"
 #include "base/scene_name.h"
 #include "cli/commands.h"

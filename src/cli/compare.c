@@ -2,10 +2,10 @@
  * @file
  * @brief `dioptre compare`: how two pictures differ.
  */
+#include "assets/images/image_file.h"
 #include "base/json.h"
 #include "base/language.h"
 #include "cli/commands.h"
-#include "dioptre/image_file.h"
 
 #include <libintl.h>
 #include <stdio.h>

@@ -5,7 +5,7 @@
 #ifndef DIOPTRE_CLI_FRAMES_H
 #define DIOPTRE_CLI_FRAMES_H
 
-#include "dioptre/error.h"
+#include "base/error.h"
 
 #include <limits.h>
 #include <stddef.h>

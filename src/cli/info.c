@@ -5,7 +5,7 @@
 #include "base/json.h"
 #include "base/language.h"
 #include "cli/commands.h"
-#include "dioptre/offset_strategy.h"
+#include "dioptre/scene.h"
 
 #include <libintl.h>
 #include <stdio.h>

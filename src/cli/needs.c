@@ -2,11 +2,11 @@
  * @file
  * @brief `dioptre needs`: the cheapest settings whose error nobody can see.
  */
-#include "dioptre/needs.h"
+#include "lab/needs/needs.h"
 #include "base/json.h"
 #include "base/language.h"
 #include "cli/commands.h"
-#include "dioptre/offset_strategy.h"
+#include "dioptre/scene.h"
 
 #include <libintl.h>
 #include <stdio.h>

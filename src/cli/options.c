@@ -6,7 +6,7 @@
 
 #include "base/language.h"
 #include "cli/commands.h"
-#include "dioptre/offset_strategy.h"
+#include "dioptre/scene.h"
 
 #include <errno.h>
 #include <getopt.h>

@@ -5,7 +5,7 @@
 #include "cli/probe.h"
 #include "base/language.h"
 #include "cli/commands.h"
-#include "dioptre/ray_chart.h"
+#include "lab/charts/ray_chart.h"
 
 #include <libintl.h>
 #include <stdio.h>

@@ -5,7 +5,7 @@
 #include "base/language.h"
 #include "cli/commands.h"
 #include "cli/probe.h"
-#include "dioptre/offset_strategy.h"
+#include "dioptre/scene.h"
 
 #include <libintl.h>
 #include <stdio.h>

@@ -2,10 +2,10 @@
  * @file
  * @brief `dioptre render`: one picture, no window.
  */
+#include "assets/images/image_file.h"
 #include "base/language.h"
 #include "cli/commands.h"
 #include "cli/render_metadata.h"
-#include "dioptre/image_file.h"
 
 #include <stdio.h>
 

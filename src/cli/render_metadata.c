@@ -5,7 +5,7 @@
 #include "cli/render_metadata.h"
 
 #include "cli/commands.h"
-#include "dioptre/offset_strategy.h"
+#include "dioptre/scene.h"
 
 #include <ctype.h>
 #include <stdarg.h>

@@ -6,7 +6,7 @@
  * a ray passes an edge within a rounding, either side is right: an artefact only counts where the
  * reference has the same path in the pixels around.
  */
-#include "dioptre/encoding.h"
+#include "base/encoding.h"
 #include "render/layer_renderer.h"
 
 /** Rows of rays that an engine of many lanes traces at once; between strips a pass can stop.

@@ -2,7 +2,7 @@
  * @file
  * @brief The ray tree of one pixel of a renderer's picture.
  */
-#include "dioptre/ray_tree.h"
+#include "dioptre/engine.h"
 
 #include "render/renderer_internal.h"
 

@@ -14,8 +14,8 @@
 #ifndef DIOPTRE_RENDER_SAMPLE_ACCUMULATOR_H
 #define DIOPTRE_RENDER_SAMPLE_ACCUMULATOR_H
 
+#include "base/picture.h"
 #include "dioptre/engine.h"
-#include "dioptre/picture.h"
 #include "render/thread_pool.h"
 
 /** Least number of samples before the first update of active pixels. */

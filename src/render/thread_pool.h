@@ -5,7 +5,7 @@
 #ifndef DIOPTRE_RENDER_THREAD_POOL_H
 #define DIOPTRE_RENDER_THREAD_POOL_H
 
-#include "dioptre/error.h"
+#include "base/error.h"
 
 #include <stddef.h>
 

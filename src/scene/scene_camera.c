@@ -2,7 +2,7 @@
  * @file
  * @brief The camera.
  */
-#include "dioptre/camera.h"
+#include "dioptre/scene.h"
 
 /** Narrowest field of view, degrees: a telescope; below it float cannot tell pixels apart. */
 #define FOV_MINIMUM 0.01

@@ -2,7 +2,7 @@
  * @file
  * @brief Lights of any class.
  */
-#include "dioptre/light.h"
+#include "dioptre/scene.h"
 
 /** Declares a class of the registry. */
 #define DECLARE_CLASS(name) extern const SceneLightClass scene_##name##_class;

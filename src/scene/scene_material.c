@@ -2,7 +2,7 @@
  * @file
  * @brief Materials.
  */
-#include "dioptre/material.h"
+#include "dioptre/scene.h"
 
 /**
  * Largest weight of a term. Not 1: a teacher may overdo a highlight to show it.

@@ -2,7 +2,7 @@
  * @file
  * @brief Textures: their memory.
  */
-#include "dioptre/texture.h"
+#include "dioptre/scene.h"
 
 #include "dioptre/parameter.h"
 

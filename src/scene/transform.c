@@ -2,7 +2,7 @@
  * @file
  * @brief How a shape is stretched, turned and moved: its fields, and the matrix that follows.
  */
-#include "dioptre/transform.h"
+#include "dioptre/parameter.h"
 
 #include <string.h>
 

@@ -4,7 +4,7 @@
  */
 #include "script/hex_color.h"
 
-#include "dioptre/encoding.h"
+#include "base/encoding.h"
 
 #include <ctype.h>
 #include <stdlib.h>

@@ -5,7 +5,7 @@
 #ifndef SCRIPT_HEX_COLOR_H
 #define SCRIPT_HEX_COLOR_H
 
-#include "dioptre/vec3d.h"
+#include "base/vec3d.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -5,7 +5,6 @@
 #include "script/lesson_fields.h"
 
 #include "base/language.h"
-#include "dioptre/offset_strategy.h"
 #include "dioptre/scene.h"
 #include "script/lua_error.h"
 #include "script/script_run.h"

@@ -4,7 +4,7 @@
  */
 #include "script/lua_error.h"
 
-#include "dioptre/error.h"
+#include "base/error.h"
 
 #include <lauxlib.h>
 #include <libintl.h>

@@ -7,7 +7,7 @@
 #ifndef DIOPTRE_SCRIPT_SCRIPT_RESULT_H
 #define DIOPTRE_SCRIPT_SCRIPT_RESULT_H
 
-#include "dioptre/error.h"
+#include "base/error.h"
 
 #include <limits.h>
 #include <stddef.h>

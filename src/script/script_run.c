@@ -94,8 +94,9 @@ static void use_c_locale(void) {
 }
 
 void script_run_execute(ScriptRun *run) {
-    ScriptSandbox sandbox = {
-        .result = run->result, .job = run->job, .context = run,
+    ScriptSandbox sandbox = {.result = run->result,
+                             .job = run->job,
+                             .context = run,
                              .memory_limit = run->request->memory_limit};
     int status = LUA_ERRMEM;
     use_c_locale();

@@ -5,7 +5,7 @@
 #ifndef DIOPTRE_SCRIPT_SCRIPT_TEXT_H
 #define DIOPTRE_SCRIPT_SCRIPT_TEXT_H
 
-#include "dioptre/error.h"
+#include "base/error.h"
 
 #include <stddef.h>
 

@@ -19,8 +19,8 @@ typedef struct ScriptCall {
     const char *task;             /**< #SCRIPT_SCENE_TASK or #SCRIPT_LESSON_TASK. */
     const ScriptText *text;       /**< The text of the file. */
     const ActionNames *actions;   /**< What a lesson can name; NULL: it is a scene. */
-    void *block;    /**< The scene or lesson. It is made at this address in the worker, so that
-                         pointers in it hold here too. */
+    void *block;     /**< The scene or lesson. It is made at this address in the worker, so that
+                          pointers in it hold here too. */
     size_t capacity; /**< Bytes of #block. */
 } ScriptCall;
 

@@ -7,12 +7,12 @@
  * file on its own.
  */
 // The recursion: camera rays, hits, direct light, reflection, refraction.
-#include "trace/tracer/tracer.c"
-#include "trace/tracer/secondary_rays.c"
-#include "trace/tracer/tile.c"
 #include "trace/tracer/camera.c"
 #include "trace/tracer/packet.c"
 #include "trace/tracer/packet_merge.c"
+#include "trace/tracer/secondary_rays.c"
+#include "trace/tracer/tile.c"
+#include "trace/tracer/tracer.c"
 // Light and materials.
 #include "trace/glass/dielectric.c"
 #include "trace/glass/interior_list.c"

@@ -1,9 +1,10 @@
 /**
  * @file
- * @brief The program `dioptre-worker`: reads scenes, pictures and models, and encodes pictures, for `dioptre`.
+ * @brief The program `dioptre-worker`: reads scenes, pictures and models, and encodes pictures, for
+ * `dioptre`.
  *
- * It is a program of its own so that it starts in a millisecond: it is linked with Lua, and not with
- * SDL, whose libraries take ten.
+ * It is a program of its own so that it starts in a millisecond: it is linked with Lua, and not
+ * with SDL, whose libraries take ten.
  */
 #include "assets/images/image_worker.h"
 #include "assets/meshes/mesh_worker.h"

@@ -62,9 +62,8 @@ static double picture_cpu_seconds(Renderer *renderer) {
 
 /** @return The scene of a file; NULL if anything is wrong. */
 static Scene *scene_of(const char *path, Error *error) {
-    const ScriptRequest request = {.path = path,
-                                   .time_limit = SCRIPT_TIME_LIMIT,
-                                   .memory_limit = SCRIPT_MEMORY_LIMIT};
+    const ScriptRequest request = {
+        .path = path, .time_limit = SCRIPT_TIME_LIMIT, .memory_limit = SCRIPT_MEMORY_LIMIT};
     return script_load(&request, error);
 }
 

@@ -2,7 +2,7 @@
  * @file
  * @brief What scenes need, on a sample of pixels and on all of them: the table of doc/needs.md.
  */
-#include "dioptre/needs.h"
+#include "lab/needs/needs.h"
 #include "dioptre/renderer.h"
 #include "dioptre/script.h"
 #include "lab/needs/image_difference.h"
@@ -87,9 +87,8 @@ int main(int argc, char **argv) {
         Error error = {0};
         Needs sampled_needs;
         NeedsTrial whole;
-        ScriptRequest request = {.path = argv[i],
-                                 .time_limit = SCRIPT_TIME_LIMIT,
-                                 .memory_limit = SCRIPT_MEMORY_LIMIT};
+        ScriptRequest request = {
+            .path = argv[i], .time_limit = SCRIPT_TIME_LIMIT, .memory_limit = SCRIPT_MEMORY_LIMIT};
         Scene *scene = script_load(&request, &error);
         if (!scene || !find_needs(scene, &sampled_needs, &error) ||
             !verify_float(scene, sampled_needs.depth, &whole, &error)) {

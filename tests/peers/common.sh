@@ -59,7 +59,7 @@ append_difference() {
 # make_edges: the tool that tells where pictures differ.
 make_edges() {
     ${CC:-cc} -std=gnu11 -O2 -Iinclude -Isrc -D_GNU_SOURCE -o "$work/edges" tests/peers/edges.c \
-        src/assets/images/bmp.c src/render/picture.c src/base/error.c
+        src/assets/images/bmp.c src/base/picture.c src/base/error.c
 }
 
 # The bars are for the widest engine that the processor runs.

@@ -6,6 +6,7 @@
  * lowest byte first, and each row is filled up to a multiple of four bytes.
  */
 #include "assets/images/bmp.h"
+#include "dioptre/scene.h"
 
 #include <errno.h>
 #include <fcntl.h>

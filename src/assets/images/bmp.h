@@ -5,7 +5,7 @@
 #ifndef DIOPTRE_ASSETS_IMAGES_BMP_H
 #define DIOPTRE_ASSETS_IMAGES_BMP_H
 
-#include "dioptre/picture.h"
+#include "base/picture.h"
 
 #include <stdio.h>
 

@@ -2,13 +2,14 @@
  * @file
  * @brief Picture files: which ending means which format.
  */
-#include "dioptre/image_file.h"
+#include "assets/images/image_file.h"
 
 #include "assets/images/bmp.h"
 #include "assets/images/image_format.h"
 #include "assets/images/image_worker.h"
 #include "base/atomic_file.h"
 #include "base/regular_file.h"
+#include "dioptre/scene.h"
 
 #include <errno.h>
 #include <libintl.h>
@@ -137,8 +138,9 @@ static bool read_open_file(const ImageFormat *format, int file, Picture *picture
         return bmp_read(file, picture, error);
     }
     Texture *texture;
-    bool is_read = image_worker_call(NULL, format->plugin_name, file, &compare_limits, &texture, error) &&
-                   picture_from_texture(texture, picture, error);
+    bool is_read =
+        image_worker_call(NULL, format->plugin_name, file, &compare_limits, &texture, error) &&
+        picture_from_texture(texture, picture, error);
     texture_release(texture);
     return is_read;
 }

@@ -10,7 +10,7 @@
 #ifndef DIOPTRE_ASSETS_IMAGES_IMAGE_PLUGIN_H
 #define DIOPTRE_ASSETS_IMAGES_IMAGE_PLUGIN_H
 
-#include "dioptre/image_metadata.h"
+#include "base/image_metadata.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -6,7 +6,8 @@
 #define DIOPTRE_ASSETS_IMAGES_IMAGE_PLUGIN_IO_H
 
 #include "assets/images/image_plugin.h"
-#include "dioptre/picture.h"
+#include "base/picture.h"
+#include "dioptre/scene.h"
 
 #include <stdio.h>
 

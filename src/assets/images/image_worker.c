@@ -166,7 +166,8 @@ static ImageWorkerRequest *pack_picture(const char *format, const Picture *pictu
                                .height = picture->height,
                                .is_linear = linear};
     strncpy(head.format, format, sizeof head.format - 1);
-    *size = sizeof head + pixels_size(&head) + metadata_size(picture->metadata, &head.metadata_count);
+    *size =
+        sizeof head + pixels_size(&head) + metadata_size(picture->metadata, &head.metadata_count);
     ImageWorkerRequest *request = malloc(*size);
     if (request) {
         *request = head;

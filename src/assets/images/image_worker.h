@@ -11,6 +11,7 @@
 
 #include "assets/images/image_plugin_io.h"
 #include "assets/process/worker_main.h"
+#include "dioptre/scene.h"
 
 /** Name of the task, see #WorkerTask. */
 #define IMAGE_WORKER_TASK "picture"

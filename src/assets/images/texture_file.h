@@ -7,6 +7,7 @@
 
 #include "assets/images/image_format.h"
 #include "assets/images/image_worker.h"
+#include "dioptre/scene.h"
 
 /** Seconds that reading a picture of a scene may take. */
 #define TEXTURE_FILE_TIME_LIMIT 10.0

@@ -10,8 +10,8 @@
 #include "base/regular_file.h"
 
 #include <libintl.h>
-#include <signal.h>
 #include <math.h>
+#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>

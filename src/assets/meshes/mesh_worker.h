@@ -6,7 +6,7 @@
 #define DIOPTRE_ASSETS_MESHES_MESH_WORKER_H
 
 #include "assets/process/worker_main.h"
-#include "dioptre/error.h"
+#include "base/error.h"
 
 /** Name of the task, see #WorkerTask. */
 #define MESH_WORKER_TASK "model"

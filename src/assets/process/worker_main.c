@@ -93,7 +93,7 @@ static void *receive_request(WorkerJob *job) {
     WorkerRequestHeader header;
     struct iovec part = {&header, sizeof header};
     union {
-        struct cmsghdr align;                 /**< For the alignment. */
+        struct cmsghdr align;                /**< For the alignment. */
         char bytes[CMSG_SPACE(sizeof(int))]; /**< Room for a descriptor. */
     } control;
     struct msghdr message = {.msg_iov = &part,

@@ -10,13 +10,13 @@
 
 /** A request, and the answer to it. */
 typedef struct WorkerJob {
-    const void *request; /**< Bytes of the request. */
-    size_t request_size; /**< How many. */
-    int file;            /**< Descriptor that came with it; -1: none. */
-    const void *report;  /**< The report. Sent at the end, and at a fatal signal as it is then. */
-    size_t report_size;  /**< Bytes of it. */
-    void *block;         /**< The block; sent at the end. NULL: none. */
-    size_t block_size;   /**< Bytes of it. */
+    const void *request;   /**< Bytes of the request. */
+    size_t request_size;   /**< How many. */
+    int file;              /**< Descriptor that came with it; -1: none. */
+    const void *report;    /**< The report. Sent at the end, and at a fatal signal as it is then. */
+    size_t report_size;    /**< Bytes of it. */
+    void *block;           /**< The block; sent at the end. NULL: none. */
+    size_t block_size;     /**< Bytes of it. */
     size_t block_capacity; /**< Bytes that are given back by munmap afterwards; 0: none. */
 } WorkerJob;
 

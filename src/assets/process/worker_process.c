@@ -192,8 +192,7 @@ static bool send_bytes(Exchange *exchange, const void *bytes, size_t size) {
         if (!wait_until_ready(exchange, POLLOUT)) {
             return false;
         }
-        ssize_t count =
-            send(exchange->process->socket, next, size, MSG_DONTWAIT | MSG_NOSIGNAL);
+        ssize_t count = send(exchange->process->socket, next, size, MSG_DONTWAIT | MSG_NOSIGNAL);
         if (count < 0 && !is_temporary(errno)) {
             return false;
         }
@@ -209,7 +208,7 @@ static bool send_request(Exchange *exchange) {
     WorkerRequestHeader header = {.size = call->request_size};
     struct iovec part = {&header, sizeof header};
     union {
-        struct cmsghdr align;                 /**< For the alignment. */
+        struct cmsghdr align;                /**< For the alignment. */
         char bytes[CMSG_SPACE(sizeof(int))]; /**< Room for a descriptor. */
     } control = {0};
     struct msghdr message = {.msg_iov = &part, .msg_iovlen = 1};

@@ -55,8 +55,8 @@ typedef struct WorkerCall {
 /** Answer of a worker. */
 typedef struct WorkerReply {
     WorkerEnd end; /**< How the call ended. */
-    int detail;    /**< The signal after #WORKER_CRASHED, errno after #WORKER_NOT_STARTED, else 0. */
-    void *block;   /**< The block; NULL: none. Freed by munmap where #WorkerCall.block is NULL. */
+    int detail;  /**< The signal after #WORKER_CRASHED, errno after #WORKER_NOT_STARTED, else 0. */
+    void *block; /**< The block; NULL: none. Freed by munmap where #WorkerCall.block is NULL. */
     size_t block_size; /**< Bytes of it. */
 } WorkerReply;
 

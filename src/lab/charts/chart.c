@@ -6,7 +6,7 @@
  * (*Solving Ordinary Differential Equations II*, 1996). All are timed in turn, several times, so
  * that a drift of the clock affects all alike.
  */
-#include "dioptre/chart.h"
+#include "lab/charts/chart.h"
 
 #include "lab/charts/pareto_front.h"
 #include "lab/needs/image_difference.h"

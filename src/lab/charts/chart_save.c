@@ -2,7 +2,7 @@
  * @file
  * @brief What the settings of a scene cost and leave of errors, as a table, as CSV, as a chart.
  */
-#include "dioptre/chart.h"
+#include "lab/charts/chart.h"
 
 #include "base/language.h"
 #include "lab/charts/csv.h"

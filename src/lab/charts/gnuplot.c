@@ -4,8 +4,8 @@
  */
 #include "lab/charts/gnuplot.h"
 
-#include "assets/process/pipe_process.h"
 #include "base/atomic_file.h"
+#include "base/process/pipe_process.h"
 
 /** The program. */
 #define PLOT_PROGRAM "gnuplot"

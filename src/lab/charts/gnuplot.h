@@ -8,7 +8,7 @@
 #ifndef DIOPTRE_LAB_CHARTS_GNUPLOT_H
 #define DIOPTRE_LAB_CHARTS_GNUPLOT_H
 
-#include "dioptre/error.h"
+#include "base/error.h"
 
 #include <stdatomic.h>
 #include <stddef.h>

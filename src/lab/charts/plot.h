@@ -9,7 +9,7 @@
 #ifndef DIOPTRE_LAB_CHARTS_PLOT_H
 #define DIOPTRE_LAB_CHARTS_PLOT_H
 
-#include "dioptre/error.h"
+#include "base/error.h"
 
 #include <stdatomic.h>
 #include <stddef.h>

@@ -5,7 +5,7 @@
  * The background is the scene from a second camera, in a few light greys, with a line where one
  * shape ends and another begins: faint, small and sharp in print. The rays are drawn over it.
  */
-#include "dioptre/ray_chart.h"
+#include "lab/charts/ray_chart.h"
 
 #include "base/atomic_file.h"
 #include "base/language.h"

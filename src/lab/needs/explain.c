@@ -3,7 +3,7 @@
  * @brief Explains in a paragraph what a scene needs, and why.
  */
 #include "base/language.h"
-#include "dioptre/needs.h"
+#include "lab/needs/needs.h"
 
 #include <libintl.h>
 #include <stdarg.h>

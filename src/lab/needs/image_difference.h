@@ -9,7 +9,7 @@
 #ifndef DIOPTRE_LAB_NEEDS_IMAGE_DIFFERENCE_H
 #define DIOPTRE_LAB_NEEDS_IMAGE_DIFFERENCE_H
 
-#include "dioptre/encoding.h"
+#include "base/encoding.h"
 #include "lab/needs/sampled_render.h"
 
 /** The least visible difference: half an 8-bit step of the encoded picture. */

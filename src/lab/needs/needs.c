@@ -2,7 +2,7 @@
  * @file
  * @brief Finds what a scene needs: depth, tolerances, number type, in this order; then their cost.
  */
-#include "dioptre/needs.h"
+#include "lab/needs/needs.h"
 
 #include "lab/needs/image_difference.h"
 

@@ -5,7 +5,7 @@
 #ifndef DIOPTRE_SCENE_CYLINDER_LIGHT_H
 #define DIOPTRE_SCENE_CYLINDER_LIGHT_H
 
-#include "dioptre/light.h"
+#include "dioptre/scene.h"
 
 /** A cylinder light's own struct. #SceneLight.position is its base, #SceneLight.radius its radius.
  */

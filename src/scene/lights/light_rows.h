@@ -5,7 +5,7 @@
 #ifndef DIOPTRE_SCENE_LIGHT_ROWS_H
 #define DIOPTRE_SCENE_LIGHT_ROWS_H
 
-#include "dioptre/light.h"
+#include "dioptre/scene.h"
 
 /** The row `color`. */
 #define LIGHT_COLOR_ROW                                                                            \

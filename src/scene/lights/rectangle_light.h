@@ -5,7 +5,7 @@
 #ifndef DIOPTRE_SCENE_RECTANGLE_LIGHT_H
 #define DIOPTRE_SCENE_RECTANGLE_LIGHT_H
 
-#include "dioptre/light.h"
+#include "dioptre/scene.h"
 
 /** A rectangle light's own struct. #SceneLight.position is its corner. */
 typedef struct RectangleLightFields {

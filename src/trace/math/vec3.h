@@ -3,7 +3,7 @@
  * @brief Points, directions and colours in the engine's number type.
  *
  * Suffixes name the representation: Vec3 is LANES of them, Vec3s one, Vec3w LANES in the next wider
- * type, Vec3sw one in that; Vec3d (include/dioptre/vec3d.h) is the scene's, in double.
+ * type, Vec3sw one in that; Vec3d (src/base/vec3d.h) is the scene's, in double.
  */
 #ifndef DIOPTRE_TRACE_MATH_VEC3_H
 #define DIOPTRE_TRACE_MATH_VEC3_H

@@ -58,7 +58,8 @@ static void engine_set_view(Tracer *tracer, const Scene *scene, int width, int h
 }
 
 /**
- * Creates the shapes, textures and dielectrics of a tracer; #engine_set_view adds camera and lights.
+ * Creates the shapes, textures and dielectrics of a tracer; #engine_set_view adds camera and
+ * lights.
  * @param origin  Where in the scene its coordinates start.
  * @return The tracer, or NULL without memory.
  */
@@ -82,8 +83,7 @@ static Tracer *tracer_create(const Scene *scene, Vec3d origin, const TraceSettin
                  .ray_offset = {settings->offset, (scalar)settings->epsilon}};
     tracer->lights = simd_allocate((scene->light_count + 1) * sizeof(Light));
     tracer->materials = simd_allocate(scene->material_count * sizeof(Material));
-    if (!tracer->lights || !tracer->materials ||
-        !emitters_init(&tracer->emitters, scene, error) ||
+    if (!tracer->lights || !tracer->materials || !emitters_init(&tracer->emitters, scene, error) ||
         !textures_init(&tracer->textures, scene, error) ||
         !mesh_bvh_cache_init(&tracer->meshes, scene, reuse_from, settings, error) ||
         !shape_set_init(&tracer->shapes, scene, &tracer->meshes, settings, error) ||

@@ -10,7 +10,7 @@
 #ifndef DIOPTRE_TRACE_TRACER_PACKET_H
 #define DIOPTRE_TRACE_TRACER_PACKET_H
 
-#include "dioptre/ray_tree.h"
+#include "dioptre/engine.h"
 #include "trace/shapes/shape.h"
 
 #if LANES > 1

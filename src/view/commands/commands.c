@@ -10,7 +10,7 @@
 #include "view/commands/commands.h"
 
 #include "base/language.h"
-#include "dioptre/offset_strategy.h"
+#include "dioptre/scene.h"
 #include "view/commands/current_scene.h"
 #include "view/commands/recorder.h"
 #include "view/state/scene_text.h"

@@ -7,7 +7,7 @@
 #include "base/language.h"
 #include "base/text_file.h"
 #include "dioptre/lesson.h"
-#include "dioptre/offset_strategy.h"
+#include "dioptre/scene.h"
 #include "view/state/snapshot.h"
 
 #include <stdarg.h>

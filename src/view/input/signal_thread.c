@@ -4,7 +4,7 @@
  */
 #include "view/input/signal_thread.h"
 
-#include "dioptre/error.h"
+#include "base/error.h"
 
 #include <SDL.h>
 #include <unistd.h>

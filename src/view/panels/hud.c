@@ -5,7 +5,7 @@
 #include "view/panels/hud.h"
 
 #include "base/language.h"
-#include "dioptre/offset_strategy.h"
+#include "dioptre/scene.h"
 
 #include <libintl.h>
 #include <stdarg.h>

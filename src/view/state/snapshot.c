@@ -4,7 +4,7 @@
  */
 #include "view/state/snapshot.h"
 
-#include "dioptre/image_file.h"
+#include "assets/images/image_file.h"
 
 #include <stdio.h>
 #include <string.h>

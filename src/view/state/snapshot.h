@@ -5,7 +5,7 @@
 #ifndef DIOPTRE_VIEW_STATE_SNAPSHOT_H
 #define DIOPTRE_VIEW_STATE_SNAPSHOT_H
 
-#include "dioptre/picture.h"
+#include "base/picture.h"
 
 /** Longest path of a numbered file, bytes with the final zero. */
 enum { NUMBERED_FILE_PATH_SIZE = 4096 };

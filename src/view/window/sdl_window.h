@@ -5,7 +5,7 @@
 #ifndef DIOPTRE_VIEW_WINDOW_SDL_WINDOW_H
 #define DIOPTRE_VIEW_WINDOW_SDL_WINDOW_H
 
-#include "dioptre/error.h"
+#include "base/error.h"
 
 #include <SDL.h>
 #include <stdbool.h>

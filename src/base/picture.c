@@ -2,7 +2,7 @@
  * @file
  * @brief Memory of pictures.
  */
-#include "dioptre/picture.h"
+#include "base/picture.h"
 
 #include <stdlib.h>
 

@@ -2,8 +2,8 @@
  * @file
  * @brief Metadata of picture files; in plain C types, for the image plug-in, too.
  */
-#ifndef DIOPTRE_IMAGE_METADATA_H
-#define DIOPTRE_IMAGE_METADATA_H
+#ifndef DIOPTRE_BASE_IMAGE_METADATA_H
+#define DIOPTRE_BASE_IMAGE_METADATA_H
 
 /** An entry of metadata. */
 typedef struct MetadataEntry {

@@ -2,8 +2,8 @@
  * @file
  * @brief Draws the rays of a pixel, seen from the side, as an SVG file.
  */
-#ifndef DIOPTRE_RAY_CHART_H
-#define DIOPTRE_RAY_CHART_H
+#ifndef DIOPTRE_LAB_CHARTS_RAY_CHART_H
+#define DIOPTRE_LAB_CHARTS_RAY_CHART_H
 
 #include "render/orbit_camera.h"
 

@@ -3,10 +3,10 @@
  * @brief Picture files. BMP is read and written here; every other format by OpenImageIO, whose
  *        module is opened only when such a format is asked for.
  */
-#ifndef DIOPTRE_IMAGE_FILE_H
-#define DIOPTRE_IMAGE_FILE_H
+#ifndef DIOPTRE_ASSETS_IMAGES_IMAGE_FILE_H
+#define DIOPTRE_ASSETS_IMAGES_IMAGE_FILE_H
 
-#include "dioptre/picture.h"
+#include "base/picture.h"
 
 /**
  * Says whether a picture could be written to a path, before time is spent on drawing it.

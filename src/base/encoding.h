@@ -2,8 +2,8 @@
  * @file
  * @brief The exact transfer curves between linear light and 8-bit codes.
  */
-#ifndef DIOPTRE_ENCODING_H
-#define DIOPTRE_ENCODING_H
+#ifndef DIOPTRE_BASE_ENCODING_H
+#define DIOPTRE_BASE_ENCODING_H
 
 /** A transfer curve. */
 typedef enum {

@@ -6,8 +6,8 @@
  * looks along -z when nothing is said. Angles are degrees in files and radians inside. Colours
  * are linear light; only the finished picture is encoded.
  */
-#ifndef DIOPTRE_VEC3D_H
-#define DIOPTRE_VEC3D_H
+#ifndef DIOPTRE_BASE_VEC3D_H
+#define DIOPTRE_BASE_VEC3D_H
 
 #include <math.h>
 #include <stdbool.h>

@@ -2,10 +2,10 @@
  * @file
  * @brief Another program as a child process that takes bytes and leaves a file: ffmpeg, gnuplot.
  */
-#ifndef DIOPTRE_ASSETS_PROCESS_PIPE_PROCESS_H
-#define DIOPTRE_ASSETS_PROCESS_PIPE_PROCESS_H
+#ifndef DIOPTRE_BASE_PROCESS_PIPE_PROCESS_H
+#define DIOPTRE_BASE_PROCESS_PIPE_PROCESS_H
 
-#include "dioptre/error.h"
+#include "base/error.h"
 
 #include <stdatomic.h>
 #include <stddef.h>

@@ -2,7 +2,7 @@
  * @file
  * @brief Another program as a child process that takes bytes and leaves a file.
  */
-#include "assets/process/pipe_process.h"
+#include "base/process/pipe_process.h"
 
 #include <ctype.h>
 #include <errno.h>

@@ -2,7 +2,7 @@
  * @file
  * @brief The exact curves between linear light and 8-bit steps: sRGB (IEC 61966-2-1), and none.
  */
-#include "dioptre/encoding.h"
+#include "base/encoding.h"
 
 #include <math.h>
 

@@ -2,7 +2,7 @@
  * @file
  * @brief Names of the offset strategies.
  */
-#include "dioptre/offset_strategy.h"
+#include "dioptre/scene.h"
 
 const char *const offset_strategy_names[] = {
     [OFFSET_NONE] = "none", [OFFSET_FIXED] = "fixed", [OFFSET_BOUND] = "bound", NULL};

@@ -2,12 +2,14 @@
  * @file
  * @brief Pictures of 8 bits per channel, their encoding, and their comparison.
  */
-#ifndef DIOPTRE_PICTURE_H
-#define DIOPTRE_PICTURE_H
+#ifndef DIOPTRE_BASE_PICTURE_H
+#define DIOPTRE_BASE_PICTURE_H
 
-#include "dioptre/image_metadata.h"
-#include "dioptre/scene.h"
+#include "base/encoding.h"
+#include "base/error.h"
+#include "base/image_metadata.h"
 
+#include <stddef.h>
 #include <stdint.h>
 
 /** A picture, as in a file or on a screen. */

@@ -2,8 +2,8 @@
  * @file
  * @brief Charts of a scene: the time and the errors of each setting.
  */
-#ifndef DIOPTRE_CHART_H
-#define DIOPTRE_CHART_H
+#ifndef DIOPTRE_LAB_CHARTS_CHART_H
+#define DIOPTRE_LAB_CHARTS_CHART_H
 
 #include "dioptre/lab.h"
 #include "dioptre/renderer.h"

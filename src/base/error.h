@@ -2,8 +2,8 @@
  * @file
  * @brief Errors as values: what went wrong, in words, with the exit status it leads to.
  */
-#ifndef DIOPTRE_ERROR_H
-#define DIOPTRE_ERROR_H
+#ifndef DIOPTRE_BASE_ERROR_H
+#define DIOPTRE_BASE_ERROR_H
 
 #include <stdbool.h>
 

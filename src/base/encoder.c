@@ -6,7 +6,9 @@
  * for the last threshold that is not above the light. #encoder_init finds the 255 thresholds once;
  * #encoder_encode needs no power function.
  */
-#include "dioptre/picture.h"
+#include "base/picture.h"
+
+#include <math.h>
 
 /** Cells of the table over 0 to 1. Each holds at most one threshold, as the narrowest step, at the
  *  dark end of sRGB, is 1 / (12.92 * 255) wide. */

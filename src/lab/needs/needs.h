@@ -7,8 +7,8 @@
  * of the encoded picture on, for rays on the same path. Where roundings put a ray on the other side
  * of an edge, it is visible if the edge moves by more than 1/64 pixel.
  */
-#ifndef DIOPTRE_NEEDS_H
-#define DIOPTRE_NEEDS_H
+#ifndef DIOPTRE_LAB_NEEDS_NEEDS_H
+#define DIOPTRE_LAB_NEEDS_NEEDS_H
 
 #include "render/precision_estimate.h"
 

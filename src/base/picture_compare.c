@@ -2,8 +2,9 @@
  * @file
  * @brief Comparison of two pictures.
  */
-#include "dioptre/picture.h"
+#include "base/picture.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 /** Largest difference that #PictureComparison.differing_fraction ignores, as it may be rounding. */

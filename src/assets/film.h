@@ -2,10 +2,10 @@
  * @file
  * @brief Films: pictures one after the other into a file, by ffmpeg, a program of its own.
  */
-#ifndef DIOPTRE_FILM_H
-#define DIOPTRE_FILM_H
+#ifndef DIOPTRE_ASSETS_FILM_H
+#define DIOPTRE_ASSETS_FILM_H
 
-#include "dioptre/picture.h"
+#include "base/picture.h"
 
 #include <stdatomic.h>
 

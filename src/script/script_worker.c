@@ -143,14 +143,14 @@ static ScriptText unpack_text(const ScriptJobHead *head) {
  * @param[out] job  Its report; the block is set by the caller.
  * @return Whether it ran to its end without an error.
  */
-static bool run_job(WorkerJob *job, ScriptRun *run) {
+static bool run_job(WorkerJob *job, ScriptRun *run, const Keyword *const *shape_keywords) {
     const ScriptJobHead *head = job->request;
     const ScriptText text = unpack_text(head);
     const ScriptRequest request = {.path = head->path,
                                    .base_dir = head->has_base_dir ? head->base_dir : NULL,
                                    .time = head->time,
                                    .memory_limit = head->memory_limit,
-                                   .shape_keywords = scene_shape_keywords};
+                                   .shape_keywords = shape_keywords};
     run->request = &request;
     run->text = &text;
     run->job = job;
@@ -165,7 +165,7 @@ static bool run_job(WorkerJob *job, ScriptRun *run) {
     return run->result->error.status == STATUS_OK;
 }
 
-void script_worker_scene(WorkerJob *job) {
+void script_worker_scene(WorkerJob *job, const Keyword *const *shape_keywords) {
     const ScriptJobHead *head = job->request;
     Error error;
     Scene *scene = scene_create_at(head->address, &error);
@@ -173,7 +173,7 @@ void script_worker_scene(WorkerJob *job) {
         worker_exit_to_retry();
     }
     ScriptRun run = {.dialect = &scene_dialect, .scene = scene};
-    if (run_job(job, &run)) {
+    if (run_job(job, &run, shape_keywords)) {
         job->block = scene;
         job->block_size = scene_block_size(scene);
     }
@@ -204,7 +204,7 @@ void script_worker_lesson(WorkerJob *job) {
                                  .move_count = head->move_count};
     LessonBuilder builder = {.lesson = lesson, .actions = &actions};
     ScriptRun run = {.dialect = &lesson_dialect, .lesson_builder = &builder};
-    if (run_job(job, &run)) {
+    if (run_job(job, &run, NULL)) {
         job->block = lesson;
         job->block_size = lesson_block_size(lesson);
     }

@@ -31,8 +31,9 @@ typedef struct ScriptCall {
  */
 bool script_worker_run(const ScriptCall *call, Error *error);
 
-/** Runs the text of a scene, in a worker. */
-void script_worker_scene(WorkerJob *job);
+/** Runs the text of a scene, in a worker. @param shape_keywords The shapes that it may create; NULL
+ *  ends the list. */
+void script_worker_scene(WorkerJob *job, const Keyword *const *shape_keywords);
 
 /** Runs the text of a lesson, in a worker. */
 void script_worker_lesson(WorkerJob *job);

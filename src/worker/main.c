@@ -13,9 +13,14 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+/** Runs the text of a scene. See #WorkerTask.run. */
+static void run_scene(WorkerJob *job) {
+    script_worker_scene(job, scene_shape_keywords);
+}
+
 /** The worker program. @return EXIT_FAILURE where it is not started by `dioptre`. */
 int main(int argc, char **argv) {
-    static const WorkerTask tasks[] = {{SCRIPT_SCENE_TASK, script_worker_scene},
+    static const WorkerTask tasks[] = {{SCRIPT_SCENE_TASK, run_scene},
                                        {SCRIPT_LESSON_TASK, script_worker_lesson},
                                        {IMAGE_WORKER_TASK, image_worker_run},
                                        {MESH_WORKER_TASK, mesh_worker_read},

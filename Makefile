@@ -90,7 +90,7 @@ $(PROGRAM): $(CLI_OBJECTS) $(ROOM_OBJECTS)
 	$(call SAY,cc,$@)$(CC) $(CFLAGS) -o $@ $^ $(LIBRARIES)
 
 $(WORKER): $(WORKER_OBJECTS)
-	$(CC) $(CFLAGS) -o $@ $^ $(call PKG_LIBS,lua5.4) -ldl -lm -pthread
+	$(call SAY,cc,$@)$(CC) $(CFLAGS) -o $@ $^ $(call PKG_LIBS,lua5.4) -ldl -lm -pthread
 
 $(IMAGES_MODULE): src/assets/images/image_plugin.cpp src/assets/images/image_plugin.h $(FLAGS)
 	$(call NEED,OpenImageIO,libopenimageio-dev)

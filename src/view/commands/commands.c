@@ -370,7 +370,7 @@ const Command command_table[] = {
     {"full screen", {KEY(F11)}, N_("screen"), PROGRAM, .help = N_("full screen"), .flags = COMMAND_WHILE_PLAYING, RUNS(toggle_full_screen, 0)},
     {"leave", {NAMED(ESCAPE, N_("Esc"))}, N_("leave"), PROGRAM, .help = N_("leave"),
      .flags = COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(quit, 0)},
-    {NULL},
+    {0},
 };
 // clang-format on
 

@@ -14,7 +14,7 @@ table() {
     for scene in scenes/*.lua; do
         name=$(basename "$scene" .lua) shows=$(words "$scene")
         case $shows in
-        "Report $1"[,\ ]*) ;;
+        "Report $1"[,:\ ]*) ;;
         Report\ *) continue ;;
         *) [ -z "$1" ] || continue ;;
         esac

@@ -61,7 +61,7 @@ done
 # --- the scene reference -------------------------------------------------------------------------
 objects=$(find "$BUILD/obj/src/scene" "$BUILD/obj/src/base" -path '*/scene/*.o' -o -name error.o -o -name encoding.o)
 # shellcheck disable=SC2086 # a list of files
-if ${CC:-cc} -std=gnu11 -Iinclude -o "$work/print_keywords" tests/print_keywords.c $objects -lm -pthread 2>"$work/err"; then
+if ${CC:-cc} -std=gnu11 -Iinclude -Isrc -o "$work/print_keywords" tests/print_keywords.c $objects -lm -pthread 2>"$work/err"; then
     "$work/print_keywords" >"$work/tables"
     sed -n '/^<!-- table: /,/^<!-- end -->$/p' doc/scene-reference.md >"$work/documented"
     agree "$work/documented" "$work/tables" 'doc/scene-reference.md has the keywords as they are'

@@ -16,8 +16,9 @@
 enum { LINES_WIDTH = 470, LINES_HEIGHT = 380 };
 /** Pixels of the title above panels of lines. */
 enum { LINES_TITLE_HEIGHT = 40 };
-/** Fractions of the x axis that are left for the names of lines, and of the last point. */
+/** Fraction of the x axis that is left for the names of lines. */
 #define LINE_LABEL_WIDTH 0.30
+/** Fraction of the x axis that is left for the name of the last point. */
 #define POINT_LABEL_WIDTH 0.22
 
 /** How many styles there are. */

@@ -267,12 +267,17 @@ static void quit(App *app, int argument) {
 #define NO_KEY(name_)                                                                              \
     { .label = name_ }
 
-/** The keys of one heading of the help. */
+/** Heading of the help: keys of the lights. */
 #define LIGHT .group = N_("Light")
+/** Heading of the help: keys of the camera. */
 #define CAMERA .group = N_("Camera")
+/** Heading of the help: keys of the time. */
 #define TIME .group = N_("Time")
+/** Heading of the help: what is shown, and how it is rendered. */
 #define PICTURE .group = N_("Picture")
+/** Heading of the help: keys of the ray tree. */
 #define RAYS .group = N_("Rays of one pixel")
+/** Heading of the help: all other keys. */
 #define PROGRAM .group = N_("Program")
 
 /** A move along an axis of the picture (1) or against it (-1). */
@@ -281,8 +286,9 @@ static void quit(App *app, int argument) {
 /** A function with its argument. */
 #define RUNS(function, argument_) .run = function, .argument = argument_
 
-/** The help of the first five layers, and of the others. */
+/** The help of the first five layers. */
 #define FIRST_LAYERS .help = N_("light, normals, distance, shapes, (u, v)")
+/** The help of the other layers. */
 #define LAST_LAYERS .help = N_("rays, marching, time, error, acne")
 /** The help of the keys of epsilon. */
 #define EPSILON .help = N_("epsilon half, twice (Shift: 1/10, 10 times)")

@@ -1,10 +1,9 @@
 /**
  * @file
- * @brief The program `dioptre-worker`: reads scenes, pictures and models, and encodes pictures, for
+ * @brief The program `dioptre-worker`: reads scenes, pictures and meshes, and encodes pictures, for
  * `dioptre`.
  *
- * It is a program of its own so that it starts in a millisecond: it is linked with Lua, and not
- * with SDL, whose libraries take ten.
+ * As a separate program without SDL, whose libraries load in ten milliseconds, it starts in one.
  */
 #include "assets/images/image_worker.h"
 #include "assets/meshes/mesh_worker.h"

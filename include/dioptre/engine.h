@@ -24,7 +24,7 @@ enum {
     AOV_UV = 4        /**< Texture coordinates of the first hit. */
 };
 
-/** Lights with a bit of their own; further lights are not recorded. */
+/** Number of lights that have a bit in the masks; further lights are not recorded. */
 enum { AOV_MAX_LIGHTS = 64 };
 
 /** Secondary rays of the first hit: reflected and refracted. */
@@ -56,7 +56,7 @@ typedef enum {
     RAY_REFRACTION  /**< Refracted into or out of a transparent shape. */
 } RayType;
 
-/** Most rays of a tree: a limit of memory. */
+/** Largest number of rays of a tree, to limit its memory. */
 enum { RAY_TREE_MAX_NODES = 1 << 20 };
 
 /** Optics of a surface at a hit. Its colour without secondary rays is `emission + albedo (ambient +
@@ -103,19 +103,21 @@ typedef struct RayTreeNode {
     RayTreeSurface surface; /**< Optics of the surface hit; not of shadow rays. */
     Rgbd diffuse;           /**< Of shadow rays: V L f max(0, n . l), for diffuse light. */
     Rgbd specular;          /**< Of shadow rays: V L f max(0, r . v)^shininess, for highlights. */
-    Rgbd transmittance;     /**< Of shadow rays: share of light that transparent shapes leave. */
-    Rgbd local_color; /**< Radiance without secondary rays: of the sky, a light or a surface. */
-    Rgbd color;       /**< Radiance: #local_color plus the weighted colours of secondary
-                           rays. */
+    Rgbd transmittance; /**< Of shadow rays: fraction of the light that transparent shapes transmit.
+                         */
+    Rgbd local_color;   /**< Radiance without secondary rays: of the sky, a light or a surface. */
+    Rgbd color;         /**< Radiance: #local_color plus the weighted colours of secondary
+                             rays. */
 } RayTreeNode;
 
 /** The ray tree of one pixel. Starts as `{0}`; freed by #ray_tree_deinit. */
 typedef struct RayTree {
     RayTreeNode *nodes; /**< The rays, each after its parent; owned. */
     size_t count;       /**< Number of rays. */
-    size_t capacity;    /**< Number of rays that the memory is enough for. */
+    size_t capacity;    /**< Capacity of #nodes. */
     int current;        /**< While recording: the ray being traced. */
-    bool is_truncated;  /**< Whether rays are missing for lack of memory, or #RAY_TREE_MAX_NODES. */
+    bool is_truncated;  /**< Whether rays are missing, for lack of memory or beyond
+                           #RAY_TREE_MAX_NODES. */
 } RayTree;
 
 /** Frees the rays of a tree and empties it. */
@@ -164,7 +166,7 @@ typedef struct Tracer Tracer;
 
 /** How a tracer traces a scene. */
 typedef struct TraceSettings {
-    int depth;   /**< Most reflections and refractions in succession. */
+    int depth;   /**< Largest number of successive reflections and refractions. */
     int samples; /**< Rays per pixel; if more than one, spherical lights cast soft shadows. */
     OffsetStrategy offset; /**< How far from a surface secondary rays start. */
     double epsilon;        /**< The distance for #OFFSET_FIXED, scene units. */
@@ -370,7 +372,7 @@ bool engine_is_supported(const Engine *engine);
  */
 const Engine *engine_find(const char *name, Error *error);
 
-/** The purpose that an engine is chosen for. */
+/** The purpose of an engine. */
 typedef enum {
     ENGINE_FASTEST,  /**< The default: the preferred engine of this processor. */
     ENGINE_DOUBLE,   /**< Where single precision shows errors. */

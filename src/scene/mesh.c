@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Meshes: their memory, their checks, and normals that make them look smooth.
+ * @brief Meshes: their memory, their checks, and smooth normals.
  */
 #include "dioptre/mesh.h"
 

@@ -156,7 +156,7 @@ static const char *list_words(lua_State *L, const char *const *words) {
     return lua_tostring(L, -1);
 }
 
-/** Reads a word as its index in #Parameter.words. See #ReadFunction. */
+/** Reads a word as its index in #Parameter.choices. See #ReadFunction. */
 static void read_word(lua_State *L, int index, const Parameter *row, void *field) {
     if (lua_type(L, index) != LUA_TSTRING) {
         read_type_error(L, index, row, list_words(L, row->choices));

@@ -16,7 +16,7 @@ static const Parameter cylinder_parameters[] = {
      .help = "whether its ends are closed; else it is a pipe"},
     {0}};
 
-/** A capped cylinder of radius 1 and height 1 that stands on the ground. */
+/** A capped cylinder of radius 1 and height 1 on the plane y = 0. */
 static const CylinderParameters cylinder_defaults = {.top = {0, 1, 0}, .radius = 1, .capped = true};
 
 /** Rejects cylinders without length. See #Keyword.finish. @return Whether there is a length. */

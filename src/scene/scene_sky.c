@@ -64,7 +64,7 @@ static bool is_given(uint64_t given, int row) {
  * @param values  The #SceneSky.
  * @param given   Bits of the given rows.
  * @param error   What is wrong.
- * @return false if the scene gives two kinds of sky.
+ * @return false if the fields are inconsistent.
  */
 static bool scene_sky_finish(void *values, uint64_t given, Error *error) {
     SceneSky *sky = values;

@@ -14,7 +14,7 @@
 /** An experiment, as the command line shows it. */
 typedef struct LabTest {
     const char *name;   /**< Name on the command line, such as `sphere-distance`. */
-    const char *title;  /**< What it shows. */
+    const char *title;  /**< Title: what the experiment shows. */
     bool has_benchmark; /**< Whether #lab_benchmark_test can time its methods. */
 } LabTest;
 

@@ -13,7 +13,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/** What a picture shows. */
+/** The quantity that a picture shows. */
 typedef enum Layer {
     LAYER_SHADED,   /**< Radiance: the picture itself. */
     LAYER_NORMALS,  /**< Unit normals of surfaces. */

@@ -32,7 +32,7 @@ typedef enum {
     LESSON_PRESS,   /**< The key of a command goes down. */
     LESSON_RELEASE, /**< The key of a move goes up. */
     LESSON_SPEED,   /**< The speed of moves changes: Shift, Ctrl. */
-    LESSON_TURN,    /**< The camera turns: the mouse is dragged. */
+    LESSON_TURN,    /**< The camera rotates: the mouse is dragged. */
     LESSON_ZOOM,    /**< The field of view changes: the wheel. */
     LESSON_SIZE,    /**< The window changes its size. */
     LESSON_PIXEL,   /**< The rays of a pixel are shown: a click. */
@@ -56,7 +56,7 @@ typedef struct LessonStep {
     bool waits_for_viewer; /**< Whether a caption pauses the lesson. */
 } LessonStep;
 
-/** Render settings at the beginning; where unset, those of command line and scene. */
+/** Render settings at the beginning; unset values are those of command line and scene. */
 typedef struct LessonSettings {
     int samples;        /**< Samples per pixel; 0: unset. */
     int depth;          /**< Depth of reflections and refractions; -1: unset. */
@@ -102,12 +102,22 @@ size_t lesson_block_size(const Lesson *lesson);
 /** Frees a lesson. @param lesson The lesson, or NULL. */
 void lesson_destroy(Lesson *lesson);
 
-/** Adds a step. @param step Not before the last one; copied. @return false if the lesson is full.
+/**
+ * Adds a step.
+ * @param lesson      The lesson.
+ * @param step        The step, not before the last one; copied.
+ * @param[out] error  What is wrong.
+ * @return false if the lesson is full.
  */
 bool lesson_add(Lesson *lesson, const LessonStep *step, Error *error);
 
-/** Stores a text. @param text UTF-8; copied. @return The copy, owned by the lesson; NULL if the
- * lesson is full. */
+/**
+ * Stores a text.
+ * @param lesson      The lesson.
+ * @param text        The text, UTF-8; copied.
+ * @param[out] error  What is wrong.
+ * @return The copy, owned by the lesson; NULL if the lesson is full.
+ */
 const char *lesson_store_text(Lesson *lesson, const char *text, Error *error);
 
 /** @return A text in one language, else in the other; empty without any. */

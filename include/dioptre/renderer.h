@@ -18,10 +18,10 @@
 /** Largest number of threads. */
 enum { THREADS_MAXIMUM = 1024 };
 
-/** How many samples a pixel gets. */
+/** Numbers of samples per pixel. */
 typedef enum {
-    SAMPLING_ADAPTIVE, /**< Few where their colours agree: the default. */
-    SAMPLING_FULL      /**< All of them. */
+    SAMPLING_ADAPTIVE, /**< Few in pixels whose first samples agree: the default. */
+    SAMPLING_FULL      /**< The full number in every pixel. */
 } Sampling;
 
 /** The light of the picture. */

@@ -81,11 +81,10 @@ typedef struct SceneCamera {
     Vec3d position;  /**< Position, scene units. */
     Vec3d look_at;   /**< A point in the middle of the image, if `look_at` is given. */
     Vec3d direction; /**< Viewing direction; after #Keyword.finish a unit vector. */
-    Vec3d up; /**< Up in the image; after #Keyword.finish a unit vector perpendicular to #direction.
-               */
-    double pan;             /**< Degrees to the right of -z, if `pan` is given. */
-    double tilt;            /**< Degrees above the horizon, if `tilt` is given. */
-    double fov;             /**< Horizontal field of view, degrees; the height follows from it. */
+    Vec3d up;        /**< Up in the image; after #Keyword.finish a unit vector, perpendicular. */
+    double pan;      /**< Degrees to the right of -z, if `pan` is given. */
+    double tilt;     /**< Degrees above the horizon, if `tilt` is given. */
+    double fov;      /**< Horizontal field of view, degrees; the height follows from it. */
     double target_distance; /**< Distance of the point it looks at, scene units; the keys move it in
                                proportion. */
 } SceneCamera;
@@ -344,9 +343,9 @@ typedef struct TriangleParameters {
     bool is_smooth;   /**< Whether the scene gives the normals; #Keyword.finish sets it. */
 } TriangleParameters;
 
-/** Where the normals of a mesh come from. */
+/** Source of the normals of a mesh. */
 typedef enum {
-    NORMALS_FROM_FILE, /**< The file's; smooth where it has none. */
+    NORMALS_FROM_FILE, /**< Those of the file; smooth if it has none. */
     NORMALS_SMOOTH,    /**< Averages of the triangles around each vertex. */
     NORMALS_FLAT       /**< One normal per triangle. */
 } NormalSource;
@@ -367,7 +366,7 @@ typedef struct SdfShapeParameters {
     int max_steps;    /**< Largest number of steps per ray. */
 } SdfShapeParameters;
 
-/** What the description of a shape says about it, without a tracer. */
+/** Properties of a shape that follow from its description, without a tracer. */
 typedef struct ShapeFacts {
     Aabbd bounds;     /**< Bounding box; infinite along the axes where the shape is unbounded. */
     bool is_flat;     /**< Whether all faces are flat: reflections do not make rays diverge. */
@@ -382,10 +381,10 @@ typedef struct SceneShapeClass {
     Keyword keyword; /**< Base: name, fields, defaults and checks in the scene language. */
 
     /**
-     * Finds what is known of a shape before its transform.
+     * Finds the properties of a shape before its transform.
      * @param parameters  The struct that #keyword describes, finished.
      * @param scene       The scene of the shape, for its meshes.
-     * @return The facts.
+     * @return The properties.
      */
     ShapeFacts (*facts)(const void *parameters, const Scene *scene);
 
@@ -412,10 +411,10 @@ extern const Keyword *const scene_shape_keywords[];
 size_t scene_shape_find(const char *name);
 
 /**
- * Finds what is known of a shape of a scene.
+ * Finds the properties of a shape of a scene.
  * @param scene  The scene.
  * @param shape  One of its shapes.
- * @return The facts; the bounding box is that of the transformed shape.
+ * @return The properties; the bounding box is that of the transformed shape.
  */
 ShapeFacts scene_shape_facts(const Scene *scene, const SceneShape *shape);
 
@@ -452,7 +451,7 @@ static inline Vec3d circle_extent(Vec3d normal, double radius) {
 
 /* --- Offset strategies ------------------------------------------------------------------------ */
 
-/** How far from a surface secondary rays start. */
+/** Distance from a surface at which secondary rays start. */
 typedef enum {
     OFFSET_NONE,  /**< At the hit point: shows shadow acne. */
     OFFSET_FIXED, /**< At a constant distance from it. */

@@ -197,8 +197,8 @@ bool film_add_frame(Film *film, const Picture *picture, Error *error) {
 }
 
 /**
- * Checks that a film's file is not empty. @param film The film, after the end of ffmpeg.
- * @param[out] error What is wrong. @return Whether it is not.
+ * @return Whether a film's file has content. @param film The film, after the end of ffmpeg.
+ *         @param[out] error What is wrong.
  */
 static bool check_written(const Film *film, Error *error) {
     struct stat found;

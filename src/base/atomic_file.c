@@ -147,7 +147,7 @@ bool atomic_file_commit(AtomicFile *file, Error *error) {
     int failed = fclose(file->stream);
     file->stream = NULL;
     if (!is_whole && !failed) {
-        errno = EIO; // The errno of a failed write is lost here.
+        errno = EIO; // An earlier write failed, and its errno is lost.
     }
     if (!is_whole || failed || rename_to_target(file) != 0) {
         set_system_error(error);

@@ -163,8 +163,11 @@ static double triangle_geometry_angle(const TriangleGeometry *geometry, int corn
                  vec3d_dot(outgoing, incoming_reversed));
 }
 
-/** Normalises sums of normals; where they cancel, a position gets the normal of a triangle.
- *  @param[in,out] normals The sums. */
+/**
+ * Normalises sums of normals; where a sum is zero, the position gets the normal of a triangle.
+ * @param mesh             The mesh.
+ * @param[in,out] normals  The sums.
+ */
 static void normalize_all(const Mesh *mesh, Vec3d *normals) {
     for (size_t i = 0; i < mesh->position_count; i++) {
         bool is_long = vec3d_length(normals[i]) > NORMAL_SUM_MINIMUM;

@@ -60,8 +60,12 @@ static void *scene_arena_append(SceneArena *arena, void **array, size_t *capacit
     return (char *)*array + count * size;
 }
 
-/** @param address Where it must lie; NULL: anywhere.
- *  @return A block of which nothing is handed out; NULL without memory. */
+/**
+ * Creates an empty block.
+ * @param address     Required address; NULL: any.
+ * @param[out] error  What is wrong.
+ * @return The block; NULL without memory, or if the address is not free.
+ */
 static SceneArena *scene_arena_create(void *address, Error *error) {
     int placement = address ? MAP_FIXED_NOREPLACE : 0;
     SceneArena *arena = mmap(address, SCENE_MEMORY_SIZE, PROT_READ | PROT_WRITE,

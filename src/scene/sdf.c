@@ -185,7 +185,7 @@ static void operands_translate(double *operands, Vec3d offset) {
 }
 
 /**
- * Appends a node centred at zero as the body of a translation.
+ * Appends a node as the body of a translation: for primitives, which are centred at zero.
  * @param out     The field.
  * @param node    The node, followed by its body.
  * @param offset  Translation, scene units.

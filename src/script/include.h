@@ -11,8 +11,8 @@
 enum { INCLUDE_DEPTH_MAXIMUM = 32 };
 
 /**
- * Adds the global function `include`: `include "other.lua"` runs a file in the folder of the scene,
- * or below it, and returns what the file returns.
+ * Adds the global function `include`: `include "other.lua"` runs a file in the folder of the scene
+ * (#ScriptRequest.base_dir) or below it, and returns what the file returns.
  * @param L  The state.
  */
 void include_open(lua_State *L);

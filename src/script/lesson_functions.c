@@ -118,7 +118,8 @@ static int call_lesson(lua_State *L) {
     return 0;
 }
 
-/** `caption { en = ..., fr = ..., wait = true }` or `caption "..."`. See lua_CFunction. @return 0
+/**
+ * `caption { en = ..., fr = ..., wait = true }` or `caption "TEXT"`. See lua_CFunction. @return 0
  */
 static int call_caption(lua_State *L) {
     check_argument_count(L, 1, 1, "caption { en = \"...\", fr = \"...\", wait = true }");

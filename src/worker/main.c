@@ -17,7 +17,7 @@ static void run_scene(WorkerJob *job) {
     script_worker_scene(job, scene_shape_keywords);
 }
 
-/** The worker program. @return EXIT_FAILURE where it is not started by `dioptre`. */
+/** The worker program. @return EXIT_FAILURE if it is not started by `dioptre`. */
 int main(int argc, char **argv) {
     static const WorkerTask tasks[] = {{SCRIPT_SCENE_TASK, run_scene},
                                        {SCRIPT_LESSON_TASK, script_worker_lesson},

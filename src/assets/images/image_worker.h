@@ -45,9 +45,8 @@ bool image_worker_call(const ImageWorker *worker, const char *format, int file,
                        const ImageReadLimits *limits, Texture **texture, Error *error);
 
 /**
- * Checks in the kept worker that the picture module is installed.
+ * @return Whether the picture module is installed, as the kept worker finds.
  * @param[out] error  What is missing, and the package to install (#STATUS_FAILED).
- * @return Whether it is.
  */
 bool image_worker_check(Error *error);
 

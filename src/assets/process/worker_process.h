@@ -60,7 +60,8 @@ typedef struct WorkerCall {
 typedef struct WorkerReply {
     WorkerEnd end; /**< How the call ended. */
     int detail;  /**< The signal after #WORKER_CRASHED, errno after #WORKER_NOT_STARTED, else 0. */
-    void *block; /**< The block; NULL: none. Freed by munmap where #WorkerCall.block is NULL. */
+    void *block; /**< The block; NULL: none. To be unmapped with munmap if #WorkerCall.block is
+                    NULL. */
     size_t block_size; /**< Bytes of the block. */
 } WorkerReply;
 

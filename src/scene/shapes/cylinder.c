@@ -27,8 +27,7 @@ static bool cylinder_finish(void *values, uint64_t given, Error *error) {
            error_set(error, STATUS_SCENE, "cylinder has no length: base and top are the same");
 }
 
-/** @return Facts of a cylinder: the box around the circles at its ends. See #SceneShapeClass.facts.
- */
+/** @return Facts of a cylinder: the box around its end circles. See #SceneShapeClass.facts. */
 static ShapeFacts cylinder_facts(const void *parameters, const Scene *scene) {
     (void)scene;
     const CylinderParameters *p = parameters;

@@ -80,8 +80,9 @@ typedef struct Lesson {
 } Lesson;
 
 /**
- * Creates an empty lesson. @param[out] error What is wrong. @return The lesson, to be freed with
- * #lesson_destroy; NULL without memory.
+ * Creates an empty lesson.
+ * @param[out] error  What is wrong.
+ * @return The lesson, to be freed with #lesson_destroy; NULL without memory.
  */
 Lesson *lesson_create(Error *error);
 
@@ -94,8 +95,8 @@ Lesson *lesson_create(Error *error);
 Lesson *lesson_create_at(void *address, Error *error);
 
 /**
- * @return Bytes in use of the block of a lesson, all that another process needs. @param lesson The
- *         lesson.
+ * @return Bytes in use of the block of a lesson, all that another process needs.
+ * @param lesson  The lesson.
  */
 size_t lesson_block_size(const Lesson *lesson);
 

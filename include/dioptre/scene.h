@@ -566,8 +566,8 @@ Scene *scene_create(Error *error);
 Scene *scene_create_at(void *address, Error *error);
 
 /**
- * @return Bytes in use of the block of a scene, all that another process needs. @param scene The
- *         scene.
+ * @return Bytes in use of the block of a scene, all that another process needs.
+ * @param scene  The scene.
  */
 size_t scene_block_size(const Scene *scene);
 

@@ -63,8 +63,12 @@ typedef struct ViewSettings {
 /** Largest number of names of #view_actions, with the final NULL. */
 enum { VIEW_ACTIONS_MAXIMUM = 96 };
 
-/** Returns the names of the window's commands, for lessons. @param[out] names The names, moves
- *  first, ended by NULL; #LessonStep.action is an index into them. @return Number of moves. */
+/**
+ * Returns the names of the window's commands, for lessons.
+ * @param[out] names  The names, moves first, ended by NULL; #LessonStep.action is an index into
+ *                    them.
+ * @return Number of moves.
+ */
 int view_actions(const char *names[VIEW_ACTIONS_MAXIMUM]);
 
 /** @return Whether a window can be opened here. */

@@ -148,8 +148,8 @@ static bool check_size(const FilmSettings *settings, Error *error) {
 }
 
 /**
- * Opens the file of a film. @return Whether it is open. Devices are rejected: encoders seek in
- * their output.
+ * Opens the file of a film.
+ * @return Whether it is open. Devices are rejected: encoders seek in their output.
  */
 static bool open_film_file(Film *film, const char *path, Error *error) {
     if (!atomic_file_open(&film->file, path, ATOMIC_REPLACE, error)) {
@@ -197,8 +197,9 @@ bool film_add_frame(Film *film, const Picture *picture, Error *error) {
 }
 
 /**
- * @return Whether a film's file has content. @param film The film, after the end of ffmpeg.
- *         @param[out] error What is wrong.
+ * @return Whether a film's file has content.
+ * @param film        The film, after the end of ffmpeg.
+ * @param[out] error  What is wrong.
  */
 static bool check_written(const Film *film, Error *error) {
     struct stat found;

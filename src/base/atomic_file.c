@@ -118,7 +118,8 @@ bool atomic_file_check(const char *path, Error *error) {
 
 /**
  * Renames the temporary file without replacing another. Some file systems lack that operation; a
- * hard link has the same effect, as it fails if the name exists. @return 0, or -1 with errno set.
+ * hard link has the same effect, as it fails if the name exists.
+ * @return 0, or -1 with errno set.
  */
 static int rename_without_replacing(const AtomicFile *file) {
     int failed =

@@ -23,8 +23,8 @@
 void language_init(void);
 
 /**
- * Sets a language, like #language_init: for worker processes. @param is_french Whether it is
- * French.
+ * Sets a language, like #language_init: for worker processes.
+ * @param is_french  Whether it is French.
  */
 void language_init_as(bool is_french);
 
@@ -35,8 +35,8 @@ void language_toggle(void);
 bool language_is_french(void);
 
 /**
- * @return Number of characters of a text, one column each on a terminal. @param text The text,
- *         UTF-8.
+ * @return Number of characters of a text, one column each on a terminal.
+ * @param text  The text, UTF-8.
  */
 int language_text_width(const char *text);
 

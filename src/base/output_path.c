@@ -54,8 +54,8 @@ static bool follow_link(char path[PATH_MAX]) {
 }
 
 /**
- * Follows all symbolic links at the end of a path. @return false with errno set if they form a
- * cycle.
+ * Follows all symbolic links at the end of a path.
+ * @return false with errno set if they form a cycle.
  */
 static bool follow_links(char path[PATH_MAX]) {
     for (int links = 0; links < LINKS_MAXIMUM; links++) {

@@ -37,8 +37,9 @@ bool output_path_is_direct(const OutputPath *output);
 int output_path_dir_length(const char *path);
 
 /**
- * Checks whether files can be created in the folder of a target. @param output The target. @return
- * false with errno set.
+ * Checks whether files can be created in the folder of a target.
+ * @param output  The target.
+ * @return false with errno set.
  */
 bool output_path_dir_is_writable(const OutputPath *output);
 

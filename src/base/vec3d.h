@@ -119,7 +119,9 @@ static inline Aabbd aabbd_infinite(void) {
 }
 
 /**
- * @return The smallest box that contains a box and a point. @param box The box. @param p The point.
+ * @return The smallest box that contains a box and a point.
+ * @param box  The box.
+ * @param p    The point.
  */
 static inline Aabbd aabbd_add_point(Aabbd box, Vec3d p) {
     return (Aabbd){{p.x < box.low.x ? p.x : box.low.x, p.y < box.low.y ? p.y : box.low.y,

@@ -108,8 +108,12 @@ static bool check_values(const Mesh *mesh, Error *error) {
     return true;
 }
 
-/** Checks indices. @param triangles The indices, or NULL. @param end Size of the indexed array.
- *  @return Whether all are in range. */
+/**
+ * Checks indices.
+ * @param triangles  The indices, or NULL.
+ * @param end        Size of the indexed array.
+ * @return Whether all are in range.
+ */
 static bool check_indices(const MeshTriangle *triangles, size_t count, size_t end, Error *error) {
     for (size_t i = 0; triangles && i < count; i++) {
         const uint32_t *index = triangles[i].index;

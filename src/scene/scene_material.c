@@ -95,8 +95,8 @@ static const SceneMaterial scene_material_defaults = {
     .color = {1, 1, 1}, .ambient = 1, .diffuse = 1, .shininess = 50, .ior = 1.5};
 
 /**
- * Rejects materials that return more light than arrives. See #Keyword.finish. @return Whether the
- * sum of reflectivity and transparency is at most 1.
+ * Rejects materials that return more light than arrives. See #Keyword.finish.
+ * @return Whether the sum of reflectivity and transparency is at most 1.
  */
 static bool scene_material_finish(void *values, uint64_t given, Error *error) {
     (void)given;

@@ -129,8 +129,8 @@ static void sdf_transform_bounds(Sdf *sdf, const Transform *t) {
 }
 
 /**
- * Rejects fields too small or too large for the engines' number types. @return Whether the size is
- * valid.
+ * Rejects fields too small or too large for the engines' number types.
+ * @return Whether the size is valid.
  */
 static bool sdf_check_size(const Sdf *sdf, Error *error) {
     double max_coordinate = fmax(vec3d_max_abs(sdf->low), vec3d_max_abs(sdf->high));
@@ -323,8 +323,9 @@ static const SdfOp combination_ops[] = {[SDF_COMBINE_UNION] = SDF_UNION,
                                         [SDF_COMBINE_SMOOTH_UNION] = SDF_SMOOTH_UNION};
 
 /**
- * Extends the properties of a union by one more field. @param[in,out] out The union so far. @param
- * next The field.
+ * Extends the properties of a union by one more field.
+ * @param[in,out] out  The union so far.
+ * @param next         The field.
  */
 static void sdf_union_bounds(Sdf *out, const Sdf *next) {
     out->low = vec3d_min(out->low, next->low);

@@ -86,8 +86,8 @@ static const SdfPrimitive sdf_box = {
     .create = sdf_box_create};
 
 /**
- * Rejects edges thicker than the frame. See #Keyword.finish. @return Whether the thickness is
- * valid.
+ * Rejects edges thicker than the frame. See #Keyword.finish.
+ * @return Whether the thickness is valid.
  */
 static bool sdf_box_frame_finish(void *values, uint64_t given, Error *error) {
     (void)given;

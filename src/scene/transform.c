@@ -71,8 +71,8 @@ static void matrix_rotate(double matrix[3][3], int axis, double degrees) {
 }
 
 /**
- * Rejects scales that are zero or too small, and computes the matrix. See #Keyword.finish. @return
- * Whether all scales are valid.
+ * Rejects scales that are zero or too small, and computes the matrix. See #Keyword.finish.
+ * @return Whether all scales are valid.
  */
 static bool transform_finish(void *values, uint64_t given, Error *error) {
     (void)given;

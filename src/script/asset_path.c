@@ -10,8 +10,10 @@
 #include <string.h>
 
 /**
- * Finds the folder of the files of a scene. @param request The request. @param[out] dir The folder
- * as the user gave it, with a slash at its end; empty: the working directory.
+ * Finds the folder of the files of a scene.
+ * @param request   The request.
+ * @param[out] dir  The folder as the user gave it, with a slash at its end; empty: the working
+ *                  directory.
  */
 static void find_base_dir(const ScriptRequest *request, char dir[PATH_MAX]) {
     if (request->base_dir) {

@@ -161,8 +161,9 @@ static void read_size(lua_State *L, LessonSettings *settings) {
 }
 
 /**
- * Reads the path of the scene's file, relative to the folder of the lesson. @param L The state,
- * with the lesson's table first. @param lesson The lesson.
+ * Reads the path of the scene's file, relative to the folder of the lesson.
+ * @param L       The state, with the lesson's table first.
+ * @param lesson  The lesson.
  */
 static void read_scene(lua_State *L, Lesson *lesson) {
     const char *path = ((ScriptRun *)script_sandbox_of(L)->context)->request->path;

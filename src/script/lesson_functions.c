@@ -35,7 +35,9 @@ static LessonBuilder *current_builder(lua_State *L) {
 }
 
 /**
- * Adds a step at the current time. @param L The state. @param step The step; its time is set here.
+ * Adds a step at the current time.
+ * @param L     The state.
+ * @param step  The step; its time is set here.
  */
 static void add_step(lua_State *L, LessonStep step) {
     LessonBuilder *builder = current_builder(L);
@@ -100,8 +102,9 @@ static int read_action(lua_State *L, bool is_move) {
 }
 
 /**
- * Advances the time of the lesson. @param L The state. @param index Index of the argument with the
- * seconds.
+ * Advances the time of the lesson.
+ * @param L      The state.
+ * @param index  Index of the argument with the seconds.
  */
 static void advance_time(lua_State *L, int index) {
     double seconds = read_number(L, index, "seconds", 0, LESSON_WAIT_MAXIMUM);
@@ -119,7 +122,8 @@ static int call_lesson(lua_State *L) {
 }
 
 /**
- * `caption { en = ..., fr = ..., wait = true }` or `caption "TEXT"`. See lua_CFunction. @return 0
+ * `caption { en = ..., fr = ..., wait = true }` or `caption "TEXT"`. See lua_CFunction.
+ * @return 0
  */
 static int call_caption(lua_State *L) {
     check_argument_count(L, 1, 1, "caption { en = \"...\", fr = \"...\", wait = true }");

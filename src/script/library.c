@@ -216,8 +216,8 @@ static void open_library(lua_State *L, const luaL_Reg *library) {
 }
 
 /**
- * Seeds the random numbers, so that they are the same on every run. @param L The state, with the
- * globals on top.
+ * Seeds the random numbers, so that they are the same on every run.
+ * @param L  The state, with the globals on top.
  */
 static void seed_random(lua_State *L) {
     /** Any constant is suitable. */

@@ -24,9 +24,9 @@ enum { SANITIZED_PATH_SIZE = 768 };
 void sanitize_text(char *out, size_t size, const char *text, size_t length);
 
 /**
- * Copies a path for a message: sanitized, and cut at its start if it is long. @param[out] out The
- * copy.
- * @param path The path.
+ * Copies a path for a message: sanitized, and cut at its start if it is long.
+ * @param[out] out  The copy.
+ * @param path      The path.
  */
 void sanitize_path(char out[SANITIZED_PATH_SIZE], const char *path);
 

@@ -72,8 +72,9 @@ static int handle_error(lua_State *L) {
 }
 
 /**
- * Completes the report of a run. @param sandbox The sandbox of the run. @param status Result of
- * lua_pcall.
+ * Completes the report of a run.
+ * @param sandbox  The sandbox of the run.
+ * @param status   Result of lua_pcall.
  */
 static void finish_result(const ScriptSandbox *sandbox, int status) {
     ScriptResult *result = sandbox->result;

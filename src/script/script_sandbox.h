@@ -55,8 +55,10 @@ SourceLocation script_sandbox_location(lua_State *L);
 void script_sandbox_load(lua_State *L, ScriptText *script, const char *path);
 
 /**
- * Formats the error that the memory limit is reached. @param sandbox The sandbox. @param[out]
- * message The text. @param size Its size in bytes.
+ * Formats the error that the memory limit is reached.
+ * @param sandbox       The sandbox.
+ * @param[out] message  The text.
+ * @param size          Its size in bytes.
  */
 void script_sandbox_memory_message(const ScriptSandbox *sandbox, char *message, size_t size);
 

@@ -30,8 +30,9 @@ typedef struct ScriptJobHead {
 // --- in the program ------------------------------------------------------------------------------
 
 /**
- * @return Bytes of all names of actions. @param actions The names. @param[out] count Number of
- *         names.
+ * @return Bytes of all names of actions.
+ * @param actions     The names.
+ * @param[out] count  Number of names.
  */
 static size_t action_names_size(const ActionNames *actions, size_t *count) {
     size_t size = 0;
@@ -42,8 +43,10 @@ static size_t action_names_size(const ActionNames *actions, size_t *count) {
 }
 
 /**
- * Packs a request. @param call The call. @param[out] size Its size in bytes. @return The request,
- * to be freed with `free`; NULL without memory.
+ * Packs a request.
+ * @param call       The call.
+ * @param[out] size  Its size in bytes.
+ * @return The request, to be freed with `free`; NULL without memory.
  */
 static void *pack_request(const ScriptCall *call, size_t *size) {
     const ScriptRequest *request = call->request;
@@ -134,8 +137,8 @@ bool script_worker_run(const ScriptCall *call, Error *error) {
 // --- in the worker -------------------------------------------------------------------------------
 
 /**
- * Copies the text out of a request, because the run frees it. @return The text; empty without
- * memory.
+ * Copies the text out of a request, because the run frees it.
+ * @return The text; empty without memory.
  */
 static ScriptText unpack_text(const ScriptJobHead *head) {
     ScriptText text = {.text = malloc(head->text_size + 1), .size = head->text_size};

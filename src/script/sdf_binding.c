@@ -36,8 +36,9 @@ const Sdf *sdf_binding_test(lua_State *L, int index) {
 }
 
 /**
- * @return A new field on top of the stack, with memory for nodes. @param L The state. @param
- *         instructions Number of nodes.
+ * @return A new field on top of the stack, with memory for nodes.
+ * @param L             The state.
+ * @param instructions  Number of nodes.
  */
 static Sdf *push_sdf(lua_State *L, int instructions) {
     Sdf *sdf = lua_newuserdatauv(L, sdf_size(instructions), 0);

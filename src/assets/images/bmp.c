@@ -135,8 +135,9 @@ bool bmp_write(const Picture *picture, FILE *stream, Error *error) {
 }
 
 /**
- * Parses a header. @param[out] header The result. @param bytes The bytes of the header and of the
- * masks.
+ * Parses a header.
+ * @param[out] header  The result.
+ * @param bytes        The bytes of the header and of the masks.
  */
 static void parse_header(BmpHeader *header, const uint8_t bytes[HEADER_SIZE + MASKS_SIZE]) {
     *header = (BmpHeader){

@@ -26,8 +26,9 @@ typedef struct ImageFormat {
 const ImageFormat *image_format_bmp(void);
 
 /**
- * Finds the format of a file's extension, ignoring case. @param path The file. @return The format;
- * NULL: unknown.
+ * Finds the format of a file's extension, ignoring case.
+ * @param path  The file.
+ * @return The format; NULL: unknown.
  */
 const ImageFormat *image_format_by_extension(const char *path);
 

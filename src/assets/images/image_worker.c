@@ -154,8 +154,9 @@ bool image_worker_check(Error *error) {
 }
 
 /**
- * @return Bytes of the metadata of a picture. @param metadata The metadata. @param[out] count
- *         Number of entries.
+ * @return Bytes of the metadata of a picture.
+ * @param metadata    The metadata.
+ * @param[out] count  Number of entries.
  */
 static size_t metadata_size(const MetadataEntry *metadata, size_t *count) {
     size_t size = 0;
@@ -259,8 +260,8 @@ void image_worker_read_with(WorkerJob *job, const ImagePlugin *plugin) {
 }
 
 /**
- * Unpacks the metadata of a request. @return Entries, ended by one without a name; to be freed with
- * `free`.
+ * Unpacks the metadata of a request.
+ * @return Entries, ended by one without a name; to be freed with `free`.
  */
 static MetadataEntry *unpack_metadata(const ImageWorkerRequest *request) {
     const char *next = (const char *)(request + 1) + pixels_size(request);
@@ -275,7 +276,8 @@ static MetadataEntry *unpack_metadata(const ImageWorkerRequest *request) {
 }
 
 /**
- * Encodes the picture of a request. The next call frees the file. @return Whether it was encoded.
+ * Encodes the picture of a request. The next call frees the file.
+ * @return Whether it was encoded.
  */
 static bool encode_picture(WorkerJob *job, const ImagePlugin *plugin, Error *error) {
     static EncodedImage file;

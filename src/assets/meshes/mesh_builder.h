@@ -49,8 +49,9 @@ bool mesh_builder_add(void *context, const MeshCorner corners[3]);
 bool mesh_builder_finish(MeshBuilder *builder, Mesh *counts);
 
 /**
- * Copies the result. @param builder The builder. @param[out] mesh A mesh of the sizes that
- * #mesh_builder_finish computed, its arrays bound.
+ * Copies the result.
+ * @param builder    The builder.
+ * @param[out] mesh  A mesh of the sizes that #mesh_builder_finish computed, its arrays bound.
  */
 void mesh_builder_copy(const MeshBuilder *builder, Mesh *mesh);
 

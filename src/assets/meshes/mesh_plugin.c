@@ -226,7 +226,8 @@ static MeshCorner corner_of(const struct aiMesh *mesh, unsigned i) {
 }
 
 /**
- * Passes a triangle to the sink. @return false if its indices are invalid, or if the sink stops.
+ * Passes a triangle to the sink.
+ * @return false if its indices are invalid, or if the sink stops.
  */
 static bool emit_triangle(const struct aiMesh *mesh, const struct aiFace *face,
                           const MeshSink *sink, MeshImportResult *result) {

@@ -50,8 +50,8 @@ static const char *find_program(char path[PATH_MAX]) {
 }
 
 /**
- * Spawns a worker with default signals and one end of the socket pair. @return 0, or an error
- * number.
+ * Spawns a worker with default signals and one end of the socket pair.
+ * @return 0, or an error number.
  */
 static int spawn(WorkerProcess *process, const WorkerCall *call, int socket) {
     char path[PATH_MAX] = "dioptre-worker", task[32], parent[16], language[4];
@@ -96,7 +96,8 @@ static int start(WorkerProcess *process, const WorkerCall *call) {
 }
 
 /**
- * Waits for the end of a worker. @return Its status as of waitpid; 0 if the system has reaped it.
+ * Waits for the end of a worker.
+ * @return Its status as of waitpid; 0 if the system has reaped it.
  */
 static int reap(WorkerProcess *process) {
     int status = 0;

@@ -146,8 +146,8 @@ bool pipe_process_write(PipeProcess *program, const void *bytes, size_t size) {
 }
 
 /**
- * Waits for the end of a program; kills it if its stop flag is set. @return Its status as of
- * waitpid.
+ * Waits for the end of a program; kills it if its stop flag is set.
+ * @return Its status as of waitpid.
  */
 static int wait_for_exit(PipeProcess *program) {
     int status = 0;
@@ -161,8 +161,9 @@ static int wait_for_exit(PipeProcess *program) {
 }
 
 /**
- * Reads the start of a program's error messages, as one line without control characters. @param
- * program The program. @param[out] text The text; empty if there is none.
+ * Reads the start of a program's error messages, as one line without control characters.
+ * @param program    The program.
+ * @param[out] text  The text; empty if there is none.
  */
 static void read_error_text(const PipeProcess *program, char text[ERROR_TEXT_SIZE]) {
     ssize_t count = pread(program->error_file, text, ERROR_TEXT_SIZE - 1, 0);

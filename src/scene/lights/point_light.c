@@ -22,8 +22,8 @@ static const SceneLight point_light_defaults = {
     .color = {1, 1, 1}, .intensity = 1, .position = {0, 1.9, 0}, .falloff = FALLOFF_NONE};
 
 /**
- * Rejects spheres too small for the engines' number types. See #Keyword.finish. @return Whether it
- * is valid.
+ * Rejects spheres too small for the engines' number types. See #Keyword.finish.
+ * @return Whether it is valid.
  */
 static bool point_light_finish(void *values, uint64_t given, Error *error) {
     (void)given;

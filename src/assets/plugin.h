@@ -9,10 +9,9 @@
 
 /** A module, with the messages for its absence. */
 typedef struct Plugin {
-    const char *file; /**< File name. */
-    const char
-        *symbol; /**< Its exported symbol: a struct that begins with an `int`, its version. */
-    int version; /**< Required version. */
+    const char *file;            /**< File name. */
+    const char *symbol;          /**< Exported symbol: a struct that starts with an `int`. */
+    int version;                 /**< Required value of that `int`. */
     const char *purpose;         /**< What needs the module, for messages. */
     const char *library;         /**< Its library, for messages. */
     const char *build_package;   /**< Package that contains the library for builds. */

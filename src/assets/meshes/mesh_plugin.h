@@ -45,8 +45,7 @@ typedef struct MeshSink {
 
 /** Defects and errors of a mesh file. */
 typedef struct MeshImportResult {
-    size_t
-        untriangulated_polygons; /**< Missing triangles of polygons that cannot be triangulated. */
+    size_t untriangulated_polygons;         /**< Missing triangles of invalid polygons. */
     char message[MESH_PLUGIN_MESSAGE_SIZE]; /**< Error message, without the file's name. */
 } MeshImportResult;
 

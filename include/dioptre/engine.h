@@ -24,7 +24,7 @@ enum {
     AOV_UV = 4        /**< Texture coordinates of the first hit. */
 };
 
-/** Lights with a bit of their own; further lights are not recorded. */
+/** Number of lights that have a bit in the masks; further lights are not recorded. */
 enum { AOV_MAX_LIGHTS = 64 };
 
 /** Secondary rays of the first hit: reflected and refracted. */
@@ -56,12 +56,14 @@ typedef enum {
     RAY_REFRACTION  /**< Refracted into or out of a transparent shape. */
 } RayType;
 
-/** Most rays of a tree: a limit of memory. */
+/** Largest number of rays of a tree, to limit its memory. */
 enum { RAY_TREE_MAX_NODES = 1 << 20 };
 
-/** Optics of a surface at a hit. Its colour without secondary rays is `emission + albedo (ambient +
- *  diffuse D) + specular S`, where D and S are the sums of #RayTreeNode.diffuse and
- *  #RayTreeNode.specular of its shadow rays, in their order. */
+/**
+ * Optics of a surface at a hit. Without secondary rays, its colour is `emission + albedo (ambient +
+ * diffuse D) + specular S`. D and S are the sums of #RayTreeNode.diffuse and #RayTreeNode.specular
+ * of its shadow rays, in their order.
+ */
 typedef struct RayTreeSurface {
     double epsilon;      /**< Offset of rays that leave the surface, scene units. */
     double ulps;         /**< The same in ulps of the largest coordinate of the point. */
@@ -70,11 +72,11 @@ typedef struct RayTreeSurface {
     bool is_transparent; /**< Whether light is refracted; otherwise the next five are unset. */
     bool is_overridden;  /**< Whether a later shape overrides the interface. */
     bool is_total;       /**< Whether reflection is total. */
-    double ior_from;     /**< Index of refraction on the ray's side. */
-    double ior_to;       /**< Index of refraction behind the surface. */
+    double ior_from;     /**< Index of refraction on the side of the ray. */
+    double ior_to;       /**< Index of refraction on the other side of the surface. */
     double fresnel;      /**< Fresnel reflectance. */
     Rgbd emission;       /**< Emitted light. */
-    Rgbd albedo;         /**< Diffuse albedo, weighted, and times the texture's. */
+    Rgbd albedo;         /**< Diffuse albedo, times its weight and the texture. */
     Rgbd specular;       /**< Weight of highlights. */
     Rgbd ambient;        /**< Ambient light. */
     double diffuse;      /**< Weight of diffuse light of the lights. */
@@ -103,19 +105,20 @@ typedef struct RayTreeNode {
     RayTreeSurface surface; /**< Optics of the surface hit; not of shadow rays. */
     Rgbd diffuse;           /**< Of shadow rays: V L f max(0, n . l), for diffuse light. */
     Rgbd specular;          /**< Of shadow rays: V L f max(0, r . v)^shininess, for highlights. */
-    Rgbd transmittance;     /**< Of shadow rays: share of light that transparent shapes leave. */
-    Rgbd local_color; /**< Radiance without secondary rays: of the sky, a light or a surface. */
-    Rgbd color;       /**< Radiance: #local_color plus the weighted colours of secondary
-                           rays. */
+    Rgbd transmittance; /**< Of shadow rays: fraction of the light that transparent shapes leave. */
+    Rgbd local_color;   /**< Radiance without secondary rays: of the sky, a light or a surface. */
+    Rgbd color;         /**< Radiance: #local_color plus the weighted colours of secondary
+                             rays. */
 } RayTreeNode;
 
 /** The ray tree of one pixel. Starts as `{0}`; freed by #ray_tree_deinit. */
 typedef struct RayTree {
     RayTreeNode *nodes; /**< The rays, each after its parent; owned. */
     size_t count;       /**< Number of rays. */
-    size_t capacity;    /**< Number of rays that the memory is enough for. */
+    size_t capacity;    /**< Capacity of #nodes. */
     int current;        /**< While recording: the ray being traced. */
-    bool is_truncated;  /**< Whether rays are missing for lack of memory, or #RAY_TREE_MAX_NODES. */
+    bool is_truncated;  /**< Whether rays are missing, for lack of memory or beyond
+                           #RAY_TREE_MAX_NODES. */
 } RayTree;
 
 /** Frees the rays of a tree and empties it. */
@@ -157,16 +160,16 @@ typedef enum {
 typedef struct Tracer Tracer;
 
 /**
- * Default of #TraceSettings.cutoff: a ray of this weight changes no pixel by half a step of 8 bits,
- * 1 / 510, at the dark end of the sRGB curve, whose slope is 12.92.
+ * Default of #TraceSettings.cutoff. A ray of this weight changes no pixel by half a step of 8 bits,
+ * even at the dark end of the sRGB curve: its slope there is 12.92, and half a step is 1 / 510.
  */
 #define THROUGHPUT_CUTOFF 1.5e-4
 
 /** How a tracer traces a scene. */
 typedef struct TraceSettings {
-    int depth;   /**< Most reflections and refractions in succession. */
+    int depth;   /**< Largest number of successive reflections and refractions. */
     int samples; /**< Rays per pixel; if more than one, spherical lights cast soft shadows. */
-    OffsetStrategy offset; /**< How far from a surface secondary rays start. */
+    OffsetStrategy offset; /**< Distance from a surface at which secondary rays start. */
     double epsilon;        /**< The distance for #OFFSET_FIXED, scene units. */
     double
         cutoff; /**< Throughput below which a ray ends; 0: where it cannot change an 8-bit image. */
@@ -370,10 +373,10 @@ bool engine_is_supported(const Engine *engine);
  */
 const Engine *engine_find(const char *name, Error *error);
 
-/** The purpose that an engine is chosen for. */
+/** The purpose of an engine. */
 typedef enum {
     ENGINE_FASTEST,  /**< The default: the preferred engine of this processor. */
-    ENGINE_DOUBLE,   /**< Where single precision shows errors. */
+    ENGINE_DOUBLE,   /**< For scenes in which single precision shows errors. */
     ENGINE_REFERENCE /**< Errors are measured against it: more bits than double. */
 } EngineRole;
 

@@ -13,17 +13,17 @@
 
 /** An experiment, as the command line shows it. */
 typedef struct LabTest {
-    const char *name;   /**< As on the command line, such as `sphere-distance`. */
-    const char *title;  /**< What it shows. */
+    const char *name;   /**< Name on the command line, such as `sphere-distance`. */
+    const char *title;  /**< Title: what the experiment shows. */
     bool has_benchmark; /**< Whether #lab_benchmark_test can time its methods. */
 } LabTest;
 
-/** Where results go, and how they are computed. */
+/** Output and computation of an experiment. */
 typedef struct LabRequest {
     const char *folder;      /**< Folder of CSV and SVG files; created if necessary. */
-    int threads;             /**< How many threads run, at least 1. */
-    const atomic_bool *stop; /**< An experiment is given up once this is true; may be NULL. */
-    FILE *table_stream;      /**< Tables are printed here; NULL: not at all. */
+    int threads;             /**< Number of threads, at least 1. */
+    const atomic_bool *stop; /**< The experiment stops once this is true; may be NULL. */
+    FILE *table_stream;      /**< Stream for tables; NULL: none are printed. */
 } LabRequest;
 
 /** @return The number of experiments. */
@@ -33,8 +33,9 @@ size_t lab_test_count(void);
 LabTest lab_test_at(size_t index);
 
 /**
- * Creates the folder of results, and tests that it is writable.
- * @param[out] error  Why not (#STATUS_FAILED).
+ * Creates the folder of results, and checks that it is writable.
+ * @param request     The request.
+ * @param[out] error  What is wrong (#STATUS_FAILED).
  * @return Whether results can be written.
  */
 bool lab_create_folder(const LabRequest *request, Error *error);

@@ -13,7 +13,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/** What a picture shows. */
+/** The quantity that a picture shows. */
 typedef enum Layer {
     LAYER_SHADED,   /**< Radiance: the picture itself. */
     LAYER_NORMALS,  /**< Unit normals of surfaces. */
@@ -28,7 +28,7 @@ typedef enum Layer {
     LAYER_COUNT     /**< Number of layers. */
 } Layer;
 
-/** Most numbers per pixel. */
+/** Largest number of values per pixel. */
 enum { LAYER_VALUES = 3 };
 
 /** The pixels of #LAYER_ACNE. */
@@ -43,7 +43,7 @@ typedef struct LayerScale {
     double low;   /**< Number of the first colour. */
     double high;  /**< Number of the last colour. */
     bool is_log;  /**< Whether it is logarithmic. */
-    double slope; /**< Share of the palette per unit of the number or its logarithm. */
+    double slope; /**< Fraction of the palette per unit of the number or its logarithm. */
 } LayerScale;
 
 /** The statistics of a layer. */
@@ -52,7 +52,7 @@ typedef struct LayerStats {
     LayerScale scale;         /**< Its scale; zero for layers without one. */
     uint64_t pixel_count;     /**< Rays, one per pixel at full resolution. */
     uint64_t artifact_pixels; /**< Of these, in #LAYER_ACNE: with acne; in #LAYER_ERROR: with an
-                          error of more than a step. */
+                                 error of more than a step. */
     uint64_t leak_pixels;     /**< In #LAYER_ACNE: with a leak. */
 } LayerStats;
 
@@ -63,7 +63,7 @@ typedef struct LegendEntry {
     const char *label; /**< Its meaning, in English; NULL: the number. */
 } LegendEntry;
 
-/** Most rows of a legend. */
+/** Largest number of rows of a legend. */
 enum { LEGEND_ENTRIES_MAXIMUM = 10 };
 
 /** @return A layer's name, such as `distance`, in English. */
@@ -80,8 +80,12 @@ const char *layer_unit(Layer layer);
  */
 void layer_values(Layer layer, const AovSample *sample, float values[LAYER_VALUES]);
 
-/** @return A scale with round ends. @param low Least number of the picture. @param high Greatest
- *  number; below \p low if there is none. */
+/**
+ * @return A scale with round ends.
+ * @param layer  The layer.
+ * @param low    Smallest number of the picture.
+ * @param high   Largest number; below \p low if there is none.
+ */
 LayerScale layer_scale(Layer layer, double low, double high);
 
 /**

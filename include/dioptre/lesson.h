@@ -1,9 +1,9 @@
 /**
  * @file
- * @brief A lesson: what is done in the window, and when, with words for the class.
+ * @brief A lesson: a sequence of actions in the window, with their times, and captions.
  *
- * A lesson is plain data. It lives in one block of memory that a worker process can make and send,
- * as a scene does.
+ * A lesson is plain data in one block of memory, which a worker process can create and send like a
+ * scene.
  */
 #ifndef DIOPTRE_LESSON_H
 #define DIOPTRE_LESSON_H
@@ -14,11 +14,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/** Most steps of a lesson. */
+/** Largest number of steps of a lesson. */
 enum { LESSON_STEPS_MAXIMUM = 65536 };
-/** Most bytes of all texts of a lesson. */
+/** Largest size of all texts of a lesson, bytes. */
 enum { LESSON_TEXT_MAXIMUM = 1 << 20 };
-/** Longest wait, seconds. */
+/** Largest wait, seconds. */
 #define LESSON_WAIT_MAXIMUM 3600.0
 
 /** A text in the languages of the program; owned by the lesson. */
@@ -32,7 +32,7 @@ typedef enum {
     LESSON_PRESS,   /**< The key of a command goes down. */
     LESSON_RELEASE, /**< The key of a move goes up. */
     LESSON_SPEED,   /**< The speed of moves changes: Shift, Ctrl. */
-    LESSON_TURN,    /**< The camera turns: the mouse is dragged. */
+    LESSON_TURN,    /**< The camera rotates: the mouse is dragged. */
     LESSON_ZOOM,    /**< The field of view changes: the wheel. */
     LESSON_SIZE,    /**< The window changes its size. */
     LESSON_PIXEL,   /**< The rays of a pixel are shown: a click. */
@@ -56,14 +56,14 @@ typedef struct LessonStep {
     bool waits_for_viewer; /**< Whether a caption pauses the lesson. */
 } LessonStep;
 
-/** Render settings at the beginning; where unset, those of command line and scene. */
+/** Render settings at the beginning; unset values are those of command line and scene. */
 typedef struct LessonSettings {
     int samples;        /**< Samples per pixel; 0: unset. */
     int depth;          /**< Depth of reflections and refractions; -1: unset. */
     int offset;         /**< An #OffsetStrategy; -1: unset. */
     double epsilon;     /**< Scene units; negative: unset. */
-    int width;          /**< Of the window, screen units; 0: unset. */
-    int height;         /**< Of the window, screen units; 0: unset. */
+    int width;          /**< Width of the window, screen units; 0: unset. */
+    int height;         /**< Height of the window, screen units; 0: unset. */
     double time;        /**< The scene's `t`, seconds. */
     const char *engine; /**< Name of the engine, owned by the lesson; NULL: unset. */
 } LessonSettings;
@@ -75,30 +75,50 @@ typedef struct Lesson {
     LessonSettings initial_settings;        /**< Render settings at the beginning. */
     size_t count;                           /**< Number of steps. */
     LessonStep steps[LESSON_STEPS_MAXIMUM]; /**< The steps, in the order of time. */
-    size_t text_used;                       /**< Used bytes of #text. */
+    size_t text_used;                       /**< Number of used bytes of #text. */
     char text[LESSON_TEXT_MAXIMUM];         /**< All texts. */
 } Lesson;
 
-/** @return An empty lesson, to be given back with #lesson_destroy; NULL without memory.
- *  @param[out] error What is wrong. */
+/**
+ * Creates an empty lesson.
+ * @param[out] error  What is wrong.
+ * @return The lesson, to be freed with #lesson_destroy; NULL without memory.
+ */
 Lesson *lesson_create(Error *error);
 
-/** Makes an empty lesson at an address of its own, in a worker process. @return NULL where the
- *  address is taken. */
+/**
+ * Creates an empty lesson at a given address, in a worker process.
+ * @param address     The address.
+ * @param[out] error  What is wrong.
+ * @return The lesson; NULL if the address is not free.
+ */
 Lesson *lesson_create_at(void *address, Error *error);
 
-/** @return Bytes of a lesson's block that are used: all that another process needs of it. */
+/**
+ * @return Bytes in use of the block of a lesson, all that another process needs.
+ * @param lesson  The lesson.
+ */
 size_t lesson_block_size(const Lesson *lesson);
 
-/** Gives a lesson back. @param lesson The lesson, or NULL. */
+/** Frees a lesson. @param lesson The lesson, or NULL. */
 void lesson_destroy(Lesson *lesson);
 
-/** Adds a step. @param step Not before the last one; copied. @return false if the lesson is full.
+/**
+ * Adds a step.
+ * @param lesson      The lesson.
+ * @param step        The step, not before the last one; copied.
+ * @param[out] error  What is wrong.
+ * @return false if the lesson is full.
  */
 bool lesson_add(Lesson *lesson, const LessonStep *step, Error *error);
 
-/** Stores a text. @param text UTF-8; copied. @return The copy, owned by the lesson; NULL if the
- * lesson is full. */
+/**
+ * Stores a text.
+ * @param lesson      The lesson.
+ * @param text        The text, UTF-8; copied.
+ * @param[out] error  What is wrong.
+ * @return The copy, owned by the lesson; NULL if the lesson is full.
+ */
 const char *lesson_store_text(Lesson *lesson, const char *text, Error *error);
 
 /** @return A text in one language, else in the other; empty without any. */

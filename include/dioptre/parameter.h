@@ -105,8 +105,8 @@ void keyword_translate(const Keyword *keyword, void *values, Vec3d offset);
 
 /** A transform. Filled through #transform_keyword. */
 typedef struct Transform {
-    Vec3d scale;         /**< Scale, applied first; negative: mirrored. */
-    Vec3d rotate;        /**< Rotation about x, then y, then z, degrees. */
+    Vec3d scale;  /**< Scale, applied first; negative: reflected in a plane through the origin. */
+    Vec3d rotate; /**< Rotation about x, then y, then z, degrees. */
     Vec3d translate;     /**< Translation, applied last, scene units. */
     double matrix[3][3]; /**< Scale and rotation, row by row; set by #Keyword.finish. */
 } Transform;

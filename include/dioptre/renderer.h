@@ -2,9 +2,9 @@
  * @file
  * @brief Rendering of pictures: threads, tiles and passes.
  *
- * A renderer owns a thread pool and a tracer. It renders in passes: coarse to fine where that is
- * wanted, then one sample per pixel after another. It renders either in one call (#renderer_render)
- * or in the background (#renderer_start); the final bits are the same.
+ * A renderer owns a thread pool and a tracer. It renders in passes: from coarse to fine in the
+ * background, then one sample per pixel after another. It renders either in one call
+ * (#renderer_render) or in the background (#renderer_start); the final bits are the same.
  */
 #ifndef DIOPTRE_RENDERER_H
 #define DIOPTRE_RENDERER_H
@@ -18,13 +18,13 @@
 /** Largest number of threads. */
 enum { THREADS_MAXIMUM = 1024 };
 
-/** How many samples a pixel gets. */
+/** Numbers of samples per pixel. */
 typedef enum {
-    SAMPLING_ADAPTIVE, /**< Few where their colours agree: the default. */
-    SAMPLING_FULL      /**< All of them. */
+    SAMPLING_ADAPTIVE, /**< Few in pixels whose first samples agree: the default. */
+    SAMPLING_FULL      /**< The full number in every pixel. */
 } Sampling;
 
-/** Which light there is. */
+/** The light of the picture. */
 typedef enum {
     LIGHTING_FULL,       /**< Lights and ambient light of the scene: the default. */
     LIGHTING_NO_AMBIENT, /**< The lights alone. */
@@ -39,20 +39,20 @@ typedef struct RenderSettings {
     int width;             /**< Pixels. */
     int height;            /**< Pixels. */
     int samples;           /**< Samples per pixel. */
-    Sampling sampling;     /**< Whether every pixel gets that many. */
+    Sampling sampling;     /**< Whether adaptive sampling may take fewer samples. */
     int encoding;          /**< An #Encoding. */
-    LightingMode lighting; /**< Which light there is. */
+    LightingMode lighting; /**< The light of the picture. */
     TraceSettings trace;   /**< Depth, offset and BVH; the renderer fills in the rest. */
 } RenderSettings;
 
 /** The state of a picture. */
 typedef struct RenderStats {
     double seconds;                 /**< Wall-clock time. */
-    double full_resolution_seconds; /**< Of that, until every pixel had a ray; 0: not yet. */
+    double full_resolution_seconds; /**< Time until every pixel had a ray; 0: not yet. */
     RayCounts rays;                 /**< Rays traced. */
     int stride;                     /**< Pixels from one ray to the next: 8, 4, 2 or 1. */
     int samples;                    /**< Samples per pixel. */
-    double progress;                /**< Share of the work that is done, 0 to 1. */
+    double progress;                /**< Completed fraction of the work, 0 to 1. */
     bool is_finished;               /**< Whether this is the last pass. */
     LayerStats layer;               /**< The layer shown, and its statistics. */
 } RenderStats;
@@ -64,7 +64,7 @@ typedef struct Renderer Renderer;
 typedef void (*RenderPassCallback)(void *context);
 
 /**
- * @return The settings of a scene file, with the engine that its precision needs and one thread per
+ * @return The settings of a scene file, with an engine of sufficient precision and one thread per
  *         processor.
  * @param scene  The scene.
  */
@@ -112,7 +112,7 @@ void renderer_destroy(Renderer *renderer);
 RenderStats renderer_render(Renderer *renderer, const atomic_bool *stop, Picture *picture);
 
 /**
- * @return Share of the work that is done, 0 to 1.
+ * @return Completed fraction of the work, 0 to 1.
  * @param renderer  A renderer, perhaps rendering on another thread.
  */
 double renderer_progress(const Renderer *renderer);
@@ -132,8 +132,8 @@ bool renderer_start(Renderer *renderer, const Scene *scene, int width, int heigh
                     RenderPassCallback callback, void *context, Error *error);
 
 /**
- * Chooses the layer that is rendered from the next #renderer_start on, with one ray per pixel.
- * Stops rendering.
+ * Sets the layer to render from the next #renderer_start on, with one ray per pixel. Stops
+ * rendering.
  * @param renderer  The renderer.
  * @param layer     The layer; #LAYER_SHADED, the picture itself, is the default.
  */

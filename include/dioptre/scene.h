@@ -2,9 +2,9 @@
  * @file
  * @brief A scene as plain data in double precision.
  *
- * A scene lives in one block of memory of its own, which one call gives back. Pointers in it lead
- * into it. So a worker process can make a scene at the address where the program wants it, and send
- * the bytes (script/script_worker.h).
+ * A scene lies in one block of memory with all its arrays, and all its pointers lead into that
+ * block. A worker process can therefore create a scene at the address where the program needs it,
+ * and send the bytes (script/script_worker.h).
  */
 #ifndef DIOPTRE_SCENE_H
 #define DIOPTRE_SCENE_H
@@ -24,51 +24,52 @@
 /** Colours of a texel: red, green, blue. */
 enum { TEXEL_CHANNELS = 3 };
 
-/** A picture to be shown. Its texels follow it in memory: #texture_ldr_texels or
- * #texture_hdr_texels. */
+/**
+ * An image for materials and skies. Its texels follow it in memory: #texture_ldr_texels or
+ * #texture_hdr_texels.
+ */
 typedef struct Texture {
-    int width;   /**< Texels, 1 to `IMAGE_SIZE_MAXIMUM`. */
-    int height;  /**< Texels, 1 to `IMAGE_SIZE_MAXIMUM`. */
-    bool is_hdr; /**< Whether texels are linear light, as floats; else 8-bit steps of sRGB. */
-    atomic_uint reference_count; /**< How many hold it. */
+    int width;   /**< Width in texels, 1 to `IMAGE_SIZE_MAXIMUM`. */
+    int height;  /**< Height in texels, 1 to `IMAGE_SIZE_MAXIMUM`. */
+    bool is_hdr; /**< Whether texels are floats in linear light; else bytes in sRGB. */
+    atomic_uint reference_count; /**< Number of references. */
 } Texture;
 
 /**
- * @return Bytes of the block that a texture lies in.
- * @param head  The texture; only its size and kind are read.
+ * @return Bytes of the block of a texture: the struct and its texels.
+ * @param head  The texture; only its size and #Texture.is_hdr are read.
  */
 size_t texture_block_size(const Texture *head);
 
-/** @return The texels of a texture of steps. @param texture The texture. */
+/** @return The texels of a texture in sRGB, 8 bits per channel. @param texture The texture. */
 static inline uint8_t *texture_ldr_texels(const Texture *texture) {
     return (uint8_t *)(uintptr_t)(texture + 1);
 }
 
-/** @return The texels of a texture of light. @param texture The texture. */
+/** @return The texels of a texture in linear light. @param texture The texture. */
 static inline float *texture_hdr_texels(const Texture *texture) {
     return (float *)(uintptr_t)(texture + 1);
 }
 
 /**
- * Makes a black texture, with one owner.
- * @param width       Texels.
- * @param height      Texels.
- * @param is_hdr    Whether it holds light.
+ * Creates a black texture with one reference.
+ * @param width       Width in texels.
+ * @param height      Height in texels.
+ * @param is_hdr      Whether its texels are in linear light.
  * @param[out] error  What is wrong.
- * @return The texture, to be given back with #texture_release; NULL without memory.
+ * @return The texture, to be freed with #texture_release; NULL without memory.
  */
 Texture *texture_create(int width, int height, bool is_hdr, Error *error);
 
-/** Becomes one more owner. @param texture The texture, or NULL. @return The same. */
+/** Adds a reference. @param texture The texture, or NULL. @return The same. */
 Texture *texture_retain(Texture *texture);
 
-/** Gives a texture back; the last owner's call gives its memory back. @param texture It, or NULL.
- */
+/** Removes a reference; the last one frees the memory. @param texture The texture, or NULL. */
 void texture_release(Texture *texture);
 
 /**
- * Puts right what no light can be: NaN and what is below 0 become 0, and what is brighter than any
- * lamp may be, infinity too, becomes as bright as that.
+ * Limits the texels in linear light to valid values: NaN and negative numbers become 0, and numbers
+ * above #INTENSITY_MAXIMUM, infinity too, become that maximum.
  * @param[in,out] texture  The texture.
  */
 void texture_sanitize(Texture *texture);
@@ -77,56 +78,57 @@ void texture_sanitize(Texture *texture);
 
 /** A pinhole camera. Filled from a scene file through #scene_camera_keyword. */
 typedef struct SceneCamera {
-    Vec3d position;  /**< Where the eye is. */
-    Vec3d look_at;   /**< A point in the middle of the picture, when `look_at` was given. */
-    Vec3d direction; /**< Which way it looks; after #Keyword.finish a unit vector. */
-    Vec3d up;        /**< Which way is up; after #Keyword.finish a unit vector at right angles. */
-    double pan;      /**< Degrees to the right of -z, when `pan` was given. */
-    double tilt;     /**< Degrees above the horizon, when `tilt` was given. */
+    Vec3d position;  /**< Position, scene units. */
+    Vec3d look_at;   /**< A point in the middle of the image, if `look_at` is given. */
+    Vec3d direction; /**< Viewing direction; after #Keyword.finish a unit vector. */
+    Vec3d up;        /**< Up in the image; after #Keyword.finish a unit vector, perpendicular. */
+    double pan;      /**< Degrees to the right of -z, if `pan` is given. */
+    double tilt;     /**< Degrees above the horizon, if `tilt` is given. */
     double fov;      /**< Horizontal field of view, degrees; the height follows from it. */
-    double target_distance; /**< Distance of what it looks at, scene units: the step of the keys. */
+    double target_distance; /**< Distance of the point it looks at, scene units; the keys move it in
+                               proportion. */
 } SceneCamera;
 
 /** The scene language's `camera`. */
 extern const Keyword scene_camera_keyword;
 
 /**
- * @return The unit vector to the right in the picture.
+ * @return The unit vector to the right in the image.
  * @param camera  A finished camera.
  */
 Vec3d scene_camera_right(const SceneCamera *camera);
 
 /**
- * Moves the camera without turning it.
+ * Translates the camera without rotation.
  * @param[in,out] camera  A finished camera.
  * @param right    Scene units to the right.
- * @param up       Scene units up in the picture.
+ * @param up       Scene units up in the image.
  * @param forward  Scene units ahead.
  */
 void scene_camera_move(SceneCamera *camera, double right, double up, double forward);
 
 /**
- * Turns the camera on the spot, as a head turns: about the vertical, then up or down, never over
- * the pole.
+ * Rotates the camera at its position: about the vertical, then up or down.
  * @param[in,out] camera  A finished camera.
- * @param vertical  The scene's own up, a unit vector.
+ * @param vertical  Up in the scene, a unit vector.
  * @param pan       Degrees to the right.
- * @param tilt      Degrees up; stops 1 degree before the pole.
+ * @param tilt      Degrees up; it stops 1 degree before the vertical.
  */
 void scene_camera_rotate(SceneCamera *camera, Vec3d vertical, double pan, double tilt);
 
 /**
- * Opens or closes the field of view.
+ * Changes the field of view.
  * @param[in,out] camera  A camera.
- * @param factor          The tangent of half the field is multiplied by this; kept in range.
+ * @param factor          Factor for the tangent of half the field of view; the result stays in
+ *                        range.
  */
 void scene_camera_zoom(SceneCamera *camera, double factor);
 
 /* --- Lights ----------------------------------------------------------------------------------- */
 
 /**
- * The registry: one line per class of lights. `CLASS(x)` stands for `scene_x_class`, a
- * #SceneLightClass, and in each engine for `x_class`, a LightClass.
+ * The registry of the classes of lights. `CLASS(x)` expands to a use of `scene_x_class`, a
+ * #SceneLightClass, and in each engine of `x_class`, a LightClass.
  */
 #define SCENE_LIGHT_CLASSES(CLASS)                                                                 \
     CLASS(point_light)                                                                             \
@@ -134,7 +136,7 @@ void scene_camera_zoom(SceneCamera *camera, double factor);
     CLASS(rectangle_light)                                                                         \
     CLASS(cylinder_light)
 
-/** How light decreases with the distance. */
+/** How light decreases with distance. */
 typedef enum {
     FALLOFF_NONE,          /**< Not at all. */
     FALLOFF_INVERSE_SQUARE /**< With the square of the distance. */
@@ -146,40 +148,47 @@ enum { SCENE_LIGHT_OWN_DOUBLES = 8 };
 /** A light of a scene, of any class. Filled through #SceneLightClass.keyword. */
 typedef struct SceneLight {
     size_t class_index; /**< Index in #scene_light_classes; 0 is the point light. */
-    Rgbd color;         /**< Linear colour. */
-    double intensity;   /**< Multiplies the colour. */
+    Rgbd color;         /**< Colour, linear. */
+    double intensity;   /**< Factor for the colour. */
     int falloff;        /**< A #Falloff; lights at infinity have none. */
-    Vec3d position;     /**< Centre, corner or base, scene units; not of lights at infinity. */
-    double radius;      /**< Of round lights, scene units; 0: a point. */
-    Vec3d direction;    /**< Of lights at infinity: where the light travels; not zero. */
-    double own[SCENE_LIGHT_OWN_DOUBLES]; /**< The class's own struct; see #scene_light_own. */
+    Vec3d position;     /**< Centre, corner or base, scene units; unused for lights at infinity. */
+    double radius;      /**< Radius of spherical and cylindrical lights, scene units; 0: a point. */
+    Vec3d direction;    /**< For lights at infinity: the direction in which the light travels; not
+                           zero. */
+    double own[SCENE_LIGHT_OWN_DOUBLES]; /**< The struct of the class; see #scene_light_own. */
 } SceneLight;
 
-/** Offset in #SceneLight of a field of a class's own struct, for its parameter table. */
+/** Offset in #SceneLight of a field of the struct of a class, for its parameter table. */
 #define SCENE_LIGHT_OWN_OFFSET(type, field) (offsetof(SceneLight, own) + offsetof(type, field))
 
-/** Most points of a light's outline. */
+/** Largest number of points of a light's outline. */
 enum { SCENE_LIGHT_OUTLINE_POINTS = 5 };
 
-/** A class of lights, as a scene sees it: the vtable. */
+/** A class of lights in the description of a scene: the vtable. */
 typedef struct SceneLightClass {
     const Keyword *keyword; /**< Name, fields and checks; its struct is a #SceneLight. */
 
     /**
-     * Moves the light. NULL: all of its points move.
-     * @param offset    Scene units.
+     * Moves the light. NULL: all of its #PARAMETER_POINT fields are translated.
+     * @param light     The light.
+     * @param offset    Translation, scene units.
      * @param distance  Distance at which a light at infinity is assumed, scene units.
      */
     void (*move)(SceneLight *light, Vec3d offset, double distance);
 
-    /** Puts the light where another one of its class is. NULL: all points are copied. */
+    /**
+     * Copies the position of another light of the class. NULL: all #PARAMETER_POINT fields are
+     * copied.
+     */
     void (*copy_position)(SceneLight *light, const SceneLight *source);
 
-    /** @return The middle of the light, scene units. NULL: the light is at infinity. */
+    /** @return The centre of the light, scene units. NULL: the light is at infinity. */
     Vec3d (*center)(const SceneLight *light);
 
-    /** Fills the points of a polyline that shows where the light is, scene units; NULL: none.
-     *  @return The number of points, at most #SCENE_LIGHT_OUTLINE_POINTS. */
+    /**
+     * Computes a polyline around the light, scene units; NULL: none.
+     * @return The number of points, at most #SCENE_LIGHT_OUTLINE_POINTS.
+     */
     size_t (*outline)(const SceneLight *light, Vec3d *points);
 
     /** @return The vector to the light, of any length. NULL: to its #center. */
@@ -192,7 +201,7 @@ extern const SceneLightClass *const scene_light_classes[];
 /** The scene language's `light`. */
 extern const Keyword scene_light_keyword;
 
-/** @return A class's own struct in a light of that class. */
+/** @return The struct of a class in a light of that class. @param light The light. */
 static inline const void *scene_light_own(const SceneLight *light) {
     return light->own;
 }
@@ -201,15 +210,15 @@ static inline const void *scene_light_own(const SceneLight *light) {
 const Keyword *scene_light_keyword_for(const SceneLight *light);
 
 /**
- * Finds the middle of a light, for drawings.
+ * Finds the centre of a light, for drawings.
  * @param light        The light.
- * @param[out] center  The middle, scene units.
+ * @param[out] center  The centre, scene units.
  * @return false if the light is at infinity.
  */
 bool scene_light_center(const SceneLight *light, Vec3d *center);
 
 /**
- * Finds a polyline that shows where a light is, for drawings.
+ * Computes a polyline that shows the position of a light, for drawings.
  * @param light        The light.
  * @param[out] points  #SCENE_LIGHT_OUTLINE_POINTS of them, scene units.
  * @return The number of points; 0: the light has no outline.
@@ -224,45 +233,46 @@ size_t scene_light_outline(const SceneLight *light, Vec3d *points);
 Vec3d scene_light_offset_from(const SceneLight *light, Vec3d point);
 
 /**
- * Moves a light. A light at infinity turns as though it were at a distance, so that the same
- * movement moves its shadows alike.
+ * Moves a light. A light at infinity is rotated as if it were at a given distance, so that its
+ * shadows move as far as those of a light there.
  * @param[in,out] light  The light.
- * @param offset         Scene units.
+ * @param offset         Translation, scene units.
  * @param distance       Distance at which a light at infinity is assumed, scene units.
  */
 void scene_light_move(SceneLight *light, Vec3d offset, double distance);
 
 /**
- * Puts a light where another one is; its colour and size stay. Does nothing if the classes differ.
+ * Copies the position of a light; colour and size stay. Does nothing if the classes differ.
  * @param[in,out] light  The light.
- * @param source         The other one.
+ * @param source         The light whose position is copied.
  */
 void scene_light_copy_position(SceneLight *light, const SceneLight *source);
 
 /* --- Materials -------------------------------------------------------------------------------- */
 
-/** A surface. Filled through #scene_material_keyword; the model is in doc/scene-reference.md. */
+/** A material. Filled through #scene_material_keyword; the model is in doc/scene-reference.md. */
 typedef struct SceneMaterial {
-    Rgbd color;        /**< Share of light that a matt surface sends back, per primary. */
-    size_t texture_id; /**< Place in `Scene.textures`, plus one, of what multiplies the colour; 0:
-                         nothing does. */
-    double ambient;    /**< Weight of the light from everywhere. */
-    double diffuse;    /**< Weight of each light's matt shine. */
-    double specular;   /**< Weight of each light's highlight (Phong). */
-    double shininess;  /**< Exponent of the highlight: the larger, the smaller it is. */
-    Rgbd reflectivity; /**< Share of light that is mirrored, 0 to 1. */
-    Rgbd transparency; /**< Share of light that is let through; 1 at most with #reflectivity. */
-    double ior;        /**< Index of refraction inside; 1 is air. */
-    Rgbd emission;     /**< Light of its own. */
+    Rgbd color;        /**< Diffuse reflectance per channel, 0 to 1. */
+    size_t texture_id; /**< Index in #Scene.textures, plus one, of the texture that multiplies the
+                          colour; 0: none. */
+    double ambient;    /**< Factor for the ambient light. */
+    double diffuse;    /**< Factor for the diffuse reflection of each light. */
+    double specular;   /**< Factor for the specular highlight of each light (Phong). */
+    double shininess;  /**< Exponent of the highlight: the larger, the smaller the bright spot. */
+    Rgbd reflectivity; /**< Fraction of the light that is reflected, per channel, 0 to 1. */
+    Rgbd transparency; /**< Fraction that is transmitted, per channel; the sum with #reflectivity is
+                          at most 1. */
+    double ior;        /**< Index of refraction inside; that of air is 1. */
+    Rgbd emission;     /**< Light that the surface emits, linear. */
 } SceneMaterial;
 
 /** The scene language's `material`. */
 extern const Keyword scene_material_keyword;
 
-/** @return Whether a surface mirrors anything. @param material A material. */
+/** @return Whether a material is reflective. @param material A material. */
 bool scene_material_is_reflective(const SceneMaterial *material);
 
-/** @return Whether a surface lets anything through. @param material A material. */
+/** @return Whether a material is transparent. @param material A material. */
 bool scene_material_is_transparent(const SceneMaterial *material);
 
 /* --- Shapes ----------------------------------------------------------------------------------- */
@@ -333,9 +343,9 @@ typedef struct TriangleParameters {
     bool is_smooth;   /**< Whether the scene gives the normals; #Keyword.finish sets it. */
 } TriangleParameters;
 
-/** Where the normals of a mesh come from. */
+/** Source of the normals of a mesh. */
 typedef enum {
-    NORMALS_FROM_FILE, /**< The file's; smooth where it has none. */
+    NORMALS_FROM_FILE, /**< Those of the file; smooth if it has none. */
     NORMALS_SMOOTH,    /**< Averages of the triangles around each vertex. */
     NORMALS_FLAT       /**< One normal per triangle. */
 } NormalSource;
@@ -356,7 +366,7 @@ typedef struct SdfShapeParameters {
     int max_steps;    /**< Largest number of steps per ray. */
 } SdfShapeParameters;
 
-/** What the description of a shape says about it, without a tracer. */
+/** Properties of a shape that follow from its description, without a tracer. */
 typedef struct ShapeFacts {
     Aabbd bounds;     /**< Bounding box; infinite along the axes where the shape is unbounded. */
     bool is_flat;     /**< Whether all faces are flat: reflections do not make rays diverge. */
@@ -371,10 +381,10 @@ typedef struct SceneShapeClass {
     Keyword keyword; /**< Base: name, fields, defaults and checks in the scene language. */
 
     /**
-     * Finds what is known of a shape before its transform.
+     * Finds the properties of a shape before its transform.
      * @param parameters  The struct that #keyword describes, finished.
      * @param scene       The scene of the shape, for its meshes.
-     * @return The facts.
+     * @return The properties.
      */
     ShapeFacts (*facts)(const void *parameters, const Scene *scene);
 
@@ -401,10 +411,10 @@ extern const Keyword *const scene_shape_keywords[];
 size_t scene_shape_find(const char *name);
 
 /**
- * Finds what is known of a shape of a scene.
+ * Finds the properties of a shape of a scene.
  * @param scene  The scene.
  * @param shape  One of its shapes.
- * @return The facts; the bounding box is that of the transformed shape.
+ * @return The properties; the bounding box is that of the transformed shape.
  */
 ShapeFacts scene_shape_facts(const Scene *scene, const SceneShape *shape);
 
@@ -418,9 +428,9 @@ Aabbd scene_bounds(const Scene *scene);
 /**
  * Finds the origin for the coordinates of a tracer.
  *
- * A float is exact to 1 / 2^24 of its value: in a scene of size 1 at a distance of 10,000 from zero
- * all coordinates are wrong by up to a thousandth. The scene file gives them in double, which is
- * enough. Tracers therefore use coordinates relative to the middle of the shapes if it is far away.
+ * A float is exact to 1 / 2^24 of its value. At a distance of 10,000 from zero, coordinates are
+ * wrong by up to a thousandth. The scene file gives them in double, which is enough. Tracers
+ * therefore use coordinates relative to the middle of the shapes if it is far away.
  * @param scene  The scene.
  * @return The middle of all bounded shapes, rounded to few digits, if it is much farther from zero
  *         than the shapes are large; else zero.
@@ -441,7 +451,7 @@ static inline Vec3d circle_extent(Vec3d normal, double radius) {
 
 /* --- Offset strategies ------------------------------------------------------------------------ */
 
-/** How far from a surface secondary rays start. */
+/** Distance from a surface at which secondary rays start. */
 typedef enum {
     OFFSET_NONE,  /**< At the hit point: shows shadow acne. */
     OFFSET_FIXED, /**< At a constant distance from it. */
@@ -453,17 +463,19 @@ extern const char *const offset_strategy_names[];
 
 /* --- The scene -------------------------------------------------------------------------------- */
 
-/** Largest width and height of a picture, in pixels. */
+/** Largest width and height of an image, in pixels. */
 enum { IMAGE_SIZE_MAXIMUM = 16384 };
 /** Largest number of samples per pixel. */
 enum { SAMPLES_MAXIMUM = 65536 };
 /** Largest recursion depth: a guard for the stack. */
 enum { DEPTH_MAXIMUM = 256 };
-/** Default of #SceneImage.depth: until a ray cannot change the picture (see
- *  render/precision_estimate.h). */
+/**
+ * Default of #SceneImage.depth: until a ray cannot change the image (see
+ * render/precision_estimate.h).
+ */
 enum { IMAGE_DEPTH_AUTO = -1 };
 
-/** Size and quality of the picture. Filled through #scene_image_keyword. */
+/** Size and quality of the image. Filled through #scene_image_keyword. */
 typedef struct SceneImage {
     int width;    /**< Pixels, 1 to #IMAGE_SIZE_MAXIMUM. */
     int height;   /**< Pixels, 1 to #IMAGE_SIZE_MAXIMUM. */
@@ -522,13 +534,13 @@ typedef struct Scene {
     SceneCamera camera;     /**< Camera. */
     bool has_camera;        /**< Whether the file gives a camera; a scene needs one. */
     bool is_time_dependent; /**< Whether its file uses the time. */
-    SceneImage image;       /**< Size and quality of the picture. */
+    SceneImage image;       /**< Size and quality of the image. */
     Rgbd ambient;           /**< Ambient light. */
     SceneSky sky;           /**< Background. */
     SceneLight *lights;     /**< Lights. */
     size_t light_count;     /**< Number of lights. */
     SceneMaterial
-        *materials;         /**< Materials; the first, matt white, is that of shapes without one. */
+        *materials; /**< Materials; the first, diffuse white, is that of shapes without one. */
     size_t material_count;  /**< Number of materials, at least 1. */
     SceneShape *shapes;     /**< Shapes. */
     size_t shape_count;     /**< Number of shapes. */
@@ -539,17 +551,24 @@ typedef struct Scene {
 } Scene;
 
 /**
- * Creates an empty scene: no shape, no light, a black sky, one matt white material, no camera.
+ * Creates an empty scene: no shape, no light, a black sky, one diffuse white material, no camera.
  * @param[out] error  What is wrong.
  * @return The scene, to be freed with #scene_destroy; NULL without memory.
  */
 Scene *scene_create(Error *error);
 
-/** Makes an empty scene at an address of its own, in a worker process. @return NULL where the
- *  address is taken. */
+/**
+ * Creates an empty scene at a given address, in a worker process.
+ * @param address     The address.
+ * @param[out] error  What is wrong.
+ * @return The scene; NULL if the address is not free.
+ */
 Scene *scene_create_at(void *address, Error *error);
 
-/** @return Bytes of a scene's block that are used: all that another process needs of it. */
+/**
+ * @return Bytes in use of the block of a scene, all that another process needs.
+ * @param scene  The scene.
+ */
 size_t scene_block_size(const Scene *scene);
 
 /**
@@ -647,8 +666,8 @@ bool scene_has_transparency(const Scene *scene);
 bool scene_has_specular(const Scene *scene);
 
 /**
- * Bytes of the block of a scene: reserved, but only used as far as it is filled. It holds a million
- * spheres, and limits scene files that never stop.
+ * Bytes reserved for the block of a scene; the system provides memory only where it is filled. It
+ * holds a million spheres, and limits scene files that never stop.
  */
 #define SCENE_MEMORY_SIZE ((size_t)256 << 20)
 

@@ -10,67 +10,65 @@
 
 #include <stdatomic.h>
 
-/** Seconds that a scene file may run, inside library calls too. */
+/** Time limit of a scene file, seconds; library calls count, too. */
 #define SCRIPT_TIME_LIMIT 10.0
 
-/** Bytes that a scene file's own data may take. */
+/** Memory limit of a scene file, bytes of its Lua data. */
 #define SCRIPT_MEMORY_LIMIT ((size_t)256 << 20)
 
 /**
- * What a scene file needs that no time changes: its text, and the models and pictures of the scene
- * that was loaded last. Where a file is run again and again, each is read once. What it includes is
- * read by each run, in its worker: texts, in less than a millisecond.
+ * The cache of a scene file: its text, and the meshes and textures of its last load. When the file
+ * is run again, as for the next frame, they are not read again. Included files are read by each
+ * run, in the worker, in less than a millisecond.
  */
 typedef struct AssetCache AssetCache;
 
 /**
- * Makes an empty stock, for one scene file.
+ * Creates an empty cache for one scene file.
  * @param[out] error  What is wrong.
- * @return The stock, to be given back with #asset_cache_destroy; NULL without memory.
+ * @return The cache, to be freed with #asset_cache_destroy; NULL without memory.
  */
 AssetCache *asset_cache_create(Error *error);
 
-/** Gives a stock back. @param cache The stock, or NULL. */
+/** Frees a cache. @param cache The cache, or NULL. */
 void asset_cache_destroy(AssetCache *cache);
 
-/** What to load, and how. */
+/** A request to load a scene file. */
 typedef struct ScriptRequest {
     const char *path;     /**< The scene file; `-` reads standard input. */
-    const char *base_dir; /**< Where the files lie that it names; NULL: beside the scene file. */
+    const char *base_dir; /**< Folder of the files that it names; NULL: that of the scene file. */
     double time;          /**< The scene's `t`, seconds. */
-    double time_limit;    /**< How long it may run; #SCRIPT_TIME_LIMIT. */
-    size_t memory_limit;  /**< How many bytes its data may take; #SCRIPT_MEMORY_LIMIT. */
+    double time_limit;    /**< Time limit, seconds; #SCRIPT_TIME_LIMIT. */
+    size_t memory_limit;  /**< Limit of its Lua data, bytes; #SCRIPT_MEMORY_LIMIT. */
     const Keyword *const *shape_keywords; /**< Shapes it can create; NULL ends the list. NULL:
                                                those of the program, #scene_shape_keywords. */
-    const MeshProgress *progress; /**< Told how far its model files are read; NULL: nobody is. */
-    AssetCache *cache;       /**< What an earlier load left, and this one leaves; NULL: nothing. */
-    const atomic_bool *stop; /**< The file is given up once this is true; NULL: never. */
+    const MeshProgress *progress; /**< Receives the progress of reading mesh files; NULL: none. */
+    AssetCache *cache;            /**< Files of earlier loads, updated by this one; NULL: none. */
+    const atomic_bool *stop;      /**< Loading stops once this is true; NULL: never. */
     const char
-        *worker; /**< Program that runs it, see script/script_worker.h; NULL: dioptre-worker. */
+        *worker; /**< Program of the worker, see script/script_worker.h; NULL: dioptre-worker. */
 } ScriptRequest;
 
-/** Names of what can be done in the window, for lessons. */
+/** Names of the window's actions, for lessons. */
 typedef struct ActionNames {
     const char *const *names; /**< The names, ended by NULL; the moves first. */
-    int move_count;           /**< How many are moves, which last as long as their key is held. */
+    int move_count;           /**< Number of moves, which last as long as their key is held. */
 } ActionNames;
 
 /**
  * Runs a lesson file.
  * @param path        The file.
- * @param actions     What can be done.
+ * @param actions     Names of the window's actions.
  * @param[out] error  `FILE:LINE: what is wrong`, with #STATUS_SCENE.
- * @return The lesson, whose scene is a file that is there, to be given back with #lesson_destroy;
- *         NULL if anything is wrong.
+ * @return The lesson, to be freed with #lesson_destroy; NULL on errors. Its scene file exists.
  */
 Lesson *script_load_lesson(const char *path, const ActionNames *actions, Error *error);
 
 /**
- * Runs a scene file, and reads the model files that it names.
+ * Runs a scene file, and reads the mesh and picture files that it names.
  * @param request     What to load.
  * @param[out] error  `FILE:LINE: what is wrong`, with #STATUS_SCENE.
- * @return The scene, with a camera, to be given back with #scene_destroy; NULL if anything is
- *         wrong.
+ * @return The scene, with a camera, to be freed with #scene_destroy; NULL on errors.
  */
 Scene *script_load(const ScriptRequest *request, Error *error);
 

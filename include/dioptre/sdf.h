@@ -62,7 +62,10 @@ typedef struct Sdf {
 typedef struct SdfPrimitive {
     Keyword keyword; /**< Base: name and fields. */
     bool is_exact;   /**< Whether it is exact. */
-    /** Creates it. @param[out] field With memory for one node. @param values The keyword's struct.
+    /**
+     * Creates it.
+     * @param[out] field  With memory for one node.
+     * @param values      The keyword's struct.
      */
     void (*create)(Sdf *field, const void *values);
 } SdfPrimitive;
@@ -93,8 +96,11 @@ extern const Parameter sdf_radius_parameter; /**< Radius of `distance.smooth_uni
 /** @return Bytes of a field. @param node_count Number of its nodes. */
 size_t sdf_size(int node_count);
 
-/** @return Number of nodes that suffices for any operation on fields. @param sdfs The fields.
- *  @param count Number of fields. */
+/**
+ * @return Number of nodes that suffices for any operation on fields.
+ * @param sdfs   The fields.
+ * @param count  Number of fields.
+ */
 int sdf_combined_capacity(const Sdf *const *sdfs, int count);
 
 /**

@@ -18,8 +18,8 @@ typedef struct ViewRequest {
 /**
  * Loads a scene. Called from a thread of the window, never twice at once.
  * @param context      #ViewSettings.loader_context.
- * @param request      Which scene. After an error the previous scene stays the last loaded.
- * @param stop         Loading is given up once this is true.
+ * @param request      The scene. After an error the previous scene stays the last loaded.
+ * @param stop         Loading stops once this is true.
  * @param[out] render  Its render settings.
  * @param[out] error   What is wrong.
  * @return The scene, owned by the window; NULL after an error.
@@ -32,7 +32,7 @@ typedef Scene *(*ViewLoader)(void *context, const ViewRequest *request, const at
  * #ViewLoader.
  * @param context      #ViewSettings.loader_context.
  * @param path         Its file.
- * @param stop         Loading is given up once this is true.
+ * @param stop         Loading stops once this is true.
  * @param[out] render  Its render settings.
  * @param[out] error   What is wrong.
  * @return The scene, owned by the window; NULL after an error.
@@ -40,7 +40,7 @@ typedef Scene *(*ViewLoader)(void *context, const ViewRequest *request, const at
 typedef Scene *(*ViewPreviewLoader)(void *context, const char *path, const atomic_bool *stop,
                                     RenderSettings *render, Error *error);
 
-/** How a window is opened. */
+/** Settings of a window. */
 typedef struct ViewSettings {
     RenderSettings render;     /**< Engine, threads, size, samples, depth, offset. */
     bool keys_by_letter;       /**< Whether the light's keys go by their letters instead of their
@@ -60,11 +60,15 @@ typedef struct ViewSettings {
     bool prints_timing;              /**< Whether latencies are printed when the window closes. */
 } ViewSettings;
 
-/** Most names of #view_actions, with the final NULL. */
+/** Largest number of names of #view_actions, with the final NULL. */
 enum { VIEW_ACTIONS_MAXIMUM = 96 };
 
-/** Returns the names of the window's commands, for lessons. @param[out] names The names, moves
- *  first, ended by NULL; #LessonStep.action is an index into them. @return Number of moves. */
+/**
+ * Returns the names of the window's commands, for lessons.
+ * @param[out] names  The names, moves first, ended by NULL; #LessonStep.action is an index into
+ *                    them.
+ * @return Number of moves.
+ */
 int view_actions(const char *names[VIEW_ACTIONS_MAXIMUM]);
 
 /** @return Whether a window can be opened here. */
@@ -74,12 +78,12 @@ bool view_is_possible(void);
  * Shows a scene in a window until it is closed. SIGINT, SIGTERM and SIGHUP, unless they were
  * ignored before, close it; a second one ends the program at once.
  * @param scene       The scene; its camera and lights are moved.
- * @param settings    How.
+ * @param settings    The settings of the window.
  * @param stop        The window closes at the next event once this is true. May be NULL.
  * @param[out] error  What is wrong: no display, or no memory.
  * @return The exit status: #STATUS_OK, #STATUS_INTERRUPTED by a signal or by `stop`, or
- * #STATUS_FAILED. It does not return when an X server vanishes: the program ends with a message and
- * #STATUS_FAILED.
+ *         #STATUS_FAILED. It does not return when an X server vanishes: the program ends with a
+ *         message and #STATUS_FAILED.
  */
 Status view_run(Scene *scene, const ViewSettings *settings, const atomic_bool *stop, Error *error);
 

@@ -2,9 +2,9 @@
  * @file
  * @brief Films, by ffmpeg.
  *
- * The same pictures make the same bytes with one and the same version of ffmpeg and its libraries:
- * one encoding thread, no date and no name of the encoder in the file, colours changed by the exact
- * way and not by the fast one of each processor.
+ * The same pictures give the same bytes with the same version of ffmpeg and its libraries: one
+ * encoding thread, no date and no encoder name in the file, and exact colour conversion instead of
+ * the fast one, which depends on the processor.
  */
 #include "assets/film.h"
 
@@ -16,16 +16,16 @@
 #include <strings.h>
 #include <sys/stat.h>
 
-/** The program that makes films, and the Debian package of the same name. */
+/** The program that encodes films, and the Debian package of the same name. */
 #define FFMPEG_PROGRAM "ffmpeg"
 
-/** A kind of film. */
+/** A film format. */
 typedef struct FilmFormat {
-    const char *extension;     /**< Of the file's name, without the dot. */
-    const char *arguments[16]; /**< How ffmpeg is to encode it, ended by NULL. */
+    const char *extension;     /**< Extension of the file name, without the dot. */
+    const char *arguments[16]; /**< Arguments of ffmpeg for the encoder, ended by NULL. */
 } FilmFormat;
 
-/** All kinds, ended by one without ending. */
+/** All formats; NULL ends the list. */
 static const FilmFormat formats[] = {
     {"mp4",
      {"-c:v", "libx264", "-preset", "medium", "-crf", "18", "-movflags", "+faststart", "-f",
@@ -37,12 +37,12 @@ static const FilmFormat formats[] = {
 };
 
 struct Film {
-    AtomicFile file;       /**< Where it will be, and where it is meanwhile. */
-    PipeProcess encoder;   /**< What writes it. */
-    FilmSettings settings; /**< How it is. */
+    AtomicFile file;       /**< The output file. */
+    PipeProcess encoder;   /**< The process of ffmpeg. */
+    FilmSettings settings; /**< Settings. */
 };
 
-/** @return The kind that a file's ending names, or NULL. */
+/** @return The format of a file's extension; NULL: unknown. */
 static const FilmFormat *find_format(const char *path) {
     const char *dot = strrchr(path + output_path_dir_length(path), '.');
     for (const FilmFormat *format = formats; dot && format->extension; format++) {
@@ -57,7 +57,7 @@ bool film_has_extension(const char *path) {
     return find_format(path) != NULL;
 }
 
-/** Says what was to be written. @return false, always. */
+/** Adds the path to an error. @return false, always. */
 static bool set_path_error(Error *error, const char *path) {
     return error_prefix(error, "cannot write '%s': ", path);
 }
@@ -71,13 +71,13 @@ bool film_check(const char *path, Error *error) {
     return atomic_file_check(path, error) || set_path_error(error, path);
 }
 
-/** How the encoder reads frames: plain bytes from its standard input. What it says is an error. */
+/** Arguments for the input: raw frames from standard input. Any output of ffmpeg is an error. */
 static const char *const input_arguments[] = {
     FFMPEG_PROGRAM, "-hide_banner", "-nostats", "-loglevel", "error", "-xerror",
     "-y",           "-f",           "rawvideo", "-pix_fmt",  "rgb24", NULL};
-/** What follows their size and rate. */
+/** Arguments after frame size and rate. */
 static const char *const pipe_arguments[] = {"-threads", "1", "-i", "pipe:0", NULL};
-/** How it turns them into what players show: in video's own colours, said so. */
+/** Arguments for the conversion to the colour space of video, with its tags. */
 static const char *const color_arguments[] = {
     "-an",
     "-filter_threads",
@@ -95,17 +95,17 @@ static const char *const color_arguments[] = {
     "-color_range",
     "tv",
     NULL};
-/** What makes it write the same bytes each time: one thread, no date, no version. */
+/** Arguments for reproducible output: one thread, no date, no version. */
 static const char *const reproducible_arguments[] = {
     "-threads", "1", "-map_metadata", "-1", "-flags:v", "+bitexact", "-fflags", "+bitexact", NULL};
 
-/** A command line that grows. */
+/** A command line under construction. */
 typedef struct ArgumentList {
-    const char *arguments[PIPE_PROCESS_ARGUMENTS_MAXIMUM]; /**< The words, ended by NULL. */
-    int count;                                             /**< How many. */
+    const char *arguments[PIPE_PROCESS_ARGUMENTS_MAXIMUM]; /**< The arguments, ended by NULL. */
+    int count;                                             /**< Number of arguments. */
 } ArgumentList;
 
-/** Adds words. @param more The words, ended by NULL. */
+/** Appends arguments. @param list The command line. @param more The arguments, ended by NULL. */
 static void add_arguments(ArgumentList *list, const char *const *more) {
     while (*more && list->count < PIPE_PROCESS_ARGUMENTS_MAXIMUM - 1) {
         list->arguments[list->count++] = *more++;
@@ -115,6 +115,8 @@ static void add_arguments(ArgumentList *list, const char *const *more) {
 /**
  * Starts the encoder of a film.
  * @param[in,out] film  The film; its file is open.
+ * @param format        Its format.
+ * @param[out] error    What is wrong.
  * @return Whether it runs.
  */
 static bool start_encoder(Film *film, const FilmFormat *format, Error *error) {
@@ -134,7 +136,7 @@ static bool start_encoder(Film *film, const FilmFormat *format, Error *error) {
     return pipe_process_start(&film->encoder, film->settings.stop, command_line.arguments, error);
 }
 
-/** Says whether a film can have a shape. @return Whether it can. */
+/** @return Whether the size of a film is valid. */
 static bool check_size(const FilmSettings *settings, Error *error) {
     int width = settings->width, height = settings->height;
     if (width % 2 != 0 || height % 2 != 0) {
@@ -145,8 +147,10 @@ static bool check_size(const FilmSettings *settings, Error *error) {
     return true;
 }
 
-/** Opens the file of a film. @return Whether it is open, and no device: an encoder goes back and
- *  forth in its file. */
+/**
+ * Opens the file of a film.
+ * @return Whether it is open. Devices are rejected: encoders seek in their output.
+ */
 static bool open_film_file(Film *film, const char *path, Error *error) {
     if (!atomic_file_open(&film->file, path, ATOMIC_REPLACE, error)) {
         return false;
@@ -192,8 +196,11 @@ bool film_add_frame(Film *film, const Picture *picture, Error *error) {
     return set_path_error(error, film->file.target.path);
 }
 
-/** @return Whether there is anything in a film's file. @param film The film, ended by ffmpeg.
- *  @param[out] error That there is not. */
+/**
+ * @return Whether a film's file has content.
+ * @param film        The film, after the end of ffmpeg.
+ * @param[out] error  What is wrong.
+ */
 static bool check_written(const Film *film, Error *error) {
     struct stat found;
     bool is_written = fstat(fileno(film->file.stream), &found) == 0 && found.st_size > 0;

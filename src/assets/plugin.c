@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Opens the program's modules.
+ * @brief Loading of the program's modules.
  */
 #include "assets/plugin.h"
 
@@ -11,16 +11,15 @@
 #include <stdio.h>
 #include <unistd.h>
 
-/** Where modules are installed, seen from the folder of the program. */
+/** Folder of installed modules, relative to that of the program. */
 #define INSTALLED_DIR "../lib/dioptre"
 
-/** @return What is said of how to do without a module; it may be nothing. */
+/** @return The hint on what works without a module, translated; may be empty. */
 static const char *fallback_hint_text(const Plugin *plugin) {
     return plugin->fallback_hint[0] ? gettext(plugin->fallback_hint) : "";
 }
 
-/** Finds a module's one symbol. @return What it shows; NULL when it is not of this program's
- *  version. */
+/** Finds the symbol of a module. @return Its address; NULL if the version differs. */
 static const void *find_symbol(const Plugin *plugin, void *handle, Error *error) {
     const int *version = dlsym(handle, plugin->symbol);
     if (!version || *version != plugin->version) {
@@ -32,7 +31,7 @@ static const void *find_symbol(const Plugin *plugin, void *handle, Error *error)
     return version;
 }
 
-/** Says whether a module is in a folder. @return Whether it is, and can be read. */
+/** @return Whether a folder contains a readable module. */
 static bool plugin_exists(const Plugin *plugin, const char *folder) {
     char path[PATH_MAX];
     return snprintf(path, sizeof path, "%s/%s", folder, plugin->file) < PATH_MAX &&
@@ -57,7 +56,7 @@ const void *plugin_open_from(const Plugin *plugin, const char *folder, Error *er
         return NULL;
     }
     const void *symbol = find_symbol(plugin, handle, error);
-    dlclose(handle); // It stays loaded all the same: RTLD_NODELETE.
+    dlclose(handle); // It stays loaded: RTLD_NODELETE.
     return symbol;
 }
 

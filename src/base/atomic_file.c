@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Files that are there whole or not at all.
+ * @brief Files that are written completely or not at all.
  */
 #include "base/atomic_file.h"
 
@@ -10,24 +10,27 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/** Temporary names that are tried: more than one is taken only by what a crash has left. */
+/** Number of temporary names tried; names are only taken by files that a crash left. */
 enum { ATTEMPTS_MAXIMUM = 1000 };
-/** Bytes of a file's name that its temporary name keeps: with the ending below NAME_MAX, 255. */
+/**
+ * Bytes of a file's name kept in its temporary name; with the ending, it stays below NAME_MAX
+ * (255).
+ */
 enum { NAME_BYTES_KEPT = 200 };
-/** Permissions that a new file asks for; the user's umask takes some of them away. */
+/** Permissions of new files, reduced by the user's umask. */
 enum { NEW_FILE_MODE = 0666 };
-/** Those bits of a file's mode that are permissions to read, write and run it. */
+/** The permission bits of a file's mode. */
 enum { PERMISSION_BITS = 0777 };
 
-/** Turns the system's error number into an error. @return false, always. */
+/** Sets an error from errno. @return false, always. */
 static bool set_system_error(Error *error) {
     return error_set(error, STATUS_FAILED, "%s", error_errno_text(errno));
 }
 
 /**
- * Creates the temporary file beside the place, with a name that nothing has yet.
- * @param[in,out] file  The file; its temporary name is set.
- * @return The open file, or -1 with errno set.
+ * Creates the temporary file in the folder of the target, with an unused name.
+ * @param[in,out] file  The file; its temporary path is set.
+ * @return The file descriptor, or -1 with errno set.
  */
 static int create_temporary(AtomicFile *file) {
     const char *path = file->target.path;
@@ -49,9 +52,10 @@ static int create_temporary(AtomicFile *file) {
 }
 
 /**
- * Opens what the bytes of a file go into that may replace another.
- * @param[in,out] file  The file; its place is set.
- * @return The open file, or -1 with errno set.
+ * Opens the file for writing where it may replace another: a temporary file, or a device directly.
+ * @param[in,out] file  The file; its target is set.
+ * @param path          The path.
+ * @return The file descriptor, or -1 with errno set.
  */
 static int open_for_replace(AtomicFile *file, const char *path) {
     if (!output_path_resolve(&file->target, path)) {
@@ -62,17 +66,17 @@ static int open_for_replace(AtomicFile *file, const char *path) {
     }
     int descriptor = create_temporary(file);
     if (descriptor >= 0 && file->target.mode != 0) {
-        // Whoever could read the old file can read the new one. Some file systems know no
-        // permissions: nothing is lost there.
+        // Keep the permissions of the old file. Some file systems have none, so errors are ignored.
         (void)fchmod(descriptor, file->target.mode & PERMISSION_BITS);
     }
     return descriptor;
 }
 
 /**
- * Opens what the bytes of a file go into that must not be there yet, not even as a broken link.
- * @param[in,out] file  The file; its place is set.
- * @return The open file, or -1 with errno set.
+ * Opens the file for writing where no other may exist, not even a broken link.
+ * @param[in,out] file  The file; its target is set.
+ * @param path          The path.
+ * @return The file descriptor, or -1 with errno set.
  */
 static int open_for_create(AtomicFile *file, const char *path) {
     struct stat found;
@@ -112,9 +116,11 @@ bool atomic_file_check(const char *path, Error *error) {
     return can_be_written || set_system_error(error);
 }
 
-/** Renames the temporary file where nothing may be yet. Not every file system can do so in one
- *  step; a second name for the file does the same, as a name is never given twice. @return 0, or -1
- *  with errno set. */
+/**
+ * Renames the temporary file without replacing another. Some file systems lack that operation; a
+ * hard link has the same effect, as it fails if the name exists.
+ * @return 0, or -1 with errno set.
+ */
 static int rename_without_replacing(const AtomicFile *file) {
     int failed =
         renameat2(AT_FDCWD, file->temporary_path, AT_FDCWD, file->target.path, RENAME_NOREPLACE);
@@ -127,7 +133,7 @@ static int rename_without_replacing(const AtomicFile *file) {
     return failed;
 }
 
-/** Moves the temporary file into its place. @return 0, or -1 with errno set. */
+/** Renames the temporary file to the target. @return 0, or -1 with errno set. */
 static int rename_to_target(AtomicFile *file) {
     if (file->mode == ATOMIC_NEW) {
         int failed = rename_without_replacing(file);
@@ -142,7 +148,7 @@ bool atomic_file_commit(AtomicFile *file, Error *error) {
     int failed = fclose(file->stream);
     file->stream = NULL;
     if (!is_whole && !failed) {
-        errno = EIO; // What exactly went wrong was known to who wrote, at that time.
+        errno = EIO; // An earlier write failed, and its errno is lost.
     }
     if (!is_whole || failed || rename_to_target(file) != 0) {
         set_system_error(error);

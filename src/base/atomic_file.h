@@ -1,11 +1,10 @@
 /**
  * @file
- * @brief Files that are there whole or not at all.
+ * @brief Files that are written completely or not at all.
  *
- * The bytes go into a file of another name in the same folder, which is renamed into its place
- * when all of them are written: a crash or a full disk never leaves half a file, nor harms the old
- * one. What is no plain file, such as `/dev/stdout` or a FIFO, cannot be renamed over, and is
- * written to directly.
+ * The bytes are written to a temporary file in the same folder, which is renamed to the target at
+ * the end. After a crash or on a full disk, the old file is intact. Devices and FIFOs, such as
+ * `/dev/stdout`, cannot be renamed and are written directly.
  */
 #ifndef DIOPTRE_BASE_ATOMIC_FILE_H
 #define DIOPTRE_BASE_ATOMIC_FILE_H
@@ -15,47 +14,48 @@
 
 #include <stdio.h>
 
-/** What happens to a file that is there already. */
+/** Treatment of an existing file. */
 typedef enum {
-    ATOMIC_REPLACE, /**< It is replaced; where it is a symbolic link, what it points to. */
-    ATOMIC_NEW      /**< It stays as it is: to find one is a failure. */
+    ATOMIC_REPLACE, /**< It is replaced; if it is a symbolic link, its target is. */
+    ATOMIC_NEW      /**< It is kept: opening fails. */
 } AtomicMode;
 
-/** A file on its way to its place. */
+/** A file being written. */
 typedef struct AtomicFile {
-    FILE *stream;                  /**< Where to write; owned. */
-    AtomicMode mode;               /**< What happens to a file that is there already. */
-    bool exists;                   /**< Whether #ATOMIC_NEW failed because there is such a file. */
-    OutputPath target;             /**< Where it will be. */
-    char temporary_path[PATH_MAX]; /**< Where it is meanwhile; empty: written to its place directly.
-                                    */
+    FILE *stream;                  /**< Stream for its bytes; owned. */
+    AtomicMode mode;               /**< Treatment of an existing file. */
+    bool exists;                   /**< Whether #ATOMIC_NEW failed because the file exists. */
+    OutputPath target;             /**< The target. */
+    char temporary_path[PATH_MAX]; /**< Temporary file; empty: the target is written directly. */
 } AtomicFile;
 
 /**
- * Says whether a file could be written, without writing anything.
- * @param[out] error  Why not (#STATUS_FAILED); the path is not named in it.
- * @return Whether #atomic_file_open with #ATOMIC_REPLACE would do.
+ * Checks whether a file can be written, without writing.
+ * @param path        The path.
+ * @param[out] error  What is wrong (#STATUS_FAILED), without the path.
+ * @return Whether #atomic_file_open with #ATOMIC_REPLACE would succeed.
  */
 bool atomic_file_check(const char *path, Error *error);
 
 /**
- * Begins a file.
- * @param[out] file  The file, to be ended with #atomic_file_commit or #atomic_file_discard.
- * @param mode  What happens to a file that is there already.
- * @param[out] error  Why not (#STATUS_FAILED); the path is not named in it.
- * @return Whether AtomicFile.stream can be written to; otherwise there is nothing to end.
+ * Opens a file for writing.
+ * @param[out] file   The file, to be ended with #atomic_file_commit or #atomic_file_discard.
+ * @param path        The path.
+ * @param mode        Treatment of an existing file.
+ * @param[out] error  What is wrong (#STATUS_FAILED), without the path.
+ * @return Whether #AtomicFile.stream is open; if not, there is nothing to end.
  */
 bool atomic_file_open(AtomicFile *file, const char *path, AtomicMode mode, Error *error);
 
 /**
- * Ends a file: closes it and moves it into its place. Whatever fails, nothing is left of it.
- * @param[in,out] file  A file that was begun, with all its bytes.
- * @param[out] error    Why not (#STATUS_FAILED), such as a full disk; the path is not named in it.
- * @return Whether it is in its place, all of it.
+ * Closes a file and renames it to its target. On failure, the temporary file is removed.
+ * @param[in,out] file  An open file with all its bytes.
+ * @param[out] error    What is wrong (#STATUS_FAILED), such as a full disk, without the path.
+ * @return Whether the file is complete.
  */
 bool atomic_file_commit(AtomicFile *file, Error *error);
 
-/** Gives a file up: nothing is left of it. @param[in,out] file A file that was begun. */
+/** Closes a file and removes it. @param[in,out] file An open file. */
 void atomic_file_discard(AtomicFile *file);
 
 #endif

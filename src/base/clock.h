@@ -1,11 +1,11 @@
 /**
  * @file
- * @brief The clock that pictures, keys and children are timed by.
+ * @brief The monotonic clock.
  */
 #ifndef DIOPTRE_BASE_CLOCK_H
 #define DIOPTRE_BASE_CLOCK_H
 
-/** @return Seconds on the monotonic clock: nobody sets it. */
+/** @return Seconds of the monotonic clock, which changes of the system time do not affect. */
 double clock_now_seconds(void);
 
 #endif

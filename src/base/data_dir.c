@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief What was installed with the program.
+ * @brief Folders of installed data.
  */
 #include "base/data_dir.h"
 

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief What was installed with the program.
+ * @brief Folders of installed data.
  */
 #ifndef DIOPTRE_BASE_DATA_DIR_H
 #define DIOPTRE_BASE_DATA_DIR_H
@@ -9,9 +9,9 @@
 #include <stdbool.h>
 
 /**
- * Finds the folder of the scenes that were installed with the program.
+ * Finds the folder of the installed scenes.
  * @param[out] folder  The folder, without a slash at its end.
- * @return Whether there is one.
+ * @return Whether it exists.
  */
 bool data_dir_scenes(char folder[PATH_MAX]);
 

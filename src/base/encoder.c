@@ -2,21 +2,25 @@
  * @file
  * @brief Encoding of linear light to 8 bits by table.
  *
- * The transfer curve is monotonic, so each code begins at one threshold, and encoding is a search
- * for the last threshold that is not above the light. #encoder_init finds the 255 thresholds once;
+ * The transfer curve is monotonic: each code begins at one threshold. Encoding is a search for the
+ * last threshold that is not above the light. #encoder_init computes the 255 thresholds once;
  * #encoder_encode needs no power function.
  */
 #include "base/picture.h"
 
 #include <math.h>
 
-/** Cells of the table over 0 to 1. Each holds at most one threshold, as the narrowest step, at the
- *  dark end of sRGB, is 1 / (12.92 * 255) wide. */
+/**
+ * Number of cells of the table over 0 to 1. Each cell contains at most one threshold: the smallest
+ * distance of two, at the dark end of sRGB, is 1 / (12.92 * 255).
+ */
 enum { ENCODER_CELLS = 4096 };
 
-/** Finds the threshold of a code. The inverse curve comes within a float or two; from there
- *  neighbours are tried with the forward curve, which defines the code. @return The least float
- * that is rounded to this code or a higher one. */
+/**
+ * Computes the threshold of a code. The inverse curve gives an estimate within a few floats; its
+ * neighbours are tested with the forward curve, which defines the codes.
+ * @return The smallest float that is rounded to this code or a higher one.
+ */
 static float find_threshold(Encoding encoding, int code) {
     double border = code - 0.5;
     float linear = (float)encoding_decode(encoding, border);

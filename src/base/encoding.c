@@ -1,20 +1,21 @@
 /**
  * @file
- * @brief The exact curves between linear light and 8-bit steps: sRGB (IEC 61966-2-1), and none.
+ * @brief The exact transfer curves between linear light and 8-bit codes: sRGB (IEC 61966-2-1) and
+ * linear.
  */
 #include "base/encoding.h"
 
 #include <math.h>
 
-/** Where sRGB passes from a straight line to a power, in linear light. */
+/** End of the linear part of the sRGB curve, in linear light. */
 #define SRGB_LINEAR_END 0.0031308
-/** The same place, in encoded numbers. */
+/** End of the linear part, in encoded values. */
 #define SRGB_ENCODED_END 0.04045
-/** Slope of the straight line. */
+/** Slope of the linear part. */
 #define SRGB_SLOPE 12.92
-/** Exponent of the power. */
+/** Exponent of the power part. */
 #define SRGB_GAMMA 2.4
-/** How far the power is shifted down, so that the two pieces meet. */
+/** Offset of the power part, which makes the curve continuous. */
 #define SRGB_OFFSET 0.055
 
 double encoding_encode(Encoding encoding, double linear) {

@@ -11,7 +11,7 @@ typedef enum {
     ENCODING_LINEAR /**< Linear. */
 } Encoding;
 
-/** The greatest code: full light. */
+/** Largest code. */
 enum { ENCODING_CODE_MAXIMUM = 255 };
 
 /**

@@ -39,10 +39,10 @@ bool error_prefix(Error *error, const char *format, ...) {
     return false;
 }
 
-/** An error of the system, in words that are there in all languages of the program. */
+/** An error of the system, with a message that is translated. */
 typedef struct SystemError {
     int code;         /**< Its `errno`. */
-    const char *text; /**< What it is. */
+    const char *text; /**< Its message in English. */
 } SystemError;
 
 const char *error_errno_text(int code) {

@@ -1,53 +1,53 @@
 /**
  * @file
- * @brief Errors as values: what went wrong, in words, with the exit status it leads to.
+ * @brief Errors as values: a message and an exit status.
  */
 #ifndef DIOPTRE_BASE_ERROR_H
 #define DIOPTRE_BASE_ERROR_H
 
 #include <stdbool.h>
 
-/** Longest message that is kept, in bytes with its final zero: two paths and a sentence. */
+/** Size of a message, with its final zero: sufficient for two paths and a sentence. */
 enum { ERROR_MESSAGE_SIZE = 1024 };
 
-/** What a command ends with; the numbers are the program's exit statuses. */
+/** Exit statuses of the program. */
 typedef enum {
-    STATUS_OK = 0,           /**< All was done. */
-    STATUS_FAILED = 1,       /**< It could not be finished: disk full, no memory. */
+    STATUS_OK = 0,           /**< Success. */
+    STATUS_FAILED = 1,       /**< The task could not be completed: disk full, no memory. */
     STATUS_USAGE = 2,        /**< The command line is wrong. */
-    STATUS_SCENE = 3,        /**< Something is wrong with a scene or a file that it names. */
-    STATUS_UNREADABLE = 4,   /**< A picture to be compared cannot be read. */
-    STATUS_INTERRUPTED = 130 /**< Stopped from outside (SIGINT); what is finished is kept. */
+    STATUS_SCENE = 3,        /**< A scene, or a file that it names, is invalid. */
+    STATUS_UNREADABLE = 4,   /**< A picture to compare cannot be read. */
+    STATUS_INTERRUPTED = 130 /**< Interrupted by SIGINT; completed output is kept. */
 } Status;
 
-/** One error: a status and a sentence for a person. Starts as `{0}`: no error. */
+/** An error: a status and a message. Initialised to `{0}`: no error. */
 typedef struct Error {
-    Status status;                    /**< #STATUS_OK while nothing went wrong. */
-    char message[ERROR_MESSAGE_SIZE]; /**< What went wrong, without a final newline. */
+    Status status;                    /**< Status; #STATUS_OK: no error. */
+    char message[ERROR_MESSAGE_SIZE]; /**< Message, without a final newline. */
 } Error;
 
 /**
- * Writes an error down.
- * @param[out] error  Where to; may be NULL, when the caller wants no words.
- * @param status      What the program should end with.
- * @param format      The message in English, as for printf, looked up in the language that the
- * program speaks; cut at #ERROR_MESSAGE_SIZE - 1 bytes.
+ * Sets an error.
+ * @param[out] error  The error; NULL: none is stored.
+ * @param status      Exit status of the program.
+ * @param format      The message in English, as for printf, translated here; cut at
+ *                    #ERROR_MESSAGE_SIZE - 1 bytes.
  * @return false, always, so that a function can end with `return error_set(...)`.
  */
 bool error_set(Error *error, Status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
 /**
- * Puts words before an error's message, such as the file and line it belongs to.
- * @param[in,out] error  An error that was set; may be NULL.
- * @param format         The words, as for printf; looked up, too.
+ * Inserts text before the message of an error, such as file and line.
+ * @param[in,out] error  An error that is set; may be NULL.
+ * @param format         The text in English, as for printf, translated here.
  * @return false, always.
  */
 bool error_prefix(Error *error, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /**
- * @return What the system says of an error, in the language that the program speaks.
- * @param code  The error: an `errno`.
+ * @return The message of a system error, translated.
+ * @param code  The `errno`.
  */
 const char *error_errno_text(int code);
 

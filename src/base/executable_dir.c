@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Where the program itself lies.
+ * @brief The folder of the program.
  */
 #include "base/executable_dir.h"
 

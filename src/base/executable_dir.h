@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Where the program itself lies: its modules and its words lie beside it.
+ * @brief The folder of the program, near which its modules and translations lie.
  */
 #ifndef DIOPTRE_BASE_EXECUTABLE_DIR_H
 #define DIOPTRE_BASE_EXECUTABLE_DIR_H
@@ -11,7 +11,7 @@
 /**
  * Finds the folder of the program.
  * @param[out] folder  The folder, without a slash at its end.
- * @return false when it cannot be found or its name is too long.
+ * @return false if it cannot be found or its path is too long.
  */
 bool executable_dir(char folder[PATH_MAX]);
 

@@ -48,7 +48,7 @@ static void write_quoted(FILE *stream, const char *text) {
     fputc('"', stream);
 }
 
-/** Writes what precedes a value: a comma and a name, where there is one. */
+/** Writes the comma and the name before a value, if needed. */
 static void begin_value(JsonWriter *json, const char *name) {
     if (json->needs_comma) {
         fputs(", ", json->stream);

@@ -2,8 +2,8 @@
  * @file
  * @brief A writer of JSON: objects, arrays and values, one object per line.
  *
- * Commas and escapes are the writer's work, so output is valid whatever file names and numbers are.
- * Keys appear in the order of the calls. Inside an array, and at the top level, names are NULL.
+ * The writer adds commas and escapes, so the output is valid for all file names and numbers. Keys
+ * appear in the order of the calls. Inside an array, and at the top level, names are NULL.
  */
 #ifndef DIOPTRE_BASE_JSON_H
 #define DIOPTRE_BASE_JSON_H

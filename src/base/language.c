@@ -1,11 +1,10 @@
 /**
  * @file
- * @brief The language that the program speaks.
+ * @brief The language of the program's messages.
  *
- * glibc takes the words of the language that LANGUAGE names, unless LC_MESSAGES is the locale "C":
- * then they stay English. "C.UTF-8" is on every system, whatever locales were made there. So
- * LANGUAGE is set once, while there is one thread, and LC_MESSAGES goes to and fro between these
- * two. glibc locks setlocale and gettext against each other.
+ * glibc translates to the language in LANGUAGE, unless the locale of LC_MESSAGES is "C". "C.UTF-8"
+ * exists on every system. LANGUAGE is therefore set once, before other threads start, and
+ * LC_MESSAGES is switched between these two locales. glibc synchronises setlocale and gettext.
  */
 #include "base/language.h"
 
@@ -18,14 +17,14 @@
 #include <string.h>
 #include <unistd.h>
 
-/** What the words are filed under. */
+/** Domain of the translations (gettext). */
 static const char TEXT_DOMAIN[] = "dioptre";
-/** A locale in which words are looked up. */
+/** Locale in which messages are translated. */
 static const char TRANSLATED_LOCALE[] = "C.UTF-8";
-/** The locale in which they are not. */
+/** Locale in which they are not. */
 static const char ENGLISH_LOCALE[] = "C";
 
-/** @return The name of the user's locale for messages, as POSIX finds it; empty: none is set. */
+/** @return Name of the user's locale for messages, by the rules of POSIX; empty: none is set. */
 static const char *locale_name(void) {
     static const char *const variables[] = {"LC_ALL", "LC_MESSAGES", "LANG"};
     for (size_t i = 0; i < sizeof variables / sizeof *variables; i++) {
@@ -38,8 +37,8 @@ static const char *locale_name(void) {
 }
 
 /**
- * @return Whether the first of a list of languages that the program speaks is French.
- * @param list  Names such as `fr_CH.UTF-8` or `fr`, with colons between them.
+ * @return Whether the first supported language of a list is French.
+ * @param list  Names such as `fr_CH.UTF-8` or `fr`, separated by colons.
  */
 static bool is_french_first(const char *list) {
     while (*list) {
@@ -53,8 +52,10 @@ static bool is_french_first(const char *list) {
     return false;
 }
 
-/** @return Whether the user wants French. Who asks for the locale "C" by its name wants what every
- *          script can rely on: English, whatever else is set. */
+/**
+ * @return Whether the user's settings ask for French. The locale "C" always means English, so that
+ *         scripts can depend on it.
+ */
 static bool is_french_wanted(void) {
     const char *locale = locale_name(), *list = getenv("LANGUAGE");
     if (strcmp(locale, "C") == 0 || strcmp(locale, "POSIX") == 0) {
@@ -63,8 +64,10 @@ static bool is_french_wanted(void) {
     return is_french_first(list && *list ? list : locale);
 }
 
-/** Binds the domain to the catalogues: beside the program, or where they are installed. The worker
- *  is installed one folder deeper than the program. */
+/**
+ * Sets the folder of the translations: beside the program, or where they are installed. The worker
+ * is installed one folder deeper.
+ */
 static void bind_text_domain(void) {
     static const char *const places[] = {"locale", "../share/locale", "../../share/locale"};
     char folder[PATH_MAX];
@@ -104,7 +107,7 @@ bool language_is_french(void) {
 int language_text_width(const char *text) {
     int width = 0;
     for (const char *c = text; *c; c++) {
-        width += (*c & 0xC0) != 0x80; // Not the second byte of a letter, nor the third.
+        width += (*c & 0xC0) != 0x80; // Count the first byte of each character only.
     }
     return width;
 }

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The place that a path to be written stands for, and what is there already.
+ * @brief Targets of output paths.
  */
 #include "base/output_path.h"
 
@@ -11,12 +11,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/** Symbolic links that are followed before a path is held for a ring; as many as the kernel. */
+/** Largest number of symbolic links to follow, that of the Linux kernel. */
 enum { LINKS_MAXIMUM = 40 };
 
-/** Says whether a path names a file that this process has open, such as `/dev/stdout`. These look
- *  like symbolic links to files, but what they point to may be no name at all, as of a pipe.
- *  @return Whether it does. */
+/**
+ * @return Whether a path names an open file of this process, such as `/dev/stdout`. Such paths look
+ *         like symbolic links, but their targets, such as pipes, may have no name.
+ */
 static bool is_descriptor_path(const char *path) {
     static const char *const prefixes[] = {"/dev/std", "/dev/fd/", "/proc/"};
     for (size_t i = 0; i < sizeof prefixes / sizeof *prefixes; i++) {
@@ -33,8 +34,8 @@ int output_path_dir_length(const char *path) {
 }
 
 /**
- * Replaces the path of a symbolic link by what it points to, one step.
- * @param[in,out] path  The path; as it was when it is no link.
+ * Replaces the path of a symbolic link by that of its target, for one link.
+ * @param[in,out] path  The path; unchanged if it is no link.
  * @return Whether it was a link that could be followed.
  */
 static bool follow_link(char path[PATH_MAX]) {
@@ -52,8 +53,10 @@ static bool follow_link(char path[PATH_MAX]) {
     return true;
 }
 
-/** Follows all symbolic links at the end of a path. @return false with errno set, when the links go
- *  round in a ring. */
+/**
+ * Follows all symbolic links at the end of a path.
+ * @return false with errno set if they form a cycle.
+ */
 static bool follow_links(char path[PATH_MAX]) {
     for (int links = 0; links < LINKS_MAXIMUM; links++) {
         if (is_descriptor_path(path) || !follow_link(path)) {
@@ -65,9 +68,9 @@ static bool follow_links(char path[PATH_MAX]) {
 }
 
 /**
- * Looks at what is in a place.
- * @param[in,out] output  The place; its mode is set.
- * @return false with errno set, when it is a folder or may not be written.
+ * Reads the mode of a target.
+ * @param[in,out] output  The target; its mode is set.
+ * @return false with errno set if it is a folder or not writable.
  */
 static bool stat_output_path(OutputPath *output) {
     struct stat found;

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The place that a path to be written stands for, and what is there already.
+ * @brief Targets of output paths.
  */
 #ifndef DIOPTRE_BASE_OUTPUT_PATH_H
 #define DIOPTRE_BASE_OUTPUT_PATH_H
@@ -9,25 +9,38 @@
 #include <stdbool.h>
 #include <sys/types.h>
 
-/** A place for a file. */
+/** Target of an output path. */
 typedef struct OutputPath {
-    char path[PATH_MAX]; /**< Where, symbolic links followed. */
-    mode_t mode;         /**< Type and permissions of what is there; 0: nothing is. */
+    char path[PATH_MAX]; /**< Path, with symbolic links followed. */
+    mode_t mode;         /**< Type and permissions of the existing file; 0: none exists. */
 } OutputPath;
 
-/** Finds the place that a path stands for: at the end of its symbolic links, even where nothing is
- *  there yet. @return false with errno set: too long, links in a ring, a folder, or may not be
- *  written. */
+/**
+ * Finds the target of a path: the end of its symbolic links, even if no file exists there.
+ * @param[out] output  The target.
+ * @param path         The path.
+ * @return false with errno set: path too long, links in a cycle, a folder, or not writable.
+ */
 bool output_path_resolve(OutputPath *output, const char *path);
 
-/** Says whether a place is written to directly: whether there is a device, a FIFO or a file that
- *  this process has open. To put another file there would cut it off. @return Whether it is. */
+/**
+ * @return Whether a target is written directly: a device, a FIFO or an open file of this process,
+ *         which a rename would replace.
+ * @param output  The target.
+ */
 bool output_path_is_direct(const OutputPath *output);
 
-/** Bytes of a path that name its folder. @return Place after the last slash; 0 without one. */
+/**
+ * @return Length of the part of a path that names its folder, with the slash; 0 without one.
+ * @param path  The path.
+ */
 int output_path_dir_length(const char *path);
 
-/** Says whether files can be made in the folder of a place. @return false with errno set. */
+/**
+ * Checks whether files can be created in the folder of a target.
+ * @param output  The target.
+ * @return false with errno set.
+ */
 bool output_path_dir_is_writable(const OutputPath *output);
 
 #endif

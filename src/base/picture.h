@@ -17,8 +17,8 @@ typedef struct Picture {
     int width;         /**< Pixels. */
     int height;        /**< Pixels. */
     uint8_t *pixels;   /**< Red, green, blue of each pixel, row by row from the top; owned. */
-    Encoding encoding; /**< Transfer curve of the pixels; formats of linear light need it. */
-    float *linear;     /**< The same as linear light, not rounded to 8 bits; owned, may be NULL. */
+    Encoding encoding; /**< Transfer curve of #pixels; formats of linear light need it. */
+    float *linear;     /**< The same in linear light, not rounded to 8 bits; owned, may be NULL. */
     const MetadataEntry *metadata; /**< Metadata for files, ended by an empty row; not owned, may be
                                         NULL. */
 } Picture;
@@ -46,8 +46,8 @@ void picture_deinit(Picture *picture);
 
 /** Tables that encode linear light exactly. See #encoder_init. */
 typedef struct Encoder {
-    float thresholds[257];     /**< Least light encoded as 0, 1, ... 255; then infinity. */
-    uint8_t first_codes[4097]; /**< Code at the lower end of each 4096th. */
+    float thresholds[257];     /**< Smallest light encoded as 0, 1, ... 255; then infinity. */
+    uint8_t first_codes[4097]; /**< Code at the lower end of each of 4096 cells. */
 } Encoder;
 
 /**
@@ -73,10 +73,10 @@ static inline uint8_t encoder_encode(const Encoder *encoder, float linear) {
 typedef struct PictureComparison {
     int width;                 /**< Pixels. */
     int height;                /**< Pixels. */
-    int max_difference;        /**< Largest difference of a channel, in 8-bit steps. */
-    double differing_fraction; /**< Share of pixels that differ by more than one step. */
+    int max_difference;        /**< Largest difference of a channel, in codes. */
+    double differing_fraction; /**< Fraction of the pixels that differ by more than one code. */
     double rmse;               /**< Root mean square difference of linear light (sRGB decoded). */
-    double psnr; /**< Peak signal-to-noise ratio of 8-bit steps, decibels; infinite if equal. */
+    double psnr; /**< Peak signal-to-noise ratio of the codes, decibels; infinite if equal. */
 } PictureComparison;
 
 /**

@@ -7,27 +7,31 @@
 #include <math.h>
 #include <stdlib.h>
 
-/** Largest difference that #PictureComparison.differing_fraction ignores, as it may be rounding. */
+/**
+ * Largest difference that #PictureComparison.differing_fraction ignores, because rounding can cause
+ * it.
+ */
 enum { DIFFERENCE_TOLERANCE = 1 };
-/** Brightness in the map of the least difference: dim, but visible on black. */
+/** Brightness in the map of the smallest difference: visible on black. */
 enum { MAP_BRIGHTNESS_MINIMUM = 64 };
 /** Channels of a pixel. */
 enum { CHANNELS = 3 };
 
 /** Sums over all pixels. */
 typedef struct DifferenceSums {
-    int max_difference;      /**< Largest difference of a channel, in steps. */
+    int max_difference;      /**< Largest difference of a channel, in codes. */
     size_t differing_pixels; /**< Pixels that differ by more than #DIFFERENCE_TOLERANCE. */
-    uint64_t code_squares;   /**< Sum of the squares of the differences, in steps. */
-    double linear_squares;   /**< Sum of the squares of the differences, in linear light. */
+    uint64_t code_squares;   /**< Sum of the squared differences, in codes. */
+    double linear_squares;   /**< Sum of the squared differences, in linear light. */
     double linear[256];      /**< Linear light of each code. */
 } DifferenceSums;
 
 /**
  * Compares one pixel.
- * @param a  Red, green and blue.
- * @param b  Red, green and blue of the other.
- * @return The largest difference of a channel, 0 to 255 steps.
+ * @param sums  The sums to update.
+ * @param a     Red, green and blue.
+ * @param b     Red, green and blue of the other picture.
+ * @return The largest difference of a channel, 0 to 255.
  */
 static int add_pixel_difference(DifferenceSums *sums, const uint8_t *a, const uint8_t *b) {
     int largest = 0;

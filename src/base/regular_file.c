@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Files of strangers, opened so that nothing can keep the program waiting.
+ * @brief Opening of regular files without blocking.
  */
 #include "base/regular_file.h"
 
@@ -12,9 +12,11 @@
 #include <unistd.h>
 
 /**
- * Says whether an open file may be read.
- * @param[out] info  What is known of it.
- * @return Whether it is a regular file.
+ * Checks that an open file is a regular file.
+ * @param file        Its descriptor.
+ * @param[out] info   Its properties.
+ * @param[out] error  What is wrong.
+ * @return Whether it is.
  */
 static bool check_regular(int file, struct stat *info, Error *error) {
     if (fstat(file, info) != 0) {

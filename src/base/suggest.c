@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The right word for a wrong one.
+ * @brief Search for the known word nearest to a misspelt one.
  */
 #include "base/suggest.h"
 
@@ -10,10 +10,10 @@
 #include <stdio.h>
 #include <string.h>
 
-/** Slips of the pen that make one beginning of a word into one of another; by both lengths. */
+/** Edit distances of all pairs of prefixes of two words, by their lengths. */
 typedef size_t EditDistances[SUGGEST_LENGTH_MAXIMUM + 1][SUGGEST_LENGTH_MAXIMUM + 1];
 
-/** @return Whether two letters are the same, large or small. */
+/** @return Whether two letters are equal, ignoring case. */
 static bool is_same_letter(char a, char b) {
     return tolower((unsigned char)a) == tolower((unsigned char)b);
 }
@@ -24,11 +24,13 @@ static size_t minimum(size_t a, size_t b) {
 }
 
 /**
- * @return The slips between the first i letters of a and the first j of b, at least 1 each, by
- *         those of shorter beginnings.
- * @param distances  Those of shorter beginnings.
- * @param i  How many letters of it.
- * @param j  How many letters of that.
+ * @return Edit distance of the first i letters of a and the first j of b, at least 1 each, by those
+ *         of shorter prefixes.
+ * @param distances  Edit distances of shorter prefixes.
+ * @param a          A word.
+ * @param i          Length of its prefix.
+ * @param b          The other word.
+ * @param j          Length of its prefix.
  */
 static size_t edit_distance_step(EditDistances distances, const char *a, size_t i, const char *b,
                                  size_t j) {
@@ -41,10 +43,12 @@ static size_t edit_distance_step(EditDistances distances, const char *a, size_t 
 }
 
 /**
- * @return How many letters left out, put in, taken for others or swapped with their neighbours lie
- *         between two words (optimal string alignment distance).
- * @param a_length  Its length, at most SUGGEST_LENGTH_MAXIMUM.
- * @param b_length  Its length, at most SUGGEST_LENGTH_MAXIMUM.
+ * @return Edit distance of two words: number of insertions, deletions, substitutions and swaps of
+ *         neighbours (optimal string alignment distance).
+ * @param a         A word.
+ * @param a_length  Its length, at most #SUGGEST_LENGTH_MAXIMUM.
+ * @param b         The other word.
+ * @param b_length  Its length, at most #SUGGEST_LENGTH_MAXIMUM.
  */
 static size_t edit_distance(const char *a, size_t a_length, const char *b, size_t b_length) {
     EditDistances distances;
@@ -61,7 +65,7 @@ void suggest_try(Suggestion *suggestion, const char *candidate) {
     if (word_length > SUGGEST_LENGTH_MAXIMUM || length > SUGGEST_LENGTH_MAXIMUM) {
         return;
     }
-    // One slip for every three letters: further away, a hint would rather lead astray.
+    // At most one edit per three letters: more distant words would be misleading.
     size_t distance_maximum = (word_length + 2) / 3;
     size_t distance = edit_distance(suggestion->word, word_length, candidate, length);
     if (distance > distance_maximum ||

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Text files that are there whole or not at all.
+ * @brief Text files that are written completely or not at all.
  */
 #ifndef DIOPTRE_BASE_TEXT_FILE_H
 #define DIOPTRE_BASE_TEXT_FILE_H
@@ -10,9 +10,13 @@
 #include <stddef.h>
 
 /**
- * Writes a text file, never over another one.
- * @param[out] exists  Whether it was not written because there is such a file.
- * @return Whether it is there, all of it.
+ * Writes a new text file; never replaces another.
+ * @param path         Its path.
+ * @param text         The text.
+ * @param size         Bytes of the text.
+ * @param[out] exists  Whether it failed because the file exists.
+ * @param[out] error   What is wrong.
+ * @return Whether the file is complete.
  */
 bool text_file_write_new(const char *path, const char *text, size_t size, bool *exists,
                          Error *error);

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Meshes: their memory, their checks, and normals that make them look smooth.
+ * @brief Meshes: their memory, their checks, and smooth normals.
  */
 #include "dioptre/mesh.h"
 
@@ -108,8 +108,12 @@ static bool check_values(const Mesh *mesh, Error *error) {
     return true;
 }
 
-/** Checks indices. @param triangles The indices, or NULL. @param end Size of the indexed array.
- *  @return Whether all are in range. */
+/**
+ * Checks indices.
+ * @param triangles  The indices, or NULL.
+ * @param end        Size of the indexed array.
+ * @return Whether all are in range.
+ */
 static bool check_indices(const MeshTriangle *triangles, size_t count, size_t end, Error *error) {
     for (size_t i = 0; triangles && i < count; i++) {
         const uint32_t *index = triangles[i].index;
@@ -163,8 +167,11 @@ static double triangle_geometry_angle(const TriangleGeometry *geometry, int corn
                  vec3d_dot(outgoing, incoming_reversed));
 }
 
-/** Normalises sums of normals; where they cancel, a position gets the normal of a triangle.
- *  @param[in,out] normals The sums. */
+/**
+ * Normalises sums of normals; where a sum is zero, the position gets the normal of a triangle.
+ * @param mesh             The mesh.
+ * @param[in,out] normals  The sums.
+ */
 static void normalize_all(const Mesh *mesh, Vec3d *normals) {
     for (size_t i = 0; i < mesh->position_count; i++) {
         bool is_long = vec3d_length(normals[i]) > NORMAL_SUM_MINIMUM;

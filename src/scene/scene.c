@@ -19,8 +19,10 @@ typedef struct SceneArena {
     size_t texture_capacity;  /**< Capacity of #Scene.textures. */
 } SceneArena;
 
-/** Allocates memory in the block; it is freed with the block. @return The memory, set to zero and
- *  aligned for any type; NULL if the block is full. */
+/**
+ * Allocates memory in the block; it is freed with the block.
+ * @return The memory, set to zero and aligned for any type; NULL if the block is full.
+ */
 static void *scene_arena_allocate(SceneArena *arena, size_t size, Error *error) {
     size_t start = (arena->used + alignof(max_align_t) - 1) & ~(alignof(max_align_t) - 1);
     if (size > SCENE_MEMORY_SIZE - start) {
@@ -60,8 +62,12 @@ static void *scene_arena_append(SceneArena *arena, void **array, size_t *capacit
     return (char *)*array + count * size;
 }
 
-/** @param address Where it must lie; NULL: anywhere.
- *  @return A block of which nothing is handed out; NULL without memory. */
+/**
+ * Creates an empty block.
+ * @param address     Required address; NULL: any.
+ * @param[out] error  What is wrong.
+ * @return The block; NULL without memory, or if the address is not free.
+ */
 static SceneArena *scene_arena_create(void *address, Error *error) {
     int placement = address ? MAP_FIXED_NOREPLACE : 0;
     SceneArena *arena = mmap(address, SCENE_MEMORY_SIZE, PROT_READ | PROT_WRITE,
@@ -222,8 +228,11 @@ bool scene_set_last_transform(Scene *scene, const Transform *transform, Error *e
 
 /* --- translation ------------------------------------------------------------------------------ */
 
-/** Copies an array into the block. @param[out] capacity Capacity of the copy. @return The copy;
- * NULL if the block is full. */
+/**
+ * Copies an array into the block.
+ * @param[out] capacity  Capacity of the copy.
+ * @return The copy; NULL if the block is full.
+ */
 static void *scene_arena_copy(SceneArena *arena, const void *array, size_t count, size_t size,
                               size_t *capacity, Error *error) {
     void *copy = scene_arena_allocate(arena, count * size, error);
@@ -231,8 +240,11 @@ static void *scene_arena_copy(SceneArena *arena, const void *array, size_t count
     return copy && count ? memcpy(copy, array, count * size) : copy;
 }
 
-/** Copies lights, materials and textures. @param arena The block of the copy. @return false without
- *  memory. */
+/**
+ * Copies lights, materials and textures.
+ * @param arena  The block of the copy.
+ * @return false without memory.
+ */
 static bool scene_copy_arrays(SceneArena *arena, const Scene *scene, Error *error) {
     Scene *copy = &arena->scene;
     copy->lights = scene_arena_copy(arena, scene->lights, scene->light_count, sizeof *copy->lights,
@@ -251,8 +263,11 @@ static bool scene_copy_arrays(SceneArena *arena, const Scene *scene, Error *erro
     return true;
 }
 
-/** Copies the meshes twice: as they are, and as empty entries for translated ones. @param arena The
- *  block of the copy. @return false without memory. */
+/**
+ * Copies the meshes twice: as they are, and as empty entries for translated ones.
+ * @param arena  The block of the copy.
+ * @return false without memory.
+ */
 static bool scene_copy_meshes(SceneArena *arena, const Scene *scene, Error *error) {
     size_t count = scene->mesh_count;
     arena->mesh_capacity = 2 * count;
@@ -267,8 +282,11 @@ static bool scene_copy_meshes(SceneArena *arena, const Scene *scene, Error *erro
     return meshes != NULL;
 }
 
-/** Translates the mesh of a shape, at its first use. @param[in,out] index Index of the mesh;
- * afterwards that of the translated one. @return false without memory. */
+/**
+ * Translates the mesh of a shape, at its first use.
+ * @param[in,out] index  Index of the mesh; afterwards that of the translated one.
+ * @return false without memory.
+ */
 static bool scene_translate_mesh(Scene *scene, size_t *index, Vec3d offset, Error *error) {
     const Mesh *mesh = scene->meshes[*index].mesh;
     *index += scene->mesh_count / 2;

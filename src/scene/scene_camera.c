@@ -4,16 +4,16 @@
  */
 #include "dioptre/scene.h"
 
-/** Narrowest field of view, degrees: a telescope; below it float cannot tell pixels apart. */
+/** Smallest field of view, degrees; below it, float cannot resolve pixels. */
 #define FOV_MINIMUM 0.01
-/** Widest field of view, degrees: at 180 the picture plane would be infinitely wide. */
+/** Largest field of view, degrees; at 180 the image plane would be infinitely wide. */
 #define FOV_MAXIMUM 175.0
-/** Steepest look by the keys and the mouse, degrees above or below the horizon. */
+/** Largest tilt by keys and mouse, degrees above or below the horizon. */
 #define ROTATED_TILT_MAXIMUM 89.0
 /** Degrees to radians. */
 #define RADIANS_PER_DEGREE (M_PI / 180)
 
-/** Rows of #scene_camera_parameters by place: which bit of `given` stands for which field. */
+/** Indices of the rows of #scene_camera_parameters, which are the bits of `given`. */
 enum { ROW_POSITION, ROW_LOOK_AT, ROW_DIRECTION, ROW_UP, ROW_PAN, ROW_TILT, ROW_FOV };
 
 /** Fields of `camera`. */
@@ -89,12 +89,13 @@ static Vec3d direction_from_pan_tilt(double pan, double tilt) {
 }
 
 /**
- * @return The part of `up` at right angles to `direction`, a unit vector. Where the two are
- *         parallel, the axis least aligned with the direction takes the place of `up`.
- * @param up  Any vector but zero.
+ * @return The component of `up` perpendicular to `direction`, as a unit vector. If the two are
+ *         parallel, the axis least aligned with the direction replaces `up`.
+ * @param direction  A unit vector.
+ * @param up         Any vector but zero.
  */
 static Vec3d orthogonal_up(Vec3d direction, Vec3d up) {
-    /** Sine of the angle below which two directions count as parallel: 1e-9 of a radian. */
+    /** Sine of the angle below which two directions count as parallel. */
     const double parallel_tolerance = 1e-9;
     Vec3d right = vec3d_cross(direction, vec3d_normalize(up));
     if (!(vec3d_length(right) > parallel_tolerance)) {
@@ -102,7 +103,7 @@ static Vec3d orthogonal_up(Vec3d direction, Vec3d up) {
         Vec3d axis = z <= x && z <= y ? (Vec3d){0, 0, 1}
                      : x <= y         ? (Vec3d){1, 0, 0}
                                       : (Vec3d){0, 1, 0};
-        /* Looking straight down with y up, -z is the top of the picture, as on a map. */
+        /* For a view straight down with y up, -z is the top of the image, as on a map. */
         axis = y > x && y > z ? (Vec3d){0, 0, direction.y > 0 ? 1 : -1} : axis;
         right = vec3d_cross(direction, axis);
     }
@@ -110,9 +111,11 @@ static Vec3d orthogonal_up(Vec3d direction, Vec3d up) {
 }
 
 /**
- * Works out direction, up and focus. See #Keyword.finish.
- * @param given  Which rows were given.
- * @return false where the fields do not fit together.
+ * Computes direction, up and target distance. See #Keyword.finish.
+ * @param values  The #SceneCamera.
+ * @param given   Bits of the given rows.
+ * @param error   What is wrong.
+ * @return false if the fields are inconsistent.
  */
 static bool scene_camera_finish(void *values, uint64_t given, Error *error) {
     SceneCamera *camera = values;
@@ -156,8 +159,10 @@ void scene_camera_move(SceneCamera *camera, double right, double up, double forw
 }
 
 /**
- * @return v turned about an axis (Rodrigues' formula).
- * @param angle  Degrees, counter-clockwise for who sees the axis come towards them.
+ * @return v rotated about an axis (Rodrigues' formula).
+ * @param v      The vector.
+ * @param axis   A unit vector.
+ * @param angle  Degrees, counter-clockwise when the axis points to the viewer.
  */
 static Vec3d rotate_about_axis(Vec3d v, Vec3d axis, double angle) {
     double cosine = cos(angle * RADIANS_PER_DEGREE), sine = sin(angle * RADIANS_PER_DEGREE);

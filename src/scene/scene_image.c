@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The picture that a scene asks for.
+ * @brief Size and quality of a scene's image.
  */
 #include "dioptre/scene.h"
 
@@ -45,7 +45,7 @@ static const Parameter scene_image_parameters[] = {
      .help = "how often a ray may be mirrored or refracted"},
     {0}};
 
-/** 800 by 600, one ray a pixel, mirrored as often as it is seen. */
+/** 800 by 600 pixels, one sample per pixel, automatic depth. */
 static const SceneImage scene_image_defaults = {.width = 800,
                                                 .height = 600,
                                                 .encoding = ENCODING_SRGB,

@@ -4,20 +4,18 @@
  */
 #include "dioptre/scene.h"
 
-/**
- * Largest weight of a term. Not 1: a teacher may overdo a highlight to show it.
- */
+/** Largest weight of a term. It is above 1, so that demonstrations can exaggerate a highlight. */
 #define WEIGHT_MAXIMUM 1000.0
-/** Sharpest highlight: at this exponent it is smaller than a pixel, and float has run out. */
+/** Largest exponent; its highlight is smaller than a pixel, and at the limit of float. */
 #define SHININESS_MAXIMUM 1e6
-/** Most that reflectivity and transparency may be together: 1, and what writing 0.9 and 0.1 in
- *  binary adds. */
-#define REFLECTANCE_SUM_MAXIMUM (1 + 1e-9)
-/** Least index of refraction; things optically thinner than air exist for X-rays only, and in
- * class.
+/**
+ * Largest sum of reflectivity and transparency: 1, plus the rounding error of numbers like 0.9 and
+ * 0.1.
  */
+#define REFLECTANCE_SUM_MAXIMUM (1 + 1e-9)
+/** Smallest index of refraction; values below 1 occur only for X-rays and in demonstrations. */
 #define IOR_MINIMUM 0.01
-/** Largest index of refraction: far above diamond's 2.4. */
+/** Largest index of refraction; that of diamond is 2.4. */
 #define IOR_MAXIMUM 100.0
 
 /** Fields of `material`. */
@@ -92,12 +90,14 @@ static const Parameter scene_material_parameters[] = {
      .help = "light of its own"},
     {0}};
 
-/** Matt white. */
+/** Diffuse white. */
 static const SceneMaterial scene_material_defaults = {
     .color = {1, 1, 1}, .ambient = 1, .diffuse = 1, .shininess = 50, .ior = 1.5};
 
-/** Refuses surfaces that send back more light than they get. See #Keyword.finish. @return Whether
- *  reflectivity and transparency are at most 1 together. */
+/**
+ * Rejects materials that return more light than arrives. See #Keyword.finish.
+ * @return Whether the sum of reflectivity and transparency is at most 1.
+ */
 static bool scene_material_finish(void *values, uint64_t given, Error *error) {
     (void)given;
     const SceneMaterial *m = values;
@@ -119,7 +119,7 @@ const Keyword scene_material_keyword = {.name = "material",
                                         .defaults = &scene_material_defaults,
                                         .finish = scene_material_finish};
 
-/** @return Whether there is anything of any primary. */
+/** @return Whether any channel is above zero. */
 static bool rgbd_is_nonzero(const Rgbd *color) {
     return color->red > 0 || color->green > 0 || color->blue > 0;
 }

@@ -4,10 +4,10 @@
  */
 #include "dioptre/scene.h"
 
-/** Rows of #scene_sky_parameters by place. */
+/** Indices of the rows of #scene_sky_parameters. */
 enum { ROW_COLOR, ROW_HORIZON, ROW_ZENITH, ROW_IMAGE, ROW_ROTATE };
 
-/** Largest turn, degrees: as of a shape. */
+/** Largest rotation, degrees, as for shapes. */
 #define SKY_ROTATION_MAXIMUM 36000.0
 
 /** Fields of `sky`. */
@@ -51,17 +51,20 @@ static const Parameter scene_sky_parameters[] = {
 static const SceneSky scene_sky_defaults = {0};
 
 /**
- * @return Whether a row was given.
- * @param given  Bits of the rows that were.
+ * @return Whether the scene gives a row.
+ * @param given  Bits of the given rows.
+ * @param row    Index of the row.
  */
 static bool is_given(uint64_t given, int row) {
     return given >> row & 1;
 }
 
 /**
- * Makes one colour a gradient from itself to itself. See #Keyword.finish.
- * @param given  Which rows were given.
- * @return false where two kinds of sky are asked for.
+ * Converts a uniform colour to a gradient with equal ends. See #Keyword.finish.
+ * @param values  The #SceneSky.
+ * @param given   Bits of the given rows.
+ * @param error   What is wrong.
+ * @return false if the fields are inconsistent.
  */
 static bool scene_sky_finish(void *values, uint64_t given, Error *error) {
     SceneSky *sky = values;

@@ -1,15 +1,15 @@
 /**
  * @file
- * @brief Distance fields: how they are put together, and what is known of them.
+ * @brief Distance fields: their construction and their properties.
  *
- * The primitives, and the operations on them, are those of Inigo Quilez (*Distance functions*);
- * what is exact and what a bound is said in doc/scene-reference.md, and tested.
+ * The primitives and operations are those of Inigo Quilez (*Distance functions*).
+ * doc/scene-reference.md lists which fields are exact and which are bounds; tests check it.
  */
 #include "dioptre/sdf.h"
 
 #include <string.h>
 
-/** Steps that an operation adds at most for each of its fields. */
+/** Largest number of nodes that an operation adds per field. */
 enum { NODES_ADDED = 1 };
 
 size_t sdf_size(int node_count) {
@@ -59,8 +59,12 @@ const Parameter sdf_radius_parameter = {.name = "radius",
 
 /* --- how they are put together ---------------------------------------------------------------- */
 
-/** Puts a step and its body behind the steps of a field. @param node The step; its body is filled
- *  in. */
+/**
+ * Appends a node and its body to a field.
+ * @param[in,out] out  The field.
+ * @param node         The node; its body count is set in the copy.
+ * @param body         The body.
+ */
 static void sdf_append(Sdf *out, const SdfNode *node, const Sdf *body) {
     SdfNode *copy = &out->nodes[out->node_count];
     *copy = *node;
@@ -70,9 +74,12 @@ static void sdf_append(Sdf *out, const SdfNode *node, const Sdf *body) {
 }
 
 /**
- * Makes a field of a step and its body.
- * @param sdf  The body, of which all else stays as it is.
- * @return false where it is too long or too deep.
+ * Creates a field of a node and its body.
+ * @param[out] out    The field.
+ * @param node        The node.
+ * @param sdf         The body; its other properties are copied.
+ * @param[out] error  What is wrong.
+ * @return false if it has too many nodes or is too deep.
  */
 static bool sdf_wrap(Sdf *out, const SdfNode *node, const Sdf *sdf, Error *error) {
     *out = *sdf;
@@ -90,14 +97,14 @@ static bool sdf_wrap(Sdf *out, const SdfNode *node, const Sdf *sdf, Error *error
     return true;
 }
 
-/** @return A point after a matrix. */
+/** @return The product of a matrix and a point. */
 static Vec3d matrix3x3_apply(const double m[3][3], Vec3d p) {
     return (Vec3d){m[0][0] * p.x + m[0][1] * p.y + m[0][2] * p.z,
                    m[1][0] * p.x + m[1][1] * p.y + m[1][2] * p.z,
                    m[2][0] * p.x + m[2][1] * p.y + m[2][2] * p.z};
 }
 
-/** Puts a box around a box that was transformed. @param[in,out] sdf What the box belongs to. */
+/** Transforms the bounding box of a field. @param[in,out] sdf The field. @param t The transform. */
 static void sdf_transform_bounds(Sdf *sdf, const Transform *t) {
     Vec3d corners[2] = {sdf->low, sdf->high};
     bool is_turned = t->rotate.x != 0 || t->rotate.y != 0 || t->rotate.z != 0;
@@ -121,8 +128,10 @@ static void sdf_transform_bounds(Sdf *sdf, const Transform *t) {
     }
 }
 
-/** Refuses what has become too small or too large for the engines' numbers: nothing of it would be
- *  seen. @return Whether it is not. */
+/**
+ * Rejects fields too small or too large for the engines' number types.
+ * @return Whether the size is valid.
+ */
 static bool sdf_check_size(const Sdf *sdf, Error *error) {
     double max_coordinate = fmax(vec3d_max_abs(sdf->low), vec3d_max_abs(sdf->high));
     double edge = vec3d_max_abs(vec3d_subtract(sdf->high, sdf->low));
@@ -134,7 +143,7 @@ static bool sdf_check_size(const Sdf *sdf, Error *error) {
                      edge, max_coordinate, LENGTH_MINIMUM, LENGTH_MAXIMUM);
 }
 
-/** Notes the box of the body of a #SDF_TRANSFORM step. */
+/** Sets the bounding box of the body of a #SDF_TRANSFORM node. */
 static void node_set_bounds(SdfNode *node, Vec3d low, Vec3d high) {
     const double box[6] = {low.x, low.y, low.z, high.x, high.y, high.z};
     memcpy(node->operands + 13, box, sizeof box);
@@ -159,22 +168,28 @@ bool sdf_transform(Sdf *out, const Sdf *sdf, const Transform *t, Error *error) {
     return sdf_check_size(out, error);
 }
 
-/** @return Whether a step works on what stands before it and on its body, both where the step
- *  itself stands; its first numbers are the body's box. */
+/**
+ * @return Whether a node combines the previous result with its body, both at the same point; its
+ *         first operands are then the body's bounding box.
+ */
 static bool is_combination(SdfOp op) {
     return op == SDF_UNION || op == SDF_SMOOTH_UNION || op == SDF_INTERSECTION ||
            op == SDF_DIFFERENCE;
 }
 
-/** Moves three numbers. */
+/** Adds an offset to three operands. */
 static void operands_translate(double *operands, Vec3d offset) {
     operands[0] += offset.x;
     operands[1] += offset.y;
     operands[2] += offset.z;
 }
 
-/** Puts a step that works on zero behind the steps of a field, as the body of one that moves it.
- *  @param node The step, with its body behind it. */
+/**
+ * Appends a node as the body of a translation: for primitives, which are centred at zero.
+ * @param out     The field.
+ * @param node    The node, followed by its body.
+ * @param offset  Translation, scene units.
+ */
 static void node_wrap_translation(Sdf *out, const SdfNode *node, Vec3d offset) {
     int size = 1 + node->body_count;
     out->nodes[out->node_count++] = (SdfNode){
@@ -183,7 +198,7 @@ static void node_wrap_translation(Sdf *out, const SdfNode *node, Vec3d offset) {
     out->node_count += size;
 }
 
-/** Puts steps, moved, behind those of a field. */
+/** Appends translated nodes to a field. */
 static void nodes_translate(Sdf *out, const SdfNode *nodes, int count, Vec3d offset) {
     for (const SdfNode *node = nodes; node < nodes + count; node += 1 + node->body_count) {
         SdfNode *copy = &out->nodes[out->node_count];
@@ -213,14 +228,14 @@ void sdf_translate(Sdf *out, const Sdf *sdf, Vec3d offset) {
     out->low = vec3d_add(sdf->low, offset);
     out->high = vec3d_add(sdf->high, offset);
     nodes_translate(out, sdf->nodes, sdf->node_count, offset);
-    // Only of a step that is all of the field, the box is asked for: that is the field's.
+    // Only a node that is the whole field needs its box, which is that of the field.
     bool has_transform = sdf->nodes[0].op == SDF_TRANSFORM;
     if (!has_transform && out->nodes[0].body_count == out->node_count - 1) {
         node_set_bounds(out->nodes, sdf->low, sdf->high);
     }
 }
 
-/** Moves a box outwards. */
+/** Expands a bounding box. */
 static void sdf_expand_bounds(Sdf *sdf, double distance) {
     Vec3d outwards = {distance, distance, distance};
     sdf->low = vec3d_subtract(sdf->low, outwards);
@@ -233,23 +248,26 @@ void sdf_round(Sdf *out, const Sdf *sdf, double radius) {
     sdf_expand_bounds(out, radius * sdf->bound_slack);
 }
 
-/** How a field is repeated along one axis. */
+/** Repetition of a field along one axis. */
 typedef struct AxisRepetition {
-    double period; /**< From one copy to the next; 0: not repeated. */
-    double half;   /**< 0.5 where there is a gap in the middle of an even number of copies. */
-    double limit;  /**< Number of the last copy, counted from the middle. */
-    double
-        neighbors; /**< Cells that are asked: 0: its own, 1: the nearer neighbour too, 2: both. */
+    double period; /**< Distance of two copies; 0: not repeated. */
+    double half; /**< 0.5 if the number of copies is even, so that the middle lies between two; else
+                    0. */
+    double limit;     /**< Index of the last copy, counted from the middle. */
+    double neighbors; /**< Number of neighbouring cells to evaluate: 0, the nearer one (1), or both
+                         (2). */
 } AxisRepetition;
 
 /**
- * Repeats along one axis.
- * @param[out] axis  What is needed of it.
- * @param low  Where the field begins; afterwards where all copies begin.
- * @param period  From one copy to the next.
- * @param count  How many copies; 0: without end.
- * @param is_exact  Whether the field is exact: then the nearer neighbour decides.
- * @return false where copies overlap more than their neighbours.
+ * Computes the repetition along one axis.
+ * @param[out] axis    The repetition.
+ * @param[in,out] low  Lower end of the field; afterwards that of all copies.
+ * @param[in,out] high Upper end of the field; afterwards that of all copies.
+ * @param period       Distance of two copies.
+ * @param count        Number of copies; 0: infinite.
+ * @param is_exact     Whether the field is exact: then the nearer neighbour suffices.
+ * @param[out] error   What is wrong.
+ * @return false if copies overlap more than their neighbours.
  */
 static bool axis_repetition_init(AxisRepetition *axis, double *low, double *high, double period,
                                  double count, bool is_exact, Error *error) {
@@ -298,13 +316,17 @@ bool sdf_repeat(Sdf *out, const Sdf *sdf, const SdfRepetition *repeat, Error *er
     return true;
 }
 
-/** The step of each join. */
+/** Node of each combination. */
 static const SdfOp combination_ops[] = {[SDF_COMBINE_UNION] = SDF_UNION,
                                         [SDF_COMBINE_INTERSECTION] = SDF_INTERSECTION,
                                         [SDF_COMBINE_DIFFERENCE] = SDF_DIFFERENCE,
                                         [SDF_COMBINE_SMOOTH_UNION] = SDF_SMOOTH_UNION};
 
-/** Takes what is known of one more field of a union. @param[in,out] out What is known so far. */
+/**
+ * Extends the properties of a union by one more field.
+ * @param[in,out] out  The union so far.
+ * @param next         The field.
+ */
 static void sdf_union_bounds(Sdf *out, const Sdf *next) {
     out->low = vec3d_min(out->low, next->low);
     out->high = vec3d_max(out->high, next->high);
@@ -312,20 +334,22 @@ static void sdf_union_bounds(Sdf *out, const Sdf *next) {
 }
 
 /**
- * Takes what is known of one more field of an intersection.
- * @param[in,out] out  What is known so far.
- * @return false where nothing is left.
+ * Reduces the properties of an intersection by one more field.
+ * @param[in,out] out  The intersection so far.
+ * @param next         The field.
+ * @param[out] error   What is wrong.
+ * @return false if the intersection is empty.
  */
 static bool sdf_intersect_bounds(Sdf *out, const Sdf *next, Error *error) {
     Vec3d low = out->low = vec3d_max(out->low, next->low);
     Vec3d high = out->high = vec3d_min(out->high, next->high);
-    // A point is beside the common box by at most sqrt(3) times the larger of the two distances.
+    // The distance to the common box is at most sqrt(3) times the larger of the two distances.
     out->bound_slack = fmax(out->bound_slack, next->bound_slack) * sqrt(3);
     return (low.x <= high.x && low.y <= high.y && low.z <= high.z) ||
            error_set(error, STATUS_SCENE, "the fields lie apart: there is nothing in all of them");
 }
 
-/** Puts one more field to those that were joined so far. @return false where nothing is left. */
+/** Combines a field with the result so far. @return false if the result is empty. */
 static bool sdf_combine_one(Sdf *out, SdfCombination combination, const Sdf *next, double radius,
                             Error *error) {
     Vec3d low = next->low, high = next->high;
@@ -347,7 +371,7 @@ static bool sdf_combine_one(Sdf *out, SdfCombination combination, const Sdf *nex
     return true;
 }
 
-/** @return Which of some fields is the deepest. */
+/** @return Index of the deepest field. */
 static int deepest_sdf(const Sdf *const *sdfs, int count) {
     int deepest = 0;
     for (int i = 1; i < count; i++) {
@@ -362,7 +386,7 @@ bool sdf_combine(Sdf *out, SdfCombination combination, const Sdf *const *sdfs, i
         return error_set(error, STATUS_SCENE, "a field may be made of %d at most",
                          SDF_NODES_MAXIMUM);
     }
-    // The deepest first: a chain of unions, however long, then stays flat.
+    // The deepest field first: a chain of unions then does not become deeper.
     int first = combination == SDF_COMBINE_DIFFERENCE ? 0 : deepest_sdf(sdfs, count);
     memcpy(out, sdfs[first], sdf_size(sdfs[first]->node_count));
     bool is_joined = true;

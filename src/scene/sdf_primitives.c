@@ -1,19 +1,21 @@
 /**
  * @file
- * @brief Distance fields that are made of numbers: their keywords and their steps.
+ * @brief Primitives of distance fields: their keywords and their nodes.
  */
 #include "dioptre/sdf.h"
 
-/** Largest part of an edge of a sponge's holes that is still told apart: 3^-12. */
+/** Largest number of iterations of a sponge: the smallest holes are 3^-12 of its edge. */
 enum { MENGER_ITERATIONS_MAXIMUM = 12 };
 
-/** Orbits beyond this distance never return, for every power from 2 on. */
+/** Orbits beyond this radius diverge, for every power from 2 on. */
 #define BAILOUT_RADIUS 2.0
 
 /**
- * Makes a field of one step.
- * @param is_exact  Whether it is exact.
- * @param half_size  Half the edges of the box around its solid, whose middle is at zero.
+ * Creates a field of one node.
+ * @param[out] sdf   The field.
+ * @param is_exact   Whether it is exact.
+ * @param node       The node.
+ * @param half_size  Half the edges of its bounding box, which is centred at zero.
  */
 static void sdf_from_primitive(Sdf *sdf, bool is_exact, const SdfNode *node, Vec3d half_size) {
     *sdf = (Sdf){.is_exact = is_exact,
@@ -24,22 +26,22 @@ static void sdf_from_primitive(Sdf *sdf, bool is_exact, const SdfNode *node, Vec
     sdf->nodes[0] = *node;
 }
 
-/** Says what a radius or an edge may be. */
+/** Range of a radius or an edge. */
 #define LENGTH_ROW                                                                                 \
     .type = PARAMETER_NUMBER, .minimum = LENGTH_MINIMUM, .maximum = LENGTH_MAXIMUM,                \
     .unit = "scene units"
 
-/** Says what the edges of a box may be. */
+/** Range of the edges of a box. */
 #define EDGES_ROW                                                                                  \
     .type = PARAMETER_VECTOR, .minimum = LENGTH_MINIMUM, .maximum = LENGTH_MAXIMUM,                \
     .unit = "scene units"
 
-/** What a scene file says of a ball. */
+/** Parameters of `distance.sphere`. */
 typedef struct SdfSphereParameters {
-    double radius; /**< Its radius. */
+    double radius; /**< Radius. */
 } SdfSphereParameters;
 
-/** Makes a ball. See #SdfPrimitive.create. */
+/** Creates a sphere. See #SdfPrimitive.create. */
 static void sdf_sphere_create(Sdf *sdf, const void *values) {
     double r = ((const SdfSphereParameters *)values)->radius;
     sdf_from_primitive(sdf, true, &(SdfNode){SDF_SPHERE, 0, {r}}, (Vec3d){r, r, r});
@@ -58,13 +60,13 @@ static const SdfPrimitive sdf_sphere = {
                 .defaults = &(const SdfSphereParameters){1}},
     .create = sdf_sphere_create};
 
-/** What a scene file says of a box, or of a frame. */
+/** Parameters of `distance.box` and `distance.box_frame`. */
 typedef struct SdfBoxParameters {
-    Vec3d size;  /**< Its edges. */
-    double edge; /**< Of a frame: how thick its bars are. */
+    Vec3d size;  /**< Edges. */
+    double edge; /**< Thickness of the edges of a frame. */
 } SdfBoxParameters;
 
-/** Makes a box. See #SdfPrimitive.create. */
+/** Creates a box. See #SdfPrimitive.create. */
 static void sdf_box_create(Sdf *sdf, const void *values) {
     Vec3d h = vec3d_scale(((const SdfBoxParameters *)values)->size, 0.5);
     sdf_from_primitive(sdf, true, &(SdfNode){SDF_BOX, 0, {h.x, h.y, h.z}}, h);
@@ -83,7 +85,10 @@ static const SdfPrimitive sdf_box = {
                 .defaults = &(const SdfBoxParameters){.size = {1, 1, 1}}},
     .create = sdf_box_create};
 
-/** Refuses bars that are thicker than the frame. See #Keyword.finish. @return Whether they fit. */
+/**
+ * Rejects edges thicker than the frame. See #Keyword.finish.
+ * @return Whether the thickness is valid.
+ */
 static bool sdf_box_frame_finish(void *values, uint64_t given, Error *error) {
     (void)given;
     const SdfBoxParameters *frame = values;
@@ -93,7 +98,7 @@ static bool sdf_box_frame_finish(void *values, uint64_t given, Error *error) {
                      frame->edge, least);
 }
 
-/** Makes a frame. See #SdfPrimitive.create. */
+/** Creates a frame. See #SdfPrimitive.create. */
 static void sdf_box_frame_create(Sdf *sdf, const void *values) {
     const SdfBoxParameters *frame = values;
     Vec3d h = vec3d_scale(frame->size, 0.5);
@@ -119,13 +124,13 @@ static const SdfPrimitive sdf_box_frame = {
                 .finish = sdf_box_frame_finish},
     .create = sdf_box_frame_create};
 
-/** What a scene file says of a ring. */
+/** Parameters of `distance.torus`. */
 typedef struct SdfTorusParameters {
-    double major; /**< From zero to the middle of the tube. */
-    double minor; /**< Radius of the tube. */
+    double major; /**< Major radius, to the centre of the tube. */
+    double minor; /**< Minor radius, that of the tube. */
 } SdfTorusParameters;
 
-/** Refuses rings without a hole. See #Keyword.finish. @return Whether it has one. */
+/** Rejects a torus without a hole. See #Keyword.finish. @return Whether it has one. */
 static bool sdf_torus_finish(void *values, uint64_t given, Error *error) {
     (void)given;
     const SdfTorusParameters *torus = values;
@@ -134,7 +139,7 @@ static bool sdf_torus_finish(void *values, uint64_t given, Error *error) {
                      torus->minor, torus->major);
 }
 
-/** Makes a ring. See #SdfPrimitive.create. */
+/** Creates a torus. See #SdfPrimitive.create. */
 static void sdf_torus_create(Sdf *sdf, const void *values) {
     const SdfTorusParameters *torus = values;
     double outer = torus->major + torus->minor;
@@ -160,13 +165,13 @@ static const SdfPrimitive sdf_torus = {
                 .finish = sdf_torus_finish},
     .create = sdf_torus_create};
 
-/** What a scene file says of a sponge. */
+/** Parameters of `distance.menger`. */
 typedef struct SdfMengerParameters {
-    double size;    /**< Its edge. */
-    int iterations; /**< How often holes are cut. */
+    double size;    /**< Edge. */
+    int iterations; /**< Number of iterations. */
 } SdfMengerParameters;
 
-/** Makes a sponge. See #SdfPrimitive.create. */
+/** Creates a Menger sponge. See #SdfPrimitive.create. */
 static void sdf_menger_create(Sdf *sdf, const void *values) {
     const SdfMengerParameters *menger = values;
     double h = 0.5 * menger->size;
@@ -195,14 +200,17 @@ static const SdfPrimitive sdf_menger = {
                 .defaults = &(const SdfMengerParameters){1, 4}},
     .create = sdf_menger_create};
 
-/** What a scene file says of a Mandelbulb. */
+/** Parameters of `distance.mandelbulb`. */
 typedef struct SdfMandelbulbParameters {
-    int power;      /**< Of its formula. */
-    int iterations; /**< How often the formula is applied. */
+    int power;      /**< Power n. */
+    int iterations; /**< Number of iterations. */
 } SdfMandelbulbParameters;
 
-/** @return Beyond this distance no point is in a Mandelbulb: its second iterate, at least r^n - r
- *  away from zero, is beyond #BAILOUT_RADIUS. */
+/**
+ * @return Radius of a sphere around a Mandelbulb. Outside, the second iterate, at least r^n - r
+ *         from zero, is beyond #BAILOUT_RADIUS.
+ * @param power  The power n.
+ */
 static double mandelbulb_bounding_radius(int power) {
     double low = 1, high = BAILOUT_RADIUS;
     for (int i = 0; i < 60; i++) {
@@ -213,16 +221,16 @@ static double mandelbulb_bounding_radius(int power) {
 }
 
 /**
- * Makes a Mandelbulb: the points c from which z^n + c stays near zero. Its distance is estimated by
- * the potential, log |z| |z| / |z'|, times a factor: the derivative is one number and not a matrix,
- * and near the poles it is too small. So the estimate is a bound up to four iterations only.
- * Numbers: power, iterations, the ball around it, the factor, the radius where orbits are given up,
- * and log 2 / n^iterations, the potential of its surface.
+ * Creates a Mandelbulb: the points c for which z^n + c stays bounded. Its distance is estimated by
+ * the potential, log |z| |z| / |z'|, times a factor. The derivative is one number instead of a
+ * matrix, and too small near the poles: the estimate is a bound up to four iterations only.
+ * Operands: power, iterations, radius of the bounding sphere, factor, bailout radius, and log 2 /
+ * n^iterations, the potential of its surface.
  */
 static void sdf_mandelbulb_create(Sdf *sdf, const void *values) {
-    /** Half of the usual one; how often it is too much is tested (tests/test_sdf_functions.c). */
+    /** Half the usual factor; tests/test_sdf_functions.c counts where the estimate is too large. */
     const double factor = 0.25;
-    /** Its power of n is still a float. */
+    /** A radius whose n-th power is in the range of float. */
     const double overflow = 0x1p100;
     const SdfMandelbulbParameters *bulb = values;
     int n = bulb->power;

@@ -1,12 +1,12 @@
 /**
  * @file
- * @brief How a shape is stretched, turned and moved: its fields, and the matrix that follows.
+ * @brief Transforms: scale, rotation and translation of shapes.
  */
 #include "dioptre/parameter.h"
 
 #include <string.h>
 
-/** Fields of every shape. */
+/** The fields of all shapes besides their own. */
 static const Parameter transform_parameters[] = {
     {.name = "scale",
      .type = PARAMETER_SCALE,
@@ -31,16 +31,19 @@ static const Parameter transform_parameters[] = {
      .help = "then moved"},
     {0}};
 
-/** A shape as its own fields say it. */
+/** The identity. */
 static const Transform transform_defaults = {.scale = {1, 1, 1}};
 
 /** A rotation about an axis. */
 typedef struct CosineSine {
-    double cosine; /**< Of its angle. */
-    double sine;   /**< Of its angle. */
+    double cosine; /**< Cosine of its angle. */
+    double sine;   /**< Sine of its angle. */
 } CosineSine;
 
-/** @return A rotation; exact for whole quarters, so that a turned box stays along the axes. */
+/**
+ * @return The cosine and sine of an angle; exact for multiples of 90 degrees, so that boxes stay
+ *         aligned with the axes.
+ */
 static CosineSine cosine_sine_of(double degrees) {
     static const CosineSine quarters[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
     double quarters_turned = degrees / 90;
@@ -52,9 +55,10 @@ static CosineSine cosine_sine_of(double degrees) {
 }
 
 /**
- * Turns what a matrix makes about an axis: two of its rows change.
- * @param axis  0, 1 or 2 for x, y or z.
- * @param degrees  The angle; from y to z, z to x or x to y.
+ * Multiplies a matrix by a rotation about an axis from the left, which changes two rows.
+ * @param[in,out] matrix  The matrix.
+ * @param axis            0, 1 or 2 for x, y or z.
+ * @param degrees         The angle; from y to z, z to x or x to y.
  */
 static void matrix_rotate(double matrix[3][3], int axis, double degrees) {
     CosineSine rotation = cosine_sine_of(degrees);
@@ -66,8 +70,10 @@ static void matrix_rotate(double matrix[3][3], int axis, double degrees) {
     }
 }
 
-/** Refuses what would make a shape flat, and works out the matrix. See #Keyword.finish. @return
- *  false where a scale is zero, or as good as zero. */
+/**
+ * Rejects scales that are zero or too small, and computes the matrix. See #Keyword.finish.
+ * @return Whether all scales are valid.
+ */
 static bool transform_finish(void *values, uint64_t given, Error *error) {
     (void)given;
     Transform *transform = values;

@@ -1,23 +1,23 @@
 /**
  * @file
- * @brief What a scene file needs that no time changes.
+ * @brief The cache of a scene file: its text, its meshes and its textures.
  */
 #include "script/asset_cache.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/** A file that was read: a model or a picture. */
+/** A file that was read: a mesh or a texture. */
 typedef struct CacheEntry {
-    char *path;       /**< Where it is, absolute and without links; owned. */
-    Mesh *mesh;       /**< What is in it; NULL: it is a picture. */
-    Texture *texture; /**< What is in it; NULL: it is a model. */
+    char *path;       /**< Absolute path without links; owned. */
+    Mesh *mesh;       /**< The mesh, retained; NULL: it is a texture. */
+    Texture *texture; /**< The texture, retained; NULL: it is a mesh. */
 } CacheEntry;
 
 struct AssetCache {
     ScriptText text;     /**< The text of the scene file. */
-    CacheEntry *entries; /**< The models and pictures of the scene that was loaded last; owned. */
-    size_t count;        /**< How many. */
+    CacheEntry *entries; /**< The meshes and textures of the last scene; owned. */
+    size_t count;        /**< Number of entries. */
 };
 
 AssetCache *asset_cache_create(Error *error) {
@@ -28,7 +28,7 @@ AssetCache *asset_cache_create(Error *error) {
     return cache;
 }
 
-/** Gives items back. @param entries The items, or NULL. */
+/** Releases entries. @param entries The entries, or NULL. @param count Number of entries. */
 static void entries_destroy(CacheEntry *entries, size_t count) {
     for (size_t i = 0; i < count; i++) {
         free(entries[i].path);
@@ -51,10 +51,10 @@ ScriptText *asset_cache_text(AssetCache *cache) {
 }
 
 /**
- * Finds a file in a stock.
- * @param cache  The stock, or NULL.
- * @param path   The file, absolute and without links.
- * @return It; an item with nothing in it if it is not there.
+ * Finds a file in a cache.
+ * @param cache  The cache, or NULL.
+ * @param path   Absolute path without links.
+ * @return The entry; all its pointers are NULL if the file is not in the cache.
  */
 static CacheEntry find_entry(const AssetCache *cache, const char *path) {
     for (size_t i = 0; cache && i < cache->count; i++) {
@@ -76,8 +76,9 @@ void asset_cache_fill_scene(const AssetCache *cache, Scene *scene) {
 }
 
 /**
- * Fills items with the models and pictures of a scene.
- * @param[out] entries  Room for all of them, zero.
+ * Fills entries with the meshes and textures of a scene.
+ * @param scene         The scene.
+ * @param[out] entries  Memory for all of them, set to zero.
  * @return false without memory.
  */
 static bool entries_fill(const Scene *scene, CacheEntry *entries) {

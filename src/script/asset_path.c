@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The files that a scene names.
+ * @brief Paths of the files that a scene names.
  */
 #include "script/asset_path.h"
 
@@ -9,8 +9,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** Finds the folder that a scene's files lie in. @param[out] dir The folder, as the user knows it,
- *  with a slash at its end; empty for the folder that the program runs in. */
+/**
+ * Finds the folder of the files of a scene.
+ * @param request   The request.
+ * @param[out] dir  The folder as the user gave it, with a slash at its end; empty: the working
+ *                  directory.
+ */
 static void find_base_dir(const ScriptRequest *request, char dir[PATH_MAX]) {
     if (request->base_dir) {
         snprintf(dir, PATH_MAX, "%s/", request->base_dir);
@@ -21,7 +25,7 @@ static void find_base_dir(const ScriptRequest *request, char dir[PATH_MAX]) {
     snprintf(dir, PATH_MAX, "%.*s", length, request->path);
 }
 
-/** Says whether a path lies below a folder. @return Whether it does. */
+/** @return Whether a path lies below a folder. */
 static bool is_inside(const char *dir, const char *path) {
     size_t length = strlen(dir);
     if (strcmp(dir, "/") == 0) {

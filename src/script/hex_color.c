@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Colours as on the web.
+ * @brief Hexadecimal colours, such as `#ff8000`.
  */
 #include "script/hex_color.h"
 
@@ -10,8 +10,8 @@
 #include <stdlib.h>
 
 /**
- * @return The linear light of an encoded part of a colour, 0 to 1.
- * @param text  Two hexadecimal digits, and then anything.
+ * @return A channel of a colour in linear light, 0 to 1.
+ * @param text  Two hexadecimal digits; what follows is not read.
  */
 static double read_channel(const char *text) {
     char digits[] = {text[0], text[1], '\0'};

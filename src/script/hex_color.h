@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Colours as on the web.
+ * @brief Hexadecimal colours, such as `#ff8000`.
  */
 #ifndef SCRIPT_HEX_COLOR_H
 #define SCRIPT_HEX_COLOR_H
@@ -11,8 +11,10 @@
 #include <stddef.h>
 
 /**
- * Reads a colour such as `#ff8000`: red, green and blue in sRGB, from 00 to ff.
- * @param[out] color  Its linear light, by the exact curve; each part 0 to 1.
+ * Reads a hexadecimal colour: red, green and blue in sRGB, each 00 to ff.
+ * @param text        The text.
+ * @param length      Bytes of the text.
+ * @param[out] color  The colour in linear light by the exact sRGB curve, 0 to 1.
  * @return Whether the text is such a colour.
  */
 bool hex_color_read(const char *text, size_t length, Rgbd *color);

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The word `include`.
+ * @brief The function `include` of the scene language.
  */
 #include "script/include.h"
 
@@ -16,8 +16,11 @@ static int call_include(lua_State *L);
 
 /**
  * Reads a file to include.
- * @param[out] text  Its text; to be released.
- * @param[out] display_path  Its path as the user knows it.
+ * @param request            The request, with the folder.
+ * @param name               Name of the file in the scene.
+ * @param[out] text          Its text, to be released with #script_text_deinit.
+ * @param[out] display_path  Its path for messages.
+ * @param[out] error         What is wrong.
  * @return false if it cannot be included.
  */
 static bool read_file(const ScriptRequest *request, const char *name, ScriptText *text,
@@ -34,7 +37,7 @@ static bool read_file(const ScriptRequest *request, const char *name, ScriptText
     return true;
 }
 
-/** Puts a file on the stack as a function; raises an error if that cannot be done. */
+/** Compiles a file and pushes it as a function; raises an error if it cannot be included. */
 static void load_file(lua_State *L, const char *name) {
     const ScriptRun *run = script_sandbox_of(L)->context;
     char display_path[PATH_MAX];
@@ -47,8 +50,10 @@ static void load_file(lua_State *L, const char *name) {
     }
 }
 
-/** @return How many calls of `include` a state is in. Read off its stack, since an error that a
- *  scene catches may end several of them at once. */
+/**
+ * @return Number of active calls of `include`. It is counted on the stack, because one caught error
+ *         can end several calls.
+ */
 static int count_depth(lua_State *L) {
     int depth = 0;
     lua_Debug frame;
@@ -61,9 +66,9 @@ static int count_depth(lua_State *L) {
 }
 
 /**
- * Runs another file of the scene. See lua_CFunction.
- * @param L  The state, with the file's name.
- * @return How many values the file has returned.
+ * `include "FILE"`. See lua_CFunction.
+ * @param L  The state, with the name of the file.
+ * @return Number of values that the file returned.
  */
 static int call_include(lua_State *L) {
     size_t length;

@@ -1,17 +1,19 @@
 /**
  * @file
- * @brief The word `include`: a scene made of several files.
+ * @brief The function `include`: a scene of several files.
  */
 #ifndef SCRIPT_INCLUDE_H
 #define SCRIPT_INCLUDE_H
 
 #include <lua.h>
 
-/** How deep files may include each other: deeper is a ring. */
+/** Largest depth of nested includes; it stops files that include each other. */
 enum { INCLUDE_DEPTH_MAXIMUM = 32 };
 
-/** Makes `include` a global word of a state: `include "other.lua"` runs a file that lies in the
- *  folder of the scene file, or the folder asked for, or below it, and returns what that returns.
+/**
+ * Adds the global function `include`: `include "other.lua"` runs a file in the folder of the scene
+ * (#ScriptRequest.base_dir) or below it, and returns what the file returns.
+ * @param L  The state.
  */
 void include_open(lua_State *L);
 

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The words of the scene language that add to a scene.
+ * @brief Keywords of the scene language that add to a scene.
  */
 #include "script/keywords.h"
 
@@ -11,29 +11,30 @@
 
 #include <lauxlib.h>
 
-/** What a call of a word has read. */
+/** The arguments of a keyword, as read. */
 typedef struct KeywordCall {
-    const Keyword *keyword;     /**< The word. */
-    size_t kind;                /**< Index of the shape's or light's class; if it is one. */
+    const Keyword *keyword;     /**< The keyword. */
+    size_t kind;                /**< For shapes and lights: index of the class. */
     const void *values;         /**< The keyword's struct, finished. */
-    size_t material;            /**< Place of the material that it wears; if it is a shape. */
-    const Transform *transform; /**< What becomes of it; NULL: nothing, or it is no shape. */
+    size_t material;            /**< For shapes: index of the material in #Scene.materials. */
+    const Transform *transform; /**< For shapes: the transform; NULL: none. */
 } KeywordCall;
 
-/** Puts what a call has read into the scene. @return false if the scene is full. */
+/** Adds the result of a call to the scene. @return false when the scene's memory is full. */
 typedef bool AddFunction(Scene *scene, const KeywordCall *call, Error *error);
 
-/** A word of the language: a keyword, and what becomes of what it reads. */
+/** A keyword with the function that adds its result to the scene. */
 typedef struct KeywordFunction {
     const Keyword *keyword; /**< Its name and fields. */
-    AddFunction *add;       /**< What becomes of them. */
-    bool is_shape;          /**< Whether it takes the fields of every shape too. */
+    AddFunction *add;       /**< Adds the result to the scene. */
+    bool is_shape;          /**< Whether it takes the fields of all shapes. */
     size_t kind;            /**< Index of the shape's or light's class. */
 } KeywordFunction;
 
-/** What the words return: a thing of the scene. */
+/** Result of a keyword in Lua: a reference to a part of the scene. */
 typedef struct SceneHandle {
-    size_t material; /**< Place of the material that it is, or wears. */
+    size_t material; /**< Index in #Scene.materials: of the material itself, or of that of the
+                        shape. */
 } SceneHandle;
 
 /** Replaces the camera. See #AddFunction. @return true */
@@ -44,7 +45,7 @@ static bool add_camera(Scene *scene, const KeywordCall *call, Error *error) {
     return true;
 }
 
-/** Replaces size and quality of the picture. See #AddFunction. @return true */
+/** Replaces size and quality of the image. See #AddFunction. @return true */
 static bool add_image(Scene *scene, const KeywordCall *call, Error *error) {
     (void)error;
     scene->image = *(const SceneImage *)call->values;
@@ -58,19 +59,19 @@ static bool add_sky(Scene *scene, const KeywordCall *call, Error *error) {
     return true;
 }
 
-/** Adds a light. See #AddFunction. @return See there. */
+/** Adds a light. See #AddFunction. @return false when the scene's memory is full. */
 static bool add_light(Scene *scene, const KeywordCall *call, Error *error) {
     SceneLight light = *(const SceneLight *)call->values;
     light.class_index = call->kind;
     return scene_add_light(scene, &light, error);
 }
 
-/** Adds a material. See #AddFunction. @return See there. */
+/** Adds a material. See #AddFunction. @return false when the scene's memory is full. */
 static bool add_material(Scene *scene, const KeywordCall *call, Error *error) {
     return scene_add_material(scene, call->values, error);
 }
 
-/** Adds a shape. See #AddFunction. @return See there. */
+/** Adds a shape. See #AddFunction. @return false when the scene's memory is full. */
 static bool add_shape(Scene *scene, const KeywordCall *call, Error *error) {
     bool is_field = call->keyword->parameters->type == PARAMETER_SDF;
     if (is_field && scene->materials[call->material].texture_id > 0) {
@@ -81,14 +82,14 @@ static bool add_shape(Scene *scene, const KeywordCall *call, Error *error) {
            (!call->transform || scene_set_last_transform(scene, call->transform, error));
 }
 
-/** The words of every scene. */
+/** The keywords of every scene, apart from shapes and lights. */
 static const KeywordFunction scene_keywords[] = {
     {.keyword = &scene_camera_keyword, .add = add_camera},
     {.keyword = &scene_image_keyword, .add = add_image},
     {.keyword = &scene_sky_keyword, .add = add_sky},
     {.keyword = &scene_material_keyword, .add = add_material}};
 
-/** What `ambient` takes. */
+/** Argument of `ambient`. */
 static const Parameter ambient_parameter = {.name = "ambient",
                                             .type = PARAMETER_COLOR,
                                             .minimum = 0,
@@ -97,9 +98,9 @@ static const Parameter ambient_parameter = {.name = "ambient",
                                             .help = "light from everywhere"};
 
 /**
- * Reads the field `material` of a shape's table.
+ * Reads the field `material` of a shape.
  * @param L  The state; the table is the first argument.
- * @return Its place; that of the matt white one where there is no such field.
+ * @return Index of the material in #Scene.materials; 0, diffuse white, without the field.
  */
 static size_t read_material(lua_State *L) {
     if (lua_getfield(L, 1, scene_material_keyword.name) == LUA_TNIL) {
@@ -115,9 +116,10 @@ static size_t read_material(lua_State *L) {
 }
 
 /**
- * Puts a thing of the scene on the stack. It can be handed on, and that is all.
- * @param name  The keyword that made it.
- * @param material  Place of the material that it is, or wears.
+ * Pushes a reference to a part of the scene. Scripts can only pass it on.
+ * @param L         The state.
+ * @param name      The keyword that created it.
+ * @param material  Index of its material in #Scene.materials.
  */
 static void push_handle(lua_State *L, const char *name, size_t material) {
     SceneHandle *handle = lua_newuserdatauv(L, sizeof *handle, 0);
@@ -130,9 +132,9 @@ static void push_handle(lua_State *L, const char *name, size_t material) {
 }
 
 /**
- * Reads what every shape takes besides its own fields.
- * @param L              The state; the table is the first argument.
- * @param[in,out] call   What was read; a struct that it points to is Lua's, and on the stack.
+ * Reads the fields of all shapes: material and transform.
+ * @param L             The state; the table is the first argument.
+ * @param[in,out] call  The arguments; its structs are owned by Lua and lie on the stack.
  */
 static void read_shape_fields(lua_State *L, KeywordCall *call) {
     uint64_t given;
@@ -142,9 +144,10 @@ static void read_shape_fields(lua_State *L, KeywordCall *call) {
 }
 
 /**
- * Reads all that a word was called with.
- * @param L  The state, with the table.
- * @return What was read; its structs are Lua's, and on the stack.
+ * Reads all arguments of a keyword.
+ * @param L         The state, with the table.
+ * @param function  The keyword.
+ * @return The arguments; its structs are owned by Lua and lie on the stack.
  */
 static KeywordCall read_call(lua_State *L, const KeywordFunction *function) {
     const Keyword *const keywords[] = {function->keyword,
@@ -160,14 +163,14 @@ static KeywordCall read_call(lua_State *L, const KeywordFunction *function) {
 }
 
 /**
- * Does what a word of the language stands for. See lua_CFunction.
+ * Calls a keyword. See lua_CFunction.
  * @param L  The state, with the table; the #KeywordFunction is the first upvalue.
- * @return 1: the thing that was made.
+ * @return 1: the reference to the new part of the scene.
  */
 static int call_keyword(lua_State *L) {
     const KeywordFunction *function = lua_touserdata(L, lua_upvalueindex(1));
     Scene *scene = ((ScriptRun *)script_sandbox_of(L)->context)->scene;
-    // Noted when this function was called: the scene file is the first of its files.
+    // The line of this call; file 0 is the scene file.
     SourceLocation location = script_sandbox_of(L)->result->location;
     Error error = {0};
     KeywordCall call = read_call(L, function);
@@ -184,9 +187,9 @@ static int call_keyword(lua_State *L) {
 }
 
 /**
- * Sets the light from everywhere: `ambient { 0.1, 0.1, 0.1 }`. See lua_CFunction.
+ * Sets the ambient light: `ambient { 0.1, 0.1, 0.1 }`. See lua_CFunction.
  * @param L  The state, with a colour.
- * @return 1: the thing that was made.
+ * @return 1: the reference to the new part of the scene.
  */
 static int call_ambient(lua_State *L) {
     Scene *scene = ((ScriptRun *)script_sandbox_of(L)->context)->scene;
@@ -198,7 +201,7 @@ static int call_ambient(lua_State *L) {
     return 1;
 }
 
-/** Makes a word a global one. */
+/** Adds a keyword as a global function. */
 static void register_keyword(lua_State *L, const KeywordFunction *function) {
     KeywordFunction *copy = lua_newuserdatauv(L, sizeof *copy, 0);
     *copy = *function;

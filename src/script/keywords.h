@@ -1,14 +1,17 @@
 /**
  * @file
- * @brief The words of the scene language that add to a scene.
+ * @brief Keywords of the scene language that add to a scene.
  */
 #ifndef SCRIPT_KEYWORDS_H
 #define SCRIPT_KEYWORDS_H
 
 #include <lua.h>
 
-/** Makes the keywords global words of a state: those of every scene, and those of the shapes that
- *  its #ScriptRun can name. */
+/**
+ * Adds the keywords as global functions: those of every scene, and those of the shapes in
+ * #ScriptRun.
+ * @param L  The state.
+ */
 void keywords_open(lua_State *L);
 
 #endif

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The tables of lessons. Numbers and words are read by parameter tables, as in scenes.
+ * @brief Fields of the functions of lessons, read by parameter tables as in scenes.
  */
 #include "script/lesson_fields.h"
 
@@ -16,19 +16,19 @@
 #include <string.h>
 #include <unistd.h>
 
-/** Latest and earliest that a scene's time may be, seconds. */
+/** Largest absolute value of a scene's time, seconds. */
 static const double TIME_MAXIMUM = 1e9;
 
-/** The rows of #lesson_parameters. */
+/** Rows of #lesson_parameters. */
 typedef enum {
-    ROW_SCENE,   /**< The scene's file. */
-    ROW_TITLE,   /**< What the lesson is called. */
-    ROW_ENGINE,  /**< The engine. */
-    ROW_SIZE,    /**< The window's size. */
-    ROW_NUMBERS, /**< The first of the rows that the tables alone can read. */
+    ROW_SCENE,   /**< File of the scene. */
+    ROW_TITLE,   /**< Title. */
+    ROW_ENGINE,  /**< Engine. */
+    ROW_SIZE,    /**< Size of the window. */
+    ROW_NUMBERS, /**< First of the rows that #read_fields reads. */
 } LessonParameter;
 
-/** What `lesson` takes. Rows before #ROW_NUMBERS are read here; their types say nothing. */
+/** Fields of `lesson`. Rows before #ROW_NUMBERS are read in this file; their types are unused. */
 static const Parameter lesson_parameters[] = {[ROW_SCENE] = {.name = "scene"},
                                               [ROW_TITLE] = {.name = "title"},
                                               [ROW_ENGINE] = {.name = "engine"},
@@ -65,20 +65,22 @@ static const Parameter lesson_parameters[] = {[ROW_SCENE] = {.name = "scene"},
 /** `lesson`, for errors about its fields. */
 static const Keyword lesson_keyword = {.name = "lesson", .parameters = lesson_parameters};
 
-/** What `caption` takes. */
+/** Fields of `caption`. */
 static const Parameter caption_parameters[] = {
     {.name = "en"}, {.name = "fr"}, {.name = "wait", .type = PARAMETER_BOOLEAN}, {0}};
 /** `caption`, for errors about its fields. */
 static const Keyword caption_keyword = {.name = "caption", .parameters = caption_parameters};
 
-/** What a title takes. */
+/** Fields of a title. */
 static const Parameter text_parameters[] = {{.name = "en"}, {.name = "fr"}, {0}};
 
 /**
- * Reads text; raises an error about anything else.
- * @param name  What to call it in errors.
- * @param lesson  The lesson, which keeps it.
- * @return The text.
+ * Reads a string; raises an error for any other type.
+ * @param L       The state.
+ * @param index   Index of the value on the stack.
+ * @param name    Its name in errors.
+ * @param lesson  The lesson, which owns the copy.
+ * @return The string.
  */
 static const char *read_text(lua_State *L, int index, const char *name, Lesson *lesson) {
     size_t length;
@@ -99,8 +101,11 @@ static const char *read_text(lua_State *L, int index, const char *name, Lesson *
 }
 
 /**
- * @return Text of a field, see #read_text; NULL where it is not given.
- * @param table  Where the table is.
+ * @return The string in a field, see #read_text; NULL without the field.
+ * @param L       The state.
+ * @param table   Index of the table on the stack.
+ * @param name    Name of the field.
+ * @param lesson  The lesson, which owns the copy.
  */
 static const char *read_text_field(lua_State *L, int table, const char *name, Lesson *lesson) {
     bool is_given = lua_getfield(L, table, name) != LUA_TNIL;
@@ -110,10 +115,12 @@ static const char *read_text_field(lua_State *L, int table, const char *name, Le
 }
 
 /**
- * Reads words: one text for all languages, or a table with one for each.
- * @param name  What to call them in errors.
- * @param lesson  The lesson, which keeps them.
- * @return The words; at least in one language.
+ * Reads a text of a lesson: one string for all languages, or a table with one per language.
+ * @param L       The state.
+ * @param index   Index of the value on the stack.
+ * @param name    Its name in errors.
+ * @param lesson  The lesson, which owns the copy.
+ * @return The text, in at least one language.
  */
 static LessonText read_lesson_text(lua_State *L, int index, const char *name, Lesson *lesson) {
     if (!lua_istable(L, index)) {
@@ -153,8 +160,11 @@ static void read_size(lua_State *L, LessonSettings *settings) {
     lua_pop(L, 1);
 }
 
-/** Finds the scene's file: its name is as seen from the lesson's folder. @param L The state, with
- *  the lesson's table first. */
+/**
+ * Reads the path of the scene's file, relative to the folder of the lesson.
+ * @param L       The state, with the lesson's table first.
+ * @param lesson  The lesson.
+ */
 static void read_scene(lua_State *L, Lesson *lesson) {
     const char *path = ((ScriptRun *)script_sandbox_of(L)->context)->request->path;
     const char *name = read_text_field(L, 1, "scene", lesson), *slash = strrchr(path, '/');

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The tables that the words of lessons are called with.
+ * @brief Arguments of the functions of lessons that take tables.
  */
 #ifndef SCRIPT_LESSON_FIELDS_H
 #define SCRIPT_LESSON_FIELDS_H
@@ -8,15 +8,20 @@
 #include "dioptre/lesson.h"
 #include "script/read_parameters.h"
 
-/** Reads what `lesson` was called with: `{ scene = "FILE.lua", title = ..., ... }`. Raises an error
- *  about anything else. @param L The state; the table is the only argument. */
+/**
+ * Reads the table of `lesson`: `{ scene = "FILE.lua", title = ..., ... }`. Raises an error for
+ * invalid fields.
+ * @param L       The state; the table is the only argument.
+ * @param lesson  The lesson to fill.
+ */
 void lesson_fields_read(lua_State *L, Lesson *lesson);
 
 /**
- * Reads what `caption` was called with: words, or `{ en = ..., fr = ..., wait = true }`. Raises an
- * error about anything else.
- * @param L  The state; it is the only argument.
- * @param[in,out] lesson  The lesson, which keeps the words.
+ * Reads the argument of `caption`: a string, or `{ en = ..., fr = ..., wait = true }`. Raises an
+ * error for anything else.
+ * @param L               The state, with the argument.
+ * @param[in,out] lesson  The lesson, which owns the text.
+ * @param step            The step to fill.
  */
 void lesson_fields_read_caption(lua_State *L, Lesson *lesson, LessonStep *step);
 

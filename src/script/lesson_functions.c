@@ -1,7 +1,7 @@
 /**
  * @file
- * @brief The words of lessons. Each adds a step at the time that the words `wait` and `hold` have
- *        brought it to; `lesson`, the first, says which scene it is about.
+ * @brief Functions of lessons. Each adds a step at the current time of the lesson, which `wait` and
+ * `hold` advance. `lesson`, the first call, names the scene.
  */
 #include "script/lesson_functions.h"
 
@@ -16,16 +16,16 @@
 #include <math.h>
 #include <string.h>
 
-/** Fastest that moves may be asked to go. */
+/** Largest factor of `speed`. */
 static const double SPEED_MAXIMUM = 1000;
-/** Slowest that they may. */
+/** Smallest factor of `speed`. */
 static const double SPEED_MINIMUM = 0.001;
-/** Farthest that the camera turns in one step, degrees. */
+/** Largest rotation of the camera in one step, degrees. */
 static const double TURN_MAXIMUM = 360;
-/** Most notches of the wheel in one step. */
+/** Largest number of notches of the mouse wheel in one step. */
 static const double NOTCHES_MAXIMUM = 1000;
 
-/** @return The lesson that a state reads; raises an error before the word `lesson`. */
+/** @return The lesson being read; raises an error before the call of `lesson`. */
 static LessonBuilder *current_builder(lua_State *L) {
     LessonBuilder *builder = ((ScriptRun *)script_sandbox_of(L)->context)->lesson_builder;
     if (!builder->lesson->scene[0]) {
@@ -34,7 +34,11 @@ static LessonBuilder *current_builder(lua_State *L) {
     return builder;
 }
 
-/** Adds a step to the lesson, now. @param step The step; its time is set. */
+/**
+ * Adds a step at the current time.
+ * @param L     The state.
+ * @param step  The step; its time is set here.
+ */
 static void add_step(lua_State *L, LessonStep step) {
     LessonBuilder *builder = current_builder(L);
     Error error = {0};
@@ -45,9 +49,12 @@ static void add_step(lua_State *L, LessonStep step) {
 }
 
 /**
- * Reads a number that a word was called with; raises an error about anything else.
- * @param index  Which of the values.
- * @param name  What to call it in errors.
+ * Reads an argument that is a number; raises an error if it is none or out of range.
+ * @param L        The state.
+ * @param index    Index of the argument.
+ * @param name     Its name in errors.
+ * @param minimum  Smallest valid value.
+ * @param maximum  Largest valid value.
  * @return The number.
  */
 static double read_number(lua_State *L, int index, const char *name, double minimum,
@@ -59,7 +66,12 @@ static double read_number(lua_State *L, int index, const char *name, double mini
     return value;
 }
 
-/** Raises an error unless a word was called with a number of values. @param usage How it is called.
+/**
+ * Raises an error if a call has too few or too many arguments.
+ * @param L        The state.
+ * @param minimum  Smallest number of arguments.
+ * @param maximum  Largest number of arguments.
+ * @param usage    The call with its arguments, for the error.
  */
 static void check_argument_count(lua_State *L, int minimum, int maximum, const char *usage) {
     current_builder(L);
@@ -69,10 +81,10 @@ static void check_argument_count(lua_State *L, int minimum, int maximum, const c
 }
 
 /**
- * Reads the name of an action; raises an error about any other.
- * @param L        The state, with the name first.
- * @param is_move  Whether only moves will do.
- * @return Its place in the list.
+ * Reads the name of an action; raises an error for an unknown one.
+ * @param L        The state, with the name as first argument.
+ * @param is_move  Whether it must be a move.
+ * @return Its index in the list.
  */
 static int read_action(lua_State *L, bool is_move) {
     const ActionNames *actions = current_builder(L)->actions;
@@ -89,7 +101,11 @@ static int read_action(lua_State *L, bool is_move) {
                         suggestion.word, suggest_hint(&suggestion, hint));
 }
 
-/** Lets time go by. @param index Which value says how much, seconds. */
+/**
+ * Advances the time of the lesson.
+ * @param L      The state.
+ * @param index  Index of the argument with the seconds.
+ */
 static void advance_time(lua_State *L, int index) {
     double seconds = read_number(L, index, "seconds", 0, LESSON_WAIT_MAXIMUM);
     current_builder(L)->time += llround(seconds * 1000);
@@ -105,7 +121,9 @@ static int call_lesson(lua_State *L) {
     return 0;
 }
 
-/** `caption { en = ..., fr = ..., wait = true }` or `caption "..."`. See lua_CFunction. @return 0
+/**
+ * `caption { en = ..., fr = ..., wait = true }` or `caption "TEXT"`. See lua_CFunction.
+ * @return 0
  */
 static int call_caption(lua_State *L) {
     check_argument_count(L, 1, 1, "caption { en = \"...\", fr = \"...\", wait = true }");
@@ -182,7 +200,7 @@ static int call_size(lua_State *L) {
     return 0;
 }
 
-/** `pixel(X, Y)`, shares of the picture. See lua_CFunction. @return 0 */
+/** `pixel(X, Y)`, fractions of the image. See lua_CFunction. @return 0 */
 static int call_pixel(lua_State *L) {
     check_argument_count(L, 2, 2, "pixel(X, Y)");
     LessonStep step = {.kind = LESSON_PIXEL};
@@ -202,7 +220,7 @@ static int call_walk(lua_State *L) {
     return 0;
 }
 
-/** `bar(SHARE)` of the window's width. See lua_CFunction. @return 0 */
+/** `bar(SHARE)`, a fraction of the window's width. See lua_CFunction. @return 0 */
 static int call_bar(lua_State *L) {
     check_argument_count(L, 1, 1, "bar(SHARE)");
     add_step(L, (LessonStep){.kind = LESSON_BAR, .x = read_number(L, 1, "bar", 0, 1)});
@@ -216,7 +234,7 @@ static int call_snapshot(lua_State *L) {
     return 0;
 }
 
-/** Makes the words of lessons known. See #ScriptDialect.open. */
+/** Adds the functions of lessons to a state. See #ScriptDialect.open. */
 static void register_functions(lua_State *L) {
     static const luaL_Reg functions[] = {
         {"lesson", call_lesson}, {"caption", call_caption},  {"wait", call_wait},
@@ -229,7 +247,7 @@ static void register_functions(lua_State *L) {
     }
 }
 
-/** Sees that there is a lesson. See #ScriptDialect.check. */
+/** Raises an error if the file contains no lesson. See #ScriptDialect.check. */
 static void check_lesson(lua_State *L) {
     current_builder(L);
 }

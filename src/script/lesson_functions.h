@@ -1,20 +1,20 @@
 /**
  * @file
- * @brief The words of lessons.
+ * @brief Functions of lessons.
  */
 #ifndef DIOPTRE_SCRIPT_LESSON_FUNCTIONS_H
 #define DIOPTRE_SCRIPT_LESSON_FUNCTIONS_H
 
 #include "script/script_run.h"
 
-/** A lesson that is being read. */
+/** A lesson being read. */
 struct LessonBuilder {
-    Lesson *lesson;             /**< What the text adds to. */
-    const ActionNames *actions; /**< What can be done. */
-    int64_t time;               /**< When the next step is, milliseconds. */
+    Lesson *lesson;             /**< The lesson to fill. */
+    const ActionNames *actions; /**< Names of all actions. */
+    int64_t time;               /**< Time of the next step, milliseconds. */
 };
 
-/** What a lesson may say. */
+/** The functions that a lesson may use. */
 extern const ScriptDialect lesson_dialect;
 
 #endif

@@ -18,18 +18,21 @@
 #include <string.h>
 #include <unistd.h>
 
-/** Base functions that read nothing and undo nothing here. `pairs` and `next` are our own. */
+/**
+ * Base functions without access to files or memory limits. `pairs` and `next` come from
+ * script/ordered_pairs.h.
+ */
 static const char *const base_functions[] = {
     "assert", "error",  "getmetatable", "ipairs",   "pcall",    "rawequal", "rawget", "rawlen",
     "rawset", "select", "setmetatable", "tonumber", "tostring", "type",     "xpcall"};
 
-/** Libraries that only compute. */
+/** Libraries without side effects. */
 static const luaL_Reg libraries[] = {{LUA_MATHLIBNAME, luaopen_math},
                                      {LUA_STRLIBNAME, luaopen_string},
                                      {LUA_TABLIBNAME, luaopen_table},
                                      {LUA_UTF8LIBNAME, luaopen_utf8}};
 
-/** Writes to standard error, as far as it goes. */
+/** Writes to standard error; write errors are ignored. */
 static void write_error(const char *text, size_t length) {
     while (length > 0) {
         ssize_t count = write(STDERR_FILENO, text, length);
@@ -41,10 +44,10 @@ static void write_error(const char *text, size_t length) {
     }
 }
 
-/** Prints clean text, until the sandbox has printed enough. */
+/** Prints sanitized text, up to #LIBRARY_PRINT_MAXIMUM bytes per run. */
 static void print_sanitized_text(ScriptSandbox *sandbox, const char *text, size_t length) {
     char sanitized[1024];
-    /** An escaped byte takes four. */
+    /** An escaped byte takes four characters. */
     const size_t piece_maximum = sizeof sanitized / 4 - 1;
     while (length > 0 && sandbox->bytes_printed < LIBRARY_PRINT_MAXIMUM) {
         size_t piece = length < piece_maximum ? length : piece_maximum;
@@ -60,7 +63,7 @@ static void print_sanitized_text(ScriptSandbox *sandbox, const char *text, size_
     }
 }
 
-/** The scene language's `print`: to standard error. See lua_CFunction. @return 0: no results. */
+/** `print`, to standard error. See lua_CFunction. @return 0 */
 static int library_print(lua_State *L) {
     ScriptSandbox *sandbox = script_sandbox_of(L);
     int count = lua_gettop(L);
@@ -76,10 +79,10 @@ static int library_print(lua_State *L) {
 }
 
 /**
- * The scene language's `math.randomseed`: only from a whole number, since a seed from the clock
- * would make every picture another. See lua_CFunction.
+ * `math.randomseed`, only with an integer: a seed from the clock would make each image different.
+ * See lua_CFunction.
  * @param L  The state; the function of Lua's library is the first upvalue.
- * @return 0: no results.
+ * @return 0
  */
 static int library_randomseed(lua_State *L) {
     lua_Integer seed = luaL_checkinteger(L, 1);
@@ -90,8 +93,8 @@ static int library_randomseed(lua_State *L) {
 }
 
 /**
- * The scene language's `setmetatable`: without `__gc`, which would run at a moment that nobody can
- * foresee. See lua_CFunction.
+ * `setmetatable`, without `__gc`: the time of garbage collection is not reproducible. See
+ * lua_CFunction.
  * @param L  The state; the function of Lua's library is the first upvalue.
  * @return 1: the table.
  */
@@ -108,11 +111,11 @@ static int library_setmetatable(lua_State *L) {
 }
 
 /**
- * Raises an error about a word that is not in a table of the language. An `__index` metamethod;
- * see lua_CFunction.
- * @param L  The state, with the table and the word; the name of the table and a dot, or nothing,
- *           is the first upvalue.
- * @return Not at all, or 1 for a key that is no word: nil.
+ * Raises an error for an unknown name in a table of the language. An `__index` metamethod; see
+ * lua_CFunction.
+ * @param L  The state, with the table and the key; the first upvalue is the name of the table with
+ *           a dot, or an empty string.
+ * @return 1, nil, for a key that is no string; else it raises an error.
  */
 static int index_unknown(lua_State *L) {
     if (lua_type(L, 2) != LUA_TSTRING) {
@@ -134,10 +137,9 @@ static int index_unknown(lua_State *L) {
 }
 
 /**
- * Finds a global word that is not in their table: a scene's `t`, the time. It is not kept there so
- * that it is seen whether a scene asks for it. Any other raises an error. An `__index` metamethod;
- * see lua_CFunction.
- * @param L  The state, with the table and the word; #index_unknown's upvalue.
+ * Reads the global variable `t`, the time, and records that the scene uses it. Any other name
+ * raises an error. An `__index` metamethod; see lua_CFunction.
+ * @param L  The state, with the table and the key, and the upvalue of #index_unknown.
  * @return 1: the time.
  */
 static int index_global(lua_State *L) {
@@ -152,10 +154,11 @@ static int index_global(lua_State *L) {
 }
 
 /**
- * Makes a table of the language ask a function about words that it does not have.
- * @param L  The state, with the table on top.
- * @param separator  What stands between it and the word.
- * @param unknown  The function, which raises errors.
+ * Sets the function for unknown names of a table of the language.
+ * @param L          The state, with the table on top.
+ * @param name       Name of the table.
+ * @param separator  Text between the name and the key in errors.
+ * @param unknown    The `__index` metamethod, which raises errors.
  */
 static void make_strict(lua_State *L, const char *name, const char *separator,
                         lua_CFunction unknown) {
@@ -172,8 +175,12 @@ void library_make_strict(lua_State *L, const char *name, const char *separator) 
     make_strict(L, name, separator, index_unknown);
 }
 
-/** Puts one of our functions in the place of one of Lua's, which becomes its first upvalue. @param
- *  L The state, with the table that holds it on top. */
+/**
+ * Replaces a function of Lua, which becomes the first upvalue of the new one.
+ * @param L         The state, with its table on top.
+ * @param name      Name of the function.
+ * @param function  The new function.
+ */
 static void override_function(lua_State *L, const char *name, lua_CFunction function) {
     lua_getfield(L, -1, name);
     lua_pushcclosure(L, function, 1);
@@ -181,7 +188,7 @@ static void override_function(lua_State *L, const char *name, lua_CFunction func
 }
 
 /**
- * Puts the base functions into the new table of global words.
+ * Adds the base functions to the new table of globals.
  * @param L  The state, with the table on top.
  */
 static void open_base(lua_State *L) {
@@ -198,9 +205,9 @@ static void open_base(lua_State *L) {
 }
 
 /**
- * Puts a library into the new table of global words.
+ * Adds a library to the new table of globals.
  * @param L        The state, with the table on top.
- * @param library  Its name, and what opens it.
+ * @param library  Its name, and the function that opens it.
  */
 static void open_library(lua_State *L, const luaL_Reg *library) {
     luaL_requiref(L, library->name, library->func, 0);
@@ -208,9 +215,12 @@ static void open_library(lua_State *L, const luaL_Reg *library) {
     lua_setfield(L, -2, library->name);
 }
 
-/** Makes random numbers the same on every run. @param L The state, with the words on top. */
+/**
+ * Seeds the random numbers, so that they are the same on every run.
+ * @param L  The state, with the globals on top.
+ */
 static void seed_random(lua_State *L) {
-    /** Any number does. */
+    /** Any constant is suitable. */
     const lua_Integer seed = 20210101;
     lua_getfield(L, -1, LUA_MATHLIBNAME);
     lua_getfield(L, -1, "randomseed");
@@ -220,13 +230,13 @@ static void seed_random(lua_State *L) {
     lua_pop(L, 1);
 }
 
-/** Takes what could be a way out of `string`. @param L The state, with the words on top. */
+/** Removes the unsafe functions of `string`. @param L The state, with the globals on top. */
 static void restrict_string(lua_State *L) {
     lua_getfield(L, -1, LUA_STRLIBNAME);
     lua_pushnil(L);
     lua_setfield(L, -2, "dump");
     lua_pop(L, 1);
-    // What all texts share: it stays as it is.
+    // The metatable of strings, protected from changes.
     lua_pushliteral(L, "");
     lua_getmetatable(L, -1);
     lua_pushboolean(L, false);

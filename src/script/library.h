@@ -7,19 +7,22 @@
 
 #include <lua.h>
 
-/** Most that a scene may print, bytes; then a last line says so. */
+/** Largest number of bytes that a scene may print; a last line reports the cut. */
 enum { LIBRARY_PRINT_MAXIMUM = 65536 };
 
-/** Gives a state its global words: `math`, `string`, `table`, `utf8`, and the base functions that
- *  read nothing, and `t`, the time of the run. Random numbers start from a fixed seed, `pairs` has
- *  a fixed order, and a word that is not there raises an error with the nearest one that is. */
+/**
+ * Adds the global names of the language: `math`, `string`, `table`, `utf8`, the safe base
+ * functions, and `t`, the time of the run. Random numbers have a fixed seed, and `pairs` a fixed
+ * order. An unknown name raises an error with the nearest known one.
+ * @param L  The state.
+ */
 void library_open(lua_State *L);
 
 /**
- * Makes a table of the language raise errors about words that it does not have.
- * @param L     The state, with the table on top.
- * @param name  Its name; nothing for the global words.
- * @param separator   What stands between the name and a word.
+ * Makes unknown keys of a table raise errors.
+ * @param L          The state, with the table on top.
+ * @param name       Its name; empty for the globals.
+ * @param separator  Text between the name and the key in errors.
  */
 void library_make_strict(lua_State *L, const char *name, const char *separator);
 

@@ -13,8 +13,9 @@
 #include <string.h>
 
 /**
- * Says in an error which file it is about. A library's words may hold anything that is in the file.
- * @param[in,out] error  What is wrong with it; may be NULL.
+ * Adds the file to an error message. The message is sanitized, because it may quote the file.
+ * @param file   The file.
+ * @param error  The error; may be NULL.
  * @return false, always.
  */
 static bool set_file_error(const SceneFile *file, Error *error) {
@@ -28,8 +29,9 @@ static bool set_file_error(const SceneFile *file, Error *error) {
 }
 
 /**
- * Reads the model files that a scene names and that are not there yet.
- * @param progress  Who is told how far it is; NULL: nobody.
+ * Reads the mesh files of a scene that are not yet read.
+ * @param scene       The scene.
+ * @param progress    Receives the progress, or NULL.
  * @param[out] error  What is wrong, with the line that names the file.
  * @return Whether all were read.
  */
@@ -45,7 +47,8 @@ static bool read_meshes(Scene *scene, const MeshProgress *progress, Error *error
 }
 
 /**
- * Reads the picture files that a scene names and that are not there yet.
+ * Reads the picture files of a scene that are not yet read.
+ * @param scene       The scene.
  * @param[out] error  What is wrong, with the line that names the file.
  * @return Whether all were read.
  */
@@ -61,9 +64,11 @@ static bool read_textures(Scene *scene, Error *error) {
 }
 
 /**
- * Finds the model of a shape.
- * @param keyword  What its class says of itself.
- * @return The model that it shows; NULL if shapes of its class show none.
+ * Finds the mesh of a shape.
+ * @param scene    The scene.
+ * @param shape    The shape.
+ * @param keyword  The keyword of its class.
+ * @return The mesh; NULL if the class has none.
  */
 static const SceneMesh *mesh_of_shape(const Scene *scene, const SceneShape *shape,
                                       const Keyword *keyword) {
@@ -78,10 +83,11 @@ static const SceneMesh *mesh_of_shape(const Scene *scene, const SceneShape *shap
 }
 
 /**
- * Sees that each model with a picture on it says where the picture goes.
- * @param scene  The scene, with its models.
- * @param[out] error  Which does not, with the line that names it.
- * @return Whether all do.
+ * Checks that each mesh with a texture has texture coordinates.
+ * @param scene       The scene, with its meshes read.
+ * @param keywords    The keywords of the classes of shapes.
+ * @param[out] error  The first mesh without them, with the line that names it.
+ * @return Whether all have them.
  */
 static bool check_textured_meshes(const Scene *scene, const Keyword *const *keywords,
                                   Error *error) {
@@ -100,10 +106,11 @@ static bool check_textured_meshes(const Scene *scene, const Keyword *const *keyw
 }
 
 /**
- * Reads all files that a scene names, but for those that an earlier one has left.
- * @param request  What was asked for; its stock holds this scene's files afterwards.
+ * Reads all files that a scene names, except those in the cache.
+ * @param request     The request; its cache holds the files of this scene afterwards.
+ * @param scene       The scene.
  * @param[out] error  What is wrong, with the line that names the file.
- * @return Whether all are there.
+ * @return Whether all were read.
  */
 static bool read_files(const ScriptRequest *request, Scene *scene, Error *error) {
     asset_cache_fill_scene(request->cache, scene);
@@ -112,7 +119,7 @@ static bool read_files(const ScriptRequest *request, Scene *scene, Error *error)
            read_textures(scene, error) && asset_cache_store(request->cache, scene, error);
 }
 
-/** Makes the scene that a text describes. @return The scene; NULL if anything is wrong. */
+/** Creates the scene that a text describes. @return The scene; NULL on errors. */
 static Scene *load_text(const ScriptRequest *request, const ScriptText *text, Error *error) {
     Scene *scene = scene_create(error);
     const ScriptCall call = {.request = request,

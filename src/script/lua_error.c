@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Errors of a scene.
+ * @brief Translated errors of a scene.
  */
 #include "script/lua_error.h"
 

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Errors of a scene, in the language that the program speaks.
+ * @brief Translated errors of a scene.
  */
 #ifndef DIOPTRE_SCRIPT_LUA_ERROR_H
 #define DIOPTRE_SCRIPT_LUA_ERROR_H
@@ -8,10 +8,11 @@
 #include <lua.h>
 
 /**
- * Raises an error, with the place in the scene before it; see luaL_error. Does not return.
- * @param format  The message in English, as for printf, looked up in the language that the program
- *         speaks; cut at #ERROR_MESSAGE_SIZE - 1 bytes.
- * @return Not at all; an `int` so that a function can end with `return lua_error_tr(...)`.
+ * Raises an error with the location in the scene in front; see luaL_error. Does not return.
+ * @param L       The state.
+ * @param format  The message in English, as for printf, translated here; cut at #ERROR_MESSAGE_SIZE
+ *                - 1 bytes.
+ * @return Never; the type allows `return lua_error_tr(...)`.
  */
 int lua_error_tr(lua_State *L, const char *format, ...) __attribute__((format(printf, 2, 3)));
 

@@ -7,19 +7,19 @@
 #include <lauxlib.h>
 #include <stdbool.h>
 
-/** Kinds of keys, in the order that they come in. */
+/** Kinds of keys, in their order. */
 typedef enum {
-    RANK_INTEGER,  /**< Whole numbers. */
+    RANK_INTEGER,  /**< Integers. */
     RANK_FLOAT,    /**< Other numbers. */
-    RANK_STRING,   /**< Text. */
+    RANK_STRING,   /**< Strings. */
     RANK_BOOLEAN,  /**< false, true. */
-    RANK_UNORDERED /**< What has no order. */
+    RANK_UNORDERED /**< Keys without an order. */
 } KeyRank;
 
-/** Places on the stack of #ordered_next. */
+/** Stack indices in #ordered_next. */
 enum { STACK_TABLE = 1, STACK_KEY = 2, STACK_BEST = 3 };
 
-/** @return What kind of key a value is. */
+/** @return The kind of a key. @param L The state. @param index Its index on the stack. */
 static KeyRank rank_of(lua_State *L, int index) {
     switch (lua_type(L, index)) {
     case LUA_TNUMBER:
@@ -34,9 +34,10 @@ static KeyRank rank_of(lua_State *L, int index) {
 }
 
 /**
- * @return Whether a key comes before another.
- * @param a  Where the one is; it has an order.
- * @param b  Where the other is.
+ * @return Whether a key precedes another.
+ * @param L  The state.
+ * @param a  Stack index of the first; it has an order.
+ * @param b  Stack index of the second.
  */
 static bool key_precedes(lua_State *L, int a, int b) {
     KeyRank rank = rank_of(L, a), other = rank_of(L, b);
@@ -50,9 +51,9 @@ static bool key_precedes(lua_State *L, int a, int b) {
 }
 
 /**
- * Goes from a whole number to the following one, if the table has that.
- * @param L  The state; the key found is left on top.
- * @return Whether it has.
+ * Finds the integer key after an integer key, without a search.
+ * @param L  The state; the key found is pushed.
+ * @return Whether the table has it.
  */
 static bool find_next_integer(lua_State *L) {
     if (!lua_isinteger(L, STACK_KEY)) {
@@ -68,8 +69,8 @@ static bool find_next_integer(lua_State *L) {
 }
 
 /**
- * Looks through all keys for the first after a given one, among those that have an order.
- * @param L  The state; the key found is left on top.
+ * Finds the first key after a given one among those with an order, by a search of all keys.
+ * @param L  The state; the key found is pushed.
  * @return Whether there is one.
  */
 static bool find_next_ordered(lua_State *L) {
@@ -89,8 +90,8 @@ static bool find_next_ordered(lua_State *L) {
 }
 
 /**
- * Goes on to the next key that has no order.
- * @param L  The state; the key found is left on top.
+ * Finds the next key without an order.
+ * @param L  The state; the key found is pushed.
  * @return Whether there is one.
  */
 static bool find_next_unordered(lua_State *L) {
@@ -109,8 +110,11 @@ static bool find_next_unordered(lua_State *L) {
     return false;
 }
 
-/** The scene language's `next`: a table and a key give the next key and its value. See
- *  lua_CFunction. @return 2, or 1 at the end: nil. */
+/**
+ * `next`: from a table and a key to the next key and its value. See lua_CFunction.
+ * @param L  The state.
+ * @return 2, or 1 at the end: nil.
+ */
 static int ordered_next(lua_State *L) {
     luaL_checktype(L, STACK_TABLE, LUA_TTABLE);
     lua_settop(L, STACK_KEY);
@@ -125,7 +129,7 @@ static int ordered_next(lua_State *L) {
     return 2;
 }
 
-/** The scene language's `pairs`. See lua_CFunction. @return 3: #ordered_next, the table, nil. */
+/** `pairs`. See lua_CFunction. @return 3: #ordered_next, the table, nil. */
 static int ordered_pairs(lua_State *L) {
     luaL_checktype(L, 1, LUA_TTABLE);
     lua_pushcfunction(L, ordered_next);

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Names of files in the tables of a scene.
+ * @brief Names of mesh and picture files in the tables of a scene.
  */
 #include "assets/images/texture_file.h"
 #include "assets/meshes/mesh_file.h"
@@ -15,20 +15,24 @@
 #include <lauxlib.h>
 #include <string.h>
 
-/** A kind of file that a scene can name. */
+/** A kind of file that a scene can name: meshes or pictures. */
 typedef struct AssetKind {
-    const char *expected; /**< What a name must be, in words. */
-    /** Says whether a file may be of this kind, by its name and kind. @return Whether it may. */
+    const char *expected; /**< Description of a valid name, for errors. */
+    /** Checks the ending of a file. @return Whether it is of this kind. */
     bool (*check)(const char *path, Error *error);
-    /** Notes it, once. @return false when the scene is full. */
+    /** Adds it to the scene, unless it is there. @return false when the scene's memory is full. */
     bool (*add)(Scene *scene, const SceneFile *file, size_t *place, Error *error);
 } AssetKind;
 
 /**
- * Notes a file in the scene, unless it is there already.
- * @param kind  What kind of file it is.
- * @param[out] index  Its place in the scene.
- * @return false when the scene is full.
+ * Adds a file to the scene, unless it is there.
+ * @param L           The state.
+ * @param kind        Kind of the file.
+ * @param name        Its name in the scene.
+ * @param real_path   Its absolute path without links.
+ * @param[out] index  Its index in the scene.
+ * @param[out] error  What is wrong.
+ * @return false when the scene's memory is full.
  */
 static bool add_asset(lua_State *L, const AssetKind *kind, const char *name, const char *real_path,
                       size_t *index, Error *error) {
@@ -41,10 +45,12 @@ static bool add_asset(lua_State *L, const AssetKind *kind, const char *name, con
 }
 
 /**
- * Reads the name of a file as its place in the scene.
- * @param index  Where the name is.
- * @param kind  What kind of file it names.
- * @return Its place.
+ * Reads the name of a file and adds the file to the scene.
+ * @param L      The state.
+ * @param index  Stack index of the name.
+ * @param row    Row of the parameter table.
+ * @param kind   Kind of the file.
+ * @return Index of the file in the scene.
  */
 static size_t read_asset_name(lua_State *L, int index, const Parameter *row,
                               const AssetKind *kind) {

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief From a Lua table to a C struct, by a parameter table.
+ * @brief Conversion of Lua tables to C structs by parameter tables.
  */
 #include "script/read_parameters.h"
 
@@ -30,7 +30,7 @@ const char *read_describe(lua_State *L, int index) {
     if (description) {
         return lua_pushstring(L, gettext(description));
     }
-    // Things of the scene carry the name of their keyword.
+    // References to parts of the scene have the name of their keyword.
     bool is_named = luaL_getmetafield(L, index, "__name") == LUA_TSTRING;
     const char *name = is_named ? lua_tostring(L, -1) : "userdata";
     return lua_pushfstring(L, gettext(strchr("aeiou", name[0]) ? N_("an %s") : N_("a %s")), name);
@@ -41,8 +41,10 @@ void read_type_error(lua_State *L, int index, const Parameter *row, const char *
 }
 
 /**
- * @return A number, finite and in range; raises an error about any other.
- * @param index  Where it is; a number.
+ * @return A number, finite and in range; raises an error for any other.
+ * @param L      The state.
+ * @param index  Stack index of the number.
+ * @param row    Row of the parameter table.
  */
 static double read_number_in_range(lua_State *L, int index, const Parameter *row) {
     Error error = {0};
@@ -53,10 +55,10 @@ static double read_number_in_range(lua_State *L, int index, const Parameter *row
     return value;
 }
 
-/** What a list of numbers should be. */
+/** Format of a list of numbers. */
 typedef struct NumberList {
-    int count;            /**< How many numbers. */
-    const char *expected; /**< The same in words. */
+    int count;            /**< Number of numbers. */
+    const char *expected; /**< Description, for errors. */
 } NumberList;
 
 /** `{x, y, z}` */
@@ -65,11 +67,11 @@ static const NumberList vector_list = {3, N_("three numbers {x, y, z}")};
 static const NumberList scale_list = {3, N_("one number, or three numbers {x, y, z}")};
 /** `{u, v}` */
 static const NumberList pair_list = {2, N_("two numbers {u, v}")};
-/** `{red, green, blue}` and what else makes a colour. */
+/** `{red, green, blue}`, one number or a string. */
 static const NumberList color_list = {
     3, N_("a colour ({red, green, blue}, one number, or \"#rrggbb\")")};
 
-/** @return How many things a table holds. */
+/** @return Number of entries of a table. @param L The state. @param index Its stack index. */
 static lua_Integer count_entries(lua_State *L, int index) {
     lua_Integer count = 0;
     lua_pushnil(L);
@@ -81,8 +83,11 @@ static lua_Integer count_entries(lua_State *L, int index) {
 }
 
 /**
- * Reads `{a, b, c}`.
- * @param index  Where it is, of any type.
+ * Reads `{a, b, c}`; raises an error for anything else.
+ * @param L             The state.
+ * @param index         Stack index of the value, of any type.
+ * @param row           Row of the parameter table.
+ * @param list          The format.
  * @param[out] numbers  The numbers, each in range.
  */
 static void read_list(lua_State *L, int index, const Parameter *row, const NumberList *list,
@@ -132,7 +137,8 @@ static void read_boolean(lua_State *L, int index, const Parameter *row, void *fi
 }
 
 /**
- * Puts the words of a row on the stack, for an error: `` `none` or `inverse_square` ``.
+ * Pushes the words of a row for an error: `` `none` or `inverse_square` ``.
+ * @param L      The state.
  * @param words  The words, ended by NULL; at least one.
  * @return The text, valid while it is on the stack.
  */
@@ -150,7 +156,7 @@ static const char *list_words(lua_State *L, const char *const *words) {
     return lua_tostring(L, -1);
 }
 
-/** Reads a word as its place. See #ReadFunction. */
+/** Reads a word as its index in #Parameter.choices. See #ReadFunction. */
 static void read_word(lua_State *L, int index, const Parameter *row, void *field) {
     if (lua_type(L, index) != LUA_TSTRING) {
         read_type_error(L, index, row, list_words(L, row->choices));
@@ -205,7 +211,9 @@ static void read_direction(lua_State *L, int index, const Parameter *row, void *
 
 /**
  * Reads a colour given as text.
- * @param index  Where it is; a string.
+ * @param L      The state.
+ * @param index  Stack index of the string.
+ * @param row    Row of the parameter table.
  * @return The colour, in range.
  */
 static Rgbd read_hex_color(lua_State *L, int index, const Parameter *row) {
@@ -239,7 +247,7 @@ static void read_color(lua_State *L, int index, const Parameter *row, void *fiel
     }
 }
 
-/** Reads a distance field, which the scene keeps. See #ReadFunction. */
+/** Reads a distance field; the scene keeps a copy. See #ReadFunction. */
 static void read_field(lua_State *L, int index, const Parameter *row, void *field) {
     const Sdf *sdf = sdf_binding_test(L, index);
     Error error = {0};
@@ -254,7 +262,7 @@ static void read_field(lua_State *L, int index, const Parameter *row, void *fiel
     *(const Sdf **)field = kept;
 }
 
-/** How a value of a type is read: #read_value of one type. */
+/** Type of functions that read a value of one type; see #read_value. */
 typedef void ReadFunction(lua_State *L, int index, const Parameter *row, void *field);
 
 void read_value(lua_State *L, int index, const Parameter *row, void *field) {
@@ -275,11 +283,11 @@ void read_value(lua_State *L, int index, const Parameter *row, void *field) {
 }
 
 /**
- * Says whether keywords have a field.
- * @param keywords  The keywords whose fields may stand in one table, ended by NULL.
- * @param extra     A field beyond theirs; NULL: none.
- * @param[in,out] suggestion  The field; where it is none of these, the nearest is noted.
- * @return Whether one has.
+ * Searches a field in keywords.
+ * @param keywords            The keywords whose fields are valid in the table, ended by NULL.
+ * @param extra               A further valid field; NULL: none.
+ * @param[in,out] suggestion  The name of the field; if it is unknown, the nearest one is recorded.
+ * @return Whether one has it.
  */
 static bool has_field(const Keyword *const *keywords, const char *extra, Suggestion *suggestion) {
     for (; *keywords; keywords++) {
@@ -296,21 +304,27 @@ static bool has_field(const Keyword *const *keywords, const char *extra, Suggest
     return extra && strcmp(extra, suggestion->word) == 0;
 }
 
-/** @return Whether a keyword's first field may stand first in the braces without its name. */
+/**
+ * @return Whether a keyword's first field may be given without its name, as first entry of the
+ *         table.
+ */
 static bool has_positional_field(const Keyword *keyword) {
     return keyword->parameters->type == PARAMETER_SDF;
 }
 
-/** @return Whether the key on top of the stack is 1, where a keyword's first field may stand. */
+/**
+ * @return Whether the key on top of the stack is 1, and the keyword's first field needs no name.
+ */
 static bool is_positional_key(lua_State *L, const Keyword *keyword) {
     return has_positional_field(keyword) && lua_isinteger(L, -1) && lua_tointeger(L, -1) == 1;
 }
 
 /**
- * Puts a field of the table on the stack.
- * @param L  The state; the table is the first argument.
- * @param i  Which of its fields.
- * @return Whether it is there.
+ * Pushes a field of the table.
+ * @param L        The state; the table is the first argument.
+ * @param keyword  The keyword.
+ * @param i        Index of the row of the field.
+ * @return Whether the table has it.
  */
 static bool push_field(lua_State *L, const Keyword *keyword, int i) {
     bool is_named = lua_getfield(L, 1, keyword->parameters[i].name) != LUA_TNIL;

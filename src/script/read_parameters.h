@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief From a Lua table to a C struct, by a parameter table.
+ * @brief Conversion of Lua tables to C structs by parameter tables.
  */
 #ifndef DIOPTRE_SCRIPT_READ_PARAMETERS_H
 #define DIOPTRE_SCRIPT_READ_PARAMETERS_H
@@ -10,55 +10,64 @@
 #include <lua.h>
 
 /**
- * Checks the names in the table that a keyword was called with. Raises an error about a field that
- * none of the keywords has.
+ * Checks the names of fields in the table of a keyword. Raises an error for a field that no keyword
+ * has.
  * @param L         The state; the table is the only argument.
- * @param keywords  The keyword, and others whose fields may stand there too; ended by NULL.
- * @param extra     A field that the caller reads by itself; NULL: none.
+ * @param keywords  The keyword, and others whose fields are valid there; NULL ends the list.
+ * @param extra     A field that the caller reads itself; NULL: none.
  */
 void read_check_arguments(lua_State *L, const Keyword *const *keywords, const char *extra);
 
-/** Checks the names in a table. See #read_check_arguments. @param index Where the table is, from
- *  the bottom of the stack. */
+/**
+ * Checks the names of fields in a table. See #read_check_arguments.
+ * @param L         The state.
+ * @param index     Stack index of the table, from the bottom.
+ * @param keywords  The keywords; NULL ends the list.
+ * @param extra     A further valid field; NULL: none.
+ */
 void read_check_table(lua_State *L, int index, const Keyword *const *keywords, const char *extra);
 
 /**
- * Reads the fields of a keyword. Raises an error about a field that is of a wrong type, out of
- * range or does not fit the others.
- * @param L  The state; the table is the first argument.
- * @param[out] given_mask  Bit i is set where row i of the keyword's table was given.
- * @return The keyword's struct, finished: its defaults, and over them what was given. It lies on
- *         top of the stack, and is Lua's, so that an error leaves nothing behind.
+ * Reads the fields of a keyword. Raises an error for a field of the wrong type, out of range or
+ * inconsistent with others.
+ * @param L                The state; the table is the first argument.
+ * @param keyword          The keyword.
+ * @param[out] given_mask  Bit i: the table has row i.
+ * @return The keyword's struct, finished: its defaults, replaced by the given values. It is a
+ *         userdata on top of the stack, which Lua frees even after an error.
  */
 void *read_fields(lua_State *L, const Keyword *keyword, uint64_t *given_mask);
 
 /**
- * Reads one value. Raises an error about a wrong type or a wrong range.
- * @param index  Where the value is, from the bottom of the stack.
- * @param[out] field  The C value, of the type that the row says.
+ * Reads one value. Raises an error for a wrong type or range.
+ * @param L           The state.
+ * @param index       Stack index of the value, from the bottom.
+ * @param row         Row of the parameter table.
+ * @param[out] field  The C value, of the type that the row requires.
  */
 void read_value(lua_State *L, int index, const Parameter *row, void *field);
 
 /**
- * Says what a value is, for an error about it: `a string`, `a table`, `a sphere`, in the language
- * that the program speaks.
- * @param L      The state; the answer is left on top.
- * @param index  Where the value is, from the bottom of the stack.
- * @return The answer, valid while it is on the stack.
+ * Describes a value for an error: `a string`, `a table`, `a sphere`, translated.
+ * @param L      The state; the description is pushed.
+ * @param index  Stack index of the value, from the bottom.
+ * @return The description, valid while it is on the stack.
  */
 const char *read_describe(lua_State *L, int index);
 
 /**
- * Raises the error that a value is of a wrong type.
- * @param index  Where the value is.
- * @param expected  The same in English words, looked up here.
+ * Raises the error that a value has the wrong type.
+ * @param L         The state.
+ * @param index     Stack index of the value.
+ * @param row       Row of the parameter table.
+ * @param expected  The expected type in English, translated here.
  */
 void read_type_error(lua_State *L, int index, const Parameter *row, const char *expected);
 
-/** Reads the name of a model file as its place in the scene. See #read_value. */
+/** Reads the name of a mesh file as its index in the scene. See #read_value. */
 void read_mesh_name(lua_State *L, int index, const Parameter *row, void *field);
 
-/** Reads the name of a picture file as its place in the scene, plus one. See #read_value. */
+/** Reads the name of a picture file as its index in the scene, plus one. See #read_value. */
 void read_texture_name(lua_State *L, int index, const Parameter *row, void *field);
 
 #endif

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Words from outside, made safe to show on a terminal.
+ * @brief Text of scenes, escaped for terminals.
  */
 #include "script/sanitize.h"
 
@@ -9,7 +9,7 @@
 #include <string.h>
 
 /**
- * @return Bytes of the character that a first byte begins, by UTF-8; 0 if none begins so.
+ * @return Length of a UTF-8 sequence by its first byte, 2 to 4; 0 if the byte is invalid there.
  * @param first  The byte, 0x80 or more.
  */
 static size_t utf8_sequence_length(unsigned char first) {
@@ -23,10 +23,10 @@ static size_t utf8_sequence_length(unsigned char first) {
 }
 
 /**
- * @return Bytes of the character at the start of a text that is longer than a byte; 0 where there
- *         is none, or only one of the control characters U+0080 to U+009F.
+ * @return Length of the multibyte character at the start of a text; 0 if there is none, or if it is
+ *         a control character (U+0080 to U+009F).
  * @param text    Bytes; the first is 0x80 or more.
- * @param length  How many, at least 1.
+ * @param length  Number of bytes, at least 1.
  */
 static size_t utf8_character_length(const unsigned char *text, size_t length) {
     size_t wanted = utf8_sequence_length(text[0]);
@@ -43,9 +43,10 @@ static size_t utf8_character_length(const unsigned char *text, size_t length) {
 }
 
 /**
- * @return Bytes of the character at the start of a text that may be shown as it is; 0 where the
- *         first byte has to be escaped.
- * @param length  How many, at least 1.
+ * @return Length of the printable character at the start of a text; 0 if its first byte must be
+ *         escaped.
+ * @param text    The bytes.
+ * @param length  Number of bytes, at least 1.
  */
 static size_t printable_length(const unsigned char *text, size_t length) {
     if (text[0] >= 0x80) {

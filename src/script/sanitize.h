@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Words from outside, made safe to show on a terminal.
+ * @brief Text of scenes, escaped for terminals.
  */
 #ifndef DIOPTRE_SCRIPT_SANITIZE_H
 #define DIOPTRE_SCRIPT_SANITIZE_H
@@ -8,20 +8,26 @@
 #include <stddef.h>
 
 /**
- * Bytes that a path may take in a message, with its final zero. A longer one is shown by its end:
- * the sentence after it must still fit in an Error.
+ * Size of a sanitized path, with its final zero. A longer path is cut at its start: the sentence
+ * after it must fit in an #Error.
  */
 enum { SANITIZED_PATH_SIZE = 768 };
 
 /**
- * Copies text; what is neither printable UTF-8 nor a newline nor a tab becomes `\27` and the like,
- * as in Lua. So no scene can move the cursor or colour the terminal of who reads its errors.
- * @param[out] out  The copy, ended by a zero; cut between characters when it is too long.
- * @param size  Bytes that fit, at least 1.
+ * Copies text and escapes all but printable UTF-8, newlines and tabs as `\27`, like Lua. Errors of
+ * a scene therefore cannot control the user's terminal.
+ * @param[out] out  The copy with a final zero; cut between characters if it is too long.
+ * @param size      Size of the copy, at least 1.
+ * @param text      The text.
+ * @param length    Bytes of the text.
  */
 void sanitize_text(char *out, size_t size, const char *text, size_t length);
 
-/** Copies a path for a message: clean, and by its end where it is very long. */
+/**
+ * Copies a path for a message: sanitized, and cut at its start if it is long.
+ * @param[out] out  The copy.
+ * @param path      The path.
+ */
 void sanitize_path(char out[SANITIZED_PATH_SIZE], const char *path);
 
 #endif

@@ -27,11 +27,15 @@ void script_result_destroy(ScriptResult *result) {
     free(result);
 }
 
-/** Makes up the name by which Lua knows a file. Lua would cut a long one, and two files could then
- *  look the same to us; so a long path is told by its number. @param number Its place in
- *  #ScriptResult.files. */
+/**
+ * Makes the chunk name of a file. Lua cuts long names, which could make two files equal; a long
+ * path is therefore replaced by its number and its end.
+ * @param[out] chunk_name  The name.
+ * @param path             Path of the file.
+ * @param number           Its index in #ScriptResult.files.
+ */
 static void make_chunk_name(char chunk_name[CHUNK_NAME_SIZE], const char *path, int number) {
-    /** Bytes of a long path's end that are kept, for who prints such a name. */
+    /** Bytes kept of the end of a long path, for scenes that print the name. */
     const size_t tail_length = 40;
     size_t length = strlen(path);
     if (length + 2 <= CHUNK_NAME_SIZE) {
@@ -67,10 +71,11 @@ int script_result_find_file(const ScriptResult *result, const char *name) {
 }
 
 /**
- * Reads `NAME:LINE: ` of one file.
- * @param name  The name that Lua calls it.
+ * Parses `NAME:LINE: ` for one file.
+ * @param name       Its name in messages of Lua.
+ * @param text       The message.
  * @param[out] line  The line, from 1.
- * @return Bytes read; 0 if the message does not begin so.
+ * @return Number of bytes parsed; 0 if the message does not begin so.
  */
 static size_t parse_line(const char *name, const char *text, int *line) {
     size_t length = strlen(name);

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Runs the text of a scene or a lesson.
+ * @brief Execution of scene and lesson files.
  */
 #include "script/script_run.h"
 
@@ -17,14 +17,14 @@
 #include <stdio.h>
 #include <string.h>
 
-/** Makes a scene's words known. See #ScriptDialect.open. */
+/** Adds the keywords of scenes. See #ScriptDialect.open. */
 static void open_scene(lua_State *L) {
     keywords_open(L);
     sdf_binding_open(L);
     include_open(L);
 }
 
-/** Sees that a scene has a camera. See #ScriptDialect.check. */
+/** Raises an error if the scene has no camera. See #ScriptDialect.check. */
 static void check_scene(lua_State *L) {
     if (!((ScriptRun *)script_sandbox_of(L)->context)->scene->has_camera) {
         lua_error_tr(L, "there is no camera in the scene; "
@@ -34,8 +34,7 @@ static void check_scene(lua_State *L) {
 
 const ScriptDialect scene_dialect = {.open = open_scene, .check = check_scene};
 
-/** Does all that may raise an error: sets the state up and runs the text. See lua_CFunction.
- *  @return 0: no results. */
+/** Opens the libraries and runs the text; errors are raised. See lua_CFunction. @return 0 */
 static int run_protected(lua_State *L) {
     ScriptRun *run = script_sandbox_of(L)->context;
     library_open(L);
@@ -49,9 +48,9 @@ static int run_protected(lua_State *L) {
 }
 
 /**
- * Writes an error that nothing caught into the report. Takes no memory of the state, since that
- * may be what the error is about. See lua_pcall.
- * @param L  The state, with the error on its stack.
+ * Writes an uncaught error into the report. It allocates no Lua memory, because the error may be a
+ * lack of memory. See lua_pcall.
+ * @param L  The state, with the error on top.
  * @return 1: the error.
  */
 static int handle_error(lua_State *L) {
@@ -72,7 +71,11 @@ static int handle_error(lua_State *L) {
     return 1;
 }
 
-/** Sees that a report tells what a run came to. @param sandbox The sandbox of the run. */
+/**
+ * Completes the report of a run.
+ * @param sandbox  The sandbox of the run.
+ * @param status   Result of lua_pcall.
+ */
 static void finish_result(const ScriptSandbox *sandbox, int status) {
     ScriptResult *result = sandbox->result;
     char message[ERROR_MESSAGE_SIZE];
@@ -85,7 +88,7 @@ static void finish_result(const ScriptSandbox *sandbox, int status) {
     }
 }
 
-/** Runs the same scene whatever the user's system speaks; its errors alone are in that language. */
+/** Sets the C locale for all but messages, so that scenes run the same on every system. */
 static void use_c_locale(void) {
     static const int categories[] = {LC_COLLATE, LC_CTYPE, LC_MONETARY, LC_NUMERIC, LC_TIME};
     for (size_t i = 0; i < sizeof categories / sizeof *categories; i++) {

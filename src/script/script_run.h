@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Runs the text of a scene or a lesson, in a worker process, and fills a report.
+ * @brief Execution of scene and lesson files in a worker process.
  */
 #ifndef DIOPTRE_SCRIPT_SCRIPT_RUN_H
 #define DIOPTRE_SCRIPT_SCRIPT_RUN_H
@@ -12,32 +12,32 @@
 
 #include <lua.h>
 
-/** A lesson that is being read; see lesson_text_localized.h. */
+/** A lesson being read; see script/lesson_functions.h. */
 typedef struct LessonBuilder LessonBuilder;
 
-/** What a text may say. */
+/** The functions of a kind of file: scenes or lessons. */
 typedef struct ScriptDialect {
-    void (*open)(lua_State *L);  /**< Makes its words known, beyond those of Lua. */
-    void (*check)(lua_State *L); /**< Raises an error unless what was said is complete. */
+    void (*open)(lua_State *L);  /**< Adds the functions to the globals. */
+    void (*check)(lua_State *L); /**< Raises an error if the result is incomplete. */
 } ScriptDialect;
 
-/** What a scene may say. */
+/** The functions of scene files. */
 extern const ScriptDialect scene_dialect;
 
-/** Something to be made from a text: a scene, or a lesson. */
+/** A run of a scene or lesson file. */
 typedef struct ScriptRun {
-    const ScriptRequest *request;  /**< What was asked for. */
-    const ScriptDialect *dialect;  /**< What the text may say. */
-    const ScriptText *text;        /**< The text of the file. */
-    Scene *scene;                  /**< What a scene's text adds to. */
-    LessonBuilder *lesson_builder; /**< What a lesson's text adds to; NULL: it is a scene. */
-    ScriptResult *result;          /**< Its report. */
-    WorkerJob *job;                /**< The job in whose report it is. */
+    const ScriptRequest *request;  /**< The request. */
+    const ScriptDialect *dialect;  /**< The functions that the file may use. */
+    const ScriptText *text;        /**< Text of the file. */
+    Scene *scene;                  /**< The scene to fill. */
+    LessonBuilder *lesson_builder; /**< The lesson to fill; NULL: the file is a scene. */
+    ScriptResult *result;          /**< The report. */
+    WorkerJob *job;                /**< The worker's job, which sends the report. */
 } ScriptRun;
 
 /**
- * Runs a text. To be called in a worker process: nothing is freed, and it may never return.
- * @param[in,out] run  The text; what it makes is filled, and its report.
+ * Runs a text. Only for worker processes: it frees nothing, and it may never return.
+ * @param[in,out] run  The run; its result and its report are filled.
  */
 void script_run_execute(ScriptRun *run);
 

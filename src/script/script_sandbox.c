@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief A Lua state within limits.
+ * @brief A Lua state with limits.
  */
 #include "script/script_sandbox.h"
 
@@ -16,11 +16,12 @@ static_assert(CHUNK_NAME_SIZE <= LUA_IDSIZE, "Lua must not cut the names of file
 static_assert(LUA_EXTRASPACE >= sizeof(ScriptSandbox *), "the sandbox is found by its state");
 
 /**
- * Gives a Lua state memory, up to its limit. See lua_Alloc.
- * @param block  What is to change its size, or NULL.
- * @param old_size  Bytes of it; no size if it is NULL.
- * @param new_size  Bytes wanted; 0 gives it back.
- * @return The memory; NULL if there is none, which Lua raises as an error.
+ * Allocates, resizes or frees memory of a Lua state, up to its limit. See lua_Alloc.
+ * @param context   The #ScriptSandbox.
+ * @param block     The memory to resize, or NULL.
+ * @param old_size  Its size in bytes; no size if it is NULL.
+ * @param new_size  New size in bytes; 0 frees it.
+ * @return The memory; NULL if there is none, which Lua reports as an error.
  */
 static void *allocate(void *context, void *block, size_t old_size, size_t new_size) {
     ScriptSandbox *sandbox = context;
@@ -68,16 +69,16 @@ SourceLocation script_sandbox_location(lua_State *L) {
     return SOURCE_LOCATION_START;
 }
 
-/** Notes where the state is. See lua_Hook. @param event Why now; not used. */
+/** Records the current line. See lua_Hook. @param L The state. @param event Unused. */
 static void location_hook(lua_State *L, lua_Debug *event) {
     (void)event;
     script_sandbox_of(L)->result->location = script_sandbox_location(L);
 }
 
 void script_sandbox_track_location(lua_State *L) {
-    /** Instructions between two looks: some microseconds. */
+    /** Number of instructions between two calls: some microseconds. */
     const int interval = 1000;
-    // A loop in Lua is noticed by the count, and one inside a library function by the call of it.
+    // The count detects loops in Lua, and the call event detects long library functions.
     lua_sethook(L, location_hook, LUA_MASKCOUNT | LUA_MASKCALL, interval);
 }
 

@@ -1,7 +1,7 @@
 /**
  * @file
- * @brief A Lua state that can do nothing but compute, within a limit of memory, and of which it is
- *        known at any time which line it is at.
+ * @brief A Lua state without access to the system, with a memory limit and a record of its current
+ * line.
  */
 #ifndef DIOPTRE_SCRIPT_SCRIPT_SANDBOX_H
 #define DIOPTRE_SCRIPT_SCRIPT_SANDBOX_H
@@ -12,46 +12,54 @@
 
 #include <lua.h>
 
-/** Limits of a Lua state, and what it has used of them. The rest of the room finds it by L. */
+/** Limits of a Lua state and their use. #script_sandbox_of finds it by the state. */
 typedef struct ScriptSandbox {
-    lua_State *lua;       /**< The state; NULL while it is being made. */
-    ScriptResult *result; /**< Report of the run: where the state is. */
-    WorkerJob *job;       /**< Sends the report. */
-    void *context;        /**< What the keywords work on. */
-    size_t memory_limit;  /**< Bytes that it may use. */
-    size_t memory_used;   /**< Bytes that it uses. */
-    size_t bytes_printed; /**< Bytes that it has printed. */
-    SourceLocation
-        out_of_memory_at; /**< Where it was when it wanted more memory than it may use. */
+    lua_State *lua;                  /**< The state; NULL during its creation. */
+    ScriptResult *result;            /**< Report of the run, with the current line. */
+    WorkerJob *job;                  /**< The worker's job, which sends the report. */
+    void *context;                   /**< Data of the run: a #ScriptRun. */
+    size_t memory_limit;             /**< Largest memory, bytes. */
+    size_t memory_used;              /**< Memory in use, bytes. */
+    size_t bytes_printed;            /**< Number of bytes printed. */
+    SourceLocation out_of_memory_at; /**< Line at which the memory limit was reached. */
 } ScriptSandbox;
 
 /**
- * Makes the Lua state of a sandbox, without any library.
- * @param[in,out] sandbox  Its memory, report and context are set, the rest is zero. Must stay where
- *                         it is, and so must the state: it ends with the process.
- * @return false if the memory does not even suffice for that.
+ * Creates the Lua state of a sandbox, without libraries.
+ * @param[in,out] sandbox  The sandbox with its memory limit, report and context; the rest is zero.
+ *                         It must not move. The state is never freed: it ends with the process.
+ * @return false if the memory limit does not suffice.
  */
 bool script_sandbox_init(ScriptSandbox *sandbox);
 
-/** @return The sandbox that a Lua state belongs to. */
+/** @return The sandbox of a Lua state. @param L The state. */
 ScriptSandbox *script_sandbox_of(lua_State *L);
 
-/** Begins to keep #ScriptResult.location up to date. */
+/** Starts the updates of #ScriptResult.location. @param L The state. */
 void script_sandbox_track_location(lua_State *L);
 
-/** @return Where a Lua state is: in its innermost Lua function. #SOURCE_LOCATION_START if it is in
- *  none. Takes no memory, and so can be asked at any time. */
+/**
+ * @return Current line of the innermost Lua function; #SOURCE_LOCATION_START if there is none. It
+ *         allocates nothing, and so may be called at any time.
+ * @param L  The state.
+ */
 SourceLocation script_sandbox_location(lua_State *L);
 
 /**
- * Compiles a text and puts it on the stack as a function; raises what is wrong with it. No compiled
- * Lua is taken.
- * @param script  The text; released in any case.
- * @param path  The file, as the user knows it.
+ * Compiles a text and pushes it as a function; raises an error if it is invalid. Compiled Lua is
+ * refused.
+ * @param L       The state.
+ * @param script  The text; always released.
+ * @param path    Path of the file, for messages.
  */
 void script_sandbox_load(lua_State *L, ScriptText *script, const char *path);
 
-/** Says that a sandbox has run out of memory. */
+/**
+ * Formats the error that the memory limit is reached.
+ * @param sandbox       The sandbox.
+ * @param[out] message  The text.
+ * @param size          Its size in bytes.
+ */
 void script_sandbox_memory_message(const ScriptSandbox *sandbox, char *message, size_t size);
 
 #endif

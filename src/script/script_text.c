@@ -13,10 +13,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/** What Windows puts before a text in UTF-8. */
+/** Byte order mark of UTF-8; some editors on Windows write it. */
 static const char byte_order_mark[] = "\xEF\xBB\xBF";
 
-/** Says whether an open file may be read as a scene. @return Whether it is a regular file. */
+/** @return Whether an open file is a regular file. */
 static bool check_regular(int file, Error *error) {
     struct stat info;
     if (fstat(file, &info) != 0) {
@@ -33,8 +33,9 @@ static bool check_regular(int file, Error *error) {
 }
 
 /**
- * Opens a scene file, without waiting.
- * @param path  Where it is; `-` is standard input.
+ * Opens a scene file, without blocking.
+ * @param path        Its path; `-`: standard input.
+ * @param[out] error  What is wrong.
  * @return A file descriptor; -1 if it cannot be opened or is no regular file.
  */
 static int open_script(const char *path, Error *error) {
@@ -54,12 +55,14 @@ static int open_script(const char *path, Error *error) {
 }
 
 /**
- * Makes room for more of a file, twice as much each time.
- * @param[in,out] script  What was read so far.
- * @return false when it is too long already, or without memory.
+ * Doubles the memory for a file.
+ * @param[in,out] script    The bytes read so far.
+ * @param[in,out] capacity  Size of the memory.
+ * @param[out] error        What is wrong.
+ * @return false if the file is too long, or without memory.
  */
 static bool grow(ScriptText *script, size_t *capacity, Error *error) {
-    /** Bytes at first: most scenes fit. */
+    /** First size in bytes; sufficient for most scenes. */
     const size_t first_capacity = 16384;
     if (script->size > SCRIPT_TEXT_MAXIMUM) {
         return error_set(error, STATUS_SCENE, "longer than %zu MiB", SCRIPT_TEXT_MAXIMUM >> 20);
@@ -74,7 +77,7 @@ static bool grow(ScriptText *script, size_t *capacity, Error *error) {
     return true;
 }
 
-/** Reads an open file to its end. @return Whether it was read whole. */
+/** Reads an open file to its end. @return Whether all of it was read. */
 static bool read_all(ScriptText *script, int file, Error *error) {
     size_t capacity = 0;
     for (;;) {
@@ -109,8 +112,9 @@ bool script_text_read(ScriptText *script, const char *path, Error *error) {
 }
 
 /**
- * @return The number of the line that a byte of a file is in, from 1.
- * @param byte  One of its bytes.
+ * @return Line number of a byte, from 1.
+ * @param script  The file.
+ * @param byte    One of its bytes.
  */
 static int line_number_of(const ScriptText *script, const char *byte) {
     int line = 1;

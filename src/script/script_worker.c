@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Texts of scenes and lessons, run in a worker process.
+ * @brief Execution of scene and lesson files in a worker process: both sides.
  */
 #include "script/script_worker.h"
 
@@ -14,22 +14,26 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** The request as the worker gets it: this head, the text, the names of actions. */
+/** Start of a request to the worker; the text and the names of actions follow. */
 typedef struct ScriptJobHead {
     char path[PATH_MAX];     /**< See #ScriptRequest.path. */
     char base_dir[PATH_MAX]; /**< See #ScriptRequest.base_dir. */
-    bool has_base_dir;       /**< Whether it is not NULL. */
+    bool has_base_dir;       /**< Whether #ScriptRequest.base_dir is not NULL. */
     double time;             /**< See #ScriptRequest.time. */
     size_t memory_limit;     /**< See #ScriptRequest.memory_limit. */
-    void *address;           /**< Where the scene or lesson is to lie. */
+    void *address;           /**< Address for the scene or lesson. */
     size_t text_size;        /**< Bytes of the text. */
-    size_t action_count;     /**< How many names, each ended by a zero byte. */
+    size_t action_count;     /**< Number of names, each ended by a zero byte. */
     int move_count;          /**< See #ActionNames.move_count. */
 } ScriptJobHead;
 
 // --- in the program ------------------------------------------------------------------------------
 
-/** @return Bytes of all names of actions. @param[out] count How many names. */
+/**
+ * @return Bytes of all names of actions.
+ * @param actions     The names.
+ * @param[out] count  Number of names.
+ */
 static size_t action_names_size(const ActionNames *actions, size_t *count) {
     size_t size = 0;
     for (*count = 0; actions && actions->names[*count]; (*count)++) {
@@ -38,7 +42,12 @@ static size_t action_names_size(const ActionNames *actions, size_t *count) {
     return size;
 }
 
-/** Packs a request. @param[out] size Bytes of it. @return The bytes, to be freed; or NULL. */
+/**
+ * Packs a request.
+ * @param call       The call.
+ * @param[out] size  Its size in bytes.
+ * @return The request, to be freed with `free`; NULL without memory.
+ */
 static void *pack_request(const ScriptCall *call, size_t *size) {
     const ScriptRequest *request = call->request;
     size_t action_count, text_size = call->text->size;
@@ -65,12 +74,12 @@ static void *pack_request(const ScriptCall *call, size_t *size) {
     return head;
 }
 
-/** Reports that a scene was stopped, at the line where it was last. */
+/** Reports that a run was stopped, at its last known line. */
 static void fail_at_location(ScriptResult *result, const char *message) {
     script_result_fail(result, result->location, message, strlen(message));
 }
 
-/** Sets the error of a run whose worker has not ended it. */
+/** Sets the error of a run that its worker did not complete. */
 static void set_failure(const ScriptRequest *request, const WorkerReply *reply,
                         ScriptResult *result) {
     char message[ERROR_MESSAGE_SIZE];
@@ -127,7 +136,10 @@ bool script_worker_run(const ScriptCall *call, Error *error) {
 
 // --- in the worker -------------------------------------------------------------------------------
 
-/** Copies the text out of a request: the run frees it. @return The text; empty without memory. */
+/**
+ * Copies the text out of a request, because the run frees it.
+ * @return The text; empty without memory.
+ */
 static ScriptText unpack_text(const ScriptJobHead *head) {
     ScriptText text = {.text = malloc(head->text_size + 1), .size = head->text_size};
     if (!text.text) {
@@ -139,9 +151,10 @@ static ScriptText unpack_text(const ScriptJobHead *head) {
 
 /**
  * Runs a text.
- * @param run  The run, without what the request says.
- * @param[out] job  Its report; the block is set by the caller.
- * @return Whether it ran to its end without an error.
+ * @param job             The job; its report is set here, its block by the caller.
+ * @param run             The run; its request is set here.
+ * @param shape_keywords  The shapes that it may create; NULL ends the list.
+ * @return Whether it ended without an error.
  */
 static bool run_job(WorkerJob *job, ScriptRun *run, const Keyword *const *shape_keywords) {
     const ScriptJobHead *head = job->request;

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Texts of scenes and lessons, run in a worker process: both ends of it.
+ * @brief Execution of scene and lesson files in a worker process: both sides.
  */
 #ifndef DIOPTRE_SCRIPT_SCRIPT_WORKER_H
 #define DIOPTRE_SCRIPT_SCRIPT_WORKER_H
@@ -13,29 +13,33 @@
 #define SCRIPT_SCENE_TASK "scene"
 #define SCRIPT_LESSON_TASK "lesson" /**< See #SCRIPT_SCENE_TASK. */
 
-/** A text to be run in a worker. */
+/** A text to run in a worker. */
 typedef struct ScriptCall {
     const ScriptRequest *request; /**< The request. */
     const char *task;             /**< #SCRIPT_SCENE_TASK or #SCRIPT_LESSON_TASK. */
-    const ScriptText *text;       /**< The text of the file. */
-    const ActionNames *actions;   /**< What a lesson can name; NULL: it is a scene. */
-    void *block;     /**< The scene or lesson. It is made at this address in the worker, so that
-                          pointers in it hold here too. */
+    const ScriptText *text;     /**< Names of the actions of lessons; NULL: the text is a scene. */
+    const ActionNames *actions; /**< What a lesson can name; NULL: it is a scene. */
+    void *block; /**< Memory for the scene or lesson. The worker creates it at the same address, so
+                    that its pointers are valid here. */
     size_t capacity; /**< Bytes of #block. */
 } ScriptCall;
 
 /**
  * Runs a text in a worker.
+ * @param call        The call.
  * @param[out] error  What is wrong, with file and line.
  * @return Whether the scene or lesson is complete.
  */
 bool script_worker_run(const ScriptCall *call, Error *error);
 
-/** Runs the text of a scene, in a worker. @param shape_keywords The shapes that it may create; NULL
- *  ends the list. */
+/**
+ * Runs the text of a scene; the worker's side.
+ * @param job             The job.
+ * @param shape_keywords  The shapes that it may create; NULL ends the list.
+ */
 void script_worker_scene(WorkerJob *job, const Keyword *const *shape_keywords);
 
-/** Runs the text of a lesson, in a worker. */
+/** Runs the text of a lesson; the worker's side. @param job The job. */
 void script_worker_lesson(WorkerJob *job);
 
 #endif

@@ -2,8 +2,8 @@
  * @file
  * @brief Distance fields in scene files.
  *
- * A field is a userdata of Lua that holds the whole #Sdf. None is ever changed: what a method
- * returns is a new one.
+ * A field is a Lua userdata that contains the whole #Sdf. Fields are immutable: methods return new
+ * ones.
  */
 #include "script/sdf_binding.h"
 
@@ -15,17 +15,17 @@
 #include <lauxlib.h>
 #include <string.h>
 
-/** What fields are called in errors, and what marks them. */
+/** Name of the type in errors, and key of its metatable. */
 static const char sdf_type_name[] = "distance field";
 
-/** What a join is called in a scene file. */
+/** A function that combines fields. */
 typedef struct SdfOperator {
-    const char *name;         /**< In `distance`. */
-    SdfCombination operation; /**< Which it is. */
-    int operand_maximum;      /**< Most fields that it takes; 0: any number. */
+    const char *name;         /**< Name in the table `distance`. */
+    SdfCombination operation; /**< The combination. */
+    int operand_maximum;      /**< Largest number of fields; 0: any. */
 } SdfOperator;
 
-/** All joins. */
+/** All functions that combine fields. */
 static const SdfOperator sdf_operators[] = {{"union", SDF_COMBINE_UNION, 0},
                                             {"intersection", SDF_COMBINE_INTERSECTION, 0},
                                             {"difference", SDF_COMBINE_DIFFERENCE, 2},
@@ -35,14 +35,18 @@ const Sdf *sdf_binding_test(lua_State *L, int index) {
     return luaL_testudata(L, index, sdf_type_name);
 }
 
-/** @return A new field on top of the stack, with room for steps. */
+/**
+ * @return A new field on top of the stack, with memory for nodes.
+ * @param L             The state.
+ * @param instructions  Number of nodes.
+ */
 static Sdf *push_sdf(lua_State *L, int instructions) {
     Sdf *sdf = lua_newuserdatauv(L, sdf_size(instructions), 0);
     luaL_setmetatable(L, sdf_type_name);
     return sdf;
 }
 
-/** @return A field; raises an error about anything else. */
+/** @return A field; raises an error for anything else. */
 static const Sdf *check_sdf(lua_State *L, int index, const char *function_name) {
     const Sdf *sdf = sdf_binding_test(L, index);
     if (!sdf) {
@@ -51,22 +55,30 @@ static const Sdf *check_sdf(lua_State *L, int index, const char *function_name) 
     return sdf;
 }
 
-/** Raises an error unless a call has a number of values. @param usage How it is called. */
+/**
+ * Raises an error if a call has the wrong number of arguments.
+ * @param L      The state.
+ * @param count  The right number.
+ * @param usage  The call with its arguments, for the error.
+ */
 static void check_argument_count(lua_State *L, int count, const char *usage) {
     if (lua_gettop(L) != count) {
         lua_error_tr(L, "this is called as %s", usage);
     }
 }
 
-/** Raises an error unless something went well. */
+/** Raises an error if an operation failed. */
 static void check_success(lua_State *L, bool is_good, const Error *error) {
     if (!is_good) {
         lua_error_tr(L, "%s", error->message);
     }
 }
 
-/** Makes a field of numbers. See lua_CFunction. @param L The state, with a table; the #SdfPrimitive
- * is the first upvalue. @return 1: the field. */
+/**
+ * Creates a primitive. See lua_CFunction.
+ * @param L  The state, with a table; the #SdfPrimitive is the first upvalue.
+ * @return 1: the field.
+ */
 static int call_primitive(lua_State *L) {
     const SdfPrimitive *primitive = lua_touserdata(L, lua_upvalueindex(1));
     const Keyword *const keywords[] = {&primitive->keyword, NULL};
@@ -77,8 +89,12 @@ static int call_primitive(lua_State *L) {
     return 1;
 }
 
-/** Makes one field of several. See lua_CFunction. @param L The state, with the fields, and for the
- *  smooth union a radius; the #SdfOperator is the first upvalue. @return 1: the field. */
+/**
+ * Combines fields. See lua_CFunction.
+ * @param L  The state, with the fields, and a radius for the smooth union; the #SdfOperator is the
+ *           first upvalue.
+ * @return 1: the field.
+ */
 static int call_operator(lua_State *L) {
     const SdfOperator *op = lua_touserdata(L, lua_upvalueindex(1));
     bool is_smooth = op->operation == SDF_COMBINE_SMOOTH_UNION;
@@ -108,8 +124,9 @@ static int call_operator(lua_State *L) {
 }
 
 /**
- * Scales, turns or moves a field.
- * @param L  The state, with the field.
+ * Transforms a field.
+ * @param L          The state, with the field.
+ * @param transform  The transform.
  * @return 1: the new field.
  */
 static int apply_transform(lua_State *L, Transform *transform) {
@@ -121,7 +138,7 @@ static int apply_transform(lua_State *L, Transform *transform) {
     return 1;
 }
 
-/** @return The row of a field of every shape. */
+/** @return The row of a field of #transform_keyword. @param name Name of the field. */
 static const Parameter *transform_parameter(const char *name) {
     const Parameter *row = transform_keyword.parameters;
     while (strcmp(row->name, name) != 0) {
@@ -172,9 +189,12 @@ static int call_round(lua_State *L) {
     return 1;
 }
 
-/** Takes `count` out of the table of `repeat_every`, which has it beside three numbers.
- *  @param L The state, with the table as second value; afterwards a table of the numbers alone is
- * on top. @param[out] count It; zero if it is not there. */
+/**
+ * Removes `count` from the table of `repeat_every`.
+ * @param L           The state; the table is the second argument. A table of the numbers alone is
+ *                    pushed.
+ * @param[out] count  The field; zero without it.
+ */
 static void read_repeat_count(lua_State *L, Vec3d *count) {
     if (!lua_istable(L, 2)) {
         lua_error_tr(L, "repeat_every takes {x, y, z}");
@@ -211,12 +231,12 @@ static int call_repeat(lua_State *L) {
     return 1;
 }
 
-/** What fields can do. */
+/** Methods of fields. */
 static const luaL_Reg methods[] = {{"translate", call_translate}, {"rotate", call_rotate},
                                    {"scale", call_scale},         {"round", call_round},
                                    {"repeat_every", call_repeat}, {NULL, NULL}};
 
-/** Makes what all fields share. */
+/** Creates the metatable of fields. */
 static void open_methods(lua_State *L) {
     luaL_newmetatable(L, sdf_type_name);
     luaL_newlib(L, methods);

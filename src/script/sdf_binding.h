@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Distance fields in scene files: the table `distance`, and what fields can do.
+ * @brief Distance fields in scene files: the table `distance` and the methods of fields.
  */
 #ifndef DIOPTRE_SCRIPT_SDF_BINDING_H
 #define DIOPTRE_SCRIPT_SDF_BINDING_H
@@ -9,12 +9,13 @@
 
 #include <lua.h>
 
-/** Makes `distance` a global word of a state. */
+/** Adds the global table `distance`. @param L The state. */
 void sdf_binding_open(lua_State *L);
 
 /**
- * @return A field; NULL if it is something else.
- * @param index  Where it is; it is valid while it is there.
+ * @return The field at a stack index, valid while it is there; NULL for another type.
+ * @param L      The state.
+ * @param index  The stack index.
  */
 const Sdf *sdf_binding_test(lua_State *L, int index);
 

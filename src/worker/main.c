@@ -1,10 +1,9 @@
 /**
  * @file
- * @brief The program `dioptre-worker`: reads scenes, pictures and models, and encodes pictures, for
+ * @brief The program `dioptre-worker`: reads scenes, pictures and meshes, and encodes pictures, for
  * `dioptre`.
  *
- * It is a program of its own so that it starts in a millisecond: it is linked with Lua, and not
- * with SDL, whose libraries take ten.
+ * As a separate program without SDL, whose libraries load in ten milliseconds, it starts in one.
  */
 #include "assets/images/image_worker.h"
 #include "assets/meshes/mesh_worker.h"
@@ -18,7 +17,7 @@ static void run_scene(WorkerJob *job) {
     script_worker_scene(job, scene_shape_keywords);
 }
 
-/** The worker program. @return EXIT_FAILURE where it is not started by `dioptre`. */
+/** The worker program. @return EXIT_FAILURE if it is not started by `dioptre`. */
 int main(int argc, char **argv) {
     static const WorkerTask tasks[] = {{SCRIPT_SCENE_TASK, run_scene},
                                        {SCRIPT_LESSON_TASK, script_worker_lesson},

@@ -2,8 +2,8 @@
  * @file
  * @brief BMP pictures.
  *
- * Format: Microsoft, "Bitmap Storage" (BITMAPFILEHEADER, BITMAPINFOHEADER). Numbers are stored
- * lowest byte first, and each row is filled up to a multiple of four bytes.
+ * Format: Microsoft, "Bitmap Storage" (BITMAPFILEHEADER, BITMAPINFOHEADER). Numbers are
+ * little-endian, and rows are padded to multiples of four bytes.
  */
 #include "assets/images/bmp.h"
 #include "dioptre/scene.h"
@@ -14,77 +14,77 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/** Where things are in a BMP file, in bytes from its beginning. */
+/** Byte offsets in a BMP file, and sizes. */
 enum {
     AT_FILE_SIZE = 2,    /**< Size of the file, 4 bytes. */
-    AT_PIXELS = 10,      /**< Where the pixels begin, 4 bytes. */
-    AT_HEADER_SIZE = 14, /**< Size of the header from here on, 4 bytes. */
-    AT_WIDTH = 18,       /**< Pixels, 4 bytes with sign. */
-    AT_HEIGHT = 22,      /**< Pixels, 4 bytes with sign; negative: the top row comes first. */
+    AT_PIXELS = 10,      /**< Offset of the pixels, 4 bytes. */
+    AT_HEADER_SIZE = 14, /**< Size of the header that begins here, 4 bytes. */
+    AT_WIDTH = 18,       /**< Width in pixels, 4 bytes, signed. */
+    AT_HEIGHT = 22,      /**< Height in pixels, 4 bytes, signed; negative: the top row is first. */
     AT_PLANES = 26,      /**< Always 1, 2 bytes. */
-    AT_BITS = 28,        /**< Bits a pixel, 2 bytes. */
-    AT_COMPRESSION = 30, /**< How the pixels are packed, 4 bytes. */
-    AT_IMAGE_SIZE = 34,  /**< Bytes of all rows, 4 bytes. */
-    AT_PIXELS_PER_METRE_X = 38, /**< Pixels a metre, 4 bytes. */
-    AT_PIXELS_PER_METRE_Y = 42, /**< Pixels a metre, 4 bytes. */
-    AT_MASKS = 54,              /**< Which bits are red, green and blue, where #BI_BITFIELDS. */
-    HEADER_SIZE = 54,           /**< Bytes of the plain header, with which the file begins. */
-    MASKS_SIZE = 12             /**< Bytes of the masks. */
+    AT_BITS = 28,        /**< Bits per pixel, 2 bytes. */
+    AT_COMPRESSION = 30, /**< Compression, 4 bytes. */
+    AT_IMAGE_SIZE = 34,  /**< Size of all rows, 4 bytes. */
+    AT_PIXELS_PER_METRE_X = 38, /**< Pixels per metre, 4 bytes. */
+    AT_PIXELS_PER_METRE_Y = 42, /**< Pixels per metre, 4 bytes. */
+    AT_MASKS = 54,              /**< Masks of the red, green and blue bits, with #BI_BITFIELDS. */
+    HEADER_SIZE = 54,           /**< Size of the two headers at the start of a file. */
+    MASKS_SIZE = 12             /**< Size of the masks. */
 };
 
-/** Ways to pack pixels that are known here. */
+/** Supported compressions. */
 enum {
-    BI_RGB = 0,      /**< Blue, green, red, and with 32 bits an unused byte. */
-    BI_BITFIELDS = 3 /**< As the masks say; only the same order is known here. */
+    BI_RGB = 0,      /**< Blue, green, red, and an unused byte at 32 bits per pixel. */
+    BI_BITFIELDS = 3 /**< As the masks give; only the same order is supported. */
 };
 
-/** Bytes of a pixel in a #Picture. */
+/** Bytes per pixel in a #Picture. */
 enum { CHANNELS = 3 };
-/** Most bytes of a pixel in a file. */
+/** Largest number of bytes per pixel in a file. */
 enum { PIXEL_BYTES_MAXIMUM = 4 };
-/** Most bytes of a row in a file. */
+/** Largest size of a row in a file. */
 enum { ROW_BYTES_MAXIMUM = IMAGE_SIZE_MAXIMUM * PIXEL_BYTES_MAXIMUM };
-/** Pixels a metre that are written: 72 an inch, the usual. It means nothing for a drawing. */
+/** Pixels per metre in written files: 72 per inch, the usual value. */
 enum { PIXELS_PER_METRE = 2835 };
 
-/** What the header of a file says. */
+/** Content of the header of a file. */
 typedef struct BmpHeader {
-    uint32_t pixel_offset; /**< Where the pixels begin. */
-    int32_t width;         /**< Pixels. */
-    int32_t height;        /**< Pixels; negative: the top row comes first. */
-    unsigned planes;       /**< Should be 1. */
-    unsigned bits;         /**< Bits a pixel. */
-    uint32_t compression;  /**< How the pixels are packed. */
-    bool is_bgr;           /**< Whether the masks say blue, green, red. */
+    uint32_t pixel_offset; /**< Offset of the pixels in the file. */
+    int32_t width;         /**< Width in pixels. */
+    int32_t height;        /**< Height in pixels; negative: the top row is first. */
+    unsigned planes;       /**< Number of planes; valid: 1. */
+    unsigned bits;         /**< Bits per pixel. */
+    uint32_t compression;  /**< Compression. */
+    bool is_bgr;           /**< Whether the masks give the order blue, green, red. */
 } BmpHeader;
 
-/** Stores a number of 4 bytes. */
+/** Stores a 4-byte number, little-endian. */
 static void store_u32(uint8_t *bytes, uint32_t number) {
     for (int i = 0; i < 4; i++) {
         bytes[i] = (uint8_t)(number >> (8 * i));
     }
 }
 
-/** @return A number of 2 bytes. */
+/** @return A 2-byte number, little-endian. */
 static unsigned load_u16(const uint8_t *bytes) {
     return bytes[0] | (unsigned)bytes[1] << 8;
 }
 
-/** @return A number of 4 bytes. */
+/** @return A 4-byte number, little-endian. */
 static uint32_t load_u32(const uint8_t *bytes) {
     return load_u16(bytes) | (uint32_t)load_u16(bytes + 2) << 16;
 }
 
 /**
- * @return Bytes of a row in a file.
+ * @return Size of a row in a file, in bytes.
  * @param width        Pixels, 1 to `IMAGE_SIZE_MAXIMUM`.
- * @param pixel_bytes  Bytes a pixel, 3 or 4.
+ * @param pixel_bytes  Bytes per pixel, 3 or 4.
  */
 static size_t row_size(int width, unsigned pixel_bytes) {
     return ((size_t)width * pixel_bytes + 3) / 4 * 4;
 }
 
-/** Fills in a header. @param picture The picture it is for. */
+/** Fills in a header. @param[out] header The header. @param picture Its picture. */
 static void make_header(uint8_t header[HEADER_SIZE], const Picture *picture) {
     size_t size = row_size(picture->width, CHANNELS) * (size_t)picture->height;
     memset(header, 0, HEADER_SIZE);
@@ -102,9 +102,12 @@ static void make_header(uint8_t header[HEADER_SIZE], const Picture *picture) {
 }
 
 /**
- * Copies pixels and turns the order of their colours round.
- * @param to_bytes  Bytes a pixel there, 3 or 4.
- * @param from_bytes  Bytes a pixel there, 3 or 4.
+ * Copies pixels and swaps red and blue.
+ * @param[out] to     The copy.
+ * @param to_bytes    Bytes per pixel of the copy, 3 or 4.
+ * @param from        The pixels.
+ * @param from_bytes  Bytes per pixel, 3 or 4.
+ * @param count       Number of pixels.
  */
 static void copy_swapping_red_blue(uint8_t *to, unsigned to_bytes, const uint8_t *from,
                                    unsigned from_bytes, int count) {
@@ -131,7 +134,11 @@ bool bmp_write(const Picture *picture, FILE *stream, Error *error) {
     return is_fine || error_set(error, STATUS_FAILED, "%s", error_errno_text(errno));
 }
 
-/** Takes a header apart. @param bytes Its bytes, with those of the masks after it. */
+/**
+ * Parses a header.
+ * @param[out] header  The result.
+ * @param bytes        The bytes of the header and of the masks.
+ */
 static void parse_header(BmpHeader *header, const uint8_t bytes[HEADER_SIZE + MASKS_SIZE]) {
     *header = (BmpHeader){
         .pixel_offset = load_u32(bytes + AT_PIXELS),
@@ -148,8 +155,10 @@ static void parse_header(BmpHeader *header, const uint8_t bytes[HEADER_SIZE + MA
 
 /**
  * Reads a header.
- * @param stream  The file, at its beginning.
- * @return Whether it is one that is known here.
+ * @param stream       The file, at its start.
+ * @param[out] header  The header.
+ * @param[out] error   What is wrong.
+ * @return Whether it is supported.
  */
 static bool read_header(FILE *stream, BmpHeader *header, Error *error) {
     uint8_t bytes[HEADER_SIZE + MASKS_SIZE] = {0};
@@ -169,7 +178,7 @@ static bool read_header(FILE *stream, BmpHeader *header, Error *error) {
     return true;
 }
 
-/** Says whether the pixels are of a kind that is known here. @return Whether they are. */
+/** @return Whether the pixel format is supported. */
 static bool check_pixel_format(const BmpHeader *header, Error *error) {
     if (header->planes != 1 || (header->bits != 24 && header->bits != 32)) {
         return error_set(error, STATUS_SCENE, "it has %u bits a pixel, not 24 or 32", header->bits);
@@ -183,9 +192,11 @@ static bool check_pixel_format(const BmpHeader *header, Error *error) {
 }
 
 /**
- * Says whether the size is one that is allowed, and whether the file holds all of the pixels.
- * @param file_size  Size of the file, bytes.
- * @return Whether they are there.
+ * Checks the size of a picture against the limits and the size of its file.
+ * @param header      The header.
+ * @param file_size   Size of the file, bytes.
+ * @param[out] error  What is wrong.
+ * @return Whether the file can contain all pixels.
  */
 static bool check_size(const BmpHeader *header, uint64_t file_size, Error *error) {
     int64_t height = header->height < 0 ? -(int64_t)header->height : header->height;
@@ -207,8 +218,10 @@ static bool check_size(const BmpHeader *header, uint64_t file_size, Error *error
 
 /**
  * Reads the pixels.
+ * @param stream        The file.
+ * @param header        Its header.
  * @param[out] picture  A picture of that size.
- * @return Whether all of them could be read.
+ * @return Whether all of them were read.
  */
 static bool read_pixels(FILE *stream, const BmpHeader *header, Picture *picture) {
     uint8_t bytes[ROW_BYTES_MAXIMUM];
@@ -230,8 +243,11 @@ static bool read_pixels(FILE *stream, const BmpHeader *header, Picture *picture)
 
 /**
  * Reads a BMP file.
- * @param stream  The file, at its beginning.
- * @return Whether it was read; otherwise the picture is empty.
+ * @param stream        The file, at its start.
+ * @param file_size     Its size, bytes.
+ * @param[out] picture  The picture; empty on errors.
+ * @param[out] error    What is wrong.
+ * @return Whether it was read.
  */
 static bool read_stream(FILE *stream, uint64_t file_size, Picture *picture, Error *error) {
     BmpHeader header = {0};

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief BMP pictures: written and read here, so that a snapshot needs no library.
+ * @brief BMP pictures, written and read without a library.
  */
 #ifndef DIOPTRE_ASSETS_IMAGES_BMP_H
 #define DIOPTRE_ASSETS_IMAGES_BMP_H
@@ -12,21 +12,21 @@
 /**
  * Writes a picture as BMP: a header of 54 bytes, then blue, green and red of each pixel, the lowest
  * row first.
- * @param picture     The picture, at most `IMAGE_SIZE_MAXIMUM` by as many pixels.
- * @param stream      Where to; need not be seekable.
- * @param[out] error  Why not (#STATUS_FAILED); the file is not named in it.
- * @return Whether all was handed to the stream; whether it arrives, closing the stream tells.
+ * @param picture     The picture, at most `IMAGE_SIZE_MAXIMUM` pixels wide and high.
+ * @param stream      The output; need not be seekable.
+ * @param[out] error  What is wrong (#STATUS_FAILED), without the path.
+ * @return Whether all was written to the stream; closing it can still fail.
  */
 bool bmp_write(const Picture *picture, FILE *stream, Error *error);
 
 /**
- * Reads a BMP file of 24 or 32 bits a pixel, not compressed, of either order of rows. What its
- * header says is checked against the file's size before memory is taken or a pixel read. The
- * fourth byte of a pixel, opacity to some programs, is dropped.
- * @param file          The file, open; it stays so.
- * @param[out] picture  The picture; give it back with #picture_deinit.
- * @param[out] error    What is wrong (#STATUS_SCENE); the file is not named in it.
- * @return Whether it was read; otherwise the picture is empty.
+ * Reads an uncompressed BMP file of 24 or 32 bits per pixel, in either order of rows. The header is
+ * checked against the file size before any allocation. The fourth byte per pixel, opacity in some
+ * programs, is ignored.
+ * @param file          Descriptor of the file; it stays open.
+ * @param[out] picture  The picture, to be freed with #picture_deinit; empty on errors.
+ * @param[out] error    What is wrong (#STATUS_SCENE), without the path.
+ * @return Whether it was read.
  */
 bool bmp_read(int file, Picture *picture, Error *error);
 

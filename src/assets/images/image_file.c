@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Picture files: which ending means which format.
+ * @brief Reading and writing of picture files by extension.
  */
 #include "assets/images/image_file.h"
 
@@ -17,8 +17,9 @@
 #include <unistd.h>
 
 /**
- * Puts before an error that a file was to be read.
+ * Adds the path to an error of reading.
  * @param[in,out] error  The error; may be NULL.
+ * @param path           The path.
  * @return false, always.
  */
 static bool set_read_error(Error *error, const char *path) {
@@ -26,8 +27,9 @@ static bool set_read_error(Error *error, const char *path) {
 }
 
 /**
- * Puts before an error that a file was to be written.
+ * Adds the path to an error of writing.
  * @param[in,out] error  The error; may be NULL.
+ * @param path           The path.
  * @return false, always.
  */
 static bool set_write_error(Error *error, const char *path) {
@@ -35,11 +37,11 @@ static bool set_write_error(Error *error, const char *path) {
 }
 
 /**
- * Finds the format that a file is to be written in.
- * @param path        The file; what is no plain file, such as `/dev/stdout`, may have no ending
- *                    and then gets a BMP.
- * @param[out] error  Which endings there are (#STATUS_USAGE).
- * @return The format, or NULL.
+ * Finds the format for writing a file.
+ * @param path        The file. Devices and FIFOs, such as `/dev/stdout`, may have no extension:
+ *                    BMP.
+ * @param[out] error  The known extensions (#STATUS_USAGE).
+ * @return The format; NULL: unknown.
  */
 static const ImageFormat *format_to_write(const char *path, Error *error) {
     const ImageFormat *format = image_format_by_extension(path);
@@ -66,7 +68,7 @@ bool image_file_check(const char *path, Error *error) {
     return can_be_written || set_write_error(error, path);
 }
 
-/** Writes a picture in a format. @return Whether all was handed to the stream. */
+/** Writes a picture in a format. @return Whether all was written to the stream. */
 static bool write_format(const ImageFormat *format, const Picture *picture, FILE *stream,
                          Error *error) {
     if (picture->width > IMAGE_SIZE_MAXIMUM || picture->height > IMAGE_SIZE_MAXIMUM) {
@@ -79,9 +81,12 @@ static bool write_format(const ImageFormat *format, const Picture *picture, FILE
 }
 
 /**
- * Writes a picture beside its place and moves it there.
- * @param file  The file, begun; ended here.
- * @return Whether it is there, all of it.
+ * Writes a picture to a temporary file and renames it.
+ * @param file        The open file; ended here.
+ * @param format      The format.
+ * @param picture     The picture.
+ * @param[out] error  What is wrong.
+ * @return Whether the file is complete.
  */
 static bool write_and_commit(AtomicFile *file, const ImageFormat *format, const Picture *picture,
                              Error *error) {
@@ -108,13 +113,13 @@ bool image_file_write_new(const char *path, const Picture *picture, bool *exists
     return is_written || set_write_error(error, path);
 }
 
-/** What reading a picture to be compared may take: the largest that can be written. */
+/** Limits of reading a picture to compare; sufficient for the largest that can be written. */
 static const ImageReadLimits compare_limits = {
     60, (size_t)8 << 30,
     sizeof(Texture) +
         TEXEL_CHANNELS * sizeof(float) * (size_t)IMAGE_SIZE_MAXIMUM *IMAGE_SIZE_MAXIMUM};
 
-/** Makes a picture of 8-bit steps of a texture. @return false without memory. */
+/** Converts an 8-bit texture to a picture. @return false without memory. */
 static bool picture_from_texture(const Texture *texture, Picture *picture, Error *error) {
     if (!picture_init(picture, texture->width, texture->height, error)) {
         return false;
@@ -132,7 +137,7 @@ static bool picture_from_texture(const Texture *texture, Picture *picture, Error
     return true;
 }
 
-/** Reads an open picture file. @return Whether it was read; otherwise the picture is empty. */
+/** Reads an open picture file. @return Whether it was read; if not, the picture is empty. */
 static bool read_open_file(const ImageFormat *format, int file, Picture *picture, Error *error) {
     if (!format->plugin_name) {
         return bmp_read(file, picture, error);

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Formats of picture files: which ending means which.
+ * @brief Formats of picture files by extension.
  */
 #include "assets/images/image_format.h"
 
@@ -10,8 +10,9 @@
 #include <strings.h>
 
 /**
- * All formats; the last has no ending. OpenImageIO knows some hundred more. Targa is left out on
- * purpose: its reader in OpenImageIO 2.4 has known holes (CVE-2023-22845, CVE-2023-24473).
+ * All formats; an entry without extension ends the list. OpenImageIO supports many more. Targa is
+ * excluded: its reader in OpenImageIO 2.4 has known vulnerabilities (CVE-2023-22845,
+ * CVE-2023-24473).
  */
 static const ImageFormat formats[] = {
     {.extension = "bmp"},

@@ -1,11 +1,10 @@
 /**
  * @file
- * @brief What the picture module `dioptre-images.so` offers: every format but BMP.
+ * @brief Interface of the picture module `dioptre-images.so`: every format but BMP.
  *
- * OpenImageIO is a C++ library that brings some 260 others with it, so it is not linked with the
- * program but lives in a module of its own, opened when such a format is first asked for. This
- * header is the border between the two, in plain C: numbers, memory and words pass it, and no
- * exception.
+ * OpenImageIO is a C++ library with some 260 dependencies. It is therefore not linked with the
+ * program, but with a module that is loaded at first use. This header is its interface in plain C;
+ * no exception crosses it.
  */
 #ifndef DIOPTRE_ASSETS_IMAGES_IMAGE_PLUGIN_H
 #define DIOPTRE_ASSETS_IMAGES_IMAGE_PLUGIN_H
@@ -16,91 +15,101 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/** Counts the changes of this header: program and module must be of the same count. */
+/** Version of this interface; program and module must agree. */
 enum { IMAGE_PLUGIN_VERSION = 2 };
-/** Largest width and height of a picture that is read, as of the whole program. */
+/** Largest width and height of a picture, as in the program. */
 enum { IMAGE_PLUGIN_SIZE_MAXIMUM = 16384 };
-/** Longest message, in bytes with its final zero. */
+/** Size of a message, with its final zero. */
 enum { IMAGE_PLUGIN_MESSAGE_SIZE = 512 };
 
-/** What went wrong, in words, without the file's name. */
+/** An error message, without the file's name. */
 typedef struct ImagePluginMessage {
-    char text[IMAGE_PLUGIN_MESSAGE_SIZE]; /**< The words. */
+    char text[IMAGE_PLUGIN_MESSAGE_SIZE]; /**< The text. */
 } ImagePluginMessage;
 
-/** A picture to be written. */
+/** A picture to write. */
 typedef struct ImagePluginSource {
-    int width;              /**< Pixels. */
-    int height;             /**< Pixels. */
+    int width;              /**< Width in pixels. */
+    int height;             /**< Height in pixels. */
     const uint8_t *encoded; /**< Red, green, blue of each pixel, row by row from the top. */
-    const float *linear; /**< NULL: the steps are written. Or linear light in the same order: this
-                             is written instead. */
-    const MetadataEntry
-        *metadata; /**< What the file says of itself, ended by a row without a name. */
+    const float *linear;    /**< Linear light in the same order, which is written instead; NULL:
+                               #encoded is written. */
+    const MetadataEntry *metadata; /**< Metadata, ended by a row without a name. */
 } ImagePluginSource;
 
-/** A whole file in memory. */
+/** A picture file in memory. */
 typedef struct EncodedImage {
     const void *bytes; /**< Its bytes. */
-    size_t size;       /**< How many. */
-    void *owner;       /**< The module's own; NULL when there is nothing to release. */
+    size_t size;       /**< Number of bytes. */
+    void *owner;       /**< Internal to the module; NULL: nothing to release. */
 } EncodedImage;
 
-/** What the numbers of a picture file are. */
+/** Type of the numbers of a picture file. */
 typedef enum {
-    PIXEL_FORMAT_SRGB8,  /**< Encoded, in 8 bits: read by ImagePlugin::read_steps. */
-    PIXEL_FORMAT_SRGB16, /**< Encoded, in more bits: read by ImagePlugin::read_light, 0 to 1. */
-    PIXEL_FORMAT_LINEAR  /**< Linear light: read by ImagePlugin::read_light. */
+    PIXEL_FORMAT_SRGB8,  /**< Encoded, 8 bits: read by #ImagePlugin.read_encoded. */
+    PIXEL_FORMAT_SRGB16, /**< Encoded, more bits: read by #ImagePlugin.read_linear as 0 to 1. */
+    PIXEL_FORMAT_LINEAR  /**< Linear light: read by #ImagePlugin.read_linear. */
 } PixelFormat;
 
-/** What is known of a picture before its pixels are read. */
+/** Properties of a picture, known before its pixels are read. */
 typedef struct ImageHeader {
-    int width;          /**< Pixels, 1 to `IMAGE_PLUGIN_SIZE_MAXIMUM`. */
-    int height;         /**< Pixels, 1 to `IMAGE_PLUGIN_SIZE_MAXIMUM`. */
-    PixelFormat format; /**< What its numbers are. */
-    int strip_rows;     /**< How many rows are read at once, but for the last band. */
+    int width;          /**< Width in pixels, 1 to `IMAGE_PLUGIN_SIZE_MAXIMUM`. */
+    int height;         /**< Height in pixels, 1 to `IMAGE_PLUGIN_SIZE_MAXIMUM`. */
+    PixelFormat format; /**< Type of its numbers. */
+    int strip_rows;     /**< Number of rows per strip; the last strip may have fewer. */
 } ImageHeader;
 
-/** A picture file that is open; its inside is the module's own. */
+/** An open picture file; opaque. */
 typedef struct ImageReader ImageReader;
 
-/** The module: its functions. Formats are named as OpenImageIO does: png, jpeg, tiff, ... */
+/** The functions of the module. Formats have their names in OpenImageIO: png, jpeg, tiff, ... */
 typedef struct ImagePlugin {
-    int version; /**< `IMAGE_PLUGIN_VERSION` as the module was built with. */
+    int version; /**< #IMAGE_PLUGIN_VERSION at the build of the module. */
 
     /**
-     * Makes a file of a picture. The same picture always gives the same bytes.
-     * @param[out] file  The file, to be given back with #free_encoded.
-     * @return Whether it was made.
+     * Encodes a picture as a file. The same picture always gives the same bytes.
+     * @param format        The format.
+     * @param source        The picture.
+     * @param[out] file     The file, to be freed with #free_encoded.
+     * @param[out] message  What is wrong.
+     * @return Whether it was encoded.
      */
     bool (*encode)(const char *format, const ImagePluginSource *source, EncodedImage *file,
                    ImagePluginMessage *message);
 
-    /** Gives a file's memory back. */
+    /** Frees a file in memory. */
     void (*free_encoded)(EncodedImage *file);
 
     /**
-     * Opens a picture file, reads its header and checks it; reads no pixel.
-     * @param format  The format; if the file is of another, it is not read.
-     * @param[out] header  What is known of it.
-     * @return The open file, to be given back with #close; NULL if anything is wrong.
+     * Opens a picture file, and reads and checks its header.
+     * @param path          The file.
+     * @param format        The format; a file of another one is refused.
+     * @param[out] header   Its properties.
+     * @param[out] message  What is wrong.
+     * @return The open file, to be closed with #close; NULL on errors.
      */
     ImageReader *(*open)(const char *path, const char *format, ImageHeader *header,
                          ImagePluginMessage *message);
 
     /**
-     * Reads the encoded steps of a band of rows. Opacity is dropped, grey becomes three colours.
-     * @param first  First row; a multiple of the band's height.
-     * @param count  How many rows; the band's height, or what is left at the bottom.
-     * @param[out] rgb  Their pixels, 3 numbers each.
+     * Reads a strip of rows, encoded. Opacity is ignored; grey becomes three equal channels.
+     * @param reader        The open file.
+     * @param first         First row; a multiple of #ImageHeader.strip_rows.
+     * @param count         Number of rows: #ImageHeader.strip_rows, or fewer at the bottom.
+     * @param[out] rgb      The pixels, 3 numbers each.
+     * @param[out] message  What is wrong.
      * @return Whether they were read.
      */
     bool (*read_encoded)(ImageReader *reader, int first, int count, uint8_t *rgb,
                          ImagePluginMessage *message);
 
     /**
-     * Reads a band of rows of the finer kinds; otherwise as #read_encoded.
-     * @param[out] rgb  Their pixels, 3 numbers each, of any size, infinity and NaN too.
+     * Reads a strip of rows with more than 8 bits; see #read_encoded.
+     * @param reader        The open file.
+     * @param first         First row.
+     * @param count         Number of rows.
+     * @param[out] rgb      The pixels, 3 numbers each; of any value, even infinity and NaN.
+     * @param[out] message  What is wrong.
      * @return Whether they were read.
      */
     bool (*read_linear)(ImageReader *reader, int first, int count, float *rgb,
@@ -110,7 +119,7 @@ typedef struct ImagePlugin {
     void (*close)(ImageReader *reader);
 } ImagePlugin;
 
-/** Name under which the module offers its one #ImagePlugin. */
+/** Symbol of the #ImagePlugin in the module. */
 #define IMAGE_PLUGIN_SYMBOL "dioptre_image_plugin"
 
 #endif

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Opens the picture module and moves pictures across its border.
+ * @brief Calls of the picture module.
  */
 #include "assets/images/image_plugin_io.h"
 
@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** Bytes a pixel in a #Picture. */
+/** Bytes per pixel in a #Picture. */
 enum { CHANNELS = 3 };
 
 /** The picture module. */
@@ -25,10 +25,7 @@ static const Plugin image_plugin = {.file = "dioptre-images.so",
                                     .fallback_hint =
                                         N_("; names that end in .bmp work without it")};
 
-/**
- * Forgets what the user's environment would have OpenImageIO load or do: whoever sends a scene to
- * a class must not choose which code runs there.
- */
+/** Clears the environment variables of OpenImageIO, which could make it load other code. */
 static void clear_plugin_environment(void) {
     unsetenv("OIIO_LIBRARY_PATH");
     unsetenv("OPENIMAGEIO_OPTIONS");
@@ -56,23 +53,24 @@ float *image_plugin_decode(const Picture *picture) {
     return linear;
 }
 
-/** Steps of the curve that numbers finer than 8 bits are decoded by. */
+/** Largest code of the table that decodes numbers of more than 8 bits. */
 enum { SRGB16_MAXIMUM = 65535 };
 
-/** A picture that is being read, band by band. */
+/** A picture being read, strip by strip. */
 typedef struct ImageDecoder {
     const ImagePlugin *plugin; /**< The module. */
     ImageReader *reader;       /**< The open file. */
-    ImageHeader header;        /**< What is known of it. */
-    float *
-        decode_table; /**< For #PIXEL_FORMAT_SRGB16: the light of each of #SRGB16_MAXIMUM; owned. */
-    Texture *texture; /**< Where the texels go. */
+    ImageHeader header;        /**< Its properties. */
+    float *decode_table;       /**< For #PIXEL_FORMAT_SRGB16: linear light of the codes 0 to
+                                  #SRGB16_MAXIMUM; owned. */
+    Texture *texture;          /**< The texture to fill. */
 } ImageDecoder;
 
 /**
- * Decodes numbers of 16 bits and the like.
- * @param table  The light of each of #SRGB16_MAXIMUM steps.
- * @param[in,out] linear  Numbers from 0 to 1; light afterwards.
+ * Decodes numbers of more than 8 bits.
+ * @param table           Linear light of the codes 0 to #SRGB16_MAXIMUM.
+ * @param[in,out] linear  Encoded numbers, 0 to 1; afterwards linear light.
+ * @param count           Number of numbers.
  */
 static void decode_srgb16(const float *table, float *linear, size_t count) {
     for (size_t i = 0; i < count; i++) {
@@ -82,8 +80,10 @@ static void decode_srgb16(const float *table, float *linear, size_t count) {
 }
 
 /**
- * Reads a band of rows.
- * @param decoder  The picture that is being read.
+ * Reads a strip of rows.
+ * @param decoder       The picture being read.
+ * @param first         First row.
+ * @param[out] message  What is wrong.
  * @return Whether it was read.
  */
 static bool read_strip(const ImageDecoder *decoder, int first, ImagePluginMessage *message) {
@@ -103,8 +103,9 @@ static bool read_strip(const ImageDecoder *decoder, int first, ImagePluginMessag
 }
 
 /**
- * Reads all bands.
- * @param decoder  The picture that is being read.
+ * Reads all strips.
+ * @param decoder     The picture being read.
+ * @param[out] error  What is wrong.
  * @return Whether all were read.
  */
 static bool read_strips(const ImageDecoder *decoder, Error *error) {
@@ -118,9 +119,10 @@ static bool read_strips(const ImageDecoder *decoder, Error *error) {
 }
 
 /**
- * Makes ready to read, once the header is known.
- * @param[in,out] decoder  The picture that is being read.
- * @param capacity  Bytes that fit where it goes.
+ * Prepares reading after the header.
+ * @param[in,out] decoder  The picture being read.
+ * @param capacity         Bytes available for the texture.
+ * @param[out] error       What is wrong.
  * @return false if it does not fit, or without memory.
  */
 static bool prepare_decoder(ImageDecoder *decoder, size_t capacity, Error *error) {

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Reads and encodes pictures in a worker process.
+ * @brief Reading and encoding of pictures in a worker process.
  */
 #include "assets/images/image_worker.h"
 
@@ -15,26 +15,26 @@
 #include <string.h>
 #include <sys/mman.h>
 
-/** What the picture module is asked. */
+/** Operations of the picture module. */
 typedef enum {
-    IMAGE_CHECK, /**< Whether it is there. */
-    IMAGE_READ,  /**< A texture of the file that comes with the request. */
-    IMAGE_ENCODE /**< A file of the pixels that follow. */
+    IMAGE_CHECK, /**< Checks that it is installed. */
+    IMAGE_READ,  /**< Reads the file of the request as a texture. */
+    IMAGE_ENCODE /**< Encodes the pixels that follow. */
 } ImageOperation;
 
 /** Request to the picture module. */
 typedef struct ImageWorkerRequest {
-    ImageOperation operation; /**< What is asked. */
-    char format[32];          /**< The format, as OpenImageIO names it. */
+    ImageOperation operation; /**< Operation. */
+    char format[32];          /**< Name of the format in OpenImageIO. */
     ImageReadLimits limits;   /**< Limits of reading. */
-    int width;                /**< Size of the picture to encode, pixels. */
-    int height;               /**< See #width. */
-    bool is_linear; /**< Whether floats of linear light follow; else 8-bit steps. Names and values
-                         of the metadata follow them, each ended by a zero byte. */
-    size_t metadata_count; /**< How many of them. */
+    int width;                /**< Width of the picture to encode, pixels. */
+    int height;               /**< Height of the picture to encode, pixels. */
+    bool is_linear; /**< Whether floats of linear light follow; else 8-bit codes. Names and values
+                       of the metadata come after them, each ended by a zero byte. */
+    size_t metadata_count; /**< Number of metadata entries. */
 } ImageWorkerRequest;
 
-/** @return Bytes of the pixels behind a request. */
+/** @return Bytes of the pixels after a request. */
 static size_t pixels_size(const ImageWorkerRequest *request) {
     return (size_t)request->width * (size_t)request->height * TEXEL_CHANNELS *
            (request->is_linear ? sizeof(float) : sizeof(uint8_t));
@@ -42,25 +42,25 @@ static size_t pixels_size(const ImageWorkerRequest *request) {
 
 /** Report on a picture. */
 typedef struct ImageWorkerReport {
-    bool is_done; /**< Whether the block is what was asked for. */
-    Error error;  /**< What is wrong, if it is not. */
+    bool is_done; /**< Whether the block contains the result. */
+    Error error;  /**< What is wrong, without a result. */
 } ImageWorkerReport;
 
 // --- in the program ------------------------------------------------------------------------------
 
-/** The worker that is kept from picture to picture, as a module that was opened would be. */
+/** The worker process, kept for the next picture, because its libraries take long to load. */
 static struct {
     pthread_mutex_t mutex; /**< Held during a call. */
     WorkerProcess process; /**< The worker, if one runs. */
 } kept = {.mutex = PTHREAD_MUTEX_INITIALIZER};
 
-/** Sends a request to the kept worker. @return The answer. */
+/** Sends a request to the kept worker. @return The reply. */
 static WorkerReply call_kept_worker(const WorkerCall *call) {
     pthread_mutex_lock(&kept.mutex);
     WorkerReply reply = worker_process_call(&kept.process, call);
     const ImageWorkerReport *report = call->report;
     if (reply.end == WORKER_FINISHED && !report->is_done) {
-        worker_process_stop(&kept.process); // A bad file may have left anything in it.
+        worker_process_stop(&kept.process); // A malicious file may have changed its memory.
     }
     pthread_mutex_unlock(&kept.mutex);
     return reply;
@@ -88,8 +88,13 @@ static bool set_failure(const WorkerReply *reply, const ImageWorkerReport *repor
                      reply->detail ? strsignal(reply->detail) : gettext("it ended early"));
 }
 
-/** Checks a texture from a worker: the file may have taken control of it. @param size Bytes of the
- *  block that it lies in. @return Whether it is a texture. */
+/**
+ * Checks a texture from a worker, which a malicious file may control.
+ * @param texture     The texture.
+ * @param size        Bytes of its block.
+ * @param[out] error  What is wrong.
+ * @return Whether it is valid.
+ */
 static bool validate_texture(Texture *texture, size_t size, Error *error) {
     bool has_size = size >= sizeof *texture && texture->width >= 1 &&
                     texture->width <= IMAGE_SIZE_MAXIMUM && texture->height >= 1 &&
@@ -127,7 +132,7 @@ bool image_worker_call(const ImageWorker *worker, const char *format, int file,
     return is_read;
 }
 
-/** Sends a request without limits to the kept worker. @return Whether it was fulfilled. */
+/** Sends a request without limits to the kept worker. @return Whether it succeeded. */
 static bool call_unlimited(const ImageWorkerRequest *request, size_t size, WorkerReply *reply,
                            Error *error) {
     ImageWorkerReport report = {0};
@@ -148,7 +153,11 @@ bool image_worker_check(Error *error) {
     return call_unlimited(&request, sizeof request, &reply, error);
 }
 
-/** @return Bytes of the metadata of a picture. @param[out] count How many rows. */
+/**
+ * @return Bytes of the metadata of a picture.
+ * @param metadata    The metadata.
+ * @param[out] count  Number of entries.
+ */
 static size_t metadata_size(const MetadataEntry *metadata, size_t *count) {
     size_t size = 0;
     for (*count = 0; metadata && metadata[*count].name; (*count)++) {
@@ -157,8 +166,14 @@ static size_t metadata_size(const MetadataEntry *metadata, size_t *count) {
     return size;
 }
 
-/** Packs a request to encode. @param linear Its light; NULL: the steps. @return The request, to be
- *  freed; NULL without memory. */
+/**
+ * Packs a request to encode.
+ * @param format     Name of the format in OpenImageIO.
+ * @param picture    The picture.
+ * @param linear     Its linear light; NULL: its 8-bit codes are sent.
+ * @param[out] size  Bytes of the request.
+ * @return The request, to be freed with `free`; NULL without memory.
+ */
 static ImageWorkerRequest *pack_picture(const char *format, const Picture *picture,
                                         const float *linear, size_t *size) {
     ImageWorkerRequest head = {.operation = IMAGE_ENCODE,
@@ -211,7 +226,7 @@ static bool read_texture(WorkerJob *job, const ImagePlugin *plugin, Error *error
     size_t capacity = request->limits.texture_capacity;
     char path[sizeof "/proc/self/fd/-2147483648"];
     snprintf(path, sizeof path, "/proc/self/fd/%d", job->file);
-    // Shared, so that the limit of data does not count it.
+    // A shared mapping, which the limit of data does not count.
     Texture *texture = mmap(NULL, capacity, PROT_READ | PROT_WRITE,
                             MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (texture == MAP_FAILED) {
@@ -244,7 +259,10 @@ void image_worker_read_with(WorkerJob *job, const ImagePlugin *plugin) {
     report->is_done = read_texture(job, plugin, &report->error);
 }
 
-/** Unpacks the metadata of a request. @return Rows, ended by one without a name; to be freed. */
+/**
+ * Unpacks the metadata of a request.
+ * @return Entries, ended by one without a name; to be freed with `free`.
+ */
 static MetadataEntry *unpack_metadata(const ImageWorkerRequest *request) {
     const char *next = (const char *)(request + 1) + pixels_size(request);
     MetadataEntry *metadata = calloc(request->metadata_count + 1, sizeof *metadata);
@@ -257,8 +275,10 @@ static MetadataEntry *unpack_metadata(const ImageWorkerRequest *request) {
     return metadata;
 }
 
-/** Encodes the picture of a request. The file is given back at the next one. @return Whether it was
- *  encoded. */
+/**
+ * Encodes the picture of a request. The next call frees the file.
+ * @return Whether it was encoded.
+ */
 static bool encode_picture(WorkerJob *job, const ImagePlugin *plugin, Error *error) {
     static EncodedImage file;
     const ImageWorkerRequest *request = job->request;
@@ -288,7 +308,7 @@ void image_worker_run(WorkerJob *job) {
     if (plugin && request->operation == IMAGE_READ) {
         image_worker_read_with(job, plugin);
     } else if (plugin && request->operation == IMAGE_ENCODE) {
-        // A picture that Ctrl-C has cut short is written all the same.
+        // The partial picture of an interrupted rendering is still written.
         signal(SIGINT, SIG_IGN);
         worker_job_ready();
         worker_enter_sandbox(SIZE_MAX / 2);

@@ -1,10 +1,10 @@
 /**
  * @file
- * @brief Reads and encodes pictures in a worker process: both ends of it.
+ * @brief Reading and encoding of pictures in a worker process: both sides.
  *
- * The libraries behind the picture module do not expect hostile files: a damaged or malicious one
- * can make them write beyond their memory (the JPEG reader of OpenImageIO 2.4 does so for
- * `bad-iptc.jpg` of its own test files) or never end. That stays in the worker.
+ * The libraries of the picture module are not safe for malicious files. A file can make them write
+ * outside their memory, as `bad-iptc.jpg` of OpenImageIO 2.4's own tests does, or loop forever.
+ * Only the worker is affected.
  */
 #ifndef DIOPTRE_ASSETS_IMAGES_IMAGE_WORKER_H
 #define DIOPTRE_ASSETS_IMAGES_IMAGE_WORKER_H
@@ -18,52 +18,55 @@
 
 /** Limits of reading a picture. */
 typedef struct ImageReadLimits {
-    double time_limit;       /**< Seconds. */
-    size_t memory_limit;     /**< Bytes of data of the libraries. */
-    size_t texture_capacity; /**< Bytes of the texture. */
+    double time_limit;       /**< Time limit, seconds. */
+    size_t memory_limit;     /**< Limit of the data of the libraries, bytes. */
+    size_t texture_capacity; /**< Largest size of the texture, bytes. */
 } ImageReadLimits;
 
-/** A program that reads pictures. */
+/** A worker program that reads pictures. */
 typedef struct ImageWorker {
     const char *program; /**< See #WorkerCall.program. */
     const char *task;    /**< See #WorkerCall.task. */
 } ImageWorker;
 
 /**
- * Reads a picture as #image_plugin_read does, in a worker.
- * @param worker  Started for this picture; NULL: `dioptre-worker`, which is kept for the next
- *                picture, since its libraries take half a second to load.
- * @param format  The format, as OpenImageIO names it.
- * @param file    Descriptor of the file; 0: none, for tests.
- * @param[out] texture  The picture, sanitized, to be given back with #texture_release; NULL if
- *                      anything is wrong.
- * @param[out] error  What is wrong (#STATUS_SCENE; #STATUS_FAILED without module, memory or
- *                    process).
+ * Reads a picture like #image_plugin_read, in a worker.
+ * @param worker        The program, started for this picture; NULL: `dioptre-worker`, which is kept
+ *                      for the next picture, because its libraries take half a second to load.
+ * @param format        Name of the format in OpenImageIO.
+ * @param file          Descriptor of the file; 0: none, for tests.
+ * @param limits        Limits of time and memory.
+ * @param[out] texture  The picture, sanitized, to be freed with #texture_release; NULL on errors.
+ * @param[out] error    What is wrong (#STATUS_SCENE; #STATUS_FAILED without module, memory or
+ *                      process).
  * @return Whether it was read.
  */
 bool image_worker_call(const ImageWorker *worker, const char *format, int file,
                        const ImageReadLimits *limits, Texture **texture, Error *error);
 
-/** Checks, in the worker that is kept, that the picture module is there. @param[out] error What is
- *  missing and what to install (#STATUS_FAILED). @return Whether it is. */
+/**
+ * @return Whether the picture module is installed, as the kept worker finds.
+ * @param[out] error  What is missing, and the package to install (#STATUS_FAILED).
+ */
 bool image_worker_check(Error *error);
 
 /**
- * Writes a picture in a format of the module; it is encoded in the worker that is kept. A format of
- * linear light (OpenEXR, Radiance) gets the picture's own, if it was kept, else the decoded steps.
- * @param format     The format, as OpenImageIO names it.
- * @param is_linear  Whether it holds linear light.
- * @param stream     Where to; need not be seekable.
- * @param[out] error  Why not (#STATUS_FAILED); the file is not named in it.
+ * Writes a picture in a format of the module, encoded in the kept worker. Formats of linear light
+ * (OpenEXR, Radiance) get #Picture.linear, or the decoded codes if it is NULL.
+ * @param format      Name of the format in OpenImageIO.
+ * @param is_linear   Whether it contains linear light.
+ * @param picture     The picture.
+ * @param stream      The output; need not be seekable.
+ * @param[out] error  What is wrong (#STATUS_FAILED), without the path.
  * @return Whether all bytes were written to the stream.
  */
 bool image_worker_write(const char *format, bool is_linear, const Picture *picture, FILE *stream,
                         Error *error);
 
-/** Does what is asked of the picture module, in a worker. See #WorkerTask.run. */
+/** Runs a request to the picture module; the worker's side. See #WorkerTask.run. */
 void image_worker_run(WorkerJob *job);
 
-/** Reads a picture with any module, in a worker: for tests. */
+/** Reads a picture with a given module, for tests; the worker's side. */
 void image_worker_read_with(WorkerJob *job, const ImagePlugin *plugin);
 
 #endif

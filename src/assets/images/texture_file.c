@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Pictures that a scene names: from the path to a texture.
+ * @brief Reading of the pictures of a scene.
  */
 #include "assets/images/texture_file.h"
 
@@ -11,14 +11,15 @@
 #include <string.h>
 #include <unistd.h>
 
-/** What reading a picture of a scene may take. */
+/** Limits of reading a picture of a scene. */
 static const ImageReadLimits scene_limits = {TEXTURE_FILE_TIME_LIMIT, TEXTURE_FILE_MEMORY_LIMIT,
                                              TEXTURE_FILE_CAPACITY};
 
 /**
  * Finds the format of a file.
- * @param[out] error  Which endings there are.
- * @return The format, or NULL.
+ * @param path        The file.
+ * @param[out] error  The known extensions.
+ * @return The format; NULL: unknown.
  */
 static const ImageFormat *find_format(const char *path, Error *error) {
     const ImageFormat *format = image_format_by_extension(path);
@@ -38,7 +39,7 @@ bool texture_file_check(const char *path, Error *error) {
     return file >= 0;
 }
 
-/** Reads an open BMP file. @return The picture, or NULL. */
+/** Reads an open BMP file. @return The texture; NULL on errors. */
 static Texture *read_bmp(int file, Error *error) {
     Picture picture;
     Texture *texture = NULL;

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Pictures that a scene names: from the path to a texture.
+ * @brief Reading of the pictures of a scene.
  */
 #ifndef DIOPTRE_ASSETS_IMAGES_TEXTURE_FILE_H
 #define DIOPTRE_ASSETS_IMAGES_TEXTURE_FILE_H
@@ -9,27 +9,27 @@
 #include "assets/images/image_worker.h"
 #include "dioptre/scene.h"
 
-/** Seconds that reading a picture of a scene may take. */
+/** Time limit of reading a picture of a scene, seconds. */
 #define TEXTURE_FILE_TIME_LIMIT 10.0
-/** Bytes that the libraries may take for a picture of a scene. */
+/** Limit of the data of the libraries for a picture of a scene, bytes. */
 #define TEXTURE_FILE_MEMORY_LIMIT ((size_t)2 << 30)
-/** Bytes that a picture of a scene may take, decoded. */
+/** Largest size of a decoded picture of a scene, bytes. */
 #define TEXTURE_FILE_CAPACITY ((size_t)1 << 30)
 
 /**
- * Says whether a file may be a picture, by its name and kind; does not read it.
- * @param[out] error  Why not (#STATUS_SCENE), without the path.
- * @return Whether it is a regular file with the ending of a format that can be read.
+ * Checks extension and type of a picture file, without reading it.
+ * @param path        The file.
+ * @param[out] error  What is wrong (#STATUS_SCENE), without the path.
+ * @return Whether it is a regular file with a readable format's extension.
  */
 bool texture_file_check(const char *path, Error *error);
 
 /**
- * Reads a picture file. BMP is read here; every other format by the picture module, in a
- * worker.
- * @param[out] texture  The picture, to be given back with #texture_release; NULL if anything is
- *         wrong.
- * @param[out] error  What is wrong, without the path (#STATUS_SCENE; #STATUS_FAILED without module,
- *         memory or process).
+ * Reads a picture file: BMP directly, other formats by the picture module in a worker.
+ * @param path          The file.
+ * @param[out] texture  The picture, to be freed with #texture_release; NULL on errors.
+ * @param[out] error    What is wrong, without the path (#STATUS_SCENE; #STATUS_FAILED without
+ *                      module, memory or process).
  * @return Whether it was read.
  */
 bool texture_file_read(const char *path, Texture **texture, Error *error);

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Makes a mesh of triangles that come one by one.
+ * @brief Construction of a mesh from single triangles.
  */
 #include "assets/meshes/mesh_builder.h"
 
@@ -10,9 +10,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** Triangles that fit at first. */
+/** First capacity of the arrays of triangles. */
 enum { FIRST_CAPACITY = 1024 };
-/** A triangle none of whose corners has a place. */
+/** A triangle without indices. */
 #define NO_INDICES ((MeshTriangle){{VERTEX_WELDER_NONE, VERTEX_WELDER_NONE, VERTEX_WELDER_NONE}})
 
 void mesh_builder_init(MeshBuilder *builder, Error *error) {
@@ -32,12 +32,12 @@ void mesh_builder_deinit(MeshBuilder *builder) {
     *builder = (MeshBuilder){0};
 }
 
-/** Says that there is no memory. @return false, always. */
+/** Sets the error that memory is exhausted. @return false, always. */
 static bool set_out_of_memory(MeshBuilder *builder) {
     return error_set(builder->error, STATUS_SCENE, "it needs more memory than a model may take");
 }
 
-/** @return Whether numbers are finite and not too large. */
+/** @return Whether numbers are finite and within the range of coordinates. */
 static bool are_in_range(const double *numbers, int count) {
     for (int i = 0; i < count; i++) {
         if (!(fabs(numbers[i]) <= LENGTH_MAXIMUM)) {
@@ -52,16 +52,19 @@ static Vec3d vector_from_array(const double numbers[3]) {
     return (Vec3d){numbers[0], numbers[1], numbers[2]};
 }
 
-/** @return A vector at right angles to a triangle, of twice its area. Exactly zero where the
- *  corners lie on a line and are floats of like size: their differences and products fit a double.
+/**
+ * @return A vector perpendicular to a triangle, of twice its area as length. It is exactly zero for
+ *         collinear corners that are floats of similar size, because their differences and products
+ *         are exact in double.
  */
 static Vec3d area_vector(Vec3d a, Vec3d b, Vec3d c) {
     return vec3d_cross(vec3d_subtract(b, a), vec3d_subtract(c, a));
 }
 
 /**
- * Makes an array of triangles longer.
- * @param capacity  How many shall fit.
+ * Changes the capacity of an array of triangles.
+ * @param[in,out] array  The array.
+ * @param capacity       New capacity.
  * @return false without memory.
  */
 static bool resize_triangles(MeshTriangle **array, size_t capacity) {
@@ -72,7 +75,7 @@ static bool resize_triangles(MeshTriangle **array, size_t capacity) {
     return resized != NULL;
 }
 
-/** Makes room for one more triangle. @return false without memory. */
+/** Reserves memory for one more triangle. @return false without memory. */
 static bool grow(MeshBuilder *builder) {
     if (builder->count < builder->capacity) {
         return true;
@@ -88,8 +91,10 @@ static bool grow(MeshBuilder *builder) {
 }
 
 /**
- * Adds a corner's normal, if it has one that says a direction.
- * @param[out] index  Its place; untouched where there is none.
+ * Adds the normal of a corner, if it has one with a direction.
+ * @param builder     The builder.
+ * @param corner      The corner.
+ * @param[out] index  Index of the normal; unchanged without one.
  * @return false without memory.
  */
 static bool add_normal(MeshBuilder *builder, const MeshCorner *corner, uint32_t *index) {
@@ -104,8 +109,10 @@ static bool add_normal(MeshBuilder *builder, const MeshCorner *corner, uint32_t 
 }
 
 /**
- * Adds a corner's (u, v), if it has one.
- * @param[out] index  Its place; untouched where there is none.
+ * Adds the (u, v) of a corner, if it has valid ones.
+ * @param builder     The builder.
+ * @param corner      The corner.
+ * @param[out] index  Index of the (u, v); unchanged without them.
  * @return false without memory.
  */
 static bool add_uv(MeshBuilder *builder, const MeshCorner *corner, uint32_t *index) {
@@ -114,7 +121,7 @@ static bool add_uv(MeshBuilder *builder, const MeshCorner *corner, uint32_t *ind
            vertex_welder_add(&builder->uvs, corner->uv, index);
 }
 
-/** Adds a triangle that has an area. @return false without memory. */
+/** Appends a triangle with an area above zero. @return false without memory. */
 static bool append_triangle(MeshBuilder *builder, const MeshCorner corners[3]) {
     MeshTriangle position_indices, normal_indices = NO_INDICES, uv_indices = NO_INDICES;
     bool is_added = grow(builder);
@@ -160,7 +167,7 @@ static Vec3d position_at(const MeshBuilder *builder, uint32_t index) {
     return vector_from_array(builder->positions.points + builder->positions.dimension * index);
 }
 
-/** Puts a triangle's own normal where a corner lacks one. @return false without memory. */
+/** Sets the missing normals of a triangle to its own normal. @return false without memory. */
 static bool fill_missing_normals(MeshBuilder *builder, size_t i) {
     const uint32_t *indices = builder->triangles[i].index;
     Vec3d area = area_vector(position_at(builder, indices[0]), position_at(builder, indices[1]),
@@ -176,7 +183,7 @@ static bool fill_missing_normals(MeshBuilder *builder, size_t i) {
     return true;
 }
 
-/** Puts (0, 0) where a corner lacks a (u, v). @return false without memory. */
+/** Sets the missing (u, v) of a triangle to (0, 0). @return false without memory. */
 static bool fill_missing_uvs(MeshBuilder *builder, size_t i) {
     for (int k = 0; k < 3; k++) {
         uint32_t *index = &builder->triangle_uvs[i].index[k];
@@ -188,7 +195,7 @@ static bool fill_missing_uvs(MeshBuilder *builder, size_t i) {
     return true;
 }
 
-/** @return How many corners have no place. */
+/** @return Number of corners without an index. */
 static size_t count_missing(const MeshTriangle *triangles, size_t count) {
     size_t missing = 0;
     for (size_t i = 0; i < count; i++) {
@@ -199,7 +206,7 @@ static size_t count_missing(const MeshTriangle *triangles, size_t count) {
     return missing;
 }
 
-/** Puts in what corners lack and others have. @return false without memory. */
+/** Fills in normals and (u, v) that some corners lack. @return false without memory. */
 static bool fill_missing(MeshBuilder *builder) {
     MeshRepairs *repairs = &builder->repairs;
     size_t count = builder->count;
@@ -230,7 +237,7 @@ bool mesh_builder_finish(MeshBuilder *builder, Mesh *counts) {
     return is_complete;
 }
 
-/** Copies triangles. @param[out] to Where to; NULL: nowhere. */
+/** Copies triangles. @param[out] to The copy; NULL: nothing is copied. */
 static void copy_triangles(MeshTriangle *to, const MeshTriangle *from, size_t count) {
     if (to) {
         memcpy(to, from, count * sizeof *to);

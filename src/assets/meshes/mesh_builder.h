@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Makes a mesh of triangles that come one by one, and puts right what can be.
+ * @brief Construction of a mesh from single triangles, with repairs.
  */
 #ifndef DIOPTRE_ASSETS_MESHES_MESH_BUILDER_H
 #define DIOPTRE_ASSETS_MESHES_MESH_BUILDER_H
@@ -9,46 +9,53 @@
 #include "assets/meshes/vertex_welder.h"
 #include "dioptre/mesh.h"
 
-/** A mesh while it is made. Starts as #mesh_builder_init leaves it. */
+/** A mesh under construction. */
 typedef struct MeshBuilder {
-    VertexWelder positions;         /**< Places in space. */
+    VertexWelder positions;         /**< Positions. */
     VertexWelder normals;           /**< Unit normals. */
-    VertexWelder uvs;               /**< Places on a picture. */
-    size_t count;                   /**< How many triangles. */
-    size_t capacity;                /**< How many fit. */
-    MeshTriangle *triangles;        /**< Places in #positions. */
-    MeshTriangle *triangle_normals; /**< Places in #normals, or #VERTEX_WELDER_NONE. */
-    MeshTriangle *triangle_uvs;     /**< Places in #uvs, or #VERTEX_WELDER_NONE. */
-    bool has_normals;               /**< Whether any corner came with a normal, good or not. */
-    bool has_uvs;                   /**< Whether any came with a (u, v). */
-    MeshRepairs repairs;            /**< What was put right. */
-    Error *error;                   /**< Where it is said what is wrong. */
+    VertexWelder uvs;               /**< Texture coordinates. */
+    size_t count;                   /**< Number of triangles. */
+    size_t capacity;                /**< Capacity of the arrays of triangles. */
+    MeshTriangle *triangles;        /**< Indices in #positions. */
+    MeshTriangle *triangle_normals; /**< Indices in #normals, or #VERTEX_WELDER_NONE. */
+    MeshTriangle *triangle_uvs;     /**< Indices in #uvs, or #VERTEX_WELDER_NONE. */
+    bool has_normals;               /**< Whether any corner had a normal, valid or not. */
+    bool has_uvs;                   /**< Whether any corner had (u, v), valid or not. */
+    MeshRepairs repairs;            /**< Repaired defects. */
+    Error *error;                   /**< What is wrong; not owned. */
 } MeshBuilder;
 
 /**
- * Makes an empty builder.
- * @param[out] builder  The builder; give it back with #mesh_builder_deinit.
- * @param error         Where it is said what is wrong, all its life.
+ * Initialises an empty builder.
+ * @param[out] builder  The builder, to be released with #mesh_builder_deinit.
+ * @param error         Receives the errors of all calls.
  */
 void mesh_builder_init(MeshBuilder *builder, Error *error);
 
-/** Adds a triangle, unless it has no area. Corners at the very same place become one. @return false
- *  without memory, or if a coordinate is not finite or too large. */
+/**
+ * Adds a triangle, unless its area is zero. Corners at the same position share one vertex.
+ * @param context  The #MeshBuilder.
+ * @param corners  The corners.
+ * @return false without memory, or if a coordinate is not finite or out of range.
+ */
 bool mesh_builder_add(void *context, const MeshCorner corners[3]);
 
 /**
- * Ends the making of a mesh: it is known what it needs.
- * @param[in,out] builder  The builder, all triangles added.
- * @param[out] counts      How many of everything, and what was put right.
+ * Completes a mesh: fills in missing normals and (u, v), and computes its sizes.
+ * @param[in,out] builder  The builder, with all triangles.
+ * @param[out] counts      Numbers of all items, and the repairs.
  * @return false if there is no triangle, or without memory.
  */
 bool mesh_builder_finish(MeshBuilder *builder, Mesh *counts);
 
-/** Copies what was made. @param[out] mesh Where to; laid out for the counts of
- *  #mesh_builder_finish. */
+/**
+ * Copies the result.
+ * @param builder    The builder.
+ * @param[out] mesh  A mesh of the sizes that #mesh_builder_finish computed, its arrays bound.
+ */
 void mesh_builder_copy(const MeshBuilder *builder, Mesh *mesh);
 
-/** Gives a builder's memory back. */
+/** Releases the memory of a builder. @param builder The builder. */
 void mesh_builder_deinit(MeshBuilder *builder);
 
 #endif

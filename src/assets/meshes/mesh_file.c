@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Model files: from the path to a mesh that is checked.
+ * @brief Reading of mesh files.
  */
 #include "assets/meshes/mesh_file.h"
 
@@ -18,18 +18,18 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-/** All endings, in words. */
+/** All extensions, for messages. */
 #define MESH_EXTENSIONS N_("obj, ply, stl, glb or gltf")
 
-/** The formats, by the ending of a file's name. */
+/** Extensions of the supported formats. */
 static const char *const extensions[] = {"obj", "ply", "stl", "glb", "gltf", NULL};
 
-/** A model file that is being read. */
+/** A mesh file being read. */
 typedef struct MeshLoad {
     const char *name;             /**< Its name, without the folder. */
     const char *extension;        /**< Its format. */
     int file;                     /**< Its descriptor. */
-    struct stat info_before;      /**< Its size and times when it was opened. */
+    struct stat info_before;      /**< Size and times at the opening of the file. */
     const MeshProgress *progress; /**< Callback; or NULL. */
 } MeshLoad;
 
@@ -40,9 +40,10 @@ static const char *base_name_of(const char *path) {
 }
 
 /**
- * Finds the format that the ending of a file's name says; small and large letters are alike.
- * @param[out] error  Which endings there are.
- * @return The ending, in small letters; or NULL.
+ * Finds the format of a file's extension, ignoring case.
+ * @param path        The file.
+ * @param[out] error  The known extensions.
+ * @return The extension in lower case; NULL: unknown.
  */
 static const char *find_extension(const char *path, Error *error) {
     const char *dot = strrchr(base_name_of(path), '.');
@@ -72,7 +73,10 @@ static void report_progress(void *context, double seconds, double fraction) {
 
 /**
  * Sets the error of a worker without a mesh.
- * @param seconds  The time limit.
+ * @param reply       The reply of the worker.
+ * @param report      Its report.
+ * @param seconds     The time limit.
+ * @param[out] error  The error.
  * @return false, always.
  */
 static bool set_failure(const WorkerReply *reply, const MeshWorkerReport *report, double seconds,
@@ -95,8 +99,13 @@ static bool set_failure(const WorkerReply *reply, const MeshWorkerReport *report
                      reply->detail ? strsignal(reply->detail) : gettext("it ended early"));
 }
 
-/** Checks a mesh from a worker: the file may have taken control of it. @param size Bytes of the
- *  block that it lies in. @return Whether it is a mesh. */
+/**
+ * Checks a mesh from a worker, which a malicious file may control.
+ * @param mesh        The mesh.
+ * @param size        Bytes of its block.
+ * @param[out] error  What is wrong.
+ * @return Whether it is valid.
+ */
 static bool validate_mesh(Mesh *mesh, size_t size, Error *error) {
     bool is_short = size >= sizeof *mesh && mesh->position_count <= UINT32_MAX &&
                     mesh->normal_count <= UINT32_MAX && mesh->uv_count <= UINT32_MAX &&
@@ -113,7 +122,7 @@ static bool validate_mesh(Mesh *mesh, size_t size, Error *error) {
     return true;
 }
 
-/** Reads an open file in a worker. @return The mesh; NULL if anything is wrong. */
+/** Reads an open file in a worker. @return The mesh; NULL on errors. */
 static Mesh *read_open_file(MeshLoad *load, Error *error) {
     const WorkerMonitor monitor = {.on_tick = report_progress, .context = load};
     MeshWorkerRequest request = {.size = (size_t)load->info_before.st_size};

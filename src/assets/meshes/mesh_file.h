@@ -1,33 +1,35 @@
 /**
  * @file
- * @brief Model files: from the path to a mesh that is checked.
+ * @brief Reading of mesh files.
  *
- * Libraries that read models do not expect hostile files. So the model is read in a worker process
- * with limits of time and memory; the mesh that it sends is checked again here.
+ * Libraries that read meshes are not safe for malicious files. The file is therefore read in a
+ * worker process with limits of time and memory, and its mesh is checked again here.
  */
 #ifndef DIOPTRE_ASSETS_MESHES_MESH_FILE_H
 #define DIOPTRE_ASSETS_MESHES_MESH_FILE_H
 
 #include "dioptre/mesh.h"
 
-/** Seconds that reading any model may take: with all around it, a hostile one is over in 10. */
+/** Time limit of reading any mesh, seconds; the whole load then takes at most 10. */
 #define MESH_FILE_TIME_LIMIT 8.0
-/** Bytes of a file for which it may take a second more: ten times what a usual machine needs. */
+/** Bytes of a file per further second of the time limit: ten times the time on a usual computer. */
 #define MESH_FILE_BYTES_PER_SECOND ((size_t)4 << 20)
 
 /**
- * Says whether a file may be a model, by its name and kind; does not read it.
- * @param[out] error  Why not (#STATUS_SCENE), without the path.
- * @return Whether it is a regular file with the ending of a format that can be read.
+ * Checks extension and type of a mesh file, without reading it.
+ * @param path        The file.
+ * @param[out] error  What is wrong (#STATUS_SCENE), without the path.
+ * @return Whether it is a regular file with a readable format's extension.
  */
 bool mesh_file_check(const char *path, Error *error);
 
 /**
- * Reads a model file. No other file is opened, whatever it names.
- * @param progress  Who is told how far it is; NULL: nobody.
- * @param[out] mesh  The mesh, to be given back with #mesh_release; NULL if anything is wrong.
+ * Reads a mesh file. Other files that it names are not opened.
+ * @param path        The file.
+ * @param progress    Receives the progress, or NULL.
+ * @param[out] mesh   The mesh, to be freed with #mesh_release; NULL on errors.
  * @param[out] error  What is wrong, without the path (#STATUS_SCENE; #STATUS_FAILED without module,
- *         memory or process).
+ *                    memory or process).
  * @return Whether it was read.
  */
 bool mesh_file_read(const char *path, const MeshProgress *progress, Mesh **mesh, Error *error);

@@ -1,9 +1,9 @@
 /**
  * @file
- * @brief The model module: assimp behind a border of our own.
+ * @brief The mesh module: reading of mesh files by assimp.
  *
- * Part of `dioptre-meshes.so` and not of the program. It runs in a child process, and what it hands
- * over is looked at there and again outside.
+ * Part of `dioptre-meshes.so` and not of the program. It runs in a worker process; the program
+ * checks its results again.
  */
 #include "assets/meshes/mesh_plugin.h"
 
@@ -17,29 +17,29 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** Bytes of the name that assimp is given for the file, such as `model.obj`. */
+/** Size of the file name for assimp, such as `model.obj`. */
 enum { NAME_SIZE = 32 };
-/** How much of the whole work it is to read the file. */
+/** Fraction of the work that reading the file takes. */
 #define READ_FRACTION 0.5
-/** Triangles that are handed over between two tellings. */
+/** Number of triangles between two reports of progress. */
 enum { PROGRESS_INTERVAL = 4096 };
 
-/** The file as assimp sees it, and the only one that it can see. */
+/** The file in memory, the only one that assimp can open. */
 typedef struct MemoryFile {
-    char name[NAME_SIZE]; /**< What assimp calls it. */
+    char name[NAME_SIZE]; /**< Name for assimp. */
     const char *bytes;    /**< Its bytes. */
-    size_t size;          /**< How many. */
-    size_t offset;        /**< What is read next. */
-    const MeshSink *sink; /**< Who is told how far it is. */
-    struct aiFile file;   /**< The same in assimp's words. */
+    size_t size;          /**< Number of bytes. */
+    size_t offset;        /**< Current position. */
+    const MeshSink *sink; /**< Receives the progress. */
+    struct aiFile file;   /**< The callbacks for assimp. */
 } MemoryFile;
 
-/** @return The model file behind one of assimp's. */
+/** @return The file of an assimp file. */
 static MemoryFile *memory_file_of(struct aiFile *file) {
     return (MemoryFile *)(void *)file->UserData;
 }
 
-/** Reads on. See aiFileReadProc. @return How many whole pieces there were. */
+/** Reads from the current position. See aiFileReadProc. @return Number of whole items read. */
 static size_t read_bytes(struct aiFile *file, char *to, size_t size, size_t count) {
     MemoryFile *memory = memory_file_of(file);
     size_t left = memory->size - memory->offset;
@@ -58,27 +58,29 @@ static size_t write_nothing(struct aiFile *file, const char *from, size_t size, 
     return 0;
 }
 
-/** @return What is read next. See aiFileTellProc. */
+/** @return Current position. See aiFileTellProc. */
 static size_t tell_offset(struct aiFile *file) {
     return memory_file_of(file)->offset;
 }
 
-/** @return Its bytes. See aiFileTellProc. */
+/** @return Size of the file. See aiFileTellProc. */
 static size_t tell_size(struct aiFile *file) {
     return memory_file_of(file)->size;
 }
 
 /**
- * Goes elsewhere in the file. See aiFileSeek.
- * @param origin  From where; backwards from the end too.
- * @return Whether there is such a place.
+ * Sets the current position. See aiFileSeek.
+ * @param file    The file.
+ * @param offset  Offset, in bytes.
+ * @param origin  Start, current position or end.
+ * @return Whether the position is in the file.
  */
 static enum aiReturn seek_to(struct aiFile *file, size_t offset, enum aiOrigin origin) {
     MemoryFile *memory = memory_file_of(file);
     size_t start = origin == aiOrigin_SET   ? 0
                    : origin == aiOrigin_CUR ? memory->offset
                                             : memory->size;
-    size_t position = start + offset; // Unsigned, and so right for steps back, too.
+    size_t position = start + offset; // Unsigned wrap-around makes negative offsets correct, too.
     if (position > memory->size) {
         return aiReturn_FAILURE;
     }
@@ -92,8 +94,10 @@ static void flush_nothing(struct aiFile *file) {
 }
 
 /**
- * Opens the model file, and no other. See aiFileOpenProc.
- * @param system  Where it is known.
+ * Opens the mesh file, and no other. See aiFileOpenProc.
+ * @param system  The file system of assimp.
+ * @param name    Name of the file.
+ * @param mode    Unused.
  * @return The file, or NULL.
  */
 static struct aiFile *open_model(struct aiFileIO *system, const char *name, const char *mode) {
@@ -108,7 +112,7 @@ static void close_nothing(struct aiFileIO *system, struct aiFile *file) {
     (void)system, (void)file;
 }
 
-/** Puts words into a report, in one line. @return false, always. */
+/** Sets the message of a result, as one line. @return false, always. */
 static bool set_failure(MeshImportResult *result, const char *words) {
     snprintf(result->message, sizeof result->message, "%s", words);
     for (char *c = result->message; *c; c++) {
@@ -117,7 +121,7 @@ static bool set_failure(MeshImportResult *result, const char *words) {
     return false;
 }
 
-/** Puts into a report what assimp says is wrong. @return false, always. */
+/** Sets the message of a result to assimp's error. @return false, always. */
 static bool set_import_failure(MeshImportResult *result) {
     const char *words = aiGetErrorString();
     if (strstr(words, "bad_alloc")) {
@@ -127,7 +131,7 @@ static bool set_import_failure(MeshImportResult *result) {
         result, words[0] ? words : gettext("the library that reads models does not say why not"));
 }
 
-/** @return Whether a number begins with its decimal point at a place. */
+/** @return Whether a number at an index begins with its decimal point. */
 static bool is_bare_decimal_point(const MeshSource *source, size_t i) {
     const char *bytes = source->bytes;
     if (bytes[i] != '.' || i == 0 || i + 1 >= source->size) {
@@ -139,10 +143,11 @@ static bool is_bare_decimal_point(const MeshSource *source, size_t i) {
 }
 
 /**
- * Writes a nought before each number that begins with its decimal point. assimp 5.2 does not count
- * them as numbers in an OBJ file, and leaves the whole vertex out.
- * @param[out] size  Bytes of the new one.
- * @return The new text, to be freed; NULL without memory.
+ * Inserts a zero before each number that begins with its decimal point. assimp 5.2 does not
+ * recognise such numbers in OBJ files, and drops the whole vertex.
+ * @param source     The text.
+ * @param[out] size  Bytes of the new text.
+ * @return The new text, to be freed with `free`; NULL without memory.
  */
 static char *add_leading_zeros(const MeshSource *source, size_t *size) {
     size_t count = 0;
@@ -162,9 +167,10 @@ static char *add_leading_zeros(const MeshSource *source, size_t *size) {
 }
 
 /**
- * Has assimp read a file.
- * @param is_glTF  Whether its parts are placed by a tree of nodes.
- * @return What it made of it, to be released; NULL with words in aiGetErrorString.
+ * Imports a file with assimp.
+ * @param memory   The file.
+ * @param is_glTF  Whether it is glTF, whose meshes are transformed by a tree of nodes.
+ * @return The scene, to be released; NULL with a message in aiGetErrorString.
  */
 static const struct aiScene *import(MemoryFile *memory, bool is_glTF) {
     memory->file = (struct aiFile){.ReadProc = read_bytes,
@@ -180,8 +186,9 @@ static const struct aiScene *import(MemoryFile *memory, bool is_glTF) {
 }
 
 /**
- * @return How many triangles a model has.
- * @param counts_polygons  Whether polygons count as those that they can be cut into.
+ * @return Number of triangles of a scene.
+ * @param scene            The scene.
+ * @param counts_polygons  Whether polygons count, as the triangles that they consist of.
  */
 static size_t count_triangles(const struct aiScene *scene, bool counts_polygons) {
     size_t count = 0;
@@ -196,8 +203,9 @@ static size_t count_triangles(const struct aiScene *scene, bool counts_polygons)
 }
 
 /**
- * @return One corner.
- * @param mesh  What it is a corner of.
+ * @return A corner of a triangle.
+ * @param mesh  The mesh.
+ * @param i     Index of the vertex.
  */
 static MeshCorner corner_of(const struct aiMesh *mesh, unsigned i) {
     struct aiVector3D position = mesh->mVertices[i];
@@ -217,8 +225,10 @@ static MeshCorner corner_of(const struct aiMesh *mesh, unsigned i) {
     return corner;
 }
 
-/** Hands a triangle over. @return false if it names a corner that is not there, or no more is
- *  wanted. */
+/**
+ * Passes a triangle to the sink.
+ * @return false if its indices are invalid, or if the sink stops.
+ */
 static bool emit_triangle(const struct aiMesh *mesh, const struct aiFace *face,
                           const MeshSink *sink, MeshImportResult *result) {
     MeshCorner corners[3];
@@ -231,7 +241,7 @@ static bool emit_triangle(const struct aiMesh *mesh, const struct aiFace *face,
     return sink->add_triangle(sink->context, corners);
 }
 
-/** Hands all triangles over. @return Whether all were taken. */
+/** Passes all triangles to the sink. @return Whether the sink took all. */
 static bool emit_triangles(const struct aiScene *scene, const MeshSink *sink,
                            MeshImportResult *result) {
     size_t total = count_triangles(scene, false), done = 0;
@@ -256,9 +266,11 @@ static bool emit_triangles(const struct aiScene *scene, const MeshSink *sink,
 }
 
 /**
- * Cuts the polygons of a model into triangles and hands all over.
- * @param[out] result  What went otherwise than it should.
- * @return Whether all were taken.
+ * Triangulates the polygons of a scene and passes all triangles to the sink.
+ * @param scene        The scene.
+ * @param sink         Receives the triangles.
+ * @param[out] result  Defects and errors.
+ * @return Whether the sink took all.
  */
 static bool triangulate_and_emit(const struct aiScene *scene, const MeshSink *sink,
                                  MeshImportResult *result) {
@@ -275,10 +287,11 @@ static bool triangulate_and_emit(const struct aiScene *scene, const MeshSink *si
 }
 
 /**
- * Is MeshPlugin::read: reads a model and hands its triangles over.
- * @param sink  Who takes the triangles.
- * @param[out] result  What went otherwise than it should.
- * @return Whether all were handed over.
+ * Implements #MeshPlugin.read: reads a mesh file and passes its triangles to the sink.
+ * @param source       The file.
+ * @param sink         Receives the triangles.
+ * @param[out] result  Defects and errors.
+ * @return Whether the sink took all.
  */
 static bool read_model(const MeshSource *source, const MeshSink *sink, MeshImportResult *result) {
     *result = (MeshImportResult){0};
@@ -297,6 +310,6 @@ static bool read_model(const MeshSource *source, const MeshSink *sink, MeshImpor
     return is_done;
 }
 
-/** The one thing of the module that is seen from outside: #MESH_PLUGIN_SYMBOL. */
+/** The exported symbol of the module: #MESH_PLUGIN_SYMBOL. */
 __attribute__((visibility("default"))) extern const MeshPlugin dioptre_mesh_plugin;
 const MeshPlugin dioptre_mesh_plugin = {.version = MESH_PLUGIN_VERSION, .read = read_model};

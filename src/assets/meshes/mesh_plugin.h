@@ -1,11 +1,11 @@
 /**
  * @file
- * @brief What the model module `dioptre-meshes.so` offers: triangles out of model files.
+ * @brief Interface of the mesh module `dioptre-meshes.so`: triangles of mesh files.
  *
- * The library behind it is assimp; `doc/tour.md` has the figures of tinyobjloader beside it.
+ * Its library is assimp; `doc/tour.md` compares it with tinyobjloader.
  *
- * The module is opened in a child process only. No file but the model's own is opened, whatever
- * materials it names: the module gets bytes, not paths.
+ * The module is loaded in a worker process only. It receives bytes instead of paths, so that it
+ * cannot open the material files that a mesh names.
  */
 #ifndef DIOPTRE_ASSETS_MESHES_MESH_PLUGIN_H
 #define DIOPTRE_ASSETS_MESHES_MESH_PLUGIN_H
@@ -13,59 +13,58 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/** Counts the changes of this header: program and module must be of the same count. */
+/** Version of this interface; program and module must agree. */
 enum { MESH_PLUGIN_VERSION = 1 };
-/** Longest message, in bytes with its final zero. */
+/** Size of a message, with its final zero. */
 enum { MESH_PLUGIN_MESSAGE_SIZE = 512 };
 
-/** A whole model file in memory. */
+/** A mesh file in memory. */
 typedef struct MeshSource {
-    const char *extension; /**< The format, as the ending of the file's name says it: `obj`, ... */
+    const char *extension; /**< Format, as the extension of the file: `obj`, ... */
     const char *bytes;     /**< Its bytes. */
-    size_t size;           /**< How many. */
+    size_t size;           /**< Number of bytes. */
 } MeshSource;
 
-/** One corner of a triangle. */
+/** A corner of a triangle. */
 typedef struct MeshCorner {
-    double position[3]; /**< Where it is; any numbers. */
-    double normal[3];   /**< Its normal, of any length, zero too. */
-    double uv[2];       /**< Its place on a picture; any numbers. */
-    bool has_normal;    /**< Whether there is a normal. */
-    bool has_uv;        /**< Whether there is a (u, v). */
+    double position[3]; /**< Position; any numbers. */
+    double normal[3];   /**< Normal, of any length, even zero. */
+    double uv[2];       /**< Texture coordinates; any numbers. */
+    bool has_normal;    /**< Whether #normal is set. */
+    bool has_uv;        /**< Whether #uv is set. */
 } MeshCorner;
 
-/** Who takes the triangles. */
+/** Receiver of the triangles. */
 typedef struct MeshSink {
-    void *context; /**< Handed to the two functions. */
-    /** Takes a triangle; false: no more is wanted. */
+    void *context; /**< First argument of both functions. */
+    /** Receives a triangle. @return false to stop. */
     bool (*add_triangle)(void *context, const MeshCorner corners[3]);
-    /** Is told how much is done, 0 to 1. */
+    /** Receives the completed fraction, 0 to 1. */
     void (*report_progress)(void *context, double share);
 } MeshSink;
 
-/** What went otherwise than it should. */
+/** Defects and errors of a mesh file. */
 typedef struct MeshImportResult {
-    size_t untriangulated_polygons; /**< Triangles missing of polygons that cannot be cut. */
-    char
-        message[MESH_PLUGIN_MESSAGE_SIZE]; /**< What is wrong, in words, without the file's name. */
+    size_t untriangulated_polygons;         /**< Missing triangles of invalid polygons. */
+    char message[MESH_PLUGIN_MESSAGE_SIZE]; /**< Error message, without the file's name. */
 } MeshImportResult;
 
-/** The module: its one function. */
+/** The function of the module. */
 typedef struct MeshPlugin {
-    int version; /**< #MESH_PLUGIN_VERSION as the module was built with. */
+    int version; /**< #MESH_PLUGIN_VERSION at the build of the module. */
 
     /**
-     * Reads a model and hands its triangles over, polygons cut into triangles, points and lines
-     * left out, in the order of the file.
-     * @param sink  Who takes the triangles.
-     * @param[out] report  What went otherwise than it should.
-     * @return Whether all were handed over; if not, there is a message unless the sink wanted no
-     *         more.
+     * Reads a mesh file and passes its triangles to a sink, in the order of the file. Polygons are
+     * triangulated; points and lines are ignored.
+     * @param source       The file.
+     * @param sink         Receives the triangles.
+     * @param[out] report  Defects and errors.
+     * @return Whether the sink took all; if not, there is a message unless the sink stopped.
      */
     bool (*read)(const MeshSource *source, const MeshSink *sink, MeshImportResult *report);
 } MeshPlugin;
 
-/** Name under which the module offers its one #MeshPlugin. */
+/** Symbol of the #MeshPlugin in the module. */
 #define MESH_PLUGIN_SYMBOL "dioptre_mesh_plugin"
 
 #endif

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Reads a model in a worker process: the part that runs there.
+ * @brief Reading of meshes: the worker's side.
  */
 #include "assets/meshes/mesh_worker.h"
 
@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-/** The model module. */
+/** The mesh module. */
 static const Plugin mesh_plugin = {.file = "dioptre-meshes.so",
                                    .symbol = MESH_PLUGIN_SYMBOL,
                                    .version = MESH_PLUGIN_VERSION,
@@ -23,7 +23,7 @@ static const Plugin mesh_plugin = {.file = "dioptre-meshes.so",
                                    .runtime_package = "libassimp5",
                                    .fallback_hint = ""};
 
-/** Reads all bytes of a file. @return The bytes, to be freed; NULL if they cannot be read. */
+/** Reads all bytes of a file. @return The bytes, to be freed with `free`; NULL on errors. */
 static char *read_bytes(int file, size_t size, Error *error) {
     size_t done = 0;
     char *bytes = malloc(size + 1);
@@ -44,13 +44,13 @@ static char *read_bytes(int file, size_t size, Error *error) {
     return bytes;
 }
 
-/** A model that is being read. */
+/** A mesh file being read. */
 typedef struct Import {
     MeshBuilder builder; /**< Collects the triangles. */
-    int per_mille;       /**< Progress that was sent last. */
+    int per_mille;       /**< Last progress that was sent, 0 to 1000. */
 } Import;
 
-/** Sends progress, where it has changed. See #MeshSink.report_progress. */
+/** Sends progress if it has changed. See #MeshSink.report_progress. */
 static void report_progress(void *context, double fraction) {
     Import *import = context;
     int per_mille = (int)(1000 * fraction);
@@ -60,7 +60,7 @@ static void report_progress(void *context, double fraction) {
     }
 }
 
-/** Adds a triangle. See #MeshSink.add_triangle. @return Whether more are wanted. */
+/** Adds a triangle. See #MeshSink.add_triangle. @return false to stop. */
 static bool add_triangle(void *context, const MeshCorner corners[3]) {
     Import *import = context;
     return mesh_builder_add(&import->builder, corners);
@@ -85,7 +85,7 @@ static bool read_triangles(const WorkerJob *job, Import *import, Error *error) {
     return is_read;
 }
 
-/** Makes the block: the mesh of a builder. @return false if there is none, or it is too large. */
+/** Creates the block: the mesh of a builder. @return false if it is empty or too large. */
 static bool make_block(WorkerJob *job, MeshBuilder *builder, Error *error) {
     Mesh counts;
     if (!mesh_builder_finish(builder, &counts)) {

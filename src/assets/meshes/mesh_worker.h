@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Reads a model in a worker process: the part that runs there.
+ * @brief Reading of meshes: the worker's side.
  */
 #ifndef DIOPTRE_ASSETS_MESHES_MESH_WORKER_H
 #define DIOPTRE_ASSETS_MESHES_MESH_WORKER_H
@@ -11,25 +11,25 @@
 /** Name of the task, see #WorkerTask. */
 #define MESH_WORKER_TASK "model"
 
-/** Most bytes of a mesh. */
+/** Largest size of a mesh, bytes. */
 #define MESH_CAPACITY ((size_t)2 << 30)
 
-/** Bytes that the library may take for a model. */
+/** Limit of the data of the library, bytes. */
 #define MESH_FILE_MEMORY_LIMIT ((size_t)2 << 30)
 
-/** Request for a model. The file comes with it. */
+/** Request for a mesh; the descriptor of the file is sent along. */
 typedef struct MeshWorkerRequest {
-    char extension[8]; /**< Its format, see #MeshSource.extension. */
+    char extension[8]; /**< Format, see #MeshSource.extension. */
     size_t size;       /**< Bytes of the file. */
 } MeshWorkerRequest;
 
-/** Report on a model. */
+/** Report on a mesh. */
 typedef struct MeshWorkerReport {
     bool is_done; /**< Whether the block is a mesh. */
-    Error error;  /**< What is wrong, if it is not. */
+    Error error;  /**< What is wrong, without a mesh. */
 } MeshWorkerReport;
 
-/** Reads the model of a #MeshWorkerRequest; the block is a #Mesh. See #WorkerTask.run. */
+/** Reads the mesh of a #MeshWorkerRequest; the block is a #Mesh. See #WorkerTask.run. */
 void mesh_worker_read(WorkerJob *job);
 
 #endif

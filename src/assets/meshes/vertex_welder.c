@@ -1,18 +1,19 @@
 /**
  * @file
- * @brief A set of points.
+ * @brief A set of points with indices.
  */
 #include "assets/meshes/vertex_welder.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/** Points that fit at first. */
+/** First capacity. */
 enum { FIRST_CAPACITY = 1024 };
 
 /**
- * @return A point's hash: its bits, each well mixed into all others (by splitmix64's last steps).
- * @param point  Its coordinates, without -0.
+ * @return The hash of a point, by the last steps of splitmix64 for each coordinate.
+ * @param point      Its coordinates, without -0.
+ * @param dimension  Number of coordinates.
  */
 static uint64_t hash_point(const double *point, size_t dimension) {
     uint64_t mixed = 0;
@@ -27,8 +28,9 @@ static uint64_t hash_point(const double *point, size_t dimension) {
 }
 
 /**
- * Finds the slot of a point, or the empty one where it belongs.
- * @param welder  The pool, with an empty slot.
+ * Finds the slot of a point, or the empty slot for it.
+ * @param welder  The set, with an empty slot.
+ * @param point   The point.
  * @return The slot.
  */
 static uint32_t *find_slot(const VertexWelder *welder, const double *point) {
@@ -41,15 +43,14 @@ static uint32_t *find_slot(const VertexWelder *welder, const double *point) {
     return &welder->slots[i];
 }
 
-/** Enters all points in a new table. @param welder The pool, its slots empty. */
+/** Inserts all points into a new hash table. @param welder The set, its slots empty. */
 static void rehash(VertexWelder *welder) {
     for (size_t index = 0; index < welder->count; index++) {
         *find_slot(welder, welder->points + index * welder->dimension) = (uint32_t)index;
     }
 }
 
-/** Makes room for twice as many points. @return false without memory, or at the largest number of
- *  places. */
+/** Doubles the capacity. @return false without memory, or if indices are exhausted. */
 static bool grow(VertexWelder *welder) {
     size_t capacity = welder->capacity ? 2 * welder->capacity : FIRST_CAPACITY;
     if (capacity > VERTEX_WELDER_NONE / 2) {

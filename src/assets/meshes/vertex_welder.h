@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief A set of points: each has a place, and no two are the same.
+ * @brief A set of points with indices: equal points have the same index.
  */
 #ifndef DIOPTRE_ASSETS_MESHES_VERTEX_WELDER_H
 #define DIOPTRE_ASSETS_MESHES_VERTEX_WELDER_H
@@ -9,26 +9,32 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/** Most coordinates that a point of a pool has. */
+/** Largest number of coordinates per point. */
 enum { VERTEX_WELDER_DIMENSION_MAXIMUM = 3 };
-/** No place. */
+/** No index. */
 #define VERTEX_WELDER_NONE UINT32_MAX
 
-/** A set of points of one to three coordinates. Starts as `{.width = ...}`. */
+/** A set of points of one to three coordinates. Initialised to `{.dimension = ...}`. */
 typedef struct VertexWelder {
-    size_t dimension;  /**< Coordinates of a point. */
-    size_t count;      /**< How many points. */
-    size_t capacity;   /**< How many fit. */
-    double *points;    /**< The points, in the order that they came in. */
-    size_t slot_count; /**< Slots of the hash table: a power of two, at least twice #capacity. */
-    uint32_t *slots;   /**< The hash table: a place, or #VERTEX_WELDER_NONE. */
+    size_t dimension;  /**< Number of coordinates per point. */
+    size_t count;      /**< Number of points. */
+    size_t capacity;   /**< Capacity of #points, in points. */
+    double *points;    /**< The points, in the order of insertion; owned. */
+    size_t slot_count; /**< Number of slots of the hash table: a power of two, at least twice
+                          #capacity. */
+    uint32_t *slots;   /**< The hash table: indices, or #VERTEX_WELDER_NONE; owned. */
 } VertexWelder;
 
-/** Adds a point, unless it is there already; 0 and -0 are the same. @return false without memory.
+/**
+ * Adds a point, unless the set has it; 0 and -0 are equal.
+ * @param welder      The set.
+ * @param point       Its coordinates.
+ * @param[out] index  Index of the point.
+ * @return false without memory.
  */
 bool vertex_welder_add(VertexWelder *welder, const double *point, uint32_t *index);
 
-/** Gives a pool's memory back. */
+/** Releases the memory of a set. @param welder The set. */
 void vertex_welder_deinit(VertexWelder *welder);
 
 #endif

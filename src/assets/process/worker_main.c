@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The life of a worker process.
+ * @brief The main loop of a worker process.
  */
 #include "assets/process/worker_main.h"
 
@@ -19,10 +19,10 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-/** The job under way, for the signal handler; NULL: none, or its result is being sent. */
+/** The current job, for the signal handler; NULL: none, or its result is being sent. */
 static WorkerJob *volatile current_job;
 
-/** Sends bytes; ends the process if the program has gone. */
+/** Sends bytes; exits if the program has closed the socket. */
 static void send_bytes(const void *bytes, size_t size) {
     const char *next = bytes;
     while (size > 0) {
@@ -35,7 +35,7 @@ static void send_bytes(const void *bytes, size_t size) {
     }
 }
 
-/** Receives bytes; ends the process if the program has gone. */
+/** Receives bytes; exits if the program has closed the socket. */
 static void receive(void *bytes, size_t size) {
     char *next = bytes;
     while (size > 0) {
@@ -48,7 +48,7 @@ static void receive(void *bytes, size_t size) {
     }
 }
 
-/** Sends a job's report, and the block if there is a result. */
+/** Sends the report of a job, and its block with a result. */
 static void send_answer(const WorkerJob *job, WorkerFrameKind kind) {
     const WorkerFrame frame = {.kind = kind,
                                .report_size = job->report ? job->report_size : 0,
@@ -58,7 +58,7 @@ static void send_answer(const WorkerJob *job, WorkerFrameKind kind) {
     send_bytes(job->block, frame.block_size);
 }
 
-/** Sends the report as it is, then dies of the signal. */
+/** Sends the report in its current state, then ends by the signal. */
 static void handle_fatal_signal(int number) {
     WorkerJob *job = current_job;
     current_job = NULL;
@@ -69,7 +69,10 @@ static void handle_fatal_signal(int number) {
     raise(number);
 }
 
-/** Lets the program's end, Ctrl-C and crashes end this process, and leaves no core file. */
+/**
+ * Sets the signals: this process ends with its parent, on Ctrl-C and on crashes, without a core
+ * file.
+ */
 static void set_signals(pid_t parent) {
     static const int fatal[] = {SIGXCPU, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
     static char stack[1 << 16];
@@ -88,13 +91,13 @@ static void set_signals(pid_t parent) {
     }
 }
 
-/** Receives a request; waits for it. @return The bytes, to be freed. */
+/** Waits for a request. @return Its bytes, to be freed with `free`. */
 static void *receive_request(WorkerJob *job) {
     WorkerRequestHeader header;
     struct iovec part = {&header, sizeof header};
     union {
         struct cmsghdr align;                /**< For the alignment. */
-        char bytes[CMSG_SPACE(sizeof(int))]; /**< Room for a descriptor. */
+        char bytes[CMSG_SPACE(sizeof(int))]; /**< Memory for a descriptor. */
     } control;
     struct msghdr message = {.msg_iov = &part,
                              .msg_iovlen = 1,
@@ -155,7 +158,7 @@ void worker_job_progress(double fraction) {
     send_bytes(&frame, sizeof frame);
 }
 
-/** @return Bytes that this process has for its data already. */
+/** @return Bytes of data memory that this process uses. */
 static size_t data_memory_used(void) {
     unsigned long pages = 0;
     FILE *file = fopen("/proc/self/statm", "re");
@@ -167,7 +170,7 @@ static size_t data_memory_used(void) {
 }
 
 void worker_enter_sandbox(size_t bytes) {
-    // Only the soft limit: the next request to this worker sets another.
+    // Only the soft limit, which the next request can raise again.
     struct rlimit limit;
     getrlimit(RLIMIT_DATA, &limit);
     rlim_t wanted = (rlim_t)(data_memory_used() + bytes);

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The life of a worker process: it receives requests, runs a task, sends results.
+ * @brief The main loop of a worker process: it receives requests, runs tasks and sends results.
  */
 #ifndef DIOPTRE_ASSETS_PROCESS_WORKER_MAIN_H
 #define DIOPTRE_ASSETS_PROCESS_WORKER_MAIN_H
@@ -8,25 +8,29 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/** A request, and the answer to it. */
+/** A request and its reply. */
 typedef struct WorkerJob {
     const void *request;   /**< Bytes of the request. */
-    size_t request_size;   /**< How many. */
-    int file;              /**< Descriptor that came with it; -1: none. */
-    const void *report;    /**< The report. Sent at the end, and at a fatal signal as it is then. */
-    size_t report_size;    /**< Bytes of it. */
+    size_t request_size;   /**< Number of its bytes. */
+    int file;              /**< Descriptor sent along; -1: none. */
+    const void *report;    /**< The report, sent at the end or at a fatal signal. */
+    size_t report_size;    /**< Bytes of the report. */
     void *block;           /**< The block; sent at the end. NULL: none. */
-    size_t block_size;     /**< Bytes of it. */
-    size_t block_capacity; /**< Bytes that are given back by munmap afterwards; 0: none. */
+    size_t block_size;     /**< Bytes of the block. */
+    size_t block_capacity; /**< Bytes to unmap after sending, by munmap; 0: none. */
 } WorkerJob;
 
-/** Something that a worker can do. */
+/** A task of a worker. */
 typedef struct WorkerTask {
     const char *name;            /**< Its name, see #WorkerCall.task. */
-    void (*run)(WorkerJob *job); /**< Does it; fills report and block. */
+    void (*run)(WorkerJob *job); /**< Runs the task; sets report and block. */
 } WorkerTask;
 
-/** @return Whether the command line asks the program to be a worker. */
+/**
+ * @return Whether the command line starts a worker.
+ * @param argc  Number of arguments.
+ * @param argv  The arguments.
+ */
 bool worker_is_requested(int argc, char **argv);
 
 /**
@@ -36,17 +40,19 @@ bool worker_is_requested(int argc, char **argv);
  */
 _Noreturn void worker_main(char **argv, const WorkerTask *tasks);
 
-/** Starts the time limit of a job: its modules are loaded. */
+/** Starts the time limit of a job, after its modules are loaded. */
 void worker_job_ready(void);
 
 /** Sends the progress of a job. @param fraction 0 to 1. */
 void worker_job_progress(double fraction);
 
-/** Limits the memory of this process, and closes its output: foreign libraries run now.
- *  @param bytes Data beyond what the process has already. */
+/**
+ * Limits the memory of this process and closes its output, before foreign libraries run.
+ * @param bytes  Limit of data beyond the current use.
+ */
 void worker_enter_sandbox(size_t bytes);
 
-/** Ends this process; the program starts another: the memory where the result must lie is taken. */
+/** Exits, so that the program starts another worker: the address of the result is not free here. */
 _Noreturn void worker_exit_to_retry(void);
 
 #endif

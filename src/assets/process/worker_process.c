@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Worker processes, seen from the program.
+ * @brief Worker processes: the program's side.
  */
 #include "assets/process/worker_process.h"
 
@@ -24,18 +24,18 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/** Seconds that a worker has to load its modules. */
+/** Time limit for the start of a worker with its modules, seconds. */
 static const double START_LIMIT = 60;
-/** Seconds that a worker has to send its report once it is late. */
+/** Time limit for the report after a timeout, seconds. */
 static const double REPORT_LIMIT = 0.25;
 /** Seconds between two calls of #WorkerMonitor.on_tick. */
 static const double TICK_INTERVAL = 0.2;
-/** Starts of a worker until one has free memory where the result must lie. */
+/** Largest number of starts until the address of the result is free in a worker. */
 enum { START_ATTEMPTS = 16 };
 
 // --- starting and ending -------------------------------------------------------------------------
 
-/** Finds the worker program: beside this program, or where it is installed. */
+/** Finds the worker program: beside this program, or in its installed folder. @return Its path. */
 static const char *find_program(char path[PATH_MAX]) {
     static const char *const places[] = {"dioptre-worker", "../lib/dioptre/dioptre-worker"};
     char folder[PATH_MAX];
@@ -49,8 +49,10 @@ static const char *find_program(char path[PATH_MAX]) {
     return path;
 }
 
-/** Sets default signal handling in the worker, whatever the program has arranged for itself, and
- *  leaves it one end of the sockets. */
+/**
+ * Spawns a worker with default signals and one end of the socket pair.
+ * @return 0, or an error number.
+ */
 static int spawn(WorkerProcess *process, const WorkerCall *call, int socket) {
     char path[PATH_MAX] = "dioptre-worker", task[32], parent[16], language[4];
     char option[] = WORKER_OPTION;
@@ -93,7 +95,10 @@ static int start(WorkerProcess *process, const WorkerCall *call) {
     return failed;
 }
 
-/** Waits for the end of a worker. @return As waitpid says it; 0 where the system has reaped it. */
+/**
+ * Waits for the end of a worker.
+ * @return Its status as of waitpid; 0 if the system has reaped it.
+ */
 static int reap(WorkerProcess *process) {
     int status = 0;
     pid_t ended;
@@ -115,23 +120,23 @@ void worker_process_stop(WorkerProcess *process) {
 
 // --- messages ------------------------------------------------------------------------------------
 
-/** A call under way. */
+/** A current call. */
 typedef struct Exchange {
     const WorkerProcess *process; /**< The worker. */
     const WorkerCall *call;       /**< The request. */
-    double started;               /**< When the time limit began, on #clock_now_seconds. */
-    double deadline;              /**< When it ends. */
+    double started;               /**< Start of the time limit, on #clock_now_seconds. */
+    double deadline;              /**< End of the time limit. */
     double fraction;              /**< Progress, 0 to 1. */
     bool is_late;                 /**< Whether the deadline has passed, or the call is stopped. */
 } Exchange;
 
-/** @return Whether the call is to be given up. */
+/** @return Whether the stop flag of the call is set. */
 static bool is_stopped(const Exchange *exchange) {
     const WorkerMonitor *monitor = exchange->call->monitor;
     return monitor && monitor->stop && atomic_load(monitor->stop);
 }
 
-/** @return Milliseconds to sleep: to the next tick or the deadline, rounded up. */
+/** @return Milliseconds until the next tick or the deadline, rounded up. */
 static int sleep_time(const Exchange *exchange, double now) {
     double left = exchange->deadline - now;
     double seconds = exchange->call->monitor ? fmin(left, TICK_INTERVAL) : left;
@@ -139,9 +144,10 @@ static int sleep_time(const Exchange *exchange, double now) {
 }
 
 /**
- * Sleeps until the socket is ready; calls the monitor meanwhile.
- * @param events  POLLIN or POLLOUT.
- * @return false at the deadline, and where the call is stopped; #Exchange.is_late says so.
+ * Waits until the socket is ready, and calls the monitor meanwhile.
+ * @param exchange  The call.
+ * @param events    POLLIN or POLLOUT.
+ * @return false at the deadline or if the call is stopped; #Exchange.is_late is set then.
  */
 static bool wait_until_ready(Exchange *exchange, short events) {
     struct pollfd watched = {.fd = exchange->process->socket, .events = events};
@@ -209,7 +215,7 @@ static bool send_request(Exchange *exchange) {
     struct iovec part = {&header, sizeof header};
     union {
         struct cmsghdr align;                /**< For the alignment. */
-        char bytes[CMSG_SPACE(sizeof(int))]; /**< Room for a descriptor. */
+        char bytes[CMSG_SPACE(sizeof(int))]; /**< Memory for a descriptor. */
     } control = {0};
     struct msghdr message = {.msg_iov = &part, .msg_iovlen = 1};
     if (call->file > 0) {
@@ -221,7 +227,7 @@ static bool send_request(Exchange *exchange) {
         rights->cmsg_len = CMSG_LEN(sizeof(int));
         memcpy(CMSG_DATA(rights), &call->file, sizeof call->file);
     }
-    // The first message of a socket that is empty: it goes as a whole.
+    // The first message of an empty socket is never split.
     return sendmsg(exchange->process->socket, &message, MSG_NOSIGNAL) == sizeof header &&
            send_bytes(exchange, call->request, call->request_size);
 }
@@ -268,12 +274,12 @@ static bool receive_reply(Exchange *exchange, WorkerReply *reply) {
         } else if (frame.kind == WORKER_FRAME_RESULT) {
             return receive_block(exchange, &frame, reply);
         }
-        // After a report without a result the worker dies; its signal says more.
+        // After a report without a result the worker ends by a signal, which describes the error.
     }
     return false;
 }
 
-/** Asks a late worker for its report, and kills it. */
+/** Requests the report of a late worker, and kills it. */
 static void end_late_worker(Exchange *exchange, WorkerProcess *process) {
     if (!is_stopped(exchange)) {
         WorkerReply none = {0};
@@ -287,7 +293,13 @@ static void end_late_worker(Exchange *exchange, WorkerProcess *process) {
     worker_process_stop(process);
 }
 
-/** Sends the request and waits for the answer. @param[out] exit_status Of a worker without one. */
+/**
+ * Sends the request and waits for the reply.
+ * @param process           The worker.
+ * @param call              The call.
+ * @param[out] exit_status  Status of a worker that ended without a result.
+ * @return The reply.
+ */
 static WorkerReply converse(WorkerProcess *process, const WorkerCall *call, int *exit_status) {
     double now = clock_now_seconds();
     WorkerReply reply = {.end = WORKER_FINISHED};
@@ -300,8 +312,8 @@ static WorkerReply converse(WorkerProcess *process, const WorkerCall *call, int 
         end_late_worker(&exchange, process);
         return (WorkerReply){.end = WORKER_TIMED_OUT};
     }
-    // A worker that has closed its socket has its exit status already: no signal changes that. One
-    // whose answer is no answer still runs.
+    // A worker that closed its socket has its exit status already, which the signal does not
+    // change. One with an invalid reply still runs.
     kill(process->pid, SIGKILL);
     int status = reap(process);
     if (WIFSIGNALED(status)) {

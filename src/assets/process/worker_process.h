@@ -1,10 +1,10 @@
 /**
  * @file
- * @brief Worker processes, seen from the program: scenes, pictures and models are read in them.
+ * @brief Worker processes, the program's side: they read scenes, pictures and meshes.
  *
- * A worker is another program (`dioptre-worker`), started by exec: no lock, thread or file of this
- * process is in it. It gets a request and answers with a report and a block of bytes. It ends with
- * this process, and is always reaped. All functions are safe in several threads at once.
+ * A worker is another program (`dioptre-worker`), started by exec: it shares no lock, thread or
+ * file with this process. It receives a request and replies with a report and a block of bytes. It
+ * ends with this process, and is always reaped. All functions are thread-safe.
  */
 #ifndef DIOPTRE_ASSETS_PROCESS_WORKER_PROCESS_H
 #define DIOPTRE_ASSETS_PROCESS_WORKER_PROCESS_H
@@ -16,10 +16,10 @@
 /** A worker process. Zero: none runs. */
 typedef struct WorkerProcess {
     pid_t pid;  /**< The process; 0: none. */
-    int socket; /**< This end of its sockets. */
+    int socket; /**< This process's end of the socket pair. */
 } WorkerProcess;
 
-/** How a call ended. */
+/** Outcome of a call. */
 typedef enum {
     WORKER_FINISHED,   /**< With a result. */
     WORKER_TIMED_OUT,  /**< Killed at the time limit, or by #WorkerMonitor.stop. */
@@ -30,41 +30,48 @@ typedef enum {
 
 /** Callback and stop flag of a call. */
 typedef struct WorkerMonitor {
-    /** Called about five times a second; NULL: not.
-     *  @param seconds Since the start. @param fraction Progress, 0 to 1. */
+    /**
+     * Called about five times per second; NULL: none.
+     * @param context   #context.
+     * @param seconds   Seconds since the start.
+     * @param fraction  Progress, 0 to 1.
+     */
     void (*on_tick)(void *context, double seconds, double fraction);
     void *context;           /**< Passed to #on_tick. */
     const atomic_bool *stop; /**< The worker is killed once this is true; NULL: never. */
 } WorkerMonitor;
 
-/** A request to a worker, and memory for its answer. */
+/** A request to a worker, and memory for its reply. */
 typedef struct WorkerCall {
     const char *program;          /**< Path of the worker program; NULL: `dioptre-worker`. */
     const char *task;             /**< Name of the task, see #WorkerTask. */
     const void *request;          /**< Bytes of the request. */
-    size_t request_size;          /**< How many. */
-    int file;                     /**< Descriptor to hand over; 0: none. */
-    double time_limit;            /**< Seconds, counted from #worker_job_ready. */
+    size_t request_size;          /**< Number of its bytes. */
+    int file;                     /**< Descriptor to send along; 0: none. */
+    double time_limit;            /**< Time limit, seconds, from #worker_job_ready. */
     const WorkerMonitor *monitor; /**< Callback and stop flag; NULL: none. */
     void *report;                 /**< Memory for the report. */
-    size_t report_capacity;       /**< Bytes of it. */
+    size_t report_capacity;       /**< Its size in bytes. */
     void *block;                  /**< Memory for the block; NULL: new memory by mmap. */
-    size_t block_capacity;        /**< Most bytes of the block. */
+    size_t block_capacity;        /**< Largest size of the block, bytes. */
 } WorkerCall;
 
-/** Answer of a worker. */
+/** Reply of a worker. */
 typedef struct WorkerReply {
     WorkerEnd end; /**< How the call ended. */
     int detail;  /**< The signal after #WORKER_CRASHED, errno after #WORKER_NOT_STARTED, else 0. */
-    void *block; /**< The block; NULL: none. Freed by munmap where #WorkerCall.block is NULL. */
-    size_t block_size; /**< Bytes of it. */
+    void *block; /**< The block; NULL: none. To be unmapped with munmap if #WorkerCall.block is
+                    NULL. */
+    size_t block_size; /**< Bytes of the block. */
 } WorkerReply;
 
 /**
- * Sends a request to a worker and waits for the answer. The report is filled after a crash and at
- * the time limit too, as far as the worker could still send it.
- * @param[in,out] process  The worker; started if none runs. It runs on after #WORKER_FINISHED only.
- * @return The answer.
+ * Sends a request to a worker and waits for the reply. After a crash or a timeout, the report is
+ * filled if the worker could send it.
+ * @param[in,out] process  The worker; started if none runs. It keeps running after #WORKER_FINISHED
+ *                         only.
+ * @param call             The call.
+ * @return The reply.
  */
 WorkerReply worker_process_call(WorkerProcess *process, const WorkerCall *call);
 

@@ -18,28 +18,31 @@
 enum { WORKER_ARGUMENT_COUNT = 5 };
 /** Descriptor of the worker's end of the sockets. */
 enum { WORKER_SOCKET = 3 };
-/** Exit status of a worker whose layout of memory does not fit the request: another may fit. */
+/**
+ * Exit status of a worker in which the address of the result is not free; another start may
+ * succeed.
+ */
 enum { WORKER_EXIT_RETRY = 75 };
 
-/** Beginning of a request. A file descriptor may travel with it. */
+/** Start of a request. A file descriptor may be sent along. */
 typedef struct WorkerRequestHeader {
     size_t size; /**< Bytes that follow. */
 } WorkerRequestHeader;
 
 /** Kind of a message from a worker. */
 typedef enum {
-    WORKER_FRAME_READY,    /**< The time limit starts now: modules are loaded. */
+    WORKER_FRAME_READY,    /**< Modules are loaded: the time limit starts. */
     WORKER_FRAME_PROGRESS, /**< #WorkerFrame.per_mille has changed. */
-    WORKER_FRAME_REPORT,   /**< A fatal signal has arrived: the report follows, then the end. */
+    WORKER_FRAME_REPORT,   /**< A fatal signal arrived: the report follows, then the end. */
     WORKER_FRAME_RESULT    /**< The task has ended: report and block follow. */
 } WorkerFrameKind;
 
-/** Beginning of a message from a worker. */
+/** Start of a message from a worker. */
 typedef struct WorkerFrame {
-    WorkerFrameKind kind; /**< What it says. */
+    WorkerFrameKind kind; /**< Kind of the message. */
     int per_mille;        /**< Progress, 0 to 1000. */
-    size_t report_size;   /**< Bytes of the report, which follows first. */
-    size_t block_size;    /**< Bytes of the block, which follows second; 0: none. */
+    size_t report_size;   /**< Bytes of the report, which follows this header. */
+    size_t block_size;    /**< Bytes of the block, which follows the report; 0: none. */
 } WorkerFrame;
 
 #endif

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Another program as a child process that takes bytes and leaves a file.
+ * @brief A child process that reads bytes from a pipe and writes a file.
  */
 #include "base/process/pipe_process.h"
 
@@ -20,7 +20,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/** Bytes of a program's words that are shown. */
+/** Largest size of a program's error message. */
 enum { ERROR_TEXT_SIZE = 400 };
 
 bool pipe_process_is_installed(const char *name) {
@@ -38,10 +38,10 @@ bool pipe_process_is_installed(const char *name) {
 }
 
 /**
- * Says what a program finds when it starts: its pipe, its file for errors, no output, and signals
- * as usual, since this program ignores a broken pipe and the program should not.
+ * Sets the files and signals of a program: its pipe, its file for errors, no output, default
+ * signals. This program ignores SIGPIPE, but its children must not.
  * @param program          The program; its files are open.
- * @param input            The pipe's end to read from.
+ * @param input            Read end of the pipe.
  * @param[out] files       The files; to be destroyed.
  * @param[out] attributes  The signals and the process group; to be destroyed.
  */
@@ -64,7 +64,8 @@ static void set_spawn_attributes(const PipeProcess *program, int input,
 /**
  * Starts the process.
  * @param[in,out] program  The program; its files are open.
- * @param input  The pipe's end to read from.
+ * @param input            Read end of the pipe.
+ * @param argv             Its command line, ended by NULL.
  * @return 0, or an error number.
  */
 static int spawn_process(PipeProcess *program, int input, const char *const *argv) {
@@ -73,7 +74,8 @@ static int spawn_process(PipeProcess *program, int input, const char *const *arg
     char *arguments[PIPE_PROCESS_ARGUMENTS_MAXIMUM];
     int count = 0;
     do {
-        arguments[count] = (char *)(uintptr_t)argv[count]; // posix_spawn changes nothing there.
+        arguments[count] = (char *)(uintptr_t)argv[count]; // posix_spawn does not change the
+                                                           // strings.
     } while (argv[count++]);
     set_spawn_attributes(program, input, &files, &attributes);
     int failed = posix_spawnp(&program->pid, argv[0], &files, &attributes, arguments, environ);
@@ -82,7 +84,7 @@ static int spawn_process(PipeProcess *program, int input, const char *const *arg
     return failed;
 }
 
-/** Closes what is open of a program's files. */
+/** Closes the open files of a program. */
 static void close_files(PipeProcess *program) {
     if (program->input_pipe >= 0) {
         close(program->input_pipe);
@@ -115,14 +117,14 @@ bool pipe_process_start(PipeProcess *program, const atomic_bool *stop, const cha
     return true;
 }
 
-/** @return Whether a program is not to be waited for any more. */
+/** @return Whether a program's stop flag is set. */
 static bool process_is_stopped(const PipeProcess *program) {
     return program->stop && atomic_load(program->stop);
 }
 
-/** Waits until a program takes bytes, but not for long. */
+/** Waits until a program's pipe is writable, for a limited time. */
 static void wait_until_writable(const PipeProcess *program) {
-    /** Milliseconds until it is looked again whether to stop. */
+    /** Milliseconds between two checks of the stop flag. */
     const int timeout = 200;
     struct pollfd watched = {.fd = program->input_pipe, .events = POLLOUT};
     poll(&watched, 1, timeout);
@@ -143,8 +145,10 @@ bool pipe_process_write(PipeProcess *program, const void *bytes, size_t size) {
     return size == 0;
 }
 
-/** Waits until a program has ended; kills it where that is to be waited for no more. @return As
- *  waitpid says it. */
+/**
+ * Waits for the end of a program; kills it if its stop flag is set.
+ * @return Its status as of waitpid.
+ */
 static int wait_for_exit(PipeProcess *program) {
     int status = 0;
     do {
@@ -156,8 +160,11 @@ static int wait_for_exit(PipeProcess *program) {
     return status;
 }
 
-/** Reads the first words that a program has said, on one line and without what moves a cursor.
- *  @param[out] text The words; empty if there are none. */
+/**
+ * Reads the start of a program's error messages, as one line without control characters.
+ * @param program    The program.
+ * @param[out] text  The text; empty if there is none.
+ */
 static void read_error_text(const PipeProcess *program, char text[ERROR_TEXT_SIZE]) {
     ssize_t count = pread(program->error_file, text, ERROR_TEXT_SIZE - 1, 0);
     count = count > 0 ? count : 0;

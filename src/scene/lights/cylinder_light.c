@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief `cylinder_light`: a tube that glows.
+ * @brief `cylinder_light`: a light with the shape of a cylinder.
  */
 #include "scene/lights/cylinder_light.h"
 
@@ -22,7 +22,7 @@ static const Parameter cylinder_light_parameters[] = {
     LIGHT_FALLOFF_ROW,
     {0}};
 
-/** A white tube, 1 long, just under a ceiling 2 units high. */
+/** A white cylinder of length 1, just under a ceiling at height 2. */
 static const SceneLight cylinder_light_defaults = {.color = {1, 1, 1},
                                                    .intensity = 1,
                                                    .falloff = FALLOFF_NONE,
@@ -30,7 +30,7 @@ static const SceneLight cylinder_light_defaults = {.color = {1, 1, 1},
                                                    .radius = 0.05,
                                                    .own = {0.5, 1.9, 0}};
 
-/** Refuses cylinders without length. See #Keyword.finish. */
+/** Rejects cylinders without length. See #Keyword.finish. @return Whether it has a length. */
 static bool cylinder_light_finish(void *values, uint64_t given, Error *error) {
     (void)given;
     const SceneLight *light = values;
@@ -48,13 +48,13 @@ static const Keyword cylinder_light_keyword = {.name = "cylinder_light",
                                                .defaults = &cylinder_light_defaults,
                                                .finish = cylinder_light_finish};
 
-/** @return The middle of the axis. See #SceneLightClass.center. */
+/** @return The centre of the axis. See #SceneLightClass.center. */
 static Vec3d cylinder_light_center(const SceneLight *light) {
     const CylinderLightFields *own = scene_light_own(light);
     return vec3d_scale(vec3d_add(light->position, own->top), 0.5);
 }
 
-/** Fills the axis. See #SceneLightClass.outline. */
+/** Fills in the axis. See #SceneLightClass.outline. @return Number of points. */
 static size_t cylinder_light_outline(const SceneLight *light, Vec3d *points) {
     points[0] = light->position;
     points[1] = ((const CylinderLightFields *)scene_light_own(light))->top;

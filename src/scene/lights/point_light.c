@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief `light`: a point, or a sphere that is seen.
+ * @brief `light`: a point light, or a spherical light with a radius.
  */
 #include "scene/lights/light_rows.h"
 
@@ -17,11 +17,14 @@ static const Parameter point_light_parameters[] = {
                      "above 0: seen as a glowing ball, with soft shadows"),
     {0}};
 
-/** A white light just under a ceiling 2 units high. */
+/** A white light just under a ceiling at height 2. */
 static const SceneLight point_light_defaults = {
     .color = {1, 1, 1}, .intensity = 1, .position = {0, 1.9, 0}, .falloff = FALLOFF_NONE};
 
-/** Refuses a sphere too small for the engines' numbers. See #Keyword.finish. */
+/**
+ * Rejects spheres too small for the engines' number types. See #Keyword.finish.
+ * @return Whether it is valid.
+ */
 static bool point_light_finish(void *values, uint64_t given, Error *error) {
     (void)given;
     const SceneLight *light = values;

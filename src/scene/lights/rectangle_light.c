@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief `rectangle_light`: a parallelogram that glows on one side or on both.
+ * @brief `rectangle_light`: a parallelogram that emits light on one side or on both.
  */
 #include "scene/lights/rectangle_light.h"
 
@@ -27,18 +27,21 @@ static const Parameter rectangle_light_parameters[] = {
     LIGHT_FALLOFF_ROW,
     {0}};
 
-/** A white square of side 1, just under a ceiling 2 units high, that shines down. */
+/** A white square of side 1, just under a ceiling at height 2, that emits downwards. */
 static const SceneLight rectangle_light_defaults = {.color = {1, 1, 1},
                                                     .intensity = 1,
                                                     .falloff = FALLOFF_NONE,
                                                     .position = {-0.5, 1.9, -0.5},
                                                     .own = {1, 0, 0, 0, 0, 1}};
 
-/** Refuses rectangles without area. See #Keyword.finish. */
+/** Rejects rectangles without area. See #Keyword.finish. @return Whether it has an area. */
 static bool rectangle_light_finish(void *values, uint64_t given, Error *error) {
     (void)given;
     const RectangleLightFields *own = scene_light_own(values);
-    /** Sine of the angle below which two edges count as parallel: a double cannot tell less. */
+    /**
+     * Sine of the angle below which two edges count as parallel: double cannot resolve smaller
+     * ones.
+     */
     const double parallel = 1e-12;
     Vec3d normal = vec3d_cross(vec3d_normalize(own->u), vec3d_normalize(own->v));
     return vec3d_length(normal) > parallel ||
@@ -53,13 +56,13 @@ static const Keyword rectangle_light_keyword = {.name = "rectangle_light",
                                                 .defaults = &rectangle_light_defaults,
                                                 .finish = rectangle_light_finish};
 
-/** @return The middle. See #SceneLightClass.center. */
+/** @return The centre. See #SceneLightClass.center. */
 static Vec3d rectangle_light_center(const SceneLight *light) {
     const RectangleLightFields *own = scene_light_own(light);
     return vec3d_add(light->position, vec3d_scale(vec3d_add(own->u, own->v), 0.5));
 }
 
-/** Fills the edges. See #SceneLightClass.outline. */
+/** Fills in the edges. See #SceneLightClass.outline. @return Number of points. */
 static size_t rectangle_light_outline(const SceneLight *light, Vec3d *points) {
     const RectangleLightFields *own = scene_light_own(light);
     points[0] = points[4] = light->position;

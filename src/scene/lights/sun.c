@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief `sun`: parallel light from infinitely far away.
+ * @brief `sun`: parallel light from an infinite distance.
  */
 #include "scene/lights/light_rows.h"
 
@@ -16,7 +16,7 @@ static const Parameter sun_parameters[] = {{.name = "direction",
                                            LIGHT_INTENSITY_ROW,
                                            {0}};
 
-/** A white sun, high behind the viewer's right shoulder. */
+/** A white sun, high behind the right side of the default camera. */
 static const SceneLight sun_defaults = {
     .color = {1, 1, 1}, .intensity = 1, .direction = {-1, -2, -1}};
 
@@ -27,7 +27,7 @@ static const Keyword sun_keyword = {.name = "sun",
                                     .size = sizeof(SceneLight),
                                     .defaults = &sun_defaults};
 
-/** Turns a sun. See #SceneLightClass.move. */
+/** Rotates a sun. See #SceneLightClass.move. */
 static void sun_move(SceneLight *sun, Vec3d offset, double distance) {
     Vec3d to_sun = vec3d_scale(vec3d_normalize(sun->direction), -distance);
     Vec3d direction = vec3d_scale(vec3d_add(to_sun, offset), -1);

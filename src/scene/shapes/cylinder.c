@@ -16,7 +16,7 @@ static const Parameter cylinder_parameters[] = {
      .help = "whether its ends are closed; else it is a pipe"},
     {0}};
 
-/** A capped cylinder of radius 1 and height 1 that stands on the ground. */
+/** A capped cylinder of radius 1 and height 1 on the plane y = 0. */
 static const CylinderParameters cylinder_defaults = {.top = {0, 1, 0}, .radius = 1, .capped = true};
 
 /** Rejects cylinders without length. See #Keyword.finish. @return Whether there is a length. */
@@ -27,8 +27,7 @@ static bool cylinder_finish(void *values, uint64_t given, Error *error) {
            error_set(error, STATUS_SCENE, "cylinder has no length: base and top are the same");
 }
 
-/** @return Facts of a cylinder: the box around the circles at its ends. See #SceneShapeClass.facts.
- */
+/** @return Facts of a cylinder: the box around its end circles. See #SceneShapeClass.facts. */
 static ShapeFacts cylinder_facts(const void *parameters, const Scene *scene) {
     (void)scene;
     const CylinderParameters *p = parameters;

@@ -11,7 +11,7 @@ static const Parameter disk_parameters[] = {
     LENGTH_FIELD("radius", DiskParameters, radius, "its radius"),
     {0}};
 
-/** A disk of radius 1 that lies on the ground. */
+/** A disk of radius 1 in the plane y = 0. */
 static const DiskParameters disk_defaults = {.normal = {0, 1, 0}, .radius = 1};
 
 /** @return Facts of a disk. See #SceneShapeClass.facts. */

@@ -40,8 +40,7 @@
         .minimum = LENGTH_MINIMUM, .maximum = LENGTH_MAXIMUM, .unit = "scene units", .help = text  \
     }
 
-/** Sine of the angle below which two edges count as parallel: double cannot resolve smaller ones.
- */
+/** Sine of the angle below which two edges count as parallel: double cannot resolve less. */
 #define PARALLEL_SINE 1e-12
 
 /** @return Whether two edges are parallel, or so nearly that they span no area. */

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The list of all kinds of shapes, and where the shapes of a scene are.
+ * @brief The list of all kinds of shapes, and the bounds of a scene.
  */
 #include "dioptre/scene.h"
 
@@ -10,8 +10,10 @@
  *  then share their two leading bits. */
 #define REBASE_MIN_SIZES 4
 
-/** The new origin is a multiple of a power of two, at most this fraction of the size: it has few
- *  digits, so that differences to it are exact in double. */
+/**
+ * The new origin is a multiple of a power of two, at most this fraction of the size. It has few
+ * digits, so that differences to it are exact in double.
+ */
 #define REBASE_SIZE_GRAINS 8
 
 /** Declares a description, which its own file defines. */

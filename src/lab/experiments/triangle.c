@@ -175,8 +175,8 @@ const Experiment triangle_corners_experiment = {
 /** A triangle in view. */
 typedef struct TestTriangle {
     Vec3q corners[3]; /**< Its corners, exact in float. */
-    double distance;  /**< From where. */
-    double sine;      /**< Of the angle under which it is met. */
+    double distance;  /**< Distance of the viewpoint. */
+    double sine;      /**< Sine of the angle between ray and plane. */
 } TestTriangle;
 
 /** @return Where a ray meets a triangle, in quad precision; #QUAD_NO_HIT: nowhere. */

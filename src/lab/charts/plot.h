@@ -3,8 +3,8 @@
  * @brief Charts on logarithmic axes, drawn by gnuplot from a table of comma-separated values.
  *
  * A chart is a grid of panels. A panel shows series of the table's rows: as lines with names at
- * their ends, or as points with error bars along x, each with a name. No two colours look alike to
- * the colour-blind (Okabe and Ito, 2008), and each has a sign of its own for black and white.
+ * their ends, or as points with error bars along x, each with a name. All colours are distinct for
+ * the colour-blind (Okabe and Ito, 2008), and each has its own marker for black and white.
  */
 #ifndef DIOPTRE_LAB_CHARTS_PLOT_H
 #define DIOPTRE_LAB_CHARTS_PLOT_H

@@ -1,7 +1,7 @@
 /**
  * @file
- * @brief Experiments on rays that leave a surface: mirrored ones meet it again (acne), refracted
- *        ones do not come out where they should.
+ * @brief Experiments on rays that leave a surface: wrong offsets cause acne on mirrors and wrong
+ *        exits from glass.
  */
 #include "base/language.h"
 #include "lab/experiments/experiments.h"

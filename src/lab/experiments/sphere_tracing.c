@@ -36,8 +36,10 @@ static void score_grazing(const ExperimentSample *sample, const Quadruple *outpu
     }
 }
 
-/** @return The ground: a box that no ray comes to the end of, and not larger, for what it measures
- * is as rounded as it is large, see #Experiment.create_scene. */
+/**
+ * @return The ground: a box larger than the reach of any ray, but hardly, because its rounding
+ *        errors grow with its size. See #Experiment.create_scene.
+ */
 static Scene *floor_scene(const ExperimentSetup *setup, Error *error) {
     double half_length = 1.1 / tan(setup->level * M_PI / 180);
     const FixtureValue values[] = {{"size", {2 * half_length, 2, 2}}, {0}};

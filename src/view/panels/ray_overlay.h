@@ -19,8 +19,8 @@ typedef struct RayOverlay {
 } RayOverlay;
 
 /**
- * Draws rays, their numbers, the eye and the lights. Draws nothing without memory.
- * @param rect  Where the picture of the second camera is, pixels of the window.
+ * Draws rays, their numbers, the camera and the lights. Draws nothing without memory.
+ * @param rect  Rectangle of the second camera's picture, pixels of the window.
  */
 void ray_overlay_draw(const RayOverlay *overlay, SDL_Renderer *renderer, const SDL_Rect *rect);
 

@@ -299,7 +299,7 @@ static void test_devices(void **state) {
     picture_deinit(&picture);
 }
 
-/** Existing files are not overwritten where that is forbidden. */
+/** image_file_write_new() never overwrites a file or a link. */
 static void test_never_over(void **state) {
     Picture picture = make_test_picture(3, 2);
     Error error = {0};
@@ -411,7 +411,7 @@ static ImageReader *greedy_plugin_open(const char *path, const char *format, Ima
     return NULL;
 }
 
-/** A fake plugin that returns invalid image properties. @return A reader. */
+/** A fake plugin that returns a header with too large a width. @return A reader. */
 static ImageReader *lying_plugin_open(const char *path, const char *format, ImageHeader *header,
                                       ImagePluginMessage *message) {
     (void)path;

@@ -41,12 +41,12 @@ static double sphere_distance(Vec3d p) {
     return fmax(vec3d_length(p) - 1, 0);
 }
 
-/** @return See #SdfCase.truth: a box of half size 1, 2, 3. */
+/** @return See #SdfCase.truth: a box with edges of 1, 2, 3. */
 static double box_sdf_distance(Vec3d p) {
     return box_distance(p, (Vec3d){-0.5, -1, -1.5}, (Vec3d){0.5, 1, 1.5});
 }
 
-/** @return See #SdfCase.truth: a box frame of size 1, 2, 3 with bars of 0.25. */
+/** @return See #SdfCase.truth: a box frame with edges of 1, 2, 3 and bars of 0.25. */
 static double frame_distance(Vec3d p) {
     const double half[3] = {0.5, 1, 1.5}, thick = 0.25;
     double minimum = HUGE_VAL;
@@ -85,7 +85,7 @@ static double box_grid_distance(Vec3d p) {
     return minimum;
 }
 
-/** @return See #SdfCase.truth: spheres of diameter 0.75 in unit cells, five by four by one. */
+/** @return See #SdfCase.truth: spheres of radius 0.75 in unit cells, five by four by one. */
 static double ball_grid_distance(Vec3d p) {
     double minimum = HUGE_VAL;
     for (int n = 0; n < 20; n++) {

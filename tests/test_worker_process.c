@@ -15,7 +15,7 @@
 
 // --- tasks ---------------------------------------------------------------------------------------
 
-/** Reports the request, then raises the signal in it. */
+/** Reports a number, then raises the signal of the request. */
 static void abort_task(WorkerJob *job) {
     static int report = 7;
     job->report = &report;

@@ -721,7 +721,7 @@ static void test_drop(void **state) {
     scene_destroy(scene);
 }
 
-/** Runs the tests. @return How many failed. */
+/** Runs the tests. @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_motion_tap),

@@ -4,7 +4,7 @@
  *
  * The parts of src/view, from the bottom; each includes only parts above it in this list:
  *
- *     state/      models without a screen: commands' type, held keys, clocks, overrides, snapshots
+ *     state/      screen-independent state: commands' type, held keys, clocks, overrides, snapshots
  *     window/     SDL: the window, textures, viewports (Window > Viewport > StreamingTexture >
  * SdlWindow) loading/    threads: the scene loader, the list of scenes, the file watcher panels/
  * what lies over the picture: help, hud, inspector, captions, list of scenes window.h    the

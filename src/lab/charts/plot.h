@@ -41,7 +41,7 @@ typedef struct PlotSeries {
     int style;         /**< Colour and sign, from 0; the same in all panels for the same thing. */
     const double *x;   /**< Of a line: x as in the table, above 0. */
     const double *y;   /**< Of a line: y. NaN: none. 0: drawn on the floor, labelled 0. */
-    size_t count;      /**< Of a line: how many. */
+    size_t count;      /**< Number of points of a line. */
 } PlotSeries;
 
 /** A point with a name. */

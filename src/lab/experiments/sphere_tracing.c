@@ -46,7 +46,7 @@ static Scene *floor_scene(const ExperimentSetup *setup, Error *error) {
     return scene_fixture_with_sdf("distance.box", values, (Vec3d){0, -1, 0}, error);
 }
 
-/** Queries an engine for the distance; it does not say its steps, see #Experiment.query_engine. */
+/** Queries an engine for the distance, without the steps. See #Experiment.query_engine. */
 static void query_grazing(const Engine *engine, Tracer *tracer, const ExperimentSample *sample,
                           Quadruple *outputs) {
     RayResult answer;

@@ -3,7 +3,7 @@
  * @brief The class Shape: what rays can meet.
  *
  * Every shape is an object that starts with #Shape and a class that fills the table #ShapeClass.
- * `include/dioptre/scene.h` says what a new shape takes.
+ * `include/dioptre/scene.h` describes how to add a shape.
  */
 #ifndef DIOPTRE_TRACE_SHAPES_SHAPE_H
 #define DIOPTRE_TRACE_SHAPES_SHAPE_H

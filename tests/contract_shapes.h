@@ -286,10 +286,10 @@ typedef struct CylinderSpec {
 
 /** A crossing of a ray with the wall or an end of a cylinder. */
 typedef struct CylinderCandidate {
-    Quadruple t;             /**< Distance along the ray. */
-    Quadruple edge_distance; /**< Distance inside the edge of that surface, in radii; negative:
-                                  outside. */
-    Vec3qa normal;           /**< The normal. */
+    Quadruple t; /**< Distance along the ray. */
+    Quadruple
+        edge_distance; /**< Distance inside the rim of that surface, in radii; negative: outside. */
+    Vec3qa normal;     /**< The normal. */
 } CylinderCandidate;
 
 /** @return The component of v perpendicular to an axis. */

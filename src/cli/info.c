@@ -26,7 +26,7 @@ typedef struct SceneInfo {
     size_t specular;                            /**< Shapes with specular highlights. */
     bool has_sdfs;                              /**< Whether any shape is a distance field. */
     const char *omissions[OMISSIONS_MAXIMUM];   /**< What the tracer leaves out, in English. */
-    int omission_count;                         /**< How many. */
+    int omission_count;                         /**< Number of #omissions. */
 } SceneInfo;
 
 /* --- gathering -------------------------------------------------------------------------------- */

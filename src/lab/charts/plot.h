@@ -60,9 +60,9 @@ typedef struct PlotPanel {
     const char *y_label;                    /**< What y is, with its unit. */
     int x_columns[3];                       /**< Columns of x and of its error bar's ends. */
     PlotSeries series[PLOT_SERIES_MAXIMUM]; /**< The series. */
-    size_t series_count;                    /**< How many. */
+    size_t series_count;                    /**< Number of #series. */
     PlotPoint points[PLOT_POINTS_MAXIMUM];  /**< Of #PLOT_POINTS: the points of all series. */
-    size_t point_count;                     /**< How many. */
+    size_t point_count;                     /**< Number of #points. */
     bool is_fraction;                       /**< Of #PLOT_POINTS: whether y is at most 1. */
     bool is_x_reversed;                     /**< Of #PLOT_LINES: whether x grows to the left. */
     double y_low;                           /**< Of #PLOT_LINES: least y of the axis, above 0. */
@@ -76,7 +76,7 @@ typedef struct Plot {
     const char *title;                     /**< Above it. */
     const char *csv;                       /**< The table's file. */
     PlotPanel panels[PLOT_PANELS_MAXIMUM]; /**< Row by row. */
-    size_t panel_count;                    /**< How many. */
+    size_t panel_count;                    /**< Number of #panels. */
     size_t columns;                        /**< Panels side by side. */
 } Plot;
 

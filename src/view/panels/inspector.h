@@ -37,7 +37,7 @@ typedef struct Inspector {
                                   renderer was created. */
     Viewport viewport;         /**< Viewport of the second camera. */
     Vec3d light_positions[INSPECTOR_LIGHTS]; /**< Positions of the lights. */
-    size_t light_count;                      /**< How many. */
+    size_t light_count;                      /**< Number of #light_positions. */
     SDL_Texture *panel;            /**< Panel of the numbers; NULL: it must be drawn; owned. */
     PanelRow rows[INSPECTOR_ROWS]; /**< Rows of the panel. */
     char row_texts[INSPECTOR_ROWS][INSPECTOR_TEXT_SIZE]; /**< Their texts. */

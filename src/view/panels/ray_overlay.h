@@ -12,7 +12,7 @@
 /** What is drawn. */
 typedef struct RayOverlay {
     const Vec3d *light_positions; /**< Positions of lights, which are marked. */
-    size_t light_count;           /**< How many. */
+    size_t light_count;           /**< Number of #light_positions. */
     const RayTree *ray_tree;      /**< The rays. */
     const OrbitCamera *orbit;     /**< The second camera's orbit. */
     size_t selected;              /**< Index of a ray that is drawn thicker. */

@@ -68,7 +68,7 @@ typedef struct Series {
     double x[CHART_POINTS_MAXIMUM];                 /**< Their times. */
     double own_error[CHART_POINTS_MAXIMUM];         /**< Their own errors. */
     double total_error[CHART_POINTS_MAXIMUM];       /**< Their total errors. */
-    size_t count;                                   /**< Number of settings. */
+    size_t count;                                   /**< Number of #points. */
 } Series;
 
 /** Adds a point to a line. */

@@ -1,7 +1,7 @@
 /**
  * @file
- * @brief All engines of a number type say the same, to the bit: how tests of the tree ask them, and
- *        the rays that they ask.
+ * @brief Queries of the BVH tests, and random rays: all engines of a number type must return
+ *        identical bits.
  */
 #ifndef TESTS_BVH_QUERIES_H
 #define TESTS_BVH_QUERIES_H
@@ -9,17 +9,17 @@
 #include "triangle_soup.h"
 #include "workload.h"
 
-/** Rays of a packet, in any engine at most. */
+/** Largest number of rays of a packet in any engine. */
 enum { RAYS_PER_QUERY = 64 };
 
-/* --- answers --------------------------------------------------------------------------------- */
+/* --- results ---------------------------------------------------------------------------------- */
 
-/** @return Whether two numbers are the same bits; NaN is not. */
+/** @return Whether two numbers are bitwise equal; false for NaN. */
 static inline bool same_bits(Quadruple a, Quadruple b) {
     return a == b && signbit((double)a) == signbit((double)b);
 }
 
-/** @return Whether two answers are the same bits. */
+/** @return Whether two results are bitwise equal. */
 static inline bool same_result(const RayResult *a, const RayResult *b) {
     bool same =
         a->shape == b->shape && a->occluded == b->occluded && same_bits(a->distance, b->distance);
@@ -29,7 +29,7 @@ static inline bool same_result(const RayResult *a, const RayResult *b) {
     return same;
 }
 
-/** Fails unless answers are the same bits. */
+/** Fails unless results are bitwise equal. */
 static inline void assert_same_results(const Engine *engine, const char *what, int count,
                                        const RayResult *got, const RayResult *wanted) {
     int different = 0, first = -1;
@@ -46,7 +46,7 @@ static inline void assert_same_results(const Engine *engine, const char *what, i
     }
 }
 
-/** A test of one number type. @param reference The engine of one lane. */
+/** A test of one number type. @param reference The engine with one lane. */
 typedef void (*TypeTest)(const Engine *reference);
 
 /** Runs a test for every number type. */
@@ -58,14 +58,14 @@ static inline void for_every_type(TypeTest test) {
     }
 }
 
-/** @return Whether an engine has the same numbers as another, and this machine can run it. */
+/** @return Whether an engine has the number type of another and can run on this machine. */
 static inline bool engine_matches_type(const Engine *engine, const Engine *reference) {
     return engine->mantissa_bits == reference->mantissa_bits && engine_is_supported(engine);
 }
 
 /**
- * @return Batches to ask, at least one.
- * @param reference  Whose number type: double takes half as many, quad two hundredths.
+ * @return Number of batches, at least one.
+ * @param reference  The engine; double has half as many, quad one in two hundred.
  */
 static inline int batch_count(const Engine *reference, int count) {
     int slowness = reference->mantissa_bits > 64   ? 200
@@ -74,21 +74,21 @@ static inline int batch_count(const Engine *reference, int count) {
     return count > slowness ? count / slowness : 1;
 }
 
-/** @return Rays of a batch. */
+/** @return Number of rays in a batch. */
 static inline int batch_size(const Engine *reference) {
     return reference->mantissa_bits > 64 ? BATCH / 32 : BATCH;
 }
 
 /**
- * Asks a scene in every engine of a number type, rays together and a few of them one by one.
- * @param reference  The engine of one lane.
- * @param what  What is asked, for the message.
- * @param tracers  One for each engine of #engine_list.
+ * Queries a scene in every engine of a number type: all rays together, and a few of them singly.
+ * @param reference  The engine with one lane.
+ * @param what  Name of the query in the message.
+ * @param tracers  One per engine of #engine_list.
  */
 static inline void assert_engines_agree(const Engine *reference, const char *what,
                                         Tracer *const *tracers, int count, const RayQueryQuad *rays,
                                         const RayResult *wanted) {
-    /** Rays that are asked one by one: a packet for one ray is as long as for all. */
+    /** Number of rays queried singly: one ray takes as long as a packet. */
     enum { SINGLE = 512 };
     RayResult *answers = calloc((size_t)count, sizeof *answers);
     assert_non_null(answers);
@@ -108,13 +108,13 @@ static inline void assert_engines_agree(const Engine *reference, const char *wha
     free(answers);
 }
 
-/** Engines at most, with the NULL. */
+/** Upper bound of the number of engines, with the final NULL. */
 enum { ENGINES_MAXIMUM = 16 };
 
 /**
- * Prepares a scene in every engine of a number type.
- * @param reference  The engine of one lane.
- * @param[out] tracers  One for each of #engine_list, or NULL.
+ * Creates the tracers of a scene in every engine of a number type.
+ * @param reference  The engine with one lane.
+ * @param[out] tracers  One per engine of #engine_list, or NULL.
  */
 static inline void create_tracers(const Engine *reference, const Scene *scene,
                                   Tracer *tracers[ENGINES_MAXIMUM]) {
@@ -127,7 +127,7 @@ static inline void create_tracers(const Engine *reference, const Scene *scene,
     }
 }
 
-/** Gives tracers back. */
+/** Destroys tracers. */
 static inline void destroy_tracers(Tracer *tracers[ENGINES_MAXIMUM]) {
     for (size_t e = 0; engine_list()[e]; e++) {
         engine_list()[e]->destroy(tracers[e]);
@@ -136,36 +136,36 @@ static inline void destroy_tracers(Tracer *tracers[ENGINES_MAXIMUM]) {
 
 /* --- rays ------------------------------------------------------------------------------------ */
 
-/** Ways in which rays go. */
+/** Distributions of rays. */
 typedef enum {
-    RAYS_COHERENT, /**< Packets from one point to neighbouring ones. */
-    RAYS_RANDOM,   /**< From anywhere to anywhere. */
-    RAYS_AXIS,     /**< Along an axis, both other components 0 or -0. */
-    RAYS_IN_PLANE, /**< In a plane across an axis, on which faces lie. */
-    RAYS_FAR,      /**< From 1e3 and 1e6 away. */
-    RAYS_SURFACE,  /**< From where other rays meet something. */
-    RAY_KINDS      /**< How many. */
+    RAYS_COHERENT, /**< Packets from one point to neighbouring points. */
+    RAYS_RANDOM,   /**< From random points to random points. */
+    RAYS_AXIS,     /**< Along an axis; the other two components are 0 or -0. */
+    RAYS_IN_PLANE, /**< In a plane perpendicular to an axis, which contains faces. */
+    RAYS_FAR,      /**< From distances of 1e3 and 1e6. */
+    RAYS_SURFACE,  /**< From hit points of other rays. */
+    RAY_KINDS      /**< Number of distributions. */
 } RayKind;
 
-/** Half the side of the box that all test scenes lie in. */
+/** Half the side of the cube that contains all test scenes. */
 #define SCENE_REACH 2
 
-/** Fills three numbers. */
+/** Sets three random coordinates. */
 static inline void random_point(uint64_t *state, double extent, Quadruple v[3]) {
     for (int i = 0; i < 3; i++) {
         v[i] = random_float(state, -extent, extent);
     }
 }
 
-/** @return A coordinate on which faces of the test scenes lie. */
+/** @return A coordinate that faces of the test scenes have. */
 static inline double random_face_coordinate(uint64_t *state) {
     return floor(random_unit_double(state) * 33 - 16) / 8;
 }
 
 /**
- * Aims a ray.
- * @param[in,out] ray  The ray, its start set.
- * @param spread  How far beside the target at most.
+ * Sets the direction of a ray towards a target.
+ * @param[in,out] ray  The ray, with its origin.
+ * @param spread  Largest random offset from the target.
  */
 static inline void aim_ray(RayQueryQuad *ray, const Quadruple target[3], uint64_t *state,
                            double spread) {
@@ -175,8 +175,10 @@ static inline void aim_ray(RayQueryQuad *ray, const Quadruple target[3], uint64_
     }
 }
 
-/** Makes rays of one packet, from one point to neighbouring ones. @param away How far away they
- *  start. */
+/**
+ * Makes the rays of one packet, from one point to neighbouring points.
+ * @param away Distance of the origin.
+ */
 static inline void fill_coherent(uint64_t *state, RayQueryQuad *rays, double away) {
     Quadruple eye[3], target[3];
     random_point(state, away, eye);
@@ -188,7 +190,7 @@ static inline void fill_coherent(uint64_t *state, RayQueryQuad *rays, double awa
     }
 }
 
-/** Makes rays along an axis, all the same way or not. */
+/** Makes rays along an axis, all in the same direction or not. */
 static inline void fill_axis(uint64_t *state, RayQueryQuad *rays) {
     bool is_coherent = random_unit_double(state) < 0.5;
     int ways = (int)(24 * random_unit_double(state));
@@ -207,7 +209,7 @@ static inline void fill_axis(uint64_t *state, RayQueryQuad *rays) {
     }
 }
 
-/** Makes rays that run in a plane in which faces lie. */
+/** Makes rays in a plane that contains faces. */
 static inline void fill_in_plane(uint64_t *state, RayQueryQuad *rays) {
     int axis = (int)(3 * random_unit_double(state));
     double level = random_face_coordinate(state);
@@ -218,7 +220,7 @@ static inline void fill_in_plane(uint64_t *state, RayQueryQuad *rays) {
     }
 }
 
-/** Makes rays from points that other rays met. @param engine Who finds the points. */
+/** Makes rays from hit points of other rays. @param engine Finds the hit points. */
 static inline void fill_surface(uint64_t *state, RayQueryQuad *rays, const Engine *engine,
                                 const Tracer *tracer) {
     RayResult answers[RAYS_PER_QUERY];
@@ -232,7 +234,7 @@ static inline void fill_surface(uint64_t *state, RayQueryQuad *rays, const Engin
     }
 }
 
-/** Makes a batch of rays. @param engine Who finds points on the scene. */
+/** Makes a batch of rays. @param engine Finds hit points in the scene. */
 static inline void fill_rays(RayKind kind, uint64_t *state, RayQueryQuad *rays, int count,
                              const Engine *engine, const Tracer *tracer) {
     for (int i = 0; i < count; i += RAYS_PER_QUERY) {
@@ -261,7 +263,7 @@ static inline Vec3d point_as_float(Vec3d v) {
     return (Vec3d){round_to_float(v.x), round_to_float(v.y), round_to_float(v.z)};
 }
 
-/** @return A point of the test scenes. */
+/** @return A random point of the test scenes. */
 static inline Vec3d point_in_scene(uint64_t *state) {
     return (Vec3d){random_float(state, -1.6, 1.6), random_float(state, -1.6, 1.6),
                    random_float(state, -1.6, 1.6)};

@@ -1,8 +1,8 @@
 /**
  * @file
- * @brief The rows of the contract: each shape with what quad precision says of it.
+ * @brief The shapes of the contract tests, each with a reference in quad precision.
  *
- * The references share no code with the tracer: they are the textbook's formulas, which are good
+ * The references share no code with the tracer. They use textbook formulas, which are accurate
  * enough in quad precision.
  */
 #ifndef TESTS_CONTRACT_SHAPES_H
@@ -15,34 +15,34 @@ typedef struct Vec3qa {
     Quadruple component[3]; /**< Coordinates. */
 } Vec3qa;
 
-/** What the reference says of a ray. */
+/** The expected result for a ray. */
 typedef struct ExpectedHit {
-    bool is_hit;   /**< Whether the shape is met. */
-    Quadruple t;   /**< Where. */
+    bool is_hit;   /**< Whether the ray hits the shape. */
+    Quadruple t;   /**< Distance of the hit. */
     Vec3qa normal; /**< Outward unit normal. */
     Quadruple
-        edge_margin; /**< How far, as a share of the shape's size, from missing (or meeting) it. */
+        edge_margin; /**< Distance of the ray from the silhouette, relative to the shape's size. */
 } ExpectedHit;
 
-/** The plane that touches a shape next to a point. */
+/** The tangent plane of a shape near a point. */
 typedef struct TangentPlane {
-    Quadruple distance; /**< How far the point is off it. */
+    Quadruple distance; /**< Distance of the point from it. */
     Vec3qa normal;      /**< Its unit normal. */
 } TangentPlane;
 
-/** A row: a shape under test. */
+/** A shape under test. */
 typedef struct ContractShape {
     const char *name;       /**< Its name in the table of errors. */
     const char *keyword;    /**< The shape's keyword. */
     const void *parameters; /**< Its parameters. */
-    bool is_solid;          /**< Whether it has an inside. */
-    double size;            /**< Its radius, about. */
-    double center[3];       /**< Its middle. */
-    /** @return What quad precision says. */
+    bool is_solid;          /**< Whether it encloses a volume. */
+    double size;            /**< Its approximate radius. */
+    double center[3];       /**< Its centre. */
+    /** @return The expected result in quad precision. */
     ExpectedHit (*expected_hit)(const void *parameters, const RayQueryQuad *ray);
-    /** @return The plane next to a point that touches the shape. */
+    /** @return The tangent plane of the shape near a point. */
     TangentPlane (*tangent)(const void *parameters, const Vec3qa *point);
-    const Transform *transform; /**< What becomes of it; NULL: nothing. */
+    const Transform *transform; /**< Its transform; NULL: none. */
 } ContractShape;
 
 /* --- quad precision -------------------------------------------------------------------------- */
@@ -66,18 +66,18 @@ static Vec3qa vec3qa_cross(Vec3qa a, Vec3qa b) {
                      a.component[0] * b.component[1] - a.component[1] * b.component[0]}};
 }
 
-/** @return v one long. */
+/** @return v scaled to length 1. */
 static Vec3qa vec3qa_normalize(Vec3qa v) {
     Quadruple length = quad_sqrt(vec3qa_dot(v, v));
     return (Vec3qa){{v.component[0] / length, v.component[1] / length, v.component[2] / length}};
 }
 
-/** @return A vector exactly. */
+/** @return A vector of doubles, exactly. */
 static Vec3qa vec3qa_from_doubles(const double v[3]) {
     return (Vec3qa){{v[0], v[1], v[2]}};
 }
 
-/** @return A vector. */
+/** @return A vector of quads. */
 static Vec3qa vec3qa_from_quads(const Quadruple v[3]) {
     return (Vec3qa){{v[0], v[1], v[2]}};
 }
@@ -91,7 +91,7 @@ static Vec3qa ray_point(const RayQueryQuad *ray, Quadruple t) {
 
 /* --- sphere ---------------------------------------------------------------------------------- */
 
-/** As the scene language says it. */
+/** The layout of the scene language. */
 typedef struct SphereSpec {
     double center[3]; /**< Centre. */
     double radius;    /**< Radius. */
@@ -127,13 +127,13 @@ static TangentPlane sphere_tangent(const void *parameters, const Vec3qa *point) 
 
 /* --- plane and quad -------------------------------------------------------------------------- */
 
-/** As the scene language says it. */
+/** The layout of the scene language. */
 typedef struct PlaneSpec {
     double point[3];  /**< A point. */
     double normal[3]; /**< The normal. */
 } PlaneSpec;
 
-/** @return Where a ray meets a plane. */
+/** @return The hit of a ray and a plane. */
 static ExpectedHit flat_expected_hit(Vec3qa point, Vec3qa normal, const RayQueryQuad *ray) {
     Vec3qa n = vec3qa_normalize(normal), d = vec3qa_normalize(vec3qa_from_quads(ray->direction));
     Quadruple sine = vec3qa_dot(n, d), slope = vec3qa_dot(n, vec3qa_from_quads(ray->direction));
@@ -153,7 +153,7 @@ static ExpectedHit plane_expected_hit(const void *parameters, const RayQueryQuad
 
 /**
  * @return The plane itself.
- * @param point  The point next to it.
+ * @param point  The point near it.
  */
 static TangentPlane flat_tangent(Vec3qa on, Vec3qa normal, const Vec3qa *point) {
     Vec3qa n = vec3qa_normalize(normal);
@@ -166,14 +166,14 @@ static TangentPlane plane_tangent(const void *parameters, const Vec3qa *point) {
     return flat_tangent(vec3qa_from_doubles(p->point), vec3qa_from_doubles(p->normal), point);
 }
 
-/** As the scene language says it. */
+/** The layout of the scene language. */
 typedef struct QuadSpec {
     double corner[3]; /**< A corner. */
-    double u[3];      /**< To the next. */
-    double v[3];      /**< To the other next. */
+    double u[3];      /**< Edge to the next corner. */
+    double v[3];      /**< Edge to the other adjacent corner. */
 } QuadSpec;
 
-/** @return The smaller. */
+/** @return The smaller of two numbers. */
 static Quadruple quad_min(Quadruple a, Quadruple b) {
     return a < b ? a : b;
 }
@@ -199,8 +199,10 @@ static TangentPlane quad_tangent(const void *parameters, const Vec3qa *point) {
                         vec3qa_cross(vec3qa_from_doubles(q->u), vec3qa_from_doubles(q->v)), point);
 }
 
-/** @return A truth whose margin is no larger than the sine of the angle at which the ray meets the
- *  surface: where that is small, the last bit of a ray that was turned moves the point far. */
+/**
+ * @return A result with its margin limited by the sine of the angle between ray and surface. At a
+ *         small angle, rounding a rotated ray moves the hit point far.
+ */
 static ExpectedHit limit_grazing_margin(ExpectedHit expected, const RayQueryQuad *ray) {
     if (expected.is_hit) {
         Quadruple sine = quad_abs(
@@ -212,7 +214,7 @@ static ExpectedHit limit_grazing_margin(ExpectedHit expected, const RayQueryQuad
 
 /* --- disk and triangle ----------------------------------------------------------------------- */
 
-/** As the scene language says it. */
+/** The layout of the scene language. */
 typedef struct DiskSpec {
     double center[3]; /**< Centre. */
     double normal[3]; /**< The normal. */
@@ -237,13 +239,13 @@ static TangentPlane disk_tangent(const void *parameters, const Vec3qa *point) {
     return flat_tangent(vec3qa_from_doubles(d->center), vec3qa_from_doubles(d->normal), point);
 }
 
-/** As the scene language says it. */
+/** The layout of the scene language. */
 typedef struct TriangleSpec {
     double corners[3][3]; /**< The corners. */
-    double normals[3][3]; /**< The normals there. */
-    double uvs[3][2];     /**< The places there. */
-    bool is_smooth;       /**< Whether the normals count. */
-    bool has_uvs;         /**< Whether the places do. */
+    double normals[3][3]; /**< The vertex normals. */
+    double uvs[3][2];     /**< The vertex (u, v) coordinates. */
+    bool is_smooth;       /**< Whether #normals is used. */
+    bool has_uvs;         /**< Whether #uvs is used. */
 } TriangleSpec;
 
 /** @return See #ContractShape.expected_hit. */
@@ -274,30 +276,30 @@ static TangentPlane triangle_tangent(const void *parameters, const Vec3qa *point
 
 /* --- cylinder -------------------------------------------------------------------------------- */
 
-/** As the scene language says it. */
+/** The layout of the scene language. */
 typedef struct CylinderSpec {
     double base[3]; /**< Centre of one end. */
-    double top[3];  /**< Of the other. */
+    double top[3];  /**< Centre of the other end. */
     double radius;  /**< Radius. */
     bool capped;    /**< Whether the ends are closed. */
 } CylinderSpec;
 
 /** A crossing of a ray with the wall or an end of a cylinder. */
 typedef struct CylinderCandidate {
-    Quadruple t; /**< Where. */
+    Quadruple t; /**< Distance along the ray. */
     Quadruple
-        edge_distance; /**< How far inside the rim of that surface, in radii; negative: beside. */
+        edge_distance; /**< Distance inside the rim of that surface, in radii; negative: outside. */
     Vec3qa normal;     /**< The normal. */
 } CylinderCandidate;
 
-/** @return v without what of it runs along an axis. */
+/** @return The component of v perpendicular to an axis. */
 static Vec3qa reject_from_axis(Vec3qa v, Vec3qa axis) {
     Quadruple s = vec3qa_dot(v, axis);
     return vec3qa_subtract(
         v, (Vec3qa){{s * axis.component[0], s * axis.component[1], s * axis.component[2]}});
 }
 
-/** Takes a candidate if it is ahead, on the surface and the nearest so far. */
+/** Keeps a candidate that is ahead, on the surface and nearer than the previous ones. */
 static void keep_nearest(ExpectedHit *expected, const CylinderCandidate *candidate) {
     expected->edge_margin = quad_min(expected->edge_margin, quad_abs(candidate->edge_distance));
     if (candidate->t > 0 && candidate->edge_distance >= 0 &&
@@ -306,7 +308,7 @@ static void keep_nearest(ExpectedHit *expected, const CylinderCandidate *candida
     }
 }
 
-/** Considers both ends of a cylinder. @param length From base to top. */
+/** Adds the candidates of both ends of a cylinder. @param length From base to top. */
 static void keep_nearest_cap(const CylinderSpec *c, Vec3qa axis, Quadruple length,
                              const RayQueryQuad *ray, ExpectedHit *expected) {
     Vec3qa from_base =
@@ -325,7 +327,7 @@ static void keep_nearest_cap(const CylinderSpec *c, Vec3qa axis, Quadruple lengt
     }
 }
 
-/** @return See #ContractShape.expected_hit: the textbook's four surfaces, one after the other. */
+/** @return See #ContractShape.expected_hit: the nearest hit with the wall and the two ends. */
 static ExpectedHit cylinder_expected_hit(const void *parameters, const RayQueryQuad *ray) {
     const CylinderSpec *cylinder = parameters;
     Vec3qa way = vec3qa_subtract(vec3qa_from_doubles(cylinder->top),
@@ -338,7 +340,7 @@ static ExpectedHit cylinder_expected_hit(const void *parameters, const RayQueryQ
            whole = vec3qa_from_quads(ray->direction);
     Quadruple a = vec3qa_dot(d, d), b = vec3qa_dot(o, d), c = vec3qa_dot(o, o) - r * r,
               discriminant = b * b - a * c;
-    // A ray along the axis, or nearly, crosses the wall nowhere in particular.
+    // A ray nearly parallel to the axis has no defined hit with the wall.
     bool is_along = a <= vec3qa_dot(whole, whole) * (Quadruple)1e-50;
     ExpectedHit expected = {.edge_margin = is_along ? quad_abs(c) / (r * r)
                                                     : quad_abs(discriminant) / (a * r * r)};
@@ -373,7 +375,7 @@ static TangentPlane cylinder_tangent(const void *parameters, const Vec3qa *point
 
 /* --- box ------------------------------------------------------------------------------------- */
 
-/** As the scene language says it. */
+/** The layout of the scene language. */
 typedef struct BoxSpec {
     double low[3];  /**< Lowest corner. */
     double high[3]; /**< Highest corner. */
@@ -428,13 +430,13 @@ static TangentPlane box_tangent(const void *parameters, const Vec3qa *point) {
 
 /* --- transformed shapes ---------------------------------------------------------------------- */
 
-/** A matrix in quad precision, and where it moves things then. */
+/** A matrix in quad precision, and a translation applied after it. */
 typedef struct AffineMap {
     Vec3qa row[3];      /**< Rows of the matrix. */
-    Vec3qa translation; /**< The move. */
+    Vec3qa translation; /**< The translation. */
 } AffineMap;
 
-/** @return What a row is transformed by; nothing changes without. */
+/** @return The affine map of a shape; the identity without a transform. */
 static AffineMap affine_of_shape(const ContractShape *shape) {
     AffineMap affine = {{{{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}}, {{0, 0, 0}}};
     const Transform *t = shape->transform;
@@ -447,7 +449,7 @@ static AffineMap affine_of_shape(const ContractShape *shape) {
     return affine;
 }
 
-/** @return The vector that the matrix makes into another, by Cramer's rule. */
+/** @return The inverse matrix times a vector, by Cramer's rule. */
 static Vec3qa apply_inverse(const AffineMap *affine, Vec3qa v) {
     const Vec3qa *m = affine->row;
     Vec3qa x = vec3qa_cross(m[1], m[2]), y = vec3qa_cross(m[2], m[0]), z = vec3qa_cross(m[0], m[1]);
@@ -461,8 +463,10 @@ static Vec3qa apply_inverse(const AffineMap *affine, Vec3qa v) {
     return inverse;
 }
 
-/** @return A normal of the shape before it is transformed as one after it, and how far a plane one
- *  away is then: its length is the inverse of that. */
+/**
+ * @return A normal transformed by the inverse transpose. Its length is the inverse of the factor by
+ *         which distances from the plane are scaled.
+ */
 static Vec3qa transform_normal(const AffineMap *affine, Vec3qa n) {
     Vec3qa normal;
     for (int i = 0; i < 3; i++) {
@@ -472,7 +476,7 @@ static Vec3qa transform_normal(const AffineMap *affine, Vec3qa n) {
     return normal;
 }
 
-/** @return What quad precision says of a ray and a row. */
+/** @return The expected result for a ray and a shape with its transform. */
 static ExpectedHit contract_expected_hit(const ContractShape *shape, const RayQueryQuad *ray) {
     if (!shape->transform) {
         return shape->expected_hit(shape->parameters, ray);
@@ -489,7 +493,7 @@ static ExpectedHit contract_expected_hit(const ContractShape *shape, const RayQu
     return limit_grazing_margin(expected, ray);
 }
 
-/** @return How far a point is off a row's surface. */
+/** @return Distance of a point from a shape's surface. */
 static Quadruple surface_distance(const ContractShape *shape, const Vec3qa *point) {
     AffineMap affine = affine_of_shape(shape);
     Vec3qa inner = apply_inverse(&affine, vec3qa_subtract(*point, affine.translation));
@@ -498,7 +502,7 @@ static Quadruple surface_distance(const ContractShape *shape, const Vec3qa *poin
     return tangent.distance / quad_sqrt(vec3qa_dot(normal, normal));
 }
 
-/* --- the rows -------------------------------------------------------------------------------- */
+/* --- the shapes ------------------------------------------------------------------------------- */
 
 static const SphereSpec sphere_spec = {{0.5, -1.25, 2}, 1.5};
 static const PlaneSpec plane_spec = {{0.25, -1, 3}, {0.5, 2, -0.25}};
@@ -512,10 +516,10 @@ static const TriangleSpec triangle_spec = {
 static const SphereSpec small_sphere_spec = {{0.25, 0, 0}, 0.5};
 static const CylinderSpec upright_cylinder_spec = {{0, -1, 0}, {0, 1, 0}, 1, true};
 
-/** How near the marched row comes. */
+/** Tolerance of the sphere traced shape. */
 #define CONTRACT_TOLERANCE 0x1p-17
 
-// Numbers of a scene; #start fills in what follows from them.
+// Parameters of a scene; init_transforms() fills in the derived numbers.
 static Transform ellipsoid_transform = {
     .scale = {3, 1.5, 2}, .rotate = {20, -35, 50}, .translate = {0.5, -1, 2}};
 static Transform tilted_transform = {
@@ -525,7 +529,7 @@ static Transform squeezed_transform = {
 static Transform scaled_transform = {
     .scale = {2, 2, 2}, .rotate = {40, 0, 10}, .translate = {0, 1, 0}};
 
-/** Every shape class has a row; a test counts them. */
+/** Every shape class is in this table; a test checks that. */
 static const ContractShape contract_shapes[] = {
     {"sphere",
      "sphere",
@@ -618,7 +622,7 @@ static const ContractShape contract_shapes[] = {
      cylinder_expected_hit,
      cylinder_tangent,
      &squeezed_transform},
-    // A box of twelve triangles, and the same leaning.
+    // A box of twelve triangles, without and with a rotation.
     {"mesh",
      "mesh",
      &box_spec,
@@ -637,7 +641,7 @@ static const ContractShape contract_shapes[] = {
      box_expected_hit,
      box_tangent,
      &tilted_transform},
-    // A ball as a field, which is marched to.
+    // A sphere as a distance field.
     {"sdf",
      "sdf",
      &sphere_spec,
@@ -658,13 +662,12 @@ static const ContractShape contract_shapes[] = {
      &scaled_transform},
 };
 
-/** @return How far off a row's hits may be where they are found step by step; 0: they are solved.
- */
+/** @return The tolerance of a sphere traced shape; 0: hits are analytic. */
 static double tolerance_of(const ContractShape *shape) {
     return strcmp(shape->keyword, "sdf") == 0 ? CONTRACT_TOLERANCE : 0;
 }
 
-/** How many. */
+/** Number of shapes. */
 enum { CONTRACT_SHAPE_COUNT = sizeof contract_shapes / sizeof *contract_shapes };
 
 #endif

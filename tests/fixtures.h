@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief What tests of files share: a folder of their own, small files, pictures.
+ * @brief Shared helpers for tests of files: a temporary folder, small files, pictures.
  */
 #ifndef DIOPTRE_FIXTURES_H
 #define DIOPTRE_FIXTURES_H
@@ -16,13 +16,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/** Where tests work: a folder that is empty at first and gone at the end. */
+/** A temporary folder for a test: empty at first, removed at the end. */
 typedef struct Fixture {
     char folder[64];     /**< The folder. */
     char path[PATH_MAX]; /**< The newest path made by #fixture_path. */
 } Fixture;
 
-/** Makes the folder of a test or a group of tests. @return 0 if it was made. */
+/** Creates the temporary folder of a test or a group of tests. @return 0 on success. */
 static inline int fixture_set_up(void **state) {
     Fixture *fixture = calloc(1, sizeof *fixture);
     *state = fixture;
@@ -33,7 +33,7 @@ static inline int fixture_set_up(void **state) {
     return mkdtemp(fixture->folder) ? 0 : -1;
 }
 
-/** Removes one file or folder, for nftw. @return 0 if it was removed. */
+/** Removes one file or folder, for nftw. @return 0 on success. */
 static inline int remove_entry(const char *path, const struct stat *info, int type,
                                struct FTW *walk) {
     (void)info;
@@ -42,7 +42,7 @@ static inline int remove_entry(const char *path, const struct stat *info, int ty
     return remove(path);
 }
 
-/** Removes the folder with all that is in it. @return 0 if it is gone. */
+/** Removes the folder with its contents. @return 0 on success. */
 static inline int fixture_tear_down(void **state) {
     Fixture *fixture = *state;
     int failed = nftw(fixture->folder, remove_entry, 8, FTW_DEPTH | FTW_PHYS);
@@ -50,8 +50,10 @@ static inline int fixture_tear_down(void **state) {
     return failed;
 }
 
-/** Makes the path of a file in the folder. @return The path, until the next is made; owned by the
- *  fixture. */
+/**
+ * Makes the path of a file in the folder.
+ * @return The path, valid until the next call; owned by the fixture.
+ */
 static inline const char *fixture_path(void **state, const char *name) {
     Fixture *fixture = *state;
     snprintf(fixture->path, sizeof fixture->path, "%s/%s", fixture->folder, name);
@@ -66,7 +68,7 @@ static inline void write_file(const char *path, const void *bytes, size_t size) 
     assert_int_equal(fclose(stream), 0);
 }
 
-/** Makes a module of the program findable for a test, which lies one folder below the program. */
+/** Links a plugin of the program beside the test program, which lies one folder below. */
 static inline void symlink_plugin(const char *file) {
     char link[PATH_MAX], target[PATH_MAX];
     ssize_t length = readlink("/proc/self/exe", link, sizeof link - 1);
@@ -80,7 +82,7 @@ static inline void symlink_plugin(const char *file) {
     }
 }
 
-/** Makes a picture in which every byte is another. @return The picture. */
+/** Creates a picture of which all bytes differ. @return The picture; owned by the caller. */
 static inline Picture make_test_picture(int width, int height) {
     Picture picture;
     assert_true(picture_init(&picture, width, height, NULL));

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Scenes of glass whose light is known in closed form, at any size and place.
+ * @brief Scenes of glass with known light in closed form, at any scale and position.
  */
 #ifndef DIOPTRE_GLASS_SCENES_H
 #define DIOPTRE_GLASS_SCENES_H
@@ -10,21 +10,21 @@
 #include <math.h>
 #include <stdlib.h>
 
-/** How large a scene is, and where. */
+/** Scale and position of a scene. */
 typedef struct Placement {
-    double scale;  /**< Length of 1. */
-    double offset; /**< How far from the origin, in lengths of 1. */
+    double scale;  /**< Length of one scene unit. */
+    double offset; /**< Distance from the origin, in these units. */
 } Placement;
 
-/** The sizes and places of the acceptance list. */
+/** The placements of the acceptance list. */
 static const Placement placements[] = {{1, 0},     {1e-3, 0}, {1e3, 0},    {1, 100},  {1e-3, 100},
                                        {1e3, 100}, {1, 1e4},  {1e-3, 1e4}, {1e3, 1e4}};
-/** How many there are. */
+/** Number of placements. */
 enum { PLACEMENT_COUNT = sizeof placements / sizeof *placements };
 
 /**
- * @return A point of a world.
- * @param p  The point, were it at the origin and of size 1.
+ * @return A point of a placed scene.
+ * @param p  The point at scale 1 and offset 0.
  */
 static inline Vec3d placed_point(Placement placement, Vec3d p) {
     double w = placement.offset;
@@ -40,7 +40,7 @@ static inline SceneMaterial glass_material(double ior) {
     return material;
 }
 
-/** @return Something that only shines. */
+/** @return A material that only emits light. */
 static inline SceneMaterial emissive_material(Rgbd light) {
     SceneMaterial material = *(const SceneMaterial *)scene_material_keyword.defaults;
     material.color = (Rgbd){0, 0, 0};
@@ -48,7 +48,7 @@ static inline SceneMaterial emissive_material(Rgbd light) {
     return material;
 }
 
-/** Adds a material, that of the next shapes. */
+/** Adds a material; the next shapes use it. */
 static inline void use_material(Scene *scene, SceneMaterial material) {
     Error error = {0};
     assert_true(scene_add_material(scene, &material, &error));
@@ -73,7 +73,7 @@ static inline void add_placed_plane(Scene *scene, Placement placement, Vec3d poi
     add_shape(scene, "plane", &plane);
 }
 
-/** Adds a quad. @param v To the other next. */
+/** Adds a quad. @param v Its second edge. */
 static inline void add_placed_quad(Scene *scene, Placement placement, Vec3d corner, Vec3d u,
                                    Vec3d v) {
     QuadParameters quad = {placed_point(placement, corner), vec3d_scale(u, placement.scale),
@@ -81,7 +81,7 @@ static inline void add_placed_quad(Scene *scene, Placement placement, Vec3d corn
     add_shape(scene, "quad", &quad);
 }
 
-/** Turns the camera. @param direction Which way it looks. */
+/** Sets the camera. @param direction The direction of view. */
 static inline void set_camera(Scene *scene, Placement placement, Vec3d eye, Vec3d direction) {
     SceneCamera *camera = &scene->camera;
     camera->position = placed_point(placement, eye);
@@ -96,9 +96,9 @@ static inline void set_camera(Scene *scene, Placement placement, Vec3d eye, Vec3
 }
 
 /**
- * Fresnel's share in closed form, and the angle behind.
- * @return 1 where there is none.
- * @param sine  Of the angle of incidence.
+ * Fresnel reflectance in closed form.
+ * @return The reflectance; 1 at total internal reflection.
+ * @param sine  Sine of the angle of incidence.
  */
 static inline double fresnel_closed_form(Quadruple sine, double from, double to) {
     Quadruple s = sine, n = from, m = to;
@@ -111,13 +111,13 @@ static inline double fresnel_closed_form(Quadruple sine, double from, double to)
     return (double)((te * te + tm * tm) / 2);
 }
 
-/** How finely a picture is traced. */
+/** Settings of a trace. */
 typedef struct TraceLimits {
-    int depth;     /**< How often rays are mirrored or refracted. */
-    double cutoff; /**< Weight below which they end. */
+    int depth;     /**< Maximum number of reflections and refractions. */
+    double cutoff; /**< Throughput below which rays end. */
 } TraceLimits;
 
-/** Traces a picture. @return The rays. */
+/** Traces a picture. @return The number of rays. */
 static inline RayCounts trace_picture(const Engine *engine, const Scene *scene, TraceLimits limits,
                                       int width, int height, double *rgb) {
     Error error = {0};
@@ -134,8 +134,8 @@ static inline RayCounts trace_picture(const Engine *engine, const Scene *scene, 
 }
 
 /**
- * @return The light of the ray in the middle of the picture.
- * @param depth  How often it is mirrored or refracted.
+ * @return The radiance of the central ray of the picture.
+ * @param depth  Maximum number of reflections and refractions.
  */
 static inline double center_radiance(const Engine *engine, const Scene *scene, int depth) {
     double rgb[3];
@@ -143,7 +143,7 @@ static inline double center_radiance(const Engine *engine, const Scene *scene, i
     return rgb[0];
 }
 
-/** @return A picture's number in steps of 255 of the sRGB curve. */
+/** @return Linear light in 8-bit steps of the sRGB curve. */
 static inline double srgb_steps(double light) {
     double x = light < 0 ? 0 : light > 1 ? 1 : light;
     return 255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1 / 2.4) - 0.055);

@@ -1,6 +1,7 @@
 /**
  * @file
- * @brief What tests of lights share: adding them, and measuring what they give to a point.
+ * @brief Shared helpers for tests of lights: adding them, and measuring their irradiance at a
+ *        point.
  */
 #ifndef DIOPTRE_LIGHT_SAMPLES_H
 #define DIOPTRE_LIGHT_SAMPLES_H
@@ -25,7 +26,7 @@ static inline void add_light(Scene *scene, SceneLight light) {
     assert_true(scene_add_light(scene, &light, &error));
 }
 
-/** Aims a scene's camera so narrowly that all its rays meet the same point. */
+/** Points a scene's camera, with so narrow a field of view that all rays hit the same point. */
 static inline void aim_camera(Scene *scene, Vec3d from, Vec3d to) {
     Error error = {0};
     SceneCamera camera = *(const SceneCamera *)scene_camera_keyword.defaults;
@@ -36,16 +37,16 @@ static inline void aim_camera(Scene *scene, Vec3d from, Vec3d to) {
     scene->camera = camera;
 }
 
-/** What many pixels and samples of one point give. */
+/** Statistics of many pixels and samples of one point. */
 typedef struct LightStatistics {
     double mean; /**< Mean of the pixels. */
-    double rms;  /**< Of their differences from the truth. */
+    double rms;  /**< RMS of their differences from the expected value. */
 } LightStatistics;
 
-/** Pixels that look at the point, along a side. */
+/** Pixels per side of a picture of the point. */
 enum { PIXELS = 16 };
 
-/** @return What soft light gives to one point. */
+/** @return Statistics of a soft light at one point. */
 static inline LightStatistics sample_soft_light(const Engine *engine, const Scene *scene,
                                                 int samples, double truth) {
     double sums[PIXELS * PIXELS] = {0}, rgb[3 * PIXELS * PIXELS];

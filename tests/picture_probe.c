@@ -1,21 +1,21 @@
 /**
  * @file
- * @brief Says where in a picture something is: the middle, and the number, of pixels of a colour.
- *        tests/window.sh asks it which way the keys move things.
+ * @brief Finds the pixels of a colour in a picture: prints their centroid and number.
+ *        tests/window.sh uses it to test which way the keys move objects.
  */
 #include "assets/images/image_file.h"
 
 #include <stdio.h>
 #include <string.h>
 
-/** A range of colours, 0 to 255 a channel. */
+/** A range of colours, 0 to 255 per channel. */
 typedef struct ColorRange {
-    const char *name; /**< What to call it. */
+    const char *name; /**< Its name. */
     uint8_t low[3];   /**< Least red, green and blue. */
-    uint8_t high[3];  /**< Most red, green and blue. */
+    uint8_t high[3];  /**< Greatest red, green and blue. */
 } ColorRange;
 
-/** The colours that can be asked for, as they are in the box. */
+/** The available colours, from the scene of the box. */
 static const ColorRange ranges[] = {
     {.name = "yellow", .low = {200, 150, 0}, .high = {255, 255, 90}},   /* the leaning panel */
     {.name = "white", .low = {225, 190, 190}, .high = {255, 255, 255}}, /* the highlight */
@@ -31,7 +31,7 @@ static bool is_in(const uint8_t pixel[3], const ColorRange *range) {
     return true;
 }
 
-/** Prints the middle of the pixels of a range, x and y, and their number. */
+/** Prints the centroid of the pixels of a range, x and y, and their number. */
 static void print_middle(const Picture *picture, const ColorRange *range) {
     double x_sum = 0, y_sum = 0, count = 0;
     const uint8_t *pixel = picture->pixels;
@@ -47,8 +47,7 @@ static void print_middle(const Picture *picture, const ColorRange *range) {
     printf("%.3f %.3f %.0f\n", x_sum / count, y_sum / count, count);
 }
 
-/** The program: `picture_probe FILE COLOR`. @return 0, or 1 for a file or a colour that there is
- *  not. */
+/** The program: `picture_probe FILE COLOR`. @return 0, or 1 for an unknown file or colour. */
 int main(int argc, char **argv) {
     Picture picture = {0};
     Error error = {0};

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief What tests of pictures share: loading a scene, drawing it, comparing.
+ * @brief Shared helpers for tests of pictures: loading a scene, rendering it, comparing.
  */
 #ifndef DIOPTRE_PICTURES_H
 #define DIOPTRE_PICTURES_H
@@ -16,7 +16,7 @@
 /** Size of the test pictures: not a multiple of any block. */
 enum { WIDTH = 203, HEIGHT = 157 };
 
-/** @return A scene of this project, run. */
+/** @return A scene of this project, loaded. */
 static inline Scene *load_scene(const char *path) {
     Error error = {0};
     ScriptRequest request = {
@@ -50,7 +50,7 @@ static inline Renderer *create_renderer(const Scene *scene, const RenderSettings
     return renderer;
 }
 
-/** @return A picture drawn at once. */
+/** @return A picture rendered in one call. */
 static inline Picture draw_picture(const Scene *scene, const RenderSettings *settings) {
     Error error = {0};
     Picture picture;
@@ -62,7 +62,7 @@ static inline Picture draw_picture(const Scene *scene, const RenderSettings *set
     return picture;
 }
 
-/** Fails unless two pictures are the same, and gives the second back. */
+/** Fails unless two pictures are equal; frees the second. */
 static inline void assert_same_picture(const Picture *a, Picture b) {
     PictureComparison comparison = picture_compare(a, &b, NULL);
     assert_int_equal(comparison.max_difference, 0);
@@ -71,8 +71,8 @@ static inline void assert_same_picture(const Picture *a, Picture b) {
 }
 
 /**
- * Draws in the background until it is finished.
- * @param[out] passes  How many different passes were seen.
+ * Renders in the background until the picture is finished.
+ * @param[out] passes  Number of different passes seen.
  * @return The picture.
  */
 static inline Picture draw_in_background(Renderer *renderer, const Scene *scene, int *passes) {

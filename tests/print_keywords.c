@@ -2,14 +2,14 @@
  * @file
  * @brief Prints the keywords of the scene language as the tables of doc/scene-reference.md.
  *
- * Not a test by itself: tests/documentation.sh compares what this prints with the document. Whoever
- * adds a keyword pastes its table from here.
+ * This is not a test: tests/documentation.sh compares its output with the document. The table of a
+ * new keyword is pasted from it.
  */
 #include "dioptre/scene.h"
 
 #include <stdio.h>
 
-/** @return What a field of a type takes, for people. */
+/** @return The type of a field's values, for readers. */
 static const char *type_name(const Parameter *row) {
     static const char *const names[] = {[PARAMETER_NUMBER] = "number",
                                         [PARAMETER_INTEGER] = "whole number",
@@ -27,7 +27,7 @@ static const char *type_name(const Parameter *row) {
     return names[row->type];
 }
 
-/** Prints which values a field takes. */
+/** Prints the range of a field. */
 static void print_range(const Parameter *row) {
     if (row->type == PARAMETER_CHOICE) {
         for (int i = 0; row->choices[i]; i++) {
@@ -40,7 +40,7 @@ static void print_range(const Parameter *row) {
     }
 }
 
-/** Prints the value of a field. @param values The struct that it lies in. */
+/** Prints the default of a field. @param values The struct that contains it. */
 static void print_value(const Parameter *row, const void *values) {
     const void *field = (const char *)values + row->offset;
     const double *part = field;

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief What tests of scene files share: a shape of their own, and checks.
+ * @brief Shared helpers for tests of scene files: a test shape, and checks.
  */
 #ifndef DIOPTRE_SCENE_FILES_H
 #define DIOPTRE_SCENE_FILES_H
@@ -12,25 +12,25 @@
 /** Number of items of an array. */
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
-// --- a shape of our own, so that these tests do not hang on the tracer --------------------------
+// --- a test shape, so that these tests do not depend on the tracer -------------------------------
 
 /** A shape with a field of every type. */
 typedef struct TestBall {
     Vec3d center;    /**< A vector. */
     double radius;   /**< A number, above 0. */
     Vec3d axis;      /**< A direction. */
-    Rgbd tint;       /**< A colour, 0 to 1. */
+    Rgbd tint;       /**< A colour, each channel 0 to 1. */
     int rings;       /**< A whole number, 0 to 9. */
     bool is_hollow;  /**< A boolean. */
-    int finish;      /**< A word. */
-    double diameter; /**< Worked out from the radius. */
+    int finish;      /**< One of #finish_words. */
+    double diameter; /**< Derived from the radius. */
     Uvd uv;          /**< Two numbers. */
 } TestBall;
 
 /** Words of the field `finish`. */
 static const char *const finish_words[] = {"matt", "satin", "glossy", NULL};
 
-/** Fields of the shape; the first is row 0. */
+/** Fields of the shape; their index is the bit in Keyword::finish. */
 static const Parameter ball_parameters[] = {
     {.name = "center",
      .type = PARAMETER_POINT,
@@ -57,13 +57,16 @@ static const Parameter ball_parameters[] = {
     {.name = "spot", .type = PARAMETER_UV, .offset = offsetof(TestBall, uv), .maximum = 1},
     {0}};
 
-/** A ball as it is when nothing is said. */
+/** The default parameters. */
 static const TestBall ball_defaults = {.radius = 1, .axis = {0, 1, 0}, .tint = {1, 1, 1}};
 
-/** Bits of the rows that were given: hollow and rings. */
+/** Bits of the fields `rings` and `is_hollow`. */
 enum { HAS_RINGS = 1 << 4, HAS_HOLLOW = 1 << 5 };
 
-/** Works the diameter out; rings do not go with hollow. See #Keyword.finish. @return See there. */
+/**
+ * Computes the diameter; refuses rings on a hollow ball. See #Keyword.finish.
+ * @return false on error.
+ */
 static inline bool ball_finish(void *values, uint64_t given, Error *error) {
     TestBall *ball = values;
     ball->diameter = 2 * ball->radius;
@@ -73,28 +76,28 @@ static inline bool ball_finish(void *values, uint64_t given, Error *error) {
     return true;
 }
 
-/** A shape that these tests call sphere. */
+/** A shape class with the keyword `sphere`. */
 static const Keyword ball_keyword = {.name = "sphere",
                                      .parameters = ball_parameters,
                                      .size = sizeof(TestBall),
                                      .defaults = &ball_defaults,
                                      .finish = ball_finish};
-/** Another, to tell kinds apart. */
+/** A second shape class. */
 static const Keyword other_keyword = {.name = "plane",
                                       .parameters = ball_parameters,
                                       .size = sizeof(TestBall),
                                       .defaults = &ball_defaults};
-/** What the scenes of these tests can name. */
+/** The shape classes of these tests. */
 static const Keyword *const shapes[] = {&other_keyword, &ball_keyword, NULL};
 
-// --- the worker: this program itself, since no other knows these shapes --------------------------
+// --- the worker: this program itself, which alone has these shapes -------------------------------
 
 /** Runs the text of a scene. See #WorkerTask.run. */
 static void run_test_scene(WorkerJob *job) {
     script_worker_scene(job, shapes);
 }
 
-/** Acts as a worker where it is started as one; glibc calls it before main. */
+/** Runs as a worker if this process was started as one; glibc calls it before main. */
 __attribute__((constructor)) static void act_as_worker(int argc, char **argv) {
     static const WorkerTask tasks[] = {{SCRIPT_SCENE_TASK, run_test_scene}, {0}};
     if (worker_is_requested(argc, argv)) {
@@ -104,7 +107,7 @@ __attribute__((constructor)) static void act_as_worker(int argc, char **argv) {
 
 // --- helpers -------------------------------------------------------------------------------------
 
-/** Makes a folder, and the path of a scene file in it. @return 0 when it is there. */
+/** Creates a folder, and the path of a scene file in it. @return 0 on success. */
 static inline int scene_fixture_set_up(void **state) {
     bool is_made = fixture_set_up(state) == 0;
     if (is_made) {
@@ -118,7 +121,7 @@ static inline void write_text(const char *path, const char *text) {
     write_file(path, text, strlen(text));
 }
 
-/** @return What to ask for, with limits that are wide enough. */
+/** @return A request with sufficient limits. */
 static inline ScriptRequest script_request_for(const char *path) {
     return (ScriptRequest){.path = path,
                            .time_limit = SCRIPT_TIME_LIMIT,
@@ -127,7 +130,7 @@ static inline ScriptRequest script_request_for(const char *path) {
                            .worker = "/proc/self/exe"};
 }
 
-/** @return The scene of a text, which must be good. */
+/** @return The scene of a valid text. */
 static inline Scene *load_valid_scene(const Fixture *fixture, const char *text) {
     Error error = {0};
     write_text(fixture->path, text);
@@ -141,9 +144,9 @@ static inline Scene *load_valid_scene(const Fixture *fixture, const char *text) 
 }
 
 /**
- * Checks that a scene is refused.
- * @param location  How the message must begin.
- * @param words  What must be in it.
+ * Asserts that a scene is refused.
+ * @param location  Beginning of the message.
+ * @param words  A part of the message.
  */
 static inline void assert_scene_refused(const ScriptRequest *request, const char *location,
                                         const char *words) {
@@ -157,10 +160,10 @@ static inline void assert_scene_refused(const ScriptRequest *request, const char
 }
 
 /**
- * Checks that a text is refused.
- * @param fixture  Where to put it.
- * @param line  The line that must be named.
- * @param limits  Its seconds and memory count; NULL: wide enough.
+ * Asserts that a text is refused.
+ * @param fixture  Its folder.
+ * @param line  Line in the message.
+ * @param limits  Time and memory limits; NULL: sufficient ones.
  */
 static inline void assert_text_refused(const Fixture *fixture, const char *text, int line,
                                        const char *words, const ScriptRequest *limits) {
@@ -175,19 +178,19 @@ static inline void assert_text_refused(const Fixture *fixture, const char *text,
     assert_scene_refused(&request, location, words);
 }
 
-/** Checks a colour. */
+/** Asserts the channels of a colour. */
 static inline void assert_color(Rgbd c, double r, double g, double b) {
     assert_true(c.red == r && c.green == g && c.blue == b);
 }
 
-/** A wrong scene. */
+/** An invalid scene. */
 typedef struct InvalidScene {
     const char *text;    /**< The scene. */
-    int line;            /**< The line that is to blame. */
-    const char *message; /**< What must be said. */
+    int line;            /**< Expected line of the error. */
+    const char *message; /**< Expected message. */
 } InvalidScene;
 
-/** Each wrong text is refused with its line and the right words. */
+/** Asserts that each invalid text is refused with its line and message. */
 static inline void assert_all_refused(void **state, const InvalidScene *cases, size_t count) {
     for (size_t i = 0; i < count; i++) {
         assert_text_refused(*state, cases[i].text, cases[i].line, cases[i].message, NULL);

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Fields for tests, made as scene files make them.
+ * @brief Distance fields for tests, built as from scene files.
  */
 #ifndef TESTS_SDF_BUILDERS_H
 #define TESTS_SDF_BUILDERS_H
@@ -9,13 +9,16 @@
 
 #include <stdlib.h>
 
-/** @return Room for a field. */
+/** @return Memory for a field. */
 static inline Sdf *allocate_sdf(int steps) {
     return calloc(1, sdf_size(steps));
 }
 
-/** @return A field of one step. @param name Its keyword after the dot. @param values Its numbers;
- *  NULL: the defaults. */
+/**
+ * @return A field of one primitive.
+ * @param name  Its keyword after the dot.
+ * @param values  Its parameters; NULL: the defaults.
+ */
 static inline Sdf *make_sdf(const char *name, const void *values) {
     Sdf *field = allocate_sdf(1);
     for (size_t i = 0; sdf_primitives[i]; i++) {
@@ -28,7 +31,7 @@ static inline Sdf *make_sdf(const char *name, const void *values) {
     return field;
 }
 
-/** @return A field, moved, turned and scaled. */
+/** @return A transformed field. */
 static inline Sdf *transform_sdf(Sdf *field, Transform transform) {
     Error error = {0};
     Sdf *out = allocate_sdf(field->node_count + 1);
@@ -38,14 +41,14 @@ static inline Sdf *transform_sdf(Sdf *field, Transform transform) {
     return out;
 }
 
-/** @return A field, moved. */
+/** @return A translated field. */
 static inline Sdf *translate_sdf(Sdf *field, double x, double y, double z) {
     return transform_sdf(field, (Transform){.scale = {1, 1, 1}, .translate = {x, y, z}});
 }
 
 /**
- * @return Two fields in one.
- * @param radius  Of a smooth union.
+ * @return A combination of two fields.
+ * @param radius  Radius of a smooth union.
  */
 static inline Sdf *join_sdfs(SdfCombination join, Sdf *a, Sdf *b, double radius) {
     Error error = {0};
@@ -57,7 +60,7 @@ static inline Sdf *join_sdfs(SdfCombination join, Sdf *a, Sdf *b, double radius)
     return out;
 }
 
-/** @return A field, repeated. */
+/** @return A repeated field. */
 static inline Sdf *repeat_sdf(Sdf *field, SdfRepetition repeat) {
     Error error = {0};
     Sdf *out = allocate_sdf(field->node_count + 1);
@@ -68,7 +71,7 @@ static inline Sdf *repeat_sdf(Sdf *field, SdfRepetition repeat) {
     return out;
 }
 
-/** @return A field, rounded. */
+/** @return A rounded field. */
 static inline Sdf *round_sdf(Sdf *field, double radius) {
     Sdf *out = allocate_sdf(field->node_count + 1);
     sdf_round(out, field, radius);

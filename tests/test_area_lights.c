@@ -1,23 +1,22 @@
 /**
  * @file
- * @brief Rectangle and cylinder lights: what they give, against integrals by brute force; how they
- * are seen; that they block nothing.
+ * @brief Rectangle and cylinder lights: their irradiance against numerical integrals; their
+ *        visibility; they occlude nothing.
  */
 #include "light_samples.h"
 
 #include "scene/lights/cylinder_light.h"
 #include "scene/lights/rectangle_light.h"
 
-/* --- integrals by brute force ------------------------------------------------------------------
- */
+/* --- numerical integrals ---------------------------------------------------------------------- */
 
-/** Steps of an integral along each of its two directions. */
+/** Steps of an integral in each of its two directions. */
 enum { STEPS = 1200 };
 
-/** Steps of an interval, denser around a point: s = peak + width * sinh(x), x in equal steps. */
+/** Steps of an interval, denser near a point: s = peak + width * sinh(x), x in equal steps. */
 typedef struct Steps {
-    double at[STEPS];     /**< Middle of each. */
-    double length[STEPS]; /**< Length of each. */
+    double at[STEPS];     /**< Centre of each step. */
+    double length[STEPS]; /**< Length of each step. */
 } Steps;
 
 /** @return The steps of an interval. */
@@ -31,8 +30,11 @@ static Steps *steps_between(Steps *steps, double begin, double end, double peak,
     return steps;
 }
 
-/** @return What a piece of an emitter at a point gives to the origin, whose normal is y, for each
- *          unit of area and radiance. @param normal Of the emitter. */
+/**
+ * @return Irradiance at the origin, whose normal is y, from a piece of an emitter, per unit of area
+ *         and radiance.
+ * @param normal Normal of the emitter.
+ */
 static double piece_irradiance(const SceneLight *light, Vec3d point, Vec3d normal, bool two_sided) {
     double distance = vec3d_length(point), cosine = point.y / distance;
     double emitted = -vec3d_dot(point, normal) / distance;
@@ -41,7 +43,7 @@ static double piece_irradiance(const SceneLight *light, Vec3d point, Vec3d norma
     return fmax(0, cosine) * fmax(0, emitted) * falloff;
 }
 
-/** @return What a rectangle light of intensity 1 gives to the origin. */
+/** @return Irradiance at the origin from a rectangle light of intensity 1. */
 static double rectangle_irradiance(const SceneLight *light) {
     static Steps along_u, along_v;
     const RectangleLightFields *own = scene_light_own(light);
@@ -49,7 +51,7 @@ static double rectangle_irradiance(const SceneLight *light) {
     Vec3d normal = vec3d_normalize(cross), corner = light->position;
     double sine = vec3d_length(cross), sum = 0;
     double u_length = vec3d_length(own->u), v_length = vec3d_length(own->v);
-    // Where the foot of the origin lies, in lengths along u and v.
+    // Projection of the origin onto the rectangle's plane, in lengths along u and v.
     double height = fabs(vec3d_dot(corner, normal)), cosine = vec3d_dot(u, v);
     double at_u = -vec3d_dot(corner, u), at_v = -vec3d_dot(corner, v);
     double foot_v = (at_v - cosine * at_u) / (sine * sine);
@@ -69,7 +71,7 @@ static double rectangle_irradiance(const SceneLight *light) {
     return sum / (u_length * v_length * sine);
 }
 
-/** @return What the wall of a cylinder light of intensity 1 gives to the origin. */
+/** @return Irradiance at the origin from the wall of a cylinder light of intensity 1. */
 static double cylinder_irradiance(const SceneLight *light) {
     static Steps along, around;
     const CylinderLightFields *own = scene_light_own(light);
@@ -78,7 +80,7 @@ static double cylinder_irradiance(const SceneLight *light) {
     double foot = -vec3d_dot(light->position, axis);
     Vec3d to_axis = vec3d_add(light->position, vec3d_scale(axis, foot));
     double distance = vec3d_length(to_axis);
-    // On the axis any direction will do.
+    // On the axis, any direction is valid.
     Vec3d front = distance > 0 ? vec3d_scale(to_axis, -1 / distance)
                                : vec3d_normalize(vec3d_cross(axis, (Vec3d){0.3, 0.5, 0.7}));
     Vec3d side = vec3d_cross(axis, front);
@@ -98,24 +100,23 @@ static double cylinder_irradiance(const SceneLight *light) {
     return sum / (2 * radius * length);
 }
 
-/* --- what they give ----------------------------------------------------------------------------
- */
+/* --- irradiance ------------------------------------------------------------------------------- */
 
-/** Largest standard deviation of the mean of 64 samples, relative to the truth. */
+/** Largest standard deviation of the mean of 64 samples, relative to the integral. */
 #define AREA_LIGHT_NOISE 0.02
 
-/** A light and the origin, which it lights. The floor's normal is y. */
+/** A light, and the origin as the lit point. The floor's normal is y. */
 typedef struct AreaLightCase {
-    const char *name; /**< Why it is here. */
-    Vec3d position;   /**< Corner, or base. */
-    Vec3d u;          /**< Edge; of a cylinder: from base to top. */
-    Vec3d v;          /**< Other edge. */
-    double radius;    /**< Of a cylinder; 0: a rectangle. */
+    const char *name; /**< Its property. */
+    Vec3d position;   /**< Corner of a rectangle, or base of a cylinder. */
+    Vec3d u;          /**< Edge of a rectangle; of a cylinder: from base to top. */
+    Vec3d v;          /**< Second edge of a rectangle. */
+    double radius;    /**< Radius of a cylinder; 0: a rectangle. */
     bool two_sided;   /**< See #RectangleLightFields. */
     int falloff;      /**< A #Falloff. */
 } AreaLightCase;
 
-/** The cases, good and bad ones. u x v is the side that glows. */
+/** The cases, easy and hard. The emitting side of a rectangle is that of u x v. */
 static const AreaLightCase area_light_cases[] = {
     {"over it", {-0.5, 2, -0.5}, {1, 0, 0}, {0, 0, 1}, 0, false, FALLOFF_INVERSE_SQUARE},
     {"over it, no falloff", {-0.5, 2, -0.5}, {1, 0, 0}, {0, 0, 1}, 0, false, FALLOFF_NONE},
@@ -165,7 +166,7 @@ static SceneLight light_of_case(const AreaLightCase *test) {
     return light;
 }
 
-/** @return A floor that the camera looks at from so near that no light is between. */
+/** @return A floor, with a camera so near to it that no light is between them. */
 static Scene *floor_scene(const SceneLight *light) {
     Scene *scene = create_empty_scene();
     aim_camera(scene, (Vec3d){-2e-7, 3e-7, 1e-7}, (Vec3d){0, 0, 0});
@@ -174,8 +175,10 @@ static Scene *floor_scene(const SceneLight *light) {
     return scene;
 }
 
-/** The mean of many samples is the integral, to five standard errors and the roundings; the noise
- *  of 64 samples is small. */
+/**
+ * The mean of many samples equals the integral, within five standard errors and rounding errors.
+ * The noise of 64 samples is low.
+ */
 static void test_integrals(void **state) {
     (void)state;
     for (size_t i = 0; i < sizeof area_light_cases / sizeof *area_light_cases; i++) {
@@ -202,14 +205,16 @@ static void test_integrals(void **state) {
     }
 }
 
-/** Far away, and from the middle with one sample, they are point lights, times the cosine or sine
- *  at the emitter. */
+/**
+ * Far away, and with one sample at the centre, area lights equal point lights, times the cosine or
+ * sine at the emitter.
+ */
 static void check_far_and_center(const Engine *engine) {
     for (int i = 0; i < 4; i++) {
         double rgb[3];
         AreaLightCase test = {"", {-0.5, 8, 5.5}, {1, 0, 0}, {0, 0, 1}, 0, 0, 1};
         Vec3d middle = {0, 8, 6};
-        // Of a tube the sine to the axis, which is along x: 1.
+        // For a cylinder: sine of the angle to the axis, which is along x: 1.
         double cosine = 0.8, truth;
         if (i % 2) {
             test.position = (Vec3d){-0.5, 8, 6};
@@ -237,8 +242,10 @@ static void test_far_and_center(void **state) {
     for_every_engine(check_far_and_center);
 }
 
-/** In a light, on it and next to it, and of the strongest lights, no light is infinite, not a
- * number or more than next to all of it. */
+/**
+ * At points in a light, on it and near it, even for the strongest lights, colours are finite. None
+ * exceeds the colour right beside the light.
+ */
 static void check_finite(const Engine *engine) {
     for (int i = 0; i < 24; i++) {
         double height = (double[]){0, 1e-30, 1e-12, 1e-6, 1e-3, 0.1}[i % 6];
@@ -272,8 +279,10 @@ static void test_finite(void **state) {
 /* --- shadows ------------------------------------------------------------------------------------
  */
 
-/** A ceiling in the plane of a rectangle, shapes in a tube and other lights are not in the way;
- *  a shape before the light is. */
+/**
+ * Shadows ignore a ceiling in the plane of a rectangle, shapes in a cylinder light and other
+ * lights. A shape in front of the light casts a shadow.
+ */
 static void check_shadows(const Engine *engine) {
     for (int i = 0; i < 8; i++) {
         bool is_tube = i % 2, is_soft = i / 2 % 2, is_hidden = i / 4;
@@ -316,11 +325,12 @@ static void test_shadows(void **state) {
     for_every_engine(check_shadows);
 }
 
-/* --- how they are seen --------------------------------------------------------------------------
- */
+/* --- visibility ------------------------------------------------------------------------------- */
 
-/** They are seen in their colour, by the camera and in a mirror; a rectangle of one side is not
- *  seen from behind; a shape before them hides them; a move is seen. */
+/**
+ * Lights are visible in their colour, directly and in a mirror. A one-sided rectangle is invisible
+ * from behind; shapes occlude it; moves are visible.
+ */
 static void check_visible(const Engine *engine) {
     for (int i = 0; i < 3; i++) {
         double rgb[3];
@@ -339,7 +349,7 @@ static void check_visible(const Engine *engine) {
         aim_camera(scene, (Vec3d){0, 0, -10}, (Vec3d){0, 0, -5});
         trace_pixel(engine, scene, rgb);
         assert_true(rgb[0] == (i == 0 ? 0 : 0.5));
-        // A mirror behind the camera, half as bright.
+        // A mirror behind the camera, which reflects half of the light.
         aim_camera(scene, (Vec3d){0, 0, 0}, (Vec3d){0, 0, 5});
         add_shape(scene, "plane", &(PlaneParameters){{0, 0, 4}, {0, 0, 1}});
         scene->materials[0].reflectivity = (Rgbd){0.5, 0.5, 0.5};
@@ -359,8 +369,10 @@ static void test_visible(void **state) {
     for_every_engine(check_visible);
 }
 
-/** All points of a light move, and are copied to another of its class only; the middle is between
- *  them. */
+/**
+ * All points of a light move. Positions are copied only to a light of the same class. The reference
+ * point is the centre.
+ */
 static void test_moves(void **state) {
     (void)state;
     SceneLight tube = light_of_kind("cylinder_light"), other = tube, sun = light_of_kind("sun");
@@ -384,7 +396,7 @@ static void test_moves(void **state) {
     assert_int_equal(scene_light_outline(&sun, outline), 0);
 }
 
-/** @return A scene with both lights, a mirror, and edges. */
+/** @return A scene with both kinds of lights, a mirror, and edges. */
 static Scene *area_light_scene(void) {
     Scene *scene = create_empty_scene();
     scene->camera.position = (Vec3d){0, 0, 4};
@@ -400,7 +412,7 @@ static Scene *area_light_scene(void) {
     return scene;
 }
 
-/** Pictures are the same bits with any number of lanes and threads. */
+/** Pictures are bitwise equal for any number of lanes and threads. */
 static void test_same_bits(void **state) {
     (void)state;
     Scene *scene = area_light_scene();

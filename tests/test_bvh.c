@@ -1,34 +1,34 @@
 /**
  * @file
- * @brief The tree changes the time and not one bit of the answer.
+ * @brief The BVH does not change any bit of the results.
  *
- * Scenes with a tree are compared, bit by bit, with the same things without: then an engine of one
- * lane asks every one itself. Packets, single rays and every width must agree; ties and closed
- * meshes have answers that are known.
+ * Scenes with a BVH are compared bitwise with a reference: an engine of one lane that tests every
+ * shape without a BVH. Packets, single rays and all widths must agree. Coincident surfaces and
+ * closed meshes have known results.
  */
 #include "bvh_queries.h"
 
-/* --- tree against brute force ---------------------------------------------------------------- */
+/* --- BVH against brute force ------------------------------------------------------------------ */
 
-/** Names of the kinds. */
+/** Names of the distributions of rays. */
 static const char *const ray_kinds[] = {"coherent rays",  "random rays",    "rays along an axis",
                                         "rays in a face", "rays from afar", "rays from a surface"};
 
-/** Things that are asked with a tree and without. */
+/** Shapes that are tested with a BVH and without. */
 typedef struct ThingSet {
-    const char *name;                    /**< For the messages. */
-    size_t count;                        /**< How many things. */
-    const TriangleSoup *mesh;            /**< They are the triangles of this mesh; NULL: shapes. */
-    void (*add)(Scene *scene, size_t i); /**< Adds shape i, always the same. */
+    const char *name;                    /**< Name in messages. */
+    size_t count;                        /**< Number of shapes or triangles. */
+    const TriangleSoup *mesh;            /**< The mesh whose triangles are tested; NULL: shapes. */
+    void (*add)(Scene *scene, size_t i); /**< Adds shape i, the same in each call. */
 } ThingSet;
 
-/** @return A corner on whose coordinates other faces lie, too. */
+/** @return A corner whose coordinates other faces share. */
 static Vec3d corner_in_scene(uint64_t *state) {
     return (Vec3d){random_face_coordinate(state), random_face_coordinate(state),
                    random_face_coordinate(state)};
 }
 
-/** Turns, stretches and moves the newest shape. */
+/** Rotates, scales and moves the newest shape. */
 static void transform_last_shape(Scene *scene, uint64_t *state) {
     Error error = {0};
     Transform how = {{random_float(state, 0.2, 0.6), -random_float(state, 0.2, 0.4), 0.25},
@@ -39,7 +39,7 @@ static void transform_last_shape(Scene *scene, uint64_t *state) {
     assert_true(scene_set_last_transform(scene, &how, &error));
 }
 
-/** Adds a small closed mesh, half of them transformed. */
+/** Adds a small closed mesh; half of these meshes are transformed. */
 static void add_sphere_mesh(Scene *scene, size_t i, uint64_t *state) {
     TriangleSoup sphere_soup = icosphere_triangles(1);
     Vec3d move = point_in_scene(state);
@@ -54,7 +54,7 @@ static void add_sphere_mesh(Scene *scene, size_t i, uint64_t *state) {
     triangle_soup_destroy(&sphere_soup);
 }
 
-/** Adds one of many different shapes. @param i Which; always the same. */
+/** Adds one of many different shapes. @param i Its index; determines the shape. */
 static void add_varied_shape(Scene *scene, size_t i) {
     uint64_t seed = i + 1, *state = &seed;
     Vec3d at = point_in_scene(state), corner = corner_in_scene(state);
@@ -65,8 +65,8 @@ static void add_varied_shape(Scene *scene, size_t i) {
     CylinderParameters disk_or_tube = {at, vec3d_add(at, corner), 0.125, i % 3};
     TriangleParameters face = {.corners = {at, corner, point_in_scene(state)}};
     struct {
-        Vec3d center, normal; /**< As the scene language says a disk. */
-        double radius;        /**< The same. */
+        Vec3d center, normal; /**< Disk parameters in the layout of the scene language. */
+        double radius;        /**< Radius. */
     } disk = {at, {0, i % 2 ? 1 : 0, 1}, 0.3};
     PlaneParameters ground = {{0, -1.75, 0}, {0, 1, 0}};
     const char *const names[] = {"sphere", "box", "quad", "disk", "cylinder", "triangle", "sphere"};
@@ -84,8 +84,11 @@ static void add_varied_shape(Scene *scene, size_t i) {
     }
 }
 
-/** Adds a rectangle that lies in the same plane as all others, as a quad or a mesh: they cover each
- *  other, at equal distances. @param i Which; always the same. */
+/**
+ * Adds a rectangle in the same plane as all others, as a quad or a mesh: they overlap at equal
+ * distances.
+ * @param i Its index; determines the rectangle.
+ */
 static void add_coplanar_rectangle(Scene *scene, size_t i) {
     uint64_t state = i + 1;
     Vec3d corner = {random_face_coordinate(&state), 0, random_face_coordinate(&state)};
@@ -105,7 +108,7 @@ static void add_coplanar_rectangle(Scene *scene, size_t i) {
     triangle_soup_destroy(&grid);
 }
 
-/** @return A world's things, each a shape of its own, to be given back. */
+/** @return A scene with each shape or triangle as a separate shape, to be destroyed. */
 static Scene *separate_scene(const ThingSet *things) {
     Scene *scene = create_empty_scene();
     for (size_t i = 0; i < things->count; i++) {
@@ -122,7 +125,7 @@ static Scene *separate_scene(const ThingSet *things) {
     return scene;
 }
 
-/** @return A world as it is asked with a tree, to be given back: triangles are one mesh. */
+/** @return The scene for the BVH, to be destroyed: triangles are one mesh. */
 static Scene *combined_scene(const ThingSet *things) {
     if (!things->mesh) {
         return separate_scene(things);
@@ -133,10 +136,10 @@ static Scene *combined_scene(const ThingSet *things) {
 }
 
 /**
- * Asks each of a world's things.
+ * Tests every shape.
  * @param engine  An engine of one lane.
- * @param tracer  The things apart, without a tree.
- * @param[out] answers  What must be said of all together.
+ * @param tracer  The separate shapes, without a BVH.
+ * @param[out] answers  The expected results.
  */
 static void query_each_shape(const Engine *engine, const Tracer *tracer, const ThingSet *things,
                              int count, const RayQueryQuad *rays, RayResult *answers) {
@@ -150,9 +153,9 @@ static void query_each_shape(const Engine *engine, const Tracer *tracer, const T
 }
 
 /**
- * Compares a world in every engine of a number type with its things, each asked by itself.
+ * Compares every engine of a number type with a brute-force test of all shapes.
  * @param reference  The engine of one lane.
- * @param batches  Batches of rays of each kind, in float.
+ * @param batches  Batches of rays per distribution, in float.
  */
 static void compare_bvh_with_list(const Engine *reference, const ThingSet *things, int batches) {
     Scene *together = combined_scene(things), *apart = separate_scene(things);
@@ -176,7 +179,7 @@ static void compare_bvh_with_list(const Engine *reference, const ThingSet *thing
         }
         assert_engines_agree(reference, what, tracers, count, rays, wanted);
     }
-    // Rays that meet nothing would prove nothing.
+    // A test without hits would prove nothing.
     assert_true(hits > (long)count * RAY_KINDS / 8);
     reference->destroy(list);
     destroy_tracers(tracers);
@@ -186,22 +189,29 @@ static void compare_bvh_with_list(const Engine *reference, const ThingSet *thing
     free(wanted);
 }
 
-/** Shapes of all kinds, transformed ones and meshes among them: the tree against a list.
- *  @param reference The engine of one lane. */
+/**
+ * Shapes of all kinds, with transformed ones and meshes: the BVH against a list.
+ * @param reference  The engine of one lane.
+ */
 static void check_shapes(const Engine *reference) {
     const ThingSet things = {"many shapes", 66, NULL, add_varied_shape};
     compare_bvh_with_list(reference, &things, 10);
 }
 
-/** Many shapes in one plane: where distances are equal, the first shape is met, although boxes are
- *  reached in any order. @param reference The engine of one lane. */
+/**
+ * Many shapes in one plane: at equal distances the first shape is hit, whatever the order of
+ * traversal.
+ * @param reference  The engine of one lane.
+ */
 static void check_coplanar(const Engine *reference) {
     const ThingSet things = {"a plane of shapes", 66, NULL, add_coplanar_rectangle};
     compare_bvh_with_list(reference, &things, 3);
 }
 
-/** @return A mesh with everything in it: loose triangles, a ball, flat grids; to be given back.
- *  @param loose How many loose triangles. */
+/**
+ * @return Mixed triangles: loose ones, a sphere and flat grids; to be destroyed.
+ * @param loose  Number of loose triangles.
+ */
 static TriangleSoup mixed_triangles(size_t loose) {
     uint64_t state = 3;
     TriangleSoup parts[] = {triangle_soup_create(loose), icosphere_triangles(0),
@@ -228,8 +238,10 @@ static TriangleSoup mixed_triangles(size_t loose) {
     return all;
 }
 
-/** The triangles of meshes, few and many: the mesh against each triangle by itself.
- *  @param reference The engine of one lane. */
+/**
+ * Small and large meshes: the mesh against its separate triangles.
+ * @param reference  The engine of one lane.
+ */
 static void check_meshes(const Engine *reference) {
     TriangleSoup few = mixed_triangles(2), many = mixed_triangles(140);
     const ThingSet worlds[] = {{"a small mesh", few.triangle_count, &few, NULL},
@@ -240,10 +252,12 @@ static void check_meshes(const Engine *reference) {
     triangle_soup_destroy(&many);
 }
 
-/* --- ties ------------------------------------------------------------------------------------ */
+/* --- coincident surfaces ---------------------------------------------------------------------- */
 
-/** Asks scenes whose surfaces coincide: all engines say the same, and the first shape is met.
- *  @param reference The engine of one lane. */
+/**
+ * Tests scenes of coincident surfaces: all engines agree, and the first shape is hit.
+ * @param reference  The engine of one lane.
+ */
 static void check_ties(const Engine *reference, const char *what, const Scene *scene) {
     Tracer *tracers[ENGINES_MAXIMUM];
     create_tracers(reference, scene, tracers);
@@ -261,7 +275,7 @@ static void check_ties(const Engine *reference, const char *what, const Scene *s
         fill_rays(kind, &state, rays, count, reference, tracers[one]);
         reference->intersect(tracers[one], (size_t)count, rays, wanted);
         for (int i = 0; i < count; i++) {
-            // From afar, the outlines of surfaces that are cut differently are not the same.
+            // From far away, the silhouettes of different triangulations differ by rounding.
             assert_true(wanted[i].shape <= 0 || kind == RAYS_FAR);
             assert_true(wanted[i].occluded == (wanted[i].shape >= 0));
             met += wanted[i].shape == 0;
@@ -274,8 +288,11 @@ static void check_ties(const Engine *reference, const char *what, const Scene *s
     free(wanted);
 }
 
-/** Three flat grids in one plane, of 4, 8 and 16 cells a side: the distances are equal, the boxes
- *  are not (research/bvh.md, pitfalls). @param reference The engine of one lane. */
+/**
+ * Three flat grids in one plane, of 4, 8 and 16 cells per side. Distances are equal, boxes are not
+ * (research/bvh.md, pitfalls).
+ * @param reference  The engine of one lane.
+ */
 static void check_coplanar_grids(const Engine *reference) {
     for (int axis = 0; axis < 3; axis++) {
         Scene *scene = create_empty_scene();
@@ -289,8 +306,10 @@ static void check_coplanar_grids(const Engine *reference) {
     }
 }
 
-/** Everything three times, as meshes and, with a tree over them, as many. @param reference The
- * engine of one lane. */
+/**
+ * Each surface three times: as meshes, and as so many that they get a BVH.
+ * @param reference  The engine of one lane.
+ */
 static void check_repeated_meshes(const Engine *reference) {
     TriangleSoup sphere_soup = icosphere_triangles(2);
     for (int times = 3; times <= 24; times += 21) {
@@ -304,8 +323,10 @@ static void check_repeated_meshes(const Engine *reference) {
     triangle_soup_destroy(&sphere_soup);
 }
 
-/** @return A grid across y, each triangle twice, once turned over; to be given back. Of the two,
- *  the first faces up where the sum of the cell's places is even. */
+/**
+ * @return A grid perpendicular to y, each triangle in both orientations; to be destroyed. The first
+ *         of the two faces up where the sum of the cell's indices is even.
+ */
 static TriangleSoup two_sided_grid_triangles(size_t cells) {
     TriangleSoup once = grid_triangles(1, 0, cells),
                  twice = triangle_soup_create(2 * once.triangle_count);
@@ -313,7 +334,7 @@ static TriangleSoup two_sided_grid_triangles(size_t cells) {
         size_t cell = i / 2, far = twice.triangle_count - 1 - i;
         bool is_up = (cell % cells + cell / cells) % 2 == 0;
         for (size_t k = 0; k < 3; k++) {
-            // The same first corner, so that the planes are the same to the last bit.
+            // The first vertex is the same, so that the planes are bitwise equal.
             size_t up = k, down = (3 - k) % 3;
             twice.positions[3 * i + (is_up ? up : down)] = triangle_soup_vertex(&once, i, k);
             twice.positions[3 * far + (is_up ? down : up)] = triangle_soup_vertex(&once, i, k);
@@ -323,7 +344,7 @@ static TriangleSoup two_sided_grid_triangles(size_t cells) {
     return twice;
 }
 
-/** Of triangles that coincide within a mesh, the first is met: its normal says which. */
+/** Of coincident triangles within a mesh, the first is hit: its normal shows which. */
 static void check_first_triangle(const Engine *engine) {
     enum { CELLS = 16 };
     TriangleSoup grid = two_sided_grid_triangles(CELLS);
@@ -335,7 +356,7 @@ static void check_first_triangle(const Engine *engine) {
         RayQueryQuad rays[RAYS_PER_QUERY];
         RayResult answers[RAYS_PER_QUERY];
         fill_coherent(&state, rays, 2 * SCENE_REACH);
-        // All of a packet at once, or one by one.
+        // As one packet, or singly.
         for (int i = 0; i < RAYS_PER_QUERY; i += n % 2 ? 1 : RAYS_PER_QUERY) {
             engine->intersect(tracer, n % 2 ? 1 : RAYS_PER_QUERY, &rays[i], &answers[i]);
         }
@@ -356,10 +377,12 @@ static void check_first_triangle(const Engine *engine) {
 
 /* --- closed meshes --------------------------------------------------------------------------- */
 
-/** Half ulps that a normal's length may be off. */
+/** Tolerance of a normal's length, half ulps. */
 #define NORMAL_ERROR 4
 
-/** Checks a normal's length and side. @param outwards 1: the ray leaves the mesh; -1: it enters it.
+/**
+ * Checks the length and the side of a normal.
+ * @param outwards 1: the ray leaves the mesh; -1: it enters it.
  */
 static void assert_normal(const Engine *engine, const RayQueryQuad *ray, const RayResult *answer,
                           int outwards) {
@@ -376,8 +399,10 @@ static void assert_normal(const Engine *engine, const RayQueryQuad *ray, const R
     }
 }
 
-/** Aims a packet from inside a mesh at the corner of a face and at its edges. @param at_corner
- *  Whether at the corner alone. */
+/**
+ * Points a packet from inside a mesh at a vertex of a face and at its edges.
+ * @param at_corner Whether all rays go to the vertex.
+ */
 static void fill_edges(const TriangleSoup *mesh, uint64_t *state, bool at_corner,
                        RayQueryQuad *rays) {
     double middle[3];
@@ -394,7 +419,7 @@ static void fill_edges(const TriangleSoup *mesh, uint64_t *state, bool at_corner
     }
 }
 
-/** @return Rays to aim at the edges of one mesh. */
+/** @return Number of rays at the edges of one mesh. */
 static long edge_rays(const Engine *engine) {
     return (engine->mantissa_bits > 64 ? 4000
             : engine->lanes == 1       ? 50000
@@ -402,8 +427,9 @@ static long edge_rays(const Engine *engine) {
            WORKLOAD_DIVISOR;
 }
 
-/** From inside a closed mesh, rays aimed at its edges and corners: not one gets out, and normals
- *  are good. */
+/**
+ * From inside a closed mesh, every ray to its edges and vertices hits it, and normals are valid.
+ */
 static void check_edges(const Engine *engine, const TriangleSoup *mesh, int normals) {
     Scene *scene = create_empty_scene();
     add_triangle_soup(scene, mesh, normals);
@@ -439,8 +465,10 @@ static void check_closed_meshes(const Engine *engine) {
     }
 }
 
-/** Rays that meet a smooth mesh near its outline: no normal is seen from behind, although some of
- *  those at the corners are. */
+/**
+ * Rays that hit a smooth mesh near its silhouette: no interpolated normal points away from the
+ * viewer, although some vertex normals do.
+ */
 static void check_outline_normals(const Engine *engine) {
     TriangleSoup mesh = icosphere_triangles(1);
     Scene *scene = create_empty_scene();
@@ -467,15 +495,15 @@ static void check_outline_normals(const Engine *engine) {
     triangle_soup_destroy(&mesh);
 }
 
-/* --- shadows, boxes, instances --------------------------------------------------------------- */
+/* --- shadows, bounding boxes, instances ------------------------------------------------------- */
 
-/** Pixels a side of the pictures. */
+/** Pixels per side of the pictures. */
 enum { SIDE = 48 };
 
 /**
- * Draws a scene.
- * @param bvh_use  Whether its shapes get a tree.
- * @return The rays that it took.
+ * Traces a picture of a scene.
+ * @param bvh_use  Whether its shapes get a BVH.
+ * @return The number of rays.
  */
 static RayCounts draw_scene(const Engine *engine, const Scene *scene, BvhMode bvh_use,
                             double rgb[3 * SIDE * SIDE]) {
@@ -488,7 +516,7 @@ static RayCounts draw_scene(const Engine *engine, const Scene *scene, BvhMode bv
     return counts;
 }
 
-/** Adds a lamp. */
+/** Adds a point light. */
 static void add_point_light(Scene *scene, Vec3d position) {
     Error error = {0};
     SceneLight light = *(const SceneLight *)scene_light_keyword.defaults;
@@ -496,7 +524,7 @@ static void add_point_light(Scene *scene, Vec3d position) {
     assert_true(scene_add_light(scene, &light, &error));
 }
 
-/** @return Shapes that mirror, with two lamps among them; to be given back. */
+/** @return Reflective shapes with two lights among them; to be destroyed. */
 static Scene *lit_scene(void) {
     Error error = {0};
     Scene *scene = create_empty_scene();
@@ -512,8 +540,10 @@ static Scene *lit_scene(void) {
     return scene;
 }
 
-/** A picture with mirrors and shadows is the same, bit by bit, with a tree and without: also for
- *  shadow rays, which end at a lamp. */
+/**
+ * A picture with reflections and shadows is bitwise equal with a BVH and without. This covers
+ * shadow rays, which end at a light.
+ */
 static void check_same_pictures(const Engine *engine) {
     Scene *scene = lit_scene();
     static double list[3 * SIDE * SIDE], tree[3 * SIDE * SIDE];
@@ -525,8 +555,7 @@ static void check_same_pictures(const Engine *engine) {
     scene_destroy(scene);
 }
 
-/** Inside a closed mesh, transformed, everything is lit by a lamp inside and dark by one outside.
- */
+/** Inside a closed, transformed mesh, a light inside lights everything, and one outside nothing. */
 static void check_shadow_distance(const Engine *engine) {
     Error error = {0};
     static double rgb[3 * SIDE * SIDE];
@@ -551,7 +580,7 @@ static void check_shadow_distance(const Engine *engine) {
     triangle_soup_destroy(&mesh);
 }
 
-/** The box of all shapes holds all that is met, and is no larger than it must be. */
+/** The bounding box of all shapes contains all hits, and is not larger than necessary. */
 static void check_bounds(const Engine *engine) {
     TriangleSoup sphere_soup = icosphere_triangles(2);
     for (int many = 0; many < 2; many++) {
@@ -571,7 +600,7 @@ static void check_bounds(const Engine *engine) {
         const double got[] = {low.x, low.y, low.z, high.x, high.y, high.z};
         double wanted[] = {8, 16, 29, 12, 24, 31}, room = 1e-4;
         for (size_t i = 0; i < sphere_soup.position_count; i++) {
-            // The mesh is a little smaller than the sphere around it.
+            // The mesh is slightly smaller than its circumscribed sphere.
             wanted[0] = fmin(i == 0 ? 99 : wanted[0], sphere_soup.positions[i].x + 10);
             wanted[3] = fmax(i == 0 ? -99 : wanted[3], sphere_soup.positions[i].x + 10);
             wanted[1] = fmin(i == 0 ? 99 : wanted[1], 2 * sphere_soup.positions[i].y + 20);
@@ -590,8 +619,10 @@ static void check_bounds(const Engine *engine) {
     triangle_soup_destroy(&sphere_soup);
 }
 
-/** Two shapes of the same file, one of them twice as large and elsewhere: each is met where the
- *  same triangles would be, made so by hand. */
+/**
+ * Two shapes of the same mesh file, one of them scaled and moved: hits equal those of explicitly
+ * transformed triangles.
+ */
 static void check_instances(const Engine *engine) {
     Error error = {0};
     TriangleSoup sphere_soup = icosphere_triangles(2);
@@ -635,7 +666,7 @@ static void check_instances(const Engine *engine) {
     triangle_soup_destroy(&sphere_soup);
 }
 
-/* --- all of them ----------------------------------------------------------------------------- */
+/* --- test cases ------------------------------------------------------------------------------- */
 
 /** See #check_shapes. */
 static void test_shapes(void **state) {
@@ -694,7 +725,7 @@ static void test_instances(void **state) {
     for_every_engine(check_instances);
 }
 
-/** Runs the tests. @return How many failed. */
+/** Runs the tests. @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_shapes),        cmocka_unit_test(test_meshes),

@@ -1,23 +1,23 @@
 /**
  * @file
- * @brief Trees over triangles that are hard to split: what is aimed at is met, by every engine at
- *        the same place, however many threads built the tree.
+ * @brief BVHs of triangles that are difficult to split: rays hit their targets, equally in every
+ *        engine and for any number of build threads.
  *
- * No tree is deeper than its traversal's stack: costs decide 32 levels of the binary tree at most,
- * each level below halves the number of items, of which there are less than 2^27, and no level of
- * the wide tree has less than one of the binary one. Triangles at powers of two, from 2^48 to less
- * than any number, would else be as deep as there are powers.
+ * No BVH is deeper than the traversal stack. Costs determine at most 32 levels of the binary tree;
+ * each level below halves the number of items, of which there are less than 2^27. No level of the
+ * wide tree corresponds to less than one of the binary tree. Without this limit, triangles at
+ * powers of two, from 2^48 down to the smallest number, would need one level per power.
  */
 #include "bvh_queries.h"
 
 #include "render/thread_pool.h"
 
-/* --- how triangles lie ----------------------------------------------------------------------- */
+/* --- layouts of triangles --------------------------------------------------------------------- */
 
-/** Makes the corners of a case. */
+/** Computes the vertices of a triangle. */
 typedef void (*Layout)(uint64_t *state, size_t i, size_t count, Vec3d *corners);
 
-/** Makes a small triangle somewhere. See #Layout. */
+/** Makes a small triangle at a point. See #Layout. */
 static void triangle_at(uint64_t *state, Vec3d middle, double size, Vec3d *corners) {
     for (int k = 0; k < 3; k++) {
         Vec3d lateral = {random_float(state, -1, 1), random_float(state, -1, 1),
@@ -26,7 +26,7 @@ static void triangle_at(uint64_t *state, Vec3d middle, double size, Vec3d *corne
     }
 }
 
-/** All the same. See #Layout. */
+/** All triangles are equal. See #Layout. */
 static void layout_identical(uint64_t *state, size_t i, size_t count, Vec3d *corners) {
     (void)state, (void)i, (void)count;
     corners[0] = (Vec3d){0, 0, 1};
@@ -34,7 +34,7 @@ static void layout_identical(uint64_t *state, size_t i, size_t count, Vec3d *cor
     corners[2] = (Vec3d){0, 1, 0};
 }
 
-/** One inside the other, the middles of all boxes the same. See #Layout. */
+/** Nested triangles, whose boxes have the same centre. See #Layout. */
 static void layout_nested(uint64_t *state, size_t i, size_t count, Vec3d *corners) {
     (void)state;
     double size = (double)(i + 1) / (double)count;
@@ -43,25 +43,25 @@ static void layout_nested(uint64_t *state, size_t i, size_t count, Vec3d *corner
     corners[2] = (Vec3d){size, -size, size};
 }
 
-/** Anywhere. See #Layout. */
+/** Random triangles. See #Layout. */
 static void layout_random(uint64_t *state, size_t i, size_t count, Vec3d *corners) {
     (void)i, (void)count;
     triangle_at(state, point_in_scene(state), 0.02, corners);
 }
 
-/** One huge, the others tiny. See #Layout. */
+/** One huge triangle, the others tiny. See #Layout. */
 static void layout_one_huge(uint64_t *state, size_t i, size_t count, Vec3d *corners) {
     (void)count;
     triangle_at(state, point_in_scene(state), i == 77 ? 1e4 : 1e-3, corners);
 }
 
-/** Along a line, in order. See #Layout. */
+/** In order along a line. See #Layout. */
 static void layout_line(uint64_t *state, size_t i, size_t count, Vec3d *corners) {
     double along = 4 * (double)i / (double)count - 2;
     triangle_at(state, (Vec3d){along, along / 2, -along}, 0.01, corners);
 }
 
-/** Anywhere, all of it tiny. See #Layout. */
+/** Random, at a tiny scale. See #Layout. */
 static void layout_tiny(uint64_t *state, size_t i, size_t count, Vec3d *corners) {
     layout_random(state, i, count, corners);
     for (int k = 0; k < 3; k++) {
@@ -69,7 +69,7 @@ static void layout_tiny(uint64_t *state, size_t i, size_t count, Vec3d *corners)
     }
 }
 
-/** Anywhere, all of it huge. See #Layout. */
+/** Random, at a huge scale. See #Layout. */
 static void layout_huge(uint64_t *state, size_t i, size_t count, Vec3d *corners) {
     layout_random(state, i, count, corners);
     for (int k = 0; k < 3; k++) {
@@ -77,16 +77,19 @@ static void layout_huge(uint64_t *state, size_t i, size_t count, Vec3d *corners)
     }
 }
 
-/** From the largest number there is to the smallest, by powers of two: bins split off a few
- *  triangles at a time, and binary trees of such become as deep as there are powers. See #Layout.
+/**
+ * Triangles at powers of two, from the largest number to the smallest. Binned splits separate only
+ * a few triangles each, so the binary tree would have one level per power. See #Layout.
  */
 static void layout_powers(uint64_t *state, size_t i, size_t count, Vec3d *corners) {
     double size = exp2(48 - 1100 * (double)i / (double)count);
     triangle_at(state, (Vec3d){size, 0, 0}, 0.2 * size, corners);
 }
 
-/** A flat mesh whose corners are a little off the plane: less than any number that has a finite
- *  inverse. See #Layout. */
+/**
+ * A nearly flat mesh: vertices deviate from the plane by less than any number with a finite
+ * inverse. See #Layout.
+ */
 static void layout_nearly_flat(uint64_t *state, size_t i, size_t count, Vec3d *corners) {
     layout_random(state, i, count, corners);
     for (int k = 0; k < 3; k++) {
@@ -94,15 +97,15 @@ static void layout_nearly_flat(uint64_t *state, size_t i, size_t count, Vec3d *c
     }
 }
 
-/** A case of the builder. */
+/** A test case of the builder. */
 typedef struct BuilderCase {
-    const char *name; /**< For messages. */
-    Layout layout;    /**< How its triangles lie. */
-    size_t count;     /**< How many. */
-    int packets;      /**< Packets of rays to ask. */
+    const char *name; /**< Name in messages. */
+    Layout layout;    /**< Layout of its triangles. */
+    size_t count;     /**< Number of triangles. */
+    int packets;      /**< Packets of rays. */
 } BuilderCase;
 
-/** The cases. */
+/** The test cases. */
 static const BuilderCase builder_cases[] = {
     {"one triangle", layout_random, 1, 16},
     {"equal triangles", layout_identical, 10000, 2},
@@ -116,13 +119,13 @@ static const BuilderCase builder_cases[] = {
     {"nearly flat triangles", layout_nearly_flat, 2000, 16},
 };
 
-/** Does what a crew is asked to. See #ParallelFor.run. */
+/** Runs tasks on a thread pool. See #ParallelFor.run. */
 static void run_parallel_for(void *workers, size_t count, void (*job)(void *, size_t),
                              void *context) {
     thread_pool_run(workers, count, job, context);
 }
 
-/** @return A tracer that several threads prepared, to be given back. */
+/** @return A tracer created with several threads, to be destroyed. */
 static Tracer *create_tracer_with_threads(const Engine *engine, const Scene *scene, int threads) {
     Error error = {0};
     ThreadPool *workers = thread_pool_create(threads, &error);
@@ -135,7 +138,7 @@ static Tracer *create_tracer_with_threads(const Engine *engine, const Scene *sce
     return tracer;
 }
 
-/** @return The largest coordinate of a triangle. */
+/** @return The largest absolute coordinate of a triangle. */
 static double largest_coordinate(const Vec3d *corners) {
     double largest = 0;
     for (int k = 0; k < 3; k++) {
@@ -144,7 +147,7 @@ static double largest_coordinate(const Vec3d *corners) {
     return largest;
 }
 
-/** Aims a ray at the middle of a triangle, from about above it. */
+/** Points a ray at the centre of a triangle, from approximately above it. */
 static void aim_at_triangle(const Vec3d *corners, uint64_t *state, RayQueryQuad *ray) {
     double size = largest_coordinate(corners);
     Vec3d sides[2], middle = {0, 0, 0};
@@ -164,8 +167,10 @@ static void aim_at_triangle(const Vec3d *corners, uint64_t *state, RayQueryQuad 
     }
 }
 
-/** Fills a packet: the first ray, or all of them, aimed at triangles. @param is_coherent Whether
- *  the others go beside the first. */
+/**
+ * Fills a packet: the first ray, or all of them, go to triangles.
+ * @param is_coherent Whether the others go near the first.
+ */
 static void fill_aimed(const TriangleSoup *mesh, uint64_t *state, bool is_coherent,
                        RayQueryQuad *rays) {
     for (int i = 0; i < RAYS_PER_QUERY; i++) {
@@ -173,7 +178,7 @@ static void fill_aimed(const TriangleSoup *mesh, uint64_t *state, bool is_cohere
         do {
             size_t which = (size_t)((double)mesh->triangle_count * random_unit_double(state));
             corners = &mesh->positions[3 * which];
-            // Products of smaller ones are no floats any more.
+            // Products of smaller ones underflow in float.
         } while (largest_coordinate(corners) < 1e-13);
         if (i == 0 || !is_coherent) {
             aim_at_triangle(corners, state, &rays[i]);
@@ -187,8 +192,11 @@ static void fill_aimed(const TriangleSoup *mesh, uint64_t *state, bool is_cohere
     }
 }
 
-/** Checks a case in all engines of a number type: what is aimed at is met or hidden, and all say
- *  the same, whoever built the tree. @param reference The engine of one lane. */
+/**
+ * Checks a case in all engines of a number type: targets are hit or occluded, and all engines agree
+ * for any number of build threads.
+ * @param reference  The engine of one lane.
+ */
 static void check_build_case(const Engine *reference, const BuilderCase *builder,
                              const TriangleSoup *mesh, const Scene *scene) {
     Tracer *tracers[ENGINES_MAXIMUM], *alone = create_tracer(reference, scene);
@@ -206,7 +214,7 @@ static void check_build_case(const Engine *reference, const BuilderCase *builder
     }
     reference->destroy(alone);
     const int threads[] = {1, 2, 7};
-    // What takes long to build is built by all threads only.
+    // Large cases are built with all threads only.
     for (size_t t = builder->count < 50000 ? 0 : 2; t < sizeof threads / sizeof *threads; t++) {
         for (size_t e = 0; engine_list()[e]; e++) {
             tracers[e] = engine_matches_type(engine_list()[e], reference)
@@ -219,9 +227,12 @@ static void check_build_case(const Engine *reference, const BuilderCase *builder
     }
 }
 
-/** Triangles that are hard to split. @param reference The engine of one lane. */
+/**
+ * Triangles that are difficult to split.
+ * @param reference  The engine of one lane.
+ */
 static void check_hard_triangles(const Engine *reference) {
-    /** What the reference engine builds in a second. */
+    /** Number of triangles that the reference engine builds in a second. */
     const size_t few = 10000;
     for (size_t n = 0; n < sizeof builder_cases / sizeof *builder_cases; n++) {
         const BuilderCase *builder = &builder_cases[n];
@@ -247,7 +258,7 @@ static void test_bvh_builder(void **state) {
     for_every_type(check_hard_triangles);
 }
 
-/** Runs the tests. @return How many failed. */
+/** Runs the tests. @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_bvh_builder),

@@ -1,15 +1,15 @@
 /**
  * @file
- * @brief The trees over the triangles of a film's meshes are built once, and not for each frame.
+ * @brief The BVHs of a film's meshes are built once, not per frame.
  */
 #include "bvh_queries.h"
 
-/** Somebody who builds trees alone and counts them. */
+/** A counter of the BVHs that are built on one thread. */
 typedef struct BvhBuildCounter {
-    int count; /**< Trees so far. */
+    int count; /**< Number of BVHs. */
 } BvhBuildCounter;
 
-/** Builds a tree. See #ParallelFor.run. */
+/** Runs and counts the build of a BVH. See #ParallelFor.run. */
 static void count_build(void *workers, size_t count, void (*job)(void *, size_t), void *context) {
     ((BvhBuildCounter *)workers)->count++;
     for (size_t i = 0; i < count; i++) {
@@ -17,7 +17,7 @@ static void count_build(void *workers, size_t count, void (*job)(void *, size_t)
     }
 }
 
-/** @return A mesh with a place on a picture for each corner, to be given back. */
+/** @return A mesh with (u, v) coordinates per vertex, to be destroyed. */
 static Mesh *sphere_mesh_with_uvs(void) {
     Error error = {0};
     TriangleSoup t = icosphere_triangles(2);
@@ -34,7 +34,7 @@ static Mesh *sphere_mesh_with_uvs(void) {
     return mesh;
 }
 
-/** Adds a mesh that is there already to a scene, turned. @param degrees How far it is turned. */
+/** Adds an existing mesh to a scene, rotated. @param degrees Angle of rotation. */
 static void add_turned_mesh(Scene *scene, Mesh *mesh, int normals, double degrees) {
     Error error = {0};
     char name[32];
@@ -50,8 +50,8 @@ static void add_turned_mesh(Scene *scene, Mesh *mesh, int normals, double degree
 }
 
 /**
- * @return A scene with one mesh, to be given back.
- * @param degrees  How far it is turned.
+ * @return A scene with one mesh, to be destroyed.
+ * @param degrees  Angle of rotation.
  */
 static Scene *scene_with(Mesh *mesh, int normals, double degrees) {
     Scene *scene = create_empty_scene();
@@ -60,9 +60,9 @@ static Scene *scene_with(Mesh *mesh, int normals, double degrees) {
 }
 
 /**
- * Prepares a scene and gives it back.
- * @param[out] trees  How many trees were built for it.
- * @return The tracer, to be given back.
+ * Creates the tracer of a scene and destroys the scene.
+ * @param[out] trees  Number of BVHs built for it.
+ * @return The tracer, to be destroyed.
  */
 static Tracer *create_tracer_reusing(const Engine *engine, Scene *scene, const Tracer *reuse_from,
                                      int *trees) {
@@ -78,7 +78,7 @@ static Tracer *create_tracer_reusing(const Engine *engine, Scene *scene, const T
     return tracer;
 }
 
-/** Fails unless two tracers answer the same, to the bit. */
+/** Fails unless two tracers return the same bits. */
 static void assert_same_tracers(const Engine *engine, const Tracer *got, const Tracer *wanted) {
     uint64_t state = 5;
     RayQueryQuad rays[RAYS_PER_QUERY];
@@ -92,7 +92,7 @@ static void assert_same_tracers(const Engine *engine, const Tracer *got, const T
     assert_true(expected[0].shape == 0);
 }
 
-/** A mesh that is turned keeps its tree, and its tree outlives the frame that it was built for. */
+/** A rotated mesh keeps its BVH, and the BVH survives the frame it was built for. */
 static void check_turned_reuse(const Engine *engine) {
     int first, second, alone;
     Mesh *mesh = sphere_mesh_with_uvs();
@@ -109,7 +109,10 @@ static void check_turned_reuse(const Engine *engine) {
     engine->destroy(lonely);
 }
 
-/** What differs is built anew: other normals, another mesh; but not the same in another order. */
+/**
+ * A BVH is rebuilt for different normals and for another mesh, but not for the same meshes in
+ * another order.
+ */
 static void check_different_meshes(const Engine *engine) {
     int trees;
     Mesh *one = sphere_mesh_with_uvs(), *two = sphere_mesh_with_uvs();
@@ -132,8 +135,10 @@ static void check_different_meshes(const Engine *engine) {
     mesh_release(two);
 }
 
-/** A mesh that begins to wear a picture needs its places there; a mesh that wore one has what a
- *  bare one needs. */
+/**
+ * A mesh that gets a texture needs (u, v) coordinates in its BVH. A mesh that loses its texture
+ * keeps its BVH.
+ */
 static void check_textured_reuse(const Engine *engine) {
     int trees;
     Error error = {0};
@@ -173,7 +178,7 @@ static void test_textured(void **state) {
     for_every_engine(check_textured_reuse);
 }
 
-/** Runs the tests. @return How many failed. */
+/** Runs the tests. @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_turned),

@@ -1,42 +1,45 @@
 /**
  * @file
- * @brief The contract that every shape keeps in every engine.
+ * @brief The contract tests: properties of every shape in every engine.
  *
- * One table-driven suite: a row a shape, with a reference in quad precision that shares no code
- * with the tracer. Each case is run for every row in every engine, and the worst error of each is
- * printed as a table. All rays and parameters are exact in float, so that every engine is asked the
- * same question.
+ * The shapes are in a table, each with a reference in quad precision that shares no code with the
+ * tracer. Each case runs for every shape in every engine. The worst errors are printed as a table.
+ * All rays and parameters are exact in float, so that all engines get the same input.
  */
 #include "contract_shapes.h"
 #include "sdf_builders.h"
 #include "workload.h"
 
-/** Rays of each case. */
+/** Rays per case. */
 enum { RAYS = 20000 };
-/** Rays that leave a surface. */
+/** Rays per case that leave a surface. */
 enum { OFFSET_RAYS = 1000 };
 
-/** Margin below which a ray grazes: for a sphere, 0.98 radii beside the centre (doc/tour.md). */
+/**
+ * Margin below which a ray is grazing: for a sphere, more than 0.98 radii from the centre
+ * (doc/tour.md).
+ */
 #define GRAZING 0.04
 
 /* --- one shape in one engine ----------------------------------------------------------------- */
 
-/** A row in an engine. */
+/** A shape in an engine. */
 typedef struct ContractRun {
-    const ContractShape *row; /**< The row. */
+    const ContractShape *row; /**< The shape. */
     const Engine *engine;     /**< The engine. */
-    Tracer *tracer;           /**< A scene with this shape alone. */
+    Tracer *tracer;           /**< Tracer of a scene with this shape alone. */
 } ContractRun;
 
-/** Worst errors of a row in an engine. */
+/** Worst errors of a shape in an engine. */
 typedef struct WorstErrors {
-    Quadruple t;      /**< Distance, in half ulps of itself and the shape's size. */
-    Quadruple point;  /**< Off the surface, in half ulps of the largest coordinate and the size. */
-    Quadruple normal; /**< Normal, half ulps of 1. */
-    Quadruple bound;  /**< Off the surface, as a share of the hit's own error bound. */
+    Quadruple t;      /**< Distance, in half ulps of the larger of itself and the shape's size. */
+    Quadruple point;  /**< Distance of the point from the surface, in half ulps of the larger of
+                           its coordinates and the size. */
+    Quadruple normal; /**< Normal, in half ulps of 1. */
+    Quadruple bound;  /**< Distance from the surface, relative to the hit's own error bound. */
 } WorstErrors;
 
-/** What was found, for the table at the end. */
+/** The measured errors, for the table at the end. */
 static WorstErrors worsts[CONTRACT_SHAPE_COUNT][8];
 
 /** Adds a box as a mesh of twelve triangles. */
@@ -53,7 +56,7 @@ static void add_box_mesh(Scene *scene, const BoxSpec *box) {
     add_mesh(scene, corners, CORNERS, triangles, TRIANGLES, 2);
 }
 
-/** Adds a ball as a field. */
+/** Adds a sphere as a distance field. */
 static void add_sphere_sdf(Scene *scene, const SphereSpec *sphere) {
     const double *c = sphere->center;
     Sdf *field = translate_sdf(make_sdf("sphere", &sphere->radius), c[0], c[1], c[2]);
@@ -84,10 +87,10 @@ static Tracer *tracer_with(const Engine *engine, const ContractShape *shape) {
     return tracer;
 }
 
-/** A case of the contract. @param subject A row in an engine. */
+/** A test case. @param subject A shape in an engine. */
 typedef void (*Case)(const ContractRun *subject, WorstErrors *worst);
 
-/** Runs a case for every row in every engine. */
+/** Runs a case for every shape in every engine. */
 static void for_every_shape(Case run) {
     for (size_t r = 0; r < CONTRACT_SHAPE_COUNT; r++) {
         for (size_t e = 0; engine_list()[e]; e++) {
@@ -102,20 +105,20 @@ static void for_every_shape(Case run) {
     }
 }
 
-/** @return A bound, or how much a row's tolerance is, if that is more. */
+/** @return The larger of a bound and a shape's tolerance. */
 static double tolerance_or_bound(const ContractRun *subject, double bound) {
     return fmax(bound, tolerance_of(subject->row) / (double)roundoff(subject->engine));
 }
 
-/** @return Rays for an engine: the slow reference gets fewer. */
+/** @return Number of rays for an engine: fewer for the slow reference. */
 static size_t ray_count(const ContractRun *subject) {
     const Engine *engine = subject->engine;
-    // Quad numbers are slow; wide engines give the bits of narrow ones, which other tests compare.
+    // Quad is slow. Wide engines return the bits of narrow ones, which other tests compare.
     size_t rays = engine->mantissa_bits > 64 ? RAYS / 10 : engine->lanes > 1 ? RAYS / 4 : RAYS;
     return rays / WORKLOAD_DIVISOR;
 }
 
-/** @return The larger. */
+/** @return The larger of two numbers. */
 static Quadruple quad_max(Quadruple a, Quadruple b) {
     return a > b ? a : b;
 }
@@ -125,7 +128,7 @@ static Quadruple max_coordinate(const Quadruple v[3]) {
     return quad_max(quad_abs(v[0]), quad_max(quad_abs(v[1]), quad_abs(v[2])));
 }
 
-/** Holds an answer against the truth. */
+/** Checks a result against the reference. */
 static void check_result(const ContractRun *subject, const RayQueryQuad *ray,
                          const RayResult *answer, WorstErrors *worst) {
     const ContractShape *shape = subject->row;
@@ -133,7 +136,7 @@ static void check_result(const ContractRun *subject, const RayQueryQuad *ray,
     Quadruple u = roundoff(subject->engine);
     bool is_hit = answer->shape == 0;
     assert_int_equal(is_hit, answer->occluded);
-    // So near to the rim that rounding the ray itself decides: either answer is right.
+    // So near to the rim, rounding the ray decides: both results are valid.
     Vec3qa d = vec3qa_from_quads(ray->direction);
     Quadruple sizes = quad_abs(expected.t) * quad_sqrt(vec3qa_dot(d, d)) / shape->size;
     if (expected.edge_margin < 64 * (u * (1 + sizes) + tolerance_of(shape))) {
@@ -154,12 +157,13 @@ static void check_result(const ContractRun *subject, const RayQueryQuad *ray,
     worst->point =
         quad_max(worst->point, off / (u * (max_coordinate(answer->point) + shape->size)));
     worst->bound = quad_max(worst->bound, off / answer->error);
-    // Where a ray grazes, its own last bit moves the point: distance and normal say nothing there.
+    // At grazing rays the rounding of the ray moves the point far: distance and normal are not
+    // compared.
     if (expected.edge_margin < GRAZING) {
         return;
     }
-    // In sizes: a ray that starts close to a surface cannot know its distance better than its
-    // place.
+    // Relative to the size: the error of a distance from an origin near the surface is at least
+    // that of its coordinates.
     Quadruple off_t = quad_abs(answer->distance - expected.t) / quad_abs(expected.t) * sizes;
     worst->t = quad_max(worst->t, off_t / (u * (sizes + 1)));
     Vec3qa normal = {{answer->normal[0], answer->normal[1], answer->normal[2]}};
@@ -169,7 +173,7 @@ static void check_result(const ContractRun *subject, const RayQueryQuad *ray,
         worst->normal, quad_max(quad_abs(length - 1), max_coordinate(difference.component)) / u);
 }
 
-/** Asks an engine for shadows alone: the same as in its full answers. */
+/** Compares occlusion tests with full intersections. */
 static void check_shadows(const ContractRun *subject, const RayQueryQuad *rays,
                           const RayResult *answers, size_t count) {
     RayQuery *plain = calloc(count, sizeof *plain);
@@ -186,7 +190,7 @@ static void check_shadows(const ContractRun *subject, const RayQueryQuad *rays,
     free(shadowed);
 }
 
-/** Asks an engine and checks every answer. */
+/** Traces rays and checks every result. */
 static void query_and_check(const ContractRun *subject, const RayQueryQuad *rays, size_t count,
                             WorstErrors *worst) {
     RayResult *answers = calloc(count, sizeof *answers);
@@ -199,9 +203,9 @@ static void query_and_check(const ContractRun *subject, const RayQueryQuad *rays
 }
 
 /**
- * @return A ray from around a shape to around its middle.
- * @param distance  How far away it starts, in sizes.
- * @param spread  How far beside the middle it aims, in sizes.
+ * @return A random ray near a shape, towards points near its centre.
+ * @param distance  Distance of its origin, in sizes.
+ * @param spread  Largest offset of its target from the centre, in sizes.
  */
 static RayQueryQuad random_ray(const ContractShape *shape, uint64_t *state, double distance,
                                double spread) {
@@ -215,7 +219,7 @@ static RayQueryQuad random_ray(const ContractShape *shape, uint64_t *state, doub
     return ray;
 }
 
-/** Asks about random rays. */
+/** Tests random rays. */
 static void query_random_rays(const ContractRun *subject, double distance, double spread,
                               WorstErrors *worst) {
     size_t count = ray_count(subject);
@@ -228,17 +232,17 @@ static void query_random_rays(const ContractRun *subject, double distance, doubl
     free(rays);
 }
 
-/* --- the cases ------------------------------------------------------------------------------- */
+/* --- test cases ------------------------------------------------------------------------------- */
 
-/** Around it and in it, meeting and missing; the errors go into the table. */
+/** Rays near the shape and in it, hits and misses; the errors go into the table. */
 static void case_near(const ContractRun *subject, WorstErrors *worst) {
     query_random_rays(subject, 4, 1.5, worst);
     query_random_rays(subject, 0.5, 2, worst);
     bool is_float = subject->engine->mantissa_bits == 24;
     const char *name = subject->engine->name, *shape = subject->row->name;
-    // Float takes its differences in double and rounds a few times after; the others have nothing
-    // better, and their error grows with the distance to the shape.
-    // A transformed ray was rounded once more.
+    // Float computes differences in double and rounds a few times afterwards. The other types have
+    // no wider type, so their error grows with the distance. A transformed ray is rounded once
+    // more.
     double t_bound = subject->row->transform && is_float ? 12
                      : strcmp(shape, "box") == 0         ? 8
                      : is_float                          ? 4
@@ -247,8 +251,8 @@ static void case_near(const ContractRun *subject, WorstErrors *worst) {
                    shape, name);
     assert_at_most(worst->point, tolerance_or_bound(subject, 8), "%s in %s, point, half ulps",
                    shape, name);
-    // Uneven scales turn normals, and their last bits. In quad, what is measured is as much the
-    // reference's own error.
+    // Uneven scales rotate normals and their rounding errors. In quad, the error of the reference
+    // is of the same magnitude.
     double float_bound = subject->row->transform ? 16 : 6;
     double normal_bound = is_float ? float_bound : subject->engine->mantissa_bits > 64 ? 1024 : 64;
     assert_at_most(worst->normal, tolerance_or_bound(subject, normal_bound),
@@ -256,11 +260,11 @@ static void case_near(const ContractRun *subject, WorstErrors *worst) {
     assert_at_most(worst->bound, 1, "%s in %s, point against its own bound", shape, name);
 }
 
-/** A thousand and ten thousand sizes away. */
+/** Distances of a thousand and ten thousand sizes. */
 static void case_far(const ContractRun *subject, WorstErrors *unused) {
     (void)unused;
     if (subject->engine->mantissa_bits > 64) {
-        return; // The reference here is no better than the engine: it would be measuring itself.
+        return; // The reference is not more precise than the engine.
     }
     for (double distance = 1e3; distance < 1e5; distance *= 10) {
         WorstErrors worst = {0};
@@ -273,7 +277,7 @@ static void case_far(const ContractRun *subject, WorstErrors *unused) {
     }
 }
 
-/** Away from it: nothing is met. */
+/** Rays that point away from the shape: no hit. */
 static void case_behind(const ContractRun *subject, WorstErrors *unused) {
     (void)unused;
     uint64_t state = 2;
@@ -293,7 +297,7 @@ static void case_behind(const ContractRun *subject, WorstErrors *unused) {
     }
 }
 
-/** A direction of any length: by powers of two the same bits, else the same answer. */
+/** Directions of any length: for powers of two equal bits, else equal up to rounding. */
 static void case_length(const ContractRun *subject, WorstErrors *unused) {
     (void)unused;
     uint64_t state = 3;
@@ -321,8 +325,8 @@ static Quadruple rounded(const Engine *engine, Quadruple x) {
 }
 
 /**
- * @return A ray that leaves a hit on one side, from a point moved by the hit's own error bound.
- * @param engine  The engine, to whose numbers it is rounded.
+ * @return A ray that leaves a hit on one side. Its origin is moved by the hit's own error bound.
+ * @param engine  The engine, whose number type it is rounded to.
  * @param side  1: outwards; -1: inwards.
  */
 static RayQueryQuad offset_ray(const Engine *engine, const RayResult *hit, int side,
@@ -340,8 +344,10 @@ static RayQueryQuad offset_ray(const Engine *engine, const RayResult *hit, int s
     return ray;
 }
 
-/** On the surface and leaving it: of 1000 rays outwards none meets it again, and of 1000 inwards
- *  each meets only the far side. */
+/**
+ * Rays that leave the surface: of 1000 rays outwards none hits it again, and of 1000 inwards each
+ * hits only the opposite side.
+ */
 static void case_offset(const ContractRun *subject, WorstErrors *unused) {
     (void)unused;
     uint64_t state = 4;
@@ -373,8 +379,10 @@ static void case_offset(const ContractRun *subject, WorstErrors *unused) {
                    subject->engine->name);
 }
 
-/** NaN, infinity, zero and axis-parallel directions, with every sign of zero: an answer without
- *  NaN, and where the numbers are good, the right one. */
+/**
+ * Directions that are NaN, infinite, zero or parallel to an axis, with all signs of zero: results
+ * contain no NaN, and are correct for valid input.
+ */
 static void case_degenerate(const ContractRun *subject, WorstErrors *unused) {
     (void)unused;
     static const double odd[] = {0.0, -0.0, 1, -1, NAN, INFINITY, -INFINITY, 1e30, 1e-40};
@@ -401,7 +409,7 @@ static void case_degenerate(const ContractRun *subject, WorstErrors *unused) {
     }
 }
 
-/** Along the axes, through the middle and beside it. */
+/** Rays along the axes, through the centre and off it. */
 static void case_axes(const ContractRun *subject, WorstErrors *worst) {
     for (int n = 0; n < 3 * 2 * 2 * 81; n++) {
         int axis = n % 3, up = n / 3 % 2 ? 1 : -1;
@@ -418,7 +426,7 @@ static void case_axes(const ContractRun *subject, WorstErrors *worst) {
     }
 }
 
-/** Wider engines give the bits of the narrow one. */
+/** Wide engines return the bits of the narrow one. */
 static void case_lanes(const ContractRun *subject, WorstErrors *unused) {
     (void)unused;
     Error error;
@@ -451,7 +459,7 @@ static void case_lanes(const ContractRun *subject, WorstErrors *unused) {
 
 /* --- cmocka ---------------------------------------------------------------------------------- */
 
-/** Every class has a row. */
+/** Every shape class is in the table. */
 static void test_every_shape_has_a_row(void **state) {
     (void)state;
     for (const Keyword *const *keyword = scene_shape_keywords; *keyword; keyword++) {
@@ -464,7 +472,9 @@ static void test_every_shape_has_a_row(void **state) {
     }
 }
 
-/** The bounding box of the description is that of the tracer, but for roundings and tolerances. */
+/**
+ * The bounding box of the scene's shape equals that of the tracer, up to rounding and tolerances.
+ */
 static void test_described_bounds(void **state) {
     (void)state;
     const Engine *engine = engine_list()[0];
@@ -535,7 +545,7 @@ static void test_lanes(void **state) {
     for_every_shape(case_lanes);
 }
 
-/** Better numbers give better answers: the double engine is not float in disguise. */
+/** More precise engines have smaller errors: double does not compute in float. */
 static void test_precision(void **state) {
     (void)state;
     for (size_t r = 0; r < CONTRACT_SHAPE_COUNT; r++) {
@@ -551,7 +561,7 @@ static void test_precision(void **state) {
     }
 }
 
-/** Works out the matrices of the rows. @return 0 */
+/** Computes the matrices of the transforms. @return 0 */
 static int init_transforms(void **state) {
     (void)state;
     Transform *const transforms[] = {&ellipsoid_transform, &tilted_transform, &squeezed_transform,
@@ -578,7 +588,7 @@ static int print_table(void **state) {
     return 0;
 }
 
-/** Runs the contract. @return 0 if it is kept. */
+/** Runs the tests. @return 0 if all pass. */
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_shape_has_a_row),

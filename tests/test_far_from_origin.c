@@ -1,9 +1,9 @@
 /**
  * @file
- * @brief Scenes far from zero: the picture, and the answers to rays, are those of the same scene at
- *        zero, in every engine.
+ * @brief Scenes far from the origin: pictures and hits equal those of the same scene at the origin,
+ *        in every engine.
  *
- * The far scenes are written as a person would write them, every place with the distance in it.
+ * The coordinates of the far scenes include the distance, as in a scene written by hand.
  */
 #include "assets/images/image_file.h"
 #include "fixtures.h"
@@ -11,12 +11,16 @@
 
 #include <math.h>
 
-/** How far the scenes are from zero, along each axis: 100, 10,000 and 1,000,000 times their size,
- *  in whole units, which a model file, too, says exactly. */
+/**
+ * Distances of the scenes from the origin along each axis: 100, 10,000 and 1,000,000 times their
+ * size. They are integers, so that mesh files hold them exactly.
+ */
 static const double distances[] = {1e3, 1e5, 1e7};
 
-/** A scene about 10 units large: every kind of shape, of which some are transformed, fields made of
- *  others at their places, a model twice, a picture; glass, mirrors, all kinds of lamps. */
+/**
+ * A scene about 10 units large. It contains every kind of shape, transforms, combined distance
+ * fields, a mesh twice, a texture, glass, mirrors and all kinds of lights.
+ */
 static const char scene_text[] =
     "local W = %.0f\n"
     "local function p(x, y, z) return {x + W, y - W, z + W} end\n"
@@ -64,11 +68,11 @@ static const char scene_text[] =
     "m(0.2, 0.8, 0.8) }\n"
     "sdf { ball, translate = p(0.2, 0.3, 3), material = m(0.6, 0.6, 0.6) }\n";
 
-/** A pyramid of four triangles on a square, from a corner on. */
+/** A pyramid of four triangles on a square, from one corner. */
 static const char mesh_text[] = "v %.0f %.0f %.0f\nv %.0f %.0f %.0f\nv %.0f %.0f %.0f\n"
                                 "v %.0f %.0f %.0f\nf 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\n";
 
-/** Writes a model. */
+/** Writes a mesh file. */
 static void write_mesh_file(const char *path, double x, double y, double z) {
     char text[512];
     int size =
@@ -77,9 +81,9 @@ static void write_mesh_file(const char *path, double x, double y, double z) {
 }
 
 /**
- * Writes the scene with its files, and reads it.
+ * Writes the scene with its files, and loads it.
  * @return The scene.
- * @param distance  How far from zero.
+ * @param distance  Distance from the origin along each axis.
  */
 static Scene *scene_at_offset(void **state, double distance) {
     Error error = {0};
@@ -94,7 +98,7 @@ static Scene *scene_at_offset(void **state, double distance) {
     return load_scene(fixture_path(state, "far.lua"));
 }
 
-/** @return Largest difference of two pixels, in steps. */
+/** @return Largest difference of two pixels, in 8-bit steps. */
 static int steps_between(const uint8_t *a, const uint8_t *b) {
     int largest = 0;
     for (int i = 0; i < 3; i++) {
@@ -103,8 +107,7 @@ static int steps_between(const uint8_t *a, const uint8_t *b) {
     return largest;
 }
 
-/** @return Whether an edge passes beside a pixel: whether one of its neighbours is another colour.
- */
+/** @return Whether an edge passes near a pixel: whether a neighbour has a different colour. */
 static bool is_on_edge(const Picture *picture, int x, int y) {
     const uint8_t *here = picture->pixels + 3 * (y * picture->width + x);
     bool is_edge = false;
@@ -120,8 +123,8 @@ static bool is_on_edge(const Picture *picture, int x, int y) {
 
 /**
  * Compares two pictures.
- * @param[out] elsewhere  Pixels that are off by more than a step and on no edge.
- * @return All that are off by more than a step.
+ * @param[out] elsewhere  Number of pixels that differ by more than a step and are not on an edge.
+ * @return Number of pixels that differ by more than a step.
  */
 static int count_different_pixels(const Picture *near, const Picture *far, int *elsewhere) {
     int different = 0;
@@ -135,7 +138,7 @@ static int count_different_pixels(const Picture *near, const Picture *far, int *
     return different;
 }
 
-/** The picture is the same, but for rays that pass an edge within the roundings. */
+/** Pictures are equal except where a ray passes an edge within the rounding error. */
 static void test_pictures(void **state) {
     static const char *const engines[] = {"f32x1", "f32x4", "f32x8", "f32x16", "f64x1", "f64x4"};
     for (size_t e = 0; e < sizeof engines / sizeof *engines; e++) {
@@ -168,8 +171,10 @@ static void test_pictures(void **state) {
     }
 }
 
-/** Asks rays around a scene and the same scene far away: they meet the same shape at the same
- *  place. @param distance How far that is. */
+/**
+ * Rays hit the same shape at the same place in a scene and in its far copy.
+ * @param distance  Distance of the copy.
+ */
 static void compare_answers(const Engine *engine, const Scene *near, const Scene *far,
                             double distance) {
     static RayQueryQuad rays[2][BATCH];
@@ -200,8 +205,8 @@ static void compare_answers(const Engine *engine, const Scene *near, const Scene
             continue;
         }
         for (int axis = 0; axis < 3 && a->shape >= 0; axis++) {
-            // Grazing rays carry an error across the surface far along it. The scene itself, far
-            // away, is rounded to double.
+            // A grazing ray magnifies an error along the surface. The far scene itself is rounded
+            // to double.
             Quadruple difference = quad_abs(b->point[axis] - (Quadruple)way[axis] - a->point[axis]);
             Quadruple mark = 64 * a->error + 4096 * roundoff(engine) + 64 * 0x1p-53 * distance;
             assert_at_most(difference, mark, "%s, %g from zero, shape %d", engine->name, distance,
@@ -228,7 +233,7 @@ static void test_answers(void **state) {
     scene_destroy(near);
 }
 
-/** The box around all shapes is said in the scene's own coordinates. */
+/** The bounding box of all shapes is in scene coordinates. */
 static void test_bounds(void **state) {
     const Engine *engine = engine_list()[0];
     Scene *near = scene_at_offset(state, 0), *far = scene_at_offset(state, 1e5);
@@ -247,8 +252,10 @@ static void test_bounds(void **state) {
     scene_destroy(far);
 }
 
-/** A copy of a scene that was moved there and back is the same picture, and shares what it does not
- *  own. */
+/**
+ * A copy of a scene that was translated there and back gives the same picture, and shares what it
+ * does not own.
+ */
 static void test_moved(void **state) {
     Error error = {0};
     Scene *scene = scene_at_offset(state, 0);
@@ -269,7 +276,7 @@ static void test_moved(void **state) {
     scene_destroy(scene);
 }
 
-/** @return Status. */
+/** @return 0 if all tests pass. */
 int main(void) {
     symlink_plugin("dioptre-meshes.so");
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_pictures),

@@ -1,45 +1,44 @@
 /**
  * @file
- * @brief "The transparent sphere is right": an acceptance list of eight points, each in every
- *        engine, at three sizes and three distances from the origin; what Fresnel, media and
- *        shadows do besides.
+ * @brief Acceptance tests of a transparent sphere: eight points, each in every engine, at three
+ *        sizes and three distances from the origin. They cover Fresnel reflectance, media and
+ *        shadows, too.
  *
- * Prints a table: the point, the engine, size, offset, what was measured and the most allowed. The
- * marks are those of a scene of size 1 at the origin, in all worlds: a scene W times its size away
- * may be worse by a share of W roundings, no more.
+ * Prints a table: point, engine, size, offset, measured value, limit. The limits are those of a
+ * scene of size 1 at the origin. A scene at W times its size from the origin may be worse by W
+ * rounding errors, no more.
  */
 #include "glass_scenes.h"
 
-/** Index of the glass. */
+/** Index of refraction of the glass. */
 #define GLASS 1.5
 
-/** What was measured. */
+/** A measurement. */
 typedef struct Measurement {
-    double worst; /**< The worst. */
-    double limit; /**< The most that is allowed. */
+    double worst; /**< The worst value. */
+    double limit; /**< The limit. */
 } Measurement;
 
 /**
- * @return A mark in a world.
- * @param single  In float at the origin.
+ * @return The limit of an error at a placement.
+ * @param single  The limit in float at the origin.
  */
 static double error_limit(const Engine *engine, Placement placement, double single, double better) {
     double mark = engine->mantissa_bits == 24 ? single : better;
     return mark * (1 + placement.offset * (double)roundoff(engine));
 }
 
-/* --- a: a ball of air in air is not there ------------------------------------------------------
- */
+/* --- a: a sphere of index 1 is invisible ------------------------------------------------------ */
 
 /** Size of the pictures. */
 enum { WIDTH = 32, HEIGHT = 24, PIXELS = WIDTH * HEIGHT };
 
-/** @return How many times smaller an engine's pictures are: quad is slow. */
+/** @return Divisor of the size of an engine's pictures: quad is slow. */
 static int picture_divisor(const Engine *engine) {
     return engine->mantissa_bits > 64 ? 3 : 1;
 }
 
-/** A sky, a chequered wall that shines, a floor in lamplight. @return It. */
+/** A sky, a chequered emissive wall, a lit floor. @return The scene. */
 static Scene *checker_scene(Placement placement) {
     Error error = {0};
     Scene *scene = create_empty_scene();
@@ -62,8 +61,8 @@ static Scene *checker_scene(Placement placement) {
 }
 
 /**
- * @return Pixels of two pictures that differ by half a step or more.
- * @param count  How many numbers each has.
+ * @return Number of values of two pictures that differ by half a step or more.
+ * @param count  Number of values of each.
  */
 static int count_different_pixels(const double *a, const double *b, int count) {
     int different = 0;
@@ -73,7 +72,10 @@ static int count_different_pixels(const double *a, const double *b, int count) {
     return different;
 }
 
-/** Index 1 and no tint: the picture without the ball. @return Numbers that are off by a step. */
+/**
+ * With index 1 and no tint, the picture equals that without the sphere.
+ * @return Number of values that differ by a step.
+ */
 static Measurement check_air_sphere(const Engine *engine, Placement placement) {
     static double without[3 * PIXELS], with[3 * PIXELS];
     Scene *scene = checker_scene(placement);
@@ -88,10 +90,9 @@ static Measurement check_air_sphere(const Engine *engine, Placement placement) {
     return (Measurement){count_different_pixels(without, with, 3 * width * height), 0};
 }
 
-/* --- b, c: which way rays leave a ball ---------------------------------------------------------
- */
+/* --- b, c: directions of rays that leave a sphere --------------------------------------------- */
 
-/** @return How far a ray passes from the ball's middle. */
+/** @return Distance of a ray from the sphere's centre. */
 static double impact_parameter(const Scene *scene, Placement placement) {
     Vec3d center = placed_point(placement, (Vec3d){0, 0, 0}), eye = scene->camera.position;
     Vec3d direction = scene->camera.direction;
@@ -99,17 +100,19 @@ static double impact_parameter(const Scene *scene, Placement placement) {
     return fabs(y * direction.z - z * direction.y);
 }
 
-/** @return How far a ball of glass turns a ray: 2 (i - r). @param b How far it passes from the
- *  middle, in radii. */
+/**
+ * @return Deviation of a ray by a glass sphere: 2 (i - r).
+ * @param b Its distance from the centre, in radii.
+ */
 static double deviation(double b) {
     return 2 * (asin(b) - asin(b / GLASS));
 }
 
 /**
- * A ray that passes below the middle of a ball leaves it upwards. The sky shows which way: it is as
- * bright as its y; what the ball mirrors goes down, where it is black.
- * @return How far the brightness is off, as an angle.
- * @param tilt  How far downwards the ray comes, radians: so that it leaves at a small angle.
+ * A ray that passes below the centre of a sphere leaves it upwards. The sky shows its direction:
+ * its brightness is y. The reflected part goes down, where the sky is black.
+ * @return The error of the brightness, as an angle.
+ * @param tilt  Downward angle of the incoming ray, radians, so that it leaves at a small angle.
  */
 static double exit_error(const Engine *engine, Placement placement, double b, double tilt) {
     Scene *scene = create_empty_scene();
@@ -127,7 +130,7 @@ static double exit_error(const Engine *engine, Placement placement, double b, do
     return error / (kept * kept * cos(deviation(sine) - tilt));
 }
 
-/** Every ray leaves at 2 (i - r). @return The largest error, radians. */
+/** Every ray is deviated by 2 (i - r). @return The largest error, radians. */
 static Measurement max_exit_error(const Engine *engine, Placement placement) {
     double worst = 0;
     for (int i = 1; i <= 32; i++) {
@@ -139,10 +142,10 @@ static Measurement max_exit_error(const Engine *engine, Placement placement) {
 }
 
 /**
- * A ball with half a wall behind it that shines, and a ray below the middle.
+ * A sphere with an emissive half wall behind it, and a ray below the centre.
  * @return The scene.
- * @param below  How far below it comes.
- * @param away  How far the wall is.
+ * @param below  Distance of the ray below the centre.
+ * @param away  Distance of the wall.
  */
 static Scene *half_wall_scene(Placement placement, double below, double away) {
     Scene *scene = create_empty_scene();
@@ -154,7 +157,7 @@ static Scene *half_wall_scene(Placement placement, double below, double away) {
     return scene;
 }
 
-/** @return Whether the ray meets the upper half, though it comes from below. */
+/** @return Whether the ray hits the upper half, although it starts below. */
 static bool image_is_inverted(const Engine *engine, Scene *scene, Placement placement) {
     double kept = 1 - fresnel_closed_form(impact_parameter(scene, placement), 1, GLASS);
     double light = center_radiance(engine, scene, 2) / (kept * kept);
@@ -164,18 +167,21 @@ static bool image_is_inverted(const Engine *engine, Scene *scene, Placement plac
 }
 
 /**
- * @return How far from the ball's middle something is, along z and as the scene has it.
- * @param away  How far it should be.
+ * @return Distance from the sphere's centre along z, as rounded in the scene.
+ * @param away  The exact distance.
  */
 static double depth_of(Placement placement, double away) {
     double here = placed_point(placement, (Vec3d){0, 0, -away}).z;
     return (placed_point(placement, (Vec3d){0, 0, 0}).z - here) / placement.scale;
 }
 
-/** A ball turns pictures upside down behind its focus, n R / (2 (n - 1)) behind the middle for rays
- *  near the axis. @return How far the focus is off. */
+/**
+ * A sphere inverts images beyond its focal point, n R / (2 (n - 1)) behind the centre for rays near
+ * the axis.
+ * @return The error of the focal point.
+ */
 static Measurement focus(const Engine *engine, Placement placement) {
-    // Such a ray passes the middle on the way out as far as on the way in.
+    // Such a ray leaves at the same distance from the centre as it enters.
     const double below = 0.125, truth = below / sin(deviation(below));
     double closed = GLASS / (2 * (GLASS - 1));
     assert_at_most(fabs(0.01 / sin(deviation(0.01)) - closed), 1e-3, "closed form");
@@ -191,10 +197,9 @@ static Measurement focus(const Engine *engine, Placement placement) {
     return (Measurement){fmax(0, fmax(early, late)), error_limit(engine, placement, 2e-6, 1e-12)};
 }
 
-/* --- d: total reflection -----------------------------------------------------------------------
- */
+/* --- d: total internal reflection ------------------------------------------------------------- */
 
-/** No ray that came from outside is reflected totally in a ball. @return How many are. */
+/** A ray from outside is never totally reflected inside a sphere. @return Number of violations. */
 static Measurement count_total_reflections(const Engine *engine, Placement placement) {
     static double rgb[3 * 4 * PIXELS];
     Scene *scene = create_empty_scene();
@@ -206,7 +211,7 @@ static Measurement count_total_reflections(const Engine *engine, Placement place
     RayCounts counts = trace_picture(engine, scene, (TraceLimits){12, 0}, 2 * WIDTH / small,
                                      2 * HEIGHT / small, rgb);
     assert_true(counts.refraction > 100);
-    // Rays that just touch the ball, where roundings count most.
+    // Rays that just touch the sphere, where rounding errors are largest.
     for (int i = 3; i < 24; i++) {
         set_camera(scene, placement, (Vec3d){0, 1 - pow(2, -i), 2}, (Vec3d){0, 0, -1});
         counts.total_reflection +=
@@ -216,8 +221,10 @@ static Measurement count_total_reflections(const Engine *engine, Placement place
     return (Measurement){(double)counts.total_reflection, 0};
 }
 
-/** In glass, a bubble mirrors all light that comes beyond 2/3 of its radius. @return How far from
- *  there it begins to. */
+/**
+ * In glass, a bubble reflects all light beyond 2/3 of its radius.
+ * @return The error of that radius.
+ */
 static Measurement bubble_ring(const Engine *engine, Placement placement) {
     double inner = 0, outer = 1;
     for (int i = 0; i < 24; i++) {
@@ -234,25 +241,27 @@ static Measurement bubble_ring(const Engine *engine, Placement placement) {
         outer = is_total ? middle : outer;
         scene_destroy(scene);
     }
-    // A pixel, where a radius is 300 of them.
+    // One pixel, where the radius is 300 pixels.
     return (Measurement){fabs(inner - 1 / GLASS),
                          error_limit(engine, placement, 1.0 / 300, 1.0 / 300)};
 }
 
-/* --- e: hollow balls ---------------------------------------------------------------------------
- */
+/* --- e: hollow spheres ------------------------------------------------------------------------ */
 
-/** @return How far a hollow ball turns a ray. @param b How far it passes from the middle.
- *  @param hole Radius of the hole. */
+/**
+ * @return Deviation of a ray by a hollow sphere.
+ * @param b  Its distance from the centre.
+ * @param hole  Radius of the hole.
+ */
 static double hollow_deviation(double b, double hole) {
     return 2 * (asin(b) - asin(b / GLASS) + asin(b / (GLASS * hole)) - asin(b / hole));
 }
 
 /**
- * A hole is a ball of air after the glass. The ray comes upwards, and what is mirrored goes down.
- * @return How far the ray behind is off, radians.
+ * The hole is a sphere of index 1 after the glass. The ray points up; the reflected part goes down.
+ * @return The error of the transmitted direction, radians.
  * @param hole  Radius of the hole.
- * @param b  How far below the middle.
+ * @param b  Distance of the ray below the centre.
  */
 static double hollow_error(const Engine *engine, Placement placement, double hole, double b) {
     const double tilt = -0.5;
@@ -274,8 +283,10 @@ static double hollow_error(const Engine *engine, Placement placement, double hol
     return error / (kept * kept * cos(out));
 }
 
-/** Hollow balls, from thick ones to those that are hardly there and turn nothing. @return The
- *  largest error, radians. */
+/**
+ * Hollow spheres, from thick ones to very thin ones without deviation.
+ * @return The largest error, radians.
+ */
 static Measurement hollow_sphere_error(const Engine *engine, Placement placement) {
     double worst = 0;
     static const double holes[] = {0.7, 0.99, 0.9999};
@@ -289,8 +300,10 @@ static Measurement hollow_sphere_error(const Engine *engine, Placement placement
 /* --- f: the white furnace ----------------------------------------------------------------------
  */
 
-/** Where light 1 comes from everywhere, glass is not seen: no light is lost and none made. @return
- *  The largest error of a pixel. */
+/**
+ * Under uniform light of radiance 1, glass is invisible: energy is conserved.
+ * @return The largest error of a pixel.
+ */
 static Measurement furnace_test(const Engine *engine, Placement placement) {
     static double rgb[3 * PIXELS];
     Scene *scene = create_empty_scene();
@@ -299,7 +312,7 @@ static Measurement furnace_test(const Engine *engine, Placement placement) {
     add_placed_sphere(scene, placement, (Vec3d){-1.1, 0, 0}, 1);
     add_placed_sphere(scene, placement, (Vec3d){1.1, 0, 0}, 1);
     use_material(scene, glass_material(1));
-    // In the middle: a bubble beside it turns rays that then never leave.
+    // At the centre: a bubble off the centre traps some rays.
     add_placed_sphere(scene, placement, (Vec3d){1.1, 0, 0}, 0.6);
     set_camera(scene, placement, (Vec3d){0.03, 0.02, 4}, (Vec3d){0, 0, -1});
     int small = picture_divisor(engine), width = WIDTH / small, height = HEIGHT / small;
@@ -315,8 +328,10 @@ static Measurement furnace_test(const Engine *engine, Placement placement) {
 /* --- g: depth ----------------------------------------------------------------------------------
  */
 
-/** What is missing in the furnace at a depth: the orders that were not followed, (1 - F) F^(d - 1).
- *  @return The largest error against that. */
+/**
+ * The energy missing in the furnace at a depth: that of the omitted reflections, (1 - F) F^(d - 1).
+ * @return The largest error relative to that.
+ */
 static Measurement depths(const Engine *engine, Placement placement) {
     double worst = 0;
     for (int depth = 1; depth <= 8; depth++) {
@@ -336,13 +351,13 @@ static Measurement depths(const Engine *engine, Placement placement) {
     return (Measurement){worst, error_limit(engine, placement, 2e-6, 1e-14)};
 }
 
-/** A point of the list. */
+/** A point of the acceptance list. */
 typedef struct AcceptancePoint {
-    const char *name;                                              /**< What it says. */
-    Measurement (*measure)(const Engine *engine, Placement world); /**< How it is measured. */
+    const char *name;                                              /**< Its statement. */
+    Measurement (*measure)(const Engine *engine, Placement world); /**< Measures it. */
 } AcceptancePoint;
 
-/** The list; the eighth point is that each holds in all of #placements. */
+/** The list. The eighth point is that each holds at all of #placements. */
 static const AcceptancePoint points[] = {{"a ball of air: steps off", check_air_sphere},
                                          {"b focus: lengths off", focus},
                                          {"c exit angles: radians off", max_exit_error},
@@ -352,7 +367,7 @@ static const AcceptancePoint points[] = {{"a ball of air: steps off", check_air_
                                          {"f white furnace: light off", furnace_test},
                                          {"g depth: light off", depths}};
 
-/** Measures the list. */
+/** Measures all points. */
 static void acceptance(const Engine *engine) {
     for (size_t p = 0; p < sizeof points / sizeof *points; p++) {
         for (int w = 0; w < PLACEMENT_COUNT; w++) {
@@ -371,7 +386,7 @@ static void test_acceptance(void **state) {
     for_every_engine(acceptance);
 }
 
-/** @return Status. */
+/** @return 0 if all tests pass. */
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_acceptance)};
     return cmocka_run_group_tests_name("glass", tests, NULL, NULL);

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Tests of picture files: BMP, where files go, and the picture module.
+ * @brief Tests of image files: BMP, output paths, and the image plugin.
  */
 #include "fixtures.h"
 
@@ -14,12 +14,12 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-/** Bytes of a small file that a test takes apart. */
+/** Size of the buffer for small files, bytes. */
 enum { SMALL_FILE_SIZE = 4096 };
 
 // --- helpers -------------------------------------------------------------------------------------
 
-/** Reads a small file. @return How many. */
+/** Reads a small file. @return Number of bytes. */
 static size_t read_file_bytes(const char *path, uint8_t bytes[SMALL_FILE_SIZE]) {
     FILE *stream = fopen(path, "rb");
     assert_non_null(stream);
@@ -28,13 +28,12 @@ static size_t read_file_bytes(const char *path, uint8_t bytes[SMALL_FILE_SIZE]) 
     return size;
 }
 
-/** Counts what is in the folder, so that forgotten temporary files are seen. @return How many
- *  files. */
+/** Counts the files in the folder, to detect leftover temporary files. @return Number of files. */
 static int count_files(void **state) {
     Fixture *fixture = *state;
     DIR *folder = opendir(fixture->folder);
     assert_non_null(folder);
-    int count = -2; // Itself and its parent.
+    int count = -2; // Do not count `.` and `..`.
     while (readdir(folder)) {
         count++;
     }
@@ -42,7 +41,9 @@ static int count_files(void **state) {
     return count;
 }
 
-/** Writes a picture, reads it again and compares. @return Largest difference of a channel, steps.
+/**
+ * Writes a picture, reads it back and compares.
+ * @return Largest difference of a channel, 8-bit steps.
  */
 static int round_trip(const char *path, int width, int height) {
     Error error = {0};
@@ -61,7 +62,7 @@ static int round_trip(const char *path, int width, int height) {
 
 // --- BMP -----------------------------------------------------------------------------------------
 
-/** Pictures of all row paddings come back the same. */
+/** A BMP round trip is lossless for every row padding. */
 static void test_bmp_round_trip(void **state) {
     for (int width = 1; width <= 9; width++) {
         assert_int_equal(round_trip(fixture_path(state, "a.bmp"), width, 10 - width), 0);
@@ -72,7 +73,7 @@ static void test_bmp_round_trip(void **state) {
     assert_int_equal(count_files(state), 4);
 }
 
-/** The bytes of a file are those of the format. */
+/** The bytes of a BMP file are those of the format. */
 static void test_bmp_bytes(void **state) {
     static const uint8_t expected[] = {
         'B', 'M', 62, 0, 0, 0, 0, 0, 0, 0, 54, 0, 0,
@@ -80,7 +81,7 @@ static void test_bmp_bytes(void **state) {
         40, 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, // Size of the header, width, height.
         1, 0, 24, 0, 0, 0, 0, 0, 8, 0, 0, 0, // Planes, bits, packing, size of the
                                              // rows.
-        0x13, 0x0B, 0, 0, 0x13, 0x0B, 0, 0,  // Pixels a metre.
+        0x13, 0x0B, 0, 0, 0x13, 0x0B, 0, 0,  // Pixels per metre.
         0, 0, 0, 0, 0, 0, 0, 0,              // No colour table.
         6, 5, 4, 0, 3, 2, 1, 0,              // The lower row first; blue, green, red.
     };
@@ -92,7 +93,7 @@ static void test_bmp_bytes(void **state) {
     assert_memory_equal(bytes, expected, sizeof expected);
 }
 
-/** The other kinds of BMP are read: 32 bits, masks, top row first. */
+/** Other kinds of BMP are read: 32 bits, channel masks, top row first. */
 static void test_bmp_kinds(void **state) {
     uint8_t bytes[78] = {
         'B', 'M', 78, 0, 0, 0,    0,    0,    0,    0, 66, 0,  0, 0, 40, 0, 0,
@@ -123,11 +124,11 @@ static void assert_refused(const char *path) {
     assert_true(strlen(error.message) > strlen("cannot read '': ") + strlen(path));
 }
 
-/** Headers that lie are refused. */
+/** Invalid headers are refused. */
 static void test_bmp_hostile(void **state) {
     static const struct {
-        size_t at;      /**< Where the header is changed. */
-        int32_t number; /**< The 4 bytes that are put there. */
+        size_t at;      /**< Offset of the changed bytes. */
+        int32_t number; /**< The 4 bytes written there. */
     } lies[] = {
         {0, 0},          {10, 53},        {10, 55},          {10, -1},
         {10, INT32_MAX}, {14, 0},         {14, 12},          {14, 39},
@@ -150,7 +151,7 @@ static void test_bmp_hostile(void **state) {
     }
 }
 
-/** A file that ends anywhere before its end is refused. */
+/** A truncated file is refused, wherever it ends. */
 static void test_bmp_truncated(void **state) {
     uint8_t bytes[SMALL_FILE_SIZE];
     const char *path = fixture_path(state, "a.bmp");
@@ -162,7 +163,7 @@ static void test_bmp_truncated(void **state) {
     }
 }
 
-/** What is no picture file at all is refused at once. */
+/** Anything that is not an image file is refused at once. */
 static void test_read_what_is_no_file(void **state) {
     assert_refused(fixture_path(state, "missing.bmp"));
     assert_int_equal(mkdir(fixture_path(state, "folder.bmp"), 0777), 0);
@@ -173,13 +174,13 @@ static void test_read_what_is_no_file(void **state) {
     assert_refused(fixture_path(state, "no-ending"));
 }
 
-// --- where files go ------------------------------------------------------------------------------
+// --- output paths --------------------------------------------------------------------------------
 
 /**
- * Asserts that a picture cannot be written, that this is said before and after, and that nothing is
- * left of it.
- * @param status  What it should lead to.
- * @param words  What the message should say.
+ * Asserts that a picture cannot be written: the check before and the writing both fail, and no file
+ * is left.
+ * @param status  Expected status.
+ * @param words  Expected part of the message.
  */
 static void assert_not_written(void **state, const char *path, Status status, const char *words) {
     int files = count_files(state);
@@ -206,14 +207,14 @@ static void assert_written(const char *path) {
     picture_deinit(&picture);
 }
 
-/** Names without a known ending are refused, and the known ones listed. */
+/** Names without a known extension are refused, and the message lists the known ones. */
 static void test_endings(void **state) {
     assert_not_written(state, fixture_path(state, "a.gif"), STATUS_USAGE, "png, exr");
     assert_not_written(state, fixture_path(state, "bmp"), STATUS_USAGE, ".bmp");
     assert_not_written(state, fixture_path(state, "a.bmp/b"), STATUS_USAGE, ".bmp");
 }
 
-/** A new file has the user's permissions, a replaced one its own. */
+/** A new file has the user's permissions; a replaced file keeps its permissions. */
 static void test_permissions(void **state) {
     const char *path = fixture_path(state, "a.bmp");
     struct stat found;
@@ -229,7 +230,7 @@ static void test_permissions(void **state) {
     assert_int_equal(count_files(state), 1);
 }
 
-/** Who may not write does not, and is told so. */
+/** Without permission, writing fails with a message. */
 static void test_no_permission(void **state) {
     Fixture *fixture = *state;
     const uid_t nobody = 65534;
@@ -246,7 +247,7 @@ static void test_no_permission(void **state) {
     assert_int_equal(me == 0 ? seteuid(me) : 0, 0);
 }
 
-/** Folders that are not there, and folders in the file's place. */
+/** Missing folders, and folders in place of the file, are refused. */
 static void test_wrong_paths(void **state) {
     char name[400];
     memset(name, 'x', sizeof name);
@@ -255,16 +256,16 @@ static void test_wrong_paths(void **state) {
     assert_int_equal(mkdir(fixture_path(state, "folder.bmp"), 0777), 0);
     assert_not_written(state, fixture_path(state, "folder.bmp"), STATUS_FAILED, strerror(EISDIR));
     assert_not_written(state, fixture_path(state, name), STATUS_FAILED, strerror(ENAMETOOLONG));
-    assert_written(fixture_path(state, name + sizeof name - 255)); // 254 bytes: as long as can be.
+    assert_written(fixture_path(state, name + sizeof name - 255)); // 254 bytes: nearly the maximum.
 }
 
-/** A symbolic link stays, and what it points to is replaced. */
+/** A symbolic link is kept, and its target is replaced. */
 static void test_links(void **state) {
     struct stat found;
     assert_int_equal(mkdir(fixture_path(state, "folder"), 0777), 0);
     assert_int_equal(symlink("folder/a.bmp", fixture_path(state, "link.bmp")), 0);
     assert_int_equal(symlink("link.bmp", fixture_path(state, "second.bmp")), 0);
-    assert_written(fixture_path(state, "second.bmp")); // Points to nothing yet.
+    assert_written(fixture_path(state, "second.bmp")); // The link is dangling.
     assert_written(fixture_path(state, "second.bmp"));
     assert_int_equal(lstat(fixture_path(state, "link.bmp"), &found), 0);
     assert_true(S_ISLNK(found.st_mode));
@@ -298,7 +299,7 @@ static void test_devices(void **state) {
     picture_deinit(&picture);
 }
 
-/** What is there already is never written over. */
+/** image_file_write_new() never overwrites a file or a link. */
 static void test_never_over(void **state) {
     Picture picture = make_test_picture(3, 2);
     Error error = {0};
@@ -317,14 +318,16 @@ static void test_never_over(void **state) {
     picture_deinit(&picture);
 }
 
-/** Asserts that a disk that fills up is seen, and that the old file stays. @param name Name of the
- *  file. */
+/**
+ * Asserts that a full disk is reported, and that the old file is kept.
+ * @param name Name of the file.
+ */
 static void assert_full_disk_is_reported(void **state, const char *name) {
     const char *path = fixture_path(state, name);
     Picture picture = make_test_picture(200, 200);
     Error error = {0};
     struct rlimit limit;
-    assert_written(path); // The old file; opens the module too.
+    assert_written(path); // The old file; this loads the plugin, too.
     struct stat old;
     assert_int_equal(stat(path, &old), 0);
     assert_int_equal(getrlimit(RLIMIT_FSIZE, &limit), 0);
@@ -343,15 +346,15 @@ static void assert_full_disk_is_reported(void **state, const char *name) {
     picture_deinit(&picture);
 }
 
-/** A full disk is seen, and harms nothing. */
+/** A full disk is reported, and no file is damaged. */
 static void test_full_disk(void **state) {
     assert_full_disk_is_reported(state, "a.bmp");
     assert_int_equal(count_files(state), 1);
 }
 
-// --- the picture module --------------------------------------------------------------------------
+// --- the image plugin ----------------------------------------------------------------------------
 
-/** A module that is not there, or is none, is missed in words. */
+/** A missing or invalid plugin is reported. */
 static void test_module_is_missing(void **state) {
     Fixture *fixture = *state;
     Error error = {0};
@@ -365,7 +368,7 @@ static void test_module_is_missing(void **state) {
     assert_non_null(strstr(error.message, ".bmp"));
 }
 
-/** Stands for a module that a file brings down. @return Nothing: it does not return. */
+/** A fake plugin that crashes. @return Nothing: it does not return. */
 static ImageReader *crashing_plugin_open(const char *path, const char *format, ImageHeader *header,
                                          ImagePluginMessage *message) {
     (void)path;
@@ -375,14 +378,14 @@ static ImageReader *crashing_plugin_open(const char *path, const char *format, I
     abort();
 }
 
-/** Stands for a module that Ctrl-C stops. @return Nothing: it does not return. */
+/** A fake plugin that is interrupted by Ctrl-C. @return Nothing: it does not return. */
 static ImageReader *interrupting_plugin_open(const char *path, const char *format,
                                              ImageHeader *header, ImagePluginMessage *message) {
     raise(SIGINT);
     return crashing_plugin_open(path, format, header, message);
 }
 
-/** Stands for a module that never comes to an end. @return Nothing: it does not return. */
+/** A fake plugin that never ends. @return Nothing: it does not return. */
 static ImageReader *hanging_plugin_open(const char *path, const char *format, ImageHeader *header,
                                         ImagePluginMessage *message) {
     (void)header;
@@ -393,8 +396,8 @@ static ImageReader *hanging_plugin_open(const char *path, const char *format, Im
 }
 
 /**
- * Stands for a module that takes much memory.
- * @param[out] message  Whether it got the memory.
+ * A fake plugin that allocates much memory.
+ * @param[out] message  Whether the allocation succeeded.
  * @return NULL.
  */
 static ImageReader *greedy_plugin_open(const char *path, const char *format, ImageHeader *header,
@@ -408,7 +411,7 @@ static ImageReader *greedy_plugin_open(const char *path, const char *format, Ima
     return NULL;
 }
 
-/** Stands for a module that a file leads astray. @return Something. */
+/** A fake plugin that returns a header with too large a width. @return A reader. */
 static ImageReader *lying_plugin_open(const char *path, const char *format, ImageHeader *header,
                                       ImagePluginMessage *message) {
     (void)path;
@@ -434,7 +437,7 @@ static void plugin_close_stub(ImageReader *reader) {
     (void)reader;
 }
 
-/** A module, as the task of a worker. */
+/** A fake plugin as a worker task. */
 #define MODULE_TASK(name, ...)                                                                     \
     static void name##_task(WorkerJob *job) {                                                      \
         static const ImagePlugin module = {__VA_ARGS__};                                           \
@@ -447,13 +450,13 @@ MODULE_TASK(greedy, .open = greedy_plugin_open)
 MODULE_TASK(lying, .open = lying_plugin_open, .read_encoded = plugin_read_stub,
             .close = plugin_close_stub)
 
-/** Tasks of this program as a worker. */
+/** The worker tasks of this program. */
 static const WorkerTask module_tasks[] = {
     {"crashing", crashing_task}, {"interrupting", interrupting_task},
     {"hanging", hanging_task},   {"greedy", greedy_task},
     {"lying", lying_task},       {0}};
 
-/** Reads a picture with a module of #module_tasks, and fails. @return What is wrong. */
+/** Reads an image with a plugin of #module_tasks, which must fail. @return The error. */
 static Error fail_with_module(const char *task, const ImageReadLimits *limits) {
     const ImageWorker worker = {"/proc/self/exe", task};
     Texture *texture;
@@ -463,10 +466,10 @@ static Error fail_with_module(const char *task, const ImageReadLimits *limits) {
     return error;
 }
 
-/** What a fake module may take. */
+/** Resource limits of a fake plugin. */
 static const ImageReadLimits small_limits = {10, 1 << 20, 1 << 20};
 
-/** A file that makes the libraries crash does not bring the program down. */
+/** A crash of a plugin does not crash the program. */
 static void test_module_crashes(void **state) {
     (void)state;
     Error error = fail_with_module("crashing", &small_limits);
@@ -474,19 +477,19 @@ static void test_module_crashes(void **state) {
     assert_non_null(strstr(error.message, "crash"));
 }
 
-/** Ctrl-C while a picture is read says so and blames no file. */
+/** Ctrl-C while an image is read is reported, without an error of the file. */
 static void test_module_interrupted(void **state) {
     (void)state;
     assert_int_equal(fail_with_module("interrupting", &small_limits).status, STATUS_INTERRUPTED);
 }
 
-/** Time, memory and the texture are checked. */
+/** Time, memory and texture size are limited. */
 static void test_module_limits(void **state) {
     (void)state;
     static const struct {
-        const char *task;       /**< A module. */
-        ImageReadLimits limits; /**< What it may take. */
-        const char *words;      /**< What must be said. */
+        const char *task;       /**< A fake plugin. */
+        ImageReadLimits limits; /**< Its limits. */
+        const char *words;      /**< Expected part of the message. */
     } cases[] = {
         {"hanging", {0.3, 1 << 20, 1 << 20}, "more than 0 s"},
         {"greedy", {10, 1 << 20, 1 << 20}, "got nothing"},
@@ -500,7 +503,7 @@ static void test_module_limits(void **state) {
     }
 }
 
-/** Makes the module findable. The tests of it are skipped where it was not built. */
+/** Links the plugin. Its tests are skipped if it was not built. */
 static void require_plugin(void) {
     symlink_plugin("dioptre-images.so");
     Error error = {0};
@@ -510,17 +513,17 @@ static void require_plugin(void) {
     }
 }
 
-/** The formats of the module: name of a file, and how far a picture may be off when read back. */
+/** The formats of the plugin, and the tolerance of a round trip. */
 static const struct {
     const char *name; /**< Name of the file. */
-    int steps;        /**< Largest difference of a channel. */
+    int steps;        /**< Largest difference of a channel, 8-bit steps. */
 } module_formats[] = {
     {"a.png", 0}, {"a.tif", 0}, {"a.TIFF", 0}, {"a.exr", 0}, {"a.hdr", 20}, {"a.jpg", 80},
 };
-/** How many there are. */
+/** Number of formats. */
 enum { MODULE_FORMATS = sizeof module_formats / sizeof *module_formats };
 
-/** Pictures come back as they were, as far as the format keeps them. */
+/** A round trip is exact within the precision of the format. */
 static void test_module_round_trip(void **state) {
     require_plugin();
     for (int i = 0; i < MODULE_FORMATS; i++) {
@@ -531,7 +534,7 @@ static void test_module_round_trip(void **state) {
     assert_int_equal(count_files(state), MODULE_FORMATS);
 }
 
-/** Formats of linear light hold the light that a picture stands for, whatever its own encoding. */
+/** Formats of linear light contain the decoded light of a picture, whatever its encoding. */
 static void test_module_linear_light(void **state) {
     require_plugin();
     static const char *const names[] = {"a.exr", "a.hdr"};
@@ -551,8 +554,10 @@ static void test_module_linear_light(void **state) {
     }
 }
 
-/** A picture that keeps its light hands it to formats of linear light as it is: not cut at 1, not
- *  rounded to steps; and what no light can be is put right. */
+/**
+ * A picture with linear light is written to formats of linear light without clamping or rounding to
+ * 8 bits. Invalid values are corrected.
+ */
 static void test_module_keeps_light(void **state) {
     require_plugin();
     static const float light[] = {5.5F, 1e-7F, 0.123456789F, NAN, -1, INFINITY};
@@ -574,7 +579,7 @@ static void test_module_keeps_light(void **state) {
     picture_deinit(&picture);
 }
 
-/** A BMP file becomes a texture without the module. */
+/** A BMP file becomes a texture without the plugin. */
 static void test_bmp_texture(void **state) {
     const char *path = fixture_path(state, "a.bmp");
     Picture picture = make_test_picture(5, 3);
@@ -592,7 +597,7 @@ static void test_bmp_texture(void **state) {
     assert_null(texture);
 }
 
-/** The same picture gives the same bytes, whenever it is written. */
+/** The same picture gives the same bytes at any time. */
 static void test_module_same_bytes(void **state) {
     require_plugin();
     uint8_t first[MODULE_FORMATS][SMALL_FILE_SIZE];
@@ -601,7 +606,7 @@ static void test_module_same_bytes(void **state) {
         round_trip(fixture_path(state, module_formats[i].name), 10, 10);
         size[i] = read_file_bytes(fixture_path(state, module_formats[i].name), first[i]);
     }
-    sleep(1); // The clock of a date in a file goes by seconds.
+    sleep(1); // Dates in files have a resolution of one second.
     for (int i = 0; i < MODULE_FORMATS; i++) {
         uint8_t again[SMALL_FILE_SIZE];
         round_trip(fixture_path(state, module_formats[i].name), 10, 10);
@@ -611,7 +616,7 @@ static void test_module_same_bytes(void **state) {
     }
 }
 
-/** A full disk is seen with every format. */
+/** A full disk is reported for every format. */
 static void test_module_full_disk(void **state) {
     require_plugin();
     for (int i = 0; i < MODULE_FORMATS; i++) {
@@ -620,7 +625,7 @@ static void test_module_full_disk(void **state) {
     assert_int_equal(count_files(state), MODULE_FORMATS);
 }
 
-/** A file of another format than its name says, or cut off, is refused. */
+/** A truncated file, or one of a different format than its extension, is refused. */
 static void test_module_hostile(void **state) {
     require_plugin();
     uint8_t bytes[SMALL_FILE_SIZE];
@@ -637,7 +642,7 @@ static void test_module_hostile(void **state) {
     }
 }
 
-/** Runs the tests. @return How many failed. */
+/** Runs the tests. @return Number of failed tests. */
 int main(int argc, char **argv) {
     if (worker_is_requested(argc, argv)) {
         worker_main(argv, module_tasks);

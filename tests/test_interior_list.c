@@ -1,18 +1,22 @@
 /**
  * @file
- * @brief Glass besides the sphere: Fresnel's shares, media that nest, touch and overlap, cameras
- *        inside, light through glass.
+ * @brief Dielectrics other than the sphere: Fresnel reflectance, nested, touching and overlapping
+ *        media, cameras inside, light through glass.
  */
 #include "glass_scenes.h"
 
-/** Where most tests are. */
+/** The placement of most tests. */
 static const Placement here = {1, 0};
 
 /* --- Fresnel -----------------------------------------------------------------------------------
  */
 
-/** A pond: what is mirrored comes from a bright ceiling or, seen from below, from a bright ground.
- *  @return The scene. @param ior Index of the water. @param from_above Where the camera is. */
+/**
+ * A water surface. A bright ceiling is reflected or, seen from below, a bright ground.
+ * @return The scene.
+ * @param ior  Index of the water.
+ * @param from_above  Whether the camera is above.
+ */
 static Scene *pond_scene(double ior, bool from_above) {
     Scene *scene = create_empty_scene();
     use_material(scene, glass_material(ior));
@@ -23,8 +27,8 @@ static Scene *pond_scene(double ior, bool from_above) {
 }
 
 /**
- * @return The share that the pond mirrors.
- * @param direction  Which way the camera looks, one long.
+ * @return The reflectance of the water surface.
+ * @param direction  Direction of view, a unit vector.
  */
 static double measured_reflectance(const Engine *engine, Scene *scene, Vec3d direction) {
     set_camera(scene, here, vec3d_scale(direction, -1), direction);
@@ -33,8 +37,8 @@ static double measured_reflectance(const Engine *engine, Scene *scene, Vec3d dir
 }
 
 /**
- * @return A direction at an angle to the vertical, downwards or upwards, exact in float.
- * @param downwards  Which of the two.
+ * @return A direction at an angle to the vertical, rounded to float.
+ * @param downwards  Whether it points down instead of up.
  */
 static Vec3d slanted_direction(double degrees, bool downwards) {
     double angle = degrees * M_PI / 180;
@@ -48,8 +52,10 @@ static Quadruple sine_of(Vec3d direction) {
     return quad_abs(x) / quad_sqrt(x * x + y * y);
 }
 
-/** The shares of light mirrored are Fresnel's, from above and from below, also beyond where there
- *  is no refraction; at right angles, and the same both ways. */
+/**
+ * Reflectances equal Fresnel's, from above and from below, also at total internal reflection and
+ * normal incidence; they are symmetric.
+ */
 static void check_fresnel(const Engine *engine) {
     const double u = fmax((double)roundoff(engine), 0x1p-53);
     double worst = 0;
@@ -63,7 +69,7 @@ static void check_fresnel(const Engine *engine) {
             double truth =
                 below ? fresnel_closed_form(sine, ior, 1) : fresnel_closed_form(sine, 1, ior);
             double fraction = measured_reflectance(engine, scene, direction);
-            // The direction itself is rounded, and near 90 degrees the share is steep: 1 / cosine.
+            // The direction is rounded, and near 90 degrees the reflectance is steep: 1 / cosine.
             double steep = truth < 1 ? fresnel_closed_form(sine, 1, ior) / cosine : 0;
             steep = below && truth < 1 ? 1 / sqrt(1 - ior * ior * (double)(sine * sine)) : steep;
             worst = fmax(worst, fabs(fraction - truth) / (1 + steep));
@@ -91,10 +97,10 @@ static void test_fresnel(void **state) {
 /** Size of the pictures. */
 enum { SIZE = 24, NUMBERS = 3 * SIZE * SIZE };
 
-/** A scene, built one way or the other. */
+/** Builds a scene in one of several ways. */
 typedef void (*Builder)(Scene *scene, Placement world);
 
-/** A checkered background and a lamp around what is built. @return The scene. */
+/** A chequered background and a light around the built shapes. @return The scene. */
 static Scene *glass_test_scene(Placement placement, Builder build) {
     Scene *scene = create_empty_scene();
     scene->sky.horizon = (Rgbd){0.4, 0.5, 0.6};
@@ -109,8 +115,10 @@ static Scene *glass_test_scene(Placement placement, Builder build) {
     return scene;
 }
 
-/** Fails unless two ways to build glass look the same. @return Pixels that differ by more than one
- *  step. */
+/**
+ * Fails unless two builders give the same picture.
+ * @return Pixels that differ by more than one step.
+ */
 static int scene_difference(const Engine *engine, Placement placement, Builder a, Builder b) {
     static double rgb[2][NUMBERS];
     const Builder both[] = {a, b};
@@ -132,27 +140,27 @@ static void build_liquid(Scene *scene, Placement placement) {
     add_placed_box(scene, placement, (Vec3d){-1, -1, -1}, (Vec3d){1, 1, 1});
 }
 
-/** The same with a ball of the same index in it. */
+/** The same with a sphere of equal index inside. */
 static void build_ball_in_liquid(Scene *scene, Placement placement) {
     build_liquid(scene, placement);
     add_placed_sphere(scene, placement, (Vec3d){0.1, 0.2, 0}, 0.6);
 }
 
-/** The same, the ball first. */
+/** The same, with the sphere first. */
 static void build_ball_before_liquid(Scene *scene, Placement placement) {
     use_material(scene, glass_material(1.5));
     add_placed_sphere(scene, placement, (Vec3d){0.1, 0.2, 0}, 0.6);
     build_liquid(scene, placement);
 }
 
-/** The same, in two halves that touch. */
+/** The same in two touching halves. */
 static void build_two_halves(Scene *scene, Placement placement) {
     use_material(scene, glass_material(1.5));
     add_placed_box(scene, placement, (Vec3d){-1, -1, -1}, (Vec3d){1.0 / 3, 1, 1});
     add_placed_box(scene, placement, (Vec3d){1.0 / 3, -1, -1}, (Vec3d){1, 1, 1});
 }
 
-/** The same, in four quarters around one edge, in another order. */
+/** The same in four quarters around one edge, in another order. */
 static void build_four_quarters(Scene *scene, Placement placement) {
     use_material(scene, glass_material(1.5));
     add_placed_box(scene, placement, (Vec3d){0.3, -1, -1}, (Vec3d){1, 1, 0.2});
@@ -161,20 +169,20 @@ static void build_four_quarters(Scene *scene, Placement placement) {
     add_placed_box(scene, placement, (Vec3d){0.3, -1, 0.2}, (Vec3d){1, 1, 1});
 }
 
-/** The same, in two that overlap. */
+/** The same in two overlapping boxes. */
 static void build_two_overlapping(Scene *scene, Placement placement) {
     use_material(scene, glass_material(1.5));
     add_placed_box(scene, placement, (Vec3d){-1, -1, -1}, (Vec3d){0.5, 1, 1});
     add_placed_box(scene, placement, (Vec3d){-0.5, -1, -1}, (Vec3d){1, 1, 1});
 }
 
-/** The same twice, in the same place. */
+/** The same box twice. */
 static void build_twice(Scene *scene, Placement placement) {
     build_liquid(scene, placement);
     build_liquid(scene, placement);
 }
 
-/** The same, and one of another index that a later one hides. */
+/** The same, and a box of another index that a later one overrides. */
 static void build_hidden(Scene *scene, Placement placement) {
     use_material(scene, glass_material(2.4));
     scene->materials[scene->material_count - 1].transparency = (Rgbd){0.5, 0.3, 0.1};
@@ -183,7 +191,10 @@ static void build_hidden(Scene *scene, Placement placement) {
     build_liquid(scene, placement);
 }
 
-/** A ball of glass, hollow, with water that fills the hole: the water's wall is the hole's. */
+/**
+ * A hollow glass sphere filled with water: the surface of the water coincides with that of the
+ * hole.
+ */
 static void build_filled_hole(Scene *scene, Placement placement) {
     use_material(scene, glass_material(1.5));
     add_placed_sphere(scene, placement, (Vec3d){0, 0, 0}, 1);
@@ -201,7 +212,7 @@ static void build_filled(Scene *scene, Placement placement) {
     add_placed_sphere(scene, placement, (Vec3d){0, 0, 0}, 0.8);
 }
 
-/** Glass beside water that touches it. */
+/** Glass and water that touch. */
 static void build_glass_and_water(Scene *scene, Placement placement) {
     use_material(scene, glass_material(1.5));
     add_placed_box(scene, placement, (Vec3d){-1, -1, -1}, (Vec3d){0.3, 1, 1});
@@ -209,7 +220,7 @@ static void build_glass_and_water(Scene *scene, Placement placement) {
     add_placed_box(scene, placement, (Vec3d){0.3, -1, -1}, (Vec3d){1, 1, 1});
 }
 
-/** The same, the other first, and the glass reaches under the water. */
+/** The same in the other order; the glass extends into the water. */
 static void build_water_over_glass(Scene *scene, Placement placement) {
     use_material(scene, glass_material(1.5));
     add_placed_box(scene, placement, (Vec3d){-1, -1, -1}, (Vec3d){1, 1, 1});
@@ -217,7 +228,7 @@ static void build_water_over_glass(Scene *scene, Placement placement) {
     add_placed_box(scene, placement, (Vec3d){0.3, -1, -1}, (Vec3d){1, 1, 1});
 }
 
-/** A glass box turned. */
+/** Adds a rotated glass box. */
 static void add_turned_box(Scene *scene, Placement placement, Vec3d low, Vec3d high) {
     Error error = {0};
     Transform transform = *(const Transform *)transform_keyword.defaults;
@@ -229,7 +240,7 @@ static void add_turned_box(Scene *scene, Placement placement, Vec3d low, Vec3d h
     assert_true(scene_set_last_transform(scene, &transform, &error));
 }
 
-/** A turned box. */
+/** A rotated box. */
 static void build_turned(Scene *scene, Placement placement) {
     use_material(scene, glass_material(1.5));
     add_turned_box(scene, placement, (Vec3d){-1, -1, -1}, (Vec3d){1, 1, 1});
@@ -242,14 +253,14 @@ static void build_turned_halves(Scene *scene, Placement placement) {
     add_turned_box(scene, placement, (Vec3d){-1, 1.0 / 3, -1}, (Vec3d){1, 1, 1});
 }
 
-/** Two ways to build the same. */
+/** Two equivalent builders. */
 typedef struct EquivalentScenes {
-    const char *name; /**< What. */
-    Builder one;      /**< One way. */
-    Builder other;    /**< The other. */
+    const char *name; /**< Name. */
+    Builder one;      /**< The first. */
+    Builder other;    /**< The second. */
 } EquivalentScenes;
 
-/** What must look the same. */
+/** The equivalent builders. */
 static const EquivalentScenes pairs[] = {
     {"a ball in liquid of its index", build_liquid, build_ball_in_liquid},
     {"a ball before liquid of its index", build_liquid, build_ball_before_liquid},
@@ -262,7 +273,7 @@ static const EquivalentScenes pairs[] = {
     {"water over glass", build_glass_and_water, build_water_over_glass},
     {"turned halves that touch", build_turned, build_turned_halves}};
 
-/** Glass that is built in another way looks the same, within a step. */
+/** Equivalent dielectrics give the same picture, within a step. */
 static void check_equivalent_scenes(const Engine *engine) {
     for (size_t p = 0; p < sizeof pairs / sizeof *pairs; p++) {
         for (int w = 0; w < PLACEMENT_COUNT; w++) {
@@ -285,7 +296,7 @@ static void test_equivalent_scenes(void **state) {
     for_every_engine(check_equivalent_scenes);
 }
 
-/** Air in air bends nothing, to the last bit: the sky, which only asks which way a ray goes. */
+/** Index 1 does not change directions, bit for bit. The sky shows the direction of a ray. */
 static void check_air_is_exact(const Engine *engine) {
     static double rgb[2][NUMBERS];
     for (int w = 0; w < PLACEMENT_COUNT; w++) {
@@ -308,15 +319,18 @@ static void test_air_is_exact(void **state) {
     for_every_engine(check_air_is_exact);
 }
 
-/** From glass into water that touches it there is no air between: past the critical angle to air,
- *  light goes on. */
+/**
+ * Between touching glass and water there is no air: beyond the critical angle to air, light is
+ * transmitted.
+ */
 static void check_touching_dielectrics(const Engine *engine) {
     for (int w = 0; w < PLACEMENT_COUNT; w++) {
         Scene *scene = create_empty_scene();
         build_glass_and_water(scene, placements[w]);
         use_material(scene, emissive_material((Rgbd){1, 1, 1}));
         add_placed_plane(scene, placements[w], (Vec3d){0.9, 0, 0}, (Vec3d){-1, 0, 0});
-        // 50 degrees: in air, nothing would go on from 42 degrees. The camera is in the glass.
+        // The angle is 50 degrees; to air, the critical angle is 42 degrees. The camera is in the
+        // glass.
         Vec3d direction = {round_to_float(cos(50 * M_PI / 180)),
                            round_to_float(sin(50 * M_PI / 180)), 0};
         set_camera(scene, placements[w], (Vec3d){0, -0.4, 0}, direction);
@@ -337,8 +351,10 @@ static void test_no_air_between(void **state) {
     for_every_engine(check_touching_dielectrics);
 }
 
-/** From inside a box, light goes out up to the critical angle and no farther; from the middle of a
- *  ball in all directions. */
+/**
+ * From inside a box, light is transmitted up to the critical angle only; from the centre of a
+ * sphere in all directions.
+ */
 static void check_camera_inside(const Engine *engine) {
     for (int w = 0; w < PLACEMENT_COUNT; w++) {
         for (int degrees = 1; degrees < 45; degrees += 4) {
@@ -369,14 +385,17 @@ static void test_camera_inside(void **state) {
     for_every_engine(check_camera_inside);
 }
 
-/** Whoever leaves a shape was in it, even if nothing told so: the back of a pane is glass. */
+/**
+ * A ray that exits a shape was inside it, even if its interior list lacks the shape: the back of a
+ * pane refracts.
+ */
 static void check_exit_of_pane(const Engine *engine) {
     double rgb[3];
     Scene *scene = create_empty_scene();
     use_material(scene, glass_material(1.5));
     add_placed_quad(scene, here, (Vec3d){-1, 0, -1}, (Vec3d){2, 0, 0}, (Vec3d){0, 0, 2});
     for (int side = -1; side <= 1; side += 2) {
-        // Its normal is -y. From so far beside it, no ray along an axis meets it.
+        // Its normal is -y. The camera is so far aside that no ray along an axis hits it.
         set_camera(scene, here, (Vec3d){-3, side, 0}, (Vec3d){3, -side, 0});
         RayCounts counts = trace_picture(engine, scene, (TraceLimits){1, 0}, 1, 1, rgb);
         assert_int_equal((int)counts.total_reflection, side > 0);
@@ -390,11 +409,12 @@ static void test_back_of_a_pane(void **state) {
     for_every_engine(check_exit_of_pane);
 }
 
-/** More balls in one another than a ray remembers (8). */
+/** More nested spheres than an interior list holds (8). */
 enum { NESTED_SPHERES = 10 };
 
-/** More shapes in one another than a ray remembers: those that come last count, and nothing is
- *  lost. */
+/**
+ * With more nested shapes than an interior list holds, the last ones count, and no light is lost.
+ */
 static void check_nesting_overflow(const Engine *engine) {
     Scene *scene = create_empty_scene();
     scene->sky.horizon = scene->sky.zenith = (Rgbd){1, 1, 1};
@@ -403,7 +423,7 @@ static void check_nesting_overflow(const Engine *engine) {
         add_placed_sphere(scene, here, (Vec3d){0, 0, 0}, 1 - 0.05 * i);
     }
     set_camera(scene, here, (Vec3d){0, 0.1, 3}, (Vec3d){0, 0, -1});
-    // Long ways: to and fro between shapes that are there and such that are forgotten.
+    // Deep recursion: rays between shapes in the list and others that did not fit.
     double rgb[3];
     trace_picture(engine, scene, (TraceLimits){160, 1e-5}, 1, 1, rgb);
     assert_at_most(fabs(rgb[0] - 1), 1e-3, "onion in %s", engine->name);
@@ -419,18 +439,18 @@ static void test_onion(void **state) {
 /* --- light through glass -----------------------------------------------------------------------
  */
 
-/** What is between a lamp and the floor below it. */
+/** The shapes between a light and the floor below it. */
 typedef struct ShadowFilterCase {
-    const char *name;    /**< What. */
-    int surfaces;        /**< How many tinted surfaces the light crosses. */
-    int spheres;         /**< Balls. */
-    int quads;           /**< Quads. */
-    bool is_opaque;      /**< Whether something opaque is there too. */
-    double clear_radius; /**< Radius of a clear ball after the lowest one, above 0. */
-    double clear_height; /**< How far above its middle. */
+    const char *name;    /**< Name. */
+    int surfaces;        /**< Number of tinted surfaces on the way of the light. */
+    int spheres;         /**< Number of spheres. */
+    int quads;           /**< Number of quads. */
+    bool is_opaque;      /**< Whether there is an opaque shape, too. */
+    double clear_radius; /**< Radius of a clear sphere after the lowest one, above 0. */
+    double clear_height; /**< Height above its centre. */
 } ShadowFilterCase;
 
-/** The rows. */
+/** The cases. */
 static const ShadowFilterCase betweens[] = {
     {"nothing", 0, 0, 0, false, 0, 0},
     {"a ball", 2, 1, 0, false, 0, 0},
@@ -443,8 +463,8 @@ static const ShadowFilterCase betweens[] = {
     {"one whose middle is hidden", 2, 1, 0, false, 0.3, 0}};
 
 /**
- * @return A floor under a lamp, and what is between.
- * @param specular  Weight of the floor's highlight.
+ * @return A floor below a light, and the shapes between them.
+ * @param specular  Specular coefficient of the floor.
  */
 static Scene *light_scene(Placement placement, const ShadowFilterCase *row, double specular) {
     Error error = {0};
@@ -477,7 +497,10 @@ static Scene *light_scene(Placement placement, const ShadowFilterCase *row, doub
     return scene;
 }
 
-/** A lamp's light loses its share at each surface, in each colour, matt and in highlights. */
+/**
+ * Each surface multiplies the light by its transmittance, per channel, for diffuse reflection and
+ * highlights.
+ */
 static void check_shadow_transmittance(const Engine *engine) {
     static const double tint[] = {0.5, 0.75, 0.125};
     for (size_t r = 0; r < sizeof betweens / sizeof *betweens; r++) {
@@ -507,14 +530,12 @@ static void test_filtered_light(void **state) {
     for_every_engine(check_shadow_transmittance);
 }
 
-/* --- depth -------------------------------------------------------------------------------------
- */
+/* --- depth ------------------------------------------------------------------------------------ */
 
-/** As deep as a scene may ask for, on the stack that a thread has: a stack of panes, then mirrors.
- */
+/** The largest depth of a scene fits the stack of a thread: a stack of panes, then mirrors. */
 static void check_maximum_depth(const Engine *engine) {
 #ifdef __SANITIZE_ADDRESS__
-    const int depth = 64; // Its frames are three times as large.
+    const int depth = 64; // Its stack frames are three times as large.
 #else
     const int depth = DEPTH_MAXIMUM;
 #endif
@@ -540,7 +561,7 @@ static void test_deepest(void **state) {
     for_every_engine(check_maximum_depth);
 }
 
-/** @return How many tests failed. */
+/** @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_fresnel),        cmocka_unit_test(test_equivalent_scenes),

@@ -1,10 +1,10 @@
 /**
  * @file
- * @brief The laboratory: bad methods fail where they should, good ones and the tracer's own do not,
- *        and every run has the same results.
+ * @brief Tests of the laboratory: bad methods fail as expected, good ones and the tracer do not,
+ *        and runs are reproducible.
  *
- * One table with a row per expectation. Good methods have the bounds that they were designed for.
- * The bounds of bad methods are so far from their results that roundings do not matter.
+ * One table has a row per expectation. Good methods have the bounds of their design. The bounds of
+ * bad methods are so far from their results that rounding does not matter.
  */
 #include "lab/charts/metrics.h"
 #include "lab/charts/table.h"
@@ -57,7 +57,7 @@ static const Expectation expectations[] = {
     {"sphere-distance", "dioptre", "float", 1e6, "false_hits", 0, 0},
     {"sphere-distance", "dioptre", "double", 1e4, "ulps_p999", 0, 32},
     {"sphere-distance", "dioptre", "double", 1e6, "false_misses", 0, 0},
-    // Far from the origin of the world.
+    // Far from the origin.
     {"sphere-world", "expanded", "float", 1e3, "false_misses", 0.01, 0.2},
     {"sphere-world", "projection", "float", 1e5, "ulps_p999", 1e3, ANY_VALUE},
     {"sphere-world", "relative projection", "float", 1e6, "ulps_p999", 0, 8},
@@ -67,7 +67,7 @@ static const Expectation expectations[] = {
     {"sphere-scale", "relative projection", "float", 1e-6, "ulps_p999", 0, 8},
     {"sphere-scale", "dioptre", "float", 1e-6, "ulps_max", 0, 2},
     {"sphere-scale", "dioptre", "float", 1e6, "ulps_max", 0, 2},
-    // The ground: nothing in float alone sees it.
+    // The ground: plain float is inaccurate.
     {"sphere-ground", "relative projection", "float", 1e5, "error_median", 1e-4, ANY_VALUE},
     {"sphere-ground", "Haines", "float", 1e5, "error_median", 1e-4, ANY_VALUE},
     {"sphere-ground", "compensated", "float", 1e6, "error_p999", 0, 1e-6},
@@ -94,7 +94,7 @@ static const Expectation expectations[] = {
     {"plane-point", "by its offset", "float", 1e6, "error_max", 0, 4.8e-7},
     {"plane-point", "dioptre", "float", 1e6, "error_max", 0, 4.8e-7},
     {"plane-point", "dioptre", "double", 1e6, "error_max", 0, 8.9e-16},
-    // Triangles: what neighbours compute alike does not leak.
+    // Triangles: no leaks where neighbours compute the same edge function.
     {"triangle-edges", "Cramer", "float", 1, "leaks", 0.02, 0.2},
     {"triangle-edges", "Moeller-Trumbore", "float", 1, "leaks", 0.05, 0.2},
     {"triangle-edges", "Moeller-Trumbore", "double", 1, "leaks", 0.05, 0.2},
@@ -153,7 +153,7 @@ static const Expectation expectations[] = {
     {"glass-world", "1e-4 N", "float", 1e4, "wrong", 0.2, 1},
     {"glass-world", "32 u (|P| + R) N", "float", 1e5, "wrong", 0.9, 1},
     {"glass-world", "dioptre", "float", 1e5, "wrong", 0, 0},
-    // Light and mirrors.
+    // Reflections and Fresnel.
     {"mirror-bounces", "normalized", "float", 10, "error_median", 5e-5, 5e-3},
     {"mirror-bounces", "normalized", "double", 10, "error_median", 0, 1e-11},
     {"fresnel-into", "one polarisation", "float", 12, "error_max", 0.14, 0.16},
@@ -187,7 +187,7 @@ static const Expectation expectations[] = {
     {"marching-angle", "relaxed", "double", 1, "work", 300, 350},
     {"marching-angle", "relaxed", "float", 1, "error_max", 0, 5.8e-3},
     {"marching-angle", "plain", "float", 0.1, "false_misses", 0, 0},
-    // At most the tolerance over the sine.
+    // At most the tolerance divided by the sine.
     {"marching-angle", "dioptre", "float", 1, "error_max", 0, 5.8e-3},
     {"marching-angle", "dioptre", "double", 0.1, "error_max", 0, 5.8e-2},
     {"marching-angle", "dioptre", "float", 0.1, "false_misses", 0, 0},
@@ -363,7 +363,7 @@ static void test_quad(void **state) {
     assert_true((double)quad_atan2(1, 1) == atan2(1, 1));
 }
 
-/** Runs the tests. @return How many failed. */
+/** Runs the tests. @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_cliffs),          cmocka_unit_test(test_expectations_are_used),

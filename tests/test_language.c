@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Tests of the languages that need threads or processes. tests/language.sh tests the words.
+ * @brief Tests of languages with threads and processes. tests/language.sh tests the translations.
  */
 #include "testing.h"
 
@@ -13,10 +13,10 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
-/** How many workers are started. */
+/** Number of workers. */
 enum { WORKERS = 30 };
 
-/** Looks words up until it is stopped. @return NULL */
+/** Translates words until it is stopped. @return NULL */
 static void *translate_until_stopped(void *context) {
     atomic_bool *is_over = context;
     while (!atomic_load(is_over)) {
@@ -27,7 +27,7 @@ static void *translate_until_stopped(void *context) {
     return NULL;
 }
 
-/** Is the worker: reports its language, and looks words up. */
+/** Task of a worker: reports its language, and translates words. */
 static void translate_task(WorkerJob *job) {
     static bool is_french;
     is_french = language_is_french() && gettext("no memory for a lesson");
@@ -35,7 +35,7 @@ static void translate_task(WorkerJob *job) {
     job->report_size = sizeof is_french;
 }
 
-/** Workers speak the language of the program, whatever its other threads do. */
+/** Workers use the language of the program, whatever its other threads do. */
 static void test_workers(void **state) {
     (void)state;
     pthread_t threads[2];
@@ -66,7 +66,7 @@ static void test_workers(void **state) {
     assert_int_equal(wrong, 0);
 }
 
-/** Runs the tests. @return How many failed. */
+/** Runs the tests. @return Number of failed tests. */
 int main(int argc, char **argv) {
     static const WorkerTask tasks[] = {{"translate", translate_task}, {0}};
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_workers)};

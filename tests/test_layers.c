@@ -1,23 +1,23 @@
 /**
  * @file
- * @brief Surveys say what the rays do, in every engine, and layers show it.
+ * @brief Tests of AOVs in every engine, and of the layers that show them.
  */
 #include "pictures.h"
 
 #include "render/difference_map.h"
 
-/** Size of the pictures that every engine is asked about. */
+/** Size of the pictures that every engine traces. */
 enum { AOV_WIDTH = 45, AOV_HEIGHT = 29 };
 
-/** What is known of such a picture. */
+/** The AOVs and the light of such a picture. */
 typedef struct AovImage {
-    AovSample samples[AOV_WIDTH * AOV_HEIGHT]; /**< Its pixels. */
-    double rgb[3 * AOV_WIDTH * AOV_HEIGHT];    /**< Its light, as #Engine.trace finds it. */
-    RayCounts counts;                          /**< The rays traced by the survey. */
-    RayCounts ray_counts;                      /**< Those traced for the light. */
+    AovSample samples[AOV_WIDTH * AOV_HEIGHT]; /**< The AOVs of its pixels. */
+    double rgb[3 * AOV_WIDTH * AOV_HEIGHT];    /**< Its light, as computed by #Engine.trace. */
+    RayCounts counts;                          /**< The rays traced for the AOVs. */
+    RayCounts ray_counts;                      /**< The rays traced for the light. */
 } AovImage;
 
-/** @return A picture surveyed, to be freed. */
+/** @return A picture traced with AOVs, to be freed. */
 static AovImage *trace_aov_image(const Engine *engine, const Scene *scene, unsigned wanted) {
     AovImage *found = calloc(1, sizeof *found);
     PixelGrid grid = {.columns = AOV_WIDTH, .rows = AOV_HEIGHT, .stride = 1};
@@ -30,9 +30,12 @@ static AovImage *trace_aov_image(const Engine *engine, const Scene *scene, unsig
     return found;
 }
 
-/* --- surveys ---------------------------------------------------------------------------------- */
+/* --- AOVs ------------------------------------------------------------------------------------- */
 
-/** @return The way of a pixel's ray from a camera at the origin that looks along -z, one long. */
+/**
+ * @return The direction of a pixel's ray from a camera at the origin that looks along -z; a unit
+ *         vector.
+ */
 static Vec3d pixel_direction(const SceneCamera *camera, int i) {
     double half = tan(camera->fov / 2 * (M_PI / 180)) / AOV_WIDTH;
     double x = (2 * (i % AOV_WIDTH) + 1 - AOV_WIDTH) * half,
@@ -40,7 +43,7 @@ static Vec3d pixel_direction(const SceneCamera *camera, int i) {
     return vec3d_scale((Vec3d){x, y, -1}, 1 / sqrt(x * x + y * y + 1));
 }
 
-/** Distance, normal and shape of a ball and of nothing, by their closed form. */
+/** Distance, normal and shape of a sphere and of the background equal their closed forms. */
 static void check_sphere_aovs(const Engine *engine) {
     Scene *scene = create_empty_scene();
     const SphereParameters far = {{0, 0, -50}, 1}, near = {{0.3, -0.2, -4}, 1.5};
@@ -84,12 +87,12 @@ static void test_sphere_aovs(void **state) {
     for_every_engine(check_sphere_aovs);
 }
 
-/** @return Whether an engine is the slow one, which has other tests. */
+/** @return Whether an engine is the slow one, which other tests cover. */
 static bool is_slow(const Engine *engine) {
     return engine->mantissa_bits > 64;
 }
 
-/** The light, and the sum of all rays, are those of the picture. */
+/** Light and total ray counts equal those of the picture. */
 static void check_ray_counts(const Engine *engine) {
     static const char *const scenes[] = {"scenes/box.lua", "scenes/glass-sphere.lua",
                                          "scenes/lamps.lua"};
@@ -119,7 +122,7 @@ static void test_rays(void **state) {
     for_every_engine(check_ray_counts);
 }
 
-/** Shape and place are what #Engine.intersect says of the same ray. */
+/** Shape and (u, v) equal the result of #Engine.intersect for the same ray. */
 static void check_aov_uvs(const Engine *engine) {
     Scene *scene = create_empty_scene();
     const SphereParameters sphere = {{0, 0, -4}, 1};
@@ -149,15 +152,16 @@ static void test_uvs(void **state) {
     for_every_engine(check_aov_uvs);
 }
 
-/** Adds a lamp. */
+/** Adds a point light. */
 static void add_point_light(Scene *scene, Vec3d position) {
     Error error = {0};
     SceneLight light = {.color = {1, 1, 1}, .intensity = 1, .position = position};
     assert_true(scene_add_light(scene, &light, &error));
 }
 
-/** A wall is lit by one lamp and not by another behind a smaller wall; and a mirror's next surface
- *  is known. */
+/**
+ * One light lights a wall, a smaller wall hides another. The next surface of a mirror is recorded.
+ */
 static void check_lights_and_mirrors(const Engine *engine) {
     Scene *scene = create_empty_scene();
     const QuadParameters wall = {{-9, -9, -8}, {18, 0, 0}, {0, 18, 0}};
@@ -187,7 +191,7 @@ static void test_lights(void **state) {
     for_every_engine(check_lights_and_mirrors);
 }
 
-/** Steps are the same at every width, and there where something is marched. */
+/** Step counts are equal at every width, and positive only for sphere traced shapes. */
 static void test_steps(void **state) {
     (void)state;
     static const char *const scenes[] = {"scenes/cube-frame.lua", "scenes/endless-frames.lua",
@@ -220,14 +224,14 @@ static void test_steps(void **state) {
 
 /* --- layers ----------------------------------------------------------------------------------- */
 
-/** A picture's size, and where its pixels go, blue, green, red and an unused byte each, or NULL. */
+/** Size of a picture, and a buffer for its pixels: blue, green, red and an unused byte each. */
 typedef struct LayerImage {
     int width;     /**< Pixels. */
     int height;    /**< Pixels. */
-    uint8_t *bgrx; /**< Room for them; NULL: nobody wants them. */
+    uint8_t *bgrx; /**< The buffer; NULL: the pixels are not needed. */
 } LayerImage;
 
-/** Draws a layer to its end. @return How it stands. */
+/** Renders a layer completely. @return Its final statistics. */
 static RenderStats draw_layer(Renderer *renderer, const Scene *scene, Layer layer,
                               LayerImage image) {
     Error error = {0};
@@ -245,13 +249,13 @@ static RenderStats draw_layer(Renderer *renderer, const Scene *scene, Layer laye
     return report;
 }
 
-/** The scene with mirrors that most is asked of. */
+/** The scene with mirrors that most tests use. */
 static const char BOX[] = "scenes/box.lua";
 
 /**
- * @return How a layer stands when it is finished.
+ * @return Statistics of a finished layer.
  * @param offset  How rays leave surfaces.
- * @param epsilon  How far, where that is fixed.
+ * @param epsilon  Constant offset, if that is fixed.
  */
 static LayerStats finished_report(const char *path, const char *engine, OffsetStrategy offset,
                                   double epsilon, Layer layer, LayerImage image) {
@@ -267,8 +271,10 @@ static LayerStats finished_report(const char *path, const char *engine, OffsetSt
     return report;
 }
 
-/** Rays that start where they hit make acne, in float a hundredth of the box; a fixed epsilon that
- *  is far too large makes leaks; a bound on the error makes neither. */
+/**
+ * Without an offset there is acne: in float at one in a hundred pixels of the box. Far too large an
+ * offset causes leaks. An offset by the error bound causes neither.
+ */
 static void test_faults(void **state) {
     (void)state;
     const LayerImage large = {800, 600, NULL};
@@ -277,7 +283,7 @@ static void test_faults(void **state) {
     assert_true(none.artifact_pixels > pixels / 100);
     LayerStats far = finished_report(BOX, "f32x8", OFFSET_FIXED, 0.3, LAYER_ACNE, large);
     assert_true(far.leak_pixels > pixels / 100);
-    // In the last two a ray passes an edge on its other side in float: that is no fault.
+    // In the last two, a float ray passes an edge on its other side: that is not an artefact.
     static const char *const scenes[] = {BOX, "scenes/report-d-shapes.lua", "scenes/lamps.lua"};
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
         LayerStats bound = finished_report(scenes[i], "f32x8", OFFSET_BOUND, 0, LAYER_ACNE, large);
@@ -286,7 +292,7 @@ static void test_faults(void **state) {
     }
 }
 
-/** Errors against quad: a few pixels on edges in float, many with acne. */
+/** Errors relative to quad: a few pixels at edges in float, many with acne. */
 static void test_errors(void **state) {
     (void)state;
     const LayerImage small = {WIDTH, HEIGHT, NULL};
@@ -297,8 +303,9 @@ static void test_errors(void **state) {
     assert_true(none > WIDTH * HEIGHT / 100);
 }
 
-/** Every layer comes to its end with its colours, in any order, and the light is drawn afterwards
- *  as if there were none. */
+/**
+ * Every layer finishes in its colours, in any order. A picture rendered afterwards is unchanged.
+ */
 static void test_layers(void **state) {
     (void)state;
     Scene *scene = load_scene("scenes/glass-sphere.lua");
@@ -336,13 +343,15 @@ static void test_layers(void **state) {
     scene_destroy(scene);
 }
 
-/** @return How light a colour is, 0 to 255. */
+/** @return The lightness of a colour, 0 to 255. */
 static double lightness(const uint8_t rgb[3]) {
     return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
 }
 
-/** Larger numbers are lighter, so that they are told apart without hues, too. Scales hold all
- *  numbers, their ends are round, and their legends go down from one end to the other. */
+/**
+ * Lightness increases with the number, so that scales are readable without hues. Scales contain all
+ * numbers, have round ends, and legends descend from one end to the other.
+ */
 static void test_legends(void **state) {
     (void)state;
     static const double ends[][2] = {{0, 0},         {1, 1},     {4.37, 9.01}, {1, 40},
@@ -374,8 +383,10 @@ static void test_legends(void **state) {
     }
 }
 
-/** A difference is white where there is none, red where the first is brighter, blue where the
- *  second is; one step is no fault, two are. */
+/**
+ * A difference is white where there is none, red where the first is brighter, blue where the second
+ * is. One step is tolerated, two are not.
+ */
 static void test_difference(void **state) {
     (void)state;
     uint8_t a[] = {9, 9, 9, 0, 9, 8, 9, 0, 9, 9, 19, 0, 0, 0, 0, 0};

@@ -1,6 +1,7 @@
 /**
  * @file
- * @brief Tests of lessons without a screen: clock, names, texts. tests/lesson.sh tests the rest.
+ * @brief Tests of lessons without a screen: clock, names, texts. tests/lesson.sh contains the
+ *        others.
  */
 #include "testing.h"
 
@@ -25,13 +26,16 @@ static void log_movement(void *context, Movement light, Movement camera) {
     log->count += movement_is_nonzero(camera) || movement_is_nonzero(light);
 }
 
-/** @return What a command moves. */
+/** @return The movement of a command. */
 static Move move(const char *name) {
     return command_find(command_table, name)->move;
 }
 
-/** Holds two keys for a while, on a machine of some speed. @param frame Milliseconds from one
- * update to the next. @return The log. */
+/**
+ * Holds two keys for a while, with a given frame time.
+ * @param frame Milliseconds from one update to the next.
+ * @return The log.
+ */
 static MovementLog hold_two_keys(int64_t frame) {
     MovementLog log = {0};
     StepClock step_clock = {.move = log_movement, .context = &log, .held_keys = {.speed = 1}};
@@ -55,7 +59,7 @@ static MovementLog hold_two_keys(int64_t frame) {
     return log;
 }
 
-/** The movement is equal to the bit at any speed of the machine. */
+/** The movement is bitwise equal at any frame rate. */
 static void test_step_clock(void **state) {
     (void)state;
     static const int64_t frames[] = {1, 3, 16, 17, 40, 250, 5000};
@@ -110,7 +114,7 @@ static void test_rows(void **state) {
     assert_int_equal(word_wrap(more, 1, rows, 2), 2);
 }
 
-/** Texts are in the wanted language, else in the other. */
+/** Texts are in the chosen language if available, else in the other. */
 static void test_words(void **state) {
     (void)state;
     assert_string_equal(lesson_text_localized(&(LessonText){"one", "un"}, true), "un");
@@ -157,7 +161,7 @@ static void test_text(void **state) {
     free(text);
 }
 
-/** Runs the tests. @return How many failed. */
+/** Runs the tests. @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_step_clock),   cmocka_unit_test(test_step_clock_next),

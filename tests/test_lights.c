@@ -1,25 +1,31 @@
 /**
  * @file
- * @brief Lamps, suns, balls of light, soft shadows, and how samples are spread.
+ * @brief Tests of point lights, suns, spherical lights, soft shadows, and the distribution of
+ *        samples.
  */
 #include "light_samples.h"
 
 #include "trace/math/sobol.h"
 
-/** @return A white lamp that does not weaken. */
+/**
+ * @return A white point light without attenuation.
+ * @param radius 0, or that of a spherical light.
+ */
 static SceneLight white_point_light(Vec3d position, double radius) {
     return (SceneLight){.color = {1, 1, 1}, .intensity = 1, .position = position, .radius = radius};
 }
 
-/** @return Half an ulp of what an engine answers, which is at most a double. */
+/** @return Half an ulp of an engine's results, which are at most doubles. */
 static double answer_roundoff(const Engine *engine) {
     return engine->mantissa_bits == 24 ? 0x1p-24 : 0x1p-53;
 }
 
-/* --- how bright ------------------------------------------------------------------------------- */
+/* --- irradiance ------------------------------------------------------------------------------- */
 
-/** A lamp straight above a surface, from 1e-6 to 1e6 away, gives 1 / d^2 to 8 half ulps; one with a
- *  ball never more than at the ball. */
+/**
+ * A point light straight above a surface, at 1e-6 to 1e6, gives 1 / d^2 to 8 half ulps. A spherical
+ * light never gives more than at its surface.
+ */
 static void check_irradiance(const Engine *engine) {
     for (double away = 1e-6; away < 2e6; away *= 10) {
         double rgb[3], d = round_to_float(away);
@@ -46,7 +52,7 @@ static void test_irradiance(void **state) {
     for_every_engine(check_irradiance);
 }
 
-/** As near as a lamp may come, and as strong as it may be, no light is infinite or not a number. */
+/** At the least distance and the greatest intensity, no light is infinite or NaN. */
 static void check_finite_light(const Engine *engine) {
     static const double heights[] = {0, 1e-300, 1e-40, 1e-30, 1e-20, 1e-15, 1e-12, 1e-6, 1};
     for (size_t i = 0; i < sizeof heights / sizeof *heights; i++) {
@@ -78,8 +84,10 @@ static void test_finite(void **state) {
 /* --- suns ---------------------------------------------------------------------------------------
  */
 
-/** A sun lights by the cosine alone, however far away the floor is, and a ball above throws its
- *  shadow along the sun's way. */
+/**
+ * A sun lights by the cosine alone, at any distance of the floor. A sphere above casts a shadow
+ * along its direction.
+ */
 static void check_sun(const Engine *engine) {
     for (double away = 1; away <= 1e6; away *= 1000) {
         for (int shadow = 0; shadow < 2; shadow++) {
@@ -92,7 +100,7 @@ static void check_sun(const Engine *engine) {
             sun.direction = (Vec3d){-3e-3, -4e-3, 0};
             add_light(scene, sun);
             add_shape(scene, "plane", &(PlaneParameters){{0, 0, 0}, {0, 1, 0}});
-            // On the way to the sun, or as far on the other side.
+            // Towards the sun, or as far in the opposite direction.
             double side = shadow ? 1 : -1;
             SphereParameters sphere = {{side * 3 * away, 4 * away, 0}, 0.5 * away};
             add_shape(scene, "sphere", &sphere);
@@ -113,7 +121,7 @@ static void test_sun(void **state) {
     for_every_engine(check_sun);
 }
 
-/** The keys turn a sun as though it were a lamp nearby, and never to nowhere. */
+/** The movement keys rotate a sun like a nearby light; its direction is never zero. */
 static void test_sun_turns(void **state) {
     (void)state;
     SceneLight sun = light_of_kind("sun");
@@ -128,11 +136,12 @@ static void test_sun_turns(void **state) {
     assert_true(light.position.x == 2 && light.position.y == 3 && light.position.z == 4);
 }
 
-/* --- balls of light ----------------------------------------------------------------------------
- */
+/* --- spherical lights ------------------------------------------------------------------------- */
 
-/** A ball is seen as bright as its colour, by the camera and in a mirror, and stands in nobody's
- *  light, its own or another's; a shape before it hides it. */
+/**
+ * A spherical light is visible in its colour, directly and in a mirror. It casts no shadow of its
+ * own or another light. A shape in front of it occludes it.
+ */
 static void check_visible_sphere_light(const Engine *engine) {
     double rgb[3];
     Scene *scene = create_empty_scene();
@@ -142,7 +151,7 @@ static void check_visible_sphere_light(const Engine *engine) {
     trace_pixel(engine, scene, rgb);
     assert_true(rgb[0] == 0.25 && rgb[1] == 0.5 && rgb[2] == 4);
 
-    // A wall behind it, lit past it by a lamp at the eye; and the eye looks past it, too.
+    // A wall behind it, lit by a light at the camera; camera and light look past the sphere.
     aim_camera(scene, (Vec3d){0, 2, 0}, (Vec3d){0, 0, -6});
     add_shape(scene, "plane", &(PlaneParameters){{0, 0, -6}, {0, 0, 1}});
     scene->lights[0].color = (Rgbd){0, 0, 0};
@@ -156,7 +165,7 @@ static void check_visible_sphere_light(const Engine *engine) {
     assert_at_most(fabs(rgb[0] - 1), 8 * answer_roundoff(engine), "its own light in %s",
                    engine->name);
 
-    // The wall becomes a mirror: what the camera at the origin sees in it is the back of the ball.
+    // The wall becomes a mirror, in which the camera at the origin sees the back of the sphere.
     scene->materials[0].reflectivity = (Rgbd){0.5, 0.5, 0.5};
     scene->materials[0].color = (Rgbd){0, 0, 0};
     aim_camera(scene, (Vec3d){0, 3, -3}, (Vec3d){0, 1.5, -6});
@@ -174,7 +183,7 @@ static void test_sphere_light(void **state) {
     for_every_engine(check_visible_sphere_light);
 }
 
-/** A ball moves by a new look at the lights alone, and nearer ones hide farther ones. */
+/** #Engine.set_view is sufficient to move a spherical light; near ones occlude far ones. */
 static void check_moved_sphere_light(const Engine *engine) {
     double rgb[3];
     RayCounts counts = {0};
@@ -205,11 +214,12 @@ static void test_moved_sphere_light(void **state) {
  */
 
 /**
- * @return How much of a ball's light passes an edge. The ball stands straight above the point; its
- *         light goes with the area of its image in a circle of radius 1 (Nusselt), which is a
- * circle of radius s. The plane through point and edge cuts that along an ellipse.
- * @param sine   s: the sine of half the angle that the ball fills.
- * @param slant  The sine of the edge's angle from straight above.
+ * @return The fraction of a spherical light that is visible past an edge. The light is straight
+ *         above the point; its irradiance is the area of its projection onto the unit circle
+ *         (Nusselt), a circle of radius s. The plane through point and edge cuts that along an
+ *         ellipse.
+ * @param sine   s: the sine of half the angle that the sphere subtends.
+ * @param slant  The sine of the edge's angle from the vertical.
  */
 static double visible_light_fraction(double sine, double slant) {
     double area = 0;
@@ -222,8 +232,10 @@ static double visible_light_fraction(double sine, double slant) {
     return area / (M_PI * sine * sine);
 }
 
-/** The penumbra of an edge: the share of a ball's light that passes, against the closed form; and
- *  the mean of n samples comes nearer as n grows. */
+/**
+ * The penumbra of an edge: the visible fraction equals the closed form. The error of the mean of n
+ * samples decreases with n.
+ */
 static void check_penumbra(const Engine *engine) {
     const double radius = 0.5, height = 2;
     bool is_slow = engine->mantissa_bits > 64;
@@ -252,8 +264,10 @@ static void test_penumbra(void **state) {
     for_every_engine(check_penumbra);
 }
 
-/** Where nothing is in the way, a ball gives what its centre would, however large it is and however
- *  slanted the surface, as long as it is all above it. */
+/**
+ * Without occluders, a spherical light gives the irradiance of its centre, for any radius and any
+ * slant of the surface, while all of it is above the surface.
+ */
 static void check_sphere_light_irradiance(const Engine *engine) {
     bool is_slow = engine->mantissa_bits > 64;
     for (int i = 0; i < (is_slow ? 2 : 8); i++) {
@@ -279,8 +293,10 @@ static void test_sphere_light_irradiance(void **state) {
     for_every_engine(check_sphere_light_irradiance);
 }
 
-/** A surface within a ball is lit by finite light, with hard shadows and with soft ones; so is one
- *  at its very centre. */
+/**
+ * A surface inside a spherical light gets finite light, with hard and with soft shadows, even at
+ * the centre.
+ */
 static void check_inside_sphere_light(const Engine *engine) {
     for (int samples = 1; samples <= 4; samples += 3) {
         for (double height = 0; height < 0.5; height += 0.2) {
@@ -306,7 +322,7 @@ static void test_inside_sphere_light(void **state) {
 /* --- samples ------------------------------------------------------------------------------------
  */
 
-/** Fails unless each of 2^k rectangles a x b holds one of 2^k points. */
+/** Fails unless each of 2^k rectangles a x b contains one of 2^k points. */
 static void assert_stratified(uint32_t first, int k, uint32_t seed) {
     static uint8_t seen[1 << 12];
     for (int across = 0; across <= k; across++) {
@@ -322,7 +338,7 @@ static void assert_stratified(uint32_t first, int k, uint32_t seed) {
     }
 }
 
-/** Any 2^k points from a multiple of 2^k on lie evenly, in every scrambling. */
+/** 2^k points from a multiple of 2^k on are stratified, for every scrambling. */
 static void test_sequence(void **state) {
     (void)state;
     for (uint32_t seed = 0; seed < 20; seed++) {
@@ -333,8 +349,7 @@ static void test_sequence(void **state) {
     }
 }
 
-/** @return A small scene with soft lamps that are seen, mirrors, a sun and edges; to be given back.
- */
+/** @return A small scene with soft visible lights, mirrors, a sun and edges; to be destroyed. */
 static Scene *soft_light_scene(void) {
     Scene *scene = create_empty_scene();
     scene->camera.position = (Vec3d){0, 0, 4};
@@ -352,8 +367,10 @@ static Scene *soft_light_scene(void) {
     return scene;
 }
 
-/** Soft shadows and judged samples are the same bits with any lanes and threads, and in the
- *  background. */
+/**
+ * Soft shadows and adaptive samples are bitwise equal for any number of lanes and threads, and in
+ * the background.
+ */
 static void test_same_bits(void **state) {
     (void)state;
     Scene *scene = soft_light_scene();
@@ -378,7 +395,7 @@ static void test_same_bits(void **state) {
     scene_destroy(scene);
 }
 
-/** @return Rays from the camera that a picture took. */
+/** @return Number of camera rays of a picture. */
 static uint64_t count_camera(const Scene *scene, const RenderSettings *settings, Picture *picture) {
     Error error = {0};
     assert_true(picture_init(picture, settings->width, settings->height, &error));
@@ -389,13 +406,13 @@ static uint64_t count_camera(const Scene *scene, const RenderSettings *settings,
     return report.rays.camera;
 }
 
-/** How judged samples compare with all of them. */
+/** Comparison of adaptive sampling with all samples. */
 typedef struct SampleSaving {
-    int worst_step;  /**< Of 255. */
-    double fraction; /**< Share of the samples that were drawn. */
+    int worst_step;  /**< Largest difference, 8-bit steps. */
+    double fraction; /**< Fraction of the samples that were traced. */
 } SampleSaving;
 
-/** @return How judged samples compare with all of them. */
+/** @return The comparison of adaptive sampling with all samples. */
 static SampleSaving adaptive_against_full(const Scene *scene, int samples) {
     Picture full, judged;
     RenderSettings settings = small_settings(scene, "auto", 2);
@@ -410,8 +427,10 @@ static SampleSaving adaptive_against_full(const Scene *scene, int samples) {
     return (SampleSaving){comparison.max_difference, (double)rays / (double)all};
 }
 
-/** The judged picture of the box is within two steps of the full one everywhere, for half of the
- *  rays; up to eight samples it is the full one. */
+/**
+ * The adaptive picture of the box is within two steps of the full one, with half of the rays; up to
+ * eight samples it equals the full one.
+ */
 static void test_adaptive(void **state) {
     (void)state;
     Scene *scene = load_scene("scenes/box.lua");
@@ -425,20 +444,22 @@ static void test_adaptive(void **state) {
     scene_destroy(scene);
 }
 
-/** @return A white line over a black sky, as wide as a share of a pixel. */
+/** @return A white line over a black sky. @param fraction Its width in pixels. */
 static Scene *thin_line_scene(double fraction) {
     Scene *scene = create_empty_scene();
     double pixel = 2 * tan(scene->camera.fov / 2 * (M_PI / 180)) / WIDTH;
     scene->materials[0].emission = (Rgbd){1, 1, 1};
-    // Slanted, so that it passes the pixels at all their places.
+    // Slanted, so that it crosses pixels at all positions.
     Vec3d along = {0.6, 0.08, 0}, across = {-0.08 / 0.6053, 0.6 / 0.6053, 0};
     QuadParameters line = {{-0.3, -0.05, -1}, along, vec3d_scale(across, fraction * pixel)};
     add_shape(scene, "quad", &line);
     return scene;
 }
 
-/** A picture that keeps its light is judged by its light: where all of it is brighter than white,
- *  an edge gets all samples, too. */
+/**
+ * For a picture in linear light, adaptive sampling compares linear light: an edge brighter than
+ * white gets all samples, too.
+ */
 static void test_adaptive_beyond_white(void **state) {
     (void)state;
     Error error = {0};
@@ -468,8 +489,10 @@ static void test_adaptive_beyond_white(void **state) {
     scene_destroy(scene);
 }
 
-/** Lines as thin as an eleventh of a pixel are not missed anywhere on their way, though no one
- *  pixel's first samples need meet them. */
+/**
+ * Lines as thin as an eleventh of a pixel appear along their whole length, although the first
+ * samples of a pixel may miss them.
+ */
 static void test_thin_line(void **state) {
     (void)state;
     for (double fraction = 1; fraction > 1.0 / 12; fraction /= 1.5) {
@@ -486,8 +509,10 @@ static void test_thin_line(void **state) {
 /* --- acne ---------------------------------------------------------------------------------------
  */
 
-/** Lone convex shapes, lit by a sun, a lamp and a soft lamp, have no dark points: float draws what
- *  double draws; without an offset it does not. */
+/**
+ * Single convex shapes, lit by a sun, a point light and a soft light, have no dark points: float
+ * equals double; without an offset it does not.
+ */
 static void test_acne(void **state) {
     (void)state;
     Scene *scene = soft_light_scene();

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Tests of meshes: what is read of model files, what is put right, what is refused.
+ * @brief Tests of mesh files: what is read, corrected and refused.
  */
 #include "fixtures.h"
 
@@ -13,30 +13,30 @@
 
 /** Number of items of an array. */
 #define COUNT(array) (sizeof(array) / sizeof *(array))
-/** Where models for tests lie, from the top of the sources. */
+/** Folder of the mesh files for tests, relative to the project. */
 #define MODELS "tests/meshes/"
 
-/** Corners of a cube of edge 2 around the origin. */
+/** Vertices of a cube of edge 2 around the origin. */
 #define CUBE_CORNERS                                                                               \
     "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
-/** The cube, of quads that are seen from outside. */
+/** The cube, of quads whose fronts are outside. */
 #define CUBE CUBE_CORNERS "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 1 5 8 4\n"
-/** Three corners, enough for one triangle. */
+/** Three vertices, enough for one triangle. */
 #define THREE "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
-/** What a PLY of three corners begins with. */
+/** Header of a PLY file of three vertices. */
 #define PLY_HEAD                                                                                   \
     "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"                \
     "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
 
 // --- helpers -------------------------------------------------------------------------------------
 
-/** Makes a folder, and the module findable. @return 0 when it is there. */
+/** Creates a folder, and links the plugin. @return 0 on success. */
 static int mesh_fixture_set_up(void **state) {
     symlink_plugin("dioptre-meshes.so");
     return fixture_set_up(state);
 }
 
-/** @return The mesh of a file, which must be good and pass all checks. */
+/** @return The mesh of a file, which must be valid and pass all checks. */
 static Mesh *read_valid_mesh(const char *path) {
     Mesh *mesh;
     Error error = {0};
@@ -56,7 +56,7 @@ static Mesh *read_text(void **state, const char *text) {
     return read_valid_mesh(path);
 }
 
-/** Checks that a file is refused. */
+/** Asserts that a file is refused. */
 static void assert_file_refused(const char *path, const char *words) {
     Mesh *mesh = (Mesh *)&mesh;
     Error error = {0};
@@ -66,7 +66,7 @@ static void assert_file_refused(const char *path, const char *words) {
     }
 }
 
-/** Checks that a text is refused. */
+/** Asserts that a text is refused. */
 static void assert_text_refused(void **state, const char *name, const char *text,
                                 const char *words) {
     const char *path = fixture_path(state, name);
@@ -99,27 +99,27 @@ static double volume_of(const Mesh *mesh) {
     return sum;
 }
 
-// --- what is read --------------------------------------------------------------------------------
+// --- reading -------------------------------------------------------------------------------------
 
-/** What each text must give. */
+/** Texts and their expected results. */
 static const struct {
     const char *text;  /**< An OBJ file. */
-    size_t positions;  /**< Places. */
-    size_t triangles;  /**< Triangles. */
-    size_t normals;    /**< Normals. */
-    size_t uvs;        /**< (u, v). */
-    size_t degenerate; /**< Triangles left out. */
-    size_t lost;       /**< Corners that lack a normal. */
+    size_t positions;  /**< Number of positions. */
+    size_t triangles;  /**< Number of triangles. */
+    size_t normals;    /**< Number of normals. */
+    size_t uvs;        /**< Number of (u, v) pairs. */
+    size_t degenerate; /**< Number of omitted triangles. */
+    size_t lost;       /**< Number of corners without a normal. */
 } texts[] = {
     {THREE "f 1 2 3\n", 3, 1, 0, 0, 0, 0},
     {CUBE, 8, 12, 0, 0, 0, 0},
     {THREE "f 1 2 3", 3, 1, 0, 0, 0, 0},
     {THREE "f -3 -2 -1\n", 3, 1, 0, 0, 0, 0},
-    // Points, lines and names of materials are left out.
+    // Points, lines and material names are ignored.
     {"mtllib ../none.mtl\n" THREE "usemtl none\np 1\nl 1 2\nf 1 2 3\n", 3, 1, 0, 0, 0, 0},
-    // Triangles without area: a corner twice, corners in line, two corners at one place.
+    // Triangles without area: a repeated vertex, collinear vertices, equal positions.
     {THREE "v 2 0 0\nv 1 0 0\nf 1 2 3\nf 1 1 2\nf 1 2 4\nf 2 5 3\n", 3, 1, 0, 0, 3, 0},
-    // The same place twice is one position, and so is -0.
+    // Equal positions are merged, and so are 0 and -0.
     {THREE "v -0 0 0\nv 1 0 0\nv 0 -1 0\nf 1 2 3\nf 4 6 5\n", 4, 2, 0, 0, 0, 0},
     // Normals: of any length, missing, zero.
     {THREE "vn 0 0 9\nf 1//1 2//1 3//1\n", 3, 1, 1, 0, 0, 0},
@@ -134,7 +134,7 @@ static const struct {
     {"v 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 0 4 0\nf 1 2 3 4 5\n", 5, 3, 0, 0, 0, 0},
 };
 
-/** Texts give what they must. */
+/** Texts have the expected results. */
 static void test_texts(void **state) {
     for (size_t i = 0; i < COUNT(texts); i++) {
         Mesh *mesh = read_text(state, texts[i].text);
@@ -154,7 +154,7 @@ static void test_texts(void **state) {
     }
 }
 
-/** Coordinates and orientation are the file's; the library holds them in float. */
+/** Coordinates and orientation are those of the file; the library stores them as float. */
 static void test_numbers(void **state) {
     Mesh *mesh = read_text(state, "v .1 -.25 3e-5\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     const uint32_t *at = mesh->triangles[0].index;
@@ -169,7 +169,7 @@ static void test_numbers(void **state) {
     mesh_release(mesh);
 }
 
-/** Polygons are cut without gap or overlap, concave ones too. */
+/** Polygons are triangulated without gaps or overlaps, including concave ones. */
 static void test_concave(void **state) {
     Mesh *mesh = read_text(state, "v 0 0 0\nv 2 2 0\nv 0 1 0\nv -2 2 0\nf 1 2 3 4\n");
     assert_at_most(fabs(area_of_all(mesh) - 2), 1e-12, "area of an arrowhead");
@@ -179,7 +179,7 @@ static void test_concave(void **state) {
     mesh_release(mesh);
 }
 
-/** What is missing of a polygon that crosses itself, and so cannot be cut, is counted. */
+/** The missing part of a self-intersecting polygon, which cannot be triangulated, is counted. */
 static void test_uncut(void **state) {
     Mesh *mesh = read_text(state, "v 0 1 0\nv 3 0 0\nv 0 0 0\nv 1 2 0\nv 1 3 0\nf 1 2 3 4 5\n" THREE
                                   "f -3 -2 -1\n");
@@ -190,8 +190,10 @@ static void test_uncut(void **state) {
     mesh_release(mesh);
 }
 
-/** Corners keep the normal and the (u, v) that the file gives them; who has none gets his
- *  triangle's. */
+/**
+ * Corners have the normal and (u, v) of the file; corners without a normal get that of the
+ * triangle.
+ */
 static void test_corners(void **state) {
     Mesh *mesh = read_text(state, THREE "vn 0 3 4\nvn 0 0 0\nvt 0.25 0.75\nvt 2 -1\n"
                                         "f 1/1/1 2/2/2 3/1/1\n");
@@ -203,13 +205,13 @@ static void test_corners(void **state) {
     mesh_release(mesh);
 }
 
-/** Awkward but legal files give the triangles that they should. */
+/** Unusual but valid files give the expected triangles. */
 static void test_awkward(void **state) {
     (void)state;
     static const struct {
         const char *path; /**< The file. */
-        size_t triangles; /**< How many triangles. */
-        size_t lost;      /**< Corners without normal. */
+        size_t triangles; /**< Number of triangles. */
+        size_t lost;      /**< Number of corners without a normal. */
     } files[] = {{MODELS "hand-bad-normals.obj", 3, 3},
                  {MODELS "hand-bom-cube.obj", 12, 0},
                  {MODELS "hand-continuation.obj", 4, 0},
@@ -236,7 +238,7 @@ static void test_formats(void **state) {
         {"a.ply", PLY_HEAD "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
         {"a.STL", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
                   "vertex 0 1 0\nendloop\nendfacet\nendsolid a\n"},
-        // A triangle of floats in base 64, that a node moves by (5, 0, 0).
+        // A triangle of floats in base 64, which a node translates by (5, 0, 0).
         {"a.gltf",
          "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],"
          "\"nodes\":[{\"mesh\":0,\"translation\":[5,0,0]}],"
@@ -258,7 +260,7 @@ static void test_formats(void **state) {
     }
 }
 
-/** @return An edge's number, the same both ways. */
+/** @return The key of an edge, equal in both directions. */
 static uint64_t edge_of(uint32_t a, uint32_t b) {
     return a < b ? (uint64_t)a << 32 | b : (uint64_t)b << 32 | a;
 }
@@ -269,7 +271,7 @@ static int compare_edges(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-/** A closed model stays closed: each edge belongs to two triangles. */
+/** A closed mesh stays closed: each edge belongs to two triangles. */
 static void test_closed(void **state) {
     (void)state;
     Mesh *mesh = read_valid_mesh("scenes/models/spot.obj");
@@ -295,7 +297,7 @@ static void test_closed(void **state) {
 
 // --- smooth normals ------------------------------------------------------------------------------
 
-/** A cube's smooth normals point away from its middle, however its sides are cut. */
+/** Smooth normals of a cube point away from its centre, however its sides are triangulated. */
 static void test_smooth_cube(void **state) {
     Mesh *mesh = read_text(state, CUBE);
     Vec3d normals[8];
@@ -319,13 +321,13 @@ static Mesh *mesh_from_triangles(const Vec3d *positions, size_t position_count,
     return mesh;
 }
 
-/** Where a mean makes no sense there is a unit normal all the same. */
+/** Where the mean is undefined, there is still a unit normal. */
 static void test_smooth_extremes(void **state) {
     (void)state;
     const double scales[] = {1, 1e15, 1e-15};
     for (size_t i = 0; i < COUNT(scales); i++) {
         double s = scales[i];
-        // Both sides of a sheet, a triangle without area, and a position that nobody uses.
+        // Both sides of a sheet, a triangle without area, and an unused position.
         const Vec3d positions[] = {{0, 0, 0}, {s, 0, 0}, {0, s, 0}, {2 * s, 0, 0}, {s, s, s}};
         const MeshTriangle triangles[] = {{{0, 1, 2}}, {{0, 2, 1}}, {{0, 1, 3}}};
         Mesh *mesh = mesh_from_triangles(positions, 5, triangles, 3);
@@ -341,7 +343,7 @@ static void test_smooth_extremes(void **state) {
 
 // --- checks --------------------------------------------------------------------------------------
 
-/** What a mesh must not be is found. */
+/** Invalid meshes are detected. */
 static void test_check(void **state) {
     (void)state;
     const Vec3d good[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
@@ -375,7 +377,7 @@ static void test_check(void **state) {
     mesh_release(mesh);
 }
 
-/** A pool knows its points again, after it has grown too. */
+/** The vertex welder finds equal vertices, also after it has grown. */
 static void test_vertex_welder(void **state) {
     (void)state;
     VertexWelder pool = {.dimension = 2};
@@ -391,9 +393,9 @@ static void test_vertex_welder(void **state) {
     vertex_welder_deinit(&pool);
 }
 
-// --- what is refused -----------------------------------------------------------------------------
+// --- refused files -------------------------------------------------------------------------------
 
-/** Broken texts are refused with a reason. */
+/** Invalid texts are refused with a reason. */
 static void test_refused_texts(void **state) {
     static const char *const broken[][3] = {
         {"a.obj", "", "small"},
@@ -421,7 +423,7 @@ static void test_refused_texts(void **state) {
     }
 }
 
-/** Hostile files are refused with a reason, soon. */
+/** Malicious files are refused with a reason, quickly. */
 static void test_hostile(void **state) {
     (void)state;
     static const char *const files[][2] = {
@@ -439,8 +441,10 @@ static void test_hostile(void **state) {
     assert_at_most(time(NULL) - start, 10, "seconds");
 }
 
-/** A model that makes the library crash does not bring the program down: a binary PLY that ends
- *  before its faces do. */
+/**
+ * A file that crashes the library does not crash the program: a binary PLY that ends before its
+ * faces.
+ */
 static void test_crash(void **state) {
     static const char head[] =
         "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\n"
@@ -454,7 +458,7 @@ static void test_crash(void **state) {
     assert_file_refused(fixture_path(state, "a.ply"), "");
 }
 
-/** What is no regular file is refused and not waited for. */
+/** Anything that is not a regular file is refused without waiting. */
 static void test_kinds(void **state) {
     assert_file_refused(fixture_path(state, "none.obj"), strerror(ENOENT));
     assert_int_equal(mkdir(fixture_path(state, "folder.obj"), 0700), 0);
@@ -465,7 +469,7 @@ static void test_kinds(void **state) {
     assert_file_refused(fixture_path(state, "device.obj"), "device");
 }
 
-/** Files that a model names are not opened: this one would keep the program waiting. */
+/** Files named by a mesh file are not opened: this one would block the program. */
 static void test_materials_are_not_opened(void **state) {
     assert_int_equal(mkfifo(fixture_path(state, "model.mtl"), 0600), 0);
     time_t start = time(NULL);
@@ -473,18 +477,21 @@ static void test_materials_are_not_opened(void **state) {
     assert_at_most(time(NULL) - start, 2, "seconds");
 }
 
-/** How a file is told on, and what is done to it meanwhile. */
+/** Changes a file while it is read, and counts the progress reports. */
 typedef struct FileChanger {
     const char *path;    /**< The file. */
-    const char *mode;    /**< How it is opened to be changed: `ab`, `wb`; NULL: not at all. */
-    const char *text;    /**< What is written. */
-    int progress_count;  /**< How often it was told. */
-    int end_count;       /**< How often it was told that it is over. */
-    double bad_fraction; /**< A share outside of 0 to 1, if there was one. */
+    const char *mode;    /**< Mode in which it is opened for the change: `ab`, `wb`; NULL: no
+                              change. */
+    const char *text;    /**< The written text. */
+    int progress_count;  /**< Number of progress reports. */
+    int end_count;       /**< Number of reports of the end. */
+    double bad_fraction; /**< A fraction outside 0 to 1, if there was one. */
 } FileChanger;
 
-/** Changes the file when it has just been opened. See MeshProgress::tell. @param fraction How much
- *  is done. */
+/**
+ * Changes the file right after it was opened. See MeshProgress::tell.
+ * @param fraction Fraction that is read.
+ */
 static void change_file(void *context, const char *name, double fraction, double seconds) {
     FileChanger *changer = context;
     assert_string_equal(name, "model.obj");
@@ -492,7 +499,7 @@ static void change_file(void *context, const char *name, double fraction, double
         changer->bad_fraction = fraction;
     }
     if (changer->progress_count++ == 0 && changer->mode) {
-        // Longer than the clock of a file system needs for a tick.
+        // Longer than the time resolution of a file system.
         nanosleep(&(struct timespec){.tv_nsec = 20000000}, NULL);
         FILE *file = fopen(changer->path, changer->mode);
         fputs(changer->text, file);
@@ -500,12 +507,12 @@ static void change_file(void *context, const char *name, double fraction, double
     }
 }
 
-/** Notes that it is over. See MeshProgress::end. */
+/** Counts the end. See MeshProgress::end. */
 static void count_end(void *context) {
     ((FileChanger *)context)->end_count++;
 }
 
-/** A file that changes while it is read is refused; one that does not is told on. */
+/** A file that changes while it is read is refused; an unchanged one has progress reports. */
 static void test_changes(void **state) {
     const char *path = fixture_path(state, "model.obj");
     const struct {
@@ -530,7 +537,7 @@ static void test_changes(void **state) {
     }
 }
 
-/** Runs the tests. @return How many failed. */
+/** Runs the tests. @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_texts, mesh_fixture_set_up, fixture_tear_down),

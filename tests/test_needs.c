@@ -47,7 +47,7 @@ static SampledRender render_all_pixels(const Scene *scene, const char *engine,
     return render;
 }
 
-/* --- trails ----------------------------------------------------------------------------------- */
+/* --- path hashes ------------------------------------------------------------------------------ */
 
 /** Path hashes are the same at every width; double and float differ only at edges. */
 static void test_path_hashes_agree(void **state) {
@@ -76,8 +76,10 @@ static void test_path_hashes_agree(void **state) {
     }
 }
 
-/** Path hashes of selected pixels are those of the whole picture; shapes, faces and shadows have
- *  different ones. */
+/**
+ * Path hashes of selected pixels equal those of the whole picture. They differ for different
+ * shapes, faces and shadows.
+ */
 static void test_path_hashes_differ(void **state) {
     (void)state;
     Scene *scene = load_scene("scenes/box.lua");
@@ -109,7 +111,7 @@ static void test_path_hashes_differ(void **state) {
     scene_destroy(scene);
 }
 
-/** Black pixels are outliers: no edge is near them. Edge flips of float are not. */
+/** Black pixels are outliers: no edge is near them. Edge flips of float are no outliers. */
 static void test_outliers_are_no_edges(void **state) {
     (void)state;
     Scene *scene = load_scene("scenes/box.lua");
@@ -136,7 +138,7 @@ static void test_outliers_are_no_edges(void **state) {
     scene_destroy(scene);
 }
 
-/* --- forecasts -------------------------------------------------------------------------------- */
+/* --- precision estimates ---------------------------------------------------------------------- */
 
 /** A scene, and its expected estimate. */
 typedef struct ExpectedForecast {
@@ -165,7 +167,7 @@ static const ExpectedForecast expected[] = {
     {"tests/scenes/deep-mirrors.lua", false, PRECISION_RAY_DIVERGENCE},
     {"tests/scenes/thin-shells.lua", false, PRECISION_THIN_GLASS}};
 
-/** The scene's numbers choose the engine. */
+/** The precision estimate chooses the engine. */
 static void test_forecasts(void **state) {
     (void)state;
     for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
@@ -182,7 +184,7 @@ static void test_forecasts(void **state) {
     }
 }
 
-/** The depth is the script's own, or else follows from the largest reflectance. */
+/** The depth is that of the script, or else follows from the largest reflectance. */
 static void test_depths(void **state) {
     (void)state;
     Scene *scene = load_scene("scenes/orbits.lua");
@@ -249,7 +251,7 @@ static void test_sparse_pixels_suffice(void **state) {
     }
 }
 
-/** Runs all tests. @return How many failed. */
+/** Runs the tests. @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_path_hashes_agree),
                                        cmocka_unit_test(test_path_hashes_differ),

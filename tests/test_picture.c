@@ -8,15 +8,15 @@
 
 /** Both encodings. */
 static const Encoding encodings[] = {ENCODING_SRGB, ENCODING_LINEAR};
-/** How many encodings there are. */
+/** Number of encodings. */
 enum { ENCODINGS = sizeof encodings / sizeof *encodings };
 
 // --- the encoder ---------------------------------------------------------------------------------
 
 /**
- * Encodes as the standard says it, with the widest numbers there are.
+ * Encodes by the formula of the standard in long double.
  * @param light  Linear light, 0 to 1.
- * @return The nearest step, 0 to 255.
+ * @return The nearest 8-bit step, 0 to 255.
  */
 static int encode_by_definition(Encoding encoding, float light) {
     long double x = (long double)light;
@@ -24,7 +24,7 @@ static int encode_by_definition(Encoding encoding, float light) {
     return (int)lroundl(255 * (encoding == ENCODING_LINEAR ? x : encoded));
 }
 
-/** The light that a step stands for is encoded as that step. */
+/** The light of each 8-bit step is encoded as that step. */
 static void test_steps_round_trip(void **state) {
     (void)state;
     for (int i = 0; i < ENCODINGS; i++) {
@@ -37,7 +37,7 @@ static void test_steps_round_trip(void **state) {
     }
 }
 
-/** Each step begins at the very float that the standard says. */
+/** Each step begins at the exact float of the standard. */
 static void test_thresholds(void **state) {
     (void)state;
     for (int i = 0; i < ENCODINGS; i++) {
@@ -55,7 +55,7 @@ static void test_thresholds(void **state) {
     }
 }
 
-/** No cell of the table holds two thresholds: the look-up depends on it. */
+/** No cell of the encoder's table contains two thresholds: the look-up depends on it. */
 static void test_one_threshold_a_cell(void **state) {
     (void)state;
     for (int i = 0; i < ENCODINGS; i++) {
@@ -68,12 +68,12 @@ static void test_one_threshold_a_cell(void **state) {
     }
 }
 
-/** Any number at all is encoded. */
+/** Every float is encoded, including NaN, infinity and negative numbers. */
 static void test_odd_lights(void **state) {
     (void)state;
     static const struct {
-        float light; /**< What is encoded. */
-        int step;    /**< What it should give. */
+        float light; /**< The input. */
+        int step;    /**< The expected step. */
     } cases[] = {
         {NAN, 0},        {-NAN, 0},      {-INFINITY, 0}, {-1, 0},
         {-0.0F, 0},      {FLT_MIN, 0},   {1e-45F, 0},    {-1e-45F, 0},
@@ -89,14 +89,14 @@ static void test_odd_lights(void **state) {
     }
 }
 
-/** A million floats from 0 to 1, of all sizes, are encoded as by definition. */
+/** A million floats from 0 to 1, of all magnitudes, are encoded as by definition. */
 static void test_many_lights(void **state) {
     (void)state;
     Encoder encoder;
     encoder_init(&encoder, ENCODING_SRGB);
     uint64_t random = 1;
     for (int i = 0; i < 1000000; i++) {
-        // Every other one evenly spread; the rest by the spread of floats down to 2^-16.
+        // Half of them are uniform; the others are distributed like floats down to 2^-16.
         double part = random_unit_double(&random);
         float light = (float)(i % 2 ? part : exp2(-16 * part));
         if (encoder_encode(&encoder, light) != encode_by_definition(ENCODING_SRGB, light)) {
@@ -107,7 +107,7 @@ static void test_many_lights(void **state) {
 
 // --- comparison ----------------------------------------------------------------------------------
 
-/** Equal pictures differ by nothing. */
+/** Equal pictures have no difference. */
 static void test_compare_equal(void **state) {
     (void)state;
     Picture picture = make_test_picture(5, 4);
@@ -126,7 +126,7 @@ static void test_compare_equal(void **state) {
     picture_deinit(&map);
 }
 
-/** Differences are measured as by hand. */
+/** Differences equal those computed by hand. */
 static void test_compare_different(void **state) {
     (void)state;
     Picture a;
@@ -135,8 +135,8 @@ static void test_compare_different(void **state) {
     assert_true(picture_init(&a, 4, 1, NULL));
     assert_true(picture_init(&b, 4, 1, NULL));
     assert_true(picture_init(&map, 4, 1, NULL));
-    b.pixels[0] = 1;   // One step off: allowed.
-    a.pixels[4] = 255; // All the way off.
+    b.pixels[0] = 1;   // One step of difference: allowed.
+    a.pixels[4] = 255; // The largest difference.
     PictureComparison comparison = picture_compare(&a, &b, &map);
     assert_int_equal(comparison.max_difference, 255);
     assert_true(comparison.differing_fraction == 0.25);
@@ -152,7 +152,7 @@ static void test_compare_different(void **state) {
     picture_deinit(&map);
 }
 
-/** Runs the tests. @return How many failed. */
+/** Runs the tests. @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_steps_round_trip),     cmocka_unit_test(test_thresholds),

@@ -1,7 +1,7 @@
 /**
  * @file
- * @brief The probe: the rays that it notes are those of the picture, bit for bit; they add up to
- *        the pixel, operation by operation; angles and shares are those of closed forms.
+ * @brief Tests of ray trees: the recorded rays are those of the picture, bit for bit. They add up
+ *        to the pixel, operation by operation; angles and weights equal closed forms.
  */
 #include "fixtures.h"
 #include "glass_scenes.h"
@@ -12,11 +12,12 @@
 
 #include <glob.h>
 
-/* --- replaying a tree --------------------------------------------------------------------------
- */
+/* --- recomputing a tree ----------------------------------------------------------------------- */
 
-/** @return A number, rounded as the engine would. For +, - and * that is exact in double, as 53
- *  bits are more than twice 24 and 2. */
+/**
+ * @return A number, rounded as by the engine. For +, - and * of floats this is exact in double,
+ *         because 53 bits are more than 2 * 24 + 2.
+ */
 static double round_to_engine(const Engine *engine, double x) {
     return engine->mantissa_bits == 24 ? round_to_float(x) : x;
 }
@@ -33,12 +34,12 @@ static Rgbd rounded_product(const Engine *e, Rgbd a, Rgbd b) {
                   round_to_engine(e, a.blue * b.blue)};
 }
 
-/** @return The same in all primaries. */
+/** @return A grey colour: one number in all channels. */
 static Rgbd grey_color(double x) {
     return (Rgbd){x, x, x};
 }
 
-/** Fails unless two colours are the same to the bit. */
+/** Fails unless two colours are bitwise equal. */
 static void assert_same_color(Rgbd a, Rgbd b, const char *what, size_t index) {
     if (a.red != b.red || a.green != b.green || a.blue != b.blue) {
         fail_msg("%s of ray %zu: %a %a %a, not %a %a %a", what, index, a.red, a.green, a.blue,
@@ -47,8 +48,8 @@ static void assert_same_color(Rgbd a, Rgbd b, const char *what, size_t index) {
 }
 
 /**
- * @return What the body of a surface sends back, worked out again.
- * @param index  The ray that met it.
+ * @return The diffuse colour of a surface, recomputed.
+ * @param index  The ray that hit it.
  */
 static Rgbd expected_diffuse(const Engine *e, const RayTree *tree, size_t index) {
     const RayTreeSurface *s = &tree->nodes[index].surface;
@@ -68,7 +69,7 @@ static Rgbd expected_diffuse(const Engine *e, const RayTree *tree, size_t index)
     return rounded_sum(e, color, rounded_product(e, s->specular, shine));
 }
 
-/** @return A ray's colour, worked out again. */
+/** @return A ray's colour, recomputed. */
 static Rgbd expected_color(const Engine *e, const RayTree *tree, size_t index) {
     Rgbd color = tree->nodes[index].local_color;
     for (size_t i = index + 1; i < tree->count; i++) {
@@ -80,12 +81,12 @@ static Rgbd expected_color(const Engine *e, const RayTree *tree, size_t index) {
     return color;
 }
 
-/** @return The largest primary. */
+/** @return The largest channel. */
 static double largest_channel(Rgbd color) {
     return fmax(color.red, fmax(color.green, color.blue));
 }
 
-/** Checks a ray's place in the tree. */
+/** Checks a ray's position in the tree. */
 static void check_tree_links(const Engine *e, const RayTree *tree, size_t i) {
     const RayTreeNode *ray = &tree->nodes[i];
     assert_int_equal(ray->kind == RAY_CAMERA, i == 0);
@@ -102,7 +103,7 @@ static void check_tree_links(const Engine *e, const RayTree *tree, size_t i) {
     assert_at_most(fabs(vec3d_length(ray->direction) - 1), 1e-6, "length of a direction");
 }
 
-/** Checks that a tree adds up. @param counts The rays that the tracer counted. */
+/** Checks that a tree adds up. @param counts The ray counts of the tracer. */
 static void check_sums(const Engine *e, const RayTree *tree, const RayCounts *counts) {
     RayCounts seen = {0};
     for (size_t i = 0; i < tree->count; i++) {
@@ -126,19 +127,21 @@ static void check_sums(const Engine *e, const RayTree *tree, const RayCounts *co
 /* --- all scenes --------------------------------------------------------------------------------
  */
 
-/** Pixels of a patch that is traced at once, each way: packets are full then, and travel as in a
- *  picture. */
+/**
+ * Pixels per side of a square that is traced in one call, so that packets are full, as in a
+ * picture.
+ */
 enum { PATCH_SIZE = 16 };
 
-/** A tracer that is asked. */
+/** The tracer under test. */
 typedef struct QueryRun {
     const Engine *engine; /**< The engine. */
     Tracer *tracer;       /**< Its tracer. */
-    uint64_t random;      /**< A generator. */
-    size_t rays;          /**< Rays that were noted so far. */
+    uint64_t random;      /**< State of the random generator. */
+    size_t rays;          /**< Number of rays recorded so far. */
 } QueryRun;
 
-/** Probes pixels of a patch. */
+/** Probes the pixels of a square. */
 static void probe_patch(QueryRun *run, int pixels) {
     double patch[3 * PATCH_SIZE * PATCH_SIZE];
     RayCounts counts = {0};
@@ -175,11 +178,11 @@ static void probe_patch(QueryRun *run, int pixels) {
 
 /**
  * Probes pixels of a scene.
- * @param samples  Rays a pixel: with more than one, shadows are soft.
- * @return Rays noted.
+ * @param samples  Rays per pixel: with more than one, shadows are soft.
+ * @return Number of rays recorded.
  */
 static size_t probe_scene(const Scene *scene, const char *name, int samples, int pixels) {
-    /** Pixels of a patch that are probed. */
+    /** Pixels of a square that are probed. */
     const int share = 8;
     Error error = {0};
     RenderSettings settings = render_settings_default(scene);
@@ -198,8 +201,10 @@ static size_t probe_scene(const Scene *scene, const char *name, int samples, int
     return run.rays;
 }
 
-/** In every scene, the rays noted of a pixel are those of the picture, and add up to it.
- *  PROBE_PIXELS in the environment says how many pixels of each scene. */
+/**
+ * In every scene, the recorded rays of a pixel are those of the picture, and add up to it.
+ * PROBE_PIXELS in the environment is the number of pixels per scene.
+ */
 static void test_sums(void **state) {
     (void)state;
     glob_t scenes;
@@ -223,19 +228,19 @@ static void test_sums(void **state) {
 /* --- closed forms ------------------------------------------------------------------------------
  */
 
-/** Pixels of a small picture, each way: odd, so that one's centre is the middle. */
+/** Pixels per side of a small picture: odd, so that the central pixel is at the centre. */
 enum { SMALL_SIZE = 33 };
 
-/** Roundings that closed forms are allowed, in halves of an ulp of 1. */
+/** Tolerance relative to closed forms, half ulps of 1. */
 #define ROUNDINGS 16
 
-/** @return The engine that is asked for closed forms. */
+/** @return An engine by its name. */
 static const Engine *engine_named(const char *name) {
     Error error = {0};
     return engine_find(name, &error);
 }
 
-/** Probes the middle of a scene's picture. @return The tree. */
+/** Probes the centre of a scene's picture. @return The tree. */
 static RayTree probe_middle(const Engine *engine, const Scene *scene, TraceSettings trace) {
     Error error = {0};
     RayTree tree = {0};
@@ -257,12 +262,12 @@ static RayTree probe_middle(const Engine *engine, const Scene *scene, TraceSetti
     return tree;
 }
 
-/** Fails unless a number is a closed form's. @param truth The closed form's, of the size of 1. */
+/** Fails unless a number equals a closed form. @param truth The closed form, of magnitude 1. */
 static void assert_closed_form(const Engine *engine, double x, double truth, const char *what) {
     assert_at_most(fabs(x - truth), ROUNDINGS * (double)roundoff(engine), "%s", what);
 }
 
-/** Fails unless a vector is a closed form's. */
+/** Fails unless a vector equals a closed form. */
 static void assert_vector(const Engine *engine, Vec3d v, Vec3d truth, const char *what) {
     assert_closed_form(engine, v.x, truth.x, what);
     assert_closed_form(engine, v.y, truth.y, what);
@@ -281,8 +286,10 @@ static const RayTreeNode *child_of(const RayTree *tree, int parent, RayType kind
     return NULL;
 }
 
-/** @return A white world around a ball of glass of radius 1 at the origin, seen from a point.
- *  @param eye The point; it looks along -z. */
+/**
+ * @return A glass sphere of radius 1 at the origin in uniform white light.
+ * @param eye  Camera position; it looks along -z.
+ */
 static Scene *glass_sphere_scene(Vec3d eye) {
     const Placement here = {1, 0};
     Scene *scene = create_empty_scene();
@@ -293,7 +300,10 @@ static Scene *glass_sphere_scene(Vec3d eye) {
     return scene;
 }
 
-/** Where glass is met at 30 degrees, angles are Snell's and shares Fresnel's. */
+/**
+ * At an angle of incidence of 30 degrees, angles follow Snell's law and weights Fresnel's
+ * equations.
+ */
 static void check_glass(const Engine *engine) {
     Scene *scene = glass_sphere_scene((Vec3d){0.5, 0, 5});
     RayTree tree = probe_middle(engine, scene, (TraceSettings){.offset = OFFSET_BOUND});
@@ -326,7 +336,7 @@ static void check_glass(const Engine *engine) {
     scene_destroy(scene);
 }
 
-/** From inside at an angle of sine 0.9 all is mirrored. */
+/** From inside at an angle of sine 0.9, all light is reflected. */
 static void check_total(const Engine *engine) {
     Scene *scene = glass_sphere_scene((Vec3d){0.9, 0, 0});
     RayTree tree = probe_middle(engine, scene, (TraceSettings){.offset = OFFSET_BOUND});
@@ -341,8 +351,10 @@ static void check_total(const Engine *engine) {
     scene_destroy(scene);
 }
 
-/** @return A mirror 4 before the eye, two lamps at 5 from where it is met, and a ball before the
- *  second. */
+/**
+ * @return A mirror at a distance of 4 from the camera, two lights at 5 from the hit point, and a
+ *         sphere that hides the second.
+ */
 static Scene *mirror_and_lights_scene(void) {
     const Placement here = {1, 0};
     Error error = {0};
@@ -363,7 +375,9 @@ static Scene *mirror_and_lights_scene(void) {
     return scene;
 }
 
-/** A mirror sends straight back; a lamp at 5 with cosine 0.8 gives that, one behind a ball nothing.
+/**
+ * A mirror reflects straight back. A light at 5 with cosine 0.8 gives its irradiance; one behind a
+ * sphere gives nothing.
  */
 static void check_mirror(const Engine *engine) {
     Scene *scene = mirror_and_lights_scene();
@@ -392,7 +406,7 @@ static void check_mirror(const Engine *engine) {
     scene_destroy(scene);
 }
 
-/** Angles, shares, distances and weights are those of closed forms. */
+/** Angles, weights and distances equal closed forms. */
 static void test_closed_forms(void **state) {
     (void)state;
     static const char *const names[] = {"f32x1", "f32x8", "f64x1", "f64x4"};
@@ -406,7 +420,7 @@ static void test_closed_forms(void **state) {
     }
 }
 
-/** Places are the scene's, also where the tracer counts from elsewhere. */
+/** Points are in scene coordinates, also if the tracer uses another origin. */
 static void test_far_away(void **state) {
     (void)state;
     const Placement far = {1, 1e6};
@@ -423,7 +437,7 @@ static void test_far_away(void **state) {
     scene_destroy(scene);
 }
 
-/** A lamp that is seen is named. */
+/** The index of a visible light is recorded. */
 static void test_visible_light(void **state) {
     (void)state;
     Error error = {0};
@@ -445,10 +459,9 @@ static void test_visible_light(void **state) {
     scene_destroy(scene);
 }
 
-/* --- looking at the rays -----------------------------------------------------------------------
- */
+/* --- views of the rays ------------------------------------------------------------------------ */
 
-/** A camera sees what its ray hits in the middle of the ray's pixel. */
+/** A camera projects the hit point of a ray onto the centre of the ray's pixel. */
 static void test_projection(void **state) {
     (void)state;
     Error error = {0};
@@ -477,7 +490,9 @@ static void test_projection(void **state) {
     scene_destroy(scene);
 }
 
-/** The second camera has the eye and the first hit in its picture, whatever its shape. */
+/**
+ * The second camera has the first camera and the first hit in its picture, for any aspect ratio.
+ */
 static void test_view(void **state) {
     (void)state;
     static const char *const paths[] = {"scenes/box.lua", "scenes/glass-sphere.lua",
@@ -506,7 +521,7 @@ static void test_view(void **state) {
     }
 }
 
-/** The window's numbers are those of the pixel, and follow the light. */
+/** The window's numbers equal those of the pixel, and follow the light. */
 static void test_inspector(void **state) {
     (void)state;
     Error error = {0};
@@ -543,7 +558,7 @@ static void test_inspector(void **state) {
     scene_destroy(scene);
 }
 
-/** Runs the tests. @return How many failed. */
+/** Runs the tests. @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_closed_forms),  cmocka_unit_test(test_far_away),

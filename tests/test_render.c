@@ -1,13 +1,13 @@
 /**
  * @file
- * @brief Pictures: the same bits whatever the threads, the lanes, the passes, the scale.
+ * @brief Pictures are bitwise equal for any threads, lanes, passes and scale.
  */
 #include "fixtures.h"
 #include "pictures.h"
 
 #include <glob.h>
 
-/** 1, 2, 3 and 8 threads draw the same picture. */
+/** 1, 2, 3 and 8 threads render the same picture. */
 static void test_threads(void **state) {
     (void)state;
     Scene *scene = load_scene("scenes/box.lua");
@@ -22,8 +22,10 @@ static void test_threads(void **state) {
     scene_destroy(scene);
 }
 
-/** Sixteen lanes, eight, four and one draw the same picture of every scene there is: of lists of
- *  shapes and of trees, of mirrors, glass, models, pictures and lamps. */
+/**
+ * Sixteen, eight, four lanes and one render the same picture of every scene: lists and BVHs,
+ * mirrors, glass, meshes, textures and lights.
+ */
 static void test_lanes(void **state) {
     (void)state;
     glob_t scenes;
@@ -56,12 +58,12 @@ static void test_lanes(void **state) {
     globfree(&scenes);
 }
 
-/** @return A point moved away from the origin. */
+/** @return A point, scaled about the origin. */
 static Vec3d scaled_point(Vec3d v, double factor) {
     return vec3d_scale(v, factor);
 }
 
-/** Makes a whole scene larger. Shape parameters hold nothing but lengths and points here. */
+/** Scales a whole scene. All shape parameters are lengths and points here. */
 static void scale_scene(Scene *scene, double factor) {
     scene->camera.position = scaled_point(scene->camera.position, factor);
     for (size_t i = 0; i < scene->light_count; i++) {
@@ -82,8 +84,7 @@ static void scale_scene(Scene *scene, double factor) {
     }
 }
 
-/** A scene a power of two larger or smaller is bitwise the same picture: nothing in it is absolute.
- */
+/** A scene scaled by a power of two gives a bitwise equal picture: no constant is absolute. */
 static void test_scale(void **state) {
     (void)state;
     static const char *const scenes[] = {"scenes/box.lua", "scenes/figure-09.lua"};
@@ -102,8 +103,10 @@ static void test_scale(void **state) {
     }
 }
 
-/** What passes in the background end in is what is drawn at once, bit for bit; also after it was
- *  stopped half-way, and after the camera has gone away and come back. */
+/**
+ * The passes in the background end in the picture of a single call, bit for bit; also after a stop,
+ * and after the camera moved away and back.
+ */
 static void test_background(void **state) {
     (void)state;
     Scene *scene = load_scene("scenes/box.lua");
@@ -132,7 +135,7 @@ static void test_background(void **state) {
     scene_destroy(scene);
 }
 
-/** A drawing that is stopped says so and keeps what is finished. */
+/** A stopped render reports that and keeps finished tiles. */
 static void test_stop(void **state) {
     (void)state;
     Scene *scene = load_scene("scenes/box.lua");
@@ -163,8 +166,7 @@ static void test_small_sizes(void **state) {
     scene_destroy(scene);
 }
 
-/** The camera's rays mirror each other, bit for bit: a scene that is the same on both sides gives a
- *  picture that is. */
+/** Camera rays are symmetric, bit for bit: a symmetric scene gives a symmetric picture. */
 static void test_symmetry(void **state) {
     (void)state;
     Error error = {0};
@@ -186,8 +188,10 @@ static void test_symmetry(void **state) {
     scene_destroy(scene);
 }
 
-/** Facing mirrors: the n-th image is rho^n as bright (closed form). One sees a glowing wall behind
- *  itself in two mirrors; each order of it is a step darker. */
+/**
+ * Two parallel mirrors: the n-th image has the brightness rho^n (closed form). The camera sees an
+ * emissive wall behind it in two mirrors; each order adds a step.
+ */
 static void check_facing_mirrors(const Engine *engine) {
     const double share = 0.5;
     Error error = {0};
@@ -218,8 +222,10 @@ static void test_facing_mirrors(void **state) {
     for_every_engine(check_facing_mirrors);
 }
 
-/** @return A wall with two lamps at 45 degrees above the point that the camera looks at.
- *  @param away How far the wall is from the camera and from the lamps' feet. */
+/**
+ * @return A wall with two lights at 45 degrees above the point that the camera views.
+ * @param away  Distance of the wall from the camera, and of the lights from the wall.
+ */
 static Scene *wall_with_lights_scene(double away) {
     Error error = {0};
     Scene *scene = create_empty_scene();
@@ -235,14 +241,16 @@ static Scene *wall_with_lights_scene(double away) {
     return scene;
 }
 
-/** Point lights add, weaken with the square of the distance and with the cosine, to a few ulps of
- *  the closed form, from 1e-6 to 1e6 away. */
+/**
+ * Irradiances of point lights add up. They follow the inverse square and the cosine to a few ulps
+ * of the closed form, from 1e-6 to 1e6.
+ */
 static void check_irradiance(const Engine *engine) {
     for (double away = 1e-6; away <= 1e6; away *= 100) {
         double rgb[3];
         Scene *scene = wall_with_lights_scene(away);
         RayCounts counts = trace_pixel(engine, scene, rgb);
-        // Two lamps at 45 degrees, sqrt(2) away: 2 * cos 45 / 2.
+        // Two lights at 45 degrees and a distance of sqrt(2): 2 * cos 45 / 2.
         double u = engine->mantissa_bits == 24 ? 0x1p-24 : 0x1p-52;
         for (int c = 0; c < 3; c++) {
             assert_at_most(fabs(rgb[c] - ldexp(sqrt(0.5), -c)), 16 * u, "light %g away in %s", away,
@@ -259,8 +267,10 @@ static void test_irradiance(void **state) {
     for_every_engine(check_irradiance);
 }
 
-/** No offset shows the black points of report C, the default shows none: a lit ball without
- *  neighbours, seen from its lamp, has no dark pixel. */
+/**
+ * Without an offset there are the black points of report C, by default there are none: a lit sphere
+ * alone, seen from its light, has no dark pixel.
+ */
 static void test_acne(void **state) {
     (void)state;
     Error error = {0};
@@ -274,7 +284,7 @@ static void test_acne(void **state) {
         RenderSettings settings = small_settings(scene, "auto", 1);
         settings.trace.offset = (OffsetStrategy)offset;
         Picture picture = draw_picture(scene, &settings);
-        // The middle of the picture is all ball, lit head-on.
+        // The centre of the picture shows only the sphere, lit frontally.
         for (int y = HEIGHT / 2 - 8; y < HEIGHT / 2 + 8; y++) {
             for (int x = WIDTH / 2 - 8; x < WIDTH / 2 + 8; x++) {
                 dark[offset / OFFSET_BOUND] += picture.pixels[3 * (y * WIDTH + x)] < 128;
@@ -302,8 +312,11 @@ static Scene *many_spheres_scene(size_t count, bool is_mirror) {
     return scene;
 }
 
-/** @return What the tracer of a scene is made of. @param scene The scene, given back here.
- *  @param depth How often rays are mirrored. */
+/**
+ * @return Statistics of the tracer of a scene.
+ * @param scene  The scene, destroyed here.
+ * @param depth  Recursion depth.
+ */
 static TracerStats scene_contents(Scene *scene, int depth) {
     RenderSettings settings = small_settings(scene, "auto", 1);
     settings.trace.depth = depth;
@@ -314,10 +327,10 @@ static TracerStats scene_contents(Scene *scene, int depth) {
     return contents;
 }
 
-/** With a tree and without, the picture is the same, in every engine. */
+/** The picture is equal with a BVH and without, in every engine. */
 static void check_bvh_keeps_picture(const Engine *engine) {
     if (engine->mantissa_bits > 100) {
-        return; // As the others of one lane, but slow.
+        return; // Equal to the others of one lane, but slow.
     }
     Scene *scene = many_spheres_scene(100, true);
     RenderSettings settings = small_settings(scene, engine->name, 2);
@@ -335,8 +348,10 @@ static void test_bvh(void **state) {
     for_every_engine(check_bvh_keeps_picture);
 }
 
-/** A scene gets a tree from as many shapes on as it says: from fewer where they mirror; shapes
- *  without an end do not count. */
+/**
+ * A scene gets a BVH from a minimum number of shapes, which is lower if they are reflective.
+ * Unbounded shapes do not count.
+ */
 static void test_bvh_threshold(void **state) {
     (void)state;
     size_t matt = scene_contents(many_spheres_scene(1, false), 5).bvh_threshold;

@@ -1,8 +1,8 @@
 /**
  * @file
- * @brief Every method in the regime where such methods fail (doc/tour.md names them): far spheres
- * and the ground seen from a sphere's surface, edges and corners between quads, rays that just
- *        touch a box, grazing planes, surfaces that coincide.
+ * @brief Intersection methods in cases that are numerically difficult (doc/tour.md): distant
+ *        spheres, the ground as a sphere, edges and vertices between quads, rays that touch a box,
+ *        grazing planes, coincident surfaces.
  */
 #include "triangle_soup.h"
 
@@ -21,8 +21,10 @@ static Quadruple sphere_distance(const RayQueryQuad *ray, Quadruple radius) {
     return b < 0 ? c / sum : sum / a;
 }
 
-/** The ground: a sphere of radius 100 to 1e6, seen from 1 above it, where every formula in float
- *  alone is wrong by 1e-3 (doc/tour.md, where float fails). */
+/**
+ * The ground: a sphere of radius 100 to 1e6, seen from 1 above it, where formulas in plain float
+ * are wrong by 1e-3 (doc/tour.md).
+ */
 static void ground_sphere(const Engine *engine) {
     uint64_t state = 1;
     for (double radius = 1e2; radius <= 1e6; radius *= 10) {
@@ -51,7 +53,9 @@ static void ground_sphere(const Engine *engine) {
     }
 }
 
-/** A sphere 1e3 to 1e6 radii away: none missed, none met that is not there, 0.1 % beside the rim.
+/**
+ * A sphere at a distance of 1e3 to 1e6 radii: no false hits or misses, for rays 0.1 % inside or
+ * outside the rim.
  */
 static void far_sphere(const Engine *engine) {
     uint64_t state = 2;
@@ -62,7 +66,7 @@ static void far_sphere(const Engine *engine) {
         Tracer *tracer = create_tracer(engine, scene);
         int wrong = 0;
         for (int n = 0; n < 4000; n++) {
-            // Aimed with a direction that float holds exactly: 1 away along z, then beside it.
+            // The direction is exact in float: 1 along z, plus the lateral offset.
             double rim = n % 2 ? 0.999 : 1.001, angle = 2 * M_PI * random_unit_double(&state);
             RayQueryQuad ray = {{(float)(rim * cos(angle)), (float)(rim * sin(angle)), away},
                                 {0, 0, -1}};
@@ -79,7 +83,7 @@ static void far_sphere(const Engine *engine) {
 
 /* --- quads ----------------------------------------------------------------------------------- */
 
-/** @return A room of six quads, moved and not square. */
+/** @return A room of six quads, moved and skewed. */
 static Scene *quad_room(void) {
     Scene *scene = create_empty_scene();
     Vec3d a = {-1.25, 0.5, 3.75}, x = {2.5, 0.25, 0.5}, y = {-0.375, 3.125, 0.25},
@@ -98,7 +102,7 @@ static Scene *quad_room(void) {
     return scene;
 }
 
-/** @return A corner of that room, 0 to 7. */
+/** @return A corner of that room. @param which Index, 0 to 7. */
 static Vec3d room_corner(unsigned which) {
     Vec3d p = {-1.25, 0.5, 3.75};
     p = which & 1 ? vec3d_add(p, (Vec3d){2.5, 0.25, 0.5}) : p;
@@ -108,7 +112,7 @@ static Vec3d room_corner(unsigned which) {
 
 /**
  * @return A target: a corner of the room, or a point of one of its edges.
- * @param at_corner  Which of the two.
+ * @param at_corner  Whether it is a corner.
  */
 static Vec3d room_target(uint64_t *state, bool at_corner) {
     unsigned corner = (unsigned)(8 * random_unit_double(state));
@@ -121,8 +125,10 @@ static Vec3d room_target(uint64_t *state, bool at_corner) {
     return vec3d_add(from, vec3d_scale(vec3d_subtract(to, from), random_unit_double(state)));
 }
 
-/** From inside the closed room, rays aimed at its edges and corners: not one gets out. A million of
- *  each (a hundredth in quad). */
+/**
+ * From inside the closed room, every ray to its edges and corners hits it. A million rays each (a
+ * hundredth in quad).
+ */
 static void watertight_quads(const Engine *engine) {
     Scene *scene = quad_room();
     Tracer *tracer = create_tracer(engine, scene);
@@ -151,7 +157,7 @@ static void watertight_quads(const Engine *engine) {
     scene_destroy(scene);
 }
 
-/** Two quads in one plane: the first is seen everywhere, no speckles. */
+/** Of two quads in one plane, the first is hit everywhere. */
 static void coincident_quads(const Engine *engine) {
     Scene *scene = create_empty_scene();
     QuadParameters first = {{-1, -1, -3}, {2, 0, 0}, {0, 2, 0}};
@@ -174,8 +180,10 @@ static void coincident_quads(const Engine *engine) {
 
 /* --- planes ---------------------------------------------------------------------------------- */
 
-/** A floor whose point lies a million away, seen at 30 to 0.001 degrees from 1 above: the distance
- *  is right to some ulps over the sine of the angle. */
+/**
+ * A plane given by a point at a distance of a million, seen from 1 above at 30 to 0.001 degrees.
+ * The distance is exact to some ulps divided by the sine of the angle.
+ */
 static void grazing_plane(const Engine *engine) {
     Scene *scene = create_empty_scene();
     PlaneParameters floor = {{1e6, -1, -1e6}, {0, 1, 0}};
@@ -203,8 +211,10 @@ static void grazing_plane(const Engine *engine) {
 
 /* --- boxes ----------------------------------------------------------------------------------- */
 
-/** Rays that truly touch a box, at corners, along edges and in the planes of its faces, with every
- *  sign of zero: none is missed. */
+/**
+ * Rays that exactly touch a box, at corners, along edges and in the planes of its faces, with all
+ * signs of zero: none misses.
+ */
 static void touching_box(const Engine *engine) {
     Scene *scene = create_empty_scene();
     BoxParameters box = {{-1, -1, -1}, {1, 1, 1}};
@@ -213,8 +223,8 @@ static void touching_box(const Engine *engine) {
     uint64_t state = 5;
     long missed = 0, count = ray_count_for(engine, 200000);
     for (long n = 0; n < count; n++) {
-        // A point of the surface with one to three coordinates on their planes, and a way to it
-        // that float holds exactly, but not its inverse: 64ths, and parallel to some axes.
+        // A point of the surface with one to three coordinates on face planes. The direction to it
+        // is exact in float, but its inverse is not: multiples of 1/64, some parallel to axes.
         double point[3], step[3];
         for (int i = 0; i < 3; i++) {
             point[i] = random_unit_double(&state) < 0.6
@@ -242,8 +252,10 @@ static void touching_box(const Engine *engine) {
 
 /* --- cylinders ------------------------------------------------------------------------------- */
 
-/** A cylinder 1e2 to 1e4 radii away: none missed, none met that is not there, 0.1 % beside its
- *  outline. */
+/**
+ * A cylinder at a distance of 1e2 to 1e4 radii: no false hits or misses, for rays 0.1 % inside or
+ * outside the silhouette.
+ */
 static void far_cylinder(const Engine *engine) {
     uint64_t state = 7;
     for (double away = 1e2; away <= 1e4; away *= 10) {
@@ -267,8 +279,10 @@ static void far_cylinder(const Engine *engine) {
     }
 }
 
-/** Along the axis of a cylinder, exactly and 1e-4 radians beside: a capped one is met at its ends,
- *  a pipe lets through what goes through. */
+/**
+ * Rays along the axis of a cylinder, exactly and at 1e-4 radians: they hit the ends of a capped
+ * cylinder and pass through an open one.
+ */
 static void cylinder_along_axis(const Engine *engine) {
     for (int capped = 0; capped < 2; capped++) {
         Scene *scene = create_empty_scene();
@@ -298,8 +312,9 @@ static void cylinder_along_axis(const Engine *engine) {
     }
 }
 
-/** From inside a capped cylinder, a million rays aimed at its rims (a hundredth in quad): not one
- *  gets out. */
+/**
+ * From inside a capped cylinder, all of a million rays to its rims hit it (a hundredth in quad).
+ */
 static void watertight_rim(const Engine *engine) {
     Scene *scene = create_empty_scene();
     CylinderParameters drum = {{1, 2, 3}, {2.5, 2.75, 1.25}, 1.5, true};
@@ -335,14 +350,13 @@ static void watertight_rim(const Engine *engine) {
 
 /* --- triangles ------------------------------------------------------------------------------- */
 
-/** @return How many rays at a mesh: without packets each asks all of its triangles. */
+/** @return Number of rays at a mesh: an engine of one lane tests all triangles per ray. */
 static long mesh_rays(const Engine *engine) {
     long count = engine->mantissa_bits > 64 ? 640 : engine->lanes == 1 ? 20032 : 1000000;
     return count / WORKLOAD_DIVISOR;
 }
 
-/** From inside a closed mesh, rays aimed at its edges and corners, 64 at one of them: not one gets
- *  out. */
+/** From inside a closed mesh, every ray to its edges and vertices hits it; 64 rays per target. */
 static void watertight_triangles(const Engine *engine) {
     enum { TOGETHER = 64 };
     TriangleSoup mesh = icosphere_triangles(3);
@@ -386,7 +400,7 @@ static void watertight_triangles(const Engine *engine) {
     scene_destroy(scene);
 }
 
-/** Holds what a sliver answered against its corners. */
+/** Checks the hit of a sliver against its vertices. */
 static void check_sliver(const Engine *engine, const TriangleParameters *sliver,
                          const RayQueryQuad *ray, const RayResult *answer) {
     const Vec3d *v = sliver->corners, n = {(double)answer->normal[0], (double)answer->normal[1],
@@ -405,7 +419,7 @@ static void check_sliver(const Engine *engine, const TriangleParameters *sliver,
                    engine->name);
     assert_at_most(fabs(vec3d_length(n) - 1), 1e-6, "normal of a sliver in %s", engine->name);
     assert_true(answer->error > 0);
-    // The normals of all corners look up, and so does the plane's: seen from above or from below.
+    // The vertex normals and the plane's normal point up: is the viewer above or below?
     Vec3d flat =
         vec3d_normalize(vec3d_cross(vec3d_subtract(v[1], v[0]), vec3d_subtract(v[2], v[0])));
     double side = vec3d_dot(d, flat) * (flat.y > 0 ? 1 : -1);
@@ -417,7 +431,7 @@ static void check_sliver(const Engine *engine, const TriangleParameters *sliver,
     }
 }
 
-/** One triangle, a hundred long, seen at an angle. @param aspect How many times as long as wide. */
+/** A triangle of length 100, seen at an angle. @param aspect Ratio of length to width. */
 static void sliver_triangle(const Engine *engine, double aspect, double degrees, uint64_t *state) {
     Scene *scene = create_empty_scene();
     TriangleParameters sliver = {
@@ -447,8 +461,10 @@ static void sliver_triangle(const Engine *engine, double aspect, double degrees,
     scene_destroy(scene);
 }
 
-/** Triangles as narrow as a millionth of their length, seen at 30 to 0.1 degrees: what is met lies
- *  between their corners, and the normal is a number and on the right side. */
+/**
+ * Triangles as narrow as a millionth of their length, seen at 30 to 0.1 degrees. Hits lie between
+ * the vertices; normals are not NaN and point to the viewer.
+ */
 static void sliver_triangles(const Engine *engine) {
     uint64_t state = 11;
     for (double aspect = 1; aspect <= 1e6; aspect *= 10) {
@@ -460,7 +476,7 @@ static void sliver_triangles(const Engine *engine) {
 
 /* --- packets --------------------------------------------------------------------------------- */
 
-/** Adds a round shape, turned and unevenly scaled. */
+/** Adds a sphere or cylinder, rotated and unevenly scaled. */
 static void add_turned(Scene *scene, int i, uint64_t *state) {
     Error error = {0};
     CylinderParameters tube = {{0, -0.5, 0}, {0, 0.5, 0.25}, 0.375, i % 2};
@@ -474,8 +490,10 @@ static void add_turned(Scene *scene, int i, uint64_t *state) {
     assert_true(scene_set_last_transform(scene, &how, &error));
 }
 
-/** Two hundred shapes of all kinds, packets and single rays: the intervals of a packet drop
- *  nothing, axis-parallel rays included. */
+/**
+ * Two hundred shapes of all kinds: packets find the same hits as single rays, including axis-
+ * parallel rays.
+ */
 static void packets_drop_nothing(const Engine *engine) {
     Scene *scene = create_empty_scene();
     uint64_t state = 6;

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Tests of the sandbox that scenes run in: no way out, limits of time, memory and words,
+ * @brief Tests of the sandbox of scene scripts: no escape, limits of time, memory and output,
  *        processes.
  */
 #include "base/clock.h"
@@ -14,9 +14,9 @@
 #include <time.h>
 #include <unistd.h>
 
-// --- words ---------------------------------------------------------------------------------------
+// --- escapes -------------------------------------------------------------------------------------
 
-/** What would be a way out is not there. */
+/** Functions that would allow an escape do not exist. */
 static void test_escapes(void **state) {
     static const char *const words[] = {
         "io",        "os",         "debug",    "package",     "require",
@@ -29,7 +29,7 @@ static void test_escapes(void **state) {
     }
 }
 
-/** Messages cannot play with a terminal, nor are they without end. */
+/** Messages contain no terminal control sequences, and their length is limited. */
 static void test_messages_are_clean(void **state) {
     const Fixture *fixture = *state;
     assert_text_refused(fixture, "error('a\\27[31mb\\0c\\rd\\155e\\194\\155f\\127')", 1,
@@ -42,7 +42,7 @@ static void test_messages_are_clean(void **state) {
 
 // --- limits --------------------------------------------------------------------------------------
 
-/** Nothing runs past its time: not a loop, nor a call of a library. */
+/** The time limit interrupts loops and calls of library functions. */
 static void test_time_limit(void **state) {
     static const InvalidScene cases[] = {
         {"camera {}\nwhile true do\nend", 2, "the scene ran for more than 0.2 s"},
@@ -66,7 +66,7 @@ static void test_time_limit(void **state) {
     }
 }
 
-/** No scene takes more memory than it may. */
+/** The memory limit holds. */
 static void test_memory_limit(void **state) {
     static const char words[] = "the scene needs more than 4 MiB of memory";
     static const InvalidScene cases[] = {
@@ -88,13 +88,13 @@ static void test_memory_limit(void **state) {
                         &(ScriptRequest){.time_limit = SCRIPT_TIME_LIMIT, .memory_limit = 8192});
 }
 
-/** A scene that asks for too much, but takes no for an answer, is good. */
+/** A script that catches a failed allocation can still be valid. */
 static void test_refused_memory_can_be_caught(void **state) {
     Scene *scene = load_valid_scene(*state, "camera {}\nassert(not pcall(string.rep, 'x', 1e10))");
     scene_destroy(scene);
 }
 
-/** Text goes to standard error, clean, up to a limit. */
+/** Printed text goes to standard error, without control characters, up to a limit. */
 static void test_print(void **state) {
     const Fixture *fixture = *state;
     char path[128], got[256] = "";
@@ -122,7 +122,7 @@ static void ignore_alarm(int signal) {
     (void)signal;
 }
 
-/** Signals do not end the wait, and no child is left behind. */
+/** Signals do not interrupt waiting for the worker, and no child process is left. */
 static void test_signals_while_waiting(void **state) {
     struct sigaction before, act = {.sa_handler = ignore_alarm};
     const struct itimerval fast = {{0, 10000}, {0, 10000}}, off = {{0, 0}, {0, 0}};
@@ -136,7 +136,7 @@ static void test_signals_while_waiting(void **state) {
     assert_int_equal(errno, ECHILD);
 }
 
-/** A program that wants no news of its children loads scenes as well. */
+/** Scenes load in a program that ignores SIGCHLD. */
 static void test_children_reaped_by_the_system(void **state) {
     struct sigaction before, act = {.sa_handler = SIG_IGN};
     sigaction(SIGCHLD, &act, &before);
@@ -146,7 +146,7 @@ static void test_children_reaped_by_the_system(void **state) {
     sigaction(SIGCHLD, &before, NULL);
 }
 
-/** @return 0 if all is well. */
+/** @return 0 if all tests pass. */
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_escapes),

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Tests of where scenes come from: files, files that they include, standard input.
+ * @brief Tests of the sources of scenes: files, included files, standard input.
  */
 #include "scene_files.h"
 
@@ -9,10 +9,10 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-/** Where the scene files of these tests lie, from the top of the sources. */
+/** Folder of the scene files of these tests, relative to the project. */
 #define SCRIPTS "tests/scripts/"
 
-/** A scene may be made of files in its folder. */
+/** A scene file can include files in its folder. */
 static void test_include(void **state) {
     (void)state;
     ScriptRequest request = script_request_for(SCRIPTS "room.lua");
@@ -26,7 +26,7 @@ static void test_include(void **state) {
     scene_destroy(scene);
 }
 
-/** An error is told in the file that it is in; a ring of files ends. */
+/** An error is reported in the included file that contains it; circular includes are refused. */
 static void test_wrong_includes(void **state) {
     (void)state;
     ScriptRequest request = script_request_for(SCRIPTS "wrong-part.lua");
@@ -35,7 +35,7 @@ static void test_wrong_includes(void **state) {
     assert_scene_refused(&request, SCRIPTS "ring.lua:3: ", "more than 32 deep");
 }
 
-/** No file outside the folder can be included, and nothing but text. */
+/** Only text files inside the scene's folder can be included. */
 static void test_include_stays_inside(void **state) {
     const Fixture *fixture = *state;
     char path[192], outside[192], text[256];
@@ -67,7 +67,7 @@ static void test_include_stays_inside(void **state) {
     unlink(outside);
 }
 
-/** Includes that fail in pcall do not count as depth. */
+/** Includes that fail in pcall do not count towards the depth. */
 static void test_include_depth_is_given_back(void **state) {
     const Fixture *fixture = *state;
     char path[128];
@@ -79,7 +79,7 @@ static void test_include_depth_is_given_back(void **state) {
     scene_destroy(scene);
 }
 
-/** What is no scene file is refused, and nothing waits. */
+/** Anything that is not a regular file is refused without waiting. */
 static void test_no_scene_files(void **state) {
     const Fixture *fixture = *state;
     ScriptRequest request = script_request_for("no/such/file.lua");
@@ -107,7 +107,7 @@ static void test_no_scene_files(void **state) {
     }
 }
 
-/** The whole path is told, although Lua cuts names at 60. */
+/** Messages contain the whole path, although Lua cuts chunk names at 60 bytes. */
 static void test_long_paths(void **state) {
     static const char *const texts[] = {"\nsphere { radius = -1 }", "\n= 1", "\nlocal x = nil + 1",
                                         "\ninclude 'part.lua'"};
@@ -126,7 +126,7 @@ static void test_long_paths(void **state) {
     }
 }
 
-/** A path that would leave no room for words is told by its end. */
+/** Messages contain only the end of a path that would fill them. */
 static void test_endless_paths(void **state) {
     (void)state;
     char path[1500];
@@ -136,7 +136,7 @@ static void test_endless_paths(void **state) {
     assert_scene_refused(&request, "...xxx", "xxx: File name too long");
 }
 
-/** A scene may come from standard input. */
+/** A scene can be read from standard input. */
 static void test_standard_input(void **state) {
     const Fixture *fixture = *state;
     write_text(fixture->path, "camera {} include 'parts/balls.lua'\nballs(2, nil)\nballs(1, 2)");
@@ -153,7 +153,7 @@ static void test_standard_input(void **state) {
     close(file);
 }
 
-/** Whether a scene asks for the time is known. */
+/** The scene records whether its script uses the time. */
 static void test_time(void **state) {
     static const char *const texts[] = {"camera {}", "camera {} local t = 1; local x = t",
                                         "camera {} t = 2; local x = t", "camera {} local x = t",
@@ -165,7 +165,7 @@ static void test_time(void **state) {
     }
 }
 
-/** @return A scene of a stock. */
+/** @return A scene loaded with an asset cache. */
 static Scene *load_with_cache(const char *path, double time, AssetCache *cache) {
     ScriptRequest request = script_request_for(path);
     Error error = {0};
@@ -176,7 +176,10 @@ static Scene *load_with_cache(const char *path, double time, AssetCache *cache) 
     return scene;
 }
 
-/** What no time changes is read once, and shared; what is not named any more is given back. */
+/**
+ * Assets that do not depend on the time are read once and shared; assets no longer named are
+ * released.
+ */
 static void test_asset_cache(void **state) {
     const Fixture *fixture = *state;
     char path[192];
@@ -204,7 +207,7 @@ static void test_asset_cache(void **state) {
     scene_destroy(second);
 }
 
-/** A scene is given up when asked, long before its time is over. */
+/** Loading stops on request, long before its time limit. */
 static void test_stop(void **state) {
     const Fixture *fixture = *state;
     atomic_bool stop = true;
@@ -218,7 +221,7 @@ static void test_stop(void **state) {
     assert_int_equal(error.status, STATUS_INTERRUPTED);
 }
 
-/** @return 0 if all is well. */
+/** @return 0 if all tests pass. */
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_include),

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Tests of models in scene files: how they are named, found, read once, and blamed.
+ * @brief Tests of mesh files in scenes: their names, their folders, sharing, error locations.
  */
 #include "fixtures.h"
 
@@ -9,11 +9,11 @@
 /** A triangle. */
 #define TRIANGLE "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
 
-// --- a shape of our own, so that these tests do not hang on the tracer ---------------------------
+// --- a test shape, so that these tests do not depend on the tracer -------------------------------
 
-/** A shape that is a model. */
+/** A shape with a mesh. */
 typedef struct TestStatue {
-    size_t file;  /**< The model. */
+    size_t file;  /**< Index of the mesh file. */
     double scale; /**< A number. */
 } TestStatue;
 
@@ -26,10 +26,10 @@ static const Parameter statue_parameters[] = {
      .maximum = 9},
     {0}};
 
-/** A statue as it is when nothing is said. */
+/** The default parameters. */
 static const TestStatue statue_defaults = {.scale = 1};
 
-/** Wants a file. See #Keyword.finish. @return See there. */
+/** Requires a file. See #Keyword.finish. @return false on error. */
 static bool statue_finish(void *values, uint64_t given, Error *error) {
     (void)values;
     return (given & 1) || error_set(error, STATUS_SCENE, "statue needs a file");
@@ -41,18 +41,17 @@ static const Keyword statue_keyword = {.name = "statue",
                                        .size = sizeof(TestStatue),
                                        .defaults = &statue_defaults,
                                        .finish = statue_finish};
-/** What the scenes of these tests can name. */
+/** The shape classes of these tests. */
 static const Keyword *const shapes[] = {&statue_keyword, NULL};
 
-/** Runs the text of a scene in this program as a worker: no other knows the shape. */
+/** Runs the text of a scene in this program as a worker: no other program has the shape. */
 static void run_test_scene(WorkerJob *job) {
     script_worker_scene(job, shapes);
 }
 
 // --- helpers -------------------------------------------------------------------------------------
 
-/** Makes a folder with a scene's folder in it, and the module findable. @return 0 when they are
- *  there. */
+/** Creates a folder with a scene's folder in it, and links the plugin. @return 0 on success. */
 static int scene_mesh_set_up(void **state) {
     symlink_plugin("dioptre-meshes.so");
     return fixture_set_up(state) == 0 ? mkdir(fixture_path(state, "scene"), 0700) : -1;
@@ -66,7 +65,7 @@ static const char *write_beside_scene(void **state, const char *name, const char
     return ((Fixture *)*state)->path;
 }
 
-/** Loads a scene. @return The scene, or NULL. */
+/** Loads a scene. @return The scene, or NULL on failure. */
 static Scene *load_scene(void **state, const char *text, const MeshProgress *progress,
                          Error *error) {
     const ScriptRequest request = {.path = write_beside_scene(state, "scene.lua", text),
@@ -78,7 +77,7 @@ static Scene *load_scene(void **state, const char *text, const MeshProgress *pro
     return script_load(&request, error);
 }
 
-/** @return A scene that must be good. */
+/** @return A valid scene. */
 static Scene *load_valid_scene(void **state, const char *text) {
     Error error = {0};
     Scene *scene = load_scene(state, text, NULL, &error);
@@ -88,7 +87,7 @@ static Scene *load_valid_scene(void **state, const char *text) {
     return scene;
 }
 
-/** Checks that a scene is refused. @param line The line that must be blamed. */
+/** Asserts that a scene is refused. @param line Expected line of the error. */
 static void assert_scene_refused(void **state, const char *text, int line, const char *words) {
     Error error = {0};
     char wanted[PATH_MAX + 256];
@@ -109,8 +108,10 @@ static const TestStatue *statue_parameters_of(const Scene *scene, size_t i) {
 
 // --- tests ---------------------------------------------------------------------------------------
 
-/** A model is found beside the scene file, in a folder below it, and in a file that is included;
- *  named twice in different ways, it is read once. */
+/**
+ * A mesh file is found beside the scene file, in a folder below it, and from an included file.
+ * Different paths to the same file are read once.
+ */
 static void test_once(void **state) {
     mkdir(fixture_path(state, "scene/models"), 0700);
     write_beside_scene(state, "a.obj", TRIANGLE);
@@ -138,7 +139,7 @@ static void test_once(void **state) {
     scene_destroy(scene);
 }
 
-/** Many models find room. */
+/** The number of meshes is not limited to a few. */
 static void test_many(void **state) {
     for (int i = 1; i <= 40; i++) {
         char name[32];
@@ -155,7 +156,7 @@ static void test_many(void **state) {
     scene_destroy(scene);
 }
 
-/** What cannot be a model is refused where it is named. */
+/** Invalid names of mesh files are refused at their line. */
 static void test_refused_names(void **state) {
     char text[256];
     write_beside_scene(state, "../outside.obj", TRIANGLE);
@@ -185,7 +186,7 @@ static void test_refused_names(void **state) {
     assert_scene_refused(state, "camera {}\nstatue {}", 2, "statue needs a file");
 }
 
-/** What is wrong inside a model is blamed on the line that names it first. */
+/** An error in a mesh file is reported at the line that names it first. */
 static void test_refused_models(void **state) {
     write_beside_scene(state, "good.obj", TRIANGLE);
     write_beside_scene(state, "empty.obj", "v 0 0 0\nv 1 0 0\np 1\n");
@@ -194,32 +195,32 @@ static void test_refused_models(void **state) {
                          "camera {}\nstatue { file = 'good.obj' }\nstatue { file = 'empty.obj' }\n"
                          "statue { file = 'empty.obj' }",
                          3, "empty.obj: there is no triangle in it");
-    // A library's words cannot colour the terminal.
+    // Messages of a library cannot contain terminal control sequences.
     assert_scene_refused(state, "camera {}\nstatue { file = 'escape.obj' }", 2, "escape.obj: ");
     Error error = {0};
     assert_null(load_scene(state, "camera {}\nstatue { file = 'escape.obj' }", NULL, &error));
     assert_null(strchr(error.message, '\033'));
 }
 
-/** A model that a failing scene names is not read. */
+/** Mesh files of a scene with an error are not read. */
 static void test_scene_comes_first(void **state) {
     write_beside_scene(state, "empty.obj", "p 1\n");
     assert_scene_refused(state, "camera {}\nstatue { file = 'empty.obj' }\nerror('of mine')", 3,
                          "of mine");
 }
 
-/** Counts. See MeshProgress::tell. */
+/** Counts the calls. See MeshProgress::tell. */
 static void count_progress(void *context, const char *name, double fraction, double seconds) {
     (void)name, (void)fraction, (void)seconds;
     ++*(int *)context;
 }
 
-/** Notes that it is over. See MeshProgress::end. @param context How often it was told. */
+/** Checks that reading has ended. See MeshProgress::end. @param context Number of calls so far. */
 static void check_progress_end(void *context) {
     assert_true(*(int *)context > 0);
 }
 
-/** Who wants to know is told. */
+/** Progress is reported. */
 static void test_progress(void **state) {
     int progress_count = 0;
     const MeshProgress progress = {
@@ -232,7 +233,7 @@ static void test_progress(void **state) {
     scene_destroy(scene);
 }
 
-/** Runs the tests. @return How many failed. */
+/** Runs the tests. @return Number of failed tests. */
 int main(int argc, char **argv) {
     static const WorkerTask tasks[] = {{SCRIPT_SCENE_TASK, run_test_scene}, {0}};
     if (worker_is_requested(argc, argv)) {

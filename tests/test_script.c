@@ -1,25 +1,25 @@
 /**
  * @file
- * @brief Tests of scene files: what they can say, and what is said of wrong ones.
+ * @brief Tests of scene files: their features, and the messages for invalid ones.
  */
 #include "scene_files.h"
 
 // --- helpers -------------------------------------------------------------------------------------
 
-/** @return The parameters of a ball of a scene. */
+/** @return The parameters of a ball in a scene. */
 static const TestBall *ball_parameters_of(const Scene *scene, size_t i) {
     assert_true(i < scene->shape_count);
     return scene->shapes[i].parameters;
 }
 
-/** Checks a vector. */
+/** Asserts the components of a vector. */
 static void assert_vector(Vec3d v, double x, double y, double z) {
     assert_true(v.x == x && v.y == y && v.z == z);
 }
 
-// --- what scenes can say -------------------------------------------------------------------------
+// --- features ------------------------------------------------------------------------------------
 
-/** An empty scene with a camera has every default. */
+/** A scene with only a camera has the defaults. */
 static void test_defaults(void **state) {
     Scene *scene = load_valid_scene(*state, "camera {}");
     assert_true(scene->has_camera);
@@ -59,7 +59,7 @@ static void test_keywords(void **state) {
     scene_destroy(scene);
 }
 
-/** A field of every type arrives; finish works on it. */
+/** Fields of all types are stored, and Keyword::finish is called. */
 static void test_field_types(void **state) {
     Scene *scene = load_valid_scene(
         *state, "camera {}\n"
@@ -81,8 +81,10 @@ static void test_field_types(void **state) {
     scene_destroy(scene);
 }
 
-/** Every shape can be scaled, turned and moved; one that is not carries nothing. A pair is two
- *  numbers. */
+/**
+ * Every shape can be scaled, rotated and moved; other shapes have no transform. A pair is two
+ * numbers.
+ */
 static void test_transforms(void **state) {
     Scene *scene = load_valid_scene(*state, "camera {}\n"
                                             "sphere { spot = {0.25, 1} }\n"
@@ -96,7 +98,8 @@ static void test_transforms(void **state) {
     assert_vector(twice->scale, 2, 2, 2);
     assert_vector(twice->translate, 0, 0, 0);
     assert_vector(all->translate, 4, 5, 6);
-    // About x, y goes to z and z to -y; then about z, x goes to y and y to -x. Scaled before that.
+    // The scale comes first. The rotation about x moves y to z and z to -y; then about z, x to y
+    // and y to -x.
     const double linear[3][3] = {{0, 0, 3}, {1, 0, 0}, {0, -2, 0}};
     for (int i = 0; i < 9; i++) {
         assert_true(all->matrix[i / 3][i % 3] == linear[i / 3][i % 3]);
@@ -104,7 +107,7 @@ static void test_transforms(void **state) {
     scene_destroy(scene);
 }
 
-/** Materials are handed on by what they return. */
+/** Materials are passed to shapes as return values. */
 static void test_materials(void **state) {
     Scene *scene = load_valid_scene(
         *state, "camera {}\n"
@@ -124,20 +127,20 @@ static void test_materials(void **state) {
     scene_destroy(scene);
 }
 
-/** One colour, written in a way. */
+/** A colour in one notation. */
 typedef struct ColorCase {
     const char *text; /**< The scene. */
-    Rgbd wanted;      /**< Its ambient light. */
+    Rgbd wanted;      /**< The expected ambient light. */
 } ColorCase;
 
-/** Colours may be written in three ways; the last call counts. */
+/** Colours have three notations; the last call counts. */
 static void test_colors(void **state) {
     static const ColorCase cases[] = {
         {"camera {} ambient { 0.15, 0.25, 0.5 }", {0.15, 0.25, 0.5}},
         {"camera {} ambient(0.2)", {0.2, 0.2, 0.2}},
         {"camera {} ambient '#ff0000'", {1, 0, 0}},
         {"camera {} ambient(1) ambient '#000000'", {0, 0, 0}},
-        // The two pieces of the curve: 10/255 is on the straight one, 11/255 on the other.
+        // The two pieces of the sRGB curve: 10/255 is on the linear one, 11/255 on the other.
         {"camera {} ambient '#0A0b80'",
          {10 / 255.0 / 12.92, 0.0033465357638991595, 0.21586050011389926}},
     };
@@ -151,7 +154,7 @@ static void test_colors(void **state) {
     }
 }
 
-/** Camera, image and sky are replaced by a later call. */
+/** A later call replaces camera, image and sky. */
 static void test_later_calls_replace(void **state) {
     Scene *scene =
         load_valid_scene(*state, "camera { fov = 20 } image { width = 5 } sky { color = 1 }\n"
@@ -163,7 +166,7 @@ static void test_later_calls_replace(void **state) {
     scene_destroy(scene);
 }
 
-/** A scene knows the time. */
+/** Scripts have access to the time. */
 static void test_time(void **state) {
     const Fixture *fixture = *state;
     write_text(fixture->path, "camera {} sphere { center = {t, 0, 0} }");
@@ -175,7 +178,7 @@ static void test_time(void **state) {
     scene_destroy(scene);
 }
 
-/** Fields may be inherited, as Lua does it. */
+/** Fields can be inherited by a metatable. */
 static void test_inherited_fields(void **state) {
     Scene *scene = load_valid_scene(*state, "camera {}\n"
                                             "local big = { __index = { radius = 7 } }\n"
@@ -185,7 +188,7 @@ static void test_inherited_fields(void **state) {
     scene_destroy(scene);
 }
 
-/** Random numbers and the order of tables are the same on every run. */
+/** Random numbers and the order of tables are equal in every run. */
 static void test_determinism(void **state) {
     Scene *scene = load_valid_scene(
         *state, "camera {}\n"
@@ -200,22 +203,22 @@ static void test_determinism(void **state) {
                 "  other[#other + 1] = type(key)\n"
                 "end\n"
                 "assert(#other == 3 and other[1] == 'number')\n");
-    // xoshiro256** from our seed: the same on every machine.
+    // xoshiro256** from a fixed seed: equal on every machine.
     assert_vector(ball_parameters_of(scene, 0)->center, 0.84161702650617698, 295,
                   0.33064000904983071);
     scene_destroy(scene);
 }
 
-/** Marks before the text do not move its lines. */
+/** A byte order mark or a first line with #! does not change line numbers. */
 static void test_marks_before_the_text(void **state) {
     const char *text = "\xEF\xBB\xBF#!/usr/bin/env dioptre\ncamera {}\n";
     scene_destroy(load_valid_scene(*state, text));
     assert_text_refused(*state, "#!/usr/bin/env dioptre\ncamera {}\nx = y", 3, "`y`", NULL);
 }
 
-// --- what is said of wrong scenes ----------------------------------------------------------------
+// --- messages for invalid scenes -----------------------------------------------------------------
 
-/** Words and fields that are not there. */
+/** Unknown keywords and fields. */
 static void test_unknown_words(void **state) {
     static const InvalidScene cases[] = {
         {"camera {}\n\nspere { radius = 1 }", 3, "unknown word `spere`; did you mean `sphere`?"},
@@ -280,7 +283,7 @@ static void test_wrong_types(void **state) {
     assert_all_refused(state, cases, COUNT(cases));
 }
 
-/** Values that are out of range, or no numbers, or do not fit together. */
+/** Values that are out of range, NaN or inconsistent. */
 static void test_wrong_values(void **state) {
     static const InvalidScene cases[] = {
         {"sphere { radius = 0 }", 1, "radius must be above 0"},
@@ -313,7 +316,7 @@ static void test_wrong_values(void **state) {
     assert_all_refused(state, cases, COUNT(cases));
 }
 
-/** Errors of Lua itself, at the innermost line of the scene. */
+/** Errors of Lua are reported at the innermost line of the scene file. */
 static void test_lua_errors(void **state) {
     static const InvalidScene cases[] = {
         {"camera {\n  fov = = 2\n}", 2, "unexpected symbol near '='"},
@@ -360,7 +363,7 @@ static void test_lua_errors(void **state) {
     assert_all_refused(state, cases, COUNT(cases));
 }
 
-/** @return 0 if all is well. */
+/** @return 0 if all tests pass. */
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_defaults),

@@ -1,9 +1,9 @@
 /**
  * @file
- * @brief Distance fields keep what they promise: none changes faster than the point moves, exact
- * ones say the very distance, their derivatives are theirs, and bad ones are refused.
+ * @brief Distance fields have their declared properties: Lipschitz constant 1, exact distances and
+ *        exact gradients; invalid fields are refused.
  *
- * The tape is compiled into this test in double, one lane.
+ * The SDF interpreter is compiled into this test in double, with one lane.
  */
 #define REAL_BITS 64
 #define LANES 1
@@ -13,41 +13,40 @@
 
 #include "sdf_builders.h"
 
-/** Pairs of points for each field. */
+/** Pairs of points per field. */
 enum { PAIRS = 1000000 / WORKLOAD_DIVISOR };
-/** Points for each field whose truth is known. */
+/** Points per field with a reference distance. */
 enum { POINTS = 100000 / WORKLOAD_DIVISOR };
 
 /** A field under test. */
 typedef struct SdfCase {
     const char *name;      /**< Its name. */
     Sdf *field;            /**< The field; owned. */
-    SdfInstruction *codes; /**< Its tape; owned. */
-    double size;           /**< How far from zero it is tried. */
-    /** @return The true distance of a point outside; NULL: it is a bound. */
+    SdfInstruction *codes; /**< Its program; owned. */
+    double size;           /**< Half the side of the cube of test points. */
+    /** @return The reference distance of a point outside; NULL: the field is only a bound. */
     double (*truth)(Vec3d p);
 } SdfCase;
 
-/* --- truths, by formulas of their own ----------------------------------------------------------
- */
+/* --- reference distances ---------------------------------------------------------------------- */
 
-/** @return Distance of a point to a box by its nearest point. */
+/** @return Distance from a point to a box, by its nearest point. */
 static double box_distance(Vec3d p, Vec3d low, Vec3d high) {
     Vec3d nearest = vec3d_min(vec3d_max(p, low), high);
     return vec3d_length(vec3d_subtract(p, nearest));
 }
 
-/** @return See #SdfCase.truth: a ball of radius 1. */
+/** @return See #SdfCase.truth: a sphere of radius 1. */
 static double sphere_distance(Vec3d p) {
     return fmax(vec3d_length(p) - 1, 0);
 }
 
-/** @return See #SdfCase.truth: a box of 1, 2, 3. */
+/** @return See #SdfCase.truth: a box with edges of 1, 2, 3. */
 static double box_sdf_distance(Vec3d p) {
     return box_distance(p, (Vec3d){-0.5, -1, -1.5}, (Vec3d){0.5, 1, 1.5});
 }
 
-/** @return See #SdfCase.truth: a frame of 1, 2, 3 with bars of 0.25: all 12. */
+/** @return See #SdfCase.truth: a box frame with edges of 1, 2, 3 and bars of 0.25. */
 static double frame_distance(Vec3d p) {
     const double half[3] = {0.5, 1, 1.5}, thick = 0.25;
     double minimum = HUGE_VAL;
@@ -65,14 +64,16 @@ static double frame_distance(Vec3d p) {
     return minimum;
 }
 
-/** @return See #SdfCase.truth: a ring of 1 and 0.25, by its nearest middle. */
+/**
+ * @return See #SdfCase.truth: a torus of radii 1 and 0.25, by the nearest point of its centre line.
+ */
 static double torus_distance(Vec3d p) {
     double axis = hypot(p.x, p.z), turn = atan2(p.z, p.x);
     Vec3d middle = {cos(turn), 0, sin(turn)};
     return fmax(vec3d_length(vec3d_subtract(p, axis > 0 ? middle : (Vec3d){1, 0, 0})) - 0.25, 0);
 }
 
-/** @return See #SdfCase.truth: small boxes beside the middle of cells of 1, all 125 around. */
+/** @return See #SdfCase.truth: small boxes off the centres of unit cells; searches 125 cells. */
 static double box_grid_distance(Vec3d p) {
     double minimum = HUGE_VAL;
     for (int n = 0; n < 125; n++) {
@@ -84,7 +85,7 @@ static double box_grid_distance(Vec3d p) {
     return minimum;
 }
 
-/** @return See #SdfCase.truth: balls of 0.75 in cells of 1, five by four by one. */
+/** @return See #SdfCase.truth: spheres of radius 0.75 in unit cells, five by four by one. */
 static double ball_grid_distance(Vec3d p) {
     double minimum = HUGE_VAL;
     for (int n = 0; n < 20; n++) {
@@ -94,35 +95,34 @@ static double ball_grid_distance(Vec3d p) {
     return fmax(minimum, 0);
 }
 
-/* --- the fields ---------------------------------------------------------------------------------
- */
+/* --- the fields ------------------------------------------------------------------------------- */
 
-/** Numbers of the fields, as the scene language has them. */
+/** Parameters of the fields, in the layout of the scene language. */
 static const struct {
     double sphere;    /**< Radius. */
-    double ring[2];   /**< Major and minor. */
-    double box[4];    /**< Edges, and how thick bars are. */
-    double little[4]; /**< The same of a little box. */
+    double ring[2];   /**< Major and minor radius. */
+    double box[4];    /**< Edges, and thickness of the bars. */
+    double little[4]; /**< The same of a small box. */
 } numbers = {1, {1, 0.25}, {1, 2, 3, 0.25}, {0.3, 0.3, 0.2, 0}};
 
-/** Turned and moved. */
+/** A rotation and a translation. */
 static const Transform leaning = {
     .scale = {2, 2, 2}, .rotate = {30, 45, 60}, .translate = {0.5, -1, 0.25}};
 
-/** @return A little box beside zero. */
+/** @return A small box off the origin. */
 static Sdf *small_box(void) {
     return translate_sdf(make_sdf("box", numbers.little), 0.35, 0.05, -0.35);
 }
 
 /** The fields under test. */
 static SdfCase subjects[16];
-/** How many. */
+/** Number of #subjects. */
 static size_t subject_count;
 
 /**
  * Adds a field.
- * @param size  How far it is tried.
- * @param truth  Its truth, or NULL.
+ * @param size  Half the side of the cube of test points.
+ * @param truth  Its reference distance, or NULL.
  */
 static void add_sdf_case(const char *name, Sdf *field, double size, double (*truth)(Vec3d)) {
     SdfCase *subject = &subjects[subject_count++];
@@ -132,7 +132,7 @@ static void add_sdf_case(const char *name, Sdf *field, double size, double (*tru
     assert_int_equal(field->is_exact, truth != NULL);
 }
 
-/** Makes the fields. @return 0 */
+/** Creates the fields. @return 0 */
 static int create_sdfs(void **state) {
     (void)state;
     const double *box = numbers.box;
@@ -168,7 +168,7 @@ static int create_sdfs(void **state) {
     return 0;
 }
 
-/** Gives the fields back. @return 0 */
+/** Destroys the fields. @return 0 */
 static int destroy_sdfs(void **state) {
     (void)state;
     for (size_t i = 0; i < subject_count; i++) {
@@ -178,27 +178,26 @@ static int destroy_sdfs(void **state) {
     return 0;
 }
 
-/** @return What a field says. */
+/** @return The value of a field at a point. */
 static double sdf_value(const SdfCase *subject, Vec3d p) {
     return sdf_distance(subject->codes, subject->field->node_count, vec3_of(p), 1);
 }
 
-/** @return A point in a cube around zero. */
+/** @return A random point in a cube around the origin. */
 static Vec3d random_point(uint64_t *seed, double size) {
     return (Vec3d){size * (2 * random_unit_double(seed) - 1),
                    size * (2 * random_unit_double(seed) - 1),
                    size * (2 * random_unit_double(seed) - 1)};
 }
 
-/* --- the promises -------------------------------------------------------------------------------
- */
+/* --- properties ------------------------------------------------------------------------------- */
 
 /** @return Whether a field is a Mandelbulb. */
 static bool is_mandelbulb(const SdfCase *subject) {
     return subject->field->nodes[0].op == SDF_MANDELBULB;
 }
 
-/** @return The share of points from which a step that the field allows leads into its solid. */
+/** @return The fraction of points from which a step of the field's length ends inside the solid. */
 static double overstep_fraction(const SdfCase *subject) {
     uint64_t seed = 1;
     int tried = 0, wrong = 0;
@@ -214,8 +213,10 @@ static double overstep_fraction(const SdfCase *subject) {
     return (double)wrong / tried;
 }
 
-/** The Mandelbulb is a bound up to four iterations; then it grows hairs that its estimate does not
- *  see in one of ten thousand places. */
+/**
+ * The Mandelbulb is a bound up to four iterations. With more, its estimate misses thin filaments in
+ * one of ten thousand places.
+ */
 static void test_mandelbulb(void **state) {
     (void)state;
     for (size_t i = 0; i < subject_count; i++) {
@@ -244,7 +245,7 @@ static void test_lipschitz(void **state) {
             Vec3d step = random_point(&seed, far), q = vec3d_add(p, step);
             double length = vec3d_length(vec3d_subtract(q, p));
             double change = fabs(sdf_value(subject, p) - sdf_value(subject, q));
-            // The roundings of points and distances, too.
+            // Allow for rounding errors of points and distances.
             worst = fmax(worst, (change - 1e-14 * subject->size) / length);
         }
         printf("  %-22s |f(p) - f(q)| / |p - q| at most %.9f\n", subject->name, worst);
@@ -252,7 +253,7 @@ static void test_lipschitz(void **state) {
     }
 }
 
-/** Exact fields say the distance; bounds are not asked. */
+/** Exact fields equal the reference distance; bounds are skipped. */
 static void test_distances(void **state) {
     (void)state;
     for (size_t i = 0; i < subject_count; i++) {
@@ -267,7 +268,10 @@ static void test_distances(void **state) {
     }
 }
 
-/** No solid reaches out of its box: outside, the field is at least the distance over its slack. */
+/**
+ * Bounding boxes contain the solids: outside, the field is at least the distance divided by its
+ * slack.
+ */
 static void test_boxes(void **state) {
     (void)state;
     for (size_t i = 0; i < subject_count; i++) {
@@ -283,7 +287,7 @@ static void test_boxes(void **state) {
     }
 }
 
-/** Derivatives that are carried along agree with differences. */
+/** Analytic gradients agree with finite differences. */
 static void test_gradients(void **state) {
     (void)state;
     const double h = 1e-6;
@@ -303,7 +307,7 @@ static void test_gradients(void **state) {
                 wrong += !(fabs((up - down) / (2 * h) - carried[axis]) < 1e-4);
             }
         }
-        // Between two points of a difference there may be an edge; a Mandelbulb has them
+        // An edge may lie between the two points of a difference; a Mandelbulb has edges
         // everywhere.
         double fraction = is_mandelbulb(subject) ? 0.1 : 2e-4;
         printf("  %-22s gradients unlike differences: %g\n", subject->name, wrong / (0.3 * POINTS));
@@ -311,10 +315,9 @@ static void test_gradients(void **state) {
     }
 }
 
-/* --- limits --------------------------------------------------------------------------------------
- */
+/* --- limits ----------------------------------------------------------------------------------- */
 
-/** Ten thousand fields are refused; a long chain of unions is not deep. */
+/** Ten thousand fields are refused; a long chain of unions needs little depth. */
 static void test_limits(void **state) {
     (void)state;
     Error error = {0};
@@ -341,7 +344,7 @@ static void test_limits(void **state) {
     free(out);
 }
 
-/** Copies may overlap their neighbours, but no more. */
+/** Repeated copies may overlap their direct neighbours only. */
 static void test_overlap(void **state) {
     (void)state;
     Error error = {0};
@@ -354,7 +357,7 @@ static void test_overlap(void **state) {
     free(out);
 }
 
-/** Runs the tests. @return 0 if fields keep their promises. */
+/** Runs the tests. @return 0 if all pass. */
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_lipschitz), cmocka_unit_test(test_mandelbulb),

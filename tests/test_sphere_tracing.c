@@ -1,35 +1,37 @@
 /**
  * @file
- * @brief Marching: fields beside their analytic twins, in every engine. Nothing is tunnelled,
- * nothing is met twice, and the distance is as good as the tolerance promises.
+ * @brief Tests of sphere tracing: distance fields against analytic shapes, in every engine. There
+ *        is no tunnelling and no acne, and the error of the distance is within the tolerance.
  */
 #include "sdf_builders.h"
 
-/** Rays of each comparison; `SDF_RAYS` in the environment asks for others. */
+/** Rays per comparison; the environment variable `SDF_RAYS` overrides it. */
 enum { RAYS = 100000 };
-/** As in scene files. */
+/** The defaults of scene files. */
 static const SdfShapeParameters usual = {.tolerance = 1e-4, .max_steps = 512};
 
-/** A field and shapes that are the same. */
+/** A field and the equivalent analytic shapes. */
 typedef struct TwinTracers {
     const char *name;      /**< Their name. */
     const Engine *engine;  /**< The engine. */
     Tracer *sphere_traced; /**< A scene with the field. */
     Tracer *analytic;      /**< A scene with the shapes. */
-    double size;           /**< Rays come from so far, and aim at less. */
+    double size;           /**< Radius of the sphere of origins; targets are nearer to the
+                                centre. */
 } TwinTracers;
 
-/** What comparing twins came to. */
+/** Result of a comparison. */
 typedef struct TwinComparison {
-    long tunnelled_count;      /**< Rays that go through the shape and did not meet the field. */
-    long wrong_count;          /**< Rays that met the field and go by at a distance. */
-    double max_distance_error; /**< Worst error of the distance times the sine, in tolerances. */
-    double max_normal_error;   /**< Worst error of the normal, radians. */
+    long tunnelled_count;      /**< Rays that pass through the shape and miss the field. */
+    long wrong_count;          /**< Rays that hit the field but pass the shape at a distance. */
+    double max_distance_error; /**< Largest error of the distance times the sine of the angle, in
+                                    tolerances. */
+    double max_normal_error;   /**< Largest error of the normal, radians. */
 } TwinComparison;
 
 /**
- * @return A tracer with the surface of a field; the field is given back.
- * @param row  How near, and how many steps.
+ * @return A tracer with the surface of a field; the field is released.
+ * @param row  Tolerance and step limit.
  */
 static Tracer *marched(const Engine *engine, Sdf *field, SdfShapeParameters row) {
     Scene *scene = create_empty_scene();
@@ -58,8 +60,8 @@ static double sine(const RayQueryQuad *ray, const RayResult *hit) {
 }
 
 /**
- * @return Whether a ray goes into a shape for so long that nobody can say it just touches it.
- * @param hit  Where it meets it first.
+ * @return Whether a ray passes through a shape for a length that excludes a mere touch.
+ * @param hit  Its first hit.
  */
 static bool passes_clearly_through(const TwinTracers *tracers, const RayQueryQuad *ray,
                                    const RayResult *hit) {
@@ -75,9 +77,9 @@ static bool passes_clearly_through(const TwinTracers *tracers, const RayQueryQua
 }
 
 /**
- * @return Whether a ray would meet a shape if it were two tolerances nearer: who goes by within the
- *         tolerance counts as a hit.
- * @param hit  Where it meets the field.
+ * @return Whether a ray would hit the shape if it were two tolerances nearer. A ray that passes
+ *         within the tolerance is a valid hit.
+ * @param hit  Its hit with the field.
  */
 static bool nearly_touches(const TwinTracers *tracers, const RayQueryQuad *ray,
                            const RayResult *hit) {
@@ -90,7 +92,7 @@ static bool nearly_touches(const TwinTracers *tracers, const RayQueryQuad *ray,
     return answer.shape >= 0;
 }
 
-/** @return A ray from around towards the middle. */
+/** @return A random ray from around the shape towards the centre. */
 static RayQueryQuad random_ray(const TwinTracers *tracers, uint64_t *seed) {
     RayQueryQuad ray;
     for (int i = 0; i < 3; i++) {
@@ -101,7 +103,8 @@ static RayQueryQuad random_ray(const TwinTracers *tracers, uint64_t *seed) {
     return ray;
 }
 
-/** @return Whether a ray starts within the tolerance of a surface: then it is on it, and leaves it.
+/**
+ * @return Whether a ray starts within the tolerance of a surface: then it is on it, and leaves it.
  */
 static bool starts_on_surface(const RayQueryQuad *ray, const RayResult *truth) {
     double length = sqrt(dot(ray->direction, ray->direction));
@@ -109,7 +112,7 @@ static bool starts_on_surface(const RayQueryQuad *ray, const RayResult *truth) {
            (double)truth->distance * length * sine(ray, truth) <= usual.tolerance;
 }
 
-/** Compares one answer with its twin. */
+/** Compares one result with that of the analytic shape. */
 static void compare_one(const TwinTracers *tracers, const RayQueryQuad *ray, const RayResult *it,
                         const RayResult *truth, TwinComparison *result) {
     assert_int_equal(it->shape >= 0, it->occluded);
@@ -133,7 +136,7 @@ static void compare_one(const TwinTracers *tracers, const RayQueryQuad *ray, con
     }
 }
 
-/** @return What comparing twins came to; both are given back. */
+/** @return The comparison; both tracers are destroyed. */
 static TwinComparison compare(const TwinTracers *tracers) {
     const char *message = getenv("SDF_RAYS");
     long count = ray_count_for(tracers->engine, message ? atol(message) : RAYS);
@@ -159,7 +162,7 @@ static TwinComparison compare(const TwinTracers *tracers) {
     return result;
 }
 
-/** Asserts that a field is as good as its twin. */
+/** Asserts that a field equals the analytic shapes within the tolerances. */
 static void assert_alike(const TwinTracers *tracers) {
     TwinComparison result = compare(tracers);
     assert_at_most(result.tunnelled_count, 0, "%s in %s, tunnelled", tracers->name,
@@ -171,7 +174,7 @@ static void assert_alike(const TwinTracers *tracers) {
                    tracers->engine->name);
 }
 
-/** A ball. */
+/** A sphere. */
 static void sphere_twins(const Engine *engine) {
     Scene *scene = create_empty_scene();
     add_shape(scene, "sphere", &(SphereParameters){{0, 0, 0}, 1});
@@ -201,8 +204,10 @@ static void ground_twins(const Engine *engine) {
     scene_destroy(scene);
 }
 
-/** Repeated balls beside the middle of their cells, which the shortcut of asking the own cell only
- *  gets wrong, and the same as a list. */
+/**
+ * Repeated spheres off the centres of their cells, against a list. Evaluating only the point's own
+ * cell would be wrong.
+ */
 static void repeated_twins(const Engine *engine) {
     Scene *scene = create_empty_scene();
     for (int n = 0; n < 7 * 7 * 7; n++) {
@@ -216,8 +221,10 @@ static void repeated_twins(const Engine *engine) {
     scene_destroy(scene);
 }
 
-/** Repeated balls that stand leaning in their cells, and all of them leaning: what is done to the
- *  ray once, before its first step. */
+/**
+ * Rotated spheres in their cells, and a rotated repetition grid: transforms that are applied once
+ * per ray.
+ */
 static void leaning_twins(const Engine *engine) {
     Error error = {0};
     Scene *scene = create_empty_scene();
@@ -241,7 +248,7 @@ static void leaning_twins(const Engine *engine) {
     scene_destroy(scene);
 }
 
-/** Balls that reach into the cells around, so that all neighbours are asked. */
+/** Spheres that extend into adjacent cells, so that all neighbours are evaluated. */
 static void reaching_twins(const Engine *engine) {
     Scene *scene = create_empty_scene();
     for (int n = 0; n < 5 * 5 * 5; n++) {
@@ -255,7 +262,7 @@ static void reaching_twins(const Engine *engine) {
     scene_destroy(scene);
 }
 
-/** Twins in every engine. */
+/** Compares fields and analytic shapes in every engine. */
 static void test_twins(void **state) {
     (void)state;
     for_every_engine(sphere_twins);
@@ -269,7 +276,7 @@ static void test_twins(void **state) {
 /* --- leaving a surface -------------------------------------------------------------------------
  */
 
-/** @return A box with a ball in it and a groove, turned: something that has all kinds of edges. */
+/** @return A box with a sphere in it and a groove, rotated: a field with all kinds of edges. */
 static Sdf *edged_solid(void) {
     Sdf *box = make_sdf("box", (double[]){1.5, 1, 1});
     Sdf *sphere = translate_sdf(make_sdf("sphere", (double[]){0.5}), 0.25, 0.5, 0);
@@ -279,7 +286,9 @@ static Sdf *edged_solid(void) {
     return transform_sdf(join_sdfs(SDF_COMBINE_DIFFERENCE, both, ring, 0), leaning);
 }
 
-/** Rays that leave a ball outwards meet nothing, and inwards the other side, from inside. */
+/**
+ * Rays that leave a sphere outwards hit nothing; inwards they hit the opposite side, from inside.
+ */
 static void check_offset_rays(const Engine *engine) {
     Tracer *tracer = marched(engine, make_sdf("sphere", NULL), usual);
     uint64_t seed = 1;
@@ -305,7 +314,7 @@ static void check_offset_rays(const Engine *engine) {
         engine->intersect(tracer, 1, &second_ray, &again);
         assert_int_equal(again.shape, side > 0 ? -1 : 0);
         if (side < 0) {
-            // A chord of a ball is as long as twice the cosine.
+            // A chord of the unit sphere has twice the length of the cosine.
             double length = sqrt(dot(second_ray.direction, second_ray.direction));
             double chord = 2 * fabs(cosine) / length;
             double way = (double)again.distance * length;
@@ -315,16 +324,15 @@ static void check_offset_rays(const Engine *engine) {
     engine->destroy(tracer);
 }
 
-/** No acne, in any engine. */
+/** There is no acne, in any engine. */
 static void test_offset_rays(void **state) {
     (void)state;
     for_every_engine(check_offset_rays);
 }
 
-/* --- the same bits ------------------------------------------------------------------------------
- */
+/* --- equal bits ------------------------------------------------------------------------------- */
 
-/** Wide engines give the bits of narrow ones. */
+/** Wide engines return the bits of narrow ones. */
 static void check_lane_widths(const Engine *engine) {
     Error error = {0};
     const Engine *narrow = engine_find(engine->mantissa_bits == 24   ? "f32x1"
@@ -369,11 +377,12 @@ static void test_same_bits(void **state) {
     for_every_engine(check_lane_widths);
 }
 
-/* --- the footprint of pixels ---------------------------------------------------------------------
- */
+/* --- the footprint of pixels ------------------------------------------------------------------ */
 
-/** @return A tracer with the surface of a field, seen from zero in a picture of 800 pixels; the
- *  field is given back. */
+/**
+ * @return A tracer with the surface of a field, viewed from the origin in a picture of 800 pixels;
+ *         the field is released.
+ */
 static Tracer *tracer_with_footprint(const Engine *engine, Sdf *field, double footprint) {
     Error error = {0};
     Scene *scene = create_empty_scene();
@@ -388,8 +397,10 @@ static Tracer *tracer_with_footprint(const Engine *engine, Sdf *field, double fo
     return tracer;
 }
 
-/** Balls without end: every ray meets one, if what is smaller than the footprint is left out; else
- *  some go on for ever. What is met is no farther from a ball than the footprint. */
+/**
+ * Infinitely repeated spheres. If details below the footprint are omitted, every ray hits a sphere;
+ * else some rays never stop. A hit is no farther from a sphere than the footprint.
+ */
 static void check_footprint_culling(const Engine *engine) {
     const double share = 4, fov = ((const SceneCamera *)scene_camera_keyword.defaults)->fov;
     const double spread = share * tan(0.5 * fov * M_PI / 180) / 800;
@@ -421,7 +432,7 @@ static void check_footprint_culling(const Engine *engine) {
         stalled[with] = engine->stats(tracer).step_limit_count;
         engine->destroy(tracer);
     }
-    assert_true(stalled[0] > 0 || engine->mantissa_bits > 64); // That one is asked too little.
+    assert_true(stalled[0] > 0 || engine->mantissa_bits > 64); // Quad traces too few rays for that.
     assert_int_equal(stalled[1], 0);
 }
 
@@ -431,10 +442,9 @@ static void test_footprint(void **state) {
     for_every_engine(check_footprint_culling);
 }
 
-/* --- running out of steps ------------------------------------------------------------------------
- */
+/* --- the step limit --------------------------------------------------------------------------- */
 
-/** Rays that run out of steps are counted, and are no hits unless they came near. */
+/** Rays at the step limit are counted. They are hits only near a surface. */
 static void check_step_limit(const Engine *engine) {
     SdfShapeParameters hasty = {.tolerance = usual.tolerance, .max_steps = 3};
     Tracer *tracer = marched(engine, make_sdf("sphere", NULL), hasty);
@@ -457,7 +467,7 @@ static void test_step_limit(void **state) {
     for_every_engine(check_step_limit);
 }
 
-/** Runs the tests. @return 0 if marching is right. */
+/** Runs the tests. @return 0 if all pass. */
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_twins),      cmocka_unit_test(test_offset_rays),

@@ -1,7 +1,7 @@
 /**
  * @file
- * @brief Tests of pictures on surfaces and in the sky: where on them points lie, and what they show
- *        there, in every engine.
+ * @brief Tests of textures on surfaces and in the sky: (u, v) coordinates and colours, in every
+ *        engine.
  */
 #include "testing.h"
 
@@ -10,17 +10,17 @@
 #include <math.h>
 #include <stdlib.h>
 
-/** Texels around a map of the earth, to measure errors in. */
+/** Texels around a map of the earth: the unit of errors. */
 #define MAP_WIDTH 4096
-/** Half a turn, radians. */
+/** Pi. */
 #define SCALAR_PI 3.14159265358979323846L
 
 // --- helpers -------------------------------------------------------------------------------------
 
 /**
- * Adds a picture to a scene.
- * @param texture  The picture; the scene's from now on.
- * @return What materials and the sky call it.
+ * Adds a texture to a scene.
+ * @param texture  The texture; owned by the scene afterwards.
+ * @return Its index for materials and the sky.
  */
 static size_t add_texture(Scene *scene, Texture *texture) {
     char name[32];
@@ -33,8 +33,10 @@ static size_t add_texture(Scene *scene, Texture *texture) {
     return index + 1;
 }
 
-/** Makes the next shapes of a scene show a picture, in full light from everywhere. @param texture
- *  The picture; the scene's from now on. */
+/**
+ * The next shapes of a scene show a texture in full ambient light.
+ * @param texture  The texture; owned by the scene afterwards.
+ */
 static void use_texture(Scene *scene, Texture *texture) {
     Error error = {0};
     SceneMaterial material = *(const SceneMaterial *)scene_material_keyword.defaults;
@@ -43,7 +45,7 @@ static void use_texture(Scene *scene, Texture *texture) {
     assert_true(scene_add_material(scene, &material, &error));
 }
 
-/** @return A picture of 8-bit steps. */
+/** @return A texture of 8-bit values. */
 static Texture *encoded_texture(int width, int height, const uint8_t *steps) {
     Texture *texture = texture_create(width, height, false, NULL);
     assert_non_null(texture);
@@ -51,7 +53,7 @@ static Texture *encoded_texture(int width, int height, const uint8_t *steps) {
     return texture;
 }
 
-/** @return A picture of light. */
+/** @return A texture of linear light. */
 static Texture *linear_texture(int width, int height, const float *light) {
     Texture *texture = texture_create(width, height, true, NULL);
     assert_non_null(texture);
@@ -59,15 +61,15 @@ static Texture *linear_texture(int width, int height, const float *light) {
     return texture;
 }
 
-/** @return A picture of two by two texels of red light: 1, 2 above 3, 4. */
+/** @return A texture of two by two red texels: 1, 2 above 3, 4. */
 static Texture *four_texels(void) {
     static const float light[] = {1, 0, 0, 2, 0, 0, 3, 0, 0, 4, 0, 0};
     return linear_texture(2, 2, light);
 }
 
 /**
- * @return What an engine answers to one ray.
- * @param from  Where the ray starts.
+ * @return The hit of one ray.
+ * @param from  Its origin.
  */
 static RayResult query_ray(const Engine *engine, const Scene *scene, Vec3d from, Vec3d to) {
     RayQueryQuad query = ray_towards(from, to);
@@ -79,14 +81,14 @@ static RayResult query_ray(const Engine *engine, const Scene *scene, Vec3d from,
 }
 
 /**
- * Checks where on a picture a ray meets a scene of one shape.
- * @param from  Where the ray starts.
- * @param u  Where it must be.
- * @param v  Where it must be.
+ * Asserts the (u, v) coordinates of a ray's hit in a scene of one shape.
+ * @param from  Origin of the ray.
+ * @param u  Expected u.
+ * @param v  Expected v.
  */
 static void assert_uv(const Engine *engine, const Scene *scene, Vec3d from, Vec3d to, double u,
                       double v) {
-    /** Roundings of the point, of the shape's own numbers and of the angle. */
+    /** Rounding errors of the point, of the shape's parameters and of the angle. */
     const double roundings = 16;
     RayResult answer = query_ray(engine, scene, from, to);
     double bound = fmax(roundings * (double)roundoff(engine), 1e-15);
@@ -97,15 +99,15 @@ static void assert_uv(const Engine *engine, const Scene *scene, Vec3d from, Vec3
                    (double)answer.uv[1], v);
 }
 
-/** A place that a ray must find. */
+/** A ray and the expected coordinates. */
 typedef struct UvCase {
-    Vec3d from; /**< Where the ray starts. */
-    Vec3d to;   /**< Where it goes. */
-    double u;   /**< Where on the picture it must be. */
-    double v;   /**< Where on the picture it must be. */
+    Vec3d from; /**< Its origin. */
+    Vec3d to;   /**< Its target. */
+    double u;   /**< Expected u. */
+    double v;   /**< Expected v. */
 } UvCase;
 
-/** Checks places on one shape. */
+/** Checks the coordinates on one shape. */
 static void check_uvs(const Engine *engine, const char *name, const void *parameters,
                       const UvCase *cases, size_t count) {
     Scene *scene = create_empty_scene();
@@ -117,12 +119,12 @@ static void check_uvs(const Engine *engine, const char *name, const void *parame
     scene_destroy(scene);
 }
 
-/** How many items an array has. */
+/** Number of items of an array. */
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
-// --- places on shapes ----------------------------------------------------------------------------
+// --- coordinates on shapes -----------------------------------------------------------------------
 
-/** A sphere is a globe: Greenwich in front, east to the right, north up. */
+/** A sphere is mapped like a globe: the prime meridian in front, east to the right, north up. */
 static void check_sphere(const Engine *engine) {
     const SphereParameters sphere = {.radius = 1};
     const Vec3d zero = {0, 0, 0};
@@ -133,7 +135,7 @@ static void check_sphere(const Engine *engine) {
     check_uvs(engine, "sphere", &sphere, cases, COUNT(cases));
 }
 
-/** Every other shape has its picture where the reference says. */
+/** The coordinates on flat shapes are those of the scene reference. */
 static void check_flat_shapes(const Engine *engine) {
     const QuadParameters quad = {{1, 2, 0}, {2, 0, 0}, {1, 4, 0}};
     const UvCase on_quad[] = {{{1.5, 3, 1}, {1.5, 3, 0}, 0.125, 0.25},
@@ -153,7 +155,7 @@ static void check_flat_shapes(const Engine *engine) {
     check_uvs(engine, "plane", &wall, on_wall, COUNT(on_wall));
 }
 
-/** Each face of a box shows all of the picture, upright from outside. */
+/** Each face of a box shows the whole texture, upright from outside. */
 static void check_box(const Engine *engine) {
     const BoxParameters box = {{0, 0, 0}, {2, 4, 8}};
     const UvCase cases[] = {
@@ -165,7 +167,7 @@ static void check_box(const Engine *engine) {
     check_uvs(engine, "box", &box, cases, COUNT(cases));
 }
 
-/** A cylinder has its picture around it, and one on each end. */
+/** A cylinder has the texture around its wall, and one on each end. */
 static void check_cylinder(const Engine *engine) {
     const CylinderParameters cylinder = {{0, 1, 0}, {0, 5, 0}, 2, true};
     const UvCase cases[] = {
@@ -177,7 +179,7 @@ static void check_cylinder(const Engine *engine) {
     check_uvs(engine, "cylinder", &cylinder, cases, COUNT(cases));
 }
 
-/** A triangle has the places of its corners. */
+/** A triangle interpolates the coordinates of its vertices. */
 static void check_triangle(const Engine *engine) {
     const TriangleParameters triangle = {.corners = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}},
                                          .uvs = {{0, 1}, {2, 1}, {0, -3}}};
@@ -187,7 +189,7 @@ static void check_triangle(const Engine *engine) {
     check_uvs(engine, "triangle", &triangle, cases, COUNT(cases));
 }
 
-/** A mesh has the places of its file, whichever triangle is met. */
+/** A mesh has the coordinates of its file. */
 static void check_mesh(const Engine *engine) {
     const Vec3d positions[] = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
     const MeshTriangle triangles[] = {{{0, 1, 2}}, {{0, 2, 3}}};
@@ -219,7 +221,7 @@ static void check_mesh(const Engine *engine) {
     }
 }
 
-/** A shape that is turned and moved takes its picture with it. */
+/** A transformed shape keeps its coordinates. */
 static void check_transformed(const Engine *engine) {
     const SphereParameters sphere = {.radius = 1};
     Scene *scene = create_empty_scene();
@@ -232,14 +234,14 @@ static void check_transformed(const Engine *engine) {
     transform.translate = (Vec3d){8, 0, 0};
     assert_true(transform_keyword.finish(&transform, 0, &error));
     assert_true(scene_set_last_transform(scene, &transform, &error));
-    // What looked to z looks to x now, and what looked to x to -z.
+    // The rotation moves z to x, and x to -z.
     assert_uv(engine, scene, (Vec3d){16, 0, 0}, (Vec3d){8, 0, 0}, 0.5, 0.5);
     assert_uv(engine, scene, (Vec3d){8, 0, -8}, (Vec3d){8, 0, 0}, 0.75, 0.5);
     assert_uv(engine, scene, (Vec3d){8, 9, 0}, (Vec3d){8, 0, 0}, 0.5, 1);
     scene_destroy(scene);
 }
 
-/** All shapes have their pictures where the reference says. */
+/** The coordinates on all shapes are those of the scene reference. */
 static void test_uvs(void **state) {
     (void)state;
     for_every_engine(check_sphere);
@@ -251,12 +253,12 @@ static void test_uvs(void **state) {
     for_every_engine(check_transformed);
 }
 
-// --- how exact they are --------------------------------------------------------------------------
+// --- accuracy ------------------------------------------------------------------------------------
 
 /**
- * A ray from a direction to the middle of a sphere.
- * @param kind  0: from anywhere; 1: near a pole; 2: near the seam.
- * @return The ray; its start is exact in float.
+ * A ray from a random direction to the centre of a sphere.
+ * @param kind  0: any direction; 1: near a pole; 2: near the seam.
+ * @return The ray; its origin is exact in float.
  */
 static RayQueryQuad ray_to_middle(uint64_t *state, int kind) {
     double across = kind == 1 ? pow(10, -8 * random_unit_double(state)) : 1;
@@ -273,19 +275,20 @@ static RayQueryQuad ray_to_middle(uint64_t *state, int kind) {
     return ray_towards(from, (Vec3d){0, 0, 0});
 }
 
-/** Worst errors of a sphere's places, texels of a map. */
+/** Largest errors of a sphere's coordinates, texels of a map. */
 typedef struct UvErrors {
-    double horizontal; /**< To the right, on the ground: a degree is shorter near the poles. */
-    double vertical;   /**< Upwards. */
+    double horizontal; /**< To the right, as a length on the sphere: a degree is shorter near the
+                            poles. */
+    double vertical;   /**< Up. */
 } UvErrors;
 
-/** Measures an answer against the closed form. */
+/** Compares a result with the closed form. */
 static void measure_uv_error(const RayQueryQuad *query, const RayResult *answer, UvErrors *worst) {
     long double x = (long double)query->origin[0], y = (long double)query->origin[1];
     long double z = (long double)query->origin[2], across = hypotl(x, z);
     long double u = atan2l(x, z) / (2 * SCALAR_PI) + 0.5L, v = 1 - atan2l(across, y) / SCALAR_PI;
     long double difference = fabsl((long double)answer->uv[0] - u);
-    difference = fminl(difference, fabsl(difference - 1)); // 0 and 1 are the same place.
+    difference = fminl(difference, fabsl(difference - 1)); // 0 and 1 are the same meridian.
     worst->horizontal =
         fmax(worst->horizontal, (double)(difference * MAP_WIDTH * across / hypotl(across, y)));
     worst->vertical =
@@ -294,9 +297,9 @@ static void measure_uv_error(const RayQueryQuad *query, const RayResult *answer,
     assert_true(answer->uv[1] >= 0 && answer->uv[1] <= 1);
 }
 
-/** Places on a sphere are no number nowhere, and right to a thousandth of a texel. */
+/** Coordinates on a sphere are never NaN, and exact to a thousandth of a texel. */
 static void check_sphere_exactness(const Engine *engine) {
-    /** Texels of a map that a place may be off. */
+    /** Tolerance in texels of a map. */
     const double float_bound = 1e-3, double_bound = 1e-12;
     const SphereParameters sphere = {.radius = 1};
     Scene *scene = create_empty_scene();
@@ -327,15 +330,15 @@ static void check_sphere_exactness(const Engine *engine) {
     scene_destroy(scene);
 }
 
-/** Places on a sphere are exact. */
+/** Coordinates on a sphere are exact. */
 static void test_sphere_exactness(void **state) {
     (void)state;
     for_every_engine(check_sphere_exactness);
 }
 
-// --- what pictures show --------------------------------------------------------------------------
+// --- sampling ------------------------------------------------------------------------------------
 
-/** @return What a picture on a quad shows. */
+/** Samples a texture by a ray to a quad. @param[out] rgb The colour. */
 static void sample_quad_texture(const Engine *engine, Texture *texture, double u, double v,
                                 double rgb[3]) {
     Scene *scene = create_empty_scene();
@@ -346,7 +349,7 @@ static void sample_quad_texture(const Engine *engine, Texture *texture, double u
     scene_destroy(scene);
 }
 
-/** Checks what four texels show. */
+/** Checks a sample of the four texels. */
 static void assert_red(const Engine *engine, double u, double v, double red) {
     double rgb[3];
     sample_quad_texture(engine, four_texels(), u, v, rgb);
@@ -355,9 +358,9 @@ static void assert_red(const Engine *engine, double u, double v, double red) {
     assert_true(rgb[1] == 0 && rgb[2] == 0);
 }
 
-/** Between texels the light is between theirs; at edges that end it is the last's. */
+/** Samples are interpolated bilinearly, and clamped at edges that do not repeat. */
 static void check_bilinear(const Engine *engine) {
-    assert_red(engine, 0.25, 0.75, 1); // The middles of texels: what they are.
+    assert_red(engine, 0.25, 0.75, 1); // At the centres of texels: their values.
     assert_red(engine, 0.75, 0.75, 2);
     assert_red(engine, 0.25, 0.25, 3);
     assert_red(engine, 0.75, 0.25, 4);
@@ -365,11 +368,11 @@ static void check_bilinear(const Engine *engine) {
     assert_red(engine, 0.375, 0.5, 2.25);
     assert_red(engine, 0.5, 0.375, 3);
     assert_red(engine, 0.625, 0.625, 1 + 0.75 + 2 * 0.25);
-    assert_red(engine, 0.015625, 0.984375, 1); // At the corners there is no other.
+    assert_red(engine, 0.015625, 0.984375, 1); // At the corners: the value of the corner texel.
     assert_red(engine, 0.984375, 0.015625, 4);
 }
 
-/** 8-bit steps are decoded by the exact curve, and light stays as it is. */
+/** 8-bit values are decoded by the exact sRGB curve; linear light is unchanged. */
 static void check_steps(const Engine *engine) {
     double rgb[3];
     for (int step = 0; step<256; step += engine->mantissa_bits> 64 ? 51 : 1) {
@@ -386,13 +389,13 @@ static void check_steps(const Engine *engine) {
     assert_true(rgb[0] == 1000 && rgb[1] == 0.5 && rgb[2] == (double)1e-6F);
 }
 
-/** A picture that is repeated has no seam: also left of zero, and far away. */
+/** A repeated texture has no seam, also at negative and at large coordinates. */
 static void check_repeated(const Engine *engine) {
     static const double far[] = {0, -1, 5, -1024};
     for (size_t i = 0; i < COUNT(far); i++) {
         const struct {
-            double u;   /**< Where. */
-            double red; /**< What must be seen. */
+            double u;   /**< Coordinate. */
+            double red; /**< Expected red. */
         } cases[] = {{0.25, 1}, {0.75, 2}, {0.5, 1.5}, {0, 1.5}, {0.125, 1.25}, {0.875, 1.75}};
         for (size_t k = 0; k < COUNT(cases); k++) {
             double rgb[3], u = cases[k].u + far[i];
@@ -409,14 +412,14 @@ static void check_repeated(const Engine *engine) {
     }
 }
 
-/** A material's picture multiplies its colour, and nothing else. */
+/** A material's texture multiplies its colour, and nothing else. */
 static void check_multiplied(const Engine *engine) {
     static const float half[] = {0.5F, 0.25F, 0.125F};
     Scene *scene = create_empty_scene();
     Error error = {0};
     double rgb[3];
     SceneMaterial material = *(const SceneMaterial *)scene_material_keyword.defaults;
-    (void)add_texture(scene, four_texels()); // Another one, that nobody shows.
+    (void)add_texture(scene, four_texels()); // An unused texture.
     material.texture_id = add_texture(scene, linear_texture(1, 1, half));
     material.color = (Rgbd){0.5, 1, 1};
     material.emission = (Rgbd){0, 0, 4};
@@ -429,7 +432,7 @@ static void check_multiplied(const Engine *engine) {
     scene_destroy(scene);
 }
 
-/** Coordinates of any size show something, and no number of theirs is beyond a picture's end. */
+/** Coordinates of any size are valid; indices stay inside the texture. */
 static void check_far_away(const Engine *engine) {
     static const double far[] = {1e6, -1e9, 1e15, -1e15};
     for (size_t i = 0; i < COUNT(far); i++) {
@@ -446,7 +449,7 @@ static void check_far_away(const Engine *engine) {
     }
 }
 
-/** Pictures show what they should. */
+/** Samples of textures equal the expected values. */
 static void test_samples(void **state) {
     (void)state;
     for_every_engine(check_bilinear);
@@ -459,10 +462,11 @@ static void test_samples(void **state) {
 // --- the sky -------------------------------------------------------------------------------------
 
 /**
- * @return What is seen of a panorama: eight columns of red light, 0 to 7, and rows of green, 0 to 3
- *         from the top.
- * @param direction  Which way one looks.
- * @param rotate  How far it is turned, degrees.
+ * Samples a panorama of eight columns of red light, 0 to 7, and four rows of green, 0 to 3 from the
+ * top.
+ * @param direction  Direction of view.
+ * @param rotate  Rotation of the panorama, degrees.
+ * @param[out] rgb  The colour.
  */
 static void sample_panorama(const Engine *engine, Vec3d direction, double rotate, double rgb[3]) {
     float light[4 * 8 * 3] = {0};
@@ -471,7 +475,7 @@ static void sample_panorama(const Engine *engine, Vec3d direction, double rotate
         light[3 * i + 1] = (float)(i / 8);
     }
     Scene *scene = create_empty_scene();
-    (void)add_texture(scene, four_texels()); // Another one, that nobody shows.
+    (void)add_texture(scene, four_texels()); // An unused texture.
     scene->sky.texture_id = add_texture(scene, linear_texture(8, 4, light));
     scene->sky.rotate = rotate;
     bool is_steep = fabs(direction.y) > 0.9 * vec3d_length(direction);
@@ -484,7 +488,7 @@ static void sample_panorama(const Engine *engine, Vec3d direction, double rotate
     scene_destroy(scene);
 }
 
-/** Checks a direction. */
+/** Asserts the colour of a direction. */
 static void assert_sky(const Engine *engine, Vec3d direction, double rotate, double red,
                        double green) {
     double rgb[3], bound = 64 * fmax((double)roundoff(engine), 1e-15);
@@ -494,13 +498,13 @@ static void assert_sky(const Engine *engine, Vec3d direction, double rotate, dou
                    green);
 }
 
-/** The middle of a panorama is ahead, its right half to the right, its seam behind. */
+/** The centre of a panorama is ahead, its right half to the right, its seam behind. */
 static void check_sky(const Engine *engine) {
     assert_sky(engine, (Vec3d){0, 0, -1}, 0, 3.5, 1.5);
     assert_sky(engine, (Vec3d){1, 0, 0}, 0, 5.5, 1.5);
     assert_sky(engine, (Vec3d){-1, 0, 0}, 0, 1.5, 1.5);
-    assert_sky(engine, (Vec3d){0, 0, 1}, 0, 3.5, 1.5);   // The mean of its last and first column.
-    assert_sky(engine, (Vec3d){-1, 0, 0}, 90, 3.5, 1.5); // Turned to the left.
+    assert_sky(engine, (Vec3d){0, 0, 1}, 0, 3.5, 1.5);   // The mean of last and first column.
+    assert_sky(engine, (Vec3d){-1, 0, 0}, 90, 3.5, 1.5); // Rotated to the left.
     assert_sky(engine, (Vec3d){0, 0, -1}, -90, 1.5, 1.5);
     assert_sky(engine, (Vec3d){1, 0, 0}, 36000, 5.5, 1.5);
     assert_sky(engine, (Vec3d){0, 1, -1}, 0, 3.5, 0.5);
@@ -512,15 +516,15 @@ static void check_sky(const Engine *engine) {
     assert_true(rgb[1] == 3 && rgb[0] >= 0 && rgb[0] <= 7);
 }
 
-/** A panorama is where it should be. */
+/** A panorama has the right orientation. */
 static void test_sky(void **state) {
     (void)state;
     for_every_engine(check_sky);
 }
 
-// --- all float engines the same ------------------------------------------------------------------
+// --- equal bits ----------------------------------------------------------------------------------
 
-/** Asks random rays about textured shapes. */
+/** Traces random rays at textured shapes. */
 static void query_random_rays(const Engine *engine, RayResult *answers) {
     Scene *scene = create_empty_scene();
     uint64_t state = 11;
@@ -544,7 +548,7 @@ static void query_random_rays(const Engine *engine, RayResult *answers) {
     scene_destroy(scene);
 }
 
-/** Lanes make no difference to places, to the bit. */
+/** Coordinates are bitwise equal for any number of lanes. */
 static void test_same_bits(void **state) {
     (void)state;
     static RayResult first[BATCH], other[BATCH];
@@ -563,9 +567,9 @@ static void test_same_bits(void **state) {
     }
 }
 
-// --- textures themselves -------------------------------------------------------------------------
+// --- the class Texture ---------------------------------------------------------------------------
 
-/** What no light can be is put right. */
+/** Values that are no light, such as NaN, are corrected. */
 static void test_sanitize(void **state) {
     (void)state;
     const float light[] = {NAN, -1, INFINITY, -INFINITY, 1e30F, 0.25F};
@@ -577,7 +581,7 @@ static void test_sanitize(void **state) {
     texture_release(texture);
 }
 
-/** A texture lives as long as anybody holds it. */
+/** A texture exists while it has owners. */
 static void test_owners(void **state) {
     (void)state;
     double rgb[3];
@@ -597,7 +601,7 @@ static void test_owners(void **state) {
     texture_release(NULL);
 }
 
-/** Runs the tests. @return How many failed. */
+/** Runs the tests. @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_uvs),       cmocka_unit_test(test_sphere_exactness),

@@ -1,7 +1,7 @@
 /**
  * @file
  * @brief Tests of the window's parts without a screen: commands, movement, snapshots, panels.
- * tests/window.sh tests the window itself.
+ *        tests/window.sh tests the window itself.
  */
 #include "testing.h"
 
@@ -27,7 +27,7 @@ static void assert_near(double a, double b) {
     assert_at_most(fabs(a - b), TIME_ROUNDING, "%g should be %g", a, b);
 }
 
-/** @return What a command moves. */
+/** @return The movement of a command. */
 static Move move(const char *name) {
     return command_find(command_table, name)->move;
 }
@@ -97,7 +97,7 @@ static void test_motion_speed(void **state) {
     assert_near(consume_camera_motion(&held_keys, 5).forward, -HELD_KEYS_MINIMUM_HOLD / 4);
 }
 
-/** Light and camera move each by its own keys. */
+/** Light and camera are moved by separate keys. */
 static void test_motion_two(void **state) {
     (void)state;
     HeldKeys held_keys = {.speed = 1};
@@ -142,7 +142,7 @@ static void test_keymap_light(void **state) {
     assert_key(SDL_SCANCODE_Z, SDLK_z, true, "light up");
     assert_key(SDL_SCANCODE_Q, SDLK_q, false, NULL);
     assert_key(SDL_SCANCODE_A, SDLK_a, true, NULL);
-    /* The P of a Dvorak keyboard is at the place of R, its O at that of S. */
+    /* The P of a Dvorak keyboard is at the position of R, its O at that of S. */
     assert_key(SDL_SCANCODE_R, SDLK_p, false, "snapshot");
     assert_key(SDL_SCANCODE_S, SDLK_o, false, "light down");
 }
@@ -209,7 +209,7 @@ static void test_keymap_help(void **state) {
     assert_string_equal(help_text_keys(rows, count, "away from you, nearer"), "E  W");
 }
 
-/** A panel fits windows down to 320x240, and is drawn in any. */
+/** A panel fits windows down to 320x240, and can be drawn in any. */
 static void test_panel(void **state) {
     (void)state;
     PanelRow rows[HELP_ROWS_MAXIMUM];
@@ -271,7 +271,7 @@ static void test_keyboard_labels(void **state) {
     assert_string_equal(key_cap_label(SDL_SCANCODE_LEFT), "←");
 }
 
-/** Every command has a name of its own and something to do; every row is found by its keys. */
+/** Every command has a unique name and an action; every row is found by its keys. */
 static void test_command_table(void **state) {
     (void)state;
     for (const Command *row = command_table; command_is_row(row); row++) {
@@ -296,7 +296,7 @@ static void test_command_table(void **state) {
 static const char *const view_parts[] = {"state/", "window/",   "loading/", "panels/", "window.",
                                          "app.",   "commands/", "lesson/",  "input/",  "view."};
 
-/** @return The part of a file, as an index. @param path The path after `view/`. */
+/** @return The index of a file's part. @param path The path after `view/`. */
 static int view_part(const char *path) {
     for (int i = 0; i < (int)(sizeof view_parts / sizeof *view_parts); i++) {
         if (strncmp(path, view_parts[i], strlen(view_parts[i])) == 0) {
@@ -366,7 +366,7 @@ static void test_settings_override(void **state) {
     assert_memory_equal(&other, &requested, sizeof other);
 }
 
-/** Median and worst of the waits, and what does not count. */
+/** Median and maximum of the latencies; what is not counted. */
 static void test_latency(void **state) {
     (void)state;
     Latency latency = {0};
@@ -386,7 +386,7 @@ static void test_latency(void **state) {
     latency_deinit(&latency);
 }
 
-/** An even number of waits has its median between two; many at once are no harm. */
+/** The median of an even number of latencies is the mean of two; many are no problem. */
 static void test_latency_many(void **state) {
     (void)state;
     Latency latency = {0};
@@ -416,7 +416,7 @@ static void remove_from_folder(const char *folder, const char *name) {
     assert_int_equal(unlink(path), 0);
 }
 
-/** Snapshots get the next free number, be it taken by a broken link. */
+/** Snapshots get the next free number, even if a broken link has it. */
 static void test_snapshot_numbers(void **state) {
     (void)state;
     char folder[] = "/tmp/dioptre-view-XXXXXX";
@@ -440,7 +440,7 @@ static void test_snapshot_numbers(void **state) {
     picture_deinit(&picture);
 }
 
-/** A folder with too long a name is reported. */
+/** Too long a folder name is reported. */
 static void test_snapshot_long_path(void **state) {
     (void)state;
     char path[NUMBERED_FILE_PATH_SIZE], folder[NUMBERED_FILE_PATH_SIZE];
@@ -504,7 +504,7 @@ static void test_view_state(void **state) {
     scene_destroy(scene);
 }
 
-/** What the user has moved stays there at other times, until it is reset. */
+/** Objects that the user moved stay there at other times, until they are reset. */
 static void test_view_state_renew(void **state) {
     (void)state;
     const SceneLight light = {.position = {7, 7, 7}, .intensity = 9};
@@ -555,7 +555,7 @@ static void test_time_control(void **state) {
     timeline = (Timeline){.time = 0};
     for (int i = 1; i < 1000; i++) {
         timeline_step(&timeline, 1, 0);
-        assert_true(timeline.time == i / 25.0); // The very time of a film's frame.
+        assert_true(timeline.time == i / 25.0); // Exactly the time of a film's frame.
     }
     timeline = (Timeline){.time = 1e300, .is_running = true};
     assert_true(timeline_time_at(&timeline, 5) == 1e300);
@@ -639,7 +639,7 @@ static void test_title(void **state) {
     assert_int_equal(strlen(title), TITLE_SIZE - 1);
 }
 
-/** A window opens on an invisible screen, and closes when it should stop. */
+/** A window opens on an invisible screen, and closes when requested. */
 static void test_window(void **state) {
     (void)state;
     setenv("SDL_VIDEODRIVER", "dummy", 1);
@@ -679,12 +679,15 @@ static Scene *load_requested(void *context, const ViewRequest *request, const at
     return scene;
 }
 
-/** Drops two files on the window, each once the one before was requested, then closes it, as a
- *  thread. @return NULL */
+/**
+ * The thread that drops two files on the window, each after the previous one was requested, then
+ * closes it.
+ * @return NULL
+ */
 static void *drop_two_files(void *context) {
     LoadRequests *requests = context;
     static const char *const files[] = {"other.lua", "wrong.lua"};
-    SDL_Delay(300); // There is no window yet to ask.
+    SDL_Delay(300); // The window does not exist yet, so its state cannot be queried.
     for (int i = 0; i < 2; i++) {
         SDL_Event event = {.drop = {.type = SDL_DROPFILE, .file = SDL_strdup(files[i])}};
         SDL_PushEvent(&event);
@@ -718,7 +721,7 @@ static void test_drop(void **state) {
     scene_destroy(scene);
 }
 
-/** Runs the tests. @return How many failed. */
+/** Runs the tests. @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_motion_tap),

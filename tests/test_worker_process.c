@@ -15,7 +15,7 @@
 
 // --- tasks ---------------------------------------------------------------------------------------
 
-/** Reports something, then dies of the signal in the request. */
+/** Reports a number, then raises the signal of the request. */
 static void abort_task(WorkerJob *job) {
     static int report = 7;
     job->report = &report;
@@ -24,7 +24,7 @@ static void abort_task(WorkerJob *job) {
     raise(*(const int *)job->request);
 }
 
-/** Takes for ever. */
+/** Never ends. */
 static void hang_task(WorkerJob *job) {
     static int report = 8;
     job->report = &report;
@@ -35,7 +35,7 @@ static void hang_task(WorkerJob *job) {
     }
 }
 
-/** Sends the request back. */
+/** Reports the request. */
 static void echo_task(WorkerJob *job) {
     static int count;
     count++;
@@ -46,19 +46,19 @@ static void echo_task(WorkerJob *job) {
     job->block_size = job->request_size;
 }
 
-/** Finds its memory taken, always. */
+/** Always requests a retry because of missing memory. */
 static void retry_task(WorkerJob *job) {
     (void)job;
     worker_exit_to_retry();
 }
 
-/** Tasks of this program. */
+/** Worker tasks of this program. */
 static const WorkerTask tasks[] = {
     {"abort", abort_task}, {"hang", hang_task}, {"echo", echo_task}, {"retry", retry_task}, {0}};
 
 // --- tests ---------------------------------------------------------------------------------------
 
-/** @return A call of a task, with an int as its report. */
+/** @return A call of a task whose report is an int. */
 static WorkerCall call_of(const char *task, const void *request, size_t size, double time_limit,
                           int *report) {
     return (WorkerCall){.program = "/proc/self/exe",
@@ -71,7 +71,7 @@ static WorkerCall call_of(const char *task, const void *request, size_t size, do
                         .block_capacity = 1 << 26};
 }
 
-/** The end of a worker is told, and its report arrives where it can be sent. */
+/** The exit of a worker is reported; its report is received. */
 static void test_ends(void **state) {
     (void)state;
     static const int signals[] = {SIGINT, SIGKILL, SIGTERM, SIGSEGV, SIGABRT};
@@ -100,7 +100,9 @@ static void test_ends(void **state) {
     assert_int_equal(worker_process_call_once(&call).end, WORKER_NOT_STARTED);
 }
 
-/** A worker can be kept; what it sends arrives whole; after its death another is started. */
+/**
+ * A worker can be kept for several calls; its data arrive complete; it is restarted after it died.
+ */
 static void test_kept_worker(void **state) {
     (void)state;
     const size_t size = 10000000;
@@ -131,7 +133,7 @@ static void test_kept_worker(void **state) {
     free(bytes);
 }
 
-/** A worker does not outlive the program. */
+/** A worker ends with its parent process. */
 static void test_worker_dies_with_its_parent(void **state) {
     (void)state;
     int ends[2], report;
@@ -148,14 +150,14 @@ static void test_worker_dies_with_its_parent(void **state) {
     usleep(300000);
     kill(parent, SIGKILL);
     waitpid(parent, NULL, 0);
-    // Both held the other end; it is closed when both are dead.
+    // Parent and worker held the other end; the pipe is closed when both have ended.
     alarm(10);
     assert_int_equal(read(ends[0], &byte, 1), 0);
     alarm(0);
     close(ends[0]);
 }
 
-/** @return 0 if all is well. */
+/** @return 0 if all tests pass. */
 int main(int argc, char **argv) {
     const struct CMUnitTest tests_of_workers[] = {
         cmocka_unit_test(test_ends),

@@ -1,7 +1,7 @@
 /**
  * @file
- * @brief What the tests share: assertions that say what was measured, random numbers, ulps, small
- *        scenes.
+ * @brief Shared helpers of the tests: assertions that print measured values, random numbers,
+ *        rounding, small scenes.
  */
 #ifndef DIOPTRE_TESTING_H
 #define DIOPTRE_TESTING_H
@@ -18,7 +18,7 @@
 
 #include <cmocka.h>
 
-/** Fails unless a measured value is at most a bound, and says both. NaN fails. */
+/** Fails unless a measured value is at most a bound, and prints both. NaN fails. */
 #define assert_at_most(value, bound, ...)                                                          \
     do {                                                                                           \
         double measured_ = (double)(value), bound_ = (double)(bound);                              \
@@ -29,7 +29,7 @@
         }                                                                                          \
     } while (0)
 
-/** @return A number, uniform in 0 to 1. */
+/** @return A random number, uniform in 0 to 1. */
 static inline double random_unit_double(uint64_t *state) {
     uint64_t z = *state += 0x9E3779B97F4A7C15u;
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
@@ -37,19 +37,21 @@ static inline double random_unit_double(uint64_t *state) {
     return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
 }
 
-/** @return A number rounded to float. Kept in memory: gcc 12 leaves out both conversions where it
- *  makes vectors of them (-O3 with -fno-trapping-math). */
+/**
+ * @return A number rounded to float. The variable is volatile: gcc 12 removes both conversions
+ *         where it vectorises them (-O3 with -fno-trapping-math).
+ */
 static inline double round_to_float(double x) {
     volatile float rounded = (float)x;
     return (double)rounded;
 }
 
-/** @return A number, uniform in a range and exact in float. */
+/** @return A random number, uniform in a range and exact in float. */
 static inline double random_float(uint64_t *state, double low, double high) {
     return round_to_float(low + (high - low) * random_unit_double(state));
 }
 
-/** @return Half an ulp of 1 of an engine's number type. */
+/** @return Half an ulp of 1 in an engine's number type. */
 static inline Quadruple roundoff(const Engine *engine) {
     Quadruple u = 1;
     for (int i = 0; i < engine->mantissa_bits; i++) {
@@ -58,8 +60,10 @@ static inline Quadruple roundoff(const Engine *engine) {
     return u;
 }
 
-/** @return An empty scene with a camera at the origin that looks along -z; to be given back. Its
- *          depth is said: tracers are asked, and not what scenes need. */
+/**
+ * @return An empty scene with a camera at the origin that looks along -z; to be destroyed. Its
+ *         depth is set, so that it is not chosen automatically.
+ */
 static inline Scene *create_empty_scene(void) {
     Error error = {0};
     Scene *scene = scene_create(&error);
@@ -69,7 +73,7 @@ static inline Scene *create_empty_scene(void) {
     return scene;
 }
 
-/** Adds a shape of the newest material. @param parameters As the scene language says it. */
+/** Adds a shape of the newest material. @param parameters In the layout of the scene language. */
 static inline void add_shape(Scene *scene, const char *name, const void *parameters) {
     size_t kind = scene_shape_find(name);
     const Keyword *keyword = scene_shape_keywords[kind];
@@ -87,7 +91,7 @@ static inline void add_sdf(Scene *scene, SdfShapeParameters row) {
     add_shape(scene, "sdf", &row);
 }
 
-/** Adds a mesh of its own file to a scene. */
+/** Adds a mesh to a scene. */
 static inline void add_mesh(Scene *scene, const Vec3d *positions, size_t position_count,
                             const MeshTriangle *triangles, size_t triangle_count, int normals) {
     Error error = {0};
@@ -107,8 +111,8 @@ static inline void add_mesh(Scene *scene, const Vec3d *positions, size_t positio
 }
 
 /**
- * @return A tracer as deep as the scene's picture, to be given back.
- * @param bvh_use  Whether its shapes get a tree.
+ * @return A tracer with the depth of the scene's picture, to be destroyed.
+ * @param bvh_use  Whether its shapes get a BVH.
  */
 static inline Tracer *create_tracer_with_bvh(const Engine *engine, const Scene *scene,
                                              BvhMode bvh_use) {
@@ -119,12 +123,12 @@ static inline Tracer *create_tracer_with_bvh(const Engine *engine, const Scene *
     return tracer;
 }
 
-/** @return The same, with a tree where it pays. */
+/** @return The same, with a BVH where it pays. */
 static inline Tracer *create_tracer(const Engine *engine, const Scene *scene) {
     return create_tracer_with_bvh(engine, scene, BVH_AUTO);
 }
 
-/** Traces the one pixel of a picture of one. @return The rays that it took. */
+/** Traces a picture of one pixel. @return The number of rays. */
 static inline RayCounts trace_pixel(const Engine *engine, const Scene *scene, double rgb[3]) {
     PixelGrid grid = {.columns = 1, .rows = 1, .stride = 1};
     RayCounts counts = {0};
@@ -135,11 +139,13 @@ static inline RayCounts trace_pixel(const Engine *engine, const Scene *scene, do
     return counts;
 }
 
-/** Rays that are asked at once. */
+/** Rays per query. */
 enum { BATCH = 4096 };
 
-/** @return How many rays to trace: fewer with the quad engine, which is a hundred times slower, and
- *          under sanitizers. */
+/**
+ * @return Number of rays for an engine: fewer for quad, which is a hundred times slower, and under
+ *         sanitizers.
+ */
 static inline long ray_count_for(const Engine *engine, long count) {
     return (engine->mantissa_bits > 64 ? count / 100 : count) / WORKLOAD_DIVISOR;
 }
@@ -152,7 +158,7 @@ static inline RayQueryQuad ray_towards(Vec3d from, Vec3d to) {
 /** A test of one engine. */
 typedef void (*EngineTest)(const Engine *engine);
 
-/** Runs a test in every engine that this machine can run. */
+/** Runs a test in every engine that this machine supports. */
 static inline void for_every_engine(EngineTest test) {
     for (const Engine *const *engine = engine_list(); *engine; engine++) {
         if (engine_is_supported(*engine)) {

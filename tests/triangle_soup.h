@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Triangles for tests: closed, flat, or one by one.
+ * @brief Triangles for tests: closed meshes, flat grids, and single triangles.
  */
 #ifndef TESTS_TRIANGLE_SOUP_H
 #define TESTS_TRIANGLE_SOUP_H
@@ -9,15 +9,15 @@
 
 #include <stdlib.h>
 
-/** Triangles that share their corners. */
+/** Triangles with shared vertices. */
 typedef struct TriangleSoup {
-    Vec3d *positions;        /**< The corners; owned. */
-    size_t position_count;   /**< How many. */
-    MeshTriangle *triangles; /**< Places of corners; owned. */
-    size_t triangle_count;   /**< How many. */
+    Vec3d *positions;        /**< Positions of the vertices; owned. */
+    size_t position_count;   /**< Number of #positions. */
+    MeshTriangle *triangles; /**< Vertex indices; owned. */
+    size_t triangle_count;   /**< Number of #triangles. */
 } TriangleSoup;
 
-/** @return Triangles that share nothing, their corners still zero; to be given back. */
+/** @return Triangles without shared vertices, with all positions zero; to be destroyed. */
 static inline TriangleSoup triangle_soup_create(size_t count) {
     TriangleSoup t = {calloc(3 * count, sizeof *t.positions), 3 * count,
                       calloc(count, sizeof *t.triangles), count};
@@ -29,14 +29,14 @@ static inline TriangleSoup triangle_soup_create(size_t count) {
     return t;
 }
 
-/** Gives triangles back. */
+/** Destroys triangles. */
 static inline void triangle_soup_destroy(TriangleSoup *t) {
     free(t->positions);
     free(t->triangles);
     *t = (TriangleSoup){0};
 }
 
-/** @return A corner. */
+/** @return The position of a vertex. */
 static inline Vec3d triangle_soup_vertex(const TriangleSoup *t, size_t i, size_t corner) {
     return t->positions[t->triangles[i].index[corner]];
 }
@@ -46,7 +46,7 @@ static inline void add_triangle_soup(Scene *scene, const TriangleSoup *t, int no
     add_mesh(scene, t->positions, t->position_count, t->triangles, t->triangle_count, normals);
 }
 
-/** Orders corners, for qsort. @return See qsort. */
+/** Compares vertices, for qsort. @return See qsort. */
 static inline int compare_vertices(const void *a, const void *b) {
     const Vec3d *p = *(const Vec3d *const *)a, *q = *(const Vec3d *const *)b;
     if (p->x != q->x) {
@@ -58,7 +58,7 @@ static inline int compare_vertices(const void *a, const void *b) {
     return (p->z > q->z) - (p->z < q->z);
 }
 
-/** Makes triangles share the corners that are the same. @param t Triangles that share nothing. */
+/** Merges equal vertices. @param t Triangles without shared vertices. */
 static inline void triangle_soup_weld(TriangleSoup *t) {
     const Vec3d **sorted = calloc(t->position_count, sizeof *sorted);
     Vec3d *shared = calloc(t->position_count, sizeof *shared);
@@ -86,17 +86,19 @@ static inline void triangle_soup_weld(TriangleSoup *t) {
 /** Radius of an icosphere. */
 #define ICOSPHERE_RADIUS 2
 
-/** @return A point as far from the zero as the mesh is, exact in float, the same for both faces of
- *  an edge. */
+/**
+ * @return The midpoint of an edge, moved to the sphere and rounded to float; the same for both
+ *         faces of the edge.
+ */
 static inline Vec3d sphere_midpoint(Vec3d a, Vec3d b) {
     Vec3d m = vec3d_scale(vec3d_normalize(vec3d_add(a, b)), ICOSPHERE_RADIUS);
     return (Vec3d){round_to_float(m.x), round_to_float(m.y), round_to_float(m.z)};
 }
 
 /**
- * Adds a face, divided.
- * @param[in,out] t  Triangles with room; their number is raised.
- * @param times  How often it is divided.
+ * Adds a face, subdivided.
+ * @param[in,out] t  Triangles with free capacity; their count increases.
+ * @param times  Number of subdivisions.
  */
 static inline void icosphere_add_face(TriangleSoup *t, Vec3d a, Vec3d b, Vec3d c, int times) {
     if (times == 0) {
@@ -111,7 +113,7 @@ static inline void icosphere_add_face(TriangleSoup *t, Vec3d a, Vec3d b, Vec3d c
     icosphere_add_face(t, ab, bc, ca, times - 1);
 }
 
-/** @return A corner of an icosahedron. */
+/** @return A vertex of an icosahedron. */
 static inline Vec3d icosahedron_vertex(int which) {
     double golden = (which & 1 ? -1 : 1) * (1 + sqrt(5)) / 2, one = which & 2 ? -1 : 1;
     Vec3d v = which < 4   ? (Vec3d){0, one, golden}
@@ -120,10 +122,15 @@ static inline Vec3d icosahedron_vertex(int which) {
     return sphere_midpoint(v, v);
 }
 
-/** Adds a face of an icosahedron where three corners are neighbours, its front outwards. @param
- *  times How often it is divided. */
+/**
+ * Adds a face of an icosahedron if three vertices are neighbours, with its front outwards.
+ * @param times Number of subdivisions.
+ */
 static inline void icosahedron_add_face(TriangleSoup *t, Vec3d a, Vec3d b, Vec3d c, int times) {
-    /** Squared edge of an icosahedron of radius 2, with room: the next distance is 10.5. */
+    /**
+     * Upper bound of the squared edge of an icosahedron of radius 2; the next larger squared
+     * distance is 10.5.
+     */
     const double edge = 5;
     Vec3d ab = vec3d_subtract(b, a), bc = vec3d_subtract(c, b), ca = vec3d_subtract(a, c);
     if (vec3d_dot(ab, ab) < edge && vec3d_dot(bc, bc) < edge && vec3d_dot(ca, ca) < edge) {
@@ -132,8 +139,10 @@ static inline void icosahedron_add_face(TriangleSoup *t, Vec3d a, Vec3d b, Vec3d
     }
 }
 
-/** @return A closed mesh of 20 * 4^times faces around the zero, to be given back.
- *  @param times How often each face of an icosahedron is divided into four. */
+/**
+ * @return A closed mesh of 20 * 4^times faces around the origin, to be destroyed.
+ * @param times  Number of subdivisions of each face of an icosahedron into four.
+ */
 static inline TriangleSoup icosphere_triangles(int times) {
     size_t count = (size_t)20 << 2 * times;
     TriangleSoup t = triangle_soup_create(count);
@@ -153,9 +162,13 @@ static inline TriangleSoup icosphere_triangles(int times) {
 
 /* --- a flat mesh ----------------------------------------------------------------------------- */
 
-/** @return A square of side 4 around the zero, cut into cells of two triangles each; to be given
- *          back. @param axis The axis that it stands across. @param height Where on that axis.
- *  @param cells How many cells a side. */
+/**
+ * @return A square of side 4 around the origin, divided into cells of two triangles each; to be
+ *         destroyed.
+ * @param axis  The axis perpendicular to it.
+ * @param height  Coordinate on that axis.
+ * @param cells  Cells per side.
+ */
 static inline TriangleSoup grid_triangles(int axis, double height, size_t cells) {
     static const int corners[6][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}};
     TriangleSoup t = triangle_soup_create(2 * cells * cells);

@@ -73,7 +73,7 @@ const atomic_bool *interrupt_flag(void);
 /** Progress of reading mesh files. */
 typedef struct MeshReadProgress {
     MeshProgress callbacks; /**< The callbacks of the reader. */
-    bool is_json;           /**< JSON lines instead of one line for people. */
+    bool is_json;           /**< JSON lines instead of one line of text. */
     bool is_shown;          /**< Whether there is a line to clear. */
 } MeshReadProgress;
 

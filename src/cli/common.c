@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Functions that several commands share.
+ * @brief Functions shared by several commands.
  */
 #include "base/language.h"
 #include "cli/commands.h"

@@ -26,7 +26,7 @@ typedef struct SceneInfo {
     size_t specular;                            /**< Shapes with specular highlights. */
     bool has_sdfs;                              /**< Whether any shape is a distance field. */
     const char *omissions[OMISSIONS_MAXIMUM];   /**< What the tracer leaves out, in English. */
-    int omission_count;                         /**< How many. */
+    int omission_count;                         /**< Number of #omissions. */
 } SceneInfo;
 
 /* --- gathering -------------------------------------------------------------------------------- */
@@ -80,7 +80,7 @@ static const char *engine_reason(const SceneInfo *info) {
                : N_("double precision, as single precision is estimated to show errors here");
 }
 
-/* --- facts: each as text for people and as JSON ----------------------------------------------- */
+/* --- facts: each as text and as JSON ---------------------------------------------------------- */
 
 /** Prints the number of shapes and how many there are of each class. */
 static void print_shapes(const SceneInfo *info) {
@@ -275,7 +275,7 @@ static void write_omissions(const SceneInfo *info, JsonWriter *json) {
 typedef struct RepairFact {
     const char *key;   /**< Its key in JSON. */
     size_t offset;     /**< Where its number is in #MeshRepairs, bytes. */
-    const char *label; /**< Its name for people, in English. */
+    const char *label; /**< Its name in text output, in English. */
 } RepairFact;
 
 /** The repairs of meshes. */
@@ -366,7 +366,7 @@ static void write_textures(const SceneInfo *info, JsonWriter *json) {
 typedef struct Fact {
     const char *label; /**< The label of its line, in English. */
 
-    /** Prints it for people, with the end of the line. */
+    /** Prints it as text, with the end of the line. */
     void (*print)(const SceneInfo *info);
 
     /** Writes it as one or more members of the JSON object. */
@@ -405,7 +405,7 @@ static int label_column_width(void) {
     return width + 1;
 }
 
-/** Prints all facts for people. */
+/** Prints all facts as text. */
 static void info_print(const SceneInfo *info) {
     int width = label_column_width();
     for (int i = 0; i < FACT_COUNT; i++) {

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief `dioptre needs`: the cheapest settings whose error nobody can see.
+ * @brief `dioptre needs`: the fastest settings without a visible error.
  */
 #include "lab/needs/needs.h"
 #include "base/json.h"

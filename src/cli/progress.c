@@ -21,7 +21,7 @@ struct Progress {
     int pictures;             /**< Number of pictures. */
     int done;                 /**< Number of pictures that are done. */
     bool is_film;             /**< Whether there are several pictures. */
-    bool is_json;             /**< JSON lines instead of one line for people. */
+    bool is_json;             /**< JSON lines instead of one line of text. */
     bool is_ended;            /**< Whether the thread is to end. */
     pthread_mutex_t mutex;    /**< Guards all members. */
     pthread_cond_t wake;      /**< Signalled at the end. */
@@ -34,13 +34,13 @@ static double progress_seconds(const Progress *progress) {
     return clock_now_seconds() - progress->start;
 }
 
-/** @return The share of all pictures that is done, 0 to 1. */
+/** @return The fraction of all pictures that is done, 0 to 1. */
 static double progress_fraction(const Progress *progress) {
     double current_fraction = progress->renderer ? renderer_progress(progress->renderer) : 0;
     return progress->pictures > 0 ? (progress->done + current_fraction) / progress->pictures : 1;
 }
 
-/** Ends a JSON line of progress. @param fraction The share of the work that is done, 0 to 1. */
+/** Ends a JSON line of progress. @param fraction The fraction of the work that is done, 0 to 1. */
 static void write_json_estimate(JsonWriter *json, double fraction, double seconds,
                                 double seconds_left) {
     json_decimal(json, "progress", fraction, 4);
@@ -99,7 +99,7 @@ static bool progress_is_wanted(const Options *options) {
 }
 
 /** Prints the progress of a mesh file that takes long to read. See MeshProgress::report. @param
- *  fraction The share that is read, 0 to 1. */
+ *  fraction The fraction that is read, 0 to 1. */
 static void mesh_read_progress_print(void *context, const char *name, double fraction,
                                      double seconds) {
     /** Seconds without a report. */

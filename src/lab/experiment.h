@@ -48,7 +48,7 @@ typedef struct Experiment {
     bool is_relative;        /**< Whether errors are relative, and can be given in ulps. */
     const char *cost_label; /**< What an output costs, such as `steps`; NULL: nothing is counted. */
     const double *levels;   /**< Levels of difficulty, in this order. */
-    size_t level_count;     /**< How many. */
+    size_t level_count;     /**< Number of levels. */
     size_t sample_count;    /**< Samples per level. */
     size_t queries_per_sample; /**< At least 1. */
     double timed_level; /**< The level at which the errors of methods are charted against their
@@ -118,7 +118,7 @@ const Experiment *const *experiment_list(void);
 /**
  * Runs an experiment.
  * @param threads  How many threads run it.
- * @param stop  It is given up once this is true; may be NULL.
+ * @param stop  The run stops once this is true; may be NULL.
  * @param[out] results  The results, to be released with #experiment_results_deinit.
  * @param[out] error  What is wrong: #STATUS_INTERRUPTED, or no memory.
  * @return false if anything is wrong: then there are no results.

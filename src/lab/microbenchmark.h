@@ -23,7 +23,7 @@ typedef struct MicrobenchmarkPoint {
 typedef struct Microbenchmark {
     MicrobenchmarkPoint
         points[MICROBENCHMARK_POINTS_MAXIMUM]; /**< Method by method, type by type. */
-    size_t count;                              /**< How many. */
+    size_t count;                              /**< Number of #points. */
 } Microbenchmark;
 
 /**

@@ -23,7 +23,7 @@ typedef enum {
 /** Scores of a method. Initialized as `{0}`. */
 typedef struct ScoreStats {
     double *errors;                       /**< Errors so far; owned. */
-    size_t count;                         /**< How many. */
+    size_t count;                         /**< Number of errors. */
     size_t capacity;                      /**< Errors that fit in. */
     size_t outcome_trials[OUTCOME_COUNT]; /**< Samples in which it was possible. */
     size_t outcome_counts[OUTCOME_COUNT]; /**< Samples in which it happened. */

@@ -20,8 +20,8 @@ typedef enum {
 /** A row of a legend that is always the same. */
 typedef struct FixedLegendEntry {
     float values[LAYER_VALUES]; /**< Numbers of a pixel of its colour. */
-    const char *number;         /**< What it stands for; empty: the label says it. */
-    const char *label;          /**< What it stands for, in English; NULL: the number says it. */
+    const char *number;         /**< The number; empty: see #label. */
+    const char *label;          /**< The label, in English; NULL: see #number. */
 } FixedLegendEntry;
 
 /** A layer: one row of the table. */

@@ -29,7 +29,7 @@ enum { RAY_POINTS_MAXIMUM = 64 };
 /** Origins and hit points of the rays of a tree. */
 typedef struct RayPoints {
     Vec3d points[RAY_POINTS_MAXIMUM]; /**< The points. */
-    size_t count;                     /**< How many. */
+    size_t count;                     /**< Number of #points. */
 } RayPoints;
 
 /** @return The distance of two points, scene units. */

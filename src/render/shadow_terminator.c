@@ -1,25 +1,28 @@
 /**
  * @file
- * @brief Flat faces that are lit as though they were round.
+ * @brief Error of the shadow terminator.
  */
 #include "render/shadow_terminator.h"
 
 #include <math.h>
 
-/** Most faces that are looked at: enough for a share, and no time to speak of. */
+/** Largest number of triangles that are examined: sufficient for a fraction, and fast. */
 enum { FACES_SAMPLED = 20000 };
 
-/** Sine of the angle behind a face at which its turned normals no longer see a lamp, about. */
+/**
+ * Approximate sine of the angle behind a triangle at which its smooth normals no longer face a
+ * light.
+ */
 #define TERMINATOR_SINE 0.1
 
-/** A face. */
+/** A triangle. */
 typedef struct Face {
-    Vec3d corner; /**< One of its corners. */
-    Vec3d normal; /**< Its own, one long. */
+    Vec3d corner; /**< One of its vertices. */
+    Vec3d normal; /**< Unit normal of its plane. */
     double area;  /**< Its area. */
 } Face;
 
-/** @return A face as it stands in the scene. */
+/** @return A triangle, transformed to the scene. */
 static Face face_at(const MeshInstance *instance, size_t index) {
     Vec3d corners[3];
     for (int i = 0; i < 3; i++) {
@@ -31,7 +34,7 @@ static Face face_at(const MeshInstance *instance, size_t index) {
     return (Face){corners[0], vec3d_normalize(normal), vec3d_length(normal) / 2};
 }
 
-/** @return The share of a face that float lights and double does not. */
+/** @return The fraction of a triangle that is lit in float and not in double. */
 static double face_lit_wrongly(const MeshInstance *instance, const Face *face,
                                const SceneLight *light) {
     Vec3d to_light = scene_light_offset_from(light, face->corner);

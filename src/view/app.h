@@ -4,7 +4,7 @@
  *
  * The parts of src/view, from the bottom; each includes only parts above it in this list:
  *
- *     state/      models without a screen: commands' type, held keys, clocks, overrides, snapshots
+ *     state/      screen-independent state: commands' type, held keys, clocks, overrides, snapshots
  *     window/     SDL: the window, textures, viewports (Window > Viewport > StreamingTexture >
  * SdlWindow) loading/    threads: the scene loader, the list of scenes, the file watcher panels/
  * what lies over the picture: help, hud, inspector, captions, list of scenes window.h    the
@@ -88,7 +88,7 @@ typedef struct Recorder {
     StepClock step_clock;             /**< Its clock. */
     int64_t last_step_time;           /**< Time of the last step, milliseconds. */
     double start_time;                /**< When its clock was 0, seconds on #clock_now_seconds. */
-    bool is_entering_caption;         /**< Whether a caption is typed: the clock stands still. */
+    bool is_entering_caption;         /**< Whether a caption is typed: the clock is paused. */
     char caption[CAPTION_INPUT_SIZE]; /**< What is typed so far, UTF-8. */
 } Recorder;
 
@@ -141,7 +141,7 @@ void app_report_error(App *app, const Error *error);
 /** @return Whether a lesson plays. */
 bool app_is_playing(const App *app);
 
-/** @return Whether a lesson plays and its clock stands still. */
+/** @return Whether a lesson plays and its clock is paused. */
 bool app_is_lesson_stopped(const App *app);
 
 /** @return Whether a lesson is recorded. */

@@ -1,11 +1,11 @@
 /**
  * @file
- * @brief Steps to a plane and the price of normals, in float: what the kernels of marching do.
+ * @brief Sphere tracing in float: number of steps to a plane, and the cost of normals.
  *
  * Called by `make bench`: `march-steps steps` and `march-steps normals`, which print CSV. Steps:
- * way, angle, steps, the law ln(h / eps) / -ln(1 - sin a), and the error of the distance times the
- * sine, in tolerances. Normals: field, way, width of the difference, nanoseconds a normal, worst
- * error in radians.
+ * method, angle, steps, the formula ln(h / eps) / -ln(1 - sin a), and the error of the distance
+ * times the sine, in tolerances. Normals: field, method, width of the difference, nanoseconds per
+ * normal, worst error in radians.
  *
  * The tracer's own sources are compiled into this program, for one lane.
  */
@@ -26,22 +26,22 @@
 
 /* --- steps ------------------------------------------------------------------------------------ */
 
-/** What a tape does at first, once it is counted. */
+/** Counts evaluations of a field by its first instruction. */
 static struct {
-    void (*run)(SdfVm *machine, const SdfInstruction *code); /**< The step itself. */
-    int count;                                               /**< How often it was done. */
+    void (*run)(SdfVm *machine, const SdfInstruction *code); /**< The original instruction. */
+    int count;                                               /**< Number of evaluations. */
 } count_state;
 
-/** Counts, and does the step. See #SdfInstruction.execute. */
+/** Counts, and executes the original instruction. See #SdfInstruction.execute. */
 static void counted_run(SdfVm *m, const SdfInstruction *code) {
     count_state.count++;
     count_state.run(m, code);
 }
 
-/** Marches to a plane. @param way What the way is called. */
+/** Traces a ray to a plane and prints its steps. @param way Name of the method. */
 static void steps_print(const char *way, double relaxation, double degrees) {
     const double eps = 1e-4, angle = degrees * M_PI / 180;
-    // A ball far away makes the field's box as high as where the ray starts.
+    // A sphere far away makes the field's box as high as the ray's origin.
     Sdf *ground = moved(single("box", (double[]){4096, 16, 4096}), 0, -8, 0);
     Sdf *both = joined(SDF_COMBINE_UNION, ground, moved(single("sphere", NULL), -1900, 1, 0), 0);
     SdfInstruction *codes = calloc((size_t)both->node_count, sizeof *codes);
@@ -68,7 +68,7 @@ static void steps_print(const char *way, double relaxation, double degrees) {
     free(both);
 }
 
-/** Prints the steps of all ways at all angles. */
+/** Prints the steps of all methods at all angles. */
 static void steps_print_all(void) {
     static const double angles[] = {30, 10, 3, 1, 0.3, 0.1};
     static const struct {
@@ -85,30 +85,30 @@ static void steps_print_all(void) {
 
 /* --- normals ---------------------------------------------------------------------------------- */
 
-/** Points on a surface, and their normals. */
+/** Points on a surface, and repetitions of the measurement. */
 enum { POINTS = 4096, ROUNDS = 50 };
 
 /** A surface. */
 typedef struct SampledSurface {
     const char *name;      /**< Its name. */
-    SdfInstruction *codes; /**< Its tape. */
-    int count;             /**< How long it is. */
+    SdfInstruction *codes; /**< Its program. */
+    int count;             /**< Number of instructions. */
     Vec3 at[POINTS];       /**< Points near it, rounded. */
-    double n[POINTS][3];   /**< Their normals, true. */
+    double n[POINTS][3];   /**< Exact normals there. */
 } SampledSurface;
 
-/** @return What a field says. */
+/** @return The value of a field at a point. */
 static real sdf_value(const SampledSurface *s, Vec3 p) {
     return sdf_distance(s->codes, s->count, p, 1);
 }
 
-/** @return The normal by derivatives that are carried along. */
+/** @return The analytic normal. */
 static Vec3 exact_normal(const SampledSurface *s, Vec3 p, real h) {
     (void)h;
     return sdf_sample(s->codes, s->count, p, 1).gradient;
 }
 
-/** @return The normal by six points. */
+/** @return The normal by central differences: six points. */
 static Vec3 central_normal(const SampledSurface *s, Vec3 p, real h) {
     return (Vec3){sdf_value(s, (Vec3){p.x + h, p.y, p.z}) - sdf_value(s, (Vec3){p.x - h, p.y, p.z}),
                   sdf_value(s, (Vec3){p.x, p.y + h, p.z}) - sdf_value(s, (Vec3){p.x, p.y - h, p.z}),
@@ -116,7 +116,7 @@ static Vec3 central_normal(const SampledSurface *s, Vec3 p, real h) {
                       sdf_value(s, (Vec3){p.x, p.y, p.z - h})};
 }
 
-/** @return The normal by four points, one of them the point itself. */
+/** @return The normal by forward differences: four points, one of them the point itself. */
 static Vec3 forward_normal(const SampledSurface *s, Vec3 p, real h) {
     real here = sdf_value(s, p);
     return (Vec3){sdf_value(s, (Vec3){p.x + h, p.y, p.z}) - here,
@@ -124,7 +124,7 @@ static Vec3 forward_normal(const SampledSurface *s, Vec3 p, real h) {
                   sdf_value(s, (Vec3){p.x, p.y, p.z + h}) - here};
 }
 
-/** @return The normal by the corners of a tetrahedron. */
+/** @return The normal by the vertices of a tetrahedron. */
 static Vec3 tetrahedron_normal(const SampledSurface *s, Vec3 p, real h) {
     real a = sdf_value(s, (Vec3){p.x + h, p.y - h, p.z - h});
     real b = sdf_value(s, (Vec3){p.x - h, p.y - h, p.z + h});
@@ -133,7 +133,7 @@ static Vec3 tetrahedron_normal(const SampledSurface *s, Vec3 p, real h) {
     return (Vec3){a - b - c + d, -a - b + c + d, -a + b - c + d};
 }
 
-/** @return Seconds of this process. */
+/** @return Processor time of this process, seconds. */
 static double process_seconds(void) {
     struct timespec t;
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
@@ -141,8 +141,8 @@ static double process_seconds(void) {
 }
 
 /**
- * @return The angle between a normal and the true one, radians.
- * @param truth  The true one, one long.
+ * @return The angle between a normal and the exact one, radians.
+ * @param truth  The exact one, a unit vector.
  */
 static double normal_angle(Vec3 n, const double *truth) {
     Vec3d normal = {(double)n.x, (double)n.y, (double)n.z};
@@ -152,7 +152,7 @@ static double normal_angle(Vec3 n, const double *truth) {
     return length > 0 ? 2 * asin(fmin(1, 0.5 * vec3d_length(difference))) : M_PI;
 }
 
-/** Measures a way. */
+/** Measures a method. */
 static void normals_print(const SampledSurface *s, const char *way,
                           Vec3 (*normal)(const SampledSurface *, Vec3, real), double h) {
     double worst = 0, fastest = HUGE_VAL;
@@ -171,8 +171,10 @@ static void normals_print(const SampledSurface *s, const char *way,
     printf("%s,%s,%g,%.2f,%.3g\n", s->name, way, h, 1e9 * fastest, worst);
 }
 
-/** Puts points on a surface by its own equation. @param ring Major radius of a ring of 0.25; 0: a
- *  ball of 1. */
+/**
+ * Sets points on a surface by its equation.
+ * @param ring Major radius of a torus with minor radius 0.25; 0: a sphere of radius 1.
+ */
 static void place_points(SampledSurface *s, double ring) {
     uint64_t seed = 1;
     for (int i = 0; i < POINTS; i++) {
@@ -188,7 +190,7 @@ static void place_points(SampledSurface *s, double ring) {
     }
 }
 
-/** Prints all ways for a field. */
+/** Prints all methods for a field. */
 static void surface_print(const char *name, Sdf *field, double ring) {
     static SampledSurface s;
     s = (SampledSurface){.name = name, .count = field->node_count};

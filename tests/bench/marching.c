@@ -1,12 +1,12 @@
 /**
  * @file
- * @brief What marching costs, and what it costs in accuracy: the same picture with steps of several
- * lengths, and with footprints of several sizes, in turns.
+ * @brief The time and the accuracy of sphere tracing: the same picture with steps of several
+ *        lengths, and with footprints of several sizes, alternately.
  *
- * Called by `make bench`: `marching ENGINE SCENE...`. Prints lines of CSV: scene, what is varied,
- * how much, processor time of the fastest of many pictures in milliseconds, per cent of the pixels
- * that are off by more than a step of 8 bits, and the worst step. Pictures are compared with one in
- * double with steps as long as allowed and no footprint.
+ * Called by `make bench`: `marching ENGINE SCENE...`. Prints lines of CSV: scene, varied setting,
+ * its value, processor time of the fastest of many pictures in milliseconds, per cent of the pixels
+ * that differ by more than one 8-bit step, and the largest difference in steps. The reference is a
+ * picture in double without over-relaxation and without a footprint.
  */
 #include "dioptre/renderer.h"
 #include "dioptre/script.h"
@@ -14,18 +14,18 @@
 #include <stdio.h>
 #include <time.h>
 
-/** Turns that are taken. */
+/** Number of rounds. */
 enum { TURNS = 3 };
 
-/** A way to march. */
+/** Settings of sphere tracing. */
 typedef struct SphereTracingSetting {
-    const char *what;  /**< What is varied. */
-    double value;      /**< How much. */
+    const char *what;  /**< Name of the varied setting. */
+    double value;      /**< Its value. */
     double relaxation; /**< See #TraceSettings.relaxation. */
     double footprint;  /**< See #TraceSettings.footprint. */
 } SphereTracingSetting;
 
-/** All of them. */
+/** All measured settings. */
 static const SphereTracingSetting settings_tried[] = {
     {"relaxation", 1, 1, 0},
     {"relaxation", 1.2, 1.2, 0},
@@ -37,11 +37,10 @@ static const SphereTracingSetting settings_tried[] = {
     {"footprint", 0.25, 0, 0.25},
     {"footprint", 0.5, 0, 0.5},
 };
-/** How many. */
+/** Number of settings. */
 enum { SETTING_COUNT = sizeof settings_tried / sizeof *settings_tried };
 
-/** @return A renderer of the scene's size, one ray a pixel, one thread; NULL if anything is wrong.
- */
+/** @return A renderer of the scene's size, one ray per pixel, one thread; NULL on failure. */
 static Renderer *renderer_of(const Scene *scene, const Engine *engine, SphereTracingSetting log,
                              Error *error) {
     RenderSettings settings = render_settings_default(scene);
@@ -53,14 +52,14 @@ static Renderer *renderer_of(const Scene *scene, const Engine *engine, SphereTra
     return renderer_create(scene, &settings, error);
 }
 
-/** @return Processor time of a picture, seconds: the machine may be shared. */
+/** @return Processor time of a picture, seconds, because the machine may be shared. */
 static double picture_cpu_seconds(Renderer *renderer) {
     clock_t start = clock();
     renderer_render(renderer, NULL, NULL);
     return (double)(clock() - start) / CLOCKS_PER_SEC;
 }
 
-/** @return The scene of a file; NULL if anything is wrong. */
+/** @return The scene of a file; NULL on failure. */
 static Scene *scene_of(const char *path, Error *error) {
     const ScriptRequest request = {
         .path = path, .time_limit = SCRIPT_TIME_LIMIT, .memory_limit = SCRIPT_MEMORY_LIMIT};
@@ -68,9 +67,9 @@ static Scene *scene_of(const char *path, Error *error) {
 }
 
 /**
- * Measures all ways.
- * @param renderers  One for each way.
- * @param[in,out] picture  Room for a picture.
+ * Measures all settings.
+ * @param renderers  One per setting.
+ * @param[in,out] picture  A buffer for a picture.
  */
 static void measure_settings(const char *path, Renderer **renderers, const Picture *truth,
                              Picture *picture) {
@@ -90,7 +89,7 @@ static void measure_settings(const char *path, Renderer **renderers, const Pictu
     }
 }
 
-/** Measures a scene. @return false if anything is. */
+/** Measures a scene. @return false on failure. */
 static bool measure_scene(const char *path, const Engine *engine, Error *error) {
     const SphereTracingSetting truly = {"truth", 0, 1, 0};
     Renderer *renderers[SETTING_COUNT] = {NULL}, *truth = NULL;
@@ -116,7 +115,7 @@ static bool measure_scene(const char *path, const Engine *engine, Error *error) 
     return is_good;
 }
 
-/** Measures scenes. @return 0 when all is done. */
+/** Measures scenes. @return 0 on success. */
 int main(int count, char **arguments) {
     Error error = {0};
     const Engine *engine = count > 2 ? engine_find(arguments[1], &error) : NULL;

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief What scenes need, on a sample of pixels and on all of them: the table of doc/needs.md.
+ * @brief The needs of scenes, on a sample of pixels and on all of them: the table of doc/needs.md.
  */
 #include "lab/needs/needs.h"
 #include "dioptre/renderer.h"
@@ -13,7 +13,7 @@
 /** Width of the pictures. */
 enum { TRIED_WIDTH = 320 };
 
-/** @return What a scene needs. */
+/** Finds the needs of a scene. @return false on failure. */
 static bool find_needs(const Scene *scene, Needs *needs, Error *error) {
     RenderSettings settings = render_settings_default(scene);
     int height = TRIED_WIDTH * scene->image.height / scene->image.width;
@@ -27,9 +27,7 @@ static bool find_needs(const Scene *scene, Needs *needs, Error *error) {
     return needs_find(scene, &request, needs, error);
 }
 
-/** Compares float with double for all pixels, at the depth needed. @return false if anything is
- * wrong.
- */
+/** Compares float with double for all pixels, at the depth needed. @return false on failure. */
 static bool verify_float(const Scene *scene, int depth, NeedsTrial *trial, Error *error) {
     RenderSettings settings = render_settings_default(scene);
     PixelSet pixels;
@@ -61,7 +59,7 @@ static bool verify_float(const Scene *scene, int depth, NeedsTrial *trial, Error
     return is_counted;
 }
 
-/** Prints a scene's row. @param whole Float on all pixels. */
+/** Prints a scene's row. @param whole The comparison of float with double on all pixels. */
 static void row_print(const char *name, const Needs *sampled_needs, const NeedsTrial *whole) {
     const NeedsEngine *chosen = &sampled_needs->engines[sampled_needs->engine];
     double seconds =
@@ -78,9 +76,9 @@ static void row_print(const char *name, const Needs *sampled_needs, const NeedsT
 }
 
 /**
- * Finds what scenes need.
+ * Finds the needs of scenes.
  * @param argc  Number of scenes, plus one.
- * @return 1 if anything is wrong.
+ * @return 1 on failure.
  */
 int main(int argc, char **argv) {
     for (int i = 1; i < argc; i++) {

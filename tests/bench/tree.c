@@ -1,31 +1,32 @@
 /**
  * @file
- * @brief From how many shapes on a tree pays: the same pictures with a tree and without, in turns.
+ * @brief The number of shapes from which a BVH pays: the same pictures with a BVH and without,
+ *        alternately.
  *
- * Called by `make bench`: `tree ENGINE SCENE NAME`. The scene holds as many shapes as its `t` says.
- * Prints lines of CSV: engine, name, shapes, milliseconds as a list, milliseconds with a tree, and
- * the lowest and the highest of their ratios. The machine may be shared, so the times are the
- * fastest of many.
+ * Called by `make bench`: `tree ENGINE SCENE NAME`. The scene's `t` is its number of shapes. Prints
+ * lines of CSV: engine, name, shapes, milliseconds without a BVH, milliseconds with a BVH, and the
+ * lowest and the highest of their ratios. Times are the fastest of many, because the machine may be
+ * shared.
  */
 #include "dioptre/renderer.h"
 #include "dioptre/script.h"
 
 #include <stdio.h>
 
-/** Turns that are taken, and pictures a turn. */
+/** Rounds, and pictures per round. */
 enum { TURNS = 5, FRAMES = 6 };
 
-/** What was measured of one number of shapes. */
+/** The measurements for one number of shapes. */
 typedef struct ListBvhTimes {
-    double list_seconds; /**< Fastest picture without a tree, seconds. */
-    double bvh_seconds;  /**< Fastest picture with a tree, seconds. */
-    double lowest;       /**< Lowest ratio of list to tree of any turn. */
-    double highest;      /**< Highest ratio of list to tree of any turn. */
+    double list_seconds; /**< Fastest picture without a BVH, seconds. */
+    double bvh_seconds;  /**< Fastest picture with a BVH, seconds. */
+    double lowest;       /**< Lowest ratio of list to BVH in any round. */
+    double highest;      /**< Highest ratio of list to BVH in any round. */
 } ListBvhTimes;
 
 /**
- * @return A renderer of one thread at 800 x 600; NULL if anything is wrong.
- * @param bvh_use  Whether there is a tree.
+ * @return A renderer of one thread at 800 x 600; NULL on failure.
+ * @param bvh_use  Whether shapes get a BVH.
  */
 static Renderer *renderer_of(const Scene *scene, const Engine *engine, BvhMode bvh_use,
                              Error *error) {
@@ -47,8 +48,8 @@ static double fastest_picture(Renderer *renderer) {
 }
 
 /**
- * @return How list and tree compare.
- * @param list  Draws without a tree.
+ * @return The comparison of list and BVH.
+ * @param list  The renderer without a BVH.
  */
 static ListBvhTimes compare_renderers(Renderer *list, Renderer *tree) {
     ListBvhTimes result = {HUGE_VAL, HUGE_VAL, HUGE_VAL, 0};
@@ -63,7 +64,7 @@ static ListBvhTimes compare_renderers(Renderer *list, Renderer *tree) {
     return result;
 }
 
-/** Measures a scene with one number of shapes. @return false if anything is. */
+/** Measures a scene with one number of shapes. @return false on failure. */
 static bool measure_shape_count(const char *path, const char *name, const Engine *engine,
                                 int shapes, Error *error) {
     const ScriptRequest request = {.path = path,
@@ -85,7 +86,7 @@ static bool measure_shape_count(const char *path, const char *name, const Engine
     return tree != NULL;
 }
 
-/** Measures 4 to 256 shapes. @return 0 when all is done. */
+/** Measures 4 to 256 shapes. @return 0 on success. */
 int main(int count, char **arguments) {
     static const int numbers[] = {4,  6,  8,  10, 12, 16,  20,  24, 28,
                                   32, 40, 48, 64, 96, 128, 192, 256};

@@ -1,63 +1,63 @@
 /**
  * @file
- * @brief Asks our engines and Embree the same questions where methods fail, and compares all
- * answers with the truth, worked out in quads from the very same floats.
+ * @brief Compares the accuracy of our engines and Embree in difficult cases with a reference in
+ *        quad precision, computed from the same floats.
  *
- * Spheres far away and far from zero, slivers that are grazed, and rays aimed at the edges and
- * corners of a closed mesh. Embree is asked in its robust mode, ray by ray.
+ * The cases are distant spheres, spheres far from the origin, grazing rays at slivers, and rays to
+ * the edges and vertices of a closed mesh. Embree runs in its robust mode, with single rays.
  *
- * Usage: `peer-accuracy ENGINE...`: which of our engines. Prints tables.
+ * Usage: `peer-accuracy ENGINE...`: names of our engines. Prints tables.
  */
 #include "triangle_soup.h"
 
 #include <embree3/rtcore.h>
 #include <time.h>
 
-/** Rays of one line of a table. */
+/** Rays per line of a table. */
 enum { RAYS = 200000 };
-/** Most of our engines. */
+/** Largest number of our engines. */
 enum { ENGINES_MAXIMUM = 4 };
 
-/** A ray and what it truly meets. */
+/** A ray and its expected result. */
 typedef struct AccuracyQuery {
-    float origin[3];    /**< Where it starts. */
-    float direction[3]; /**< Which way. */
-    bool is_hit;        /**< Whether it meets anything. */
-    bool is_near_edge;  /**< Whether it passes so near the edge that only the answer counts, and not
-                             how far: the distance jumps there. */
-    Quadruple distance; /**< How far, in lengths of its direction. */
+    float origin[3];    /**< Origin. */
+    float direction[3]; /**< Direction. */
+    bool is_hit;        /**< Whether it hits anything. */
+    bool is_near_edge;  /**< Whether it passes so near to an edge that only hit or miss counts:
+                             the distance is discontinuous there. */
+    Quadruple distance; /**< Distance, in lengths of the direction. */
 } AccuracyQuery;
 
-/** What somebody says. */
+/** The result of one tracer. */
 typedef struct AccuracyAnswer {
-    bool is_hit;     /**< Whether the ray meets anything. */
-    double distance; /**< How far. */
+    bool is_hit;     /**< Whether the ray hits anything. */
+    double distance; /**< Distance. */
 } AccuracyAnswer;
 
-/** What is asked about: one scene, in everybody's form. */
+/** A test scene, in the formats of all tracers. */
 typedef struct AccuracyScene {
     Scene *scene;    /**< For our engines. */
     RTCScene embree; /**< For Embree. */
 } AccuracyScene;
 
-/** How wrong somebody was. */
+/** The errors of one tracer. */
 typedef struct AccuracyScore {
-    long misses;  /**< Rays that meet something and were said not to. */
-    long hits;    /**< Rays that meet nothing and were said to. */
+    long misses;  /**< False misses. */
+    long hits;    /**< False hits. */
     double worst; /**< Largest relative error of a distance. */
 } AccuracyScore;
 
-/** Everybody, and the questions. */
+/** All tracers and the rays. */
 typedef struct AccuracyRun {
-    const Engine *engines[ENGINES_MAXIMUM]; /**< Ours. */
-    int engine_count;                       /**< How many. */
-    RTCDevice device;                       /**< Embree. */
-    AccuracyQuery *questions;               /**< #RAYS of them. */
-    AccuracyAnswer *answers;                /**< As many. */
-    uint64_t random;                        /**< A generator. */
+    const Engine *engines[ENGINES_MAXIMUM]; /**< Our engines. */
+    int engine_count;                       /**< Number of #engines. */
+    RTCDevice device;                       /**< The Embree device. */
+    AccuracyQuery *questions;               /**< The rays: #RAYS of them. */
+    AccuracyAnswer *answers;                /**< Their results. */
+    uint64_t random;                        /**< State of the random generator. */
 } AccuracyRun;
 
-// --- quads ---------------------------------------------------------------------------------------
+// --- quad precision ------------------------------------------------------------------------------
 
 /** @return Three floats as quads. */
 static Quad3 vec3q_from_floats(const float v[3]) {
@@ -69,20 +69,20 @@ static Quad3 vec3q_from_vec3d(Vec3d v) {
     return (Quad3){(Quadruple)v.x, (Quadruple)v.y, (Quadruple)v.z};
 }
 
-/** Finds where a ray truly meets a sphere. */
+/** Computes the expected hit of a ray and a sphere. */
 static void sphere_expected(AccuracyQuery *question, Vec3d center, double radius) {
     Quad3 d = vec3q_from_floats(question->direction);
     Quad3 to = quad3_subtract(vec3q_from_vec3d(center), vec3q_from_floats(question->origin));
     Quadruple a = quad3_dot(d, d), b = quad3_dot(d, to), r = (Quadruple)radius;
     Quad3 lateral = quad3_cross(d, to);
-    // What is left of the square of half a chord; near the edge 2 % of the radius is said to be.
+    // The squared half chord, scaled. Rays beyond 98 % of the radius are near the edge.
     Quadruple rest = a * r * r - quad3_dot(lateral, lateral), fraction = (Quadruple)0.0396;
     question->is_hit = rest >= 0;
     question->is_near_edge = rest < fraction * a * r * r;
     question->distance = question->is_hit ? (b - quad_sqrt(rest)) / a : 0;
 }
 
-/** Finds where a ray truly meets a triangle. */
+/** Computes the expected hit of a ray and a triangle. */
 static void triangle_expected(AccuracyQuery *question, const Vec3d corners[3]) {
     Quad3 o = vec3q_from_floats(question->origin), d = vec3q_from_floats(question->direction),
           to[3];
@@ -98,9 +98,9 @@ static void triangle_expected(AccuracyQuery *question, const Vec3d corners[3]) {
     question->distance = quad3_dot(to[0], normal) / quad3_dot(d, normal);
 }
 
-// --- everybody -----------------------------------------------------------------------------------
+// --- tracers -------------------------------------------------------------------------------------
 
-/** Asks one of our engines. */
+/** Traces the rays with one of our engines. */
 static void query_dioptre(AccuracyRun *run, const Engine *engine, const AccuracyScene *subject) {
     static RayQuery rays[BATCH];
     static int shapes[BATCH];
@@ -122,7 +122,7 @@ static void query_dioptre(AccuracyRun *run, const Engine *engine, const Accuracy
     engine->release(tracer);
 }
 
-/** Asks Embree. */
+/** Traces the rays with Embree. */
 static void query_embree(AccuracyRun *run, const AccuracyScene *subject) {
     for (size_t i = 0; i < RAYS; i++) {
         const AccuracyQuery *question = &run->questions[i];
@@ -143,7 +143,7 @@ static void query_embree(AccuracyRun *run, const AccuracyScene *subject) {
     }
 }
 
-/** @return How wrong the newest answers are. */
+/** @return The errors of the newest results. */
 static AccuracyScore score_of(const AccuracyRun *run) {
     AccuracyScore score = {0};
     for (size_t i = 0; i < RAYS; i++) {
@@ -159,13 +159,13 @@ static AccuracyScore score_of(const AccuracyRun *run) {
     return score;
 }
 
-/** Prints how wrong somebody was. */
+/** Prints the errors of one tracer. */
 static void print_score(AccuracyScore score) {
     printf(" | %7.3f %7.3f %8.1e", 100.0 * (double)score.misses / RAYS,
            100.0 * (double)score.hits / RAYS, score.worst);
 }
 
-/** Asks everybody and prints a line. */
+/** Traces the rays with all tracers and prints a line. */
 static void accuracy_run(AccuracyRun *run, const AccuracyScene *subject, const char *name) {
     printf("  %-24s", name);
     for (int i = 0; i < run->engine_count; i++) {
@@ -177,7 +177,7 @@ static void accuracy_run(AccuracyRun *run, const AccuracyScene *subject, const c
     printf("\n");
 }
 
-/** Prints the heads of a table. */
+/** Prints the header of a table. */
 static void print_header(const AccuracyRun *run, const char *title) {
     printf("\n%s\n  %-24s", title, "");
     for (int i = 0; i < run->engine_count; i++) {
@@ -190,9 +190,9 @@ static void print_header(const AccuracyRun *run, const char *title) {
     printf("\n");
 }
 
-// --- scenes in both forms ------------------------------------------------------------------------
+// --- scenes in both formats ----------------------------------------------------------------------
 
-/** Adds an Embree geometry as the only one. @return Its scene, to be given back. */
+/** Creates an Embree scene of one geometry. @return The scene, to be released. */
 static RTCScene embree_scene(AccuracyRun *run, RTCGeometry geometry) {
     RTCScene scene = rtcNewScene(run->device);
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
@@ -205,7 +205,7 @@ static RTCScene embree_scene(AccuracyRun *run, RTCGeometry geometry) {
 }
 
 /**
- * @return A sphere for everybody, to be given back.
+ * @return A sphere for all tracers, to be destroyed.
  * @param center  Its centre, exact in float.
  * @param radius  Its radius, exact in float.
  */
@@ -224,8 +224,8 @@ static AccuracyScene sphere_accuracy_scene(AccuracyRun *run, Vec3d center, doubl
 }
 
 /**
- * @return Triangles for everybody, to be given back.
- * @param soup  They; corners exact in float.
+ * @return A mesh for all tracers, to be destroyed.
+ * @param soup  Its triangles; corners exact in float.
  */
 static AccuracyScene triangles_accuracy_scene(AccuracyRun *run, const Triangles *soup) {
     AccuracyScene subject = {.scene = empty_scene()};
@@ -245,13 +245,13 @@ static AccuracyScene triangles_accuracy_scene(AccuracyRun *run, const Triangles 
     return subject;
 }
 
-/** Gives a subject back. */
+/** Destroys a test scene. */
 static void accuracy_scene_destroy(AccuracyScene *subject) {
     rtcReleaseScene(subject->embree);
     scene_destroy(subject->scene);
 }
 
-/** Aims a ray. @param to Where it is aimed at; both are rounded. */
+/** Sets origin and direction of a ray, rounded to float. @param to Its target. */
 static void aim_query(AccuracyQuery *question, Vec3d from, Vec3d to) {
     *question = (AccuracyQuery){.origin = {(float)from.x, (float)from.y, (float)from.z}};
     question->direction[0] = (float)(to.x - (double)question->origin[0]);
@@ -259,24 +259,24 @@ static void aim_query(AccuracyQuery *question, Vec3d from, Vec3d to) {
     question->direction[2] = (float)(to.z - (double)question->origin[2]);
 }
 
-/** @return A unit vector, any. */
+/** @return A random unit vector. */
 static Vec3d random_unit_vector(uint64_t *state) {
     double height = 2 * random_share(state) - 1, turn = 2 * M_PI * random_share(state);
     double across = sqrt(1 - height * height);
     return (Vec3d){across * cos(turn), height, across * sin(turn)};
 }
 
-/** @return The nearest vector of floats. */
+/** @return A vector rounded to float. */
 static Vec3d vector_as_float(Vec3d v) {
     return (Vec3d){as_float(v.x), as_float(v.y), as_float(v.z)};
 }
 
-// --- the questions -------------------------------------------------------------------------------
+// --- test cases ----------------------------------------------------------------------------------
 
 /**
- * Asks about a sphere: rays from all around that pass its centre at up to 1.02 radii.
- * @param center  The sphere's, exact in float.
- * @param distance  From its centre, radii; the radius is 1.
+ * Measures a sphere: rays from all directions that pass its centre within 1.02 radii.
+ * @param center  Centre of the sphere, exact in float.
+ * @param distance  Distance of the origins from the centre, radii; the radius is 1.
  */
 static void measure_sphere(AccuracyRun *run, Vec3d center, double distance, const char *name) {
     for (size_t i = 0; i < RAYS; i++) {
@@ -293,7 +293,7 @@ static void measure_sphere(AccuracyRun *run, Vec3d center, double distance, cons
     accuracy_scene_destroy(&subject);
 }
 
-/** Spheres seen from far away, and spheres far from zero. */
+/** Measures spheres seen from far away, and spheres far from the origin. */
 static void measure_spheres(AccuracyRun *run) {
     print_header(run, "A sphere of radius 1 around zero, seen from");
     measure_sphere(run, (Vec3d){0, 0, 0}, 10, "10");
@@ -308,9 +308,9 @@ static void measure_spheres(AccuracyRun *run) {
 }
 
 /**
- * Asks about a sliver: rays from 3 away that graze it, aimed at it and a little beside it.
- * @param aspect  How many times as long as it is high.
- * @param degrees  Between the rays and its plane.
+ * Measures a sliver: grazing rays from a distance of 3, to points on it and just outside.
+ * @param aspect  Ratio of its length to its height.
+ * @param degrees  Angle between the rays and its plane.
  */
 static void measure_sliver(AccuracyRun *run, double aspect, double degrees) {
     char name[64];
@@ -338,7 +338,7 @@ static void measure_sliver(AccuracyRun *run, double aspect, double degrees) {
     triangles_release(&sliver);
 }
 
-/** Slivers. */
+/** Measures slivers. */
 static void measure_slivers(AccuracyRun *run) {
     print_header(run, "A triangle of edge 1, its height, and the rays' angle to it");
     measure_sliver(run, 1, 30);
@@ -349,8 +349,10 @@ static void measure_slivers(AccuracyRun *run) {
     measure_sliver(run, 1e5, 0.1);
 }
 
-/** Asks about a closed mesh: rays from inside; each meets it. @param at_corner Whether the rays are
- *  aimed at corners, not edges. */
+/**
+ * Measures a closed mesh: rays from inside, which all hit it.
+ * @param at_corner Whether rays go to vertices instead of edges.
+ */
 static void measure_mesh(AccuracyRun *run, const Triangles *mesh, bool at_corner,
                          const char *name) {
     for (size_t i = 0; i < RAYS; i++) {
@@ -364,7 +366,7 @@ static void measure_mesh(AccuracyRun *run, const Triangles *mesh, bool at_corner
         double fraction = at_corner ? 0 : random_share(state);
         AccuracyQuery *question = &run->questions[i];
         aim_query(question, eye, vec3d_add(corner, vec3d_scale(edge, fraction)));
-        // How far is not asked: which of the triangles is met is a matter of the last bit.
+        // The distance is not compared: rounding decides which triangle is hit.
         question->is_hit = question->is_near_edge = true;
     }
     AccuracyScene subject = triangles_accuracy_scene(run, mesh);
@@ -372,7 +374,7 @@ static void measure_mesh(AccuracyRun *run, const Triangles *mesh, bool at_corner
     accuracy_scene_destroy(&subject);
 }
 
-/** A closed mesh. */
+/** Measures closed meshes. */
 static void measure_meshes(AccuracyRun *run) {
     Triangles mesh = icosphere(3);
     print_header(run, "Inside a closed mesh of 1280 triangles, at its");
@@ -381,7 +383,7 @@ static void measure_meshes(AccuracyRun *run) {
     triangles_release(&mesh);
 }
 
-/** Asks everything. @return 0 */
+/** Runs all cases. @return 0 */
 int main(int argc, char **argv) {
     AccuracyRun run = {.device = rtcNewDevice("threads=1"), .random = 20261121};
     run.questions = calloc(RAYS, sizeof *run.questions);

@@ -1,11 +1,12 @@
 /**
  * @file
- * @brief Tells where two pictures differ: how many of the pixels that are off lie on edges.
+ * @brief Compares two pictures: counts the differing pixels and those of them near edges.
  *
- * Two exact ray tracers agree everywhere but where a pixel's one ray passes an edge so closely that
- * rounding decides on which side. So every pixel that is off should have an edge beside it.
+ * Two exact ray tracers agree except where a ray passes an edge so closely that rounding decides
+ * the side. So every differing pixel should be near an edge.
  *
- * Usage: `edges OURS.bmp THEIRS.bmp`; prints the pixels, those off, and those off and on no edge.
+ * Usage: `edges OURS.bmp THEIRS.bmp`; prints the numbers of pixels, of differing pixels, and of
+ * differing pixels that are near no edge.
  */
 #include "assets/images/bmp.h"
 
@@ -13,19 +14,21 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-/** Steps that a channel may be off: two roundings of the same light. */
+/** Allowed difference of a channel, 8-bit steps: two roundings of the same light. */
 enum { STEPS_ALLOWED = 1 };
-/** Steps between neighbours that make an edge: shading alone makes far fewer from pixel to pixel.
+/**
+ * Difference of neighbours that counts as an edge, 8-bit steps: shading alone changes far less per
+ * pixel.
  */
 enum { EDGE_STEPS = 4 };
-/** Bytes of a pixel. */
+/** Bytes per pixel. */
 enum { CHANNELS = 3 };
 
-/** What is counted. */
+/** The counts. */
 typedef struct Counts {
     long pixels;    /**< All pixels. */
-    long off;       /**< Those off by more than `STEPS_ALLOWED` in a channel. */
-    long elsewhere; /**< Those off that have no edge beside them. */
+    long off;       /**< Those that differ by more than `STEPS_ALLOWED` in a channel. */
+    long elsewhere; /**< Differing pixels without an edge nearby. */
 } Counts;
 
 /** @return The channels of a pixel. */
@@ -33,7 +36,7 @@ static const uint8_t *pixel_at(const Picture *picture, int x, int y) {
     return picture->pixels + ((size_t)y * (size_t)picture->width + (size_t)x) * CHANNELS;
 }
 
-/** @return The largest difference of a channel, steps. */
+/** @return The largest difference of a channel, 8-bit steps. */
 static int difference(const uint8_t *a, const uint8_t *b) {
     int largest = 0;
     for (int channel = 0; channel < CHANNELS; channel++) {
@@ -43,9 +46,11 @@ static int difference(const uint8_t *a, const uint8_t *b) {
     return largest;
 }
 
-/** Says whether an edge passes beside a pixel: whether its neighbours differ from each other. The
- *  pixel itself is left out, or a single wrong one would make its own edge. @return Whether one
- *  does. */
+/**
+ * Tests whether an edge passes near a pixel: whether its neighbours differ from each other. The
+ * pixel itself is excluded: a single wrong pixel would make its own edge.
+ * @return Whether there is an edge.
+ */
 static bool is_on_edge(const Picture *picture, int x, int y) {
     uint8_t low[CHANNELS] = {UINT8_MAX, UINT8_MAX, UINT8_MAX};
     uint8_t high[CHANNELS] = {0};
@@ -80,7 +85,7 @@ static Counts count(const Picture *image, const Picture *other_image) {
     return counts;
 }
 
-/** Reads a BMP file, or ends the program. @return The picture. */
+/** Reads a BMP file; ends the program on failure. @return The picture. */
 static Picture read_or_exit(const char *path) {
     Error error = {0};
     Picture picture = {0};
@@ -96,7 +101,7 @@ static Picture read_or_exit(const char *path) {
 /**
  * Compares two files.
  * @param arguments  The program, our picture, the peer's.
- * @return 0, or 1 when they cannot be compared.
+ * @return 0, or 1 if they cannot be compared.
  */
 int main(int count_of_arguments, char **arguments) {
     if (count_of_arguments != 3) {

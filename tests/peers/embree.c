@@ -1,18 +1,19 @@
 /**
  * @file
- * @brief Times our tracer beside Embree on a model, on the very same rays, one thread each.
+ * @brief Compares our tracer with Embree: time and memory on one mesh, with identical rays, one
+ *        thread each.
  *
- * Both take turns, so that a slow moment of the machine hits both, and what counts is the best of
- * several rounds, in processor time. Embree is robust, as ours always is; its packets are of eight
- * rays with the coherent flag, its other rays single. What costs nothing for us costs nothing for
- * Embree either: its rays lie ready in its own form, and its memory and its building are those of
- * the tree alone. Of camera and random rays both answer what is met and how far away; that Embree
- * writes (u, v) and the triangle's normal besides falls out of its way of finding it.
+ * Both run alternately, so that other load affects both. The result is the best of several rounds,
+ * in processor time. Embree runs in its robust mode, because our tests are always watertight.
+ * Camera rays form packets of eight with the coherent flag; other rays are single. Preparation that
+ * is free for our tracer is free for Embree: its rays are stored in its own format, and its memory
+ * and build time are those of the BVH alone. For camera and random rays both compute the hit and
+ * its distance. Embree also writes (u, v) and the triangle's normal, which result from its test.
  *
- * Usage: `peer-embree SCENE FOLDER ENGINE`: a scene of one mesh, the folder of its model, and which
- * of our engines. Prints, a line each: name, ours, Embree's, how many times as good ours is by the
- * best of the rounds and by their median, unit; or name, rays that are answered differently, and
- * how many of them ours and Embree answer wrongly.
+ * Usage: `peer-embree SCENE FOLDER ENGINE`: a scene of one mesh, the folder of its mesh file, and
+ * our engine. Prints one line per measurement: name, ours, Embree's, the ratio by the best rounds
+ * and by the median, unit. For comparisons it prints: name, number of different results, and how
+ * many of them are wrong in ours and in Embree.
  */
 #include "dioptre/engine.h"
 #include "dioptre/script.h"
@@ -26,71 +27,73 @@
 
 /** Columns and rows of the picture. */
 enum { SIZE = 1024 };
-/** Columns and rows that our engine casts at a time. */
+/** Columns and rows of a tile of our engine. */
 enum { TILE = 64 };
-/** Rays of a tile. */
+/** Rays per tile. */
 enum { TILE_RAYS = TILE * TILE };
 /** All rays. */
 enum { RAYS = SIZE * SIZE };
-/** Rays of a packet of Embree's: eight neighbours of a row. */
+/** Rays per packet of Embree: eight neighbours of a row. */
 enum { PACKET = 8 };
-/** How often each is timed. */
+/** Number of rounds. */
 enum { ROUNDS = 9 };
 
-/** What the two are asked. */
+/** The input rays. */
 typedef struct RayBatch {
-    RayQuery *plain;                /**< The rays as ours are asked; all in float. */
-    struct RTCRay *single;          /**< The same for Embree. */
+    RayQuery *plain;                /**< The rays for our engine, exact in float. */
+    struct RTCRay *single;          /**< The same rays for Embree. */
     float (*directions)[3][PACKET]; /**< Their directions, packet by packet. */
 } RayBatch;
 
-/** What was answered. */
+/** The results. */
 typedef struct RayResults {
-    int *shapes;             /**< Ours: what each ray meets, or -1. */
-    double *distances;       /**< Ours: how far. */
-    float *embree_distances; /**< Embree's: how far, or infinity. */
-    bool *occluded;          /**< Ours: whether anything is met. */
-    bool *embree_occluded;   /**< Embree's. */
+    int *shapes;             /**< Ours: the index of the shape hit, or -1. */
+    double *distances;       /**< Ours: distances. */
+    float *embree_distances; /**< Embree's: distances, or infinity. */
+    bool *occluded;          /**< Ours: whether the ray is occluded. */
+    bool *embree_occluded;   /**< The same from Embree. */
 } RayResults;
 
-/** The two, and what they are asked. */
+/** Both tracers and their rays. */
 typedef struct BenchmarkScene {
-    Scene *scene;         /**< The scene: a mesh. */
+    Scene *scene;         /**< The scene of one mesh. */
     const Engine *engine; /**< Our engine. */
-    Tracer *tracer;       /**< Ours. */
-    size_t bytes;         /**< What ours takes. */
-    RTCDevice device;     /**< Embree. */
+    Tracer *tracer;       /**< Our tracer. */
+    size_t bytes;         /**< Memory of our tracer, bytes. */
+    RTCDevice device;     /**< The Embree device. */
     RTCScene embree;      /**< Its scene. */
-    float *positions;     /**< The mesh's, as Embree takes them. */
-    ssize_t embree_bytes; /**< What Embree takes: counted by its device. */
+    float *positions;     /**< Vertex positions in Embree's format. */
+    ssize_t embree_bytes; /**< Memory of Embree, bytes, as counted by its device. */
     RayBatch rays;        /**< The rays. */
-    RayResults answers;   /**< What both said. */
+    RayResults answers;   /**< The results of both. */
 } BenchmarkScene;
 
-/** Ends the program. */
+/** Prints an error and ends the program. */
 static _Noreturn void fail(const char *what) {
     fprintf(stderr, "peer-embree: %s\n", what);
     exit(EXIT_FAILURE);
 }
 
-/** @return Memory, zero; without it the program ends. */
+/** @return Zeroed memory; the program ends if there is none. */
 static void *allocate_or_exit(size_t count, size_t size) {
-    /** Bytes: what the widest vectors of either want. */
+    /** Alignment for the widest vectors of either, bytes. */
     const size_t alignment = 64;
     size_t bytes = (count * size + alignment - 1) / alignment * alignment;
     void *memory = aligned_alloc(alignment, bytes);
     return memory ? memset(memory, 0, bytes) : (fail("no memory"), NULL);
 }
 
-/** @return Seconds of processor time that this program has taken, all its threads together: other
- * programs do not count, nor would threads that one of the two should not have. */
+/**
+ * @return Processor time of this process in seconds, over all its threads. Other processes do not
+ *         count; extra threads would.
+ */
 static double seconds(void) {
     struct timespec now;
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/** @return Bytes that this program holds. */
+/** @return Memory that this process has allocated, bytes. */
 static size_t bytes_held(void) {
     struct mallinfo2 heap = mallinfo2();
     return heap.uordblks + heap.hblkhd;
@@ -98,7 +101,7 @@ static size_t bytes_held(void) {
 
 // --- building ------------------------------------------------------------------------------------
 
-/** Builds our tracer. @return Seconds. */
+/** Creates our tracer. @return Seconds. */
 static double build_dioptre(BenchmarkScene *bench) {
     const TraceSettings settings = {.depth = 1, .offset = OFFSET_BOUND};
     Error error = {0};
@@ -113,7 +116,7 @@ static double build_dioptre(BenchmarkScene *bench) {
     return bench->tracer ? end - start : (fail(error.message), 0);
 }
 
-/** @return Embree's triangles: it only looks at the scene's memory. */
+/** @return The triangles as an Embree geometry, which shares the scene's memory. */
 static RTCGeometry geometry_make(const BenchmarkScene *bench) {
     const Mesh *mesh = bench->scene->meshes[0].mesh;
     RTCGeometry geometry = rtcNewGeometry(bench->device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -124,7 +127,7 @@ static RTCGeometry geometry_make(const BenchmarkScene *bench) {
     return geometry;
 }
 
-/** Builds Embree's tree. @return Seconds. */
+/** Builds Embree's BVH. @return Seconds. */
 static double build_embree(BenchmarkScene *bench) {
     if (bench->embree) {
         rtcReleaseScene(bench->embree);
@@ -142,14 +145,17 @@ static double build_embree(BenchmarkScene *bench) {
     return rtcGetDeviceError(bench->device) ? (fail("Embree builds nothing"), 0) : end - start;
 }
 
-/** Counts what Embree takes. See RTCMemoryMonitorFunction. @return That it may. */
+/**
+ * Counts Embree's memory. See RTCMemoryMonitorFunction.
+ * @return true: the allocation is allowed.
+ */
 static bool count_embree_memory(void *context, ssize_t bytes, bool is_after) {
     (void)is_after;
     ((BenchmarkScene *)context)->their_bytes += bytes;
     return true;
 }
 
-/** @return The positions of a scene's mesh, rounded to float in both peers. */
+/** @return The vertex positions of a scene's mesh, rounded to float for both. */
 static float *positions_round(const Scene *scene) {
     Mesh *mesh = scene->meshes[0].mesh;
     float *positions = allocate_or_exit(3 * mesh->position_count + 1, sizeof *positions);
@@ -166,7 +172,7 @@ static float *positions_round(const Scene *scene) {
 
 // --- the rays ------------------------------------------------------------------------------------
 
-/** Puts a ray where both find it. */
+/** Stores a ray in both formats. */
 static void set_ray(RayBatch *rays, size_t i, const float origin[3], const float direction[3]) {
     rays->single[i] = (struct RTCRay){.org_x = origin[0],
                                       .org_y = origin[1],
@@ -190,8 +196,10 @@ static void vector_round(Vec3d v, float to[3]) {
     to[2] = (float)v.z;
 }
 
-/** Makes the ray of a pixel, to the bit as our engines do: whether it is, #compare finds out.
- *  @param[out] direction Which way it goes. */
+/**
+ * Computes the ray of a pixel with the same bits as our engines; #distance_bound checks that.
+ * @param[out] direction  The direction.
+ */
 static void pixel_direction(const SceneCamera *camera, int column, int row, float direction[3]) {
     double half_pixel = tan(camera->fov / 2 * (M_PI / 180)) / SIZE;
     float right[3], up[3], forward[3], square = 0;
@@ -209,8 +217,10 @@ static void pixel_direction(const SceneCamera *camera, int column, int row, floa
     }
 }
 
-/** Looks at the middle of the model. @param distance From how far, in halves of the diagonal of its
- *  box. */
+/**
+ * Points the camera at the centre of the mesh.
+ * @param distance Distance, in halves of the diagonal of its box.
+ */
 static void aim_camera(BenchmarkScene *bench, double distance) {
     SceneCamera *camera = &bench->scene->camera;
     Vec3d low, high;
@@ -221,7 +231,7 @@ static void aim_camera(BenchmarkScene *bench, double distance) {
     bench->engine->look(bench->tracer, bench->scene, SIZE, SIZE);
 }
 
-/** Makes the rays of all pixels, tile by tile as our engine answers them. */
+/** Makes the rays of all pixels, tile by tile, in the order of our engine. */
 static void rays_of_picture(BenchmarkScene *bench) {
     float origin[3], direction[3];
     vector_round(bench->scene->camera.position, origin);
@@ -234,20 +244,22 @@ static void rays_of_picture(BenchmarkScene *bench) {
     }
 }
 
-/** Makes the rays of a picture that shows the whole model. */
+/** Makes the rays of a picture that contains the whole mesh. */
 static void rays_of_whole(BenchmarkScene *bench) {
     aim_camera(bench, 2.5);
     rays_of_picture(bench);
 }
 
-/** Makes the rays of a picture that the model fills. */
+/** Makes the rays of a picture that the mesh fills. */
 static void rays_of_close(BenchmarkScene *bench) {
     aim_camera(bench, 0.9);
     rays_of_picture(bench);
 }
 
-/** @return A number, uniform in 0 to 1 (Steele, Lea, Flood, *Fast Splittable Pseudorandom Number
- *  Generators*, 2014: splitmix64). */
+/**
+ * @return A random number, uniform in 0 to 1 (Steele, Lea, Flood, *Fast Splittable Pseudorandom
+ *         Number Generators*, 2014: splitmix64).
+ */
 static double random_uniform(uint64_t *state) {
     uint64_t z = *state += 0x9E3779B97F4A7C15u;
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
@@ -255,7 +267,7 @@ static double random_uniform(uint64_t *state) {
     return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
 }
 
-/** Makes rays from anywhere in the model's box to anywhere. */
+/** Makes rays between random points of the mesh's box. */
 static void rays_at_random(BenchmarkScene *bench) {
     uint64_t state = 1;
     Vec3d low, high;
@@ -273,9 +285,9 @@ static void rays_at_random(BenchmarkScene *bench) {
     }
 }
 
-// --- asking --------------------------------------------------------------------------------------
+// --- tracing -------------------------------------------------------------------------------------
 
-/** Casts a picture. @return Seconds. */
+/** Traces a picture with our engine. @return Seconds. */
 static double trace_dioptre(BenchmarkScene *bench) {
     const RayResults *answers = &bench->answers;
     double start = seconds();
@@ -291,7 +303,7 @@ static double trace_dioptre(BenchmarkScene *bench) {
     return seconds() - start;
 }
 
-/** @return Eight rays of Embree's from the camera, without directions. */
+/** @return Eight Embree rays from the camera, without directions. */
 static struct RTCRayHit8 packet_begin(const RayBatch *rays) {
     struct RTCRayHit8 packet = {0};
     for (int i = 0; i < PACKET; i++) {
@@ -304,9 +316,9 @@ static struct RTCRayHit8 packet_begin(const RayBatch *rays) {
     return packet;
 }
 
-/** Casts a picture by Embree's packets. @return Seconds. */
+/** Traces a picture with Embree's packets. @return Seconds. */
 static double trace_embree(BenchmarkScene *bench) {
-    /** Which rays of a packet are there: all. */
+    /** All rays of a packet are active. */
     static const _Alignas(32) int valid[PACKET] = {-1, -1, -1, -1, -1, -1, -1, -1};
     _Alignas(32) struct RTCRayHit8 packet = packet_begin(&bench->rays);
     struct RTCIntersectContext context;
@@ -328,7 +340,7 @@ static double trace_embree(BenchmarkScene *bench) {
     return seconds() - start;
 }
 
-/** Asks for the nearest hits of any rays. @return Seconds. */
+/** Finds the nearest hits of single rays with our engine. @return Seconds. */
 static double closest_hits_dioptre(BenchmarkScene *bench) {
     double start = seconds();
     bench->engine->nearest(bench->tracer, RAYS, bench->rays.plain, bench->answers.shapes,
@@ -336,7 +348,7 @@ static double closest_hits_dioptre(BenchmarkScene *bench) {
     return seconds() - start;
 }
 
-/** Asks Embree for the nearest hits of any rays. @return Seconds. */
+/** Finds the nearest hits of single rays with Embree. @return Seconds. */
 static double closest_hits_embree(BenchmarkScene *bench) {
     struct RTCIntersectContext context;
     struct RTCRayHit query = {0};
@@ -352,14 +364,14 @@ static double closest_hits_embree(BenchmarkScene *bench) {
     return seconds() - start;
 }
 
-/** Asks whether any rays meet anything. @return Seconds. */
+/** Tests single rays for occlusion with our engine. @return Seconds. */
 static double occluded_dioptre(BenchmarkScene *bench) {
     double start = seconds();
     bench->engine->shadowed(bench->tracer, RAYS, bench->rays.plain, bench->answers.shadowed);
     return seconds() - start;
 }
 
-/** Asks Embree whether any rays meet anything. @return Seconds. */
+/** Tests single rays for occlusion with Embree. @return Seconds. */
 static double occluded_embree(BenchmarkScene *bench) {
     struct RTCIntersectContext context;
     double start = seconds();
@@ -372,28 +384,28 @@ static double occluded_embree(BenchmarkScene *bench) {
     return seconds() - start;
 }
 
-// --- comparing -----------------------------------------------------------------------------------
+// --- comparison ----------------------------------------------------------------------------------
 
-/** How two sets of answers differ. */
+/** The differences of two sets of results. */
 typedef struct Agreement {
-    size_t different;    /**< Rays that are answered differently. */
-    size_t dioptre_only; /**< Those of them that ours answers wrongly. */
-    size_t embree_only;  /**< Those of them that Embree answers wrongly. */
+    size_t different;    /**< Rays with different results. */
+    size_t dioptre_only; /**< Those of them that are wrong in ours. */
+    size_t embree_only;  /**< Those of them that are wrong in Embree. */
 } Agreement;
 
 /**
- * @return Whether two distances, or both misses, are the same.
- * @param bound  How far apart they may be.
+ * @return Whether two distances agree, or both are misses.
+ * @param bound  Allowed difference.
  */
 static bool is_same(double a, double b, double bound) {
     return isfinite(a) && isfinite(b) ? fabs(a - b) <= bound : isfinite(a) == isfinite(b);
 }
 
 /**
- * Finds how far a distance may be off: as far as the point off the surface, by our engine's bound,
- * along a ray that meets the surface at a slant.
- * @param distance  Ours; the same must come out again, or the rays are not the same.
- * @return How far, in lengths of the direction; any number where nothing is met.
+ * Computes the allowed error of a distance: our engine's error bound of the point, divided by the
+ * sine of the ray's angle to the surface.
+ * @param distance  Our distance; a second query must reproduce it, or the rays differ.
+ * @return The bound, in lengths of the direction; undefined for a miss.
  */
 static double distance_bound(const BenchmarkScene *bench, size_t i, double distance) {
     const RayQuery *ray = &bench->rays.plain[i];
@@ -415,9 +427,9 @@ static double distance_bound(const BenchmarkScene *bench, size_t i, double dista
 }
 
 /**
- * Asks an engine of more digits who is right about a ray.
- * @param exact  It, and its tracer.
- * @param bound  How far distances may be off.
+ * Decides with a more precise engine which result of a ray is wrong.
+ * @param exact  That engine and its tracer.
+ * @param bound  Allowed error of distances.
  */
 static void decide_by_wider_engine(const BenchmarkScene *bench, const BenchmarkScene *exact,
                                    size_t i, double bound, Agreement *agreement) {
@@ -430,8 +442,8 @@ static void decide_by_wider_engine(const BenchmarkScene *bench, const BenchmarkS
 }
 
 /**
- * @return How the distances differ, by more than both may be off.
- * @param exact  An engine of more digits, and its tracer.
+ * @return The distances that differ by more than both error bounds.
+ * @param exact  A more precise engine and its tracer.
  */
 static Agreement compare_distances(const BenchmarkScene *bench, const BenchmarkScene *exact) {
     Agreement agreement = {0};
@@ -445,7 +457,7 @@ static Agreement compare_distances(const BenchmarkScene *bench, const BenchmarkS
     return agreement;
 }
 
-/** @return How the shadows differ. */
+/** @return The differing occlusion results. */
 static Agreement compare_shadows(const BenchmarkScene *bench, const BenchmarkScene *exact) {
     Agreement agreement = {0};
     for (size_t i = 0; i < RAYS; i++) {
@@ -460,19 +472,19 @@ static Agreement compare_shadows(const BenchmarkScene *bench, const BenchmarkSce
     return agreement;
 }
 
-// --- bouts ---------------------------------------------------------------------------------------
+// --- benchmark cases -----------------------------------------------------------------------------
 
-/** Something that both do in turn. */
+/** A benchmark case of both tracers. */
 typedef struct BenchmarkCase {
-    const char *name;                             /**< For the table. */
-    void (*prepare)(BenchmarkScene *arena);       /**< Makes the rays; NULL: it has none. */
-    double (*run_dioptre)(BenchmarkScene *arena); /**< Ours; says how long. */
-    double (*run_embree)(BenchmarkScene *arena);  /**< Embree's. */
+    const char *name;                             /**< Name in the table. */
+    void (*prepare)(BenchmarkScene *arena);       /**< Makes the rays; NULL: not needed. */
+    double (*run_dioptre)(BenchmarkScene *arena); /**< Runs ours; returns seconds. */
+    double (*run_embree)(BenchmarkScene *arena);  /**< Runs Embree; returns seconds. */
     Agreement (*compare)(const BenchmarkScene *,
-                         const BenchmarkScene *); /**< Compares; NULL: nothing to compare. */
+                         const BenchmarkScene *); /**< Compares the results; NULL: no comparison. */
 } BenchmarkCase;
 
-/** All of them. */
+/** All benchmark cases. */
 static const BenchmarkCase bouts[] = {
     {"build", NULL, build_dioptre, build_embree, NULL},
     {"primary", rays_of_whole, trace_dioptre, trace_embree, compare_distances},
@@ -486,7 +498,7 @@ static int compare_doubles(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-/** Lets both do something in turn, and prints how long it took. */
+/** Runs both alternately and prints the times. */
 static void benchmark_case_run(BenchmarkScene *bench, const BenchmarkCase *benchmark) {
     double dioptre = HUGE_VAL, embree = HUGE_VAL, ratios[ROUNDS];
     for (int round = 0; round < ROUNDS; round++) {
@@ -504,8 +516,7 @@ static void benchmark_case_run(BenchmarkScene *bench, const BenchmarkCase *bench
     fflush(stdout);
 }
 
-/** Lets both do everything, and prints how they did. @param exact An engine of more digits, and its
- *  tracer. */
+/** Runs all cases and prints the results. @param exact A more precise engine and its tracer. */
 static void benchmark_run_all(BenchmarkScene *bench, const BenchmarkScene *exact) {
     for (size_t i = 0; i < sizeof bouts / sizeof *bouts; i++) {
         if (bouts[i].ready) {
@@ -525,11 +536,11 @@ static void benchmark_run_all(BenchmarkScene *bench, const BenchmarkScene *exact
            embree / dioptre, "bytes a triangle");
 }
 
-// --- the arena -----------------------------------------------------------------------------------
+// --- setup ---------------------------------------------------------------------------------------
 
 /**
- * @return The scene, turned a little so that no ray runs along an axis.
- * @param folder  The folder of its model.
+ * @return The scene, slightly rotated so that no ray is parallel to an axis.
+ * @param folder  The folder of its mesh file.
  */
 static Scene *scene_load(const char *path, const char *folder) {
     Error error = {0};
@@ -548,7 +559,7 @@ static Scene *scene_load(const char *path, const char *folder) {
     return scene;
 }
 
-/** Begins an arena: both are there, without trees. */
+/** Initialises a benchmark: both tracers, without BVHs. */
 static void benchmark_scene_init(BenchmarkScene *bench, Scene *scene, const char *engine) {
     Error error = {0};
     *bench = (BenchmarkScene){.scene = scene, .engine = engine_find(engine, &error)};
@@ -573,7 +584,7 @@ static void benchmark_scene_init(BenchmarkScene *bench, Scene *scene, const char
     answers->their_shadowed = allocate_or_exit(RAYS, sizeof *answers->their_shadowed);
 }
 
-/** Gives back what an arena holds but the scene. */
+/** Releases all of a benchmark but the scene. */
 static void benchmark_scene_deinit(BenchmarkScene *bench) {
     bench->engine->release(bench->tracer);
     rtcReleaseScene(bench->embree);
@@ -591,8 +602,8 @@ static void benchmark_scene_deinit(BenchmarkScene *bench) {
 
 /**
  * Times both on a scene.
- * @param arguments  The program, the scene, the folder of its model, our engine.
- * @return 0, or 1 when something is missing.
+ * @param arguments  The program, the scene, the folder of its mesh file, our engine.
+ * @return 0, or 1 on failure.
  */
 int main(int count, char **arguments) {
     if (count != 4) {

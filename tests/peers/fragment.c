@@ -1,11 +1,11 @@
 /**
  * @file
- * @brief Draws a picture with a fragment shader, and says how long it takes: what OpenGL needs for
- *        a scene that is marched.
+ * @brief Renders a picture with a fragment shader and measures its time, to compare sphere tracing
+ *        in OpenGL.
  *
- * Usage: `peer-fragment WIDTH HEIGHT FRAMES PICTURE.bmp SHADER.frag...`; the shader's parts are put
- * together in turn. Prints the median of a frame's milliseconds, then whose OpenGL it is. Needs a
- * display; `LIBGL_ALWAYS_SOFTWARE=1` and `LP_NUM_THREADS` make Mesa draw with the processor.
+ * Usage: `peer-fragment WIDTH HEIGHT FRAMES PICTURE.bmp SHADER.frag...`; the parts of the shader
+ * are concatenated. Prints the median milliseconds per frame, then the OpenGL renderer. Needs a
+ * display; `LIBGL_ALWAYS_SOFTWARE=1` and `LP_NUM_THREADS` make Mesa render on the CPU.
  */
 #define GL_GLEXT_PROTOTYPES
 #include <SDL.h>
@@ -14,31 +14,33 @@
 #include <stdlib.h>
 #include <time.h>
 
-/** Most parts of a shader, with its first line. */
+/** Largest number of parts of a shader, with its first line. */
 enum { PARTS_MAXIMUM = 8 };
-/** Bytes of a pixel. */
+/** Bytes per pixel. */
 enum { CHANNELS = 3 };
 
-/** A triangle that covers the picture, made of nothing but the numbers of its corners. */
+/**
+ * A vertex shader of one triangle that covers the picture; positions follow from the vertex index.
+ */
 static const char *const vertex_shader =
     "#version 330 core\n"
     "void main() { gl_Position = vec4(4 * (gl_VertexID & 1) - 1, 2 * (gl_VertexID & 2) - 1, 0, 1); "
     "}\n";
 
-/** Says what is wrong and ends the program. */
+/** Prints an error and ends the program. */
 static _Noreturn void exit_with_error(const char *what, const char *why) {
     fprintf(stderr, "fragment: %s: %s\n", what, why);
     exit(1);
 }
 
-/** Ends the program if a call of SDL failed. @param is_good Whether it did not. */
+/** Ends the program if a call of SDL failed. @param is_good Whether it succeeded. */
 static void check_sdl(bool is_good) {
     if (!is_good) {
         exit_with_error("SDL", SDL_GetError());
     }
 }
 
-/** Adds a shader to a program, or ends it. @param count Parts of its text. */
+/** Adds a shader to a program; ends on failure. @param count Parts of its text. */
 static void add_shader(GLuint program, GLenum kind, int count, const char *const *parts) {
     char log[4096];
     GLint is_good = 0;
@@ -55,8 +57,8 @@ static void add_shader(GLuint program, GLenum kind, int count, const char *const
 }
 
 /**
- * Makes a program of shaders and uses it.
- * @param files  Those of the fragment shader.
+ * Links a shader program and uses it.
+ * @param files  Files of the fragment shader.
  * @return The program.
  */
 static GLuint use_program(int count, char **files) {
@@ -76,7 +78,7 @@ static GLuint use_program(int count, char **files) {
     return program;
 }
 
-/** Makes a buffer of 8-bit colours and lets OpenGL draw into it. */
+/** Creates a framebuffer of 8-bit colours and binds it. */
 static void use_buffer(int width, int height) {
     GLuint frame = 0, colors = 0, corners = 0;
     glGenVertexArrays(1, &corners);
@@ -93,7 +95,7 @@ static void use_buffer(int width, int height) {
     }
 }
 
-/** @return The milliseconds that a frame takes. */
+/** @return Time of one frame, milliseconds. */
 static double time_frame(void) {
     struct timespec start, end;
     clock_gettime(CLOCK_MONOTONIC, &start);
@@ -109,8 +111,10 @@ static int compare_numbers(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-/** @return The median of the milliseconds of frames; the first, for which the shader is compiled,
- *  does not count. */
+/**
+ * @return Median time of frames, milliseconds. The first frame compiles the shader and is not
+ *         counted.
+ */
 static double time_frames(int count) {
     double *times = calloc((size_t)count, sizeof *times);
     if (!times) {
@@ -126,7 +130,7 @@ static double time_frames(int count) {
     return median;
 }
 
-/** Writes what was drawn. */
+/** Saves the rendered picture. */
 static void save_picture(const char *path, int width, int height) {
     void *pixels = malloc((size_t)width * (size_t)height * CHANNELS);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -140,7 +144,7 @@ static void save_picture(const char *path, int width, int height) {
     free(pixels);
 }
 
-/** Times a shader. @return 0; it ends earlier with 1. */
+/** Times a shader. @return 0; on errors the program exits with 1. */
 int main(int count, char **arguments) {
     int width = count > 5 ? atoi(arguments[1]) : 0, height = count > 5 ? atoi(arguments[2]) : 0;
     int frames = count > 5 ? atoi(arguments[3]) : 0;

@@ -36,7 +36,7 @@ typedef struct ChartPoint {
 /** All settings of a scene. */
 typedef struct Chart {
     ChartPoint points[CHART_POINTS_MAXIMUM]; /**< All settings, group by group. */
-    size_t count;                            /**< How many. */
+    size_t count;                            /**< Number of #points. */
 } Chart;
 
 /**

@@ -68,7 +68,7 @@ typedef struct Series {
     double x[CHART_POINTS_MAXIMUM];                 /**< Their times. */
     double own_error[CHART_POINTS_MAXIMUM];         /**< Their own errors. */
     double total_error[CHART_POINTS_MAXIMUM];       /**< Their total errors. */
-    size_t count;                                   /**< How many. */
+    size_t count;                                   /**< Number of #points. */
 } Series;
 
 /** Adds a point to a line. */
@@ -143,7 +143,7 @@ enum { GROUP_SERIES_MAXIMUM = 8 };
 /** A chart, and the numbers in it. */
 typedef struct SettingsChart {
     Series group_series[GROUP_SERIES_MAXIMUM]; /**< A line per group of settings. */
-    size_t group_count;                        /**< How many. */
+    size_t group_count;                        /**< Number of #group_series. */
     Series pareto_front;                       /**< The Pareto front. */
     Plot plot;                                 /**< The chart, which points to all that. */
 } SettingsChart;

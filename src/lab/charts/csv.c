@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Tables of comma-separated values that say how they came about.
+ * @brief Tables of comma-separated values with a header of their origin.
  */
 #include "lab/charts/csv.h"
 

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Tables of comma-separated values that say how they were made.
+ * @brief Tables of comma-separated values with a header of their origin.
  *
  * The lines before the first row begin with `#`: the title, the compiler, its flags, the processor
  * and the number types. There is no date: the same program on the same machine writes the same

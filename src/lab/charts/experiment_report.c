@@ -173,7 +173,7 @@ typedef struct ReportPlot {
     const Experiment *experiment;     /**< The experiment. */
     const ExperimentResults *results; /**< The results. */
     double *y_values;                 /**< The y of all lines; owned. */
-    size_t y_count;                   /**< How many. */
+    size_t y_count;                   /**< Number of #y_values. */
     Plot plot;                        /**< The chart. */
 } ReportPlot;
 

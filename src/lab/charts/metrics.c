@@ -47,37 +47,37 @@ static double maximum_ulps(const Experiment *experiment, const MethodResult *res
     return error_in_ulps(experiment, result, result->maximum);
 }
 
-/** @return The share of false hits. */
+/** @return The fraction of false hits. */
 static double false_hit_fraction(const Experiment *experiment, const MethodResult *result) {
     (void)experiment;
     return result->outcome_fractions[OUTCOME_FALSE_HIT];
 }
 
-/** @return The share of false misses. */
+/** @return The fraction of false misses. */
 static double false_miss_fraction(const Experiment *experiment, const MethodResult *result) {
     (void)experiment;
     return result->outcome_fractions[OUTCOME_FALSE_MISS];
 }
 
-/** @return The share of leaks. */
+/** @return The fraction of leaks. */
 static double leak_fraction(const Experiment *experiment, const MethodResult *result) {
     (void)experiment;
     return result->outcome_fractions[OUTCOME_LEAK];
 }
 
-/** @return The share of double hits. */
+/** @return The fraction of double hits. */
 static double double_hit_fraction(const Experiment *experiment, const MethodResult *result) {
     (void)experiment;
     return result->outcome_fractions[OUTCOME_DOUBLE_HIT];
 }
 
-/** @return The share of wrong surfaces. */
+/** @return The fraction of wrong surfaces. */
 static double wrong_fraction(const Experiment *experiment, const MethodResult *result) {
     (void)experiment;
     return result->outcome_fractions[OUTCOME_WRONG];
 }
 
-/** @return The share of answers that are no number. */
+/** @return The fraction of outputs that are NaN. */
 static double nan_fraction(const Experiment *experiment, const MethodResult *result) {
     (void)experiment;
     return result->outcome_fractions[OUTCOME_NAN];

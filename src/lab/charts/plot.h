@@ -3,8 +3,8 @@
  * @brief Charts on logarithmic axes, drawn by gnuplot from a table of comma-separated values.
  *
  * A chart is a grid of panels. A panel shows series of the table's rows: as lines with names at
- * their ends, or as points with error bars along x, each with a name. No two colours look alike to
- * the colour-blind (Okabe and Ito, 2008), and each has a sign of its own for black and white.
+ * their ends, or as points with error bars along x, each with a name. All colours are distinct for
+ * the colour-blind (Okabe and Ito, 2008), and each has its own marker for black and white.
  */
 #ifndef DIOPTRE_LAB_CHARTS_PLOT_H
 #define DIOPTRE_LAB_CHARTS_PLOT_H
@@ -41,7 +41,7 @@ typedef struct PlotSeries {
     int style;         /**< Colour and sign, from 0; the same in all panels for the same thing. */
     const double *x;   /**< Of a line: x as in the table, above 0. */
     const double *y;   /**< Of a line: y. NaN: none. 0: drawn on the floor, labelled 0. */
-    size_t count;      /**< Of a line: how many. */
+    size_t count;      /**< Number of points of a line. */
 } PlotSeries;
 
 /** A point with a name. */
@@ -60,9 +60,9 @@ typedef struct PlotPanel {
     const char *y_label;                    /**< What y is, with its unit. */
     int x_columns[3];                       /**< Columns of x and of its error bar's ends. */
     PlotSeries series[PLOT_SERIES_MAXIMUM]; /**< The series. */
-    size_t series_count;                    /**< How many. */
+    size_t series_count;                    /**< Number of #series. */
     PlotPoint points[PLOT_POINTS_MAXIMUM];  /**< Of #PLOT_POINTS: the points of all series. */
-    size_t point_count;                     /**< How many. */
+    size_t point_count;                     /**< Number of #points. */
     bool is_fraction;                       /**< Of #PLOT_POINTS: whether y is at most 1. */
     bool is_x_reversed;                     /**< Of #PLOT_LINES: whether x grows to the left. */
     double y_low;                           /**< Of #PLOT_LINES: least y of the axis, above 0. */
@@ -76,7 +76,7 @@ typedef struct Plot {
     const char *title;                     /**< Above it. */
     const char *csv;                       /**< The table's file. */
     PlotPanel panels[PLOT_PANELS_MAXIMUM]; /**< Row by row. */
-    size_t panel_count;                    /**< How many. */
+    size_t panel_count;                    /**< Number of #panels. */
     size_t columns;                        /**< Panels side by side. */
 } Plot;
 

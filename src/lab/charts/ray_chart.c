@@ -166,7 +166,7 @@ static void draw_light_outline(const RayDrawing *drawing, const SceneLight *ligh
     cairo_stroke(drawing->cairo);
 }
 
-/** Marks the eye and the lights. */
+/** Marks the camera and the lights. */
 static void draw_marks(const RayDrawing *drawing, const Scene *scene) {
     ray_drawing_mark(drawing, drawing->tree->nodes[0].origin, RAY_MARK_EYE, gettext("eye"));
     for (size_t i = 0; i < scene->light_count; i++) {

@@ -15,15 +15,15 @@ enum { TABLE_CELL_SIZE = 48 };
 /** A table that is being filled. */
 typedef struct Table {
     char (*cells)[TABLE_CELL_SIZE]; /**< Row by row, the heading first; owned. */
-    size_t columns;                 /**< How many columns. */
-    size_t text_columns;            /**< How many of them, the first ones, hold text. */
+    size_t columns;                 /**< Number of columns. */
+    size_t text_columns;            /**< Number of leading columns of text. */
     size_t count;                   /**< Cells so far. */
     size_t capacity;                /**< Cells that fit in. */
 } Table;
 
 /**
  * @return A table without cells, to be released with #table_deinit.
- * @param words  How many columns, the first ones, hold text.
+ * @param words  Number of leading columns of text.
  */
 Table table_make(size_t columns, size_t words);
 

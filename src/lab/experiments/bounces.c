@@ -14,8 +14,10 @@ static const Vec3q sphere_centers[4] = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1
 /** Radius of the spheres: they nearly touch, so that rays stay between them. */
 #define SPHERE_RADIUS 1.3
 
-/** Generates a ray between the spheres, see #Experiment.generate. The truth is what the methods say
- * in quad, whose own error is that much smaller. */
+/**
+ * Generates a ray between the spheres, see #Experiment.generate. The reference is the result of the
+ * methods in quad, whose error is negligible.
+ */
 static void generate_bounces(const ExperimentSetup *setup, Random *random,
                              ExperimentSample *sample) {
     SampleWriter writer = {setup->type, sample->inputs};
@@ -38,7 +40,7 @@ static void generate_bounces(const ExperimentSetup *setup, Random *random,
 static void score_direction(const ExperimentSample *sample, const Quadruple *outputs,
                             ScoreStats *score) {
     Vec3q truth = vec3q_from_array(sample->expected), found = vec3q_from_array(outputs);
-    // Rays that leave the spheres are no samples.
+    // Rays that leave the spheres are not scored.
     if (quad_is_number(truth.x) && quad_is_number(found.x)) {
         Vec3q difference = vec3q_subtract(vec3q_normalize(found), vec3q_normalize(truth));
         score_error(score, vec3q_length(difference));

@@ -73,7 +73,7 @@ const Experiment cylinder_distance_experiment = {
 
 /** Radii. */
 static const double origin_distances[] = {1, 10, 1e2, 1e3, 1e4};
-/** Height of the cylinder, radii: a place that float holds plus this is one that it holds, too. */
+/** Height of the cylinder, radii: a float coordinate plus this is exact in float. */
 enum { HEIGHT = 2 };
 
 /** Generates a ray from inside to the rim, see #Experiment.generate. */

@@ -10,15 +10,14 @@
 
 #include <math.h>
 
-/** How much radii differ, more or less. */
+/** Differences of the radii from the mean, in cells. */
 static const double spreads[] = {0.01, 0.02, 0.05, 0.1, 0.15};
-/** How far off a ray may stop and still be right. */
+/** Tolerance of a ray's distance. */
 #define HIT_TOLERANCE 0.01
 
 /**
- * @return Where a ray first meets a ball of any cell, within reach of a march; #QUAD_NO_HIT:
- *         nowhere. Double is enough to tell one ball from another.
- * @param spread  How much radii differ.
+ * @return Where a ray first meets a sphere of any cell, within #SPHERE_GRID_REACH; #QUAD_NO_HIT:
+ *        nowhere. Double distinguishes the spheres.
  */
 static Quadruple sphere_grid_expected(Vec3d o, Vec3d d, double spread) {
     double nearest = HUGE_VAL;

@@ -10,7 +10,7 @@
 extern const Experiment sphere_distance_experiment;   /**< Spheres far from the viewpoint. */
 extern const Experiment sphere_offset_experiment;     /**< Spheres far from the origin. */
 extern const Experiment sphere_scale_experiment;      /**< Spheres small and large. */
-extern const Experiment sphere_ground_experiment;     /**< Spheres that one stands on. */
+extern const Experiment sphere_ground_experiment;     /**< A sphere as the ground. */
 extern const Experiment cylinder_distance_experiment; /**< A pipe far from the viewpoint. */
 extern const Experiment cylinder_rim_experiment;      /**< The rim of a closed cylinder. */
 extern const Experiment plane_angle_experiment;       /**< Grazing rays. */
@@ -22,16 +22,17 @@ extern const Experiment triangle_thin_experiment;     /**< Ever thinner triangle
 extern const Experiment box_touch_experiment;         /**< Rays that just touch a box. */
 extern const Experiment box_flat_experiment;          /**< Flat boxes. */
 extern const Experiment cube_edges_experiment;        /**< Edges of a cube. */
-extern const Experiment mirror_scale_experiment;      /**< Leaving mirrors, small and large. */
-extern const Experiment mirror_offset_experiment;     /**< Leaving mirrors far from the origin. */
+extern const Experiment mirror_scale_experiment;      /**< Rays leaving mirrors, small and large. */
+extern const Experiment mirror_offset_experiment;     /**< Rays leaving mirrors far from the
+                                                           origin. */
 extern const Experiment glass_scale_experiment;       /**< Into glass, small and large. */
 extern const Experiment glass_offset_experiment;      /**< Into glass far from the origin. */
 extern const Experiment mirror_bounces_experiment;    /**< From mirror to mirror. */
-extern const Experiment fresnel_into_experiment;      /**< Share of mirrored light, from air. */
+extern const Experiment fresnel_into_experiment;      /**< Reflectance of glass, from air. */
 extern const Experiment fresnel_out_experiment;       /**< From inside glass. */
 extern const Experiment sphere_pole_experiment;       /**< Latitude near a pole. */
 extern const Experiment sdf_normal_experiment;        /**< Normals of fields. */
 extern const Experiment sdf_repetition_experiment;    /**< Fields that are repeated. */
-extern const Experiment sphere_tracing_angle_experiment; /**< Marching under small angles. */
+extern const Experiment sphere_tracing_angle_experiment; /**< Sphere tracing at small angles. */
 
 #endif

@@ -23,8 +23,10 @@ static void generate_normal(const ExperimentSetup *setup, Random *random,
     sample->expected[2] = normal.z;
 }
 
-/** Scores a direction: the sine of the angle to the true one, or 2 minus it beyond a right angle,
- * see #Experiment.score_sample. */
+/**
+ * Scores a direction: the sine of the angle to the exact one, or 2 minus it beyond a right angle.
+ * See #Experiment.score_sample.
+ */
 static void score_normal(const ExperimentSample *sample, const Quadruple *outputs,
                          ScoreStats *score) {
     Vec3q truth = vec3q_from_array(sample->expected), found = vec3q_from_array(outputs);

@@ -15,11 +15,12 @@ enum { ICOSPHERE_VALENCE = 6 };
 /** A closed mesh. */
 typedef struct Icosphere {
     Vec3q vertices[ICOSPHERE_CORNERS];                      /**< Positions of the vertices. */
-    int vertex_count;                                       /**< How many. */
+    int vertex_count;                                       /**< Number of #vertices. */
     int faces[ICOSPHERE_FACES][3];                          /**< Three vertices each. */
-    int face_count;                                         /**< How many. */
+    int face_count;                                         /**< Number of #faces. */
     int vertex_faces[ICOSPHERE_CORNERS][ICOSPHERE_VALENCE]; /**< The faces around each vertex. */
-    int valence[ICOSPHERE_CORNERS];                         /**< How many. */
+    int valence[ICOSPHERE_CORNERS];                         /**< Number of faces around each
+                                                                 vertex. */
 } Icosphere;
 
 /**

@@ -1,22 +1,22 @@
 /**
  * @file
- * @brief Experiments on rays that leave a surface: mirrored ones meet it again (acne), refracted
- *        ones do not come out where they should.
+ * @brief Experiments on rays that leave a surface: wrong offsets cause acne on mirrors and wrong
+ *        exits from glass.
  */
 #include "base/language.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/sample_writer.h"
 
-/** Index of glass over air, upside down: as Snell's law wants it for a ray that goes in. */
+/** Index of air over that of glass, for a ray that enters glass. */
 #define IOR_RATIO (1 / 1.5)
 /** Tolerance of a distance through the glass, relative. */
 #define DISTANCE_TOLERANCE 0.01
 
 /** A sphere that rays meet and leave. */
 typedef struct OffsetSphere {
-    Vec3q center;     /**< Where, exact in float. */
-    Quadruple radius; /**< How large, exact in float. */
-    double ior_ratio; /**< For refraction: #IOR_RATIO; 0: it mirrors. */
+    Vec3q center;     /**< Its centre, exact in float. */
+    Quadruple radius; /**< Its radius, exact in float. */
+    double ior_ratio; /**< For refraction: #IOR_RATIO; 0: the ray is reflected. */
 } OffsetSphere;
 
 /** @return How far it is through the glass. @param point Where a ray meets the sphere, from its
@@ -58,13 +58,13 @@ static void score_second_hit(const ExperimentSample *sample, bool is_wrong, Quad
     score_error(score, shift / sample->expected[0]);
 }
 
-/** Scores a mirrored ray: it meets nothing, see #Experiment.score_sample. */
+/** Scores a reflected ray, which hits nothing. See #Experiment.score_sample. */
 static void score_reflected(const ExperimentSample *sample, const Quadruple *outputs,
                             ScoreStats *score) {
     score_second_hit(sample, outputs[0] < QUAD_NO_HIT, outputs[1], score);
 }
 
-/** Scores a refracted ray: it meets the other side, see #Experiment.score_sample. */
+/** Scores a refracted ray, which hits the opposite side. See #Experiment.score_sample. */
 static void score_refracted(const ExperimentSample *sample, const Quadruple *outputs,
                             ScoreStats *score) {
     Quadruple difference = quad_abs(outputs[0] - sample->expected[1]);

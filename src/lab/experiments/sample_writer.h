@@ -44,14 +44,14 @@ Quadruple sphere_expected(Vec3q origin, Vec3q direction, Vec3q center, Quadruple
 /** @return A scene with a sphere. @param center Its centre, which doubles represent. */
 Scene *sphere_scene(Vec3q center, double radius, Error *error);
 
-/** Is an #Experiment.create_scene: a unit sphere as far from the origin as the level says. */
+/** Is an #Experiment.create_scene: a unit sphere; its distance from the origin is the level. */
 Scene *create_far_sphere_scene(const ExperimentSetup *setup, Error *error);
 
 /** Traces a ray by an engine. @param ray Origin and direction. */
 void intersect_ray(const Engine *engine, const Tracer *tracer, const Vec3q ray[2],
                    RayResult *answer);
 
-/** In place of a number of hits: engines report a hit, but not how many there are. */
+/** In place of a number of hits: engines report only the nearest hit. */
 #define COUNT_UNKNOWN ((Quadruple)-1)
 
 /** Is an #Experiment.score_sample: a ray from inside a solid hits its surface once. */

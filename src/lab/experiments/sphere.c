@@ -9,8 +9,8 @@
 
 /** A sphere in view. */
 typedef struct SphereView {
-    Vec3q center;     /**< Where it is. */
-    Quadruple radius; /**< How large. */
+    Vec3q center;     /**< Its centre. */
+    Quadruple radius; /**< Its radius. */
     double distance;  /**< From its centre to the viewpoint, radii. */
 } SphereView;
 
@@ -145,7 +145,7 @@ const Experiment sphere_scale_experiment = {
 /** Radii, in heights of the viewpoint. */
 static const double ground_radii[] = {1e1, 1e2, 1e3, 1e4, 1e5, 1e6};
 
-/** @return The middle of the earth: straight down along no axis. */
+/** @return The centre of the ground, directly below the viewpoint; not on an axis. */
 static Vec3q ground_center(double radius) {
     return far_point(radius);
 }

@@ -36,15 +36,17 @@ static void score_grazing(const ExperimentSample *sample, const Quadruple *outpu
     }
 }
 
-/** @return The ground: a box that no ray comes to the end of, and not larger, for what it measures
- * is as rounded as it is large, see #Experiment.create_scene. */
+/**
+ * @return The ground: a box larger than the reach of any ray, but hardly, because its rounding
+ *        errors grow with its size. See #Experiment.create_scene.
+ */
 static Scene *floor_scene(const ExperimentSetup *setup, Error *error) {
     double half_length = 1.1 / tan(setup->level * M_PI / 180);
     const FixtureValue values[] = {{"size", {2 * half_length, 2, 2}}, {0}};
     return scene_fixture_with_sdf("distance.box", values, (Vec3d){0, -1, 0}, error);
 }
 
-/** Queries an engine for the distance; it does not say its steps, see #Experiment.query_engine. */
+/** Queries an engine for the distance, without the steps. See #Experiment.query_engine. */
 static void query_grazing(const Engine *engine, Tracer *tracer, const ExperimentSample *sample,
                           Quadruple *outputs) {
     RayResult answer;

@@ -25,9 +25,9 @@ static Vec3q random_origin_inside(const ExperimentSetup *setup, Random *random) 
 }
 
 /**
- * Writes the question whether a ray meets a face.
- * @param ray  Where it starts, and which way.
- * @param face  The face; -1: none, a triangle without area.
+ * Writes the input of a test of a ray against a face.
+ * @param ray  Origin and direction.
+ * @param face  Index of the face; -1: none, a triangle without area.
  */
 static void write_face_input(SampleWriter *writer, const Icosphere *ball, const Vec3q ray[2],
                              int face) {
@@ -38,8 +38,10 @@ static void write_face_input(SampleWriter *writer, const Icosphere *ball, const 
     }
 }
 
-/** Writes the questions about all faces around one corner or two, #SAMPLE_QUERIES_MAXIMUM in all.
- *  @param ray Where it starts, and which way. */
+/**
+ * Writes the inputs for all faces around one corner or two, #SAMPLE_QUERIES_MAXIMUM in all.
+ * @param ray  Origin and direction.
+ */
 static void write_fan_faces(const ExperimentSetup *setup, const Vec3q ray[2], const int ends[2],
                             ExperimentSample *sample) {
     const Icosphere *ball = setup->shared;
@@ -88,8 +90,10 @@ static void generate_corner(const ExperimentSetup *setup, Random *random,
     generate_edge_ray(setup, random, 0, sample);
 }
 
-/** Scores how many faces were met: one, where a ray leaves a closed surface, see
- * #Experiment.score_sample. */
+/**
+ * Scores the number of faces hit: one, where a ray leaves a closed surface. See
+ * #Experiment.score_sample.
+ */
 static void score_faces(const ExperimentSample *sample, const Quadruple *outputs,
                         ScoreStats *score) {
     (void)sample;
@@ -175,8 +179,8 @@ const Experiment triangle_corners_experiment = {
 /** A triangle in view. */
 typedef struct TestTriangle {
     Vec3q corners[3]; /**< Its corners, exact in float. */
-    double distance;  /**< From where. */
-    double sine;      /**< Of the angle under which it is met. */
+    double distance;  /**< Distance of the viewpoint. */
+    double sine;      /**< Sine of the angle between ray and plane. */
 } TestTriangle;
 
 /** @return Where a ray meets a triangle, in quad precision; #QUAD_NO_HIT: nowhere. */

@@ -1,6 +1,7 @@
 /**
  * @file
- * @brief How far is the nearest of many spheres, one per cell of space, each of its own radius?
+ * @brief Methods for the distance to the nearest of many spheres, one per unit cell, with different
+ *        radii.
  */
 #include "lab/methods/family.h"
 #include "lab/methods/sphere_grid.h"

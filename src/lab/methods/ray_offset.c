@@ -138,7 +138,7 @@ static real ray_offset_by_ulps(real coordinate, real normal) {
 }
 
 /**
- * Each coordinate moved by a number of its own ulps (Wächter, Binder, *A Fast and Robust Method for
+ * Each coordinate moved by a multiple of its ulp (Wächter, Binder, *A Fast and Robust Method for
  * Avoiding Self-Intersection*, Ray Tracing Gems 6).
  *
  *   256 ulps times the normal's component, but N / 65536 near zero

@@ -44,7 +44,7 @@ enum { ORDINAL_SIZE = 24 };
 
 /** @return The ordinal of a number. @param n At least 0. */
 static const char *format_ordinal(int n, char words[ORDINAL_SIZE]) {
-    // French has a form of its own for 1, but not for 21.
+    // French has a special form for 1, but not for 21.
     static const char *const forms[] = {N_("%dth"), N_("%dst"), N_("%dnd"), N_("%drd"), N_("1st")};
     int last = n % 10;
     int form = n / 10 % 10 == 1 || last > 3 ? 0 : last;

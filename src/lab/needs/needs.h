@@ -53,7 +53,7 @@ typedef struct NeedsEngine {
 typedef struct Needs {
     PrecisionEstimate forecast;         /**< The estimate from its numbers. */
     NeedsEngine engines[NEEDS_ENGINES]; /**< The engines that were tried, the fastest first. */
-    int engine_count;                   /**< How many. */
+    int engine_count;                   /**< Number of #engines. */
     int engine;                         /**< The first of them that is sufficient. */
     bool is_recursive;                  /**< Whether anything reflects or transmits light. */
     int depth;                          /**< The depth that is sufficient. */

@@ -99,7 +99,7 @@ typedef struct RenderContext {
     const Scene *scene;      /**< The scene. */
     const PixelSet *pixels;  /**< The pixels. */
     int threads;             /**< How many threads trace. */
-    const atomic_bool *stop; /**< Rendering is given up once it is true; may be NULL. */
+    const atomic_bool *stop; /**< Rendering stops once it is true; may be NULL. */
 } RenderContext;
 
 /** The rays of rendered pixels. */

@@ -145,7 +145,7 @@ INLINE void bvh_prefetch(const Bvh *bvh, const BvhIntersector *intersector, uint
 void bvh_traverse(const Bvh *bvh, const Packet *packet, real *limits,
                   const BvhIntersector *intersector, void *results);
 
-/** A set of rays of a packet: bit i of element v stands for lane i of vector v. */
+/** A set of rays of a packet: bit i of element v represents lane i of vector v. */
 typedef struct PacketLanes {
     uint16_t bits[PACKET_VECTORS]; /**< The bits. */
 } PacketLanes;

@@ -2,9 +2,9 @@
  * @file
  * @brief Cylinder lights: tubes whose wall has uniform radiance, such as neon lights.
  *
- * The wall, of radius r and length H, looks 2 r H large from the side. With the radiance L = I /
- * (2 r H), the light is far away that of a point light of intensity I, times the sine of the angle
- * to the axis. The ends glow, but give no light.
+ * The wall, of radius r and length H, has the projected area 2 r H from the side. Its radiance is
+ * L = I / (2 r H). Far away, it equals a point light of intensity I, times the sine of the angle to
+ * the axis. The ends are visible, but give no light.
  *
  * Seen along the axis, a point at the distance D sees the wall within the angles ±b, sin b = r / D.
  * A sample is chosen in two steps: an angle by the tangent of its half, which is uniform, then a

@@ -1,9 +1,9 @@
 /**
  * @file
- * @brief Emitters: lights that are seen.
+ * @brief Emitters: visible lights.
  *
- * Camera, mirrored and refracted rays meet them; shadow rays never do, so that no light is in the
- * way of another or of itself. They are not in the set of shapes and can move without a new BVH.
+ * Camera, reflected and refracted rays meet them. Shadow rays never do, so no light hides another
+ * or itself. They are not in the set of shapes and can move without a new BVH.
  */
 #ifndef DIOPTRE_TRACE_LIGHTS_EMITTERS_H
 #define DIOPTRE_TRACE_LIGHTS_EMITTERS_H
@@ -50,7 +50,7 @@ void emitters_set(Emitters *emitters, const Scene *scene, const Light *lights, V
  *  below -1. @param[in,out] hits The nearest hits so far. */
 void emitters_closest_hits(const Emitters *emitters, const Packet *packet, Hit *hits);
 
-/** @return The index of the light that a #Hit.shape stands for; -1: none. */
+/** @return The index of the light that a #Hit.shape represents; -1: none. */
 int emitter_light_index(int shape);
 
 /** Sets the colours of rays that met emitters. @param lights The lights of the scene. */

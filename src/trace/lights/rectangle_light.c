@@ -83,7 +83,7 @@ typedef struct RectanglePoint {
     real area_ratio; /**< The area over the inverse of their probability density. */
 } RectanglePoint;
 
-/** @return Points of a rectangle, uniform in area. @param to_corner From where it is seen. */
+/** @return Points of a rectangle, uniform in area. @param to_corner Vector from the lit point. */
 INLINE RectanglePoint rectangle_point_uniform(const RectangleLight *rectangle, Vec3 to_corner,
                                               real unit_u, real unit_v) {
     Vec3 along_u = vec3_scale(rectangle->u_axis, unit_u * rectangle->u_length);
@@ -92,7 +92,7 @@ INLINE RectanglePoint rectangle_point_uniform(const RectangleLight *rectangle, V
 }
 
 /** @return Points of a rectangle, denser where they give more light.
- *  @param to_corner From where it is seen. @param height Over the plane, not negative. */
+ *  @param to_corner Vector from the lit point. @param height Height over the plane, at least 0. */
 INLINE RectanglePoint rectangle_point_weighted(const RectangleLight *rectangle, Vec3 to_corner,
                                                real height, real unit_u, real unit_v) {
     // A row: along v.

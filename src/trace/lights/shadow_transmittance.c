@@ -4,8 +4,10 @@
  */
 #include "trace/lights/shadow_transmittance.h"
 
-/** Most surfaces that a shadow ray crosses; behind more it is dark. With `--offset none` rays start
- *  on the surface that they leave and would meet it without end. */
+/**
+ * Largest number of surfaces that a shadow ray crosses; behind more it is dark. With `--offset
+ * none` rays start on the surface that they leave and would meet it for ever.
+ */
 enum { MAX_SHADOW_SURFACES = 256 };
 
 /** Moves the origins of rays behind a surface and shortens the rays by as much. @param lanes The

@@ -76,7 +76,7 @@ typedef int lane_integer;
 #define ROUNDOFF ((Quadruple)0x1p-113L)
 #endif
 
-/** Infinity: the limit of rays without end. */
+/** Infinity: the limit of unbounded rays. */
 #define INFINITE ((scalar)__builtin_inf())
 
 /** Bits of the scalar's significand, the leading 1 included. */

@@ -62,7 +62,7 @@ void sdf_op_box_frame(SdfVm *vm, const SdfInstruction *instruction) {
                          sdf_octant_sample((Vec3){q.x, p.y, q.z}, vm->wants_gradient),
                          sdf_octant_sample((Vec3){q.x, q.y, p.z}, vm->wants_gradient)};
     if (vm->wants_gradient) {
-        // The absolute value has mirrored the coordinates across a bar.
+        // The absolute value reflected the coordinates across the bars: undo the sign.
         const real one = real_of(1);
         Vec3 bar_signs[3] = {
             {one, signs.y, signs.z}, {signs.x, one, signs.z}, {signs.x, signs.y, one}};

@@ -77,7 +77,7 @@ static TextureUv mesh_shape_texture_uv(const Shape *self, const Hit *hit, mask l
     return mesh_bvh_texture_uv(((const MeshShape *)self)->bvh, hit, lanes);
 }
 
-/** A mesh has a BVH of its own. */
+/** A mesh has its own BVH. */
 static const ShapeExtension mesh_shape_extension = {
     .bind = mesh_shape_bind,
     .closest_hits = mesh_shape_closest_hits,

@@ -72,7 +72,7 @@ INLINE void sphere_trace_refine(const SphereTracer *tracer, SphereTrace *trace, 
 /** @return The points on the surface. @param sample The field at the hits. */
 INLINE SurfacePoint sdf_shape_surface(const SphereTracer *tracer, const SphereTrace *trace,
                                       const SdfSample *sample, real tolerance) {
-    // Where the gradient is zero, as in the middle of a ball, any normal is right.
+    // Where the gradient is zero, as at the centre of a sphere, any normal is valid.
     real square = vec3_dot(sample->gradient, sample->gradient);
     Vec3 gradient =
         vec3_select(square > 0, sample->gradient, vec3_scale(trace->unit_direction, real_of(-1)));

@@ -3,7 +3,7 @@
  * @brief The class Shape: what rays can meet.
  *
  * Every shape is an object that starts with #Shape and a class that fills the table #ShapeClass.
- * `include/dioptre/scene.h` says what a new shape takes.
+ * `include/dioptre/scene.h` describes how to add a shape.
  */
 #ifndef DIOPTRE_TRACE_SHAPES_SHAPE_H
 #define DIOPTRE_TRACE_SHAPES_SHAPE_H
@@ -48,7 +48,7 @@ typedef struct ShapeExtension {
     bool (*bind)(Shape *self, const SceneShape *scene_shape, MeshBvhCache *meshes, Error *error);
 
     /**
-     * Intersects a whole packet with a shape that has a BVH of its own. NULL: the caller calls
+     * Intersects a whole packet with a shape that has its own BVH. NULL: the caller calls
      * #ShapeClass.is_hit for each vector of rays. #closest_hits and #occluded come together.
      * @param[in,out] hits  Nearest hits so far, one per vector of rays.
      */
@@ -125,7 +125,7 @@ static inline TextureUv shape_texture_uv(const Shape *shape, const Hit *hit, mas
                : (TextureUv){real_of(0), real_of(0), mask_of(false), mask_of(false)};
 }
 
-/** @return Whether a shape intersects whole packets: it has a BVH of its own. */
+/** @return Whether a shape intersects whole packets: it has its own BVH. */
 static inline bool shape_takes_packets(const Shape *shape) {
     return shape->class->extension && shape->class->extension->closest_hits;
 }

@@ -9,7 +9,7 @@
 
 /** The camera of an image in the engine's number type. */
 typedef struct Camera {
-    Vec3 origin;  /**< The eye point. */
+    Vec3 origin;  /**< The camera position. */
     Vec3 forward; /**< Viewing direction, a unit vector. */
     Vec3 right;   /**< To the right, half a pixel long at distance 1. */
     Vec3 up;      /**< Up, half a pixel long at distance 1. */

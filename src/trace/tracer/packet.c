@@ -109,7 +109,7 @@ INLINE void interval_clip_positive(real *near, real *far, const AxisInterval *in
     *far = real_min(leave, *far);
 }
 
-/** @return The interval of the rays mirrored at 0. */
+/** @return The interval of the rays, negated. */
 static AxisInterval axis_interval_negated(const AxisInterval *interval) {
     return (AxisInterval){-interval->origin_high, -interval->origin_low, -interval->inverse_high,
                           -interval->inverse_low};

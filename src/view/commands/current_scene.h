@@ -10,7 +10,7 @@
 /** Starts to watch the scene's file. */
 void current_scene_begin(App *app);
 
-/** Loads the scene's file again, after it was written; what the user moved stays where it is. */
+/** Reloads the scene's file after it was written; moved objects keep their positions. */
 void current_scene_reload(App *app);
 
 /** Loads another scene. */

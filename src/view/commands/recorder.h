@@ -41,7 +41,7 @@ void recorder_on_speed(App *app, double speed, double time);
  *  lesson file, as for printf. */
 void recorder_on_step(App *app, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/** Begins to type a caption; the recorder's clock stands still meanwhile. */
+/** Starts the input of a caption; the recorder's clock is paused meanwhile. */
 void recorder_begin_caption(App *app);
 
 /** Handles an event while a caption is typed. @return Whether it was for the caption. */

@@ -120,7 +120,7 @@ static SDL_Rect side_view_rect(int width, int height) {
 /* --- keeping up --------------------------------------------------------------------------------
  */
 
-/** Notes where lamps are. */
+/** Copies the positions of the lights. */
 static void collect_light_positions(Inspector *inspector, const Scene *scene) {
     inspector->light_count = 0;
     for (size_t i = 0; i < scene->light_count && inspector->light_count < INSPECTOR_LIGHTS; i++) {

@@ -15,7 +15,7 @@
 enum { INSPECTOR_ROWS = 40 };
 /** Bytes of a row with the final zero. */
 enum { INSPECTOR_TEXT_SIZE = 128 };
-/** Lamps that are marked at most. */
+/** Largest number of lights that are marked. */
 enum { INSPECTOR_LIGHTS = 32 };
 
 /** The inspector. Starts as `{0}`: closed. */
@@ -36,8 +36,8 @@ typedef struct Inspector {
     bool is_renderer_outdated; /**< Whether the scene was replaced since the second camera's
                                   renderer was created. */
     Viewport viewport;         /**< Viewport of the second camera. */
-    Vec3d light_positions[INSPECTOR_LIGHTS]; /**< Where lamps are. */
-    size_t light_count;                      /**< How many. */
+    Vec3d light_positions[INSPECTOR_LIGHTS]; /**< Positions of the lights. */
+    size_t light_count;                      /**< Number of #light_positions. */
     SDL_Texture *panel;            /**< Panel of the numbers; NULL: it must be drawn; owned. */
     PanelRow rows[INSPECTOR_ROWS]; /**< Rows of the panel. */
     char row_texts[INSPECTOR_ROWS][INSPECTOR_TEXT_SIZE]; /**< Their texts. */
@@ -76,7 +76,7 @@ void inspector_move(Inspector *inspector, Movement movement);
  * right. @param up Degrees up. */
 void inspector_turn(Inspector *inspector, double right, double up);
 
-/** The scene, its camera or its lamps have changed. */
+/** Notifies that the scene, its camera or its lights have changed. */
 void inspector_invalidate(Inspector *inspector);
 
 /** Puts the second camera back to its best view. */

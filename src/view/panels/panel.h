@@ -16,7 +16,7 @@ typedef struct PanelRow {
     bool is_heading;              /**< Whether it is the heading of a group. */
     char label[PANEL_LABEL_SIZE]; /**< Such as the name of a key, UTF-8; empty in a heading. */
     const char *text;             /**< Its text, UTF-8; not owned. */
-    bool has_swatch;              /**< Whether a colour stands in the label's column. */
+    bool has_swatch;              /**< Whether the label's column shows a colour swatch. */
     uint8_t swatch[3];            /**< The colour, sRGB. */
     int tint;                     /**< Colour of heading or label, from 1; 0: the default. */
 } PanelRow;

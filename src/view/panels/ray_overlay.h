@@ -12,15 +12,15 @@
 /** What is drawn. */
 typedef struct RayOverlay {
     const Vec3d *light_positions; /**< Positions of lights, which are marked. */
-    size_t light_count;           /**< How many. */
+    size_t light_count;           /**< Number of #light_positions. */
     const RayTree *ray_tree;      /**< The rays. */
     const OrbitCamera *orbit;     /**< The second camera's orbit. */
     size_t selected;              /**< Index of a ray that is drawn thicker. */
 } RayOverlay;
 
 /**
- * Draws rays, their numbers, the eye and the lights. Draws nothing without memory.
- * @param rect  Where the picture of the second camera is, pixels of the window.
+ * Draws rays, their numbers, the camera and the lights. Draws nothing without memory.
+ * @param rect  Rectangle of the second camera's picture, pixels of the window.
  */
 void ray_overlay_draw(const RayOverlay *overlay, SDL_Renderer *renderer, const SDL_Rect *rect);
 

@@ -24,7 +24,7 @@ bool view_state_init(ViewState *view_state, const Scene *scene, Error *error);
 
 /**
  * Saves camera and lights of the same scene at another time, and moves there what the user had
- * moved. That stays moved, whatever the scene file says, until #view_state_reset.
+ * moved. Such objects stay there until #view_state_reset, whatever the scene file contains.
  * @param[in,out] view_state  The home view of the previous scene, then of this one.
  * @param previous  The previous scene.
  * @param[in,out] scene  The scene of another time.

@@ -52,7 +52,7 @@ static void find_function(void *library, const char *name, void *function, size_
 /**
  * Installs handlers of X11 errors: when the X server vanishes, the program reports it and ends with
  * status 1; when a single request fails, it continues. Other display systems send an event instead.
- * SDL 2 cannot set these handlers, so libX11 is opened as SDL does it, if it is there. SDL keeps
+ * SDL 2 cannot set these handlers, so libX11 is opened like SDL does, if it is installed. SDL keeps
  * the handler of failed requests that it finds at its start, so this must run before.
  */
 static void install_x11_error_handlers(void) {

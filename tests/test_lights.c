@@ -204,6 +204,30 @@ static void check_moved_sphere_light(const Engine *engine) {
     scene_destroy(scene);
 }
 
+/** A tracer that was created without lights, as the unlit mode of the window creates it, shows none
+ *  of the lights of the scene that it is given later. */
+static void check_lights_left_out(const Engine *engine) {
+    double rgb[3];
+    RayCounts counts = {0};
+    PixelGrid grid = {.columns = 1, .rows = 1, .stride = 1};
+    Scene *scene = create_empty_scene();
+    add_light(scene, white_point_light((Vec3d){0, 0, -5}, 1));
+    Scene unlit = *scene;
+    unlit.light_count = 0;
+    Tracer *tracer = create_tracer(engine, &unlit);
+    engine->set_view(tracer, scene, 1, 1);
+    engine->trace(tracer, &grid, rgb, &counts);
+    assert_true(rgb[0] == 0);
+    engine->destroy(tracer);
+    scene_destroy(scene);
+}
+
+/** See #check_lights_left_out. */
+static void test_lights_left_out(void **state) {
+    (void)state;
+    for_every_engine(check_lights_left_out);
+}
+
 /** See #check_moved_sphere_light. */
 static void test_moved_sphere_light(void **state) {
     (void)state;
@@ -545,6 +569,7 @@ int main(void) {
         cmocka_unit_test(test_sun_turns),
         cmocka_unit_test(test_sphere_light),
         cmocka_unit_test(test_moved_sphere_light),
+        cmocka_unit_test(test_lights_left_out),
         cmocka_unit_test(test_penumbra),
         cmocka_unit_test(test_sphere_light_irradiance),
         cmocka_unit_test(test_inside_sphere_light),

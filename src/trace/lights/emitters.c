@@ -32,9 +32,10 @@ void emitters_deinit(Emitters *emitters) {
     *emitters = (Emitters){0};
 }
 
-void emitters_set(Emitters *emitters, const Scene *scene, const Light *lights, Vec3d origin) {
+void emitters_set(Emitters *emitters, const Scene *scene, const Light *lights, size_t light_count,
+                  Vec3d origin) {
     emitters->count = 0;
-    for (size_t i = 0; i < scene->light_count; i++) {
+    for (size_t i = 0; i < light_count; i++) {
         if (lights[i].is_visible) {
             const LightClass *class = lights[i].class;
             Shape *shape = (Shape *)(emitters->memory + emitters->count * emitters->stride);

@@ -42,9 +42,11 @@ void emitters_deinit(Emitters *emitters);
  * @param emitters  Emitters of the same scene, which may have been moved since.
  * @param scene   The scene.
  * @param lights  Its lights in the engine's number type.
+ * @param light_count  Number of those: 0 if the tracer was created without the scene's lights.
  * @param origin  Origin of the tracer's coordinates, scene units.
  */
-void emitters_set(Emitters *emitters, const Scene *scene, const Light *lights, Vec3d origin);
+void emitters_set(Emitters *emitters, const Scene *scene, const Light *lights, size_t light_count,
+                  Vec3d origin);
 
 /** Finds the emitters that rays meet before any shape. In #Hit.shape they are negative numbers,
  *  below -1. @param[in,out] hits The nearest hits so far. */

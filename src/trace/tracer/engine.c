@@ -54,7 +54,7 @@ static void engine_set_view(Tracer *tracer, const Scene *scene, int width, int h
         tracer->lights[i] = light_of(&light, tracer->samples);
         tracer->has_soft_shadows = tracer->has_soft_shadows || tracer->lights[i].is_soft;
     }
-    emitters_set(&tracer->emitters, scene, tracer->lights, tracer->origin);
+    emitters_set(&tracer->emitters, scene, tracer->lights, tracer->light_count, tracer->origin);
 }
 
 /**

@@ -207,8 +207,8 @@ static void test_edges(void **state) {
 
 /* --- pictures --------------------------------------------------------------------------------- */
 
-/** Size of the pictures; a third of it each way in quad. */
-enum { PICTURE_WIDTH = 160, PICTURE_HEIGHT = 120, QUAD_DIVISOR = 3 };
+/** Size of the pictures; a quarter of it each way in quad. */
+enum { PICTURE_WIDTH = 160, PICTURE_HEIGHT = 120, QUAD_DIVISOR = 4 };
 
 /** The light of a picture. */
 typedef struct Light {
@@ -347,6 +347,30 @@ static void test_mesh_pictures(void **state) {
     for_every_engine(check_mesh_pictures);
 }
 
+/**
+ * In the box, rays of the diagonal meet two walls at the same distance: some of these pixels change
+ * in every number type.
+ */
+static void check_ties(const Engine *engine) {
+    Scene *scene = load_scene("scenes/box.lua");
+    Light nearest = trace_rounded_picture(engine, scene, ROUNDING_NEAREST);
+    int changed = 0;
+    for (int way = ROUNDING_UPWARD; way <= ROUNDING_DOWNWARD; way++) {
+        Light light = trace_rounded_picture(engine, scene, way);
+        changed += count_changed(&nearest, &light);
+        free(light.rgb);
+    }
+    assert_true(changed > 0);
+    free(nearest.rgb);
+    scene_destroy(scene);
+}
+
+/** See #check_ties. */
+static void test_ties(void **state) {
+    (void)state;
+    for_every_engine(check_ties);
+}
+
 /** Engines of one number type draw the same bits, in every direction of rounding. */
 static void test_same_bits(void **state) {
     (void)state;
@@ -389,6 +413,12 @@ static LayerStats measure_layer(const char *path, const char *engine, Layer laye
     return stats;
 }
 
+/** Fails unless a share of pixels is, when rounded to 0.1 %, that of doc/laboratory.md. */
+static void assert_documented_share(const LayerStats *stats, double percent) {
+    double share = 100 * (double)stats->artifact_pixels / (double)stats->pixel_count;
+    assert_at_most(fabs(share - percent), 0.05, "share of pixels %g %%, not %g %%", share, percent);
+}
+
 /**
  * The layer finds pixels of `chess.lua` that hang on the last bit in float, no fewer than those
  * that are wrong, and none in double.
@@ -403,6 +433,8 @@ static void test_layer(void **state) {
            (double)single.pixel_count, (double)wrong.artifact_pixels);
     assert_true(wrong.artifact_pixels > 0 && single.artifact_pixels >= wrong.artifact_pixels);
     assert_int_equal((int)twofold.artifact_pixels, 0);
+    assert_documented_share(&single, 0.4);
+    assert_documented_share(&wrong, 0.1);
 }
 
 /**
@@ -416,13 +448,16 @@ static void test_blind_spot(void **state) {
     printf("ground-sphere: in float %g of %g pixels hang on the last bit, and %g are wrong\n",
            (double)seen.artifact_pixels, (double)seen.pixel_count, (double)wrong.artifact_pixels);
     assert_true(wrong.artifact_pixels > 5 * seen.artifact_pixels);
+    assert_documented_share(&seen, 0.1);
+    assert_documented_share(&wrong, 1.0);
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_shapes),        cmocka_unit_test(test_edges),
-        cmocka_unit_test(test_mesh_pictures), cmocka_unit_test(test_same_bits),
-        cmocka_unit_test(test_layer),         cmocka_unit_test(test_blind_spot),
+        cmocka_unit_test(test_mesh_pictures), cmocka_unit_test(test_ties),
+        cmocka_unit_test(test_same_bits),     cmocka_unit_test(test_layer),
+        cmocka_unit_test(test_blind_spot),
     };
     return cmocka_run_group_tests_name("rounding", tests, init_transforms, NULL);
 }

@@ -182,6 +182,7 @@ typedef struct TraceSettings {
     double footprint;  /**< Sphere tracing stops nearer to a surface than this fraction of half
                             a pixel, as seen from the camera; 0: at the tolerance alone. */
     double relaxation; /**< Factor of over-relaxation of its steps; 0: chosen automatically. */
+    bool is_unlit;     /**< Whether lights are only seen and give no light. */
 } TraceSettings;
 
 /** Statistics of a tracer. */

@@ -27,8 +27,9 @@ typedef enum {
 /** The light of the picture. */
 typedef enum {
     LIGHTING_FULL,       /**< Lights and ambient light of the scene: the default. */
-    LIGHTING_NO_AMBIENT, /**< The lights alone. */
-    LIGHTING_UNLIT,      /**< White ambient light alone: shapes show their albedo. */
+    LIGHTING_NO_AMBIENT, /**< The lights alone, under a black sky. */
+    LIGHTING_UNLIT,      /**< White ambient light alone: shapes show their albedo, and what glows
+                              still glows. */
     LIGHTING_MODE_COUNT  /**< Number of modes. */
 } LightingMode;
 

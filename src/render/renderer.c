@@ -54,6 +54,7 @@ TraceSettings renderer_trace_settings(const Renderer *renderer, const Renderer *
     const RenderSettings *settings = &renderer->settings;
     TraceSettings trace = settings->trace;
     trace.samples = settings->samples;
+    trace.is_unlit = settings->lighting == LIGHTING_UNLIT;
     trace.parallel_for =
         (ParallelFor){renderer->thread_pool, settings->threads, parallel_for_thread_pool};
     trace.reuse_from =
@@ -66,9 +67,9 @@ Scene renderer_lit_scene(const Renderer *renderer, const Scene *scene) {
     Scene lit = *scene;
     if (renderer->settings.lighting == LIGHTING_NO_AMBIENT) {
         lit.ambient = black;
+        lit.sky = (SceneSky){0};
     } else if (renderer->settings.lighting == LIGHTING_UNLIT) {
         lit.ambient = white;
-        lit.light_count = 0;
     }
     return lit;
 }

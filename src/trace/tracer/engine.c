@@ -48,13 +48,14 @@ static void engine_set_view(Tracer *tracer, const Scene *scene, int width, int h
     tracer->camera = camera_of(&camera, width, height);
     footprint_set_camera(&tracer->meshes.footprint, &tracer->camera);
     dielectrics_set_camera(&tracer->dielectrics, tracer->camera.origin);
-    for (size_t i = 0; i < tracer->light_count; i++) {
+    for (size_t i = 0; i < tracer->seen_light_count; i++) {
         SceneLight light = scene->lights[i];
         keyword_translate(scene_light_keyword_for(&light), &light, shift);
         tracer->lights[i] = light_of(&light, tracer->samples);
         tracer->has_soft_shadows = tracer->has_soft_shadows || tracer->lights[i].is_soft;
     }
-    emitters_set(&tracer->emitters, scene, tracer->lights, tracer->light_count, tracer->origin);
+    emitters_set(&tracer->emitters, scene, tracer->lights, tracer->seen_light_count,
+                 tracer->origin);
 }
 
 /**
@@ -74,7 +75,8 @@ static Tracer *tracer_create(const Scene *scene, Vec3d origin, const TraceSettin
     bool is_recursive = scene_has_reflection(scene) || scene_has_transparency(scene);
     *tracer =
         (Tracer){.sky = sky_of(&scene->sky),
-                 .light_count = scene->light_count,
+                 .light_count = settings->is_unlit ? 0 : scene->light_count,
+                 .seen_light_count = scene->light_count,
                  .depth = is_recursive ? settings->depth : 0,
                  .cutoff = (scalar)(settings->cutoff > 0 ? settings->cutoff : THROUGHPUT_CUTOFF),
                  .samples = settings->samples,

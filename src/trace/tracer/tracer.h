@@ -26,7 +26,8 @@ struct Tracer {
     Dielectrics dielectrics; /**< The transparent shapes. */
     Material *materials;     /**< The materials; owned. */
     Light *lights;           /**< The lights; owned. */
-    size_t light_count;      /**< Number of lights. */
+    size_t light_count;      /**< Number of lights that give light. */
+    size_t seen_light_count; /**< Number of lights; those with an area are seen. */
     Emitters emitters;       /**< The visible lights. */
     int samples;             /**< Rays per pixel. */
     bool has_soft_shadows;   /**< Whether any light casts soft shadows. */

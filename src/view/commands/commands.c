@@ -62,6 +62,15 @@ static void step_time(App *app, int steps) {
     }
 }
 
+/** Changes between flying and walking. */
+static void toggle_walking(App *app, int argument) {
+    (void)argument;
+    bool is_walking = app->input.camera_motion == MOTION_FLY;
+    app->input.camera_motion = is_walking ? MOTION_WALK : MOTION_FLY;
+    app_set_status(app, is_walking ? N_("walking: forward stays at one height")
+                                   : N_("flying: forward is where the camera looks"));
+}
+
 /** Puts the scene's own view back. */
 static void reset_view(App *app, int argument) {
     (void)argument;
@@ -310,6 +319,7 @@ const Command command_table[] = {
     {"camera right", {NAMED(RIGHT, "→")}, N_("right"), CAMERA, .help = N_("left, right"), MOVES(CAMERA, RIGHT, 1)},
     {"camera forward", {NAMED(PAGEUP, N_("Page Up"))}, N_("forward"), CAMERA, .help = N_("forward, back"), MOVES(CAMERA, FORWARD, 1)},
     {"camera back", {NAMED(PAGEDOWN, N_("Page Down"))}, N_("back"), CAMERA, .help = N_("forward, back"), MOVES(CAMERA, FORWARD, -1)},
+    {"walk", {NAMED(END, N_("End"))}, N_("walk"), CAMERA, .help = N_("walk at one height, or fly"), RUNS(toggle_walking, 0)},
     {NULL, {NO_KEY(N_("Mouse drag"))}, NULL, CAMERA, .help = N_("look around")},
     {NULL, {NO_KEY(N_("Wheel"))}, NULL, CAMERA, .help = N_("field of view")},
 

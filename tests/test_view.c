@@ -646,7 +646,7 @@ static void test_scene_text(void **state) {
         text, "camera { position = {0.10000000000000001, -2, 1.0000000000000001e-30}, "
               "direction = {1, 0, 0}, up = {0, 1, 0}, fov = 60 }  "
               "light { position = {0, 1.8999999999999999, 0}, color = {1, 1, 1}, intensity = 1, "
-              "falloff = \"none\", radius = 0 }");
+              "falloff = \"none\", falloff_constant = 2, radius = 0 }");
 }
 
 /** The title shows pass and speed. */

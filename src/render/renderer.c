@@ -21,8 +21,6 @@ int render_cpu_count(void) {
 RenderSettings render_settings_default(const Scene *scene) {
     /** The constant offset of the textbook tracer, scene units. */
     const double report_epsilon = 1e-4;
-    /** Distance to a surface at which sphere tracing stops, in half pixels (doc/marching.md). */
-    const double footprint = 0.125;
     PrecisionEstimate estimate = precision_estimate_of(scene);
     int depth = scene->image.depth;
     return (RenderSettings){
@@ -35,7 +33,7 @@ RenderSettings render_settings_default(const Scene *scene) {
         .trace = {.depth = depth == IMAGE_DEPTH_AUTO ? estimate.depth : depth,
                   .offset = OFFSET_BOUND,
                   .epsilon = report_epsilon,
-                  .footprint = footprint},
+                  .footprint = RENDER_FOOTPRINT},
     };
 }
 

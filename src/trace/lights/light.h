@@ -67,6 +67,9 @@ struct Light {
     scalar falloff_constant;     /**< Scene units. */
     bool is_visible;             /**< Whether rays see it. */
     bool is_soft;                /**< Whether each shadow ray goes to another point of it. */
+    bool is_at_infinity;         /**< Whether its light is parallel. */
+    unsigned methods; /**< Methods of the reports for its shadows: a set of #ReportMethod. */
+    Rgb radiance;     /**< As bright as rays see it: #intensity, unless a report's. */
     real own[LIGHT_OWN_VECTORS]; /**< The class's own struct; see #light_own. */
 };
 
@@ -175,8 +178,8 @@ INLINE real light_attenuation(const Light *light, const LightSample *sample, int
         attenuation = attenuation /
                       real_max(sample->distance_squared[v], real_of(light->min_distance_squared));
     } else if (light->is_inverse_linear) {
-        real distance = real_sqrt(
-            real_max(sample->distance_squared[v], real_of(light->min_distance_squared)));
+        real distance =
+            real_sqrt(real_max(sample->distance_squared[v], real_of(light->min_distance_squared)));
         attenuation = attenuation / (light->falloff_constant + distance);
     }
     return attenuation;

@@ -30,6 +30,7 @@ static void sun_init(Light *self, const SceneLight *said, int samples) {
     *(Sun *)self->own = (Sun){vec3_of(vec3d_scale(direction, -1))};
     self->sample = sun_sample;
     self->is_inverse_square = self->is_inverse_linear = false;
+    self->is_at_infinity = true;
 }
 
 /** The class of `sun`. */

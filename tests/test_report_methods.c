@@ -246,30 +246,29 @@ static Quadruple sphere_distance(const Engine *engine, MethodSet set, double awa
 }
 
 /**
- * Each formula is right in quad. In float the quadratics of A and C are off by over a millionth at
- * 100 radii, where ours is exact to a rounding. D's projection misses a sphere that the ray
+ * Each formula is right but for roundings. At 536 radii the quadratics of A and C are off by over
+ * 32 of them, in every number type, and ours by a few. D's projection misses a sphere that the ray
  * starts in, looking away from its centre.
  */
 static void check_spheres(const Engine *engine) {
+    double worst[METHODS_COUNT] = {0};
     for (int power = 2; power < 10; power++) {
-        // Exact in float, and their squares are not.
-        double away = round_to_float(M_PI / 3) * (1 << power), beside = round_to_float(0.7);
-        Quadruple truth = (Quadruple)away - root_near_one(1 - (Quadruple)beside * (Quadruple)beside);
-        double own = 0;
-        for (int set = METHODS_OWN; set < METHODS_COUNT; set++) {
-            Quadruple found = sphere_distance(engine, (MethodSet)set, away, beside, false);
-            double error = fabs((double)(found / truth - 1));
-            double scale = set == METHODS_OWN || set == METHODS_REPORT_B ? 1 : away * away;
-            assert_at_most(error, 8 * scale * (double)roundoff(engine), "set %d, %g away, in %s",
-                           set, away, engine->name);
-            own = set == METHODS_OWN ? error : own;
-            bool is_quadratic = set == METHODS_REPORT_A || set == METHODS_REPORT_C;
-            if (power == 9 && is_quadratic) {
-                assert_true(error > 8 * own);
-                assert_true(engine->mantissa_bits > 24 || error > 1e-5);
+        for (int i = 0; i < 8; i++) {
+            // Exact in float, and their squares are not.
+            double away = round_to_float(M_PI / 3) * (1 << power);
+            double beside = round_to_float(0.7 - 0.05 * i);
+            Quadruple truth =
+                (Quadruple)away - root_near_one(1 - (Quadruple)beside * (Quadruple)beside);
+            for (int set = METHODS_OWN; set < METHODS_COUNT; set++) {
+                Quadruple found = sphere_distance(engine, (MethodSet)set, away, beside, false);
+                double error = fabs((double)(found / truth - 1)) / (double)roundoff(engine);
+                double scale = set == METHODS_OWN || set == METHODS_REPORT_B ? 1 : away * away;
+                assert_at_most(error, 8 * scale, "set %d, %g away, in %s", set, away, engine->name);
+                worst[set] = power == 9 ? fmax(worst[set], error) : 0;
             }
         }
     }
+    assert_true(worst[METHODS_REPORT_A] > 32 && worst[METHODS_REPORT_C] > 32);
     assert_true(sphere_distance(engine, METHODS_OWN, 0.5, 0, true) > 0);
     assert_true(sphere_distance(engine, METHODS_REPORT_A, 0.5, 0, true) > 0);
     assert_true(sphere_distance(engine, METHODS_REPORT_D, 0.5, 0, true) < 0);

@@ -235,10 +235,10 @@ static Quadruple sphere_distance(const Engine *engine, MethodSet set, double awa
     RayResult result;
     Scene *scene = create_empty_scene();
     // A second shape keeps the origin of the tracer's coordinates at zero.
-    add_shape(scene, "sphere", &(SphereParameters){{0, 0, -away}, 1});
+    add_shape(scene, "sphere", &(SphereParameters){{1.125, 2.375, -away}, 1});
     add_shape(scene, "sphere", &(SphereParameters){{9, 0, away}, 1e-3});
     Tracer *tracer = create_methods_tracer(engine, scene, set, PIXEL_CENTER);
-    RayQueryQuad query = {{(Quadruple)beside, 0, 0}, {0, 0, looks_away ? 1 : -1}};
+    RayQueryQuad query = {{(Quadruple)(1.125 + beside), 2.375, 0}, {0, 0, looks_away ? 1 : -1}};
     engine->intersect(tracer, 1, &query, &result);
     engine->destroy(tracer);
     scene_destroy(scene);
@@ -256,7 +256,7 @@ static void check_spheres(const Engine *engine) {
         for (int i = 0; i < 8; i++) {
             // Exact in float, and their squares are not.
             double away = round_to_float(M_PI / 3) * (1 << power);
-            double beside = round_to_float(0.7 - 0.05 * i);
+            double beside = (2800 - 201 * i) / 4096.0;
             Quadruple truth =
                 (Quadruple)away - root_near_one(1 - (Quadruple)beside * (Quadruple)beside);
             for (int set = METHODS_OWN; set < METHODS_COUNT; set++) {

@@ -255,8 +255,9 @@ static void check_spheres(const Engine *engine) {
     for (int power = 2; power < 10; power++) {
         for (int i = 0; i < 8; i++) {
             // Exact in the engine's numbers, and its square is not, but for quad.
-            double third = engine->mantissa_bits == 24 ? round_to_float(M_PI / 3) : M_PI / 3;
-            double away = third * (1 << power);
+            double near = M_PI / 3 + 0.013 * i;
+            double away =
+                (engine->mantissa_bits == 24 ? round_to_float(near) : near) * (1 << power);
             double beside = (2800 - 201 * i) / 4096.0;
             Quadruple truth =
                 (Quadruple)away - root_near_one(1 - (Quadruple)beside * (Quadruple)beside);

@@ -78,6 +78,12 @@ RenderSettings render_settings_default(const Scene *scene);
 /** The words of `--methods`, in the order of #MethodSet; ended by NULL. */
 extern const char *const method_set_words[];
 
+/** The words of `--pixel`, in the order of #PixelPoint; ended by NULL. */
+extern const char *const pixel_point_words[];
+
+/** @return Where in its pixel a ray goes, in English: to be put behind "rays go". */
+const char *pixel_point_name(PixelPoint point);
+
 /** @return Whose methods they are, in English. */
 const char *method_set_name(MethodSet set);
 

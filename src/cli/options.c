@@ -144,8 +144,6 @@ static bool parse_frames(const OptionSpec *option, const char *text, Options *op
 
 /** Values of `--sampling`, in the order of #Sampling. */
 static const char *const sampling_words[] = {"adaptive", "full", NULL};
-/** Values of `--pixel`, in the order of #PixelPoint. */
-static const char *const pixel_words[] = {"center", "corner", NULL};
 /** Values of `--rays`, in the order of #BenchRays. */
 static const char *const rays_words[] = {"image", "primary", "random", NULL};
 /** Values of `--keys`, in the order of #KeyBinding. */
@@ -195,11 +193,11 @@ static const OptionSpec option_specs[] = {
      .commands = TRACING, .help = N_("none, fixed or bound: how rays leave a surface")},
     {"epsilon", 0, N_("LENGTH"), STORES(number, epsilon), .commands = SCENES,
      .help = N_("for --offset fixed, scene units")},
-    {"pixel", 0, N_("POINT"), STORES(word, pixel), .words = pixel_words,
-     .commands = TRACING & ~COMMAND_CHART,
+    {"pixel", 0, N_("POINT"), STORES(word, pixel), .words = pixel_point_words,
+     .commands = TRACING & ~(COMMAND_CHART | COMMAND_INFO),
      .help = N_("center or corner: where in its pixel a ray goes")},
     {"methods", 0, N_("WHOSE"), STORES(word, methods), .words = method_set_words,
-     .commands = TRACING & ~COMMAND_CHART,
+     .commands = TRACING & ~(COMMAND_CHART | COMMAND_INFO),
      .help = N_("own, a, b, c or d: as one of the four reports did it")},
     {"base-dir", 0, N_("DIR"), STORES(text, base_dir), .commands = SCENES,
      .help = N_("where the files lie that the scene names")},

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The table of the reports' methods: a row per report.
+ * @brief The table of the reports' methods: a row per report; words for them and for pixels.
  */
 #include "base/language.h"
 #include "dioptre/renderer.h"
@@ -55,6 +55,13 @@ static const MethodSetRow rows[METHODS_COUNT] = {
 };
 
 const char *const method_set_words[] = {"own", "a", "b", "c", "d", NULL};
+
+const char *const pixel_point_words[] = {"center", "corner", NULL};
+
+const char *pixel_point_name(PixelPoint point) {
+    return point == PIXEL_CORNER ? N_("through the corners of pixels")
+                                 : N_("through the centres of pixels");
+}
 
 const char *method_set_name(MethodSet set) {
     return rows[set].name;

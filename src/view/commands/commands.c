@@ -137,8 +137,7 @@ static void change_pixel(App *app, int step) {
     Viewport *viewport = window_active_viewport(&app->window);
     RenderSettings settings = app->window.base_settings;
     settings_override_apply(&viewport->overrides, &settings);
-    app_set_status(app, "rays go %s of the pixels",
-                   gettext(pixel_point_name(settings.trace.pixel_point)));
+    app_set_status(app, "rays go %s", gettext(pixel_point_name(settings.trace.pixel_point)));
 }
 
 /** Changes whose methods the picture is traced with. See #settings_override_methods. */

@@ -73,7 +73,7 @@ static void add_settings(Hud *hud, const Viewport *viewport) {
                 settings->trace.depth, settings->samples);
     hud_add_row(hud, gettext("light"), "%s", gettext(light_mode_name(settings->lighting)));
     if (settings->trace.pixel_point != PIXEL_CENTER) {
-        hud_add_row(hud, gettext("pixels"), "%s",
+        hud_add_row(hud, gettext("rays go"), "%s",
                     gettext(pixel_point_name(settings->trace.pixel_point)));
     }
     if (settings->method_set != METHODS_OWN) {

@@ -126,10 +126,6 @@ void settings_override_methods(SettingsOverride *overrides, const RenderSettings
     overrides->mask &= ~(unsigned)(SETTING_OFFSET | SETTING_EPSILON);
 }
 
-const char *pixel_point_name(PixelPoint point) {
-    return point == PIXEL_CORNER ? N_("through the corners") : N_("through the centres");
-}
-
 const char *light_mode_name(LightingMode light) {
     static const char *const names[] = {N_("light and ambient"), N_("light alone"), N_("none")};
     return names[light];

@@ -65,9 +65,6 @@ void settings_override_pixel(SettingsOverride *overrides, const RenderSettings *
 void settings_override_methods(SettingsOverride *overrides, const RenderSettings *current,
                                int step);
 
-/** @return Name of a point of a pixel, in English. */
-const char *pixel_point_name(PixelPoint point);
-
 /** @return Name of a lighting mode, in English. */
 const char *light_mode_name(LightingMode light);
 

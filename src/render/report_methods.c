@@ -20,8 +20,8 @@ typedef struct MethodSetRow {
 
 /** The reports, in the order of #MethodSet. */
 static const MethodSetRow rows[METHODS_COUNT] = {
-    [METHODS_OWN] = {.name = N_("our own methods"),
-                     .effect = N_("every ray by the methods of this program"),
+    [METHODS_OWN] = {.name = N_("by our own methods"),
+                     .effect = N_("every ray as this program follows it"),
                      .offset = OFFSET_BOUND,
                      .has_footprint = true},
     [METHODS_REPORT_A] = {.name = N_("as report A"),

@@ -146,7 +146,7 @@ static void change_methods(App *app, int step) {
     Viewport *viewport = window_active_viewport(&app->window);
     RenderSettings settings = app->window.base_settings;
     settings_override_apply(&viewport->overrides, &settings);
-    app_set_status(app, "%s: %s", gettext(method_set_name(settings.method_set)),
+    app_set_status(app, "%s (%s)", gettext(method_set_name(settings.method_set)),
                    gettext(method_set_effect(settings.method_set)));
 }
 

@@ -8,6 +8,7 @@
 #include "assets/meshes/vertex_welder.h"
 #include "dioptre/parameter.h"
 
+#include <fenv.h>
 #include <float.h>
 #include <time.h>
 
@@ -393,6 +394,26 @@ static void test_vertex_welder(void **state) {
     vertex_welder_deinit(&pool);
 }
 
+/** Zeros of both signs are one vertex, in whichever direction the processor rounds. */
+static void test_welded_zeros(void **state) {
+    (void)state;
+    static const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+    for (size_t i = 0; i < COUNT(modes); i++) {
+        VertexWelder pool = {.dimension = 3};
+        uint32_t id = 1;
+        assert_int_equal(fesetround(modes[i]), 0);
+        for (int signs = 0; signs < 8; signs++) {
+            const double point[] = {signs & 1 ? -0.0 : 0.0, signs & 2 ? -0.0 : 0.0,
+                                    signs & 4 ? -0.0 : 0.0};
+            bool is_added = vertex_welder_add(&pool, point, &id);
+            assert_true(is_added && id == 0);
+        }
+        assert_int_equal(fesetround(FE_TONEAREST), 0);
+        assert_int_equal(pool.count, 1);
+        vertex_welder_deinit(&pool);
+    }
+}
+
 // --- refused files -------------------------------------------------------------------------------
 
 /** Invalid texts are refused with a reason. */
@@ -552,6 +573,7 @@ int main(void) {
         cmocka_unit_test(test_smooth_extremes),
         cmocka_unit_test(test_check),
         cmocka_unit_test(test_vertex_welder),
+        cmocka_unit_test(test_welded_zeros),
         cmocka_unit_test_setup_teardown(test_refused_texts, mesh_fixture_set_up, fixture_tear_down),
         cmocka_unit_test_setup_teardown(test_hostile, mesh_fixture_set_up, fixture_tear_down),
         cmocka_unit_test_setup_teardown(test_crash, mesh_fixture_set_up, fixture_tear_down),

@@ -4,6 +4,7 @@
  */
 #include "fixtures.h"
 
+#include <fenv.h>
 #include <float.h>
 
 /** Both encodings. */
@@ -34,6 +35,18 @@ static void test_steps_round_trip(void **state) {
             double light = encoding_decode(encodings[i], step);
             assert_int_equal(encoder_encode(&encoder, (float)light), step);
         }
+    }
+}
+
+/** White is light of 1 and no more, in whichever direction the processor rounds. */
+static void test_white(void **state) {
+    (void)state;
+    static const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+    for (size_t i = 0; i < sizeof modes / sizeof *modes; i++) {
+        assert_int_equal(fesetround(modes[i]), 0);
+        double light = encoding_decode(ENCODING_SRGB, UINT8_MAX);
+        assert_int_equal(fesetround(FE_TONEAREST), 0);
+        assert_true(light <= 1 && light > 1 - 1e-12);
     }
 }
 
@@ -155,10 +168,10 @@ static void test_compare_different(void **state) {
 /** Runs the tests. @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_steps_round_trip),     cmocka_unit_test(test_thresholds),
-        cmocka_unit_test(test_one_threshold_a_cell), cmocka_unit_test(test_odd_lights),
-        cmocka_unit_test(test_many_lights),          cmocka_unit_test(test_compare_equal),
-        cmocka_unit_test(test_compare_different),
+        cmocka_unit_test(test_steps_round_trip), cmocka_unit_test(test_white),
+        cmocka_unit_test(test_thresholds),       cmocka_unit_test(test_one_threshold_a_cell),
+        cmocka_unit_test(test_odd_lights),       cmocka_unit_test(test_many_lights),
+        cmocka_unit_test(test_compare_equal),    cmocka_unit_test(test_compare_different),
     };
     return cmocka_run_group_tests_name("picture", tests, NULL, NULL);
 }

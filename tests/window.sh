@@ -267,9 +267,10 @@ leave
 # --- layers, settings, two pictures --------------------------------------------------------------
 open "$box" --samples 1
 screen light
-names=(normals distance shapes 'places on pictures' 'rays spent' 'marching steps' 'time spent' error 'acne and leaks')
-for key in 2 3 4 5 6 7 8 9 0; do
-    name=${names[key == 0 ? 8 : key - 2]}
+names=(normals distance shapes 'places on pictures' 'rays spent' 'marching steps' 'time spent' error rounding 'acne and leaks')
+keys=(2 3 4 5 6 7 8 9 u 0)
+for i in "${!keys[@]}"; do
+    key=${keys[i]} name=${names[i]}
     xdotool key "$key"
     # Quad takes its time.
     [ "$key" = 9 ] && state='' || state='1 px, .*finished'

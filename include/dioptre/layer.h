@@ -25,6 +25,8 @@ typedef enum Layer {
     LAYER_TIME,     /**< Time per pixel. */
     LAYER_ERROR,    /**< Difference from the colour of the reference engine. */
     LAYER_ACNE,     /**< Self-intersections, and hits that are missed. */
+    LAYER_ROUNDING, /**< Difference between pictures whose numbers are rounded to nearest, upwards
+                       and downwards. */
     LAYER_COUNT     /**< Number of layers. */
 } Layer;
 
@@ -51,8 +53,8 @@ typedef struct LayerStats {
     Layer layer;              /**< The layer. */
     LayerScale scale;         /**< Its scale; zero for layers without one. */
     uint64_t pixel_count;     /**< Rays, one per pixel at full resolution. */
-    uint64_t artifact_pixels; /**< Of these, in #LAYER_ACNE: with acne; in #LAYER_ERROR: with an
-                                 error of more than a step. */
+    uint64_t artifact_pixels; /**< Of these, in #LAYER_ACNE: with acne; in #LAYER_ERROR and
+                                 #LAYER_ROUNDING: with a number of more than a step. */
     uint64_t leak_pixels;     /**< In #LAYER_ACNE: with a leak. */
 } LayerStats;
 

@@ -163,6 +163,18 @@ bool renderer_start(Renderer *renderer, const Scene *scene, int width, int heigh
  */
 void renderer_set_layer(Renderer *renderer, Layer layer);
 
+/**
+ * Measures a layer in one call, without a picture.
+ * @param renderer    The renderer; rendering in the background is stopped, its layer stays set.
+ * @param scene       Source of camera and lights; same shapes as before.
+ * @param layer       The layer; not #LAYER_SHADED.
+ * @param[out] stats  Its statistics, of one ray per pixel.
+ * @param[out] error  No memory.
+ * @return false without memory.
+ */
+bool renderer_measure_layer(Renderer *renderer, const Scene *scene, Layer layer, LayerStats *stats,
+                            Error *error);
+
 /** Stops rendering in the background and waits until it has stopped. */
 void renderer_stop(Renderer *renderer);
 

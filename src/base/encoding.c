@@ -36,5 +36,6 @@ double encoding_decode(Encoding encoding, double code) {
     if (encoded <= SRGB_ENCODED_END) {
         return encoded / SRGB_SLOPE;
     }
-    return pow((encoded + SRGB_OFFSET) / (1 + SRGB_OFFSET), SRGB_GAMMA);
+    // At most 1, also while the processor rounds upwards: white is a valid colour.
+    return fmin(pow((encoded + SRGB_OFFSET) / (1 + SRGB_OFFSET), SRGB_GAMMA), 1);
 }

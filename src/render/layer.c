@@ -241,6 +241,14 @@ static const LayerClass layers[LAYER_COUNT] = {
                     .measure = measure_artifacts,
                     .classify = classify_path,
                     .color = color_artifact},
+    [LAYER_ROUNDING] = {.name = N_("rounding"),
+                        .unit = N_("steps of 255"),
+                        .scale_low = ERROR_SCALE_MINIMUM,
+                        .scale_high = ENCODING_CODE_MAXIMUM,
+                        .zero_label = N_("no difference"),
+                        .measure = measure_rounding,
+                        .classify = classify_error,
+                        .color = color_error},
 };
 
 const LayerClass *layer_class(Layer layer) {

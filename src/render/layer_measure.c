@@ -8,6 +8,7 @@
  */
 #include "base/encoding.h"
 #include "render/layer_renderer.h"
+#include "render/rounding_witness.h"
 
 /** Rows of rays that an engine of many lanes traces at once; between strips a pass can stop.
  * Engines of one lane, which are slow, trace one row. */
@@ -38,6 +39,11 @@ static float code_difference(const double a[3], const double b[3]) {
         }
     }
     return (float)largest;
+}
+
+/** @return The largest of the three differences of three colours. See #code_difference. */
+static float largest_difference(const double a[3], const double b[3], const double c[3]) {
+    return fmaxf(code_difference(a, b), fmaxf(code_difference(b, c), code_difference(c, a)));
 }
 
 /** @return Path hash of a pixel: equal where its rays hit the same shapes and lights. */
@@ -101,6 +107,13 @@ void measure_artifacts(const RenderPass *pass, const PixelGrid *strip, RayCounts
     }
 }
 
+/** Copies the light of one ray of a strip. @param rays Number of rays of the strip. */
+static void read_color(const double *colors, size_t rays, size_t i, double color[3]) {
+    for (size_t channel = 0; channel < 3; channel++) {
+        color[channel] = colors[channel * rays + i];
+    }
+}
+
 void measure_error(const RenderPass *pass, const PixelGrid *strip, RayCounts *counts) {
     const LayerRenderer *layer_renderer = &pass->renderer->layer_renderer;
     double colors[3 * STRIP_RAYS], reference_colors[3 * STRIP_RAYS];
@@ -114,12 +127,33 @@ void measure_error(const RenderPass *pass, const PixelGrid *strip, RayCounts *co
     }
     for (size_t i = 0; i < rays; i++) {
         int column = (int)(i % (size_t)strip->columns), row = (int)(i / (size_t)strip->columns);
-        const double a[3] = {colors[i], colors[rays + i], colors[2 * rays + i]};
-        const double b[3] = {reference_colors[i], reference_colors[rays + i],
-                             reference_colors[2 * rays + i]};
+        double a[3], b[3];
+        read_color(colors, rays, i, a);
+        read_color(reference_colors, rays, i, b);
         float *values = layer_cell_values(pass, strip, column, row);
         values[0] = has_reference ? code_difference(a, b) : NAN;
         values[1] = has_reference ? 0 : perceived_brightness(pass, a);
+    }
+}
+
+void measure_rounding(const RenderPass *pass, const PixelGrid *strip, RayCounts *counts) {
+    double nearest[3 * STRIP_RAYS], upward[3 * STRIP_RAYS], downward[3 * STRIP_RAYS];
+    RayCounts other_counts = {0};
+    size_t rays = (size_t)strip->columns * (size_t)strip->rows;
+    pass->engine->trace(pass->tracer, strip, nearest, counts);
+    bool is_known =
+        trace_rounded(pass->engine, ROUNDING_UPWARD, pass->tracer, strip, upward, &other_counts) &&
+        trace_rounded(pass->engine, ROUNDING_DOWNWARD, pass->tracer, strip, downward,
+                      &other_counts);
+    for (size_t i = 0; i < rays; i++) {
+        int column = (int)(i % (size_t)strip->columns), row = (int)(i / (size_t)strip->columns);
+        double a[3], b[3], c[3];
+        read_color(nearest, rays, i, a);
+        read_color(upward, rays, i, b);
+        read_color(downward, rays, i, c);
+        float *values = layer_cell_values(pass, strip, column, row);
+        values[0] = is_known ? largest_difference(a, b, c) : NAN;
+        values[1] = is_known ? 0 : perceived_brightness(pass, a);
     }
 }
 

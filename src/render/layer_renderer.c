@@ -132,6 +132,9 @@ static LayerScale scale_of_values(const RenderPass *pass) {
 static void fill_cell(const RenderPass *pass, const PixelGrid *tile, int column, int row,
                       const uint8_t rgb[3]) {
     int stride = pass->range.stride;
+    if (!pass->picture) {
+        return;
+    }
     for (int y = row * stride; y < (row + 1) * stride && y < tile->rows; y++) {
         size_t first_pixel = (size_t)(tile->y + y) * (size_t)pass->width + (size_t)tile->x;
         for (int x = column * stride; x < (column + 1) * stride && x < tile->columns; x++) {
@@ -181,4 +184,23 @@ LayerPasses layer_passes(const Renderer *renderer) {
     }
     return (LayerPasses){layer->repeats > 0 ? layer->repeats : 1, layer->has_preview,
                          render_pass_run_layer};
+}
+
+bool renderer_measure_layer(Renderer *renderer, const Scene *scene, Layer layer, LayerStats *stats,
+                            Error *error) {
+    const RenderSettings *settings = &renderer->settings;
+    Layer shown = renderer->layer_renderer.layer;
+    renderer_set_layer(renderer, layer);
+    bool is_ready =
+        layer_renderer_prepare(renderer, scene, settings->width, settings->height, error);
+    if (is_ready) {
+        settings->engine->set_view(renderer->tracer, scene, settings->width, settings->height);
+        RenderPass pass = renderer_make_pass(renderer, settings->width, settings->height, NULL);
+        pass.layer = layer;
+        pass.range.stride = 1;
+        render_pass_run_layer(&pass);
+        *stats = render_pass_stats(&pass, true).layer;
+    }
+    renderer_set_layer(renderer, shown);
+    return is_ready;
 }

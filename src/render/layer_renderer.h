@@ -66,13 +66,17 @@ const LayerClass *layer_class(Layer layer);
 /** Measures the error against the reference engine. See #LayerClass.measure. */
 void measure_error(const RenderPass *pass, const PixelGrid *strip, RayCounts *counts);
 
+/** Measures how far a pixel changes when numbers are rounded upwards and downwards, not to nearest.
+ *  See #LayerClass.measure. */
+void measure_rounding(const RenderPass *pass, const PixelGrid *strip, RayCounts *counts);
+
 /** Compares paths with those of the reference engine. See #LayerClass.measure. */
 void measure_artifacts(const RenderPass *pass, const PixelGrid *strip, RayCounts *counts);
 
 /** Measures the time per ray; of several passes the shortest counts. See #LayerClass.measure. */
 void measure_time(const RenderPass *pass, const PixelGrid *strip, RayCounts *counts);
 
-/** Counts errors of more than a step as #ARTIFACT_ACNE. See #LayerClass.classify. */
+/** Counts numbers of more than a step as #ARTIFACT_ACNE. See #LayerClass.classify. */
 ShadingArtifact classify_error(const RenderPass *pass, size_t cell, float values[LAYER_VALUES]);
 
 /** Drops artefacts at edges, where either path is right. See #LayerClass.classify. */

@@ -80,7 +80,8 @@ bool vertex_welder_add(VertexWelder *welder, const double *point, uint32_t *inde
         return false;
     }
     for (size_t i = 0; i < welder->dimension; i++) {
-        canonical[i] = point[i] + 0.0; // -0 becomes 0.
+        // -0 becomes 0. The sum -0 + 0 would do so, but not when the processor rounds downwards.
+        canonical[i] = point[i] == 0 ? 0 : point[i];
     }
     uint32_t *slot = find_slot(welder, canonical);
     if (*slot == VERTEX_WELDER_NONE) {

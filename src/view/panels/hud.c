@@ -131,9 +131,10 @@ static void add_layer(Hud *hud, const LayerStats *report) {
     } else {
         add_ticks(hud, ticks, count);
     }
-    if (report->layer == LAYER_ERROR) {
-        add_fraction(hud, gettext("off by over a step"), report->artifact_pixels,
-                     report->pixel_count);
+    if (report->layer == LAYER_ERROR || report->layer == LAYER_ROUNDING) {
+        const char *kind = report->layer == LAYER_ERROR ? gettext("off by over a step")
+                                                        : gettext("change by over a step");
+        add_fraction(hud, kind, report->artifact_pixels, report->pixel_count);
     }
 }
 

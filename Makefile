@@ -204,6 +204,8 @@ $(BUILD)/tests/%: tests/%.c $(wildcard tests/*.h) $(ROOMS) $(WORKER)
 	@mkdir -p $(@D)
 	@ln -sfr $(WORKER) $(@D)
 	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,cmocka) $(ROOM_CFLAGS) -Itests -o $@ $< $(WITH_ROOMS) $(LIBRARIES) $(call PKG_LIBS,cmocka)
+# Ball arithmetic, which judges the laboratory's reference.
+$(BUILD)/tests/test_arb: private LIBRARIES += -lflint-arb -lflint
 
 .PHONY: test tests
 test: test-packages

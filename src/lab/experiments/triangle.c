@@ -33,9 +33,11 @@ static void write_face_input(SampleWriter *writer, const Icosphere *ball, const 
                              int face) {
     sample_writer_vec3(writer, ray[0]);
     sample_writer_vec3(writer, ray[1]);
+    Vec3q corners[3];
     for (int k = 0; k < 3; k++) {
-        sample_writer_vec3(writer, ball->vertices[face < 0 ? 0 : ball->faces[face][k]]);
+        corners[k] = ball->vertices[face < 0 ? 0 : ball->faces[face][k]];
     }
+    sample_writer_triangle(writer, corners);
 }
 
 /**
@@ -208,9 +210,7 @@ static void generate_triangle_ray(const ExperimentSetup *setup, const TestTriang
     Vec3q origin =
         sample_writer_vec3(&writer, vec3q_add(target, vec3q_scale(away, single->distance)));
     Vec3q direction = sample_writer_vec3(&writer, vec3q_normalize(vec3q_subtract(target, origin)));
-    for (int k = 0; k < 3; k++) {
-        sample_writer_vec3(&writer, c[k]);
-    }
+    sample_writer_triangle(&writer, c);
     sample->expected[0] = triangle_expected(origin, direction, c);
 }
 

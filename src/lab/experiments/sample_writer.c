@@ -39,15 +39,9 @@ void sample_writer_triangle(SampleWriter *writer, const Vec3q corners[3]) {
     e2 = permute_axes(e2, axis);
     // Across the fixed axis the triangle is one of two dimensions, with twice the area normal.z.
     Quadruple area = normal.z == 0 ? 1 : normal.z; // A triangle without area: any numbers.
-    const Quadruple rows[9] = {e2.y / area,
-                               -e2.x / area,
-                               (e2.x * a.y - e2.y * a.x) / area,
-                               -e1.y / area,
-                               e1.x / area,
-                               (e1.y * a.x - e1.x * a.y) / area,
-                               normal.x / area,
-                               normal.y / area,
-                               -vec3q_dot(normal, a) / area};
+    const Quadruple rows[9] = {e2.y / area,     -e2.x / area,    (e2.x * a.y - e2.y * a.x) / area,
+                               -e1.y / area,    e1.x / area,     (e1.y * a.x - e1.x * a.y) / area,
+                               normal.x / area, normal.y / area, -vec3q_dot(normal, a) / area};
     for (int i = 0; i < 9; i++) {
         sample_writer_number(writer, rows[i]);
     }

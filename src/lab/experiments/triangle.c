@@ -176,6 +176,64 @@ const Experiment triangle_corners_experiment = {
     .query_engine = query_icosphere,
 };
 
+/* --- whole numbers --- */
+
+/** Cells of the grid in a radius. */
+static const double grid_cells[] = {32, 128, 512, 2048, 8192};
+/** How far from the middle rays start, in radii: all of them leave through the face they aim at. */
+#define GRID_ORIGIN_RADIUS 0.25
+
+/** @return A vector with whole coordinates. */
+static Vec3q vec3q_whole(Vec3q v) {
+    // Halves are added before the fraction is cut off, away from zero.
+    return (Vec3q){(int)(v.x + (v.x < 0 ? -0.5 : 0.5)), (int)(v.y + (v.y < 0 ? -0.5 : 0.5)),
+                   (int)(v.z + (v.z < 0 ? -0.5 : 0.5))};
+}
+
+/** @return A closed surface with corners on a grid. See #Experiment.create_shared. @param level
+ *  Cells in its radius. */
+static void *build_grid_sphere(double level) {
+    Icosphere *ball = icosphere_create((Vec3q){0, 0, 0});
+    for (int i = 0; ball && i < ball->vertex_count; i++) {
+        ball->vertices[i] = vec3q_whole(vec3q_scale(ball->vertices[i], level));
+    }
+    return ball;
+}
+
+/** Generates a ray of whole numbers that runs exactly through a corner or the middle of an edge,
+ *  see #Experiment.generate. */
+static void generate_grid_ray(const ExperimentSetup *setup, Random *random,
+                              ExperimentSample *sample) {
+    const Icosphere *ball = setup->shared;
+    const int *face = ball->faces[random_bits(random) % ICOSPHERE_FACES];
+    size_t first = random_bits(random) % 3;
+    bool is_corner = random_bits(random) % 2;
+    const int ends[2] = {face[first], face[is_corner ? first : (first + 1) % 3]};
+    Vec3q inside = vec3q_scale(random_direction(random),
+                               setup->level * random_range(random, 0, GRID_ORIGIN_RADIUS));
+    Vec3q origin = vec3q_whole(inside);
+    Vec3q both = vec3q_add(ball->vertices[ends[0]], ball->vertices[ends[1]]);
+    Vec3q direction = vec3q_subtract(both, vec3q_scale(origin, 2)); // It ends at twice the way.
+    write_fan_faces(setup, (const Vec3q[]){origin, direction}, ends, sample);
+}
+
+const Experiment triangle_grid_experiment = {
+    .name = "triangle-grid",
+    .title = N_("Rays of whole numbers, exactly through corners and edges that are whole numbers"),
+    .family = "triangle",
+    .difficulty = N_("cells of the grid / radius"),
+    .levels = grid_cells,
+    .level_count = COUNT_OF(grid_cells),
+    .sample_count = 10000,
+    .queries_per_sample = SAMPLE_QUERIES_MAXIMUM,
+    .timed_level = 128,
+    .create_shared = build_grid_sphere,
+    .generate = generate_grid_ray,
+    .score_sample = score_faces,
+    .create_scene = icosphere_scene,
+    .query_engine = query_icosphere,
+};
+
 /* --- one triangle --- */
 
 /** A triangle in view. */

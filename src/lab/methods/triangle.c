@@ -221,16 +221,17 @@ static real triangle_row_times(const real *row, Vec3 v, real fixed) {
  * By a transformation that was computed before (Baldwin, Weber, *Fast Ray-Triangle Intersections by
  * Coordinate Transformation*, JCGT 2016).
  *
- *   M takes a to (0, 0, 0), b to (1, 0, 0), c to (0, 1, 0) and the plane to z = 0; one of its columns
- *   is 0, 0 and 1, whichever suits the largest component of the normal
- *   t = -z(P0) / z(d),  u = x(P0) + t x(d),  v = y(P0) + t y(d)
+ *   M takes a to (0, 0, 0), b to (1, 0, 0), c to (0, 1, 0) and the plane to z = 0; one of its
+ * columns is 0, 0 and 1, whichever suits the largest component of the normal t = -z(P0) / z(d),  u
+ * = x(P0) + t x(d),  v = y(P0) + t y(d)
  *
- * The fastest test, with 36 bytes more a triangle. Each triangle has a transformation of its own, so
- * its neighbour rounds the common edge differently: rays pass between them.
+ * The fastest test, with 36 bytes more a triangle. Each triangle has a transformation of its own,
+ * so its neighbour rounds the common edge differently: rays pass between them.
  */
 METHOD(triangle_baldwin_weber, TriangleInput, TriangleOutput) {
     const int axis = (int)in->axis;
-    Vec3 o = triangle_permute_axes(in->origin, axis), d = triangle_permute_axes(in->direction, axis);
+    Vec3 o = triangle_permute_axes(in->origin, axis),
+         d = triangle_permute_axes(in->direction, axis);
     const real *x = in->rows, *y = x + 3, *z = y + 3;
     real t = -(triangle_row_times(z, o, 1) + z[2]) / triangle_row_times(z, d, 1);
     real u = triangle_row_times(x, o, 0) + x[2] + t * triangle_row_times(x, d, 0);

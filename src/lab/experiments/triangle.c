@@ -158,6 +158,7 @@ const Experiment triangle_edges_experiment = {
     .score_sample = score_faces,
     .create_scene = icosphere_scene,
     .query_engine = query_icosphere,
+    .is_nearest_hit = true,
 };
 
 const Experiment triangle_corners_experiment = {
@@ -174,6 +175,7 @@ const Experiment triangle_corners_experiment = {
     .score_sample = score_faces,
     .create_scene = icosphere_scene,
     .query_engine = query_icosphere,
+    .is_nearest_hit = true,
 };
 
 /* --- whole numbers --- */
@@ -232,6 +234,7 @@ const Experiment triangle_grid_experiment = {
     .score_sample = score_faces,
     .create_scene = icosphere_scene,
     .query_engine = query_icosphere,
+    .is_nearest_hit = true,
 };
 
 /* --- one triangle --- */

@@ -48,7 +48,9 @@ enum { SDF_TAPE_REGISTERS = 256 };
 enum {
     SDF_TAPE_FACTOR = 0, /**< Factor of the result, so that it grows by at most 1 per unit. */
     SDF_TAPE_RESULT = 1, /**< Register of the result. */
-    SDF_TAPE_SLOPE = 2   /**< Largest slope that was found; 0: not measured. */
+    SDF_TAPE_SLOPE = 2,  /**< Largest slope that was found; 0: not measured. */
+    SDF_TAPE_CLAMPS = 3, /**< 1 if it grows faster outside its box: there it is not evaluated. */
+    SDF_TAPE_BOX = 4     /**< Its bounding box: six operands. */
 };
 
 /** Operands of a #SDF_TAPE_STEP node. */
@@ -147,14 +149,24 @@ typedef struct SdfTapeSlope {
 
 /** Slopes up to here are those of a distance; what is above 1 are roundings. */
 #define SDF_TAPE_SLOPE_MAXIMUM 1.000001
+/** Factor on the largest slope that was found: random pairs miss the steepest one. */
+#define SDF_TAPE_SLOPE_MARGIN 1.05
 
 /**
  * Measures the slope of a tape on random pairs of points, the same ones at each call: near and far
- * ones, in and around its bounding box, or within 32 units of zero where it has none.
- * @param field  A field that is a tape, with its bounding box.
+ * ones, in its bounding box, and within 32 units of zero along an axis where it has none.
+ * @param field   A field that is a tape, with its bounding box.
+ * @param growth  What the box is enlarged by for this, in its longest edge.
  * @return The largest slope.
  */
-SdfTapeSlope sdf_tape_measure_slope(const Sdf *field);
+SdfTapeSlope sdf_tape_measure_slope(const Sdf *field, double growth);
+
+/**
+ * Divides a tape by its slope, if it is more than 1, so that it is a bound of the distance.
+ * @param[in,out] field  A field that is a tape, with its bounding box.
+ * @return What was found.
+ */
+SdfTapeSlope sdf_tape_normalize(Sdf *field);
 
 /**
  * Checks a field that another process has made: no operation, register or count may lead out of it,

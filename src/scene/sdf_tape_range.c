@@ -8,13 +8,19 @@
 #include "scene/sdf_tape_range.h"
 
 /** What a box is enlarged by, per edge: far more than the roundings of a tape. */
-#define BOUNDS_MARGIN 0x1p-8
-/** Where a search for an end of a box starts, scene units: below #LENGTH_MAXIMUM. */
-#define BOUNDS_START 0x1p49
-/** Number of halvings of a search for an end of a box: down to 2^-20 units. */
-enum { BOUNDS_HALVINGS = 70 };
-/** Number of boxes that are examined where no end is found along the axes alone. */
-enum { BOUNDS_BOXES_MAXIMUM = 6000 };
+#define BOUNDS_MARGIN 0x1p-20
+/** Farthest coordinate at which the end of a surface is searched, scene units: #LENGTH_MAXIMUM. */
+#define BOUNDS_REACH 0x1p49
+/** Number of halvings of a search along an axis alone: down to 2^-20 units. */
+enum { AXIS_HALVINGS = 70 };
+/** Ratio of the outer size of a shell to its inner size. */
+#define SHELL_RATIO 8
+/** Smallest shell that is examined, scene units. */
+#define SHELL_MINIMUM 0x1p-20
+/** Largest number of halvings of a part of space, and of parts. */
+enum { PART_DEPTH = 16, PARTS_MAXIMUM = 1000 };
+/** Number of halvings of a search by parts: down to 2^-10 of the box. */
+enum { PART_HALVINGS = 10 };
 
 /* --- steps ------------------------------------------------------------------------------------ */
 
@@ -193,8 +199,17 @@ SdfRange sdf_tape_range(const SdfNode *tape, const SdfRange point[3]) {
 }
 
 double sdf_tape_value(const SdfNode *tape, Vec3d p) {
-    const SdfRange point[3] = {{p.x, p.x}, {p.y, p.y}, {p.z, p.z}};
-    return sdf_tape_range(tape, point).low;
+    double registers[SDF_TAPE_REGISTERS];
+    registers[0] = p.x;
+    registers[1] = p.y;
+    registers[2] = p.z;
+    for (const SdfNode *node = tape + 1; node <= tape + tape->body_count; node++) {
+        const double *operands = node->operands;
+        registers[(int)operands[SDF_STEP_TO]] =
+            step_value((SdfTapeOp)operands[SDF_STEP_OP], registers[(int)operands[SDF_STEP_A]],
+                       registers[(int)operands[SDF_STEP_B]], operands[SDF_STEP_CONSTANT]);
+    }
+    return registers[(int)tape->operands[SDF_TAPE_RESULT]];
 }
 
 /* --- bounding boxes --------------------------------------------------------------------------- */
@@ -220,42 +235,118 @@ static bool is_empty_beyond(const SdfNode *tape, int axis, bool is_high, double 
 /** @return The end of the surface along an axis; infinite if none is proven. @param is_high Whether
  *  the upper end. */
 static double find_end(const SdfNode *tape, int axis, bool is_high) {
-    double sign = is_high ? 1 : -1, inside = -BOUNDS_START, outside = BOUNDS_START;
+    double sign = is_high ? 1 : -1, inside = -BOUNDS_REACH, outside = BOUNDS_REACH;
     if (!is_empty_beyond(tape, axis, is_high, sign * outside)) {
         return sign * HUGE_VAL;
     }
-    for (int i = 0; i < BOUNDS_HALVINGS; i++) {
+    for (int i = 0; i < AXIS_HALVINGS; i++) {
         double middle = 0.5 * (inside + outside);
         *(is_empty_beyond(tape, axis, is_high, sign * middle) ? &outside : &inside) = middle;
     }
     return sign * outside;
 }
 
-/** The boxes that are examined, halved level by level. */
-typedef struct BoxQueue {
-    SdfRangeBox *boxes; /**< The boxes. */
-    int first;          /**< First that waits. */
-    int count;          /**< Number of boxes. */
-} BoxQueue;
+/** A proof that a tape is positive in a box, by halves of it. */
+typedef struct EmptinessProof {
+    const SdfNode *tape; /**< The tape. */
+    int parts_left;      /**< Number of parts that may still be examined. */
+} EmptinessProof;
+
+/** @return Whether a box is proven to be empty. @param depth Number of halvings left. */
+static bool is_empty_by_parts(EmptinessProof *proof, SdfRangeBox box, int depth) {
+    if (proof->parts_left-- <= 0) {
+        return false;
+    }
+    bool is_proven = is_empty(proof->tape, &box);
+    if (is_proven || depth == 0) {
+        return is_proven;
+    }
+    int longest = 0;
+    for (int axis = 1; axis < 3; axis++) {
+        bool is_longer = box.axes[axis].high - box.axes[axis].low >
+                         box.axes[longest].high - box.axes[longest].low;
+        longest = is_longer ? axis : longest;
+    }
+    SdfRangeBox halves[2] = {box, box};
+    halves[0].axes[longest].high = halves[1].axes[longest].low =
+        0.5 * (box.axes[longest].low + box.axes[longest].high);
+    return is_empty_by_parts(proof, halves[0], depth - 1) &&
+           is_empty_by_parts(proof, halves[1], depth - 1);
+}
+
+/** @return Whether the part of a box beyond a coordinate is proven to be empty. @param is_high
+ *  Whether above it, or else below it. */
+static bool is_part_empty(const SdfNode *tape, const SdfRangeBox *box, int axis, bool is_high,
+                          double coordinate) {
+    EmptinessProof proof = {tape, PARTS_MAXIMUM};
+    SdfRangeBox part = *box;
+    *(is_high ? &part.axes[axis].low : &part.axes[axis].high) = coordinate;
+    return is_empty_by_parts(&proof, part, PART_DEPTH);
+}
+
+/** @return Whether a cube around zero is proven to be empty but for a smaller one. */
+static bool is_shell_empty(const SdfNode *tape, double size) {
+    const SdfRange edge = {-size, size};
+    const SdfRangeBox cube = {{edge, edge, edge}};
+    bool is_shell = true;
+    for (int i = 0; i < 6 && is_shell; i++) {
+        double inner = size / SHELL_RATIO;
+        is_shell = is_part_empty(tape, &cube, i / 2, i % 2, i % 2 ? inner : -inner);
+    }
+    return is_shell;
+}
+
+/** Finds the ends of a surface that leans, so that no axis alone shows them: shells around zero are
+ *  empty, from the outermost one inwards. @param[in,out] box The box; infinite as before if nothing
+ *  is proven. */
+static void find_ends_by_parts(const SdfNode *tape, SdfRangeBox *box) {
+    double size = BOUNDS_REACH;
+    if (!is_shell_empty(tape, size)) {
+        return;
+    }
+    while (size > SHELL_MINIMUM && is_shell_empty(tape, size)) {
+        size /= SHELL_RATIO;
+    }
+    for (int axis = 0; axis < 3; axis++) {
+        SdfRange *range = &box->axes[axis];
+        *range = (SdfRange){fmax(range->low, -size), fmin(range->high, size)};
+    }
+    for (int side = 0; side < 6; side++) {
+        SdfRange *range = &box->axes[side / 2];
+        bool is_high = side % 2;
+        double inside = is_high ? range->low : range->high;
+        double *outside = is_high ? &range->high : &range->low, end = *outside;
+        for (int i = 0; i < PART_HALVINGS; i++) {
+            double middle = 0.5 * (inside + end);
+            *(is_part_empty(tape, box, side / 2, is_high, middle) ? &end : &inside) = middle;
+        }
+        *outside = end;
+    }
+}
 
 bool sdf_tape_find_bounds(Sdf *field) {
     const SdfNode *tape = field->nodes;
-    const SdfRangeBox space = {{everything, everything, everything}};
-    if (is_empty(tape, &space)) {
+    SdfRangeBox box = {{everything, everything, everything}};
+    if (is_empty(tape, &box)) {
         return false;
     }
-    double ends[2][3], edge = 0;
+    double edge = 0;
+    bool is_bounded = true;
     for (int axis = 0; axis < 3; axis++) {
-        for (int side = 0; side < 2; side++) {
-            ends[side][axis] = find_end(tape, axis, side == 1);
-        }
-        double length = ends[1][axis] - ends[0][axis];
+        box.axes[axis] = (SdfRange){find_end(tape, axis, false), find_end(tape, axis, true)};
+        is_bounded = is_bounded && isfinite(box.axes[axis].high - box.axes[axis].low);
+    }
+    if (!is_bounded) {
+        find_ends_by_parts(tape, &box);
+    }
+    for (int axis = 0; axis < 3; axis++) {
+        double length = box.axes[axis].high - box.axes[axis].low;
         edge = isfinite(length) ? fmax(edge, length) : edge;
     }
-    field->low = (Vec3d){ends[0][0], ends[0][1], ends[0][2]};
-    field->high = (Vec3d){ends[1][0], ends[1][1], ends[1][2]};
-    Vec3d margin = {BOUNDS_MARGIN * edge, BOUNDS_MARGIN * edge, BOUNDS_MARGIN * edge};
-    field->low = vec3d_subtract(field->low, margin);
-    field->high = vec3d_add(field->high, margin);
+    double margin = BOUNDS_MARGIN * edge;
+    field->low =
+        (Vec3d){box.axes[0].low - margin, box.axes[1].low - margin, box.axes[2].low - margin};
+    field->high =
+        (Vec3d){box.axes[0].high + margin, box.axes[1].high + margin, box.axes[2].high + margin};
     return true;
 }

@@ -25,8 +25,6 @@ enum { EXPONENT_MAXIMUM = 64 };
 enum { CHECKS = 64 };
 /** Largest difference between both, relative to their size: roundings differ. */
 #define CHECK_TOLERANCE 1e-9
-/** Factor on the largest slope that was found: random pairs miss the steepest one. */
-#define SLOPE_MARGIN 1.05
 
 /** A number that depends on the point. Its user value is the tape. */
 typedef struct SdfSymbol {
@@ -336,13 +334,22 @@ void sdf_function_open(lua_State *L) {
 
 /* --- the function ----------------------------------------------------------------------------- */
 
-/** Raises an error at the first line of a function. @param index Its stack index. @param message
- *  The message, translated. @return Never. */
-static int function_error(lua_State *L, int index, const char *message) {
+/** @return The first line of a function; the current one if it is not in a file. */
+static SourceLocation function_location(lua_State *L, int index) {
     lua_Debug debug;
     lua_pushvalue(L, index);
     lua_getinfo(L, ">S", &debug);
-    lua_pushfstring(L, "%s:%d: %s", debug.short_src, debug.linedefined, message);
+    int file = script_result_find_file(script_sandbox_of(L)->result, debug.short_src);
+    return file >= 0 ? (SourceLocation){file, debug.linedefined} : script_sandbox_location(L);
+}
+
+/** Raises an error at the first line of a function. @param index Its stack index. @param message
+ *  The message, translated. @return Never. */
+static int function_error(lua_State *L, int index, const char *message) {
+    SourceLocation location = function_location(L, index);
+    lua_pushfstring(L, "%s:%d: %s",
+                    script_sandbox_of(L)->result->files[location.file].chunk_name + 1,
+                    location.line, message);
     return lua_error(L);
 }
 
@@ -408,11 +415,7 @@ static void add_note(lua_State *L, int index, const char *message) {
     const ScriptSandbox *sandbox = script_sandbox_of(L);
     char note[2 * ERROR_MESSAGE_SIZE];
     Error error = {0};
-    lua_Debug debug;
-    lua_pushvalue(L, index);
-    lua_getinfo(L, ">S", &debug);
-    int file = script_result_find_file(sandbox->result, debug.short_src);
-    SourceLocation location = {file < 0 ? 0 : file, debug.linedefined};
+    SourceLocation location = function_location(L, index);
     script_result_format_location(sandbox->result, location, note, ERROR_MESSAGE_SIZE);
     size_t length = strlen(note);
     snprintf(note + length, sizeof note - length, ": %s", message);
@@ -423,16 +426,14 @@ static void add_note(lua_State *L, int index, const char *message) {
 
 /** Divides a tape by its slope, so that it is a distance, and adds notes about it. */
 static void correct_slope(lua_State *L, int index, Sdf *field) {
-    SdfTapeSlope found = sdf_tape_measure_slope(field);
-    double *operands = field->nodes[0].operands;
+    SdfTapeSlope found = sdf_tape_normalize(field);
     char message[ERROR_MESSAGE_SIZE];
-    operands[SDF_TAPE_SLOPE] = found.slope;
     if (found.slope > SDF_TAPE_SLOPE_MAXIMUM) {
-        operands[SDF_TAPE_FACTOR] = 1 / (SLOPE_MARGIN * found.slope);
         snprintf(message, sizeof message,
                  gettext("this field grows by %.3g per unit at (%.3g, %.3g, %.3g), so it is no "
                          "distance; it is divided by %.3g"),
-                 found.slope, found.from.x, found.from.y, found.from.z, SLOPE_MARGIN * found.slope);
+                 found.slope, found.from.x, found.from.y, found.from.z,
+                 SDF_TAPE_SLOPE_MARGIN * found.slope);
         add_note(L, index, message);
     }
     if (found.jump > 0) {

@@ -157,13 +157,32 @@ static TapeDual tape_dual(const SdfInstruction *tape, Vec3 p) {
     return registers[(int)tape->operands[SDF_TAPE_RESULT]];
 }
 
+/** @return The nearest points of a box. @param corners Three lowest coordinates, three highest. */
+INLINE Vec3 box_nearest_point(const scalar *corners, Vec3 p) {
+    Vec3 low = vec3_from_scalars(corners), high = vec3_from_scalars(corners + 3);
+    return (Vec3){real_max(low.x, real_min(p.x, high.x)), real_max(low.y, real_min(p.y, high.y)),
+                  real_max(low.z, real_min(p.z, high.z))};
+}
+
 void sdf_op_tape(SdfVm *vm, const SdfInstruction *instruction) {
-    const scalar factor = instruction->operands[SDF_TAPE_FACTOR];
+    const scalar *operands = instruction->operands;
+    const bool clamps = operands[SDF_TAPE_CLAMPS] != 0;
+    Vec3 point = clamps ? box_nearest_point(operands + SDF_TAPE_BOX, vm->point) : vm->point;
+    SdfSample sample = {.distance = real_of(0)};
     if (vm->wants_gradient) {
-        vm->sample = tape_dual(instruction, vm->point);
-        vm->sample.gradient = vec3_scale(vm->sample.gradient, real_of(factor));
+        sample = tape_dual(instruction, point);
+        sample.gradient = vec3_scale(sample.gradient, real_of(operands[SDF_TAPE_FACTOR]));
     } else {
-        vm->sample.distance = tape_value(instruction, vm->point);
+        sample.distance = tape_value(instruction, point);
     }
-    vm->sample.distance = vm->sample.distance * factor;
+    sample.distance = sample.distance * operands[SDF_TAPE_FACTOR];
+    if (clamps) {
+        // At a distance d from the box, the surface is at least d away, and at least d less away
+        // than from the nearest point of the box.
+        Vec3 off = vec3_subtract(vm->point, point);
+        real outside = real_sqrt(vec3_dot(off, off));
+        sample.distance =
+            real_max(sample.distance - outside, real_select(outside > 0, outside, sample.distance));
+    }
+    vm->sample = sample;
 }

@@ -57,7 +57,7 @@ enum {
 enum {
     SDF_STEP_OP = 0,      /**< A #SdfTapeOp. */
     SDF_STEP_TO = 1,      /**< Register of its result. */
-    SDF_STEP_A = 2,       /**< Register of its first operand. */
+    SDF_STEP_A = 2,       /**< Register of its first operand; 0 if it has none. */
     SDF_STEP_B = 3,       /**< Register of its second operand; that of the first if it has one. */
     SDF_STEP_CONSTANT = 4 /**< Its constant. */
 };

@@ -266,9 +266,8 @@ static bool check_step(const SdfNode *node, bool *is_filled) {
                     operands[SDF_STEP_OP] != SDF_TAPE_INPUT &&
                     is_index(operands[SDF_STEP_TO], SDF_TAPE_REGISTERS) &&
                     fabs(operands[SDF_STEP_CONSTANT]) <= SDF_TAPE_CONSTANT_MAXIMUM;
-    is_valid = is_valid && (operands[SDF_STEP_OP] == SDF_TAPE_CONSTANT ||
-                            (is_filled_register(operands[SDF_STEP_A], is_filled) &&
-                             is_filled_register(operands[SDF_STEP_B], is_filled)));
+    is_valid = is_valid && is_filled_register(operands[SDF_STEP_A], is_filled) &&
+               is_filled_register(operands[SDF_STEP_B], is_filled);
     if (is_valid) {
         is_filled[(int)operands[SDF_STEP_TO]] = true;
     }

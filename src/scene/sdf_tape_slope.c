@@ -179,9 +179,7 @@ SdfTapeSlope sdf_tape_measure_slope(const Sdf *field, double growth) {
     for (int i = 0; i < PAIRS; i++) {
         examine_random_pairs(field->nodes, &region, &state, &found);
     }
-    if (found.slope > SDF_TAPE_SLOPE_MAXIMUM) {
-        examine_nearby_pairs(field->nodes, &region, &state, &found);
-    }
+    examine_nearby_pairs(field->nodes, &region, &state, &found);
     return found;
 }
 

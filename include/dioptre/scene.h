@@ -562,6 +562,8 @@ typedef struct Scene {
     size_t mesh_count;      /**< Number of meshes. */
     SceneTexture *textures; /**< Textures of materials and sky. */
     size_t texture_count;   /**< Number of textures. */
+    const char **notes;     /**< What its author should know, as `FILE:LINE: text`. */
+    size_t note_count;      /**< Number of notes. */
 } Scene;
 
 /**
@@ -657,6 +659,15 @@ bool scene_add_texture(Scene *scene, const SceneFile *file, size_t *index, Error
  * @return The copy, owned by the scene; NULL when the scene's memory is full.
  */
 const Sdf *scene_add_sdf(Scene *scene, const Sdf *sdf, Error *error);
+
+/**
+ * Adds a note for the author of the scene.
+ * @param[in,out] scene  The scene.
+ * @param note           `FILE:LINE: text`; copied.
+ * @param[out] error     What is wrong.
+ * @return false when the scene's memory is full.
+ */
+bool scene_add_note(Scene *scene, const char *note, Error *error);
 
 /**
  * Transforms the last shape.

@@ -13,7 +13,18 @@
 static atomic_bool is_interrupted;
 
 Scene *command_load_scene(const Options *options, Error *error) {
-    return command_load_scene_at(options, options->time, NULL, NULL, error);
+    Scene *scene = command_load_scene_at(options, options->time, NULL, NULL, error);
+    if (scene) {
+        command_print_notes(scene);
+    }
+    return scene;
+}
+
+void command_print_notes(const Scene *scene) {
+    for (size_t i = 0; i < scene->note_count; i++) {
+        print_sanitized(scene->notes[i], stderr);
+        fputc('\n', stderr);
+    }
 }
 
 Scene *command_load_scene_at(const Options *options, double time, AssetCache *cache,

@@ -55,6 +55,7 @@
 // Signed distance fields.
 #include "trace/sdf/sdf_mandelbulb.c"
 #include "trace/sdf/sdf_solids.c"
+#include "trace/sdf/sdf_tape.c"
 #include "trace/sdf/sdf_vm.c"
 #include "trace/sdf/sphere_tracer.c"
 #include "trace/sdf/sphere_tracer_init.c"

@@ -158,7 +158,7 @@ $(OBJ)/src/lab/charts/csv.o: CPPFLAGS += -DDIOPTRE_FLAGS='"$(OPTIMIZE) $(ARITHME
 RUN_PACKAGES  := g++ pkg-config gettext libsdl2-dev libsdl2-ttf-dev liblua5.4-dev libcairo2-dev libopenimageio-dev libassimp-dev fonts-dejavu-core
 TEST_PACKAGES := libcmocka-dev clang libclang-rt-14-dev xvfb xauth xdotool x11-xkb-utils xkb-data \
                  imagemagick openbox qemu-user doxygen graphviz ffmpeg parallel slurm-wlm munge gnuplot-nox \
-                 desktop-file-utils appstream shared-mime-info libglib2.0-bin
+                 desktop-file-utils appstream shared-mime-info libglib2.0-bin gappa libflint-arb-dev
 BENCH_PACKAGES := gnuplot-nox
 PEER_PACKAGES := povray tachyon libembree-dev libgl-dev libgl1-mesa-dri xvfb xauth
 LINT_PACKAGES := clang-format clang-tidy cppcheck
@@ -204,6 +204,8 @@ $(BUILD)/tests/%: tests/%.c $(wildcard tests/*.h) $(ROOMS) $(WORKER)
 	@mkdir -p $(@D)
 	@ln -sfr $(WORKER) $(@D)
 	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,cmocka) $(ROOM_CFLAGS) -Itests -o $@ $< $(WITH_ROOMS) $(LIBRARIES) $(call PKG_LIBS,cmocka)
+# Ball arithmetic, which judges the laboratory's reference.
+$(BUILD)/tests/test_arb: private LIBRARIES += -lflint-arb -lflint
 
 .PHONY: test tests
 test: test-packages

@@ -26,6 +26,9 @@ if [ "${1:-}" = --pictures ]; then
         draw mirror-none figure-c2 --offset none
         draw shadow-none figure-c4 --offset none
         draw glass-shallow report-d-glass --depth 1
+        draw as-a figure-16 --methods a
+        draw as-c box --methods c
+        draw as-d report-d-glass --methods d
     } >doc/reports/pictures.csv
 fi
 out=${1:-doc/reports.md}

@@ -87,6 +87,8 @@ for rays in primary random; do
 done
 expect 0 '"progress"' 'progress as json' "$dioptre" render "$box" -o "$work/j.bmp" --progress json -s 80x60
 expect 0 '' 'progress is only for terminals' "$dioptre" render "$box" -o "$work/q.bmp" -s 80x60
+expect 2 'own, a, b, c or d' 'unknown methods' "$dioptre" render "$box" -o "$work/x.bmp" --methods e
+expect 2 'center or corner' 'unknown point of a pixel' "$dioptre" render "$box" -o "$work/x.bmp" --pixel middle
 for offset in none fixed bound; do
     expect 0 '' "offset $offset" "$dioptre" render "$box" -o "$work/$offset.bmp" -s 160x120 --offset $offset
 done

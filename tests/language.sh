@@ -70,8 +70,8 @@ wrong 'camera {} sphere { radius = -0.5 }' 'radius must be at least 1e-15 and at
     "radius doit être d'au moins 1e-15 et d'au plus 1e\\+15, et non -0.5"
 wrong 'camera {} sphere { radius = {} }' 'radius must be a number, not a table' \
     'radius doit être un nombre, et non une table'
-wrong 'camera {} light { falloff = "x" }' 'falloff must be `none` or `inverse_square`, not `x`' \
-    'falloff doit être `none` ou `inverse_square`, et non `x`'
+wrong 'camera {} light { falloff = "x" }' 'falloff must be `none`, `inverse_square` or `inverse_linear`, not `x`' \
+    'falloff doit être `none`, `inverse_square` ou `inverse_linear`, et non `x`'
 wrong 'camera {} mesh { file = "x.doc" }' "x.doc: No such file or directory" "x.doc: $french"
 expect 2 "attend un entier de 1 à 65536, et non «${s}0$s»" 'wrong usage' \
     in_french "$dioptre" render "$box" -o x.bmp --samples 0

@@ -14,7 +14,8 @@ pixel() {
 ray_sums() {
     sed 's/[][{}",:]/ /g; s/null/-1/g' | awk '
         function three(name, to, i) {
-            for (i = 1; i <= NF; i++) if ($i == name) { to[id, 1] = $(i+1); to[id, 2] = $(i+2); to[id, 3] = $(i+3) }
+            for (i = 1; i <= NF && $i != name; i++);
+            to[id, 1] = $(i+1); to[id, 2] = $(i+2); to[id, 3] = $(i+3)
         }
         { id = $2; parent[id] = $4; kind[id] = $6; three("color", color); three("own", own); three("share", share) }
         END {
@@ -75,6 +76,29 @@ expect 0 '' 'depth 0' "$dioptre" probe $box 250 430 --depth 0
 grep -q mirrored "$work/out" && fail 'depth 0 mirrors nothing' || ok 'depth 0 mirrors nothing'
 expect 0 '' 'samples' "$dioptre" probe scenes/still-life.lua 100 100 --samples 16 -s $size
 holds "$work/out" 'first sample of 16' 'the first of several samples says so'
+
+# Report A: the ray of the first of 4 x 3 pixels, through the centre and, without the half pixel, through the corner.
+printf 'camera { fov = 90 }\nplane { point = {0, 0, -1}, normal = {0, 0, 1} }\n' >"$work/corner.lua"
+expect 0 '' 'the centre' "$dioptre" probe "$work/corner.lua" 0 0 -s 4x3 --pixel center
+holds "$work/out" '^  point +-0\.75 +0\.5 +-1$' 'the first ray goes through the centre of its pixel'
+expect 0 '' 'the corner' "$dioptre" probe "$work/corner.lua" 0 0 -s 4x3 --pixel corner
+holds "$work/out" '^  point +-1 +0\.75 +-1$' 'and with --pixel corner through its corner'
+holds "$work/out" '^Rays go through the corners of pixels\.$' 'which it says'
+# The lamp of report D: 5 cos / (2 + d), straight below it and at the side of the triangle 3, 4, 5.
+printf 'camera {}\nlight { position = {%s}, intensity = 5, falloff = "inverse_linear" }\nplane { point = {0, 0, -4}, normal = {0, 0, 1} }\n' \
+    '0, 0, 0' >"$work/below.lua"
+sed 's/{0, 0, 0}/{3, 0, 0}/' "$work/below.lua" >"$work/side.lua"
+for case in 'below 0.833333' 'side 0.571429'; do
+    expect 0 '' "a lamp ${case% *}" "$dioptre" probe "$work/${case% *}.lua" 0 0 -s 1x1
+    holds "$work/out" "^    adds +${case#* } +${case#* } +${case#* }$" "a lamp ${case% *} gives 5 cos / (2 + d) = ${case#* }"
+done
+for methods in own a b c d; do
+    "$dioptre" render $box -o "$work/m.bmp" -s $size --samples 1 --methods $methods
+    expect 0 '' "probe by $methods" "$dioptre" probe $box 41 83 -s $size --json --methods $methods
+    steps=$(pixel "$work/m.bmp" 41 83)
+    head -1 "$work/out" | grep -qF "\"steps\": $steps" && ok "$methods: the picture's" || fail "$methods: not $steps"
+    holds "$work/out" "\"pixel\": \"center\", \"methods\": \"$methods\"" 'and says whose they are'
+done
 
 # --- the drawing -------------------------------------------------------------------------------------
 expect 0 '' 'probe --svg' "$dioptre" probe scenes/glass-sphere.lua 80 60 -s $size --svg "$work/rays.svg" -q

@@ -39,7 +39,10 @@ static double piece_irradiance(const SceneLight *light, Vec3d point, Vec3d norma
     double distance = vec3d_length(point), cosine = point.y / distance;
     double emitted = -vec3d_dot(point, normal) / distance;
     emitted = two_sided ? fabs(emitted) : emitted;
-    double falloff = light->falloff == FALLOFF_INVERSE_SQUARE ? 1 / (distance * distance) : 1;
+    double falloff = light->falloff == FALLOFF_INVERSE_SQUARE ? 1 / (distance * distance)
+                     : light->falloff == FALLOFF_INVERSE_LINEAR
+                         ? 1 / (light->falloff_constant + distance)
+                         : 1;
     return fmax(0, cosine) * fmax(0, emitted) * falloff;
 }
 
@@ -120,6 +123,8 @@ typedef struct AreaLightCase {
 static const AreaLightCase area_light_cases[] = {
     {"over it", {-0.5, 2, -0.5}, {1, 0, 0}, {0, 0, 1}, 0, false, FALLOFF_INVERSE_SQUARE},
     {"over it, no falloff", {-0.5, 2, -0.5}, {1, 0, 0}, {0, 0, 1}, 0, false, FALLOFF_NONE},
+    {"over it, linear", {-0.5, 2, -0.5}, {1, 0, 0}, {0, 0, 1}, 0, false, FALLOFF_INVERSE_LINEAR},
+    {"skew, linear", {-0.5, 3, -0.5}, {1, 0, 0}, {0.8, 0, 0.6}, 0, false, FALLOFF_INVERSE_LINEAR},
     {"near it", {-0.5, 1e-3, -0.3}, {1, 0, 0}, {0, 0, 1}, 0, false, FALLOFF_INVERSE_SQUARE},
     {"nearer", {-0.5, 1e-5, -0.3}, {1, 0, 0}, {0, 0, 1}, 0, false, FALLOFF_INVERSE_SQUARE},
     {"beside it", {0.05, 0.02, -0.5}, {1, 0, 0}, {0, 0, 1}, 0, false, FALLOFF_INVERSE_SQUARE},
@@ -137,6 +142,8 @@ static const AreaLightCase area_light_cases[] = {
     {"in its plane", {1, 0, 0}, {1, 1, 0}, {1, -1, 0}, 0, true, FALLOFF_INVERSE_SQUARE},
     {"tube over it", {-0.5, 1, 0}, {1, 0, 0}, {0, 0, 0}, 0.05, false, FALLOFF_INVERSE_SQUARE},
     {"tube, no falloff", {-0.5, 1, 0}, {1, 0, 0}, {0, 0, 0}, 0.05, false, FALLOFF_NONE},
+    {"tube, linear", {-0.5, 1, 0}, {1, 0, 0}, {0, 0, 0}, 0.05, false, FALLOFF_INVERSE_LINEAR},
+    {"far tube, linear", {2e4, 1e4, 0}, {0, 0, 3}, {0, 0, 0}, 0.5, false, FALLOFF_INVERSE_LINEAR},
     {"tube near", {-0.9, 0.051, 0}, {2, 0, 0}, {0, 0, 0}, 0.05, false, FALLOFF_INVERSE_SQUARE},
     {"tube nearer", {-0.9, 0.050001, 0}, {2, 0, 0}, {0, 0, 0}, 0.05, false, FALLOFF_INVERSE_SQUARE},
     {"thick tube", {-1, 1.01, 0}, {3, 0, 0}, {0, 0, 0}, 1, false, FALLOFF_INVERSE_SQUARE},

@@ -52,17 +52,50 @@ static void test_irradiance(void **state) {
     for_every_engine(check_irradiance);
 }
 
+/**
+ * A light of intensity 5 at the distance d gives 5 cos / (c + d), the lamps of report D where c is
+ * 2: from next to the surface to far away, and slanting.
+ */
+static void check_inverse_linear(const Engine *engine) {
+    for (double away = 1e-6; away < 2e6; away *= 10) {
+        for (int i = 0; i < 4; i++) {
+            double rgb[3], d = round_to_float(away), c = (double[]){2, 0.25, 0, 1e3}[i];
+            double slope = i % 2 ? 0.75 : 0; // The triangle 3, 4, 5: the cosine is 0.8.
+            Scene *scene = create_empty_scene();
+            add_shape(scene, "plane", &(PlaneParameters){{0, 0, -d}, {0, 0, 1}});
+            scene->camera.position = (Vec3d){0, 0, d};
+            SceneLight light = white_point_light((Vec3d){slope * d, 0, 0}, 0);
+            light.intensity = 5;
+            light.falloff = FALLOFF_INVERSE_LINEAR;
+            light.falloff_constant = c;
+            add_light(scene, light);
+            trace_pixel(engine, scene, rgb);
+            double distance = d * sqrt(1 + slope * slope),
+                   truth = 5 * d / distance / (c + distance);
+            assert_at_most(fabs(rgb[0] / truth - 1), 8 * answer_roundoff(engine),
+                           "%g away, constant %g, in %s", d, c, engine->name);
+            scene_destroy(scene);
+        }
+    }
+}
+
+/** See #check_inverse_linear. */
+static void test_inverse_linear(void **state) {
+    (void)state;
+    for_every_engine(check_inverse_linear);
+}
+
 /** At the least distance and the greatest intensity, no light is infinite or NaN. */
 static void check_finite_light(const Engine *engine) {
     static const double heights[] = {0, 1e-300, 1e-40, 1e-30, 1e-20, 1e-15, 1e-12, 1e-6, 1};
     for (size_t i = 0; i < sizeof heights / sizeof *heights; i++) {
-        for (int strong = 0; strong < 2; strong++) {
+        for (int strong = 0; strong < 4; strong++) {
             double rgb[3];
             Scene *scene = create_empty_scene();
             SceneLight light = white_point_light((Vec3d){0, 0, heights[i] - 4}, 0);
-            light.falloff = FALLOFF_INVERSE_SQUARE;
-            light.color = (Rgbd){strong ? INTENSITY_MAXIMUM : 1, 0, 1};
-            light.intensity = strong ? INTENSITY_MAXIMUM : 1;
+            light.falloff = strong / 2 ? FALLOFF_INVERSE_LINEAR : FALLOFF_INVERSE_SQUARE;
+            light.color = (Rgbd){strong % 2 ? INTENSITY_MAXIMUM : 1, 0, 1};
+            light.intensity = strong % 2 ? INTENSITY_MAXIMUM : 1;
             add_shape(scene, "plane", &(PlaneParameters){{0, 0, -4}, {0, 0, 1}});
             scene->materials[0].specular = 1;
             add_light(scene, light);
@@ -294,12 +327,16 @@ static void test_penumbra(void **state) {
  */
 static void check_sphere_light_irradiance(const Engine *engine) {
     bool is_slow = engine->mantissa_bits > 64;
-    for (int i = 0; i < (is_slow ? 2 : 8); i++) {
+    for (int i = 0; i < (is_slow ? 2 : 12); i++) {
         double radius = 0.1 + 0.2 * (i % 4), slant = 0.25 * (i % 3);
         Scene *scene = create_empty_scene();
         aim_camera(scene, (Vec3d){3, 0.5, 0}, (Vec3d){0, 0, 0});
         SceneLight light = white_point_light((Vec3d){2 * sin(slant), 2 * cos(slant), 0}, radius);
-        light.falloff = i < 4 ? FALLOFF_NONE : FALLOFF_INVERSE_SQUARE;
+        // At the distance 2 from the centre: 1, 1/4 and 1/(2 + 2).
+        light.falloff = i < 4   ? FALLOFF_NONE
+                        : i < 8 ? FALLOFF_INVERSE_SQUARE
+                                : FALLOFF_INVERSE_LINEAR;
+        light.falloff_constant = 2;
         add_light(scene, light);
         add_shape(scene, "plane", &(PlaneParameters){{0, 0, 0}, {0, 1, 0}});
         double truth = cos(slant) * (i < 4 ? 1 : 0.25);
@@ -380,7 +417,10 @@ static Scene *soft_light_scene(void) {
     scene->materials[0].reflectivity = (Rgbd){0.3, 0.3, 0.3};
     scene->materials[0].specular = 0.5;
     add_light(scene, white_point_light((Vec3d){-1.4, 1.2, 1}, 0.4));
-    add_light(scene, white_point_light((Vec3d){1.2, 0.2, -1}, 0.2));
+    SceneLight second = white_point_light((Vec3d){1.2, 0.2, -1}, 0.2);
+    second.falloff = FALLOFF_INVERSE_LINEAR;
+    second.falloff_constant = 0.5;
+    add_light(scene, second);
     SceneLight sun = light_of_kind("sun");
     sun.color = (Rgbd){0.3, 0.3, 0.2};
     sun.direction = (Vec3d){1, -1, -1};
@@ -564,6 +604,7 @@ static void test_acne(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_irradiance),
+        cmocka_unit_test(test_inverse_linear),
         cmocka_unit_test(test_finite),
         cmocka_unit_test(test_sun),
         cmocka_unit_test(test_sun_turns),

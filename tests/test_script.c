@@ -238,7 +238,7 @@ static void test_unknown_words(void **state) {
         {"sphere { finish = 'glosy' }", 1,
          "must be `matt`, `satin` or `glossy`, not `glosy`; did you mean `glossy`?"},
         {"light { falloff = 'linear' }", 1,
-         "falloff must be `none` or `inverse_square`, not `linear`"},
+         "falloff must be `none`, `inverse_square` or `inverse_linear`, not `linear`"},
     };
     assert_all_refused(state, cases, COUNT(cases));
 }

@@ -491,10 +491,11 @@ static void test_view_state(void **state) {
     assert_true(view_state_init(&home_view, scene, NULL));
     assert_point(home_view.up_axis, 0, 1, 0);
     view_state_move(&home_view, scene, 0, (Movement){.right = 1, .up = 2, .forward = 3},
-                    (Movement){.right = 2});
+                    (Movement){.right = 2}, MOTION_FLY);
     assert_point(scene->lights[0].position, 15, 1.9 + 10, 5);
     assert_point(scene->camera.position, 0, 0, 10);
-    view_state_move(&home_view, scene, 7, (Movement){.up = 1}, (Movement){.up = 1, .forward = -1});
+    view_state_move(&home_view, scene, 7, (Movement){.up = 1}, (Movement){.up = 1, .forward = -1},
+                    MOTION_FLY);
     assert_point(scene->lights[0].position, 15, 1.9 + 10, 5);
     assert_point(scene->camera.position, -5, 5, 10);
     view_state_reset(&home_view, scene);
@@ -502,6 +503,53 @@ static void test_view_state(void **state) {
     assert_point(scene->camera.position, 0, 0, 0);
     view_state_deinit(&home_view);
     scene_destroy(scene);
+}
+
+/**
+ * Whoever walks stays at one height, to the bit, however the camera is tilted or rolled, also
+ * where it looks straight down or up. Up is straight up. Whoever flies sinks.
+ */
+static void test_walking(void **state) {
+    (void)state;
+    static const Vec3d directions[] = {{0.3, -0.7, -0.6}, {0.3, 0.7, -0.6}, {0, -1, 0},
+                                       {0, 1, 0},         {1e-9, -1, 0},    {-0.4, 0, 0.9}};
+    for (size_t i = 0; i < sizeof directions / sizeof *directions; i++) {
+        Error error = {0};
+        Scene *scene = make_scene();
+        ViewState home_view;
+        scene->camera.position = (Vec3d){0.1, 2.3, 0.7};
+        scene->camera.direction = directions[i];
+        scene->camera.up = (Vec3d){0.2, 1, 0.1};
+        assert_true(scene_camera_keyword.finish(&scene->camera, 0, &error));
+        assert_true(view_state_init(&home_view, scene, NULL));
+        Vec3d from = scene->camera.position, ahead = scene->camera.direction;
+        Vec3d top = scene->camera.up;
+        double height = from.y, sign = ahead.y > 0 ? -1 : 1;
+        for (int step = 0; step < 100; step++) {
+            view_state_move(&home_view, scene, 7, (Movement){0},
+                            (Movement){.forward = 0.016, .right = step % 2 ? 0.01 : -0.01},
+                            MOTION_WALK);
+            assert_true(scene->camera.position.y == height);
+        }
+        // It went forward: along the horizontal part of its direction, or to the top of a map.
+        Vec3d way = vec3d_subtract(scene->camera.position, from);
+        Vec3d expected = hypot(ahead.x, ahead.z) > 1e-6 ? (Vec3d){ahead.x, 0, ahead.z}
+                                                        : (Vec3d){sign * top.x, 0, sign * top.z};
+        double units = 100 * 0.016 * 0.5 * scene->camera.target_distance;
+        expected = vec3d_scale(vec3d_normalize(expected), units);
+        assert_near(way.x, expected.x);
+        assert_near(way.z, expected.z);
+        from = scene->camera.position;
+        view_state_move(&home_view, scene, 7, (Movement){0}, (Movement){.up = 1}, MOTION_WALK);
+        assert_point(vec3d_subtract(scene->camera.position, from), 0,
+                     0.5 * scene->camera.target_distance, 0);
+        from = scene->camera.position;
+        view_state_move(&home_view, scene, 7, (Movement){0}, (Movement){.forward = 1}, MOTION_FLY);
+        way = vec3d_scale(ahead, 0.5 * scene->camera.target_distance);
+        assert_point(vec3d_subtract(scene->camera.position, from), way.x, way.y, way.z);
+        view_state_deinit(&home_view);
+        scene_destroy(scene);
+    }
 }
 
 /** Objects that the user moved stay there at other times, until they are reset. */
@@ -518,7 +566,8 @@ static void test_view_state_renew(void **state) {
         ViewState view_state;
         assert_true(view_state_init(&view_state, before, NULL));
         if (moved) {
-            view_state_move(&view_state, before, 0, (Movement){.up = 1}, (Movement){.right = 2});
+            view_state_move(&view_state, before, 0, (Movement){.up = 1}, (Movement){.right = 2},
+                            MOTION_FLY);
         }
         Vec3d eye = moved ? before->camera.position : after->camera.position;
         Vec3d light_position = moved ? before->lights[0].position : after->lights[0].position;
@@ -597,7 +646,7 @@ static void test_scene_text(void **state) {
         text, "camera { position = {0.10000000000000001, -2, 1.0000000000000001e-30}, "
               "direction = {1, 0, 0}, up = {0, 1, 0}, fov = 60 }  "
               "light { position = {0, 1.8999999999999999, 0}, color = {1, 1, 1}, intensity = 1, "
-              "falloff = \"none\", radius = 0 }");
+              "falloff = \"none\", falloff_constant = 2, radius = 0 }");
 }
 
 /** The title shows pass and speed. */
@@ -744,6 +793,7 @@ int main(void) {
         cmocka_unit_test(test_snapshot_long_path),
         cmocka_unit_test(test_snapshot_convert),
         cmocka_unit_test(test_view_state),
+        cmocka_unit_test(test_walking),
         cmocka_unit_test(test_view_state_renew),
         cmocka_unit_test(test_time_control),
         cmocka_unit_test(test_view_state_vertical),

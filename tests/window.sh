@@ -314,15 +314,42 @@ as_set shift+g --samples 1 --offset fixed --epsilon 2e-4
 as_set b --samples 1 --offset fixed --epsilon 2e-4 --depth 9
 as_set n --samples 2 --offset fixed --epsilon 2e-4 --depth 9
 as_set BackSpace --samples 1
-sed 's/^ambient.*/ambient(0)/' "$box" >"$work/dark.lua"
+sed -e 's/^ambient.*/ambient(0)/' -e 's/^sky.*/sky { color = 0 }/' "$box" >"$work/dark.lua"
 xdotool key m
-expect_shown 'light: light alone' 'm takes the ambient light away'
+expect_shown 'light: light alone' 'm takes ambient light and sky away'
 "$dioptre" render "$work/dark.lua" --samples 1 -o "$work/render.bmp"
 shoot
 same "$shot" "$work/render.bmp" 'as render does without it'
 xdotool key m
 expect_shown 'light: none' 'and then all light'
 xdotool key BackSpace
+
+
+# The reports' methods and pixel corners: what render draws with the same options.
+# as_said KEY STATUS OPTION...: a key that says in the title what it sets.
+as_said() {
+    local key=$1 status=$2
+    shift 2
+    xdotool key "$key"
+    expect_shown "finished — $status" "$key says: $status"
+    "$dioptre" render "$box" --samples 1 "$@" -o "$work/render.bmp"
+    shoot
+    same "$shot" "$work/render.bmp" "$key is $*"
+}
+as_said u 'as report A \(mirrors fade' --methods a
+as_said u 'as report B \(' --methods b
+as_said u 'as report C \(ambient' --methods c
+as_set o --samples 1 --methods c --offset bound
+as_said u 'as report D \(light is added' --methods d
+as_said F8 'rays go through the corners' --methods d --pixel corner
+as_said shift+u 'as report C' --methods c --pixel corner
+as_said F8 'rays go through the centres' --methods c
+xdotool key i && sleep 0.3
+screen methods
+xdotool key i BackSpace && shown 'finished — f'
+shoot
+"$dioptre" render "$box" --samples 1 -o "$work/render.bmp"
+same "$shot" "$work/render.bmp" 'Backspace: our own methods'
 
 xdotool key i && sleep 0.2
 screen plain
@@ -351,6 +378,45 @@ xdotool key x && sleep 0.3
 shoot
 same "$shot" "$work/left.bmp" 'and again: the left one alone'
 leave
+
+# --- walking -------------------------------------------------------------------------------------
+# A camera at the height 2 that looks down: who flies forward sinks, who walks does not.
+cat >"$work/walk.lua" <<'END'
+camera { position = {0, 2, 8}, look_at = {0, 0, 0} }
+image { width = 320, height = 240 }
+light { position = {3, 4, 5} }
+plane {}
+END
+open "$work/walk.lua"
+shown finished
+hold 0.2 Prior
+shoot
+flown=($(numbers camera))
+beyond - 2 "${flown[1]}" 0.05 && beyond - 8 "${flown[2]}" 0.2 && ok 'flying forward, it sinks' || fail "${flown[*]}"
+xdotool key Home r End
+expect_shown 'walking: forward stays at one height' 'End: walking'
+hold 0.2 Prior
+hold 0.2 Right
+shoot
+walked=($(numbers camera))
+[ "${walked[1]}" = 2 ] && beyond - 8 "${walked[2]}" 0.2 && beyond + 0 "${walked[0]}" 0.2 &&
+    ok 'walking forward and to the right, it stays at its height' || fail "${walked[*]}"
+hold 0.2 Up
+shoot
+lifted=($(numbers camera))
+[ "${lifted[0]} ${lifted[2]}" = "${walked[0]} ${walked[2]}" ] && beyond + 2 "${lifted[1]}" 0.05 &&
+    ok 'up is straight up' || fail "${lifted[*]}"
+recorded=${view%%  -- *}
+xdotool key End
+expect_shown 'flying: forward is where the camera looks' 'End again: flying'
+xdotool key End r
+expect_shown 'the lesson is in walk-lesson-0001.lua' 'a lesson of it'
+leave
+lesson=$work/shots/walk-lesson-0001.lua
+[ "$(grep -c '^press "walk"$' "$lesson")" = 3 ] && ok 'has the key' || fail "$(cat "$lesson")"
+expect 0 '' 'plays' timeout 60 "$dioptre" view --lesson "$lesson" --lesson-snapshots "$work/played"
+played=$(tail -1 "$work/out")
+[ "${played%%  -- *}" = "$recorded" ] && ok 'and walks the same way, to the bit' || fail "$played is not $recorded"
 
 # --- time ----------------------------------------------------------------------------------------
 cat >"$work/time.lua" <<'END'

@@ -9,6 +9,7 @@
 #define DIOPTRE_ENGINE_H
 
 #include "base/vec3d.h"
+#include "dioptre/report_methods.h"
 #include "dioptre/scene.h"
 
 #include <stdbool.h>
@@ -165,6 +166,13 @@ typedef struct Tracer Tracer;
  */
 #define THROUGHPUT_CUTOFF 1.5e-4
 
+/** Where in its pixel a ray goes. */
+typedef enum {
+    PIXEL_CENTER, /**< Through the centre, and samples around it: the default. */
+    PIXEL_CORNER  /**< Half a pixel to the left and up: through the corner, without the 0.5 that
+                       report A adds. */
+} PixelPoint;
+
 /** How a tracer traces a scene. */
 typedef struct TraceSettings {
     int depth;   /**< Largest number of successive reflections and refractions. */
@@ -179,9 +187,13 @@ typedef struct TraceSettings {
     const Tracer *reuse_from; /**< A tracer of the same engine, which may be tracing: BVHs of meshes
                                  that both scenes contain are shared. Read during the call only;
                                  NULL: none. */
-    double footprint;  /**< Sphere tracing stops nearer to a surface than this fraction of half
-                            a pixel, as seen from the camera; 0: at the tolerance alone. */
-    double relaxation; /**< Factor of over-relaxation of its steps; 0: chosen automatically. */
+    double footprint;       /**< Sphere tracing stops nearer to a surface than this fraction of half
+                                 a pixel, as seen from the camera; 0: at the tolerance alone. */
+    double relaxation;      /**< Factor of over-relaxation of its steps; 0: chosen automatically. */
+    bool is_unlit;          /**< Whether lights are only seen and give no light. */
+    PixelPoint pixel_point; /**< Where in its pixel a ray goes. */
+    unsigned methods;       /**< Methods of the reports in place of the tracer's own: a set of
+                               #ReportMethod;       0: none. */
 } TraceSettings;
 
 /** Statistics of a tracer. */

@@ -27,8 +27,9 @@ typedef enum {
 /** The light of the picture. */
 typedef enum {
     LIGHTING_FULL,       /**< Lights and ambient light of the scene: the default. */
-    LIGHTING_NO_AMBIENT, /**< The lights alone. */
-    LIGHTING_UNLIT,      /**< White ambient light alone: shapes show their albedo. */
+    LIGHTING_NO_AMBIENT, /**< The lights alone, under a black sky. */
+    LIGHTING_UNLIT,      /**< White ambient light alone: shapes show their albedo, and what glows
+                              still glows. */
     LIGHTING_MODE_COUNT  /**< Number of modes. */
 } LightingMode;
 
@@ -42,6 +43,7 @@ typedef struct RenderSettings {
     Sampling sampling;     /**< Whether adaptive sampling may take fewer samples. */
     int encoding;          /**< An #Encoding. */
     LightingMode lighting; /**< The light of the picture. */
+    MethodSet method_set;  /**< Whose methods; #method_set_apply sets what follows from it. */
     TraceSettings trace;   /**< Depth, offset and BVH; the renderer fills in the rest. */
 } RenderSettings;
 
@@ -69,6 +71,28 @@ typedef void (*RenderPassCallback)(void *context);
  * @param scene  The scene.
  */
 RenderSettings render_settings_default(const Scene *scene);
+
+/** Distance to a surface at which sphere tracing stops, in half pixels (doc/marching.md). */
+#define RENDER_FOOTPRINT 0.125
+
+/** The words of `--methods`, in the order of #MethodSet; ended by NULL. */
+extern const char *const method_set_words[];
+
+/** The words of `--pixel`, in the order of #PixelPoint; ended by NULL. */
+extern const char *const pixel_point_words[];
+
+/** @return Where in its pixel a ray goes, in English: to be put behind "rays go". */
+const char *pixel_point_name(PixelPoint point);
+
+/** @return Whose methods they are, in English. */
+const char *method_set_name(MethodSet set);
+
+/** @return What is seen of them, in a sentence, in English. */
+const char *method_set_effect(MethodSet set);
+
+/** Sets everything that a report did in its own way: methods, offset, epsilon and marching. Does
+ *  nothing if the settings have these methods already. */
+void method_set_apply(MethodSet set, RenderSettings *settings);
 
 /** @return The processors that this process may use, at least 1. */
 int render_cpu_count(void);

@@ -108,6 +108,18 @@ Vec3d scene_camera_right(const SceneCamera *camera);
 void scene_camera_move(SceneCamera *camera, double right, double up, double forward);
 
 /**
+ * Translates the camera as one walks: along the ground, or straight up and down.
+ * @param[in,out] camera  A finished camera.
+ * @param vertical  Up in the scene, a unit vector along an axis.
+ * @param right    Scene units to the right; the height stays the same, to the bit.
+ * @param up       Scene units along the vertical.
+ * @param forward  Scene units ahead at the same height. For a camera that looks straight down, the
+ *                 top of its picture is ahead; for one that looks straight up, the bottom.
+ */
+void scene_camera_walk(SceneCamera *camera, Vec3d vertical, double right, double up,
+                       double forward);
+
+/**
  * Rotates the camera at its position: about the vertical, then up or down.
  * @param[in,out] camera  A finished camera.
  * @param vertical  Up in the scene, a unit vector.
@@ -138,8 +150,9 @@ void scene_camera_zoom(SceneCamera *camera, double factor);
 
 /** How light decreases with distance. */
 typedef enum {
-    FALLOFF_NONE,          /**< Not at all. */
-    FALLOFF_INVERSE_SQUARE /**< With the square of the distance. */
+    FALLOFF_NONE,           /**< Not at all. */
+    FALLOFF_INVERSE_SQUARE, /**< With the square of the distance. */
+    FALLOFF_INVERSE_LINEAR  /**< With the distance plus a constant, #SceneLight.falloff_constant. */
 } Falloff;
 
 /** Doubles that a class may store in a light besides the common fields. */
@@ -147,14 +160,15 @@ enum { SCENE_LIGHT_OWN_DOUBLES = 8 };
 
 /** A light of a scene, of any class. Filled through #SceneLightClass.keyword. */
 typedef struct SceneLight {
-    size_t class_index; /**< Index in #scene_light_classes; 0 is the point light. */
-    Rgbd color;         /**< Colour, linear. */
-    double intensity;   /**< Factor for the colour. */
-    int falloff;        /**< A #Falloff; lights at infinity have none. */
-    Vec3d position;     /**< Centre, corner or base, scene units; unused for lights at infinity. */
-    double radius;      /**< Radius of spherical and cylindrical lights, scene units; 0: a point. */
-    Vec3d direction;    /**< For lights at infinity: the direction in which the light travels; not
-                           zero. */
+    size_t class_index;      /**< Index in #scene_light_classes; 0 is the point light. */
+    Rgbd color;              /**< Colour, linear. */
+    double intensity;        /**< Factor for the colour. */
+    int falloff;             /**< A #Falloff; lights at infinity have none. */
+    double falloff_constant; /**< For #FALLOFF_INVERSE_LINEAR, scene units, at least 0. */
+    Vec3d position;  /**< Centre, corner or base, scene units; unused for lights at infinity. */
+    double radius;   /**< Radius of spherical and cylindrical lights, scene units; 0: a point. */
+    Vec3d direction; /**< For lights at infinity: the direction in which the light travels; not
+                        zero. */
     double own[SCENE_LIGHT_OWN_DOUBLES]; /**< The struct of the class; see #scene_light_own. */
 } SceneLight;
 
@@ -548,6 +562,8 @@ typedef struct Scene {
     size_t mesh_count;      /**< Number of meshes. */
     SceneTexture *textures; /**< Textures of materials and sky. */
     size_t texture_count;   /**< Number of textures. */
+    const char **notes;     /**< What its author should know, as `FILE:LINE: text`. */
+    size_t note_count;      /**< Number of notes. */
 } Scene;
 
 /**
@@ -643,6 +659,15 @@ bool scene_add_texture(Scene *scene, const SceneFile *file, size_t *index, Error
  * @return The copy, owned by the scene; NULL when the scene's memory is full.
  */
 const Sdf *scene_add_sdf(Scene *scene, const Sdf *sdf, Error *error);
+
+/**
+ * Adds a note for the author of the scene.
+ * @param[in,out] scene  The scene.
+ * @param note           `FILE:LINE: text`; copied.
+ * @param[out] error     What is wrong.
+ * @return false when the scene's memory is full.
+ */
+bool scene_add_note(Scene *scene, const char *note, Error *error);
 
 /**
  * Transforms the last shape.

@@ -30,7 +30,9 @@ typedef enum {
     SDF_UNION,        /**< Union with the body: box of the body, 0. */
     SDF_SMOOTH_UNION, /**< Smooth union with the body: box of the body, radius. */
     SDF_INTERSECTION, /**< Intersection with the body. */
-    SDF_DIFFERENCE    /**< Difference from the body: box of the body. */
+    SDF_DIFFERENCE,   /**< Difference from the body: box of the body. */
+    SDF_TAPE,         /**< Operations on numbers, the steps of its body: see sdf_tape.h. */
+    SDF_TAPE_STEP     /**< A step of a tape: see sdf_tape.h. */
 } SdfOp;
 
 /** Number of operands of a node. */

@@ -99,6 +99,9 @@ static bool render_frame(Animation *animation, const RenderJob *job, Error *erro
         return true;
     }
     Scene *scene = command_load_scene_at(job->options, job->time, animation->cache, NULL, error);
+    if (scene && !animation->scene) {
+        command_print_notes(scene);
+    }
     scene_destroy(animation->scene);
     animation->scene = scene;
     picture_deinit(&animation->picture);

@@ -23,9 +23,12 @@ void cli_needs(const Options *options, Error *error);   /**< `needs` */
 void cli_chart(const Options *options, Error *error);   /**< `chart` */
 void cli_lab(const Options *options, Error *error);     /**< `lab` */
 
-/** Loads the scene of a command line. @return The scene, to be freed with #scene_destroy; NULL on
- *  failure. */
+/** Loads the scene of a command line and prints its notes. @return The scene, to be freed with
+ *  #scene_destroy; NULL on failure. */
 Scene *command_load_scene(const Options *options, Error *error);
+
+/** Prints the notes of a scene on standard error. */
+void command_print_notes(const Scene *scene);
 
 /**
  * Loads the scene of a command line at another time.

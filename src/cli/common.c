@@ -13,7 +13,18 @@
 static atomic_bool is_interrupted;
 
 Scene *command_load_scene(const Options *options, Error *error) {
-    return command_load_scene_at(options, options->time, NULL, NULL, error);
+    Scene *scene = command_load_scene_at(options, options->time, NULL, NULL, error);
+    if (scene) {
+        command_print_notes(scene);
+    }
+    return scene;
+}
+
+void command_print_notes(const Scene *scene) {
+    for (size_t i = 0; i < scene->note_count; i++) {
+        print_sanitized(scene->notes[i], stderr);
+        fputc('\n', stderr);
+    }
 }
 
 Scene *command_load_scene_at(const Options *options, double time, AssetCache *cache,
@@ -39,8 +50,10 @@ RenderSettings command_render_settings(const Options *options, const Scene *scen
     settings.samples = options->samples ? options->samples : settings.samples;
     settings.sampling = (Sampling)options->sampling;
     TraceSettings *trace = &settings.trace;
+    method_set_apply((MethodSet)options->methods, &settings);
     trace->depth = options->depth >= 0 ? options->depth : trace->depth;
     trace->offset = options->offset >= 0 ? (OffsetStrategy)options->offset : trace->offset;
+    trace->pixel_point = (PixelPoint)options->pixel;
     trace->epsilon = options->epsilon >= 0 ? options->epsilon : trace->epsilon;
     return settings;
 }

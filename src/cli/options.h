@@ -71,6 +71,8 @@ typedef struct Options {
     double time;                              /**< `--time`, seconds. */
     int offset;                               /**< `--offset`: an #OffsetStrategy; default -1. */
     double epsilon;                           /**< `--epsilon`, scene units; default -1. */
+    int pixel;                                /**< `--pixel`: a #PixelPoint. */
+    int methods;                              /**< `--methods`: a #MethodSet. */
     int progress;                             /**< `--progress`: a #ProgressStyle. */
     int rays;                                 /**< `--rays`: a #BenchRays. */
     int keys;                                 /**< `--keys`: a #KeyBinding. */

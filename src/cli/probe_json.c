@@ -57,6 +57,8 @@ static void write_pixel(JsonWriter *json, const ProbeReport *report) {
     json_integer(json, "x", report->x);
     json_integer(json, "y", report->y);
     json_string(json, "engine", report->settings.engine->name);
+    json_string(json, "pixel", pixel_point_words[report->settings.trace.pixel_point]);
+    json_string(json, "methods", method_set_words[report->settings.method_set]);
     json_array_begin(json, "steps");
     for (int channel = 0; channel < 3; channel++) {
         json_integer(json, NULL, pixel.channels[channel]);

@@ -167,24 +167,31 @@ static Rgbd multiply_colors(Rgbd a, Rgbd b) {
 /** Prints the sum that makes the colour of the camera ray. */
 static void print_sum(const ProbeReport *report) {
     const RayTreeNode *camera = &report->tree->nodes[0];
+    bool is_own = report->settings.method_set == METHODS_OWN;
     char label[TERM_NAME_SIZE];
     fputs(gettext("\nThe sum of ray 0, linear light:\n"), stdout);
     if (camera->shape < 0) {
         print_color(INDENT, camera->is_hit ? N_("the lamp") : N_("the sky"), camera->local_color,
                     "");
+    } else if (!is_own) {
+        print_color(INDENT, N_("of itself"), camera->local_color,
+                    N_("its own light and that of the lamps"));
     } else if (!camera->surface.is_overridden) {
         print_color(INDENT, N_("of itself"), emitted_and_ambient(&camera->surface),
                     N_("its own light and that from everywhere"));
     }
     for (size_t i = 1; i < report->tree->count; i++) {
         const RayTreeNode *ray = &report->tree->nodes[i];
-        if (ray->parent == 0) {
+        if (ray->parent == 0 && (is_own || ray->kind != RAY_SHADOW)) {
             snprintf(label, sizeof label, gettext("+ ray %zu"), i);
             print_color(INDENT, label, multiply_colors(ray->color, ray->weight),
                         ray->kind == RAY_SHADOW ? "" : N_("what it brings back, times its share"));
         }
     }
-    print_color(INDENT, N_("= the pixel"), camera->color, "");
+    print_color(INDENT, N_("= the pixel"), camera->color,
+                report->settings.trace.methods & METHOD_MEAN_OF_RAYS
+                    ? N_("the mean of all rays: the sum over their number")
+                    : "");
     ProbePixel pixel = probe_pixel(report);
     printf("%*s%12d%12d%12d  ", INDENT + LABEL_WIDTH, "", pixel.channels[0], pixel.channels[1],
            pixel.channels[2]);
@@ -203,6 +210,13 @@ void probe_print(const ProbeReport *report) {
             gettext(
                 "Its first sample of %d, through its middle: the pixel is the mean of them all.\n"),
             settings->samples);
+    }
+    if (settings->trace.pixel_point != PIXEL_CENTER) {
+        printf(gettext("Rays go %s.\n"), gettext(pixel_point_name(settings->trace.pixel_point)));
+    }
+    if (settings->method_set != METHODS_OWN) {
+        printf(gettext("Drawn %s: %s.\n"), gettext(method_set_name(settings->method_set)),
+               gettext(method_set_effect(settings->method_set)));
     }
     putchar('\n');
     print_rays(report);

@@ -54,4 +54,10 @@ void render_metadata_init(RenderMetadata *metadata, const Options *options, doub
     add_entry(metadata, "dioptre:samples", "%d", settings->samples);
     add_entry(metadata, "dioptre:depth", "%d", trace->depth);
     add_entry(metadata, "dioptre:offset", "%s", offset);
+    if (settings->method_set != METHODS_OWN) {
+        add_entry(metadata, "dioptre:methods", "%s", method_set_words[settings->method_set]);
+    }
+    if (trace->pixel_point != PIXEL_CENTER) {
+        add_entry(metadata, "dioptre:pixel", "%s", pixel_point_words[trace->pixel_point]);
+    }
 }

@@ -16,6 +16,8 @@ _dioptre_words() {
     case $1 in
     --engine) echo auto f32x16 f32x8 f32x4 f32x1 f64x4 f64x1 f128x1 ;;
     --offset) echo none fixed bound ;;
+    --pixel) echo center corner ;;
+    --methods) echo own a b c d ;;
     --sampling) echo adaptive full ;;
     --progress) echo auto json none ;;
     --rays) echo image primary random ;;

@@ -61,8 +61,7 @@ typedef struct ExperimentRun {
     atomic_bool has_failed;       /**< Whether memory was short. */
 } ExperimentRun;
 
-/** @return The engine with one lane and a number type, or NULL. */
-static const Engine *scalar_engine_for(const NumberType *type) {
+const Engine *experiment_engine(const NumberType *type) {
     for (const Engine *const *engine = engine_list(); *engine; engine++) {
         if ((*engine)->lanes == 1 && (*engine)->mantissa_bits == type->mantissa_bits) {
             return *engine;
@@ -112,6 +111,7 @@ static void summarize_score(ScoreStats *score, MethodResult *result) {
     for (int i = 0; i < OUTCOME_COUNT; i++) {
         result->outcome_fractions[i] = score_fraction(score, (Outcome)i);
     }
+    result->failure_fraction = score_failure_fraction(score);
     result->mean_cost =
         score->cost_count ? score->cost_sum / (double)score->cost_count : (double)NAN;
 }
@@ -140,15 +140,15 @@ static void score_samples(const ExperimentRun *run, const MethodSubject *subject
             for (size_t i = 0; i < count && (subjects[m].method || subjects[m].tracer); i++) {
                 query_subject(&subjects[m], &samples[i], outputs);
                 experiment->score_sample(&samples[i], outputs, &scores[m]);
+                score_end_sample(&scores[m]);
             }
         }
         left -= count;
     }
 }
 
-/** @return The tracer of a level, or NULL. @param engine May be NULL. */
-static Tracer *create_level_tracer(const Experiment *experiment, const Engine *engine,
-                                   const ExperimentSetup *setup) {
+Tracer *experiment_create_tracer(const Experiment *experiment, const Engine *engine,
+                                 const ExperimentSetup *setup) {
     Error error = {0};
     TraceSettings settings = {.offset = OFFSET_BOUND};
     Scene *scene =
@@ -185,8 +185,8 @@ static void store_results(ExperimentRun *run, const MethodSubject *subjects, Sco
 
 /** Runs a level in a number type. @param index Of the task. */
 static void run_level(ExperimentRun *run, const ExperimentSetup *setup, size_t index) {
-    const Engine *engine = scalar_engine_for(setup->type);
-    Tracer *tracer = create_level_tracer(run->experiment, engine, setup);
+    const Engine *engine = experiment_engine(setup->type);
+    Tracer *tracer = experiment_create_tracer(run->experiment, engine, setup);
     const MethodFamily *family = number_type_family(setup->type, run->experiment->family);
     MethodSubject subjects[METHODS_MAXIMUM];
     ScoreStats scores[METHODS_MAXIMUM] = {{0}};

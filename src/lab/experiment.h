@@ -78,6 +78,10 @@ typedef struct Experiment {
      *  direction, and the output is the distance of its nearest hit. */
     void (*query_engine)(const Engine *engine, Tracer *tracer, const ExperimentSample *sample,
                          Quadruple *outputs);
+
+    /** Whether #query_engine asks for the nearest hit of one ray and for nothing else: then the
+     *  engine is timed with many rays at once. */
+    bool is_nearest_hit;
 } Experiment;
 
 /** Elements of an array. */
@@ -98,7 +102,8 @@ typedef struct MethodResult {
     double p999;                             /**< Error that one in a thousand exceeds. */
     double maximum;                          /**< Largest error. */
     double outcome_fractions[OUTCOME_COUNT]; /**< Fractions, 0 to 1. */
-    double mean_cost;                        /**< Mean cost of an output. */
+    double failure_fraction; /**< Fraction of samples with any of these; NaN: none was possible. */
+    double mean_cost;        /**< Mean cost of an output. */
 } MethodResult;
 
 /** Results of an experiment, ordered by method, then type, then level. */
@@ -114,6 +119,13 @@ const NumberType *const *number_types(void);
 
 /** @return All experiments, ended by NULL. */
 const Experiment *const *experiment_list(void);
+
+/** @return The engine with one lane and a number type, or NULL. */
+const Engine *experiment_engine(const NumberType *type);
+
+/** @return The tracer of a level, or NULL: there is no scene. @param engine May be NULL. */
+Tracer *experiment_create_tracer(const Experiment *experiment, const Engine *engine,
+                                 const ExperimentSetup *setup);
 
 /**
  * Runs an experiment.

@@ -3,7 +3,9 @@
  * @brief Measures the time per test of each method.
  *
  * All methods in all number types are timed in turn, several times, so that a drift of the clock
- * affects all alike. Each test includes a call through a function pointer.
+ * affects all alike. Each test includes a call through a function pointer. The tracer's engines
+ * with one lane stand among them: by #Engine.closest_hits, with all rays in one call, or, where an
+ * experiment asks for more than a hit, by what it asks.
  */
 #include "lab/microbenchmark.h"
 
@@ -21,14 +23,19 @@ enum { TURNS = 11 };
 /** Most samples for errors. */
 enum { ERROR_SAMPLES_MAXIMUM = 10000 };
 
-/** A method that is timed. */
+/** A method or an engine that is timed. */
 typedef struct TimedMethod {
-    const NumberType *type;     /**< The number type. */
-    const MethodFamily *family; /**< The family, in the number type. */
-    const Method *method;       /**< The method. */
-    void *packed_inputs;        /**< Its inputs; owned. */
-    int rounds;                 /**< Passes over the inputs per turn. */
-    double ns[TURNS];           /**< Time per test in each turn. */
+    const NumberType *type;       /**< The number type. */
+    const MethodFamily *family;   /**< The family, in the number type. */
+    const Method *method;         /**< The method; NULL: the engine is timed. */
+    void *packed_inputs;          /**< Its inputs; owned. NULL: of an engine. */
+    const Experiment *experiment; /**< Of an engine. */
+    const Engine *engine;         /**< The engine, or NULL. */
+    Tracer *tracer;               /**< Its tracer; owned. */
+    RayQuery *rays;               /**< Its rays; owned. NULL: #samples are asked instead. */
+    ExperimentSample *samples;    /**< The inputs; owned. */
+    int rounds;                   /**< Passes over the inputs per turn. */
+    double ns[TURNS];             /**< Time per test in each turn. */
 } TimedMethod;
 
 /** @return The CPU time of this thread, seconds. */
@@ -38,26 +45,52 @@ static double thread_cpu_seconds(void) {
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
+/** Runs an engine on all inputs. */
+static void engine_run(const TimedMethod *timed) {
+    Quadruple outputs[SAMPLE_QUERIES_MAXIMUM * METHOD_NUMBERS_MAXIMUM];
+    int shapes[INPUT_COUNT];
+    double distances[INPUT_COUNT];
+    if (timed->rays) {
+        timed->engine->closest_hits(timed->tracer, INPUT_COUNT, timed->rays, shapes, distances);
+        return;
+    }
+    for (int i = 0; i < INPUT_COUNT; i++) {
+        timed->experiment->query_engine(timed->engine, timed->tracer, &timed->samples[i], outputs);
+    }
+}
+
 /** @return The CPU time of a turn, seconds. */
 static double time_rounds(const TimedMethod *timed) {
     double start = thread_cpu_seconds();
     for (int i = 0; i < timed->rounds; i++) {
-        timed->type->evaluate_packed(timed->family, timed->method, INPUT_COUNT,
-                                     timed->packed_inputs);
+        if (timed->method) {
+            timed->type->evaluate_packed(timed->family, timed->method, INPUT_COUNT,
+                                         timed->packed_inputs);
+        } else {
+            engine_run(timed);
+        }
     }
     return thread_cpu_seconds() - start;
 }
 
-/** Generates the inputs of a method. @return false without memory. */
-static bool generate_inputs(const Experiment *experiment, const ExperimentSetup *setup,
-                            TimedMethod *timed) {
+/** Generates the samples that are timed, the same for all. @return They, to be released with free;
+ *  NULL without memory. */
+static ExperimentSample *generate_samples(const Experiment *experiment,
+                                          const ExperimentSetup *setup) {
+    ExperimentSample *samples = calloc(INPUT_COUNT, sizeof *samples);
+    Random random = {20261121};
+    for (size_t i = 0; samples && i < INPUT_COUNT; i++) {
+        experiment->generate(setup, &random, &samples[i]);
+    }
+    return samples;
+}
+
+/** Packs the inputs of a method. @return false without memory. */
+static bool pack_method_inputs(TimedMethod *timed) {
     size_t numbers = (size_t)timed->family->input_count;
     Quadruple *inputs = calloc(INPUT_COUNT * numbers, sizeof *inputs);
-    Random random = {20261121};
     for (size_t i = 0; inputs && i < INPUT_COUNT; i++) {
-        ExperimentSample sample = {{0}, {0}};
-        experiment->generate(setup, &random, &sample);
-        memcpy(inputs + i * numbers, sample.inputs, numbers * sizeof *inputs);
+        memcpy(inputs + i * numbers, timed->samples[i].inputs, numbers * sizeof *inputs);
     }
     timed->packed_inputs =
         inputs ? timed->type->pack_inputs(timed->family, INPUT_COUNT, inputs) : NULL;
@@ -65,8 +98,38 @@ static bool generate_inputs(const Experiment *experiment, const ExperimentSetup 
     return timed->packed_inputs != NULL;
 }
 
-/** Prepares a method. @param result Names the method and the level. @return false without memory.
- */
+/** Makes the rays of an engine, with which the inputs begin. @return false without memory. */
+static bool make_engine_rays(TimedMethod *timed) {
+    timed->rays = calloc(INPUT_COUNT, sizeof *timed->rays);
+    for (int i = 0; timed->rays && i < INPUT_COUNT; i++) {
+        for (int k = 0; k < 3; k++) {
+            timed->rays[i].origin[k] = (double)timed->samples[i].inputs[k];
+            timed->rays[i].direction[k] = (double)timed->samples[i].inputs[3 + k];
+        }
+    }
+    return timed->rays != NULL;
+}
+
+/** Prepares an engine. @return false if anything is wrong. */
+static bool prepare_engine(TimedMethod *timed, const ExperimentSetup *setup) {
+    const Experiment *experiment = timed->experiment;
+    timed->engine = experiment_engine(timed->type);
+    timed->tracer = experiment_create_tracer(experiment, timed->engine, setup);
+    bool is_nearest_hit = !experiment->query_engine || experiment->is_nearest_hit;
+    return timed->tracer && (!is_nearest_hit || make_engine_rays(timed));
+}
+
+/** @return A method of a family, or NULL: an engine. */
+static const Method *family_method(const MethodFamily *family, const char *name) {
+    const Method *method = family->methods;
+    while (method->name && strcmp(method->name, name) != 0) {
+        method++;
+    }
+    return method->name ? method : NULL;
+}
+
+/** Prepares a method or an engine. @param result Names it and the level. @return false if anything
+ *  is wrong. */
 static bool timed_method_init(const Experiment *experiment, const MethodResult *result,
                               TimedMethod *timed) {
     const NumberType *const *type = number_types();
@@ -74,17 +137,31 @@ static bool timed_method_init(const Experiment *experiment, const MethodResult *
         type++;
     }
     const MethodFamily *family = number_type_family(*type, experiment->family);
-    const Method *method = family->methods;
-    while (strcmp(method->name, result->method) != 0) {
-        method++;
-    }
-    *timed = (TimedMethod){.type = *type, .family = family, .method = method, .rounds = 1};
+    *timed = (TimedMethod){.type = *type,
+                           .family = family,
+                           .method = family_method(family, result->method),
+                           .experiment = experiment,
+                           .rounds = 1};
     void *shared = experiment->create_shared ? experiment->create_shared(result->level) : NULL;
-    bool is_generated =
-        (!experiment->create_shared || shared) &&
-        generate_inputs(experiment, &(ExperimentSetup){*type, result->level, shared}, timed);
+    if (experiment->create_shared && !shared) {
+        return false;
+    }
+    ExperimentSetup setup = {*type, result->level, shared};
+    timed->samples = generate_samples(experiment, &setup);
+    bool is_ready = timed->samples &&
+                    (timed->method ? pack_method_inputs(timed) : prepare_engine(timed, &setup));
     free(shared);
-    return is_generated;
+    return is_ready;
+}
+
+/** Releases what a method or an engine owns. */
+static void timed_method_deinit(TimedMethod *timed) {
+    if (timed->tracer) {
+        timed->engine->destroy(timed->tracer);
+    }
+    free(timed->packed_inputs);
+    free(timed->rays);
+    free(timed->samples);
 }
 
 /** Finds how many rounds a turn needs; the first round warms up. */
@@ -121,24 +198,12 @@ static bool measure_times(const Experiment *experiment, const atomic_bool *stop,
     }
     for (size_t i = 0; i < benchmark->count; i++) {
         benchmark->points[i].ns = quartiles_of(timed[i].ns, TURNS);
-        free(timed[i].packed_inputs);
+        timed_method_deinit(&timed[i]);
     }
     if (stop && atomic_load(stop)) {
         return error_set(error, STATUS_INTERRUPTED, "interrupted");
     }
     return has_room || error_set(error, STATUS_FAILED, "no memory for a clock");
-}
-
-/** @return See #MicrobenchmarkPoint.failure_fraction. */
-static double failure_fraction(const MethodResult *result) {
-    double worst = NAN;
-    for (int i = 0; i < OUTCOME_COUNT; i++) {
-        if (i != OUTCOME_DOUBLE_HIT) {
-            worst = fmax(worst,
-                         result->outcome_fractions[i]); // fmax ignores NaN.
-        }
-    }
-    return worst;
 }
 
 /** Adds a method in a number type, at its best level. @param levels Its results at each. */
@@ -148,8 +213,7 @@ static void add_best_level(Microbenchmark *benchmark, const MethodResult *levels
         best = levels[i].p999 < best->p999 ? &levels[i] : best;
     }
     if (best->sample_count > 0 && benchmark->count < MICROBENCHMARK_POINTS_MAXIMUM) {
-        benchmark->points[benchmark->count++] =
-            (MicrobenchmarkPoint){.result = *best, .failure_fraction = failure_fraction(best)};
+        benchmark->points[benchmark->count++] = (MicrobenchmarkPoint){.result = *best};
     }
 }
 
@@ -157,7 +221,6 @@ bool microbenchmark_measure(const Experiment *experiment, int threads, const ato
                             Microbenchmark *benchmark, Error *error) {
     Experiment timed = *experiment;
     ExperimentResults results;
-    timed.create_scene = NULL; // The time of an engine is not comparable.
     timed.sample_count =
         timed.sample_count < ERROR_SAMPLES_MAXIMUM ? timed.sample_count : ERROR_SAMPLES_MAXIMUM;
     if (experiment->timed_level > 0) {

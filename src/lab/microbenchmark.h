@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Speed and accuracy of methods: time per test, and errors.
+ * @brief Speed and accuracy of methods and of the tracer's engines: time per test, and errors.
  */
 #ifndef DIOPTRE_LAB_MICROBENCHMARK_H
 #define DIOPTRE_LAB_MICROBENCHMARK_H
@@ -13,10 +13,8 @@ enum { MICROBENCHMARK_POINTS_MAXIMUM = 64 };
 
 /** A method in a number type. */
 typedef struct MicrobenchmarkPoint {
-    MethodResult result;     /**< Its errors, at a level. */
-    Quartiles ns;            /**< Time per test in each turn, nanoseconds of CPU time. */
-    double failure_fraction; /**< The largest fraction of an outcome but double hits; NaN: none is
-                                counted. */
+    MethodResult result; /**< Its errors, at a level. */
+    Quartiles ns;        /**< Time per test in each turn, nanoseconds of CPU time. */
 } MicrobenchmarkPoint;
 
 /** All methods of a family. */

@@ -37,10 +37,9 @@ static uint64_t set_parameters(const Keyword *keyword, const FixtureValue *assig
     return rows;
 }
 
-/** Adds a shape. @return false if anything is wrong. */
-static bool add_fixture_shape(Scene *scene, const char *name, const FixtureValue *assignments,
-                              Error *error) {
-    size_t kind = scene_shape_find(name);
+bool scene_fixture_add_shape(Scene *scene, const char *keyword_name,
+                             const FixtureValue *assignments, Error *error) {
+    size_t kind = scene_shape_find(keyword_name);
     const Keyword *keyword = scene_shape_keywords[kind];
     char *values = malloc(keyword->size);
     if (!values) {
@@ -56,7 +55,7 @@ static bool add_fixture_shape(Scene *scene, const char *name, const FixtureValue
 
 Scene *scene_fixture_with_shape(const char *keyword, const FixtureValue *values, Error *error) {
     Scene *scene = scene_create(error);
-    if (scene && !add_fixture_shape(scene, keyword, values, error)) {
+    if (scene && !scene_fixture_add_shape(scene, keyword, values, error)) {
         scene_destroy(scene);
         scene = NULL;
     }
@@ -128,7 +127,7 @@ Scene *scene_fixture_with_mesh(Mesh *mesh, Error *error) {
     }
     mesh_update_bounds(mesh);
     scene->meshes[index].mesh = mesh;
-    if (!add_fixture_shape(scene, "mesh", values, error)) {
+    if (!scene_fixture_add_shape(scene, "mesh", values, error)) {
         scene_destroy(scene);
         return NULL;
     }

@@ -22,6 +22,15 @@ typedef struct FixtureValue {
 Scene *scene_fixture_with_shape(const char *keyword, const FixtureValue *values, Error *error);
 
 /**
+ * Adds a shape to a scene.
+ * @param keyword_name  Its keyword, such as `sphere`.
+ * @param assignments   Its parameters, ended by one without a name.
+ * @return false if anything is wrong.
+ */
+bool scene_fixture_add_shape(Scene *scene, const char *keyword_name,
+                             const FixtureValue *assignments, Error *error);
+
+/**
  * Makes a scene with the surface of one distance field, with the default tolerance.
  * @param name    Keyword of the field, such as `distance.sphere`.
  * @param values  Its parameters, ended by one without a name.

@@ -26,6 +26,24 @@ void score_outcome(ScoreStats *score, Outcome outcome, bool happened) {
     score->outcome_counts[outcome] += happened;
 }
 
+void score_end_sample(ScoreStats *score) {
+    size_t failures = 0;
+    for (int i = 0; i < OUTCOME_COUNT; i++) {
+        failures += score->outcome_counts[i];
+    }
+    score->sample_count++;
+    score->failed_count += failures > score->failures_before;
+    score->failures_before = failures;
+}
+
+double score_failure_fraction(const ScoreStats *score) {
+    size_t trials = 0;
+    for (int i = 0; i < OUTCOME_COUNT; i++) {
+        trials += score->outcome_trials[i];
+    }
+    return trials ? (double)score->failed_count / (double)score->sample_count : (double)NAN;
+}
+
 void score_cost(ScoreStats *score, Quadruple work) {
     score->cost_sum += (double)work;
     score->cost_count++;

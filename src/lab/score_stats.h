@@ -27,6 +27,9 @@ typedef struct ScoreStats {
     size_t capacity;                      /**< Errors that fit in. */
     size_t outcome_trials[OUTCOME_COUNT]; /**< Samples in which it was possible. */
     size_t outcome_counts[OUTCOME_COUNT]; /**< Samples in which it happened. */
+    size_t sample_count;                  /**< Samples that are finished. */
+    size_t failed_count;                  /**< Those with any failure. */
+    size_t failures_before;               /**< Failures of all samples that are finished. */
     double cost_sum;                      /**< Sum of costs, such as steps. */
     size_t cost_count;                    /**< Samples with a cost. */
     bool is_out_of_memory;                /**< Whether an error did not fit in memory. */
@@ -47,6 +50,13 @@ void score_error(ScoreStats *score, Quadruple error);
 
 /** Adds a sample in which an outcome was possible. */
 void score_outcome(ScoreStats *score, Outcome outcome, bool happened);
+
+/** Ends a sample: it has failed if any outcome happened since the one before. */
+void score_end_sample(ScoreStats *score);
+
+/** @return The frequency of samples with any failure, a double hit as well as a leak, 0 to 1; NaN:
+ *  none was possible. */
+double score_failure_fraction(const ScoreStats *score);
 
 /** Adds a cost. */
 void score_cost(ScoreStats *score, Quadruple work);

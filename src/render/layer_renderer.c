@@ -59,7 +59,14 @@ static bool reference_tracer_prepare(Renderer *renderer, const Scene *scene, Err
     }
     reference_tracer_destroy(layer_renderer);
     TraceSettings settings = renderer_trace_settings(renderer, NULL);
+    // What the picture is compared with: the tracer's own methods, whatever it is traced with.
+    RenderSettings own = renderer->settings;
+    method_set_apply(METHODS_OWN, &own);
+    settings.methods = own.trace.methods;
+    settings.relaxation = own.trace.relaxation;
+    settings.footprint = own.trace.footprint;
     settings.offset = OFFSET_BOUND;
+    settings.pixel_point = PIXEL_CENTER;
     Scene lit = renderer_lit_scene(renderer, scene);
     layer_renderer->reference_tracer = reference->create_tracer(&lit, &settings, error);
     layer_renderer->reference = layer_renderer->reference_tracer ? reference : NULL;

@@ -21,8 +21,6 @@ int render_cpu_count(void) {
 RenderSettings render_settings_default(const Scene *scene) {
     /** The constant offset of the textbook tracer, scene units. */
     const double report_epsilon = 1e-4;
-    /** Distance to a surface at which sphere tracing stops, in half pixels (doc/marching.md). */
-    const double footprint = 0.125;
     PrecisionEstimate estimate = precision_estimate_of(scene);
     int depth = scene->image.depth;
     return (RenderSettings){
@@ -35,7 +33,7 @@ RenderSettings render_settings_default(const Scene *scene) {
         .trace = {.depth = depth == IMAGE_DEPTH_AUTO ? estimate.depth : depth,
                   .offset = OFFSET_BOUND,
                   .epsilon = report_epsilon,
-                  .footprint = footprint},
+                  .footprint = RENDER_FOOTPRINT},
     };
 }
 
@@ -54,6 +52,7 @@ TraceSettings renderer_trace_settings(const Renderer *renderer, const Renderer *
     const RenderSettings *settings = &renderer->settings;
     TraceSettings trace = settings->trace;
     trace.samples = settings->samples;
+    trace.is_unlit = settings->lighting == LIGHTING_UNLIT;
     trace.parallel_for =
         (ParallelFor){renderer->thread_pool, settings->threads, parallel_for_thread_pool};
     trace.reuse_from =
@@ -66,9 +65,9 @@ Scene renderer_lit_scene(const Renderer *renderer, const Scene *scene) {
     Scene lit = *scene;
     if (renderer->settings.lighting == LIGHTING_NO_AMBIENT) {
         lit.ambient = black;
+        lit.sky = (SceneSky){0};
     } else if (renderer->settings.lighting == LIGHTING_UNLIT) {
         lit.ambient = white;
-        lit.light_count = 0;
     }
     return lit;
 }

@@ -17,6 +17,7 @@ typedef struct SceneArena {
     size_t shape_capacity;    /**< Capacity of #Scene.shapes. */
     size_t mesh_capacity;     /**< Capacity of #Scene.meshes. */
     size_t texture_capacity;  /**< Capacity of #Scene.textures. */
+    size_t note_capacity;     /**< Capacity of #Scene.notes. */
 } SceneArena;
 
 /**
@@ -215,6 +216,21 @@ const Sdf *scene_add_sdf(Scene *scene, const Sdf *sdf, Error *error) {
     size_t size = sdf_size(sdf->node_count);
     Sdf *copy = scene_arena_allocate((SceneArena *)scene, size, error);
     return copy ? memcpy(copy, sdf, size) : NULL;
+}
+
+bool scene_add_note(Scene *scene, const char *note, Error *error) {
+    SceneArena *arena = (SceneArena *)scene;
+    void *array = scene->notes;
+    const char *copy = scene_arena_copy_string(arena, note, error);
+    const char **slot = copy ? scene_arena_append(arena, &array, &arena->note_capacity,
+                                                  scene->note_count, sizeof *slot, error)
+                             : NULL;
+    if (slot) {
+        *slot = copy;
+        scene->notes = array;
+        scene->note_count++;
+    }
+    return slot != NULL;
 }
 
 bool scene_set_last_transform(Scene *scene, const Transform *transform, Error *error) {

@@ -158,6 +158,26 @@ void scene_camera_move(SceneCamera *camera, double right, double up, double forw
     camera->position = vec3d_add(camera->position, offset);
 }
 
+/** @return The component of a vector perpendicular to a unit vector. */
+static Vec3d perpendicular_part(Vec3d v, Vec3d unit) {
+    return vec3d_subtract(v, vec3d_scale(unit, vec3d_dot(v, unit)));
+}
+
+void scene_camera_walk(SceneCamera *camera, Vec3d vertical, double right, double up,
+                       double forward) {
+    /** Sine of the angle to the vertical below which a camera counts as looking along it. */
+    const double steep_tolerance = 1e-6;
+    Vec3d ahead = perpendicular_part(camera->direction, vertical);
+    if (vec3d_length(ahead) < steep_tolerance) {
+        double sign = vec3d_dot(camera->direction, vertical) > 0 ? -1 : 1;
+        ahead = vec3d_scale(perpendicular_part(camera->up, vertical), sign);
+    }
+    ahead = vec3d_normalize(ahead);
+    Vec3d offset = vec3d_add(vec3d_scale(vec3d_cross(ahead, vertical), right),
+                             vec3d_add(vec3d_scale(vertical, up), vec3d_scale(ahead, forward)));
+    camera->position = vec3d_add(camera->position, offset);
+}
+
 /**
  * @return v rotated about an axis (Rodrigues' formula).
  * @param v      The vector.

@@ -11,6 +11,7 @@
 #include "script/script_run.h"
 #include "script/script_sandbox.h"
 #include "script/sdf_binding.h"
+#include "script/sdf_function.h"
 
 #include <lauxlib.h>
 #include <libintl.h>
@@ -247,9 +248,10 @@ static void read_color(lua_State *L, int index, const Parameter *row, void *fiel
     }
 }
 
-/** Reads a distance field; the scene keeps a copy. See #ReadFunction. */
+/** Reads a distance field or the function of one; the scene keeps a copy. See #ReadFunction. */
 static void read_field(lua_State *L, int index, const Parameter *row, void *field) {
-    const Sdf *sdf = sdf_binding_test(L, index);
+    const Sdf *sdf =
+        lua_isfunction(L, index) ? sdf_function_push(L, index) : sdf_binding_test(L, index);
     Error error = {0};
     if (!sdf) {
         read_type_error(L, index, row, N_("a distance field"));

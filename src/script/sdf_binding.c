@@ -11,6 +11,7 @@
 #include "script/library.h"
 #include "script/lua_error.h"
 #include "script/read_parameters.h"
+#include "script/sdf_function.h"
 
 #include <lauxlib.h>
 #include <string.h>
@@ -86,6 +87,18 @@ static int call_primitive(lua_State *L) {
     read_check_arguments(L, keywords, NULL);
     const void *values = read_fields(L, &primitive->keyword, &given);
     primitive->create(push_sdf(L, 1), values);
+    return 1;
+}
+
+/** `distance.field(function(x, y, z, t) ... end)`. See lua_CFunction. @return 1: the field. */
+static int call_field(lua_State *L) {
+    check_argument_count(L, 1, "distance.field(function(x, y, z) ... end)");
+    if (!lua_isfunction(L, 1)) {
+        return lua_error_tr(L, "%s takes a function, not %s", "distance.field",
+                            read_describe(L, 1));
+    }
+    sdf_function_push(L, 1);
+    luaL_setmetatable(L, sdf_type_name);
     return 1;
 }
 
@@ -249,7 +262,10 @@ static void open_methods(lua_State *L) {
 
 void sdf_binding_open(lua_State *L) {
     open_methods(L);
+    sdf_function_open(L);
     lua_newtable(L);
+    lua_pushcfunction(L, call_field);
+    lua_setfield(L, -2, "field");
     for (size_t i = 0; sdf_primitives[i]; i++) {
         lua_pushlightuserdata(L, (void *)(uintptr_t)sdf_primitives[i]);
         lua_pushcclosure(L, call_primitive, 1);

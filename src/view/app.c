@@ -95,7 +95,8 @@ void app_move(App *app, Movement light, Movement camera) {
     bool is_light_moved =
         movement_is_nonzero(light) && app->selected_light < app->scene->light_count;
     if (is_light_moved || movement_is_nonzero(camera)) {
-        view_state_move(&app->home_view, app->scene, app->selected_light, light, camera);
+        view_state_move(&app->home_view, app->scene, app->selected_light, light, camera,
+                        app->input.camera_motion);
         app_on_view_changed(app);
     } else {
         latency_discard_pending(&app->window.latency);

@@ -60,8 +60,9 @@ typedef struct SceneSource {
 
 /** What keyboard and mouse are doing. */
 typedef struct InputState {
-    HeldKeys held_keys;      /**< The keys that are held. */
-    double next_move_time;   /**< When held keys move things again, seconds. */
+    HeldKeys held_keys;         /**< The keys that are held. */
+    CameraMotion camera_motion; /**< How keys move the camera. */
+    double next_move_time;      /**< When held keys move things again, seconds. */
     bool is_click_candidate; /**< Whether the mouse button is down and the mouse has not moved. */
     int click_x;             /**< Where it went down, screen units. */
     int click_y;             /**< The same. */

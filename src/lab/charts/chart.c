@@ -317,7 +317,8 @@ static bool points_measure_errors(ChartMeasurement *measure, Error *error) {
 static void find_pareto_front(Chart *chart) {
     ParetoPoint points[CHART_POINTS_MAXIMUM];
     for (size_t i = 0; i < chart->count; i++) {
-        points[i] = (ParetoPoint){chart->points[i].seconds, chart->points[i].total_error, false};
+        points[i] = (ParetoPoint){.cost = chart->points[i].seconds,
+                                  .error = chart->points[i].total_error};
     }
     pareto_front_find(points, chart->count, EQUAL_ERROR_FACTOR);
     for (size_t i = 0; i < chart->count; i++) {

@@ -34,7 +34,7 @@ static double point_error_p999(const MicrobenchmarkPoint *point) {
 
 /** @return The fraction of a method's failures; NaN: none is counted. */
 static double point_failures(const MicrobenchmarkPoint *point) {
-    return point->failure_fraction;
+    return point->result.failure_fraction;
 }
 
 /** A chart, and the text in it. */
@@ -44,6 +44,7 @@ typedef struct BenchmarkChart {
     char y_labels[PANELS_MAXIMUM][LABEL_SIZE];     /**< Of their y axes. */
     char x_label[LABEL_SIZE];                      /**< Of all x axes. */
     bool is_pareto[MICROBENCHMARK_POINTS_MAXIMUM]; /**< Whether each is part of a panel's front. */
+    bool is_tied[MICROBENCHMARK_POINTS_MAXIMUM];   /**< Whether it is tied with one there. */
 } BenchmarkChart;
 
 /** @return The index of a number type. */
@@ -64,32 +65,46 @@ static size_t plotted_type_count(void) {
     return count;
 }
 
-/** Lists the Pareto front of a panel. */
-static void write_pareto_caption(const PlotPanel *panel, char title[TITLE_SIZE]) {
-    const char *comma = "front: ";
-    title[0] = '\0';
+/** Lists points of the front of a panel. @param before Stands before the first of them. @param
+ *  is_tied Whether those are listed that are tied with others. */
+static void append_to_caption(const PlotPanel *panel, const ParetoPoint *points, const char *before,
+                              bool is_tied, char title[TITLE_SIZE]) {
     for (size_t i = 0; i < panel->point_count; i++) {
         const PlotPoint *point = &panel->points[i];
         size_t length = strlen(title);
-        if (point->is_pareto) {
-            snprintf(title + length, TITLE_SIZE - length, "%s%s %s", comma, point->label,
+        if (points[i].is_pareto && points[i].is_tied == is_tied) {
+            snprintf(title + length, TITLE_SIZE - length, "%s%s %s", before, point->label,
                      number_types()[point->style]->name);
-            comma = ", ";
+            before = ", ";
         }
     }
 }
 
-/** Marks the Pareto front of a panel. @param rows For each point, its index in the benchmark. */
-static void mark_pareto_front(BenchmarkChart *chart, PlotPanel *panel, const size_t *rows) {
+/**
+ * Marks the Pareto front of a panel and lists it in the title.
+ * @param rows  For each point, its index in the benchmark.
+ * @param title  Receives the list; must live as long as the chart.
+ */
+static void mark_pareto_front(BenchmarkChart *chart, const Microbenchmark *benchmark,
+                              PlotPanel *panel, const size_t *rows, char title[TITLE_SIZE]) {
     ParetoPoint points[PLOT_POINTS_MAXIMUM];
     for (size_t i = 0; i < panel->point_count; i++) {
-        points[i] = (ParetoPoint){panel->points[i].x, panel->points[i].y, false};
+        const Quartiles *ns = &benchmark->points[rows[i]].ns;
+        points[i] = (ParetoPoint){.cost = panel->points[i].x,
+                                  .error = panel->points[i].y,
+                                  .cost_low = ns->low,
+                                  .cost_high = ns->high};
     }
     pareto_front_find(points, panel->point_count, 1);
     for (size_t i = 0; i < panel->point_count; i++) {
         panel->points[i].is_pareto = points[i].is_pareto;
-        chart->is_pareto[rows[i]] = chart->is_pareto[rows[i]] || points[i].is_pareto;
+        bool is_untied = points[i].is_pareto && !points[i].is_tied;
+        chart->is_pareto[rows[i]] = chart->is_pareto[rows[i]] || is_untied;
+        chart->is_tied[rows[i]] = chart->is_tied[rows[i]] || points[i].is_tied;
     }
+    title[0] = '\0';
+    append_to_caption(panel, points, "front: ", false, title);
+    append_to_caption(panel, points, "; tied: ", true, title);
 }
 
 /** Adds a panel, unless all of its values are 0 or missing. @param column Of y. */
@@ -122,8 +137,7 @@ static void benchmark_chart_add_panel(BenchmarkChart *chart, const Microbenchmar
         }
     }
     if (sum > 0) {
-        mark_pareto_front(chart, panel, rows);
-        write_pareto_caption(panel, chart->titles[index]);
+        mark_pareto_front(chart, benchmark, panel, rows, chart->titles[index]);
         chart->plot.panel_count++;
         chart->plot.columns++;
     }
@@ -131,7 +145,7 @@ static void benchmark_chart_add_panel(BenchmarkChart *chart, const Microbenchmar
 
 /** Writes the label of the x axis: the time, and the level of difficulty it is measured at. */
 static void write_x_label(const Experiment *experiment, char label[LABEL_SIZE]) {
-    static const char *const time = "nanoseconds a test, one thread";
+    static const char *const time = "nanoseconds per test, one thread";
     if (experiment->timed_level > 0) {
         snprintf(label, LABEL_SIZE, "%s; %s: %g", time, experiment->difficulty,
                  experiment->timed_level);
@@ -150,7 +164,7 @@ static void benchmark_chart_init(BenchmarkChart *chart, const Microbenchmark *be
              experiment->error_label ? experiment->error_label : "");
     benchmark_chart_add_panel(chart, benchmark, point_error_p999, COLUMN_ERROR);
     snprintf(chart->y_labels[chart->plot.panel_count], LABEL_SIZE,
-             "share of rays: false, leaking or wrong");
+             "share of rays: leak, false hit or miss, double hit");
     benchmark_chart_add_panel(chart, benchmark, point_failures, COLUMN_FAILURES);
 }
 
@@ -161,9 +175,14 @@ static void row_numbers(const MicrobenchmarkPoint *point, double numbers[ROW_NUM
                                         point->ns.high,
                                         point_error_p999(point),
                                         point->result.maximum,
-                                        point->failure_fraction,
+                                        point->result.failure_fraction,
                                         point->result.outcome_fractions[OUTCOME_DOUBLE_HIT]};
     memcpy(numbers, values, sizeof values);
+}
+
+/** @return What a table says of a row: whether it is part of a front, or tied with one that is. */
+static const char *front_word(const BenchmarkChart *chart, size_t row) {
+    return chart->is_pareto[row] ? gettext("yes") : chart->is_tied[row] ? gettext("tie") : "";
 }
 
 /** Prints a table. */
@@ -182,7 +201,7 @@ static void microbenchmark_print(const Microbenchmark *benchmark, const Benchmar
         for (size_t n = 0; n < ROW_NUMBERS; n++) {
             table_number(&table, numbers[n]);
         }
-        table_cell(&table, "%s", chart->is_pareto[i] ? gettext("yes") : "");
+        table_cell(&table, "%s", front_word(chart, i));
     }
     fprintf(stream, "%s\n", gettext(chart->plot.title));
     table_print(&table, stream);
@@ -206,7 +225,8 @@ static bool microbenchmark_write_csv(const Microbenchmark *benchmark, const Benc
     for (size_t i = 0; i < benchmark->count; i++) {
         double numbers[ROW_NUMBERS + 1];
         row_numbers(&benchmark->points[i], numbers);
-        numbers[ROW_NUMBERS] = chart->is_pareto[i];
+        // A tie is half of a place.
+        numbers[ROW_NUMBERS] = chart->is_pareto[i] ? 1 : chart->is_tied[i] ? 0.5 : 0;
         csv_text(&csv, benchmark->points[i].result.method);
         csv_text(&csv, benchmark->points[i].result.type);
         csv_number(&csv, benchmark->points[i].result.level);

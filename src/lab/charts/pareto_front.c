@@ -4,16 +4,28 @@
  */
 #include "lab/charts/pareto_front.h"
 
+/** @return Whether the quartiles of two costs overlap. */
+static bool costs_are_tied(const ParetoPoint *a, const ParetoPoint *b) {
+    return a->cost_low > 0 && b->cost_low > 0 && a->cost_low <= b->cost_high &&
+           b->cost_low <= a->cost_high;
+}
+
 void pareto_front_find(ParetoPoint *points, size_t count, double equal_factor) {
     for (size_t i = 0; i < count; i++) {
         ParetoPoint *point = &points[i];
-        point->is_pareto = true;
+        bool is_beaten = false, is_tied = false;
         for (size_t k = 0; k < count; k++) {
             const ParetoPoint *other = &points[k];
             bool dominates =
                 (other->cost < point->cost && other->error <= equal_factor * point->error) ||
                 (other->cost <= point->cost && other->error < point->error);
-            point->is_pareto = point->is_pareto && !dominates;
+            bool is_as_cheap = costs_are_tied(point, other);
+            bool is_tie = is_as_cheap && other->error == point->error;
+            bool is_better = is_as_cheap && other->error < point->error;
+            is_beaten = is_beaten || is_better || (dominates && !is_tie);
+            is_tied = is_tied || (dominates && is_tie);
         }
+        point->is_pareto = !is_beaten;
+        point->is_tied = !is_beaten && is_tied;
     }
 }

@@ -159,4 +159,5 @@ const Experiment cube_edges_experiment = {
     .score_sample = score_hit_count,
     .create_scene = scene_edge,
     .query_engine = query_hit_count,
+    .is_nearest_hit = true,
 };

@@ -116,4 +116,5 @@ const Experiment cylinder_rim_experiment = {
     .score_sample = score_hit_count,
     .create_scene = scene_rim,
     .query_engine = query_hit_count,
+    .is_nearest_hit = true,
 };

@@ -17,6 +17,7 @@ extern const Experiment plane_angle_experiment;       /**< Grazing rays. */
 extern const Experiment plane_point_experiment;       /**< A plane given by a point far away. */
 extern const Experiment triangle_edges_experiment;    /**< Edges of a closed surface. */
 extern const Experiment triangle_corners_experiment;  /**< Its corners. */
+extern const Experiment triangle_grid_experiment;     /**< Corners and rays of whole numbers. */
 extern const Experiment triangle_small_experiment;    /**< Ever smaller triangles. */
 extern const Experiment triangle_thin_experiment;     /**< Ever thinner triangles. */
 extern const Experiment box_touch_experiment;         /**< Rays that just touch a box. */
@@ -27,6 +28,8 @@ extern const Experiment mirror_offset_experiment;     /**< Rays leaving mirrors 
                                                            origin. */
 extern const Experiment glass_scale_experiment;       /**< Into glass, small and large. */
 extern const Experiment glass_offset_experiment;      /**< Into glass far from the origin. */
+extern const Experiment shells_gap_experiment;        /**< Through two spheres close to each
+                                                           other. */
 extern const Experiment mirror_bounces_experiment;    /**< From mirror to mirror. */
 extern const Experiment fresnel_into_experiment;      /**< Reflectance of glass, from air. */
 extern const Experiment fresnel_out_experiment;       /**< From inside glass. */

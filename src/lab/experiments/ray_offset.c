@@ -1,7 +1,7 @@
 /**
  * @file
  * @brief Experiments on rays that leave a surface: wrong offsets cause acne on mirrors and wrong
- *        exits from glass.
+ *        exits from glass; what is thin is lost.
  */
 #include "base/language.h"
 #include "lab/experiments/experiments.h"
@@ -224,4 +224,95 @@ const Experiment glass_offset_experiment = {
     .score_sample = score_refracted,
     .create_scene = create_far_sphere_scene,
     .query_engine = query_second_ray,
+};
+
+/* --- through two spheres close to each other --- */
+
+/** Distances of the spheres, in radii of the inner one; 4e-5: a cornea. */
+static const double gaps[] = {1e-1, 1e-2, 1e-3, 1e-4, 4e-5, 1e-5, 1e-6};
+/** Surfaces that a ray through both meets. */
+enum { SHELL_SURFACES = 4 };
+/** Hits after which a ray is given up. */
+enum { SHELL_HITS = 8 };
+
+/** @return The radius of the outer sphere, exact in float. */
+static Quadruple outer_radius(double gap) {
+    return number_types()[0]->round(1 + (Quadruple)gap);
+}
+
+/** Generates a ray through both spheres, see #Experiment.generate. */
+static void generate_shells(const ExperimentSetup *setup, Random *random,
+                            ExperimentSample *sample) {
+    SampleWriter writer = {setup->type, sample->inputs};
+    Vec3q center = far_point(1), outwards = random_direction(random);
+    Vec3q origin = sample_writer_vec3(&writer, vec3q_add(center, vec3q_scale(outwards, 3)));
+    Vec3q target = vec3q_add(center, random_in_disc(random, outwards, 0.95));
+    sample_writer_vec3(&writer, vec3q_normalize(vec3q_subtract(target, origin)));
+    sample_writer_vec3(&writer, center);
+    sample_writer_number(&writer, outer_radius(setup->level));
+    sample_writer_number(&writer, 1);
+}
+
+/** Scores what a ray met: too little, too much, not in order. See #Experiment.score_sample. */
+static void score_shells(const ExperimentSample *sample, const Quadruple *outputs,
+                         ScoreStats *score) {
+    (void)sample;
+    score_outcome(score, OUTCOME_LEAK, outputs[1] < SHELL_SURFACES);
+    score_outcome(score, OUTCOME_DOUBLE_HIT, outputs[1] > SHELL_SURFACES);
+    score_outcome(score, OUTCOME_WRONG, outputs[0] < SHELL_SURFACES);
+    score_cost(score, SHELL_SURFACES - outputs[0]);
+}
+
+/** @return Both spheres, the outer one first, see #Experiment.create_scene. */
+static Scene *scene_shells(const ExperimentSetup *setup, Error *error) {
+    FixtureValue inner[] = {{.name = "center"}, {"radius", {1}}, {0}};
+    vec3q_to_doubles(far_point(1), inner[0].components);
+    Scene *scene = sphere_scene(far_point(1), (double)outer_radius(setup->level), error);
+    if (scene && !scene_fixture_add_shape(scene, "sphere", inner, error)) {
+        scene_destroy(scene);
+        scene = NULL;
+    }
+    return scene;
+}
+
+/** Sends a ray straight through, anew from each hit as the tracer's transmitted rays start. See
+ *  #Experiment.query_engine. */
+static void query_shells(const Engine *engine, Tracer *tracer, const ExperimentSample *sample,
+                         Quadruple *outputs) {
+    static const int expected[SHELL_SURFACES] = {0, 1, 1, 0};
+    Vec3q ray[2] = {vec3q_from_array(sample->inputs), vec3q_from_array(sample->inputs + 3)};
+    RayResult hit;
+    int in_order = 0, count = 0;
+    intersect_ray(engine, tracer, ray, &hit);
+    for (; count < SHELL_HITS && hit.shape >= 0; count++) {
+        in_order += count < SHELL_SURFACES && in_order == count && hit.shape == expected[count];
+        Vec3q normal = vec3q_from_array(hit.normal);
+        if (vec3q_dot(ray[1], normal) > 0) { // The side that the ray goes to is behind the surface.
+            normal = vec3q_scale(normal, -1);
+        }
+        hit.normal[0] = normal.x;
+        hit.normal[1] = normal.y;
+        hit.normal[2] = normal.z;
+        ray[0] = tracer_ray_origin(&hit, ray[1]);
+        intersect_ray(engine, tracer, ray, &hit);
+    }
+    outputs[0] = in_order;
+    outputs[1] = count;
+}
+
+const Experiment shells_gap_experiment = {
+    .name = "shells-gap",
+    .title = N_("Rays straight through two spheres close to each other: which surfaces are lost?"),
+    .family = "shells",
+    .difficulty = N_("distance of the spheres / radius"),
+    .cost_label = N_("surfaces of four that are lost"),
+    .levels = gaps,
+    .level_count = COUNT_OF(gaps),
+    .sample_count = 10000,
+    .queries_per_sample = 1,
+    .timed_level = 4e-5,
+    .generate = generate_shells,
+    .score_sample = score_shells,
+    .create_scene = scene_shells,
+    .query_engine = query_shells,
 };

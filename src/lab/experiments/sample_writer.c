@@ -20,6 +20,34 @@ Quadruple sample_writer_number(SampleWriter *writer, Quadruple x) {
     return *writer->next++ = writer->type->round(x);
 }
 
+/** @return A vector with its axes rotated cyclically. @param axis 0, 1 or 2: becomes z. */
+static Vec3q permute_axes(Vec3q v, int axis) {
+    return axis == 0 ? (Vec3q){v.y, v.z, v.x} : axis == 1 ? (Vec3q){v.z, v.x, v.y} : v;
+}
+
+void sample_writer_triangle(SampleWriter *writer, const Vec3q corners[3]) {
+    Vec3q rounded[3];
+    for (int i = 0; i < 3; i++) {
+        rounded[i] = sample_writer_vec3(writer, corners[i]);
+    }
+    Vec3q e1 = vec3q_subtract(rounded[1], rounded[0]), e2 = vec3q_subtract(rounded[2], rounded[0]);
+    Vec3q n = vec3q_cross(e1, e2);
+    Quadruple x = quad_abs(n.x), y = quad_abs(n.y), z = quad_abs(n.z);
+    int axis = x > y && x > z ? 0 : y > z ? 1 : 2;
+    Vec3q a = permute_axes(rounded[0], axis), normal = permute_axes(n, axis);
+    e1 = permute_axes(e1, axis);
+    e2 = permute_axes(e2, axis);
+    // Across the fixed axis the triangle is one of two dimensions, with twice the area normal.z.
+    Quadruple area = normal.z == 0 ? 1 : normal.z; // A triangle without area: any numbers.
+    const Quadruple rows[9] = {e2.y / area,     -e2.x / area,    (e2.x * a.y - e2.y * a.x) / area,
+                               -e1.y / area,    e1.x / area,     (e1.y * a.x - e1.x * a.y) / area,
+                               normal.x / area, normal.y / area, -vec3q_dot(normal, a) / area};
+    for (int i = 0; i < 9; i++) {
+        sample_writer_number(writer, rows[i]);
+    }
+    sample_writer_number(writer, axis);
+}
+
 Vec3q far_point(double distance) {
     // A direction of length 1 but for rounding, without a zero or two equal coordinates.
     Vec3q position = vec3q_scale(vec3q_normalize((Vec3q){0.61, -0.47, 0.64}), distance);

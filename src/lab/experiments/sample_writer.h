@@ -23,6 +23,12 @@ Vec3q sample_writer_vec3(SampleWriter *writer, Vec3q v);
 /** Writes a number. @return The number, rounded. */
 Quadruple sample_writer_number(SampleWriter *writer, Quadruple x);
 
+/**
+ * Writes the corners of a triangle and the transformation of Baldwin and Weber, as the methods of
+ * the family `triangle` take them.
+ */
+void sample_writer_triangle(SampleWriter *writer, const Vec3q corners[3]);
+
 /** @return A float point at a distance from the origin, in a direction without symmetry. */
 Vec3q far_point(double distance);
 

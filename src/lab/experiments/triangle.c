@@ -33,9 +33,11 @@ static void write_face_input(SampleWriter *writer, const Icosphere *ball, const 
                              int face) {
     sample_writer_vec3(writer, ray[0]);
     sample_writer_vec3(writer, ray[1]);
+    Vec3q corners[3];
     for (int k = 0; k < 3; k++) {
-        sample_writer_vec3(writer, ball->vertices[face < 0 ? 0 : ball->faces[face][k]]);
+        corners[k] = ball->vertices[face < 0 ? 0 : ball->faces[face][k]];
     }
+    sample_writer_triangle(writer, corners);
 }
 
 /**
@@ -156,6 +158,7 @@ const Experiment triangle_edges_experiment = {
     .score_sample = score_faces,
     .create_scene = icosphere_scene,
     .query_engine = query_icosphere,
+    .is_nearest_hit = true,
 };
 
 const Experiment triangle_corners_experiment = {
@@ -172,6 +175,66 @@ const Experiment triangle_corners_experiment = {
     .score_sample = score_faces,
     .create_scene = icosphere_scene,
     .query_engine = query_icosphere,
+    .is_nearest_hit = true,
+};
+
+/* --- whole numbers --- */
+
+/** Cells of the grid in a radius. */
+static const double grid_cells[] = {32, 128, 512, 2048, 8192};
+/** How far from the middle rays start, in radii: all of them leave through the face they aim at. */
+#define GRID_ORIGIN_RADIUS 0.25
+
+/** @return A vector with whole coordinates. */
+static Vec3q vec3q_whole(Vec3q v) {
+    // Halves are added before the fraction is cut off, away from zero.
+    return (Vec3q){(int)(v.x + (v.x < 0 ? -0.5 : 0.5)), (int)(v.y + (v.y < 0 ? -0.5 : 0.5)),
+                   (int)(v.z + (v.z < 0 ? -0.5 : 0.5))};
+}
+
+/** @return A closed surface with corners on a grid. See #Experiment.create_shared. @param level
+ *  Cells in its radius. */
+static void *build_grid_sphere(double level) {
+    Icosphere *ball = icosphere_create((Vec3q){0, 0, 0});
+    for (int i = 0; ball && i < ball->vertex_count; i++) {
+        ball->vertices[i] = vec3q_whole(vec3q_scale(ball->vertices[i], level));
+    }
+    return ball;
+}
+
+/** Generates a ray of whole numbers that runs exactly through a corner or the middle of an edge,
+ *  see #Experiment.generate. */
+static void generate_grid_ray(const ExperimentSetup *setup, Random *random,
+                              ExperimentSample *sample) {
+    const Icosphere *ball = setup->shared;
+    const int *face = ball->faces[random_bits(random) % ICOSPHERE_FACES];
+    size_t first = random_bits(random) % 3;
+    bool is_corner = random_bits(random) % 2;
+    const int ends[2] = {face[first], face[is_corner ? first : (first + 1) % 3]};
+    Vec3q inside = vec3q_scale(random_direction(random),
+                               setup->level * random_range(random, 0, GRID_ORIGIN_RADIUS));
+    Vec3q origin = vec3q_whole(inside);
+    Vec3q both = vec3q_add(ball->vertices[ends[0]], ball->vertices[ends[1]]);
+    Vec3q direction = vec3q_subtract(both, vec3q_scale(origin, 2)); // It ends at twice the way.
+    write_fan_faces(setup, (const Vec3q[]){origin, direction}, ends, sample);
+}
+
+const Experiment triangle_grid_experiment = {
+    .name = "triangle-grid",
+    .title = N_("Rays of whole numbers, exactly through corners and edges that are whole numbers"),
+    .family = "triangle",
+    .difficulty = N_("cells of the grid / radius"),
+    .levels = grid_cells,
+    .level_count = COUNT_OF(grid_cells),
+    .sample_count = 10000,
+    .queries_per_sample = SAMPLE_QUERIES_MAXIMUM,
+    .timed_level = 128,
+    .create_shared = build_grid_sphere,
+    .generate = generate_grid_ray,
+    .score_sample = score_faces,
+    .create_scene = icosphere_scene,
+    .query_engine = query_icosphere,
+    .is_nearest_hit = true,
 };
 
 /* --- one triangle --- */
@@ -208,9 +271,7 @@ static void generate_triangle_ray(const ExperimentSetup *setup, const TestTriang
     Vec3q origin =
         sample_writer_vec3(&writer, vec3q_add(target, vec3q_scale(away, single->distance)));
     Vec3q direction = sample_writer_vec3(&writer, vec3q_normalize(vec3q_subtract(target, origin)));
-    for (int k = 0; k < 3; k++) {
-        sample_writer_vec3(&writer, c[k]);
-    }
+    sample_writer_triangle(&writer, c);
     sample->expected[0] = triangle_expected(origin, direction, c);
 }
 

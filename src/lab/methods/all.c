@@ -11,6 +11,7 @@
 #include "lab/methods/number_type.c"
 #include "lab/methods/plane.c"
 #include "lab/methods/ray_offset.c"
+#include "lab/methods/shells.c"
 #include "lab/methods/sphere.c"
 #include "lab/methods/sphere_tracing.c"
 #include "lab/methods/sphere_uv.c"

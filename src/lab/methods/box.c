@@ -109,6 +109,28 @@ METHOD(box_slabs_robust, BoxInput, BoxOutput) {
     return box_slabs_intersect(in, 1 + 2 * gamma);
 }
 
+/**
+ * Quilez, `boxIntersection` of his *Intersectors* (MIT licence; see doc/references.md).
+ *
+ *   m = 1 / d,  n = m (P0 - C),  k = |m| r,  near = max(-n - k),  far = min(-n + k), for a box with
+ *   centre C and half its size r
+ *
+ * Where d is 0 in an axis, n and k are infinite or NaN: a ray along a face is a matter of luck. A
+ * centre and half a size must be rounded where low and high need not be.
+ */
+METHOD(box_quilez, BoxInput, BoxOutput) {
+    const real half = (scalar)0.5f;
+    Vec3 center = vec3_scale(vec3_add(in->low, in->high), half);
+    Vec3 extent = vec3_scale(vec3_subtract(in->high, in->low), half);
+    Vec3 o = vec3_subtract(in->origin, center), d = in->direction;
+    Vec3 m = {1 / d.x, 1 / d.y, 1 / d.z}, n = {m.x * o.x, m.y * o.y, m.z * o.z};
+    Vec3 k = {real_abs(m.x) * extent.x, real_abs(m.y) * extent.y, real_abs(m.z) * extent.z};
+    real near = real_max(real_max(-n.x - k.x, -n.y - k.y), -n.z - k.z);
+    real far = real_min(real_min(-n.x + k.x, -n.y + k.y), -n.z + k.z);
+    return !(near > far || far < 0) ? box_output_of((SlabInterval){near, far})
+                                    : (BoxOutput){.distance = INFINITE};
+}
+
 /** A box in a cyclic order of axes: [0] is across a pair of faces, [1] and [2] are in them. */
 typedef struct BoxFace {
     real origin[3];    /**< Origin of the ray. */
@@ -163,10 +185,12 @@ const MethodFamily box_slabs_family = {
     (const Method[]){{"NaN misses", "NaN misses", box_slabs_nan_misses_run},
                      {"NaN drops out", "NaN drops out", box_slabs_nan_ignored_run},
                      {"far(1+2g3)", "far(1+2g3)", box_slabs_robust_run},
+                     {"Quilez", "Quilez", box_quilez_run},
                      {0}}};
 
 const MethodFamily box_cube_family = {
     FAMILY("box-cube", BoxInput, BoxOutput),
     (const Method[]){{"six quads", "six quads", box_six_quads_run},
                      {"slabs", "slabs", box_slabs_robust_run},
+                     {"Quilez", "Quilez", box_quilez_run},
                      {0}}};

@@ -135,6 +135,37 @@ METHOD(cylinder_solid_interval, CylinderInput, CylinderOutput) {
                             is_hit ? (near > 0 ? 2 : 1) : 0};
 }
 
+/**
+ * A closed cylinder by one quadratic for any axis, and its ends where a root lies beyond them
+ * (Quilez, `cylIntersect` of his *Intersectors*, MIT licence; see doc/references.md).
+ *
+ *   e = b - a,  f = P0 - a,  k2 = e.e - (e.d)^2,  k1 = e.e f.d - e.f e.d,
+ *   k0 = e.e f.f - (e.f)^2 - R^2 e.e,  t = (-k1 -+ sqrt(k1^2 - k2 k0)) / k2
+ *   an end: t = ((y < 0 ? 0 : e.e) - e.f) / e.d, where |k1 + k2 t| < sqrt(k1^2 - k2 k0)
+ *
+ * As he has it, only the first hit from outside; here each root and each end is tried. Squares of
+ * squares are subtracted, and at the rim each part rounds on its own.
+ */
+METHOD(cylinder_quilez, CylinderInput, CylinderOutput) {
+    CylinderOutput out = {.distance = INFINITE};
+    Vec3 e = {0, in->height, 0}, f = vec3_subtract(in->origin, in->base), d = in->direction;
+    real ee = vec3_dot(e, e), ed = vec3_dot(e, d), ef = vec3_dot(e, f);
+    real k2 = ee - ed * ed, k1 = ee * vec3_dot(f, d) - ef * ed;
+    real k0 = ee * vec3_dot(f, f) - ef * ef - in->radius * in->radius * ee;
+    real h = k1 * k1 - k2 * k0;
+    if (h < 0) {
+        return out;
+    }
+    real root = real_sqrt(h), near = (-k1 - root) / k2, far = (-k1 + root) / k2;
+    real near_height = ef + near * ed, far_height = ef + far * ed; // In lengths of e, times e.
+    cylinder_keep_nearest(&out, near_height > 0 && near_height < ee, near);
+    cylinder_keep_nearest(&out, far_height > 0 && far_height < ee, far);
+    real bottom = -ef / ed, top = (ee - ef) / ed;
+    cylinder_keep_nearest(&out, real_abs(k1 + k2 * bottom) < root, bottom);
+    cylinder_keep_nearest(&out, real_abs(k1 + k2 * top) < root, top);
+    return out;
+}
+
 const MethodFamily cylinder_wall_family = {
     FAMILY("cylinder-wall", CylinderInput, CylinderOutput),
     (const Method[]){{"B^2-AC", "B^2-AC", cylinder_wall_textbook_run},
@@ -145,4 +176,5 @@ const MethodFamily cylinder_solid_family = {
     FAMILY("cylinder-solid", CylinderInput, CylinderOutput),
     (const Method[]){{"three parts", "three parts", cylinder_solid_parts_run},
                      {"interval", "interval", cylinder_solid_interval_run},
+                     {"Quilez", "Quilez", cylinder_quilez_run},
                      {0}}};

@@ -34,6 +34,7 @@ extern const MethodFamily fresnel_family;           /**< Reflectance of a dielec
 extern const MethodFamily gradient_family;          /**< Normals of a distance field. */
 extern const MethodFamily plane_family;             /**< A plane. */
 extern const MethodFamily ray_offset_family;        /**< Origins of secondary rays. */
+extern const MethodFamily shells_family;            /**< Two spheres close to each other. */
 extern const MethodFamily sphere_family;            /**< A sphere. */
 extern const MethodFamily sphere_tracing_family;    /**< Steps along a ray to a surface. */
 extern const MethodFamily sphere_uv_family;         /**< Latitude on a sphere. */

@@ -33,7 +33,7 @@ typedef struct MethodFamily {
 } MethodFamily;
 
 /** Most numbers of an input or an output. */
-enum { METHOD_NUMBERS_MAXIMUM = 24 };
+enum { METHOD_NUMBERS_MAXIMUM = 25 };
 
 /** All methods in one number type. */
 typedef struct NumberType {

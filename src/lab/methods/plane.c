@@ -40,8 +40,21 @@ METHOD(plane_equation, PlaneInput, PlaneOutput) {
     return (PlaneOutput){height / vec3_dot(in->direction, in->normal)};
 }
 
+/**
+ * Quilez, `plaIntersect` of his *Intersectors* (MIT licence; see doc/references.md).
+ *
+ *   t = -(P0.N + w) / d.N,  w = -N.Q
+ *
+ * #plane_equation with the terms in another order.
+ */
+METHOD(plane_quilez, PlaneInput, PlaneOutput) {
+    real height = vec3_dot(in->origin, in->normal) - in->offset;
+    return (PlaneOutput){-height / vec3_dot(in->direction, in->normal)};
+}
+
 const MethodFamily plane_family = {
     FAMILY("plane", PlaneInput, PlaneOutput),
     (const Method[]){{"by a point", "by a point", plane_point_normal_run},
                      {"by its offset", "by its offset", plane_equation_run},
+                     {"Quilez", "Quilez", plane_quilez_run},
                      {0}}};

@@ -208,6 +208,23 @@ METHOD(sphere_compensated, SphereInput, SphereOutput) {
     return sphere_output(discriminant, near, far);
 }
 
+/**
+ * Quilez, `sphIntersect` of his *Intersectors* (MIT licence; see doc/references.md).
+ *
+ *   f = P0 - C,  b = f.d,  q = f - b d,  h = R^2 - q.q,  t = -b -+ sqrt(h)
+ *
+ * #sphere_projection_relative with other signs: c is never computed. As he has it, t = -b - sqrt(h)
+ * alone; here the ray may also start inside.
+ */
+METHOD(sphere_quilez, SphereInput, SphereOutput) {
+    Vec3 f = vec3_subtract(in->origin, in->center), d = in->direction;
+    real b = vec3_dot(f, d);
+    Vec3 q = vec3_subtract(f, vec3_scale(d, b));
+    real h = in->radius * in->radius - vec3_dot(q, q);
+    real root = real_sqrt(h);
+    return sphere_output(h, -b - root, -b + root);
+}
+
 const MethodFamily sphere_family = {
     FAMILY("sphere", SphereInput, SphereOutput),
     (const Method[]){{"expanded", "expanded", sphere_expanded_run},
@@ -217,4 +234,5 @@ const MethodFamily sphere_family = {
                      {"Haines", "Haines", sphere_stable_quadratic_run},
                      {"mixed", "mixed", sphere_mixed_precision_run},
                      {"compensated", "compensated", sphere_compensated_run},
+                     {"Quilez", "Quilez", sphere_quilez_run},
                      {0}}};

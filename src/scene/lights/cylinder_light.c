@@ -20,12 +20,14 @@ static const Parameter cylinder_light_parameters[] = {
     LIGHT_COLOR_ROW,
     LIGHT_INTENSITY_ROW,
     LIGHT_FALLOFF_ROW,
+    LIGHT_FALLOFF_CONSTANT_ROW,
     {0}};
 
 /** A white cylinder of length 1, just under a ceiling at height 2. */
 static const SceneLight cylinder_light_defaults = {.color = {1, 1, 1},
                                                    .intensity = 1,
                                                    .falloff = FALLOFF_NONE,
+                                                   .falloff_constant = LIGHT_FALLOFF_CONSTANT,
                                                    .position = {-0.5, 1.9, 0},
                                                    .radius = 0.05,
                                                    .own = {0.5, 1.9, 0}};

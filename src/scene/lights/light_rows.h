@@ -32,6 +32,14 @@ extern const char *const light_falloff_words[];
         .choices = light_falloff_words, .unit = "word", .help = "how it weakens with the distance" \
     }
 
+/** The row `falloff_constant`. */
+#define LIGHT_FALLOFF_CONSTANT_ROW                                                                 \
+    LIGHT_LENGTH_ROW("falloff_constant", PARAMETER_NUMBER, offsetof(SceneLight, falloff_constant), \
+                     0, "c, where the falloff is inverse_linear: 1 / (c + distance)")
+
+/** Default of `falloff_constant`, scene units: that of report D, whose lamps give 5 / (2 + d). */
+#define LIGHT_FALLOFF_CONSTANT 2
+
 /** A row for a length or a position in scene units. */
 #define LIGHT_LENGTH_ROW(name_, type_, offset_, minimum_, help_)                                   \
     {                                                                                              \

@@ -4,7 +4,7 @@
  */
 #include "scene/lights/light_rows.h"
 
-const char *const light_falloff_words[] = {"none", "inverse_square", NULL};
+const char *const light_falloff_words[] = {"none", "inverse_square", "inverse_linear", NULL};
 
 /** Fields of `light`. */
 static const Parameter point_light_parameters[] = {
@@ -13,13 +13,17 @@ static const Parameter point_light_parameters[] = {
     LIGHT_COLOR_ROW,
     LIGHT_INTENSITY_ROW,
     LIGHT_FALLOFF_ROW,
+    LIGHT_FALLOFF_CONSTANT_ROW,
     LIGHT_LENGTH_ROW("radius", PARAMETER_NUMBER, offsetof(SceneLight, radius), 0,
                      "above 0: seen as a glowing ball, with soft shadows"),
     {0}};
 
 /** A white light just under a ceiling at height 2. */
-static const SceneLight point_light_defaults = {
-    .color = {1, 1, 1}, .intensity = 1, .position = {0, 1.9, 0}, .falloff = FALLOFF_NONE};
+static const SceneLight point_light_defaults = {.color = {1, 1, 1},
+                                                .intensity = 1,
+                                                .position = {0, 1.9, 0},
+                                                .falloff = FALLOFF_NONE,
+                                                .falloff_constant = LIGHT_FALLOFF_CONSTANT};
 
 /**
  * Rejects spheres too small for the engines' number types. See #Keyword.finish.

@@ -25,12 +25,14 @@ static const Parameter rectangle_light_parameters[] = {
     LIGHT_COLOR_ROW,
     LIGHT_INTENSITY_ROW,
     LIGHT_FALLOFF_ROW,
+    LIGHT_FALLOFF_CONSTANT_ROW,
     {0}};
 
 /** A white square of side 1, just under a ceiling at height 2, that emits downwards. */
 static const SceneLight rectangle_light_defaults = {.color = {1, 1, 1},
                                                     .intensity = 1,
                                                     .falloff = FALLOFF_NONE,
+                                                    .falloff_constant = LIGHT_FALLOFF_CONSTANT,
                                                     .position = {-0.5, 1.9, -0.5},
                                                     .own = {1, 0, 0, 0, 0, 1}};
 

@@ -3,6 +3,7 @@
  * @brief Direct light: shadow rays, Lambert's law and Phong's highlight.
  */
 #include "trace/lights/light.h"
+#include "trace/lights/report_shadows.h"
 #include "trace/lights/shadow_transmittance.h"
 #include "trace/tracer/aov.h"
 #include "trace/tracer/path_hash.h"
@@ -123,11 +124,18 @@ uint64_t shade_direct(const ShapeSet *shapes, const Light *lights, size_t light_
         mask occluded[PACKET_VECTORS];
         sample.shadow_rays.wants_points = false;
         lights[i].sample(&lights[i], i, offset, surface, &sample);
+        if (lights[i].methods & METHOD_SHADOW_BEYOND) {
+            report_shadow_extend(&sample);
+        }
         unsigned count = packet_active_count(&sample.shadow_rays);
         if (count > 0) {
-            shape_set_occluded(surface->interior ? &surface->dielectrics->opaque : shapes,
-                               &sample.shadow_rays, occluded);
-            if (surface->interior) {
+            if (lights[i].methods & METHOD_SHADOW_BY_SHAPE) {
+                report_shadow_by_shape(shapes, surface, &sample, occluded);
+            } else {
+                shape_set_occluded(surface->interior ? &surface->dielectrics->opaque : shapes,
+                                   &sample.shadow_rays, occluded);
+            }
+            if (surface->interior && !(lights[i].methods & METHOD_SHADOW_BY_SHAPE)) {
                 shadow_transmittance_find(shapes, offset, surface, &sample.shadow_rays, occluded,
                                           sample.transmittance);
             }

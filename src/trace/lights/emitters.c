@@ -80,7 +80,7 @@ void emitters_shade(const Light *lights, const Hit *hits, Rgb *colors) {
             int shape = integer_lane(hits[v].shape, mask_first(remaining));
             mask same = remaining & (hits[v].shape == integer_of(shape));
             const Light *light = &lights[emitter_light_index(shape)];
-            colors[v] = rgb_select(same, light->intensity, colors[v]);
+            colors[v] = rgb_select(same, light->radiance, colors[v]);
             remaining &= mask_not(same);
         }
     }

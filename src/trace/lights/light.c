@@ -35,7 +35,10 @@ Light light_of(const SceneLight *said, int samples) {
     Rgbs bright = {color.red * intensity, color.green * intensity, color.blue * intensity};
     Light light = {.class = light_class_of(said),
                    .intensity = rgb_splat(bright),
-                   .is_inverse_square = said->falloff == FALLOFF_INVERSE_SQUARE};
+                   .radiance = rgb_splat(bright),
+                   .is_inverse_square = said->falloff == FALLOFF_INVERSE_SQUARE,
+                   .is_inverse_linear = said->falloff == FALLOFF_INVERSE_LINEAR,
+                   .falloff_constant = (scalar)said->falloff_constant};
     light_set_min_distance_squared(&light, 0);
     light.class->init(&light, said, samples);
     return light;

@@ -15,7 +15,8 @@
 
 /**
  * What one light would give to the points of a packet, if nothing were in the way. For each active
- * ray it gives intensity * weight * cosine, divided by #distance_squared if it falls off.
+ * ray it gives intensity * weight * cosine, divided by #distance_squared or by a constant plus its
+ * root if it falls off.
  */
 typedef struct LightSample {
     Packet shadow_rays;                    /**< Rays to the light; active where it may shine. */
@@ -61,9 +62,14 @@ struct Light {
     LightSampler *sample;        /**< How it is sampled; set by #LightClass.init. */
     Rgb intensity;               /**< Colour times intensity. */
     scalar min_distance_squared; /**< Falloff ends here, scene units squared. */
-    bool is_inverse_square;      /**< Whether its light decreases with the distance. */
+    bool is_inverse_square;      /**< Whether its light decreases with the distance's square. */
+    bool is_inverse_linear;      /**< Whether with the distance plus #falloff_constant. */
+    scalar falloff_constant;     /**< Scene units. */
     bool is_visible;             /**< Whether rays see it. */
     bool is_soft;                /**< Whether each shadow ray goes to another point of it. */
+    bool is_at_infinity;         /**< Whether its light is parallel. */
+    unsigned methods; /**< Methods of the reports for its shadows: a set of #ReportMethod. */
+    Rgb radiance;     /**< As bright as rays see it: #intensity, unless a report's. */
     real own[LIGHT_OWN_VECTORS]; /**< The class's own struct; see #light_own. */
 };
 
@@ -171,6 +177,10 @@ INLINE real light_attenuation(const Light *light, const LightSample *sample, int
     if (light->is_inverse_square) {
         attenuation = attenuation /
                       real_max(sample->distance_squared[v], real_of(light->min_distance_squared));
+    } else if (light->is_inverse_linear) {
+        real distance =
+            real_sqrt(real_max(sample->distance_squared[v], real_of(light->min_distance_squared)));
+        attenuation = attenuation / (light->falloff_constant + distance);
     }
     return attenuation;
 }

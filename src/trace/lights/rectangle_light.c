@@ -8,7 +8,8 @@
  *
  *     I / A * integral of cos(surface) cos(emitter) / d^2 over the area.
  *
- * Without falloff, 1 / d^2 is 1: the mean of point lights spread evenly over the rectangle.
+ * Without falloff, 1 / d^2 is 1: the mean of point lights spread evenly over the rectangle. With
+ * inverse-linear falloff it is 1 / (c + d) likewise.
  *
  * A sample is chosen in two steps: a row, then a point of the row. The rows have the density 1 /
  * (a + |s|)^2, and the point of a row 1 / (a^2 + s^2)^(3/2), which is exactly that of the solid

@@ -29,7 +29,8 @@ static void sun_init(Light *self, const SceneLight *said, int samples) {
     Vec3d direction = vec3d_normalize(vec3d_scale_exponent(said->direction));
     *(Sun *)self->own = (Sun){vec3_of(vec3d_scale(direction, -1))};
     self->sample = sun_sample;
-    self->is_inverse_square = false;
+    self->is_inverse_square = self->is_inverse_linear = false;
+    self->is_at_infinity = true;
 }
 
 /** The class of `sun`. */

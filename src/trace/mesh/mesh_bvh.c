@@ -199,6 +199,7 @@ bool mesh_bvh_cache_init(MeshBvhCache *cache, const Scene *scene, const MeshBvhC
                             .parallel_for = &settings->parallel_for,
                             .has_textures = scene_has_textures(scene),
                             .relaxation = (scalar)settings->relaxation,
+                            .methods = settings->methods,
                             .footprint = {.pixel_fraction = (scalar)settings->footprint}};
     cache->entries = calloc(count + 1, sizeof *cache->entries);
     return cache->entries ||

@@ -65,6 +65,7 @@ struct MeshBvhCache {
     const ParallelFor *parallel_for;     /**< Threads for the construction; likewise. */
     bool has_textures;                   /**< Whether any material has a texture. */
     scalar relaxation;                   /**< #TraceSettings.relaxation */
+    unsigned methods;                    /**< #TraceSettings.methods */
     Footprint footprint;                 /**< Size of a pixel, for the tolerance of SDFs. */
     StepLimitCounter step_limit_counter; /**< Rays that have reached the step limit of an SDF. */
 };

@@ -240,13 +240,18 @@ void sdf_compile(SdfInstruction *program, const Sdf *sdf) {
         [SDF_UNION] = sdf_op_union,
         [SDF_SMOOTH_UNION] = sdf_op_smooth_union,
         [SDF_INTERSECTION] = sdf_op_intersection,
-        [SDF_DIFFERENCE] = sdf_op_difference};
+        [SDF_DIFFERENCE] = sdf_op_difference,
+        [SDF_TAPE] = sdf_op_tape};
     for (int i = 0; i < sdf->node_count; i++) {
         const SdfNode *node = &sdf->nodes[i];
         program[i].execute = handlers[node->op];
         program[i].body_count = node->body_count;
         for (int n = 0; n < SDF_OPERANDS; n++) {
             program[i].operands[n] = (scalar)node->operands[n];
+        }
+        if (node->op == SDF_TAPE) {
+            sdf_tape_compile(&program[i + 1], node);
+            i += node->body_count;
         }
     }
 }

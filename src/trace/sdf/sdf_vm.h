@@ -73,4 +73,14 @@ void sdf_op_menger(SdfVm *vm, const SdfInstruction *instruction);
 /** Bound of the distance to a Mandelbulb. See #SdfInstruction.execute. */
 void sdf_op_mandelbulb(SdfVm *vm, const SdfInstruction *instruction);
 
+/** Result of a tape. See #SdfInstruction.execute. */
+void sdf_op_tape(SdfVm *vm, const SdfInstruction *instruction);
+
+/**
+ * Translates the steps of a tape.
+ * @param[out] body  The instructions behind that of the tape: memory for its steps.
+ * @param tape       Its #SDF_TAPE node, followed by its steps.
+ */
+void sdf_tape_compile(SdfInstruction *body, const SdfNode *tape);
+
 #endif

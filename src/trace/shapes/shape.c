@@ -2,6 +2,8 @@
  * @file
  * @brief The list of all classes of shapes, and the objects of the shapes of a scene.
  */
+#include "trace/mesh/mesh_bvh.h"
+#include "trace/shapes/report_sphere.h"
 #include "trace/shapes/transformed.h"
 
 /** An entry of #shape_classes. */
@@ -46,7 +48,8 @@ static Shape *shape_init(void *memory, Shape base, const void *parameters) {
 
 Shape *shape_init_from_scene(void *memory, const SceneShape *scene_shape, int index,
                              MeshBvhCache *meshes, Error *error) {
-    const ShapeClass *class = shape_classes[scene_shape->class_index];
+    const ShapeClass *class =
+        report_shape_class(shape_classes[scene_shape->class_index], meshes->methods);
     Shape base = {.class = class, .index = index, .material = (int)scene_shape->material_index};
     void *inner_memory =
         (char *)memory + (scene_shape->transform ? shape_class_stride(&transformed_class) : 0);

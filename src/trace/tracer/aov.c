@@ -171,7 +171,7 @@ static void aov_samples_write(const AovSample *packet_samples, const PixelGrid *
 
 void aov_trace(const Tracer *tracer, const PixelGrid *grid, unsigned flags, AovSample *samples,
                RayCounts *counts) {
-    const TraceContext context = {tracer, counts};
+    const TraceContext context = {tracer, counts, NULL};
     const PixelJitter jitter = pixel_jitter_of(grid->sample);
     int packet_count = grid_packet_count(grid);
     for (int index = 0; index < packet_count; index++) {
@@ -181,7 +181,7 @@ void aov_trace(const Tracer *tracer, const PixelGrid *grid, unsigned flags, AovS
         camera_rays_init(tracer, grid, jitter, index, &recorders, &rays);
         if (flags & AOV_RADIANCE) {
             Rgb colors[PACKET_VECTORS];
-            trace_packet(&context, &rays.state, colors);
+            trace_camera_packet(&context, &rays.state, colors);
             aov_samples_set_colors(colors, packet_samples);
         }
         if (flags != AOV_RADIANCE) {

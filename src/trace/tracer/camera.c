@@ -19,14 +19,15 @@
 /** Half of 2^32: sample 0 is the centre of the pixel. */
 #define SAMPLE_CENTER 0x80000000u
 
-Camera camera_of(const SceneCamera *camera, int width, int height) {
+Camera camera_of(const SceneCamera *camera, int width, int height, PixelPoint point) {
     double half_pixel = tan(camera->fov / 2 * (M_PI / 180)) / width;
     return (Camera){.origin = vec3_of(camera->position),
                     .forward = vec3_of(camera->direction),
                     .right = vec3_of(vec3d_scale(scene_camera_right(camera), half_pixel)),
                     .up = vec3_of(vec3d_scale(camera->up, half_pixel)),
                     .width = width,
-                    .height = height};
+                    .height = height,
+                    .shift = point == PIXEL_CORNER ? SUBPIXELS / 2 : 0};
 }
 
 /**
@@ -122,6 +123,8 @@ static void camera_generate_selected_rays(const Camera *camera, const PixelGrid 
 
 void camera_generate_rays(const Camera *camera, const PixelGrid *grid, PixelJitter jitter,
                           int index, Packet *packet) {
+    jitter.x -= camera->shift;
+    jitter.y -= camera->shift;
     packet->wants_points = true;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         packet->limit[v] = real_of(INFINITE);

@@ -15,6 +15,7 @@ typedef struct Camera {
     Vec3 up;      /**< Up, half a pixel long at distance 1. */
     int width;    /**< Pixels of the image. */
     int height;   /**< Pixels of the image. */
+    int shift;    /**< By how much rays go to the left and up, in 1 / 256 pixels; 0: not at all. */
 } Camera;
 
 /** The position of a sample in its pixel, in 1 / 256 pixels from the left and the top. The filter
@@ -32,8 +33,9 @@ PixelJitter pixel_jitter_of(int sample);
  *         of view.
  * @param width  Pixels of the image.
  * @param height  Pixels of the image.
+ * @param point  Where in its pixel a ray goes.
  */
-Camera camera_of(const SceneCamera *camera, int width, int height);
+Camera camera_of(const SceneCamera *camera, int width, int height, PixelPoint point);
 
 /* A grid is divided into packets: of PACKET_COLUMNS by PACKET_ROWS pixels, row by row; or, if
    pixels are selected, of PACKET_RAYS of those in their order. */

@@ -4,6 +4,7 @@
  */
 #include "trace/tracer/aov.h"
 #include "trace/tracer/query.h"
+#include "trace/tracer/report_methods.h"
 #include "trace/tracer/tile.h"
 
 #include <stdlib.h>
@@ -45,16 +46,20 @@ static void engine_set_view(Tracer *tracer, const Scene *scene, int width, int h
     Vec3d shift = vec3d_scale(tracer->origin, -1);
     SceneCamera camera = scene->camera;
     keyword_translate(&scene_camera_keyword, &camera, shift);
-    tracer->camera = camera_of(&camera, width, height);
+    tracer->camera = camera_of(&camera, width, height, tracer->pixel_point);
     footprint_set_camera(&tracer->meshes.footprint, &tracer->camera);
     dielectrics_set_camera(&tracer->dielectrics, tracer->camera.origin);
-    for (size_t i = 0; i < tracer->light_count; i++) {
+    for (size_t i = 0; i < tracer->seen_light_count; i++) {
         SceneLight light = scene->lights[i];
         keyword_translate(scene_light_keyword_for(&light), &light, shift);
         tracer->lights[i] = light_of(&light, tracer->samples);
+        if (tracer->methods) {
+            report_light_set(&tracer->lights[i], tracer->methods);
+        }
         tracer->has_soft_shadows = tracer->has_soft_shadows || tracer->lights[i].is_soft;
     }
-    emitters_set(&tracer->emitters, scene, tracer->lights, tracer->light_count, tracer->origin);
+    emitters_set(&tracer->emitters, scene, tracer->lights, tracer->seen_light_count,
+                 tracer->origin);
 }
 
 /**
@@ -74,10 +79,13 @@ static Tracer *tracer_create(const Scene *scene, Vec3d origin, const TraceSettin
     bool is_recursive = scene_has_reflection(scene) || scene_has_transparency(scene);
     *tracer =
         (Tracer){.sky = sky_of(&scene->sky),
-                 .light_count = scene->light_count,
+                 .light_count = settings->is_unlit ? 0 : scene->light_count,
+                 .seen_light_count = scene->light_count,
                  .depth = is_recursive ? settings->depth : 0,
                  .cutoff = (scalar)(settings->cutoff > 0 ? settings->cutoff : THROUGHPUT_CUTOFF),
                  .samples = settings->samples,
+                 .methods = settings->methods,
+                 .pixel_point = settings->pixel_point,
                  .origin = origin,
                  .has_specular = scene_has_specular(scene),
                  .ray_offset = {settings->offset, (scalar)settings->epsilon}};

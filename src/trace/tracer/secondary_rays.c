@@ -15,6 +15,7 @@ INLINE void secondary_rays_init(SecondaryRays *secondary, RayType type, const Pa
     secondary->rays.packet.wants_points = true;
     secondary->rays.packet.context = parent->context;
     secondary->rays.packet.context.bounce++;
+    secondary->rays.packet.context.type = type;
 }
 
 /**

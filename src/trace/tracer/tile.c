@@ -104,7 +104,7 @@ static void ray_tree_end(RayTree *ray_tree, const Tracer *tracer, Rgb color) {
 }
 
 void trace_tile(const Tracer *tracer, const PixelGrid *grid, double *rgb, RayCounts *counts) {
-    const TraceContext context = {tracer, counts};
+    const TraceContext context = {tracer, counts, NULL};
     const PixelJitter jitter = pixel_jitter_of(grid->sample);
     uint64_t path_hashes[PACKET_RAYS];
     const Recorders recorders = {.path_hashes = grid->path_hashes ? path_hashes : NULL,
@@ -118,7 +118,7 @@ void trace_tile(const Tracer *tracer, const PixelGrid *grid, double *rgb, RayCou
         if (grid->ray_tree) {
             ray_tree_begin(grid->ray_tree, &rays.state);
         }
-        trace_packet(&context, &rays.state, colors);
+        trace_camera_packet(&context, &rays.state, colors);
         if (grid->ray_tree) {
             ray_tree_end(grid->ray_tree, tracer, colors[0]);
         }

@@ -15,6 +15,7 @@
 #include "trace/tracer/packet_merge.h"
 #include "trace/tracer/path_hash.h"
 #include "trace/tracer/ray_tree_recorder.h"
+#include "trace/tracer/report_methods.h"
 #include "trace/tracer/secondary_rays.h"
 
 /* --- hits ------------------------------------------------------------------------------------- */
@@ -117,7 +118,8 @@ INLINE void shade_surfaces(const TraceContext *context, const SurfaceHit *surfac
         if (has_textures) {
             material.albedo = rgb_multiply(material.albedo, texture_color[v]);
         }
-        Rgb color = local_color(&material, &lighting, v);
+        Rgb color = tracer->methods ? report_local_color(tracer, surface, v, &material, &lighting)
+                                    : local_color(&material, &lighting, v);
         if (surface->dielectric) {
             color = rgb_select(surface->dielectric->is_overridden[v], black, color);
         }
@@ -157,6 +159,9 @@ static __attribute__((noinline)) bool shade_and_scatter(const TraceContext *cont
         surface_hit_record(&surface, &tracer->ray_offset);
     }
     shade_background(tracer, &surface, colors);
+    if (tracer->methods) {
+        report_shade_background(context, &surface, colors);
+    }
     if (!is_any_hit) {
         return false;
     }
@@ -172,9 +177,15 @@ static __attribute__((noinline)) bool shade_and_scatter(const TraceContext *cont
         return false;
     }
     reflect_rays(tracer, rays, &surface, &scattered->reflected);
-    context->counts->reflection += packet_active_count(&scattered->reflected.rays.packet);
     if (rays->interior) {
         refract_rays(tracer, rays, &surface, &scattered->refracted);
+    }
+    if (tracer->methods) {
+        report_scatter(context, rays, &surface, &scattered->reflected,
+                       rays->interior ? &scattered->refracted : NULL);
+    }
+    context->counts->reflection += packet_active_count(&scattered->reflected.rays.packet);
+    if (rays->interior) {
         context->counts->refraction += packet_active_count(&scattered->refracted.rays.packet);
     }
     return true;
@@ -220,13 +231,27 @@ void trace_packet(const TraceContext *context, const RayState *rays, Rgb *colors
     if (!shade_and_scatter(context, rays, &scattered, colors)) {
         return;
     }
-    if (rays->interior && packet_merge_is_worthwhile(&scattered.reflected.rays.packet,
-                                                     &scattered.refracted.rays.packet)) {
+    if (rays->interior && !context->tracer->methods &&
+        packet_merge_is_worthwhile(&scattered.reflected.rays.packet,
+                                   &scattered.refracted.rays.packet)) {
         trace_merged(context, &scattered, colors);
         return;
     }
-    trace_secondary(context, &scattered.reflected, colors);
-    if (rays->interior) {
+    // Report D lists the refracted ray first.
+    bool is_refracted_first = rays->interior && context->tally;
+    if (is_refracted_first) {
         trace_secondary(context, &scattered.refracted, colors);
+    }
+    trace_secondary(context, &scattered.reflected, colors);
+    if (rays->interior && !is_refracted_first) {
+        trace_secondary(context, &scattered.refracted, colors);
+    }
+}
+
+void trace_camera_packet(const TraceContext *context, const RayState *rays, Rgb *colors) {
+    if (context->tracer->methods) {
+        report_trace_camera_packet(context, rays, colors);
+    } else {
+        trace_packet(context, rays, colors);
     }
 }

@@ -26,11 +26,13 @@ struct Tracer {
     Dielectrics dielectrics; /**< The transparent shapes. */
     Material *materials;     /**< The materials; owned. */
     Light *lights;           /**< The lights; owned. */
-    size_t light_count;      /**< Number of lights. */
+    size_t light_count;      /**< Number of lights that give light. */
+    size_t seen_light_count; /**< Number of lights; those with an area are seen. */
     Emitters emitters;       /**< The visible lights. */
     int samples;             /**< Rays per pixel. */
     bool has_soft_shadows;   /**< Whether any light casts soft shadows. */
     Camera camera;           /**< The camera. */
+    PixelPoint pixel_point;  /**< Where in its pixel a ray goes. */
     Sky sky;                 /**< The sky. */
     Textures textures;       /**< The textures of surfaces and sky. */
     RayOffset ray_offset;    /**< How far from surfaces secondary rays start. */
@@ -38,12 +40,17 @@ struct Tracer {
                                   reflects or transmits. */
     scalar cutoff;           /**< A ray ends when its throughput is below. */
     bool has_specular;       /**< Whether any material has specular highlights. */
+    unsigned methods;        /**< #TraceSettings.methods */
 };
+
+/** See trace/tracer/report_methods.h. */
+typedef struct RayTally RayTally;
 
 /** What all rays of one call of an engine share. */
 typedef struct TraceContext {
     const Tracer *tracer; /**< The scene. */
     RayCounts *counts;    /**< The rays traced are added to this. */
+    RayTally *tally;      /**< Rays per pixel, for report D's mean; NULL: not counted. */
 } TraceContext;
 
 /**
@@ -52,5 +59,8 @@ typedef struct TraceContext {
  * @param[out] colors  The radiance that arrives along each ray.
  */
 void trace_packet(const TraceContext *context, const RayState *rays, Rgb *colors);
+
+/** Traces a packet of camera rays. See #trace_packet. */
+void trace_camera_packet(const TraceContext *context, const RayState *rays, Rgb *colors);
 
 #endif

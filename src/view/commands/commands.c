@@ -62,6 +62,15 @@ static void step_time(App *app, int steps) {
     }
 }
 
+/** Changes between flying and walking. */
+static void toggle_walking(App *app, int argument) {
+    (void)argument;
+    bool is_walking = app->input.camera_motion == MOTION_FLY;
+    app->input.camera_motion = is_walking ? MOTION_WALK : MOTION_FLY;
+    app_set_status(app, is_walking ? N_("walking: forward stays at one height")
+                                   : N_("flying: forward is where the camera looks"));
+}
+
 /** Puts the scene's own view back. */
 static void reset_view(App *app, int argument) {
     (void)argument;
@@ -120,6 +129,25 @@ static void change_samples(App *app, int step) {
 /** Changes the lighting mode. See #settings_override_lighting. */
 static void change_lighting(App *app, int step) {
     change_setting(app, settings_override_lighting, step);
+}
+
+/** Sends rays through the centres or the corners of pixels. See #settings_override_pixel. */
+static void change_pixel(App *app, int step) {
+    window_override_setting(&app->window, settings_override_pixel, step);
+    Viewport *viewport = window_active_viewport(&app->window);
+    RenderSettings settings = app->window.base_settings;
+    settings_override_apply(&viewport->overrides, &settings);
+    app_set_status(app, "rays go %s", gettext(pixel_point_name(settings.trace.pixel_point)));
+}
+
+/** Changes whose methods the picture is traced with. See #settings_override_methods. */
+static void change_methods(App *app, int step) {
+    window_override_setting(&app->window, settings_override_methods, step);
+    Viewport *viewport = window_active_viewport(&app->window);
+    RenderSettings settings = app->window.base_settings;
+    settings_override_apply(&viewport->overrides, &settings);
+    app_set_status(app, "%s (%s)", gettext(method_set_name(settings.method_set)),
+                   gettext(method_set_effect(settings.method_set)));
 }
 
 /** Takes all changes of settings, layers and the split view back. */
@@ -310,6 +338,7 @@ const Command command_table[] = {
     {"camera right", {NAMED(RIGHT, "→")}, N_("right"), CAMERA, .help = N_("left, right"), MOVES(CAMERA, RIGHT, 1)},
     {"camera forward", {NAMED(PAGEUP, N_("Page Up"))}, N_("forward"), CAMERA, .help = N_("forward, back"), MOVES(CAMERA, FORWARD, 1)},
     {"camera back", {NAMED(PAGEDOWN, N_("Page Down"))}, N_("back"), CAMERA, .help = N_("forward, back"), MOVES(CAMERA, FORWARD, -1)},
+    {"walk", {NAMED(END, N_("End"))}, N_("walk"), CAMERA, .help = N_("walk at one height, or fly"), RUNS(toggle_walking, 0)},
     {NULL, {NO_KEY(N_("Mouse drag"))}, NULL, CAMERA, .help = N_("look around")},
     {NULL, {NO_KEY(N_("Wheel"))}, NULL, CAMERA, .help = N_("field of view")},
 
@@ -342,6 +371,9 @@ const Command command_table[] = {
     {"less deep", {KEY(b)}, .flags = COMMAND_SHIFT, RUNS(change_depth, -1)},
     {"samples twice", {KEY(n)}, N_("samples"), PICTURE, .help = N_("deeper, more samples (Shift: less)"), RUNS(change_samples, 1)},
     {"samples half", {KEY(n)}, .flags = COMMAND_SHIFT, RUNS(change_samples, -1)},
+    {"methods", {KEY(u)}, N_("reports"), PICTURE, .help = N_("as report A, B, C, D; pixel corners"), RUNS(change_methods, 1)},
+    {"methods back", {KEY(u)}, .flags = COMMAND_SHIFT, RUNS(change_methods, -1)},
+    {"pixel corners", {KEY(F8)}, N_("corners"), PICTURE, .help = N_("as report A, B, C, D; pixel corners"), RUNS(change_pixel, 1)},
     {"settings", {KEY(i)}, N_("costs"), PICTURE, .help = N_("settings and costs; all as at first"), RUNS(toggle_settings, 0)},
     {"as at first", {NAMED(BACKSPACE, N_("Backspace"))}, N_("as at first"), PICTURE, .help = N_("settings and costs; all as at first"), RUNS(reset_settings, 0)},
     {"split", {KEY(x)}, N_("split"), PICTURE, .help = N_("side by side, difference; which side"), RUNS(cycle_split, 1)},

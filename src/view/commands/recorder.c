@@ -182,6 +182,7 @@ bool recorder_begin(App *app, Error *error) {
         return error_set(error, STATUS_FAILED, "no memory for a lesson");
     }
     held_keys_clear(&app->input.held_keys);
+    app->input.camera_motion = MOTION_FLY;
     timeline_pause(&app->timeline, clock_now_seconds());
     window_reset_overrides(&app->window);
     window_set_layer(&app->window, LAYER_SHADED);

@@ -72,6 +72,13 @@ static void add_settings(Hud *hud, const Viewport *viewport) {
     hud_add_row(hud, gettext("depth"), ngettext("%d, %d sample", "%d, %d samples", count),
                 settings->trace.depth, settings->samples);
     hud_add_row(hud, gettext("light"), "%s", gettext(light_mode_name(settings->lighting)));
+    if (settings->trace.pixel_point != PIXEL_CENTER) {
+        hud_add_row(hud, gettext("rays go"), "%s",
+                    gettext(pixel_point_name(settings->trace.pixel_point)));
+    }
+    if (settings->method_set != METHODS_OWN) {
+        hud_add_row(hud, gettext("methods"), "%s", gettext(method_set_name(settings->method_set)));
+    }
     add_cost(hud, viewport);
 }
 

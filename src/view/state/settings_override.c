@@ -22,6 +22,9 @@ enum { OFFSET_COUNT = OFFSET_BOUND + 1 };
 void settings_override_apply(const SettingsOverride *overrides, RenderSettings *settings) {
     const RenderSettings *values = &overrides->values;
     unsigned mask = overrides->mask;
+    if (mask & SETTING_METHODS) {
+        method_set_apply(values->method_set, settings);
+    }
     settings->engine = mask & SETTING_ENGINE ? values->engine : settings->engine;
     settings->trace.offset = mask & SETTING_OFFSET ? values->trace.offset : settings->trace.offset;
     settings->trace.epsilon =
@@ -29,6 +32,8 @@ void settings_override_apply(const SettingsOverride *overrides, RenderSettings *
     settings->trace.depth = mask & SETTING_DEPTH ? values->trace.depth : settings->trace.depth;
     settings->samples = mask & SETTING_SAMPLES ? values->samples : settings->samples;
     settings->lighting = mask & SETTING_LIGHT ? values->lighting : settings->lighting;
+    settings->trace.pixel_point =
+        mask & SETTING_PIXEL ? values->trace.pixel_point : settings->trace.pixel_point;
 }
 
 /** @return A number below a count, some steps after another, cyclically. */
@@ -105,6 +110,20 @@ void settings_override_lighting(SettingsOverride *overrides, const RenderSetting
     overrides->values.lighting =
         (LightingMode)wrap((int)current->lighting, step, LIGHTING_MODE_COUNT);
     overrides->mask |= SETTING_LIGHT;
+}
+
+void settings_override_pixel(SettingsOverride *overrides, const RenderSettings *current, int step) {
+    (void)step;
+    overrides->values.trace.pixel_point =
+        current->trace.pixel_point == PIXEL_CENTER ? PIXEL_CORNER : PIXEL_CENTER;
+    overrides->mask |= SETTING_PIXEL;
+}
+
+void settings_override_methods(SettingsOverride *overrides, const RenderSettings *current,
+                               int step) {
+    overrides->values.method_set = (MethodSet)wrap((int)current->method_set, step, METHODS_COUNT);
+    overrides->mask |= SETTING_METHODS;
+    overrides->mask &= ~(unsigned)(SETTING_OFFSET | SETTING_EPSILON);
 }
 
 const char *light_mode_name(LightingMode light) {

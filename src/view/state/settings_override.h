@@ -14,7 +14,9 @@ typedef enum {
     SETTING_EPSILON = 4,  /**< Its epsilon. */
     SETTING_DEPTH = 8,    /**< The depth. */
     SETTING_SAMPLES = 16, /**< The samples. */
-    SETTING_LIGHT = 32    /**< The lighting mode. */
+    SETTING_LIGHT = 32,   /**< The lighting mode. */
+    SETTING_PIXEL = 64,   /**< The point of a pixel that its ray goes through. */
+    SETTING_METHODS = 128 /**< Whose methods. */
 } SettingsMask;
 
 /** What the user has changed. Starts as `{0}`: nothing. */
@@ -54,6 +56,14 @@ void settings_override_samples(SettingsOverride *overrides, const RenderSettings
 /** Changes the lighting mode. @param step 1: the next; -1: the previous. */
 void settings_override_lighting(SettingsOverride *overrides, const RenderSettings *current,
                                 int step);
+
+/** Changes between the centre and the corner of pixels. @param step Ignored. */
+void settings_override_pixel(SettingsOverride *overrides, const RenderSettings *current, int step);
+
+/** Changes whose methods the picture is traced with; offset and epsilon become theirs. @param step
+ *  1: own, report A, B, C, D, own; -1: backwards. */
+void settings_override_methods(SettingsOverride *overrides, const RenderSettings *current,
+                               int step);
 
 /** @return Name of a lighting mode, in English. */
 const char *light_mode_name(LightingMode light);

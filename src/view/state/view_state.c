@@ -112,7 +112,7 @@ static Vec3d movement_offset(const SceneCamera *camera, Movement movement) {
 }
 
 void view_state_move(ViewState *view_state, Scene *scene, size_t light, Movement light_movement,
-                     Movement camera_movement) {
+                     Movement camera_movement, CameraMotion motion) {
     if (light < scene->light_count && movement_is_nonzero(light_movement)) {
         view_state->is_light_moved[light] = true;
         scene_light_move(&scene->lights[light], movement_offset(&scene->camera, light_movement),
@@ -121,6 +121,11 @@ void view_state_move(ViewState *view_state, Scene *scene, size_t light, Movement
     double units = PLAIN_SPEED * scene->camera.target_distance;
     view_state->is_camera_moved =
         view_state->is_camera_moved || movement_is_nonzero(camera_movement);
-    scene_camera_move(&scene->camera, camera_movement.right * units, camera_movement.up * units,
-                      camera_movement.forward * units);
+    double right = camera_movement.right * units, up = camera_movement.up * units;
+    double forward = camera_movement.forward * units;
+    if (motion == MOTION_WALK) {
+        scene_camera_walk(&scene->camera, view_state->up_axis, right, up, forward);
+    } else {
+        scene_camera_move(&scene->camera, right, up, forward);
+    }
 }

@@ -47,14 +47,21 @@ void view_state_restore_current(const ViewState *saved, ViewState *view_state, S
 /** Frees a view. */
 void view_state_deinit(ViewState *view_state);
 
+/** How the camera moves. */
+typedef enum {
+    MOTION_FLY, /**< Along the axes of the picture: forward is where it looks. */
+    MOTION_WALK /**< Along the ground: forward stays at one height, up is straight up. */
+} CameraMotion;
+
 /**
- * Moves a light and the camera along the axes of the picture.
+ * Moves a light along the axes of the picture, and the camera.
  * @param[in,out] view_state  The home view; what moves is noted.
  * @param light  Index of the light; beyond the last one: none.
  * @param light_movement  Movement of the light.
  * @param camera_movement  Movement of the camera.
+ * @param motion  How the camera moves.
  */
 void view_state_move(ViewState *view_state, Scene *scene, size_t light, Movement light_movement,
-                     Movement camera_movement);
+                     Movement camera_movement, CameraMotion motion);
 
 #endif

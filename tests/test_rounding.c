@@ -413,6 +413,29 @@ static LayerStats measure_layer(const char *path, const char *engine, Layer laye
     return stats;
 }
 
+/** A thread gets its own direction back, and different directions give different bits. */
+static void test_direction_is_restored(void **state) {
+    (void)state;
+    Error error = {0};
+    const Engine *engine = engine_find("f64x1", &error);
+    Scene *scene = load_scene("scenes/chess.lua");
+    Tracer *tracer = create_tracer(engine, scene);
+    PixelGrid grid = {.x = 9, .y = 20, .columns = 8, .rows = 8, .stride = 1};
+    RayCounts counts = {0};
+    double rgb[ROUNDING_DIRECTION_COUNT][3 * 64];
+    engine->set_view(tracer, scene, 40, 30);
+    assert_true(rounding_is_supported());
+    assert_int_equal(fegetround(), FE_TONEAREST);
+    for (int way = 0; way < ROUNDING_DIRECTION_COUNT; way++) {
+        assert_true(
+            trace_rounded(engine, (RoundingDirection)way, tracer, &grid, rgb[way], &counts));
+        assert_int_equal(fegetround(), FE_TONEAREST);
+        assert_true(way == 0 || memcmp(rgb[way], rgb[way - 1], sizeof rgb[way]) != 0);
+    }
+    engine->destroy(tracer);
+    scene_destroy(scene);
+}
+
 /** Fails unless a share of pixels is about that of doc/laboratory.md. */
 static void assert_documented_share(const LayerStats *stats, double percent) {
     double share = 100 * (double)stats->artifact_pixels / (double)stats->pixel_count;
@@ -457,8 +480,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_shapes),        cmocka_unit_test(test_edges),
         cmocka_unit_test(test_mesh_pictures), cmocka_unit_test(test_ties),
-        cmocka_unit_test(test_same_bits),     cmocka_unit_test(test_layer),
-        cmocka_unit_test(test_blind_spot),
+        cmocka_unit_test(test_same_bits),     cmocka_unit_test(test_direction_is_restored),
+        cmocka_unit_test(test_layer),         cmocka_unit_test(test_blind_spot),
     };
     return cmocka_run_group_tests_name("rounding", tests, init_transforms, NULL);
 }

@@ -25,7 +25,7 @@ missing=$(grep -rL '@file' include src tests --include='*.[ch]' --include='*.cpp
 
 # The classes that say they extend Shape, as Doxygen draws them and as doc/uml.dot does.
 classes=$(find src/trace -name '*.c' -exec sed -nE '/@extends Shape/ { n; s/^typedef struct (\w+) \{.*/\1/p }' {} +)
-for class in Sphere Plane Quad Box Disk Cylinder Triangle MeshShape SdfShape TransformedShape; do
+for class in Sphere Plane Quad Box Disk Cylinder Cone Triangle MeshShape SdfShape TransformedShape; do
     echo "$classes" | grep -qx $class && ok "$class says that it extends Shape" || fail "$class does not extend Shape"
 done
 for class in Shape $classes; do

@@ -305,6 +305,7 @@ typedef struct SceneShape SceneShape;
     X(box)                                                                                         \
     X(disk)                                                                                        \
     X(cylinder)                                                                                    \
+    X(cone)                                                                                        \
     X(triangle)                                                                                    \
     X(mesh)                                                                                        \
     X(sdf)
@@ -348,6 +349,15 @@ typedef struct CylinderParameters {
     double radius; /**< Radius, scene units. */
     bool capped;   /**< Whether two disks close the ends. */
 } CylinderParameters;
+
+/** Parameters of `cone`, pointed or a frustum. */
+typedef struct ConeParameters {
+    Vec3d base;        /**< Centre of one end. */
+    Vec3d top;         /**< Centre of the other end. */
+    double radius;     /**< Radius at the base, scene units; 0: a tip. */
+    double top_radius; /**< Radius at the top, scene units; 0: a tip. */
+    bool capped;       /**< Whether disks close the ends. */
+} ConeParameters;
 
 /** Parameters of `triangle`. */
 typedef struct TriangleParameters {
@@ -463,6 +473,15 @@ static inline Vec3d circle_extent(Vec3d normal, double radius) {
                    radius * sqrt(x * x + y * y)};
 }
 
+/** @return The bounding box of a cone. @param axis Unit vector along it. */
+static inline Aabbd cone_bounds_of(const ConeParameters *cone, Vec3d axis) {
+    Vec3d at_base = circle_extent(axis, cone->radius);
+    Vec3d at_top = circle_extent(axis, cone->top_radius);
+    return (Aabbd){
+        vec3d_min(vec3d_subtract(cone->base, at_base), vec3d_subtract(cone->top, at_top)),
+        vec3d_max(vec3d_add(cone->base, at_base), vec3d_add(cone->top, at_top))};
+}
+
 /* --- Offset strategies ------------------------------------------------------------------------ */
 
 /** Distance from a surface at which secondary rays start. */
@@ -534,6 +553,8 @@ typedef struct SceneMesh {
     SceneFile file; /**< The file. */
     Mesh *mesh;     /**< Its content, retained. NULL until it is read, after the run of the scene
                          file. */
+    const Mesh *built; /**< In the block of the scene: the content, if the scene file itself has the
+                          triangles. NULL: #file has them. */
 } SceneMesh;
 
 /** A picture file that a scene names. */
@@ -640,6 +661,18 @@ bool scene_add_shape(Scene *scene, size_t class_index, const Keyword *keyword,
  * @return false when the scene's memory is full.
  */
 bool scene_add_mesh(Scene *scene, const SceneFile *file, size_t *index, Error *error);
+
+/**
+ * Adds a mesh whose triangles the scene file itself contains.
+ * @param[in,out] scene  The scene.
+ * @param file           A name for it, which no other mesh has; its strings are copied.
+ * @param counts         The numbers of all items, and the repairs; the rest is not read.
+ * @param[out] index     Its index in #Scene.meshes.
+ * @param[out] error     What is wrong.
+ * @return The mesh in the block of the scene, its arrays not filled; NULL when the block is full.
+ */
+Mesh *scene_add_built_mesh(Scene *scene, const SceneFile *file, const Mesh *counts, size_t *index,
+                           Error *error);
 
 /**
  * Adds a picture file, unless the scene has it already.

@@ -31,6 +31,7 @@
 // Shapes.
 #include "trace/shapes/aabb.c"
 #include "trace/shapes/box.c"
+#include "trace/shapes/cone.c"
 #include "trace/shapes/cylinder.c"
 #include "trace/shapes/disk.c"
 #include "trace/shapes/mesh.c"

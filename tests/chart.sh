@@ -35,6 +35,11 @@ small='-s 192x144 --samples 2'
     holds "$work/charts/figure-08.csv" '^# .*(gcc|clang|GCC)' 'the CSV says how it was made'
     holds "$work/charts/figure-08.csv" '^engine,all,f64x1,' 'the CSV has the engines'
     holds "$work/charts/figure-08.csv" '^front,' 'the CSV has the front'
+    expect 0 '' 'a chart of chess' "$dioptre" chart scenes/chess.lua --out "$work/charts" -s 192x144 --samples 1
+    awk -F, '$1 == "group" { for (i = 1; i <= NF; i++) if ($i == "rounding") column = i }
+        $3 == "f32x8" || $3 == "f32x4" { single = $column } $3 == "f64x1" { twofold = $column }
+        END { exit !(single > 0.001 && single < 0.01 && twofold == 0) }' "$work/charts/chess.csv" &&
+        ok 'the CSV says what hangs on the last bit' || fail 'what hangs on the last bit'
     holds "$work/charts/figure-08.svg" '</svg>' 'there is the SVG'
     expect 2 'chart needs --out' 'chart without a folder' "$dioptre" chart scenes/box.lua
     touch "$work/file"

@@ -406,7 +406,7 @@ static LayerStats measure_layer(const char *path, const char *engine, Layer laye
     RenderSettings settings = small_settings(scene, engine, 3);
     settings.samples = 1;
     Renderer *renderer = create_renderer(scene, &settings);
-    assert_true(renderer_measure_layer(renderer, scene, layer, &stats, &error));
+    assert_true(renderer_measure_layer(renderer, scene, layer, NULL, &stats, &error));
     assert_int_equal((int)stats.pixel_count, WIDTH * HEIGHT);
     renderer_destroy(renderer);
     scene_destroy(scene);

@@ -168,12 +168,13 @@ void renderer_set_layer(Renderer *renderer, Layer layer);
  * @param renderer    The renderer; rendering in the background is stopped, its layer stays set.
  * @param scene       Source of camera and lights; same shapes as before.
  * @param layer       The layer; not #LAYER_SHADED.
+ * @param stop        Measuring ends early once it is true. May be NULL.
  * @param[out] stats  Its statistics, of one ray per pixel.
- * @param[out] error  No memory.
- * @return false without memory.
+ * @param[out] error  No memory; or #STATUS_INTERRUPTED where it was stopped.
+ * @return false if anything is wrong.
  */
-bool renderer_measure_layer(Renderer *renderer, const Scene *scene, Layer layer, LayerStats *stats,
-                            Error *error);
+bool renderer_measure_layer(Renderer *renderer, const Scene *scene, Layer layer,
+                            const atomic_bool *stop, LayerStats *stats, Error *error);
 
 /** Stops rendering in the background and waits until it has stopped. */
 void renderer_stop(Renderer *renderer);

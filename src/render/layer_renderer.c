@@ -186,21 +186,22 @@ LayerPasses layer_passes(const Renderer *renderer) {
                          render_pass_run_layer};
 }
 
-bool renderer_measure_layer(Renderer *renderer, const Scene *scene, Layer layer, LayerStats *stats,
-                            Error *error) {
+bool renderer_measure_layer(Renderer *renderer, const Scene *scene, Layer layer,
+                            const atomic_bool *stop, LayerStats *stats, Error *error) {
     const RenderSettings *settings = &renderer->settings;
     Layer shown = renderer->layer_renderer.layer;
     renderer_set_layer(renderer, layer);
-    bool is_ready =
+    bool is_done =
         layer_renderer_prepare(renderer, scene, settings->width, settings->height, error);
-    if (is_ready) {
+    if (is_done) {
         settings->engine->set_view(renderer->tracer, scene, settings->width, settings->height);
-        RenderPass pass = renderer_make_pass(renderer, settings->width, settings->height, NULL);
+        RenderPass pass = renderer_make_pass(renderer, settings->width, settings->height, stop);
         pass.layer = layer;
         pass.range.stride = 1;
-        render_pass_run_layer(&pass);
+        is_done =
+            render_pass_run_layer(&pass) || error_set(error, STATUS_INTERRUPTED, "interrupted");
         *stats = render_pass_stats(&pass, true).layer;
     }
     renderer_set_layer(renderer, shown);
-    return is_ready;
+    return is_done;
 }

@@ -14,6 +14,15 @@ static const int fenv_directions[ROUNDING_DIRECTION_COUNT] = {
     [ROUNDING_TOWARD_ZERO] = FE_TOWARDZERO,
 };
 
+bool rounding_is_supported(void) {
+    int before = fegetround();
+    bool is_supported = before >= 0;
+    for (int i = 0; is_supported && i < ROUNDING_DIRECTION_COUNT; i++) {
+        is_supported = fesetround(fenv_directions[i]) == 0;
+    }
+    return fesetround(before) == 0 && is_supported;
+}
+
 bool trace_rounded(const Engine *engine, RoundingDirection direction, const Tracer *tracer,
                    const PixelGrid *grid, double *rgb, RayCounts *counts) {
     int before = fegetround();

@@ -26,6 +26,9 @@ typedef enum RoundingDirection {
     ROUNDING_DIRECTION_COUNT, /**< Number of directions. */
 } RoundingDirection;
 
+/** @return Whether the processor can round in all directions. */
+bool rounding_is_supported(void);
+
 /**
  * Traces pixels while the processor rounds in one direction. The calling thread gets its own
  * direction back.

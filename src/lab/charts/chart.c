@@ -11,6 +11,7 @@
 #include "lab/charts/pareto_front.h"
 #include "lab/needs/image_difference.h"
 #include "lab/score_stats.h"
+#include "render/rounding_witness.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -25,6 +26,10 @@ enum { TURNS = 5 };
 
 /** Depth and samples of references. */
 enum { REFERENCE_MAX_DEPTH = 128, REFERENCE_SAMPLES = 64 };
+
+/** Width and height of the picture, relative to those of the one whose pixels are rounded in three
+ *  directions: that would otherwise take as long as all the rest. */
+enum { ROUNDING_SIZE_DIVISOR = 2 };
 
 /** Kinds of errors. */
 typedef enum {
@@ -257,6 +262,33 @@ static bool point_measure_total_error(const ChartMeasurement *measure,
     return true;
 }
 
+/** Measures which pixels change when numbers are rounded up and down. @return false if anything is
+ *  wrong. */
+static bool point_measure_rounding(const ChartMeasurement *measure, ChartPoint *point,
+                                   Error *error) {
+    ScaledToleranceScene scaled;
+    LayerStats stats = {.pixel_count = 0};
+    RenderSettings settings = *measure->settings;
+    settings.engine = point->engine;
+    settings.trace = point->trace;
+    settings.samples = 1;
+    settings.width = (settings.width + 1) / ROUNDING_SIZE_DIVISOR;
+    settings.height = (settings.height + 1) / ROUNDING_SIZE_DIVISOR;
+    if (!scaled_tolerance_scene_init(&scaled, measure->scene, point->tolerance, error)) {
+        return false;
+    }
+    Renderer *renderer = renderer_create(&scaled.scene, &settings, error);
+    bool is_done = renderer && renderer_measure_layer(renderer, &scaled.scene, LAYER_ROUNDING,
+                                                      measure->stop, &stats, error);
+    renderer_destroy(renderer);
+    scaled_tolerance_scene_deinit(&scaled);
+    if (is_done) {
+        double fraction = (double)stats.artifact_pixels / (double)stats.pixel_count;
+        point->rounding_fraction = rounding_is_supported() ? fraction : NAN;
+    }
+    return is_done;
+}
+
 /** Measures all errors. @return false if anything is wrong. */
 static bool points_measure_errors(ChartMeasurement *measure, Error *error) {
     SampledRender reference_render;
@@ -274,7 +306,8 @@ static bool points_measure_errors(ChartMeasurement *measure, Error *error) {
     for (size_t i = 0; is_done && i < measure->chart->count; i++) {
         ChartPoint *point = &measure->chart->points[i];
         is_done = point_measure_own_error(measure, point, error) &&
-                  point_measure_total_error(measure, &reference_render, point, error);
+                  point_measure_total_error(measure, &reference_render, point, error) &&
+                  point_measure_rounding(measure, point, error);
     }
     sampled_render_deinit(&reference_render);
     return is_done;

@@ -30,6 +30,9 @@ typedef struct ChartPoint {
     double max_steps; /**< Largest such error of a ray, 8-bit steps; of a pixel for samples. */
     double edge_flip_fraction; /**< Fraction of the rays that pass an edge on its other side. */
     double total_error;        /**< RMS error of the picture, linear light. */
+    double rounding_fraction;  /**< Fraction of the pixels that change by over a step when numbers
+                                  are rounded up or down (#LAYER_ROUNDING), of a picture of half
+                                  the width and height with one ray per pixel; NaN: unknown. */
     bool is_pareto;            /**< Whether no setting is both faster and more accurate. */
 } ChartPoint;
 

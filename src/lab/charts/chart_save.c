@@ -18,21 +18,21 @@
 /** Columns of the CSV that charts are drawn from. */
 enum { COLUMN_GROUP = 1, COLUMN_SERIES, COLUMN_SECONDS = 4, COLUMN_OWN = 7, COLUMN_TOTAL = 10 };
 /** Numbers of a row: times and errors. */
-enum { ROW_NUMBERS = 7 };
+enum { ROW_NUMBERS = 8 };
 
 /** Lists the numbers of a row, as the table and the CSV have them. */
 static void row_numbers(const ChartPoint *point, double numbers[ROW_NUMBERS]) {
     const double values[ROW_NUMBERS] = {
         point->seconds,   point->seconds_low,        point->seconds_high, point->own_error,
-        point->max_steps, point->edge_flip_fraction, point->total_error};
+        point->max_steps, point->edge_flip_fraction, point->total_error,  point->rounding_fraction};
     memcpy(numbers, values, sizeof values);
 }
 
 /** Prints a table. */
 static void chart_print_table(const Chart *chart, const char *name, FILE *stream) {
     static const char *const columns[] = {
-        N_("setting"),   "",          N_("s/megapixel"), N_("from"),  N_("to"),
-        N_("own error"), N_("steps"), N_("flips"),       N_("total"), N_("front")};
+        N_("setting"), "",          N_("s/megapixel"), N_("from"),     N_("to"),   N_("own error"),
+        N_("steps"),   N_("flips"), N_("total"),       N_("rounding"), N_("front")};
     Table table = table_make(sizeof columns / sizeof *columns, 2);
     table_heading(&table, columns);
     for (size_t i = 0; i < chart->count; i++) {
@@ -108,7 +108,7 @@ static Series pareto_front_of(const Chart *chart) {
 static bool chart_write_csv(const Chart *chart, const char *name, const char *path, Error *error) {
     static const char *const columns[] = {"group",       "series",       "setting", "seconds",
                                           "seconds_low", "seconds_high", "own_rms", "own_steps",
-                                          "flips",       "total_rms"};
+                                          "flips",       "total_rms",    "rounding"};
     Csv csv;
     char title[256];
     snprintf(title, sizeof title, "%s: what settings cost and what errors they leave", name);

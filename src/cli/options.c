@@ -80,12 +80,14 @@ static bool parse_number(const OptionSpec *option, const char *text, Options *op
     return true;
 }
 
-/** Parses a frame rate, which is above 0. See #OptionSpec.parse. */
-static bool parse_fps(const OptionSpec *option, const char *text, Options *options, Error *error) {
-    return (parse_number(option, text, options, NULL) && options->fps > 0 &&
-            options->fps <= option->maximum) ||
-           error_set(error, STATUS_USAGE, "--fps takes a number above 0, at most %g, not '%s'",
-                     option->maximum, text);
+/** Parses a number above 0, which has a maximum. See #OptionSpec.parse. */
+static bool parse_positive(const OptionSpec *option, const char *text, Options *options,
+                           Error *error) {
+    const double *number = (const double *)((const char *)options + option->offset);
+    return (parse_number(option, text, options, NULL) && *number > 0 &&
+            *number <= option->maximum) ||
+           error_set(error, STATUS_USAGE, "--%s takes a number above 0, at most %g, not '%s'",
+                     option->name, option->maximum, text);
 }
 
 /** Parses one of a few words; the value is its index. See #OptionSpec.parse. */
@@ -151,6 +153,9 @@ static const char *const keys_words[] = {"places", "letters", NULL};
 /** Values of `--progress`, in the order of #ProgressStyle. */
 static const char *const progress_words[] = {"auto", "json", "none", NULL};
 
+/** Largest `--budget`, milliseconds: a day. */
+#define BUDGET_MAXIMUM 86400e3
+
 /** Commands that write pictures. */
 #define PICTURES (COMMAND_RENDER | COMMAND_ANIMATE)
 /** Commands that trace a scene. */
@@ -193,11 +198,17 @@ static const OptionSpec option_specs[] = {
      .commands = TRACING, .help = N_("none, fixed or bound: how rays leave a surface")},
     {"epsilon", 0, N_("LENGTH"), STORES(number, epsilon), .commands = SCENES,
      .help = N_("for --offset fixed, scene units")},
+    {"error", 0, N_("STEPS"), STORES(positive, error), .maximum = UINT8_MAX,
+     .commands = COMMAND_NEEDS,
+     .help = N_("find the cheapest settings for that error of a pixel (default: 0.5)")},
+    {"budget", 0, N_("MS"), STORES(positive, budget), .maximum = BUDGET_MAXIMUM,
+     .commands = COMMAND_NEEDS,
+     .help = N_("find the best picture that takes no more milliseconds than that")},
     {"base-dir", 0, N_("DIR"), STORES(text, base_dir), .commands = SCENES,
      .help = N_("where the files lie that the scene names")},
     {"seconds", 0, N_("S"), STORES(number, seconds), .commands = COMMAND_ANIMATE,
      .help = N_("how long the film lasts (default: 10)")},
-    {"fps", 0, N_("F"), STORES(fps, fps), .maximum = FRAMES_FPS_MAXIMUM,
+    {"fps", 0, N_("F"), STORES(positive, fps), .maximum = FRAMES_FPS_MAXIMUM,
      .commands = COMMAND_ANIMATE, .help = N_("frames a second (default: 25)")},
     {"frames", 0, N_("A-B[:STEP]"), STORES(frames, frames),
      .commands = COMMAND_ANIMATE | COMMAND_BENCH,

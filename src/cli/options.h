@@ -63,6 +63,8 @@ typedef struct Options {
     int samples;                              /**< `--samples` */
     int sampling;                             /**< `--sampling`: a #Sampling. */
     int depth;                                /**< `--depth`; default -1. */
+    double error;                             /**< `--error`, 8-bit steps; 0: not given. */
+    double budget;                            /**< `--budget`, milliseconds; 0: not given. */
     int threads;                              /**< `--threads` */
     FrameRange frames;                        /**< `--frames`; default: step 0. */
     double seconds;                           /**< `--seconds`; default -1. */

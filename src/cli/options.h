@@ -63,6 +63,7 @@ typedef struct Options {
     int samples;                              /**< `--samples` */
     int sampling;                             /**< `--sampling`: a #Sampling. */
     int depth;                                /**< `--depth`; default -1. */
+    double cutoff;                            /**< `--cutoff`, 8-bit steps; default -1. */
     int threads;                              /**< `--threads` */
     FrameRange frames;                        /**< `--frames`; default: step 0. */
     double seconds;                           /**< `--seconds`; default -1. */

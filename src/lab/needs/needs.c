@@ -8,8 +8,8 @@
 
 /** Depth of the reference: a larger one changes nothing. */
 enum { REFERENCE_DEPTH = 128 };
-/** Throughput at which the reference's rays end: a fifteenth of the tracer's default. */
-#define REFERENCE_CUTOFF 1e-5
+/** Cutoff of the reference, 8-bit steps: a sixteenth of the default. */
+#define REFERENCE_CUTOFF (CUTOFF_DEFAULT / 16)
 
 /** Rays per pixel when number types are compared: each samples soft lights differently. */
 enum { ROUNDING_SAMPLES = 4 };

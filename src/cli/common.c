@@ -40,6 +40,7 @@ RenderSettings command_render_settings(const Options *options, const Scene *scen
     settings.sampling = (Sampling)options->sampling;
     TraceSettings *trace = &settings.trace;
     trace->depth = options->depth >= 0 ? options->depth : trace->depth;
+    trace->cutoff = options->cutoff >= 0 ? options->cutoff : trace->cutoff;
     trace->offset = options->offset >= 0 ? (OffsetStrategy)options->offset : trace->offset;
     trace->epsilon = options->epsilon >= 0 ? options->epsilon : trace->epsilon;
     return settings;

@@ -188,6 +188,8 @@ static const OptionSpec option_specs[] = {
      .help = N_("adaptive or full: whether every pixel gets all its rays")},
     {"depth", 0, N_("N"), STORES(integer, depth), .maximum = DEPTH_MAXIMUM, .commands = SCENES,
      .help = N_("how often a ray may be mirrored or refracted")},
+    {"cutoff", 0, N_("STEPS"), STORES(number, cutoff), .commands = SCENES,
+     .help = N_("what all rays that end early may be worth in a pixel (default: 0.25)")},
     {"time", 't', N_("SECONDS"), STORES(number, time), .minimum = -HUGE_VAL, .commands = SCENES,
      .help = N_("the scene's t")},
     {"threads", 'j', N_("N"), STORES(integer, threads), .minimum = 1, .maximum = THREADS_MAXIMUM,
@@ -321,7 +323,7 @@ static bool parse_option(const Command *command, int code, const char *word, Opt
 }
 
 Options options_default(void) {
-    return (Options){.depth = -1, .offset = -1, .epsilon = -1, .seconds = -1};
+    return (Options){.depth = -1, .cutoff = -1, .offset = -1, .epsilon = -1, .seconds = -1};
 }
 
 bool options_parse(const Command *command, int argc, char **argv, Options *options, Error *error) {

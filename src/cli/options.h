@@ -63,8 +63,12 @@ typedef struct Options {
     int samples;                              /**< `--samples` */
     int sampling;                             /**< `--sampling`: a #Sampling. */
     int depth;                                /**< `--depth`; default -1. */
+<<<<<<< HEAD
     double error;                             /**< `--error`, 8-bit steps; 0: not given. */
     double budget;                            /**< `--budget`, milliseconds; 0: not given. */
+=======
+    double cutoff;                            /**< `--cutoff`, 8-bit steps; default -1. */
+>>>>>>> cutoff
     int threads;                              /**< `--threads` */
     FrameRange frames;                        /**< `--frames`; default: step 0. */
     double seconds;                           /**< `--seconds`; default -1. */

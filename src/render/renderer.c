@@ -35,6 +35,7 @@ RenderSettings render_settings_default(const Scene *scene) {
         .trace = {.depth = depth == IMAGE_DEPTH_AUTO ? estimate.depth : depth,
                   .offset = OFFSET_BOUND,
                   .epsilon = report_epsilon,
+                  .cutoff = scene->image.cutoff,
                   .footprint = footprint},
     };
 }

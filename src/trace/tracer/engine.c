@@ -8,6 +8,9 @@
 
 #include <stdlib.h>
 
+/** Throughput at which a ray ends in any case: its colours underflow. */
+#define LEAST_THROUGHPUT 0x1p-126
+
 /** @return The sky in the engine's number type. */
 static Sky sky_of(const SceneSky *sky) {
     Rgbd zenith_minus_horizon = {sky->zenith.red - sky->horizon.red,
@@ -76,7 +79,9 @@ static Tracer *tracer_create(const Scene *scene, Vec3d origin, const TraceSettin
         (Tracer){.sky = sky_of(&scene->sky),
                  .light_count = scene->light_count,
                  .depth = is_recursive ? settings->depth : 0,
-                 .cutoff = (scalar)(settings->cutoff > 0 ? settings->cutoff : THROUGHPUT_CUTOFF),
+                 .cutoff = (scalar)(settings->cutoff > 0
+                                        ? THROUGHPUT_CUTOFF * settings->cutoff / CUTOFF_DEFAULT
+                                        : LEAST_THROUGHPUT),
                  .samples = settings->samples,
                  .origin = origin,
                  .has_specular = scene_has_specular(scene),

@@ -63,12 +63,7 @@ typedef struct Options {
     int samples;                              /**< `--samples` */
     int sampling;                             /**< `--sampling`: a #Sampling. */
     int depth;                                /**< `--depth`; default -1. */
-<<<<<<< HEAD
-    double error;                             /**< `--error`, 8-bit steps; 0: not given. */
-    double budget;                            /**< `--budget`, milliseconds; 0: not given. */
-=======
     double cutoff;                            /**< `--cutoff`, 8-bit steps; default -1. */
->>>>>>> cutoff
     int threads;                              /**< `--threads` */
     FrameRange frames;                        /**< `--frames`; default: step 0. */
     double seconds;                           /**< `--seconds`; default -1. */
@@ -77,6 +72,8 @@ typedef struct Options {
     double time;                              /**< `--time`, seconds. */
     int offset;                               /**< `--offset`: an #OffsetStrategy; default -1. */
     double epsilon;                           /**< `--epsilon`, scene units; default -1. */
+    double error;                             /**< `--error`, 8-bit steps; 0: not given. */
+    double budget;                            /**< `--budget`, milliseconds; 0: not given. */
     int progress;                             /**< `--progress`: a #ProgressStyle. */
     int rays;                                 /**< `--rays`: a #BenchRays. */
     int keys;                                 /**< `--keys`: a #KeyBinding. */

@@ -150,8 +150,8 @@ static bool measure_noise(BudgetSearch *budget, Error *error) {
 
 /** @return Whether a combination is to be preferred. */
 static bool choice_is_better(const Choice *a, const Choice *b) {
-    bool is_alike = a->rms_steps <= EQUAL_ERROR * b->rms_steps &&
-                    b->rms_steps <= EQUAL_ERROR * a->rms_steps;
+    bool is_alike =
+        a->rms_steps <= EQUAL_ERROR * b->rms_steps && b->rms_steps <= EQUAL_ERROR * a->rms_steps;
     return !b->model || (is_alike ? a->seconds < b->seconds : a->rms_steps < b->rms_steps);
 }
 
@@ -219,8 +219,8 @@ static bool choose(BudgetSearch *budget, Error *error) {
     for (int attempt = 0; attempt < ATTEMPTS_MAXIMUM; attempt++) {
         Choice choice = best_choice(budget);
         bool is_repeated = choice.model == last.model && choice.samples == last.samples;
-        bool is_used =
-            result->is_met && taken.seconds >= BUDGET_USED * budget->search->request->budget_seconds;
+        bool is_used = result->is_met &&
+                       taken.seconds >= BUDGET_USED * budget->search->request->budget_seconds;
         if (!choice.model || (attempt > 0 && (is_repeated || is_used))) {
             break;
         }
@@ -257,8 +257,7 @@ static bool find_best(BudgetSearch *budget, Error *error) {
     if (!measure_noise(budget, error) || !measure_models(budget, error) || !choose(budget, error)) {
         return false;
     }
-    budget->search->needs->budget.candidates =
-        budget->model_count * (size_t)budget->sample_count;
+    budget->search->needs->budget.candidates = budget->model_count * (size_t)budget->sample_count;
     return measure_error(budget, error);
 }
 
@@ -289,8 +288,8 @@ bool search_budget(NeedsSearch *search, Error *error) {
                            .models = calloc(MODELS_MAXIMUM, sizeof *budget.models),
                            .time_factor = 1};
     budget.stage.samples = many.samples;
-    bool is_done = budget.models || error_set(error, STATUS_FAILED, "no memory for %d settings",
-                                              MODELS_MAXIMUM);
+    bool is_done = budget.models ||
+                   error_set(error, STATUS_FAILED, "no memory for %d settings", MODELS_MAXIMUM);
     if (is_done && trial_render(&budget.stage, &many, &budget.reference, error)) {
         is_done = find_best(&budget, error);
         trial_picture_deinit(&budget.reference);

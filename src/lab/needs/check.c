@@ -9,9 +9,9 @@
 /** Largest pictures that are checked against double, and against quad. */
 static const StageSize double_size = {320, 16}, quad_size = {320, 1};
 /** CPU time of their references, seconds. */
-#define DOUBLE_SECONDS 10.0
+#define DOUBLE_SECONDS 4.0
 /** See #DOUBLE_SECONDS; quad takes a hundred times as long as double. */
-#define QUAD_SECONDS 15.0
+#define QUAD_SECONDS 10.0
 
 /** @return Settings with one of them as in the reference. */
 static NeedsSettings settings_with_reference(const Needs *needs, NeedsSetting setting) {
@@ -123,8 +123,8 @@ static bool check_against(NeedsSearch *search, const TrialStage *stage,
 }
 
 /** Checks the settings against a reference. @return false if anything is wrong. */
-static bool check_with(NeedsSearch *search, const TrialStage *stage,
-                       const NeedsSettings *reference, Error *error) {
+static bool check_with(NeedsSearch *search, const TrialStage *stage, const NeedsSettings *reference,
+                       Error *error) {
     Needs *needs = search->needs;
     TrialPicture picture;
     NeedsCheck check = {.reference = reference->engine,

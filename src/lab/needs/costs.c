@@ -5,33 +5,23 @@
 #include "base/language.h"
 #include "lab/needs/search.h"
 
-#include <math.h>
-
 /* --- rays per pixel -----------------------------------------------------------------------------
  */
 
-/** Rays per pixel of the reference over those that are judged. */
+/** Rays per pixel of the reference over those that are judged, and from a number to the next. */
 enum { NOISE_FACTOR = 4 };
 /** Most rays per pixel that are tried, unless more are asked for. */
 enum { NOISE_SAMPLES_MAXIMUM = 256 };
-/** CPU time of the reference of noise, seconds. */
-#define NOISE_SECONDS 6.0
+/** CPU time of the largest reference of noise, seconds. */
+#define NOISE_SECONDS 2.0
 
-/** Measures the noise of a number of rays per pixel. @return false if anything is wrong. */
-static bool measure_noise(const NeedsSearch *search, int samples, NeedsNoise *noise, Error *error) {
+/** Renders a picture with a number of rays per pixel. @return false if anything is wrong. */
+static bool render_samples_of(const NeedsSearch *search, int samples, TrialPicture *picture,
+                              Error *error) {
     TrialStage stage = search->stage;
-    NeedsSettings settings = search->needs->settings, many = settings;
-    TrialPicture reference;
-    settings.samples = samples;
-    many.samples = NOISE_FACTOR * samples;
-    stage.samples = many.samples;
-    *noise = (NeedsNoise){.samples = samples};
-    if (!trial_render(&stage, &many, &reference, error)) {
-        return false;
-    }
-    bool is_done = trial_run(&stage, &settings, &reference, &noise->trial, error);
-    trial_picture_deinit(&reference);
-    return is_done;
+    NeedsSettings settings = search->needs->settings;
+    settings.samples = stage.samples = samples;
+    return trial_render(&stage, &settings, picture, error);
 }
 
 /** Adds a measurement at one end. */
@@ -44,15 +34,18 @@ static void add_noise(Needs *needs, NeedsNoise noise, bool is_first) {
     needs->noise_count++;
 }
 
-/** Tries fewer rays while those are sufficient. @return false if anything is wrong. */
-static bool try_fewer_samples(NeedsSearch *search, Error *error) {
+/** Tries fewer rays while those are sufficient. @param reference With #NOISE_FACTOR times as many
+ * as are asked for. @return false if anything is wrong. */
+static bool try_fewer_samples(NeedsSearch *search, const TrialPicture *reference, Error *error) {
     Needs *needs = search->needs;
     for (int samples = needs->asked_samples / 2;
          samples > 0 && needs->noise_count < NEEDS_NOISE_MAXIMUM; samples /= 2) {
-        NeedsNoise noise;
-        if (!measure_noise(search, samples, &noise, error)) {
+        TrialPicture picture;
+        if (!render_samples_of(search, samples, &picture, error)) {
             return false;
         }
+        NeedsNoise noise = {samples, trial_compare(&search->stage, &picture, reference)};
+        trial_picture_deinit(&picture);
         if (needs_trial_fails(&noise.trial)) {
             return true;
         }
@@ -62,48 +55,83 @@ static bool try_fewer_samples(NeedsSearch *search, Error *error) {
     return true;
 }
 
-/** Tries more rays until they are sufficient, as far as time allows. @return false if anything is
- *  wrong. */
-static bool try_more_samples(NeedsSearch *search, double ray_seconds, Error *error) {
+/** @return Whether more rays may be sufficient. Errors fall with one over the rays at best, and so
+ *  do, at an edge, the pixels that are off by more than some error. */
+static bool is_promising(const NeedsNoise *noise) {
+    double fewer = (double)noise->samples / NOISE_SAMPLES_MAXIMUM;
+    return (double)noise->trial.off * fewer * fewer <=
+           NEEDS_FRACTION_MAXIMUM * (double)noise->trial.pixels;
+}
+
+/**
+ * Tries more rays until they are sufficient, as far as time allows and there is hope.
+ * @param ray_seconds        CPU time of a ray.
+ * @param[in,out] reference  With #NOISE_FACTOR times as many as are asked for; then with more.
+ * @return false if anything is wrong.
+ */
+static bool try_more_samples(NeedsSearch *search, double ray_seconds, TrialPicture *reference,
+                             Error *error) {
     Needs *needs = search->needs;
     double pixel_seconds = ray_seconds * search->stage.width * search->stage.height;
-    for (int samples = 2 * needs->asked_samples;
+    for (int samples = NOISE_FACTOR * needs->asked_samples;
          samples <= NOISE_SAMPLES_MAXIMUM && needs->noise_count < NEEDS_NOISE_MAXIMUM &&
          pixel_seconds * NOISE_FACTOR * samples <= NOISE_SECONDS;
-         samples *= 2) {
-        NeedsNoise noise;
-        if (!measure_noise(search, samples, &noise, error)) {
+         samples *= NOISE_FACTOR) {
+        TrialPicture many;
+        // One number more than there is hope for shows how slowly the noise falls.
+        bool is_last = !is_promising(&needs->noise[needs->noise_count - 1]);
+        if (!render_samples_of(search, NOISE_FACTOR * samples, &many, error)) {
             return false;
         }
+        NeedsNoise noise = {samples, trial_compare(&search->stage, reference, &many)};
+        trial_picture_deinit(reference);
+        *reference = many;
         add_noise(needs, noise, false);
-        if (!needs_trial_fails(&noise.trial)) {
+        needs->is_noise_sufficient = !needs_trial_fails(&noise.trial);
+        if (needs->is_noise_sufficient) {
             needs->settings.samples = samples;
-            needs->is_noise_sufficient = true;
+        }
+        if (needs->is_noise_sufficient || is_last) {
             return true;
         }
     }
     return true;
 }
 
-bool search_samples(NeedsSearch *search, Error *error) {
+/** Judges the rays per pixel that are asked for, then others. @param[in,out] reference See
+ *  #try_more_samples. @return false if anything is wrong. */
+static bool judge_samples(NeedsSearch *search, TrialPicture *reference, Error *error) {
     Needs *needs = search->needs;
-    NeedsNoise noise;
+    NeedsSettings single = needs->settings;
+    TrialPicture picture;
     double ray_seconds;
-    search_report(search, N_("rays per pixel"));
-    if (!search_probe_cost(search, &(NeedsSettings){.engine = needs->settings.engine,
-                                                    .depth = needs->settings.depth,
-                                                    .cutoff = needs->settings.cutoff,
-                                                    .offset = needs->settings.offset,
-                                                    .samples = 1,
-                                                    .tolerance = needs->settings.tolerance},
-                           &ray_seconds, error) ||
-        !measure_noise(search, needs->asked_samples, &noise, error)) {
+    single.samples = 1;
+    if (!render_samples_of(search, needs->asked_samples, &picture, error)) {
         return false;
     }
-    add_noise(needs, noise, true);
-    needs->is_noise_sufficient = !needs_trial_fails(&noise.trial);
-    return needs->is_noise_sufficient ? try_fewer_samples(search, error)
-                                      : try_more_samples(search, ray_seconds, error);
+    add_noise(
+        needs,
+        (NeedsNoise){needs->asked_samples, trial_compare(&search->stage, &picture, reference)},
+        true);
+    trial_picture_deinit(&picture);
+    needs->is_noise_sufficient = !needs_trial_fails(&needs->noise[0].trial);
+    if (needs->is_noise_sufficient) {
+        return try_fewer_samples(search, reference, error);
+    }
+    return search_probe_cost(search, &single, &ray_seconds, error) &&
+           try_more_samples(search, ray_seconds, reference, error);
+}
+
+bool search_samples(NeedsSearch *search, Error *error) {
+    TrialPicture reference;
+    search_report(search, N_("rays per pixel"));
+    if (!render_samples_of(search, NOISE_FACTOR * search->needs->asked_samples, &reference,
+                           error)) {
+        return false;
+    }
+    bool is_done = judge_samples(search, &reference, error);
+    trial_picture_deinit(&reference);
+    return is_done;
 }
 
 /* --- times --------------------------------------------------------------------------------------
@@ -113,16 +141,13 @@ bool search_samples(NeedsSearch *search, Error *error) {
 enum { TURNS = 5 };
 /** Most engines of one number type. */
 enum { LANE_ENGINES_MAXIMUM = 8 };
-/** Time below which an engine counts as faster than the one that is taken by default: noise of the
- *  clock is smaller. */
-#define FASTER_RATIO 0.97
 
 /** Takes the fastest engine of the number type that was found. @return false if anything is wrong.
  */
 static bool choose_lanes(NeedsSearch *search, Error *error) {
     Needs *needs = search->needs;
     NeedsSettings tried[LANE_ENGINES_MAXIMUM];
-    double seconds[LANE_ENGINES_MAXIMUM];
+    TrialTime times[LANE_ENGINES_MAXIMUM];
     size_t count = 0, best = 0;
     needs->default_engine = needs->settings.engine;
     tried[count++] = needs->settings;
@@ -134,40 +159,43 @@ static bool choose_lanes(NeedsSearch *search, Error *error) {
             tried[count++].engine = *engine;
         }
     }
-    if (!trial_time(&search->stage, tried, count, TURNS, seconds, NULL, error)) {
+    if (!trial_time(&search->stage, tried, count, TURNS, times, error)) {
         return false;
     }
     for (size_t i = 1; i < count; i++) {
-        best = seconds[i] < FASTER_RATIO * seconds[best] ? i : best;
+        best = trial_time_is_faster(&times[i], &times[best]) ? i : best;
     }
     needs->settings.engine = tried[best].engine;
-    needs->engine_ratio = seconds[0] / seconds[best];
+    needs->engine_ratio = times[0].cpu_least / times[best].cpu_least;
     return true;
 }
 
 bool search_time_picture(const NeedsSearch *search, const NeedsSettings *settings, double *seconds,
                          bool *is_measured, Error *error) {
     /** Longest picture that is measured as a whole, seconds, and how often. */
-    const double longest = 2;
+    const double longest = 1;
     enum { PICTURES = 5 };
     const NeedsRequest *request = search->request;
-    double cpu_seconds;
+    TrialTime time;
     TrialStage stage = search->stage;
     stage.samples = settings->samples;
-    if (!trial_time(&stage, settings, 1, 1, &cpu_seconds, seconds, error)) {
+    if (!trial_time(&stage, settings, 1, 1, &time, error)) {
         return false;
     }
-    *seconds *= (double)request->width * request->height / ((double)stage.width * stage.height);
+    *seconds = time.least * request->width * request->height / ((double)stage.width * stage.height);
     *is_measured = *seconds <= longest;
     stage.width = request->width;
     stage.height = request->height;
-    return !*is_measured ||
-           trial_time(&stage, settings, 1, PICTURES, &cpu_seconds, seconds, error);
+    if (*is_measured && !trial_time(&stage, settings, 1, PICTURES, &time, error)) {
+        return false;
+    }
+    *seconds = *is_measured ? time.least : *seconds;
+    return true;
 }
 
 bool search_costs(NeedsSearch *search, Error *error) {
     Needs *needs = search->needs;
-    double seconds[3];
+    TrialTime times[3];
     bool is_measured;
     search_report(search, N_("times"));
     if (!choose_lanes(search, error)) {
@@ -176,11 +204,12 @@ bool search_costs(NeedsSearch *search, Error *error) {
     bool is_float = needs->settings.engine->mantissa_bits < needs->reference.engine->mantissa_bits;
     NeedsSettings timed[3] = {needs->settings, needs->settings, needs->reference};
     timed[1].engine = engine_with_role(is_float ? ENGINE_DOUBLE : ENGINE_FASTEST);
-    if (!trial_time(&search->stage, timed, 2, TURNS, seconds, NULL, error) ||
-        !trial_time(&search->stage, &timed[2], 1, 1, &seconds[2], NULL, error)) {
+    if (!trial_time(&search->stage, timed, 2, TURNS, times, error) ||
+        !trial_time(&search->stage, &timed[2], 1, 1, &times[2], error)) {
         return false;
     }
-    needs->double_over_float_seconds = is_float ? seconds[1] / seconds[0] : seconds[0] / seconds[1];
-    needs->reference_ratio = seconds[2] / seconds[0];
+    double ratio = times[1].cpu_least / times[0].cpu_least;
+    needs->double_over_float_seconds = is_float ? ratio : 1 / ratio;
+    needs->reference_ratio = times[2].cpu_least / times[0].cpu_least;
     return search_time_picture(search, &needs->settings, &needs->seconds, &is_measured, error);
 }

@@ -34,7 +34,6 @@ static void append_text(TextBuffer *text, const char *words) {
     snprintf(text->buffer + length, text->size - length, "%s", gettext(words));
 }
 
-
 /** @return The number type of an engine. */
 static const char *type_name(const Engine *engine) {
     return engine->mantissa_bits < 53 ? "float" : engine->mantissa_bits == 53 ? "double" : "quad";
@@ -48,10 +47,11 @@ static void append_float_cause(TextBuffer *text, const Needs *needs) {
     size_t off = needs->float_trial.off, straight = needs->float_depth_0_trial.off;
     size_t unlit = needs->float_unlit_trial.off;
     if (needs->is_recursive) {
-        append_format(text,
-                      ". Without any turn of a ray %zu would be off, and without lights and shadows "
-                      "as well %zu",
-                      straight, unlit);
+        append_format(
+            text,
+            ". Without any turn of a ray %zu would be off, and without lights and shadows "
+            "as well %zu",
+            straight, unlit);
     } else {
         append_format(text, ". Without lights and shadows %zu would be off", unlit);
     }
@@ -76,11 +76,12 @@ static void append_number_type(TextBuffer *text, const Needs *needs) {
         return;
     }
     append_text(text, needs_is_refuted(needs) ? N_("Double is best: ") : N_("Double is enough: "));
-    append_format(text,
-                  "float would take %.2g times as long and put %zu of %zu pixels off by %g steps or "
-                  "more, by up to %.2g",
-                  1 / needs->double_over_float_seconds, trial->off, trial->pixels,
-                  needs->error_steps, trial->max_steps);
+    append_format(
+        text,
+        "float would take %.2g times as long and put %zu of %zu pixels off by %g steps or "
+        "more, by up to %.2g",
+        1 / needs->double_over_float_seconds, trial->off, trial->pixels, needs->error_steps,
+        trial->max_steps);
     if (needs->has_float_cause) {
         append_float_cause(text, needs);
     }
@@ -89,11 +90,11 @@ static void append_number_type(TextBuffer *text, const Needs *needs) {
 /** Says which engine of the number type is taken. */
 static void append_engine(TextBuffer *text, const Needs *needs) {
     if (needs->settings.engine != needs->default_engine) {
-        append_format(text,
-                      ". %s has the same bits as %s, which is taken by default, and was %.2g times as "
-                      "fast here",
-                      needs->settings.engine->name, needs->default_engine->name,
-                      needs->engine_ratio);
+        append_format(
+            text,
+            ". %s has the same bits as %s, which is taken by default, and was %.2g times as "
+            "fast here",
+            needs->settings.engine->name, needs->default_engine->name, needs->engine_ratio);
     }
 }
 
@@ -106,7 +107,8 @@ static void append_depth(TextBuffer *text, const Needs *needs) {
         append_format(text, ". Depth 0: nothing mirrors and nothing lets light through");
         return;
     }
-    append_format(text, ". Depth %d: more turns of rays change %zu of %zu pixels, by up to %.2g steps",
+    append_format(text,
+                  ". Depth %d: more turns of rays change %zu of %zu pixels, by up to %.2g steps",
                   needs->settings.depth, needs->depth_trial.off, needs->depth_trial.pixels,
                   needs->depth_trial.max_steps);
     if (needs->settings.depth > 0) {
@@ -114,8 +116,9 @@ static void append_depth(TextBuffer *text, const Needs *needs) {
                       needs->shallower_trial.off, needs->shallower_trial.max_steps);
     }
     if (needs->scene_depth >= 0 && needs->scene_depth < needs->settings.depth) {
-        append_format(text, "; the scene's own %d leaves %zu off, by up to %.3g", needs->scene_depth,
-                      needs->scene_depth_trial.off, needs->scene_depth_trial.max_steps);
+        append_format(text, "; the scene's own %d leaves %zu off, by up to %.3g",
+                      needs->scene_depth, needs->scene_depth_trial.off,
+                      needs->scene_depth_trial.max_steps);
     }
 }
 
@@ -133,15 +136,28 @@ static void append_cutoff(TextBuffer *text, const Needs *needs) {
 
 /** Explains tolerances. */
 static void append_tolerance(TextBuffer *text, const Needs *needs) {
-    if (needs->has_sdf) {
-        append_format(text,
-                      ". Tolerances of the fields %g times the scene's: finer ones change %zu of %zu "
-                      "pixels, by up to %.2g steps; %g times would leave %zu off, by up to %.2g",
-                      needs->settings.tolerance, needs->tolerance_trial.off,
-                      needs->tolerance_trial.pixels, needs->tolerance_trial.max_steps,
-                      needs->coarser_tolerance, needs->coarser_tolerance_trial.off,
-                      needs->coarser_tolerance_trial.max_steps);
+    if (!needs->has_sdf) {
+        return;
     }
+    if (!needs->is_tolerance_sufficient) {
+        append_format(
+            text,
+            ". The scene's own tolerances leave %zu of %zu pixels off, by up to %.2g steps, "
+            "and those %g times as large still %zu: they are taken as they are",
+            needs->own_tolerance_trial.off, needs->own_tolerance_trial.pixels,
+            needs->own_tolerance_trial.max_steps, needs->finest_tolerance,
+            needs->finest_tolerance_trial.off);
+    } else {
+        append_format(
+            text,
+            ". Tolerances of the fields %g times the scene's: finer ones change %zu of %zu "
+            "pixels, by up to %.2g steps",
+            needs->settings.tolerance, needs->tolerance_trial.off, needs->tolerance_trial.pixels,
+            needs->tolerance_trial.max_steps);
+    }
+    append_format(text, "; %g times as coarse, %zu would be off, by up to %.2g",
+                  needs->coarser_tolerance / needs->settings.tolerance,
+                  needs->coarser_tolerance_trial.off, needs->coarser_tolerance_trial.max_steps);
 }
 
 /* --- offset and rays per pixel ------------------------------------------------------------------
@@ -151,12 +167,12 @@ static void append_tolerance(TextBuffer *text, const Needs *needs) {
 static void append_offset(TextBuffer *text, const Needs *needs) {
     const NeedsTrial *none = &needs->offset_trials[OFFSET_NONE];
     if (needs->settings.offset != OFFSET_BOUND) {
-        append_format(text,
-                      ". Offset %s: it changes %zu of %zu pixels and takes %.2g times as long as the "
-                      "bound of each point",
-                      offset_strategy_names[needs->settings.offset],
-                      needs->offset_trials[needs->settings.offset].off, none->pixels,
-                      needs->offset_ratio);
+        append_format(
+            text,
+            ". Offset %s: it changes %zu of %zu pixels and takes %.2g times as long as the "
+            "bound of each point",
+            offset_strategy_names[needs->settings.offset],
+            needs->offset_trials[needs->settings.offset].off, none->pixels, needs->offset_ratio);
     } else if (needs_trial_fails(none)) {
         append_format(text,
                       ". Rays start a bound away from surfaces: from the surface itself %zu of %zu "
@@ -177,7 +193,8 @@ static void append_samples(TextBuffer *text, const Needs *needs) {
     for (int i = 0; i < needs->noise_count; i++) {
         asked = needs->noise[i].samples == samples ? &needs->noise[i] : asked;
     }
-    append_format(text, ngettext(". %d ray a pixel: ", ". %d rays a pixel: ", (unsigned long)samples),
+    append_format(text,
+                  ngettext(". %d ray a pixel: ", ". %d rays a pixel: ", (unsigned long)samples),
                   samples);
     append_format(text, "four times as many change %zu of %zu pixels, by up to %.2g steps",
                   asked->trial.off, asked->trial.pixels, asked->trial.max_steps);
@@ -185,10 +202,11 @@ static void append_samples(TextBuffer *text, const Needs *needs) {
         append_format(text, "; the %d of the scene leave %zu off", needs->asked_samples,
                       needs->noise[0].trial.off);
     } else if (!needs->is_noise_sufficient && last->samples > samples) {
-        append_format(text,
-                      ". So the picture can be told from a better one by its noise; %d rays take %d "
-                      "times as long and still leave %zu off",
-                      last->samples, last->samples / samples, last->trial.off);
+        append_format(
+            text,
+            ". So the picture can be told from a better one by its noise; %d rays take %d "
+            "times as long and still leave %zu off",
+            last->samples, last->samples / samples, last->trial.off);
     } else if (!needs->is_noise_sufficient) {
         append_text(text, N_(". So the picture can be told from a better one by its noise"));
     }
@@ -222,10 +240,9 @@ static void append_corrections(TextBuffer *text, const Needs *needs) {
             snprintf(before, sizeof before, gettext("tolerance %g"), settings->tolerance);
             break;
         }
-        append_format(text,
-                      ". A whole picture refuted %s: %zu of %zu pixels were off, and %zu without it",
-                      before, correction->trial.off, correction->trial.pixels,
-                      correction->without.off);
+        append_format(
+            text, ". A whole picture refuted %s: %zu of %zu pixels were off, and %zu without it",
+            before, correction->trial.off, correction->trial.pixels, correction->without.off);
     }
 }
 

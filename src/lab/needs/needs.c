@@ -12,13 +12,13 @@
 static const StageSize trial_size = {160, 4};
 /** CPU time of the reference of those, seconds: some twenty pictures are tried, most of them
  *  faster. */
-#define TRIAL_SECONDS 1.5
+#define TRIAL_SECONDS 1.0
 
 /** Width of the picture that shows how long a ray takes. */
 enum { PROBE_WIDTH = 40 };
 
 /** Coarsest factor of tolerances that is tried. */
-#define TOLERANCE_MAXIMUM 1024.0
+#define TOLERANCE_COARSEST 1024.0
 /** Coarsest cutoff that is tried. */
 #define CUTOFF_COARSEST (64 * CUTOFF_DEFAULT)
 
@@ -80,8 +80,12 @@ TrialStage search_stage(const NeedsSearch *search, StageSize largest, double ray
 bool search_probe_cost(const NeedsSearch *search, const NeedsSettings *settings,
                        double *ray_seconds, Error *error) {
     TrialStage stage = stage_of(search, (StageSize){PROBE_WIDTH, 1});
-    return trial_time(&stage, settings, 1, 1, ray_seconds, NULL, error) &&
-           (*ray_seconds /= (double)stage.width * stage.height, true);
+    TrialTime time;
+    if (!trial_time(&stage, settings, 1, 1, &time, error)) {
+        return false;
+    }
+    *ray_seconds = time.cpu_least / ((double)stage.width * stage.height);
+    return true;
 }
 
 /* --- depth --------------------------------------------------------------------------------------
@@ -128,22 +132,17 @@ static bool measure_depth(NeedsSearch *search, const TrialPicture *reference, Er
     return try_depth(search, needs->settings.depth, reference, &needs->depth_trial, error) &&
            (needs->settings.depth == 0 || try_depth(search, needs->settings.depth - 1, reference,
                                                     &needs->shallower_trial, error)) &&
-           (needs->scene_depth < 0 || try_depth(search, needs->scene_depth, reference,
-                                                &needs->scene_depth_trial, error));
+           (needs->scene_depth < 0 ||
+            try_depth(search, needs->scene_depth, reference, &needs->scene_depth_trial, error));
 }
 
 /* --- cutoff and tolerance -----------------------------------------------------------------------
  */
 
-/** A setting that is a number, of which less is finer. */
-typedef struct NumberSetting {
-    NeedsSetting setting; /**< Which. */
-    double start;         /**< Tried first. */
-    double finest;        /**< The reference's. */
-    double coarsest;      /**< Tried last. */
-} NumberSetting;
+/** How often settings are timed. */
+enum { TURNS = 5 };
 
-/** @return Where a number stands in settings. */
+/** @return Where a number stands in settings. @param setting #NEEDS_CUTOFF or #NEEDS_TOLERANCE. */
 static double *number_of(NeedsSettings *settings, NeedsSetting setting) {
     return setting == NEEDS_CUTOFF ? &settings->cutoff : &settings->tolerance;
 }
@@ -156,40 +155,97 @@ static bool try_number(const NeedsSearch *search, NeedsSetting setting, double v
     return trial_run(&search->stage, &settings, reference, trial, error);
 }
 
-/** Finds the coarsest sufficient number. @return false if anything is wrong. */
-static bool find_number(NeedsSearch *search, NumberSetting number, const TrialPicture *reference,
-                        Error *error) {
-    NeedsTrial trial;
-    double value = number.start, *found = number_of(&search->needs->settings, number.setting);
-    *found = number.finest;
-    // Finer while it fails, else coarser until it fails.
-    while (true) {
-        if (!try_number(search, number.setting, value, reference, &trial, error)) {
+/** Finds the coarsest sufficient number. @param setting With a number that is sufficient. @return
+ *  false if anything is wrong. */
+static bool find_coarsest(NeedsSearch *search, NeedsSetting setting, double coarsest,
+                          const TrialPicture *reference, Error *error) {
+    double *found = number_of(&search->needs->settings, setting);
+    for (double value = NEEDS_STEP * *found; value <= coarsest; value *= NEEDS_STEP) {
+        NeedsTrial trial;
+        if (!try_number(search, setting, value, reference, &trial, error)) {
             return false;
         }
         if (needs_trial_fails(&trial)) {
-            if (*found != number.finest || value / NEEDS_STEP <= number.finest) {
-                return true;
-            }
-            value /= NEEDS_STEP;
-            number.coarsest = value;
-        } else {
-            *found = value;
-            if (value * NEEDS_STEP > number.coarsest) {
-                return true;
-            }
-            value *= NEEDS_STEP;
+            return true;
+        }
+        *found = value;
+    }
+    return true;
+}
+
+/** Finds the coarsest sufficient number, and takes it if that saves time. @return false if anything
+ *  is wrong. */
+static bool find_coarser(NeedsSearch *search, NeedsSetting setting, double coarsest,
+                         const TrialPicture *reference, Error *error) {
+    NeedsSettings *settings = &search->needs->settings, tried[2] = {*settings, *settings};
+    TrialTime times[2];
+    if (!find_coarsest(search, setting, coarsest, reference, error)) {
+        return false;
+    }
+    tried[1] = *settings;
+    if (!trial_time(&search->stage, tried, 2, TURNS, times, error)) {
+        return false;
+    }
+    if (!trial_time_is_faster(&times[1], &times[0])) {
+        *settings = tried[0];
+    }
+    return true;
+}
+
+/** Finds the cutoff. @return false if anything is wrong. */
+static bool find_cutoff(NeedsSearch *search, const TrialPicture *reference, Error *error) {
+    Needs *needs = search->needs;
+    for (double value = CUTOFF_DEFAULT; value > needs->reference.cutoff; value /= NEEDS_STEP) {
+        NeedsTrial trial;
+        if (!try_number(search, NEEDS_CUTOFF, value, reference, &trial, error)) {
+            return false;
+        }
+        if (!needs_trial_fails(&trial)) {
+            needs->settings.cutoff = value;
+            return value < CUTOFF_DEFAULT ||
+                   find_coarser(search, NEEDS_CUTOFF, CUTOFF_COARSEST, reference, error);
         }
     }
+    needs->settings.cutoff = needs->reference.cutoff;
+    return true;
+}
+
+/** Finds whether the scene's own tolerances are sufficient, or finer ones. Where none is, as on the
+ *  edges of fractals, the scene's own are the reference. @return false if anything is wrong. */
+static bool find_fine_tolerance(NeedsSearch *search, Error *error) {
+    Needs *needs = search->needs;
+    TrialPicture finest;
+    bool is_done = true;
+    needs->reference.tolerance = REFERENCE_TOLERANCE;
+    if (!trial_render(&search->stage, &needs->reference, &finest, error)) {
+        return false;
+    }
+    for (double value = 1;
+         is_done && !needs->is_tolerance_sufficient && value > REFERENCE_TOLERANCE;
+         value /= NEEDS_STEP) {
+        NeedsTrial trial;
+        is_done = try_number(search, NEEDS_TOLERANCE, value, &finest, &trial, error);
+        if (value == 1) {
+            needs->own_tolerance_trial = trial;
+        }
+        needs->finest_tolerance = value;
+        needs->finest_tolerance_trial = trial;
+        needs->is_tolerance_sufficient = !needs_trial_fails(&trial);
+        needs->settings.tolerance = needs->is_tolerance_sufficient ? value : 1;
+    }
+    trial_picture_deinit(&finest);
+    needs->reference.tolerance = needs->is_tolerance_sufficient ? REFERENCE_TOLERANCE : 1;
+    return is_done;
 }
 
 /** Measures what a number leaves, and the next coarser one. @return false if anything is wrong. */
-static bool measure_number(NeedsSearch *search, NeedsSetting setting,
-                           const TrialPicture *reference, Error *error) {
+static bool measure_number(NeedsSearch *search, NeedsSetting setting, const TrialPicture *reference,
+                           Error *error) {
     Needs *needs = search->needs;
     bool is_cutoff = setting == NEEDS_CUTOFF;
     NeedsTrial *trial = is_cutoff ? &needs->cutoff_trial : &needs->tolerance_trial;
-    NeedsTrial *coarser = is_cutoff ? &needs->coarser_cutoff_trial : &needs->coarser_tolerance_trial;
+    NeedsTrial *coarser =
+        is_cutoff ? &needs->coarser_cutoff_trial : &needs->coarser_tolerance_trial;
     double value = *number_of(&needs->settings, setting), above = NEEDS_STEP * value;
     *(is_cutoff ? &needs->coarser_cutoff : &needs->coarser_tolerance) = above;
     return try_number(search, setting, value, reference, trial, error) &&
@@ -220,14 +276,10 @@ static bool find_number_type(NeedsSearch *search, Error *error) {
 /** Finds the ray offset: another than #OFFSET_BOUND only if it is faster. @return false if anything
  *  is wrong. */
 static bool find_offset(NeedsSearch *search, Error *error) {
-    /** How often offsets are timed, and the fraction of time that noise does not feign. */
-    enum { TURNS = 5 };
-    const double faster = 0.95;
     Needs *needs = search->needs;
     NeedsSettings tried[NEEDS_OFFSET_COUNT];
-    double seconds[NEEDS_OFFSET_COUNT];
+    TrialTime times[NEEDS_OFFSET_COUNT];
     TrialPicture bound;
-    needs->fastest_offset = OFFSET_BOUND;
     if (!trial_render(&search->stage, &needs->settings, &bound, error)) {
         return false;
     }
@@ -243,18 +295,18 @@ static bool find_offset(NeedsSearch *search, Error *error) {
     if (!is_done || !is_any_sufficient) {
         return is_done;
     }
-    if (!trial_time(&search->stage, tried, NEEDS_OFFSET_COUNT, TURNS, seconds, NULL, error)) {
+    if (!trial_time(&search->stage, tried, NEEDS_OFFSET_COUNT, TURNS, times, error)) {
         return false;
     }
     for (int i = 0; i < OFFSET_BOUND; i++) {
-        double ratio = seconds[i] / seconds[OFFSET_BOUND];
+        double ratio = times[i].cpu_least / times[OFFSET_BOUND].cpu_least;
         if (!needs_trial_fails(&needs->offset_trials[i]) &&
+            trial_time_is_faster(&times[i], &times[OFFSET_BOUND]) &&
             (needs->offset_ratio == 0 || ratio < needs->offset_ratio)) {
             needs->offset_ratio = ratio;
-            needs->fastest_offset = (OffsetStrategy)i;
+            needs->settings.offset = (OffsetStrategy)i;
         }
     }
-    needs->settings.offset = needs->offset_ratio < faster ? needs->fastest_offset : OFFSET_BOUND;
     return true;
 }
 
@@ -263,13 +315,12 @@ static bool find_offset(NeedsSearch *search, Error *error) {
 
 /** Finds depth, cutoff and tolerance. @return false if anything is wrong. */
 static bool find_model(NeedsSearch *search, const TrialPicture *reference, Error *error) {
-    Needs *needs = search->needs;
-    const NumberSetting cutoff = {NEEDS_CUTOFF, CUTOFF_DEFAULT, needs->reference.cutoff,
-                                  CUTOFF_COARSEST};
-    const NumberSetting tolerance = {NEEDS_TOLERANCE, 1, REFERENCE_TOLERANCE, TOLERANCE_MAXIMUM};
-    return (!needs->is_recursive || (find_depth(search, reference, error) &&
-                                     find_number(search, cutoff, reference, error))) &&
-           (!needs->has_sdf || find_number(search, tolerance, reference, error));
+    const Needs *needs = search->needs;
+    bool may_be_coarser = needs->has_sdf && needs->settings.tolerance == 1;
+    return (!needs->is_recursive ||
+            (find_depth(search, reference, error) && find_cutoff(search, reference, error))) &&
+           (!may_be_coarser ||
+            find_coarser(search, NEEDS_TOLERANCE, TOLERANCE_COARSEST, reference, error));
 }
 
 bool search_settings(NeedsSearch *search, Error *error) {
@@ -280,7 +331,8 @@ bool search_settings(NeedsSearch *search, Error *error) {
     needs->settings.cutoff = CUTOFF_DEFAULT;
     needs->settings.depth = 0;
     search_report(search, N_("depth and tolerances"));
-    if (!trial_render(&search->stage, &needs->reference, &reference, error)) {
+    if ((needs->has_sdf && !find_fine_tolerance(search, error)) ||
+        !trial_render(&search->stage, &needs->reference, &reference, error)) {
         return false;
     }
     bool is_done = find_model(search, &reference, error);
@@ -297,10 +349,10 @@ static bool measure_settings(NeedsSearch *search, Error *error) {
     if (!trial_render(&search->stage, &needs->reference, &reference, error)) {
         return false;
     }
-    bool is_done = (!needs->is_recursive ||
-                    (measure_depth(search, &reference, error) &&
-                     measure_number(search, NEEDS_CUTOFF, &reference, error))) &&
-                   (!needs->has_sdf || measure_number(search, NEEDS_TOLERANCE, &reference, error));
+    bool is_done =
+        (!needs->is_recursive || (measure_depth(search, &reference, error) &&
+                                  measure_number(search, NEEDS_CUTOFF, &reference, error))) &&
+        (!needs->has_sdf || measure_number(search, NEEDS_TOLERANCE, &reference, error));
     trial_picture_deinit(&reference);
     return is_done;
 }
@@ -309,10 +361,40 @@ static bool measure_settings(NeedsSearch *search, Error *error) {
 static NeedsSettings reference_settings(const Needs *needs) {
     return (NeedsSettings){.engine = engine_with_role(ENGINE_DOUBLE),
                            .depth = needs->is_recursive ? REFERENCE_DEPTH : 0,
-                           .cutoff = REFERENCE_CUTOFF,
+                           .cutoff = REFERENCE_CUTOFF_COARSEST,
                            .offset = OFFSET_BOUND,
                            .samples = needs->asked_samples,
                            .tolerance = needs->has_sdf ? REFERENCE_TOLERANCE : 1};
+}
+
+/**
+ * Makes the cutoff of the reference as fine as time allows. No cutoff at all would follow rays that
+ * two panes of glass split without end.
+ * @param[in,out] ray_seconds  Time of a ray with the coarsest; then with the one found.
+ * @return false if anything is wrong.
+ */
+static bool refine_reference(NeedsSearch *search, Error *error) {
+    /** From a cutoff to the next, how many times the time of a ray may be spent on it, and CPU time
+     *  of a ray, seconds, from which on it is slow already. */
+    const double step = 16, patience = 2, slow = 2e-4;
+    NeedsSettings *reference = &search->needs->reference, finer = *reference;
+    double first = 0, seconds = 0;
+    if (!search_probe_cost(search, reference, &first, error)) {
+        return false;
+    }
+    search->ray_seconds = first;
+    while (search->needs->is_recursive && finer.cutoff > REFERENCE_CUTOFF_FINEST && first < slow) {
+        finer.cutoff /= step;
+        if (!search_probe_cost(search, &finer, &seconds, error)) {
+            return false;
+        }
+        if (seconds > patience * first) {
+            break;
+        }
+        reference->cutoff = finer.cutoff;
+        search->ray_seconds = seconds;
+    }
+    return true;
 }
 
 bool needs_find(const Scene *scene, const NeedsRequest *request, Needs *needs, Error *error) {
@@ -324,13 +406,14 @@ bool needs_find(const Scene *scene, const NeedsRequest *request, Needs *needs, E
                      .scene_depth = request->depth};
     needs->reference = reference_settings(needs);
     NeedsSearch search = {.scene = scene, .request = request, .needs = needs};
-    if (!search_probe_cost(&search, &needs->reference, &search.ray_seconds, error)) {
+    if (!refine_reference(&search, error)) {
         return false;
     }
     search.stage = search_stage(&search, trial_size, search.ray_seconds, TRIAL_SECONDS);
     needs->width = search.stage.width;
     needs->height = search.stage.height;
-    needs->samples = search.stage.samples < request->samples ? search.stage.samples : request->samples;
+    needs->samples =
+        search.stage.samples < request->samples ? search.stage.samples : request->samples;
     return search_settings(&search, error) && search_check(&search, error) &&
            measure_settings(&search, error) && search_samples(&search, error) &&
            search_costs(&search, error) &&

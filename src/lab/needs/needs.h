@@ -118,7 +118,12 @@ typedef struct Needs {
     double coarser_cutoff;           /**< The next coarser cutoff; 0: none was tried. */
     NeedsTrial coarser_cutoff_trial; /**< That one. */
 
-    NeedsTrial tolerance_trial;         /**< The tolerance against the finest. */
+    bool is_tolerance_sufficient;       /**< Whether any tolerance is; otherwise the scene's own
+                                             are those of the reference. */
+    NeedsTrial own_tolerance_trial;     /**< The scene's own tolerances against the finest. */
+    double finest_tolerance;            /**< The finest tolerance that was compared with that. */
+    NeedsTrial finest_tolerance_trial;  /**< That one. */
+    NeedsTrial tolerance_trial;         /**< The tolerance against the reference's. */
     double coarser_tolerance;           /**< The next coarser tolerance; 0: none was tried. */
     NeedsTrial coarser_tolerance_trial; /**< That one. */
 
@@ -129,16 +134,15 @@ typedef struct Needs {
     double double_over_float_seconds; /**< Time of double over that of float. */
 
     NeedsTrial offset_trials[NEEDS_OFFSET_COUNT]; /**< Each ray offset against #OFFSET_BOUND. */
-    double offset_ratio; /**< Time of the fastest sufficient offset over that of #OFFSET_BOUND; 0:
-                              no other is sufficient. */
-    OffsetStrategy fastest_offset; /**< That offset. */
+    double offset_ratio; /**< Time of the offset proposed over that of #OFFSET_BOUND; 0: no other is
+                              both sufficient and faster. */
 
     NeedsNoise noise[NEEDS_NOISE_MAXIMUM]; /**< Noise, the least rays per pixel first. */
     int noise_count;                       /**< Number of #noise. */
     bool is_noise_sufficient;              /**< Whether #settings has enough rays per pixel. */
 
-    NeedsCheck checks[NEEDS_CHECKS_MAXIMUM]; /**< The final checks. */
-    int check_count;                         /**< Number of #checks. */
+    NeedsCheck checks[NEEDS_CHECKS_MAXIMUM];                /**< The final checks. */
+    int check_count;                                        /**< Number of #checks. */
     NeedsCorrection corrections[NEEDS_CORRECTIONS_MAXIMUM]; /**< In their order. */
     int correction_count;                                   /**< Number of #corrections. */
 
@@ -164,7 +168,8 @@ bool needs_find(const Scene *scene, const NeedsRequest *request, Needs *needs, E
 /** @return Whether more than #NEEDS_FRACTION_MAXIMUM of the pixels are off. */
 bool needs_trial_fails(const NeedsTrial *trial);
 
-/** @return Whether a check refutes the settings: they were not fine enough, and nothing is finer. */
+/** @return Whether a check refutes the settings: they were not fine enough, and nothing is finer.
+ */
 bool needs_is_refuted(const Needs *needs);
 
 /**

@@ -10,14 +10,14 @@
 /** Depth of the reference. */
 enum { REFERENCE_DEPTH = DEPTH_MAXIMUM };
 
-#ifndef CUTOFF_DEFAULT
-#define CUTOFF_DEFAULT THROUGHPUT_CUTOFF
-#endif
-/** Cutoff of the reference. */
-#define REFERENCE_CUTOFF (CUTOFF_DEFAULT / 16)
+/** Coarsest and finest cutoff of a reference, 8-bit steps: below the finest no picture of doubles
+ *  changes. */
+#define REFERENCE_CUTOFF_COARSEST (CUTOFF_DEFAULT / 16)
+/** See #REFERENCE_CUTOFF_COARSEST. */
+#define REFERENCE_CUTOFF_FINEST 1e-9
 
-/** Tolerances of the reference over the scene's own. */
-#define REFERENCE_TOLERANCE (1.0 / 16)
+/** Tolerances of the reference over the scene's own, where any are sufficient. */
+#define REFERENCE_TOLERANCE (1.0 / 64)
 
 /** From a cutoff or a tolerance to the next coarser or finer one. */
 #define NEEDS_STEP 4.0

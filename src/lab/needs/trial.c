@@ -19,16 +19,16 @@ static double process_cpu_seconds(void) {
 
 /** @return How a renderer is set up for a trial. */
 static RenderSettings render_settings_of(const TrialStage *stage, const NeedsSettings *settings) {
-    RenderSettings render = {
-        .engine = settings->engine,
-        .threads = stage->threads,
-        .width = stage->width,
-        .height = stage->height,
-        .samples = settings->samples < stage->samples ? settings->samples : stage->samples,
-        .sampling = SAMPLING_FULL,
-        .encoding = stage->scene->image.encoding,
-        .lighting = stage->lighting,
-        .trace = *stage->trace};
+    RenderSettings render = {.engine = settings->engine,
+                             .threads = stage->threads,
+                             .width = stage->width,
+                             .height = stage->height,
+                             .samples = settings->samples < stage->samples ? settings->samples
+                                                                           : stage->samples,
+                             .sampling = SAMPLING_FULL,
+                             .encoding = stage->scene->image.encoding,
+                             .lighting = stage->lighting,
+                             .trace = *stage->trace};
     render.trace.depth = settings->depth;
     render.trace.cutoff = settings->cutoff;
     render.trace.offset = settings->offset;
@@ -36,8 +36,8 @@ static RenderSettings render_settings_of(const TrialStage *stage, const NeedsSet
 }
 
 /** Renders a scene. @param picture Empty: it is only timed. @return false if anything is wrong. */
-static bool scene_render(const TrialStage *stage, const Scene *scene,
-                         const NeedsSettings *settings, TrialPicture *picture, Error *error) {
+static bool scene_render(const TrialStage *stage, const Scene *scene, const NeedsSettings *settings,
+                         TrialPicture *picture, Error *error) {
     RenderSettings render = render_settings_of(stage, settings);
     Renderer *renderer = renderer_create(scene, &render, error);
     if (!renderer) {
@@ -97,9 +97,10 @@ NeedsTrial trial_compare(const TrialStage *stage, const TrialPicture *a, const T
         double worst = 0;
         for (size_t i = 3 * pixel; i < 3 * pixel + 3; i++) {
             float here = a->picture.linear[i], there = b->picture.linear[i];
-            double steps = here == there ? 0
-                                         : fabs(displayed_steps(here, encoding) -
-                                                displayed_steps(there, encoding));
+            double steps =
+                here == there
+                    ? 0
+                    : fabs(displayed_steps(here, encoding) - displayed_steps(there, encoding));
             worst = fmax(worst, steps);
             squares += steps * steps;
         }
@@ -122,18 +123,24 @@ bool trial_run(const TrialStage *stage, const NeedsSettings *settings,
 }
 
 bool trial_time(const TrialStage *stage, const NeedsSettings *settings, size_t count, int turns,
-                double *cpu_seconds, double *seconds, Error *error) {
+                TrialTime *times, Error *error) {
     for (int turn = 0; turn < turns; turn++) {
         for (size_t i = 0; i < count; i++) {
             TrialPicture timed = {0};
             if (!stage_render(stage, &settings[i], &timed, error)) {
                 return false;
             }
-            cpu_seconds[i] = turn == 0 ? timed.cpu_seconds : fmin(cpu_seconds[i], timed.cpu_seconds);
-            if (seconds) {
-                seconds[i] = turn == 0 ? timed.seconds : fmin(seconds[i], timed.seconds);
-            }
+            TrialTime *time = &times[i];
+            time->cpu_least =
+                turn == 0 ? timed.cpu_seconds : fmin(time->cpu_least, timed.cpu_seconds);
+            time->cpu_most =
+                turn == 0 ? timed.cpu_seconds : fmax(time->cpu_most, timed.cpu_seconds);
+            time->least = turn == 0 ? timed.seconds : fmin(time->least, timed.seconds);
         }
     }
     return true;
+}
+
+bool trial_time_is_faster(const TrialTime *a, const TrialTime *b) {
+    return a->cpu_most < b->cpu_least;
 }

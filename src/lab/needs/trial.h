@@ -74,17 +74,27 @@ NeedsTrial trial_compare(const TrialStage *stage, const TrialPicture *a, const T
 bool trial_run(const TrialStage *stage, const NeedsSettings *settings,
                const TrialPicture *reference, NeedsTrial *trial, Error *error);
 
+/** How long pictures take. */
+typedef struct TrialTime {
+    double cpu_least; /**< Least CPU time of a turn, seconds. */
+    double cpu_most;  /**< Most CPU time of a turn, seconds. */
+    double least;     /**< Least time on the clock of a turn, seconds. */
+} TrialTime;
+
 /**
  * Times settings in turn, so that a busy processor affects all alike.
- * @param settings          The settings.
- * @param count             Their number.
- * @param turns             How often each is timed, at least 1; the least time counts.
- * @param[out] cpu_seconds  Time of all processors, per settings.
- * @param[out] seconds      Time on the clock, per settings; may be NULL.
- * @param[out] error        What is wrong.
+ * @param settings    The settings.
+ * @param count       Their number.
+ * @param turns       How often each is timed, at least 1.
+ * @param[out] times  Per settings.
+ * @param[out] error  What is wrong.
  * @return false if anything is wrong.
  */
 bool trial_time(const TrialStage *stage, const NeedsSettings *settings, size_t count, int turns,
-                double *cpu_seconds, double *seconds, Error *error);
+                TrialTime *times, Error *error);
+
+/** @return Whether every turn of a was faster than every turn of b: more than the noise of the
+ *          clock. */
+bool trial_time_is_faster(const TrialTime *a, const TrialTime *b);
 
 #endif

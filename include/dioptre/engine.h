@@ -161,8 +161,8 @@ typedef enum {
 typedef struct Tracer Tracer;
 
 /**
- * Default of #TraceSettings.cutoff. A ray of this weight changes no pixel by half a step of 8 bits,
- * even at the dark end of the sRGB curve: its slope there is 12.92, and half a step is 1 / 510.
+ * Throughput below which rays end in the first pass, where #CUTOFF_DEFAULT is the cutoff and no
+ * light is brighter than 1 (see doc/cutoff.md).
  */
 #define THROUGHPUT_CUTOFF 1.5e-4
 
@@ -179,8 +179,8 @@ typedef struct TraceSettings {
     int samples; /**< Rays per pixel; if more than one, spherical lights cast soft shadows. */
     OffsetStrategy offset; /**< Distance from a surface at which secondary rays start. */
     double epsilon;        /**< The distance for #OFFSET_FIXED, scene units. */
-    double
-        cutoff; /**< Throughput below which a ray ends; 0: where it cannot change an 8-bit image. */
+    double cutoff; /**< Largest error of a pixel by all rays that end for their low throughput,
+                        in 8-bit steps of the encoded picture; 0: no ray ends for that. */
     ParallelFor parallel_for; /**< Builds the tracer in parallel. */
     BvhMode bvh; /**< Whether there is a BVH over the shapes; meshes always have one of their
                     triangles. */

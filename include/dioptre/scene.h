@@ -508,6 +508,15 @@ enum { DEPTH_MAXIMUM = 256 };
  */
 enum { IMAGE_DEPTH_AUTO = -1 };
 
+/**
+ * Default of #SceneImage.cutoff, 8-bit steps: with half a step of rounding, a pixel of the encoded
+ * picture is never off by more than one.
+ */
+#define CUTOFF_DEFAULT 0.25
+
+/** Largest #SceneImage.cutoff, 8-bit steps: from black to white. */
+#define CUTOFF_MAXIMUM 255
+
 /** Size and quality of the image. Filled through #scene_image_keyword. */
 typedef struct SceneImage {
     int width;    /**< Pixels, 1 to #IMAGE_SIZE_MAXIMUM. */
@@ -515,6 +524,7 @@ typedef struct SceneImage {
     int encoding; /**< An #Encoding. */
     int samples;  /**< Samples per pixel, 1 to #SAMPLES_MAXIMUM. */
     int depth;    /**< Recursion depth, 0 to #DEPTH_MAXIMUM, or #IMAGE_DEPTH_AUTO. */
+    double cutoff; /**< See #TraceSettings.cutoff; 0 to #CUTOFF_MAXIMUM. */
 } SceneImage;
 
 /** The scene language's `image`. */

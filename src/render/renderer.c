@@ -33,7 +33,8 @@ RenderSettings render_settings_default(const Scene *scene) {
         .trace = {.depth = depth == IMAGE_DEPTH_AUTO ? estimate.depth : depth,
                   .offset = OFFSET_BOUND,
                   .epsilon = report_epsilon,
-                  .footprint = RENDER_FOOTPRINT},
+                   .cutoff = scene->image.cutoff,
+                   .footprint = RENDER_FOOTPRINT},
     };
 }
 

@@ -9,6 +9,9 @@
 
 #include <stdlib.h>
 
+/** Throughput at which a ray ends in any case: its colours underflow. */
+#define LEAST_THROUGHPUT 0x1p-126
+
 /** @return The sky in the engine's number type. */
 static Sky sky_of(const SceneSky *sky) {
     Rgbd zenith_minus_horizon = {sky->zenith.red - sky->horizon.red,
@@ -82,7 +85,9 @@ static Tracer *tracer_create(const Scene *scene, Vec3d origin, const TraceSettin
                  .light_count = settings->is_unlit ? 0 : scene->light_count,
                  .seen_light_count = scene->light_count,
                  .depth = is_recursive ? settings->depth : 0,
-                 .cutoff = (scalar)(settings->cutoff > 0 ? settings->cutoff : THROUGHPUT_CUTOFF),
+                 .cutoff = (scalar)(settings->cutoff > 0
+                                        ? THROUGHPUT_CUTOFF * settings->cutoff / CUTOFF_DEFAULT
+                                        : LEAST_THROUGHPUT),
                  .samples = settings->samples,
                  .methods = settings->methods,
                  .pixel_point = settings->pixel_point,

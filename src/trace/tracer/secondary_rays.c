@@ -53,7 +53,7 @@ void reflect_rays(const Tracer *tracer, const RayState *rays, const SurfaceHit *
         // Normalized at each bounce: otherwise the length drifts by an ulp or two per reflection.
         Vec3 r = vec3_normalize(vec3_subtract(d, vec3_scale(n, 2 * vec3_dot(d, n))));
         secondary_rays_set(reflected, v,
-                           ray_offset_origin(&tracer->ray_offset, &surface->hits[v], r), r);
+                           surface_reflection_origin(&tracer->ray_offset, surface, v, r), r);
     }
 }
 

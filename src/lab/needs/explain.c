@@ -68,7 +68,8 @@ static void append_cause(TextBuffer *text, const PrecisionEstimate *forecast, bo
         [PRECISION_FRACTAL] = N_("a fractal turns its normals within a tolerance"),
         [PRECISION_THIN_GLASS] = N_("walls of glass are as thin as roundings of their coordinates"),
         [PRECISION_SHADOW_TERMINATOR] =
-            N_("faces of models that lamps graze are lit or dark as roundings have it")};
+            N_("faces of models that lamps graze are lit or dark as roundings have it"),
+        [PRECISION_TRAPPED_LIGHT] = N_("overlapping glass reflects light dozens of times")};
     append_text(text, is_enough ? N_("no length of the scene is large against another")
                                 : causes[forecast->cause]);
 }

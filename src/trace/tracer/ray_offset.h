@@ -10,6 +10,10 @@
 /** Error bounds that a ray must pass to be safely behind a surface: that of the surface, and that
  * of another surface at the same position. */
 #define TRANSMIT_OFFSET_BOUNDS 2
+/** Offset lengths between an opaque surface that touches glass and rays that leave it: beyond its
+ * own error bound, and beyond the wall of the glass, which may be before it or behind it by its
+ * own. */
+#define TOUCHING_OFFSET_SCALE 4
 /** Smallest cosine for an offset along the ray alone: at grazing angles that would be too long. */
 #define OFFSET_ALONG_MIN_COSINE ((scalar)0.0625f)
 

@@ -17,6 +17,7 @@
 #include "trace/tracer/tile.c"
 #include "trace/tracer/tracer.c"
 // Light and materials.
+#include "trace/glass/contact.c"
 #include "trace/glass/dielectric.c"
 #include "trace/glass/interior_list.c"
 #include "trace/lights/cylinder_light.c"

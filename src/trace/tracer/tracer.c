@@ -10,6 +10,7 @@
  */
 #include "trace/tracer/tracer.h"
 
+#include "trace/glass/contact.h"
 #include "trace/lights/direct_lighting.h"
 #include "trace/tracer/aov.h"
 #include "trace/tracer/packet_merge.h"
@@ -171,6 +172,9 @@ static __attribute__((noinline)) bool shade_and_scatter(const TraceContext *cont
     SurfaceHit surface;
     DielectricHit dielectric;
     bool is_any_hit = find_hits(tracer, rays, &surface);
+    if (rays->interior && is_any_hit) {
+        contacts_resolve(&tracer->ray_offset, &surface);
+    }
     if (rays->packet.context.recorders) {
         surface_hit_record(&surface, &tracer->ray_offset);
     }

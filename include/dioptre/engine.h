@@ -165,14 +165,19 @@ typedef struct Tracer Tracer;
  */
 #define THROUGHPUT_CUTOFF 1.5e-4
 
+/** Most secondary rays of one sample of a pixel for which a further pass is begun. */
+#define RAYS_PER_SAMPLE_MAXIMUM 16384
+
 /** How a tracer traces a scene. */
 typedef struct TraceSettings {
-    int depth;   /**< Largest number of successive reflections and refractions. */
+    int depth;   /**< Largest number of successive reflections and refractions;
+                      #DEPTH_MAXIMUM: as many as the weight of a ray asks for. */
     int samples; /**< Rays per pixel; if more than one, spherical lights cast soft shadows. */
     OffsetStrategy offset; /**< Distance from a surface at which secondary rays start. */
     double epsilon;        /**< The distance for #OFFSET_FIXED, scene units. */
     double cutoff; /**< Largest error of a pixel by all rays that end for their low throughput,
                         in 8-bit steps of the encoded picture; 0: no ray ends for that. */
+    int encoding;  /**< The #Encoding of the picture, whose steps the cutoff counts. */
     ParallelFor parallel_for; /**< Builds the tracer in parallel. */
     BvhMode bvh; /**< Whether there is a BVH over the shapes; meshes always have one of their
                     triangles. */
@@ -191,6 +196,8 @@ typedef struct TracerStats {
     size_t bvh_threshold;      /**< Number of bounded shapes from which on a BVH is built. */
     size_t triangles;          /**< Triangles of meshes; each mesh is counted once. */
     size_t triangle_bytes;     /**< Bytes of those, with their BVHs and normals. */
+    double radiance_bound;     /**< No ray brings back more light; 0: no ray is reflected or
+                                    refracted. */
     uint64_t step_limit_count; /**< Rays so far whose sphere tracing ended at the step limit. */
 } TracerStats;
 
@@ -220,6 +227,8 @@ typedef struct RayCounts {
     uint64_t shadow;           /**< To a light. */
     uint64_t total_reflection; /**< Rays that were totally reflected at an interface; counted as
                                   reflected rays, too. */
+    uint64_t unresolved;     /**< Camera rays below which more was ended than the cutoff allows. */
+    double unresolved_steps; /**< Largest error of those, 8-bit steps at most; 0: there are none. */
 } RayCounts;
 
 /** @return The number of all rays. */

@@ -164,6 +164,13 @@ typedef struct SceneLight {
 /** Largest number of points of a light's outline. */
 enum { SCENE_LIGHT_OUTLINE_POINTS = 5 };
 
+/** The size of a light that can be seen. */
+typedef struct SceneLightSize {
+    double reach; /**< Largest distance of a glowing point from the centre, scene units; 0 where the
+                       light is computed as from the centre. */
+    double area;  /**< Intensity over radiance, scene units squared; 0: it is a point. */
+} SceneLightSize;
+
 /** A class of lights in the description of a scene: the vtable. */
 typedef struct SceneLightClass {
     const Keyword *keyword; /**< Name, fields and checks; its struct is a #SceneLight. */
@@ -190,6 +197,9 @@ typedef struct SceneLightClass {
      * @return The number of points, at most #SCENE_LIGHT_OUTLINE_POINTS.
      */
     size_t (*outline)(const SceneLight *light, Vec3d *points);
+
+    /** @return The size of the light. NULL: it is never seen. */
+    SceneLightSize (*size)(const SceneLight *light);
 
     /** @return The vector to the light, of any length. NULL: to its #center. */
     Vec3d (*offset_from)(const SceneLight *light, Vec3d point);
@@ -395,6 +405,15 @@ typedef struct SceneShapeClass {
      * @param factor              Factor, above 0.
      */
     void (*scale_tolerance)(void *parameters, double factor);
+
+    /**
+     * @return A lower bound of the distance of a point from the surface before its transform; that
+     *         of the bounding box is known. NULL: none is known inside of the box.
+     * @param parameters  The struct that #keyword describes, finished.
+     * @param scene       The scene of the shape, for its meshes.
+     * @param point       The point.
+     */
+    double (*distance)(const void *parameters, const Scene *scene, Vec3d point);
 } SceneShapeClass;
 
 /** Descriptions of all kinds of shapes in the order of #SHAPES; NULL ends the list. */
@@ -417,6 +436,24 @@ size_t scene_shape_find(const char *name);
  * @return The properties; the bounding box is that of the transformed shape.
  */
 ShapeFacts scene_shape_facts(const Scene *scene, const SceneShape *shape);
+
+/**
+ * @return A lower bound of the distance of a point from the surface of a shape.
+ * @param scene  The scene.
+ * @param shape  One of its shapes.
+ * @param point  The point.
+ */
+double scene_shape_distance(const Scene *scene, const SceneShape *shape, Vec3d point);
+
+/** @return The largest texel of a texture in linear light. @param texture The texture. */
+double texture_peak(const Texture *texture);
+
+/**
+ * @return An upper bound of the radiance along any ray of a scene (see doc/cutoff.md).
+ * @param scene          The scene.
+ * @param texture_peaks  The #texture_peak of each of its textures.
+ */
+double scene_radiance_bound(const Scene *scene, const double *texture_peaks);
 
 /**
  * Finds the bounding box of all bounded shapes of a scene.

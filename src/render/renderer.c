@@ -32,7 +32,9 @@ RenderSettings render_settings_default(const Scene *scene) {
         .height = scene->image.height,
         .samples = scene->image.samples,
         .encoding = scene->image.encoding,
-        .trace = {.depth = depth == IMAGE_DEPTH_AUTO ? estimate.depth : depth,
+        .trace = {.depth = depth != IMAGE_DEPTH_AUTO ? depth
+                           : estimate.depth > 0      ? DEPTH_MAXIMUM
+                                                     : 0,
                   .offset = OFFSET_BOUND,
                   .epsilon = report_epsilon,
                   .cutoff = scene->image.cutoff,
@@ -55,6 +57,7 @@ TraceSettings renderer_trace_settings(const Renderer *renderer, const Renderer *
     const RenderSettings *settings = &renderer->settings;
     TraceSettings trace = settings->trace;
     trace.samples = settings->samples;
+    trace.encoding = settings->encoding;
     trace.parallel_for =
         (ParallelFor){renderer->thread_pool, settings->threads, parallel_for_thread_pool};
     trace.reuse_from =

@@ -8,8 +8,10 @@
  */
 // The recursion: camera rays, hits, direct light, reflection, refraction.
 #include "trace/tracer/camera.c"
+#include "trace/tracer/loss_budget.c"
 #include "trace/tracer/packet.c"
 #include "trace/tracer/packet_merge.c"
+#include "trace/tracer/retrace.c"
 #include "trace/tracer/secondary_rays.c"
 #include "trace/tracer/tile.c"
 #include "trace/tracer/tracer.c"

@@ -25,6 +25,28 @@ small='-s 192x144 --samples 2'
         expect 0 '' "forecast of $scene" "$dioptre" info "scenes/$scene.lua"
         holds "$work/out" '^engine +f32' "$scene is drawn in float"
     done
+    expect 0 '' 'needs of a sponge' "$dioptre" needs scenes/menger-sponge.lua -s 96x72 --json
+    # Its coarser tolerances move edges: they are neither proposed nor called worth 0 steps.
+    holds "$work/out" '"tolerance": (1|0\.[0-9]+),' 'the sponge keeps its tolerance'
+    holds "$work/out" 'times as coarse, [1-9][0-9]* would be off' 'the sponge says what coarser ones do'
+    expect 0 '' 'needs of few rays' "$dioptre" needs scenes/box.lua -s 96x72 --samples 4
+    holds "$work/out" 'can be told from a better one by its noise' 'noise that is seen is said'
+    grep -qE 'nothing that can be seen|fewer than 1 in' "$work/out" && fail 'it says that nothing is seen' || ok 'it does not say that nothing is seen'
+    expect 0 '' 'needs for a large error' "$dioptre" needs scenes/box.lua -s 96x72 --samples 1 --error 64
+    holds "$work/out" 'off by 64 steps or more' 'the error is the one asked for'
+    holds "$work/out" '^samples +(4|16)$' 'more rays are proposed where they are enough'
+    expect 0 '' 'the best picture within a time' "$dioptre" needs scenes/box.lua -s 96x72 --budget 10000
+    holds "$work/out" '^samples +(8|12|16|24|32|48|64)$' 'it has many rays a pixel'
+    holds "$work/out" '^error +[0-9].*root mean square' 'its error is said'
+    expect 0 '' 'a time that nothing meets' "$dioptre" needs scenes/box.lua -s 96x72 --budget 0.0001
+    holds "$work/out" 'No settings draw this picture within 0.0001 ms: these are the fastest' 'it says so'
+    expect 0 '' 'a budget as JSON' "$dioptre" needs scenes/box.lua -s 96x72 --budget 0.0001 --json
+    holds "$work/out" '"budget": \{"milliseconds": 0.0001, "is_met": false, "engine": ' 'the JSON says so'
+    expect 2 'error.*or --budget, not both' 'both directions at once' "$dioptre" needs scenes/box.lua --error 1 --budget 5
+    for value in 0 -1 nan 1e9 x; do
+        expect 2 'number above 0, at most 8.64e\+07' "a budget of $value" "$dioptre" needs scenes/box.lua --budget "$value"
+        expect 2 'number above 0, at most 255' "an error of $value" "$dioptre" needs scenes/box.lua --error "$value"
+    done
     expect 3 'nowhere.lua' 'needs without its scene' "$dioptre" needs nowhere.lua
     expect 2 'usage' 'needs of nothing' "$dioptre" needs
 

@@ -12,7 +12,7 @@
 static const StageSize trial_size = {160, 4};
 /** CPU time of the reference of those, seconds: some twenty pictures are tried, most of them
  *  faster. */
-#define TRIAL_SECONDS 1.0
+#define TRIAL_SECONDS 0.5
 
 /** Width of the picture that shows how long a ray takes. */
 enum { PROBE_WIDTH = 40 };
@@ -112,6 +112,7 @@ static bool find_depth(NeedsSearch *search, const TrialPicture *reference, Error
             break;
         }
         low = high;
+        needs->shallower_trial = needs->depth_trial;
         high = high ? 2 * high : 1;
     }
     while (high - low > 1) {
@@ -120,20 +121,20 @@ static bool find_depth(NeedsSearch *search, const TrialPicture *reference, Error
         if (!try_depth(search, middle, reference, &trial, error)) {
             return false;
         }
-        *(needs_trial_fails(&trial) ? &low : &high) = middle;
+        bool fails = needs_trial_fails(&trial);
+        *(fails ? &low : &high) = middle;
+        *(fails ? &needs->shallower_trial : &needs->depth_trial) = trial;
     }
     needs->settings.depth = high;
-    return true;
+    return needs->scene_depth < 0 ||
+           try_depth(search, needs->scene_depth, reference, &needs->scene_depth_trial, error);
 }
 
-/** Measures what the depth found leaves out. @return false if anything is wrong. */
+/** Measures what a depth found by a check leaves out. @return false if anything is wrong. */
 static bool measure_depth(NeedsSearch *search, const TrialPicture *reference, Error *error) {
     Needs *needs = search->needs;
     return try_depth(search, needs->settings.depth, reference, &needs->depth_trial, error) &&
-           (needs->settings.depth == 0 || try_depth(search, needs->settings.depth - 1, reference,
-                                                    &needs->shallower_trial, error)) &&
-           (needs->scene_depth < 0 ||
-            try_depth(search, needs->scene_depth, reference, &needs->scene_depth_trial, error));
+           try_depth(search, needs->settings.depth - 1, reference, &needs->shallower_trial, error);
 }
 
 /* --- cutoff and tolerance -----------------------------------------------------------------------
@@ -155,22 +156,49 @@ static bool try_number(const NeedsSearch *search, NeedsSetting setting, double v
     return trial_run(&search->stage, &settings, reference, trial, error);
 }
 
+/** What is known of a number. */
+typedef struct NumberTrials {
+    NeedsTrial *trial;         /**< What it leaves. */
+    double *coarser;           /**< The next coarser number. */
+    NeedsTrial *coarser_trial; /**< What that leaves. */
+} NumberTrials;
+
+/** @return Where the trials of a number stand. */
+static NumberTrials trials_of(Needs *needs, NeedsSetting setting) {
+    return setting == NEEDS_CUTOFF
+               ? (NumberTrials){&needs->cutoff_trial, &needs->coarser_cutoff,
+                                &needs->coarser_cutoff_trial}
+               : (NumberTrials){&needs->tolerance_trial, &needs->coarser_tolerance,
+                                &needs->coarser_tolerance_trial};
+}
+
 /** Finds the coarsest sufficient number. @param setting With a number that is sufficient. @return
  *  false if anything is wrong. */
 static bool find_coarsest(NeedsSearch *search, NeedsSetting setting, double coarsest,
                           const TrialPicture *reference, Error *error) {
     double *found = number_of(&search->needs->settings, setting);
-    for (double value = NEEDS_STEP * *found; value <= coarsest; value *= NEEDS_STEP) {
-        NeedsTrial trial;
-        if (!try_number(search, setting, value, reference, &trial, error)) {
+    NumberTrials trials = trials_of(search->needs, setting);
+    while (true) {
+        *trials.coarser = NEEDS_STEP * *found;
+        if (!try_number(search, setting, *trials.coarser, reference, trials.coarser_trial, error)) {
             return false;
         }
-        if (needs_trial_fails(&trial)) {
+        if (needs_trial_fails(trials.coarser_trial) || *trials.coarser > coarsest) {
             return true;
         }
-        *found = value;
+        *found = *trials.coarser;
+        *trials.trial = *trials.coarser_trial;
     }
-    return true;
+}
+
+/** Measures what a number leaves, and the next coarser one. @return false if anything is wrong. */
+static bool measure_number(NeedsSearch *search, NeedsSetting setting, const TrialPicture *reference,
+                           Error *error) {
+    NumberTrials trials = trials_of(search->needs, setting);
+    double value = *number_of(&search->needs->settings, setting);
+    *trials.coarser = NEEDS_STEP * value;
+    return try_number(search, setting, value, reference, trials.trial, error) &&
+           try_number(search, setting, *trials.coarser, reference, trials.coarser_trial, error);
 }
 
 /** Finds the coarsest sufficient number, and takes it if that saves time. @return false if anything
@@ -183,13 +211,17 @@ static bool find_coarser(NeedsSearch *search, NeedsSetting setting, double coars
         return false;
     }
     tried[1] = *settings;
+    if (*number_of(&tried[0], setting) == *number_of(&tried[1], setting)) {
+        return true;
+    }
     if (!trial_time(&search->stage, tried, 2, TURNS, times, error)) {
         return false;
     }
-    if (!trial_time_is_faster(&times[1], &times[0])) {
-        *settings = tried[0];
+    if (trial_time_is_faster(&times[1], &times[0])) {
+        return true;
     }
-    return true;
+    *settings = tried[0];
+    return measure_number(search, setting, reference, error);
 }
 
 /** Finds the cutoff. @return false if anything is wrong. */
@@ -202,12 +234,15 @@ static bool find_cutoff(NeedsSearch *search, const TrialPicture *reference, Erro
         }
         if (!needs_trial_fails(&trial)) {
             needs->settings.cutoff = value;
+            needs->cutoff_trial = trial;
             return value < CUTOFF_DEFAULT ||
                    find_coarser(search, NEEDS_CUTOFF, CUTOFF_COARSEST, reference, error);
         }
+        needs->coarser_cutoff = value;
+        needs->coarser_cutoff_trial = trial;
     }
     needs->settings.cutoff = needs->reference.cutoff;
-    return true;
+    return measure_number(search, NEEDS_CUTOFF, reference, error);
 }
 
 /** Finds whether the scene's own tolerances are sufficient, or finer ones. Where none is, as on the
@@ -236,20 +271,6 @@ static bool find_fine_tolerance(NeedsSearch *search, Error *error) {
     trial_picture_deinit(&finest);
     needs->reference.tolerance = needs->is_tolerance_sufficient ? REFERENCE_TOLERANCE : 1;
     return is_done;
-}
-
-/** Measures what a number leaves, and the next coarser one. @return false if anything is wrong. */
-static bool measure_number(NeedsSearch *search, NeedsSetting setting, const TrialPicture *reference,
-                           Error *error) {
-    Needs *needs = search->needs;
-    bool is_cutoff = setting == NEEDS_CUTOFF;
-    NeedsTrial *trial = is_cutoff ? &needs->cutoff_trial : &needs->tolerance_trial;
-    NeedsTrial *coarser =
-        is_cutoff ? &needs->coarser_cutoff_trial : &needs->coarser_tolerance_trial;
-    double value = *number_of(&needs->settings, setting), above = NEEDS_STEP * value;
-    *(is_cutoff ? &needs->coarser_cutoff : &needs->coarser_tolerance) = above;
-    return try_number(search, setting, value, reference, trial, error) &&
-           try_number(search, setting, above, reference, coarser, error);
 }
 
 /* --- number type and offset ---------------------------------------------------------------------
@@ -316,11 +337,12 @@ static bool find_offset(NeedsSearch *search, Error *error) {
 /** Finds depth, cutoff and tolerance. @return false if anything is wrong. */
 static bool find_model(NeedsSearch *search, const TrialPicture *reference, Error *error) {
     const Needs *needs = search->needs;
-    bool may_be_coarser = needs->has_sdf && needs->settings.tolerance == 1;
+    bool is_fine = needs->has_sdf && needs->settings.tolerance < 1;
     return (!needs->is_recursive ||
             (find_depth(search, reference, error) && find_cutoff(search, reference, error))) &&
-           (!may_be_coarser ||
-            find_coarser(search, NEEDS_TOLERANCE, TOLERANCE_COARSEST, reference, error));
+           (!needs->has_sdf || is_fine ||
+            find_coarser(search, NEEDS_TOLERANCE, TOLERANCE_COARSEST, reference, error)) &&
+           (!is_fine || measure_number(search, NEEDS_TOLERANCE, reference, error));
 }
 
 bool search_settings(NeedsSearch *search, Error *error) {
@@ -341,18 +363,27 @@ bool search_settings(NeedsSearch *search, Error *error) {
     return is_done && find_number_type(search, error) && find_offset(search, error);
 }
 
-/** Measures what the settings found leave out, each by itself. @return false if anything is wrong.
+/** Measures what corrected settings leave out, each by itself. @return false if anything is wrong.
  */
-static bool measure_settings(NeedsSearch *search, Error *error) {
+static bool measure_corrected(NeedsSearch *search, Error *error) {
     const Needs *needs = search->needs;
+    bool is_corrected[NEEDS_SETTING_COUNT] = {false};
     TrialPicture reference;
+    for (int i = 0; i < needs->correction_count; i++) {
+        is_corrected[needs->corrections[i].setting] = true;
+    }
+    if (!is_corrected[NEEDS_DEPTH] && !is_corrected[NEEDS_CUTOFF] &&
+        !is_corrected[NEEDS_TOLERANCE]) {
+        return true;
+    }
     if (!trial_render(&search->stage, &needs->reference, &reference, error)) {
         return false;
     }
     bool is_done =
-        (!needs->is_recursive || (measure_depth(search, &reference, error) &&
-                                  measure_number(search, NEEDS_CUTOFF, &reference, error))) &&
-        (!needs->has_sdf || measure_number(search, NEEDS_TOLERANCE, &reference, error));
+        (!is_corrected[NEEDS_DEPTH] || measure_depth(search, &reference, error)) &&
+        (!is_corrected[NEEDS_CUTOFF] || measure_number(search, NEEDS_CUTOFF, &reference, error)) &&
+        (!is_corrected[NEEDS_TOLERANCE] ||
+         measure_number(search, NEEDS_TOLERANCE, &reference, error));
     trial_picture_deinit(&reference);
     return is_done;
 }
@@ -415,7 +446,7 @@ bool needs_find(const Scene *scene, const NeedsRequest *request, Needs *needs, E
     needs->samples =
         search.stage.samples < request->samples ? search.stage.samples : request->samples;
     return search_settings(&search, error) && search_check(&search, error) &&
-           measure_settings(&search, error) && search_samples(&search, error) &&
+           measure_corrected(&search, error) && search_samples(&search, error) &&
            search_costs(&search, error) &&
            (request->budget_seconds == 0 || search_budget(&search, error));
 }

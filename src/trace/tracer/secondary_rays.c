@@ -60,8 +60,7 @@ void reflect_rays(const TraceContext *context, const RayState *rays, const Surfa
         Vec3 d = rays->packet.rays[v].direction, n = surface->n_front[v];
         // Normalized at each bounce: otherwise the length drifts by an ulp or two per reflection.
         Vec3 r = vec3_normalize(vec3_subtract(d, vec3_scale(n, 2 * vec3_dot(d, n))));
-        Vec3 origin =
-            surface_reflection_origin(&context->tracer->ray_offset, surface, v, r);
+        Vec3 origin = surface_reflection_origin(&context->tracer->ray_offset, surface, v, r);
         secondary_rays_set(reflected, v, origin, r);
     }
 }

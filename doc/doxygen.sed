@@ -16,5 +16,9 @@ s|^const (Scene)?(Shape\|Light)Class \w+_class = |/** A class: its vtable. */ &|
 # A method of the laboratory is a function.
 s/^METHOD\((\w+), (\w+), (\w+)\) \{/static \3 \1(const \2 *in) {/
 
+# A step of a tape is a function.
+s/^TAPE_STEP\((\w+),.*/static void tape_\1(real *registers, const TapeStep *step);/
+s/^ +dual_.*\)\)$//
+
 # Columns of a list of properties, defined where the list is read.
 s/^#define (COLOR|NUMBER|PROPERTY)\(name, value\).*//

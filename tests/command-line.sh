@@ -76,6 +76,15 @@ expect 0 '' 'info of a scene with a time' "$dioptre" info scenes/orbits.lua
 holds "$work/out" '^time +used' 'info says that the time changes it'
 expect 0 '' 'info json of it' "$dioptre" info scenes/orbits.lua --json
 holds "$work/out" '"is_time_dependent": true' 'and so does info json'
+echo 'camera {} sdf { function(x, y, z) return 2 * (x * x + y * y) + z * z - 1 end }' >"$work/steep.lua"
+expect 0 'steep.lua:1: this field grows by .* it is divided by' 'info of a steep function' "$dioptre" info "$work/steep.lua"
+holds "$work/out" '^functions +7 operations, slope [0-9.]+, divided by [0-9.]+$' 'info says its operations and its slope'
+expect 0 'steep.lua:1: ' 'info json of it' "$dioptre" info "$work/steep.lua" --json
+holds "$work/out" '"field_functions": \[\{"line": 1, "operations": 7, "slope": [0-9.]+, "divided_by": [0-9.]+\}\]' 'and so does info json'
+expect 0 'steep.lua:1: ' 'render says it, too' "$dioptre" render "$work/steep.lua" -s 8x8 -o "$work/steep.bmp"
+echo 'camera {} sdf { function(x, y, z, t) return 2 * x - t end }' >"$work/steep.lua"
+expect 0 'steep.lua:1: ' 'animate says it' "$dioptre" animate "$work/steep.lua" -s 8x8 --frames 0-3 -o "$work/%d.bmp"
+[ "$(grep -c 'steep.lua:1: ' "$work/err")" = 1 ] && ok 'once for all frames' || fail "animate says it so often: $(cat "$work/err")"
 echo 'camera {} for i = 1, 500 do sphere { center = {i, 0, -9} } end plane {}' >"$work/many.lua"
 expect 0 '' 'info of many shapes' "$dioptre" info "$work/many.lua"
 holds "$work/out" '^acceleration tree over 500 shapes \(1 outside it; used from [0-9]+\)$' 'info says that there is a tree'

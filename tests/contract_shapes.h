@@ -373,6 +373,127 @@ static TangentPlane cylinder_tangent(const void *parameters, const Vec3qa *point
     return c->capped && end.distance < wall.distance ? end : wall;
 }
 
+/* --- cone ------------------------------------------------------------------------------------ */
+
+/** The layout of the scene language. */
+typedef struct ConeSpec {
+    double base[3];    /**< Centre of one end. */
+    double top[3];     /**< Centre of the other end. */
+    double radius;     /**< Radius at the base. */
+    double top_radius; /**< Radius at the top. */
+    bool capped;       /**< Whether the ends are closed. */
+} ConeSpec;
+
+/** A cone in quad precision. */
+typedef struct ConeReference {
+    Vec3qa base;        /**< Centre of the base. */
+    Vec3qa axis;        /**< Unit vector to the top. */
+    Quadruple length;   /**< From base to top. */
+    Quadruple slope;    /**< Radius gained per length. */
+    Quadruple radii[2]; /**< Radius at base and top. */
+} ConeReference;
+
+/** @return The cone of a description. */
+static ConeReference cone_reference_of(const ConeSpec *cone) {
+    Vec3qa base = vec3qa_from_doubles(cone->base);
+    Vec3qa way = vec3qa_subtract(vec3qa_from_doubles(cone->top), base);
+    Quadruple length = quad_sqrt(vec3qa_dot(way, way));
+    return (ConeReference){base,
+                           vec3qa_normalize(way),
+                           length,
+                           ((Quadruple)cone->top_radius - cone->radius) / length,
+                           {cone->radius, cone->top_radius}};
+}
+
+/** @return The larger radius. */
+static Quadruple cone_wide_radius(const ConeReference *cone) {
+    return -quad_min(-cone->radii[0], -cone->radii[1]);
+}
+
+/** @return The normal of the wall. @param across From the axis to the point. */
+static Vec3qa cone_wall_normal(const ConeReference *cone, Vec3qa across) {
+    Vec3qa normal = vec3qa_normalize(across);
+    for (int i = 0; i < 3; i++) {
+        normal.component[i] -= cone->slope * cone->axis.component[i];
+    }
+    return vec3qa_normalize(normal);
+}
+
+/** Adds the candidate of a root of the wall's equation, if it is on the cone itself and not on its
+ *  mirror image beyond the tip. */
+static void keep_nearest_wall(const ConeReference *cone, const RayQueryQuad *ray, Quadruple t,
+                              ExpectedHit *expected) {
+    Vec3qa local = vec3qa_subtract(ray_point(ray, t), cone->base);
+    Quadruple height = vec3qa_dot(local, cone->axis);
+    Quadruple radius = cone->radii[0] + cone->slope * height;
+    Quadruple inside = quad_min(quad_min(height, cone->length - height), radius);
+    CylinderCandidate it = {.t = t, .edge_distance = inside / cone_wide_radius(cone)};
+    it.normal = cone_wall_normal(cone, reject_from_axis(local, cone->axis));
+    keep_nearest(expected, &it);
+}
+
+/** Adds the candidates of both ends of a cone. */
+static void keep_nearest_cone_ends(const ConeReference *cone, const RayQueryQuad *ray,
+                                   ExpectedHit *expected) {
+    Vec3qa from_base = vec3qa_subtract(vec3qa_from_quads(ray->origin), cone->base);
+    Quadruple slope = vec3qa_dot(vec3qa_from_quads(ray->direction), cone->axis);
+    for (int end = 0; end < 2 && slope != 0; end++) {
+        if (cone->radii[end] == 0) {
+            continue;
+        }
+        CylinderCandidate it = {.t = (end * cone->length - vec3qa_dot(from_base, cone->axis)) /
+                                     slope};
+        Vec3qa across =
+            reject_from_axis(vec3qa_subtract(ray_point(ray, it.t), cone->base), cone->axis);
+        it.edge_distance =
+            (cone->radii[end] - quad_sqrt(vec3qa_dot(across, across))) / cone_wide_radius(cone);
+        for (int i = 0; i < 3; i++) {
+            it.normal.component[i] = end ? cone->axis.component[i] : -cone->axis.component[i];
+        }
+        keep_nearest(expected, &it);
+    }
+}
+
+/** @return See #ContractShape.expected_hit: the nearest hit with the wall and the two ends. */
+static ExpectedHit cone_expected_hit(const void *parameters, const RayQueryQuad *ray) {
+    ConeReference cone = cone_reference_of(parameters);
+    Vec3qa from_base = vec3qa_subtract(vec3qa_from_quads(ray->origin), cone.base);
+    Vec3qa direction = vec3qa_from_quads(ray->direction);
+    Vec3qa o = reject_from_axis(from_base, cone.axis), d = reject_from_axis(direction, cone.axis);
+    Quadruple radius = cone.radii[0] + cone.slope * vec3qa_dot(from_base, cone.axis);
+    Quadruple widening = cone.slope * vec3qa_dot(direction, cone.axis);
+    Quadruple a = vec3qa_dot(d, d) - widening * widening, b = vec3qa_dot(o, d) - radius * widening;
+    Quadruple c = vec3qa_dot(o, o) - radius * radius, discriminant = b * b - a * c;
+    Quadruple wide = cone_wide_radius(&cone), size = vec3qa_dot(d, d) + widening * widening;
+    // A ray nearly parallel to the axis of a nearly cylindrical wall has no defined hit with it.
+    bool is_along = size <= vec3qa_dot(direction, direction) * (Quadruple)1e-50;
+    ExpectedHit expected = {.edge_margin = is_along
+                                               ? quad_abs(c) / (wide * wide)
+                                               : quad_abs(discriminant) / (size * wide * wide)};
+    if (discriminant >= 0 && !is_along) {
+        Quadruple root = quad_sqrt(discriminant), sum = b > 0 ? -b - root : -b + root;
+        keep_nearest_wall(&cone, ray, sum / a, &expected);
+        keep_nearest_wall(&cone, ray, c / sum, &expected);
+    }
+    if (((const ConeSpec *)parameters)->capped) {
+        keep_nearest_cone_ends(&cone, ray, &expected);
+    }
+    return limit_grazing_margin(expected, ray);
+}
+
+/** @return See #ContractShape.tangent. */
+static TangentPlane cone_tangent(const void *parameters, const Vec3qa *point) {
+    ConeReference cone = cone_reference_of(parameters);
+    Vec3qa from_base = vec3qa_subtract(*point, cone.base);
+    Quadruple height = vec3qa_dot(from_base, cone.axis);
+    Vec3qa across = reject_from_axis(from_base, cone.axis);
+    Quadruple above = quad_sqrt(vec3qa_dot(across, across)) - (cone.radii[0] + cone.slope * height);
+    TangentPlane wall = {quad_abs(above) / quad_sqrt(1 + cone.slope * cone.slope),
+                         cone_wall_normal(&cone, across)};
+    TangentPlane end = {quad_min(quad_abs(height), quad_abs(height - cone.length)), cone.axis};
+    return ((const ConeSpec *)parameters)->capped && end.distance < wall.distance ? end : wall;
+}
+
 /* --- box ------------------------------------------------------------------------------------- */
 
 /** The layout of the scene language. */
@@ -511,10 +632,14 @@ static const BoxSpec box_spec = {{-1, 0.5, -2}, {0.75, 1.25, -0.5}};
 static const DiskSpec disk_spec = {{0.5, -1.25, 2}, {0.25, 1, -0.5}, 1.5};
 static const CylinderSpec cylinder_spec = {{0.5, -1.25, 2}, {1, 0.5, 1.25}, 0.75, true};
 static const CylinderSpec pipe_spec = {{0.5, -1.25, 2}, {0.5, 0.5, 2}, 0.75, false};
+static const ConeSpec cone_spec = {{0.5, -1.25, 2}, {1, 0.5, 1.25}, 1, 0, true};
+static const ConeSpec frustum_spec = {{0.5, -1.25, 2}, {1, 0.5, 1.25}, 0.25, 1, true};
+static const ConeSpec funnel_spec = {{0.5, -1.25, 2}, {0.5, 0.5, 2}, 0.875, 0.375, false};
 static const TriangleSpec triangle_spec = {
     .corners = {{-1, -0.5, 0.25}, {1, 0, 0.5}, {-0.25, 1.5, 1}}};
 static const SphereSpec small_sphere_spec = {{0.25, 0, 0}, 0.5};
 static const CylinderSpec upright_cylinder_spec = {{0, -1, 0}, {0, 1, 0}, 1, true};
+static const ConeSpec upright_cone_spec = {{0, -1, 0}, {0, 1, 0}, 1, 0.5, true};
 
 /** Tolerance of the sphere traced shape. */
 #define CONTRACT_TOLERANCE 0x1p-17
@@ -586,6 +711,42 @@ static const ContractShape contract_shapes[] = {
      cylinder_expected_hit,
      cylinder_tangent,
      NULL},
+    {"cone",
+     "cone",
+     &cone_spec,
+     true,
+     1,
+     {0.625, -0.8125, 1.8125},
+     cone_expected_hit,
+     cone_tangent,
+     NULL},
+    {"frustum",
+     "cone",
+     &frustum_spec,
+     true,
+     1,
+     {0.75, -0.375, 1.625},
+     cone_expected_hit,
+     cone_tangent,
+     NULL},
+    {"funnel",
+     "cone",
+     &funnel_spec,
+     false,
+     1,
+     {0.5, -0.375, 2},
+     cone_expected_hit,
+     cone_tangent,
+     NULL},
+    {"squeezed cone",
+     "cone",
+     &upright_cone_spec,
+     true,
+     1,
+     {1.0625, 0.96875, 1.09375},
+     cone_expected_hit,
+     cone_tangent,
+     &squeezed_transform},
     {"triangle",
      "triangle",
      &triangle_spec,

@@ -25,7 +25,7 @@ missing=$(grep -rL '@file' include src tests --include='*.[ch]' --include='*.cpp
 
 # The classes that say they extend Shape, as Doxygen draws them and as doc/uml.dot does.
 classes=$(find src/trace -name '*.c' -exec sed -nE '/@extends Shape/ { n; s/^typedef struct (\w+) \{.*/\1/p }' {} +)
-for class in Sphere Plane Quad Box Disk Cylinder Triangle MeshShape SdfShape TransformedShape; do
+for class in Sphere Plane Quad Box Disk Cylinder Cone Triangle MeshShape SdfShape TransformedShape; do
     echo "$classes" | grep -qx $class && ok "$class says that it extends Shape" || fail "$class does not extend Shape"
 done
 for class in Shape $classes; do
@@ -75,6 +75,23 @@ for value in -1 1e16; do
 done
 tr '\n' ' ' <doc/scene-reference.md >"$work/out"
 holds "$work/out" 'each part from 0 to 1e\+15' 'doc/scene-reference.md has the range of ambient'
+# The limits of functions of fields, and the note about one that is too steep.
+while IFS='|' read -r words file source; do
+    holds "$work/out" "$words" "doc/scene-reference.md: $words"
+    holds "$file" "$source" "$file: $source"
+done <<'END'
+from -64 to 64|src/script/sdf_function.c|EXPONENT_MAXIMUM = 64 
+at 64 points|src/script/sdf_function.c|CHECKS = 64 
+at most 4095 operations|include/dioptre/sdf.h|SDF_NODES_MAXIMUM = 4096 
+at most 256 results|include/dioptre/sdf_tape.h|SDF_TAPE_REGISTERS = 256 
+finite and at most 1e\+30|include/dioptre/sdf_tape.h|SDF_TAPE_CONSTANT_MAXIMUM 1e30
+at 1000 random places|src/scene/sdf_tape_slope.c|PAIRS = 1000,
+divided by 1.05 times|include/dioptre/sdf_tape.h|SDF_TAPE_SLOPE_MARGIN 1.05
+END
+printf '\n\n\n\n\ncamera {}\nsdf { function(x, y, z) return 3 * math.sqrt(x * x + y * y + z * z) - 1 end }' >"$work/my.lua"
+expect 0 '^.*/my.lua:7: ' 'a field that is too steep is noted' "$dioptre" info "$work/my.lua"
+note=$(sed 's|.*/my.lua|my.lua|' "$work/err")
+grep -qF "    $note" doc/scene-reference.md && ok 'doc/scene-reference.md shows its note' || fail "doc/scene-reference.md has no: $note"
 
 # --- the manual page -----------------------------------------------------------------------------
 if command -v groff >/dev/null; then

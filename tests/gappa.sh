@@ -90,6 +90,7 @@ esac
 
 # Float has a wide precision, from which the engine rounds; in double it is the same type. HEIGHT is an
 # assumption: how far the point may be off the plane before it is moved, in lengths of M.
+in_float='' in_double=''
 for bits in 24 53; do
     if [ $bits = 24 ]; then
         narrowed=1b-24 height=1b-10 component=3.001 terms=5.198 sum=6.21 spread=1.002 plane=7.97
@@ -110,5 +111,14 @@ for bits in 24 53; do
         LAST="$(roundings $along)" CENTER="$(roundings $center)" ACROSS="$(roundings 13)"
     theorem box "$box_error" $box box-point NARROWED=$narrowed
     lemma box-start ERROR="$box_error" START="$(roundings 6.9)"
+    [ $bits = 24 ] && in_float="$sphere $plane $box" || in_double="$sphere $plane $box"
 done
+
+# The page has the same figures: sphere, flat shapes, box; in float, then in double.
+page=doc/laboratory.md
+set -- $in_float $in_double
+holds $page "^. sphere . $sphere_error u \(P \+ R\) . $1 u \(P \+ R\) . $4 u \(P \+ R\) .\$" "$page has the sphere's bounds"
+holds $page "^. plane, disk, quad, triangle . $plane_error u \(P \+ A\) . $2 u \(P \+ A\) . $5 u \(P \+ A\) .\$" \
+    "$page has the bounds of flat shapes"
+holds $page "^. box . $box_error u P . $3 u P . $6 .\$" "$page has the box's bounds"
 finish

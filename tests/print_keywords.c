@@ -22,7 +22,7 @@ static const char *type_name(const Parameter *row) {
                                         [PARAMETER_UV] = "`{u, v}`",
                                         [PARAMETER_COLOR] = "colour",
                                         [PARAMETER_MESH] = "name of a model file",
-                                        [PARAMETER_SDF] = "distance field",
+                                        [PARAMETER_SDF] = "distance field or function",
                                         [PARAMETER_TEXTURE] = "name of a picture file"};
     return names[row->type];
 }

@@ -31,8 +31,8 @@ rm -rf "$logs" && mkdir -p "$logs"
     for build in build/asan build; do
         ls -S tests/test_*.c | sed "s|^tests/\(.*\)\.c$|$build/tests/\1|"
         if [ $build = build/asan ]; then
-            for script in film readme farm lesson models pictures documentation bad-input language lab gappa chart engines probe \
-                command-line desktop trouble style; do
+            for script in film readme farm lesson models pictures documentation bad-input nff spd language lab gappa chart \
+                engines probe command-line desktop trouble style; do
                 echo "tests/$script.sh"
             done
             echo BUILD=build/asan tests/soak.sh

@@ -11,6 +11,7 @@
 
 #include <math.h>
 
+#include <acb_poly.h>
 #include <arb.h>
 
 /** Samples per level and number type. */
@@ -273,6 +274,107 @@ static Verdict fresnel_truth(const Quadruple *inputs, arb_t answer[], slong bits
     return verdict;
 }
 
+/** Is a #TruthFunction: the distance of a disk. */
+static Verdict disk_truth(const Quadruple *inputs, arb_t answer[], slong bits) {
+    ArbVec3 v[4]; // Origin, direction, centre, normal.
+    arb_t slope, radius;
+    arb_vec3_init_all(v, 4, inputs);
+    arb_init(slope), arb_init(radius);
+    arb_vec3_subtract(&v[2], &v[2], &v[0], bits);
+    arb_vec3_dot(answer[0], &v[2], &v[3], bits);
+    arb_vec3_dot(slope, &v[1], &v[3], bits);
+    arb_div(answer[0], answer[0], slope, bits);
+    arb_neg(slope, answer[0]);
+    arb_vec3_add_scaled(&v[2], &v[1], slope, bits); // From the point to the centre.
+    arb_set_quad(radius, inputs[12]);
+    arb_vec3_dot(slope, &v[2], &v[2], bits);
+    arb_submul(slope, radius, radius, bits);
+    Verdict verdict = arb_is_negative(slope)   ? VERDICT_ANSWER
+                      : arb_is_positive(slope) ? VERDICT_NONE
+                                               : VERDICT_UNDECIDED;
+    arb_clear(slope), arb_clear(radius);
+    arb_vec3_clear(v, 4);
+    return verdict;
+}
+
+/** Is a #TruthFunction: the distance of an ellipsoid. */
+static Verdict ellipsoid_truth(const Quadruple *inputs, arb_t answer[], slong bits) {
+    ArbVec3 v[4]; // Origin, direction, centre, half-axes.
+    arb_t a, b, c;
+    arb_vec3_init_all(v, 4, inputs);
+    arb_init(a), arb_init(b), arb_init(c);
+    arb_vec3_subtract(&v[0], &v[0], &v[2], bits);
+    for (int i = 0; i < 6; i++) {
+        arb_div(v[i / 3].at[i % 3], v[i / 3].at[i % 3], v[3].at[i % 3], bits);
+    }
+    arb_vec3_dot(a, &v[1], &v[1], bits);
+    arb_vec3_dot(b, &v[0], &v[1], bits);
+    arb_vec3_dot(c, &v[0], &v[0], bits);
+    arb_sub_si(c, c, 1, bits);
+    Verdict verdict = nearest_root(a, b, c, answer[0], bits);
+    arb_clear(a), arb_clear(b), arb_clear(c);
+    arb_vec3_clear(v, 4);
+    return verdict;
+}
+
+/** Sets the quartic (p.p + R^2 - r^2)^2 - 4 R^2 (p.x^2 + p.y^2), p = o + t d, of a torus. */
+static void torus_quartic(acb_poly_t quartic, const Quadruple *inputs, slong bits) {
+    ArbVec3 v[3]; // Origin, direction, centre.
+    arb_poly_t coordinate, squares[3], real;
+    arb_t radius;
+    arb_vec3_init_all(v, 3, inputs);
+    arb_vec3_subtract(&v[0], &v[0], &v[2], bits);
+    arb_poly_init(coordinate), arb_poly_init(real);
+    arb_init(radius);
+    for (int i = 0; i < 3; i++) {
+        arb_poly_init(squares[i]);
+        arb_poly_set_coeff_arb(coordinate, 0, v[0].at[i]);
+        arb_poly_set_coeff_arb(coordinate, 1, v[1].at[i]);
+        arb_poly_mul(squares[i], coordinate, coordinate, bits);
+    }
+    arb_poly_add(squares[0], squares[0], squares[1], bits);
+    arb_poly_add(real, squares[0], squares[2], bits);
+    arb_set_quad(radius, inputs[12] * inputs[12] - inputs[13] * inputs[13]); // Exact: few bits.
+    arb_poly_set_arb(squares[1], radius);
+    arb_poly_add(real, real, squares[1], bits);
+    arb_poly_mul(real, real, real, bits);
+    arb_set_quad(radius, 4 * inputs[12] * inputs[12]);
+    arb_poly_scalar_mul(squares[0], squares[0], radius, bits);
+    arb_poly_sub(real, real, squares[0], bits);
+    acb_poly_set_arb_poly(quartic, real);
+    for (int i = 0; i < 3; i++) {
+        arb_poly_clear(squares[i]);
+    }
+    arb_poly_clear(coordinate), arb_poly_clear(real);
+    arb_clear(radius);
+    arb_vec3_clear(v, 3);
+}
+
+/** Is a #TruthFunction: the distance of a torus, by all roots of its quartic. */
+static Verdict torus_truth(const Quadruple *inputs, arb_t answer[], slong bits) {
+    acb_poly_t quartic;
+    acb_poly_init(quartic);
+    torus_quartic(quartic, inputs, bits);
+    acb_ptr roots = _acb_vec_init(4);
+    Verdict verdict = VERDICT_UNDECIDED;
+    // Only roots that are isolated come back all at once; then a ball on the real axis is real.
+    if (acb_poly_find_roots(roots, quartic, NULL, 0, bits) == 4 &&
+        acb_poly_validate_real_roots(roots, quartic, bits)) {
+        verdict = VERDICT_NONE;
+        for (int i = 0; i < 4; i++) {
+            bool is_real = arb_contains_zero(acb_imagref(&roots[i]));
+            if (is_real && arb_is_positive(acb_realref(&roots[i])) &&
+                (verdict == VERDICT_NONE || arb_lt(acb_realref(&roots[i]), answer[0]))) {
+                arb_set(answer[0], acb_realref(&roots[i]));
+                verdict = VERDICT_ANSWER;
+            }
+        }
+    }
+    _acb_vec_clear(roots, 4);
+    acb_poly_clear(quartic);
+    return verdict;
+}
+
 /** Finds the nearest of four spheres. @param from The sphere that the ray leaves; -1: none.
  *  @param[out] nearest Its distance.
  *  @return Its index; -1: none; -2: undecided. */
@@ -363,6 +465,9 @@ static const Claim claims[] = {
     {&sphere_pole_experiment, angle_truth, 1, NEGLIGIBLE},
     {&fresnel_into_experiment, fresnel_truth, 1, NEGLIGIBLE},
     {&fresnel_out_experiment, fresnel_truth, 1, NEGLIGIBLE},
+    {&disk_distance_experiment, disk_truth, 1, NEGLIGIBLE},
+    {&ellipsoid_distance_experiment, ellipsoid_truth, 1, NEGLIGIBLE},
+    {&torus_distance_experiment, torus_truth, 1, NEGLIGIBLE},
     {&mirror_bounces_experiment, bounces_truth, 3, NEGLIGIBLE},
 };
 

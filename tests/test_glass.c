@@ -386,8 +386,67 @@ static void test_acceptance(void **state) {
     for_every_engine(acceptance);
 }
 
+/* --- total reflection -------------------------------------------------------------------------
+ */
+
+/** Total reflections of the test's ray. */
+enum { TOTAL_REFLECTIONS = 60 };
+
+/** Largest change of the distance from the centre, half ulps: a few per turn, in both directions.
+ *  Origins off their line by their offset would add up to a thousand. */
+#define DRIFT_LIMIT 100
+
+/** @return The distance of a ray's line from the origin. */
+static double line_distance(const RayTreeNode *node) {
+    const Vec3d o = node->origin, d = node->direction;
+    Vec3d cross = {o.y * d.z - o.z * d.y, o.z * d.x - o.x * d.z, o.x * d.y - o.y * d.x};
+    return vec3d_length(cross) / vec3d_length(d);
+}
+
+/**
+ * A totally reflected ray in a ball passes the centre at the same distance for ever. In float,
+ * errors that have one sign would reach other pixels after some dozen turns.
+ */
+static void check_total_reflections(const Engine *engine) {
+    const Placement here = {1, 0};
+    Error error = {0};
+    Scene *scene = create_empty_scene();
+    use_material(scene, glass_material(GLASS));
+    add_placed_sphere(scene, here, (Vec3d){0, 0, 0}, 1);
+    set_camera(scene, here, (Vec3d){0.75, 0, 0}, (Vec3d){0.125, 1, 0.25});
+    TraceSettings settings = {.depth = TOTAL_REFLECTIONS, .cutoff = 1e-5, .offset = OFFSET_BOUND};
+    Tracer *tracer = engine->create_tracer(scene, &settings, &error);
+    assert_non_null(tracer);
+    RayTree tree = {0};
+    PixelGrid grid = {.columns = 1, .rows = 1, .stride = 1, .ray_tree = &tree};
+    RayCounts counts = {0};
+    double rgb[3], worst = 0;
+    engine->set_view(tracer, scene, 1, 1);
+    engine->trace(tracer, &grid, rgb, &counts);
+    assert_int_equal((int)tree.count, TOTAL_REFLECTIONS + 1);
+    for (size_t i = 1; i < tree.count; i++) {
+        assert_int_equal((int)tree.nodes[i].kind, RAY_REFLECTION);
+        worst = fmax(worst, fabs(line_distance(&tree.nodes[i]) - line_distance(&tree.nodes[0])));
+    }
+    // The tree is in double.
+    double u = fmax((double)roundoff(engine), 0x1p-53);
+    printf("%d total reflections in %s: %.3g half ulps off\n", TOTAL_REFLECTIONS, engine->name,
+           worst / u);
+    assert_at_most(worst, DRIFT_LIMIT * u, "total reflections in %s", engine->name);
+    ray_tree_deinit(&tree);
+    engine->destroy(tracer);
+    scene_destroy(scene);
+}
+
+/** @param state Not used. */
+static void test_total_reflections(void **state) {
+    (void)state;
+    for_every_engine(check_total_reflections);
+}
+
 /** @return 0 if all tests pass. */
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_acceptance)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_acceptance),
+                                       cmocka_unit_test(test_total_reflections)};
     return cmocka_run_group_tests_name("glass", tests, NULL, NULL);
 }

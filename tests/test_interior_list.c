@@ -253,6 +253,33 @@ static void build_turned_halves(Scene *scene, Placement placement) {
     add_turned_box(scene, placement, (Vec3d){-1, 1.0 / 3, -1}, (Vec3d){1, 1, 1});
 }
 
+/** Adds an opaque floor at the height 0. */
+static void add_floor(Scene *scene, Placement placement) {
+    use_material(scene, emissive_material((Rgbd){0.1, 0.6, 0.2}));
+    add_placed_plane(scene, placement, (Vec3d){0, -1.0 / 3, 0}, (Vec3d){0, 1, 0});
+}
+
+/** A glass box that goes through an opaque floor. */
+static void build_sunk(Scene *scene, Placement placement) {
+    use_material(scene, glass_material(1.5));
+    add_placed_box(scene, placement, (Vec3d){-1, -1, -1}, (Vec3d){1, 1, 1});
+    add_floor(scene, placement);
+}
+
+/** The same box, which stands on the floor: the part below it is not seen. */
+static void build_standing(Scene *scene, Placement placement) {
+    use_material(scene, glass_material(1.5));
+    add_placed_box(scene, placement, (Vec3d){-1, -1.0 / 3, -1}, (Vec3d){1, 1, 1});
+    add_floor(scene, placement);
+}
+
+/** The same with the floor first in the scene. */
+static void build_floor_and_box(Scene *scene, Placement placement) {
+    add_floor(scene, placement);
+    use_material(scene, glass_material(1.5));
+    add_placed_box(scene, placement, (Vec3d){-1, -1.0 / 3, -1}, (Vec3d){1, 1, 1});
+}
+
 /** Two equivalent builders. */
 typedef struct EquivalentScenes {
     const char *name; /**< Name. */
@@ -271,7 +298,9 @@ static const EquivalentScenes pairs[] = {
     {"one that a later one hides", build_liquid, build_hidden},
     {"a hole filled with water", build_filled, build_filled_hole},
     {"water over glass", build_glass_and_water, build_water_over_glass},
-    {"turned halves that touch", build_turned, build_turned_halves}};
+    {"turned halves that touch", build_turned, build_turned_halves},
+    {"a box that stands on a floor", build_sunk, build_standing},
+    {"the same, the floor first", build_sunk, build_floor_and_box}};
 
 /** Equivalent dielectrics give the same picture, within a step. */
 static void check_equivalent_scenes(const Engine *engine) {

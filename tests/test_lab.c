@@ -7,6 +7,7 @@
  * bad methods are so far from their results that rounding does not matter.
  */
 #include "lab/charts/metrics.h"
+#include "lab/charts/pareto_front.h"
 #include "lab/charts/table.h"
 #include "lab/experiments/experiments.h"
 #include "lab/score_stats.h"
@@ -51,6 +52,9 @@ static const Expectation expectations[] = {
     {"sphere-distance", "mixed", "float", 1e6, "ulps_max", 0, 0.6},
     {"sphere-distance", "mixed", "float", 1e6, "false_misses", 0, 0},
     {"sphere-distance", "compensated", "float", 1.01, "ulps_max", 0, 4},
+    {"sphere-distance", "Quilez", "float", 1e3, "ulps_p999", 0, 8},
+    {"sphere-ground", "Quilez", "float", 1e5, "error_median", 1e-4, ANY_VALUE},
+    {"plane-point", "Quilez", "float", 1e6, "error_max", 0, 4.8e-7},
     {"sphere-distance", "dioptre", "float", 1.01, "ulps_max", 0, 2},
     {"sphere-distance", "dioptre", "float", 1e6, "ulps_max", 0, 2},
     {"sphere-distance", "dioptre", "float", 1e6, "false_misses", 0, 0},
@@ -84,6 +88,7 @@ static const Expectation expectations[] = {
     {"cylinder-rim", "three parts", "double", 1, "leaks", 0.003, 0.05},
     {"cylinder-rim", "three parts", "float", 1, "double_hits", 0.4, 0.8},
     {"cylinder-rim", "interval", "float", 1, "leaks", 0, 0},
+    {"cylinder-rim", "Quilez", "float", 1, "leaks", 0.2, 0.7},
     {"cylinder-rim", "dioptre", "float", 1, "leaks", 0, 0},
     {"cylinder-rim", "dioptre", "double", 1e4, "leaks", 0, 0},
     // Planes: 4 u / sin(angle) with a stored offset.
@@ -119,6 +124,21 @@ static const Expectation expectations[] = {
     {"triangle-thin", "watertight", "float", 1e5, "ulps_p999", 500, ANY_VALUE},
     {"triangle-thin", "dioptre", "float", 1e6, "ulps_max", 0, 2},
     {"triangle-thin", "dioptre", "double", 1e6, "ulps_max", 0, 16},
+    {"triangle-edges", "Baldwin-Weber", "float", 1, "leaks", 0.03, 0.15},
+    {"triangle-edges", "Baldwin-Weber", "double", 1, "leaks", 0.03, 0.15},
+    {"triangle-edges", "Baldwin-Weber", "float", 1, "double_hits", 0.5, 0.9},
+    {"triangle-thin", "Baldwin-Weber", "float", 1e6, "ulps_max", 0, 16},
+    {"triangle-edges", "Quilez", "float", 1, "leaks", 0.02, 0.2},
+    // Whole numbers: double is exact, and still a transformation of each triangle's own leaks.
+    {"triangle-grid", "Moeller-Trumbore", "float", 2048, "leaks", 0.01, 0.1},
+    {"triangle-grid", "Moeller-Trumbore", "double", 2048, "leaks", 0, 0},
+    {"triangle-grid", "Moeller-Trumbore", "double", 2048, "double_hits", 1, 1},
+    {"triangle-grid", "Moeller-Trumbore strict", "double", 2048, "leaks", 0.9, 1},
+    {"triangle-grid", "Baldwin-Weber", "double", 2048, "leaks", 0.005, 0.1},
+    {"triangle-grid", "Quilez", "double", 2048, "leaks", 0, 0},
+    {"triangle-grid", "watertight", "float", 8192, "leaks", 0, 0},
+    {"triangle-grid", "dioptre", "float", 8192, "leaks", 0, 0},
+    {"triangle-grid", "dioptre", "double", 32, "leaks", 0, 0},
     // Boxes.
     {"box-touch", "NaN misses", "float", 10, "false_misses", 0.1, 0.6},
     {"box-touch", "NaN drops out", "float", 10, "false_misses", 0.01, 0.2},
@@ -128,11 +148,30 @@ static const Expectation expectations[] = {
     {"box-touch", "dioptre", "double", 10, "false_misses", 0, 0},
     {"box-flat", "NaN drops out", "float", 10, "false_misses", 0.01, 0.3},
     {"box-flat", "far(1+2g3)", "double", 10, "false_misses", 0, 0},
+    {"box-touch", "Quilez", "float", 10, "false_misses", 0.1, 0.5},
+    {"cube-edges", "Quilez", "float", 1, "leaks", 0, 0},
     {"cube-edges", "six quads", "float", 1, "leaks", 2e-4, 0.02},
     {"cube-edges", "six quads", "float", 1, "double_hits", 0.5, 1},
     {"cube-edges", "slabs", "float", 1, "leaks", 0, 0},
     {"cube-edges", "slabs", "float", 1, "double_hits", 0, 0},
     {"cube-edges", "dioptre", "float", 1, "leaks", 0, 0},
+    // The shapes of shaders: their short formulas lose what is far away, a start near the shape
+    // does not.
+    {"disk-distance", "Quilez", "float", 1e4, "ulps_p999", 0, 16},
+    {"disk-distance", "dioptre", "float", 1e4, "ulps_max", 0, 2},
+    {"disk-distance", "dioptre", "float", 1e4, "false_misses", 0, 0},
+    {"cone-distance", "Quilez", "float", 1e3, "false_misses", 0.05, 0.5},
+    {"cone-distance", "Quilez from near", "float", 1e3, "false_misses", 0, 5e-3},
+    {"cone-distance", "Quilez from near", "float", 1e4, "ulps_p999", 0, 16},
+    {"ellipsoid-distance", "Quilez", "float", 1e4, "false_hits", 0.3, 1},
+    {"ellipsoid-distance", "Quilez from near", "float", 1e4, "ulps_p999", 0, 16},
+    {"torus-distance", "Quilez", "float", 10, "ulps_median", 500, ANY_VALUE},
+    {"torus-distance", "Quilez", "float", 100, "false_misses", 0.2, 1},
+    {"torus-distance", "Quilez", "double", 1e4, "false_misses", 0.2, 1},
+    {"torus-distance", "Quilez from near", "float", 1e4, "ulps_p999", 0, 64},
+    {"torus-distance", "Quilez from near", "double", 1e4, "false_misses", 0, 5e-3},
+    {"capsule-distance", "Quilez", "float", 1e3, "false_misses", 0.3, 0.9},
+    {"capsule-distance", "Quilez from near", "float", 1e3, "ulps_p999", 0, 16},
     // Leaving a surface: one constant is wrong in both directions.
     {"mirror-scale", "no offset", "float", 1, "wrong", 0.2, 0.7},
     {"mirror-scale", "t > 1e-4", "float", 1, "wrong", 0, 0},
@@ -153,9 +192,22 @@ static const Expectation expectations[] = {
     {"glass-world", "1e-4 N", "float", 1e4, "wrong", 0.2, 1},
     {"glass-world", "32 u (|P| + R) N", "float", 1e5, "wrong", 0.9, 1},
     {"glass-world", "dioptre", "float", 1e5, "wrong", 0, 0},
+    // A cornea, 4e-5 thick: a constant offset loses its inner side.
+    {"shells-gap", "t > 1e-4", "double", 4e-5, "work", 2, 2},
+    {"shells-gap", "1e-4 N", "double", 4e-5, "work", 2, 2},
+    {"shells-gap", "1e-4 N", "double", 1e-2, "wrong", 0, 0},
+    {"shells-gap", "256 ulps", "float", 4e-5, "leaks", 0.1, 0.6},
+    {"shells-gap", "256 ulps", "double", 4e-5, "leaks", 0, 0},
+    {"shells-gap", "no offset", "double", 4e-5, "double_hits", 0.5, 0.9},
+    {"shells-gap", "32 u (|P| + R) N", "float", 4e-5, "wrong", 0, 0},
+    {"shells-gap", "dioptre", "float", 4e-5, "wrong", 0, 0},
+    {"shells-gap", "dioptre", "float", 1e-5, "work", 0, 0},
+    {"shells-gap", "dioptre", "double", 1e-6, "wrong", 0, 0},
     // Reflections and Fresnel.
     {"mirror-bounces", "normalized", "float", 10, "error_median", 5e-5, 5e-3},
     {"mirror-bounces", "normalized", "double", 10, "error_median", 0, 1e-11},
+    {"mirror-bounces", "dioptre", "float", 10, "error_median", 0, 5e-3},
+    {"mirror-bounces", "dioptre", "double", 10, "error_median", 0, 1e-11},
     {"fresnel-into", "one polarisation", "float", 12, "error_max", 0.14, 0.16},
     {"fresnel-into", "Schlick", "float", 5, "error_max", 0.03, 0.04},
     {"fresnel-into", "exact", "float", 90, "error_max", 0, 2.1e-7},
@@ -164,6 +216,8 @@ static const Expectation expectations[] = {
     {"fresnel-into", "exact by both shares", "double", 0.1, "error_max", 0, 4.4e-16},
     {"fresnel-into", "exact by both shares", "double", 90, "error_max", 0, 4.4e-16},
     {"fresnel-into", "exact by both shares", "float", 0.1, "error_max", 0, 2.1e-7},
+    {"fresnel-into", "dioptre", "float", 0.1, "error_max", 0, 3e-7},
+    {"fresnel-into", "dioptre", "double", 0.1, "error_max", 0, 6e-16},
     {"fresnel-out", "Schlick by the inner cosine", "double", 0.03, "error_max", 0.7, 1},
     {"fresnel-out", "exact", "float", 1, "error_max", 0, 1e-5},
     // A thousandth of a texel of 4096 rows: 7.7e-7 radians.
@@ -331,6 +385,43 @@ static void test_score(void **state) {
     score_deinit(&score);
 }
 
+/** A sample that fails twice is one failure, and a double hit is one as well as a leak. */
+static void test_failures(void **state) {
+    (void)state;
+    ScoreStats score = {0};
+    assert_true(isnan(score_failure_fraction(&score)));
+    const bool leaks[4] = {true, false, false, true}, doubles[4] = {false, false, true, true};
+    for (int i = 0; i < 4; i++) {
+        score_outcome(&score, OUTCOME_LEAK, leaks[i]);
+        score_outcome(&score, OUTCOME_DOUBLE_HIT, doubles[i]);
+        score_end_sample(&score);
+    }
+    assert_true(score_failure_fraction(&score) == 0.75);
+}
+
+/** Costs whose quartiles overlap are ties; a smaller error then wins. */
+static void test_pareto_ties(void **state) {
+    (void)state;
+    ParetoPoint points[] = {{.cost = 10, .error = 1, .cost_low = 9, .cost_high = 11},
+                            {.cost = 10.5, .error = 1, .cost_low = 10, .cost_high = 12},
+                            {.cost = 13, .error = 1, .cost_low = 12.5, .cost_high = 14},
+                            {.cost = 20, .error = 0.1, .cost_low = 19, .cost_high = 22},
+                            {.cost = 19, .error = 0.2, .cost_low = 18, .cost_high = 20}};
+    const bool front[] = {true, true, false, true, false},
+               tied[] = {false, true, false, false, false};
+    pareto_front_find(points, 5, 1);
+    for (int i = 0; i < 5; i++) {
+        assert_int_equal(points[i].is_pareto, front[i]);
+        assert_int_equal(points[i].is_tied, tied[i]);
+    }
+    for (int i = 0; i < 5; i++) { // Without quartiles there are no ties.
+        points[i].cost_low = points[i].cost_high = 0;
+    }
+    pareto_front_find(points, 5, 1);
+    assert_false(points[1].is_pareto);
+    assert_true(points[4].is_pareto);
+}
+
 /** Columns are as wide as necessary, text left, numbers right. */
 static void test_table(void **state) {
     (void)state;
@@ -369,6 +460,7 @@ int main(void) {
         cmocka_unit_test(test_cliffs),          cmocka_unit_test(test_expectations_are_used),
         cmocka_unit_test(test_methods_are_run), cmocka_unit_test(test_same_metrics),
         cmocka_unit_test(test_stops),           cmocka_unit_test(test_score),
+        cmocka_unit_test(test_failures),        cmocka_unit_test(test_pareto_ties),
         cmocka_unit_test(test_table),           cmocka_unit_test(test_quad),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

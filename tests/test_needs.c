@@ -1,7 +1,7 @@
 /**
  * @file
  * @brief What scenes need: path hashes tell edges from errors, estimates choose the right number
- * type, and results on a sample of pixels hold for all of them.
+ * type, and no whole picture refutes what is proposed.
  */
 #include "testing.h"
 
@@ -111,33 +111,6 @@ static void test_path_hashes_differ(void **state) {
     scene_destroy(scene);
 }
 
-/** Black pixels are outliers: no edge is near them. Edge flips of float are no outliers. */
-static void test_outliers_are_no_edges(void **state) {
-    (void)state;
-    Scene *scene = load_scene("scenes/box.lua");
-    PixelSet pixels;
-    Error error = {0};
-    assert_true(pixel_set_init(&pixels, WIDTH, HEIGHT, pixel_is_any, NULL, NULL));
-    RenderSettings settings = render_settings_default(scene);
-    RenderContext render_context = {scene, &pixels, 1, NULL};
-    Variant reference = {
-        .engine = engine_find("f64x1", NULL), .trace = settings.trace, .samples_traced = 1};
-    reference.trace.samples = 1;
-    SampledRender truth = render_all_pixels(scene, "f64x1", OFFSET_BOUND, &pixels);
-    SampledRender good = render_all_pixels(scene, "f32x1", OFFSET_BOUND, &pixels);
-    SampledRender acne = render_all_pixels(scene, "f32x1", OFFSET_NONE, &pixels);
-    size_t outliers = 1;
-    assert_true(outliers_count(&render_context, &reference, &truth, &good, &outliers, &error));
-    assert_int_equal((int)outliers, 0);
-    assert_true(outliers_count(&render_context, &reference, &truth, &acne, &outliers, &error));
-    assert_true(outliers > 100);
-    sampled_render_deinit(&truth);
-    sampled_render_deinit(&good);
-    sampled_render_deinit(&acne);
-    pixel_set_deinit(&pixels);
-    scene_destroy(scene);
-}
-
 /* --- precision estimates ---------------------------------------------------------------------- */
 
 /** A scene, and its expected estimate. */
@@ -203,61 +176,204 @@ static void test_depths(void **state) {
 
 /* --- needs ------------------------------------------------------------------------------------ */
 
-/**
- * @return What a scene needs.
- * @param is_whole  Whether all pixels are rendered.
- */
-static Needs needs_of(const Scene *scene, bool is_whole) {
+/** @return A request for a picture. */
+static NeedsRequest request_of(const Scene *scene, const RenderSettings *settings, int samples) {
+    return (NeedsRequest){.width = WIDTH,
+                          .height = HEIGHT,
+                          .samples = samples,
+                          .depth = scene->image.depth,
+                          .trace = &settings->trace,
+                          .threads = 2,
+                          .error_steps = NEEDS_ERROR_STEPS};
+}
+
+/** @return What a request finds. */
+static Needs find_needs(const Scene *scene, const NeedsRequest *request) {
     Needs needs;
     Error error = {0};
-    RenderSettings settings = render_settings_default(scene);
-    NeedsRequest request = {.width = 2 * WIDTH,
-                            .height = 2 * HEIGHT,
-                            .samples = 2,
-                            .depth = scene->image.depth,
-                            .trace = &settings.trace,
-                            .threads = 2,
-                            .uses_all_pixels = is_whole};
-    if (!needs_find(scene, &request, &needs, &error)) {
+    if (!needs_find(scene, request, &needs, &error)) {
         fail_msg("%s", error.message);
     }
     return needs;
 }
 
-/** Results on a sample hold for whole pictures. */
-static void test_sparse_pixels_suffice(void **state) {
+/** @return What a scene needs, with the default error. */
+static Needs needs_of(const Scene *scene, int samples) {
+    RenderSettings settings = render_settings_default(scene);
+    NeedsRequest request = request_of(scene, &settings, samples);
+    return find_needs(scene, &request);
+}
+
+/** Renders a picture as `dioptre render` does. @param width Pixels; the height follows. */
+static Picture render_picture(const Scene *scene, const NeedsSettings *settings, int width) {
+    RenderSettings render = render_settings_default(scene);
+    Error error = {0};
+    Picture picture;
+    render.engine = settings->engine;
+    render.width = width;
+    render.height = width * HEIGHT / WIDTH;
+    render.samples = settings->samples;
+    render.sampling = SAMPLING_FULL;
+    render.trace.depth = settings->depth;
+    render.trace.cutoff = settings->cutoff;
+    render.trace.offset = settings->offset;
+    assert_true(picture_init(&picture, render.width, render.height, &error));
+    Renderer *renderer = renderer_create(scene, &render, &error);
+    assert_non_null(renderer);
+    renderer_render(renderer, NULL, &picture);
+    renderer_destroy(renderer);
+    return picture;
+}
+
+/** Compares a proposal with everything on, by the codes of whole pictures. @return The fraction of
+ *  the pixels that are off by more than a code. */
+static double fraction_off(const Scene *scene, const Needs *needs, int width) {
+    /** Finer than any that the search takes for the picture that it compares with. */
+    const double finest_cutoff = 1e-4;
+    NeedsSettings truth = {.engine = engine_find("f64x4", NULL),
+                           .depth = DEPTH_MAXIMUM,
+                           .cutoff = finest_cutoff,
+                           .offset = OFFSET_BOUND,
+                           .samples = needs->settings.samples};
+    Picture best = render_picture(scene, &truth, width),
+            mine = render_picture(scene, &needs->settings, width);
+    PictureComparison comparison = picture_compare(&best, &mine, NULL);
+    picture_deinit(&best);
+    picture_deinit(&mine);
+    return comparison.differing_fraction;
+}
+
+/** A scene whose proposal a whole picture is to confirm. */
+typedef struct ExpectedNeeds {
+    const char *path; /**< Its file. */
+    bool is_float;    /**< Whether float is sufficient. */
+    int width;        /**< Of the picture, pixels. */
+} ExpectedNeeds;
+
+/** No whole picture refutes a proposal, unless it says so. */
+static void test_no_picture_refutes(void **state) {
     (void)state;
-    static const char *const scenes[] = {"scenes/box.lua",
-                                         "scenes/figure-08.lua",
-                                         "scenes/facing-mirrors.lua",
-                                         "scenes/twins.lua",
-                                         "tests/scenes/far-from-zero.lua",
-                                         "scenes/lamps.lua",
-                                         "tests/scenes/ground-sphere.lua"};
+    static const ExpectedNeeds scenes[] = {{"scenes/box.lua", true, WIDTH},
+                                           {"scenes/figure-08.lua", true, WIDTH},
+                                           {"scenes/lamps.lua", true, WIDTH},
+                                           {"scenes/figure-18.lua", true, WIDTH},
+                                           {"tests/scenes/tiny-lamp.lua", true, WIDTH},
+                                           {"tests/scenes/five-panes.lua", true, WIDTH / 3},
+                                           {"tests/scenes/bright-panel.lua", true, WIDTH},
+                                           {"tests/scenes/ground-sphere.lua", false, WIDTH}};
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
-        Scene *scene = load_scene(scenes[i]);
-        Needs sampled_needs = needs_of(scene, false), whole = needs_of(scene, true);
-        bool is_float = sampled_needs.engines[sampled_needs.engine].engine->mantissa_bits == 24;
-        bool is_forecast = precision_estimate_engine(&sampled_needs.forecast)->mantissa_bits == 24;
-        assert_true(is_float == is_forecast);
-        assert_int_equal(sampled_needs.engine, whole.engine);
-        double fraction = (double)(whole.total_trial.visible + whole.total_trial.outliers) /
-                          (double)whole.total_trial.rays;
-        assert_at_most(fraction, 4e-4, "%s: share off", scenes[i]);
-        char words[2048];
-        needs_explain(&sampled_needs, words, sizeof words);
-        assert_non_null(strstr(words, is_float ? "Float is enough" : "Double is enough"));
+        Scene *scene = load_scene(scenes[i].path);
+        RenderSettings settings = render_settings_default(scene);
+        NeedsRequest request = request_of(scene, &settings, 1);
+        request.width = scenes[i].width;
+        request.height = request.width * HEIGHT / WIDTH;
+        Needs needs = find_needs(scene, &request);
+        needs.settings.samples = 1; // Noise is judged apart.
+        assert_false(needs_is_refuted(&needs));
+        assert_at_most(fraction_off(scene, &needs, request.width), NEEDS_FRACTION_MAXIMUM,
+                       "%s: share off", scenes[i].path);
+        if ((needs.settings.engine->mantissa_bits == 24) != scenes[i].is_float) {
+            fail_msg("%s: %s", scenes[i].path, needs.settings.engine->name);
+        }
         scene_destroy(scene);
     }
+}
+
+/** Coarser tolerances move the edges of a sponge, and the search sees it: they are not "worth 0
+ *  steps". */
+static void test_tolerance_moves_edges(void **state) {
+    (void)state;
+    Scene *scene = load_scene("scenes/menger-sponge.lua");
+    Needs needs = needs_of(scene, 1);
+    assert_true(needs.has_sdf);
+    assert_at_most(needs.settings.tolerance, 1, "tolerance");
+    assert_true(needs.coarser_tolerance_trial.off > 100);
+    assert_true(needs.own_tolerance_trial.off > 0);
+    assert_false(needs.is_tolerance_sufficient);
+    scene_destroy(scene);
+}
+
+/** What is said of rays per pixel agrees with the figures: too few can be told from four times as
+ *  many, and where more are sufficient they are proposed. */
+static void test_samples_are_raised(void **state) {
+    (void)state;
+    Scene *scene = load_scene("scenes/box.lua");
+    char words[8192];
+    Needs needs = needs_of(scene, 4);
+    needs_explain(&needs, words, sizeof words);
+    assert_false(needs.is_noise_sufficient);
+    assert_true(needs_trial_fails(&needs.noise[0].trial));
+    assert_true(needs.noise_count > 1);
+    assert_non_null(strstr(words, "can be told from a better one by its noise"));
+    scene_destroy(scene);
+    scene = load_scene("scenes/box.lua");
+    RenderSettings settings = render_settings_default(scene);
+    NeedsRequest request = request_of(scene, &settings, 1);
+    request.error_steps = 64;
+    needs = find_needs(scene, &request);
+    needs_explain(&needs, words, sizeof words);
+    assert_true(needs.is_noise_sufficient);
+    assert_true(needs.settings.samples > 1);
+    assert_null(strstr(words, "can be told from"));
+    for (int i = 0; i < needs.noise_count; i++) {
+        assert_true(needs_trial_fails(&needs.noise[i].trial) ==
+                    (needs.noise[i].samples < needs.settings.samples));
+    }
+    scene_destroy(scene);
+}
+
+/** A larger error allows cheaper settings, never dearer ones. */
+static void test_errors_in_order(void **state) {
+    (void)state;
+    static const double errors[] = {0.5, 4, 32};
+    Scene *scene = load_scene("scenes/box.lua");
+    RenderSettings settings = render_settings_default(scene);
+    NeedsRequest request = request_of(scene, &settings, 1);
+    int depth = DEPTH_MAXIMUM;
+    for (size_t i = 0; i < sizeof errors / sizeof *errors; i++) {
+        request.error_steps = errors[i];
+        Needs needs = find_needs(scene, &request);
+        assert_true(needs.settings.depth <= depth);
+        assert_true(i == 0 || needs.settings.depth < DEPTH_MAXIMUM);
+        depth = needs.settings.depth;
+    }
+    assert_true(depth < needs_of(scene, 1).settings.depth);
+    scene_destroy(scene);
+}
+
+/** More time gives a better picture; what no time is enough for is said, with the fastest. */
+static void test_budgets(void **state) {
+    (void)state;
+    Scene *scene = load_scene("scenes/box.lua");
+    RenderSettings settings = render_settings_default(scene);
+    NeedsRequest request = request_of(scene, &settings, 1);
+    request.budget_seconds = 1e-6;
+    Needs none = find_needs(scene, &request);
+    assert_false(none.budget.is_met);
+    assert_true(none.budget.seconds > request.budget_seconds);
+    assert_int_equal(none.budget.settings.samples, 1);
+    request.budget_seconds = 2 * none.budget.seconds;
+    Needs little = find_needs(scene, &request);
+    request.budget_seconds = 60 * none.budget.seconds;
+    Needs much = find_needs(scene, &request);
+    assert_true(much.budget.is_met);
+    assert_at_most(much.budget.seconds, request.budget_seconds, "time");
+    assert_true(much.budget.settings.samples > 1);
+    assert_true(much.budget.trial.rms_steps < little.budget.trial.rms_steps);
+    assert_true(much.budget.trial.rms_steps > 0);
+    scene_destroy(scene);
 }
 
 /** Runs the tests. @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_path_hashes_agree),
                                        cmocka_unit_test(test_path_hashes_differ),
-                                       cmocka_unit_test(test_outliers_are_no_edges),
                                        cmocka_unit_test(test_forecasts),
                                        cmocka_unit_test(test_depths),
-                                       cmocka_unit_test(test_sparse_pixels_suffice)};
+                                       cmocka_unit_test(test_no_picture_refutes),
+                                       cmocka_unit_test(test_tolerance_moves_edges),
+                                       cmocka_unit_test(test_samples_are_raised),
+                                       cmocka_unit_test(test_errors_in_order),
+                                       cmocka_unit_test(test_budgets)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

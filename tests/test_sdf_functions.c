@@ -9,6 +9,7 @@
 #define LANES 1
 #include "../src/trace/sdf/sdf_mandelbulb.c"
 #include "../src/trace/sdf/sdf_solids.c"
+#include "../src/trace/sdf/sdf_tape.c"
 #include "../src/trace/sdf/sdf_vm.c"
 
 #include "sdf_builders.h"

@@ -161,8 +161,8 @@ typedef enum {
 typedef struct Tracer Tracer;
 
 /**
- * Default of #TraceSettings.cutoff. A ray of this weight changes no pixel by half a step of 8 bits,
- * even at the dark end of the sRGB curve: its slope there is 12.92, and half a step is 1 / 510.
+ * Throughput below which rays end in the first pass, where #CUTOFF_DEFAULT is the cutoff and no
+ * light is brighter than 1 (see doc/cutoff.md).
  */
 #define THROUGHPUT_CUTOFF 1.5e-4
 
@@ -173,14 +173,19 @@ typedef enum {
                        report A adds. */
 } PixelPoint;
 
+/** Most secondary rays of one sample of a pixel for which a further pass is begun. */
+#define RAYS_PER_SAMPLE_MAXIMUM 16384
+
 /** How a tracer traces a scene. */
 typedef struct TraceSettings {
-    int depth;   /**< Largest number of successive reflections and refractions. */
+    int depth;   /**< Largest number of successive reflections and refractions;
+                      #DEPTH_MAXIMUM: as many as the weight of a ray asks for. */
     int samples; /**< Rays per pixel; if more than one, spherical lights cast soft shadows. */
     OffsetStrategy offset; /**< Distance from a surface at which secondary rays start. */
     double epsilon;        /**< The distance for #OFFSET_FIXED, scene units. */
-    double
-        cutoff; /**< Throughput below which a ray ends; 0: where it cannot change an 8-bit image. */
+    double cutoff; /**< Largest error of a pixel by all rays that end for their low throughput,
+                        in 8-bit steps of the encoded picture; 0: no ray ends for that. */
+    int encoding;  /**< The #Encoding of the picture, whose steps the cutoff counts. */
     ParallelFor parallel_for; /**< Builds the tracer in parallel. */
     BvhMode bvh; /**< Whether there is a BVH over the shapes; meshes always have one of their
                     triangles. */
@@ -203,6 +208,8 @@ typedef struct TracerStats {
     size_t bvh_threshold;      /**< Number of bounded shapes from which on a BVH is built. */
     size_t triangles;          /**< Triangles of meshes; each mesh is counted once. */
     size_t triangle_bytes;     /**< Bytes of those, with their BVHs and normals. */
+    double radiance_bound;     /**< No ray brings back more light; 0: no ray is reflected or
+                                    refracted. */
     uint64_t step_limit_count; /**< Rays so far whose sphere tracing ended at the step limit. */
 } TracerStats;
 
@@ -232,6 +239,8 @@ typedef struct RayCounts {
     uint64_t shadow;           /**< To a light. */
     uint64_t total_reflection; /**< Rays that were totally reflected at an interface; counted as
                                   reflected rays, too. */
+    uint64_t unresolved;     /**< Camera rays below which more was ended than the cutoff allows. */
+    double unresolved_steps; /**< Largest error of those, 8-bit steps at most; 0: there are none. */
 } RayCounts;
 
 /** @return The number of all rays. */

@@ -178,6 +178,13 @@ typedef struct SceneLight {
 /** Largest number of points of a light's outline. */
 enum { SCENE_LIGHT_OUTLINE_POINTS = 5 };
 
+/** The size of a light that can be seen. */
+typedef struct SceneLightSize {
+    double reach; /**< Largest distance of a glowing point from the centre, scene units; 0 where the
+                       light is computed as from the centre. */
+    double area;  /**< Intensity over radiance, scene units squared; 0: it is a point. */
+} SceneLightSize;
+
 /** A class of lights in the description of a scene: the vtable. */
 typedef struct SceneLightClass {
     const Keyword *keyword; /**< Name, fields and checks; its struct is a #SceneLight. */
@@ -204,6 +211,9 @@ typedef struct SceneLightClass {
      * @return The number of points, at most #SCENE_LIGHT_OUTLINE_POINTS.
      */
     size_t (*outline)(const SceneLight *light, Vec3d *points);
+
+    /** @return The size of the light. NULL: it is never seen. */
+    SceneLightSize (*size)(const SceneLight *light);
 
     /** @return The vector to the light, of any length. NULL: to its #center. */
     Vec3d (*offset_from)(const SceneLight *light, Vec3d point);
@@ -305,6 +315,7 @@ typedef struct SceneShape SceneShape;
     X(box)                                                                                         \
     X(disk)                                                                                        \
     X(cylinder)                                                                                    \
+    X(cone)                                                                                        \
     X(triangle)                                                                                    \
     X(mesh)                                                                                        \
     X(sdf)
@@ -348,6 +359,15 @@ typedef struct CylinderParameters {
     double radius; /**< Radius, scene units. */
     bool capped;   /**< Whether two disks close the ends. */
 } CylinderParameters;
+
+/** Parameters of `cone`, pointed or a frustum. */
+typedef struct ConeParameters {
+    Vec3d base;        /**< Centre of one end. */
+    Vec3d top;         /**< Centre of the other end. */
+    double radius;     /**< Radius at the base, scene units; 0: a tip. */
+    double top_radius; /**< Radius at the top, scene units; 0: a tip. */
+    bool capped;       /**< Whether disks close the ends. */
+} ConeParameters;
 
 /** Parameters of `triangle`. */
 typedef struct TriangleParameters {
@@ -409,6 +429,15 @@ typedef struct SceneShapeClass {
      * @param factor              Factor, above 0.
      */
     void (*scale_tolerance)(void *parameters, double factor);
+
+    /**
+     * @return A lower bound of the distance of a point from the surface before its transform; that
+     *         of the bounding box is known. NULL: none is known inside of the box.
+     * @param parameters  The struct that #keyword describes, finished.
+     * @param scene       The scene of the shape, for its meshes.
+     * @param point       The point.
+     */
+    double (*distance)(const void *parameters, const Scene *scene, Vec3d point);
 } SceneShapeClass;
 
 /** Descriptions of all kinds of shapes in the order of #SHAPES; NULL ends the list. */
@@ -431,6 +460,24 @@ size_t scene_shape_find(const char *name);
  * @return The properties; the bounding box is that of the transformed shape.
  */
 ShapeFacts scene_shape_facts(const Scene *scene, const SceneShape *shape);
+
+/**
+ * @return A lower bound of the distance of a point from the surface of a shape.
+ * @param scene  The scene.
+ * @param shape  One of its shapes.
+ * @param point  The point.
+ */
+double scene_shape_distance(const Scene *scene, const SceneShape *shape, Vec3d point);
+
+/** @return The largest texel of a texture in linear light. @param texture The texture. */
+double texture_peak(const Texture *texture);
+
+/**
+ * @return An upper bound of the radiance along any ray of a scene (see doc/cutoff.md).
+ * @param scene          The scene.
+ * @param texture_peaks  The #texture_peak of each of its textures.
+ */
+double scene_radiance_bound(const Scene *scene, const double *texture_peaks);
 
 /**
  * Finds the bounding box of all bounded shapes of a scene.
@@ -463,6 +510,15 @@ static inline Vec3d circle_extent(Vec3d normal, double radius) {
                    radius * sqrt(x * x + y * y)};
 }
 
+/** @return The bounding box of a cone. @param axis Unit vector along it. */
+static inline Aabbd cone_bounds_of(const ConeParameters *cone, Vec3d axis) {
+    Vec3d at_base = circle_extent(axis, cone->radius);
+    Vec3d at_top = circle_extent(axis, cone->top_radius);
+    return (Aabbd){
+        vec3d_min(vec3d_subtract(cone->base, at_base), vec3d_subtract(cone->top, at_top)),
+        vec3d_max(vec3d_add(cone->base, at_base), vec3d_add(cone->top, at_top))};
+}
+
 /* --- Offset strategies ------------------------------------------------------------------------ */
 
 /** Distance from a surface at which secondary rays start. */
@@ -489,6 +545,15 @@ enum { DEPTH_MAXIMUM = 256 };
  */
 enum { IMAGE_DEPTH_AUTO = -1 };
 
+/**
+ * Default of #SceneImage.cutoff, 8-bit steps: with half a step of rounding, a pixel of the encoded
+ * picture is never off by more than one.
+ */
+#define CUTOFF_DEFAULT 0.25
+
+/** Largest #SceneImage.cutoff, 8-bit steps: from black to white. */
+#define CUTOFF_MAXIMUM 255
+
 /** Size and quality of the image. Filled through #scene_image_keyword. */
 typedef struct SceneImage {
     int width;    /**< Pixels, 1 to #IMAGE_SIZE_MAXIMUM. */
@@ -496,6 +561,7 @@ typedef struct SceneImage {
     int encoding; /**< An #Encoding. */
     int samples;  /**< Samples per pixel, 1 to #SAMPLES_MAXIMUM. */
     int depth;    /**< Recursion depth, 0 to #DEPTH_MAXIMUM, or #IMAGE_DEPTH_AUTO. */
+    double cutoff; /**< See #TraceSettings.cutoff; 0 to #CUTOFF_MAXIMUM. */
 } SceneImage;
 
 /** The scene language's `image`. */
@@ -534,6 +600,8 @@ typedef struct SceneMesh {
     SceneFile file; /**< The file. */
     Mesh *mesh;     /**< Its content, retained. NULL until it is read, after the run of the scene
                          file. */
+    const Mesh *built; /**< In the block of the scene: the content, if the scene file itself has the
+                          triangles. NULL: #file has them. */
 } SceneMesh;
 
 /** A picture file that a scene names. */
@@ -640,6 +708,18 @@ bool scene_add_shape(Scene *scene, size_t class_index, const Keyword *keyword,
  * @return false when the scene's memory is full.
  */
 bool scene_add_mesh(Scene *scene, const SceneFile *file, size_t *index, Error *error);
+
+/**
+ * Adds a mesh whose triangles the scene file itself contains.
+ * @param[in,out] scene  The scene.
+ * @param file           A name for it, which no other mesh has; its strings are copied.
+ * @param counts         The numbers of all items, and the repairs; the rest is not read.
+ * @param[out] index     Its index in #Scene.meshes.
+ * @param[out] error     What is wrong.
+ * @return The mesh in the block of the scene, its arrays not filled; NULL when the block is full.
+ */
+Mesh *scene_add_built_mesh(Scene *scene, const SceneFile *file, const Mesh *counts, size_t *index,
+                           Error *error);
 
 /**
  * Adds a picture file, unless the scene has it already.

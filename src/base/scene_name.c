@@ -1,11 +1,12 @@
 /**
  * @file
- * @brief The name of a scene.
+ * @brief The name and the format of a scene.
  */
 #include "base/scene_name.h"
 
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 void scene_name_from_path(const char *path, char *name, size_t size) {
     const char *slash = strrchr(path, '/');
@@ -14,4 +15,13 @@ void scene_name_from_path(const char *path, char *name, size_t size) {
     if (dot && dot != name) {
         *dot = '\0';
     }
+}
+
+SceneFormat scene_format_of(const char *path) {
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+    const char *ending = strrchr(name, '.');
+    return !ending || ending == name         ? SCENE_FORMAT_NONE
+           : strcasecmp(ending, ".nff") == 0 ? SCENE_FORMAT_NFF
+           : strcmp(ending, ".lua") == 0     ? SCENE_FORMAT_LUA
+                                             : SCENE_FORMAT_NONE;
 }

@@ -130,6 +130,13 @@ bool command_render(const RenderJob *job, const Scene *scene, Renderer **rendere
                     RenderStats *report, Error *error);
 
 /**
+ * Says on standard error that camera rays lack more light than the cutoff allows, if any does and
+ * the options do not ask for quiet.
+ * @param rays  The rays of all pictures.
+ */
+void command_print_unresolved(const Options *options, const RayCounts *rays);
+
+/**
  * Writes a picture into its file, with the settings as metadata.
  * @param[in,out] picture  The picture; without metadata afterwards.
  * @return false on failure.

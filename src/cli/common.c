@@ -52,6 +52,7 @@ RenderSettings command_render_settings(const Options *options, const Scene *scen
     TraceSettings *trace = &settings.trace;
     method_set_apply((MethodSet)options->methods, &settings);
     trace->depth = options->depth >= 0 ? options->depth : trace->depth;
+    trace->cutoff = options->cutoff >= 0 ? options->cutoff : trace->cutoff;
     trace->offset = options->offset >= 0 ? (OffsetStrategy)options->offset : trace->offset;
     trace->pixel_point = (PixelPoint)options->pixel;
     trace->epsilon = options->epsilon >= 0 ? options->epsilon : trace->epsilon;

@@ -6,6 +6,7 @@
 #include "base/language.h"
 #include "cli/commands.h"
 #include "dioptre/scene.h"
+#include "dioptre/sdf_tape.h"
 
 #include <libintl.h>
 #include <stdio.h>
@@ -25,11 +26,26 @@ typedef struct SceneInfo {
     size_t transparent;                         /**< Shapes with a transparent material. */
     size_t specular;                            /**< Shapes with specular highlights. */
     bool has_sdfs;                              /**< Whether any shape is a distance field. */
+    size_t tapes;                               /**< Functions of distance fields. */
     const char *omissions[OMISSIONS_MAXIMUM];   /**< What the tracer leaves out, in English. */
     int omission_count;                         /**< Number of #omissions. */
 } SceneInfo;
 
 /* --- gathering -------------------------------------------------------------------------------- */
+
+/**
+ * Finds the next function of a field.
+ * @param field  The field; may be NULL.
+ * @param after  The function before it; NULL: the first one.
+ * @return Its #SDF_TAPE node; NULL after the last one.
+ */
+static const SdfNode *next_tape(const Sdf *field, const SdfNode *after) {
+    const SdfNode *node = after ? after + 1 : field ? field->nodes : NULL;
+    while (node && node < field->nodes + field->node_count && node->op != SDF_TAPE) {
+        node++;
+    }
+    return node && node < field->nodes + field->node_count ? node : NULL;
+}
 
 /** Counts the shapes by class and by material. */
 static void count_shapes(SceneInfo *info) {
@@ -41,7 +57,11 @@ static void count_shapes(SceneInfo *info) {
         info->reflective += scene_material_is_reflective(material);
         info->transparent += scene_material_is_transparent(material);
         info->specular += material->specular > 0;
-        info->has_sdfs = info->has_sdfs || scene_shape_facts(scene, &scene->shapes[i]).sdf;
+        const Sdf *field = scene_shape_facts(scene, &scene->shapes[i]).sdf;
+        info->has_sdfs = info->has_sdfs || field;
+        for (const SdfNode *tape = NULL; (tape = next_tape(field, tape));) {
+            info->tapes++;
+        }
     }
 }
 
@@ -254,6 +274,50 @@ static void write_step_limit(const SceneInfo *info, JsonWriter *json) {
     json_count(json, "step_limit_count", info->contents.step_limit_count);
 }
 
+/** @return Whether a field is a function. */
+static bool has_tapes(const SceneInfo *info) {
+    return info->tapes > 0;
+}
+
+/** Prints the operations of each function of a field and how fast it grows. */
+static void print_tapes(const SceneInfo *info) {
+    const Scene *scene = info->scene;
+    const char *separator = "";
+    for (size_t i = 0; i < scene->shape_count; i++) {
+        const Sdf *field = scene_shape_facts(scene, &scene->shapes[i]).sdf;
+        for (const SdfNode *tape = NULL; (tape = next_tape(field, tape));) {
+            double factor = tape->operands[SDF_TAPE_FACTOR];
+            printf("%s", separator);
+            printf(ngettext("%d operation, slope %.3g", "%d operations, slope %.3g",
+                            (unsigned long)tape->body_count),
+                   tape->body_count, tape->operands[SDF_TAPE_SLOPE]);
+            if (factor < 1) {
+                printf(gettext(", divided by %.3g"), 1 / factor);
+            }
+            separator = "; ";
+        }
+    }
+    putchar('\n');
+}
+
+/** Writes the same as JSON. */
+static void write_tapes(const SceneInfo *info, JsonWriter *json) {
+    const Scene *scene = info->scene;
+    json_array_begin(json, "field_functions");
+    for (size_t i = 0; i < scene->shape_count; i++) {
+        const Sdf *field = scene_shape_facts(scene, &scene->shapes[i]).sdf;
+        for (const SdfNode *tape = NULL; (tape = next_tape(field, tape));) {
+            json_object_begin(json, NULL);
+            json_integer(json, "line", scene->shapes[i].line);
+            json_integer(json, "operations", tape->body_count);
+            json_number(json, "slope", tape->operands[SDF_TAPE_SLOPE], 6);
+            json_number(json, "divided_by", 1 / tape->operands[SDF_TAPE_FACTOR], 6);
+            json_object_end(json);
+        }
+    }
+    json_array_end(json);
+}
+
 /** Prints what the tracer leaves out. */
 static void print_omissions(const SceneInfo *info) {
     for (int i = 0; i < info->omission_count; i++) {
@@ -389,6 +453,7 @@ static const Fact facts[] = {
     {N_("acceleration tree"), print_bvh, write_bvh, NULL},
     {N_("memory"), print_memory, write_memory, has_memory},
     {N_("sphere tracing"), print_step_limit, write_step_limit, has_sdfs},
+    {N_("functions"), print_tapes, write_tapes, has_tapes},
     {N_("left out"), print_omissions, write_omissions, NULL},
 };
 

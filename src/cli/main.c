@@ -3,6 +3,7 @@
  * @brief The program: the table of commands, their help, and the choice among them.
  */
 #include "base/language.h"
+#include "base/scene_name.h"
 #include "base/suggest.h"
 #include "cli/commands.h"
 
@@ -109,9 +110,8 @@ static void run_command(const Command *command, const Options *options, Error *e
 /** @return Whether a first word may name a scene: there is such a file, it is standard input, or it
  *  is written as scenes are. */
 static bool may_be_scene(const char *word) {
-    const char *ending = strrchr(word, '.');
     return access(word, F_OK) == 0 || strcmp(word, "-") == 0 || strchr(word, '/') ||
-           (ending && strcmp(ending, ".lua") == 0);
+           scene_format_of(word) != SCENE_FORMAT_NONE;
 }
 
 /** Rejects a first word that is neither a command nor a scene. */

@@ -80,12 +80,14 @@ static bool parse_number(const OptionSpec *option, const char *text, Options *op
     return true;
 }
 
-/** Parses a frame rate, which is above 0. See #OptionSpec.parse. */
-static bool parse_fps(const OptionSpec *option, const char *text, Options *options, Error *error) {
-    return (parse_number(option, text, options, NULL) && options->fps > 0 &&
-            options->fps <= option->maximum) ||
-           error_set(error, STATUS_USAGE, "--fps takes a number above 0, at most %g, not '%s'",
-                     option->maximum, text);
+/** Parses a number above 0, which has a maximum. See #OptionSpec.parse. */
+static bool parse_positive(const OptionSpec *option, const char *text, Options *options,
+                           Error *error) {
+    const double *number = (const double *)((const char *)options + option->offset);
+    return (parse_number(option, text, options, NULL) && *number > 0 &&
+            *number <= option->maximum) ||
+           error_set(error, STATUS_USAGE, "--%s takes a number above 0, at most %g, not '%s'",
+                     option->name, option->maximum, text);
 }
 
 /** Parses one of a few words; the value is its index. See #OptionSpec.parse. */
@@ -151,6 +153,9 @@ static const char *const keys_words[] = {"places", "letters", NULL};
 /** Values of `--progress`, in the order of #ProgressStyle. */
 static const char *const progress_words[] = {"auto", "json", "none", NULL};
 
+/** Largest `--budget`, milliseconds: a day. */
+#define BUDGET_MAXIMUM 86400e3
+
 /** Commands that write pictures. */
 #define PICTURES (COMMAND_RENDER | COMMAND_ANIMATE)
 /** Commands that trace a scene. */
@@ -183,6 +188,8 @@ static const OptionSpec option_specs[] = {
      .help = N_("adaptive or full: whether every pixel gets all its rays")},
     {"depth", 0, N_("N"), STORES(integer, depth), .maximum = DEPTH_MAXIMUM, .commands = SCENES,
      .help = N_("how often a ray may be mirrored or refracted")},
+    {"cutoff", 0, N_("STEPS"), STORES(number, cutoff), .commands = SCENES,
+     .help = N_("what all rays that end early may be worth in a pixel (default: 0.25)")},
     {"time", 't', N_("SECONDS"), STORES(number, time), .minimum = -HUGE_VAL, .commands = SCENES,
      .help = N_("the scene's t")},
     {"threads", 'j', N_("N"), STORES(integer, threads), .minimum = 1, .maximum = THREADS_MAXIMUM,
@@ -199,11 +206,17 @@ static const OptionSpec option_specs[] = {
     {"methods", 0, N_("WHOSE"), STORES(word, methods), .words = method_set_words,
      .commands = TRACING & ~(COMMAND_CHART | COMMAND_INFO),
      .help = N_("own, a, b, c or d: as one of the four reports did it")},
+    {"error", 0, N_("STEPS"), STORES(positive, error), .maximum = UINT8_MAX,
+     .commands = COMMAND_NEEDS,
+     .help = N_("find the cheapest settings for that error of a pixel (default: 0.5)")},
+    {"budget", 0, N_("MS"), STORES(positive, budget), .maximum = BUDGET_MAXIMUM,
+     .commands = COMMAND_NEEDS,
+     .help = N_("find the best picture that takes no more milliseconds than that")},
     {"base-dir", 0, N_("DIR"), STORES(text, base_dir), .commands = SCENES,
      .help = N_("where the files lie that the scene names")},
     {"seconds", 0, N_("S"), STORES(number, seconds), .commands = COMMAND_ANIMATE,
      .help = N_("how long the film lasts (default: 10)")},
-    {"fps", 0, N_("F"), STORES(fps, fps), .maximum = FRAMES_FPS_MAXIMUM,
+    {"fps", 0, N_("F"), STORES(positive, fps), .maximum = FRAMES_FPS_MAXIMUM,
      .commands = COMMAND_ANIMATE, .help = N_("frames a second (default: 25)")},
     {"frames", 0, N_("A-B[:STEP]"), STORES(frames, frames),
      .commands = COMMAND_ANIMATE | COMMAND_BENCH,
@@ -316,7 +329,7 @@ static bool parse_option(const Command *command, int code, const char *word, Opt
 }
 
 Options options_default(void) {
-    return (Options){.depth = -1, .offset = -1, .epsilon = -1, .seconds = -1};
+    return (Options){.depth = -1, .cutoff = -1, .offset = -1, .epsilon = -1, .seconds = -1};
 }
 
 bool options_parse(const Command *command, int argc, char **argv, Options *options, Error *error) {

@@ -63,6 +63,7 @@ typedef struct Options {
     int samples;                              /**< `--samples` */
     int sampling;                             /**< `--sampling`: a #Sampling. */
     int depth;                                /**< `--depth`; default -1. */
+    double cutoff;                            /**< `--cutoff`, 8-bit steps; default -1. */
     int threads;                              /**< `--threads` */
     FrameRange frames;                        /**< `--frames`; default: step 0. */
     double seconds;                           /**< `--seconds`; default -1. */
@@ -73,6 +74,8 @@ typedef struct Options {
     double epsilon;                           /**< `--epsilon`, scene units; default -1. */
     int pixel;                                /**< `--pixel`: a #PixelPoint. */
     int methods;                              /**< `--methods`: a #MethodSet. */
+    double error;                             /**< `--error`, 8-bit steps; 0: not given. */
+    double budget;                            /**< `--budget`, milliseconds; 0: not given. */
     int progress;                             /**< `--progress`: a #ProgressStyle. */
     int rays;                                 /**< `--rays`: a #BenchRays. */
     int keys;                                 /**< `--keys`: a #KeyBinding. */

@@ -7,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/render_metadata.h"
 
+#include <libintl.h>
 #include <stdio.h>
 
 bool command_render(const RenderJob *job, const Scene *scene, Renderer **renderer, Picture *picture,
@@ -37,6 +38,16 @@ bool command_write_image(const RenderJob *job, const Scene *scene, Picture *pict
     return is_written;
 }
 
+void command_print_unresolved(const Options *options, const RayCounts *rays) {
+    if (rays->unresolved > 0 && !options->quiet) {
+        double percent = 100 * (double)rays->unresolved / (double)rays->camera;
+        fprintf(stderr,
+                gettext("dioptre: %.2g %% of the camera rays lack light, of at most %.2g steps of "
+                        "255: reflections went on and on\n"),
+                percent, rays->unresolved_steps);
+    }
+}
+
 /** Renders a scene and writes the picture. */
 static void render_scene(const Scene *scene, const Options *options, Error *error) {
     RenderJob job = {.options = options, .output = options->output, .time = options->time};
@@ -49,6 +60,9 @@ static void render_scene(const Scene *scene, const Options *options, Error *erro
     progress_end(job.progress);
     is_done = is_done && command_write_image(&job, scene, &picture, error);
     picture_deinit(&picture);
+    if (is_done) {
+        command_print_unresolved(options, &report.rays);
+    }
     if (is_done && !report.is_finished) {
         error_set(error, STATUS_INTERRUPTED, "interrupted: %s has %.0f %% of the picture",
                   options->output, 100 * report.progress);

@@ -34,6 +34,7 @@ _dioptre_tests() {
 _dioptre_files() {
     compopt -o filenames 2>/dev/null
     compgen -f -X '!*.lua' -- "$1"
+    compgen -f -X '!*.nff' -- "$1"
     compgen -d -- "$1"
 }
 

@@ -9,6 +9,7 @@
 #include "render/precision_estimate.h"
 
 #include "render/shadow_terminator.h"
+#include "render/trapped_light.h"
 
 #include <math.h>
 
@@ -69,8 +70,8 @@ typedef struct SceneMeasures {
     Vec3d origin;                /**< #scene_local_origin */
     double terminator_fraction;  /**< Fraction of the picture whose faces float lights wrongly. */
     double texels_per_radian;    /**< Largest number of texels per radian of direction. */
-    Aabbd glass_bounds[WALLS_MAXIMUM]; /**< Boxes of transparent shapes. */
-    size_t glass_count;                /**< Number of #glass_bounds. */
+    GlassShape glass[WALLS_MAXIMUM]; /**< Transparent shapes. */
+    size_t glass_count;              /**< Number of #glass. */
 } SceneMeasures;
 
 /** @return The largest channel. */
@@ -177,7 +178,11 @@ static void accumulate_material(SceneMeasures *measures, const SceneShape *shape
     measures->max_reflectance =
         !is_flat ? fmax(measures->max_reflectance, reflectance) : measures->max_reflectance;
     if (transmittance > 0 && is_bounded && measures->glass_count < WALLS_MAXIMUM) {
-        measures->glass_bounds[measures->glass_count++] = facts->bounds;
+        measures->glass[measures->glass_count++] = (GlassShape){.bounds = facts->bounds,
+                                                                .is_flat = is_flat,
+                                                                .class_index = shape->class_index,
+                                                                .ior = material->ior,
+                                                                .transmittance = transmittance};
     }
     if (material->texture_id) {
         const Texture *texture = measures->scene->textures[material->texture_id - 1].texture;
@@ -275,7 +280,7 @@ PrecisionEstimate precision_estimate_of(const Scene *scene) {
     }
     for (size_t i = 0; i < measures.glass_count; i++) {
         for (size_t k = 0; k < i; k++) {
-            accumulate_wall_pair(&measures, &measures.glass_bounds[i], &measures.glass_bounds[k]);
+            accumulate_wall_pair(&measures, &measures.glass[i].bounds, &measures.glass[k].bounds);
         }
     }
     if (scene->sky.texture_id) {
@@ -293,8 +298,14 @@ PrecisionEstimate precision_estimate_of(const Scene *scene) {
     keep_largest_error(&estimate, PRECISION_SHADOW_TERMINATOR,
                        PRECISION_VISIBLE_ERROR * TERMINATOR_MARGIN * images *
                            measures.terminator_fraction / PIXEL_FRACTION_ALLOWED);
-    accumulate_ray_divergence(&measures,
-                              scene->image.depth >= 0 ? scene->image.depth : estimate.depth);
+    int depth = scene->image.depth >= 0 ? scene->image.depth : estimate.depth;
+    accumulate_ray_divergence(&measures, depth);
+    GlassView view = {.position = scene->camera.position,
+                      .pixel_angle = estimate.pixel_angle,
+                      .pixels = (double)scene->image.width * scene->image.height,
+                      .depth = depth};
+    keep_largest_error(&estimate, PRECISION_TRAPPED_LIGHT,
+                       trapped_light_error(measures.glass, measures.glass_count, &view));
     for (int cause = 0; cause < PRECISION_CAUSE_COUNT; cause++) {
         bool is_more = estimate.errors[cause] > estimate.errors[estimate.cause];
         estimate.cause = is_more ? (PrecisionCause)cause : estimate.cause;

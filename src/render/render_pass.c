@@ -91,6 +91,12 @@ void render_pass_add_rays(RenderPass *pass, const RayCounts *counts, size_t rays
     atomic_fetch_add_explicit(&pass->total_reflections, counts->total_reflection,
                               memory_order_relaxed);
     atomic_fetch_add_explicit(&pass->shadow, counts->shadow, memory_order_relaxed);
+    atomic_fetch_add_explicit(&pass->unresolved, counts->unresolved, memory_order_relaxed);
+    double steps = atomic_load(&pass->unresolved_steps);
+    while (
+        counts->unresolved_steps > steps &&
+        !atomic_compare_exchange_weak(&pass->unresolved_steps, &steps, counts->unresolved_steps)) {
+    }
     atomic_fetch_add_explicit(&pass->renderer->rays_done, rays, memory_order_relaxed);
 }
 
@@ -105,7 +111,9 @@ RenderStats render_pass_stats(RenderPass *pass, bool is_last) {
                                   .reflection = atomic_load(&pass->reflected),
                                   .refraction = atomic_load(&pass->refracted),
                                   .total_reflection = atomic_load(&pass->total_reflections),
-                                  .shadow = atomic_load(&pass->shadow)},
+                                  .shadow = atomic_load(&pass->shadow),
+                                  .unresolved = atomic_load(&pass->unresolved),
+                                  .unresolved_steps = atomic_load(&pass->unresolved_steps)},
                          .stride = pass->range.stride,
                          .samples = pass->layer == LAYER_SHADED ? pass->range.last_sample + 1 : 1,
                          .progress = renderer_progress(pass->renderer),

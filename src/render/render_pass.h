@@ -54,6 +54,8 @@ typedef struct RenderPass {
     _Atomic uint64_t reflected;         /**< Reflected rays. */
     _Atomic uint64_t refracted;         /**< Refracted rays. */
     _Atomic uint64_t total_reflections; /**< Total reflections. */
+    _Atomic uint64_t unresolved;        /**< #RayCounts.unresolved */
+    _Atomic double unresolved_steps;    /**< #RayCounts.unresolved_steps */
     _Atomic uint64_t shadow;            /**< Shadow rays. */
 
     Layer layer;                      /**< The layer; the shaded picture is one of them. */

@@ -30,10 +30,13 @@ RenderSettings render_settings_default(const Scene *scene) {
         .height = scene->image.height,
         .samples = scene->image.samples,
         .encoding = scene->image.encoding,
-        .trace = {.depth = depth == IMAGE_DEPTH_AUTO ? estimate.depth : depth,
+        .trace = {.depth = depth != IMAGE_DEPTH_AUTO ? depth
+                           : estimate.depth > 0      ? DEPTH_MAXIMUM
+                                                     : 0,
                   .offset = OFFSET_BOUND,
                   .epsilon = report_epsilon,
-                  .footprint = RENDER_FOOTPRINT},
+                   .cutoff = scene->image.cutoff,
+                   .footprint = RENDER_FOOTPRINT},
     };
 }
 
@@ -53,6 +56,7 @@ TraceSettings renderer_trace_settings(const Renderer *renderer, const Renderer *
     TraceSettings trace = settings->trace;
     trace.samples = settings->samples;
     trace.is_unlit = settings->lighting == LIGHTING_UNLIT;
+    trace.encoding = settings->encoding;
     trace.parallel_for =
         (ParallelFor){renderer->thread_pool, settings->threads, parallel_for_thread_pool};
     trace.reuse_from =

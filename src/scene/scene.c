@@ -176,22 +176,45 @@ static bool scene_arena_copy_file(SceneArena *arena, const SceneFile *file, Scen
     return copy->path && copy->name && copy->location;
 }
 
-bool scene_add_mesh(Scene *scene, const SceneFile *file, size_t *index, Error *error) {
+/** Adds a mesh without content. @return The mesh; NULL if the block is full. */
+static SceneMesh *scene_append_mesh(Scene *scene, const SceneFile *file, Error *error) {
     SceneArena *arena = (SceneArena *)scene;
+    void *array = scene->meshes;
+    SceneMesh *added = scene_arena_append(arena, &array, &arena->mesh_capacity, scene->mesh_count,
+                                          sizeof *added, error);
+    if (!added || !scene_arena_copy_file(arena, file, &added->file, error)) {
+        return NULL;
+    }
+    scene->meshes = array;
+    scene->mesh_count++;
+    return added;
+}
+
+bool scene_add_mesh(Scene *scene, const SceneFile *file, size_t *index, Error *error) {
     for (*index = 0; *index < scene->mesh_count; (*index)++) {
         if (strcmp(scene->meshes[*index].file.path, file->path) == 0) {
             return true;
         }
     }
-    void *array = scene->meshes;
-    SceneMesh *added = scene_arena_append(arena, &array, &arena->mesh_capacity, scene->mesh_count,
-                                          sizeof *added, error);
-    if (!added || !scene_arena_copy_file(arena, file, &added->file, error)) {
-        return false;
+    return scene_append_mesh(scene, file, error) != NULL;
+}
+
+Mesh *scene_add_built_mesh(Scene *scene, const SceneFile *file, const Mesh *counts, size_t *index,
+                           Error *error) {
+    Mesh *mesh = scene_arena_allocate((SceneArena *)scene, mesh_block_size(counts), error);
+    SceneMesh *added = mesh ? scene_append_mesh(scene, file, error) : NULL;
+    if (!added) {
+        return NULL;
     }
-    scene->meshes = array;
-    scene->mesh_count++;
-    return true;
+    mesh->position_count = counts->position_count;
+    mesh->normal_count = counts->normal_count;
+    mesh->uv_count = counts->uv_count;
+    mesh->triangle_count = counts->triangle_count;
+    mesh->repairs = counts->repairs;
+    mesh_bind_arrays(mesh);
+    added->built = mesh;
+    *index = scene->mesh_count - 1;
+    return mesh;
 }
 
 bool scene_add_texture(Scene *scene, const SceneFile *file, size_t *index, Error *error) {
@@ -290,7 +313,7 @@ static bool scene_copy_meshes(SceneArena *arena, const Scene *scene, Error *erro
     SceneMesh *meshes = scene_arena_allocate(arena, 2 * count * sizeof *meshes, error);
     for (size_t i = 0; meshes && i < count; i++) {
         SceneFile file = scene->meshes[i].file;
-        meshes[i] = (SceneMesh){file, mesh_retain(scene->meshes[i].mesh)};
+        meshes[i] = (SceneMesh){.file = file, .mesh = mesh_retain(scene->meshes[i].mesh)};
         meshes[count + i] = (SceneMesh){.file = file};
     }
     arena->scene.meshes = meshes;

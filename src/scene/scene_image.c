@@ -43,14 +43,22 @@ static const Parameter scene_image_parameters[] = {
      .maximum = DEPTH_MAXIMUM,
      .unit = "times",
      .help = "how often a ray may be mirrored or refracted"},
+    {.name = "cutoff",
+     .type = PARAMETER_NUMBER,
+     .offset = offsetof(SceneImage, cutoff),
+     .minimum = 0,
+     .maximum = CUTOFF_MAXIMUM,
+     .unit = "8-bit steps",
+     .help = "how much all light may be worth that a pixel lacks; 0: no ray ends early"},
     {0}};
 
-/** 800 by 600 pixels, one sample per pixel, automatic depth. */
+/** 800 by 600 pixels, one sample per pixel, automatic depth, a quarter of a step. */
 static const SceneImage scene_image_defaults = {.width = 800,
                                                 .height = 600,
                                                 .encoding = ENCODING_SRGB,
                                                 .samples = 1,
-                                                .depth = IMAGE_DEPTH_AUTO};
+                                                .depth = IMAGE_DEPTH_AUTO,
+                                                .cutoff = CUTOFF_DEFAULT};
 
 const Keyword scene_image_keyword = {.name = "image",
                                      .help = "size and quality of the picture",

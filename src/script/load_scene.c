@@ -7,6 +7,7 @@
 
 #include "assets/images/texture_file.h"
 #include "assets/meshes/mesh_file.h"
+#include "base/scene_name.h"
 #include "script/asset_cache.h"
 #include "script/sanitize.h"
 #include "script/script_worker.h"
@@ -30,7 +31,23 @@ static bool set_file_error(const SceneFile *file, Error *error) {
 }
 
 /**
- * Reads the mesh files of a scene that are not yet read.
+ * Copies a mesh out of the block of a scene, and checks what the worker has written.
+ * @param built       The mesh in the block.
+ * @param[out] mesh   The copy, retained; NULL if it is not valid.
+ * @param[out] error  What is wrong.
+ * @return Whether it is valid.
+ */
+static bool copy_built_mesh(const Mesh *built, Mesh **mesh, Error *error) {
+    *mesh = mesh_translated(built, (Vec3d){0, 0, 0}, error);
+    if (*mesh && !mesh_validate(*mesh, error)) {
+        mesh_release(*mesh);
+        *mesh = NULL;
+    }
+    return *mesh != NULL;
+}
+
+/**
+ * Reads the meshes of a scene that are not yet read.
  * @param scene       The scene.
  * @param progress    Receives the progress, or NULL.
  * @param[out] error  What is wrong, with the line that names the file.
@@ -38,10 +55,12 @@ static bool set_file_error(const SceneFile *file, Error *error) {
  */
 static bool read_meshes(Scene *scene, const MeshProgress *progress, Error *error) {
     for (size_t i = 0; i < scene->mesh_count; i++) {
-        SceneMesh *scene_mesh = &scene->meshes[i];
-        if (!scene_mesh->mesh &&
-            !mesh_file_read(scene_mesh->file.path, progress, &scene_mesh->mesh, error)) {
-            return set_file_error(&scene_mesh->file, error);
+        SceneMesh *it = &scene->meshes[i];
+        bool is_read =
+            it->mesh || (it->built ? copy_built_mesh(it->built, &it->mesh, error)
+                                   : mesh_file_read(it->file.path, progress, &it->mesh, error));
+        if (!is_read) {
+            return set_file_error(&it->file, error);
         }
     }
     return true;
@@ -147,8 +166,9 @@ static bool check_fields(const Scene *scene, const Keyword *const *keywords, Err
 /** Creates the scene that a text describes. @return The scene; NULL on errors. */
 static Scene *load_text(const ScriptRequest *request, const ScriptText *text, Error *error) {
     Scene *scene = scene_create(error);
+    bool is_nff = scene_format_of(request->path) == SCENE_FORMAT_NFF;
     const ScriptCall call = {.request = request,
-                             .task = SCRIPT_SCENE_TASK,
+                             .task = is_nff ? SCRIPT_NFF_TASK : SCRIPT_SCENE_TASK,
                              .text = text,
                              .block = scene,
                              .capacity = SCENE_MEMORY_SIZE};

@@ -88,8 +88,7 @@ static void finish_result(const ScriptSandbox *sandbox, int status) {
     }
 }
 
-/** Sets the C locale for all but messages, so that scenes run the same on every system. */
-static void use_c_locale(void) {
+void script_run_use_c_locale(void) {
     static const int categories[] = {LC_COLLATE, LC_CTYPE, LC_MONETARY, LC_NUMERIC, LC_TIME};
     for (size_t i = 0; i < sizeof categories / sizeof *categories; i++) {
         setlocale(categories[i], "C");
@@ -102,7 +101,7 @@ void script_run_execute(ScriptRun *run) {
                              .context = run,
                              .memory_limit = run->request->memory_limit};
     int status = LUA_ERRMEM;
-    use_c_locale();
+    script_run_use_c_locale();
     if (script_sandbox_init(&sandbox)) {
         lua_State *L = sandbox.lua;
         lua_pushcfunction(L, handle_error);

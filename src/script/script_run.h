@@ -35,6 +35,9 @@ typedef struct ScriptRun {
     WorkerJob *job;                /**< The worker's job, which sends the report. */
 } ScriptRun;
 
+/** Sets the C locale for all but messages, so that scenes run the same on every system. */
+void script_run_use_c_locale(void);
+
 /**
  * Runs a text. Only for worker processes: it frees nothing, and it may never return.
  * @param[in,out] run  The run; its result and its report are filled.

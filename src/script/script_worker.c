@@ -6,6 +6,7 @@
 
 #include "assets/process/worker_process.h"
 #include "script/lesson_functions.h"
+#include "script/nff.h"
 #include "script/script_run.h"
 
 #include <libintl.h>
@@ -149,14 +150,19 @@ static ScriptText unpack_text(const ScriptJobHead *head) {
     return text;
 }
 
+/** Runs the text of a run, and fills its report. */
+typedef void ExecuteFunction(ScriptRun *run);
+
 /**
  * Runs a text.
  * @param job             The job; its report is set here, its block by the caller.
  * @param run             The run; its request is set here.
  * @param shape_keywords  The shapes that it may create; NULL ends the list.
+ * @param execute         Runs it.
  * @return Whether it ended without an error.
  */
-static bool run_job(WorkerJob *job, ScriptRun *run, const Keyword *const *shape_keywords) {
+static bool run_job(WorkerJob *job, ScriptRun *run, const Keyword *const *shape_keywords,
+                    ExecuteFunction *execute) {
     const ScriptJobHead *head = job->request;
     const ScriptText text = unpack_text(head);
     const ScriptRequest request = {.path = head->path,
@@ -174,11 +180,18 @@ static bool run_job(WorkerJob *job, ScriptRun *run, const Keyword *const *shape_
     job->report = run->result;
     job->report_size = script_result_size(run->result);
     worker_job_ready();
-    script_run_execute(run);
+    execute(run);
     return run->result->error.status == STATUS_OK;
 }
 
-void script_worker_scene(WorkerJob *job, const Keyword *const *shape_keywords) {
+/**
+ * Makes a scene of a text.
+ * @param job             The job.
+ * @param shape_keywords  The shapes that it may create; NULL ends the list.
+ * @param execute         Fills the scene.
+ */
+static void make_scene(WorkerJob *job, const Keyword *const *shape_keywords,
+                       ExecuteFunction *execute) {
     const ScriptJobHead *head = job->request;
     Error error;
     Scene *scene = scene_create_at(head->address, &error);
@@ -186,10 +199,18 @@ void script_worker_scene(WorkerJob *job, const Keyword *const *shape_keywords) {
         worker_exit_to_retry();
     }
     ScriptRun run = {.dialect = &scene_dialect, .scene = scene};
-    if (run_job(job, &run, shape_keywords)) {
+    if (run_job(job, &run, shape_keywords, execute)) {
         job->block = scene;
         job->block_size = scene_block_size(scene);
     }
+}
+
+void script_worker_scene(WorkerJob *job, const Keyword *const *shape_keywords) {
+    make_scene(job, shape_keywords, script_run_execute);
+}
+
+void script_worker_nff(WorkerJob *job) {
+    make_scene(job, scene_shape_keywords, nff_execute);
 }
 
 /** @return The names of actions in a request, ended by NULL. */
@@ -217,7 +238,7 @@ void script_worker_lesson(WorkerJob *job) {
                                  .move_count = head->move_count};
     LessonBuilder builder = {.lesson = lesson, .actions = &actions};
     ScriptRun run = {.dialect = &lesson_dialect, .lesson_builder = &builder};
-    if (run_job(job, &run, NULL)) {
+    if (run_job(job, &run, NULL, script_run_execute)) {
         job->block = lesson;
         job->block_size = lesson_block_size(lesson);
     }

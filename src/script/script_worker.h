@@ -11,12 +11,13 @@
 
 /** Names of the tasks, see #WorkerTask. */
 #define SCRIPT_SCENE_TASK "scene"
+#define SCRIPT_NFF_TASK "nff"       /**< See #SCRIPT_SCENE_TASK. */
 #define SCRIPT_LESSON_TASK "lesson" /**< See #SCRIPT_SCENE_TASK. */
 
 /** A text to run in a worker. */
 typedef struct ScriptCall {
     const ScriptRequest *request; /**< The request. */
-    const char *task;             /**< #SCRIPT_SCENE_TASK or #SCRIPT_LESSON_TASK. */
+    const char *task;             /**< One of the names of tasks. */
     const ScriptText *text;     /**< Names of the actions of lessons; NULL: the text is a scene. */
     const ActionNames *actions; /**< What a lesson can name; NULL: it is a scene. */
     void *block; /**< Memory for the scene or lesson. The worker creates it at the same address, so
@@ -38,6 +39,9 @@ bool script_worker_run(const ScriptCall *call, Error *error);
  * @param shape_keywords  The shapes that it may create; NULL ends the list.
  */
 void script_worker_scene(WorkerJob *job, const Keyword *const *shape_keywords);
+
+/** Reads a scene in NFF; the worker's side. @param job The job. */
+void script_worker_nff(WorkerJob *job);
 
 /** Runs the text of a lesson; the worker's side. @param job The job. */
 void script_worker_lesson(WorkerJob *job);

@@ -8,13 +8,16 @@
  */
 // The recursion: camera rays, hits, direct light, reflection, refraction.
 #include "trace/tracer/camera.c"
+#include "trace/tracer/loss_budget.c"
 #include "trace/tracer/packet.c"
 #include "trace/tracer/packet_merge.c"
 #include "trace/tracer/report_methods.c"
+#include "trace/tracer/retrace.c"
 #include "trace/tracer/secondary_rays.c"
 #include "trace/tracer/tile.c"
 #include "trace/tracer/tracer.c"
 // Light and materials.
+#include "trace/glass/contact.c"
 #include "trace/glass/dielectric.c"
 #include "trace/glass/interior_list.c"
 #include "trace/lights/cylinder_light.c"
@@ -31,6 +34,7 @@
 // Shapes.
 #include "trace/shapes/aabb.c"
 #include "trace/shapes/box.c"
+#include "trace/shapes/cone.c"
 #include "trace/shapes/cylinder.c"
 #include "trace/shapes/disk.c"
 #include "trace/shapes/mesh.c"

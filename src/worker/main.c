@@ -20,6 +20,7 @@ static void run_scene(WorkerJob *job) {
 /** The worker program. @return EXIT_FAILURE if it is not started by `dioptre`. */
 int main(int argc, char **argv) {
     static const WorkerTask tasks[] = {{SCRIPT_SCENE_TASK, run_scene},
+                                       {SCRIPT_NFF_TASK, script_worker_nff},
                                        {SCRIPT_LESSON_TASK, script_worker_lesson},
                                        {IMAGE_WORKER_TASK, image_worker_run},
                                        {MESH_WORKER_TASK, mesh_worker_read},

@@ -10,6 +10,7 @@
 
 #include "lab/charts/pareto_front.h"
 #include "lab/needs/image_difference.h"
+#include "lab/needs/scaled_tolerance.h"
 #include "lab/score_stats.h"
 #include "render/rounding_witness.h"
 

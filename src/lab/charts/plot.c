@@ -50,6 +50,24 @@ static const char *quoted(const char *text, char *buffer, size_t size) {
     return buffer;
 }
 
+/** Most letters of a line of a title: as many as a panel of points is wide. */
+enum { TITLE_LETTERS = 92 };
+
+/** @return A title for double quotes in a script, broken into lines at blanks. */
+static const char *quoted_in_lines(const char *text, char *buffer, size_t size) {
+    size_t at = 0, line = 0;
+    for (; *text && at + 3 < size; text++, line++) {
+        bool is_break = *text == ' ' && line + strcspn(text + 1, " ") >= TITLE_LETTERS;
+        if (is_break || strchr("\"\\`", *text)) {
+            buffer[at++] = '\\';
+        }
+        buffer[at++] = is_break ? 'n' : *text;
+        line = is_break ? 0 : line;
+    }
+    buffer[at] = '\0';
+    return buffer;
+}
+
 /* --- axes ----------------------------------------------------------------------------------------
  */
 
@@ -154,8 +172,8 @@ static void write_ranges(const PlotAxes *axes, double y_ticks, FILE *script) {
 static void write_titles(const PlotPanel *panel, const char *title_font, const char *y_font,
                          FILE *script) {
     char text[512];
-    fprintf(script, "set title '%s' noenhanced%s\n", quoted(panel->title, text, sizeof text),
-            title_font);
+    fprintf(script, "set title \"%s\" noenhanced%s\n",
+            quoted_in_lines(panel->title, text, sizeof text), title_font);
     fprintf(script, "set xlabel '%s' noenhanced\n", quoted(panel->x_label, text, sizeof text));
     fprintf(script, "set ylabel '%s' noenhanced%s\n", quoted(panel->y_label, text, sizeof text),
             y_font);
@@ -245,7 +263,9 @@ static void write_point_labels(const PlotPanel *panel, const PlotAxes *axes, FIL
         if (plot_label_is_displaced(&at, &labels[i])) {
             fprintf(script,
                     "set arrow from graph %g,%g to graph %g,%g nohead lc rgb '#aaaaaa' lw 0.7\n",
-                    at.left / wide, at.top / high, (labels[i].left - 1) / wide, middle / high);
+                    at.left / wide, at.top / high,
+                    (labels[i].left > at.left ? labels[i].left - 1 : labels[i].right + 1) / wide,
+                    middle / high);
         }
         fprintf(script, "set label '%s' at graph %g,%g left font ',12' textcolor rgb '%s'\n",
                 point_label_text(point, text, sizeof text), labels[i].left / wide, middle / high,
@@ -299,7 +319,7 @@ static void write_point_panel(const Plot *plot, size_t index, FILE *script) {
     PlotAxes axes = point_axes(panel);
     double wide = POINTS_WIDTH * (double)plot->panel_count, left = POINTS_WIDTH * (double)index;
     fputs("unset label\nunset arrow\n", script);
-    write_titles(panel, " font ',13'", " font ',12' offset 1", script);
+    write_titles(panel, " font ',12'", " font ',12' offset 1", script);
     fprintf(script,
             "set lmargin at screen %g\nset rmargin at screen %g\nset bmargin at screen %g\n"
             "set tmargin at screen %g\n",

@@ -68,8 +68,10 @@ enum { LABEL_HEIGHT = 14, CHARACTER_WIDTH = 7 };
 enum { LABEL_GAP = 6, LABEL_RISE = 9 };
 /** Pixels from the centre of a point's sign to its sides. */
 enum { POINT_RADIUS = 5 };
-/** How many positions are tried for a name. */
-enum { LABEL_POSITIONS = 80 };
+/** Pixels between two positions that are tried for a name, along x and along y. */
+enum { LABEL_STEP_X = 28, LABEL_STEP_Y = LABEL_HEIGHT / 2 };
+/** How many positions are tried on each side, to the left and right, above and below. */
+enum { LABEL_STEPS_X = 20, LABEL_STEPS_Y = 60 };
 
 LabelBox plot_point_position(const PlotPoint *point, const PlotAxes *axes) {
     double right = log(point->x / axes->x_left) / log(axes->x_right / axes->x_left);
@@ -89,6 +91,21 @@ static bool overlaps_any(const LabelBox *box, const LabelBox *others, size_t cou
     return is_any;
 }
 
+/** @return A position of a name. @param wide Its width, pixels. @param x Steps to the right, or
+ * from -1 on to the left. @param y Steps up. */
+static LabelBox label_box_at(const LabelBox *at, double wide, int x, int y) {
+    double left = x >= 0 ? at->left + LABEL_GAP + x * LABEL_STEP_X
+                         : at->left - LABEL_GAP - wide + (x + 1) * LABEL_STEP_X;
+    double middle = at->top + LABEL_RISE + y * LABEL_STEP_Y;
+    return (LabelBox){left, left + wide, middle - LABEL_HEIGHT / 2.0, middle + LABEL_HEIGHT / 2.0};
+}
+
+/** @return Whether a name is inside the panel. */
+static bool label_is_inside(const LabelBox *label) {
+    return label->left > 0 && label->right < POINTS_INNER_WIDTH + POINTS_RIGHT &&
+           label->bottom > 0 && label->top < POINTS_INNER_HEIGHT + LABEL_HEIGHT;
+}
+
 void plot_point_labels(const PlotPanel *panel, const PlotAxes *axes,
                        LabelBox labels[PLOT_POINTS_MAXIMUM]) {
     LabelBox points[PLOT_POINTS_MAXIMUM];
@@ -99,21 +116,26 @@ void plot_point_labels(const PlotPanel *panel, const PlotAxes *axes,
     }
     for (size_t i = 0; i < panel->point_count; i++) {
         LabelBox at = plot_point_position(&panel->points[i], axes);
-        double wide = CHARACTER_WIDTH * (double)strlen(panel->points[i].label);
-        bool is_free = false;
-        for (int try = 0; try < LABEL_POSITIONS && !is_free; try++) {
-            double shift = (try % 2 ? 1 : -1) * ((try + 1) / 2) * (LABEL_HEIGHT / 2.0);
-            double middle = at.top + LABEL_RISE + shift, left = at.left + LABEL_GAP;
-            labels[i] = (LabelBox){left, left + wide, middle - LABEL_HEIGHT / 2.0,
-                                   middle + LABEL_HEIGHT / 2.0};
-            is_free = labels[i].bottom > 0 && labels[i].top < POINTS_INNER_HEIGHT + LABEL_HEIGHT &&
-                      !overlaps_any(&labels[i], labels, i) &&
-                      !overlaps_any(&labels[i], points, panel->point_count);
+        double wide = CHARACTER_WIDTH * ((double)strlen(panel->points[i].label) + 0.5);
+        double best = INFINITY;
+        labels[i] = label_box_at(&at, wide, 0, 0);
+        for (int n = 0; n < 2 * LABEL_STEPS_X * 2 * LABEL_STEPS_Y; n++) {
+            int x = n % (2 * LABEL_STEPS_X) - LABEL_STEPS_X;
+            int y = n / (2 * LABEL_STEPS_X) - LABEL_STEPS_Y;
+            LabelBox label = label_box_at(&at, wide, x, y);
+            // The right side first, then what is nearest.
+            double away = hypot((x < 0 ? -x : x) * LABEL_STEP_X, y * LABEL_STEP_Y);
+            if (away < best && label_is_inside(&label) && !overlaps_any(&label, labels, i) &&
+                !overlaps_any(&label, points, panel->point_count)) {
+                labels[i] = label;
+                best = away;
+            }
         }
     }
 }
 
 bool plot_label_is_displaced(const LabelBox *point, const LabelBox *label) {
     double middle = (label->bottom + label->top) / 2;
-    return fabs(middle - point->top - LABEL_RISE) > LABEL_HEIGHT / 2.0;
+    return fabs(middle - point->top - LABEL_RISE) > LABEL_HEIGHT / 2.0 ||
+           label->left > point->left + 2 * LABEL_GAP || label->right < point->left - 2 * LABEL_GAP;
 }

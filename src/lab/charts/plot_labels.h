@@ -21,7 +21,7 @@ typedef struct PlotAxes {
 /** Pixels of a panel of points. */
 enum { POINTS_WIDTH = 660, POINTS_HEIGHT = 600 };
 /** Pixels around the axes of a panel of points. */
-enum { POINTS_LEFT = 90, POINTS_RIGHT = 15, POINTS_TOP = 75, POINTS_BOTTOM = 80 };
+enum { POINTS_LEFT = 90, POINTS_RIGHT = 15, POINTS_TOP = 90, POINTS_BOTTOM = 80 };
 /** Pixels inside the axes of a panel of points. */
 enum {
     POINTS_INNER_WIDTH = POINTS_WIDTH - POINTS_LEFT - POINTS_RIGHT,
@@ -46,7 +46,7 @@ typedef struct LabelBox {
     double top;    /**< Upper side. */
 } LabelBox;
 
-/** Places the names of points: beside them, or as little above or below as there is room. */
+/** Places the names of points: as near to them as there is room, to the right if possible. */
 void plot_point_labels(const PlotPanel *panel, const PlotAxes *axes,
                        LabelBox labels[PLOT_POINTS_MAXIMUM]);
 

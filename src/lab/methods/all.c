@@ -8,6 +8,7 @@
 #include "lab/methods/domain_repetition.c"
 #include "lab/methods/fresnel.c"
 #include "lab/methods/gradient.c"
+#include "lab/methods/intersectors.c"
 #include "lab/methods/number_type.c"
 #include "lab/methods/plane.c"
 #include "lab/methods/ray_offset.c"

@@ -144,7 +144,7 @@ METHOD(cylinder_solid_interval, CylinderInput, CylinderOutput) {
  *   an end: t = ((y < 0 ? 0 : e.e) - e.f) / e.d, where |k1 + k2 t| < sqrt(k1^2 - k2 k0)
  *
  * As he has it, only the first hit from outside; here each root and each end is tried. Squares of
- * squares are subtracted, and at the rim each part rounds on its own.
+ * squares are subtracted. At the rim each part rounds on its own, and equality is a miss for both.
  */
 METHOD(cylinder_quilez, CylinderInput, CylinderOutput) {
     CylinderOutput out = {.distance = INFINITE};

@@ -5,6 +5,7 @@
  * In the formulas c is the cosine of the angle of incidence, n the relative index of refraction, ct
  * the cosine of the angle of refraction.
  */
+#include "trace/materials/fresnel.h"
 #include "lab/methods/family.h"
 
 /** Light at a surface. */
@@ -102,6 +103,16 @@ METHOD(fresnel_smaller_fraction, FresnelInput, FresnelOutput) {
                           reflectance < transmittance ? reflectance : 1 - transmittance);
 }
 
+/**
+ * The tracer's own function, #refraction_at, in one lane: it computes the refracted direction, too.
+ */
+METHOD(fresnel_dioptre, FresnelInput, FresnelOutput) {
+    // The normal is y, so that the cosine of incidence is the input to the bit.
+    real sine = real_sqrt((1 - in->cosine) * (1 + in->cosine));
+    Vec3 incident = {sine, -in->cosine, 0}, normal = {0, 1, 0};
+    return (FresnelOutput){refraction_at(incident, normal, 1, in->index, 0).reflectance};
+}
+
 const MethodFamily fresnel_family = {
     FAMILY("fresnel", FresnelInput, FresnelOutput),
     (const Method[]){
@@ -110,4 +121,5 @@ const MethodFamily fresnel_family = {
         {"Schlick by the inner cosine", "inner cosine", fresnel_schlick_wrong_cosine_run},
         {"exact", "exact", fresnel_exact_run},
         {"exact by both shares", "both shares", fresnel_smaller_fraction_run},
+        {"dioptre", "dioptre", fresnel_dioptre_run},
         {0}}};

@@ -39,69 +39,67 @@ static const char *type_name(const Engine *engine) {
     return engine->mantissa_bits < 53 ? "float" : engine->mantissa_bits == 53 ? "double" : "quad";
 }
 
-/** Bytes of an ordinal number, with its final zero. */
-enum { ORDINAL_SIZE = 24 };
+/* --- the number type ----------------------------------------------------------------------------
+ */
 
-/** @return The ordinal of a number. @param n At least 0. */
-static const char *format_ordinal(int n, char words[ORDINAL_SIZE]) {
-    // French has a special form for 1, but not for 21.
-    static const char *const forms[] = {N_("%dth"), N_("%dst"), N_("%dnd"), N_("%drd"), N_("1st")};
-    int last = n % 10;
-    int form = n / 10 % 10 == 1 || last > 3 ? 0 : last;
-    snprintf(words, ORDINAL_SIZE, gettext(forms[n == 1 ? 4 : form]), n);
-    return words;
-}
-
-/** Explains the estimate: why float is sufficient, or not. */
-static void append_cause(TextBuffer *text, const PrecisionEstimate *forecast, bool is_enough) {
-    if (is_enough && forecast->max_distance_in_radii > 0) {
-        append_format(text, "the farthest thing is %.3g of its radii away",
-                      forecast->max_distance_in_radii);
-        return;
+/** Says by experiment what makes float fail. */
+static void append_float_cause(TextBuffer *text, const Needs *needs) {
+    size_t off = needs->float_trial.off, straight = needs->float_depth_0_trial.off;
+    size_t unlit = needs->float_unlit_trial.off;
+    if (needs->is_recursive) {
+        append_format(
+            text,
+            ". Without any turn of a ray %zu would be off, and without lights and shadows "
+            "as well %zu",
+            straight, unlit);
+    } else {
+        append_format(text, ". Without lights and shadows %zu would be off", unlit);
     }
-    static const char *const causes[PRECISION_CAUSE_COUNT] = {
-        [PRECISION_DISTANCE] = N_("the farthest thing is too many of its radii away"),
-        [PRECISION_PIXEL_ANGLE] = N_("a pixel is hardly wider than an ulp of a ray's direction"),
-        [PRECISION_POSITION] = N_("coordinates are so large that an ulp of them is seen"),
-        [PRECISION_RAY_DIVERGENCE] = N_("curved mirrors and glass drive rays apart at each turn"),
-        [PRECISION_HORIZON] = N_("towards the horizon the texels of a picture crowd in a pixel"),
-        [PRECISION_FRACTAL] = N_("a fractal turns its normals within a tolerance"),
-        [PRECISION_THIN_GLASS] = N_("walls of glass are as thin as roundings of their coordinates"),
-        [PRECISION_SHADOW_TERMINATOR] =
-            N_("faces of models that lamps graze are lit or dark as roundings have it")};
-    append_text(text, is_enough ? N_("no length of the scene is large against another")
-                                : causes[forecast->cause]);
+    if (2 * unlit >= off) {
+        append_text(text, N_(": float misses the places that rays meet, or their textures"));
+    } else if (2 * straight >= off) {
+        append_text(text, N_(": float misses shades and shadows"));
+    } else {
+        append_text(text, N_(": each turn of a ray magnifies the roundings of float"));
+    }
 }
 
 /** Names the sufficient number type. */
 static void append_number_type(TextBuffer *text, const Needs *needs) {
-    const NeedsEngine *chosen = &needs->engines[needs->engine], *fast = &needs->engines[0];
-    bool is_float = needs->engine == 0;
-    bool is_forecast = precision_estimate_error(&needs->forecast) < PRECISION_VISIBLE_ERROR;
-    append_format(text, "%c%s is enough: ", type_name(chosen->engine)[0] - 'a' + 'A',
-                  type_name(chosen->engine) + 1);
-    if (is_float == is_forecast) {
-        append_cause(text, &needs->forecast, is_float);
-    } else {
-        append_format(text, "the pilot says so against the forecast of %.2g steps",
-                      precision_estimate_error(&needs->forecast));
+    const NeedsTrial *trial = &needs->float_trial;
+    if (needs->settings.engine->mantissa_bits < needs->reference.engine->mantissa_bits) {
+        append_format(text,
+                      "Float is enough: double would take %.2g times as long and change %zu of %zu "
+                      "pixels by %g steps or more, none by more than %.2g",
+                      needs->double_over_float_seconds, trial->off, trial->pixels,
+                      needs->error_steps, trial->max_steps);
+        return;
     }
-    double ratio = needs->engines[1].cpu_seconds / fast->cpu_seconds;
-    if (is_float) {
-        append_format(
-            text,
-            "; it is off by %.2g steps at most, and double would take %.2g times as long and "
-            "change nothing that can be seen",
-            fast->trial.max_steps, ratio);
-    } else {
-        append_format(
-            text,
-            "; float would take %.2g times as long and be off by up to %.2g steps in %zu of %zu "
-            "rays",
-            1 / ratio, fast->trial.max_steps, fast->trial.visible + fast->trial.outliers,
-            fast->trial.rays);
+    append_text(text, needs_is_refuted(needs) ? N_("Double is best: ") : N_("Double is enough: "));
+    append_format(
+        text,
+        "float would take %.2g times as long and put %zu of %zu pixels off by %g steps or "
+        "more, by up to %.2g",
+        1 / needs->double_over_float_seconds, trial->off, trial->pixels, needs->error_steps,
+        trial->max_steps);
+    if (needs->has_float_cause) {
+        append_float_cause(text, needs);
     }
 }
+
+/** Says which engine of the number type is taken. */
+static void append_engine(TextBuffer *text, const Needs *needs) {
+    if (needs->settings.engine != needs->default_engine) {
+        append_format(
+            text,
+            ". %s has the same bits as %s, which is taken by default, and was %.2g times as "
+            "fast here",
+            needs->settings.engine->name, needs->default_engine->name, needs->engine_ratio);
+    }
+}
+
+/* --- depth, cutoff and tolerances ---------------------------------------------------------------
+ */
 
 /** Explains the depth. */
 static void append_depth(TextBuffer *text, const Needs *needs) {
@@ -109,57 +107,156 @@ static void append_depth(TextBuffer *text, const Needs *needs) {
         append_format(text, ". Depth 0: nothing mirrors and nothing lets light through");
         return;
     }
-    char words[ORDINAL_SIZE];
-    append_format(text, ". Depth %d: the %s turn of a ray is worth %.2g steps at most",
-                  needs->depth, format_ordinal(needs->depth + 1, words),
+    append_format(text,
+                  ". Depth %d: more turns of rays change %zu of %zu pixels, by up to %.2g steps",
+                  needs->settings.depth, needs->depth_trial.off, needs->depth_trial.pixels,
                   needs->depth_trial.max_steps);
-    if (needs->depth > 0) {
-        append_format(text, ", the %s still %.2g", format_ordinal(needs->depth, words),
-                      needs->shallower_trial.max_steps);
+    if (needs->settings.depth > 0) {
+        append_format(text, "; one turn less leaves %zu off, by up to %.2g",
+                      needs->shallower_trial.off, needs->shallower_trial.max_steps);
     }
-    if (needs->scene_depth >= 0 && needs->scene_depth < needs->depth) {
-        append_format(text, "; the scene's own %d leaves up to %.3g", needs->scene_depth,
+    if (needs->scene_depth >= 0 && needs->scene_depth < needs->settings.depth) {
+        append_format(text, "; the scene's own %d leaves %zu off, by up to %.3g",
+                      needs->scene_depth, needs->scene_depth_trial.off,
                       needs->scene_depth_trial.max_steps);
-    }
-    if (needs->cutoff_trial.visible > 0) {
-        append_format(
-            text,
-            ". Light is so bright here that rays count which end at a share of 0.00015: by %.2g "
-            "steps in %zu of %zu",
-            needs->cutoff_trial.max_steps, needs->cutoff_trial.visible, needs->cutoff_trial.rays);
     }
 }
 
-/** Explains tolerances, offset and samples. */
-static void append_other_settings(TextBuffer *text, const Needs *needs) {
-    if (needs->has_sdf && needs_trial_fails(&needs->tolerance_trial)) {
+/** Explains the cutoff. */
+static void append_cutoff(TextBuffer *text, const Needs *needs) {
+    if (needs->is_recursive) {
+        append_format(text,
+                      ". Cutoff %g: the rays that it ends change %zu of %zu pixels, by up to %.2g "
+                      "steps; a cutoff of %g would leave %zu off",
+                      needs->settings.cutoff, needs->cutoff_trial.off, needs->cutoff_trial.pixels,
+                      needs->cutoff_trial.max_steps, needs->coarser_cutoff,
+                      needs->coarser_cutoff_trial.off);
+    }
+}
+
+/** Explains tolerances. */
+static void append_tolerance(TextBuffer *text, const Needs *needs) {
+    if (!needs->has_sdf) {
+        return;
+    }
+    if (!needs->is_tolerance_sufficient) {
         append_format(
             text,
-            ". Finer tolerances of the fields would still change %zu of %zu rays, by up to %.2g "
-            "steps",
-            needs->tolerance_trial.visible, needs->tolerance_trial.rays,
-            needs->tolerance_trial.max_steps);
-    } else if (needs->has_sdf) {
-        append_format(
-            text, ". Tolerances of the fields may be %g times as coarse: that is worth %.2g steps",
-            needs->tolerance, needs->tolerance_trial.max_steps);
-    }
-    double wrong = (double)(needs->offset_none_trial.visible + needs->offset_none_trial.outliers);
-    append_format(
-        text,
-        ". Rays must start a bound away from surfaces: at the surface itself %.2g %% of them "
-        "would be wrong",
-        100 * wrong / (double)needs->offset_none_trial.rays);
-    append_format(
-        text, ngettext(". %d ray a pixel: ", ". %d rays a pixel: ", (unsigned long)needs->samples),
-        needs->samples);
-    if (needs->samples_fraction > 0) {
-        append_format(text,
-                      "four times as many would still change %.2g %% of the pixels, by "
-                      "%.2g steps",
-                      100 * needs->samples_fraction, needs->samples_rms);
+            ". The scene's own tolerances leave %zu of %zu pixels off, by up to %.2g steps, "
+            "and those %g times as large still %zu: they are taken as they are",
+            needs->own_tolerance_trial.off, needs->own_tolerance_trial.pixels,
+            needs->own_tolerance_trial.max_steps, needs->finest_tolerance,
+            needs->finest_tolerance_trial.off);
     } else {
-        append_format(text, "more would change nothing");
+        append_format(
+            text,
+            ". Tolerances of the fields %g times the scene's: finer ones change %zu of %zu "
+            "pixels, by up to %.2g steps",
+            needs->settings.tolerance, needs->tolerance_trial.off, needs->tolerance_trial.pixels,
+            needs->tolerance_trial.max_steps);
+    }
+    append_format(text, "; %g times as coarse, %zu would be off, by up to %.2g",
+                  needs->coarser_tolerance / needs->settings.tolerance,
+                  needs->coarser_tolerance_trial.off, needs->coarser_tolerance_trial.max_steps);
+}
+
+/* --- offset and rays per pixel ------------------------------------------------------------------
+ */
+
+/** Explains the ray offset. */
+static void append_offset(TextBuffer *text, const Needs *needs) {
+    const NeedsTrial *none = &needs->offset_trials[OFFSET_NONE];
+    if (needs->settings.offset != OFFSET_BOUND) {
+        append_format(
+            text,
+            ". Offset %s: it changes %zu of %zu pixels and takes %.2g times as long as the "
+            "bound of each point",
+            offset_strategy_names[needs->settings.offset],
+            needs->offset_trials[needs->settings.offset].off, none->pixels, needs->offset_ratio);
+    } else if (needs_trial_fails(none)) {
+        append_format(text,
+                      ". Rays start a bound away from surfaces: from the surface itself %zu of %zu "
+                      "pixels would be off",
+                      none->off, none->pixels);
+    } else {
+        append_format(text,
+                      ". Rays start a bound away from surfaces: from the surface itself %zu of %zu "
+                      "pixels would be off, but that saves no time",
+                      none->off, none->pixels);
+    }
+}
+
+/** Explains the rays per pixel. */
+static void append_samples(TextBuffer *text, const Needs *needs) {
+    const NeedsNoise *asked = &needs->noise[0], *last = &needs->noise[needs->noise_count - 1];
+    int samples = needs->settings.samples;
+    for (int i = 0; i < needs->noise_count; i++) {
+        asked = needs->noise[i].samples == samples ? &needs->noise[i] : asked;
+    }
+    append_format(text,
+                  ngettext(". %d ray a pixel: ", ". %d rays a pixel: ", (unsigned long)samples),
+                  samples);
+    append_format(text, "four times as many change %zu of %zu pixels, by up to %.2g steps",
+                  asked->trial.off, asked->trial.pixels, asked->trial.max_steps);
+    if (needs->is_noise_sufficient && samples > needs->asked_samples) {
+        append_format(text, "; the %d of the scene leave %zu off", needs->asked_samples,
+                      needs->noise[0].trial.off);
+    } else if (!needs->is_noise_sufficient && last->samples > samples) {
+        append_format(
+            text,
+            ". So the picture can be told from a better one by its noise; %d rays take %d "
+            "times as long and still leave %zu off",
+            last->samples, last->samples / samples, last->trial.off);
+    } else if (!needs->is_noise_sufficient) {
+        append_text(text, N_(". So the picture can be told from a better one by its noise"));
+    }
+}
+
+/* --- all together -------------------------------------------------------------------------------
+ */
+
+/** Tells what whole pictures refuted. */
+static void append_corrections(TextBuffer *text, const Needs *needs) {
+    for (int i = 0; i < needs->correction_count; i++) {
+        const NeedsCorrection *correction = &needs->corrections[i];
+        char before[64];
+        const NeedsSettings *settings = &correction->before;
+        switch (correction->setting) {
+        case NEEDS_ENGINE:
+            snprintf(before, sizeof before, "%s", settings->engine->name);
+            break;
+        case NEEDS_DEPTH:
+            snprintf(before, sizeof before, gettext("depth %d"), settings->depth);
+            break;
+        case NEEDS_CUTOFF:
+            snprintf(before, sizeof before, gettext("cutoff %g"), settings->cutoff);
+            break;
+        case NEEDS_OFFSET:
+            snprintf(before, sizeof before, gettext("offset %s"),
+                     offset_strategy_names[settings->offset]);
+            break;
+        case NEEDS_TOLERANCE:
+        case NEEDS_SETTING_COUNT:
+            snprintf(before, sizeof before, gettext("tolerance %g"), settings->tolerance);
+            break;
+        }
+        append_format(
+            text, ". A whole picture refuted %s: %zu of %zu pixels were off, and %zu without it",
+            before, correction->trial.off, correction->trial.pixels, correction->without.off);
+    }
+}
+
+/** Says what no setting cures. */
+static void append_refuted(TextBuffer *text, const Needs *needs) {
+    for (int i = 0; i < needs->check_count; i++) {
+        const NeedsCheck *check = &needs->checks[i];
+        if (needs_trial_fails(&check->trial)) {
+            append_format(text,
+                          ". Against %s %zu of %zu pixels are still off, by up to %.2g steps: no "
+                          "setting but that number type is finer",
+                          type_name(check->reference), check->trial.off, check->trial.pixels,
+                          check->trial.max_steps);
+        }
     }
 }
 
@@ -167,9 +264,13 @@ void needs_explain(const Needs *needs, char *words, size_t size) {
     TextBuffer text = {words, size};
     words[0] = 0;
     append_number_type(&text, needs);
+    append_engine(&text, needs);
     append_depth(&text, needs);
-    append_other_settings(&text, needs);
-    append_format(&text, ". All this takes %.2g times less than everything on.",
-                  needs->reference_cpu_seconds /
-                      needs->engines[needs->engine < 2 ? needs->engine : 1].cpu_seconds);
+    append_cutoff(&text, needs);
+    append_tolerance(&text, needs);
+    append_offset(&text, needs);
+    append_samples(&text, needs);
+    append_corrections(&text, needs);
+    append_refuted(&text, needs);
+    append_format(&text, ". Everything on would take %.2g times as long.", needs->reference_ratio);
 }

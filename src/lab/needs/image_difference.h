@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Compares renders: differences of colour, rays on other paths, and noise.
+ * @brief Compares renders: differences of colour, and rays on other paths.
  *
  * A ray that passes an edge on its other side sees another surface, in any number type. Such a
  * pixel shows another sample of the edge, not a wrong colour. So colours are compared where both
@@ -38,37 +38,5 @@ ImageDifference image_difference_of(const SampledRender *a, const SampledRender 
 
 /** @return The difference of two colours in 8-bit steps, in the channel where it is largest. */
 double image_difference_steps(const double a[3], const double b[3], Encoding encoding);
-
-/** Rotation of the camera in pixels: an edge that moves by so little is not noticed. */
-#define OUTLIER_CAMERA_SHIFT (1.0 / 64)
-
-/**
- * Counts outliers: rays on another path with a visible difference, which the reference shows in no
- * direction even after the camera is rotated by up to #OUTLIER_CAMERA_SHIFT.
- * @param reference         How the reference was rendered.
- * @param reference_render  The reference.
- * @param render            The render whose outliers are counted.
- * @return false if anything is wrong.
- */
-bool outliers_count(const RenderContext *render_context, const Variant *reference,
-                    const SampledRender *reference_render, const SampledRender *render,
-                    size_t *outliers, Error *error);
-
-/** The noise that a number of samples leaves. */
-typedef struct SamplingError {
-    int samples;     /**< Rays per pixel. */
-    double rms;      /**< RMS change with four times as many, of pixels that change visibly; 8-bit
-                          steps. */
-    double fraction; /**< Fraction of the pixels that change visibly. */
-} SamplingError;
-
-/**
- * Measures the noise of a variant against four times as many samples; while half as many leave no
- * visible noise, takes half.
- * @param variant  #TraceSettings.samples are those to begin with.
- * @return false if anything is wrong.
- */
-bool sampling_error_measure(const RenderContext *render_context, const Variant *variant,
-                            SamplingError *sampling_error, Error *error);
 
 #endif

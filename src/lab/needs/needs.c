@@ -1,87 +1,114 @@
 /**
  * @file
- * @brief Finds what a scene needs: depth, tolerances, number type, in this order; then their cost.
+ * @brief Finds what a scene needs: each setting by itself, on a whole small picture.
  */
 #include "lab/needs/needs.h"
 
-#include "lab/needs/image_difference.h"
+#include "base/language.h"
+#include "lab/needs/scaled_tolerance.h"
+#include "lab/needs/search.h"
 
-/** Depth of the reference: a larger one changes nothing. */
-enum { REFERENCE_DEPTH = 128 };
-/** Throughput at which the reference's rays end: a fifteenth of the tracer's default. */
-#define REFERENCE_CUTOFF 1e-5
+/** Largest pictures on which single settings are tried. */
+static const StageSize trial_size = {160, 4};
+/** CPU time of the reference of those, seconds: some twenty pictures are tried, most of them
+ *  faster. */
+#define TRIAL_SECONDS 0.5
 
-/** Rays per pixel when number types are compared: each samples soft lights differently. */
-enum { ROUNDING_SAMPLES = 4 };
+/** Width of the picture that shows how long a ray takes. */
+enum { PROBE_WIDTH = 40 };
 
-/** How often each variant is timed, in turn with the others; the least time counts. */
-enum { TIMING_REPEATS = 3 };
-
-/** Tolerances of the reference over the scene's own. */
-#define REFERENCE_TOLERANCE (1.0 / 16)
-
-/** A search in progress. */
-typedef struct NeedsSearch {
-    const NeedsRequest *request; /**< What is wanted. */
-    RenderContext context;       /**< The scene and the pixels that are rendered. */
-    Variant best;                /**< The cheapest sufficient variant so far, in double. */
-    Encoding encoding;           /**< How light is displayed. */
-    Needs *needs;                /**< The result. */
-} NeedsSearch;
+/** Coarsest factor of tolerances that is tried. */
+#define TOLERANCE_COARSEST 1024.0
+/** Coarsest cutoff that is tried. */
+#define CUTOFF_COARSEST (64 * CUTOFF_DEFAULT)
 
 bool needs_trial_fails(const NeedsTrial *trial) {
-    return (double)(trial->visible + trial->outliers) >
-           NEEDS_FRACTION_MAXIMUM * (double)trial->rays;
+    return (double)trial->off > NEEDS_FRACTION_MAXIMUM * (double)trial->pixels;
 }
 
-double needs_trial_certainty(const NeedsTrial *trial) {
-    /** -ln 0.05: if one ray in n were wrong, 3 n rays would show none with probability 0.05. */
-    const double rule_of_three = 3;
-    return (double)trial->rays / rule_of_three;
+bool needs_is_refuted(const Needs *needs) {
+    bool is_refuted = false;
+    for (int i = 0; i < needs->check_count; i++) {
+        is_refuted = is_refuted || needs_trial_fails(&needs->checks[i].trial);
+    }
+    return is_refuted;
 }
 
-/** @return A trial without outliers. */
-static NeedsTrial trial_from_difference(const ImageDifference *difference) {
-    return (NeedsTrial){.rays = difference->rays,
-                        .max_steps = difference->max_steps,
-                        .visible = difference->visible,
-                        .edge_flips = difference->edge_flips};
+void search_report(const NeedsSearch *search, const char *what) {
+    if (search->request->report) {
+        search->request->report(search->request->context, what);
+    }
 }
 
-/** Tries a variant against a reference of the same number type, without outliers. @return false if
- *  anything is wrong. */
-static bool try_same_precision(const NeedsSearch *search, const Variant *variant,
-                               const SampledRender *reference_render, NeedsTrial *trial,
-                               Error *error) {
-    SampledRender render;
-    if (!render_samples(&search->context, variant, &render, error)) {
+/* --- stages -------------------------------------------------------------------------------------
+ */
+
+/** @return A stage of a size, no larger than what is asked for. */
+static TrialStage stage_of(const NeedsSearch *search, StageSize size) {
+    const NeedsRequest *request = search->request;
+    int width = size.width < request->width ? size.width : request->width;
+    int height = (int)((int64_t)request->height * width / request->width);
+    return (TrialStage){.scene = search->scene,
+                        .trace = request->trace,
+                        .width = width,
+                        .height = height > 0 ? height : 1,
+                        .samples = size.samples,
+                        .threads = request->threads,
+                        .lighting = LIGHTING_FULL,
+                        .error_steps = request->error_steps,
+                        .stop = request->stop};
+}
+
+TrialStage search_stage(const NeedsSearch *search, StageSize largest, double ray_seconds,
+                        double limit) {
+    static const StageSize sizes[] = {{320, 16}, {320, 4}, {320, 1}, {160, 4},
+                                      {160, 1},  {80, 1},  {40, 1}};
+    enum { SIZE_COUNT = sizeof sizes / sizeof *sizes };
+    TrialStage stage = stage_of(search, sizes[SIZE_COUNT - 1]);
+    for (size_t i = 0; i < SIZE_COUNT; i++) {
+        TrialStage larger = stage_of(search, sizes[i]);
+        int asked = search->request->samples;
+        int samples = asked < sizes[i].samples ? asked : sizes[i].samples;
+        if (sizes[i].width <= largest.width && sizes[i].samples <= largest.samples &&
+            ray_seconds * larger.width * larger.height * samples <= limit) {
+            return larger;
+        }
+    }
+    return stage;
+}
+
+bool search_probe_cost(const NeedsSearch *search, const NeedsSettings *settings,
+                       double *ray_seconds, Error *error) {
+    TrialStage stage = stage_of(search, (StageSize){PROBE_WIDTH, 1});
+    TrialTime time;
+    if (!trial_time(&stage, settings, 1, 1, &time, error)) {
         return false;
     }
-    ImageDifference difference =
-        image_difference_of(&render, reference_render, NULL, search->encoding);
-    *trial = trial_from_difference(&difference);
-    sampled_render_deinit(&render);
+    *ray_seconds = time.cpu_least / ((double)stage.width * stage.height);
     return true;
 }
 
-/** Tries a depth. @return false if anything is wrong. */
-static bool try_depth(const NeedsSearch *search, int depth, const SampledRender *reference_render,
+/* --- depth --------------------------------------------------------------------------------------
+ */
+
+/** Tries a depth, all else as in the reference. @return false if anything is wrong. */
+static bool try_depth(const NeedsSearch *search, int depth, const TrialPicture *reference,
                       NeedsTrial *trial, Error *error) {
-    Variant variant = search->best;
-    variant.trace.depth = depth;
-    return try_same_precision(search, &variant, reference_render, trial, error);
+    NeedsSettings settings = search->needs->reference;
+    settings.depth = depth;
+    return trial_run(&search->stage, &settings, reference, trial, error);
 }
 
 /** Finds the least sufficient depth: by doubling, then by bisection. @return false if anything is
  *  wrong. */
-static bool search_depth(NeedsSearch *search, const SampledRender *reference_render, Error *error) {
+static bool find_depth(NeedsSearch *search, const TrialPicture *reference, Error *error) {
     Needs *needs = search->needs;
     int low = -1, high = 0;
     while (true) {
-        if (!try_depth(search, high, reference_render, &needs->depth_trial, error)) {
+        if (!try_depth(search, high, reference, &needs->depth_trial, error)) {
             return false;
         }
-        if (needs->depth_trial.visible == 0 || high >= REFERENCE_DEPTH) {
+        if (!needs_trial_fails(&needs->depth_trial) || high >= REFERENCE_DEPTH) {
             break;
         }
         low = high;
@@ -91,293 +118,335 @@ static bool search_depth(NeedsSearch *search, const SampledRender *reference_ren
     while (high - low > 1) {
         NeedsTrial trial;
         int middle = (low + high) / 2;
-        if (!try_depth(search, middle, reference_render, &trial, error)) {
+        if (!try_depth(search, middle, reference, &trial, error)) {
             return false;
         }
-        bool fails = trial.visible > 0;
+        bool fails = needs_trial_fails(&trial);
         *(fails ? &low : &high) = middle;
         *(fails ? &needs->shallower_trial : &needs->depth_trial) = trial;
     }
-    needs->depth = high;
-    return true;
+    needs->settings.depth = high;
+    return needs->scene_depth < 0 ||
+           try_depth(search, needs->scene_depth, reference, &needs->scene_depth_trial, error);
 }
 
-/** Finds the depth. @return false if anything is wrong. */
-static bool find_depth(NeedsSearch *search, Error *error) {
+/** Measures what a depth found by a check leaves out. @return false if anything is wrong. */
+static bool measure_depth(NeedsSearch *search, const TrialPicture *reference, Error *error) {
     Needs *needs = search->needs;
-    Variant reference = search->best;
-    SampledRender reference_render;
-    reference.trace.depth = REFERENCE_DEPTH;
-    if (!needs->is_recursive) {
-        return true;
-    }
-    if (!render_samples(&search->context, &reference, &reference_render, error)) {
-        return false;
-    }
-    Variant finer = reference;
-    finer.trace.cutoff = REFERENCE_CUTOFF;
-    bool is_found =
-        try_same_precision(search, &finer, &reference_render, &needs->cutoff_trial, error) &&
-        search_depth(search, &reference_render, error) &&
-        (needs->scene_depth < 0 || try_depth(search, needs->scene_depth, &reference_render,
-                                             &needs->scene_depth_trial, error));
-    search->best.trace.depth = needs->depth;
-    sampled_render_deinit(&reference_render);
-    return is_found;
+    return try_depth(search, needs->settings.depth, reference, &needs->depth_trial, error) &&
+           try_depth(search, needs->settings.depth - 1, reference, &needs->shallower_trial, error);
 }
 
-/** Renders the best variant with scaled tolerances. @return false if anything is wrong. */
-static bool render_with_tolerance(const NeedsSearch *search, double factor, SampledRender *render,
-                                  Error *error) {
-    ScaledToleranceScene scaled;
-    if (!scaled_tolerance_scene_init(&scaled, search->context.scene, factor, error)) {
-        return false;
-    }
-    RenderContext render_context = search->context;
-    render_context.scene = &scaled.scene;
-    bool is_taken = render_samples(&render_context, &search->best, render, error);
-    scaled_tolerance_scene_deinit(&scaled);
-    return is_taken;
+/* --- cutoff and tolerance -----------------------------------------------------------------------
+ */
+
+/** How often settings are timed. */
+enum { TURNS = 5 };
+
+/** @return Where a number stands in settings. @param setting #NEEDS_CUTOFF or #NEEDS_TOLERANCE. */
+static double *number_of(NeedsSettings *settings, NeedsSetting setting) {
+    return setting == NEEDS_CUTOFF ? &settings->cutoff : &settings->tolerance;
 }
 
-/** Finds how coarse tolerances may be. @return false if anything is wrong. */
-static bool find_tolerance(NeedsSearch *search, Error *error) {
-    Needs *needs = search->needs;
-    SampledRender reference_render;
-    needs->tolerance = 1;
-    needs->has_sdf = scene_has_tolerances(search->context.scene);
-    if (!needs->has_sdf) {
-        return true;
-    }
-    if (!render_with_tolerance(search, REFERENCE_TOLERANCE, &reference_render, error)) {
-        return false;
-    }
-    bool is_enough = true, is_done = true;
-    for (double factor = 1; is_enough && is_done && factor <= 1024; factor *= 4) {
-        SampledRender render;
-        is_done = render_with_tolerance(search, factor, &render, error);
-        if (is_done) {
-            // Hit points depend on the tolerance, and so do the rays that pass an edge.
-            ImageDifference difference = image_difference_of(&render, &reference_render,
-                                                             &reference_render, search->encoding);
-            NeedsTrial trial = trial_from_difference(&difference);
-            is_enough = !needs_trial_fails(&trial);
-            needs->tolerance_trial = is_enough || factor == 1 ? trial : needs->tolerance_trial;
-            needs->tolerance = is_enough ? factor : needs->tolerance;
-            sampled_render_deinit(&render);
+/** Tries a number, all else as in the reference. @return false if anything is wrong. */
+static bool try_number(const NeedsSearch *search, NeedsSetting setting, double value,
+                       const TrialPicture *reference, NeedsTrial *trial, Error *error) {
+    NeedsSettings settings = search->needs->reference;
+    *number_of(&settings, setting) = value;
+    return trial_run(&search->stage, &settings, reference, trial, error);
+}
+
+/** What is known of a number. */
+typedef struct NumberTrials {
+    NeedsTrial *trial;         /**< What it leaves. */
+    double *coarser;           /**< The next coarser number. */
+    NeedsTrial *coarser_trial; /**< What that leaves. */
+} NumberTrials;
+
+/** @return Where the trials of a number stand. */
+static NumberTrials trials_of(Needs *needs, NeedsSetting setting) {
+    return setting == NEEDS_CUTOFF
+               ? (NumberTrials){&needs->cutoff_trial, &needs->coarser_cutoff,
+                                &needs->coarser_cutoff_trial}
+               : (NumberTrials){&needs->tolerance_trial, &needs->coarser_tolerance,
+                                &needs->coarser_tolerance_trial};
+}
+
+/** Finds the coarsest sufficient number. @param setting With a number that is sufficient. @return
+ *  false if anything is wrong. */
+static bool find_coarsest(NeedsSearch *search, NeedsSetting setting, double coarsest,
+                          const TrialPicture *reference, Error *error) {
+    double *found = number_of(&search->needs->settings, setting);
+    NumberTrials trials = trials_of(search->needs, setting);
+    while (true) {
+        *trials.coarser = NEEDS_STEP * *found;
+        if (!try_number(search, setting, *trials.coarser, reference, trials.coarser_trial, error)) {
+            return false;
         }
+        if (needs_trial_fails(trials.coarser_trial) || *trials.coarser > coarsest) {
+            return true;
+        }
+        *found = *trials.coarser;
+        *trials.trial = *trials.coarser_trial;
     }
-    sampled_render_deinit(&reference_render);
-    return is_done;
 }
 
-/** Tries a number type or an offset against a reference. @return false if anything is wrong. */
-static bool try_rounding(const NeedsSearch *search, const RenderContext *render_context,
-                         const Variant *variant, const Variant *reference, NeedsTrial *trial,
-                         Error *error) {
-    SampledRender render, reference_render;
-    if (!render_samples(render_context, variant, &render, error)) {
+/** Measures what a number leaves, and the next coarser one. @return false if anything is wrong. */
+static bool measure_number(NeedsSearch *search, NeedsSetting setting, const TrialPicture *reference,
+                           Error *error) {
+    NumberTrials trials = trials_of(search->needs, setting);
+    double value = *number_of(&search->needs->settings, setting);
+    *trials.coarser = NEEDS_STEP * value;
+    return try_number(search, setting, value, reference, trials.trial, error) &&
+           try_number(search, setting, *trials.coarser, reference, trials.coarser_trial, error);
+}
+
+/** Finds the coarsest sufficient number, and takes it if that saves time. @return false if anything
+ *  is wrong. */
+static bool find_coarser(NeedsSearch *search, NeedsSetting setting, double coarsest,
+                         const TrialPicture *reference, Error *error) {
+    NeedsSettings *settings = &search->needs->settings, tried[2] = {*settings, *settings};
+    TrialTime times[2];
+    if (!find_coarsest(search, setting, coarsest, reference, error)) {
         return false;
     }
-    bool is_done = render_samples(render_context, reference, &reference_render, error);
-    if (is_done) {
-        ImageDifference difference =
-            image_difference_of(&render, &reference_render, &reference_render, search->encoding);
-        *trial = trial_from_difference(&difference);
-        is_done = outliers_count(render_context, reference, &reference_render, &render,
-                                 &trial->outliers, error);
-        sampled_render_deinit(&reference_render);
+    tried[1] = *settings;
+    if (*number_of(&tried[0], setting) == *number_of(&tried[1], setting)) {
+        return true;
     }
-    sampled_render_deinit(&render);
-    return is_done;
-}
-
-/** Is a #PixelTest: pixels that are traced in quad, which is a hundred times slower. */
-static bool pixel_is_in_quad_set(const void *context, int x, int y) {
-    /** Of so many cells along each axis, one is traced. */
-    const int cells = 5;
-    return pixel_is_sampled(context, x, y) && x / 8 % cells == 2 && y / 8 % cells == 2;
-}
-
-/** Tries double against quad. @return false if anything is wrong. */
-static bool try_double(const NeedsSearch *search, NeedsEngine *tried, Error *error) {
-    PixelSet quad_pixels;
-    Variant variant = search->best, reference = search->best;
-    tried->reference = engine_with_role(ENGINE_REFERENCE);
-    reference.engine = tried->reference;
-    variant.samples_traced = reference.samples_traced = 1;
-    if (!pixel_set_init(&quad_pixels, search->request->width, search->request->height,
-                        pixel_is_in_quad_set, NULL, error)) {
+    if (!trial_time(&search->stage, tried, 2, TURNS, times, error)) {
         return false;
     }
-    RenderContext render_context = search->context;
-    render_context.pixels = &quad_pixels;
-    bool is_done = quad_pixels.count == 0 || try_rounding(search, &render_context, &variant,
-                                                          &reference, &tried->trial, error);
-    pixel_set_deinit(&quad_pixels);
+    if (trial_time_is_faster(&times[1], &times[0])) {
+        return true;
+    }
+    *settings = tried[0];
+    return measure_number(search, setting, reference, error);
+}
+
+/** Finds the cutoff. @return false if anything is wrong. */
+static bool find_cutoff(NeedsSearch *search, const TrialPicture *reference, Error *error) {
+    Needs *needs = search->needs;
+    for (double value = CUTOFF_DEFAULT; value > needs->reference.cutoff; value /= NEEDS_STEP) {
+        NeedsTrial trial;
+        if (!try_number(search, NEEDS_CUTOFF, value, reference, &trial, error)) {
+            return false;
+        }
+        if (!needs_trial_fails(&trial)) {
+            needs->settings.cutoff = value;
+            needs->cutoff_trial = trial;
+            return value < CUTOFF_DEFAULT ||
+                   find_coarser(search, NEEDS_CUTOFF, CUTOFF_COARSEST, reference, error);
+        }
+        needs->coarser_cutoff = value;
+        needs->coarser_cutoff_trial = trial;
+    }
+    needs->settings.cutoff = needs->reference.cutoff;
+    return measure_number(search, NEEDS_CUTOFF, reference, error);
+}
+
+/** Finds whether the scene's own tolerances are sufficient, or finer ones. Where none is, as on the
+ *  edges of fractals, the scene's own are the reference. @return false if anything is wrong. */
+static bool find_fine_tolerance(NeedsSearch *search, Error *error) {
+    Needs *needs = search->needs;
+    TrialPicture finest;
+    bool is_done = true;
+    needs->reference.tolerance = REFERENCE_TOLERANCE;
+    if (!trial_render(&search->stage, &needs->reference, &finest, error)) {
+        return false;
+    }
+    for (double value = 1;
+         is_done && !needs->is_tolerance_sufficient && value > REFERENCE_TOLERANCE;
+         value /= NEEDS_STEP) {
+        NeedsTrial trial;
+        is_done = try_number(search, NEEDS_TOLERANCE, value, &finest, &trial, error);
+        if (value == 1) {
+            needs->own_tolerance_trial = trial;
+        }
+        needs->finest_tolerance = value;
+        needs->finest_tolerance_trial = trial;
+        needs->is_tolerance_sufficient = !needs_trial_fails(&trial);
+        needs->settings.tolerance = needs->is_tolerance_sufficient ? value : 1;
+    }
+    trial_picture_deinit(&finest);
+    needs->reference.tolerance = needs->is_tolerance_sufficient ? REFERENCE_TOLERANCE : 1;
     return is_done;
 }
+
+/* --- number type and offset ---------------------------------------------------------------------
+ */
 
 /** Finds the number type. @return false if anything is wrong. */
-static bool find_sufficient_engine(NeedsSearch *search, Error *error) {
+static bool find_number_type(NeedsSearch *search, Error *error) {
     Needs *needs = search->needs;
-    Variant variant = search->best;
-    NeedsEngine *fast = &needs->engines[0], *exact = &needs->engines[1];
-    int rays = search->request->samples;
-    fast->engine = engine_with_role(ENGINE_FASTEST);
-    fast->reference = exact->engine = engine_with_role(ENGINE_DOUBLE);
-    variant.engine = engine_scalar(fast->engine);
-    needs->engine_count = 2;
-    variant.samples_traced = rays < ROUNDING_SAMPLES ? rays : ROUNDING_SAMPLES;
-    Variant reference = variant;
-    reference.engine = engine_scalar(exact->engine);
-    if (!try_rounding(search, &search->context, &variant, &reference, &fast->trial, error)) {
+    NeedsSettings floats = needs->settings;
+    TrialPicture doubles;
+    NeedsTrial trial;
+    floats.engine = engine_with_role(ENGINE_FASTEST);
+    if (!trial_render(&search->stage, &needs->settings, &doubles, error)) {
         return false;
     }
-    if (!needs_trial_fails(&fast->trial)) {
-        return true;
+    bool is_done = trial_run(&search->stage, &floats, &doubles, &trial, error);
+    if (is_done && !needs_trial_fails(&trial)) {
+        needs->settings.engine = floats.engine;
     }
-    needs->engine = 1;
-    if (!try_double(search, exact, error)) {
-        return false;
-    }
-    if (needs_trial_fails(&exact->trial)) {
-        needs->engines[2] = (NeedsEngine){.engine = exact->reference};
-        needs->engine_count = 3;
-        needs->engine = 2;
-    }
-    return true;
-}
-
-/** Tries the other ray offsets. @return false if anything is wrong. */
-static bool try_offset_modes(NeedsSearch *search, Error *error) {
-    Needs *needs = search->needs;
-    Variant bound = search->best;
-    bound.engine = engine_scalar(needs->engines[needs->engine].engine);
-    bound.trace.offset = OFFSET_BOUND;
-    Variant none = bound, fixed = bound;
-    none.trace.offset = OFFSET_NONE;
-    fixed.trace.offset = OFFSET_FIXED;
-    return try_rounding(search, &search->context, &none, &bound, &needs->offset_none_trial,
-                        error) &&
-           try_rounding(search, &search->context, &fixed, &bound, &needs->offset_fixed_trial,
-                        error);
-}
-
-/** Finds the samples, and their noise. @return false if anything is wrong. */
-static bool find_sampling_error(NeedsSearch *search, Error *error) {
-    SamplingError sampling_error;
-    Variant variant = search->best;
-    variant.engine = engine_scalar(search->needs->engines[0].engine);
-    bool is_found = sampling_error_measure(&search->context, &variant, &sampling_error, error);
-    search->needs->samples = sampling_error.samples;
-    search->needs->samples_rms = sampling_error.rms;
-    search->needs->samples_fraction = sampling_error.fraction;
-    return is_found;
-}
-
-/** Tries all settings found together, against a reference with full depth and cutoff. @return false
- *  if anything is wrong. */
-static bool try_total(NeedsSearch *search, Error *error) {
-    Needs *needs = search->needs;
-    const NeedsEngine *chosen = &needs->engines[needs->engine];
-    Variant variant = search->best, path_variant = search->best, reference = search->best;
-    SampledRender render = {0}, path_render = {0}, reference_render = {0};
-    variant.engine = engine_scalar(chosen->engine);
-    reference.trace.depth = REFERENCE_DEPTH;
-    reference.trace.cutoff = REFERENCE_CUTOFF;
-    bool is_done = render_samples(&search->context, &variant, &render, error) &&
-                   render_samples(&search->context, &path_variant, &path_render, error) &&
-                   render_samples(&search->context, &reference, &reference_render, error);
-    if (is_done) {
-        ImageDifference difference =
-            image_difference_of(&render, &reference_render, &path_render, search->encoding);
-        needs->total_trial = trial_from_difference(&difference);
-        needs->total_trial.outliers = chosen->trial.outliers;
-    }
-    sampled_render_deinit(&render);
-    sampled_render_deinit(&path_render);
-    sampled_render_deinit(&reference_render);
+    trial_picture_deinit(&doubles);
     return is_done;
 }
 
-/** Is a #PixelTest: the pixels that are timed, in whole tiles, as pictures are rendered. */
-static bool pixel_is_in_timed_set(const void *context, int x, int y) {
-    (void)context;
-    return (x / 64 + 5 * (y / 16)) % 32 == 0;
-}
-
-/** Times variants in turn. @param[out] seconds The least time of each. @return false if anything is
- *  wrong. */
-static bool time_variants(const RenderContext *render_context, const Variant *variants,
-                          size_t count, double *seconds, Error *error) {
-    for (int turn = 0; turn < TIMING_REPEATS; turn++) {
-        for (size_t i = 0; i < count; i++) {
-            SampledRender render;
-            if (!render_samples(render_context, &variants[i], &render, error)) {
-                return false;
-            }
-            seconds[i] =
-                turn == 0 || render.cpu_seconds < seconds[i] ? render.cpu_seconds : seconds[i];
-            sampled_render_deinit(&render);
+/** Finds the ray offset: another than #OFFSET_BOUND only if it is faster. @return false if anything
+ *  is wrong. */
+static bool find_offset(NeedsSearch *search, Error *error) {
+    Needs *needs = search->needs;
+    NeedsSettings tried[NEEDS_OFFSET_COUNT];
+    TrialTime times[NEEDS_OFFSET_COUNT];
+    TrialPicture bound;
+    if (!trial_render(&search->stage, &needs->settings, &bound, error)) {
+        return false;
+    }
+    bool is_done = true, is_any_sufficient = false;
+    for (int i = 0; is_done && i < NEEDS_OFFSET_COUNT; i++) {
+        tried[i] = needs->settings;
+        tried[i].offset = (OffsetStrategy)i;
+        is_done = trial_run(&search->stage, &tried[i], &bound, &needs->offset_trials[i], error);
+        is_any_sufficient =
+            is_any_sufficient || (i < OFFSET_BOUND && !needs_trial_fails(&needs->offset_trials[i]));
+    }
+    trial_picture_deinit(&bound);
+    if (!is_done || !is_any_sufficient) {
+        return is_done;
+    }
+    if (!trial_time(&search->stage, tried, NEEDS_OFFSET_COUNT, TURNS, times, error)) {
+        return false;
+    }
+    for (int i = 0; i < OFFSET_BOUND; i++) {
+        double ratio = times[i].cpu_least / times[OFFSET_BOUND].cpu_least;
+        if (!needs_trial_fails(&needs->offset_trials[i]) &&
+            trial_time_is_faster(&times[i], &times[OFFSET_BOUND]) &&
+            (needs->offset_ratio == 0 || ratio < needs->offset_ratio)) {
+            needs->offset_ratio = ratio;
+            needs->settings.offset = (OffsetStrategy)i;
         }
     }
     return true;
 }
 
-/** Times the engines and the reference. @return false if anything is wrong. */
-static bool find_costs(NeedsSearch *search, Error *error) {
-    Needs *needs = search->needs;
-    Variant variants[3] = {search->best, search->best, search->best};
-    double seconds[3] = {0};
-    PixelSet timed;
-    variants[0].engine = needs->engines[0].engine;
-    variants[1].engine = needs->engines[1].engine;
-    variants[2].engine = needs->engines[1].engine;
-    variants[2].trace.depth = REFERENCE_DEPTH;
-    variants[2].trace.cutoff = REFERENCE_CUTOFF;
-    if (!pixel_set_init(&timed, search->request->width, search->request->height,
-                        pixel_is_in_timed_set, NULL, error)) {
-        return false;
-    }
-    RenderContext render_context = search->context;
-    render_context.pixels = &timed;
-    bool is_timed = time_variants(&render_context, variants, 3, seconds, error);
-    needs->engines[0].cpu_seconds = seconds[0];
-    needs->engines[1].cpu_seconds = seconds[1];
-    needs->reference_cpu_seconds = seconds[2];
-    pixel_set_deinit(&timed);
-    return is_timed;
+/* --- all of it ----------------------------------------------------------------------------------
+ */
+
+/** Finds depth, cutoff and tolerance. @return false if anything is wrong. */
+static bool find_model(NeedsSearch *search, const TrialPicture *reference, Error *error) {
+    const Needs *needs = search->needs;
+    bool is_fine = needs->has_sdf && needs->settings.tolerance < 1;
+    return (!needs->is_recursive ||
+            (find_depth(search, reference, error) && find_cutoff(search, reference, error))) &&
+           (!needs->has_sdf || is_fine ||
+            find_coarser(search, NEEDS_TOLERANCE, TOLERANCE_COARSEST, reference, error)) &&
+           (!is_fine || measure_number(search, NEEDS_TOLERANCE, reference, error));
 }
 
-/** Finds everything. @return false if anything is wrong. */
-static bool run_search(NeedsSearch *search, Error *error) {
-    return find_depth(search, error) && find_tolerance(search, error) &&
-           find_sufficient_engine(search, error) && try_offset_modes(search, error) &&
-           find_sampling_error(search, error) && try_total(search, error) &&
-           find_costs(search, error);
+bool search_settings(NeedsSearch *search, Error *error) {
+    Needs *needs = search->needs;
+    TrialPicture reference;
+    needs->settings = needs->reference;
+    needs->settings.tolerance = 1;
+    needs->settings.cutoff = CUTOFF_DEFAULT;
+    needs->settings.depth = 0;
+    search_report(search, N_("depth and tolerances"));
+    if ((needs->has_sdf && !find_fine_tolerance(search, error)) ||
+        !trial_render(&search->stage, &needs->reference, &reference, error)) {
+        return false;
+    }
+    bool is_done = find_model(search, &reference, error);
+    trial_picture_deinit(&reference);
+    search_report(search, N_("number type and offset"));
+    return is_done && find_number_type(search, error) && find_offset(search, error);
+}
+
+/** Measures what corrected settings leave out, each by itself. @return false if anything is wrong.
+ */
+static bool measure_corrected(NeedsSearch *search, Error *error) {
+    const Needs *needs = search->needs;
+    bool is_corrected[NEEDS_SETTING_COUNT] = {false};
+    TrialPicture reference;
+    for (int i = 0; i < needs->correction_count; i++) {
+        is_corrected[needs->corrections[i].setting] = true;
+    }
+    if (!is_corrected[NEEDS_DEPTH] && !is_corrected[NEEDS_CUTOFF] &&
+        !is_corrected[NEEDS_TOLERANCE]) {
+        return true;
+    }
+    if (!trial_render(&search->stage, &needs->reference, &reference, error)) {
+        return false;
+    }
+    bool is_done =
+        (!is_corrected[NEEDS_DEPTH] || measure_depth(search, &reference, error)) &&
+        (!is_corrected[NEEDS_CUTOFF] || measure_number(search, NEEDS_CUTOFF, &reference, error)) &&
+        (!is_corrected[NEEDS_TOLERANCE] ||
+         measure_number(search, NEEDS_TOLERANCE, &reference, error));
+    trial_picture_deinit(&reference);
+    return is_done;
+}
+
+/** @return Everything on, in double. */
+static NeedsSettings reference_settings(const Needs *needs) {
+    return (NeedsSettings){.engine = engine_with_role(ENGINE_DOUBLE),
+                           .depth = needs->is_recursive ? REFERENCE_DEPTH : 0,
+                           .cutoff = REFERENCE_CUTOFF_COARSEST,
+                           .offset = OFFSET_BOUND,
+                           .samples = needs->asked_samples,
+                           .tolerance = needs->has_sdf ? REFERENCE_TOLERANCE : 1};
+}
+
+/**
+ * Makes the cutoff of the reference as fine as time allows. No cutoff at all would follow rays that
+ * two panes of glass split without end.
+ * @param[in,out] ray_seconds  Time of a ray with the coarsest; then with the one found.
+ * @return false if anything is wrong.
+ */
+static bool refine_reference(NeedsSearch *search, Error *error) {
+    /** From a cutoff to the next, how many times the time of a ray may be spent on it, and CPU time
+     *  of a ray, seconds, from which on it is slow already. */
+    const double step = 16, patience = 2, slow = 2e-4;
+    NeedsSettings *reference = &search->needs->reference, finer = *reference;
+    double first = 0, seconds = 0;
+    if (!search_probe_cost(search, reference, &first, error)) {
+        return false;
+    }
+    search->ray_seconds = first;
+    while (search->needs->is_recursive && finer.cutoff > REFERENCE_CUTOFF_FINEST && first < slow) {
+        finer.cutoff /= step;
+        if (!search_probe_cost(search, &finer, &seconds, error)) {
+            return false;
+        }
+        if (seconds > patience * first) {
+            break;
+        }
+        reference->cutoff = finer.cutoff;
+        search->ray_seconds = seconds;
+    }
+    return true;
 }
 
 bool needs_find(const Scene *scene, const NeedsRequest *request, Needs *needs, Error *error) {
     *needs = (Needs){.forecast = precision_estimate_of(scene),
+                     .error_steps = request->error_steps,
                      .is_recursive = scene_has_reflection(scene) || scene_has_transparency(scene),
+                     .has_sdf = scene_has_tolerances(scene),
+                     .asked_samples = request->samples,
                      .scene_depth = request->depth};
-    PixelSet pixels;
-    if (!(request->uses_all_pixels
-              ? pixel_set_init(&pixels, request->width, request->height, pixel_is_any, NULL, error)
-              : pixel_set_init_sparse(&pixels, scene, request->width, request->height, error))) {
+    needs->reference = reference_settings(needs);
+    NeedsSearch search = {.scene = scene, .request = request, .needs = needs};
+    if (!refine_reference(&search, error)) {
         return false;
     }
-    NeedsSearch search = {.request = request,
-                          .context = {scene, &pixels, request->threads, request->stop},
-                          .best = {.engine = engine_scalar(engine_with_role(ENGINE_DOUBLE)),
-                                   .trace = *request->trace,
-                                   .samples_traced = 1},
-                          .encoding = (Encoding)scene->image.encoding,
-                          .needs = needs};
-    search.best.trace.samples = request->samples;
-    search.best.trace.depth = 0;
-    bool is_done = run_search(&search, error);
-    pixel_set_deinit(&pixels);
-    return is_done;
+    search.stage = search_stage(&search, trial_size, search.ray_seconds, TRIAL_SECONDS);
+    needs->width = search.stage.width;
+    needs->height = search.stage.height;
+    needs->samples =
+        search.stage.samples < request->samples ? search.stage.samples : request->samples;
+    return search_settings(&search, error) && search_check(&search, error) &&
+           measure_corrected(&search, error) && search_samples(&search, error) &&
+           search_costs(&search, error) &&
+           (request->budget_seconds == 0 || search_budget(&search, error));
 }

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Chooses pixels, scales tolerances, and renders.
+ * @brief Chooses pixels and renders them.
  */
 #include "lab/needs/sampled_render.h"
 
@@ -63,64 +63,6 @@ bool pixel_set_init(PixelSet *pixels, int width, int height, PixelTest test, con
     return true;
 }
 
-/** The edges of shapes in a picture. */
-typedef struct ShapeEdges {
-    const int *shapes; /**< The shape in each pixel. */
-    int width;         /**< Of the picture. */
-    int height;        /**< Of the picture. */
-    size_t stride;     /**< One of so many pixels at edges is taken. */
-} ShapeEdges;
-
-/** @return Whether the pixel below, or to the right, shows another shape. */
-static bool pixel_is_on_shape_edge(const ShapeEdges *ends, int x, int y) {
-    const int *here = ends->shapes + (size_t)y * (size_t)ends->width + x;
-    return (x + 1 < ends->width && here[1] != *here) ||
-           (y + 1 < ends->height && here[ends->width] != *here);
-}
-
-/** Is a #PixelTest, see #pixel_set_init_sparse. */
-static bool pixel_is_in_sparse_set(const void *context, int x, int y) {
-    const ShapeEdges *ends = context;
-    return pixel_is_sampled(NULL, x, y) ||
-           (((size_t)x + 31 * (size_t)y) % ends->stride == 0 && pixel_is_on_shape_edge(ends, x, y));
-}
-
-/** Makes the set of #pixel_set_init_sparse. @return false without memory. */
-static bool choose_sparse_pixels(PixelSet *pixels, ShapeEdges *ends, Error *error) {
-    size_t count = 0,
-           limit = (size_t)ends->width * (size_t)ends->height / (SAMPLING_CELL * SAMPLING_CELL);
-    for (int y = 0; y < ends->height; y++) {
-        for (int x = 0; x < ends->width; x++) {
-            count += pixel_is_on_shape_edge(ends, x, y);
-        }
-    }
-    ends->stride = count / (limit + 1) + 1;
-    return pixel_set_init(pixels, ends->width, ends->height, pixel_is_in_sparse_set, ends, error);
-}
-
-bool pixel_set_init_sparse(PixelSet *pixels, const Scene *scene, int width, int height,
-                           Error *error) {
-    const Engine *engine = engine_find("auto", NULL);
-    const TraceSettings settings = {.samples = 1, .offset = OFFSET_BOUND};
-    size_t count = (size_t)width * (size_t)height;
-    int *shapes = malloc(count * sizeof *shapes);
-    double *distances = malloc(count * sizeof *distances);
-    bool has_room = shapes && distances, is_made = false;
-    Tracer *tracer = has_room ? engine->create_tracer(scene, &settings, error) : NULL;
-    if (tracer) {
-        PixelGrid all = {.columns = width, .rows = height, .stride = 1};
-        engine->set_view(tracer, scene, width, height);
-        engine->trace_primary(tracer, &all, shapes, distances);
-        engine->destroy(tracer);
-        is_made = choose_sparse_pixels(pixels, &(ShapeEdges){shapes, width, height, 1}, error);
-    } else if (!has_room) {
-        error_set(error, STATUS_FAILED, "no memory for %zu pixels", count);
-    }
-    free(shapes);
-    free(distances);
-    return is_made;
-}
-
 void pixel_set_deinit(PixelSet *pixels) {
     free(pixels->tile_first);
     free(pixels->chosen);
@@ -132,67 +74,6 @@ PixelGrid pixel_set_tile_grid(const PixelSet *pixels, size_t tile) {
     grid.selected = pixels->chosen + pixels->tile_first[tile];
     grid.selected_count = pixels->tile_first[tile + 1] - pixels->tile_first[tile];
     return grid;
-}
-
-/* --- of which scene -----------------------------------------------------------------------------
- */
-
-/** @return The description of a shape's kind. */
-static const SceneShapeClass *class_of(const SceneShape *shape) {
-    return scene_shape_classes[shape->class_index];
-}
-
-/** @return Bytes of a shape's parameters, rounded up to the alignment of what follows; 0 if it has
- *          no tolerance. */
-static size_t scaled_size(const SceneShape *shape) {
-    const size_t alignment = _Alignof(max_align_t);
-    const SceneShapeClass *class = class_of(shape);
-    size_t size = class->scale_tolerance ? class->keyword.size : 0;
-    return (size + alignment - 1) / alignment * alignment;
-}
-
-/** @return Bytes of the parameters of all shapes with a tolerance. */
-static size_t scaled_parameters_size(const Scene *scene) {
-    size_t size = 0;
-    for (size_t i = 0; i < scene->shape_count; i++) {
-        size += scaled_size(&scene->shapes[i]);
-    }
-    return size;
-}
-
-bool scene_has_tolerances(const Scene *scene) {
-    return scaled_parameters_size(scene) > 0;
-}
-
-bool scaled_tolerance_scene_init(ScaledToleranceScene *scaled, const Scene *scene, double factor,
-                                 Error *error) {
-    *scaled = (ScaledToleranceScene){.scene = *scene,
-                                     .shapes = calloc(scene->shape_count + 1, sizeof(SceneShape)),
-                                     .parameters = malloc(scaled_parameters_size(scene) + 1)};
-    if (!scaled->shapes || !scaled->parameters) {
-        scaled_tolerance_scene_deinit(scaled);
-        return error_set(error, STATUS_FAILED, "no memory for %zu shapes", scene->shape_count);
-    }
-    char *next = scaled->parameters;
-    for (size_t i = 0; i < scene->shape_count; i++) {
-        SceneShape *shape = &scaled->shapes[i];
-        *shape = scene->shapes[i];
-        const SceneShapeClass *class = class_of(shape);
-        if (class->scale_tolerance) {
-            memcpy(next, shape->parameters, class->keyword.size);
-            class->scale_tolerance(next, factor);
-            shape->parameters = next;
-            next += scaled_size(shape);
-        }
-    }
-    scaled->scene.shapes = scaled->shapes;
-    return true;
-}
-
-void scaled_tolerance_scene_deinit(ScaledToleranceScene *scaled) {
-    free(scaled->shapes);
-    free(scaled->parameters);
-    *scaled = (ScaledToleranceScene){0};
 }
 
 /* --- rendered how -------------------------------------------------------------------------------
@@ -248,18 +129,6 @@ static void render_tile(void *context, size_t index) {
     }
 }
 
-/** @return A camera, rotated by a variant's shift. @param width Of the picture, pixels. */
-static SceneCamera camera_rotated(SceneCamera camera, const Variant *variant, int width) {
-    double pixel = 2 * tan(camera.fov / 2 * (M_PI / 180)) / width;
-    Vec3d right = vec3d_scale(scene_camera_right(&camera), variant->shift_right * pixel);
-    Vec3d aim = vec3d_add(camera.direction, right);
-    aim = vec3d_add(aim, vec3d_scale(camera.up, variant->shift_up * pixel));
-    camera.direction = vec3d_normalize(aim);
-    double along = vec3d_dot(camera.up, camera.direction);
-    camera.up = vec3d_normalize(vec3d_subtract(camera.up, vec3d_scale(camera.direction, along)));
-    return camera;
-}
-
 /** Traces all tiles. @return false if anything is wrong. */
 static bool render_tiles(SampleJob *job, ThreadPool *workers, Error *error) {
     const RenderContext *render_context = job->context;
@@ -269,11 +138,7 @@ static bool render_tiles(SampleJob *job, ThreadPool *workers, Error *error) {
     if (!tracer) {
         return false;
     }
-    Scene scene = *render_context->scene;
-    if (job->variant->shift_right != 0 || job->variant->shift_up != 0) {
-        scene.camera = camera_rotated(scene.camera, job->variant, pixels->width);
-    }
-    engine->set_view(tracer, &scene, pixels->width, pixels->height);
+    engine->set_view(tracer, render_context->scene, pixels->width, pixels->height);
     job->tracer = tracer;
     double start = process_cpu_seconds();
     thread_pool_run(workers, pixels->tile_count, render_tile, job);

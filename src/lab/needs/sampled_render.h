@@ -42,45 +42,11 @@ bool pixel_is_any(const void *context, int x, int y);
  */
 bool pixel_is_sampled(const void *context, int x, int y);
 
-/**
- * Makes a set for trials: one pixel of each 8 by 8, and pixels at the edges of shapes; if there are
- * very many of those, only some.
- * @param[out] pixels  The set, to be released with #pixel_set_deinit.
- * @return false without memory.
- */
-bool pixel_set_init_sparse(PixelSet *pixels, const Scene *scene, int width, int height,
-                           Error *error);
-
 /** Releases a set, which may be empty. */
 void pixel_set_deinit(PixelSet *pixels);
 
 /** @return The pixels of a set in a tile; an empty grid must not be traced. */
 PixelGrid pixel_set_tile_grid(const PixelSet *pixels, size_t tile);
-
-/* --- of which scene ----------------------------------------------------------------------------
- */
-
-/** A scene whose distance fields have other tolerances. */
-typedef struct ScaledToleranceScene {
-    Scene scene;        /**< The scene; all but the following belongs to the original. */
-    SceneShape *shapes; /**< Its shapes; owned. */
-    char *parameters;   /**< Parameters of the shapes that differ; owned. */
-} ScaledToleranceScene;
-
-/** @return Whether a scene has shapes with a tolerance. */
-bool scene_has_tolerances(const Scene *scene);
-
-/**
- * Makes a scene whose tolerances are scaled.
- * @param[out] scaled  The scene, to be released with #scaled_tolerance_scene_deinit before the
- *                     original.
- * @return false without memory.
- */
-bool scaled_tolerance_scene_init(ScaledToleranceScene *scaled, const Scene *scene, double factor,
-                                 Error *error);
-
-/** Releases a scaled scene, which may be empty. */
-void scaled_tolerance_scene_deinit(ScaledToleranceScene *scaled);
 
 /* --- rendered how ------------------------------------------------------------------------------
  */
@@ -90,8 +56,6 @@ typedef struct Variant {
     const Engine *engine; /**< The engine. */
     TraceSettings trace;  /**< Its settings; the samples are those of the whole picture. */
     int samples_traced;   /**< How many of the samples of each pixel are traced. */
-    double shift_right;   /**< Rotation of the camera to the right, pixels. */
-    double shift_up;      /**< Rotation of the camera up, pixels. */
 } Variant;
 
 /** What is rendered. */

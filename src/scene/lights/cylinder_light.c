@@ -63,9 +63,17 @@ static size_t cylinder_light_outline(const SceneLight *light, Vec3d *points) {
     return 2;
 }
 
+/** @return The size of a cylinder light. See #SceneLightClass.size. */
+static SceneLightSize cylinder_light_size(const SceneLight *light) {
+    const CylinderLightFields *own = scene_light_own(light);
+    double length = vec3d_length(vec3d_subtract(own->top, light->position));
+    return (SceneLightSize){hypot(length / 2, light->radius), 2 * light->radius * length};
+}
+
 /** The class of `cylinder_light`. */
 extern const SceneLightClass scene_cylinder_light_class;
 
 const SceneLightClass scene_cylinder_light_class = {.keyword = &cylinder_light_keyword,
                                                     .center = cylinder_light_center,
+                                                    .size = cylinder_light_size,
                                                     .outline = cylinder_light_outline};

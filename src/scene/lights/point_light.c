@@ -51,8 +51,14 @@ const Keyword scene_light_keyword = {.name = "light",
                                      .defaults = &point_light_defaults,
                                      .finish = point_light_finish};
 
+/** @return The size of a spherical light, which shines as from its centre. See
+ *  #SceneLightClass.size. */
+static SceneLightSize point_light_size(const SceneLight *light) {
+    return (SceneLightSize){0, M_PI * light->radius * light->radius};
+}
+
 /** The class of `light`. */
 extern const SceneLightClass scene_point_light_class;
 
-const SceneLightClass scene_point_light_class = {.keyword = &scene_light_keyword,
-                                                 .center = point_light_center};
+const SceneLightClass scene_point_light_class = {
+    .keyword = &scene_light_keyword, .center = point_light_center, .size = point_light_size};

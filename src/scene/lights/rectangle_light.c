@@ -74,9 +74,18 @@ static size_t rectangle_light_outline(const SceneLight *light, Vec3d *points) {
     return 5;
 }
 
+/** @return The size of a rectangle light. See #SceneLightClass.size. */
+static SceneLightSize rectangle_light_size(const SceneLight *light) {
+    const RectangleLightFields *own = scene_light_own(light);
+    double diagonal =
+        fmax(vec3d_length(vec3d_add(own->u, own->v)), vec3d_length(vec3d_subtract(own->u, own->v)));
+    return (SceneLightSize){diagonal / 2, vec3d_length(vec3d_cross(own->u, own->v))};
+}
+
 /** The class of `rectangle_light`. */
 extern const SceneLightClass scene_rectangle_light_class;
 
 const SceneLightClass scene_rectangle_light_class = {.keyword = &rectangle_light_keyword,
                                                      .center = rectangle_light_center,
+                                                     .size = rectangle_light_size,
                                                      .outline = rectangle_light_outline};

@@ -28,6 +28,16 @@ static ShapeFacts box_facts(const void *parameters, const Scene *scene) {
     return (ShapeFacts){.bounds = {p->low, p->high}, .is_flat = true};
 }
 
+/** @return The distance of a point from the nearest side of a box; outside at most 0. See
+ * #SceneShapeClass.distance. */
+static double box_distance(const void *parameters, const Scene *scene, Vec3d point) {
+    (void)scene;
+    const BoxParameters *p = parameters;
+    Vec3d low = vec3d_subtract(point, p->low), high = vec3d_subtract(p->high, point);
+    Vec3d side = vec3d_min(low, high);
+    return fmin(side.x, fmin(side.y, side.z));
+}
+
 /** Description of `box`. */
 const SceneShapeClass scene_box_class = {
     .keyword = {.name = "box",
@@ -37,4 +47,5 @@ const SceneShapeClass scene_box_class = {
                 .defaults = &box_defaults,
                 .finish = box_finish},
     .facts = box_facts,
+    .distance = box_distance,
 };

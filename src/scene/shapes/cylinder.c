@@ -37,6 +37,23 @@ static ShapeFacts cylinder_facts(const void *parameters, const Scene *scene) {
                                    vec3d_add(vec3d_max(p->base, p->top), extent)}};
 }
 
+/** @return A lower bound of the distance of a point from a cylinder. See #SceneShapeClass.distance.
+ */
+static double cylinder_distance(const void *parameters, const Scene *scene, Vec3d point) {
+    (void)scene;
+    const CylinderParameters *p = parameters;
+    Vec3d to_top = vec3d_subtract(p->top, p->base), from_base = vec3d_subtract(point, p->base);
+    double length = vec3d_length(to_top);
+    Vec3d axis = vec3d_normalize(to_top);
+    double along = vec3d_dot(from_base, axis);
+    double beside = vec3d_length(vec3d_subtract(from_base, vec3d_scale(axis, along)));
+    double beyond = fmax(-along, along - length); // Negative between the ends.
+    if (!p->capped || beside >= p->radius) {
+        return fmax(fabs(beside - p->radius), beyond);
+    }
+    return beyond > 0 ? beyond : fmin(p->radius - beside, -beyond);
+}
+
 /** Description of `cylinder`. */
 const SceneShapeClass scene_cylinder_class = {
     .keyword = {.name = "cylinder",
@@ -46,4 +63,5 @@ const SceneShapeClass scene_cylinder_class = {
                 .defaults = &cylinder_defaults,
                 .finish = cylinder_finish},
     .facts = cylinder_facts,
+    .distance = cylinder_distance,
 };

@@ -23,6 +23,13 @@ static ShapeFacts disk_facts(const void *parameters, const Scene *scene) {
                         .is_flat = true};
 }
 
+/** @return The distance of a point from the plane of a disk. See #SceneShapeClass.distance. */
+static double disk_distance(const void *parameters, const Scene *scene, Vec3d point) {
+    (void)scene;
+    const DiskParameters *p = parameters;
+    return distance_from_plane(p->normal, p->center, point);
+}
+
 /** Description of `disk`. */
 const SceneShapeClass scene_disk_class = {
     .keyword = {.name = "disk",
@@ -31,4 +38,5 @@ const SceneShapeClass scene_disk_class = {
                 .size = sizeof(DiskParameters),
                 .defaults = &disk_defaults},
     .facts = disk_facts,
+    .distance = disk_distance,
 };

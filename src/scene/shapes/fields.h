@@ -49,4 +49,10 @@ static inline bool edges_are_parallel(Vec3d a, Vec3d b) {
     return !(vec3d_length(normal) > PARALLEL_SINE);
 }
 
+/** @return The distance of a point from a plane. @param normal Its normal, of any length. @param at
+ *  A point of the plane. */
+static inline double distance_from_plane(Vec3d normal, Vec3d at, Vec3d point) {
+    return fabs(vec3d_dot(vec3d_normalize(normal), vec3d_subtract(point, at)));
+}
+
 #endif

@@ -41,6 +41,31 @@ static ShapeFacts mesh_facts(const void *parameters, const Scene *scene) {
                         .is_smooth = p->normals != NORMALS_FLAT};
 }
 
+/** @return A lower bound of the distance of a point from one triangle of a mesh. */
+static double mesh_triangle_distance(const Mesh *mesh, size_t index, Vec3d point) {
+    const MeshTriangle *triangle = &mesh->triangles[index];
+    Vec3d a = mesh->positions[triangle->index[0]], b = mesh->positions[triangle->index[1]],
+          c = mesh->positions[triangle->index[2]];
+    Vec3d low = vec3d_min(a, vec3d_min(b, c)), high = vec3d_max(a, vec3d_max(b, c));
+    Vec3d away = vec3d_max(vec3d_subtract(low, point), vec3d_subtract(point, high));
+    Vec3d normal = vec3d_cross(vec3d_subtract(b, a), vec3d_subtract(c, a));
+    double from_box = vec3d_length(vec3d_max(away, (Vec3d){0, 0, 0}));
+    bool has_area = vec3d_max_abs(normal) > 0;
+    return has_area ? fmax(from_box, distance_from_plane(normal, a, point)) : from_box;
+}
+
+/** @return A lower bound of the distance of a point from a mesh; 0 before its file is read. See
+ *  #SceneShapeClass.distance. */
+static double mesh_distance(const void *parameters, const Scene *scene, Vec3d point) {
+    const MeshShapeParameters *p = parameters;
+    const Mesh *mesh = scene->meshes[p->file].mesh;
+    double distance = HUGE_VAL;
+    for (size_t i = 0; mesh && i < mesh->triangle_count; i++) {
+        distance = fmin(distance, mesh_triangle_distance(mesh, i, point));
+    }
+    return mesh ? distance : 0;
+}
+
 /** Description of `mesh`. */
 const SceneShapeClass scene_mesh_class = {
     .keyword = {.name = "mesh",
@@ -50,4 +75,5 @@ const SceneShapeClass scene_mesh_class = {
                 .defaults = &mesh_defaults,
                 .finish = mesh_finish},
     .facts = mesh_facts,
+    .distance = mesh_distance,
 };

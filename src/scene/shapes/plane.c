@@ -20,6 +20,13 @@ static ShapeFacts plane_facts(const void *parameters, const Scene *scene) {
     return (ShapeFacts){.bounds = aabbd_infinite(), .is_flat = true};
 }
 
+/** @return The distance of a point from a plane. See #SceneShapeClass.distance. */
+static double plane_distance(const void *parameters, const Scene *scene, Vec3d point) {
+    (void)scene;
+    const PlaneParameters *p = parameters;
+    return distance_from_plane(p->normal, p->point, point);
+}
+
 /** Description of `plane`. */
 const SceneShapeClass scene_plane_class = {
     .keyword = {.name = "plane",
@@ -28,4 +35,5 @@ const SceneShapeClass scene_plane_class = {
                 .size = sizeof(PlaneParameters),
                 .defaults = &plane_defaults},
     .facts = plane_facts,
+    .distance = plane_distance,
 };

@@ -32,6 +32,13 @@ static ShapeFacts quad_facts(const void *parameters, const Scene *scene) {
     return (ShapeFacts){.bounds = bounds, .is_flat = true};
 }
 
+/** @return The distance of a point from the plane of a quad. See #SceneShapeClass.distance. */
+static double quad_distance(const void *parameters, const Scene *scene, Vec3d point) {
+    (void)scene;
+    const QuadParameters *p = parameters;
+    return distance_from_plane(vec3d_cross(p->u, p->v), p->corner, point);
+}
+
 /** Description of `quad`. */
 const SceneShapeClass scene_quad_class = {
     .keyword = {.name = "quad",
@@ -41,4 +48,5 @@ const SceneShapeClass scene_quad_class = {
                 .defaults = &quad_defaults,
                 .finish = quad_finish},
     .facts = quad_facts,
+    .distance = quad_distance,
 };

@@ -22,6 +22,13 @@ static ShapeFacts sphere_facts(const void *parameters, const Scene *scene) {
         .bounds = {vec3d_subtract(p->center, extent), vec3d_add(p->center, extent)}};
 }
 
+/** @return The distance of a point from a sphere. See #SceneShapeClass.distance. */
+static double sphere_distance(const void *parameters, const Scene *scene, Vec3d point) {
+    (void)scene;
+    const SphereParameters *p = parameters;
+    return fabs(vec3d_length(vec3d_subtract(point, p->center)) - p->radius);
+}
+
 /** Description of `sphere`. */
 const SceneShapeClass scene_sphere_class = {
     .keyword = {.name = "sphere",
@@ -30,4 +37,5 @@ const SceneShapeClass scene_sphere_class = {
                 .size = sizeof(SphereParameters),
                 .defaults = &sphere_defaults},
     .facts = sphere_facts,
+    .distance = sphere_distance,
 };

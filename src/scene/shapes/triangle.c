@@ -74,6 +74,15 @@ static ShapeFacts triangle_facts(const void *parameters, const Scene *scene) {
     return (ShapeFacts){.bounds = bounds, .is_flat = true};
 }
 
+/** @return The distance of a point from the plane of a triangle. See #SceneShapeClass.distance. */
+static double triangle_distance(const void *parameters, const Scene *scene, Vec3d point) {
+    (void)scene;
+    const TriangleParameters *p = parameters;
+    Vec3d normal = vec3d_cross(vec3d_subtract(p->corners[1], p->corners[0]),
+                               vec3d_subtract(p->corners[2], p->corners[0]));
+    return distance_from_plane(normal, p->corners[0], point);
+}
+
 /** Description of `triangle`. */
 const SceneShapeClass scene_triangle_class = {
     .keyword = {.name = "triangle",
@@ -83,4 +92,5 @@ const SceneShapeClass scene_triangle_class = {
                 .defaults = &triangle_defaults,
                 .finish = triangle_finish},
     .facts = triangle_facts,
+    .distance = triangle_distance,
 };

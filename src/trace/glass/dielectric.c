@@ -53,9 +53,10 @@ INLINE mask dielectric_hit_refract(const RayOffset *offset, const SurfaceHit *su
                                           dielectrics_ior(surface->dielectrics, shape_behind),
                                           offset_length / hit->distance);
     Vec3 n_behind = vec3_scale(surface->n_front[v], real_of(-1));
-    real t = ray_offset_transmitted_t(offset_length, refraction.cos_t, real_of(1));
-    dielectric->origin[v] = ray_offset_transmitted_origin(
-        hit, offset_length, n_behind, refraction.direction, refraction.cos_t, t);
+    real behind = TRANSMIT_OFFSET_BOUNDS * offset_length;
+    real t = ray_offset_along_t(behind, refraction.cos_t, real_of(1));
+    dielectric->origin[v] =
+        ray_offset_along_origin(hit, behind, n_behind, refraction.direction, refraction.cos_t, t);
     dielectric->direction[v] = refraction.direction;
     dielectric->is_overridden[v] = lanes & (shape_before == shape_behind);
     dielectric->reflectance[v] = real_select(lanes, refraction.reflectance, real_of(0));

@@ -48,4 +48,17 @@ INLINE Rgb surface_transmittance(const SurfaceHit *surface, int v, const Materia
     return rgb_select(dielectric->is_overridden[v], one, weight);
 }
 
+/** @return The origins of reflected rays: on their line where a surface reflects by Fresnel's
+ *  formulas. @param direction Their unit directions. */
+INLINE Vec3 surface_reflection_origin(const RayOffset *offset, const SurfaceHit *surface, int v,
+                                      Vec3 direction) {
+    const Hit *hit = &surface->hits[v];
+    Vec3 origin = ray_offset_origin(offset, hit, direction);
+    if (!surface->dielectric) {
+        return origin;
+    }
+    Vec3 on_line = ray_offset_reflected_origin(offset, hit, surface->n_front[v], direction);
+    return vec3_select(surface->dielectric->reflectance[v] > 0, on_line, origin);
+}
+
 #endif

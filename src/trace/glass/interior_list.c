@@ -6,6 +6,10 @@
 
 #include <stdlib.h>
 
+/** Most transparent shapes that an opaque one is compared with; if there are more, they are
+ *  assumed to touch. */
+enum { MAX_TOUCH_TESTS = 64 };
+
 /** Sets the indices of refraction of all shapes. @return Whether memory sufficed. */
 static bool iors_init(Dielectrics *dielectrics, const Scene *scene) {
     dielectrics->iors = calloc(scene->shape_count + 1, sizeof *dielectrics->iors);
@@ -32,19 +36,6 @@ static bool shape_is_opaque(const Shape *shape, const void *context) {
     return !shape_is_transparent(shape, context);
 }
 
-bool dielectrics_init(Dielectrics *dielectrics, const Scene *scene, const ShapeSet *shapes,
-                      const TraceSettings *settings) {
-    *dielectrics = (Dielectrics){.camera_interior = interior_list_empty()};
-    return !scene_has_transparency(scene) ||
-           (iors_init(dielectrics, scene) &&
-            shape_set_filter(&dielectrics->transparent, shapes, shape_is_transparent, dielectrics,
-                             settings) &&
-            shape_set_filter(&dielectrics->opaque, shapes, shape_is_opaque, dielectrics, settings));
-}
-
-/** Most tinted shapes that are tested for overlaps; if there are more, an override is assumed. */
-enum { MAX_TINTED_SHAPES = 1000 };
-
 /** @return Whether two boxes overlap. */
 static bool aabbs_overlap(const Aabbs *a, const Aabbs *b) {
     bool overlap = true;
@@ -53,6 +44,92 @@ static bool aabbs_overlap(const Aabbs *a, const Aabbs *b) {
     }
     return overlap;
 }
+
+/** @return Whether a box is bounded. */
+static bool aabbs_is_bounded(const Aabbs *box) {
+    bool is_bounded = true;
+    for (int axis = 0; axis < 3; axis++) {
+        is_bounded = is_bounded && box->low[axis] > -INFINITE && box->high[axis] < INFINITE;
+    }
+    return is_bounded;
+}
+
+/** @return Whether a shape crosses a diagonal of a bounded box. A plane that meets the box does. */
+static bool shape_crosses_diagonal(const Shape *shape, const Aabbs *box) {
+    bool crosses = false;
+    for (int corner = 0; corner < 4; corner++) {
+        bool flips_x = corner & 1, flips_y = corner & 2;
+        Vec3 from = {real_of(flips_x ? box->high[0] : box->low[0]),
+                     real_of(flips_y ? box->high[1] : box->low[1]), real_of(box->low[2])};
+        Vec3 to = {real_of(flips_x ? box->low[0] : box->high[0]),
+                   real_of(flips_y ? box->low[1] : box->high[1]), real_of(box->high[2])};
+        Ray ray = ray_of(from, vec3_subtract(to, from));
+        Hit hit = hit_none(real_of(1));
+        crosses = crosses || any(shape->class->is_hit(shape, &ray, mask_of(true), &hit));
+    }
+    return crosses;
+}
+
+/** @return Whether an opaque shape may touch a transparent one. */
+static bool shapes_may_touch(const Shape *opaque, const Shape *transparent) {
+    Aabbs box = opaque->class->bounds(opaque), glass = transparent->class->bounds(transparent);
+    bool is_plane = !opaque->class->extension && !aabbs_is_bounded(&box);
+    if (!is_plane || !aabbs_is_bounded(&glass)) {
+        return aabbs_overlap(&box, &glass);
+    }
+    glass = aabbs_padded_by_largest(glass);
+    return shape_crosses_diagonal(opaque, &glass);
+}
+
+/** See #ShapePredicate. @return Whether an opaque shape may touch any transparent one. */
+static bool shape_may_touch(const Shape *shape, const void *context) {
+    const Dielectrics *dielectrics = context;
+    const ShapeSet *transparent = &dielectrics->transparent;
+    bool touches = false;
+    for (size_t i = 0; shape_is_opaque(shape, context) && !touches && i < transparent->count; i++) {
+        touches = i == MAX_TOUCH_TESTS || shapes_may_touch(shape, transparent->shapes[i]);
+    }
+    return touches;
+}
+
+/** Finds the opaque shapes that may touch a transparent one. @return Whether memory sufficed. */
+static bool touching_init(Dielectrics *dielectrics, const ShapeSet *shapes,
+                          const TraceSettings *settings) {
+    if (!shape_set_filter(&dielectrics->touching, shapes, shape_may_touch, dielectrics, settings)) {
+        return false;
+    }
+    if (dielectrics->touching.count == 0) {
+        return true;
+    }
+    scalar *scales = calloc(shapes->count + 1, sizeof *scales);
+    dielectrics->offset_scales = scales;
+    if (!scales) {
+        return false;
+    }
+    scales[0] = 1;
+    for (size_t i = 0; i < shapes->count; i++) {
+        scales[i + 1] = (scalar)(dielectrics->iors[i + 1] > 0 ? 0 : 1);
+    }
+    for (size_t i = 0; i < dielectrics->touching.count; i++) {
+        scales[dielectrics->touching.shapes[i]->index + 1] = TOUCHING_OFFSET_SCALE;
+    }
+    return true;
+}
+
+bool dielectrics_init(Dielectrics *dielectrics, const Scene *scene, const ShapeSet *shapes,
+                      const TraceSettings *settings) {
+    *dielectrics = (Dielectrics){.camera_interior = interior_list_empty(), .all = shapes};
+    return !scene_has_transparency(scene) ||
+           (iors_init(dielectrics, scene) &&
+            shape_set_filter(&dielectrics->transparent, shapes, shape_is_transparent, dielectrics,
+                             settings) &&
+            shape_set_filter(&dielectrics->opaque, shapes, shape_is_opaque, dielectrics,
+                             settings) &&
+            touching_init(dielectrics, shapes, settings));
+}
+
+/** Most tinted shapes that are tested for overlaps; if there are more, an override is assumed. */
+enum { MAX_TINTED_SHAPES = 1000 };
 
 /** @return Whether a material absorbs some of the transmitted light. */
 static bool material_is_tinted(const Material *s) {
@@ -78,9 +155,11 @@ void dielectrics_find_overrides(Dielectrics *dielectrics, const Material *materi
 
 void dielectrics_deinit(Dielectrics *dielectrics) {
     free(dielectrics->iors);
-    dielectrics->iors = NULL;
+    free(dielectrics->offset_scales);
+    dielectrics->iors = dielectrics->offset_scales = NULL;
     shape_set_deinit(&dielectrics->transparent);
     shape_set_deinit(&dielectrics->opaque);
+    shape_set_deinit(&dielectrics->touching);
 }
 
 /** @return The lanes in which rays hit a shape from inside. @param hit_lanes The lanes that hit it.

@@ -18,10 +18,10 @@ INLINE void shadow_rays_advance(const RayOffset *offset, const Hit *hit, mask la
     real along = vec3_dot(direction, hit->normal), cosine = real_abs(along);
     real side = real_select(along < 0, real_of(-1), real_of(1));
     real offset_length = ray_offset_length(offset, hit);
-    real t =
-        ray_offset_transmitted_t(offset_length, cosine, real_sqrt(vec3_dot(direction, direction)));
+    real behind = TRANSMIT_OFFSET_BOUNDS * offset_length;
+    real t = ray_offset_along_t(behind, cosine, real_sqrt(vec3_dot(direction, direction)));
     Vec3 n_behind = vec3_scale(hit->normal, side);
-    Vec3 origin = ray_offset_transmitted_origin(hit, offset_length, n_behind, direction, cosine, t);
+    Vec3 origin = ray_offset_along_origin(hit, behind, n_behind, direction, cosine, t);
     rays->rays[v] = ray_of(origin, direction);
     rays->limit[v] -= hit->distance + t;
     rays->active[v] = lanes & (rays->limit[v] > 0);

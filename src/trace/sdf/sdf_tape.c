@@ -74,24 +74,40 @@ INLINE TapeDual dual_chain2(real value, real slope_a, TapeDual a, real slope_b, 
         registers[step->to] = (DUAL);                                                              \
     }
 
+/** The constant. */
 TAPE_STEP(constant, c, dual_constant(value))
+/** a + b */
 TAPE_STEP(add, a + b, dual_of(value, vec3_add(p.gradient, q.gradient)))
+/** a - b */
 TAPE_STEP(subtract, a - b, dual_of(value, vec3_subtract(p.gradient, q.gradient)))
-TAPE_STEP(multiply, a *b, dual_chain2(value, b, p, a, q))
+/** a * b */
+TAPE_STEP(multiply, (a * b), dual_chain2(value, b, p, a, q))
+/** a / b */
 TAPE_STEP(divide, a / b, dual_chain2(value, 1 / b, p, -value / b, q))
+/** The remainder by the floor. */
 TAPE_STEP(modulo, a - real_floor(a / b) * b,
           dual_chain2(value, real_of(1), p, -real_floor(a / b), q))
+/** The smaller one. */
 TAPE_STEP(minimum, real_min(b, a), dual_of(value, vec3_select(b < a, q.gradient, p.gradient)))
+/** The larger one. */
 TAPE_STEP(maximum, real_max(b, a), dual_of(value, vec3_select(b > a, q.gradient, p.gradient)))
+/** -a */
 TAPE_STEP(negate, -a, dual_chain(value, real_of(-1), p))
+/** The square root. */
 TAPE_STEP(square_root, real_sqrt(a),
           dual_chain(value, real_divide_or_zero(real_of((scalar)0.5f), value), p))
+/** The absolute value. */
 TAPE_STEP(absolute, real_abs(a), dual_chain(value, real_sign(a), p))
+/** The largest integer that is not larger. */
 TAPE_STEP(floor, real_floor(a), dual_constant(value))
+/** The sine. */
 TAPE_STEP(sine, real_sine_cosine(a).sine, dual_chain(value, real_sine_cosine(a).cosine, p))
+/** The cosine. */
 TAPE_STEP(cosine, real_sine_cosine(a).cosine, dual_chain(value, -real_sine_cosine(a).sine, p))
+/** a + c */
 TAPE_STEP(add_constant, a + c, dual_of(value, p.gradient))
-TAPE_STEP(multiply_constant, a *c, dual_chain(value, c, p))
+/** a * c */
+TAPE_STEP(multiply_constant, (a * c), dual_chain(value, c, p))
 
 /** A step of each operation. */
 #define TAPE_ROW(NAME)                                                                             \

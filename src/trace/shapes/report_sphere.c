@@ -111,27 +111,68 @@ static TextureUv projection_texture_uv(const Shape *self, const Hit *hit, mask l
     return uv;
 }
 
-/** Defines a class of spheres from its #IntersectFunction and its texture coordinates. */
-#define REPORT_SPHERE_CLASS(name, intersect_, uv_)                                                 \
-    /** See #ShapeClass.is_hit. */                                                                 \
-    static mask name##_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {          \
-        return primitive_is_hit(self, ray, active, hit, intersect_, report_sphere_surface, NULL);  \
-    }                                                                                              \
-    /** See #ShapeClass.is_occluding. */                                                           \
-    static mask name##_is_occluding(const Shape *self, const Ray *ray, mask active, real limit) {  \
-        return primitive_is_occluding(self, ray, active, limit, intersect_, NULL);                 \
-    }                                                                                              \
-    /** A class of spheres. */                                                                     \
-    static const ShapeClass name##_class = {.size = sizeof(ReportSphere),                          \
-                                            .init = report_sphere_init,                            \
-                                            .is_hit = name##_is_hit,                               \
-                                            .is_occluding = name##_is_occluding,                   \
-                                            .bounds = report_sphere_bounds,                        \
-                                            .texture_uv = uv_}
+/** See #ShapeClass.is_hit. */
+static mask quadratic_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
+    return primitive_is_hit(self, ray, active, hit, quadratic_intersect, report_sphere_surface,
+                            NULL);
+}
 
-REPORT_SPHERE_CLASS(quadratic, quadratic_intersect, report_sphere_texture_uv);
-REPORT_SPHERE_CLASS(quadratic_c, quadratic_c_intersect, report_sphere_texture_uv);
-REPORT_SPHERE_CLASS(projection, projection_intersect, projection_texture_uv);
+/** See #ShapeClass.is_occluding. */
+static mask quadratic_is_occluding(const Shape *self, const Ray *ray, mask active, real limit) {
+    return primitive_is_occluding(self, ray, active, limit, quadratic_intersect, NULL);
+}
+
+/** Spheres of report A. */
+static const ShapeClass quadratic_class = {
+    .size = sizeof(ReportSphere),
+    .init = report_sphere_init,
+    .is_hit = quadratic_is_hit,
+    .is_occluding = quadratic_is_occluding,
+    .bounds = report_sphere_bounds,
+    .texture_uv = report_sphere_texture_uv,
+};
+
+/** See #ShapeClass.is_hit. */
+static mask quadratic_c_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
+    return primitive_is_hit(self, ray, active, hit, quadratic_c_intersect, report_sphere_surface,
+                            NULL);
+}
+
+/** See #ShapeClass.is_occluding. */
+static mask quadratic_c_is_occluding(const Shape *self, const Ray *ray, mask active, real limit) {
+    return primitive_is_occluding(self, ray, active, limit, quadratic_c_intersect, NULL);
+}
+
+/** Spheres of report C. */
+static const ShapeClass quadratic_c_class = {
+    .size = sizeof(ReportSphere),
+    .init = report_sphere_init,
+    .is_hit = quadratic_c_is_hit,
+    .is_occluding = quadratic_c_is_occluding,
+    .bounds = report_sphere_bounds,
+    .texture_uv = report_sphere_texture_uv,
+};
+
+/** See #ShapeClass.is_hit. */
+static mask projection_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
+    return primitive_is_hit(self, ray, active, hit, projection_intersect, report_sphere_surface,
+                            NULL);
+}
+
+/** See #ShapeClass.is_occluding. */
+static mask projection_is_occluding(const Shape *self, const Ray *ray, mask active, real limit) {
+    return primitive_is_occluding(self, ray, active, limit, projection_intersect, NULL);
+}
+
+/** Spheres of report D. */
+static const ShapeClass projection_class = {
+    .size = sizeof(ReportSphere),
+    .init = report_sphere_init,
+    .is_hit = projection_is_hit,
+    .is_occluding = projection_is_occluding,
+    .bounds = report_sphere_bounds,
+    .texture_uv = projection_texture_uv,
+};
 
 const ShapeClass *report_shape_class(const ShapeClass *own, unsigned methods) {
     if (own != &sphere_class) {

@@ -4,6 +4,7 @@
  */
 #include "trace/tracer/aov.h"
 
+#include "trace/tracer/retrace.h"
 #include "trace/tracer/tile.h"
 
 #include <string.h>
@@ -19,8 +20,10 @@ static void aov_record_hits(const Packet *packet, const Hit *hits, AovSample *sa
     for (int i = 0; i < PACKET_RAYS; i++) {
         const Hit *hit = &hits[i / LANES];
         int lane = i % LANES;
-        bool is_hit =
-            mask_lane(packet->active[i / LANES], lane) && hit_shape_or_none(hit, lane) >= 0;
+        if (!mask_lane(packet->active[i / LANES], lane)) {
+            continue;
+        }
+        bool is_hit = hit_shape_or_none(hit, lane) >= 0;
         samples[i].shape = is_hit ? hit_shape_or_none(hit, lane) : -1;
         samples[i].distance = (double)real_lane(hit->distance, lane);
         samples[i].normal[0] = is_hit ? (double)real_lane(hit->normal.x, lane) : 0;
@@ -171,7 +174,6 @@ static void aov_samples_write(const AovSample *packet_samples, const PixelGrid *
 
 void aov_trace(const Tracer *tracer, const PixelGrid *grid, unsigned flags, AovSample *samples,
                RayCounts *counts) {
-    const TraceContext context = {tracer, counts, NULL};
     const PixelJitter jitter = pixel_jitter_of(grid->sample);
     int packet_count = grid_packet_count(grid);
     for (int index = 0; index < packet_count; index++) {
@@ -181,7 +183,7 @@ void aov_trace(const Tracer *tracer, const PixelGrid *grid, unsigned flags, AovS
         camera_rays_init(tracer, grid, jitter, index, &recorders, &rays);
         if (flags & AOV_RADIANCE) {
             Rgb colors[PACKET_VECTORS];
-            trace_camera_packet(&context, &rays.state, colors);
+            trace_camera_rays(tracer, &rays.state, colors, counts);
             aov_samples_set_colors(colors, packet_samples);
         }
         if (flags != AOV_RADIANCE) {

@@ -7,6 +7,7 @@
 #include "trace/tracer/report_methods.h"
 #include "trace/tracer/tile.h"
 
+#include <limits.h>
 #include <stdlib.h>
 
 /** @return The sky in the engine's number type. */
@@ -30,6 +31,7 @@ static void engine_destroy_tracer(Tracer *tracer) {
         free(tracer->materials);
         free(tracer->lights);
         emitters_deinit(&tracer->emitters);
+        loss_budget_deinit(&tracer->loss_budget);
         free(tracer);
     }
 }
@@ -60,6 +62,9 @@ static void engine_set_view(Tracer *tracer, const Scene *scene, int width, int h
     }
     emitters_set(&tracer->emitters, scene, tracer->lights, tracer->seen_light_count,
                  tracer->origin);
+    if (tracer->depth > 0) {
+        loss_budget_set_view(&tracer->loss_budget, scene, tracer->seen_light_count);
+    }
 }
 
 /**
@@ -77,21 +82,22 @@ static Tracer *tracer_create(const Scene *scene, Vec3d origin, const TraceSettin
     }
     const MeshBvhCache *reuse_from = settings->reuse_from ? &settings->reuse_from->meshes : NULL;
     bool is_recursive = scene_has_reflection(scene) || scene_has_transparency(scene);
-    *tracer =
-        (Tracer){.sky = sky_of(&scene->sky),
-                 .light_count = settings->is_unlit ? 0 : scene->light_count,
-                 .seen_light_count = scene->light_count,
-                 .depth = is_recursive ? settings->depth : 0,
-                 .cutoff = (scalar)(settings->cutoff > 0 ? settings->cutoff : THROUGHPUT_CUTOFF),
-                 .samples = settings->samples,
-                 .methods = settings->methods,
-                 .pixel_point = settings->pixel_point,
-                 .origin = origin,
-                 .has_specular = scene_has_specular(scene),
-                 .ray_offset = {settings->offset, (scalar)settings->epsilon}};
+    *tracer = (Tracer){.sky = sky_of(&scene->sky),
+                       .light_count = settings->is_unlit ? 0 : scene->light_count,
+                       .seen_light_count = scene->light_count,
+                       .depth = !is_recursive                     ? 0
+                                : settings->depth < DEPTH_MAXIMUM ? settings->depth
+                                                                  : INT_MAX,
+                       .samples = settings->samples,
+                       .methods = settings->methods,
+                       .pixel_point = settings->pixel_point,
+                       .origin = origin,
+                       .has_specular = scene_has_specular(scene),
+                       .ray_offset = {settings->offset, (scalar)settings->epsilon}};
     tracer->lights = simd_allocate((scene->light_count + 1) * sizeof(Light));
     tracer->materials = simd_allocate(scene->material_count * sizeof(Material));
     if (!tracer->lights || !tracer->materials || !emitters_init(&tracer->emitters, scene, error) ||
+        !loss_budget_init(&tracer->loss_budget, scene, settings) ||
         !textures_init(&tracer->textures, scene, error) ||
         !mesh_bvh_cache_init(&tracer->meshes, scene, reuse_from, settings, error) ||
         !shape_set_init(&tracer->shapes, scene, &tracer->meshes, settings, error) ||
@@ -137,7 +143,8 @@ static TracerStats engine_stats(const Tracer *tracer) {
     const ShapeSet *shapes = &tracer->shapes;
     TracerStats stats = {.linear = shapes->linear_count,
                          .in_bvh = shapes->count - shapes->linear_count,
-                         .bvh_threshold = shapes->bvh_threshold};
+                         .bvh_threshold = shapes->bvh_threshold,
+                         .radiance_bound = (double)tracer->loss_budget.radiance_bound};
     stats.step_limit_count = step_limit_counter_load(&tracer->meshes.step_limit_counter);
     for (size_t i = 0; i < tracer->meshes.count; i++) {
         const MeshBvh *model = tracer->meshes.entries[i];

@@ -68,9 +68,20 @@ typedef struct RayState {
     Packet packet;                       /**< The rays; their directions are unit vectors. */
     real throughput[PACKET_VECTORS];     /**< The factor of a ray's colour in its pixel; the largest
                                               of the three channels. */
+    integer turns[PACKET_VECTORS];       /**< Number of reflections and refractions so far; surfaces
+                                              that a later shape overrides are none. */
     const struct InteriorList *interior; /**< The transparent shapes that each vector of rays is
                                               inside of; NULL: the scene has none. */
 } RayState;
+
+/** What a packet lacks of its light because rays below were ended, and what it cost. */
+typedef struct Losses {
+    real
+        dropped[PACKET_VECTORS]; /**< Sum of the throughputs of rays that ended for their weight. */
+    real guarded[PACKET_VECTORS]; /**< Sum of the throughputs of rays that the guard of the
+                                       recursion ended. */
+    real rays[PACKET_VECTORS];    /**< Number of secondary rays. */
+} Losses;
 
 /** The bounding boxes of LANES shapes, for one test of all of them. */
 typedef struct Aabb {
@@ -90,6 +101,13 @@ typedef struct PacketIntervals {
     AxisInterval axis[3]; /**< Along x, y and z. */
     scalar limit;         /**< The largest limit. */
 } PacketIntervals;
+
+/** Sets all losses to 0. */
+INLINE void losses_clear(Losses *losses) {
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        losses->dropped[v] = losses->guarded[v] = losses->rays[v] = real_of(0);
+    }
+}
 
 /** @return The number of active rays. */
 unsigned packet_active_count(const Packet *packet);

@@ -54,6 +54,13 @@ INLINE void rgb_copy_lane(Rgb *to, int slot, const Rgb *from, int lane) {
     real_copy_lane(&to->blue, slot, &from->blue, lane);
 }
 
+/** Copies what a ray lacks. */
+INLINE void losses_copy_lane(Losses *to, int v, int lane, const Losses *from, LaneSlot slot) {
+    real_copy_lane(&to->dropped[v], lane, &from->dropped[slot.vector], slot.lane);
+    real_copy_lane(&to->guarded[v], lane, &from->guarded[slot.vector], slot.lane);
+    real_copy_lane(&to->rays[v], lane, &from->rays[slot.vector], slot.lane);
+}
+
 /** Copies a ray. */
 INLINE void ray_copy_lane(Ray *to, int slot, const Ray *from, int lane) {
     vec3_copy_lane(&to->origin, slot, &from->origin, lane);
@@ -83,6 +90,8 @@ static void packet_merge_append(PacketMerge *merge, const RayState *rays) {
                                     lane);
             real_copy_lane(&merge->rays.throughput[slot.vector], slot.lane, &rays->throughput[v],
                            lane);
+            integer_set_lane(&merge->rays.turns[slot.vector], slot.lane,
+                             integer_at(&rays->turns[v], lane));
             merge->pixel_ids[merge->count++] = pixel_ids ? pixel_ids[v * LANES + lane] : 0;
         }
     }
@@ -97,6 +106,7 @@ static void packet_merge_pad(PacketMerge *merge) {
         ray_copy_lane(rays, slot.lane, rays, 0);
         interior_list_copy_lane(interior, slot.lane, interior, 0);
         real_set_lane(&merge->rays.throughput[slot.vector], slot.lane, 0);
+        integer_set_lane(&merge->rays.turns[slot.vector], slot.lane, 0);
         merge->pixel_ids[index] = 0;
     }
 }
@@ -122,14 +132,15 @@ void packet_merge_init(PacketMerge *merge, const RayState *one, const RayState *
     }
 }
 
-unsigned packet_merge_scatter(const Rgb *merged_colors, unsigned first, const Packet *packet,
-                              Rgb *colors) {
+unsigned packet_merge_scatter(const Rgb *merged_colors, const Losses *merged_losses, unsigned first,
+                              const Packet *packet, Rgb *colors, Losses *losses) {
     for (int v = 0; v < PACKET_VECTORS; v++) {
         for (unsigned remaining = mask_bits(packet->active[v]); remaining;
              remaining &= remaining - 1) {
             int lane = __builtin_ctz(remaining);
             LaneSlot slot = lane_slot_of(first++);
             rgb_copy_lane(&colors[v], lane, &merged_colors[slot.vector], slot.lane);
+            losses_copy_lane(losses, v, lane, merged_losses, slot);
         }
     }
     return first;

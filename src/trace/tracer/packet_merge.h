@@ -39,14 +39,16 @@ bool packet_merge_is_worthwhile(const Packet *one, const Packet *other);
 void packet_merge_init(PacketMerge *merge, const RayState *one, const RayState *other);
 
 /**
- * Copies colours of a merged packet back to the lanes of one of its two packets.
+ * Copies colours and losses of a merged packet back to the lanes of one of its two packets.
  * @param merged_colors  The colours of the merged packet.
+ * @param merged_losses  Its losses.
  * @param first  Index of the packet's first ray in the merged packet.
  * @param packet  The packet as it was merged.
  * @param[out] colors  The colours of its active rays.
+ * @param[out] losses  Their losses.
  * @return The index behind the packet's last ray.
  */
-unsigned packet_merge_scatter(const Rgb *merged_colors, unsigned first, const Packet *packet,
-                              Rgb *colors);
+unsigned packet_merge_scatter(const Rgb *merged_colors, const Losses *merged_losses, unsigned first,
+                              const Packet *packet, Rgb *colors, Losses *losses);
 
 #endif

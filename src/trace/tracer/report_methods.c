@@ -13,14 +13,15 @@
 /** Constant of that falloff, scene units. */
 #define REPORT_D_CONSTANT 2
 
-void report_trace_camera_packet(const TraceContext *context, const RayState *rays, Rgb *colors) {
+void report_trace_camera_packet(const TraceContext *context, const RayState *rays, Rgb *colors,
+                                Losses *losses) {
     RayTally tally;
     TraceContext counted = *context;
     counted.tally = &tally;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         tally.count[v] = real_of(1);
     }
-    trace_packet(&counted, rays, colors);
+    trace_packet(&counted, rays, colors, losses);
     if (context->tracer->methods & METHOD_MEAN_OF_RAYS) {
         for (int v = 0; v < PACKET_VECTORS; v++) {
             real count = real_min(tally.count[v], real_of(REPORT_D_RAYS));

@@ -16,7 +16,8 @@ struct RayTally {
 };
 
 /** Traces a packet of camera rays. See #trace_packet. */
-void report_trace_camera_packet(const TraceContext *context, const RayState *rays, Rgb *colors);
+void report_trace_camera_packet(const TraceContext *context, const RayState *rays, Rgb *colors,
+                                Losses *losses);
 
 /** Sets the colours of rays that met no shape: what A's secondary rays do not meet is black. */
 void report_shade_background(const TraceContext *context, const SurfaceHit *surface, Rgb *colors);

@@ -19,17 +19,22 @@ INLINE void secondary_rays_init(SecondaryRays *secondary, RayType type, const Pa
 }
 
 /**
- * Sets the weights of a vector of rays, and ends the rays that cannot change the image.
+ * Sets the weights of a vector of rays, and ends those that weigh too little or are too deep.
  * @param weight  Their weights at the surface.
  * @param throughput  The throughput of the rays that hit the surface.
+ * @param[in,out] losses  The throughputs of the rays that end are added to this.
  * @return Whether any ray is left.
  */
-INLINE bool secondary_rays_set_weight(const Tracer *tracer, int v, mask lanes, Rgb weight,
-                                      real throughput, SecondaryRays *secondary) {
+INLINE bool secondary_rays_set_weight(const TraceContext *context, int v, mask lanes, Rgb weight,
+                                      real throughput, SecondaryRays *secondary, Losses *losses) {
     RayState *rays = &secondary->rays;
+    bool is_too_deep = rays->packet.context.bounce > (uint32_t)DEPTH_MAXIMUM;
     secondary->weights[v] = weight;
     rays->throughput[v] = throughput * rgb_max(weight);
-    rays->packet.active[v] = lanes & (rays->throughput[v] >= tracer->cutoff);
+    mask is_heavy = rays->throughput[v] >= (is_too_deep ? INFINITE : context->cutoff);
+    real *lost = is_too_deep ? losses->guarded : losses->dropped;
+    rays->packet.active[v] = lanes & is_heavy;
+    lost[v] += real_select(lanes & mask_not(is_heavy), rays->throughput[v], real_of(0));
     return any(rays->packet.active[v]);
 }
 
@@ -39,37 +44,53 @@ INLINE void secondary_rays_set(SecondaryRays *secondary, int v, Vec3 origin, Vec
     secondary->rays.packet.limit[v] = real_of(INFINITE);
 }
 
-void reflect_rays(const Tracer *tracer, const RayState *rays, const SurfaceHit *surface,
-                  SecondaryRays *reflected) {
+void reflect_rays(const TraceContext *context, const RayState *rays, const SurfaceHit *surface,
+                  SecondaryRays *reflected, Losses *losses) {
     secondary_rays_init(reflected, RAY_REFLECTION, &rays->packet, rays->interior);
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        mask lanes = surface->is_hit[v];
+        mask lanes = surface->may_turn[v];
         MaterialPack material =
             material_pack_gather(surface->materials, &surface->material_ids[v], lanes);
         Rgb weight = surface_reflectance(surface, v, &material);
-        if (!secondary_rays_set_weight(tracer, v, lanes, weight, rays->throughput[v], reflected)) {
+        reflected->rays.turns[v] = rays->turns[v] + 1;
+        if (!secondary_rays_set_weight(context, v, lanes, weight, rays->throughput[v], reflected,
+                                       losses)) {
             continue;
         }
         Vec3 d = rays->packet.rays[v].direction, n = surface->n_front[v];
         // Normalized at each bounce: otherwise the length drifts by an ulp or two per reflection.
         Vec3 r = vec3_normalize(vec3_subtract(d, vec3_scale(n, 2 * vec3_dot(d, n))));
-        secondary_rays_set(reflected, v,
-                           ray_offset_origin(&tracer->ray_offset, &surface->hits[v], r), r);
+        Vec3 origin = surface_reflection_origin(&context->tracer->ray_offset, surface, v, r);
+        secondary_rays_set(reflected, v, origin, r);
     }
 }
 
-void refract_rays(const Tracer *tracer, const RayState *rays, const SurfaceHit *surface,
-                  SecondaryRays *refracted) {
+void refract_rays(const TraceContext *context, const RayState *rays, const SurfaceHit *surface,
+                  SecondaryRays *refracted, Losses *losses) {
     const DielectricHit *dielectric = surface->dielectric;
     secondary_rays_init(refracted, RAY_REFRACTION, &rays->packet, dielectric->interior_behind);
     for (int v = 0; v < PACKET_VECTORS; v++) {
         MaterialPack material =
             material_pack_gather(surface->materials, &surface->material_ids[v], surface->is_hit[v]);
         Rgb weight = surface_transmittance(surface, v, &material);
-        if (secondary_rays_set_weight(tracer, v, dielectric->is_transmitted[v], weight,
-                                      rays->throughput[v], refracted)) {
+        mask is_overridden = dielectric->is_overridden[v];
+        mask lanes = dielectric->is_transmitted[v] & (surface->may_turn[v] | is_overridden);
+        refracted->rays.turns[v] =
+            integer_select(is_overridden, rays->turns[v], rays->turns[v] + 1);
+        if (secondary_rays_set_weight(context, v, lanes, weight, rays->throughput[v], refracted,
+                                      losses)) {
             secondary_rays_set(refracted, v, dielectric->origin[v], dielectric->direction[v]);
         }
+    }
+}
+
+void losses_add(const Packet *packet, const Losses *incoming, Losses *losses) {
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        mask lanes = packet->active[v];
+        real zero = real_of(0);
+        losses->dropped[v] += real_select(lanes, incoming->dropped[v], zero);
+        losses->guarded[v] += real_select(lanes, incoming->guarded[v], zero);
+        losses->rays[v] += real_select(lanes, incoming->rays[v] + 1, zero);
     }
 }
 

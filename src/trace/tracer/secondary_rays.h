@@ -6,6 +6,7 @@
 #define DIOPTRE_TRACE_TRACER_SECONDARY_RAYS_H
 
 #include "trace/glass/dielectric.h"
+#include "trace/tracer/tracer.h"
 
 /** Rays of one type that start at the surfaces that a packet hits. */
 typedef struct SecondaryRays {
@@ -17,22 +18,28 @@ typedef struct SecondaryRays {
 
 /**
  * Generates the reflected rays: r = d - 2 (d . n) n.
- * @param tracer  For the offset of their origins and the cutoff of their throughput.
+ * @param context  For the offset of their origins and the cutoff of their throughput.
  * @param rays  The rays that hit the surfaces.
  * @param[out] reflected  The reflected rays.
+ * @param[in,out] losses  What ends here is added to this.
  */
-void reflect_rays(const Tracer *tracer, const RayState *rays, const SurfaceHit *surface,
-                  SecondaryRays *reflected);
+void reflect_rays(const TraceContext *context, const RayState *rays, const SurfaceHit *surface,
+                  SecondaryRays *reflected, Losses *losses);
 
 /**
  * Generates the refracted rays. Snell's law is in trace/materials/fresnel.h.
- * @param tracer  For the cutoff of their throughput.
+ * @param context  For the cutoff of their throughput.
  * @param rays  The rays that hit the surfaces.
  * @param surface  The surfaces, with #SurfaceHit.dielectric.
  * @param[out] refracted  The refracted rays.
+ * @param[in,out] losses  What ends here is added to this.
  */
-void refract_rays(const Tracer *tracer, const RayState *rays, const SurfaceHit *surface,
-                  SecondaryRays *refracted);
+void refract_rays(const TraceContext *context, const RayState *rays, const SurfaceHit *surface,
+                  SecondaryRays *refracted, Losses *losses);
+
+/** Adds the losses of the active rays of a packet, and the rays themselves, to those of the rays
+ *  that they come from. */
+void losses_add(const Packet *packet, const Losses *incoming, Losses *losses);
 
 /**
  * Adds the colours of secondary rays, weighted, to those of the rays that hit the surfaces.

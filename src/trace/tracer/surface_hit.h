@@ -22,7 +22,8 @@ typedef struct SurfaceHit {
     const DielectricHit *dielectric; /**< What happens at transparent surfaces; NULL: none. */
     Hit hits[PACKET_VECTORS];        /**< The nearest hits. */
     mask is_hit[PACKET_VECTORS];     /**< The rays that meet a shape. */
-    mask needs_light[PACKET_VECTORS];         /**< The points that direct light is computed for. */
+    mask needs_light[PACKET_VECTORS]; /**< The points that direct light is computed for. */
+    mask may_turn[PACKET_VECTORS];    /**< The rays that may be reflected or refracted there. */
     MaterialIds material_ids[PACKET_VECTORS]; /**< The materials at the points. */
     Vec3 n_front[PACKET_VECTORS]; /**< The normals on the side that the rays come from. */
 } SurfaceHit;

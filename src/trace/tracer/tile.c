@@ -6,6 +6,7 @@
 
 #include "trace/math/sobol.h"
 #include "trace/tracer/ray_tree_recorder.h"
+#include "trace/tracer/retrace.h"
 
 #include <string.h>
 
@@ -72,6 +73,7 @@ void camera_rays_init(const Tracer *tracer, const PixelGrid *grid, PixelJitter j
         (SampleContext){.recorders = recorders, .sample = (uint32_t)grid->sample};
     for (int v = 0; v < PACKET_VECTORS; v++) {
         state->throughput[v] = real_of(1);
+        state->turns[v] = integer_of(0);
     }
     state->interior = NULL;
     if (dielectrics->iors) {
@@ -84,27 +86,11 @@ void camera_rays_init(const Tracer *tracer, const PixelGrid *grid, PixelJitter j
         pixel_ids_set(grid, index, rays->pixel_ids);
         state->packet.context.pixel_ids = rays->pixel_ids;
     }
-    if (recorders && recorders->path_hashes) {
-        memset(recorders->path_hashes, 0, PACKET_RAYS * sizeof *recorders->path_hashes);
-    }
 }
 
 /* --- tiles ------------------------------------------------------------------------------------ */
 
-/** Begins the ray tree of a grid of one pixel. */
-static void ray_tree_begin(RayTree *ray_tree, const RayState *rays) {
-    const Rgb one = {real_of(1), real_of(1), real_of(1)};
-    ray_tree_push(ray_tree, RAY_CAMERA, rays, one);
-}
-
-/** Ends a ray tree. @param color The colour of the pixel. */
-static void ray_tree_end(RayTree *ray_tree, const Tracer *tracer, Rgb color) {
-    ray_tree_pop(ray_tree, color);
-    ray_tree_finish(ray_tree, tracer->origin);
-}
-
 void trace_tile(const Tracer *tracer, const PixelGrid *grid, double *rgb, RayCounts *counts) {
-    const TraceContext context = {tracer, counts, NULL};
     const PixelJitter jitter = pixel_jitter_of(grid->sample);
     uint64_t path_hashes[PACKET_RAYS];
     const Recorders recorders = {.path_hashes = grid->path_hashes ? path_hashes : NULL,
@@ -115,12 +101,9 @@ void trace_tile(const Tracer *tracer, const PixelGrid *grid, double *rgb, RayCou
         CameraRays rays;
         Rgb colors[PACKET_VECTORS];
         camera_rays_init(tracer, grid, jitter, index, is_recorded ? &recorders : NULL, &rays);
+        trace_camera_rays(tracer, &rays.state, colors, counts);
         if (grid->ray_tree) {
-            ray_tree_begin(grid->ray_tree, &rays.state);
-        }
-        trace_camera_packet(&context, &rays.state, colors);
-        if (grid->ray_tree) {
-            ray_tree_end(grid->ray_tree, tracer, colors[0]);
+            ray_tree_finish(grid->ray_tree, tracer->origin);
         }
         if (grid->path_hashes) {
             path_hashes_write(path_hashes, grid, index);

@@ -10,6 +10,7 @@
  */
 #include "trace/tracer/tracer.h"
 
+#include "trace/glass/contact.h"
 #include "trace/lights/direct_lighting.h"
 #include "trace/tracer/aov.h"
 #include "trace/tracer/packet_merge.h"
@@ -140,21 +141,40 @@ typedef struct ScatteredRays {
     InteriorList interior_behind[PACKET_VECTORS]; /**< The shapes that those are inside of. */
 } ScatteredRays;
 
+/** Finds the rays that may be reflected or refracted: the depth that the user asks for is not used
+ *  up. @return Whether any ray may go on; at an overridden surface all may. */
+INLINE bool find_turns(const Tracer *tracer, const RayState *rays, SurfaceHit *surface) {
+    mask goes_on = mask_of(false);
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        surface->may_turn[v] = surface->is_hit[v] & (rays->turns[v] < integer_of(tracer->depth));
+        goes_on |= surface->may_turn[v];
+        if (surface->dielectric) {
+            goes_on |= surface->dielectric->is_overridden[v];
+        }
+    }
+    return any(goes_on);
+}
+
 /**
  * Finds what a packet of rays hits, shades it, and generates reflected and refracted rays.
  *
  * Not inlined: its locals, several kilobytes, must be off the stack before trace_packet() calls
- * itself, since that happens up to #Tracer.depth times.
+ * itself, since that happens up to #DEPTH_MAXIMUM times.
  * @param[out] colors  The colours without reflection and refraction.
+ * @param[in,out] losses  What ends here is added to this.
  * @return Whether rays may have been generated.
  */
 static __attribute__((noinline)) bool shade_and_scatter(const TraceContext *context,
                                                         const RayState *rays,
-                                                        ScatteredRays *scattered, Rgb *colors) {
+                                                        ScatteredRays *scattered, Rgb *colors,
+                                                        Losses *losses) {
     const Tracer *tracer = context->tracer;
     SurfaceHit surface;
     DielectricHit dielectric;
     bool is_any_hit = find_hits(tracer, rays, &surface);
+    if (rays->interior && is_any_hit) {
+        contacts_resolve(&tracer->ray_offset, &surface);
+    }
     if (rays->packet.context.recorders) {
         surface_hit_record(&surface, &tracer->ray_offset);
     }
@@ -173,12 +193,12 @@ static __attribute__((noinline)) bool shade_and_scatter(const TraceContext *cont
         }
     }
     shade_surfaces(context, &surface, colors);
-    if (rays->packet.context.bounce >= (uint32_t)tracer->depth) {
+    if (!find_turns(tracer, rays, &surface)) {
         return false;
     }
-    reflect_rays(tracer, rays, &surface, &scattered->reflected);
+    reflect_rays(context, rays, &surface, &scattered->reflected, losses);
     if (rays->interior) {
-        refract_rays(tracer, rays, &surface, &scattered->refracted);
+        refract_rays(context, rays, &surface, &scattered->refracted, losses);
     }
     if (tracer->methods) {
         report_scatter(context, rays, &surface, &scattered->reflected,
@@ -191,67 +211,68 @@ static __attribute__((noinline)) bool shade_and_scatter(const TraceContext *cont
     return true;
 }
 
-/** Traces secondary rays, if any are active, and adds their colours. */
+/** Traces secondary rays, if any are active, and adds their colours and losses. */
 INLINE void trace_secondary(const TraceContext *context, const SecondaryRays *secondary,
-                            Rgb *colors) {
+                            Rgb *colors, Losses *losses) {
     const RayState *rays = &secondary->rays;
     RayTree *ray_tree = sample_context_ray_tree(&rays->packet.context);
     Rgb incoming[PACKET_VECTORS];
+    Losses incoming_losses;
     if (packet_active_count(&rays->packet) == 0) {
         return;
     }
     if (ray_tree) {
         ray_tree_push(ray_tree, secondary->type, rays, secondary->weights[0]);
     }
-    trace_packet(context, rays, incoming);
+    trace_packet(context, rays, incoming, &incoming_losses);
     if (ray_tree) {
         ray_tree_pop(ray_tree, incoming[0]);
     }
     secondary_rays_add(secondary, incoming, colors);
+    losses_add(&rays->packet, &incoming_losses, losses);
 }
 
-/** Traces reflected and refracted rays side by side in one packet, and adds their colours. Not
- *  inlined: the merged packet takes stack memory only where there is one; see
+/** Traces reflected and refracted rays side by side in one packet, and adds their colours and
+ *  losses. Not inlined: the merged packet takes stack memory only where there is one; see
  *  #PACKET_MERGE_MAX_BOUNCES. */
 static __attribute__((noinline)) void trace_merged(const TraceContext *context,
-                                                   const ScatteredRays *scattered, Rgb *colors) {
+                                                   const ScatteredRays *scattered, Rgb *colors,
+                                                   Losses *losses) {
     const SecondaryRays *reflected = &scattered->reflected, *refracted = &scattered->refracted;
     PacketMerge merge;
     Rgb merged_colors[PACKET_VECTORS], incoming[PACKET_VECTORS];
+    Losses merged_losses, incoming_losses;
     packet_merge_init(&merge, &reflected->rays, &refracted->rays);
-    trace_packet(context, &merge.rays, merged_colors);
-    unsigned next = packet_merge_scatter(merged_colors, 0, &reflected->rays.packet, incoming);
+    trace_packet(context, &merge.rays, merged_colors, &merged_losses);
+    unsigned next = packet_merge_scatter(merged_colors, &merged_losses, 0, &reflected->rays.packet,
+                                         incoming, &incoming_losses);
     secondary_rays_add(reflected, incoming, colors);
-    packet_merge_scatter(merged_colors, next, &refracted->rays.packet, incoming);
+    losses_add(&reflected->rays.packet, &incoming_losses, losses);
+    packet_merge_scatter(merged_colors, &merged_losses, next, &refracted->rays.packet, incoming,
+                         &incoming_losses);
     secondary_rays_add(refracted, incoming, colors);
+    losses_add(&refracted->rays.packet, &incoming_losses, losses);
 }
 
-void trace_packet(const TraceContext *context, const RayState *rays, Rgb *colors) {
+void trace_packet(const TraceContext *context, const RayState *rays, Rgb *colors, Losses *losses) {
     ScatteredRays scattered;
-    if (!shade_and_scatter(context, rays, &scattered, colors)) {
+    losses_clear(losses);
+    if (!shade_and_scatter(context, rays, &scattered, colors, losses)) {
         return;
     }
     if (rays->interior && !context->tracer->methods &&
         packet_merge_is_worthwhile(&scattered.reflected.rays.packet,
                                    &scattered.refracted.rays.packet)) {
-        trace_merged(context, &scattered, colors);
+        trace_merged(context, &scattered, colors, losses);
         return;
     }
     // Report D lists the refracted ray first.
     bool is_refracted_first = rays->interior && context->tally;
     if (is_refracted_first) {
-        trace_secondary(context, &scattered.refracted, colors);
+        trace_secondary(context, &scattered.refracted, colors, losses);
     }
-    trace_secondary(context, &scattered.reflected, colors);
+    trace_secondary(context, &scattered.reflected, colors, losses);
     if (rays->interior && !is_refracted_first) {
-        trace_secondary(context, &scattered.refracted, colors);
-    }
-}
-
-void trace_camera_packet(const TraceContext *context, const RayState *rays, Rgb *colors) {
-    if (context->tracer->methods) {
-        report_trace_camera_packet(context, rays, colors);
-    } else {
-        trace_packet(context, rays, colors);
+        trace_secondary(context, &scattered.refracted, colors, losses);
     }
 }

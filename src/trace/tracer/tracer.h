@@ -10,6 +10,7 @@
 #include "trace/materials/textures.h"
 #include "trace/mesh/mesh_bvh.h"
 #include "trace/tracer/camera.h"
+#include "trace/tracer/loss_budget.h"
 
 /** The sky in the engine's number type. */
 typedef struct Sky {
@@ -38,7 +39,7 @@ struct Tracer {
     RayOffset ray_offset;    /**< How far from surfaces secondary rays start. */
     int depth;               /**< Most reflections and refractions in succession; 0 if no material
                                   reflects or transmits. */
-    scalar cutoff;           /**< A ray ends when its throughput is below. */
+    LossBudget loss_budget;  /**< What may be ended below a camera ray. */
     bool has_specular;       /**< Whether any material has specular highlights. */
     unsigned methods;        /**< #TraceSettings.methods */
 };
@@ -46,10 +47,11 @@ struct Tracer {
 /** See trace/tracer/report_methods.h. */
 typedef struct RayTally RayTally;
 
-/** What all rays of one call of an engine share. */
+/** What all rays of one pass over a packet share. */
 typedef struct TraceContext {
     const Tracer *tracer; /**< The scene. */
     RayCounts *counts;    /**< The rays traced are added to this. */
+    scalar cutoff;        /**< Rays of less throughput end. */
     RayTally *tally;      /**< Rays per pixel, for report D's mean; NULL: not counted. */
 } TraceContext;
 
@@ -57,10 +59,8 @@ typedef struct TraceContext {
  * Traces a packet of rays, recursively.
  * @param rays  The rays; at least one is active.
  * @param[out] colors  The radiance that arrives along each ray.
+ * @param[out] losses  What was ended below each.
  */
-void trace_packet(const TraceContext *context, const RayState *rays, Rgb *colors);
-
-/** Traces a packet of camera rays. See #trace_packet. */
-void trace_camera_packet(const TraceContext *context, const RayState *rays, Rgb *colors);
+void trace_packet(const TraceContext *context, const RayState *rays, Rgb *colors, Losses *losses);
 
 #endif

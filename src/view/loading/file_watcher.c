@@ -4,6 +4,8 @@
  */
 #include "view/loading/file_watcher.h"
 
+#include "base/scene_name.h"
+
 #include <SDL.h>
 #include <limits.h>
 #include <poll.h>
@@ -14,8 +16,7 @@
 
 /** @return Whether a file may be a scene or included by one. */
 static bool is_scene_file(const char *name) {
-    const char *dot = strrchr(name, '.');
-    return name[0] != '.' && dot && strcmp(dot, ".lua") == 0;
+    return name[0] != '.' && scene_format_of(name) != SCENE_FORMAT_NONE;
 }
 
 /** Reads inotify's events. @return Whether any is of a scene file. */

@@ -36,8 +36,7 @@ static void push_list_event(const SceneList *list) {
 
 /** @return Whether a file may be a scene, for scandir. */
 static int is_scene_file(const struct dirent *entry) {
-    const char *dot = strrchr(entry->d_name, '.');
-    return entry->d_name[0] != '.' && dot && strcmp(dot, ".lua") == 0;
+    return entry->d_name[0] != '.' && scene_format_of(entry->d_name) != SCENE_FORMAT_NONE;
 }
 
 /** Reads the title of a scene: the first sentence of the comment at its beginning. @param[out]

@@ -1,0 +1,67 @@
+/**
+ * @file
+ * @brief Description of cones and frusta, open or capped.
+ */
+#include "scene/shapes/fields.h"
+
+/** Row of a radius that may be 0, scene units. */
+#define RADIUS_FIELD(field, member, text)                                                          \
+    {                                                                                              \
+        .name = field, .type = PARAMETER_NUMBER, .offset = offsetof(ConeParameters, member),       \
+        .minimum = 0, .maximum = LENGTH_MAXIMUM, .unit = "scene units", .help = text               \
+    }
+
+/** Fields of `cone`. */
+static const Parameter cone_parameters[] = {
+    POINT_FIELD("base", ConeParameters, base, "centre of one end"),
+    POINT_FIELD("top", ConeParameters, top, "centre of the other end"),
+    RADIUS_FIELD("radius", radius, "radius at the base"),
+    RADIUS_FIELD("top_radius", top_radius, "radius at the top; 0: a tip"),
+    {.name = "capped",
+     .type = PARAMETER_BOOLEAN,
+     .offset = offsetof(ConeParameters, capped),
+     .unit = "yes or no",
+     .help = "whether its ends are closed; else it is a funnel"},
+    {0}};
+
+/** A capped cone of radius 1 and height 1 on the plane y = 0. */
+static const ConeParameters cone_defaults = {.top = {0, 1, 0}, .radius = 1, .capped = true};
+
+/** @return Whether a radius is too small for the engines, but not 0. */
+static bool is_too_small(double radius) {
+    return radius > 0 && radius < LENGTH_MINIMUM;
+}
+
+/** Rejects cones without length or width. See #Keyword.finish. @return Whether both are there. */
+static bool cone_finish(void *values, uint64_t given, Error *error) {
+    (void)given;
+    const ConeParameters *p = values;
+    if (!(vec3d_length(vec3d_subtract(p->top, p->base)) >= LENGTH_MINIMUM)) {
+        return error_set(error, STATUS_SCENE, "cone has no length: base and top are the same");
+    }
+    if (p->radius == 0 && p->top_radius == 0) {
+        return error_set(error, STATUS_SCENE, "cone has no width: radius and top_radius are 0");
+    }
+    return (!is_too_small(p->radius) && !is_too_small(p->top_radius)) ||
+           error_set(error, STATUS_SCENE, "a radius of a cone must be 0 or at least %g",
+                     LENGTH_MINIMUM);
+}
+
+/** @return Facts of a cone: the box around its end circles. See #SceneShapeClass.facts. */
+static ShapeFacts cone_facts(const void *parameters, const Scene *scene) {
+    (void)scene;
+    const ConeParameters *p = parameters;
+    Vec3d axis = vec3d_normalize(vec3d_subtract(p->top, p->base));
+    return (ShapeFacts){.bounds = cone_bounds_of(p, axis)};
+}
+
+/** Description of `cone`. */
+const SceneShapeClass scene_cone_class = {
+    .keyword = {.name = "cone",
+                .help = "a cone or frustum, solid or a funnel",
+                .parameters = cone_parameters,
+                .size = sizeof(ConeParameters),
+                .defaults = &cone_defaults,
+                .finish = cone_finish},
+    .facts = cone_facts,
+};

@@ -1,0 +1,27 @@
+/**
+ * @file
+ * @brief Passes over camera rays: rays below which too much was ended are traced again.
+ *
+ * How much light a ray of low throughput would have brought is not known beforehand. So the first
+ * pass ends rays at a throughput that suffices for most pixels, and adds up what it ends. Where
+ * that could be worth more than the cutoff allows, the camera ray is traced again, and rays end
+ * at an eighth of the throughput. The work of all passes is a geometric series.
+ */
+#ifndef DIOPTRE_TRACE_TRACER_RETRACE_H
+#define DIOPTRE_TRACE_TRACER_RETRACE_H
+
+#include "trace/tracer/tracer.h"
+
+/**
+ * Traces camera rays until what is missing below each is worth less than the cutoff of the tracer,
+ * or can be found no more.
+ * @param tracer  The tracer.
+ * @param[in,out] rays  The camera rays; those that are active are the same afterwards. What is
+ *         recorded of a ray is that of its last pass.
+ * @param[out] colors  The radiance that arrives along each ray.
+ * @param[in,out] counts  The rays of all passes are added to this; for a ray tree those of the
+ * last.
+ */
+void trace_camera_rays(const Tracer *tracer, RayState *rays, Rgb *colors, RayCounts *counts);
+
+#endif

@@ -86,6 +86,7 @@ at most 4095 operations|include/dioptre/sdf.h|SDF_NODES_MAXIMUM = 4096
 at most 256 results|include/dioptre/sdf_tape.h|SDF_TAPE_REGISTERS = 256 
 finite and at most 1e\+30|include/dioptre/sdf_tape.h|SDF_TAPE_CONSTANT_MAXIMUM 1e30
 at 1000 random places|src/scene/sdf_tape_slope.c|PAIRS = 1000,
+grows by less than 0.5|include/dioptre/sdf_tape.h|SDF_TAPE_SLOPE_MINIMUM 0.5
 divided by 1.05 times|include/dioptre/sdf_tape.h|SDF_TAPE_SLOPE_MARGIN 1.05
 END
 printf '\n\n\n\n\ncamera {}\nsdf { function(x, y, z) return 3 * math.sqrt(x * x + y * y + z * z) - 1 end }' >"$work/my.lua"

@@ -66,6 +66,8 @@ static const FunctionCase cases[] = {
      "function(x, y, z)\n"
      "  return length((x + 1.5) % 3 - 1.5, (y + 1.5) % 3 - 1.5, (z + 1.5) % 3 - 1.5) - 1 end",
      "distance.sphere {}:repeat_every{3, 3, 3}", 64, HUGE_VAL, 1},
+    {"flat sphere", "function(x, y, z) return 0.01 * length(x, y, z) - 0.01 end",
+     "distance.sphere {}", 0, 1, 0.01},
     {"smooth union",
      "function(x, y, z)\n"
      "  return smooth(length(x, y, z) - 1, length(x - 1, y - 0.5, z) - 0.75, 0.5) end",
@@ -412,8 +414,10 @@ static void test_slopes(void **state) {
         }
         assert_at_most(fabs(slope - cases[i].slope), 0.01 * cases[i].slope, "%s, slope",
                        cases[i].name);
-        assert_int_equal(scene->note_count, cases[i].slope > 1);
-        assert_true(cases[i].slope > 1 ? factor * cases[i].slope < 1 : factor == 1);
+        bool is_divided = cases[i].slope > 1 || cases[i].slope < SDF_TAPE_SLOPE_MINIMUM;
+        assert_int_equal(scene->note_count, is_divided);
+        assert_true(is_divided ? factor * cases[i].slope < 1 && factor * cases[i].slope > 0.9
+                               : factor == 1);
         scene_destroy(scene);
     }
 }
@@ -579,7 +583,8 @@ static void test_check(void **state) {
             for (size_t w = 0; w < sizeof wrong / sizeof *wrong; w++) {
                 memcpy(copy, field, sdf_size(field->node_count));
                 copy->nodes[i].operands[n] = wrong[w];
-                bool is_factor = i == 0 && n == SDF_TAPE_FACTOR && wrong[w] == 0.5;
+                bool is_factor =
+                    i == 0 && n == SDF_TAPE_FACTOR && (wrong[w] == 0.5 || wrong[w] == 4096);
                 assert_true(sdf_check(copy) == is_factor);
             }
         }

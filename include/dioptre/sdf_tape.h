@@ -46,7 +46,7 @@ enum { SDF_TAPE_REGISTERS = 256 };
 
 /** Operands of a #SDF_TAPE node. */
 enum {
-    SDF_TAPE_FACTOR = 0, /**< Factor of the result, so that it grows by at most 1 per unit. */
+    SDF_TAPE_FACTOR = 0, /**< Factor of the result, so that it grows by about 1 per unit at most. */
     SDF_TAPE_RESULT = 1, /**< Register of the result. */
     SDF_TAPE_SLOPE = 2,  /**< Largest slope that was found; 0: not measured. */
     SDF_TAPE_CLAMPS = 3, /**< 1 if it grows faster outside its box: there it is not evaluated. */
@@ -149,6 +149,9 @@ typedef struct SdfTapeSlope {
 
 /** Slopes up to here are those of a distance; what is above 1 are roundings. */
 #define SDF_TAPE_SLOPE_MAXIMUM 1.000001
+/** Slopes below are not those of a distance: the tolerance would be reached far from the surface.
+ */
+#define SDF_TAPE_SLOPE_MINIMUM 0.5
 /** Factor on the largest slope that was found: random pairs miss the steepest one. */
 #define SDF_TAPE_SLOPE_MARGIN 1.05
 
@@ -162,7 +165,8 @@ typedef struct SdfTapeSlope {
 SdfTapeSlope sdf_tape_measure_slope(const Sdf *field, double growth);
 
 /**
- * Divides a tape by its slope, if it is more than 1, so that it is a bound of the distance.
+ * Divides a tape by its slope, if it is above #SDF_TAPE_SLOPE_MAXIMUM or below
+ * #SDF_TAPE_SLOPE_MINIMUM, so that it is a bound of the distance.
  * @param[in,out] field  A field that is a tape, with its bounding box.
  * @return What was found.
  */

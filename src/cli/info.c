@@ -291,7 +291,7 @@ static void print_tapes(const SceneInfo *info) {
             printf(ngettext("%d operation, slope %.3g", "%d operations, slope %.3g",
                             (unsigned long)tape->body_count),
                    tape->body_count, tape->operands[SDF_TAPE_SLOPE]);
-            if (factor < 1) {
+            if (factor != 1) {
                 printf(gettext(", divided by %.3g"), 1 / factor);
             }
             separator = "; ";

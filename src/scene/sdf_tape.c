@@ -278,7 +278,7 @@ static bool check_step(const SdfNode *node, bool *is_filled) {
 static bool check_tape(const SdfNode *tape) {
     double factor = tape->operands[SDF_TAPE_FACTOR];
     bool is_filled[SDF_TAPE_REGISTERS] = {true, true, true};
-    bool is_valid = factor > 0 && factor <= 1; // Not for NaN.
+    bool is_valid = factor > 0 && factor <= SDF_TAPE_CONSTANT_MAXIMUM; // Not for NaN.
     for (int i = 1; is_valid && i <= tape->body_count; i++) {
         is_valid = check_step(&tape[i], is_filled);
     }

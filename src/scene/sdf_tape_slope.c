@@ -191,9 +191,10 @@ SdfTapeSlope sdf_tape_normalize(Sdf *field) {
                            field->high.x, field->high.y, field->high.z};
     memcpy(operands + SDF_TAPE_BOX, box, sizeof box);
     operands[SDF_TAPE_SLOPE] = inside.slope;
-    operands[SDF_TAPE_CLAMPS] = outside.slope > fmax(inside.slope, SDF_TAPE_SLOPE_MAXIMUM);
-    if (inside.slope > SDF_TAPE_SLOPE_MAXIMUM) {
+    if (inside.slope > SDF_TAPE_SLOPE_MAXIMUM ||
+        (inside.slope > 1 / SDF_TAPE_CONSTANT_MAXIMUM && inside.slope < SDF_TAPE_SLOPE_MINIMUM)) {
         operands[SDF_TAPE_FACTOR] = 1 / (SDF_TAPE_SLOPE_MARGIN * inside.slope);
     }
+    operands[SDF_TAPE_CLAMPS] = outside.slope * operands[SDF_TAPE_FACTOR] > SDF_TAPE_SLOPE_MAXIMUM;
     return inside;
 }

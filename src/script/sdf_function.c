@@ -426,14 +426,14 @@ static void add_note(lua_State *L, int index, const char *message) {
 
 /** Divides a tape by its slope, so that it is a distance, and adds notes about it. */
 static void correct_slope(lua_State *L, int index, Sdf *field) {
-    SdfTapeSlope found = sdf_tape_normalize(field);
+    const SdfTapeSlope found = sdf_tape_normalize(field);
+    const double factor = field->nodes[0].operands[SDF_TAPE_FACTOR];
     char message[ERROR_MESSAGE_SIZE];
-    if (found.slope > SDF_TAPE_SLOPE_MAXIMUM) {
+    if (factor != 1) {
         snprintf(message, sizeof message,
                  gettext("this field grows by %.3g per unit at (%.3g, %.3g, %.3g), so it is no "
                          "distance; it is divided by %.3g"),
-                 found.slope, found.from.x, found.from.y, found.from.z,
-                 SDF_TAPE_SLOPE_MARGIN * found.slope);
+                 found.slope, found.from.x, found.from.y, found.from.z, 1 / factor);
         add_note(L, index, message);
     }
     if (found.jump > 0) {

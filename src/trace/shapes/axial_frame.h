@@ -79,16 +79,23 @@ INLINE Vec3 axial_frame_to_world_point(const AxialFrame *frame, Vec3w point) {
                                         axial_frame_to_world(frame, point), wide_of(1)));
 }
 
-/**
- * Sets rays in local coordinates.
- * @param[out] local_ray  The rays.
- * @param shift           Distance from their origins to the points that represent them, in lengths
- *                        of the direction; at least 0.
- */
-INLINE void axial_ray_init(AxialRay *local_ray, const AxialFrame *frame, const Ray *ray,
-                           wide shift) {
+/** Sets rays in local coordinates. @param[out] local_ray The rays. */
+INLINE void axial_ray_init(AxialRay *local_ray, const AxialFrame *frame, const Ray *ray) {
     Vec3w from_origin = vec3w_subtract(vec3_widen(ray->origin), vec3w_splat(frame->origin));
+    local_ray->origin = axial_frame_to_local(frame, from_origin);
+    local_ray->direction = axial_frame_to_local(frame, vec3_widen(ray->direction));
+    local_ray->start = wide_of(0);
+}
+
+/**
+ * Sets rays in local coordinates, represented by points ahead of their origins.
+ * @param[out] local_ray  The rays.
+ * @param shift           Distance to the points, in lengths of the direction; at least 0.
+ */
+INLINE void axial_ray_init_ahead(AxialRay *local_ray, const AxialFrame *frame, const Ray *ray,
+                                 wide shift) {
     Vec3w direction = vec3_widen(ray->direction);
+    Vec3w from_origin = vec3w_subtract(vec3_widen(ray->origin), vec3w_splat(frame->origin));
     from_origin = vec3w_add_scaled(from_origin, direction, shift);
     local_ray->origin = axial_frame_to_local(frame, from_origin);
     local_ray->direction = axial_frame_to_local(frame, direction);

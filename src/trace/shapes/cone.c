@@ -85,14 +85,10 @@ static void cone_init(Shape *self, const void *parameters) {
 /**
  * @return For rays that start far away, the distance of their point nearest to the middle; else 0.
  *         From their origin, the rounding of the wall's factors would count times the distance, and
- *         again over the sine of the angle to the wall. Float is solved in double, which has the
- *         bits to spare.
+ *         again over the sine of the angle to the wall.
  */
 INLINE wide cone_shift(const Cone *cone, const Ray *ray) {
     const wide zero = wide_of(0);
-    if (REAL_BITS == 32) {
-        return zero;
-    }
     Vec3w direction = vec3_widen(ray->direction);
     Vec3w to_middle = vec3w_subtract(vec3w_splat(cone->middle), vec3_widen(ray->origin));
     wide along = vec3w_dot(to_middle, direction), square = vec3w_dot(direction, direction);
@@ -168,7 +164,12 @@ INLINE mask cone_intersect(const Shape *self, const Ray *ray, mask active, real 
                            void *roots) {
     const Cone *cone = (const Cone *)self;
     ConeRoots *found = roots;
-    axial_ray_init(&found->ray, &cone->frame, ray, cone_shift(cone, ray));
+    // Float is solved in double, which has the bits to spare.
+    if (REAL_BITS == 32) {
+        axial_ray_init(&found->ray, &cone->frame, ray);
+    } else {
+        axial_ray_init_ahead(&found->ray, &cone->frame, ray, cone_shift(cone, ray));
+    }
     mask crosses = active & cone_clip_wall(cone, &found->ray);
     if (!any(crosses)) {
         return crosses;

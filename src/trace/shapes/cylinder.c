@@ -84,7 +84,7 @@ INLINE mask cylinder_intersect(const Shape *self, const Ray *ray, mask active, r
                                void *roots) {
     const Cylinder *cylinder = (const Cylinder *)self;
     CylinderRoots *found = roots;
-    axial_ray_init(&found->ray, &cylinder->frame, ray, wide_of(0));
+    axial_ray_init(&found->ray, &cylinder->frame, ray);
     mask crosses = active & cylinder_clip_wall(found, wide_of(cylinder->radius));
     if (!any(crosses)) {
         return crosses;

@@ -414,6 +414,7 @@ expect_shown 'the lesson is in walk-lesson-0001.lua' 'a lesson of it'
 leave
 lesson=$work/shots/walk-lesson-0001.lua
 [ "$(grep -c '^press "walk"$' "$lesson")" = 3 ] && ok 'has the key' || fail "$(cat "$lesson")"
+mkdir "$work/played"
 expect 0 '' 'plays' timeout 60 "$dioptre" view --lesson "$lesson" --lesson-snapshots "$work/played"
 played=$(tail -1 "$work/out")
 [ "${played%%  -- *}" = "$recorded" ] && ok 'and walks the same way, to the bit' || fail "$played is not $recorded"

@@ -4,14 +4,15 @@
  */
 #include "trace/lights/report_shadows.h"
 
-void report_shadow_extend(LightSample *sample) {
+__attribute__((noinline)) void report_shadow_extend(LightSample *sample) {
     for (int v = 0; v < PACKET_VECTORS; v++) {
         sample->shadow_rays.limit[v] = real_of(INFINITE);
     }
 }
 
-void report_shadow_by_shape(const ShapeSet *shapes, const SurfaceHit *surface, LightSample *sample,
-                            mask *occluded) {
+__attribute__((noinline)) void report_shadow_by_shape(const ShapeSet *shapes,
+                                                      const SurfaceHit *surface,
+                                                      LightSample *sample, mask *occluded) {
     Packet rays = sample->shadow_rays;
     Hit hits[PACKET_VECTORS];
     for (int v = 0; v < PACKET_VECTORS; v++) {

@@ -13,8 +13,9 @@
 /** Constant of that falloff, scene units. */
 #define REPORT_D_CONSTANT 2
 
-void report_trace_camera_packet(const TraceContext *context, const RayState *rays, Rgb *colors,
-                                Losses *losses) {
+__attribute__((noinline)) void report_trace_camera_packet(const TraceContext *context,
+                                                          const RayState *rays, Rgb *colors,
+                                                          Losses *losses) {
     RayTally tally;
     TraceContext counted = *context;
     counted.tally = &tally;
@@ -42,7 +43,8 @@ static bool is_fading(const Tracer *tracer, const Packet *packet) {
     return (tracer->methods & METHOD_FADING_MIRRORS) && packet->context.bounce > 0;
 }
 
-void report_shade_background(const TraceContext *context, const SurfaceHit *surface, Rgb *colors) {
+__attribute__((noinline)) void report_shade_background(const TraceContext *context,
+                                                       const SurfaceHit *surface, Rgb *colors) {
     const Rgb black = {real_of(0), real_of(0), real_of(0)};
     if (is_fading(context->tracer, surface->packet)) {
         for (int v = 0; v < PACKET_VECTORS; v++) {
@@ -51,8 +53,10 @@ void report_shade_background(const TraceContext *context, const SurfaceHit *surf
     }
 }
 
-Rgb report_local_color(const Tracer *tracer, const SurfaceHit *surface, int v,
-                       const MaterialPack *material, const DirectLighting *lighting) {
+/** @return The radiance of surfaces without secondary rays. @param v Which vector of rays. @param
+ *  material The materials, with textures. */
+static Rgb report_local_color(const Tracer *tracer, const SurfaceHit *surface, int v,
+                              const MaterialPack *material, const DirectLighting *lighting) {
     Rgb direct = rgb_scale(lighting->diffuse[v], material->diffuse), color;
     if (tracer->methods & METHOD_ADDED_LIGHT) {
         // In its mode "light alone", whose ambient light is 0, the report multiplies.
@@ -70,6 +74,25 @@ Rgb report_local_color(const Tracer *tracer, const SurfaceHit *surface, int v,
     }
     color = rgb_add(material->emission, color);
     return is_fading(tracer, surface->packet) ? rgb_scale(color, fading_of(surface, v)) : color;
+}
+
+__attribute__((noinline)) void report_shade_surfaces(const Tracer *tracer,
+                                                     const SurfaceHit *surface,
+                                                     const DirectLighting *lighting,
+                                                     const Rgb *textures, Rgb *colors) {
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        mask lanes = surface->is_hit[v];
+        MaterialPack material =
+            material_pack_gather(surface->materials, &surface->material_ids[v], lanes);
+        if (textures) {
+            material.albedo = rgb_multiply(material.albedo, textures[v]);
+        }
+        if (surface->dielectric) {
+            lanes &= mask_not(surface->dielectric->is_overridden[v]);
+        }
+        Rgb color = report_local_color(tracer, surface, v, &material, lighting);
+        colors[v] = rgb_select(lanes, color, colors[v]);
+    }
 }
 
 /** Weighs secondary rays by the constants of the material, and not by Fresnel's formula. A surface
@@ -133,8 +156,9 @@ static void put_into_list(RayTally *tally, const SurfaceHit *surface, SecondaryR
     }
 }
 
-void report_scatter(const TraceContext *context, const RayState *rays, const SurfaceHit *surface,
-                    SecondaryRays *reflected, SecondaryRays *refracted) {
+__attribute__((noinline)) void report_scatter(const TraceContext *context, const RayState *rays,
+                                              const SurfaceHit *surface, SecondaryRays *reflected,
+                                              SecondaryRays *refracted) {
     const Tracer *tracer = context->tracer;
     const SampleContext *sample = &rays->packet.context;
     if ((tracer->methods & METHOD_CONSTANT_SHARES) && refracted) {
@@ -154,7 +178,7 @@ void report_scatter(const TraceContext *context, const RayState *rays, const Sur
     }
 }
 
-void report_light_set(Light *light, unsigned methods) {
+__attribute__((noinline)) void report_light_set(Light *light, unsigned methods) {
     // The reports have no suns: theirs stay as they are.
     if (light->is_at_infinity) {
         return;

@@ -1,7 +1,8 @@
 /**
  * @file
  * @brief The reports' methods within the recursion (dioptre/report_methods.h). Nothing here is
- *        called where #Tracer.methods is 0.
+ *        called where #Tracer.methods is 0, and nothing is inlined: the code would only lengthen
+ * the path of all other pictures.
  */
 #ifndef DIOPTRE_TRACE_TRACER_REPORT_METHODS_H
 #define DIOPTRE_TRACE_TRACER_REPORT_METHODS_H
@@ -22,10 +23,14 @@ void report_trace_camera_packet(const TraceContext *context, const RayState *ray
 /** Sets the colours of rays that met no shape: what A's secondary rays do not meet is black. */
 void report_shade_background(const TraceContext *context, const SurfaceHit *surface, Rgb *colors);
 
-/** @return The radiance of a surface without secondary rays. See local_color(). @param v Which
- *  vector of rays. @param material The materials, with textures. */
-Rgb report_local_color(const Tracer *tracer, const SurfaceHit *surface, int v,
-                       const MaterialPack *material, const DirectLighting *lighting);
+/**
+ * Sets the colours of the rays that hit a shape, without secondary rays.
+ * @param lighting  The direct light.
+ * @param textures  The colours of textures; NULL: there are none.
+ * @param[in,out] colors  The colours; unchanged at surfaces that a later shape overrides.
+ */
+void report_shade_surfaces(const Tracer *tracer, const SurfaceHit *surface,
+                           const DirectLighting *lighting, const Rgb *textures, Rgb *colors);
 
 /**
  * Changes which secondary rays there are, and their weights.

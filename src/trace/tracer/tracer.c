@@ -119,12 +119,15 @@ INLINE void shade_surfaces(const TraceContext *context, const SurfaceHit *surfac
         if (has_textures) {
             material.albedo = rgb_multiply(material.albedo, texture_color[v]);
         }
-        Rgb color = tracer->methods ? report_local_color(tracer, surface, v, &material, &lighting)
-                                    : local_color(&material, &lighting, v);
+        Rgb color = local_color(&material, &lighting, v);
         if (surface->dielectric) {
             color = rgb_select(surface->dielectric->is_overridden[v], black, color);
         }
         colors[v] = rgb_select(surface->is_hit[v], color, colors[v]);
+    }
+    if (tracer->methods) {
+        report_shade_surfaces(tracer, surface, &lighting, has_textures ? texture_color : NULL,
+                              colors);
     }
     if (sample_context_ray_tree(&surface->packet->context)) {
         ray_tree_record_shading(surface, has_textures ? texture_color : NULL, colors[0]);

@@ -7,6 +7,7 @@
 
 #include "dioptre/renderer.h"
 #include "dioptre/script.h"
+#include "lab/charts/pareto_front.h"
 #include "lab/needs/image_difference.h"
 #include "lab/needs/needs.h"
 
@@ -364,6 +365,24 @@ static void test_budgets(void **state) {
     scene_destroy(scene);
 }
 
+/* --- charts ----------------------------------------------------------------------------------- */
+
+/** Times whose quartiles overlap are equal: of such points with equal errors the first stands, and
+ *  noise removes none. */
+static void test_ties_of_the_front(void **state) {
+    (void)state;
+    TiedPoint points[] = {{0.21, 0.223, 0.24, 0, false},  // depth 1
+                          {0.20, 0.211, 0.23, 0, false},  // depth 12: faster by noise alone
+                          {0.10, 0.105, 0.11, 3, false},  // faster and less accurate
+                          {0.10, 0.104, 0.12, 1, false},  // a tie in time, and more accurate
+                          {0.50, 0.510, 0.52, 0, false}}; // slower
+    static const bool front[] = {true, false, false, true, false};
+    pareto_front_find_ties(points, sizeof points / sizeof *points, 1.02);
+    for (size_t i = 0; i < sizeof points / sizeof *points; i++) {
+        assert_true(points[i].is_pareto == front[i]);
+    }
+}
+
 /** Runs the tests. @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_path_hashes_agree),
@@ -374,6 +393,7 @@ int main(void) {
                                        cmocka_unit_test(test_tolerance_moves_edges),
                                        cmocka_unit_test(test_samples_are_raised),
                                        cmocka_unit_test(test_errors_in_order),
-                                       cmocka_unit_test(test_budgets)};
+                                       cmocka_unit_test(test_budgets),
+                                       cmocka_unit_test(test_ties_of_the_front)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -20,13 +20,16 @@
 #include <string.h>
 
 /** Errors count as equal up to this factor. */
-#define EQUAL_ERROR_FACTOR 1.01
+#define EQUAL_ERROR_FACTOR 1.02
 
 /** How often each setting is timed. */
 enum { TURNS = 5 };
 
 /** Depth and samples of references. */
-enum { REFERENCE_MAX_DEPTH = 128, REFERENCE_SAMPLES = 64 };
+enum { REFERENCE_MAX_DEPTH = DEPTH_MAXIMUM, REFERENCE_SAMPLES = 64 };
+/** Cutoff of references, 8-bit steps. No cutoff at all would follow rays that panes of glass split
+ *  without end; this one is a thousandth of a step. */
+#define REFERENCE_CUTOFF 1e-3
 
 /** Width and height of the picture, relative to those of the one whose pixels are rounded in three
  *  directions: that would otherwise take as long as all the rest. */
@@ -107,6 +110,18 @@ static void depths_add(ChartMeasurement *measure) {
         char label[CHART_LABEL_SIZE];
         snprintf(label, sizeof label, "depth %d", depths[i]);
         add_setting(measure, "depth", label)->trace.depth = depths[i];
+    }
+}
+
+/** Adds cutoffs. */
+static void cutoffs_add(ChartMeasurement *measure) {
+    static const double cutoffs[] = {16, 4, 1, CUTOFF_DEFAULT, CUTOFF_DEFAULT / 16};
+    bool is_recursive =
+        scene_has_reflection(measure->scene) || scene_has_transparency(measure->scene);
+    for (size_t i = 0; is_recursive && i < sizeof cutoffs / sizeof *cutoffs; i++) {
+        char label[CHART_LABEL_SIZE];
+        snprintf(label, sizeof label, "cutoff %.3g", cutoffs[i]);
+        add_setting(measure, "cutoff", label)->trace.cutoff = cutoffs[i];
     }
 }
 
@@ -191,7 +206,8 @@ static void average_samples(SampledRender *render, size_t pixels) {
 
 /** @return The kind of a group's own errors. */
 static ErrorKind error_kind_of(const char *group) {
-    bool is_truncation = strcmp(group, "depth") == 0 || strcmp(group, "tolerance") == 0;
+    bool is_truncation = strcmp(group, "depth") == 0 || strcmp(group, "cutoff") == 0 ||
+                         strcmp(group, "tolerance") == 0;
     return strcmp(group, "samples") == 0 ? ERROR_KIND_SAMPLING
            : is_truncation               ? ERROR_KIND_MODEL
                                          : ERROR_KIND_ROUNDING;
@@ -206,6 +222,7 @@ static ChartPoint reference_of(const ChartPoint *point, ErrorKind kind) {
     } else if (kind == ERROR_KIND_MODEL) {
         truth.trace.depth =
             strcmp(point->setting, "depth") == 0 ? REFERENCE_MAX_DEPTH : truth.trace.depth;
+        truth.trace.cutoff = REFERENCE_CUTOFF;
         truth.tolerance = 1.0 / 16;
     } else {
         truth.samples = REFERENCE_SAMPLES;
@@ -298,6 +315,7 @@ static bool points_measure_errors(ChartMeasurement *measure, Error *error) {
                        .samples = REFERENCE_SAMPLES,
                        .tolerance = 1.0 / 16};
     best.trace.depth = REFERENCE_MAX_DEPTH;
+    best.trace.cutoff = REFERENCE_CUTOFF;
     best.trace.offset = OFFSET_BOUND;
     if (!point_render(measure, &measure->error_pixels, &best, &reference_render, error)) {
         return false;
@@ -316,12 +334,13 @@ static bool points_measure_errors(ChartMeasurement *measure, Error *error) {
 
 /** Finds the settings that no other beats in both time and error. */
 static void find_pareto_front(Chart *chart) {
-    ParetoPoint points[CHART_POINTS_MAXIMUM];
+    TiedPoint points[CHART_POINTS_MAXIMUM];
     for (size_t i = 0; i < chart->count; i++) {
-        points[i] = (ParetoPoint){.cost = chart->points[i].seconds,
-                                  .error = chart->points[i].total_error};
+        const ChartPoint *point = &chart->points[i];
+        points[i] = (TiedPoint){point->seconds_low, point->seconds, point->seconds_high,
+                                point->total_error, false};
     }
-    pareto_front_find(points, chart->count, EQUAL_ERROR_FACTOR);
+    pareto_front_find_ties(points, chart->count, EQUAL_ERROR_FACTOR);
     for (size_t i = 0; i < chart->count; i++) {
         chart->points[i].is_pareto = points[i].is_pareto;
     }
@@ -332,6 +351,7 @@ static bool measure_all(ChartMeasurement *measure, Error *error) {
     engines_add(measure);
     offsets_add(measure);
     depths_add(measure);
+    cutoffs_add(measure);
     samples_add(measure);
     tolerances_add(measure);
     bvh_modes_add(measure);

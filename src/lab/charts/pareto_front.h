@@ -27,4 +27,21 @@ typedef struct ParetoPoint {
  */
 void pareto_front_find(ParetoPoint *points, size_t count, double equal_factor);
 
+/** What something costs and how accurate it is, with the noise of the cost. */
+typedef struct TiedPoint {
+    double low;     /**< Lower quartile of the cost. */
+    double median;  /**< Median of the cost. */
+    double high;    /**< Upper quartile of the cost. */
+    double error;   /**< At least 0. */
+    bool is_pareto; /**< Whether it is part of the front. */
+} TiedPoint;
+
+/**
+ * Finds the front where costs are noisy. Costs whose quartiles overlap are equal, and so are errors
+ * up to a factor; of points that are equal in both the first one stands.
+ * @param[in,out] points  The points, the simplest first; TiedPoint.is_pareto is set.
+ * @param equal_factor    Errors count as equal up to this factor, at least 1.
+ */
+void pareto_front_find_ties(TiedPoint *points, size_t count, double equal_factor);
+
 #endif

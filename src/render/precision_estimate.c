@@ -68,8 +68,9 @@ typedef struct SceneMeasures {
     int transparent_count;       /**< Number of curved transparent shapes. */
     double max_reflectance;      /**< Largest reflectance of a curved shape. */
     Vec3d origin;                /**< #scene_local_origin */
-    double terminator_fraction;  /**< Fraction of the picture whose faces float lights wrongly. */
-    double texels_per_radian;    /**< Largest number of texels per radian of direction. */
+    double slant; /**< direction_slant(); 1 if surfaces turn rays in other directions. */
+    double terminator_fraction; /**< Fraction of the picture whose faces float lights wrongly. */
+    double texels_per_radian;   /**< Largest number of texels per radian of direction. */
     GlassShape glass[WALLS_MAXIMUM]; /**< Transparent shapes. */
     size_t glass_count;              /**< Number of #glass. */
 } SceneMeasures;
@@ -97,8 +98,50 @@ static double magnitude_from_origin(const SceneMeasures *measures, Vec3d p) {
     return vec3d_max_abs(vec3d_subtract(p, measures->origin));
 }
 
-/** Accumulates the distance and the coordinates of a bounded shape. */
-static void accumulate_bounds(SceneMeasures *measures, const Aabbd *box) {
+/**
+ * @return The error of a camera ray's direction across the ray, relative to half an ulp of 1: from
+ * 0, along an axis, to 1. Each component is rounded relative to itself. Along an axis, the
+ *         components across the ray are as small as the field of view, and so are their errors.
+ */
+static double direction_slant(const SceneCamera *camera) {
+    const Vec3d d = vec3d_normalize(camera->direction);
+    const double axes[] = {d.x, d.y, d.z};
+    double slant = tan(camera->fov / 2 * (M_PI / 180));
+    for (int axis = 0; axis < 3; axis++) {
+        // The part of this component's error that is across the ray; 1/2 at most.
+        slant += 2 * fabs(axes[axis]) * sqrt(fmax(0, 1 - axes[axis] * axes[axis]));
+    }
+    return fmin(1, slant);
+}
+
+/** @return Whether camera rays meet a shape as exactly as their direction is known: primitives are
+ *  solved relative to the ray's origin or in double. */
+static bool is_primitive(const ShapeFacts *facts) {
+    return !facts->mesh && !facts->sdf;
+}
+
+/**
+ * @return The largest coordinate of a point relative to the origin of tracers, as far as camera
+ * rays show its rounding: errors along a ray are not seen.
+ * @param slant  1: rays of all directions show it.
+ */
+static double visible_magnitude(const SceneMeasures *measures, Vec3d p, double slant) {
+    const SceneCamera *camera = &measures->scene->camera;
+    Vec3d from_origin = vec3d_subtract(p, measures->origin);
+    Vec3d d = vec3d_normalize(camera->direction);
+    const double axes[] = {d.x, d.y, d.z},
+                 coordinates[] = {from_origin.x, from_origin.y, from_origin.z};
+    double field = tan(camera->fov / 2 * (M_PI / 180)), largest = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        double across = fmin(1, field + sqrt(fmax(0, 1 - axes[axis] * axes[axis])));
+        largest = fmax(largest, fabs(coordinates[axis]) * (slant < 1 ? across : 1));
+    }
+    return largest;
+}
+
+/** Accumulates the distance and the coordinates of a bounded shape.
+ *  @param slant See direction_slant(). */
+static void accumulate_bounds(SceneMeasures *measures, const Aabbd *box, double slant) {
     PrecisionEstimate *estimate = measures->estimate;
     const SceneCamera *camera = &measures->scene->camera;
     double radius = vec3d_length(vec3d_subtract(box->high, box->low)) / 2;
@@ -110,10 +153,10 @@ static void accumulate_bounds(SceneMeasures *measures, const Aabbd *box) {
     // A shape smaller than a pixel is hardly visible.
     double radii = fmin(distance / radius, 1 / estimate->pixel_angle);
     keep_largest_error(estimate, PRECISION_DISTANCE,
-                       CODE_MAXIMUM * DIRECTION_ROUNDINGS * FLOAT_ROUNDOFF * radii);
-    double magnitude =
-        fmax(magnitude_from_origin(measures, box->low), magnitude_from_origin(measures, box->high));
-    magnitude = fmax(magnitude, magnitude_from_origin(measures, camera->position));
+                       CODE_MAXIMUM * DIRECTION_ROUNDINGS * FLOAT_ROUNDOFF * slant * radii);
+    double magnitude = fmax(visible_magnitude(measures, box->low, slant),
+                            visible_magnitude(measures, box->high, slant));
+    magnitude = fmax(magnitude, visible_magnitude(measures, camera->position, slant));
     double visible_size =
         fmax(distance, fmin(radius, camera->target_distance)) * estimate->pixel_angle;
     double pixels = POSITION_ROUNDINGS * FLOAT_ROUNDOFF * magnitude / visible_size;
@@ -197,15 +240,16 @@ static void accumulate_material(SceneMeasures *measures, const SceneShape *shape
 /** Accumulates a shape. */
 static void accumulate_shape(SceneMeasures *measures, const SceneShape *shape) {
     ShapeFacts facts = scene_shape_facts(measures->scene, shape);
+    double slant = is_primitive(&facts) ? measures->slant : 1;
     if (aabbd_is_bounded(facts.bounds)) {
-        accumulate_bounds(measures, &facts.bounds);
+        accumulate_bounds(measures, &facts.bounds, slant);
         if (facts.mesh && facts.is_smooth) {
             accumulate_shadow_terminator(measures, shape, facts.mesh, &facts.bounds);
         }
     } else {
         // The visible part of an unbounded shape extends until a pixel cannot resolve it.
         keep_largest_error(measures->estimate, PRECISION_DISTANCE,
-                           CODE_MAXIMUM * DIRECTION_ROUNDINGS * FLOAT_ROUNDOFF /
+                           CODE_MAXIMUM * DIRECTION_ROUNDINGS * FLOAT_ROUNDOFF * slant /
                                measures->estimate->pixel_angle);
     }
     if (facts.sdf) {
@@ -270,11 +314,25 @@ static int depth_needed(double weight) {
     return depth < DEPTH_LIMIT ? (int)depth : DEPTH_LIMIT;
 }
 
+/** @return Whether any surface reflects or transmits light. */
+static bool scene_has_secondary_rays(const Scene *scene) {
+    bool has_any = false;
+    for (size_t i = 0; i < scene->material_count; i++) {
+        const SceneMaterial *material = &scene->materials[i];
+        has_any =
+            has_any || rgbd_max(material->reflectivity) > 0 || rgbd_max(material->transparency) > 0;
+    }
+    return has_any;
+}
+
 PrecisionEstimate precision_estimate_of(const Scene *scene) {
     PrecisionEstimate estimate = {.pixel_angle = 2 * tan(scene->camera.fov / 2 * (M_PI / 180)) /
                                                  scene->image.width};
     SceneMeasures measures = {
-        .scene = scene, .estimate = &estimate, .origin = scene_local_origin(scene)};
+        .scene = scene, .estimate = &estimate, .origin = scene_local_origin(scene), .slant = 1};
+    if (!scene_has_secondary_rays(scene)) {
+        measures.slant = direction_slant(&scene->camera);
+    }
     for (size_t i = 0; i < scene->shape_count; i++) {
         accumulate_shape(&measures, &scene->shapes[i]);
     }
@@ -289,7 +347,7 @@ PrecisionEstimate precision_estimate_of(const Scene *scene) {
         measures.texels_per_radian =
             fmax(measures.texels_per_radian, contrast * panorama->width / (2 * M_PI));
     }
-    double shift = DIRECTION_ROUNDINGS * FLOAT_ROUNDOFF / estimate.pixel_angle;
+    double shift = DIRECTION_ROUNDINGS * FLOAT_ROUNDOFF * measures.slant / estimate.pixel_angle;
     keep_largest_error(&estimate, PRECISION_PIXEL_ANGLE,
                        PRECISION_VISIBLE_ERROR * shift / EDGE_TOLERANCE);
     estimate.depth = depth_needed(estimate.max_secondary_weight);

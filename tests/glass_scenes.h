@@ -114,7 +114,7 @@ static inline double fresnel_closed_form(Quadruple sine, double from, double to)
 /** Settings of a trace. */
 typedef struct TraceLimits {
     int depth;     /**< Maximum number of reflections and refractions. */
-    double cutoff; /**< Throughput below which rays end. */
+    double cutoff; /**< #TraceSettings.cutoff, 8-bit steps; 0: #CUTOFF_DEFAULT. */
 } TraceLimits;
 
 /** Traces a picture. @return The number of rays. */
@@ -122,7 +122,9 @@ static inline RayCounts trace_picture(const Engine *engine, const Scene *scene, 
                                       int width, int height, double *rgb) {
     Error error = {0};
     TraceSettings settings = {
-        .depth = limits.depth, .cutoff = limits.cutoff, .offset = OFFSET_BOUND};
+        .depth = limits.depth,
+        .cutoff = limits.cutoff > 0 ? limits.cutoff : CUTOFF_DEFAULT,
+        .offset = OFFSET_BOUND};
     Tracer *tracer = engine->create_tracer(scene, &settings, &error);
     assert_non_null(tracer);
     PixelGrid grid = {.columns = width, .rows = height, .stride = 1};

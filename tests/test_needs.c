@@ -158,20 +158,20 @@ static void test_forecasts(void **state) {
     }
 }
 
-/** The depth is that of the script, or else follows from the largest reflectance. */
+/** The depth is that of the script, or else none is set where anything reflects. */
 static void test_depths(void **state) {
     (void)state;
     Scene *scene = load_scene("scenes/orbits.lua");
     assert_int_equal(render_settings_default(scene).trace.depth, 3);
     scene->image.depth = IMAGE_DEPTH_AUTO;
-    // 0.35^9 is below 1.5e-4, 0.35^8 is not.
-    assert_int_equal(render_settings_default(scene).trace.depth, 9);
+    // As deep as the weight of a ray asks for.
+    assert_int_equal(render_settings_default(scene).trace.depth, DEPTH_MAXIMUM);
     for (size_t i = 0; i < scene->material_count; i++) {
         scene->materials[i].reflectivity = (Rgbd){0, 0, 0};
     }
     assert_int_equal(render_settings_default(scene).trace.depth, 0);
     scene->materials[scene->shapes[0].material_index].reflectivity = (Rgbd){1, 1, 1};
-    assert_int_equal(render_settings_default(scene).trace.depth, 64);
+    assert_int_equal(render_settings_default(scene).trace.depth, DEPTH_MAXIMUM);
     scene_destroy(scene);
 }
 

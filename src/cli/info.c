@@ -153,7 +153,8 @@ static void print_reflections(const SceneInfo *info) {
     printf(ngettext("%zu mirror, ", "%zu mirrors, ", info->reflective), info->reflective);
     printf(ngettext("%zu glass shape, ", "%zu glass shapes, ", info->transparent),
            info->transparent);
-    printf(gettext("depth %d\n"), has_any ? info->settings.trace.depth : 0);
+    printf(gettext("depth %d, cutoff %g steps\n"), has_any ? info->settings.trace.depth : 0,
+           info->settings.trace.cutoff);
 }
 
 /** Writes the same as JSON. */
@@ -162,6 +163,7 @@ static void write_reflections(const SceneInfo *info, JsonWriter *json) {
     json_count(json, "transparent", info->transparent);
     json_count(json, "specular", info->specular);
     json_integer(json, "depth", info->settings.trace.depth);
+    json_number(json, "cutoff", info->settings.trace.cutoff, 6);
 }
 
 /** Prints the size of the picture and its rays per pixel. */

@@ -28,7 +28,7 @@ glass() {
             at(0, 0, 5), at(0, 0, 0) >lua
         printf "sphere { center = {%s}, radius = %.17g, material = material { color = {0, 0, 0}, transparency = 1, ior = 1.5 } }\n", \
             at(0, 0, 0), s >lua
-        printf "#version 3.7;\nglobal_settings { assumed_gamma 1.0 max_trace_level 9 adc_bailout 0.00015 ambient_light rgb 1 }\n" >pov
+        printf "#version 3.7;\nglobal_settings { assumed_gamma 1.0 max_trace_level 9 adc_bailout 0.000001 ambient_light rgb 1 }\n" >pov
         printf "background { rgb <0.2, 0.3, 0.5> }\ncamera { perspective location <%s> right -x * 4/3 up y look_at <%s> angle 40 }\n", \
             at(0, 0, 5), at(0, 0, 0) >pov
         printf "sphere { <%s>, %.17g pigment { rgbt 1 } finish { ambient 0 diffuse 0 phong 0 specular 0 reflection { 0, 1 fresnel on } conserve_energy } interior { ior 1.5 } }\n", \

@@ -12,7 +12,7 @@
 global_settings {
     assumed_gamma 1.0
     max_trace_level 6
-    adc_bailout 0.00015
+    adc_bailout 0.000001
     ambient_light rgb 1
 }
 

@@ -60,6 +60,12 @@ static void add_cost(Hud *hud, const Viewport *viewport) {
     if (viewport->report.is_finished) {
         double rays = (double)ray_counts_sum(&viewport->report.rays) / million;
         hud_add_row(hud, gettext("rays"), gettext("%.3g million"), rays);
+        if (viewport->report.rays.unresolved > 0) {
+            hud_add_row(hud, gettext("lacking light"), gettext("%.2g %%, up to %.2g steps"),
+                        100 * (double)viewport->report.rays.unresolved /
+                            (double)viewport->report.rays.camera,
+                        viewport->report.rays.unresolved_steps);
+        }
     }
 }
 

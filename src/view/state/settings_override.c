@@ -12,7 +12,7 @@
 static const double EPSILON_MINIMUM = 1e-15;
 /** Largest epsilon, scene units. */
 static const double EPSILON_MAXIMUM = 1e6;
-/** Largest depth that keys set. */
+/** Largest depth that keys set; beyond it, none is set: #DEPTH_MAXIMUM. */
 enum { KEY_DEPTH_MAXIMUM = 64 };
 /** Most samples that keys set. */
 enum { KEY_SAMPLES_MAXIMUM = 4096 };
@@ -94,7 +94,10 @@ static int clamp(int number, int minimum, int maximum) {
 }
 
 void settings_override_depth(SettingsOverride *overrides, const RenderSettings *current, int step) {
-    overrides->values.trace.depth = clamp(current->trace.depth + step, 0, KEY_DEPTH_MAXIMUM);
+    int depth = clamp(current->trace.depth, 0, KEY_DEPTH_MAXIMUM + (step < 0)) + step;
+    overrides->values.trace.depth = depth > KEY_DEPTH_MAXIMUM ? DEPTH_MAXIMUM
+                                    : depth < 0               ? 0
+                                                              : depth;
     overrides->mask |= SETTING_DEPTH;
 }
 

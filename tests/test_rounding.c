@@ -95,7 +95,7 @@ static void check_rounded_hit(const ContractShape *shape, const Engine *engine,
 /** Rays at a shape, in all directions of rounding. */
 static void check_rounded_shape(const ContractShape *shape, const Engine *engine) {
     bool is_quad = engine->mantissa_bits > 64;
-    size_t count = (is_quad ? SHAPE_RAYS / 10 : SHAPE_RAYS) / WORKLOAD_DIVISOR;
+    size_t count = (size_t)(is_quad ? SHAPE_RAYS / 10 : SHAPE_RAYS) / WORKLOAD_DIVISOR;
     RayQueryQuad *rays = calloc(count, sizeof *rays);
     RayResult *answers = calloc(count, sizeof *answers);
     Tracer *tracer = tracer_with(engine, shape);

@@ -123,7 +123,7 @@ static double step_value(SdfTapeOp op, double a, double b, double constant) {
     case SDF_TAPE_MULTIPLY_CONSTANT:
         return a * constant;
     default:
-        return NAN;
+        return (double)NAN;
     }
 }
 

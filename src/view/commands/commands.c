@@ -317,7 +317,7 @@ static void quit(App *app, int argument) {
 /** The help of the first five layers. */
 #define FIRST_LAYERS .help = N_("light, normals, distance, shapes, (u, v)")
 /** The help of the other layers. */
-#define LAST_LAYERS .help = N_("rays, marching, time, error, acne")
+#define LAST_LAYERS .help = N_("rays, marching, time, error, acne; rounding")
 /** The help of the keys of epsilon. */
 #define EPSILON .help = N_("epsilon half, twice (Shift: 1/10, 10 times)")
 
@@ -356,7 +356,7 @@ const Command command_table[] = {
     {"layer time", {ONLY_PLACE(8, "8")}, N_("time"), PICTURE, LAST_LAYERS, RUNS(set_layer, LAYER_TIME)},
     {"layer error", {ONLY_PLACE(9, "9")}, N_("error"), PICTURE, LAST_LAYERS, RUNS(set_layer, LAYER_ERROR)},
     {"layer acne", {ONLY_PLACE(0, "0")}, N_("acne"), PICTURE, LAST_LAYERS, RUNS(set_layer, LAYER_ACNE)},
-    {"layer rounding", {KEY(y)}, N_("round"), PICTURE, .help = N_("what hangs on the last bit"), RUNS(set_layer, LAYER_ROUNDING)},
+    {"layer rounding", {KEY(y)}, N_("round"), PICTURE, LAST_LAYERS, RUNS(set_layer, LAYER_ROUNDING)},
     {"offset", {KEY(o)}, N_("offset"), PICTURE, .help = N_("offset: none, fixed, bound"), RUNS(change_offset, 1)},
     {"offset back", {KEY(o)}, .flags = COMMAND_SHIFT, RUNS(change_offset, -1)},
     {"epsilon half", {ONLY_PLACE(LEFTBRACKET, NULL)}, "ε / 2", PICTURE, EPSILON, RUNS(change_epsilon, -2)},

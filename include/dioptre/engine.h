@@ -174,7 +174,7 @@ typedef enum {
 } PixelPoint;
 
 /** Most secondary rays of one sample of a pixel for which a further pass is begun. */
-#define RAYS_PER_SAMPLE_MAXIMUM 16384
+#define RAYS_PER_SAMPLE_MAXIMUM 4096
 
 /** How a tracer traces a scene. */
 typedef struct TraceSettings {

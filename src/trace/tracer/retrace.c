@@ -13,6 +13,10 @@
 /** How many times smaller the throughput is at which rays end in the next pass. */
 #define PASS_FACTOR ((scalar)8)
 
+/** Surfaces that the light of an ended ray is taken to meet before it leaves: what was ended splits
+ *  into at most throughput / cutoff rays at a time, and each meets so many. */
+#define SURFACES_PER_PATH ((scalar)8)
+
 /* --- recorders -------------------------------------------------------------------------------- */
 
 /** Empties the records of the active rays of a packet, and begins a ray tree. */
@@ -87,17 +91,19 @@ static bool losses_are_any(const RayState *rays, const Losses *losses) {
 /**
  * Keeps the rays for which another pass can help: what the guard of the recursion ended is within
  * the budget, and the pass is not too much work.
+ * @param next_cutoff  Rays of less throughput would end in that pass.
  * @param[in,out] open  The rays that lack too much light.
  * @return Whether any is left.
  */
-static bool find_curable_rays(const Tracer *tracer, const Rgb *colors, const Losses *losses,
-                              mask *open) {
+static bool find_curable_rays(const Tracer *tracer, scalar next_cutoff, const Rgb *colors,
+                              const Losses *losses, mask *open) {
     const scalar bound = tracer->loss_budget.radiance_bound;
     bool is_any_left = false;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         real budget = loss_budget_radiance(&tracer->loss_budget, colors[v]);
         open[v] &= losses->guarded[v] * bound <= budget;
-        open[v] &= losses->rays[v] * PASS_FACTOR <= real_of(RAYS_PER_SAMPLE_MAXIMUM);
+        real further = losses->dropped[v] * (SURFACES_PER_PATH / next_cutoff);
+        open[v] &= losses->rays[v] + further <= real_of(RAYS_PER_SAMPLE_MAXIMUM);
         is_any_left = is_any_left || any(open[v]);
     }
     return is_any_left;
@@ -174,7 +180,7 @@ static __attribute__((noinline)) void retrace_open_rays(const Tracer *tracer,
     while (find_open_rays(tracer, rays, colors, losses, open)) {
         memcpy(curable, open, sizeof curable);
         if (tracer->loss_budget.cutoff <= 0 ||
-            !find_curable_rays(tracer, colors, losses, curable)) {
+            !find_curable_rays(tracer, cutoff / PASS_FACTOR, colors, losses, curable)) {
             break;
         }
         if (sample_context_ray_tree(&rays->packet.context)) {

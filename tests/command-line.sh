@@ -58,7 +58,7 @@ expect 0 '' 'info' "$dioptre" info "$box"
 holds "$work/out" '6 quad' 'info counts shapes'
 holds "$work/out" '^time +not used' 'info says that no time changes the box'
 holds "$work/out" '^acceleration tree none \(8 shapes; used from 24\)$' 'info says why there is no tree'
-holds "$work/out" '^reflections +[0-9]+ mirrors?, [0-9]+ glass shapes?, depth [0-9]+$' 'info counts mirrors and glass'
+holds "$work/out" '^reflections +[0-9]+ mirrors?, [0-9]+ glass shapes?, depth [0-9]+, cutoff [0-9.]+ steps$' 'info counts mirrors and glass'
 expect 0 '' 'info json' "$dioptre" info "$box" --json --engine f64x1
 holds "$work/out" '"engine": "f64x1".*"left_out": \[' 'info json names engine and what is left out'
 holds "$work/out" '"bvh": \{"in_bvh": 0, "linear": 8, "threshold": 24\}' 'info json says why there is no tree'

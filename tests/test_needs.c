@@ -231,7 +231,7 @@ static Picture render_picture(const Scene *scene, const NeedsSettings *settings,
 static double fraction_off(const Scene *scene, const Needs *needs, int width) {
     /** Finer than any that the search takes for the picture that it compares with. */
     const double finest_cutoff = 1e-4;
-    NeedsSettings truth = {.engine = engine_find("f64x4", NULL),
+    NeedsSettings truth = {.engine = engine_with_role(ENGINE_DOUBLE),
                            .depth = DEPTH_MAXIMUM,
                            .cutoff = finest_cutoff,
                            .offset = OFFSET_BOUND,

@@ -451,7 +451,8 @@ static void test_layer(void **state) {
     (void)state;
     LayerStats single = measure_layer("scenes/chess.lua", "f32x8", LAYER_ROUNDING);
     LayerStats wrong = measure_layer("scenes/chess.lua", "f32x8", LAYER_ERROR);
-    LayerStats twofold = measure_layer("scenes/chess.lua", "f64x4", LAYER_ROUNDING);
+    LayerStats twofold =
+        measure_layer("scenes/chess.lua", engine_with_role(ENGINE_DOUBLE)->name, LAYER_ROUNDING);
     printf("chess: in float %g and in double %g of %g pixels hang on the last bit; %g are wrong\n",
            (double)single.artifact_pixels, (double)twofold.artifact_pixels,
            (double)single.pixel_count, (double)wrong.artifact_pixels);

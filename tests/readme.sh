@@ -82,7 +82,8 @@ for scene in scenes/*.lua; do
     */rectangle-light.lua | */cylinder-light.lua) samples=16 ;;
     *) samples=1 ;;
     esac
-    expect 0 '' "$scene is drawn" "$dioptre" render "$scene" -o "$work/o.bmp" -s "$size" --samples $samples
+    # -q: pixels of the glass of water may lack light, and the program says so.
+    expect 0 '' "$scene is drawn" "$dioptre" render "$scene" -q -o "$work/o.bmp" -s "$size" --samples $samples
     convert "$work/o.bmp" -resize 40x "$work/now.bmp"
     convert "$shown" -resize 40x "$work/then.bmp"
     "$dioptre" compare "$work/then.bmp" "$work/now.bmp" --threshold 255 --json >"$work/out"

@@ -259,7 +259,9 @@ static void test_no_picture_refutes(void **state) {
                                            {"scenes/lamps.lua", true, WIDTH},
                                            {"scenes/figure-18.lua", true, WIDTH},
                                            {"tests/scenes/tiny-lamp.lua", true, WIDTH},
-                                           {"tests/scenes/five-panes.lua", true, WIDTH / 3},
+                                           // Pixels that lack light are estimated, in float and in
+                                           // double from other passes: double is proposed.
+                                           {"tests/scenes/five-panes.lua", false, WIDTH / 3},
                                            {"tests/scenes/bright-panel.lua", true, WIDTH},
                                            {"tests/scenes/ground-sphere.lua", false, WIDTH}};
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {

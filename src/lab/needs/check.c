@@ -6,8 +6,10 @@
 #include "base/language.h"
 #include "lab/needs/search.h"
 
-/** Largest pictures that are checked against double, and against quad. */
-static const StageSize double_size = {320, 16}, quad_size = {320, 1};
+/** Largest picture that is checked against double. */
+static const StageSize double_size = {320, 16};
+/** Largest picture that is checked against quad. */
+static const StageSize quad_size = {320, 1};
 /** CPU time of their references, seconds. */
 #define DOUBLE_SECONDS 4.0
 /** See #DOUBLE_SECONDS; quad takes a hundred times as long as double. */

@@ -401,7 +401,6 @@ static NeedsSettings reference_settings(const Needs *needs) {
 /**
  * Makes the cutoff of the reference as fine as time allows. No cutoff at all would follow rays that
  * two panes of glass split without end.
- * @param[in,out] ray_seconds  Time of a ray with the coarsest; then with the one found.
  * @return false if anything is wrong.
  */
 static bool refine_reference(NeedsSearch *search, Error *error) {

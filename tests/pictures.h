@@ -5,6 +5,7 @@
 #ifndef DIOPTRE_PICTURES_H
 #define DIOPTRE_PICTURES_H
 
+#include "load_scene.h"
 #include "testing.h"
 
 #include "dioptre/renderer.h"
@@ -15,18 +16,6 @@
 
 /** Size of the test pictures: not a multiple of any block. */
 enum { WIDTH = 203, HEIGHT = 157 };
-
-/** @return A scene of this project, loaded. */
-static inline Scene *load_scene(const char *path) {
-    Error error = {0};
-    ScriptRequest request = {
-        .path = path, .time_limit = SCRIPT_TIME_LIMIT, .memory_limit = SCRIPT_MEMORY_LIMIT};
-    Scene *scene = script_load(&request, &error);
-    if (!scene) {
-        fail_msg("%s", error.message);
-    }
-    return scene;
-}
 
 /** @return Settings for a small picture. */
 static inline RenderSettings small_settings(const Scene *scene, const char *engine, int threads) {

@@ -3,6 +3,7 @@
  * @brief What scenes need: path hashes tell edges from errors, estimates choose the right number
  * type, and no whole picture refutes what is proposed.
  */
+#include "load_scene.h"
 #include "testing.h"
 
 #include "dioptre/renderer.h"
@@ -15,18 +16,6 @@
 
 /** Size of the pictures. */
 enum { WIDTH = 96, HEIGHT = 72 };
-
-/** @return A scene from its file. */
-static Scene *load_scene(const char *path) {
-    Error error = {0};
-    ScriptRequest request = {
-        .path = path, .time_limit = SCRIPT_TIME_LIMIT, .memory_limit = SCRIPT_MEMORY_LIMIT};
-    Scene *scene = script_load(&request, &error);
-    if (!scene) {
-        fail_msg("%s", error.message);
-    }
-    return scene;
-}
 
 /**
  * Renders all pixels of a small picture of a scene.

@@ -2,6 +2,7 @@
  * @file
  * @brief The estimate of float's errors, in both directions, against whole pictures in double.
  */
+#include "load_scene.h"
 #include "testing.h"
 
 #include "base/encoding.h"
@@ -40,14 +41,8 @@ static const Expectation expectations[] = {
     {"tests/scenes/telescope-aslant.lua", false, PRECISION_DISTANCE}};
 
 /** @return A scene from its file, in the size of the pictures. */
-static Scene *load_scene(const char *path) {
-    Error error = {0};
-    ScriptRequest request = {
-        .path = path, .time_limit = SCRIPT_TIME_LIMIT, .memory_limit = SCRIPT_MEMORY_LIMIT};
-    Scene *scene = script_load(&request, &error);
-    if (!scene) {
-        fail_msg("%s", error.message);
-    }
+static Scene *load_small_scene(const char *path) {
+    Scene *scene = load_scene(path);
     scene->image.width = WIDTH;
     scene->image.height = HEIGHT;
     return scene;
@@ -93,7 +88,7 @@ static void test_estimates(void **state) {
     (void)state;
     for (size_t i = 0; i < sizeof expectations / sizeof *expectations; i++) {
         const Expectation *row = &expectations[i];
-        Scene *scene = load_scene(row->path);
+        Scene *scene = load_small_scene(row->path);
         PrecisionEstimate estimate = precision_estimate_of(scene);
         double fraction = wrong_fraction(scene);
         printf("%-38s estimate %.2g steps, %.3g %% wrong in float\n", row->path,
@@ -114,7 +109,7 @@ static void test_estimates(void **state) {
 /** At few turns, light in overlapping glass is exact in float: double is not chosen. */
 static void test_shallow_glass_needs_no_double(void **state) {
     (void)state;
-    Scene *scene = load_scene("tests/scenes/overlapping-balls.lua");
+    Scene *scene = load_small_scene("tests/scenes/overlapping-balls.lua");
     scene->image.depth = 8;
     PrecisionEstimate estimate = precision_estimate_of(scene);
     assert_true(precision_estimate_error(&estimate) < PRECISION_VISIBLE_ERROR);

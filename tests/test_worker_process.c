@@ -504,7 +504,7 @@ static int run_without_filter(char **words) {
     const struct sock_fprog program = {sizeof code / sizeof *code, code};
     prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
     if (syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, 0, &program) == 0) {
-        execv(words[0], words);
+        execvp(words[0], words);
     }
     return EXIT_FAILURE;
 }

@@ -12,7 +12,7 @@
 
 #ifdef __SANITIZE_ADDRESS__
 /** Factor for the stack of a build with sanitizers, whose frames have gaps. */
-#define RAY_STACK_FACTOR 8
+#define RAY_STACK_FACTOR 2
 #else
 /** Factor for the stack of a build with sanitizers: none. */
 #define RAY_STACK_FACTOR 1

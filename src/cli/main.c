@@ -83,7 +83,7 @@ static const Command *find_command(const char *name) {
 /** Prints an error. Errors of a scene or of a picture begin with its file. */
 static void print_error(const Error *error) {
     if (error->message[0]) {
-        bool begins_with_file = error->status == STATUS_SCENE || error->status == STATUS_UNREADABLE;
+        bool begins_with_file = error->status == STATUS_SCENE;
         const char *prefix = begins_with_file ? "" : "dioptre: ";
         fprintf(stderr, "%s%s\n", prefix, error->message);
     }

@@ -11,6 +11,7 @@
 
 #include <lauxlib.h>
 #include <string.h>
+#include <unistd.h>
 
 static int call_include(lua_State *L);
 
@@ -26,8 +27,14 @@ static int call_include(lua_State *L);
 static bool read_file(const ScriptRequest *request, const char *name, ScriptText *text,
                       char display_path[PATH_MAX], Error *error) {
     char real_path[PATH_MAX];
-    if (!asset_path_resolve(request, name, display_path, real_path, error) ||
-        !script_text_read(text, real_path, error)) {
+    struct stat info;
+    int file = asset_path_open(request, name, display_path, real_path, &info, error);
+    if (file < 0) {
+        return false;
+    }
+    bool is_read = script_text_read_open(text, file, error);
+    close(file);
+    if (!is_read) {
         return false;
     }
     if (!script_text_check(text, NULL, error)) {

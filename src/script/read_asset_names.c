@@ -14,11 +14,12 @@
 
 #include <lauxlib.h>
 #include <string.h>
+#include <unistd.h>
 
 /** A kind of file that a scene can name: meshes or pictures. */
 typedef struct AssetKind {
     const char *expected; /**< Description of a valid name, for errors. */
-    /** Checks the ending of a file. @return Whether it is of this kind. */
+    /** Checks the ending of a name. @return Whether it is of this kind. */
     bool (*check)(const char *path, Error *error);
     /** Adds it to the scene, unless it is there. @return false when the scene's memory is full. */
     bool (*add)(Scene *scene, const SceneFile *file, size_t *place, Error *error);
@@ -65,8 +66,12 @@ static size_t read_asset_name(lua_State *L, int index, const Parameter *row,
     if (length != strlen(name)) {
         lua_error_tr(L, "%s must not have a zero byte in its name", row->name);
     }
-    bool is_added = asset_path_resolve(run->request, name, display_path, real_path, &error) &&
-                    kind->check(real_path, &error) &&
+    struct stat info;
+    int file = asset_path_open(run->request, name, display_path, real_path, &info, &error);
+    if (file >= 0) {
+        close(file); // It is opened again to be read, once the file of the scene has run.
+    }
+    bool is_added = file >= 0 && kind->check(real_path, &error) &&
                     add_asset(L, kind, name, real_path, &asset_index, &error);
     if (!is_added) {
         lua_error_tr(L, "%s: %s", name, error.message);

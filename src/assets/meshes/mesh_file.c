@@ -57,12 +57,7 @@ static const char *find_extension(const char *path, Error *error) {
 }
 
 bool mesh_file_check(const char *path, Error *error) {
-    struct stat found;
-    int file = find_extension(path, error) ? regular_file_open(path, &found, error) : -1;
-    if (file >= 0) {
-        close(file);
-    }
-    return file >= 0;
+    return find_extension(path, error) != NULL;
 }
 
 /** Reports progress. See #WorkerMonitor.on_tick. */

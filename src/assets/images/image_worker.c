@@ -42,7 +42,8 @@ static size_t pixels_size(const ImageWorkerRequest *request) {
 
 /** Report on a picture. */
 typedef struct ImageWorkerReport {
-    int is_done; /**< Not 0: the block contains the result. No bool, which may hold any byte here. */
+    int is_done; /**< Not 0: the block contains the result. No bool, which may hold any byte here.
+                  */
     Error error; /**< What is wrong, without a result. */
 } ImageWorkerReport;
 
@@ -95,7 +96,11 @@ static bool set_failure(const WorkerReply *reply, const ImageWorkerReport *repor
  * @return Whether it is valid.
  */
 static bool validate_texture(Texture *texture, size_t size, Error *error) {
-    bool has_size = size >= sizeof *texture && texture->width >= 1 &&
+    unsigned char is_hdr = 0;
+    if (size >= sizeof *texture) {
+        memcpy(&is_hdr, &texture->is_hdr, sizeof is_hdr);
+    }
+    bool has_size = size >= sizeof *texture && is_hdr <= 1 && texture->width >= 1 &&
                     texture->width <= IMAGE_SIZE_MAXIMUM && texture->height >= 1 &&
                     texture->height <= IMAGE_SIZE_MAXIMUM;
     if (!has_size || texture_block_size(texture) != size) {
@@ -207,7 +212,9 @@ bool image_worker_write(const char *format, bool is_linear, const Picture *pictu
                               : error_set(error, STATUS_FAILED, "no memory");
     free(decoded);
     free(request);
-    if (is_written) {
+    if (is_written && reply.block_size == 0) {
+        is_written = error_set(error, STATUS_FAILED, "the picture module made an empty file");
+    } else if (is_written) {
         is_written = fwrite(reply.block, 1, reply.block_size, stream) == reply.block_size ||
                      error_set(error, STATUS_FAILED, "%s", error_errno_text(errno));
     }

@@ -3,7 +3,9 @@
  * @brief The program: the table of commands, their help, and the choice among them.
  */
 #include "base/language.h"
+#include "base/sanitize.h"
 #include "base/scene_name.h"
+#include "base/standard_streams.h"
 #include "base/suggest.h"
 #include "cli/commands.h"
 
@@ -83,7 +85,9 @@ static void print_error(const Error *error) {
     if (error->message[0]) {
         bool begins_with_file = error->status == STATUS_SCENE || error->status == STATUS_UNREADABLE;
         const char *prefix = begins_with_file ? "" : "dioptre: ";
-        fprintf(stderr, "%s%s\n", prefix, error->message);
+        fputs(prefix, stderr);
+        sanitize_print(error->message, stderr); // It may quote a name from the command line.
+        fputc('\n', stderr);
     }
 }
 
@@ -160,6 +164,8 @@ static void parse_and_run(int argc, char **argv, Error *error) {
  */
 int main(int argc, char **argv) {
     Error error = {0};
+    standard_streams_open();
+    interrupt_init();
     language_init();
     // Otherwise a write to a closed pipe, or past the file size limit, kills the program silently.
     signal(SIGPIPE, SIG_IGN);

@@ -77,7 +77,7 @@ static bool set_failure(const WorkerReply *reply, const ImageWorkerReport *repor
         return error_set(error, STATUS_SCENE, "it takes more than %.0f s to read",
                          limits->time_limit);
     }
-    if (reply->end == WORKER_CRASHED && reply->detail == SIGINT) {
+    if (worker_reply_is_interrupted(reply)) {
         return error_set(error, STATUS_INTERRUPTED, "interrupted");
     }
     if (reply->end == WORKER_FINISHED && report->error.status != STATUS_OK) {
@@ -301,6 +301,17 @@ static bool encode_picture(WorkerJob *job, const ImagePlugin *plugin, Error *err
     return is_encoded || error_set(error, STATUS_FAILED, "%s", message.text);
 }
 
+/**
+ * Ignores the signals that end programs: the partial picture of an interrupted rendering is still
+ * written. This process ends with its parent.
+ */
+static void ignore_interruption(void) {
+    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
+    for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) {
+        signal(signals[i], SIG_IGN);
+    }
+}
+
 void image_worker_run(WorkerJob *job) {
     const ImageWorkerRequest *request = job->request;
     ImageWorkerReport *report = prepare_report(job);
@@ -308,12 +319,10 @@ void image_worker_run(WorkerJob *job) {
     if (plugin && request->operation == IMAGE_READ) {
         image_worker_read_with(job, plugin);
     } else if (plugin && request->operation == IMAGE_ENCODE) {
-        // The partial picture of an interrupted rendering is still written.
-        signal(SIGINT, SIG_IGN);
+        ignore_interruption();
         worker_job_ready();
         worker_enter_sandbox(SIZE_MAX / 2);
         report->is_done = encode_picture(job, plugin, &report->error);
-        signal(SIGINT, SIG_DFL);
     } else {
         report->is_done = plugin;
     }

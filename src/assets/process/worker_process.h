@@ -10,6 +10,7 @@
 #define DIOPTRE_ASSETS_PROCESS_WORKER_PROCESS_H
 
 #include <stdatomic.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <sys/types.h>
 
@@ -74,6 +75,13 @@ typedef struct WorkerReply {
  * @return The reply.
  */
 WorkerReply worker_process_call(WorkerProcess *process, const WorkerCall *call);
+
+/**
+ * @return Whether a worker died of SIGINT, SIGTERM or SIGHUP, which terminals, batch systems and
+ *         shutdowns send to all processes of a job: not a crash.
+ * @param reply  Its reply.
+ */
+bool worker_reply_is_interrupted(const WorkerReply *reply);
 
 /** Ends a worker, if one runs, and reaps it. */
 void worker_process_stop(WorkerProcess *process);

@@ -104,6 +104,12 @@ static void run_command(const Command *command, const Options *options, Error *e
                   gettext(command->usage));
         return;
     }
+    for (int i = 0; i < options->argument_count; i++) {
+        if (!options->arguments[i][0]) {
+            error_set(error, STATUS_USAGE, "argument %d of %s is empty", i + 1, command->name);
+            return;
+        }
+    }
     command->run(options, error);
     // The output must arrive: a full disk behind a redirection is an error, too.
     if (fflush(stdout) != 0 && error->status == STATUS_OK) {

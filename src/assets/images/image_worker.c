@@ -132,17 +132,24 @@ bool image_worker_call(const ImageWorker *worker, const char *format, int file,
     return is_read;
 }
 
+/** Largest number of workers that signals may end before one of them replies. */
+enum { START_ATTEMPTS = 3 };
+
 /** Sends a request without limits to the kept worker. @return Whether it succeeded. */
 static bool call_unlimited(const ImageWorkerRequest *request, size_t size, WorkerReply *reply,
                            Error *error) {
     ImageWorkerReport report = {0};
-    *reply = call_kept_worker(&(WorkerCall){.task = IMAGE_WORKER_TASK,
-                                            .request = request,
-                                            .request_size = size,
-                                            .time_limit = HUGE_VAL,
-                                            .report = &report,
-                                            .report_capacity = sizeof report,
-                                            .block_capacity = SIZE_MAX});
+    int attempts = 0;
+    // The signal that interrupts a rendering ends the idle worker, too, sooner or later.
+    do {
+        *reply = call_kept_worker(&(WorkerCall){.task = IMAGE_WORKER_TASK,
+                                                .request = request,
+                                                .request_size = size,
+                                                .time_limit = HUGE_VAL,
+                                                .report = &report,
+                                                .report_capacity = sizeof report,
+                                                .block_capacity = SIZE_MAX});
+    } while (worker_reply_is_interrupted(reply) && ++attempts < START_ATTEMPTS);
     bool is_done = reply->end == WORKER_FINISHED && report.is_done;
     return is_done || set_failure(reply, &report, &request->limits, error);
 }

@@ -107,7 +107,11 @@ quiet_end() {
     [ -z "$(find here -name '*.*.*')" ] && ok "$name, SIG$signal: nothing half-written" || fail "$name: $(ls here)"
 }
 # is_busy: the program handles signals, and is likely to be in the middle of its work.
-is_busy() { (((0x$(awk '/^SigCgt/ { print $2 }' "/proc/$pid/status") >> 14) & 1)) && sleep 0.5; }
+is_busy() {
+    local caught
+    caught=$(awk '/^SigCgt/ { print $2 }' "/proc/$pid/status" 2>/dev/null) || return 0 # It has ended.
+    ((0x$caught >> 14 & 1)) && sleep 0.5
+}
 # ended PID: whether a process has ended.
 ended() { ! kill -0 "$1" 2>/dev/null; }
 # has PATTERN: whether there is such a file here.
@@ -118,14 +122,12 @@ for signal in HUP TERM; do
     only 'no film' ''
     ready=(has '1.bmp')
     quiet_end $signal 130 'frames' "$dioptre" animate "$orbits" -s 320x180 --samples 64 --sampling full -o here/%d.bmp
-    ready=(has 'sphere-distance.csv')
-    quiet_end $signal 130 'lab' "$dioptre" lab --out here
     ready=(is_busy)
+    quiet_end $signal 130 'lab' "$dioptre" lab --out here
     quiet_end $signal 130 'chart' "$dioptre" chart "$box" -s 320x240 --out here
     quiet_end $signal 130 'bench' "$dioptre" bench "$box" -s 1600x1200 --samples 64 --sampling full --frames 1000
     quiet_end $signal 130 'needs' "$dioptre" needs "$box"
     echo 'while true do end' >endless.lua
-    ready=(is_busy)
     for command in info 'probe 1 1' 'render -o here/o.bmp' 'animate -o here/%d.bmp'; do
         # shellcheck disable=SC2086 # a command and its options
         set -- $command

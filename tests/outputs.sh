@@ -6,11 +6,6 @@ box=$PWD/scenes/box.lua orbits=$PWD/scenes/orbits.lua
 cp scenes/pictures/die.png "$work"
 cd "$work" || exit 1
 
-# within COMMAND...: waits for an event, however slow the machine is.
-within() {
-    for _ in {1..3000}; do "$@" && return 0 || sleep 0.02; done
-    return 1
-}
 # in_background COMMAND...: starts it in a process group of its own, with the signals of a person's
 # terminal; sets pid.
 in_background() {
@@ -112,8 +107,6 @@ is_busy() {
     caught=$(awk '/^SigCgt/ { print $2 }' "/proc/$pid/status" 2>/dev/null) || return 0 # It has ended.
     ((0x$caught >> 14 & 1)) && sleep 0.5
 }
-# ended PID: whether a process has ended.
-ended() { ! kill -0 "$1" 2>/dev/null; }
 # has PATTERN: whether there is such a file here.
 has() { [ -n "$(find here -name "$1" | head -1)" ]; }
 for signal in HUP TERM; do

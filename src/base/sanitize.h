@@ -9,12 +9,6 @@
 #include <stdio.h>
 
 /**
- * Size of a sanitized path, with its final zero. A longer path is cut at its start: the sentence
- * after it must fit in an #Error.
- */
-enum { SANITIZED_PATH_SIZE = 768 };
-
-/**
  * Copies text and escapes all but printable UTF-8, newlines and tabs as `\27`, like Lua, and the
  * characters that change the direction of text. Names and errors of a scene therefore cannot
  * control the user's terminal.
@@ -34,12 +28,5 @@ void sanitize_print(const char *text, FILE *stream);
 
 /** Prints a text of one line like #sanitize_line. */
 void sanitize_print_line(const char *text, FILE *stream);
-
-/**
- * Copies a path for a message: sanitized, and cut at its start if it is long.
- * @param[out] out  The copy.
- * @param path      The path.
- */
-void sanitize_path(char out[SANITIZED_PATH_SIZE], const char *path);
 
 #endif

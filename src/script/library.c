@@ -4,10 +4,10 @@
  */
 #include "script/library.h"
 
-#include "base/sanitize.h"
 #include "base/suggest.h"
 #include "script/lua_error.h"
 #include "script/ordered_pairs.h"
+#include "script/sanitize.h"
 #include "script/script_run.h"
 #include "script/script_sandbox.h"
 

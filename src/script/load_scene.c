@@ -7,9 +7,9 @@
 
 #include "assets/images/texture_file.h"
 #include "assets/meshes/mesh_file.h"
-#include "base/sanitize.h"
 #include "base/scene_name.h"
 #include "script/asset_cache.h"
+#include "script/sanitize.h"
 #include "script/script_worker.h"
 
 #include <string.h>

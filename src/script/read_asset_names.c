@@ -5,10 +5,10 @@
 #include "assets/images/texture_file.h"
 #include "assets/meshes/mesh_file.h"
 #include "base/language.h"
-#include "base/sanitize.h"
 #include "script/asset_path.h"
 #include "script/lua_error.h"
 #include "script/read_parameters.h"
+#include "script/sanitize.h"
 #include "script/script_run.h"
 #include "script/script_sandbox.h"
 

@@ -4,7 +4,7 @@
  */
 #include "script/script_result.h"
 
-#include "base/sanitize.h"
+#include "script/sanitize.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -35,7 +35,7 @@ expect 2 '^dioptre: there is no option --foo=3$' 'a wrong word with a value' "$d
 expect 2 '^dioptre: -o needs a value$' 'a letter that needs a value, after others' "$dioptre" render x.lua -qo
 expect 2 '^dioptre: --size needs a value$' 'a word that needs a value' "$dioptre" render x.lua --size
 expect 2 '^dioptre: --quiet takes no value$' 'a flag with a value' "$dioptre" render --quiet=3 x.lua
-expect 2 '^dioptre: --o is not clear: --output, --out, --offset$' 'a cut option that may be several' "$dioptre" render --o x.bmp
+expect 2 '^dioptre: --o is ambiguous: --output, --out, --offset$' 'a cut option that may be several' "$dioptre" render --o x.bmp
 expect 2 '^dioptre: --size takes WxH' 'a cut option that is clear' "$dioptre" render --si 3
 expect 2 '^dioptre: argument 1 of render is empty$' 'an empty scene' "$dioptre" render '' -o "$work/x.bmp"
 expect 2 '^dioptre: argument 1 of view is empty$' 'an empty scene to view' "$dioptre" view ''

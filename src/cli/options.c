@@ -337,7 +337,7 @@ static bool reject_option(int code, const char *word, Error *error) {
                      option->name);
         }
     }
-    return choices[0] ? error_set(error, STATUS_USAGE, "%s is not clear: %s", word, choices)
+    return choices[0] ? error_set(error, STATUS_USAGE, "%s is ambiguous: %s", word, choices)
                       : error_set(error, STATUS_USAGE, "there is no option %s", word);
 }
 

@@ -11,10 +11,9 @@ void sanitize_path(char out[SANITIZED_PATH_SIZE], const char *path) {
     size_t tail_length = SANITIZED_PATH_SIZE - sizeof ellipsis;
     size_t length = strlen(path);
     if (length < SANITIZED_PATH_SIZE) {
-        sanitize_text(out, SANITIZED_PATH_SIZE, path, length);
+        sanitize_line(out, SANITIZED_PATH_SIZE, path);
         return;
     }
     memcpy(out, ellipsis, sizeof ellipsis);
-    sanitize_text(out + strlen(ellipsis), tail_length + 1, path + length - tail_length,
-                  tail_length);
+    sanitize_line(out + strlen(ellipsis), tail_length + 1, path + length - tail_length);
 }

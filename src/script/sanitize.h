@@ -14,7 +14,7 @@
 enum { SANITIZED_PATH_SIZE = 768 };
 
 /**
- * Copies a path for a message: sanitized, and cut at its start if it is long.
+ * Copies a path for a message: sanitized as one line, and cut at its start if it is long.
  * @param[out] out  The copy.
  * @param path      The path.
  */

@@ -136,7 +136,7 @@ expect 1 'standard output' 'full disk behind standard output' sh -c "exec $diopt
 scene 'camera { position = {0, 0, 6} }\nimage { width = 1600, height = 1200, samples = 64 }\nlight {}\nsphere {}'
 "$dioptre" render "$work/s.lua" -o "$work/cut.bmp" -j 1 --sampling full --progress json 2>"$work/err" &
 pid=$!
-for _ in $(seq 600); do grep -q '^{' "$work/err" && break || sleep 0.05; done
+within grep -q '^{' "$work/err"
 kill -INT $pid
 wait $pid
 [ $? = 130 ] && ok 'SIGINT: status 130' || fail "SIGINT: status: $(cat "$work/err")"

@@ -44,4 +44,19 @@ same() {
     if cmp -s "$1" "$2"; then ok "$3"; else fail "$3: $1 and $2 differ"; fi
 }
 
+# within COMMAND...: waits until a command succeeds: for an event, however slow the machine is. Two minutes
+# are many times what any takes: they bound a test that has failed.
+within() {
+    deadline=$(($(date +%s) + 120))
+    until "$@"; do
+        [ "$(date +%s)" -lt $deadline ] || return 1
+        sleep 0.03
+    done
+}
+
+# ended PID: whether a process has ended.
+ended() { ! kill -0 "$1" 2>/dev/null; }
+# has_lines FILE COUNT: whether it has more lines than that.
+has_lines() { [ "$(wc -l <"$1")" -gt "$2" ]; }
+
 finish() { [ "$failures" = 0 ]; }

@@ -27,6 +27,25 @@ for option in '--samples 0' '--samples x' '--depth -1' '-j 0' '-j 1.5' '--epsilo
     # shellcheck disable=SC2086 # an option and its value
     expect 2 'takes' "bad $option" "$dioptre" render "$box" -o "$work/x.bmp" $option
 done
+# Letters in one word, names that are empty, options that are cut or have a value too many.
+expect 2 '^dioptre: there is no option -Z$' 'a wrong letter before others' "$dioptre" render -Zq x.lua
+expect 2 '^dioptre: there is no option -Z$' 'a wrong letter after others' "$dioptre" render -qZ x.lua
+expect 2 '^dioptre: there is no option -Z$' 'a wrong letter without a command' "$dioptre" -Zq
+expect 2 '^dioptre: there is no option --foo=3$' 'a wrong word with a value' "$dioptre" render --foo=3
+expect 2 '^dioptre: -o needs a value$' 'a letter that needs a value, after others' "$dioptre" render x.lua -qo
+expect 2 '^dioptre: --size needs a value$' 'a word that needs a value' "$dioptre" render x.lua --size
+expect 2 '^dioptre: --quiet takes no value$' 'a flag with a value' "$dioptre" render --quiet=3 x.lua
+expect 2 '^dioptre: --o is ambiguous: --output, --out, --offset$' 'a cut option that may be several' "$dioptre" render --o x.bmp
+expect 2 '^dioptre: --size takes WxH' 'a cut option that is clear' "$dioptre" render --si 3
+expect 2 '^dioptre: argument 1 of render is empty$' 'an empty scene' "$dioptre" render '' -o "$work/x.bmp"
+expect 2 '^dioptre: argument 1 of view is empty$' 'an empty scene to view' "$dioptre" view ''
+expect 2 '^dioptre: argument 2 of compare is empty$' 'an empty picture' "$dioptre" compare x.bmp ''
+for option in '-o' '--base-dir'; do
+    expect 2 '^dioptre: --[a-z-]* takes a name, not '"''"'$' "empty $option" "$dioptre" render "$box" -o "$work/x.bmp" "$option" ''
+done
+expect 2 'too many arguments: .-o' 'options after --' "$dioptre" render -- "$box" -o "$work/x.bmp"
+expect 0 '' 'the last of two sizes' "$dioptre" render "$box" -s 9x9 -o "$work/two.bmp" -s 4x3
+[ "$(stat -c %s "$work/two.bmp")" = 90 ] && ok 'counts' || fail "it has $(stat -c %s "$work/two.bmp") bytes"
 [ ! -e "$work/x.bmp" ] && ok 'wrong usage writes nothing' || fail 'wrong usage writes nothing'
 
 expect 0 '' 'render bmp' "$dioptre" render "$box" -o "$work/a.bmp" -s 160x120

@@ -79,21 +79,17 @@ END
     services="$services $!"
     /usr/sbin/slurmd -D -N here >log/slurmd 2>&1 &
     services="$services $!"
-    for _ in {1..100}; do
-        sinfo -h -o %T 2>/dev/null | grep -q idle && return 0
-        sleep 0.1
-    done
-    echo "no node after 10 s: $(tail -qn 2 log/* | tr '\n' ' ')"
+    within has_node && return 0
+    echo "no node after two minutes: $(tail -qn 2 log/* | tr '\n' ' ')"
     return 1
 }
+# has_node: whether the node is there; is_over JOB: whether a job has left the queue.
+has_node() { sinfo -h -o %T 2>/dev/null | grep -q idle; }
+is_over() { [ -z "$(squeue -h -j "$1" 2>/dev/null)" ]; }
 # array TASKS: sends the array off and waits until it is over.
 array() {
     job=$(timeout 10 sbatch --parsable --array="$1" "$farm/slurm.sh" "$orbits" "$work/cluster" 11) || return 1
-    for _ in {1..200}; do
-        [ -z "$(squeue -h -j "$job" 2>/dev/null)" ] && return 0
-        sleep 0.1
-    done
-    return 1
+    within is_over "$job"
 }
 cluster >why
 if [ $? = 0 ]; then
@@ -103,9 +99,9 @@ if [ $? = 0 ]; then
     # A task is killed in the middle; sent again, it goes on where it was.
     rm -r cluster
     OPTIONS='-s 640x360 --samples 64 --sampling full' job=$(sbatch --parsable --array=0-0 "$farm/slurm.sh" "$orbits" "$work/cluster" 11)
-    for _ in {1..300}; do [ -e cluster/00001.png ] && break || sleep 0.05; done
+    within [ -e cluster/00001.png ]
     scancel --signal=KILL --full "$job"
-    for _ in {1..100}; do [ -z "$(squeue -h -j "$job" 2>/dev/null)" ] && break || sleep 0.1; done
+    within is_over "$job"
     kept=$(ls cluster/*.png | wc -l)
     [ "$kept" -ge 2 ] && [ "$kept" -lt 12 ] && ok "a killed task has left $kept whole frames" || fail "$kept frames"
     find cluster -name '*.png' -exec touch -d 2001-01-01 {} +

@@ -31,14 +31,15 @@ done
 
 # --- going on where it was -----------------------------------------------------------------------
 rm one/00001.bmp
-echo 'drawn by somebody else' >one/00002.bmp
+# A picture that somebody else has drawn.
+cp two/00004.bmp one/00002.bmp
 expect 0 '"done": 1, "frames": 1, "progress": 1.0000' '--skip-existing, told as JSON' \
     film --seconds 0.2 --skip-existing --progress json -o one/%05d.bmp
 same one/00001.bmp two/00001.bmp 'what lacks is drawn'
-holds one/00002.bmp 'somebody else' 'what is there stays'
+same one/00002.bmp two/00004.bmp 'what is there stays'
 "$dioptre" animate "$orbits" -s 320x180 --samples 64 -j 1 --sampling full -o two/i%04d.bmp 2>err &
 pid=$!
-for _ in {1..400}; do [ -e two/i0001.bmp ] && break || sleep 0.02; done
+within [ -e two/i0001.bmp ]
 kill -TERM $pid
 wait $pid
 [ $? = 130 ] && ok 'interrupted: status 130' || fail "interrupted: $(cat err)"
@@ -104,8 +105,8 @@ refused() {
 }
 mkdir bin
 refused 1 'ffmpeg is missing: sudo apt-get install ffmpeg' 'no ffmpeg' env PATH="$work/bin" "$dioptre" animate "$orbits" -o old.mp4
-# ended PID: waits for a program that wrote its errors to a file of its own.
-ended() {
+# end_of PID: waits for a program that wrote its errors to a file of its own.
+end_of() {
     wait "$1"
     local status=$?
     cat said >&2
@@ -129,9 +130,9 @@ refused 1 'ffmpeg' 'ffmpeg is no program' faked
 echo 'exec sleep 60' | fake
 (PATH=$work/bin:$PATH exec env --default-signal=INT "$dioptre" animate "$orbits" -s 640x360 --samples 1 -o old.mp4) 2>said &
 pid=$!
-for _ in {1..400}; do pgrep -P $pid -x sleep >/dev/null && break || sleep 0.02; done
+within pgrep -P $pid -x sleep >/dev/null
 kill -INT $pid
-refused 130 'interrupted: 0 of 250 frames were done; there is no film' 'ffmpeg hangs, and Ctrl-C' ended $pid
+refused 130 'interrupted: 0 of 250 frames were done; there is no film' 'ffmpeg hangs, and Ctrl-C' end_of $pid
 ln -s /dev/full device.mp4
 refused 1 'needs a plain file' 'a film is no device' film --frames 0 -o device.mp4
 ulimit -S -f 8
@@ -163,30 +164,27 @@ mkdir killed whole
 busy() { "$dioptre" animate "$orbits" -s 320x180 --samples 16 -j 1 --sampling full "$@"; }
 (exec "$dioptre" animate "$orbits" -s 320x180 --samples 16 -j 1 --sampling full -o killed/%d.bmp) &
 pid=$!
-for _ in {1..400}; do [ -e killed/1.bmp ] && break || sleep 0.02; done
+within [ -e killed/1.bmp ]
 kill -KILL $pid
 { wait $pid; } 2>/dev/null
 last=$(find killed -name '*.bmp' | sed 's/.*\/\([0-9]*\).bmp/\1/' | sort -n | tail -1)
 expect 0 '' 'all frames of a killed film again' busy --frames "0-$((last + 2))" -o whole/%d.bmp
 expect 0 '' 'those that lack' busy --frames "0-$((last + 2))" --skip-existing -o killed/%d.bmp
-find killed -name '*.bmp.*' -delete
 expect 0 '' 'SIGKILL costs the frame under way, and no other' diff -r killed whole
 (exec "$dioptre" animate "$orbits" -s 320x180 --samples 1 -o old.mp4) &
 pid=$!
 # As soon as there is an encoder: a quiet machine finishes this film within a second.
 started() { encoder=$(pgrep -P "$1" -x ffmpeg); }
-for _ in {1..400}; do started $pid && break || sleep 0.02; done
+within started $pid
 kill -KILL $pid
 { wait $pid; } 2>/dev/null
 holds old.mp4 '^the old film$' 'SIGKILL: the old film is whole'
-for _ in {1..200}; do kill -0 "$encoder" 2>/dev/null && sleep 0.1 || break; done
-[ -n "$encoder" ] && ! kill -0 "$encoder" 2>/dev/null && ok 'SIGKILL: the encoder ends, too' || fail "SIGKILL: the encoder $encoder"
-rm -f old.mp4.*
+[ -n "$encoder" ] && within ended "$encoder" && ok 'SIGKILL: the encoder ends, too' || fail "SIGKILL: the encoder $encoder"
 
 # --- an interrupted film -------------------------------------------------------------------------
 (exec env --default-signal=INT "$dioptre" animate "$orbits" -s 320x180 -o old.mp4) 2>said &
 pid=$!
-for _ in {1..400}; do started $pid && break || sleep 0.02; done
+within started $pid
 kill -INT $pid
-refused 130 'interrupted: [0-9]+ of 250 frames were done; there is no film' 'an interrupted film' ended $pid
+refused 130 'interrupted: [0-9]+ of 250 frames were done; there is no film' 'an interrupted film' end_of $pid
 finish

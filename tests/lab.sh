@@ -57,11 +57,7 @@ expect 1 'gnuplot gave up \(status 3\): broken' 'gnuplot fails' \
 # --- interruption: what is finished is kept ---------------------------------------------------------
 "$dioptre" lab fresnel-out triangle-edges triangle-corners --out "$work/e" -q &
 process=$!
-tries=0
-while [ ! -s "$work/e/fresnel-out.csv" ] && [ $tries -lt 600 ]; do
-    sleep 0.1
-    tries=$((tries + 1))
-done
+within [ -s "$work/e/fresnel-out.csv" ]
 kill -TERM $process # The shell has it ignore Ctrl-C.
 wait $process
 [ $? = 130 ] && ok 'interrupted: 130' || fail 'interrupted: not 130'

@@ -12,7 +12,7 @@ start_server() {
     # -noreset: the keyboard map stays when the last window closes.
     Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp -noreset 3>"$work/display" 2>/dev/null &
     server=$!
-    for _ in {1..200}; do [ -s "$work/display" ] && break || sleep 0.05; done
+    within [ -s "$work/display" ]
     export DISPLAY=:$(cat "$work/display")
 }
 cleanup() {
@@ -23,6 +23,11 @@ cleanup() {
 }
 trap cleanup EXIT
 
+# has_window: whether there is a window, or the program has ended without one; sets window.
+has_window() {
+    window=$(xdotool search --onlyvisible --class '^dioptre$' 2>/dev/null | tail -1)
+    [ -n "$window" ] || ended "$pid"
+}
 # open SCENE OPTION...: opens the window in a folder of its own and waits for its first picture.
 open() {
     rm -rf "$work/shots" && mkdir "$work/shots" && cd "$work/shots" || exit 1
@@ -31,18 +36,14 @@ open() {
     pid=$!
     cd "$root" || exit 1
     window=
-    for _ in {1..1000}; do
-        window=$(xdotool search --onlyvisible --class '^dioptre$' 2>/dev/null | tail -1)
-        [ -n "$window" ] && break || sleep 0.03
-    done
+    within has_window
     xdotool windowfocus --sync "$window" 2>/dev/null
     shown 'pass'
 }
 
 # closed NAME STATUS: the program must end by itself, with that status.
 closed() {
-    for _ in {1..100}; do kill -0 "$pid" 2>/dev/null && sleep 0.03; done
-    if kill -0 "$pid" 2>/dev/null; then
+    if ! within ended "$pid"; then
         fail "$1: it is still there" && kill -9 "$pid"
     fi
     wait "$pid"
@@ -54,10 +55,8 @@ leave() { xdotool key Escape && closed "${1:-Esc leaves}" 0; }
 
 title() { xdotool getwindowname "$window" 2>/dev/null; }
 # shown WORDS: waits until the title holds WORDS (a pattern).
-shown() {
-    for _ in {1..1000}; do [[ $(title) =~ $1 ]] && return 0 || sleep 0.03; done
-    return 1
-}
+shown() { within titled "$1"; }
+titled() { [[ $(title) =~ $1 ]]; }
 expect_shown() { shown "$1" && ok "$2" || fail "$2: the title says $(title)"; }
 # hold SECONDS KEY...: holds keys down.
 hold() {
@@ -68,32 +67,14 @@ hold() {
 # screen FILE: what the window shows.
 screen() { import -window "$window" "$work/$1.ppm"; }
 # settled: waits until the window shows the same twice.
-settled() {
-    for _ in {1..60}; do
-        screen a
-        sleep 0.3
-        screen b
-        cmp -s "$work/a.ppm" "$work/b.ppm" && return
-    done
-}
+settled() { within is_quiet; }
+is_quiet() { screen a && sleep 0.3 && screen b && cmp -s "$work/a.ppm" "$work/b.ppm"; }
 # differs OLD NEW: waits until the window shows something other than OLD, and keeps it as NEW.
-differs() {
-    for _ in {1..200}; do
-        screen "$2"
-        cmp -s "$work/$1.ppm" "$work/$2.ppm" || { settled && cp "$work/a.ppm" "$work/$2.ppm" && return; }
-        sleep 0.05
-    done
-    return 1
-}
+differs() { within is_another "$@" && settled && cp "$work/a.ppm" "$work/$2.ppm"; }
+is_another() { screen "$2" && ! cmp -s "$work/$1.ppm" "$work/$2.ppm"; }
 # shows OLD: waits until the window shows OLD again.
-shows() {
-    for _ in {1..200}; do
-        screen a
-        cmp -s "$work/$1.ppm" "$work/a.ppm" && return
-        sleep 0.05
-    done
-    return 1
-}
+shows() { within is_same "$1"; }
+is_same() { screen a && cmp -s "$work/$1.ppm" "$work/a.ppm"; }
 # changed OLD NEW NAME, restored OLD NAME: the same as tests.
 changed() { differs "$1" "$2" && ok "$3" || fail "$3"; }
 restored() { shows "$1" && ok "$2" || fail "$2"; }

@@ -17,10 +17,11 @@ open "$box" -s 160x120 --samples 4
 first=$window first_pid=$pid
 (cd "$work/shots" && exec "$dioptre" view "$box" -s 160x120 --samples 4) >"$work/log2" 2>&1 &
 second_pid=$!
-for _ in {1..100}; do
+has_second() {
     second=$(xdotool search --onlyvisible --class '^dioptre$' 2>/dev/null | grep -v "^$first\$")
-    [ -n "$second" ] && break || sleep 0.05
-done
+    [ -n "$second" ]
+}
+within has_second
 window=$second && shown finished
 for _ in 1 2 3 4 5; do
     xdotool windowfocus --sync "$first" key p windowfocus --sync "$second" key p

@@ -1,7 +1,7 @@
 #!/bin/sh
 # A film by many machines, with GNU parallel over ssh. Every frame is a job: a machine that fails, or
 # is switched off, loses its own frame and no other. Run it again after any accident: jobs that are
-# done are not done again (--resume-failed), nor are frames that are there (--skip-existing).
+# done are not done again (--resume-failed), nor are frames that are there and whole (--skip-existing).
 #
 #   doc/farm/parallel.sh SCENE FOLDER FRAMES [HOSTS]
 #

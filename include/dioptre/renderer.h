@@ -211,4 +211,13 @@ bool renderer_record_ray_tree(const Renderer *renderer, int x, int y, RayTree *t
  */
 RenderStats renderer_benchmark_rays(Renderer *renderer, bool random);
 
+/**
+ * Traces a camera ray per pixel, closest hits alone, in an order that is spread over the picture,
+ * until all are traced or the time is over. #renderer_contents then has what they counted.
+ * @param renderer  The renderer, idle in the background.
+ * @param seconds   The time.
+ * @return Time and rays; RenderStats::is_finished: all pixels have theirs.
+ */
+RenderStats renderer_sample_camera_rays(Renderer *renderer, double seconds);
+
 #endif

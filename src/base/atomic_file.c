@@ -4,19 +4,15 @@
  */
 #include "base/atomic_file.h"
 
+#include "base/stale_files.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-/** Number of temporary names tried; names are only taken by files that a crash left. */
-enum { ATTEMPTS_MAXIMUM = 1000 };
-/**
- * Bytes of a file's name kept in its temporary name; with the ending, it stays below NAME_MAX
- * (255).
- */
-enum { NAME_BYTES_KEPT = 200 };
 /** Permissions of new files, reduced by the user's umask. */
 enum { NEW_FILE_MODE = 0666 };
 /** The permission bits of a file's mode. */
@@ -28,22 +24,40 @@ static bool set_system_error(Error *error) {
 }
 
 /**
- * Creates the temporary file in the folder of the target, with an unused name.
+ * Creates a file that does not exist, and locks it as long as it is open: see #stale_files_remove.
+ * @return The file descriptor, or -1 with errno set; EEXIST: the name is taken.
+ */
+static int create_locked(const char *path) {
+    struct stat created;
+    int descriptor = open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, NEW_FILE_MODE);
+    // Some file systems have no locks. Nothing is removed there.
+    bool is_taken =
+        descriptor >= 0 && flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    // Between both calls, another process may have taken it for stale.
+    if (is_taken ||
+        (descriptor >= 0 && fstat(descriptor, &created) == 0 && created.st_nlink == 0)) {
+        close(descriptor);
+        errno = EEXIST;
+        return -1;
+    }
+    return descriptor;
+}
+
+/**
+ * Creates the temporary file in the folder of the target, with an unused name. Files that killed
+ * processes have left of the same target are removed.
  * @param[in,out] file  The file; its temporary path is set.
  * @return The file descriptor, or -1 with errno set.
  */
 static int create_temporary(AtomicFile *file) {
     const char *path = file->target.path;
-    int dir_length = output_path_dir_length(path);
-    for (int attempt = 0; attempt < ATTEMPTS_MAXIMUM; attempt++) {
-        int length = snprintf(file->temporary_path, PATH_MAX, "%.*s%.*s.%ld-%d", dir_length, path,
-                              NAME_BYTES_KEPT, path + dir_length, (long)getpid(), attempt);
-        if (length >= PATH_MAX) {
+    stale_files_remove(path);
+    for (int attempt = 0; attempt < TEMPORARY_ATTEMPTS; attempt++) {
+        if (!temporary_path(path, getpid(), attempt, file->temporary_path)) {
             errno = ENAMETOOLONG;
             break;
         }
-        int flags = O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC;
-        int descriptor = open(file->temporary_path, flags, NEW_FILE_MODE);
+        int descriptor = create_locked(file->temporary_path);
         if (descriptor >= 0 || errno != EEXIST) {
             return descriptor;
         }
@@ -143,9 +157,44 @@ static int rename_to_target(AtomicFile *file) {
     return file->temporary_path[0] == '\0' ? 0 : rename(file->temporary_path, file->target.path);
 }
 
+/** @return Whether a file is synced. Devices and FIFOs need not be. */
+static bool is_synced(const AtomicFile *file) {
+    return file->mode != ATOMIC_REPLACE_UNSYNCED && file->temporary_path[0] != '\0';
+}
+
+/**
+ * Waits until the bytes of a file are on the disk: a power cut after the rename must not leave a
+ * new name without bytes.
+ * @return 0, or -1 with errno set: the disk is full or broken. Pipes and some file systems cannot
+ *         sync; that is no error.
+ */
+static int sync_bytes(const AtomicFile *file) {
+    int failed = fflush(file->stream);
+    if (!failed && is_synced(file) && fsync(fileno(file->stream)) != 0) {
+        failed = errno == EIO || errno == ENOSPC || errno == EDQUOT ? -1 : 0;
+    }
+    return failed;
+}
+
+/** Waits until the name of a file is on the disk. The file is in its place: errors are ignored. */
+static void sync_folder(const char *path) {
+    char folder[PATH_MAX];
+    snprintf(folder, PATH_MAX, "%.*s.", output_path_dir_length(path), path);
+    int descriptor = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor >= 0) {
+        fsync(descriptor);
+        close(descriptor);
+    }
+}
+
 bool atomic_file_commit(AtomicFile *file, Error *error) {
     bool is_whole = !ferror(file->stream);
-    int failed = fclose(file->stream);
+    int failed = sync_bytes(file), reason = errno;
+    if (fclose(file->stream) != 0 && !failed) {
+        failed = -1;
+        reason = errno;
+    }
+    errno = reason;
     file->stream = NULL;
     if (!is_whole && !failed) {
         errno = EIO; // An earlier write failed, and its errno is lost.
@@ -154,6 +203,9 @@ bool atomic_file_commit(AtomicFile *file, Error *error) {
         set_system_error(error);
         atomic_file_discard(file);
         return false;
+    }
+    if (is_synced(file)) {
+        sync_folder(file->target.path);
     }
     return true;
 }

@@ -2,9 +2,9 @@
  * @file
  * @brief Files that are written completely or not at all.
  *
- * The bytes are written to a temporary file in the same folder, which is renamed to the target at
- * the end. After a crash or on a full disk, the old file is intact. Devices and FIFOs, such as
- * `/dev/stdout`, cannot be renamed and are written directly.
+ * The bytes are written to a temporary file in the same folder, which is renamed to the target when
+ * they are on the disk. After a crash, a power cut or on a full disk, the old file is intact.
+ * Devices and FIFOs, such as `/dev/stdout`, cannot be renamed and are written directly.
  */
 #ifndef DIOPTRE_BASE_ATOMIC_FILE_H
 #define DIOPTRE_BASE_ATOMIC_FILE_H
@@ -16,8 +16,10 @@
 
 /** Treatment of an existing file. */
 typedef enum {
-    ATOMIC_REPLACE, /**< It is replaced; if it is a symbolic link, its target is. */
-    ATOMIC_NEW      /**< It is kept: opening fails. */
+    ATOMIC_REPLACE,          /**< It is replaced; if it is a symbolic link, its target is. */
+    ATOMIC_REPLACE_UNSYNCED, /**< The same, without waiting for the disk: after a power cut, the new
+                                file may be missing or empty. */
+    ATOMIC_NEW               /**< It is kept: opening fails. */
 } AtomicMode;
 
 /** A file being written. */

@@ -4,46 +4,27 @@
  */
 #include "base/json.h"
 
-#include <math.h>
-#include <stdint.h>
+#include "base/utf8.h"
 
-/**
- * @return Bytes of the UTF-8 sequence at the start of a text; 0: no valid one. Overlong forms,
- *         surrogates and numbers above U+10FFFF are invalid (RFC 3629).
- */
-static size_t utf8_sequence_length(const unsigned char *text) {
-    static const uint32_t minimum[] = {0, 0, 0x80, 0x800, 0x10000};
-    unsigned char lead = text[0];
-    size_t length = lead < 0x80 ? 1 : lead < 0xC0 ? 0 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
-    if (lead >= 0xF8 || length < 2) {
-        return lead >= 0xF8 ? 0 : length;
-    }
-    uint32_t code = lead & (0x7Fu >> length);
-    for (size_t i = 1; i < length; i++) {
-        if ((text[i] & 0xC0) != 0x80) { // Also the final zero: reading stops there.
-            return 0;
-        }
-        code = code << 6 | (text[i] & 0x3Fu);
-    }
-    bool is_surrogate = code >= 0xD800 && code <= 0xDFFF;
-    return code < minimum[length] || code > 0x10FFFF || is_surrogate ? 0 : length;
-}
+#include <math.h>
+#include <string.h>
 
 /** Writes a text as a JSON string, quotes included. */
 static void write_quoted(FILE *stream, const char *text) {
     fputc('"', stream);
-    for (const unsigned char *c = (const unsigned char *)text; *c;) {
-        size_t length = utf8_sequence_length(c);
-        if (length == 0) {
+    for (size_t left = strlen(text), size; left > 0; text += size, left -= size) {
+        uint32_t code = 0;
+        size = utf8_decode(text, left, &code);
+        if (size == 0) {
             fputs("\\ufffd", stream);
-        } else if (*c == '"' || *c == '\\') {
-            fprintf(stream, "\\%c", *c);
-        } else if (*c < ' ') {
-            fprintf(stream, "\\u%04x", *c);
+            size = 1;
+        } else if (code == '"' || code == '\\') {
+            fprintf(stream, "\\%c", (char)code);
+        } else if (utf8_is_control(code)) {
+            fprintf(stream, "\\u%04x", code); // All of them are below U+10000.
         } else {
-            fwrite(c, 1, length, stream);
+            fwrite(text, 1, size, stream);
         }
-        c += length ? length : 1;
     }
     fputc('"', stream);
 }

@@ -7,12 +7,12 @@
  */
 #include "assets/film.h"
 #include "assets/images/image_file.h"
+#include "assets/images/image_whole.h"
 #include "base/language.h"
 #include "cli/commands.h"
 #include "cli/frames.h"
 
 #include <math.h>
-#include <unistd.h>
 
 /** An animation under way. */
 typedef struct Animation {
@@ -68,8 +68,10 @@ static bool plan_files(Animation *animation, Error *error) {
     }
     animation->is_film = film_has_extension(output);
     animation->is_rendered = !frame_pattern_is_in(input);
-    if (animation->is_film && options->skip_existing) {
-        return error_set(error, STATUS_USAGE, "--skip-existing is for numbered frames");
+    if (animation->is_film && (options->skip_existing || options->no_sync)) {
+        return error_set(error, STATUS_USAGE,
+                         options->skip_existing ? N_("--skip-existing is for numbered frames")
+                                                : N_("--no-sync is for numbered frames"));
     }
     return (animation->is_film || frame_pattern_parse(output, &animation->output, error)) &&
            (animation->is_rendered || frame_pattern_parse(input, &animation->input, error));
@@ -98,7 +100,8 @@ static bool render_frame(Animation *animation, const RenderJob *job, Error *erro
         progress_done(animation->progress);
         return true;
     }
-    Scene *scene = command_load_scene_at(job->options, job->time, animation->cache, NULL, error);
+    Scene *scene =
+        command_load_scene_at(job->options, job->time, animation->cache, interrupt_flag(), error);
     if (scene && !animation->scene) {
         command_print_notes(scene);
     }
@@ -140,7 +143,7 @@ static bool write_frame(Animation *animation, const RenderJob *job, Error *error
     }
     return animation->is_rendered
                ? command_write_image(job, animation->scene, &animation->picture, error)
-               : image_file_write(job->output, &animation->picture, error);
+               : command_write_file(job, &animation->picture, error);
 }
 
 /** Renders or reads a frame and writes it. @return false on failure. */
@@ -154,7 +157,7 @@ static bool produce_frame(Animation *animation, int number, Error *error) {
     if (!animation->is_film && !frame_pattern_path(&animation->output, number, path, error)) {
         return false;
     }
-    if (options->skip_existing && access(path, F_OK) == 0) {
+    if (options->skip_existing && image_file_is_whole(path)) {
         progress_skip(animation->progress);
         return true;
     }

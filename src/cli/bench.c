@@ -4,6 +4,7 @@
  */
 #include "base/json.h"
 #include "base/language.h"
+#include "base/sanitize.h"
 #include "cli/commands.h"
 
 #include <libintl.h>
@@ -80,9 +81,10 @@ static void bench_print(const BenchResult *result, const RenderSettings *setting
                     (double)result->camera_rays / settings->width / settings->height, digits);
         json_line_end(&json);
     } else {
-        printf(ngettext("%s: %s, %d thread, ", "%s: %s, %d threads, ",
-                        (unsigned long)settings->threads),
-               options->arguments[0], settings->engine->name, settings->threads);
+        sanitize_print_line(options->arguments[0], stdout);
+        printf(
+            ngettext(": %s, %d thread, ", ": %s, %d threads, ", (unsigned long)settings->threads),
+            settings->engine->name, settings->threads);
         printf(gettext("%d x %d: %.2f ms (fastest %.2f), %llu rays, %.1f Mrays/s\n"),
                settings->width, settings->height, result->ms_median, result->ms_min,
                (unsigned long long)result->rays, mrays);

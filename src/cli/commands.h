@@ -65,11 +65,15 @@ bool command_check_charts(size_t count, Error *error);
  * not cut. */
 void print_padded(const char *text, int width);
 
-/** Prints a text on a terminal safely. @param text The text; control characters become `?`. */
-void print_sanitized(const char *text, FILE *stream);
+/**
+ * Handles SIGINT, SIGTERM and, unless it is ignored, SIGHUP: they end the program with
+ * #STATUS_INTERRUPTED, at once until the first call of #interrupt_flag.
+ */
+void interrupt_init(void);
 
 /**
- * @return A flag that becomes true at SIGINT or SIGTERM from now on.
+ * @return A flag that becomes true at one of the signals of #interrupt_init, which no longer end
+ * the program by themselves.
  */
 const atomic_bool *interrupt_flag(void);
 
@@ -135,6 +139,10 @@ bool command_render(const RenderJob *job, const Scene *scene, Renderer **rendere
  * @param rays  The rays of all pictures.
  */
 void command_print_unresolved(const Options *options, const RayCounts *rays);
+
+/** Writes a picture into its file; waits for the disk unless the options ask not to. @return false
+ * on failure. */
+bool command_write_file(const RenderJob *job, const Picture *picture, Error *error);
 
 /**
  * Writes a picture into its file, with the settings as metadata.

@@ -3,17 +3,21 @@
  * @brief Functions shared by several commands.
  */
 #include "base/language.h"
+#include "base/sanitize.h"
 #include "cli/commands.h"
 #include "dioptre/script.h"
 
-#include <ctype.h>
 #include <signal.h>
+#include <unistd.h>
 
-/** Set by the signal handler, which can reach nothing but a global. */
+/** Whether a signal has come, for #interrupt_flag. A signal handler can reach nothing but globals.
+ */
 static atomic_bool is_interrupted;
+/** Whether a command looks at #is_interrupted and ends by itself. */
+static atomic_bool is_awaited;
 
 Scene *command_load_scene(const Options *options, Error *error) {
-    Scene *scene = command_load_scene_at(options, options->time, NULL, NULL, error);
+    Scene *scene = command_load_scene_at(options, options->time, NULL, &is_interrupted, error);
     if (scene) {
         command_print_notes(scene);
     }
@@ -22,7 +26,7 @@ Scene *command_load_scene(const Options *options, Error *error) {
 
 void command_print_notes(const Scene *scene) {
     for (size_t i = 0; i < scene->note_count; i++) {
-        print_sanitized(scene->notes[i], stderr);
+        sanitize_print_line(scene->notes[i], stderr);
         fputc('\n', stderr);
     }
 }
@@ -64,22 +68,27 @@ void print_padded(const char *text, int width) {
     printf("%s%*s", text, text_width < width ? width - text_width : 0, "");
 }
 
-void print_sanitized(const char *text, FILE *stream) {
-    for (const char *c = text; *c; c++) {
-        fputc(iscntrl((unsigned char)*c) ? '?' : *c, stream);
-    }
-}
-
-/** Handles SIGINT and SIGTERM. */
+/** Handles the signals that end programs. */
 static void on_signal(int number) {
     (void)number;
+    if (!atomic_load(&is_awaited)) {
+        _exit(STATUS_INTERRUPTED); // There is no output yet.
+    }
     atomic_store(&is_interrupted, true);
 }
 
-const atomic_bool *interrupt_flag(void) {
-    struct sigaction action = {.sa_handler = on_signal};
+void interrupt_init(void) {
+    struct sigaction action = {.sa_handler = on_signal}, hangup;
     sigemptyset(&action.sa_mask);
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
+    // nohup ignores SIGHUP, so that the program survives its terminal.
+    if (sigaction(SIGHUP, NULL, &hangup) == 0 && hangup.sa_handler != SIG_IGN) {
+        sigaction(SIGHUP, &action, NULL);
+    }
+}
+
+const atomic_bool *interrupt_flag(void) {
+    atomic_store(&is_awaited, true);
     return &is_interrupted;
 }

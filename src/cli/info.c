@@ -4,6 +4,7 @@
  */
 #include "base/json.h"
 #include "base/language.h"
+#include "base/sanitize.h"
 #include "cli/commands.h"
 #include "dioptre/scene.h"
 #include "dioptre/sdf_tape.h"
@@ -15,12 +16,16 @@
 /** Most shape classes, and most omissions. */
 enum { SHAPE_CLASSES_MAXIMUM = 64, OMISSIONS_MAXIMUM = 8 };
 
+/** Time for rays at the step limit, seconds: with all else, `info` answers within a second. */
+#define SAMPLE_SECONDS 0.5
+
 /** The facts about a scene. */
 typedef struct SceneInfo {
-    const Scene *scene;                         /**< The scene. */
-    const Options *options;                     /**< The command line. */
-    RenderSettings settings;                    /**< The settings for rendering it. */
-    TracerStats contents;                       /**< The contents of its tracer. */
+    const Scene *scene;      /**< The scene. */
+    const Options *options;  /**< The command line. */
+    RenderSettings settings; /**< The settings for rendering it. */
+    TracerStats contents;    /**< The contents of its tracer. */
+    size_t sampled_rays;     /**< Camera rays that were traced for TracerStats::step_limit_count. */
     size_t shape_counts[SHAPE_CLASSES_MAXIMUM]; /**< Shapes of each class. */
     size_t reflective;                          /**< Shapes with a reflective material. */
     size_t transparent;                         /**< Shapes with a transparent material. */
@@ -261,9 +266,13 @@ static void write_memory(const SceneInfo *info, JsonWriter *json) {
 
 /** Prints how many camera rays reach the step limit of sphere tracing. */
 static void print_step_limit(const SceneInfo *info) {
-    printf(gettext("%llu of %zu camera rays reach the step limit\n"),
-           (unsigned long long)info->contents.step_limit_count,
-           (size_t)info->settings.width * (size_t)info->settings.height);
+    size_t pixels = (size_t)info->settings.width * (size_t)info->settings.height;
+    printf(gettext("%llu of %zu camera rays reach the step limit"),
+           (unsigned long long)info->contents.step_limit_count, info->sampled_rays);
+    if (info->sampled_rays < pixels) {
+        printf(gettext("; there was no time for the other %zu"), pixels - info->sampled_rays);
+    }
+    putchar('\n');
 }
 
 /** @return Whether there are distance fields. */
@@ -274,6 +283,7 @@ static bool has_sdfs(const SceneInfo *info) {
 /** Writes the same as JSON. */
 static void write_step_limit(const SceneInfo *info, JsonWriter *json) {
     json_count(json, "step_limit_count", info->contents.step_limit_count);
+    json_count(json, "step_limit_rays", info->sampled_rays);
 }
 
 /** @return Whether a field is a function. */
@@ -366,7 +376,7 @@ static size_t repair_count(const MeshRepairs *repairs, const RepairFact *fact) {
 /** Prints a mesh. */
 static void print_mesh(const SceneMesh *file) {
     const Mesh *mesh = file->mesh;
-    print_sanitized(file->file.name, stdout);
+    sanitize_print_line(file->file.name, stdout);
     printf(ngettext(": %zu triangle", ": %zu triangles", mesh->triangle_count),
            mesh->triangle_count);
     printf(ngettext(", %zu position", ", %zu positions", mesh->position_count),
@@ -404,7 +414,7 @@ static void write_meshes(const SceneInfo *info, JsonWriter *json) {
 /** Prints a texture. */
 static void print_texture(const SceneTexture *file) {
     const Texture *texture = file->texture;
-    print_sanitized(file->file.name, stdout);
+    sanitize_print_line(file->file.name, stdout);
     printf(gettext(": %d x %d, %s, %.1f MB\n"), texture->width, texture->height,
            texture->is_hdr ? gettext("linear light, floats") : gettext("sRGB, 8 bits"),
            1e-6 * (double)texture_block_size(texture));
@@ -515,7 +525,7 @@ void cli_info(const Options *options, Error *error) {
     if (renderer) {
         count_shapes(&info);
         if (info.has_sdfs) {
-            renderer_benchmark_rays(renderer, false); // Counts the rays at the step limit.
+            info.sampled_rays = renderer_sample_camera_rays(renderer, SAMPLE_SECONDS).rays.camera;
         }
         info.contents = renderer_contents(renderer);
         list_omissions(&info);

@@ -4,7 +4,9 @@
  */
 #include "assets/process/worker_process.h"
 #include "base/language.h"
+#include "base/sanitize.h"
 #include "base/scene_name.h"
+#include "base/standard_streams.h"
 #include "base/suggest.h"
 #include "cli/commands.h"
 #include "render/ray_stack.h"
@@ -85,7 +87,9 @@ static void print_error(const Error *error) {
     if (error->message[0]) {
         bool begins_with_file = error->status == STATUS_SCENE;
         const char *prefix = begins_with_file ? "" : "dioptre: ";
-        fprintf(stderr, "%s%s\n", prefix, error->message);
+        fputs(prefix, stderr);
+        sanitize_print(error->message, stderr); // It may quote a name from the command line.
+        fputc('\n', stderr);
     }
 }
 
@@ -101,6 +105,12 @@ static void run_command(const Command *command, const Options *options, Error *e
         error_set(error, STATUS_USAGE, "usage: dioptre %s %s (--help says more)", command->name,
                   gettext(command->usage));
         return;
+    }
+    for (int i = 0; i < options->argument_count; i++) {
+        if (!options->arguments[i][0]) {
+            error_set(error, STATUS_USAGE, "argument %d of %s is empty", i + 1, command->name);
+            return;
+        }
     }
     command->run(options, error);
     // The output must arrive: a full disk behind a redirection is an error, too.
@@ -184,6 +194,8 @@ static void print_unfiltered_note(void) {
  */
 int main(int argc, char **argv) {
     Error error = {0};
+    standard_streams_open();
+    interrupt_init();
     language_init();
     // Otherwise a write to a closed pipe, or past the file size limit, kills the program silently.
     signal(SIGPIPE, SIG_IGN);

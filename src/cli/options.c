@@ -36,11 +36,12 @@ typedef struct OptionSpec {
 
 /* --- parsers of values ------------------------------------------------------------------------ */
 
-/** Takes a text as it is. See #OptionSpec.parse. */
-static bool parse_text(const OptionSpec *option, const char *text, Options *options, Error *error) {
-    (void)error;
+/** Takes the name of a file or a folder. See #OptionSpec.parse. */
+static bool parse_name(const OptionSpec *option, const char *text, Options *options, Error *error) {
     *(const char **)((char *)options + option->offset) = text;
-    return true;
+    // Scripts give an empty name where a variable of theirs is not set.
+    return *text ||
+           error_set(error, STATUS_USAGE, "--%s takes a name, not '%s'", option->name, text);
 }
 
 /** Sets a flag. See #OptionSpec.parse. */
@@ -175,9 +176,9 @@ static const char *const progress_words[] = {"auto", "json", "none", NULL};
 
 /** All options of all commands, in the order of the help. */
 static const OptionSpec option_specs[] = {
-    {"output", 'o', N_("FILE"), STORES(text, output), .commands = PICTURES,
+    {"output", 'o', N_("FILE"), STORES(name, output), .commands = PICTURES,
      .help = N_("write there; the ending names the format")},
-    {"out", 0, N_("DIR"), STORES(text, out_dir), .commands = FOLDERS,
+    {"out", 0, N_("DIR"), STORES(name, out_dir), .commands = FOLDERS,
      .help = N_("write there; the folder is made where it is not there")},
     {"size", 's', N_("WxH"), STORES(size, width), .maximum = IMAGE_SIZE_MAXIMUM, .commands = SCENES,
      .help = N_("size of the picture, pixels")},
@@ -212,7 +213,7 @@ static const OptionSpec option_specs[] = {
     {"budget", 0, N_("MS"), STORES(positive, budget), .maximum = BUDGET_MAXIMUM,
      .commands = COMMAND_NEEDS,
      .help = N_("find the best picture that takes no more milliseconds than that")},
-    {"base-dir", 0, N_("DIR"), STORES(text, base_dir), .commands = SCENES,
+    {"base-dir", 0, N_("DIR"), STORES(name, base_dir), .commands = SCENES,
      .help = N_("where the files lie that the scene names")},
     {"seconds", 0, N_("S"), STORES(number, seconds), .commands = COMMAND_ANIMATE,
      .help = N_("how long the film lasts (default: 10)")},
@@ -222,21 +223,23 @@ static const OptionSpec option_specs[] = {
      .commands = COMMAND_ANIMATE | COMMAND_BENCH,
      .help = N_("which frames, from 0; for bench how many (default: 10)")},
     {"skip-existing", 0, NULL, STORES(flag, skip_existing), .commands = COMMAND_ANIMATE,
-     .help = N_("leave out frames whose file is there")},
+     .help = N_("leave out frames whose file is there and whole")},
+    {"no-sync", 0, NULL, STORES(flag, no_sync), .commands = COMMAND_ANIMATE,
+     .help = N_("do not wait for the disk after each frame")},
     {"rays", 0, N_("KIND"), STORES(word, rays), .words = rays_words, .commands = COMMAND_BENCH,
      .help = N_("image, primary or random")},
     {"threshold", 0, N_("STEPS"), STORES(integer, threshold), .maximum = UINT8_MAX,
      .commands = COMMAND_COMPARE,
      .help = N_("largest difference that still counts as alike (default: 0)")},
-    {"map", 0, N_("FILE"), STORES(text, map), .commands = COMMAND_COMPARE,
+    {"map", 0, N_("FILE"), STORES(name, map), .commands = COMMAND_COMPARE,
      .help = N_("write a picture of the differences")},
-    {"svg", 0, N_("FILE"), STORES(text, svg), .commands = COMMAND_PROBE,
+    {"svg", 0, N_("FILE"), STORES(name, svg), .commands = COMMAND_PROBE,
      .help = N_("draw the rays there, as seen from beside")},
     {"keys", 0, N_("WAY"), STORES(word, keys), .words = keys_words, .commands = COMMAND_VIEW,
      .help = N_("places or letters: what the light's keys are bound to")},
-    {"lesson", 0, N_("FILE"), STORES(text, lesson), .commands = COMMAND_VIEW,
+    {"lesson", 0, N_("FILE"), STORES(name, lesson), .commands = COMMAND_VIEW,
      .help = N_("play that lesson; its scene is the one that it names")},
-    {"lesson-snapshots", 0, N_("DIR"), STORES(text, lesson_snapshots), .commands = COMMAND_VIEW,
+    {"lesson-snapshots", 0, N_("DIR"), STORES(name, lesson_snapshots), .commands = COMMAND_VIEW,
      .help = N_("play it without waiting, and write a picture at each caption there")},
     {"timing", 0, NULL, STORES(flag, timing), .commands = COMMAND_VIEW,
      .help = N_("say at the end how long pictures took to come")},
@@ -307,6 +310,38 @@ static const OptionSpec *find_option(int code) {
 }
 
 /**
+ * Rejects what getopt_long() does not take.
+ * @param code  What it returned: `:` for a value that is missing, else `?`. `optopt` is the letter
+ *              or the code of the option; 0: no long name, or several, begin with the word.
+ * @param word  The word of the command line; a word of letters may hold several options.
+ * @return false
+ */
+static bool reject_option(int code, const char *word, Error *error) {
+    char letter[] = {'-', (char)optopt, 0}, choices[ERROR_MESSAGE_SIZE / 2] = "";
+    if (code == ':') {
+        return error_set(error, STATUS_USAGE, "%s needs a value",
+                         optopt < FIRST_OPTION_CODE ? letter : word);
+    }
+    if (optopt >= FIRST_OPTION_CODE) {
+        return error_set(error, STATUS_USAGE, "--%s takes no value", find_option(optopt)->name);
+    }
+    if (optopt) {
+        return error_set(error, STATUS_USAGE, "there is no option %s", letter);
+    }
+    size_t length = strcspn(word, "=");
+    for (int i = 0; length > 2 && i < OPTION_COUNT; i++) {
+        const OptionSpec *option = &option_specs[i];
+        if (strncmp(word + 2, option->name, length - 2) == 0) {
+            size_t used = strlen(choices);
+            snprintf(choices + used, sizeof choices - used, "%s--%s", used ? ", " : "",
+                     option->name);
+        }
+    }
+    return choices[0] ? error_set(error, STATUS_USAGE, "%s is ambiguous: %s", word, choices)
+                      : error_set(error, STATUS_USAGE, "there is no option %s", word);
+}
+
+/**
  * Parses one option as getopt_long() found it.
  * @param command  The command, or NULL.
  * @param word  The word of the command line.
@@ -315,11 +350,8 @@ static const OptionSpec *find_option(int code) {
 static bool parse_option(const Command *command, int code, const char *word, Options *options,
                          Error *error) {
     const OptionSpec *option = find_option(code);
-    if (code == ':') {
-        return error_set(error, STATUS_USAGE, "%s needs a value", word);
-    }
     if (!option) {
-        return error_set(error, STATUS_USAGE, "there is no option %s", word);
+        return reject_option(code, word, error);
     }
     if (!command_accepts(command, option)) {
         return error_set(error, STATUS_USAGE, "%s does not take --%s",

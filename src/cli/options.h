@@ -80,6 +80,7 @@ typedef struct Options {
     int rays;                                 /**< `--rays`: a #BenchRays. */
     int keys;                                 /**< `--keys`: a #KeyBinding. */
     bool skip_existing;                       /**< `--skip-existing` */
+    bool no_sync;                             /**< `--no-sync` */
     bool quiet;                               /**< `--quiet` */
     bool json;                                /**< `--json` */
     bool timing;                              /**< `--timing` */

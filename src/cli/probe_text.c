@@ -3,6 +3,7 @@
  * @brief `dioptre probe`: the ray tree of a pixel as text.
  */
 #include "base/language.h"
+#include "base/sanitize.h"
 #include "cli/commands.h"
 #include "cli/probe.h"
 #include "dioptre/scene.h"
@@ -201,7 +202,7 @@ static void print_sum(const ProbeReport *report) {
 
 void probe_print(const ProbeReport *report) {
     const RenderSettings *settings = &report->settings;
-    print_sanitized(report->path, stdout);
+    sanitize_print_line(report->path, stdout);
     printf(gettext(": pixel %d %d of %d x %d, engine %s, offset %s, depth %d\n"), report->x,
            report->y, settings->width, settings->height, settings->engine->name,
            offset_strategy_names[settings->trace.offset], settings->trace.depth);

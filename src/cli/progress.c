@@ -4,6 +4,7 @@
  */
 #include "base/clock.h"
 #include "base/json.h"
+#include "base/sanitize.h"
 #include "cli/commands.h"
 
 #include <libintl.h>
@@ -116,7 +117,7 @@ static void mesh_read_progress_print(void *context, const char *name, double fra
         write_json_estimate(&json, fraction, seconds, seconds_left);
     } else {
         fputc('\r', stderr);
-        print_sanitized(name, stderr);
+        sanitize_print_line(name, stderr);
         fprintf(stderr, gettext(": %3.0f %%, %.0f s left"), 100 * fraction, seconds_left);
         fputs(" \033[K", stderr);
     }

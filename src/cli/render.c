@@ -4,11 +4,14 @@
  */
 #include "assets/images/image_file.h"
 #include "base/language.h"
+#include "base/output_path.h"
 #include "cli/commands.h"
 #include "cli/render_metadata.h"
 
 #include <libintl.h>
+#include <limits.h>
 #include <stdio.h>
+#include <string.h>
 
 bool command_render(const RenderJob *job, const Scene *scene, Renderer **renderer, Picture *picture,
                     RenderStats *report, Error *error) {
@@ -28,12 +31,17 @@ bool command_render(const RenderJob *job, const Scene *scene, Renderer **rendere
     return *renderer != NULL;
 }
 
+bool command_write_file(const RenderJob *job, const Picture *picture, Error *error) {
+    return job->options->no_sync ? image_file_write_unsynced(job->output, picture, error)
+                                 : image_file_write(job->output, picture, error);
+}
+
 bool command_write_image(const RenderJob *job, const Scene *scene, Picture *picture, Error *error) {
     RenderMetadata metadata;
     RenderSettings settings = command_render_settings(job->options, scene);
     render_metadata_init(&metadata, job->options, job->time, &settings);
     picture->metadata = metadata.entries;
-    bool is_written = image_file_write(job->output, picture, error);
+    bool is_written = command_write_file(job, picture, error);
     picture->metadata = NULL;
     return is_written;
 }
@@ -48,6 +56,55 @@ void command_print_unresolved(const Options *options, const RayCounts *rays) {
     }
 }
 
+/** What a part of a picture has before its extension. */
+#define PART_SUFFIX ".part"
+
+/**
+ * Finds the file for a part of a picture: `NAME.part.EXT` beside an old picture, which is better
+ * than a part of the new one, or the file itself where there is none.
+ * @param path       The file of the whole picture.
+ * @param[out] part  The file of the part. A name is cut to NAME_MAX bytes.
+ * @return Whether it is another file.
+ */
+static bool part_path(const char *path, char part[PATH_MAX]) {
+    OutputPath target;
+    bool is_beside =
+        output_path_resolve(&target, path) && target.mode != 0 && !output_path_is_direct(&target);
+    const char *name = path + output_path_dir_length(path);
+    const char *extension = strrchr(name, '.'); // There is one: it names the format.
+    if (!is_beside || !extension) {
+        snprintf(part, PATH_MAX, "%s", path);
+        return false;
+    }
+    int length = (int)(extension - name);
+    int longest = NAME_MAX - (int)strlen(PART_SUFFIX) - (int)strlen(extension);
+    int written = snprintf(part, PATH_MAX, "%.*s%s%s",
+                           (int)(name - path) + (length < longest ? length : longest), path,
+                           PART_SUFFIX, extension);
+    return written < PATH_MAX;
+}
+
+/**
+ * Writes what there is of a picture after an interruption.
+ * @param[out] error  Where it is (#STATUS_INTERRUPTED), or why it is not written.
+ */
+static void write_part(const RenderJob *job, const Scene *scene, Picture *picture,
+                       const RenderStats *report, Error *error) {
+    char path[PATH_MAX];
+    RenderJob part = *job;
+    bool is_beside = part_path(job->output, path);
+    part.output = path;
+    if (!command_write_image(&part, scene, picture, error)) {
+        return;
+    }
+    double percent = 100 * report->progress;
+    is_beside ? error_set(error, STATUS_INTERRUPTED,
+                          "interrupted: %s has %.0f %% of the picture; %s is the old one", path,
+                          percent, job->output)
+              : error_set(error, STATUS_INTERRUPTED, "interrupted: %s has %.0f %% of the picture",
+                          path, percent);
+}
+
 /** Renders a scene and writes the picture. */
 static void render_scene(const Scene *scene, const Options *options, Error *error) {
     RenderJob job = {.options = options, .output = options->output, .time = options->time};
@@ -58,15 +115,12 @@ static void render_scene(const Scene *scene, const Options *options, Error *erro
     bool is_done = command_render(&job, scene, &renderer, &picture, &report, error);
     renderer_destroy(renderer);
     progress_end(job.progress);
-    is_done = is_done && command_write_image(&job, scene, &picture, error);
-    picture_deinit(&picture);
-    if (is_done) {
+    if (is_done && !report.is_finished) {
+        write_part(&job, scene, &picture, &report, error);
+    } else if (is_done && command_write_image(&job, scene, &picture, error)) {
         command_print_unresolved(options, &report.rays);
     }
-    if (is_done && !report.is_finished) {
-        error_set(error, STATUS_INTERRUPTED, "interrupted: %s has %.0f %% of the picture",
-                  options->output, 100 * report.progress);
-    }
+    picture_deinit(&picture);
 }
 
 void cli_render(const Options *options, Error *error) {

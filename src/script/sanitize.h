@@ -1,11 +1,11 @@
 /**
  * @file
- * @brief Text of scenes, escaped for terminals.
+ * @brief Paths in messages about scenes.
  */
 #ifndef DIOPTRE_SCRIPT_SANITIZE_H
 #define DIOPTRE_SCRIPT_SANITIZE_H
 
-#include <stddef.h>
+#include "base/sanitize.h"
 
 /**
  * Size of a sanitized path, with its final zero. A longer path is cut at its start: the sentence
@@ -14,17 +14,7 @@
 enum { SANITIZED_PATH_SIZE = 768 };
 
 /**
- * Copies text and escapes all but printable UTF-8, newlines and tabs as `\27`, like Lua. Errors of
- * a scene therefore cannot control the user's terminal.
- * @param[out] out  The copy with a final zero; cut between characters if it is too long.
- * @param size      Size of the copy, at least 1.
- * @param text      The text.
- * @param length    Bytes of the text.
- */
-void sanitize_text(char *out, size_t size, const char *text, size_t length);
-
-/**
- * Copies a path for a message: sanitized, and cut at its start if it is long.
+ * Copies a path for a message: sanitized as one line, and cut at its start if it is long.
  * @param[out] out  The copy.
  * @param path      The path.
  */

@@ -97,7 +97,7 @@ static void set_failure(const ScriptRequest *request, const WorkerReply *reply,
         snprintf(message, sizeof message, gettext("the scene ran for more than %g s"),
                  request->time_limit);
         fail_at_location(result, message);
-    } else if (reply->end == WORKER_CRASHED && reply->detail == SIGINT) {
+    } else if (worker_reply_is_interrupted(reply)) {
         error_set(&result->error, STATUS_INTERRUPTED, "interrupted");
     } else {
         snprintf(message, sizeof message, gettext("the process that ran the scene died (%s)"),

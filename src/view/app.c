@@ -4,6 +4,7 @@
  */
 #include "view/app.h"
 
+#include "base/sanitize.h"
 #include "view/state/scene_text.h"
 #include "view/state/snapshot.h"
 
@@ -31,7 +32,9 @@ void app_clear_status(App *app) {
 }
 
 void app_report_error(App *app, const Error *error) {
-    fprintf(stderr, "dioptre: %s\n", error->message);
+    fputs("dioptre: ", stderr);
+    sanitize_print(error->message, stderr);
+    fputc('\n', stderr);
     app_set_status(app, "%.*s", STATUS_TEXT_SIZE - 1, error->message);
     window_set_notice(&app->window, error->message);
 }
@@ -152,7 +155,9 @@ bool app_save_picture(App *app, const char *folder, const char *name, Error *err
         if (app->scene->is_time_dependent) {
             printf("  -- t = %.17g", app->scene_time);
         }
-        printf("  -- %s\n", path);
+        fputs("  -- ", stdout);
+        sanitize_print_line(path, stdout);
+        putchar('\n');
         fflush(stdout);
         app_set_status(app, "saved %s", path);
     }

@@ -7,6 +7,7 @@
  */
 #include "assets/images/image_worker.h"
 #include "assets/meshes/mesh_worker.h"
+#include "base/standard_streams.h"
 #include "script/script_worker.h"
 
 #include <stdio.h>
@@ -25,6 +26,7 @@ int main(int argc, char **argv) {
                                        {IMAGE_WORKER_TASK, image_worker_run},
                                        {MESH_WORKER_TASK, mesh_worker_read},
                                        {0}};
+    standard_streams_open();
     if (worker_is_requested(argc, argv)) {
         worker_main(argv, tasks);
     }

@@ -264,17 +264,42 @@ static bool read_stream(FILE *stream, uint64_t file_size, Picture *picture, Erro
     return true;
 }
 
-bool bmp_read(int file, Picture *picture, Error *error) {
-    *picture = (Picture){0};
-    struct stat info;
+/**
+ * Opens a stream on a copy of a descriptor.
+ * @param[out] info  Properties of the file.
+ * @return The stream, or NULL.
+ */
+static FILE *open_stream(int file, struct stat *info, Error *error) {
     int descriptor = fcntl(file, F_DUPFD_CLOEXEC, 0);
     FILE *stream =
-        descriptor >= 0 && fstat(descriptor, &info) == 0 ? fdopen(descriptor, "rb") : NULL;
+        descriptor >= 0 && fstat(descriptor, info) == 0 ? fdopen(descriptor, "rb") : NULL;
     if (!stream) {
         error_set(error, STATUS_SCENE, "%s", error_errno_text(errno));
         if (descriptor >= 0) {
             close(descriptor);
         }
+    }
+    return stream;
+}
+
+bool bmp_is_whole(int file) {
+    struct stat info;
+    BmpHeader header = {0};
+    FILE *stream = open_stream(file, &info, NULL);
+    bool is_whole = stream && read_header(stream, &header, NULL) &&
+                    check_pixel_format(&header, NULL) &&
+                    check_size(&header, (uint64_t)info.st_size, NULL);
+    if (stream) {
+        fclose(stream);
+    }
+    return is_whole;
+}
+
+bool bmp_read(int file, Picture *picture, Error *error) {
+    *picture = (Picture){0};
+    struct stat info;
+    FILE *stream = open_stream(file, &info, error);
+    if (!stream) {
         return false;
     }
     bool is_read = read_stream(stream, (uint64_t)info.st_size, picture, error);

@@ -20,6 +20,13 @@
 bool bmp_write(const Picture *picture, FILE *stream, Error *error);
 
 /**
+ * @return Whether a file is a BMP file that #bmp_read can read and that has all its pixels, by its
+ *         header and its size.
+ * @param file  Descriptor of the file; it stays open.
+ */
+bool bmp_is_whole(int file);
+
+/**
  * Reads an uncompressed BMP file of 24 or 32 bits per pixel, in either order of rows. The header is
  * checked against the file size before any allocation. The fourth byte per pixel, opacity in some
  * programs, is ignored.

@@ -97,12 +97,22 @@ static bool write_and_commit(AtomicFile *file, const ImageFormat *format, const 
     return atomic_file_commit(file, error);
 }
 
-bool image_file_write(const char *path, const Picture *picture, Error *error) {
+/** Writes a picture that may replace another. See #image_file_write. */
+static bool write_replacing(const char *path, AtomicMode mode, const Picture *picture,
+                            Error *error) {
     AtomicFile file;
     const ImageFormat *format = format_to_write(path, error);
-    bool is_written = format && atomic_file_open(&file, path, ATOMIC_REPLACE, error) &&
+    bool is_written = format && atomic_file_open(&file, path, mode, error) &&
                       write_and_commit(&file, format, picture, error);
     return is_written || set_write_error(error, path);
+}
+
+bool image_file_write(const char *path, const Picture *picture, Error *error) {
+    return write_replacing(path, ATOMIC_REPLACE, picture, error);
+}
+
+bool image_file_write_unsynced(const char *path, const Picture *picture, Error *error) {
+    return write_replacing(path, ATOMIC_REPLACE_UNSYNCED, picture, error);
 }
 
 bool image_file_write_new(const char *path, const Picture *picture, bool *exists, Error *error) {

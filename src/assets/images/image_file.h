@@ -33,6 +33,10 @@ bool image_file_is_linear(const char *path);
  */
 bool image_file_write(const char *path, const Picture *picture, Error *error);
 
+/** Writes a picture like #image_file_write, without waiting for the disk: after a power cut, the
+ * new file may be missing or cut. */
+bool image_file_write_unsynced(const char *path, const Picture *picture, Error *error);
+
 /**
  * Writes a new BMP file; never replaces another.
  * @param path         The file.

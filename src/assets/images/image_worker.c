@@ -78,7 +78,7 @@ static bool set_failure(const WorkerReply *reply, const ImageWorkerReport *repor
         return error_set(error, STATUS_SCENE, "it takes more than %.0f s to read",
                          limits->time_limit);
     }
-    if (reply->end == WORKER_CRASHED && reply->detail == SIGINT) {
+    if (worker_reply_is_interrupted(reply)) {
         return error_set(error, STATUS_INTERRUPTED, "interrupted");
     }
     if (reply->end == WORKER_FINISHED && report->error.status != STATUS_OK) {
@@ -136,17 +136,24 @@ bool image_worker_call(const ImageWorker *worker, const char *format, int file,
     return is_read;
 }
 
+/** Largest number of workers that signals may end before one of them replies. */
+enum { START_ATTEMPTS = 3 };
+
 /** Sends a request without limits to the kept worker. @return Whether it succeeded. */
 static bool call_unlimited(const ImageWorkerRequest *request, size_t size, WorkerReply *reply,
                            Error *error) {
     ImageWorkerReport report = {0};
-    *reply = call_kept_worker(&(WorkerCall){.task = IMAGE_WORKER_TASK,
-                                            .request = request,
-                                            .request_size = size,
-                                            .time_limit = HUGE_VAL,
-                                            .report = &report,
-                                            .report_capacity = sizeof report,
-                                            .block_capacity = SIZE_MAX});
+    int attempts = 0;
+    // The signal that interrupts a rendering ends the idle worker, too, sooner or later.
+    do {
+        *reply = call_kept_worker(&(WorkerCall){.task = IMAGE_WORKER_TASK,
+                                                .request = request,
+                                                .request_size = size,
+                                                .time_limit = HUGE_VAL,
+                                                .report = &report,
+                                                .report_capacity = sizeof report,
+                                                .block_capacity = SIZE_MAX});
+    } while (worker_reply_is_interrupted(reply) && ++attempts < START_ATTEMPTS);
     bool is_done = reply->end == WORKER_FINISHED && report.is_done;
     return is_done || set_failure(reply, &report, &request->limits, error);
 }
@@ -324,6 +331,17 @@ static bool encode_picture(WorkerJob *job, const ImagePlugin *plugin, Error *err
     return is_encoded || error_set(error, STATUS_FAILED, "%s", message.text);
 }
 
+/**
+ * Ignores the signals that end programs: the partial picture of an interrupted rendering is still
+ * written. This process ends with its parent.
+ */
+static void ignore_interruption(void) {
+    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
+    for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) {
+        signal(signals[i], SIG_IGN);
+    }
+}
+
 void image_worker_run(WorkerJob *job) {
     // Loaded once: the filter of system calls of the first request stays.
     static const ImagePlugin *plugin;
@@ -333,12 +351,10 @@ void image_worker_run(WorkerJob *job) {
     if (plugin && request->operation == IMAGE_READ) {
         image_worker_read_with(job, plugin);
     } else if (plugin && request->operation == IMAGE_ENCODE) {
-        // The partial picture of an interrupted rendering is still written.
-        signal(SIGINT, SIG_IGN);
+        ignore_interruption();
         worker_job_ready();
         worker_enter_sandbox(SIZE_MAX / 2);
         report->is_done = encode_picture(job, plugin, &report->error);
-        signal(SIGINT, SIG_DFL);
     } else {
         report->is_done = plugin != NULL;
     }

@@ -83,7 +83,7 @@ static bool set_failure(const WorkerReply *reply, const MeshWorkerReport *report
     if (reply->end == WORKER_TIMED_OUT) {
         return error_set(error, STATUS_SCENE, "it takes more than %.0f s to read", seconds);
     }
-    if (reply->end == WORKER_CRASHED && reply->detail == SIGINT) {
+    if (worker_reply_is_interrupted(reply)) {
         return error_set(error, STATUS_INTERRUPTED, "interrupted");
     }
     if (reply->end == WORKER_FINISHED && report->error.status != STATUS_OK) {

@@ -62,13 +62,17 @@ static int spawn(WorkerProcess *process, const WorkerCall *call, int socket) {
     snprintf(language, sizeof language, "%s", language_is_french() ? "fr" : "en");
     const char *program = call->program ? call->program : find_program(path);
     char name[] = "dioptre-worker", *arguments[] = {name, option, task, parent, language, NULL};
-    sigset_t all, none;
+    sigset_t handled, none;
     posix_spawnattr_t attributes;
     posix_spawn_file_actions_t files;
-    sigfillset(&all);
+    struct sigaction hangup;
+    sigfillset(&handled);
+    if (sigaction(SIGHUP, NULL, &hangup) == 0 && hangup.sa_handler == SIG_IGN) {
+        sigdelset(&handled, SIGHUP); // Under nohup, workers survive the terminal, too.
+    }
     sigemptyset(&none);
     posix_spawnattr_init(&attributes);
-    posix_spawnattr_setsigdefault(&attributes, &all);
+    posix_spawnattr_setsigdefault(&attributes, &handled);
     posix_spawnattr_setsigmask(&attributes, &none);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
     posix_spawn_file_actions_init(&files);
@@ -421,14 +425,18 @@ WorkerReply worker_process_call_once(const WorkerCall *call) {
     return reply;
 }
 
+bool worker_reply_is_interrupted(const WorkerReply *reply) {
+    return reply->end == WORKER_CRASHED &&
+           (reply->detail == SIGINT || reply->detail == SIGTERM || reply->detail == SIGHUP);
+}
+
 bool worker_reply_start_failure(const WorkerReply *reply, char reason[WORKER_REASON_SIZE]) {
-    bool is_interrupted = reply->end == WORKER_CRASHED && reply->detail == SIGINT;
     bool has_ended = reply->end == WORKER_CRASHED || reply->end == WORKER_EXITED;
     if (reply->end == WORKER_NOT_STARTED) {
         snprintf(reason, WORKER_REASON_SIZE, "%s", error_errno_text(reply->detail));
         return true;
     }
-    if (!has_ended || reply->is_ready || is_interrupted) {
+    if (!has_ended || reply->is_ready || worker_reply_is_interrupted(reply)) {
         return false;
     }
     snprintf(reason, WORKER_REASON_SIZE,

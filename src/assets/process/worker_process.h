@@ -98,6 +98,13 @@ typedef struct WorkerReply {
  */
 WorkerReply worker_process_call(WorkerProcess *process, const WorkerCall *call);
 
+/**
+ * @return Whether a worker died of SIGINT, SIGTERM or SIGHUP, which terminals, batch systems and
+ *         shutdowns send to all processes of a job: not a crash.
+ * @param reply  Its reply.
+ */
+bool worker_reply_is_interrupted(const WorkerReply *reply);
+
 /** Size of a text of #worker_reply_start_failure, with its final zero. */
 enum { WORKER_REASON_SIZE = 256 };
 

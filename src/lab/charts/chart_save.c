@@ -5,6 +5,7 @@
 #include "lab/charts/chart.h"
 
 #include "base/language.h"
+#include "base/sanitize.h"
 #include "lab/charts/csv.h"
 #include "lab/charts/gnuplot.h"
 #include "lab/charts/plot.h"
@@ -201,19 +202,20 @@ static void write_pareto_caption(const Chart *chart, const char *name, char *tit
 
 bool chart_save(const Chart *chart, const char *name, const LabRequest *request, bool *has_chart,
                 Error *error) {
-    char csv[PATH_MAX], svg[PATH_MAX], title[200];
+    char csv[PATH_MAX], svg[PATH_MAX], title[200], shown_name[160];
     int length = snprintf(csv, sizeof csv, "%s/%s.csv", request->folder, name);
     snprintf(svg, sizeof svg, "%.*s.svg", length > 4 ? length - 4 : 0, csv);
+    sanitize_line(shown_name, sizeof shown_name, name);
     *has_chart = gnuplot_is_available();
     if (request->table_stream) {
-        chart_print_table(chart, name, request->table_stream);
+        chart_print_table(chart, shown_name, request->table_stream);
     }
     if (length >= PATH_MAX) {
         return error_set(error, STATUS_FAILED, "the folder's name is too long");
     }
     SettingsChart layout;
-    write_pareto_caption(chart, name, title, sizeof title);
+    write_pareto_caption(chart, shown_name, title, sizeof title);
     settings_chart_init(&layout, chart, title, csv);
-    return chart_write_csv(chart, name, csv, error) &&
+    return chart_write_csv(chart, shown_name, csv, error) &&
            (!*has_chart || plot_draw(&layout.plot, svg, request->stop, error));
 }

@@ -9,6 +9,7 @@
 
 #include "base/atomic_file.h"
 #include "base/language.h"
+#include "base/utf8.h"
 #include "render/ray_drawing.h"
 
 #include <cairo-svg.h>
@@ -250,37 +251,17 @@ static void write_described(FILE *file, const char *svg, const char *title, cons
     fputs(svg + head, file);
 }
 
-/** @return Bytes of the character at the start of a text, by UTF-8; 0: it is not valid. */
-static size_t utf8_character_size(const char *text) {
-    static const unsigned minimums[] = {0, 0, 0x80, 0x800, 0x10000}; // Per size: none is overlong.
-    unsigned char first = (unsigned char)text[0];
-    size_t size = first < 0x80   ? 1
-                  : first < 0xc0 ? 0
-                  : first < 0xe0 ? 2
-                  : first < 0xf0 ? 3
-                  : first < 0xf8 ? 4
-                                 : 0;
-    unsigned code = size == 1 ? first : first & (0x7fu >> size);
-    for (size_t i = 1; i < size; i++) {
-        unsigned char next = (unsigned char)text[i];
-        if ((next & 0xc0) != 0x80) {
-            return 0;
-        }
-        code = code << 6 | (next & 0x3f);
-    }
-    bool is_valid = size > 0 && code >= minimums[size] && code <= 0x10ffff && code >> 11 != 0x1b;
-    return is_valid ? size : 0;
-}
-
 /** Copies text. What is not printable or not UTF-8, which cairo refuses, becomes `?`. */
 static void copy_printable(const char *text, char *copy, size_t size) {
     size_t length = 0;
-    while (*text && length + 5 < size) {
-        size_t bytes = utf8_character_size(text);
-        bool is_printable = bytes > 0 && (unsigned char)*text >= ' ' && *text != 0x7f;
-        memcpy(copy + length, is_printable ? text : "?", is_printable ? bytes : 1);
-        length += is_printable ? bytes : 1;
-        text += is_printable ? bytes : 1;
+    for (size_t left = strlen(text), taken; left > 0 && length + 5 < size; left -= taken) {
+        uint32_t code = 0;
+        size_t bytes = utf8_decode(text, left, &code);
+        bool is_printable = bytes > 0 && !utf8_is_control(code);
+        taken = is_printable ? bytes : 1;
+        memcpy(copy + length, is_printable ? text : "?", taken);
+        length += taken;
+        text += taken;
     }
     copy[length] = '\0';
 }

@@ -5,6 +5,7 @@
 #include "view/commands/recorder.h"
 
 #include "base/language.h"
+#include "base/sanitize.h"
 #include "base/text_file.h"
 #include "dioptre/lesson.h"
 #include "dioptre/scene.h"
@@ -208,7 +209,8 @@ static bool write_lesson(App *app, Error *error) {
     if (!numbered_file_write(&file, path, error)) {
         return false;
     }
-    printf("%s\n", path);
+    sanitize_print_line(path, stdout);
+    putchar('\n');
     fflush(stdout);
     app_set_status(app, "the lesson is in %s", path);
     return true;

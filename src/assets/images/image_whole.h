@@ -1,0 +1,19 @@
+/**
+ * @file
+ * @brief Whether a picture file is whole.
+ */
+#ifndef DIOPTRE_ASSETS_IMAGES_IMAGE_WHOLE_H
+#define DIOPTRE_ASSETS_IMAGES_IMAGE_WHOLE_H
+
+#include <stdbool.h>
+
+/**
+ * Checks whether a picture file is there and whole. BMP: the header promises no more bytes than
+ * there are. PNG: its chunks fill the file and end with IEND. JPEG: it ends with its end marker.
+ * All other formats are decoded, in a worker.
+ * @param path  The file; its extension names the format.
+ * @return Whether it is; false also where it cannot be opened, or has no known extension.
+ */
+bool image_file_is_whole(const char *path);
+
+#endif

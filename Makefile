@@ -158,7 +158,8 @@ $(OBJ)/src/lab/charts/csv.o: CPPFLAGS += -DDIOPTRE_FLAGS='"$(OPTIMIZE) $(ARITHME
 RUN_PACKAGES  := g++ pkg-config gettext libsdl2-dev libsdl2-ttf-dev liblua5.4-dev libcairo2-dev libopenimageio-dev libassimp-dev fonts-dejavu-core
 TEST_PACKAGES := libcmocka-dev clang libclang-rt-14-dev xvfb xauth xdotool x11-xkb-utils xkb-data \
                  imagemagick openbox qemu-user doxygen graphviz ffmpeg parallel slurm-wlm munge gnuplot-nox \
-                 desktop-file-utils appstream shared-mime-info libglib2.0-bin gappa libflint-arb-dev
+                 desktop-file-utils appstream shared-mime-info libglib2.0-bin gappa libflint-arb-dev \
+                 valgrind binutils
 BENCH_PACKAGES := gnuplot-nox
 PEER_PACKAGES := povray tachyon libembree-dev libgl-dev libgl1-mesa-dri xvfb xauth
 LINT_PACKAGES := clang-format clang-tidy cppcheck
@@ -185,11 +186,14 @@ run: packages
 # With the engines that tests ask them for: of each number type and width one.
 ASAN_BUILD  := BUILD=build/asan OPTIMIZE='-O1 -g' SANITIZE=address,undefined ENGINES='f32x8 f32x4 f32x1 f64x1 f128x1'
 CLANG_BUILD := BUILD=build/clang CC=clang CXX=clang++ ENGINES='f32x16 f32x4 f64x1'
+TSAN_BUILD  := BUILD=build/tsan OPTIMIZE='-O1 -g' SANITIZE=thread ENGINES='f32x8 f64x1 f128x1'
+# What reads strangers' bytes, with clang's fuzzer; nothing of it is traced, so it has no engine.
+FUZZ_BUILD  := BUILD=build/fuzz CC=clang CXX=clang++ OPTIMIZE='-O1 -g' SANITIZE=fuzzer-no-link,address,undefined,float-cast-overflow ENGINES=
 .PHONY: asan tsan clang
 asan:
 	@$(MAKE) --no-print-directory $(ASAN_BUILD) all
 tsan:
-	@$(MAKE) --no-print-directory BUILD=build/tsan OPTIMIZE='-O1 -g' SANITIZE=thread all
+	@$(MAKE) --no-print-directory $(TSAN_BUILD) all
 clang:
 	@$(MAKE) --no-print-directory $(CLANG_BUILD) all
 
@@ -212,9 +216,58 @@ test: test-packages
 	@$(MAKE) --no-print-directory -j2 all tests
 	@$(MAKE) --no-print-directory -j2 $(ASAN_BUILD) all tests
 	@$(MAKE) --no-print-directory -j2 clang
+	@$(MAKE) --no-print-directory -j2 $(FUZZ_BUILD) fuzzers
+	@$(MAKE) --no-print-directory -j2 $(TSAN_BUILD) all
 	@tests/run.sh
 
-tests: $(TESTS)
+tests: $(TESTS) $(BUILD)/tests/faults.so
+
+# Makes calls to the system fail; never linked, but preloaded.
+$(BUILD)/tests/faults.so: tests/faults/faults.c $(FLAGS)
+	@mkdir -p $(@D)
+	$(call SAY,cc,$@)$(CC) -std=gnu11 -O1 -g -Wall -Wextra -Werror -fPIC -shared -o $@ $<
+
+# Each call to the system fails once: all of them, which takes a quarter of an hour.
+.PHONY: faults
+faults: test-packages
+	@$(MAKE) --no-print-directory all $(BUILD)/tests/faults.so
+	@FAULTS=0 tests/faults.sh
+
+# --- fuzzing -------------------------------------------------------------------------------------
+# A file of tests/fuzz is a target, but for those that several targets share.
+FUZZ_SHARED  := script_target handover
+FUZZ_TARGETS := $(filter-out $(FUZZ_SHARED),$(patsubst tests/fuzz/%.c,%,$(wildcard tests/fuzz/*.c)))
+FUZZERS      := $(FUZZ_TARGETS:%=$(BUILD)/fuzzers/%)
+FUZZ_OBJECTS := $(filter-out $(OBJ)/src/worker/%,$(WORKER_OBJECTS)) \
+                $(addprefix $(OBJ)/src/,cli/options.o cli/frames.o render/report_methods.o)
+FUZZ_LIBRARY := $(BUILD)/librooms.a
+$(FUZZ_LIBRARY): $(FUZZ_OBJECTS)
+	$(call SAY,ar,$@)rm -f $@ && ar rcs $@ $^
+$(OBJ)/tests/%.o: CPPFLAGS += -Itests/fuzz
+# What a target replaces in the rooms, and what it shares with others.
+FUZZ_WRAPS    = $(addprefix -Wl$(COMMA)--wrap=,$(WRAPS))
+COMMA         := ,
+SCRIPT_WRAPS  := lua_newstate lua_sethook worker_enter_sandbox
+WORKER_WRAPS  := worker_process_call worker_process_call_once
+$(addprefix $(BUILD)/fuzzers/,scene lesson nff): WRAPS := $(SCRIPT_WRAPS)
+$(addprefix $(BUILD)/fuzzers/,scene lesson nff): $(OBJ)/tests/fuzz/script_target.o
+$(addprefix $(BUILD)/fuzzers/,texture mesh): WRAPS := $(WORKER_WRAPS)
+$(addprefix $(BUILD)/fuzzers/,texture mesh): $(OBJ)/tests/fuzz/handover.o
+$(BUILD)/fuzzers/block: WRAPS := $(SCRIPT_WRAPS) $(WORKER_WRAPS) scene_create
+$(BUILD)/fuzzers/block: $(OBJ)/tests/fuzz/script_target.o $(OBJ)/tests/fuzz/handover.o
+$(BUILD)/fuzzers/reply: WRAPS := posix_spawn posix_spawn_file_actions_adddup2 kill waitpid
+$(BUILD)/fuzzers/%: $(OBJ)/tests/fuzz/%.o $(FUZZ_LIBRARY)
+	@mkdir -p $(@D)
+	$(call SAY,cc,$@)$(CC) $(CFLAGS) -fsanitize=fuzzer $(FUZZ_WRAPS) -o $@ $(filter %.o,$^) $(FUZZ_LIBRARY) $(call PKG_LIBS,lua5.4) -ldl -lm -pthread
+.SECONDARY: $(FUZZ_TARGETS:%=$(OBJ)/tests/fuzz/%.o)
+.PHONY: fuzzers fuzz
+fuzzers: $(FUZZERS)
+
+# A minute, or FUZZ_SECONDS, of random input for all that reads strangers' bytes.
+fuzz: test-packages
+	@$(MAKE) --no-print-directory all
+	@$(MAKE) --no-print-directory $(FUZZ_BUILD) fuzzers
+	@FUZZ_SECONDS=$(FUZZ_SECONDS) tests/fuzz.sh
 
 # Half an hour of random keys in the window, with the sanitizers on.
 .PHONY: soak

@@ -100,7 +100,7 @@ static bool grow(MeshBuilder *builder) {
 static bool add_normal(MeshBuilder *builder, const MeshCorner *corner, uint32_t *index) {
     builder->has_normals |= corner->has_normal;
     Vec3d normal = vector_from_array(corner->normal);
-    if (!corner->has_normal || !are_in_range(corner->normal, 3) || !(vec3d_length(normal) > 0)) {
+    if (!corner->has_normal || !are_in_range(corner->normal, 3) || !vec3d_has_direction(normal)) {
         return true;
     }
     normal = vec3d_normalize(normal);
@@ -155,7 +155,7 @@ bool mesh_builder_add(void *context, const MeshCorner corners[3]) {
     Vec3d area =
         area_vector(vector_from_array(corners[0].position), vector_from_array(corners[1].position),
                     vector_from_array(corners[2].position));
-    if (!(vec3d_length(area) > 0)) {
+    if (!vec3d_has_direction(area)) {
         builder->repairs.degenerate_triangles++;
         return true;
     }

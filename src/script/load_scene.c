@@ -25,7 +25,12 @@ static bool set_file_error(const SceneFile *file, Error *error) {
     if (error) {
         sanitize_path(name, file->name);
         sanitize_text(message, sizeof message, error->message, strlen(error->message));
-        error_set(error, error->status, "%s: %s: %s", file->location, name, message);
+        if (error->line > 0) {
+            error_set(error, error->status, "%s: %s:%zu: %s", file->location, name, error->line,
+                      message);
+        } else {
+            error_set(error, error->status, "%s: %s: %s", file->location, name, message);
+        }
     }
     return false;
 }

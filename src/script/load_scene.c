@@ -9,6 +9,7 @@
 #include "assets/meshes/mesh_file.h"
 #include "base/scene_name.h"
 #include "script/asset_cache.h"
+#include "script/asset_notes.h"
 #include "script/sanitize.h"
 #include "script/script_worker.h"
 
@@ -141,7 +142,8 @@ static bool read_files(const ScriptRequest *request, Scene *scene, Error *error)
     asset_cache_fill_scene(request->cache, scene);
     return read_meshes(scene, request->progress, error) &&
            check_textured_meshes(scene, request->shape_keywords, error) &&
-           read_textures(scene, error) && asset_cache_store(request->cache, scene, error);
+           read_textures(scene, error) && asset_cache_store(request->cache, scene, error) &&
+           asset_notes_add(scene, error);
 }
 
 /**

@@ -283,8 +283,9 @@ static bool read_index(ObjReader *reader, VertexKind kind, size_t *index) {
     const ObjVertices *vertices = &reader->vertices[kind];
     ObjWord word = {.start = reader->text.next};
     long long number;
-    if (!obj_text_index(&reader->text, &number)) {
-        return true;
+    if (!obj_text_index(&reader->text, &number) ||
+        (kind != VERTEX_POSITION && vertices->count == 0)) {
+        return true; // Normals and (u, v) may have been stripped from the file.
     }
     word.length = (size_t)(reader->text.next - word.start);
     if (number > 0 && (unsigned long long)number <= vertices->count) {
@@ -373,7 +374,8 @@ static bool emit_face(ObjReader *reader) {
         count = triangulate_polygon(face->positions, face->count, face->triangles, face->work,
                                     &missing);
         reader->repairs->untriangulated_polygons += missing;
-        reader->repairs->degenerate_triangles += count + missing == 0 ? face->count - 2 : 0;
+        // Vertices on a straight line and repeated ones.
+        reader->repairs->degenerate_triangles += face->count - 2 - count - missing;
         triangles = face->triangles;
     }
     for (size_t i = 0; i < count; i++) {

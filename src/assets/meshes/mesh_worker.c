@@ -69,12 +69,11 @@ static bool add_triangle(void *context, const MeshCorner corners[3]) {
 }
 
 /** Reads a file in memory with the module. @return Whether all triangles were added. */
-static bool read_with_module(const MeshSource *source, const MeshSink *sink, MeshRepairs *repairs,
-                             Error *error) {
+static bool read_with_module(const MeshPlugin *plugin, const MeshSource *source,
+                             const MeshSink *sink, MeshRepairs *repairs, Error *error) {
     MeshImportResult result;
-    const MeshPlugin *plugin = plugin_open(&mesh_plugin, error);
-    bool is_read = plugin && plugin->read(source, sink, &result);
-    if (plugin && !is_read && result.message[0]) {
+    bool is_read = plugin->read(source, sink, &result);
+    if (!is_read && result.message[0]) {
         error_set(error, STATUS_SCENE, "%s", result.message);
     }
     repairs->untriangulated_polygons = is_read ? result.untriangulated_polygons : 0;
@@ -88,11 +87,14 @@ static bool read_triangles(const WorkerJob *job, Import *import, Error *error) {
     const MeshSink sink = {
         .context = import, .add_triangle = add_triangle, .report_progress = report_progress};
     MeshRepairs *repairs = &import->builder.repairs;
-    char *bytes = read_bytes(job->file, request->size, error);
-    MeshSource source = {request->extension, bytes, request->size};
     bool is_obj = strcmp(request->extension, "obj") == 0;
+    const MeshPlugin *plugin = is_obj ? NULL : plugin_open(&mesh_plugin, error);
+    worker_job_ready();
+    worker_enter_sandbox(MESH_FILE_MEMORY_LIMIT);
+    char *bytes = is_obj || plugin ? read_bytes(job->file, request->size, error) : NULL;
+    const MeshSource source = {request->extension, bytes, request->size};
     bool is_read = bytes && (is_obj ? obj_read(bytes, request->size, &sink, repairs, error)
-                                    : read_with_module(&source, &sink, repairs, error));
+                                    : read_with_module(plugin, &source, &sink, repairs, error));
     free(bytes);
     return is_read;
 }
@@ -123,8 +125,6 @@ void mesh_worker_read(WorkerJob *job) {
     report = (MeshWorkerReport){0};
     job->report = &report;
     job->report_size = sizeof report;
-    worker_job_ready();
-    worker_enter_sandbox(MESH_FILE_MEMORY_LIMIT);
     mesh_builder_init(&import.builder, &report.error);
     report.is_done = read_triangles(job, &import, &report.error) &&
                      make_block(job, &import.builder, &report.error);

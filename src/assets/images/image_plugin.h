@@ -16,7 +16,7 @@
 #include <stdint.h>
 
 /** Version of this interface; program and module must agree. */
-enum { IMAGE_PLUGIN_VERSION = 2 };
+enum { IMAGE_PLUGIN_VERSION = 3 };
 /** Largest width and height of a picture, as in the program. */
 enum { IMAGE_PLUGIN_SIZE_MAXIMUM = 16384 };
 /** Size of a message, with its final zero. */
@@ -114,6 +114,13 @@ typedef struct ImagePlugin {
      */
     bool (*read_linear)(ImageReader *reader, int first, int count, float *rgb,
                         ImagePluginMessage *message);
+
+    /**
+     * @return Whether the library complained about the strips that it has read: the file ends
+     *         early or is damaged, and some pixels are guesses.
+     * @param reader  The open file.
+     */
+    bool (*is_damaged)(ImageReader *reader);
 
     /** Closes a picture file. @param reader The open file, or NULL. */
     void (*close)(ImageReader *reader);

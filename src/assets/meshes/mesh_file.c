@@ -92,8 +92,9 @@ static bool set_failure(const WorkerReply *reply, const MeshWorkerReport *report
         return error_set(error, STATUS_INTERRUPTED, "interrupted");
     }
     if (reply->end == WORKER_FINISHED && report->error.status != STATUS_OK) {
-        return error_set(error, report->error.status, "%.*s", ERROR_MESSAGE_SIZE - 1,
-                         report->error.message);
+        error_set(error, report->error.status, "%.*s", ERROR_MESSAGE_SIZE - 1,
+                  report->error.message);
+        return error_set_line(error, report->error.line);
     }
     return error_set(error, STATUS_SCENE, "it makes the library that reads models crash (%s)",
                      reply->detail ? strsignal(reply->detail) : gettext("it ended early"));

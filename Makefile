@@ -8,6 +8,7 @@ CXX       ?= c++
 OBJCOPY   ?= objcopy
 OPTIMIZE  ?= -O3 -g
 SANITIZE  ?=
+COMMA     := ,
 # $(call SAY,WORD,FILE): says in a line what the recipe does; V=1 prints the whole command instead.
 SAY       = $(if $(V),,@echo '  $(1)  $(2)' && )
 
@@ -17,8 +18,11 @@ WARNINGS  := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion -
 ARITHMETIC := -ffp-contract=off -fno-math-errno -fno-trapping-math
 # SDL's header would bring in Intel's, half a second per file, for CPU queries that nothing here asks.
 CPPFLAGS  := -Iinclude -Isrc -DDIOPTRE_VERSION='"$(VERSION)"' -D_GNU_SOURCE -DSDL_DISABLE_IMMINTRIN_H
-CFLAGS    = -std=gnu11 $(OPTIMIZE) $(WARNINGS) $(ARITHMETIC) -fPIC -pthread $(SANITIZERS)
-CXXFLAGS  = -std=c++17 $(OPTIMIZE) -Wall -Wextra -Wpedantic -Wshadow -Werror -fPIC -fvisibility=hidden $(SANITIZERS)
+CFLAGS    = -std=gnu11 $(OPTIMIZE) $(WARNINGS) $(ARITHMETIC) -fPIC -pthread $(SANITIZERS) $(COUNTERS)
+CXXFLAGS  = -std=c++17 $(OPTIMIZE) -Wall -Wextra -Wpedantic -Wshadow -Werror -fPIC -fvisibility=hidden $(SANITIZERS) $(COUNTERS)
+# COVERAGE=1: a build that counts which lines run.
+COUNTERS   = $(if $(COVERAGE),--coverage -fprofile-update=atomic)
+UNCOUNTED  = $(if $(COVERAGE),-fno-profile-arcs -fno-test-coverage -O3)
 SANITIZERS := $(if $(SANITIZE),-fsanitize=$(SANITIZE) -fno-omit-frame-pointer -fno-sanitize-recover=all)
 PKG_CFLAGS = $(shell pkg-config --cflags $(1) 2>/dev/null)
 PKG_LIBS   = $(shell pkg-config --libs $(1) 2>/dev/null)
@@ -79,7 +83,9 @@ LIBRARIES     = $(call PKG_LIBS,sdl2 SDL2_ttf lua5.4 cairo) -ldl -lm -pthread
 # The program that reads scenes, pictures and models: src/worker/main.c.
 WORKER         := $(BUILD)/dioptre-worker
 WORKER_SOURCES := $(wildcard src/worker/*.c) $(filter src/base/% src/scene/% src/script/% src/assets/%,$(ROOM_SOURCES))
-WORKER_OBJECTS := $(WORKER_SOURCES:%.c=$(OBJ)/%.o)
+WORKER_OBJECTS := $(WORKER_SOURCES:%.c=$(OBJ)/%.o) $(if $(COVERAGE),$(OBJ)/tests/coverage/worker_counters.o)
+# A worker never returns from main: it writes its counters before it replies (tests/coverage).
+COVERAGE_WRAPS := $(addprefix -Wl$(COMMA)--wrap=,send worker_sandbox_filter worker_sandbox_limit)
 
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
@@ -90,7 +96,7 @@ $(PROGRAM): $(CLI_OBJECTS) $(ROOM_OBJECTS)
 	$(call SAY,cc,$@)$(CC) $(CFLAGS) -o $@ $^ $(LIBRARIES)
 
 $(WORKER): $(WORKER_OBJECTS)
-	$(call SAY,cc,$@)$(CC) $(CFLAGS) -o $@ $^ $(call PKG_LIBS,lua5.4) -ldl -lm -pthread
+	$(call SAY,cc,$@)$(CC) $(CFLAGS) $(if $(COVERAGE),$(COVERAGE_WRAPS)) -o $@ $^ $(call PKG_LIBS,lua5.4) -ldl -lm -pthread
 
 $(IMAGES_MODULE): src/assets/images/image_plugin.cpp src/assets/images/image_plugin.h $(FLAGS)
 	$(call NEED,OpenImageIO,libopenimageio-dev)
@@ -138,7 +144,7 @@ KEEP = $(call SAY,ld,$@)$(LD) -r -o $@.all $(filter %.o,$^) && $(OBJCOPY) --keep
 define ONE_SYMBOL
 $(OBJ)/$(1)/%.o: $(2)/%.c $(FLAGS)
 	@mkdir -p $$(@D)
-	$$(call SAY,cc,$$@)$$(CC) $$(CPPFLAGS) $$(CFLAGS) $(4) -MMD -MP -c -o $$@ $$<
+	$$(call SAY,cc,$$@)$$(CC) $$(CPPFLAGS) $$(CFLAGS) $$(UNCOUNTED) $(4) -MMD -MP -c -o $$@ $$<
 $(OBJ)/$(1).o: $(if $(SPLIT),$(3:$(2)/%.c=$(OBJ)/$(1)/%.o),$(OBJ)/$(1)/all.o)
 	$$(call KEEP,$(5))
 endef
@@ -160,6 +166,7 @@ TEST_PACKAGES := libcmocka-dev clang libclang-rt-14-dev xvfb xauth xdotool x11-x
                  imagemagick openbox qemu-user doxygen graphviz ffmpeg parallel slurm-wlm munge gnuplot-nox \
                  desktop-file-utils appstream shared-mime-info libglib2.0-bin gappa libflint-arb-dev \
                  valgrind binutils
+COVERAGE_PACKAGES := gcovr
 BENCH_PACKAGES := gnuplot-nox
 PEER_PACKAGES := povray tachyon libembree-dev libgl-dev libgl1-mesa-dri xvfb xauth
 LINT_PACKAGES := clang-format clang-tidy cppcheck
@@ -189,6 +196,8 @@ CLANG_BUILD := BUILD=build/clang CC=clang CXX=clang++ ENGINES='f32x16 f32x4 f64x
 TSAN_BUILD  := BUILD=build/tsan OPTIMIZE='-O1 -g' SANITIZE=thread ENGINES='f32x8 f64x1 f128x1'
 # What reads strangers' bytes, with clang's fuzzer; nothing of it is traced, so it has no engine.
 FUZZ_BUILD  := BUILD=build/fuzz CC=clang CXX=clang++ OPTIMIZE='-O1 -g' SANITIZE=fuzzer-no-link,address,undefined,float-cast-overflow ENGINES=
+# Counts which lines and branches run; those of the engines are not counted, which are as fast as ever.
+COVERAGE_BUILD := BUILD=build/coverage OPTIMIZE='-O1 -g' COVERAGE=1 ENGINES='f32x8 f64x1 f128x1'
 .PHONY: asan tsan clang
 asan:
 	@$(MAKE) --no-print-directory $(ASAN_BUILD) all
@@ -210,6 +219,13 @@ $(BUILD)/tests/%: tests/%.c $(wildcard tests/*.h) $(ROOMS) $(WORKER)
 	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,cmocka) $(ROOM_CFLAGS) -Itests -o $@ $< $(WITH_ROOMS) $(LIBRARIES) $(call PKG_LIBS,cmocka)
 # Ball arithmetic, which judges the laboratory's reference.
 $(BUILD)/tests/test_arb: private LIBRARIES += -lflint-arb -lflint
+
+# The floors are below what was measured by a little; tests/coverage.sh names the tests that count.
+.PHONY: coverage
+coverage: test-packages
+	@.ci/packages $(COVERAGE_PACKAGES)
+	@$(MAKE) --no-print-directory -j2 $(COVERAGE_BUILD) all tests
+	@tests/coverage.sh
 
 .PHONY: test tests
 test: test-packages
@@ -246,7 +262,6 @@ $(FUZZ_LIBRARY): $(FUZZ_OBJECTS)
 $(OBJ)/tests/%.o: CPPFLAGS += -Itests/fuzz
 # What a target replaces in the rooms, and what it shares with others.
 FUZZ_WRAPS    = $(addprefix -Wl$(COMMA)--wrap=,$(WRAPS))
-COMMA         := ,
 SCRIPT_WRAPS  := lua_newstate lua_sethook worker_enter_sandbox
 WORKER_WRAPS  := worker_process_call worker_process_call_once
 $(addprefix $(BUILD)/fuzzers/,scene lesson nff): WRAPS := $(SCRIPT_WRAPS)

@@ -4,9 +4,10 @@
  * memory, or at a limit of the system.
  *
  * The environment says which: FAULT_PROGRAM is the name of the program, FAULT_KIND a kind of call
- * (see below), FAULT_NUMBER its number, from 1. When the call fails, the file FAULT_MARK is
- * created. Only calls of the program itself, of libc and of Lua are counted: what the large
- * libraries do with a failure is no matter of dioptre, which runs them in a worker.
+ * (see below), FAULT_NUMBER its number, from 1. When the call fails, the first byte of the file
+ * FAULT_MARK becomes 1: through a mapping, as a worker may not open files. Only calls of the
+ * program itself, of libc and of Lua are counted: what the large libraries do with a failure is no
+ * matter of dioptre, which runs them in a worker.
  */
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -63,7 +64,7 @@ static struct {
     Kind kind;          /**< Which calls; #KIND_NONE: none. */
     int number;         /**< The call that fails. */
     atomic_int calls;   /**< Calls so far. */
-    const char *mark;   /**< File to create. */
+    char *mark;         /**< The first byte of the file, in memory. */
     Range ranges[8];    /**< Objects whose calls are counted. */
     size_t range_count; /**< Number of these. */
 } plan;
@@ -100,12 +101,18 @@ static Kind kind_of(const char *word) {
 __attribute__((constructor)) static void init_plan(void) {
     char path[4096];
     const char *program = getenv("FAULT_PROGRAM"), *number = getenv("FAULT_NUMBER");
+    const char *mark = getenv("FAULT_MARK");
     ssize_t length = readlink("/proc/self/exe", path, sizeof path - 1);
     path[length > 0 ? length : 0] = '\0';
     const char *slash = strrchr(path, '/');
-    plan.mark = getenv("FAULT_MARK");
-    if (program && number && plan.mark && slash && strcmp(slash + 1, program) == 0) {
+    if (program && number && mark && slash && strcmp(slash + 1, program) == 0) {
         bool is_first = true;
+        int file = (int)syscall(SYS_openat, AT_FDCWD, mark, O_RDWR | O_CLOEXEC);
+        plan.mark = mmap(NULL, 1, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+        syscall(SYS_close, file);
+        if (plan.mark == MAP_FAILED) {
+            abort();
+        }
         dl_iterate_phdr(add_range, &is_first);
         plan.number = atoi(number);
         plan.kind = kind_of(getenv("FAULT_KIND"));
@@ -128,10 +135,7 @@ static bool fails(Kind kind, const void *caller, int reason) {
     if (!is_counted || atomic_fetch_add(&plan.calls, 1) + 1 != plan.number) {
         return false;
     }
-    long mark = syscall(SYS_openat, AT_FDCWD, plan.mark, O_WRONLY | O_CREAT, 0600);
-    if (mark >= 0) {
-        syscall(SYS_close, mark);
-    }
+    *plan.mark = '1';
     errno = reason;
     return true;
 }

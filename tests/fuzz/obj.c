@@ -18,9 +18,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     Error error = {0};
     Mesh counts;
     mesh_builder_init(&builder, &error);
-    const MeshSink sink = {.context = &builder,
-                           .add_triangle = mesh_builder_add,
-                           .report_progress = check_progress};
+    const MeshSink sink = {
+        .context = &builder, .add_triangle = mesh_builder_add, .report_progress = check_progress};
     bool is_read = obj_read((const char *)data, size, &sink, &builder.repairs, &error);
     if (is_read && mesh_builder_finish(&builder, &counts)) {
         Error invalid = {0};

@@ -17,8 +17,12 @@ checked() {
     fi
 }
 
+# Not f32x4: with SSE2 gcc selects lanes by exclusive or, of which valgrind does not see that what is
+# not selected cancels out.
+engines='f32x1 f64x1'
+grep -qw avx2 /proc/cpuinfo && engines='f32x8 f64x1'
 # shellcheck disable=SC2086 # words
-for engine in f32x4 f64x1; do
+for engine in $engines; do
     "$dioptre" render scenes/box.lua $small --engine $engine -o "$work/plain.bmp"
     checked "a picture, $engine" render scenes/box.lua $small --engine $engine -o "$work/checked.bmp"
     same "$work/plain.bmp" "$work/checked.bmp" "$engine: the same bits under valgrind"
@@ -26,8 +30,8 @@ done
 printf 'camera { position = {0, 0, 5} }\nlight {}\nmesh { file = "die.obj" }\n' >"$work/model.lua"
 cp scenes/models/die.obj "$work/"
 # shellcheck disable=SC2086 # words
-checked 'a model' render "$work/model.lua" $small --engine f32x4 -o "$work/model.bmp"
+checked 'a model' render "$work/model.lua" $small --engine f32x1 -o "$work/model.bmp"
 # shellcheck disable=SC2086 # words
-checked 'facts' info scenes/mandelbulb.lua -s 8x6 --samples 1 --json
+checked 'facts' info scenes/mandelbulb.lua -s 8x6 --samples 1 --engine f32x1 --json
 checked 'a comparison' compare "$work/plain.bmp" "$work/checked.bmp"
 finish

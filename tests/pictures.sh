@@ -68,10 +68,10 @@ surface folder.png; refused folder.png 'a folder'
 surface pipe.png; refused pipe.png 'a pipe'
 surface s.lua; refused s.lua 'must end in .bmp, png'
 surface ../good-one.png; mv "$work/s.lua" "$work/scene"
-expect 3 'scene/s.lua:2: ../good-one.png: it lies outside' 'a picture outside the folder' "$dioptre" render "$work/scene/s.lua" -o "$work/o.bmp"
+expect 3 'scene/s.lua:2: ../good-one.png: No such file in the scene' 'a picture outside the folder' "$dioptre" render "$work/scene/s.lua" -o "$work/o.bmp"
 ln -s ../good-one.png "$work/scene/link.png"
 surface link.png; mv "$work/s.lua" "$work/scene"
-expect 3 'link.png: it lies outside' 'a link to a picture outside the folder' "$dioptre" render "$work/scene/s.lua" -o "$work/o.bmp"
+expect 3 'link.png: No such file in the scene' 'a link to a picture outside the folder' "$dioptre" render "$work/scene/s.lua" -o "$work/o.bmp"
 
 # --- words -----------------------------------------------------------------------------------------
 # bad WORDS TEXT: a scene that is refused on its line 2.

@@ -31,12 +31,7 @@ static const ImageFormat *find_format(const char *path, Error *error) {
 }
 
 bool texture_file_check(const char *path, Error *error) {
-    struct stat found;
-    int file = find_format(path, error) ? regular_file_open(path, &found, error) : -1;
-    if (file >= 0) {
-        close(file);
-    }
-    return file >= 0;
+    return find_format(path, error) != NULL;
 }
 
 /** Reads an open BMP file. @return The texture; NULL on errors. */

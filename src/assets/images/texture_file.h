@@ -17,10 +17,10 @@
 #define TEXTURE_FILE_CAPACITY ((size_t)1 << 30)
 
 /**
- * Checks extension and type of a picture file, without reading it.
+ * Checks the extension of a picture file; nothing is opened.
  * @param path        The file.
- * @param[out] error  What is wrong (#STATUS_SCENE), without the path.
- * @return Whether it is a regular file with a readable format's extension.
+ * @param[out] error  The known extensions (#STATUS_SCENE), without the path.
+ * @return Whether it is that of a readable format.
  */
 bool texture_file_check(const char *path, Error *error);
 

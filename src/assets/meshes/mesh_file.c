@@ -57,12 +57,7 @@ static const char *find_extension(const char *path, Error *error) {
 }
 
 bool mesh_file_check(const char *path, Error *error) {
-    struct stat found;
-    int file = find_extension(path, error) ? regular_file_open(path, &found, error) : -1;
-    if (file >= 0) {
-        close(file);
-    }
-    return file >= 0;
+    return find_extension(path, error) != NULL;
 }
 
 /** Reports progress. See #WorkerMonitor.on_tick. */
@@ -81,9 +76,9 @@ static void report_progress(void *context, double seconds, double fraction) {
  */
 static bool set_failure(const WorkerReply *reply, const MeshWorkerReport *report, double seconds,
                         Error *error) {
-    if (reply->end == WORKER_NOT_STARTED) {
-        return error_set(error, STATUS_FAILED, "no process to read a model in: %s",
-                         error_errno_text(reply->detail));
+    char reason[WORKER_REASON_SIZE];
+    if (worker_reply_start_failure(reply, reason)) {
+        return error_set(error, STATUS_FAILED, "no process to read a model in: %s", reason);
     }
     if (reply->end == WORKER_TIMED_OUT) {
         return error_set(error, STATUS_SCENE, "it takes more than %.0f s to read", seconds);
@@ -92,8 +87,7 @@ static bool set_failure(const WorkerReply *reply, const MeshWorkerReport *report
         return error_set(error, STATUS_INTERRUPTED, "interrupted");
     }
     if (reply->end == WORKER_FINISHED && report->error.status != STATUS_OK) {
-        error_set(error, report->error.status, "%.*s", ERROR_MESSAGE_SIZE - 1,
-                  report->error.message);
+        worker_error_set(error, &report->error);
         return error_set_line(error, report->error.line);
     }
     return error_set(error, STATUS_SCENE, "it makes the library that reads models crash (%s)",

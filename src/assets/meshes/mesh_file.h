@@ -16,10 +16,10 @@
 #define MESH_FILE_BYTES_PER_SECOND ((size_t)4 << 20)
 
 /**
- * Checks extension and type of a mesh file, without reading it.
+ * Checks the extension of a mesh file; nothing is opened.
  * @param path        The file.
- * @param[out] error  What is wrong (#STATUS_SCENE), without the path.
- * @return Whether it is a regular file with a readable format's extension.
+ * @param[out] error  The known extensions (#STATUS_SCENE), without the path.
+ * @return Whether it is that of a readable format.
  */
 bool mesh_file_check(const char *path, Error *error);
 

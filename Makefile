@@ -262,7 +262,7 @@ $(FUZZ_LIBRARY): $(FUZZ_OBJECTS)
 $(OBJ)/tests/%.o: CPPFLAGS += -Itests/fuzz
 # What a target replaces in the rooms, and what it shares with others.
 FUZZ_WRAPS    = $(addprefix -Wl$(COMMA)--wrap=,$(WRAPS))
-SCRIPT_WRAPS  := lua_newstate lua_sethook worker_enter_sandbox
+SCRIPT_WRAPS  := lua_newstate lua_sethook worker_enter_sandbox worker_job_ask
 WORKER_WRAPS  := worker_process_call worker_process_call_once
 $(addprefix $(BUILD)/fuzzers/,scene lesson nff): WRAPS := $(SCRIPT_WRAPS)
 $(addprefix $(BUILD)/fuzzers/,scene lesson nff): $(OBJ)/tests/fuzz/script_target.o

@@ -4,6 +4,8 @@
  */
 #include "script_target.h"
 
+#include "script/script_question.h"
+
 #include <lauxlib.h>
 
 /** Memory of a Lua state, bytes: little, so that no run is slow. */
@@ -13,12 +15,13 @@ enum { HOOK_CALLS_LIMIT = 3000 };
 
 /** The Lua state of the run; there is one at a time. */
 static struct {
-    lua_State *lua;     /**< The state; NULL: none. */
-    lua_Alloc allocate; /**< Its allocator. */
-    void *context;      /**< The allocator's context, which ends with the run. */
-    bool is_running;    /**< Whether the run has not ended. */
-    lua_Hook hook;      /**< Its hook. */
-    int hook_calls;     /**< Calls of the hook so far. */
+    lua_State *lua;               /**< The state; NULL: none. */
+    lua_Alloc allocate;           /**< Its allocator. */
+    void *context;                /**< The allocator's context, which ends with the run. */
+    bool is_running;              /**< Whether the run has not ended. */
+    lua_Hook hook;                /**< Its hook. */
+    int hook_calls;               /**< Calls of the hook so far. */
+    const ScriptRequest *request; /**< The request of the run. */
 } current;
 
 // What the linker's --wrap calls in place of the functions, and the functions themselves.
@@ -27,6 +30,7 @@ lua_State *__wrap_lua_newstate(lua_Alloc allocate, void *context);
 void __real_lua_sethook(lua_State *L, lua_Hook hook, int mask, int count);
 void __wrap_lua_sethook(lua_State *L, lua_Hook hook, int mask, int count);
 void __wrap_worker_enter_sandbox(size_t bytes);
+WorkerAnswer __wrap_worker_job_ask(const void *question, size_t size);
 
 /** Allocates as the program does; after the run it only frees. See lua_Alloc. */
 static void *allocate(void *context, void *block, size_t old_size, size_t new_size) {
@@ -69,6 +73,22 @@ void __wrap_worker_enter_sandbox(size_t bytes) {
     (void)bytes;
 }
 
+/** Answers a question as the program does, but prints nothing. See #worker_job_ask. */
+WorkerAnswer __wrap_worker_job_ask(const void *question, size_t size) {
+    static const ScriptAnswer none;
+    ScriptResponder responder = {.request = current.request};
+    WorkerResponse response = {.bytes = &none, .size = sizeof none};
+    ScriptQuestion asked;
+    FUZZ_REQUIRE(size == sizeof asked);
+    memcpy(&asked, question, size);
+    bool is_print = asked.kind == SCRIPT_ASK_PRINT;
+    FUZZ_REQUIRE(is_print || script_question_answer(&responder, question, size, &response));
+    void *copy = malloc(response.size);
+    FUZZ_REQUIRE(copy);
+    memcpy(copy, response.bytes, response.size);
+    return (WorkerAnswer){copy, response.size, response.file > 0 ? response.file : -1};
+}
+
 /** @return An empty report. It is a megabyte, which is allocated once. */
 static ScriptResult *empty_result(void) {
     static ScriptResult *result;
@@ -101,6 +121,7 @@ bool fuzz_run_init(FuzzRun *run, const uint8_t *data, size_t size) {
 
 bool fuzz_run_execute(FuzzRun *run, void (*execute)(ScriptRun *run)) {
     const ScriptResult *result = run->run.result;
+    current.request = &run->request;
     current.hook_calls = 0;
     current.is_running = true;
     execute(&run->run);

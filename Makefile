@@ -250,9 +250,8 @@ faults: test-packages
 	@FAULTS=0 tests/faults.sh
 
 # --- fuzzing -------------------------------------------------------------------------------------
-# A file of tests/fuzz is a target, but for those that several targets share.
-FUZZ_SHARED  := script_target handover
-FUZZ_TARGETS := $(filter-out $(FUZZ_SHARED),$(patsubst tests/fuzz/%.c,%,$(wildcard tests/fuzz/*.c)))
+# Each file of tests/fuzz is a target.
+FUZZ_TARGETS := $(patsubst tests/fuzz/%.c,%,$(wildcard tests/fuzz/*.c))
 FUZZERS      := $(FUZZ_TARGETS:%=$(BUILD)/fuzzers/%)
 FUZZ_OBJECTS := $(filter-out $(OBJ)/src/worker/%,$(WORKER_OBJECTS)) \
                 $(addprefix $(OBJ)/src/,cli/options.o cli/frames.o render/report_methods.o)
@@ -265,11 +264,11 @@ FUZZ_WRAPS    = $(addprefix -Wl$(COMMA)--wrap=,$(WRAPS))
 SCRIPT_WRAPS  := lua_newstate lua_sethook worker_enter_sandbox worker_job_ask
 WORKER_WRAPS  := worker_process_call worker_process_call_once
 $(addprefix $(BUILD)/fuzzers/,scene lesson nff): WRAPS := $(SCRIPT_WRAPS)
-$(addprefix $(BUILD)/fuzzers/,scene lesson nff): $(OBJ)/tests/fuzz/script_target.o
+$(addprefix $(BUILD)/fuzzers/,scene lesson nff): $(OBJ)/tests/fuzz/shared/script_target.o
 $(addprefix $(BUILD)/fuzzers/,texture mesh): WRAPS := $(WORKER_WRAPS)
-$(addprefix $(BUILD)/fuzzers/,texture mesh): $(OBJ)/tests/fuzz/handover.o
+$(addprefix $(BUILD)/fuzzers/,texture mesh): $(OBJ)/tests/fuzz/shared/handover.o
 $(BUILD)/fuzzers/block: WRAPS := $(SCRIPT_WRAPS) $(WORKER_WRAPS) scene_create
-$(BUILD)/fuzzers/block: $(OBJ)/tests/fuzz/script_target.o $(OBJ)/tests/fuzz/handover.o
+$(BUILD)/fuzzers/block: $(OBJ)/tests/fuzz/shared/script_target.o $(OBJ)/tests/fuzz/shared/handover.o
 $(BUILD)/fuzzers/reply: WRAPS := posix_spawn posix_spawn_file_actions_adddup2 kill waitpid
 $(BUILD)/fuzzers/%: $(OBJ)/tests/fuzz/%.o $(FUZZ_LIBRARY)
 	@mkdir -p $(@D)

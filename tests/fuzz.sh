@@ -40,7 +40,7 @@ run() {
     fi
 }
 
-targets=$(ls tests/fuzz/*.c | sed 's|.*/||; s|\.c$||' | grep -vE '^(script_target|handover)$')
+targets=$(ls tests/fuzz/*.c | sed 's|.*/||; s|\.c$||')
 start=$(date +%s)
 for target in $targets; do
     if [ -n "$(ls tests/corpus/"$target" 2>/dev/null)" ]; then

@@ -5,8 +5,8 @@
  * The block of a good scene is made once. Each input overwrites some of its bytes; what the program
  * accepts is then read from end to end, as a tracer would.
  */
-#include "handover.h"
-#include "script_target.h"
+#include "shared/handover.h"
+#include "shared/script_target.h"
 
 #include "assets/meshes/mesh_worker.h"
 #include "dioptre/sdf_tape.h"

@@ -2,7 +2,7 @@
  * @file
  * @brief Fuzz target: lesson files. What is accepted plays in order, and names known actions only.
  */
-#include "script_target.h"
+#include "shared/script_target.h"
 
 #include "script/lesson_functions.h"
 

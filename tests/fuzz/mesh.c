@@ -2,7 +2,7 @@
  * @file
  * @brief Fuzz target: the mesh that a worker hands over.
  */
-#include "handover.h"
+#include "shared/handover.h"
 
 #include "assets/meshes/mesh_file.h"
 

@@ -2,7 +2,7 @@
  * @file
  * @brief Fuzz target: scenes in NFF.
  */
-#include "script_target.h"
+#include "shared/script_target.h"
 
 #include "script/nff.h"
 

@@ -2,7 +2,7 @@
  * @file
  * @brief Fuzz target: scene files in Lua. What is accepted is a scene within its block.
  */
-#include "script_target.h"
+#include "shared/script_target.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     Error error = {0};

@@ -2,7 +2,7 @@
  * @file
  * @brief Fuzz target: the texture that a worker hands over.
  */
-#include "handover.h"
+#include "shared/handover.h"
 
 #include "assets/images/image_worker.h"
 #include "dioptre/parameter.h"

@@ -2,7 +2,7 @@
  * @file
  * @brief A worker that replies whatever the fuzzer wants.
  */
-#include "handover.h"
+#include "shared/handover.h"
 
 #include <sys/mman.h>
 

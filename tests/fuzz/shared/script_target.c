@@ -2,7 +2,7 @@
  * @file
  * @brief Runs of scene texts, lessons and NFF inside this process.
  */
-#include "script_target.h"
+#include "shared/script_target.h"
 
 #include "script/script_question.h"
 

@@ -437,6 +437,12 @@ static void plugin_close_stub(ImageReader *reader) {
     (void)reader;
 }
 
+/** Has read whole files only. */
+static bool plugin_is_damaged_stub(ImageReader *reader) {
+    (void)reader;
+    return false;
+}
+
 /** A fake plugin as a worker task. */
 #define MODULE_TASK(name, ...)                                                                     \
     static void name##_task(WorkerJob *job) {                                                      \
@@ -448,7 +454,7 @@ MODULE_TASK(interrupting, .open = interrupting_plugin_open)
 MODULE_TASK(hanging, .open = hanging_plugin_open)
 MODULE_TASK(greedy, .open = greedy_plugin_open)
 MODULE_TASK(lying, .open = lying_plugin_open, .read_encoded = plugin_read_stub,
-            .close = plugin_close_stub)
+            .is_damaged = plugin_is_damaged_stub, .close = plugin_close_stub)
 
 /** The worker tasks of this program. */
 static const WorkerTask module_tasks[] = {

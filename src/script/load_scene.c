@@ -8,6 +8,7 @@
 #include "assets/meshes/mesh_file.h"
 #include "base/scene_name.h"
 #include "script/asset_cache.h"
+#include "script/asset_notes.h"
 #include "script/sanitize.h"
 #include "script/script_worker.h"
 
@@ -24,7 +25,12 @@ static bool set_file_error(const SceneFile *file, Error *error) {
     if (error) {
         sanitize_path(name, file->name);
         sanitize_text(message, sizeof message, error->message, strlen(error->message));
-        error_set(error, error->status, "%s: %s: %s", file->location, name, message);
+        if (error->line > 0) {
+            error_set(error, error->status, "%s: %s:%zu: %s", file->location, name, error->line,
+                      message);
+        } else {
+            error_set(error, error->status, "%s: %s: %s", file->location, name, message);
+        }
     }
     return false;
 }
@@ -135,7 +141,8 @@ static bool read_files(const ScriptRequest *request, Scene *scene, Error *error)
     asset_cache_fill_scene(request->cache, scene);
     return read_meshes(scene, request->progress, error) &&
            check_textured_meshes(scene, request->shape_keywords, error) &&
-           read_textures(scene, error) && asset_cache_store(request->cache, scene, error);
+           read_textures(scene, error) && asset_cache_store(request->cache, scene, error) &&
+           asset_notes_add(scene, error);
 }
 
 /** Runs a text in a worker, and checks what it made. @return Whether the scene is valid. */

@@ -157,6 +157,7 @@ bool image_plugin_read(const ImageReadRequest *request, Texture *texture, Error 
     }
     bool is_read =
         prepare_decoder(&decoder, request->texture_capacity, error) && read_strips(&decoder, error);
+    texture->is_damaged = is_read && plugin->is_damaged(decoder.reader);
     free(decoder.decode_table);
     plugin->close(decoder.reader);
     return is_read;

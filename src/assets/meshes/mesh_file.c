@@ -87,7 +87,8 @@ static bool set_failure(const WorkerReply *reply, const MeshWorkerReport *report
         return error_set(error, STATUS_INTERRUPTED, "interrupted");
     }
     if (reply->end == WORKER_FINISHED && report->error.status != STATUS_OK) {
-        return worker_error_set(error, &report->error);
+        worker_error_set(error, &report->error);
+        return error_set_line(error, report->error.line);
     }
     return error_set(error, STATUS_SCENE, "it makes the library that reads models crash (%s)",
                      reply->detail ? strsignal(reply->detail) : gettext("it ended early"));

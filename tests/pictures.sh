@@ -37,6 +37,26 @@ for file in "$work"/good-*; do
     sky "$picture"; draws "$picture in the sky" "$color"
 done
 
+# --- files that are cut off: drawn with what is there and a word about it, or refused -----------------
+for ending in jpg tif png bmp; do
+    "$release" render scenes/box.lua -q -s 48x32 --samples 1 -o "$work/whole.$ending"
+    head -c $(($(stat -c %s "$work/whole.$ending") / 2)) "$work/whole.$ending" >"$work/half.$ending"
+    surface "half.$ending"
+    case $ending in
+    jpg | tif)
+        expect 0 "^$work/s.lua:2: half.$ending: it is cut off or damaged, and some of it is missing" \
+            "half a .$ending is drawn, with a word" limited "$dioptre" render "$work/s.lua" -o "$work/o.bmp" -s 9x9
+        limited "$dioptre" info --json "$work/s.lua" >"$work/out" 2>"$work/err"
+        holds "$work/out" '"damaged": true' 'and info says so'
+        rm "$work/o.bmp"
+        ;;
+    *) refused "half.$ending" '' ;;
+    esac
+    surface "whole.$ending"
+    expect 0 '' "all of a .$ending is drawn, without a word" limited "$dioptre" render "$work/s.lua" -o "$work/o.bmp" -s 9x9
+    rm "$work/o.bmp"
+done
+
 # --- broken files ----------------------------------------------------------------------------------
 for file in "$work"/bmp-* "$work"/hdr-* "$work"/jpg-* "$work"/png-* "$work"/pnm-* "$work"/tga-*; do
     picture=${file##*/}

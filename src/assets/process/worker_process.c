@@ -4,8 +4,8 @@
  */
 #include "assets/process/worker_process.h"
 
+#include "assets/process/worker_clock.h"
 #include "assets/process/worker_protocol.h"
-#include "base/clock.h"
 #include "base/executable_dir.h"
 #include "base/language.h"
 
@@ -26,8 +26,8 @@
 
 /** Time limit for the start of a worker with its modules, seconds. */
 static const double START_LIMIT = 60;
-/** Time limit for the report after a timeout, seconds. */
-static const double REPORT_LIMIT = 0.25;
+/** Time limit for the report after a timeout, seconds: a busy machine may need some. */
+static const double REPORT_LIMIT = 5;
 /** Seconds between two calls of #WorkerMonitor.on_tick. */
 static const double TICK_INTERVAL = 0.2;
 /** Largest number of starts until the address of the result is free in a worker. */
@@ -124,8 +124,7 @@ void worker_process_stop(WorkerProcess *process) {
 typedef struct Exchange {
     const WorkerProcess *process; /**< The worker. */
     const WorkerCall *call;       /**< The request. */
-    double started;               /**< Start of the time limit, on #clock_now_seconds. */
-    double deadline;              /**< End of the time limit. */
+    WorkerClock clock;            /**< The time limits. */
     double fraction;              /**< Progress, 0 to 1. */
     bool is_late;                 /**< Whether the deadline has passed, or the call is stopped. */
 } Exchange;
@@ -136,9 +135,9 @@ static bool is_stopped(const Exchange *exchange) {
     return monitor && monitor->stop && atomic_load(monitor->stop);
 }
 
-/** @return Milliseconds until the next tick or the deadline, rounded up. */
-static int sleep_time(const Exchange *exchange, double now) {
-    double left = exchange->deadline - now;
+/** @return Milliseconds until the next tick or the next look at the clock, rounded up. */
+static int sleep_time(const Exchange *exchange) {
+    double left = worker_clock_left(&exchange->clock);
     double seconds = exchange->call->monitor ? fmin(left, TICK_INTERVAL) : left;
     return (int)fmin(fmax(ceil(1000 * seconds), 0), INT_MAX);
 }
@@ -153,17 +152,16 @@ static bool wait_until_ready(Exchange *exchange, short events) {
     struct pollfd watched = {.fd = exchange->process->socket, .events = events};
     const WorkerMonitor *monitor = exchange->call->monitor;
     while (!is_stopped(exchange)) {
-        double now = clock_now_seconds();
-        int ready = poll(&watched, 1, sleep_time(exchange, now));
+        int ready = poll(&watched, 1, sleep_time(exchange));
         if (ready > 0) {
             return true;
         }
-        now = clock_now_seconds();
-        if (ready == 0 && now >= exchange->deadline) {
+        if (ready == 0 && worker_clock_left(&exchange->clock) <= 0) {
             break;
         }
         if (ready == 0 && monitor && monitor->on_tick) {
-            monitor->on_tick(monitor->context, now - exchange->started, exchange->fraction);
+            monitor->on_tick(monitor->context, worker_clock_elapsed(&exchange->clock),
+                             exchange->fraction);
         }
     }
     exchange->is_late = true;
@@ -265,8 +263,8 @@ static bool receive_reply(Exchange *exchange, WorkerReply *reply) {
     WorkerFrame frame;
     while (receive(exchange, &frame, sizeof frame)) {
         if (frame.kind == WORKER_FRAME_READY) {
-            exchange->started = clock_now_seconds();
-            exchange->deadline = exchange->started + exchange->call->time_limit;
+            worker_clock_start(&exchange->clock, exchange->process->pid, exchange->call->time_limit,
+                               exchange->call->wall_limit);
         } else if (frame.kind == WORKER_FRAME_PROGRESS) {
             exchange->fraction = fmin(fmax(frame.per_mille / 1000.0, 0), 1);
         } else if (!receive_report(exchange, &frame)) {
@@ -284,7 +282,7 @@ static void end_late_worker(Exchange *exchange, WorkerProcess *process) {
     if (!is_stopped(exchange)) {
         WorkerReply none = {0};
         Exchange last = {.process = process, .call = exchange->call};
-        last.deadline = clock_now_seconds() + REPORT_LIMIT;
+        worker_clock_start_wall(&last.clock, REPORT_LIMIT);
         kill(process->pid, SIGXCPU);
         if (receive_reply(&last, &none) && none.block && !exchange->call->block) {
             munmap(none.block, none.block_size);
@@ -301,26 +299,29 @@ static void end_late_worker(Exchange *exchange, WorkerProcess *process) {
  * @return The reply.
  */
 static WorkerReply converse(WorkerProcess *process, const WorkerCall *call, int *exit_status) {
-    double now = clock_now_seconds();
     WorkerReply reply = {.end = WORKER_FINISHED};
-    Exchange exchange = {
-        .process = process, .call = call, .started = now, .deadline = now + START_LIMIT};
-    if (send_request(&exchange) && receive_reply(&exchange, &reply)) {
+    Exchange exchange = {.process = process, .call = call};
+    worker_clock_start_wall(&exchange.clock, START_LIMIT);
+    bool is_finished = send_request(&exchange) && receive_reply(&exchange, &reply);
+    double seconds = worker_clock_used(&exchange.clock);
+    if (is_finished) {
+        reply.seconds = seconds;
         return reply;
     }
     if (exchange.is_late) {
+        bool is_stalled = worker_clock_is_stalled(&exchange.clock);
         end_late_worker(&exchange, process);
-        return (WorkerReply){.end = WORKER_TIMED_OUT};
+        return (WorkerReply){.end = WORKER_TIMED_OUT, .is_stalled = is_stalled, .seconds = seconds};
     }
     // A worker that closed its socket has its exit status already, which the signal does not
     // change. One with an invalid reply still runs.
     kill(process->pid, SIGKILL);
     int status = reap(process);
     if (WIFSIGNALED(status)) {
-        return (WorkerReply){.end = WORKER_CRASHED, .detail = WTERMSIG(status)};
+        return (WorkerReply){.end = WORKER_CRASHED, .detail = WTERMSIG(status), .seconds = seconds};
     }
     *exit_status = WEXITSTATUS(status);
-    return (WorkerReply){.end = WORKER_EXITED};
+    return (WorkerReply){.end = WORKER_EXITED, .seconds = seconds};
 }
 
 /** @return Whether a kept worker has ended meanwhile, as by Ctrl-C. */

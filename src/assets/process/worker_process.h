@@ -10,6 +10,7 @@
 #define DIOPTRE_ASSETS_PROCESS_WORKER_PROCESS_H
 
 #include <stdatomic.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <sys/types.h>
 
@@ -43,12 +44,13 @@ typedef struct WorkerMonitor {
 
 /** A request to a worker, and memory for its reply. */
 typedef struct WorkerCall {
-    const char *program;          /**< Path of the worker program; NULL: `dioptre-worker`. */
-    const char *task;             /**< Name of the task, see #WorkerTask. */
-    const void *request;          /**< Bytes of the request. */
-    size_t request_size;          /**< Number of its bytes. */
-    int file;                     /**< Descriptor to send along; 0: none. */
-    double time_limit;            /**< Time limit, seconds, from #worker_job_ready. */
+    const char *program; /**< Path of the worker program; NULL: `dioptre-worker`. */
+    const char *task;    /**< Name of the task, see #WorkerTask. */
+    const void *request; /**< Bytes of the request. */
+    size_t request_size; /**< Number of its bytes. */
+    int file;            /**< Descriptor to send along; 0: none. */
+    double time_limit;   /**< Limit of its processor time, seconds, from #worker_job_ready. */
+    double wall_limit;   /**< Limit on the wall clock, seconds; 0: #worker_clock_wall_limit. */
     const WorkerMonitor *monitor; /**< Callback and stop flag; NULL: none. */
     void *report;                 /**< Memory for the report. */
     size_t report_capacity;       /**< Its size in bytes. */
@@ -63,6 +65,9 @@ typedef struct WorkerReply {
     void *block; /**< The block; NULL: none. To be unmapped with munmap if #WorkerCall.block is
                     NULL. */
     size_t block_size; /**< Bytes of the block. */
+    double seconds;    /**< Processor time of the call, seconds, from #worker_job_ready. */
+    bool is_stalled;   /**< After #WORKER_TIMED_OUT: whether it only waited, until the limit on the
+                          wall clock. */
 } WorkerReply;
 
 /**

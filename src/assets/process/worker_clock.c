@@ -41,6 +41,12 @@ void worker_clock_start(WorkerClock *clock, pid_t pid, double time_limit, double
     }
 }
 
+void worker_clock_exclude(WorkerClock *clock, double seconds) {
+    if (seconds >= 0 && seconds < clock->processor_started) {
+        clock->processor_started = seconds;
+    }
+}
+
 double worker_clock_elapsed(const WorkerClock *clock) {
     return clock_now_seconds() - clock->started;
 }

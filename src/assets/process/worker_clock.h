@@ -38,6 +38,14 @@ void worker_clock_start_wall(WorkerClock *clock, double seconds);
  */
 void worker_clock_start(WorkerClock *clock, pid_t pid, double time_limit, double wall_limit);
 
+/**
+ * Excludes processor time that the worker used before it was ready.
+ * @param[in,out] clock  The limits.
+ * @param seconds        Processor time of the worker when it was ready, as it says itself: no more
+ *                       than now.
+ */
+void worker_clock_exclude(WorkerClock *clock, double seconds);
+
 /** @return Seconds since the start, on the wall clock. */
 double worker_clock_elapsed(const WorkerClock *clock);
 

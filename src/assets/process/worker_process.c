@@ -265,6 +265,7 @@ static bool receive_reply(Exchange *exchange, WorkerReply *reply) {
         if (frame.kind == WORKER_FRAME_READY) {
             worker_clock_start(&exchange->clock, exchange->process->pid, exchange->call->time_limit,
                                exchange->call->wall_limit);
+            worker_clock_exclude(&exchange->clock, frame.processor_seconds);
         } else if (frame.kind == WORKER_FRAME_PROGRESS) {
             exchange->fraction = fmin(fmax(frame.per_mille / 1000.0, 0), 1);
         } else if (!receive_report(exchange, &frame)) {
@@ -292,6 +293,18 @@ static void end_late_worker(Exchange *exchange, WorkerProcess *process) {
 }
 
 /**
+ * Drops a result that came too late, unnoticed because this process had to wait.
+ * @return Whether it came in time.
+ */
+static bool is_in_time(Exchange *exchange, WorkerReply *reply) {
+    exchange->is_late = worker_clock_left(&exchange->clock) < 0;
+    if (exchange->is_late && reply->block && !exchange->call->block) {
+        munmap(reply->block, reply->block_size);
+    }
+    return !exchange->is_late;
+}
+
+/**
  * Sends the request and waits for the reply.
  * @param process           The worker.
  * @param call              The call.
@@ -302,7 +315,8 @@ static WorkerReply converse(WorkerProcess *process, const WorkerCall *call, int 
     WorkerReply reply = {.end = WORKER_FINISHED};
     Exchange exchange = {.process = process, .call = call};
     worker_clock_start_wall(&exchange.clock, START_LIMIT);
-    bool is_finished = send_request(&exchange) && receive_reply(&exchange, &reply);
+    bool is_finished = send_request(&exchange) && receive_reply(&exchange, &reply) &&
+                       is_in_time(&exchange, &reply);
     double seconds = worker_clock_used(&exchange.clock);
     if (is_finished) {
         reply.seconds = seconds;

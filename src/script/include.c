@@ -51,7 +51,7 @@ static void load_file(lua_State *L, const char *name) {
     ScriptText text;
     Error error = {0};
     if (read_file(run->request, name, &text, display_path, &error)) {
-        script_sandbox_load(L, &text, display_path);
+        script_sandbox_load(L, &text, display_path, name);
     } else {
         lua_error_tr(L, "cannot include `%s`: %s", name, error.message);
     }

@@ -383,9 +383,9 @@ static void test_module_is_missing(void **state) {
 }
 
 /** A fake plugin that crashes. @return Nothing: it does not return. */
-static ImageReader *crashing_plugin_open(const char *path, const char *format, ImageHeader *header,
+static ImageReader *crashing_plugin_open(int file, const char *format, ImageHeader *header,
                                          ImagePluginMessage *message) {
-    (void)path;
+    (void)file;
     (void)format;
     (void)header;
     (void)message;
@@ -393,20 +393,20 @@ static ImageReader *crashing_plugin_open(const char *path, const char *format, I
 }
 
 /** A fake plugin that is interrupted by Ctrl-C. @return Nothing: it does not return. */
-static ImageReader *interrupting_plugin_open(const char *path, const char *format,
-                                             ImageHeader *header, ImagePluginMessage *message) {
+static ImageReader *interrupting_plugin_open(int file, const char *format, ImageHeader *header,
+                                             ImagePluginMessage *message) {
     raise(SIGINT);
-    return crashing_plugin_open(path, format, header, message);
+    return crashing_plugin_open(file, format, header, message);
 }
 
 /** A fake plugin that never ends. @return Nothing: it does not return. */
-static ImageReader *hanging_plugin_open(const char *path, const char *format, ImageHeader *header,
+static ImageReader *hanging_plugin_open(int file, const char *format, ImageHeader *header,
                                         ImagePluginMessage *message) {
     (void)header;
     for (;;) {
         __asm__ volatile("");
     }
-    return crashing_plugin_open(path, format, header, message);
+    return crashing_plugin_open(file, format, header, message);
 }
 
 /**
@@ -414,9 +414,9 @@ static ImageReader *hanging_plugin_open(const char *path, const char *format, Im
  * @param[out] message  Whether the allocation succeeded.
  * @return NULL.
  */
-static ImageReader *greedy_plugin_open(const char *path, const char *format, ImageHeader *header,
+static ImageReader *greedy_plugin_open(int file, const char *format, ImageHeader *header,
                                        ImagePluginMessage *message) {
-    (void)path;
+    (void)file;
     (void)format;
     (void)header;
     void *volatile much = malloc((size_t)256 << 20);
@@ -426,9 +426,9 @@ static ImageReader *greedy_plugin_open(const char *path, const char *format, Ima
 }
 
 /** A fake plugin that returns a header with too large a width. @return A reader. */
-static ImageReader *lying_plugin_open(const char *path, const char *format, ImageHeader *header,
+static ImageReader *lying_plugin_open(int file, const char *format, ImageHeader *header,
                                       ImagePluginMessage *message) {
-    (void)path;
+    (void)file;
     (void)format;
     (void)message;
     *header = (ImageHeader){.width = IMAGE_SIZE_MAXIMUM + 1, .height = 1, .strip_rows = 1};

@@ -9,6 +9,7 @@
 #include "script/object_names.h"
 #include "script/ordered_pairs.h"
 #include "script/sanitize.h"
+#include "script/script_question.h"
 #include "script/script_run.h"
 #include "script/script_sandbox.h"
 #include "script/stable_sort.h"
@@ -18,7 +19,6 @@
 #include <lualib.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 /**
  * Base functions without access to files or memory limits. `pairs` and `next` come from
@@ -34,33 +34,20 @@ static const luaL_Reg libraries[] = {{LUA_MATHLIBNAME, luaopen_math},
                                      {LUA_TABLIBNAME, luaopen_table},
                                      {LUA_UTF8LIBNAME, luaopen_utf8}};
 
-/** Writes to standard error; write errors are ignored. */
-static void write_error(const char *text, size_t length) {
-    while (length > 0) {
-        ssize_t count = write(STDERR_FILENO, text, length);
-        if (count <= 0) {
-            return;
-        }
-        text += count;
-        length -= (size_t)count;
-    }
-}
-
-/** Prints sanitized text, up to #LIBRARY_PRINT_MAXIMUM bytes per run. */
+/** Prints sanitized text, up to #SCRIPT_PRINT_MAXIMUM bytes per run. */
 static void print_sanitized_text(ScriptSandbox *sandbox, const char *text, size_t length) {
     char sanitized[1024];
     /** An escaped byte takes four characters. */
     const size_t piece_maximum = sizeof sanitized / 4 - 1;
-    while (length > 0 && sandbox->bytes_printed < LIBRARY_PRINT_MAXIMUM) {
+    while (length > 0 && sandbox->bytes_printed < SCRIPT_PRINT_MAXIMUM) {
         size_t piece = length < piece_maximum ? length : piece_maximum;
         sanitize_text(sanitized, sizeof sanitized, text, piece);
-        write_error(sanitized, strlen(sanitized));
+        script_question_print(sanitized);
         text += piece;
         length -= piece;
         sandbox->bytes_printed += strlen(sanitized);
-        if (sandbox->bytes_printed >= LIBRARY_PRINT_MAXIMUM) {
-            const char *notice = gettext("\n(the scene printed more, which is left out)\n");
-            write_error(notice, strlen(notice));
+        if (sandbox->bytes_printed >= SCRIPT_PRINT_MAXIMUM) {
+            script_question_print(gettext("\n(the scene printed more, which is left out)\n"));
         }
     }
 }

@@ -3,7 +3,6 @@
  * @brief Scene files, from the path to the finished scene.
  */
 #include "dioptre/script.h"
-#include "dioptre/sdf_tape.h"
 
 #include "assets/asset_budget.h"
 #include "assets/images/texture_file.h"
@@ -243,28 +242,15 @@ static bool read_files(const ScriptRequest *request, Scene *scene, Error *error)
            read_textures(&load, error) && asset_cache_store(request->cache, scene, error);
 }
 
-/**
- * Checks the fields of a scene: they were made in another process, by a file that anyone may have
- * written.
- * @param scene       The scene.
- * @param keywords    The keywords of the classes of shapes.
- * @param[out] error  What is wrong.
- * @return Whether all are valid.
- */
-static bool check_fields(const Scene *scene, const Keyword *const *keywords, Error *error) {
-    bool is_valid = true;
-    for (size_t i = 0; i < scene->shape_count && is_valid; i++) {
-        const SceneShape *shape = &scene->shapes[i];
-        const Parameter *row = keywords[shape->class_index]->parameters;
-        for (; row->name && is_valid; row++) {
-            const Sdf *field;
-            if (row->type == PARAMETER_SDF) {
-                memcpy(&field, (const char *)shape->parameters + row->offset, sizeof field);
-                is_valid = field && sdf_check(field);
-            }
-        }
-    }
-    return is_valid || error_set(error, STATUS_SCENE, "a distance field of the scene is damaged");
+/** Runs a text in a worker, and checks what it made. @return Whether the scene is valid. */
+static bool run_text(const ScriptCall *call, Scene *scene, Error *error) {
+    size_t size = 0;
+    Error damage = {0};
+    bool is_run = script_worker_run(call, &size, error);
+    // Without a result the scene may be anything, too: it is emptied by its check.
+    bool is_valid =
+        scene_validate(scene, is_run ? size : 0, call->request->shape_keywords, &damage);
+    return is_run && (is_valid || error_set(error, damage.status, "%s", damage.message));
 }
 
 /** Creates the scene that a text describes. @return The scene; NULL on errors. */
@@ -276,9 +262,7 @@ static Scene *load_text(const ScriptRequest *request, const ScriptText *text, Er
                              .text = text,
                              .block = scene,
                              .capacity = SCENE_MEMORY_SIZE};
-    if (!scene || !script_worker_run(&call, error) ||
-        !check_fields(scene, request->shape_keywords, error) ||
-        !read_files(request, scene, error)) {
+    if (!scene || !run_text(&call, scene, error) || !read_files(request, scene, error)) {
         scene_destroy(scene);
         scene = NULL;
     }

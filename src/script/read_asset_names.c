@@ -5,16 +5,15 @@
 #include "assets/images/texture_file.h"
 #include "assets/meshes/mesh_file.h"
 #include "base/language.h"
-#include "script/asset_path.h"
 #include "script/lua_error.h"
 #include "script/read_parameters.h"
 #include "script/sanitize.h"
+#include "script/script_question.h"
 #include "script/script_run.h"
 #include "script/script_sandbox.h"
 
 #include <lauxlib.h>
 #include <string.h>
-#include <unistd.h>
 
 /** A kind of file that a scene can name: meshes or pictures. */
 typedef struct AssetKind {
@@ -55,10 +54,8 @@ static bool add_asset(lua_State *L, const AssetKind *kind, const char *name, con
  */
 static size_t read_asset_name(lua_State *L, int index, const Parameter *row,
                               const AssetKind *kind) {
-    const ScriptRun *run = script_sandbox_of(L)->context;
-    char display_path[PATH_MAX], real_path[PATH_MAX];
     size_t length, asset_index = 0;
-    Error error = {0};
+    ScriptAnswer answer;
     if (lua_type(L, index) != LUA_TSTRING) {
         read_type_error(L, index, row, kind->expected);
     }
@@ -66,15 +63,11 @@ static size_t read_asset_name(lua_State *L, int index, const Parameter *row,
     if (length != strlen(name)) {
         lua_error_tr(L, "%s must not have a zero byte in its name", row->name);
     }
-    struct stat info;
-    int file = asset_path_open(run->request, name, display_path, real_path, &info, &error);
-    if (file >= 0) {
-        close(file); // It is opened again to be read, once the file of the scene has run.
-    }
-    bool is_added = file >= 0 && kind->check(real_path, &error) &&
-                    add_asset(L, kind, name, real_path, &asset_index, &error);
+    bool is_added = script_question_ask(SCRIPT_ASK_ASSET, name, &answer, NULL) &&
+                    kind->check(answer.real_path, &answer.error) &&
+                    add_asset(L, kind, name, answer.real_path, &asset_index, &answer.error);
     if (!is_added) {
-        lua_error_tr(L, "%s: %s", name, error.message);
+        lua_error_tr(L, "%s: %s", name, answer.error.message);
     }
     return asset_index;
 }

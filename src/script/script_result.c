@@ -4,6 +4,7 @@
  */
 #include "script/script_result.h"
 
+#include "assets/process/worker_process.h"
 #include "script/sanitize.h"
 
 #include <stdio.h>
@@ -25,6 +26,28 @@ size_t script_result_size(const ScriptResult *result) {
 
 void script_result_destroy(ScriptResult *result) {
     free(result);
+}
+
+void script_result_repair(ScriptResult *result, const char *path) {
+    char message[ERROR_MESSAGE_SIZE];
+    bool is_valid = result->file_count >= 1 && result->file_count <= SCRIPT_FILES_MAXIMUM &&
+                    result->location.file >= 0 && result->location.file < result->file_count;
+    for (int i = 0; is_valid && i < result->file_count; i++) {
+        ScriptFile *file = &result->files[i];
+        is_valid = memchr(file->path, '\0', sizeof file->path) &&
+                   memchr(file->chunk_name, '\0', sizeof file->chunk_name);
+    }
+    if (!is_valid) {
+        result->location = SOURCE_LOCATION_START;
+        result->file_count = 0;
+        script_result_add_file(result, path, script_result_base_name(path));
+    }
+    if (result->error.status != STATUS_OK) {
+        size_t length = strnlen(result->error.message, sizeof message - 1);
+        sanitize_text(message, sizeof message, result->error.message, length);
+        worker_error_set(&result->error, &(Error){.status = result->error.status});
+        memcpy(result->error.message, message, sizeof message);
+    }
 }
 
 /**

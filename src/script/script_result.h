@@ -50,6 +50,14 @@ typedef struct ScriptResult {
  */
 ScriptResult *script_result_create(const char *path);
 
+/**
+ * Makes a report valid that another process has sent: a script may have got hold of it. Texts end,
+ * indices are in range, the message cannot control a terminal.
+ * @param[in,out] result  The report.
+ * @param path            Path of the scene file.
+ */
+void script_result_repair(ScriptResult *result, const char *path);
+
 /** @return Bytes of a report that are in use. @param result The report. */
 size_t script_result_size(const ScriptResult *result);
 

@@ -154,7 +154,7 @@ bool image_plugin_read(const ImageReadRequest *request, Texture *texture, Error 
     ImagePluginMessage message;
     const ImagePlugin *plugin = request->plugin;
     ImageDecoder decoder = {.plugin = plugin, .texture = texture};
-    decoder.reader = plugin->open(request->path, request->format, &decoder.header, &message);
+    decoder.reader = plugin->open(request->file, request->format, &decoder.header, &message);
     if (!decoder.reader) {
         return error_set(error, STATUS_SCENE, "%s", message.text);
     }

@@ -76,9 +76,9 @@ static void report_progress(void *context, double seconds, double fraction) {
  */
 static bool set_failure(const WorkerReply *reply, const MeshWorkerReport *report, double seconds,
                         bool is_shared, Error *error) {
-    if (reply->end == WORKER_NOT_STARTED) {
-        return error_set(error, STATUS_FAILED, "no process to read a model in: %s",
-                         error_errno_text(reply->detail));
+    char reason[WORKER_REASON_SIZE];
+    if (worker_reply_start_failure(reply, reason)) {
+        return error_set(error, STATUS_FAILED, "no process to read a model in: %s", reason);
     }
     if (reply->end == WORKER_TIMED_OUT && is_shared && !reply->is_stalled) {
         return asset_budget_set_time_error(error);
@@ -90,8 +90,7 @@ static bool set_failure(const WorkerReply *reply, const MeshWorkerReport *report
         return error_set(error, STATUS_INTERRUPTED, "interrupted");
     }
     if (reply->end == WORKER_FINISHED && report->error.status != STATUS_OK) {
-        return error_set(error, report->error.status, "%.*s", ERROR_MESSAGE_SIZE - 1,
-                         report->error.message);
+        return worker_error_set(error, &report->error);
     }
     return error_set(error, STATUS_SCENE, "it makes the library that reads models crash (%s)",
                      reply->detail ? strsignal(reply->detail) : gettext("it ended early"));

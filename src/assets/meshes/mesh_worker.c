@@ -75,6 +75,8 @@ static bool read_triangles(const WorkerJob *job, Import *import, Error *error) {
     MeshSource source = {.extension = request->extension, .size = request->size};
     MeshImportResult result;
     const MeshPlugin *plugin = plugin_open(&mesh_plugin, error);
+    worker_job_ready();
+    worker_enter_sandbox(MESH_FILE_MEMORY_LIMIT);
     char *bytes = plugin ? read_bytes(job->file, request->size, error) : NULL;
     source.bytes = bytes;
     bool is_read = bytes && plugin->read(&source, &sink, &result);
@@ -116,8 +118,6 @@ void mesh_worker_read(WorkerJob *job) {
     report = (MeshWorkerReport){0};
     job->report = &report;
     job->report_size = sizeof report;
-    worker_job_ready();
-    worker_enter_sandbox(MESH_FILE_MEMORY_LIMIT);
     mesh_builder_init(&import.builder, &report.error);
     report.is_done = read_triangles(job, &import, &report.error) &&
                      make_block(job, &import.builder, &report.error);

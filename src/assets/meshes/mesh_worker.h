@@ -27,8 +27,8 @@ typedef struct MeshWorkerRequest {
 
 /** Report on a mesh. */
 typedef struct MeshWorkerReport {
-    bool is_done; /**< Whether the block is a mesh. */
-    Error error;  /**< What is wrong, without a mesh. */
+    int is_done; /**< Not 0: the block is a mesh. No bool, which may hold any byte here. */
+    Error error; /**< What is wrong, without a mesh. */
 } MeshWorkerReport;
 
 /** Reads the mesh of a #MeshWorkerRequest; the block is a #Mesh. See #WorkerTask.run. */

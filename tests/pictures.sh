@@ -80,6 +80,14 @@ surface jpg-bomb-65500.jpg; refused jpg-bomb-65500.jpg '65500 x 65500'
 printf '#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 16384 +X 16384\n' >"$work/large.hdr"
 surface large.hdr; refused large.hdr 'more than 1024 MiB'
 
+# Sixty names of one file take the memory of one: read sixty times, it would take 2.8 GiB.
+echo 'camera {}' >"$work/links.lua"
+"$release" render "$work/links.lua" -o "$work/wide.png" -s 4096x4096 2>"$work/err" || fail 'a wide picture'
+mkdir "$work/links"
+for i in $(seq 60); do ln "$work/wide.png" "$work/links/$i.png"; done
+echo 'camera {} for i = 1, 60 do sphere { material = material { texture = i .. ".png" } } end' >"$work/links/s.lua"
+expect 0 '' 'sixty links to one picture' sh -c "ulimit -v 2000000; exec '$release' info '$work/links/s.lua'"
+
 # --- what is no file of the scene's ----------------------------------------------------------------
 mkdir "$work/folder.png" "$work/scene"
 mkfifo "$work/pipe.png"
@@ -88,10 +96,10 @@ surface folder.png; refused folder.png 'a folder'
 surface pipe.png; refused pipe.png 'a pipe'
 surface s.lua; refused s.lua 'must end in .bmp, png'
 surface ../good-one.png; mv "$work/s.lua" "$work/scene"
-expect 3 'scene/s.lua:2: ../good-one.png: it lies outside' 'a picture outside the folder' "$dioptre" render "$work/scene/s.lua" -o "$work/o.bmp"
+expect 3 'scene/s.lua:2: ../good-one.png: No such file in the scene' 'a picture outside the folder' "$dioptre" render "$work/scene/s.lua" -o "$work/o.bmp"
 ln -s ../good-one.png "$work/scene/link.png"
 surface link.png; mv "$work/s.lua" "$work/scene"
-expect 3 'link.png: it lies outside' 'a link to a picture outside the folder' "$dioptre" render "$work/scene/s.lua" -o "$work/o.bmp"
+expect 3 'link.png: No such file in the scene' 'a link to a picture outside the folder' "$dioptre" render "$work/scene/s.lua" -o "$work/o.bmp"
 
 # --- words -----------------------------------------------------------------------------------------
 # bad WORDS TEXT: a scene that is refused on its line 2.

@@ -100,6 +100,16 @@ Lesson *lesson_create_at(void *address, Error *error);
  */
 size_t lesson_block_size(const Lesson *lesson);
 
+/**
+ * Checks every pointer, index, number and flag of a lesson that another process has made.
+ * @param lesson        The lesson, at the address where it was made.
+ * @param size          Bytes that the process sent.
+ * @param action_count  Number of names that #LessonStep.action counts.
+ * @param[out] error    What is wrong (#STATUS_SCENE).
+ * @return Whether it is valid.
+ */
+bool lesson_validate(const Lesson *lesson, size_t size, int action_count, Error *error);
+
 /** Frees a lesson. @param lesson The lesson, or NULL. */
 void lesson_destroy(Lesson *lesson);
 

@@ -18,6 +18,7 @@
 #include <stdatomic.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <sys/types.h>
 
 /* --- Textures --------------------------------------------------------------------------------- */
 
@@ -375,7 +376,8 @@ typedef struct TriangleParameters {
     Vec3d corners[3]; /**< Vertices. */
     Vec3d normals[3]; /**< Normals at the vertices, of any length; used if #is_smooth. */
     Uvd uvs[3];       /**< Texture coordinates at the vertices. */
-    bool is_smooth;   /**< Whether the scene gives the normals; #Keyword.finish sets it. */
+    int is_smooth;    /**< Not 0: the scene gives the normals; #Keyword.finish sets it. No bool,
+                         which may hold any byte in a scene of another process. */
 } TriangleParameters;
 
 /** Source of the normals of a mesh. */
@@ -557,11 +559,11 @@ enum { IMAGE_DEPTH_AUTO = -1 };
 
 /** Size and quality of the image. Filled through #scene_image_keyword. */
 typedef struct SceneImage {
-    int width;    /**< Pixels, 1 to #IMAGE_SIZE_MAXIMUM. */
-    int height;   /**< Pixels, 1 to #IMAGE_SIZE_MAXIMUM. */
-    int encoding; /**< An #Encoding. */
-    int samples;  /**< Samples per pixel, 1 to #SAMPLES_MAXIMUM. */
-    int depth;    /**< Recursion depth, 0 to #DEPTH_MAXIMUM, or #IMAGE_DEPTH_AUTO. */
+    int width;     /**< Pixels, 1 to #IMAGE_SIZE_MAXIMUM. */
+    int height;    /**< Pixels, 1 to #IMAGE_SIZE_MAXIMUM. */
+    int encoding;  /**< An #Encoding. */
+    int samples;   /**< Samples per pixel, 1 to #SAMPLES_MAXIMUM. */
+    int depth;     /**< Recursion depth, 0 to #DEPTH_MAXIMUM, or #IMAGE_DEPTH_AUTO. */
     double cutoff; /**< See #TraceSettings.cutoff; 0 to #CUTOFF_MAXIMUM. */
 } SceneImage;
 
@@ -594,13 +596,15 @@ typedef struct SceneFile {
     const char *path;     /**< Absolute path without links. */
     const char *name;     /**< Name in the scene. */
     const char *location; /**< `FILE:LINE` of its first use, the prefix of errors about it. */
+    dev_t device;         /**< With #inode: which file it is, by whatever name; 0 until opened. */
+    ino_t inode;          /**< See #device. */
 } SceneFile;
 
 /** A mesh file that a scene names. */
 typedef struct SceneMesh {
-    SceneFile file; /**< The file. */
-    Mesh *mesh;     /**< Its content, retained. NULL until it is read, after the run of the scene
-                         file. */
+    SceneFile file;    /**< The file. */
+    Mesh *mesh;        /**< Its content, retained. NULL until it is read, after the run of the scene
+                            file. */
     const Mesh *built; /**< In the block of the scene: the content, if the scene file itself has the
                           triangles. NULL: #file has them. */
 } SceneMesh;
@@ -649,6 +653,18 @@ Scene *scene_create(Error *error);
  * @return The scene; NULL if the address is not free.
  */
 Scene *scene_create_at(void *address, Error *error);
+
+/**
+ * Checks every pointer, index, number and flag of a scene that another process has made: a
+ * stranger's file may have got hold of it. No two arrays share memory, so what changes later
+ * changes nothing else.
+ * @param[in,out] scene  The scene, at the address where it was made; its arrays are closed.
+ * @param size           Bytes that the process sent.
+ * @param keywords       Keywords of the classes of shapes; NULL ends them.
+ * @param[out] error     What is wrong (#STATUS_SCENE).
+ * @return Whether it is valid; if not, it has no meshes and textures.
+ */
+bool scene_validate(Scene *scene, size_t size, const Keyword *const *keywords, Error *error);
 
 /**
  * @return Bytes in use of the block of a scene, all that another process needs.

@@ -7,18 +7,10 @@
 #include "base/language.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <string.h>
 #include <unistd.h>
 
-/**
- * Checks that an open file is a regular file.
- * @param file        Its descriptor.
- * @param[out] info   Its properties.
- * @param[out] error  What is wrong.
- * @return Whether it is.
- */
-static bool check_regular(int file, struct stat *info, Error *error) {
+bool regular_file_check(int file, struct stat *info, Error *error) {
     if (fstat(file, info) != 0) {
         return error_set(error, STATUS_SCENE, "%s", error_errno_text(errno));
     }
@@ -29,12 +21,12 @@ static bool check_regular(int file, struct stat *info, Error *error) {
 }
 
 int regular_file_open(const char *path, struct stat *info, Error *error) {
-    int file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+    int file = open(path, REGULAR_FILE_FLAGS);
     if (file < 0) {
         error_set(error, STATUS_SCENE, "%s", error_errno_text(errno));
         return -1;
     }
-    if (!check_regular(file, info, error)) {
+    if (!regular_file_check(file, info, error)) {
         close(file);
         return -1;
     }

@@ -7,7 +7,11 @@
 
 #include "base/error.h"
 
+#include <fcntl.h>
 #include <sys/stat.h>
+
+/** Flags of an opening that cannot block: a FIFO or a device does not answer. */
+#define REGULAR_FILE_FLAGS (O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)
 
 /**
  * Opens a file for reading, without blocking.
@@ -17,6 +21,15 @@
  * @return A file descriptor; -1 if it cannot be opened or is no regular file.
  */
 int regular_file_open(const char *path, struct stat *info, Error *error);
+
+/**
+ * Checks that an open file is a regular file.
+ * @param file        Its descriptor.
+ * @param[out] info   Its properties.
+ * @param[out] error  What is wrong (#STATUS_SCENE).
+ * @return Whether it is.
+ */
+bool regular_file_check(int file, struct stat *info, Error *error);
 
 /**
  * Checks that size and times of a file have not changed.

@@ -4,6 +4,8 @@
  */
 #include "dioptre/lesson.h"
 
+#include "dioptre/scene.h"
+
 #include <string.h>
 #include <sys/mman.h>
 
@@ -63,4 +65,67 @@ const char *lesson_text_localized(const LessonText *text, bool is_french) {
     const char *wanted = is_french ? text->french : text->english;
     const char *other = wanted ? wanted : text->english ? text->english : text->french;
     return other ? other : "";
+}
+
+/* --- lessons of another process --------------------------------------------------------------- */
+
+/** Largest absolute number of a step: degrees, pixels, notches, factors. */
+#define STEP_VALUE_MAXIMUM 1e6
+/** Largest time of the scene of a lesson, seconds. */
+#define TIME_VALUE_MAXIMUM 1e15
+
+/** @return Whether a text is NULL, or lies in the texts of a lesson, the last of which ends. */
+static bool check_text(const Lesson *lesson, const char *text) {
+    uintptr_t start = (uintptr_t)lesson->text;
+    return !text || ((uintptr_t)text >= start && (uintptr_t)text - start < lesson->text_used);
+}
+
+/** @return Whether a flag has one of the bytes of a bool. */
+static bool check_flag(const bool *flag) {
+    unsigned char byte;
+    memcpy(&byte, flag, sizeof byte);
+    return byte <= 1;
+}
+
+/** @return Whether a number of the settings is unset or in range. */
+static bool check_setting(int value, int unset, int maximum) {
+    return value >= unset && value <= maximum;
+}
+
+/** @return Whether the settings of a lesson are valid. */
+static bool check_settings(const Lesson *lesson) {
+    const LessonSettings *settings = &lesson->initial_settings;
+    return check_setting(settings->samples, 0, SAMPLES_MAXIMUM) &&
+           check_setting(settings->depth, -1, DEPTH_MAXIMUM) &&
+           check_setting(settings->offset, -1, OFFSET_BOUND) &&
+           check_setting(settings->width, 0, IMAGE_SIZE_MAXIMUM) &&
+           check_setting(settings->height, 0, IMAGE_SIZE_MAXIMUM) &&
+           fabs(settings->epsilon) <= LENGTH_MAXIMUM &&
+           fabs(settings->time) <= TIME_VALUE_MAXIMUM && check_text(lesson, settings->engine);
+}
+
+/** @return Whether a step is valid. @param time Time of the step before. */
+static bool check_step(const Lesson *lesson, const LessonStep *step, int64_t time,
+                       int action_count) {
+    bool has_action = step->kind == LESSON_PRESS || step->kind == LESSON_RELEASE;
+    return step->kind <= LESSON_SNAPSHOT && step->time >= time &&
+           (!has_action || (step->action >= 0 && step->action < action_count)) &&
+           fabs(step->x) <= STEP_VALUE_MAXIMUM && fabs(step->y) <= STEP_VALUE_MAXIMUM &&
+           check_text(lesson, step->text.english) && check_text(lesson, step->text.french) &&
+           check_flag(&step->waits_for_viewer);
+}
+
+bool lesson_validate(const Lesson *lesson, size_t size, int action_count, Error *error) {
+    bool is_valid = size >= offsetof(Lesson, text) && lesson->text_used <= LESSON_TEXT_MAXIMUM &&
+                    lesson_block_size(lesson) == size && lesson->count <= LESSON_STEPS_MAXIMUM &&
+                    memchr(lesson->scene, '\0', sizeof lesson->scene) &&
+                    (lesson->text_used == 0 || lesson->text[lesson->text_used - 1] == '\0') &&
+                    check_text(lesson, lesson->title.english) &&
+                    check_text(lesson, lesson->title.french) && check_settings(lesson);
+    int64_t time = 0;
+    for (size_t i = 0; is_valid && i < lesson->count; i++) {
+        is_valid = check_step(lesson, &lesson->steps[i], time, action_count);
+        time = lesson->steps[i].time;
+    }
+    return is_valid || error_set(error, STATUS_SCENE, "the lesson is damaged");
 }

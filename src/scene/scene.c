@@ -2,23 +2,11 @@
  * @file
  * @brief The scene and its block of memory.
  */
-#include "dioptre/scene.h"
+#include "scene/scene_arena.h"
 
 #include <stdalign.h>
 #include <string.h>
 #include <sys/mman.h>
-
-/** A block: a scene, followed by the memory for its data. */
-typedef struct SceneArena {
-    Scene scene;              /**< The scene; its address is that of the block. */
-    size_t used;              /**< Allocated bytes, this header included. */
-    size_t light_capacity;    /**< Capacity of #Scene.lights. */
-    size_t material_capacity; /**< Capacity of #Scene.materials. */
-    size_t shape_capacity;    /**< Capacity of #Scene.shapes. */
-    size_t mesh_capacity;     /**< Capacity of #Scene.meshes. */
-    size_t texture_capacity;  /**< Capacity of #Scene.textures. */
-    size_t note_capacity;     /**< Capacity of #Scene.notes. */
-} SceneArena;
 
 /**
  * Allocates memory in the block; it is freed with the block.

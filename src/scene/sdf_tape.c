@@ -285,16 +285,73 @@ static bool check_tape(const SdfNode *tape) {
     return is_valid && is_filled_register(tape->operands[SDF_TAPE_RESULT], is_filled);
 }
 
-bool sdf_check(const Sdf *field) {
-    bool is_valid = field->node_count >= 1 && field->node_count <= SDF_NODES_MAXIMUM;
-    for (int i = 0; is_valid && i < field->node_count; i++) {
-        const SdfNode *node = &field->nodes[i];
-        int rest = field->node_count - i - 1;
-        is_valid = node->op <= SDF_TAPE && node->body_count >= 0 && node->body_count <= rest;
+/** Operands of the nodes whose counts the engines loop over, see sdf_primitives.c. */
+enum { OPERAND_MENGER_ITERATIONS = 1, OPERAND_BULB_POWER = 0, OPERAND_BULB_ITERATIONS = 1 };
+/** First of the three operands of a repetition with the neighbours to evaluate, 0 to 2. */
+enum { OPERAND_NEIGHBORS = 9, NEIGHBOR_COUNTS = 3 };
+/** Largest count that an engine loops over. */
+enum { LOOP_MAXIMUM = 64 };
+
+/** @return Whether the counts of a node are whole and small. */
+static bool check_counts(const SdfNode *node) {
+    const double *operands = node->operands;
+    bool is_valid = true;
+    if (node->op == SDF_MENGER) {
+        is_valid = is_index(operands[OPERAND_MENGER_ITERATIONS], LOOP_MAXIMUM);
+    } else if (node->op == SDF_MANDELBULB) {
+        is_valid = is_index(operands[OPERAND_BULB_POWER], LOOP_MAXIMUM) &&
+                   is_index(operands[OPERAND_BULB_ITERATIONS], LOOP_MAXIMUM);
+    } else if (node->op == SDF_REPEAT) {
+        for (int axis = 0; axis < 3 && is_valid; axis++) {
+            is_valid = is_index(operands[OPERAND_NEIGHBORS + axis], NEIGHBOR_COUNTS);
+        }
+    }
+    for (int i = 0; i < SDF_OPERANDS && is_valid; i++) {
+        is_valid = !isnan(operands[i]);
+    }
+    return is_valid;
+}
+
+/** @return Whether a node has a body: see #SdfOp. */
+static bool has_body(SdfOp op) {
+    return op == SDF_TRANSFORM || op == SDF_REPEAT || (op >= SDF_UNION && op <= SDF_DIFFERENCE);
+}
+
+/** @return Whether a node changes the result of the nodes before it. */
+static bool has_predecessor(SdfOp op) {
+    return op == SDF_ROUND || (op >= SDF_UNION && op <= SDF_DIFFERENCE);
+}
+
+/** @return Whether nodes and the nodes of their bodies are valid. @param depth Of the bodies. */
+static bool check_nodes(const SdfNode *nodes, int count, int depth) {
+    bool is_valid = count >= 1 && depth <= SDF_DEPTH_MAXIMUM && !has_predecessor(nodes[0].op);
+    for (int i = 0; is_valid && i < count; i += 1 + nodes[i].body_count) {
+        const SdfNode *node = &nodes[i];
+        is_valid = node->op <= SDF_TAPE && node->body_count >= 0 && node->body_count < count - i &&
+                   check_counts(node);
         if (is_valid && node->op == SDF_TAPE) {
             is_valid = check_tape(node);
-            i += node->body_count;
+        } else if (is_valid) {
+            is_valid = has_body(node->op) ? check_nodes(node + 1, node->body_count, depth + 1)
+                                          : node->body_count == 0;
+        }
+        if (!is_valid) {
+            break;
         }
     }
     return is_valid;
+}
+
+bool sdf_check(const Sdf *field) {
+    unsigned char is_exact;
+    memcpy(&is_exact, &field->is_exact, sizeof is_exact);
+    const double box[] = {field->low.x,  field->low.y,  field->low.z,
+                          field->high.x, field->high.y, field->high.z};
+    bool is_valid = is_exact <= 1 && field->bound_slack >= 1 && isfinite(field->bound_slack) &&
+                    field->depth >= 0 && field->depth <= SDF_DEPTH_MAXIMUM &&
+                    field->node_count >= 1 && field->node_count <= SDF_NODES_MAXIMUM;
+    for (size_t i = 0; i < sizeof box / sizeof *box && is_valid; i++) {
+        is_valid = !isnan(box[i]);
+    }
+    return is_valid && check_nodes(field->nodes, field->node_count, 0);
 }

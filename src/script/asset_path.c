@@ -1,13 +1,20 @@
 /**
  * @file
- * @brief Paths of the files that a scene names.
+ * @brief Opening of the files that a scene names.
  */
 #include "script/asset_path.h"
 
+#include "base/regular_file.h"
+
 #include <errno.h>
+#include <linux/openat2.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+/** Size of the path of a descriptor, `/proc/self/fd/N`. */
+enum { DESCRIPTOR_PATH_SIZE = sizeof "/proc/self/fd/-2147483648" };
 
 /**
  * Finds the folder of the files of a scene.
@@ -34,19 +41,94 @@ static bool is_inside(const char *dir, const char *path) {
     return strncmp(dir, path, length) == 0 && path[length] == '/';
 }
 
-bool asset_path_resolve(const ScriptRequest *request, const char *name, char display_path[PATH_MAX],
-                        char real_path[PATH_MAX], Error *error) {
-    char dir[PATH_MAX], real_dir[PATH_MAX];
+/** Formats the path by which this process can open what a descriptor refers to. */
+static void format_descriptor_path(int file, char path[DESCRIPTOR_PATH_SIZE]) {
+    snprintf(path, DESCRIPTOR_PATH_SIZE, "/proc/self/fd/%d", file);
+}
+
+/**
+ * Finds the path of an open file.
+ * @param file           Its descriptor.
+ * @param[out] real_path Its absolute path without links.
+ * @return false if the system does not tell it, as without `/proc`.
+ */
+static bool find_real_path(int file, char real_path[PATH_MAX]) {
+    char link[DESCRIPTOR_PATH_SIZE];
+    format_descriptor_path(file, link);
+    ssize_t length = readlink(link, real_path, PATH_MAX);
+    if (length <= 0 || length >= PATH_MAX) {
+        return false;
+    }
+    real_path[length] = '\0';
+    return true;
+}
+
+/**
+ * Opens a file, and then checks by its descriptor that it is beneath a folder. It serves where
+ * openat2 does not: kernels before 5.6, absolute links, and names such as `../scenes/die.png`.
+ * @param folder  Descriptor of the folder.
+ * @param name    The name.
+ * @return A descriptor for reading; -1 on errors, with errno. ENOENT says nothing about files
+ *         outside.
+ */
+static int open_and_compare(int folder, const char *name) {
+    char dir[PATH_MAX], path[PATH_MAX], link[DESCRIPTOR_PATH_SIZE];
+    // O_PATH touches nothing: no device or FIFO outside notices it.
+    int found = openat(folder, name, O_PATH | O_CLOEXEC);
+    bool is_beneath = found >= 0 && find_real_path(folder, dir) && find_real_path(found, path) &&
+                      is_inside(dir, path);
+    bool is_exhausted = found < 0 && (errno == EMFILE || errno == ENFILE || errno == ENOMEM);
+    int file = -1, failure = is_exhausted ? errno : ENOENT;
+    if (is_beneath) {
+        format_descriptor_path(found, link);
+        file = open(link, REGULAR_FILE_FLAGS);
+        failure = errno;
+    }
+    if (found >= 0) {
+        close(found);
+    }
+    errno = failure;
+    return file;
+}
+
+/** Opens a file beneath a folder. @return See #open_and_compare. */
+static int open_beneath(int folder, const char *name) {
+    const struct open_how how = {.flags = REGULAR_FILE_FLAGS,
+                                 .resolve = RESOLVE_BENEATH | RESOLVE_NO_MAGICLINKS};
+    int file = (int)syscall(SYS_openat2, folder, name, &how, sizeof how);
+    return file >= 0 ? file : open_and_compare(folder, name);
+}
+
+int asset_path_open(const ScriptRequest *request, const char *name, char display_path[PATH_MAX],
+                    char real_path[PATH_MAX], struct stat *info, Error *error) {
+    char dir[PATH_MAX];
     find_base_dir(request, dir);
     bool is_short = snprintf(display_path, PATH_MAX, "%s%s", dir, name) < PATH_MAX;
     if (!is_short || name[0] == '/') {
-        return error_set(error, STATUS_SCENE, "its name must say where it is from the scene file");
+        error_set(error, STATUS_SCENE, "its name must say where it is from the scene file");
+        return -1;
     }
-    if (!realpath(dir[0] ? dir : ".", real_dir) || !realpath(display_path, real_path)) {
-        return error_set(error, STATUS_SCENE, "%s", error_errno_text(errno));
+    int folder = open(dir[0] ? dir : ".", O_PATH | O_DIRECTORY | O_CLOEXEC);
+    int file = folder >= 0 ? open_beneath(folder, name) : -1;
+    int failure = errno;
+    if (folder >= 0) {
+        close(folder);
     }
-    if (!is_inside(real_dir, real_path)) {
-        return error_set(error, STATUS_SCENE, "it lies outside the scene's folder");
+    if (file < 0) {
+        if (failure == ENOENT) {
+            error_set(error, STATUS_SCENE,
+                      "No such file in the scene's folder; files outside it are not read");
+        } else {
+            error_set(error, STATUS_SCENE, "%s", error_errno_text(failure));
+        }
+        return -1;
     }
-    return true;
+    if (!regular_file_check(file, info, error)) {
+        close(file);
+        return -1;
+    }
+    if (!find_real_path(file, real_path)) {
+        snprintf(real_path, PATH_MAX, "%s", display_path);
+    }
+    return file;
 }

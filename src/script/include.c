@@ -4,33 +4,35 @@
  */
 #include "script/include.h"
 
-#include "script/asset_path.h"
 #include "script/lua_error.h"
+#include "script/script_question.h"
 #include "script/script_run.h"
 #include "script/script_sandbox.h"
 
 #include <lauxlib.h>
 #include <string.h>
+#include <unistd.h>
 
 static int call_include(lua_State *L);
 
 /**
  * Reads a file to include.
- * @param request            The request, with the folder.
- * @param name               Name of the file in the scene.
- * @param[out] text          Its text, to be released with #script_text_deinit.
- * @param[out] display_path  Its path for messages.
- * @param[out] error         What is wrong.
+ * @param name         Name of the file in the scene.
+ * @param[out] text    Its text, to be released with #script_text_deinit.
+ * @param[out] answer  What the program knows of it; what is wrong.
  * @return false if it cannot be included.
  */
-static bool read_file(const ScriptRequest *request, const char *name, ScriptText *text,
-                      char display_path[PATH_MAX], Error *error) {
-    char real_path[PATH_MAX];
-    if (!asset_path_resolve(request, name, display_path, real_path, error) ||
-        !script_text_read(text, real_path, error)) {
+static bool read_file(const char *name, ScriptText *text, ScriptAnswer *answer) {
+    int file;
+    if (!script_question_ask(SCRIPT_ASK_INCLUDE, name, answer, &file)) {
         return false;
     }
-    if (!script_text_check(text, NULL, error)) {
+    bool is_read = script_text_read_open(text, file, &answer->error);
+    close(file);
+    if (!is_read) {
+        return false;
+    }
+    if (!script_text_check(text, NULL, &answer->error)) {
         script_text_deinit(text);
         return false;
     }
@@ -39,14 +41,12 @@ static bool read_file(const ScriptRequest *request, const char *name, ScriptText
 
 /** Compiles a file and pushes it as a function; raises an error if it cannot be included. */
 static void load_file(lua_State *L, const char *name) {
-    const ScriptRun *run = script_sandbox_of(L)->context;
-    char display_path[PATH_MAX];
+    ScriptAnswer answer;
     ScriptText text;
-    Error error = {0};
-    if (read_file(run->request, name, &text, display_path, &error)) {
-        script_sandbox_load(L, &text, display_path);
+    if (read_file(name, &text, &answer)) {
+        script_sandbox_load(L, &text, answer.display_path, name);
     } else {
-        lua_error_tr(L, "cannot include `%s`: %s", name, error.message);
+        lua_error_tr(L, "cannot include `%s`: %s", name, answer.error.message);
     }
 }
 

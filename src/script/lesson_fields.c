@@ -7,6 +7,7 @@
 #include "base/language.h"
 #include "dioptre/scene.h"
 #include "script/lua_error.h"
+#include "script/script_question.h"
 #include "script/script_run.h"
 #include "script/script_sandbox.h"
 
@@ -166,18 +167,16 @@ static void read_size(lua_State *L, LessonSettings *settings) {
  * @param lesson  The lesson.
  */
 static void read_scene(lua_State *L, Lesson *lesson) {
-    const char *path = ((ScriptRun *)script_sandbox_of(L)->context)->request->path;
-    const char *name = read_text_field(L, 1, "scene", lesson), *slash = strrchr(path, '/');
-    int dir_length = slash && name && name[0] != '/' ? (int)(slash + 1 - path) : 0;
+    ScriptAnswer answer;
+    const char *name = read_text_field(L, 1, "scene", lesson);
     if (!name) {
         lua_error_tr(L, "a lesson begins with lesson { scene = \"FILE.lua\" }");
+        return;
     }
-    int length = snprintf(lesson->scene, PATH_MAX, "%.*s%s", dir_length, path, name);
-    if (length >= PATH_MAX || access(lesson->scene, R_OK) != 0) {
-        lesson->scene[0] = '\0';
-        lua_error_tr(L, "scene `%s`: %s", name,
-                     error_errno_text(length >= PATH_MAX ? ENAMETOOLONG : errno));
+    if (!script_question_ask(SCRIPT_ASK_SCENE, name, &answer, NULL)) {
+        lua_error_tr(L, "scene `%s`: %s", name, answer.error.message);
     }
+    memcpy(lesson->scene, answer.real_path, sizeof lesson->scene);
 }
 
 void lesson_fields_read(lua_State *L, Lesson *lesson) {

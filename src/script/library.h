@@ -7,9 +7,6 @@
 
 #include <lua.h>
 
-/** Largest number of bytes that a scene may print; a last line reports the cut. */
-enum { LIBRARY_PRINT_MAXIMUM = 65536 };
-
 /**
  * Adds the global names of the language: `math`, `string`, `table`, `utf8`, the safe base
  * functions, and `t`, the time of the run. Random numbers have a fixed seed, and `pairs` a fixed

@@ -5,6 +5,15 @@
 #include "dioptre/script.h"
 #include "script/script_worker.h"
 
+/** @return Number of names of actions. */
+static int action_count(const ActionNames *actions) {
+    int count = 0;
+    while (actions->names[count]) {
+        count++;
+    }
+    return count;
+}
+
 Lesson *script_load_lesson(const char *path, const ActionNames *actions, Error *error) {
     const ScriptRequest request = {
         .path = path, .time_limit = SCRIPT_TIME_LIMIT, .memory_limit = SCRIPT_MEMORY_LIMIT};
@@ -19,7 +28,9 @@ Lesson *script_load_lesson(const char *path, const ActionNames *actions, Error *
                              .actions = actions,
                              .block = lesson,
                              .capacity = sizeof *lesson};
-    if (!lesson || !script_worker_run(&call, error)) {
+    size_t size = 0;
+    if (!lesson || !script_worker_run(&call, &size, error) ||
+        !lesson_validate(lesson, size, action_count(actions), error)) {
         lesson_destroy(lesson);
         lesson = NULL;
     }

@@ -5,10 +5,10 @@
 #include "assets/images/texture_file.h"
 #include "assets/meshes/mesh_file.h"
 #include "base/language.h"
-#include "script/asset_path.h"
 #include "script/lua_error.h"
 #include "script/read_parameters.h"
 #include "script/sanitize.h"
+#include "script/script_question.h"
 #include "script/script_run.h"
 #include "script/script_sandbox.h"
 
@@ -18,7 +18,7 @@
 /** A kind of file that a scene can name: meshes or pictures. */
 typedef struct AssetKind {
     const char *expected; /**< Description of a valid name, for errors. */
-    /** Checks the ending of a file. @return Whether it is of this kind. */
+    /** Checks the ending of a name. @return Whether it is of this kind. */
     bool (*check)(const char *path, Error *error);
     /** Adds it to the scene, unless it is there. @return false when the scene's memory is full. */
     bool (*add)(Scene *scene, const SceneFile *file, size_t *place, Error *error);
@@ -44,6 +44,35 @@ static bool add_asset(lua_State *L, const AssetKind *kind, const char *name, con
     return kind->add(run->scene, &file, index, error);
 }
 
+/** Pushes the names of a kind that the scene has used, with the indices of their files. */
+static void push_known_names(lua_State *L, const AssetKind *kind) {
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, kind) != LUA_TTABLE) {
+        lua_pop(L, 1);
+        lua_newtable(L);
+        lua_pushvalue(L, -1);
+        lua_rawsetp(L, LUA_REGISTRYINDEX, kind);
+    }
+}
+
+/** @return Whether the scene has used the name on top of the stack. @param[out] place Its file. */
+static bool find_known_name(lua_State *L, const AssetKind *kind, size_t *place) {
+    push_known_names(L, kind);
+    lua_pushvalue(L, -2);
+    bool is_known = lua_rawget(L, -2) == LUA_TNUMBER;
+    *place = (size_t)lua_tointeger(L, -1);
+    lua_pop(L, 2);
+    return is_known;
+}
+
+/** Remembers the name on top of the stack: a thousand shapes ask the program once. */
+static void remember_name(lua_State *L, const AssetKind *kind, size_t place) {
+    push_known_names(L, kind);
+    lua_pushvalue(L, -2);
+    lua_pushinteger(L, (lua_Integer)place);
+    lua_rawset(L, -3);
+    lua_pop(L, 1);
+}
+
 /**
  * Reads the name of a file and adds the file to the scene.
  * @param L      The state.
@@ -54,10 +83,8 @@ static bool add_asset(lua_State *L, const AssetKind *kind, const char *name, con
  */
 static size_t read_asset_name(lua_State *L, int index, const Parameter *row,
                               const AssetKind *kind) {
-    const ScriptRun *run = script_sandbox_of(L)->context;
-    char display_path[PATH_MAX], real_path[PATH_MAX];
     size_t length, asset_index = 0;
-    Error error = {0};
+    ScriptAnswer answer;
     if (lua_type(L, index) != LUA_TSTRING) {
         read_type_error(L, index, row, kind->expected);
     }
@@ -65,12 +92,17 @@ static size_t read_asset_name(lua_State *L, int index, const Parameter *row,
     if (length != strlen(name)) {
         lua_error_tr(L, "%s must not have a zero byte in its name", row->name);
     }
-    bool is_added = asset_path_resolve(run->request, name, display_path, real_path, &error) &&
-                    kind->check(real_path, &error) &&
-                    add_asset(L, kind, name, real_path, &asset_index, &error);
-    if (!is_added) {
-        lua_error_tr(L, "%s: %s", name, error.message);
+    lua_pushvalue(L, index);
+    if (find_known_name(L, kind, &asset_index)) {
+        return asset_index;
     }
+    bool is_added = script_question_ask(SCRIPT_ASK_ASSET, name, &answer, NULL) &&
+                    kind->check(answer.real_path, &answer.error) &&
+                    add_asset(L, kind, name, answer.real_path, &asset_index, &answer.error);
+    if (!is_added) {
+        lua_error_tr(L, "%s: %s", name, answer.error.message);
+    }
+    remember_name(L, kind, asset_index);
     return asset_index;
 }
 

@@ -95,16 +95,22 @@ static bool read_all(ScriptText *script, int file, Error *error) {
     }
 }
 
+bool script_text_read_open(ScriptText *script, int file, Error *error) {
+    *script = (ScriptText){0};
+    bool is_read = read_all(script, file, error);
+    if (!is_read) {
+        script_text_deinit(script);
+    }
+    return is_read;
+}
+
 bool script_text_read(ScriptText *script, const char *path, Error *error) {
     *script = (ScriptText){0};
     int file = open_script(path, error);
     if (file < 0) {
         return false;
     }
-    bool is_read = read_all(script, file, error);
-    if (!is_read) {
-        script_text_deinit(script);
-    }
+    bool is_read = script_text_read_open(script, file, error);
     if (file != STDIN_FILENO) {
         close(file);
     }

@@ -28,6 +28,15 @@ typedef struct ScriptText {
 bool script_text_read(ScriptText *script, const char *path, Error *error);
 
 /**
+ * Reads an open file to its end.
+ * @param[out] script  The content, to be released with #script_text_deinit.
+ * @param file         Its descriptor; it stays open.
+ * @param[out] error   What is wrong, without the path.
+ * @return false if it cannot be read, or is longer than #SCRIPT_TEXT_MAXIMUM.
+ */
+bool script_text_read_open(ScriptText *script, int file, Error *error);
+
+/**
  * Reads a scene or lesson file and checks that it is text.
  * @param path        Its path; `-`: standard input.
  * @param[out] text   The text, to be released with #script_text_deinit.

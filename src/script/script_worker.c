@@ -4,9 +4,11 @@
  */
 #include "script/script_worker.h"
 
+#include "assets/process/worker_clock.h"
 #include "assets/process/worker_process.h"
 #include "script/lesson_functions.h"
 #include "script/nff.h"
+#include "script/script_question.h"
 #include "script/script_run.h"
 
 #include <libintl.h>
@@ -27,6 +29,9 @@ typedef struct ScriptJobHead {
     size_t action_count;     /**< Number of names, each ended by a zero byte. */
     int move_count;          /**< See #ActionNames.move_count. */
 } ScriptJobHead;
+
+/** Limit of a run's data outside of Lua, bytes: lists of NFF and of meshes, as long as a scene. */
+#define SCRIPT_NATIVE_MEMORY_LIMIT SCENE_MEMORY_SIZE
 
 // --- in the program ------------------------------------------------------------------------------
 
@@ -83,15 +88,19 @@ static void fail_at_location(ScriptResult *result, const char *message) {
 /** Sets the error of a run that its worker did not complete. */
 static void set_failure(const ScriptRequest *request, const WorkerReply *reply,
                         ScriptResult *result) {
-    char message[ERROR_MESSAGE_SIZE];
+    char message[ERROR_MESSAGE_SIZE], reason[WORKER_REASON_SIZE];
     bool is_stopped = request->stop && atomic_load(request->stop);
-    if (reply->end == WORKER_NOT_STARTED) {
-        error_set(&result->error, STATUS_FAILED, "no process to run a scene in: %s",
-                  error_errno_text(reply->detail));
+    if (worker_reply_start_failure(reply, reason)) {
+        error_set(&result->error, STATUS_FAILED, "no process to run a scene in: %s", reason);
     } else if (reply->end == WORKER_TIMED_OUT && is_stopped) {
         error_set(&result->error, STATUS_INTERRUPTED, "interrupted");
+    } else if (reply->end == WORKER_TIMED_OUT && reply->is_stalled) {
+        snprintf(message, sizeof message, gettext("the scene has not ended after %g s"),
+                 worker_clock_wall_limit(request->time_limit));
+        fail_at_location(result, message);
     } else if (reply->end == WORKER_TIMED_OUT) {
-        snprintf(message, sizeof message, gettext("the scene ran for more than %g s"),
+        snprintf(message, sizeof message,
+                 gettext("the scene ran for more than %g s of processor time"),
                  request->time_limit);
         fail_at_location(result, message);
     } else if (reply->end == WORKER_CRASHED && reply->detail == SIGINT) {
@@ -103,7 +112,7 @@ static void set_failure(const ScriptRequest *request, const WorkerReply *reply,
     }
 }
 
-bool script_worker_run(const ScriptCall *call, Error *error) {
+bool script_worker_run(const ScriptCall *call, size_t *block_size, Error *error) {
     const ScriptRequest *request = call->request;
     size_t size = 0;
     ScriptResult *result = script_result_create(request->path);
@@ -111,6 +120,7 @@ bool script_worker_run(const ScriptCall *call, Error *error) {
     bool is_good = bytes || error_set(error, STATUS_FAILED, "no memory to run a scene");
     if (is_good) {
         const WorkerMonitor monitor = {.stop = request->stop};
+        ScriptResponder responder = {.request = request};
         const WorkerReply reply =
             worker_process_call_once(&(WorkerCall){.program = request->worker,
                                                    .task = call->task,
@@ -118,13 +128,18 @@ bool script_worker_run(const ScriptCall *call, Error *error) {
                                                    .request_size = size,
                                                    .time_limit = request->time_limit,
                                                    .monitor = request->stop ? &monitor : NULL,
+                                                   .answer = script_question_answer,
+                                                   .answer_context = &responder,
                                                    .report = result,
                                                    .report_capacity = sizeof *result,
                                                    .block = call->block,
                                                    .block_capacity = call->capacity});
-        if (reply.end != WORKER_FINISHED) {
+        script_result_repair(result, request->path);
+        if (reply.end != WORKER_FINISHED ||
+            (result->error.status == STATUS_OK && reply.block_size == 0)) {
             set_failure(request, &reply, result);
         }
+        *block_size = reply.block_size;
         is_good = result->error.status == STATUS_OK;
         if (!is_good && error) {
             *error = result->error;
@@ -180,6 +195,7 @@ static bool run_job(WorkerJob *job, ScriptRun *run, const Keyword *const *shape_
     job->report = run->result;
     job->report_size = script_result_size(run->result);
     worker_job_ready();
+    worker_enter_sandbox(head->memory_limit + SCRIPT_NATIVE_MEMORY_LIMIT);
     execute(run);
     return run->result->error.status == STATUS_OK;
 }

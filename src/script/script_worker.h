@@ -27,11 +27,12 @@ typedef struct ScriptCall {
 
 /**
  * Runs a text in a worker.
- * @param call        The call.
- * @param[out] error  What is wrong, with file and line.
- * @return Whether the scene or lesson is complete.
+ * @param call             The call.
+ * @param[out] block_size  Bytes of the scene or lesson, which is not checked yet.
+ * @param[out] error       What is wrong, with file and line.
+ * @return Whether there is one; if not, #ScriptCall.block may hold anything.
  */
-bool script_worker_run(const ScriptCall *call, Error *error);
+bool script_worker_run(const ScriptCall *call, size_t *block_size, Error *error);
 
 /**
  * Runs the text of a scene; the worker's side.

@@ -12,12 +12,15 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdarg>
+#include <cstdio>
 #include <cstring>
 #include <libintl.h>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <unistd.h>
 #include <vector>
 
 namespace {
@@ -73,13 +76,15 @@ auto catch_exceptions(ImagePluginMessage *message, Work work) -> decltype(work()
     throw std::runtime_error(words.empty() ? gettext("OpenImageIO does not say why") : words);
 }
 
+/** Name of any file for OpenImageIO, which puts it into messages and opens nothing of that name. */
+constexpr const char *file_name = "file";
+
 /**
- * @return Words without the path that a file was opened by: who reads them knows its name.
+ * @return Words without the name that OpenImageIO has for a file: who reads them knows its name.
  * @param words  The words.
- * @param path   The path.
  */
-std::string without_path(std::string words, const std::string &path) {
-    const std::string quoted = "\"" + path + "\"";
+std::string without_name(std::string words) {
+    const std::string quoted = std::string("\"") + file_name + "\"";
     for (size_t at; (at = words.find(quoted)) != std::string::npos;) {
         words.replace(at, quoted.size(), gettext("the file"));
     }
@@ -235,23 +240,48 @@ void check_header(const OIIO::ImageSpec &spec) {
 
 } // namespace
 
+/** Closes a stream. */
+struct StreamCloser {
+    /** @param stream The stream. */
+    void operator()(FILE *stream) const { std::fclose(stream); }
+};
+
+/**
+ * @return A stream of a descriptor, which stays open; throws what goes wrong.
+ * @param file  The descriptor.
+ */
+FILE *open_stream(int file) {
+    int copy = dup(file);
+    FILE *stream = copy < 0 ? nullptr : fdopen(copy, "rb");
+    if (!stream) {
+        throw_error(std::strerror(errno));
+    }
+    return stream;
+}
+
 /** A picture file that is open. */
 struct ImageReader {
-    std::unique_ptr<OIIO::ImageInput> input; /**< The file. */
-    OIIO::ImageSpec spec;                    /**< Its header. */
+    /** @param file Its descriptor. */
+    explicit ImageReader(int file)
+        : stream(open_stream(file)), proxy(stream.get(), OIIO::Filesystem::IOProxy::Read) {}
+
+    std::unique_ptr<FILE, StreamCloser> stream; /**< Its bytes. */
+    OIIO::Filesystem::IOFile proxy;             /**< The same, for OpenImageIO. */
+    std::unique_ptr<OIIO::ImageInput> input;    /**< The file. */
+    OIIO::ImageSpec spec;                       /**< Its header. */
 };
 
 namespace {
 
 /**
  * Opens a picture file and checks its header; throws what goes wrong.
- * @param path    The file.
+ * @param file    Descriptor of the file.
  * @param format  The format.
  * @return The open file.
  */
-std::unique_ptr<ImageReader> open_checked(const char *path, const char *format) {
+std::unique_ptr<ImageReader> open_checked(int file, const char *format) {
     configure_library();
-    auto reader = std::make_unique<ImageReader>();
+    auto reader = std::make_unique<ImageReader>(file);
     reader->input = OIIO::ImageInput::create(format);
     if (!reader->input) {
         throw_error(OIIO::geterror());
@@ -259,8 +289,9 @@ std::unique_ptr<ImageReader> open_checked(const char *path, const char *format) 
     OIIO::ImageSpec open_config;
     open_config.attribute("oiio:UnassociatedAlpha",
                           1); // Colours as stored, not darkened by opacity.
-    if (!reader->input->open(path, reader->spec, open_config)) {
-        throw_error(without_path(reader->input->geterror(), path));
+    if (!reader->input->set_ioproxy(&reader->proxy) ||
+        !reader->input->open(file_name, reader->spec, open_config)) {
+        throw_error(without_name(reader->input->geterror()));
     }
     check_header(reader->spec);
     return reader;
@@ -276,16 +307,15 @@ PixelFormat pixel_format_of(OIIO::TypeDesc type) {
 
 /**
  * Is ImagePlugin::open: opens a picture file.
- * @param path          The file.
+ * @param file          Descriptor of the file.
  * @param format        The format.
  * @param[out] header   What is known of it.
  * @param[out] message  What is wrong.
  * @return The open file, or NULL.
  */
-ImageReader *open(const char *path, const char *format, ImageHeader *header,
-                  ImagePluginMessage *message) {
+ImageReader *open(int file, const char *format, ImageHeader *header, ImagePluginMessage *message) {
     return catch_exceptions(message, [&] {
-        std::unique_ptr<ImageReader> reader = open_checked(path, format);
+        std::unique_ptr<ImageReader> reader = open_checked(file, format);
         const OIIO::ImageSpec &spec = reader->spec;
         int band = spec.tile_width > 0 ? std::max(spec.tile_height, 1) : default_strip_rows;
         *header = {spec.width, spec.height, pixel_format_of(spec.format), band};

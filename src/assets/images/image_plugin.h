@@ -82,13 +82,14 @@ typedef struct ImagePlugin {
 
     /**
      * Opens a picture file, and reads and checks its header.
-     * @param path          The file.
+     * @param file          Descriptor of the file, which stays open: the worker that calls this may
+     *                      not open files by name.
      * @param format        The format; a file of another one is refused.
      * @param[out] header   Its properties.
      * @param[out] message  What is wrong.
      * @return The open file, to be closed with #close; NULL on errors.
      */
-    ImageReader *(*open)(const char *path, const char *format, ImageHeader *header,
+    ImageReader *(*open)(int file, const char *format, ImageHeader *header,
                          ImagePluginMessage *message);
 
     /**

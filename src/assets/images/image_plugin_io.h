@@ -37,8 +37,9 @@ float *image_plugin_decode(const Picture *picture);
 typedef struct ImageReadRequest {
     const ImagePlugin *plugin; /**< The module. */
     const char *format;        /**< Name of the format in OpenImageIO. */
-    const char *path;          /**< The file. */
+    int file;                  /**< Descriptor of the file. */
     size_t texture_capacity;   /**< Bytes available for the texture. */
+    bool is_capacity_shared;   /**< Whether other files of the scene have taken the rest. */
 } ImageReadRequest;
 
 /**

@@ -42,8 +42,9 @@ static size_t pixels_size(const ImageWorkerRequest *request) {
 
 /** Report on a picture. */
 typedef struct ImageWorkerReport {
-    bool is_done; /**< Whether the block contains the result. */
-    Error error;  /**< What is wrong, without a result. */
+    int is_done; /**< Not 0: the block contains the result. No bool, which may hold any byte here.
+                  */
+    Error error; /**< What is wrong, without a result. */
 } ImageWorkerReport;
 
 // --- in the program ------------------------------------------------------------------------------
@@ -69,9 +70,12 @@ static WorkerReply call_kept_worker(const WorkerCall *call) {
 /** Sets the error of a worker without a picture. @return false, always. */
 static bool set_failure(const WorkerReply *reply, const ImageWorkerReport *report,
                         const ImageReadLimits *limits, Error *error) {
-    if (reply->end == WORKER_NOT_STARTED) {
-        return error_set(error, STATUS_FAILED, "no process to read a picture in: %s",
-                         error_errno_text(reply->detail));
+    char reason[WORKER_REASON_SIZE];
+    if (worker_reply_start_failure(reply, reason)) {
+        return error_set(error, STATUS_FAILED, "no process for pictures: %s", reason);
+    }
+    if (reply->end == WORKER_TIMED_OUT && limits->is_time_shared && !reply->is_stalled) {
+        return asset_budget_set_time_error(error);
     }
     if (reply->end == WORKER_TIMED_OUT) {
         return error_set(error, STATUS_SCENE, "it takes more than %.0f s to read",
@@ -81,8 +85,7 @@ static bool set_failure(const WorkerReply *reply, const ImageWorkerReport *repor
         return error_set(error, STATUS_INTERRUPTED, "interrupted");
     }
     if (reply->end == WORKER_FINISHED && report->error.status != STATUS_OK) {
-        return error_set(error, report->error.status, "%.*s", ERROR_MESSAGE_SIZE - 1,
-                         report->error.message);
+        return worker_error_set(error, &report->error);
     }
     return error_set(error, STATUS_SCENE, "it makes the libraries that read it crash (%s)",
                      reply->detail ? strsignal(reply->detail) : gettext("it ended early"));
@@ -96,9 +99,14 @@ static bool set_failure(const WorkerReply *reply, const ImageWorkerReport *repor
  * @return Whether it is valid.
  */
 static bool validate_texture(Texture *texture, size_t size, Error *error) {
-    bool has_size = size >= sizeof *texture && texture->width >= 1 &&
-                    texture->width <= IMAGE_SIZE_MAXIMUM && texture->height >= 1 &&
-                    texture->height <= IMAGE_SIZE_MAXIMUM;
+    unsigned char is_hdr = 0, is_damaged = 0;
+    if (size >= sizeof *texture) {
+        memcpy(&is_hdr, &texture->is_hdr, sizeof is_hdr);
+        memcpy(&is_damaged, &texture->is_damaged, sizeof is_damaged);
+    }
+    bool has_size = size >= sizeof *texture && is_hdr <= 1 && is_damaged <= 1 &&
+                    texture->width >= 1 && texture->width <= IMAGE_SIZE_MAXIMUM &&
+                    texture->height >= 1 && texture->height <= IMAGE_SIZE_MAXIMUM;
     if (!has_size || texture_block_size(texture) != size) {
         return error_set(error, STATUS_SCENE, "it makes the libraries that read it go astray");
     }
@@ -107,24 +115,44 @@ static bool validate_texture(Texture *texture, size_t size, Error *error) {
     return true;
 }
 
-bool image_worker_call(const ImageWorker *worker, const char *format, int file,
-                       const ImageReadLimits *limits, Texture **texture, Error *error) {
-    ImageWorkerRequest request = {.operation = IMAGE_READ, .limits = *limits};
+/** @return Limits of reading a picture, with what a scene has left. */
+static ImageReadLimits limits_within(const ImageReadLimits *limits, const AssetBudget *budget) {
+    ImageReadLimits result = *limits;
+    if (budget && budget->seconds < limits->time_limit) {
+        result.time_limit = fmax(budget->seconds, 0);
+        result.is_time_shared = true;
+    }
+    if (budget && budget->memory < limits->texture_capacity) {
+        result.texture_capacity = budget->memory;
+        result.is_memory_shared = true;
+    }
+    return result;
+}
+
+bool image_worker_call(const ImageWorker *worker, const ImageSource *source,
+                       const ImageReadLimits *limits, AssetBudget *budget, Texture **texture,
+                       Error *error) {
+    const ImageReadLimits left = limits_within(limits, budget);
+    ImageWorkerRequest request = {.operation = IMAGE_READ, .limits = left};
     ImageWorkerReport report = {0};
-    strncpy(request.format, format, sizeof request.format - 1);
+    strncpy(request.format, source->format, sizeof request.format - 1);
     const WorkerCall call = {.program = worker ? worker->program : NULL,
                              .task = worker ? worker->task : IMAGE_WORKER_TASK,
                              .request = &request,
                              .request_size = sizeof request,
-                             .file = file,
-                             .time_limit = limits->time_limit,
+                             .file = source->file,
+                             .time_limit = left.time_limit,
                              .report = &report,
                              .report_capacity = sizeof report,
-                             .block_capacity = limits->texture_capacity};
+                             .block_capacity = left.texture_capacity};
     WorkerReply reply = worker ? worker_process_call_once(&call) : call_kept_worker(&call);
+    if (budget) {
+        asset_budget_take_seconds(budget, reply.seconds);
+    }
     bool is_read = reply.end == WORKER_FINISHED && report.is_done
                        ? validate_texture(reply.block, reply.block_size, error)
-                       : set_failure(&reply, &report, limits, error);
+                       : set_failure(&reply, &report, &left, error);
+    is_read = is_read && (!budget || asset_budget_take_memory(budget, reply.block_size, error));
     if (!is_read && reply.block) {
         munmap(reply.block, reply.block_size);
     }
@@ -208,7 +236,9 @@ bool image_worker_write(const char *format, bool is_linear, const Picture *pictu
                               : error_set(error, STATUS_FAILED, "no memory");
     free(decoded);
     free(request);
-    if (is_written) {
+    if (is_written && reply.block_size == 0) {
+        is_written = error_set(error, STATUS_FAILED, "the picture module made an empty file");
+    } else if (is_written) {
         is_written = fwrite(reply.block, 1, reply.block_size, stream) == reply.block_size ||
                      error_set(error, STATUS_FAILED, "%s", error_errno_text(errno));
     }
@@ -224,15 +254,14 @@ bool image_worker_write(const char *format, bool is_linear, const Picture *pictu
 static bool read_texture(WorkerJob *job, const ImagePlugin *plugin, Error *error) {
     const ImageWorkerRequest *request = job->request;
     size_t capacity = request->limits.texture_capacity;
-    char path[sizeof "/proc/self/fd/-2147483648"];
-    snprintf(path, sizeof path, "/proc/self/fd/%d", job->file);
     // A shared mapping, which the limit of data does not count.
     Texture *texture = mmap(NULL, capacity, PROT_READ | PROT_WRITE,
                             MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (texture == MAP_FAILED) {
         return error_set(error, STATUS_FAILED, "no memory for a picture");
     }
-    const ImageReadRequest read = {plugin, request->format, path, capacity};
+    const ImageReadRequest read = {plugin, request->format, job->file, capacity,
+                                   request->limits.is_memory_shared};
     job->block = texture;
     job->block_capacity = capacity;
     if (!image_plugin_read(&read, texture, error)) {
@@ -302,9 +331,11 @@ static bool encode_picture(WorkerJob *job, const ImagePlugin *plugin, Error *err
 }
 
 void image_worker_run(WorkerJob *job) {
+    // Loaded once: the filter of system calls of the first request stays.
+    static const ImagePlugin *plugin;
     const ImageWorkerRequest *request = job->request;
     ImageWorkerReport *report = prepare_report(job);
-    const ImagePlugin *plugin = image_plugin_load(&report->error);
+    plugin = plugin ? plugin : image_plugin_load(&report->error);
     if (plugin && request->operation == IMAGE_READ) {
         image_worker_read_with(job, plugin);
     } else if (plugin && request->operation == IMAGE_ENCODE) {
@@ -315,6 +346,6 @@ void image_worker_run(WorkerJob *job) {
         report->is_done = encode_picture(job, plugin, &report->error);
         signal(SIGINT, SIG_DFL);
     } else {
-        report->is_done = plugin;
+        report->is_done = plugin != NULL;
     }
 }

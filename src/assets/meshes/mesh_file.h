@@ -8,30 +8,33 @@
 #ifndef DIOPTRE_ASSETS_MESHES_MESH_FILE_H
 #define DIOPTRE_ASSETS_MESHES_MESH_FILE_H
 
+#include "assets/asset_budget.h"
 #include "dioptre/mesh.h"
 
-/** Time limit of reading any mesh, seconds; the whole load then takes at most 10. */
+/** Limit of the processor time of reading any mesh, seconds. */
 #define MESH_FILE_TIME_LIMIT 8.0
 /** Bytes of a file per further second of the time limit: ten times the time on a usual computer. */
 #define MESH_FILE_BYTES_PER_SECOND ((size_t)4 << 20)
 
 /**
- * Checks extension and type of a mesh file, without reading it.
+ * Checks the extension of a mesh file; nothing is opened.
  * @param path        The file.
- * @param[out] error  What is wrong (#STATUS_SCENE), without the path.
- * @return Whether it is a regular file with a readable format's extension.
+ * @param[out] error  The known extensions (#STATUS_SCENE), without the path.
+ * @return Whether it is that of a readable format.
  */
 bool mesh_file_check(const char *path, Error *error);
 
 /**
  * Reads a mesh file. Other files that it names are not opened.
- * @param path        The file.
+ * @param file        The file.
+ * @param[in,out] budget  What the scene has left.
  * @param progress    Receives the progress, or NULL.
  * @param[out] mesh   The mesh, to be freed with #mesh_release; NULL on errors.
  * @param[out] error  What is wrong, without the path (#STATUS_SCENE; #STATUS_FAILED without module,
  *                    memory or process).
  * @return Whether it was read.
  */
-bool mesh_file_read(const char *path, const MeshProgress *progress, Mesh **mesh, Error *error);
+bool mesh_file_read(const AssetFile *file, AssetBudget *budget, const MeshProgress *progress,
+                    Mesh **mesh, Error *error);
 
 #endif

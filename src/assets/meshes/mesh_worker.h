@@ -19,14 +19,16 @@
 
 /** Request for a mesh; the descriptor of the file is sent along. */
 typedef struct MeshWorkerRequest {
-    char extension[8]; /**< Format, see #MeshSource.extension. */
-    size_t size;       /**< Bytes of the file. */
+    char extension[8];      /**< Format, see #MeshSource.extension. */
+    size_t size;            /**< Bytes of the file. */
+    size_t capacity;        /**< Largest size of the mesh, bytes. */
+    int is_capacity_shared; /**< Not 0: other files of the scene have taken the rest. */
 } MeshWorkerRequest;
 
 /** Report on a mesh. */
 typedef struct MeshWorkerReport {
-    bool is_done; /**< Whether the block is a mesh. */
-    Error error;  /**< What is wrong, without a mesh. */
+    int is_done; /**< Not 0: the block is a mesh. No bool, which may hold any byte here. */
+    Error error; /**< What is wrong, without a mesh. */
 } MeshWorkerReport;
 
 /** Reads the mesh of a #MeshWorkerRequest; the block is a #Mesh. See #WorkerTask.run. */

@@ -5,18 +5,20 @@
 #include "assets/process/worker_main.h"
 
 #include "assets/process/worker_protocol.h"
+#include "assets/process/worker_sandbox.h"
 #include "base/language.h"
 
 #include <errno.h>
-#include <fcntl.h>
+#include <libintl.h>
+#include <math.h>
 #include <signal.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
+#include <time.h>
 #include <unistd.h>
 
 /** The current job, for the signal handler; NULL: none, or its result is being sent. */
@@ -91,10 +93,14 @@ static void set_signals(pid_t parent) {
     }
 }
 
-/** Waits for a request. @return Its bytes, to be freed with `free`. */
-static void *receive_request(WorkerJob *job) {
-    WorkerRequestHeader header;
-    struct iovec part = {&header, sizeof header};
+/**
+ * Receives a request, or the answer to a question; exits if the program has closed the socket.
+ * @param[out] header  Its header.
+ * @param[out] file    Descriptor sent along; -1: none.
+ * @return Its bytes, to be freed with `free`.
+ */
+static void *receive_message(WorkerRequestHeader *header, int *file) {
+    struct iovec part = {header, sizeof *header};
     union {
         struct cmsghdr align;                /**< For the alignment. */
         char bytes[CMSG_SPACE(sizeof(int))]; /**< Memory for a descriptor. */
@@ -107,16 +113,16 @@ static void *receive_request(WorkerJob *job) {
     do {
         count = recvmsg(WORKER_SOCKET, &message, MSG_CMSG_CLOEXEC | MSG_WAITALL);
     } while (count < 0 && errno == EINTR);
-    void *bytes = count == sizeof header ? malloc(header.size) : NULL;
+    void *bytes = count == sizeof *header ? malloc(header->size + 1) : NULL;
     if (!bytes) {
         _exit(EXIT_FAILURE);
     }
     const struct cmsghdr *rights = CMSG_FIRSTHDR(&message);
-    *job = (WorkerJob){.request = bytes, .request_size = header.size, .file = -1};
+    *file = -1;
     if (rights && rights->cmsg_type == SCM_RIGHTS) {
-        memcpy(&job->file, CMSG_DATA(rights), sizeof job->file);
+        memcpy(file, CMSG_DATA(rights), sizeof *file);
     }
-    receive(bytes, header.size);
+    receive(bytes, header->size);
     return bytes;
 }
 
@@ -127,13 +133,19 @@ bool worker_is_requested(int argc, char **argv) {
 _Noreturn void worker_main(char **argv, const WorkerTask *tasks) {
     const WorkerTask *task = tasks;
     set_signals((pid_t)atoi(argv[3]));
+    worker_sandbox_prepare();
     language_init_as(strcmp(argv[4], "fr") == 0);
+    gettext(""); // Opens the translations, which the filter of system calls would refuse.
     while (task->name && strcmp(task->name, argv[2]) != 0) {
         task++;
     }
     while (task->name) {
-        WorkerJob job;
-        void *bytes = receive_request(&job);
+        WorkerJob job = {0};
+        WorkerRequestHeader header;
+        void *bytes = receive_message(&header, &job.file);
+        job.request = bytes;
+        job.request_size = header.size;
+        job.time_limit = header.time_limit;
         current_job = &job;
         task->run(&job);
         current_job = NULL;
@@ -150,7 +162,12 @@ _Noreturn void worker_main(char **argv, const WorkerTask *tasks) {
 }
 
 void worker_job_ready(void) {
-    send_bytes(&(WorkerFrame){.kind = WORKER_FRAME_READY}, sizeof(WorkerFrame));
+    struct timespec used = {0};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
+    const WorkerFrame frame = {.kind = WORKER_FRAME_READY,
+                               .processor_seconds =
+                                   (double)used.tv_sec + 1e-9 * (double)used.tv_nsec};
+    send_bytes(&frame, sizeof frame);
 }
 
 void worker_job_progress(double fraction) {
@@ -158,29 +175,23 @@ void worker_job_progress(double fraction) {
     send_bytes(&frame, sizeof frame);
 }
 
-/** @return Bytes of data memory that this process uses. */
-static size_t data_memory_used(void) {
-    unsigned long pages = 0;
-    FILE *file = fopen("/proc/self/statm", "re");
-    bool is_read = file && fscanf(file, "%*s %*s %*s %*s %*s %lu", &pages) == 1;
-    if (file) {
-        fclose(file);
-    }
-    return is_read ? pages * (size_t)sysconf(_SC_PAGESIZE) : 0;
+WorkerAnswer worker_job_ask(const void *question, size_t size) {
+    const WorkerFrame frame = {.kind = WORKER_FRAME_QUESTION, .report_size = size};
+    WorkerRequestHeader header;
+    WorkerAnswer answer = {.file = -1};
+    send_bytes(&frame, sizeof frame);
+    send_bytes(question, size);
+    answer.bytes = receive_message(&header, &answer.file);
+    answer.size = header.size;
+    return answer;
 }
 
 void worker_enter_sandbox(size_t bytes) {
-    // Only the soft limit, which the next request can raise again.
-    struct rlimit limit;
-    getrlimit(RLIMIT_DATA, &limit);
-    rlim_t wanted = (rlim_t)(data_memory_used() + bytes);
-    limit.rlim_cur = wanted < limit.rlim_max ? wanted : limit.rlim_max;
-    setrlimit(RLIMIT_DATA, &limit);
-    int null_device = open("/dev/null", O_WRONLY | O_CLOEXEC);
-    if (null_device >= 0) {
-        dup2(null_device, STDOUT_FILENO);
-        dup2(null_device, STDERR_FILENO);
-        close(null_device);
+    static bool is_reported;
+    worker_sandbox_limit(bytes, current_job ? current_job->time_limit : HUGE_VAL);
+    if (!worker_sandbox_filter() && !is_reported) {
+        is_reported = true;
+        send_bytes(&(WorkerFrame){.kind = WORKER_FRAME_UNFILTERED}, sizeof(WorkerFrame));
     }
 }
 

@@ -13,6 +13,7 @@ typedef struct WorkerJob {
     const void *request;   /**< Bytes of the request. */
     size_t request_size;   /**< Number of its bytes. */
     int file;              /**< Descriptor sent along; -1: none. */
+    double time_limit;     /**< See #WorkerCall.time_limit. */
     const void *report;    /**< The report, sent at the end or at a fatal signal. */
     size_t report_size;    /**< Bytes of the report. */
     void *block;           /**< The block; sent at the end. NULL: none. */
@@ -47,10 +48,28 @@ void worker_job_ready(void);
 void worker_job_progress(double fraction);
 
 /**
- * Limits the memory of this process and closes its output, before foreign libraries run.
+ * Confines this process before it reads a stranger's bytes: limits of memory and time, and a filter
+ * of system calls. From now on no file can be opened and no library loaded. Can be called again,
+ * for the next request.
  * @param bytes  Limit of data beyond the current use.
  */
 void worker_enter_sandbox(size_t bytes);
+
+/** The answer to a question. */
+typedef struct WorkerAnswer {
+    void *bytes; /**< The answer, to be freed with `free`. */
+    size_t size; /**< Number of its bytes. */
+    int file;    /**< Descriptor sent along, to be closed; -1: none. */
+} WorkerAnswer;
+
+/**
+ * Asks the program for what this process cannot do by itself, such as to open a file. See
+ * #WorkerCall.answer.
+ * @param question  The question.
+ * @param size      Number of its bytes, at most #WORKER_QUESTION_MAXIMUM.
+ * @return The answer.
+ */
+WorkerAnswer worker_job_ask(const void *question, size_t size);
 
 /** Exits, so that the program starts another worker: the address of the result is not free here. */
 _Noreturn void worker_exit_to_retry(void);

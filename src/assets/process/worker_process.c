@@ -4,13 +4,14 @@
  */
 #include "assets/process/worker_process.h"
 
+#include "assets/process/worker_clock.h"
 #include "assets/process/worker_protocol.h"
-#include "base/clock.h"
 #include "base/executable_dir.h"
 #include "base/language.h"
 
 #include <errno.h>
 #include <fcntl.h>
+#include <libintl.h>
 #include <limits.h>
 #include <math.h>
 #include <poll.h>
@@ -26,8 +27,8 @@
 
 /** Time limit for the start of a worker with its modules, seconds. */
 static const double START_LIMIT = 60;
-/** Time limit for the report after a timeout, seconds. */
-static const double REPORT_LIMIT = 0.25;
+/** Time limit for the report after a timeout, seconds: a busy machine may need some. */
+static const double REPORT_LIMIT = 5;
 /** Seconds between two calls of #WorkerMonitor.on_tick. */
 static const double TICK_INTERVAL = 0.2;
 /** Largest number of starts until the address of the result is free in a worker. */
@@ -118,15 +119,22 @@ void worker_process_stop(WorkerProcess *process) {
     }
 }
 
+/** Whether a worker ran without a filter of its system calls; for one note at the end. */
+static atomic_bool was_unfiltered;
+
+bool worker_process_was_unfiltered(void) {
+    return atomic_load(&was_unfiltered);
+}
+
 // --- messages ------------------------------------------------------------------------------------
 
 /** A current call. */
 typedef struct Exchange {
     const WorkerProcess *process; /**< The worker. */
     const WorkerCall *call;       /**< The request. */
-    double started;               /**< Start of the time limit, on #clock_now_seconds. */
-    double deadline;              /**< End of the time limit. */
+    WorkerClock clock;            /**< The time limits. */
     double fraction;              /**< Progress, 0 to 1. */
+    bool is_ready;                /**< Whether the worker is ready. */
     bool is_late;                 /**< Whether the deadline has passed, or the call is stopped. */
 } Exchange;
 
@@ -136,9 +144,9 @@ static bool is_stopped(const Exchange *exchange) {
     return monitor && monitor->stop && atomic_load(monitor->stop);
 }
 
-/** @return Milliseconds until the next tick or the deadline, rounded up. */
-static int sleep_time(const Exchange *exchange, double now) {
-    double left = exchange->deadline - now;
+/** @return Milliseconds until the next tick or the next look at the clock, rounded up. */
+static int sleep_time(const Exchange *exchange) {
+    double left = worker_clock_left(&exchange->clock);
     double seconds = exchange->call->monitor ? fmin(left, TICK_INTERVAL) : left;
     return (int)fmin(fmax(ceil(1000 * seconds), 0), INT_MAX);
 }
@@ -153,17 +161,16 @@ static bool wait_until_ready(Exchange *exchange, short events) {
     struct pollfd watched = {.fd = exchange->process->socket, .events = events};
     const WorkerMonitor *monitor = exchange->call->monitor;
     while (!is_stopped(exchange)) {
-        double now = clock_now_seconds();
-        int ready = poll(&watched, 1, sleep_time(exchange, now));
+        int ready = poll(&watched, 1, sleep_time(exchange));
         if (ready > 0) {
             return true;
         }
-        now = clock_now_seconds();
-        if (ready == 0 && now >= exchange->deadline) {
+        if (ready == 0 && worker_clock_left(&exchange->clock) <= 0) {
             break;
         }
         if (ready == 0 && monitor && monitor->on_tick) {
-            monitor->on_tick(monitor->context, now - exchange->started, exchange->fraction);
+            monitor->on_tick(monitor->context, worker_clock_elapsed(&exchange->clock),
+                             exchange->fraction);
         }
     }
     exchange->is_late = true;
@@ -208,28 +215,49 @@ static bool send_bytes(Exchange *exchange, const void *bytes, size_t size) {
     return true;
 }
 
-/** Sends the request, with the file. @return false if the worker has ended, or is late. */
-static bool send_request(Exchange *exchange) {
-    const WorkerCall *call = exchange->call;
-    WorkerRequestHeader header = {.size = call->request_size};
+/** A message to a worker: a request, or the answer to a question. */
+typedef struct Message {
+    const void *bytes; /**< Its bytes. */
+    size_t size;       /**< Number of its bytes. */
+    int file;          /**< Descriptor to send along; 0: none. */
+} Message;
+
+/** Sends a message, with its file. @return false if the worker has ended, or is late. */
+static bool send_message(Exchange *exchange, const Message *sent) {
+    WorkerRequestHeader header = {.size = sent->size, .time_limit = exchange->call->time_limit};
     struct iovec part = {&header, sizeof header};
     union {
         struct cmsghdr align;                /**< For the alignment. */
         char bytes[CMSG_SPACE(sizeof(int))]; /**< Memory for a descriptor. */
     } control = {0};
     struct msghdr message = {.msg_iov = &part, .msg_iovlen = 1};
-    if (call->file > 0) {
+    if (sent->file > 0) {
         message.msg_control = control.bytes;
         message.msg_controllen = sizeof control.bytes;
         struct cmsghdr *rights = CMSG_FIRSTHDR(&message);
         rights->cmsg_level = SOL_SOCKET;
         rights->cmsg_type = SCM_RIGHTS;
         rights->cmsg_len = CMSG_LEN(sizeof(int));
-        memcpy(CMSG_DATA(rights), &call->file, sizeof call->file);
+        memcpy(CMSG_DATA(rights), &sent->file, sizeof sent->file);
     }
     // The first message of an empty socket is never split.
     return sendmsg(exchange->process->socket, &message, MSG_NOSIGNAL) == sizeof header &&
-           send_bytes(exchange, call->request, call->request_size);
+           send_bytes(exchange, sent->bytes, sent->size);
+}
+
+/** Answers a question. @return false if it is not valid, or the worker has ended. */
+static bool answer_question(Exchange *exchange, size_t size) {
+    char question[WORKER_QUESTION_MAXIMUM];
+    const WorkerCall *call = exchange->call;
+    WorkerResponse response = {0};
+    bool is_valid = call->answer && size <= sizeof question && receive(exchange, question, size) &&
+                    call->answer(call->answer_context, question, size, &response);
+    const Message message = {response.bytes, response.size, response.file};
+    bool is_sent = is_valid && send_message(exchange, &message);
+    if (response.file > 0) {
+        close(response.file);
+    }
+    return is_sent;
 }
 
 /** Receives the report of a frame. @return false if it does not fit, or the worker has ended. */
@@ -260,21 +288,52 @@ static bool receive_block(Exchange *exchange, const WorkerFrame *frame, WorkerRe
     return is_received;
 }
 
+/** Starts the time limit, once. @return false if the worker says again that it is ready. */
+static bool start_time_limit(Exchange *exchange, const WorkerFrame *frame) {
+    bool is_first = !exchange->is_ready;
+    exchange->is_ready = true;
+    worker_clock_start(&exchange->clock, exchange->process->pid, exchange->call->time_limit,
+                       exchange->call->wall_limit);
+    worker_clock_exclude(&exchange->clock, frame->processor_seconds);
+    return is_first;
+}
+
+/**
+ * Handles a frame before the result.
+ * @return false if it is not valid, or the worker has ended or is late.
+ */
+static bool handle_frame(Exchange *exchange, const WorkerFrame *frame) {
+    bool is_handled = true;
+    if (frame->kind == WORKER_FRAME_READY) {
+        return start_time_limit(exchange, frame);
+    }
+    if (frame->kind == WORKER_FRAME_UNFILTERED) {
+        atomic_store(&was_unfiltered, true);
+    } else if (frame->kind == WORKER_FRAME_PROGRESS) {
+        exchange->fraction = fmin(fmax(frame->per_mille / 1000.0, 0), 1);
+    } else if (frame->kind == WORKER_FRAME_QUESTION) {
+        is_handled = answer_question(exchange, frame->report_size);
+    } else if (frame->kind == WORKER_FRAME_REPORT) {
+        // The worker ends by a signal then, which describes the error.
+        is_handled = receive_report(exchange, frame);
+    } else {
+        is_handled = false;
+    }
+    // A worker that keeps talking is late, too.
+    exchange->is_late = exchange->is_late || worker_clock_left(&exchange->clock) < 0;
+    return is_handled && !exchange->is_late;
+}
+
 /** Receives the answer. @return Whether there is a result. */
 static bool receive_reply(Exchange *exchange, WorkerReply *reply) {
     WorkerFrame frame;
     while (receive(exchange, &frame, sizeof frame)) {
-        if (frame.kind == WORKER_FRAME_READY) {
-            exchange->started = clock_now_seconds();
-            exchange->deadline = exchange->started + exchange->call->time_limit;
-        } else if (frame.kind == WORKER_FRAME_PROGRESS) {
-            exchange->fraction = fmin(fmax(frame.per_mille / 1000.0, 0), 1);
-        } else if (!receive_report(exchange, &frame)) {
-            return false;
-        } else if (frame.kind == WORKER_FRAME_RESULT) {
-            return receive_block(exchange, &frame, reply);
+        if (frame.kind == WORKER_FRAME_RESULT) {
+            return receive_report(exchange, &frame) && receive_block(exchange, &frame, reply);
         }
-        // After a report without a result the worker ends by a signal, which describes the error.
+        if (!handle_frame(exchange, &frame)) {
+            return false;
+        }
     }
     return false;
 }
@@ -283,14 +342,26 @@ static bool receive_reply(Exchange *exchange, WorkerReply *reply) {
 static void end_late_worker(Exchange *exchange, WorkerProcess *process) {
     if (!is_stopped(exchange)) {
         WorkerReply none = {0};
-        Exchange last = {.process = process, .call = exchange->call};
-        last.deadline = clock_now_seconds() + REPORT_LIMIT;
+        Exchange last = {.process = process, .call = exchange->call, .is_ready = true};
+        worker_clock_start_wall(&last.clock, REPORT_LIMIT);
         kill(process->pid, SIGXCPU);
         if (receive_reply(&last, &none) && none.block && !exchange->call->block) {
             munmap(none.block, none.block_size);
         }
     }
     worker_process_stop(process);
+}
+
+/**
+ * Drops a result that came too late, unnoticed because this process had to wait.
+ * @return Whether it came in time.
+ */
+static bool is_in_time(Exchange *exchange, WorkerReply *reply) {
+    exchange->is_late = worker_clock_left(&exchange->clock) < 0;
+    if (exchange->is_late && reply->block && !exchange->call->block) {
+        munmap(reply->block, reply->block_size);
+    }
+    return !exchange->is_late;
 }
 
 /**
@@ -301,26 +372,40 @@ static void end_late_worker(Exchange *exchange, WorkerProcess *process) {
  * @return The reply.
  */
 static WorkerReply converse(WorkerProcess *process, const WorkerCall *call, int *exit_status) {
-    double now = clock_now_seconds();
     WorkerReply reply = {.end = WORKER_FINISHED};
-    Exchange exchange = {
-        .process = process, .call = call, .started = now, .deadline = now + START_LIMIT};
-    if (send_request(&exchange) && receive_reply(&exchange, &reply)) {
+    Exchange exchange = {.process = process, .call = call};
+    const Message request = {call->request, call->request_size, call->file};
+    worker_clock_start_wall(&exchange.clock, START_LIMIT);
+    bool is_finished = send_message(&exchange, &request) && receive_reply(&exchange, &reply) &&
+                       is_in_time(&exchange, &reply);
+    double seconds = worker_clock_used(&exchange.clock);
+    if (is_finished) {
+        reply.seconds = seconds;
+        reply.is_ready = exchange.is_ready;
         return reply;
     }
     if (exchange.is_late) {
+        bool is_stalled = worker_clock_is_stalled(&exchange.clock);
         end_late_worker(&exchange, process);
-        return (WorkerReply){.end = WORKER_TIMED_OUT};
+        return (WorkerReply){.end = WORKER_TIMED_OUT,
+                             .is_ready = exchange.is_ready,
+                             .is_stalled = is_stalled,
+                             .seconds = seconds};
     }
     // A worker that closed its socket has its exit status already, which the signal does not
     // change. One with an invalid reply still runs.
     kill(process->pid, SIGKILL);
     int status = reap(process);
-    if (WIFSIGNALED(status)) {
-        return (WorkerReply){.end = WORKER_CRASHED, .detail = WTERMSIG(status)};
+    reply = (WorkerReply){.end = WORKER_EXITED, .is_ready = exchange.is_ready, .seconds = seconds};
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) {
+        reply.end = WORKER_TIMED_OUT; // At its limit of processor time.
+    } else if (WIFSIGNALED(status)) {
+        reply.end = WORKER_CRASHED;
+        reply.detail = WTERMSIG(status);
+    } else {
+        *exit_status = WEXITSTATUS(status);
     }
-    *exit_status = WEXITSTATUS(status);
-    return (WorkerReply){.end = WORKER_EXITED};
+    return reply;
 }
 
 /** @return Whether a kept worker has ended meanwhile, as by Ctrl-C. */
@@ -352,4 +437,27 @@ WorkerReply worker_process_call_once(const WorkerCall *call) {
     WorkerReply reply = worker_process_call(&process, call);
     worker_process_stop(&process);
     return reply;
+}
+
+bool worker_reply_start_failure(const WorkerReply *reply, char reason[WORKER_REASON_SIZE]) {
+    bool is_interrupted = reply->end == WORKER_CRASHED && reply->detail == SIGINT;
+    bool has_ended = reply->end == WORKER_CRASHED || reply->end == WORKER_EXITED;
+    if (reply->end == WORKER_NOT_STARTED) {
+        snprintf(reason, WORKER_REASON_SIZE, "%s", error_errno_text(reply->detail));
+        return true;
+    }
+    if (!has_ended || reply->is_ready || is_interrupted) {
+        return false;
+    }
+    snprintf(reason, WORKER_REASON_SIZE,
+             gettext("it ended at its start (%s); memory, threads or files may be short"),
+             reply->detail ? strsignal(reply->detail) : gettext("without a signal"));
+    return true;
+}
+
+bool worker_error_set(Error *error, const Error *reported) {
+    bool is_failure = reported->status == STATUS_FAILED;
+    error_set(error, is_failure ? STATUS_FAILED : STATUS_SCENE, "%.*s", ERROR_MESSAGE_SIZE - 1,
+              reported->message);
+    return error_set_line(error, reported->line);
 }

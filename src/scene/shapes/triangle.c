@@ -32,10 +32,10 @@ static const TriangleParameters triangle_defaults = {.corners = {{0}, {1, 0, 0},
  * Checks that a scene gives all fields of a group of three, or none.
  * @param given          Bits of the given rows.
  * @param row            First row of the group.
- * @param[out] is_given  Whether it gives them.
+ * @param[out] is_given  Not 0: it gives them.
  * @return false if it gives only some.
  */
-static bool three_rows_given(uint64_t given, int row, bool *is_given) {
+static bool three_rows_given(uint64_t given, int row, int *is_given) {
     uint64_t bits = given >> row & THREE_ROW_BITS;
     *is_given = bits == THREE_ROW_BITS;
     return *is_given || bits == 0;
@@ -56,7 +56,7 @@ static bool triangle_finish(void *values, uint64_t given, Error *error) {
     if (!three_rows_given(given, TRIANGLE_ROW_NORMALS, &p->is_smooth)) {
         return error_set(error, STATUS_SCENE, "triangle takes na, nb and nc, or none of them");
     }
-    bool has_uvs;
+    int has_uvs;
     if (!three_rows_given(given, TRIANGLE_ROW_UVS, &has_uvs)) {
         return error_set(error, STATUS_SCENE, "triangle takes ta, tb and tc, or none of them");
     }

@@ -1,0 +1,364 @@
+/**
+ * @file
+ * @brief What the system takes from a worker process before it reads a stranger's bytes.
+ */
+#include "assets/process/worker_sandbox.h"
+
+#include "assets/process/worker_protocol.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <linux/audit.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <math.h>
+#include <sched.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <time.h>
+#include <unistd.h>
+
+// --- the start -----------------------------------------------------------------------------------
+
+/** Descriptors that an old kernel, which cannot close a range, closes one by one. */
+enum { DESCRIPTORS_CLOSED_ONE_BY_ONE = 1024 };
+
+/** Descriptor of /proc/self/statm, the use of memory; -1: none. */
+static int memory_use_file = -1;
+
+/** Closes all descriptors after the socket: a shell may have left some open. */
+static void close_inherited(void) {
+    const unsigned first = WORKER_SOCKET + 1;
+#ifdef SYS_close_range
+    if (syscall(SYS_close_range, first, ~0U, 0) == 0) {
+        return;
+    }
+#endif
+    for (int file = (int)first; file < DESCRIPTORS_CLOSED_ONE_BY_ONE; file++) {
+        close(file);
+    }
+}
+
+void worker_sandbox_prepare(void) {
+    prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+    close_inherited();
+    int null_device = open("/dev/null", O_RDWR | O_CLOEXEC);
+    for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; stream++) {
+        if (null_device < 0 || dup2(null_device, stream) < 0) {
+            close(stream);
+        }
+    }
+    if (null_device > STDERR_FILENO) {
+        close(null_device);
+    }
+    memory_use_file = open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
+}
+
+// --- limits --------------------------------------------------------------------------------------
+
+/** Largest number of descriptors: a worker has the socket, three streams and a file or two. */
+static const rlim_t DESCRIPTORS_MAXIMUM = 32;
+/** Largest memory of any request, bytes: a picture of 16384 x 16384 floats, encoded. */
+static const size_t MEMORY_MAXIMUM = (size_t)16 << 30;
+/** Largest result in memory that the limit of data does not count, bytes; see #MESH_CAPACITY. */
+static const size_t RESULT_MAXIMUM = (size_t)4 << 30;
+
+/** Use of memory, bytes. */
+typedef struct MemoryUse {
+    size_t addresses; /**< Size of all mappings. */
+    size_t data;      /**< Size of the private ones that can be written. */
+} MemoryUse;
+
+/** @return Memory that this process uses; zero if it is unknown. */
+static MemoryUse memory_use(void) {
+    char text[256];
+    unsigned long all = 0, data = 0;
+    size_t page = (size_t)sysconf(_SC_PAGESIZE);
+    ssize_t length = memory_use_file < 0 ? -1 : pread(memory_use_file, text, sizeof text - 1, 0);
+    if (length > 0) {
+        text[length] = '\0';
+        length = sscanf(text, "%lu %*s %*s %*s %*s %lu", &all, &data);
+    }
+    return length == 2 ? (MemoryUse){all * page, data * page} : (MemoryUse){0, 0};
+}
+
+/** Sets a soft limit, below a hard one that is lowered to a maximum. */
+static void set_limit(int resource, rlim_t wanted, rlim_t maximum) {
+    struct rlimit limit;
+    if (getrlimit(resource, &limit) == 0) {
+        limit.rlim_max = maximum < limit.rlim_max ? maximum : limit.rlim_max;
+        limit.rlim_cur = wanted < limit.rlim_max ? wanted : limit.rlim_max;
+        setrlimit(resource, &limit);
+    }
+}
+
+void worker_sandbox_limit(size_t bytes, double seconds) {
+    struct timespec used = {0};
+    const MemoryUse memory = memory_use();
+    size_t more = bytes < MEMORY_MAXIMUM ? bytes : MEMORY_MAXIMUM;
+    // Only soft limits of memory and time, which the next request can raise again.
+    set_limit(RLIMIT_DATA, memory.data + more, RLIM_INFINITY);
+    set_limit(RLIMIT_AS, memory.addresses + more + RESULT_MAXIMUM, RLIM_INFINITY);
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
+    double end = (double)used.tv_sec + 1 + ceil(seconds);
+    set_limit(RLIMIT_CPU, end < (double)INT32_MAX ? (rlim_t)end : RLIM_INFINITY, RLIM_INFINITY);
+    set_limit(RLIMIT_FSIZE, 0, 0);
+    set_limit(RLIMIT_NOFILE, DESCRIPTORS_MAXIMUM, DESCRIPTORS_MAXIMUM);
+}
+
+// --- the filter ----------------------------------------------------------------------------------
+
+#if defined(__x86_64__) && !defined(__ILP32__)
+#define FILTER_ARCHITECTURE AUDIT_ARCH_X86_64
+#elif defined(__aarch64__) && defined(__AARCH64EL__)
+#define FILTER_ARCHITECTURE AUDIT_ARCH_AARCH64
+#endif
+
+#ifdef FILTER_ARCHITECTURE
+
+/** First number of the calls of x32, another interface of x86-64 with numbers of its own. */
+enum { X32_CALLS = 0x40000000 };
+
+/** What happens to a call; the values are those of the kernel. */
+enum {
+    ALLOW = (int)SECCOMP_RET_ALLOW,
+    /** No library asks for it while it decodes a file. */
+    KILL = (int)SECCOMP_RET_KILL_PROCESS,
+    /** As for a file that one may not read: libraries do without optional files. */
+    DENY = (int)(SECCOMP_RET_ERRNO | EACCES),
+    /** As on an older kernel: the C library then uses an older call. */
+    UNKNOWN = (int)(SECCOMP_RET_ERRNO | ENOSYS),
+    NOT_PERMITTED = (int)(SECCOMP_RET_ERRNO | EPERM)
+};
+
+/** Condition on an argument of a call, of which the lower 32 bits are compared. */
+typedef enum {
+    CONDITION_NONE,     /**< None. */
+    CONDITION_EQUAL,    /**< It equals #FilterRule.value. */
+    CONDITION_HAS_BIT,  /**< It has the bit. */
+    CONDITION_LACKS_BIT /**< It lacks the bit. */
+} FilterCondition;
+
+/** A rule on a system call. */
+typedef struct FilterRule {
+    int call;                  /**< Its number. */
+    int action;                /**< What happens to it if the condition holds. */
+    FilterCondition condition; /**< The condition. */
+    int argument;              /**< Number of the argument, from 0. */
+    uint32_t value;            /**< What it is compared with. */
+    int otherwise;             /**< What happens if the condition does not hold. */
+} FilterRule;
+
+/** Instructions of a rule, at most. */
+enum { RULE_INSTRUCTIONS = 5 };
+/** Instructions before the first rule and after the last one. */
+enum { FRAME_INSTRUCTIONS = 7 };
+
+/** A filter being written. */
+typedef struct Filter {
+    struct sock_filter *next; /**< The next instruction. */
+} Filter;
+
+/** Appends an instruction. */
+static void filter_add(Filter *filter, unsigned code, uint32_t value, unsigned if_true,
+                       unsigned if_false) {
+    *filter->next++ =
+        (struct sock_filter){(uint16_t)code, (uint8_t)if_true, (uint8_t)if_false, value};
+}
+
+/** Appends a load of a field of `struct seccomp_data`. */
+static void filter_load(Filter *filter, size_t offset) {
+    filter_add(filter, BPF_LD | BPF_W | BPF_ABS, (uint32_t)offset, 0, 0);
+}
+
+/** Appends an end with an action. */
+static void filter_return(Filter *filter, int action) {
+    filter_add(filter, BPF_RET | BPF_K, (uint32_t)action, 0, 0);
+}
+
+/** Appends a rule. The number of the call is loaded before and, unless the rule matches, after. */
+static void filter_add_rule(Filter *filter, const FilterRule *rule) {
+    const unsigned equal = BPF_JMP | BPF_JEQ | BPF_K, has_bit = BPF_JMP | BPF_JSET | BPF_K;
+    bool is_conditional = rule->condition != CONDITION_NONE;
+    filter_add(filter, equal, (uint32_t)rule->call, 0, is_conditional ? RULE_INSTRUCTIONS - 1 : 1);
+    if (is_conditional) {
+        filter_load(filter, offsetof(struct seccomp_data, args) +
+                                sizeof(uint64_t) * (size_t)rule->argument);
+        bool is_reversed = rule->condition == CONDITION_LACKS_BIT;
+        filter_add(filter, rule->condition == CONDITION_EQUAL ? equal : has_bit, rule->value,
+                   is_reversed, !is_reversed);
+    }
+    filter_return(filter, rule->action);
+    if (is_conditional) {
+        filter_return(filter, rule->otherwise);
+    }
+}
+
+/** A call with an action. */
+#define CALL(name, what)                                                                           \
+    { .call = SYS_##name, .action = what }
+/** A call that is allowed under a condition. */
+#define CALL_IF(name, which, how, number, otherwise_)                                              \
+    {                                                                                              \
+        .call = SYS_##name, .action = ALLOW, .condition = how, .argument = which, .value = number, \
+        .otherwise = otherwise_                                                                    \
+    }
+
+/**
+ * Writes the filter of this process.
+ * @param rules  The rules; the first ones are the fastest.
+ * @return Number of instructions.
+ */
+static size_t write_filter(struct sock_filter *instructions, const FilterRule *rules,
+                           size_t count) {
+    Filter filter = {instructions};
+    filter_load(&filter, offsetof(struct seccomp_data, arch));
+    filter_add(&filter, BPF_JMP | BPF_JEQ | BPF_K, FILTER_ARCHITECTURE, 1, 0);
+    filter_return(&filter, KILL);
+    filter_load(&filter, offsetof(struct seccomp_data, nr));
+    filter_add(&filter, BPF_JMP | BPF_JGE | BPF_K, X32_CALLS, 0, 1);
+    filter_return(&filter, KILL);
+    for (size_t i = 0; i < count; i++) {
+        filter_add_rule(&filter, &rules[i]);
+    }
+    filter_return(&filter, UNKNOWN);
+    return (size_t)(filter.next - instructions);
+}
+
+/** Asks the kernel to filter the calls of all threads. @return Whether it does. */
+static bool install(const FilterRule *rules, size_t count) {
+    size_t capacity = FRAME_INSTRUCTIONS + count * RULE_INSTRUCTIONS;
+    struct sock_filter *instructions = malloc(capacity * sizeof *instructions);
+    if (!instructions) {
+        return false;
+    }
+    const struct sock_fprog program = {
+        .len = (unsigned short)write_filter(instructions, rules, count), .filter = instructions};
+    bool is_installed =
+        syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, SECCOMP_FILTER_FLAG_TSYNC, &program) == 0;
+    free(instructions);
+    return is_installed;
+}
+
+/** Builds the rules and installs them. @return Whether the kernel did. */
+static bool install_filter(void) {
+    const uint32_t self = (uint32_t)getpid();
+    const FilterRule rules[] = {
+        // Threads, memory, the file of the request, the socket.
+        CALL(futex, ALLOW),
+        CALL(read, ALLOW),
+        CALL(pread64, ALLOW),
+        CALL(lseek, ALLOW),
+        CALL_IF(mmap, 2, CONDITION_LACKS_BIT, PROT_EXEC, NOT_PERMITTED),
+        CALL_IF(mprotect, 2, CONDITION_LACKS_BIT, PROT_EXEC, NOT_PERMITTED),
+        CALL(munmap, ALLOW),
+        CALL(mremap, ALLOW),
+        CALL(madvise, ALLOW),
+        CALL(brk, ALLOW),
+        CALL_IF(sendto, 0, CONDITION_EQUAL, WORKER_SOCKET, KILL),
+        CALL_IF(recvfrom, 0, CONDITION_EQUAL, WORKER_SOCKET, KILL),
+        CALL_IF(recvmsg, 0, CONDITION_EQUAL, WORKER_SOCKET, KILL),
+        CALL(close, ALLOW),
+        CALL(dup, ALLOW),
+        CALL_IF(fcntl, 1, CONDITION_EQUAL, F_GETFL, NOT_PERMITTED),
+        // The streams, which lead to /dev/null; no file is open for writing.
+        CALL(write, ALLOW),
+        CALL(writev, ALLOW),
+        // Only of descriptors: an empty path.
+        CALL(fstat, ALLOW),
+        CALL_IF(newfstatat, 3, CONDITION_HAS_BIT, AT_EMPTY_PATH, DENY),
+        CALL(clock_gettime, ALLOW),
+        CALL(clock_getres, ALLOW),
+        CALL(gettimeofday, ALLOW),
+        CALL(clock_nanosleep, ALLOW),
+        CALL(nanosleep, ALLOW),
+        CALL(getrandom, ALLOW),
+        CALL(sysinfo, ALLOW),
+        CALL(getrusage, ALLOW),
+        // Limits of this process only, for the next request.
+        CALL_IF(prlimit64, 0, CONDITION_EQUAL, 0, NOT_PERMITTED),
+        // Signals of this process only: abort.
+        CALL(rt_sigaction, ALLOW),
+        CALL(rt_sigprocmask, ALLOW),
+        CALL(rt_sigreturn, ALLOW),
+        CALL(sigaltstack, ALLOW),
+        CALL(restart_syscall, ALLOW),
+        CALL_IF(tgkill, 0, CONDITION_EQUAL, self, KILL),
+        CALL_IF(kill, 0, CONDITION_EQUAL, self, KILL),
+        // Threads of this process only; with clone3 the flags are out of the filter's sight.
+        CALL_IF(clone, 0, CONDITION_HAS_BIT, CLONE_THREAD, KILL),
+        CALL(clone3, UNKNOWN),
+        CALL(set_robust_list, ALLOW),
+        CALL(rseq, ALLOW),
+        CALL(sched_yield, ALLOW),
+        CALL(sched_getaffinity, ALLOW),
+        CALL(getpid, ALLOW),
+        CALL(gettid, ALLOW),
+        CALL(exit, ALLOW),
+        CALL(exit_group, ALLOW),
+        // Files by name.
+        CALL(openat, DENY),
+        CALL(openat2, DENY),
+        CALL(faccessat, DENY),
+        CALL(readlinkat, DENY),
+#ifdef SYS_open
+        CALL(open, DENY),
+        CALL(creat, DENY),
+        CALL(stat, DENY),
+        CALL(lstat, DENY),
+        CALL(access, DENY),
+        CALL(readlink, DENY),
+#endif
+        // What nobody does who decodes a file: network, programs, processes, other processes.
+        CALL(socket, KILL),
+        CALL(socketpair, KILL),
+        CALL(connect, KILL),
+        CALL(bind, KILL),
+        CALL(listen, KILL),
+        CALL(accept, KILL),
+        CALL(accept4, KILL),
+        CALL(sendmsg, KILL),
+        CALL(execve, KILL),
+        CALL(execveat, KILL),
+#ifdef SYS_fork
+        CALL(fork, KILL),
+        CALL(vfork, KILL),
+#endif
+        CALL(ptrace, KILL),
+        CALL(process_vm_readv, KILL),
+        CALL(process_vm_writev, KILL),
+        CALL(tkill, KILL),
+        CALL(rt_sigqueueinfo, KILL),
+        CALL(rt_tgsigqueueinfo, KILL),
+        CALL(pidfd_send_signal, KILL),
+        CALL(io_uring_setup, KILL),
+        CALL(bpf, KILL),
+        CALL(unshare, KILL),
+        CALL(setns, KILL),
+        CALL(mount, KILL),
+    };
+    return install(rules, sizeof rules / sizeof *rules);
+}
+
+#else
+
+/** @return false: there is no filter for this kind of processor. */
+static bool install_filter(void) {
+    return false;
+}
+
+#endif
+
+bool worker_sandbox_filter(void) {
+    static bool is_tried, is_filtered;
+    if (!is_tried) {
+        is_tried = true;
+        is_filtered = install_filter();
+    }
+    return is_filtered;
+}

@@ -1,0 +1,136 @@
+/**
+ * @file
+ * @brief Questions of a running scene or lesson to the program: both sides.
+ */
+#include "script/script_question.h"
+
+#include "assets/process/worker_main.h"
+#include "assets/process/worker_protocol.h"
+#include "script/asset_path.h"
+#include "script/sanitize.h"
+
+#include <assert.h>
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static_assert(sizeof(ScriptQuestion) <= WORKER_QUESTION_MAXIMUM, "a question must fit");
+
+// --- in the program ------------------------------------------------------------------------------
+
+/** Writes to standard error; write errors are ignored. */
+static void write_error(const char *text, size_t length) {
+    while (length > 0) {
+        ssize_t count = write(STDERR_FILENO, text, length);
+        if (count <= 0 && errno != EINTR) {
+            return;
+        }
+        text += count > 0 ? count : 0;
+        length -= count > 0 ? (size_t)count : 0;
+    }
+}
+
+/** Prints text of a scene, sanitized again. @return false if the run has printed too much. */
+static bool print_text(ScriptResponder *responder, const char *text) {
+    /** An escaped byte takes four characters. */
+    char sanitized[4 * PATH_MAX];
+    sanitize_text(sanitized, sizeof sanitized, text, strlen(text));
+    size_t length = strlen(sanitized);
+    responder->bytes_printed += length;
+    // The worker says itself that more is left out; then a piece and a sentence more come.
+    if (responder->bytes_printed > SCRIPT_PRINT_MAXIMUM + sizeof sanitized) {
+        return false;
+    }
+    write_error(sanitized, length);
+    return true;
+}
+
+/** Finds a file of a scene, and keeps it open if it is to be included. */
+static void find_file(ScriptResponder *responder, const ScriptQuestion *question,
+                      WorkerResponse *response) {
+    struct stat info;
+    ScriptAnswer *answer = &responder->answer;
+    int file = asset_path_open(responder->request, question->text, answer->display_path,
+                               answer->real_path, &info, &answer->error);
+    if (file >= 0 && question->kind == SCRIPT_ASK_INCLUDE) {
+        response->file = file;
+    } else if (file >= 0) {
+        close(file); // It is opened again to be read, once the file of the scene has run.
+    }
+}
+
+/** Finds the scene of a lesson, relative to the folder of the lesson. */
+static void find_scene(ScriptResponder *responder, const char *name) {
+    ScriptAnswer *answer = &responder->answer;
+    const char *path = responder->request->path, *slash = strrchr(path, '/');
+    int dir_length = slash && name[0] != '/' ? (int)(slash + 1 - path) : 0;
+    int length = snprintf(answer->real_path, PATH_MAX, "%.*s%s", dir_length, path, name);
+    if (length >= PATH_MAX || access(answer->real_path, R_OK) != 0) {
+        error_set(&answer->error, STATUS_SCENE, "%s",
+                  error_errno_text(length >= PATH_MAX ? ENAMETOOLONG : errno));
+    }
+}
+
+bool script_question_answer(void *context, const void *bytes, size_t size,
+                            WorkerResponse *response) {
+    ScriptResponder *responder = context;
+    ScriptQuestion question;
+    if (size != sizeof question) {
+        return false;
+    }
+    memcpy(&question, bytes, sizeof question);
+    if (!memchr(question.text, '\0', sizeof question.text)) {
+        return false;
+    }
+    responder->answer = (ScriptAnswer){0};
+    response->bytes = &responder->answer;
+    response->size = sizeof responder->answer;
+    if (question.kind == SCRIPT_ASK_PRINT) {
+        return print_text(responder, question.text);
+    }
+    if (question.kind == SCRIPT_ASK_SCENE) {
+        find_scene(responder, question.text);
+        return true;
+    }
+    find_file(responder, &question, response);
+    return question.kind == SCRIPT_ASK_INCLUDE || question.kind == SCRIPT_ASK_ASSET;
+}
+
+// --- in the worker -------------------------------------------------------------------------------
+
+/** Asks a question. @return The answer. @param[out] file Descriptor sent along; -1: none. */
+static ScriptAnswer ask(ScriptQuestionKind kind, const char *text, int *file) {
+    ScriptQuestion question = {.kind = (int)kind};
+    ScriptAnswer answer;
+    snprintf(question.text, sizeof question.text, "%s", text);
+    WorkerAnswer received = worker_job_ask(&question, sizeof question);
+    if (received.size != sizeof answer) {
+        _Exit(EXIT_FAILURE);
+    }
+    memcpy(&answer, received.bytes, sizeof answer);
+    free(received.bytes);
+    *file = received.file;
+    return answer;
+}
+
+bool script_question_ask(ScriptQuestionKind kind, const char *name, ScriptAnswer *answer,
+                         int *file) {
+    int found = -1;
+    if (strlen(name) >= PATH_MAX) {
+        return error_set(&answer->error, STATUS_SCENE, "%s", error_errno_text(ENAMETOOLONG));
+    }
+    *answer = ask(kind, name, &found);
+    if (file) {
+        *file = found;
+    } else if (found >= 0) {
+        close(found);
+    }
+    return answer->error.status == STATUS_OK;
+}
+
+void script_question_print(const char *text) {
+    int none;
+    ask(SCRIPT_ASK_PRINT, text, &none);
+}

@@ -36,11 +36,26 @@ static int mesh_fixture_set_up(void **state) {
     return fixture_set_up(state);
 }
 
+/** Reads a mesh file, with a whole budget. @return Whether it was read. */
+static bool read_mesh_file(const char *path, const MeshProgress *progress, Mesh **mesh,
+                           Error *error) {
+    AssetFile file;
+    AssetBudget budget;
+    *mesh = NULL;
+    asset_budget_init(&budget);
+    if (!open_asset(path, &file, error)) {
+        return false;
+    }
+    bool is_read = mesh_file_read(&file, &budget, progress, mesh, error);
+    close(file.descriptor);
+    return is_read;
+}
+
 /** @return The mesh of a file, which must be valid and pass all checks. */
 static Mesh *read_valid_mesh(const char *path) {
     Mesh *mesh;
     Error error = {0};
-    if (!mesh_file_read(path, NULL, &mesh, &error)) {
+    if (!read_mesh_file(path, NULL, &mesh, &error)) {
         fail_msg("%s: %s", path, error.message);
     }
     assert_true(mesh_validate(mesh, &error));
@@ -60,7 +75,7 @@ static Mesh *read_text(void **state, const char *text) {
 static void assert_file_refused(const char *path, const char *words) {
     Mesh *mesh = (Mesh *)&mesh;
     Error error = {0};
-    bool is_read = mesh_file_read(path, NULL, &mesh, &error);
+    bool is_read = read_mesh_file(path, NULL, &mesh, &error);
     if (is_read || mesh || error.status != STATUS_SCENE || !strstr(error.message, words)) {
         fail_msg("%s: wanted: %s, got: (%d) %s", path, words, error.status, error.message);
     }
@@ -546,7 +561,7 @@ static void test_changes(void **state) {
         Mesh *mesh;
         Error error = {0};
         write_file(path, CUBE, strlen(CUBE));
-        bool is_read = mesh_file_read(path, &progress, &mesh, &error);
+        bool is_read = read_mesh_file(path, &progress, &mesh, &error);
         assert_int_equal(is_read, changes[i].mode == NULL);
         assert_true(is_read || strstr(error.message, changes[i].words));
         assert_true(changer.progress_count >= 1 && changer.end_count == 1 &&

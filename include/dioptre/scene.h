@@ -18,6 +18,7 @@
 #include <stdatomic.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <sys/types.h>
 
 /* --- Textures --------------------------------------------------------------------------------- */
 
@@ -595,6 +596,8 @@ typedef struct SceneFile {
     const char *path;     /**< Absolute path without links. */
     const char *name;     /**< Name in the scene. */
     const char *location; /**< `FILE:LINE` of its first use, the prefix of errors about it. */
+    dev_t device;         /**< With #inode: which file it is, by whatever name; 0 until opened. */
+    ino_t inode;          /**< See #device. */
 } SceneFile;
 
 /** A mesh file that a scene names. */

@@ -391,8 +391,8 @@ bool read_linear(ImageReader *reader, int first, int count, float *rgb,
 }
 
 /**
- * Is ImagePlugin::is_damaged. The reader of JPEG fills what is missing with grey, returns that it
- * was read, and leaves a message.
+ * Is ImagePlugin::is_damaged. The readers of JPEG and TIFF fill what is missing, return that it was
+ * read, and leave a message.
  * @param reader  The open file.
  * @return Whether there is a message.
  */

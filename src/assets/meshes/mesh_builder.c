@@ -171,15 +171,18 @@ static bool append_triangle(MeshBuilder *builder, const MeshCorner corners[3]) {
     return true;
 }
 
+bool mesh_builder_check(const MeshBuilder *builder, const double position[3]) {
+    return are_in_range(position, 3) ||
+           error_set(builder->error, STATUS_SCENE,
+                     "a vertex lies at (%g, %g, %g): coordinates must be finite and at most %g",
+                     position[0], position[1], position[2], LENGTH_MAXIMUM);
+}
+
 bool mesh_builder_add(void *context, const MeshCorner corners[3]) {
     MeshBuilder *builder = context;
     for (int k = 0; k < 3; k++) {
-        const double *position = corners[k].position;
-        if (!are_in_range(position, 3)) {
-            return error_set(builder->error, STATUS_SCENE,
-                             "a vertex lies at (%g, %g, %g): coordinates must be finite and at "
-                             "most %g",
-                             position[0], position[1], position[2], LENGTH_MAXIMUM);
+        if (!mesh_builder_check(builder, corners[k].position)) {
+            return false;
         }
     }
     if (!has_area(vector_from_array(corners[0].position), vector_from_array(corners[1].position),

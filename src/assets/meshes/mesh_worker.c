@@ -4,6 +4,7 @@
  */
 #include "assets/meshes/mesh_worker.h"
 
+#include "assets/asset_budget.h"
 #include "assets/meshes/mesh_builder.h"
 #include "assets/meshes/obj_reader.h"
 #include "assets/plugin.h"
@@ -105,9 +106,13 @@ static bool make_block(WorkerJob *job, MeshBuilder *builder, Error *error) {
     if (!mesh_builder_finish(builder, &counts)) {
         return false;
     }
-    if (mesh_block_size(&counts) > MESH_CAPACITY) {
+    const MeshWorkerRequest *request = job->request;
+    if (mesh_block_size(&counts) > request->capacity) {
+        if (request->is_capacity_shared) {
+            return asset_budget_set_memory_error(error);
+        }
         return error_set(error, STATUS_SCENE, "its %zu triangles take more than %zu MiB",
-                         counts.triangle_count, MESH_CAPACITY >> 20);
+                         counts.triangle_count, request->capacity >> 20);
     }
     Mesh *mesh = mesh_create(&counts, error);
     if (mesh) {

@@ -179,9 +179,10 @@ static bool read_vertex(ObjReader *reader, VertexKind kind) {
     bool is_valid = true;
     for (int i = 0; i < vertices->dimension; i++) {
         numbers[i] = 0;
-        is_valid = is_valid && ((i >= vertices->required && obj_text_is_at_end(&reader->text)) ||
-                                (obj_text_number(&reader->text, &numbers[i]) &&
-                                 fabs(numbers[i]) <= LENGTH_MAXIMUM));
+        is_valid =
+            is_valid &&
+            ((i >= vertices->required && obj_text_is_at_end(&reader->text)) ||
+             (obj_text_number(&reader->text, &numbers[i]) && fabs(numbers[i]) <= LENGTH_MAXIMUM));
     }
     if (!is_valid) {
         numbers[0] = (double)NAN; // A float, of which clang warns.

@@ -6,9 +6,9 @@
  * polygon has one (Meisters, *Polygons Have Ears*, 1975). Cutting them takes a time that grows with
  * the square of the number of vertices; convex polygons are cut into a fan at once.
  *
- * A polygon that is not flat is cut as it is seen along an axis. Where its edges cross in that view,
- * it is cut as seen along its normal. A quadrilateral whose edges cross even there is folded along a
- * diagonal, so that a mesh stays closed; a larger polygon misses triangles.
+ * A polygon that is not flat is cut as it is seen along an axis. Where its edges cross in that
+ * view, it is cut as seen along its normal. A quadrilateral whose edges cross even there is folded
+ * along a diagonal, so that a mesh stays closed; a larger polygon misses triangles.
  */
 #include "assets/meshes/triangulate.h"
 
@@ -36,7 +36,8 @@ static Vec3d area_vector(const Vec3d *vertices, size_t count) {
     return sum;
 }
 
-/** @return A vertex in the plane, in x and y. Exactly its coordinates where the directions are axes.
+/** @return A vertex in the plane, in x and y. Exactly its coordinates where the directions are
+ * axes.
  */
 static Vec3d project(const PlanarPolygon *polygon, size_t index) {
     Vec3d v = polygon->vertices[index];

@@ -410,6 +410,27 @@ typedef struct ShapeFacts {
     double tolerance; /**< For #sdf: distance that counts as a hit, scene units. */
 } ShapeFacts;
 
+/** Largest number of flat faces of a shape that is no mesh. */
+enum { SHAPE_FACES_MAXIMUM = 6 };
+
+/** Largest number of corners of a flat face. A disk is given as an octagon of the same area. */
+enum { FACE_CORNERS_MAXIMUM = 8 };
+
+/** A flat face of a shape: a convex polygon, or a whole plane. */
+typedef struct ShapeFace {
+    Vec3d corners[FACE_CORNERS_MAXIMUM]; /**< Corners in turn; of a plane, one of its points. */
+    int corner_count;                    /**< Number of #corners; 1: a whole plane. */
+    Vec3d normal;                        /**< Unit normal; outwards on a solid. */
+    bool is_solid;                       /**< Whether a solid is behind the face. */
+} ShapeFace;
+
+/** The curved surface of a sphere or cylinder. */
+typedef struct ShapeShell {
+    Vec3d base;    /**< Centre of a sphere, or of one end of a cylinder. */
+    Vec3d top;     /**< The same of a sphere, or the centre of the other end. */
+    double radius; /**< Radius, scene units. */
+} ShapeShell;
+
 /** Description of a kind of shape. */
 typedef struct SceneShapeClass {
     Keyword keyword; /**< Base: name, fields, defaults and checks in the scene language. */
@@ -438,6 +459,18 @@ typedef struct SceneShapeClass {
      * @param point       The point.
      */
     double (*distance)(const void *parameters, const Scene *scene, Vec3d point);
+
+    /**
+     * Lists the flat faces before the transform. NULL: there are none, or the shape is a mesh.
+     * @param parameters  The struct that #keyword describes, finished.
+     * @param[out] faces  #SHAPE_FACES_MAXIMUM faces.
+     * @return Their number.
+     */
+    size_t (*faces)(const void *parameters, ShapeFace *faces);
+
+    /** @return The curved surface before the transform. NULL: none, or none of #ShapeShell.
+     *  @param parameters The struct that #keyword describes, finished. */
+    ShapeShell (*shell)(const void *parameters);
 } SceneShapeClass;
 
 /** Descriptions of all kinds of shapes in the order of #SHAPES; NULL ends the list. */
@@ -460,6 +493,22 @@ size_t scene_shape_find(const char *name);
  * @return The properties; the bounding box is that of the transformed shape.
  */
 ShapeFacts scene_shape_facts(const Scene *scene, const SceneShape *shape);
+
+/**
+ * Lists the flat faces of a shape of a scene, in the scene.
+ * @param shape       The shape.
+ * @param[out] faces  #SHAPE_FACES_MAXIMUM faces.
+ * @return Their number; 0 for a mesh.
+ */
+size_t scene_shape_faces(const SceneShape *shape, ShapeFace *faces);
+
+/**
+ * Finds the curved surface of a sphere or cylinder of a scene, in the scene.
+ * @param shape       The shape.
+ * @param[out] shell  The surface.
+ * @return false if the shape has none, or if its transform makes it an ellipsoid.
+ */
+bool scene_shape_shell(const SceneShape *shape, ShapeShell *shell);
 
 /**
  * @return A lower bound of the distance of a point from the surface of a shape.

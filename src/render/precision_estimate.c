@@ -358,7 +358,7 @@ PrecisionEstimate precision_estimate_of(const Scene *scene) {
                        PRECISION_VISIBLE_ERROR * TERMINATOR_MARGIN * images *
                            measures.terminator_fraction / PIXEL_FRACTION_ALLOWED);
     keep_largest_error(&estimate, PRECISION_Z_FIGHTING,
-                       PRECISION_VISIBLE_ERROR * z_fighting_fraction(scene, measures.origin) /
+                       PRECISION_VISIBLE_ERROR * z_fighting_of(scene).fraction /
                            PIXEL_FRACTION_ALLOWED);
     int depth = scene->image.depth >= 0 ? scene->image.depth : estimate.depth;
     accumulate_ray_divergence(&measures, depth);

@@ -11,6 +11,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /** Half an ulp of 1 in float. */
 #define FLOAT_ROUNDOFF 0x1p-24
@@ -25,6 +26,14 @@
 /** Roundings of directions in the spaces of two transformed shapes. They move a hit along the
  *  surface, which shows in the distance itself, not in its part across the surface. */
 #define DIRECTION_ROUNDINGS 1
+
+/** Roundings of a ray's offset from the surface that it leaves, in the largest coordinate, and as
+ *  many again for those of the next surface. Light that leaves glass may start behind a surface
+ *  that is nearer. */
+#define GLASS_ROUNDINGS 32
+
+/** Chance that a pixel is wrong where light in glass may miss a surface. */
+#define GLASS_CHANCE 0.5
 
 /** Relative gap below which faces coincide: roundings of a few operations on the scene's numbers.
  *  Double cannot tell them apart. */
@@ -78,18 +87,22 @@ typedef struct Search {
     double half_width;  /**< Half the width of the picture at distance 1. */
     double half_height; /**< Half its height. */
     bool has_secondary; /**< Whether rays are reflected or refracted. */
+    bool has_glass;     /**< Whether rays are refracted. */
     Aabbd secondary;    /**< Box from which they start. */
+    Aabbd centers;      /**< Box around the centres of the shapes from which they start. */
     long box_pairs;     /**< Pairs of boxes compared. */
     long shape_pairs;   /**< Pairs of shapes compared. */
     size_t vertices;    /**< Vertices compared. */
-    double fraction;    /**< The result. */
+    ZFighting result;   /**< What is found. */
 } Search;
 
 /** A face, with what its roundings depend on. */
 typedef struct FacePair {
-    const ShapeFace *faces[2]; /**< The faces; the second is bounded unless both are not. */
-    bool has_transform;        /**< Whether one of the shapes is transformed. */
-    double bound;              /**< Largest gap that matters, scene units. */
+    const ShapeFace *faces[2];   /**< The faces; the second is bounded unless both are not. */
+    const SceneShape *shapes[2]; /**< Their shapes. */
+    bool has_transform;          /**< Whether one of the shapes is transformed. */
+    bool is_glass;               /**< Whether one of the shapes is transparent. */
+    double bound;                /**< Largest gap that matters, scene units. */
 } FacePair;
 
 /* --- geometry --------------------------------------------------------------------------------- */
@@ -194,6 +207,14 @@ static double polygon_picture_share(const Search *search, const Polygon *polygon
     return fmin(1, polygon_area(&flat) / (4 * search->half_width * search->half_height));
 }
 
+/** @return The fraction of the picture that a polygon covers in a mirror: about as if the eye saw
+ *          all of it from the front. 0 if there is no mirror. */
+static double polygon_mirrored_share(const Search *search, const Polygon *polygon) {
+    double distance = polygon_distance(search, polygon);
+    double picture = 4 * search->half_width * search->half_height * distance * distance;
+    return search->has_secondary ? fmin(1, polygon_area(polygon) / picture) : 0;
+}
+
 /* --- roundings -------------------------------------------------------------------------------- */
 
 /** @return The largest coordinate of a point relative to the origin of tracers. */
@@ -201,12 +222,20 @@ static double magnitude_of(const Search *search, Vec3d point) {
     return vec3d_max_abs(vec3d_subtract(point, search->origin));
 }
 
-/** @return The largest gap between surfaces that float may see the wrong way round, scene units.
- *  @param height Distance of the eye from the surfaces. @param distance That from the point where
- *  transformed shapes are met; else 0. @param magnitude Largest rounded coordinate. */
-static double gap_bound(double height, double distance, double magnitude) {
-    return FLOAT_ROUNDOFF * (DISTANCE_ROUNDINGS * height + DIRECTION_ROUNDINGS * distance +
-                             COORDINATE_ROUNDINGS * magnitude);
+/** What the rounding of a gap depends on. */
+typedef struct GapScale {
+    double height;    /**< Distance of the eye from the surfaces. */
+    double distance;  /**< If one of them is transformed: distance of the eye from the point where
+                           they are met. Else 0. */
+    double magnitude; /**< Largest coordinate there. */
+    bool is_glass;    /**< Whether one of them is transparent. */
+} GapScale;
+
+/** @return The largest gap between surfaces that float may see wrongly, scene units. */
+static double gap_bound(GapScale scale) {
+    double coordinates = scale.is_glass ? GLASS_ROUNDINGS : COORDINATE_ROUNDINGS;
+    return FLOAT_ROUNDOFF * (DISTANCE_ROUNDINGS * scale.height +
+                             DIRECTION_ROUNDINGS * scale.distance + coordinates * scale.magnitude);
 }
 
 /** @return The integral of (1 - |t|)^2 / 2, the chance of an inverted order at a gap of t bounds,
@@ -233,7 +262,7 @@ static double chance_between(double low, double high, double bound) {
 static bool face_is_seen(const Search *search, const ShapeFace *face) {
     double highest = height_above(face, search->scene->camera.position);
     for (int i = 0; i < 8 && search->has_secondary; i++) {
-        highest = fmax(highest, height_above(face, aabbd_corner(&search->secondary, i)));
+        highest = fmax(highest, height_above(face, aabbd_corner(&search->centers, i)));
     }
     double magnitude = magnitude_of(search, face->corners[0]);
     return !face->is_solid || highest > COORDINATE_ROUNDINGS * FLOAT_ROUNDOFF * magnitude;
@@ -273,14 +302,14 @@ static Polygon polygon_of_face(const Search *search, const ShapeFace *face) {
 }
 
 /** @return The chance that a pixel of a polygon is wrong, which is clipped to a gap. */
-static double polygon_chance(const Polygon *polygon, const ShapeFace *face, double bound) {
+static double polygon_chance(const Polygon *polygon, const FacePair *pair, double bound) {
     double low = HUGE_VAL, high = -HUGE_VAL;
     for (int i = 0; i < polygon->count; i++) {
-        double gap = height_above(face, polygon->corners[i]);
+        double gap = height_above(pair->faces[0], polygon->corners[i]);
         low = fmin(low, gap);
         high = fmax(high, gap);
     }
-    return chance_between(low, high, bound);
+    return pair->is_glass ? GLASS_CHANCE : chance_between(low, high, bound);
 }
 
 /**
@@ -297,26 +326,48 @@ static void add_overlap(Search *search, const Polygon *overlap, const FacePair *
     if (seen.count >= 3) {
         double height = fabs(height_above(face, search->scene->camera.position));
         double distance = pair->has_transform ? polygon_distance(search, &seen) : 0;
-        double bound = gap_bound(height, distance, magnitude);
+        double bound = gap_bound((GapScale){height, distance, magnitude, pair->is_glass});
         polygon_clip_to_gap(&seen, face, bound);
         if (seen.count >= 3) {
-            fraction += polygon_picture_share(search, &seen) * polygon_chance(&seen, face, bound);
+            fraction += polygon_picture_share(search, &seen) * polygon_chance(&seen, pair, bound);
         }
     }
     if (search->has_secondary) {
-        // A mirror shows the overlap about as large as the eye would see it from the front.
         Polygon mirrored = *overlap;
         double height = secondary_height(search, face);
-        double bound = gap_bound(height, pair->has_transform ? height : 0, magnitude);
+        double distance = pair->has_transform ? height : 0;
+        double bound = gap_bound((GapScale){height, distance, magnitude, pair->is_glass});
         polygon_clip_to_gap(&mirrored, face, bound);
         if (mirrored.count >= 3) {
-            double distance = polygon_distance(search, &mirrored);
-            double picture = 4 * search->half_width * search->half_height * distance * distance;
             fraction +=
-                fmin(1, polygon_area(&mirrored) / picture) * polygon_chance(&mirrored, face, bound);
+                polygon_mirrored_share(search, &mirrored) * polygon_chance(&mirrored, pair, bound);
         }
     }
-    search->fraction += fmin(1, fraction);
+    search->result.fraction += fmin(1, fraction);
+}
+
+/** @return Whether two surfaces of the same place look alike. */
+static bool look_alike(const Scene *scene, const SceneShape *a, const SceneShape *b) {
+    const SceneMaterial *first = &scene->materials[a->material_index],
+                        *second = &scene->materials[b->material_index];
+    return first->texture_id == 0 && memcmp(first, second, sizeof *first) == 0;
+}
+
+/** Remembers opaque faces that coincide and look different. @param overlap Their common part. */
+static void add_coincident(Search *search, const Polygon *overlap, const FacePair *pair) {
+    if (pair->is_glass || look_alike(search->scene, pair->shapes[0], pair->shapes[1])) {
+        return;
+    }
+    Polygon seen = *overlap;
+    polygon_clip_to_picture(search, &seen);
+    double direct = seen.count >= 3 ? polygon_picture_share(search, &seen) : 0;
+    double share = fmax(direct, polygon_mirrored_share(search, overlap));
+    if (share > search->result.coincident) {
+        int first = pair->shapes[0]->line, second = pair->shapes[1]->line;
+        search->result.coincident = share;
+        search->result.lines[0] = first < second ? first : second;
+        search->result.lines[1] = first < second ? second : first;
+    }
 }
 
 /** Compares two faces. */
@@ -344,7 +395,12 @@ static void compare_faces(Search *search, const FacePair *pair) {
         farthest = fmax(farthest, fabs(height_above(a, overlap.corners[i])));
     }
     double height = fabs(height_above(a, search->scene->camera.position));
-    if (overlap.count >= 3 && farthest > COINCIDENT * (height + magnitude + plane_magnitude)) {
+    if (overlap.count < 3) {
+        return;
+    }
+    if (farthest <= COINCIDENT * (height + magnitude + plane_magnitude)) {
+        add_coincident(search, &overlap, pair);
+    } else {
         bool is_plane = a->corner_count == 1 && b->corner_count == 1;
         add_overlap(search, &overlap, pair, is_plane ? plane_magnitude : magnitude);
     }
@@ -366,20 +422,45 @@ static double shape_gap_bound(const Search *search, const Aabbd *box) {
         double from_start = farthest_distance(&search->secondary, center) + vec3d_length(half);
         distance = fmax(distance, from_start);
     }
-    return gap_bound(distance, distance, magnitude_of(search, center) + vec3d_max_abs(half));
+    double magnitude = magnitude_of(search, center) + vec3d_max_abs(half);
+    return gap_bound((GapScale){distance, distance, magnitude, search->has_glass});
+}
+
+/** @return Whether a shape is transparent. */
+static bool is_glass(const Search *search, const SceneShape *shape) {
+    return scene_material_is_transparent(&search->scene->materials[shape->material_index]);
+}
+
+/** Lists the faces of a shape. The inside of glass is seen. @param[out] faces
+ *  #SHAPE_FACES_MAXIMUM of them. @return Their number. */
+static size_t visible_faces(const Search *search, const SceneShape *shape, ShapeFace *faces) {
+    size_t count = scene_shape_faces(shape, faces);
+    for (size_t i = 0; i < count; i++) {
+        faces[i].is_solid = faces[i].is_solid && !is_glass(search, shape);
+    }
+    return count;
+}
+
+/** @return A pair of faces of two shapes, to be filled in. @param bound See #FacePair.bound. */
+static FacePair face_pair_of(const Search *search, const SceneShape *a, const SceneShape *b,
+                             double bound) {
+    return (FacePair){.shapes = {a, b},
+                      .has_transform = a->transform || b->transform,
+                      .is_glass = is_glass(search, a) || is_glass(search, b),
+                      .bound = bound};
 }
 
 /** Compares the faces of two shapes. @param bound See #FacePair.bound. */
 static void compare_flat_shapes(Search *search, const SceneShape *a, const SceneShape *b,
                                 double bound) {
     ShapeFace faces_a[SHAPE_FACES_MAXIMUM], faces_b[SHAPE_FACES_MAXIMUM];
-    size_t count_a = scene_shape_faces(a, faces_a),
-           count_b = count_a > 0 ? scene_shape_faces(b, faces_b) : 0;
-    for (size_t i = 0; i < count_a; i++) {
-        for (size_t k = 0; k < count_b; k++) {
-            FacePair pair = {{&faces_a[i], &faces_b[k]}, a->transform || b->transform, bound};
-            compare_faces(search, &pair);
-        }
+    size_t count_a = visible_faces(search, a, faces_a),
+           count_b = count_a > 0 ? visible_faces(search, b, faces_b) : 0;
+    FacePair pair = face_pair_of(search, a, b, bound);
+    for (size_t i = 0; i < count_a * count_b; i++) {
+        pair.faces[0] = &faces_a[i / count_b];
+        pair.faces[1] = &faces_b[i % count_b];
+        compare_faces(search, &pair);
     }
 }
 
@@ -421,7 +502,8 @@ static void compare_triangle(Search *search, const SceneShape *shape, const Mesh
     Vec3d u = vec3d_subtract(face.corners[1], face.corners[0]),
           v = vec3d_subtract(face.corners[2], face.corners[0]);
     face.normal = vec3d_normalize(vec3d_cross(u, v));
-    FacePair pair = {{plane->faces[0], &face}, plane->has_transform, plane->bound};
+    FacePair pair = *plane;
+    pair.faces[1] = &face;
     compare_faces(search, &pair);
 }
 
@@ -449,9 +531,10 @@ static void compare_mesh_with_face(Search *search, const SceneShape *shape, cons
 static void compare_mesh(Search *search, const SceneShape *shape, const Mesh *mesh,
                          const SceneShape *other, double bound) {
     ShapeFace faces[SHAPE_FACES_MAXIMUM];
-    size_t count = scene_shape_faces(other, faces);
+    size_t count = visible_faces(search, other, faces);
+    FacePair plane = face_pair_of(search, shape, other, bound);
     for (size_t i = 0; i < count; i++) {
-        FacePair plane = {{&faces[i], NULL}, shape->transform || other->transform, bound};
+        plane.faces[0] = &faces[i];
         if (face_is_seen(search, &faces[i])) {
             compare_mesh_with_face(search, shape, mesh, &plane);
         }
@@ -486,28 +569,32 @@ static double shell_axes_distance(const ShapeShell *a, const ShapeShell *b, doub
     return *length > 0 ? distance : HUGE_VAL;
 }
 
-/** Compares two spheres or two cylinders. The gap between them runs evenly from the difference of
- *  the radii less the distance of the axes to the sum of both. */
-static void compare_shells(Search *search, const ShapeShell *a, const ShapeShell *b, double bound) {
-    double length, apart = shell_axes_distance(a, b, &length), growth = a->radius - b->radius;
-    double low = growth - apart, high = growth + apart;
-    double magnitude = magnitude_of(search, a->base) + a->radius;
-    Vec3d to_eye = vec3d_subtract(search->scene->camera.position, a->base);
-    double distance = fmax(vec3d_length(to_eye), a->radius);
-    if (!(low < bound && high > -bound) ||
-        fmax(fabs(low), fabs(high)) <= COINCIDENT * (distance + magnitude)) {
+/** Compares two shapes if both are spheres or cylinders. The gap between them runs evenly from the
+ *  difference of the radii less the distance of the axes to the sum of both.
+ *  @param bound See #FacePair.bound. */
+static void compare_shells(Search *search, const SceneShape *shape_a, const SceneShape *shape_b,
+                           double bound) {
+    ShapeShell a, b;
+    if (!scene_shape_shell(shape_a, &a) || !scene_shape_shell(shape_b, &b)) {
         return;
     }
-    double reached = search->has_secondary ? bound : gap_bound(distance, 0, magnitude);
-    double from = fmax(low, -reached), to = fmin(high, reached);
-    if (from > to) {
+    double length, apart = shell_axes_distance(&a, &b, &length), growth = a.radius - b.radius;
+    double low = growth - apart, high = growth + apart;
+    double magnitude = magnitude_of(search, a.base) + a.radius;
+    Vec3d to_eye = vec3d_subtract(search->scene->camera.position, a.base);
+    double distance = fmax(vec3d_length(to_eye), a.radius);
+    bool has_glass = is_glass(search, shape_a) || is_glass(search, shape_b);
+    double seen = gap_bound((GapScale){distance, 0, magnitude, has_glass});
+    double reach = search->has_secondary ? bound : seen;
+    double from = fmax(low, -reach), to = fmin(high, reach);
+    if (from > to || fmax(fabs(low), fabs(high)) <= COINCIDENT * (distance + magnitude)) {
         return;
     }
     double part = high > low ? (to - from) / (high - low) : 1;
-    double area = fmin(M_PI * a->radius * a->radius + 2 * a->radius * length,
-                       4 * distance * distance * search->half_width * search->half_height);
-    double share = area / (4 * distance * distance * search->half_width * search->half_height);
-    search->fraction += share * fmin(1, part) * chance_between(from, to, reached);
+    double picture = 4 * search->half_width * search->half_height * distance * distance;
+    double area = M_PI * a.radius * a.radius + 2 * a.radius * length;
+    search->result.fraction += fmin(1, area / picture) * fmin(1, part) *
+                               (has_glass ? GLASS_CHANCE : chance_between(from, to, reach));
 }
 
 /* --- pairs of shapes -------------------------------------------------------------------------- */
@@ -529,16 +616,13 @@ static void compare_shapes(Search *search, const BoundedShape *a, const BoundedS
         return;
     }
     double bound = a->bound > b->bound ? a->bound : b->bound;
-    ShapeShell shell_a, shell_b;
     if (a->mesh || b->mesh) {
         const BoundedShape *mesh = a->mesh ? a : b, *other = a->mesh ? b : a;
         compare_mesh(search, mesh->shape, mesh->mesh, other->shape, bound);
         return;
     }
     compare_flat_shapes(search, a->shape, b->shape, bound);
-    if (scene_shape_shell(a->shape, &shell_a) && scene_shape_shell(b->shape, &shell_b)) {
-        compare_shells(search, &shell_a, &shell_b, bound);
-    }
+    compare_shells(search, a->shape, b->shape, bound);
 }
 
 /** @return The box around the boxes of shapes. */
@@ -643,11 +727,9 @@ static void compare_spheres(Search *search, BoundedShape *spheres, size_t count)
         for (const BoundedShape *b = a + 1; b < end && b->box.low.x - a->box.low.x <= reach; b++) {
             Vec3d low = vec3d_subtract(a->box.low, b->box.low),
                   high = vec3d_subtract(a->box.high, b->box.high);
-            ShapeShell shell_a, shell_b;
             if (search->box_pairs++ < BOX_PAIRS_MAXIMUM && vec3d_max_abs(low) <= reach &&
-                vec3d_max_abs(high) <= reach && search->shape_pairs++ < SHAPE_PAIRS_MAXIMUM &&
-                scene_shape_shell(a->shape, &shell_a) && scene_shape_shell(b->shape, &shell_b)) {
-                compare_shells(search, &shell_a, &shell_b, a->bound);
+                vec3d_max_abs(high) <= reach && search->shape_pairs++ < SHAPE_PAIRS_MAXIMUM) {
+                compare_shells(search, a->shape, b->shape, a->bound);
             }
         }
     }
@@ -702,16 +784,27 @@ static bool is_secondary(const Scene *scene, const SceneShape *shape) {
 static void find_secondary(Search *search) {
     const Scene *scene = search->scene;
     Aabbd *box = &search->secondary;
-    *box = aabbd_empty();
+    *box = search->centers = aabbd_empty();
     bool is_bounded = true;
     for (size_t i = 0; i < scene->shape_count; i++) {
-        if (is_secondary(scene, &scene->shapes[i])) {
-            Aabbd bounds = scene_shape_facts(scene, &scene->shapes[i]).bounds;
-            is_bounded = is_bounded && aabbd_is_bounded(bounds);
-            box->low = vec3d_min(box->low, bounds.low);
-            box->high = vec3d_max(box->high, bounds.high);
-            search->has_secondary = true;
+        const SceneShape *shape = &scene->shapes[i];
+        if (!is_secondary(scene, shape)) {
+            continue;
         }
+        Aabbd bounds = scene_shape_facts(scene, shape).bounds;
+        Vec3d center = vec3d_scale(vec3d_add(bounds.low, bounds.high), 0.5);
+        if (!aabbd_is_bounded(bounds)) {
+            ShapeFace face = {.corners = {scene->camera.position}};
+            scene_shape_faces(shape, &face);
+            double height = height_above(&face, scene->camera.position);
+            center = vec3d_subtract(scene->camera.position, vec3d_scale(face.normal, height));
+            is_bounded = false;
+        }
+        search->centers = aabbd_add_point(search->centers, center);
+        box->low = vec3d_min(box->low, bounds.low);
+        box->high = vec3d_max(box->high, bounds.high);
+        search->has_secondary = true;
+        search->has_glass = search->has_glass || is_glass(search, shape);
     }
     if (!is_bounded) {
         *box = aabbd_add_point(scene_bounds(scene), scene->camera.position);
@@ -757,11 +850,11 @@ static void search_scene(Search *search, const SearchMemory *memory) {
     compare_spheres(search, memory->spheres, sphere_count);
 }
 
-double z_fighting_fraction(const Scene *scene, Vec3d origin) {
+ZFighting z_fighting_of(const Scene *scene) {
     const SceneCamera *camera = &scene->camera;
     double half_width = tan(camera->fov / 2 * (M_PI / 180));
     Search search = {.scene = scene,
-                     .origin = origin,
+                     .origin = scene_local_origin(scene),
                      .right = scene_camera_right(camera),
                      .half_width = half_width,
                      .half_height = half_width * scene->image.height / scene->image.width};
@@ -776,5 +869,6 @@ double z_fighting_fraction(const Scene *scene, Vec3d origin) {
     free(memory.planes);
     free(memory.spheres);
     free(memory.shapes);
-    return fmin(1, search.fraction);
+    search.result.fraction = fmin(1, search.result.fraction);
+    return search.result;
 }

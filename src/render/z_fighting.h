@@ -17,14 +17,21 @@
 
 #include "dioptre/scene.h"
 
-/**
- * @return The fraction of a scene's pixels that float may give to the wrong one of two surfaces,
- *         such as a disk just above a floor. Surfaces that coincide exactly do not count: double
- *         cannot tell them apart either. The time is proportional to the number of shapes, and to
- *         that of the vertices of meshes that touch a flat face.
- * @param scene   The scene.
- * @param origin  Its #scene_local_origin, to which coordinates are relative.
- */
-double z_fighting_fraction(const Scene *scene, Vec3d origin);
+/** Fraction of a picture from which on it is said that surfaces coincide. */
+#define Z_FIGHTING_COINCIDENT_SAID 1e-4
+
+/** Surfaces of a scene that float, or nothing, can tell apart. */
+typedef struct ZFighting {
+    double fraction;   /**< Fraction of the pixels that float may give to the wrong one of two
+                            surfaces, such as a disk just above a floor. */
+    double coincident; /**< Fraction of the pixels that show the two opaque faces that coincide
+                            exactly and look different, where they are largest. No engine can tell
+                            them apart, and #fraction does not count them. */
+    int lines[2];      /**< Their lines in the scene file; 0: unknown, or in an included file. */
+} ZFighting;
+
+/** @return What is found in a scene. The time is proportional to the number of shapes, and to that
+ *          of the vertices of meshes that touch a flat face. */
+ZFighting z_fighting_of(const Scene *scene);
 
 #endif

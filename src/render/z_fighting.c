@@ -314,8 +314,8 @@ static double polygon_chance(const Polygon *polygon, const FacePair *pair, doubl
 
 /**
  * Adds the pixels of the overlap of two faces.
- * @param overlap  The common part of both.
- * @param face     One of the faces.
+ * @param overlap    The common part of both.
+ * @param magnitude  Its largest coordinate.
  */
 static void add_overlap(Search *search, const Polygon *overlap, const FacePair *pair,
                         double magnitude) {

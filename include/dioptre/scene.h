@@ -424,11 +424,12 @@ typedef struct ShapeFace {
     bool is_solid;                       /**< Whether a solid is behind the face. */
 } ShapeFace;
 
-/** The curved surface of a sphere or cylinder. */
+/** The curved surface of a sphere, or of a cylinder or cone. */
 typedef struct ShapeShell {
-    Vec3d base;    /**< Centre of a sphere, or of one end of a cylinder. */
-    Vec3d top;     /**< The same of a sphere, or the centre of the other end. */
-    double radius; /**< Radius, scene units. */
+    Vec3d base;        /**< Centre of a sphere, or of one end of a cylinder. */
+    Vec3d top;         /**< The same of a sphere, or the centre of the other end. */
+    double radius;     /**< Radius at the base, scene units. */
+    double top_radius; /**< Radius at the top. */
 } ShapeShell;
 
 /** Description of a kind of shape. */
@@ -501,14 +502,6 @@ ShapeFacts scene_shape_facts(const Scene *scene, const SceneShape *shape);
  * @return Their number; 0 for a mesh.
  */
 size_t scene_shape_faces(const SceneShape *shape, ShapeFace *faces);
-
-/**
- * Finds the curved surface of a sphere or cylinder of a scene, in the scene.
- * @param shape       The shape.
- * @param[out] shell  The surface.
- * @return false if the shape has none, or if its transform makes it an ellipsoid.
- */
-bool scene_shape_shell(const SceneShape *shape, ShapeShell *shell);
 
 /**
  * @return A lower bound of the distance of a point from the surface of a shape.

@@ -73,6 +73,12 @@ static size_t cone_faces(const void *parameters, ShapeFace *faces) {
     return count;
 }
 
+/** @return The side. See #SceneShapeClass.shell. */
+static ShapeShell cone_shell(const void *parameters) {
+    const ConeParameters *p = parameters;
+    return (ShapeShell){p->base, p->top, p->radius, p->top_radius};
+}
+
 /** Description of `cone`. */
 const SceneShapeClass scene_cone_class = {
     .keyword = {.name = "cone",
@@ -83,4 +89,5 @@ const SceneShapeClass scene_cone_class = {
                 .finish = cone_finish},
     .facts = cone_facts,
     .faces = cone_faces,
+    .shell = cone_shell,
 };

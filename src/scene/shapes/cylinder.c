@@ -67,7 +67,7 @@ static size_t cylinder_faces(const void *parameters, ShapeFace *faces) {
 /** @return The side. See #SceneShapeClass.shell. */
 static ShapeShell cylinder_shell(const void *parameters) {
     const CylinderParameters *p = parameters;
-    return (ShapeShell){p->base, p->top, p->radius};
+    return (ShapeShell){p->base, p->top, p->radius, p->radius};
 }
 
 /** Description of `cylinder`. */

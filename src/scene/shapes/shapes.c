@@ -89,22 +89,6 @@ size_t scene_shape_faces(const SceneShape *shape, ShapeFace *faces) {
     return count;
 }
 
-bool scene_shape_shell(const SceneShape *shape, ShapeShell *shell) {
-    const SceneShapeClass *class = scene_shape_classes[shape->class_index];
-    if (!class->shell) {
-        return false;
-    }
-    *shell = class->shell(shape->parameters);
-    const Transform *transform = shape->transform;
-    if (transform) {
-        shell->base = transform_point(transform, shell->base);
-        shell->top = transform_point(transform, shell->top);
-        shell->radius *= fabs(transform->scale.x);
-    }
-    return !transform || (fabs(transform->scale.x) == fabs(transform->scale.y) &&
-                          fabs(transform->scale.x) == fabs(transform->scale.z));
-}
-
 Aabbd scene_bounds(const Scene *scene) {
     Aabbd bounds = aabbd_empty();
     for (size_t i = 0; i < scene->shape_count; i++) {

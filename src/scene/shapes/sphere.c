@@ -32,7 +32,7 @@ static double sphere_distance(const void *parameters, const Scene *scene, Vec3d 
 /** @return The sphere. See #SceneShapeClass.shell. */
 static ShapeShell sphere_shell(const void *parameters) {
     const SphereParameters *p = parameters;
-    return (ShapeShell){p->center, p->center, p->radius};
+    return (ShapeShell){p->center, p->center, p->radius, p->radius};
 }
 
 /** Description of `sphere`. */

@@ -185,6 +185,8 @@ typedef struct SceneLightSize {
     double area;  /**< Intensity over radiance, scene units squared; 0: it is a point. */
 } SceneLightSize;
 
+typedef struct ShapeFace ShapeFace;
+
 /** A class of lights in the description of a scene: the vtable. */
 typedef struct SceneLightClass {
     const Keyword *keyword; /**< Name, fields and checks; its struct is a #SceneLight. */
@@ -214,6 +216,9 @@ typedef struct SceneLightClass {
 
     /** @return The size of the light. NULL: it is never seen. */
     SceneLightSize (*size)(const SceneLight *light);
+
+    /** @return The flat face that is seen of the light. NULL: there is none. */
+    ShapeFace (*face)(const SceneLight *light);
 
     /** @return The vector to the light, of any length. NULL: to its #center. */
     Vec3d (*offset_from)(const SceneLight *light, Vec3d point);
@@ -417,12 +422,12 @@ enum { SHAPE_FACES_MAXIMUM = 6 };
 enum { FACE_CORNERS_MAXIMUM = 8 };
 
 /** A flat face of a shape: a convex polygon, or a whole plane. */
-typedef struct ShapeFace {
+struct ShapeFace {
     Vec3d corners[FACE_CORNERS_MAXIMUM]; /**< Corners in turn; of a plane, one of its points. */
     int corner_count;                    /**< Number of #corners; 1: a whole plane. */
     Vec3d normal;                        /**< Unit normal; outwards on a solid. */
-    bool is_solid;                       /**< Whether a solid is behind the face. */
-} ShapeFace;
+    bool is_solid; /**< Whether the face is seen from outside only: a solid is behind it. */
+};
 
 /** The curved surface of a sphere, or of a cylinder or cone. */
 typedef struct ShapeShell {

@@ -99,7 +99,7 @@ typedef struct Search {
 /** A face, with what its roundings depend on. */
 typedef struct FacePair {
     const ShapeFace *faces[2];   /**< The faces; the second is bounded unless both are not. */
-    const SceneShape *shapes[2]; /**< Their shapes. */
+    const SceneShape *shapes[2]; /**< Their shapes; NULL: a light. */
     bool has_transform;          /**< Whether one of the shapes is transformed. */
     bool is_glass;               /**< Whether one of the shapes is transparent. */
     double bound;                /**< Largest gap that matters, scene units. */
@@ -355,7 +355,8 @@ static bool look_alike(const Scene *scene, const SceneShape *a, const SceneShape
 
 /** Remembers opaque faces that coincide and look different. @param overlap Their common part. */
 static void add_coincident(Search *search, const Polygon *overlap, const FacePair *pair) {
-    if (pair->is_glass || look_alike(search->scene, pair->shapes[0], pair->shapes[1])) {
+    if (pair->is_glass || !pair->shapes[0] ||
+        look_alike(search->scene, pair->shapes[0], pair->shapes[1])) {
         return;
     }
     Polygon seen = *overlap;
@@ -885,6 +886,55 @@ static void compare_planes(Search *search, const SceneShape *const *planes, size
     }
 }
 
+/* --- lights --- */
+
+/** Compares the face of a light with a shape. @param bound See #FacePair.bound. */
+static void compare_light_with_shape(Search *search, const ShapeFace *light,
+                                     const SceneShape *shape, const Mesh *mesh, double bound) {
+    ShapeFace faces[SHAPE_FACES_MAXIMUM];
+    size_t count = visible_faces(search, shape, faces);
+    FacePair pair = {.faces = {light, NULL},
+                     .shapes = {NULL, shape},
+                     .has_transform = shape->transform != NULL,
+                     .is_glass = is_glass(search, shape),
+                     .bound = bound};
+    if (mesh) {
+        compare_mesh_with_face(search, shape, mesh, &pair);
+    }
+    for (size_t i = 0; i < count; i++) {
+        bool is_plane = faces[i].corner_count == 1;
+        pair.faces[0] = is_plane ? &faces[i] : light;
+        pair.faces[1] = is_plane ? light : &faces[i];
+        compare_faces(search, &pair);
+    }
+}
+
+/** Compares the faces of lights with all shapes. @param planes The whole planes. */
+static void compare_lights(Search *search, const BoundedShape *shapes, size_t count,
+                           const SceneShape *const *planes, size_t plane_count) {
+    const Scene *scene = search->scene;
+    for (size_t i = 0; i < scene->light_count; i++) {
+        const SceneLight *light = &scene->lights[i];
+        if (!scene_light_classes[light->class_index]->face) {
+            continue;
+        }
+        ShapeFace face = scene_light_classes[light->class_index]->face(light);
+        Aabbd box = aabbd_empty();
+        for (int k = 0; k < face.corner_count; k++) {
+            box = aabbd_add_point(box, face.corners[k]);
+        }
+        double bound = shape_gap_bound(search, &box);
+        for (size_t k = 0; k < plane_count; k++) {
+            compare_light_with_shape(search, &face, planes[k], NULL, bound);
+        }
+        for (size_t k = 0; k < count; k++) {
+            if (aabbd_overlaps(&shapes[k].box, &box)) {
+                compare_light_with_shape(search, &face, shapes[k].shape, shapes[k].mesh, bound);
+            }
+        }
+    }
+}
+
 /* --- the scene -------------------------------------------------------------------------------- */
 
 /** @return Whether a shape reflects or transmits light. */
@@ -961,6 +1011,7 @@ static void search_scene(Search *search, const SearchMemory *memory) {
         compare_plane_with_shapes(search, memory->planes[i], memory->shapes, count);
     }
     compare_group(search, memory->shapes, count);
+    compare_lights(search, memory->shapes, count, memory->planes, plane_count);
     compare_spheres(search, memory->spheres, sphere_count);
 }
 

@@ -8,8 +8,9 @@
  * h / 2^24 therefore shows the wrong surface in some pixels.
  *
  * Only numbers of the scene are compared, no ray is traced. What is compared: flat faces of all
- * shapes with one another, meshes with the faces of other shapes, spheres and ellipsoids, and the
- * sides of cylinders and cones. What is not: the triangles of two meshes, and distance fields.
+ * shapes and lights with one another, meshes with the faces of other shapes, spheres and
+ * ellipsoids, and the sides of cylinders and cones. What is not: the triangles of two meshes, and
+ * distance fields.
  */
 #ifndef DIOPTRE_RENDER_Z_FIGHTING_H
 #define DIOPTRE_RENDER_Z_FIGHTING_H

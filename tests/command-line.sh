@@ -104,6 +104,11 @@ expect 0 'steep.lua:1: ' 'render says it, too' "$dioptre" render "$work/steep.lu
 echo 'camera {} sdf { function(x, y, z, t) return 2 * x - t end }' >"$work/steep.lua"
 expect 0 'steep.lua:1: ' 'animate says it' "$dioptre" animate "$work/steep.lua" -s 8x8 --frames 0-3 -o "$work/%d.bmp"
 [ "$(grep -c 'steep.lua:1: ' "$work/err")" = 1 ] && ok 'once for all frames' || fail "animate says it so often: $(cat "$work/err")"
+# Two squares in one place.
+printf '%s\n' 'camera { position = {0, 0, 4} } ambient(1)' 'quad { material = material { color = {1, 0, 0} } }' \
+    'quad { u = {0.5, 0, 0}, material = material { color = {0, 0, 1} } }' >"$work/same.lua"
+expect 0 'lines 2 and 3 coincide' 'render says which surfaces coincide' \
+    "$dioptre" render "$work/same.lua" -s 8x8 -o "$work/same.bmp"
 echo 'camera {} for i = 1, 500 do sphere { center = {i, 0, -9} } end plane {}' >"$work/many.lua"
 expect 0 '' 'info of many shapes' "$dioptre" info "$work/many.lua"
 holds "$work/out" '^acceleration tree over 500 shapes \(1 outside it; used from [0-9]+\)$' 'info says that there is a tree'

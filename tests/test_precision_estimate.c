@@ -9,6 +9,7 @@
 #include "dioptre/renderer.h"
 #include "dioptre/script.h"
 #include "render/precision_estimate.h"
+#include "render/z_fighting.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -65,11 +66,13 @@ static void trace_scene(const char *engine_name, const Scene *scene, double *rgb
     engine->destroy(tracer);
 }
 
-/** @return The fraction of the pixels that float draws wrongly by more than a step. */
-static double wrong_fraction(const Scene *scene) {
+/** @return The fraction of the pixels that an engine draws wrongly by more than a step.
+ *  @param reference The engine that is right. */
+static double wrong_fraction_of(const char *engine_name, const Scene *scene,
+                                const char *reference) {
     static double single[3 * PIXELS], exact[3 * PIXELS];
-    trace_scene("auto", scene, single);
-    trace_scene("f64x1", scene, exact);
+    trace_scene(engine_name, scene, single);
+    trace_scene(reference, scene, exact);
     int wrong = 0;
     for (int i = 0; i < PIXELS; i++) {
         double worst = 0;
@@ -81,6 +84,11 @@ static double wrong_fraction(const Scene *scene) {
         wrong += worst > 1;
     }
     return (double)wrong / PIXELS;
+}
+
+/** @return The fraction of the pixels that float draws wrongly by more than a step. */
+static double wrong_fraction(const Scene *scene) {
+    return wrong_fraction_of("auto", scene, "f64x1");
 }
 
 /** The estimate says double where float draws pixels wrongly, and float where it does not. */
@@ -117,9 +125,411 @@ static void test_shallow_glass_needs_no_double(void **state) {
     scene_destroy(scene);
 }
 
+/* --- z-fighting ------------------------------------------------------------------------------- */
+
+/** Half an ulp of 1 in float. */
+#define FLOAT_ROUNDOFF 0x1p-24
+
+/** Points the camera of a scene, with a field of view of 40 degrees. */
+static void look_from(Scene *scene, Vec3d position) {
+    /** The bit of `look_at` among the given fields. */
+    enum { GIVES_LOOK_AT = 1 << 1 };
+    Error error = {0};
+    scene->camera.position = position;
+    scene->camera.look_at = (Vec3d){0, 0, 0};
+    scene->camera.fov = 40;
+    assert_true(scene_camera_keyword.finish(&scene->camera, GIVES_LOOK_AT, &error));
+}
+
+/** @return A scene with ambient light, seen from a distance; to be destroyed. */
+static Scene *create_bright_scene(double distance) {
+    Scene *scene = create_empty_scene();
+    scene->image.width = WIDTH;
+    scene->image.height = HEIGHT;
+    scene->ambient = (Rgbd){1, 1, 1};
+    look_from(scene, (Vec3d){0, distance / 6, distance});
+    return scene;
+}
+
+/** Adds a material, for the shapes that follow. */
+static void add_color(Scene *scene, Rgbd color, double reflectivity) {
+    Error error = {0};
+    SceneMaterial material = *(const SceneMaterial *)scene_material_keyword.defaults;
+    material.color = color;
+    material.reflectivity = (Rgbd){reflectivity, reflectivity, reflectivity};
+    assert_true(scene_add_material(scene, &material, &error));
+}
+
+/** Adds a red material. */
+static void add_red(Scene *scene) {
+    add_color(scene, (Rgbd){0.8, 0.1, 0.1}, 0);
+}
+
+/** Adds a blue material. */
+static void add_blue(Scene *scene) {
+    add_color(scene, (Rgbd){0.1, 0.1, 0.9}, 0);
+}
+
+/** Rotates the newest shape, about all axes. */
+static void rotate_newest(Scene *scene) {
+    Error error = {0};
+    Transform how = *(const Transform *)transform_keyword.defaults;
+    how.rotate = (Vec3d){11, 23, 7};
+    assert_true(transform_keyword.finish(&how, 0, &error));
+    assert_true(scene_set_last_transform(scene, &how, &error));
+}
+
+/** Adds a square at a height. @param half Half its side. */
+static void add_level_quad(Scene *scene, double half, double y) {
+    add_shape(scene, "quad",
+              &(QuadParameters){{-half, y, -half}, {0, 0, 2 * half}, {2 * half, 0, 0}});
+}
+
+/** Two surfaces that are a gap apart. */
+typedef struct NearPair {
+    const char *name; /**< Its name. */
+    double distance;  /**< Distance of the eye from the middle, about. */
+    double height;    /**< That from the surfaces. */
+    bool is_said;     /**< Whether it is said if they coincide: they are flat and opaque. */
+    void (*add)(Scene *scene, double gap); /**< Adds it. */
+} NearPair;
+
+/** Adds a disk above a sloping plane. */
+static void add_disk_on_plane(Scene *scene, double gap) {
+    const Vec3d normal = {0.3, 1, 0.2};
+    double along = gap / vec3d_length(normal);
+    add_red(scene);
+    add_shape(scene, "plane", &(PlaneParameters){{0, -1, 0}, normal});
+    add_blue(scene);
+    add_shape(scene, "disk",
+              &(DiskParameters){{0.3 * along, -1 + along, 0.2 * along}, normal, 1.2});
+}
+
+/** Adds a quad above a box. */
+static void add_quad_on_box(Scene *scene, double gap) {
+    add_red(scene);
+    add_shape(scene, "box", &(BoxParameters){{-2, -1.5, -2}, {2, -1, 2}});
+    add_blue(scene);
+    add_level_quad(scene, 1, -1 + gap);
+}
+
+/** Adds two rotated quads. */
+static void add_rotated_quads(Scene *scene, double gap) {
+    add_red(scene);
+    add_level_quad(scene, 3, -1);
+    rotate_newest(scene);
+    add_blue(scene);
+    add_level_quad(scene, 2, -1 + gap);
+    rotate_newest(scene);
+}
+
+/** Adds two rotated boxes, a thousandth of a unit small. */
+static void add_small_boxes(Scene *scene, double gap) {
+    add_red(scene);
+    add_shape(scene, "box", &(BoxParameters){{-2e-3, -2e-3, -2e-3}, {2e-3, -1e-3, 2e-3}});
+    rotate_newest(scene);
+    add_blue(scene);
+    add_shape(scene, "box", &(BoxParameters){{-1e-3, -2e-3, -1e-3}, {1e-3, -1e-3 + gap, 1e-3}});
+    rotate_newest(scene);
+}
+
+/** Adds a disk above a plane, ten thousand units away. */
+static void add_far_disk(Scene *scene, double gap) {
+    add_red(scene);
+    add_shape(scene, "plane", &(PlaneParameters){{0, -1, 0}, {0, 1, 0}});
+    add_blue(scene);
+    add_shape(scene, "disk", &(DiskParameters){{0, -1 + gap, 0}, {0, 1, 0}, 2000});
+}
+
+/** Adds two triangles. */
+static void add_triangles(Scene *scene, double gap) {
+    add_red(scene);
+    add_shape(scene, "triangle",
+              &(TriangleParameters){.corners = {{-2, -1, 1}, {2, -1, 1}, {0, 1, -2}}});
+    add_blue(scene);
+    add_shape(
+        scene, "triangle",
+        &(TriangleParameters){.corners = {{-2, -1, 1 + gap}, {2, -1, 1 + gap}, {0, 1, -2 + gap}}});
+}
+
+/** Adds a mesh above a plane. */
+static void add_mesh_on_plane(Scene *scene, double gap) {
+    const Vec3d positions[] = {{-2, -1 + gap, 2}, {2, -1 + gap, 2}, {0, -1 + gap, -2}};
+    add_red(scene);
+    add_shape(scene, "plane", &(PlaneParameters){{0, -1, 0}, {0, 1, 0}});
+    add_blue(scene);
+    add_mesh(scene, positions, 3, &(MeshTriangle){{0, 1, 2}}, 1, NORMALS_FLAT);
+}
+
+/** Adds two spheres around each other. */
+static void add_spheres(Scene *scene, double gap) {
+    add_red(scene);
+    add_shape(scene, "sphere", &(SphereParameters){{0, 0, 0}, 1});
+    add_blue(scene);
+    add_shape(scene, "sphere", &(SphereParameters){{0, 0, 0}, 1 + gap});
+}
+
+/** Adds a ring around a cylinder. */
+static void add_cylinders(Scene *scene, double gap) {
+    add_red(scene);
+    add_shape(scene, "cylinder", &(CylinderParameters){{0, -1, 0}, {0, 1, 0}, 1, true});
+    add_blue(scene);
+    add_shape(scene, "cylinder", &(CylinderParameters){{0, -0.5, 0}, {0, 0.5, 0}, 1 + gap, false});
+}
+
+/** Scales the newest shape and rotates it about z. */
+static void stretch_newest(Scene *scene, Vec3d scale) {
+    Error error = {0};
+    Transform how = *(const Transform *)transform_keyword.defaults;
+    how.scale = scale;
+    how.rotate = (Vec3d){0, 0, 30};
+    assert_true(transform_keyword.finish(&how, 0, &error));
+    assert_true(scene_set_last_transform(scene, &how, &error));
+}
+
+/** Adds two ellipsoids around each other. The gap is that between their short axes. */
+static void add_ellipsoids(Scene *scene, double gap) {
+    const Vec3d scale = {1.5, 1, 1.2};
+    add_red(scene);
+    add_shape(scene, "sphere", &(SphereParameters){{0, 0, 0}, 1});
+    stretch_newest(scene, scale);
+    add_blue(scene);
+    add_shape(scene, "sphere", &(SphereParameters){{0, 0, 0}, 2});
+    stretch_newest(scene, vec3d_scale(scale, (1 + gap) / 2));
+}
+
+/** Adds a ring around a cone of the same slope. */
+static void add_cones(Scene *scene, double gap) {
+    add_red(scene);
+    add_shape(scene, "cone", &(ConeParameters){{0, -1, 0}, {0, 1, 0}, 1, 0.2, true});
+    add_blue(scene);
+    add_shape(scene, "cone",
+              &(ConeParameters){{0, -0.5, 0}, {0, 0.5, 0}, 0.8 + gap, 0.4 + gap, false});
+}
+
+/** Adds a disk above the top of a cone. */
+static void add_disk_on_cone(Scene *scene, double gap) {
+    add_red(scene);
+    add_shape(scene, "cone", &(ConeParameters){{0, -2, 0}, {0, -1, 0}, 2, 1.5, true});
+    add_blue(scene);
+    add_shape(scene, "disk", &(DiskParameters){{0, -1 + gap, 0}, {0, 1, 0}, 1.2});
+}
+
+/** Adds a disk before a wall behind the eye, which a mirror shows. */
+static void add_mirrored_disk(Scene *scene, double gap) {
+    add_color(scene, (Rgbd){0, 0, 0}, 0.9);
+    add_shape(scene, "quad", &(QuadParameters){{-3, -3, -3}, {6, 0, 0}, {0, 6, 0}});
+    add_red(scene);
+    add_shape(scene, "box", &(BoxParameters){{-3, -3, 7}, {3, 3, 8}});
+    add_blue(scene);
+    add_shape(scene, "disk", &(DiskParameters){{0, 0, 7 - gap}, {0, 0, -1}, 2});
+}
+
+/** Adds two planes that cross at a small angle. */
+static void add_crossing_planes(Scene *scene, double gap) {
+    add_red(scene);
+    add_shape(scene, "plane", &(PlaneParameters){{0, -1, 0}, {0, 1, 0}});
+    add_blue(scene);
+    add_shape(scene, "plane", &(PlaneParameters){{0.3, -1, 0}, {gap, 1, 0}});
+}
+
+/** Adds a block of glass above a floor. Total reflection at its underside depends on the gap. */
+static void add_glass_on_floor(Scene *scene, double gap) {
+    Error error = {0};
+    SceneMaterial glass = *(const SceneMaterial *)scene_material_keyword.defaults;
+    glass.color = (Rgbd){0, 0, 0};
+    glass.transparency = (Rgbd){1, 1, 1};
+    glass.ior = 1.5;
+    scene->sky.horizon = scene->sky.zenith = (Rgbd){0.8, 0.85, 0.9};
+    add_red(scene);
+    add_shape(scene, "plane", &(PlaneParameters){{0, -1, 0}, {0, 1, 0}});
+    assert_true(scene_add_material(scene, &glass, &error));
+    add_shape(scene, "cylinder", &(CylinderParameters){{0, -1 + gap, 0}, {0, 0.5, 0}, 1, true});
+}
+
+/** Pairs of surfaces of all kinds, at all scales. */
+static const NearPair near_pairs[] = {{"disk on plane", 6, 3.2, true, add_disk_on_plane},
+                                      {"quad on box", 6, 2, true, add_quad_on_box},
+                                      {"rotated quads", 6, 3, true, add_rotated_quads},
+                                      {"small rotated boxes", 6e-3, 3e-3, true, add_small_boxes},
+                                      {"far disk on plane", 1e4, 1700, true, add_far_disk},
+                                      {"triangles", 6, 4.5, true, add_triangles},
+                                      {"mesh on plane", 6, 2, true, add_mesh_on_plane},
+                                      {"spheres", 6, 5, false, add_spheres},
+                                      {"cylinders", 6, 5, false, add_cylinders},
+                                      {"ellipsoids", 6, 5, false, add_ellipsoids},
+                                      {"cones", 6, 5, false, add_cones},
+                                      {"disk on cone", 6, 2, true, add_disk_on_cone},
+                                      {"disk in a mirror", 6, 10, true, add_mirrored_disk},
+                                      {"glass on floor", 6, 2, false, add_glass_on_floor}};
+
+/**
+ * Surfaces at gaps from half a rounding of their distance to 64. Double is chosen where float is
+ * wrong, and float where the gap is wide. Quad decides whether double is right.
+ */
+static void test_near_surfaces(void **state) {
+    (void)state;
+    const double gaps[] = {0.5, 1, 2, 4, 8, 64};
+    const char *fastest = engine_with_role(ENGINE_FASTEST)->name;
+    for (size_t i = 0; i < sizeof near_pairs / sizeof *near_pairs; i++) {
+        const NearPair *pair = &near_pairs[i];
+        for (size_t k = 0; k < sizeof gaps / sizeof *gaps; k++) {
+            Scene *scene = create_bright_scene(pair->distance);
+            pair->add(scene, gaps[k] * FLOAT_ROUNDOFF * pair->height);
+            PrecisionEstimate estimate = precision_estimate_of(scene);
+            const char *chosen = precision_estimate_engine(&estimate)->name;
+            double in_float = wrong_fraction(scene);
+            printf("%-20s gap %3g roundings: %s, %.2g %% wrong in float\n", pair->name, gaps[k],
+                   chosen, 100 * in_float);
+            if (strcmp(chosen, fastest) == 0) {
+                assert_at_most(in_float, FRACTION_ALLOWED, "%s, gap %g", pair->name, gaps[k]);
+            } else if (k == 1) {
+                assert_at_most(wrong_fraction_of(chosen, scene, "f128x1"), FRACTION_ALLOWED,
+                               "%s in double", pair->name);
+            }
+            if (k == 0) {
+                assert_true(in_float > FRACTION_ALLOWED);
+                assert_int_equal((int)estimate.cause, PRECISION_Z_FIGHTING);
+            } else if (gaps[k] == 64) {
+                assert_string_equal(chosen, fastest);
+            }
+            scene_destroy(scene);
+        }
+    }
+}
+
+/** Adds a floor of tiles that touch edge to edge. @param is_rotated Whether they lie aslant. */
+static void add_tiles(Scene *scene, bool is_rotated) {
+    for (int i = 0; i < 24 * 24; i++) {
+        i % 2 ? add_red(scene) : add_blue(scene);
+        Vec3d corner = {(i / 24 - 12) * 0.7, -1, (i % 24 - 12) * 0.7};
+        add_shape(scene, "quad", &(QuadParameters){corner, {0, 0, 0.7}, {0.7, 0, 0}});
+        if (is_rotated) {
+            rotate_newest(scene);
+        }
+    }
+}
+
+/** Adds tiles along the axes. @param unused Not used. */
+static void add_level_tiles(Scene *scene, double unused) {
+    (void)unused;
+    add_tiles(scene, false);
+}
+
+/** Adds tiles that lie aslant. @param unused Not used. */
+static void add_rotated_tiles(Scene *scene, double unused) {
+    (void)unused;
+    add_tiles(scene, true);
+}
+
+/** Adds boxes that stand on one another and on a floor. @param gap Between them. */
+static void add_stack(Scene *scene, double gap) {
+    add_red(scene);
+    add_shape(scene, "plane", &(PlaneParameters){{0, -1, 0}, {0, 1, 0}});
+    for (int i = 0; i < 4; i++) {
+        i % 2 ? add_red(scene) : add_blue(scene);
+        BoxParameters box = {{-1, -1 + 0.3 * i + gap, -1}, {1, -1 + 0.3 * (i + 1), 1}};
+        add_shape(scene, "box", &box);
+    }
+}
+
+/** Adds boxes of one height side by side. @param gap Not used. */
+static void add_row(Scene *scene, double gap) {
+    (void)gap;
+    for (int i = 0; i < 9; i++) {
+        i % 2 ? add_red(scene) : add_blue(scene);
+        add_shape(scene, "box", &(BoxParameters){{0.1 * i, -1, 0}, {0.1 * (i + 1), -0.7, 1}});
+    }
+}
+
+/** Adds two near quads that only a part of space outside the picture shows. @param gap Between
+ *  them. */
+static void add_beside_picture(Scene *scene, double gap) {
+    add_red(scene);
+    add_shape(scene, "quad", &(QuadParameters){{-10, 0, 20}, {20, 0, 0}, {0, 10, 0}});
+    add_blue(scene);
+    add_shape(scene, "quad", &(QuadParameters){{-10, 0, 20 - gap}, {20, 0, 0}, {0, 10, 0}});
+}
+
+/** A scene whose surfaces touch or lie near each other, but do not fight. */
+typedef struct HarmlessScene {
+    const char *name; /**< Its name. */
+    double gap;       /**< Gap between the surfaces, scene units; negative: they overlap. */
+    void (*add)(Scene *scene, double gap); /**< Adds them. */
+} HarmlessScene;
+
+/** Scenes that look alike, where float is right. */
+static const HarmlessScene harmless_scenes[] = {{"tiles edge to edge", 0, add_level_tiles},
+                                                {"rotated tiles", 0, add_rotated_tiles},
+                                                {"stacked boxes", 0, add_stack},
+                                                {"boxes a trace above", 1e-8, add_stack},
+                                                {"boxes in each other", -1e-8, add_stack},
+                                                {"row of boxes", 0, add_row},
+                                                {"beside the picture", 1e-7, add_beside_picture},
+                                                {"a cornea", 4e-5, add_spheres}};
+
+/** Faces that touch in an edge, or that rays cannot reach, do not count: float is chosen, and
+ *  right. */
+static void test_harmless_neighbours(void **state) {
+    (void)state;
+    for (size_t i = 0; i < sizeof harmless_scenes / sizeof *harmless_scenes; i++) {
+        const char *name = harmless_scenes[i].name;
+        Scene *scene = create_bright_scene(6);
+        harmless_scenes[i].add(scene, harmless_scenes[i].gap);
+        PrecisionEstimate estimate = precision_estimate_of(scene);
+        assert_at_most(estimate.errors[PRECISION_Z_FIGHTING], PRECISION_VISIBLE_ERROR / 10, "%s",
+                       name);
+        assert_at_most(wrong_fraction(scene), FRACTION_ALLOWED, "%s: wrong in float", name);
+        scene_destroy(scene);
+    }
+}
+
+/** Planes that cross fight around the line where they meet: the smaller the angle, the wider. */
+static void test_crossing_planes(void **state) {
+    (void)state;
+    const double slopes[] = {1e-6, 1e-5, 1e-2};
+    for (size_t i = 0; i < sizeof slopes / sizeof *slopes; i++) {
+        Scene *scene = create_bright_scene(6);
+        add_crossing_planes(scene, slopes[i]);
+        PrecisionEstimate estimate = precision_estimate_of(scene);
+        bool is_double = precision_estimate_error(&estimate) >= PRECISION_VISIBLE_ERROR;
+        double in_float = wrong_fraction(scene);
+        printf("planes at a slope of %g: estimate %.2g steps, %.2g %% wrong in float\n", slopes[i],
+               precision_estimate_error(&estimate), 100 * in_float);
+        assert_true(is_double == (slopes[i] < 1e-3));
+        assert_true(is_double == (in_float > FRACTION_ALLOWED));
+        scene_destroy(scene);
+    }
+}
+
+/** Flat surfaces that coincide exactly are no reason for double, which cannot tell them apart
+ *  either. It is said where they are opaque and look different. */
+static void test_coincident_surfaces(void **state) {
+    (void)state;
+    for (size_t i = 0; i < sizeof near_pairs / sizeof *near_pairs; i++) {
+        Scene *scene = create_bright_scene(near_pairs[i].distance);
+        near_pairs[i].add(scene, 0);
+        ZFighting found = z_fighting_of(scene);
+        assert_at_most(found.fraction, 0, "%s", near_pairs[i].name);
+        assert_true((found.coincident >= Z_FIGHTING_COINCIDENT_SAID) == near_pairs[i].is_said);
+        scene_destroy(scene);
+    }
+    for (size_t i = 0; i < sizeof harmless_scenes / sizeof *harmless_scenes; i++) {
+        Scene *scene = create_bright_scene(6);
+        harmless_scenes[i].add(scene, harmless_scenes[i].gap);
+        assert_at_most(z_fighting_of(scene).coincident, Z_FIGHTING_COINCIDENT_SAID / 2, "%s",
+                       harmless_scenes[i].name);
+        scene_destroy(scene);
+    }
+}
+
 /** @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_estimates),
-                                       cmocka_unit_test(test_shallow_glass_needs_no_double)};
+                                       cmocka_unit_test(test_shallow_glass_needs_no_double),
+                                       cmocka_unit_test(test_near_surfaces),
+                                       cmocka_unit_test(test_harmless_neighbours),
+                                       cmocka_unit_test(test_crossing_planes),
+                                       cmocka_unit_test(test_coincident_surfaces)};
     return cmocka_run_group_tests_name("precision estimate", tests, NULL, NULL);
 }

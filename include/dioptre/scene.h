@@ -187,6 +187,8 @@ typedef struct SceneLightSize {
     double area;  /**< Intensity over radiance, scene units squared; 0: it is a point. */
 } SceneLightSize;
 
+typedef struct ShapeFace ShapeFace;
+
 /** A class of lights in the description of a scene: the vtable. */
 typedef struct SceneLightClass {
     const Keyword *keyword; /**< Name, fields and checks; its struct is a #SceneLight. */
@@ -216,6 +218,9 @@ typedef struct SceneLightClass {
 
     /** @return The size of the light. NULL: it is never seen. */
     SceneLightSize (*size)(const SceneLight *light);
+
+    /** @return The flat face that is seen of the light. NULL: there is none. */
+    ShapeFace (*face)(const SceneLight *light);
 
     /** @return The vector to the light, of any length. NULL: to its #center. */
     Vec3d (*offset_from)(const SceneLight *light, Vec3d point);
@@ -413,6 +418,28 @@ typedef struct ShapeFacts {
     double tolerance; /**< For #sdf: distance that counts as a hit, scene units. */
 } ShapeFacts;
 
+/** Largest number of flat faces of a shape that is no mesh. */
+enum { SHAPE_FACES_MAXIMUM = 6 };
+
+/** Largest number of corners of a flat face. A disk is given as an octagon of the same area. */
+enum { FACE_CORNERS_MAXIMUM = 8 };
+
+/** A flat face of a shape: a convex polygon, or a whole plane. */
+struct ShapeFace {
+    Vec3d corners[FACE_CORNERS_MAXIMUM]; /**< Corners in turn; of a plane, one of its points. */
+    int corner_count;                    /**< Number of #corners; 1: a whole plane. */
+    Vec3d normal;                        /**< Unit normal; outwards on a solid. */
+    bool is_solid; /**< Whether the face is seen from outside only: a solid is behind it. */
+};
+
+/** The curved surface of a sphere, or of a cylinder or cone. */
+typedef struct ShapeShell {
+    Vec3d base;        /**< Centre of a sphere, or of one end of a cylinder. */
+    Vec3d top;         /**< The same of a sphere, or the centre of the other end. */
+    double radius;     /**< Radius at the base, scene units. */
+    double top_radius; /**< Radius at the top. */
+} ShapeShell;
+
 /** Description of a kind of shape. */
 typedef struct SceneShapeClass {
     Keyword keyword; /**< Base: name, fields, defaults and checks in the scene language. */
@@ -441,6 +468,18 @@ typedef struct SceneShapeClass {
      * @param point       The point.
      */
     double (*distance)(const void *parameters, const Scene *scene, Vec3d point);
+
+    /**
+     * Lists the flat faces before the transform. NULL: there are none, or the shape is a mesh.
+     * @param parameters  The struct that #keyword describes, finished.
+     * @param[out] faces  #SHAPE_FACES_MAXIMUM faces.
+     * @return Their number.
+     */
+    size_t (*faces)(const void *parameters, ShapeFace *faces);
+
+    /** @return The curved surface before the transform. NULL: none, or none of #ShapeShell.
+     *  @param parameters The struct that #keyword describes, finished. */
+    ShapeShell (*shell)(const void *parameters);
 } SceneShapeClass;
 
 /** Descriptions of all kinds of shapes in the order of #SHAPES; NULL ends the list. */
@@ -463,6 +502,14 @@ size_t scene_shape_find(const char *name);
  * @return The properties; the bounding box is that of the transformed shape.
  */
 ShapeFacts scene_shape_facts(const Scene *scene, const SceneShape *shape);
+
+/**
+ * Lists the flat faces of a shape of a scene, in the scene.
+ * @param shape       The shape.
+ * @param[out] faces  #SHAPE_FACES_MAXIMUM faces.
+ * @return Their number; 0 for a mesh.
+ */
+size_t scene_shape_faces(const SceneShape *shape, ShapeFace *faces);
 
 /**
  * @return A lower bound of the distance of a point from the surface of a shape.

@@ -27,7 +27,7 @@ void cli_lab(const Options *options, Error *error);     /**< `lab` */
  *  #scene_destroy; NULL on failure. */
 Scene *command_load_scene(const Options *options, Error *error);
 
-/** Prints the notes of a scene on standard error. */
+/** Prints the notes of a scene on standard error, and which of its surfaces coincide. */
 void command_print_notes(const Scene *scene);
 
 /**

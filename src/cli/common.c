@@ -6,7 +6,10 @@
 #include "base/sanitize.h"
 #include "cli/commands.h"
 #include "dioptre/script.h"
+#include "render/z_fighting.h"
 
+#include <ctype.h>
+#include <libintl.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -24,10 +27,33 @@ Scene *command_load_scene(const Options *options, Error *error) {
     return scene;
 }
 
+/** Says which surfaces coincide. */
+static void print_coincident(const ZFighting *found) {
+    const double percent = 100 * found->coincident;
+    if (found->lines[0] > 0) {
+        fprintf(
+            stderr,
+            gettext(
+                "dioptre: surfaces of lines %d and %d coincide in up to %.3g %% of the picture: "
+                "rounding or their order decides which is seen\n"),
+            found->lines[0], found->lines[1], percent);
+    } else {
+        fprintf(
+            stderr,
+            gettext("dioptre: two surfaces coincide in up to %.3g %% of the picture: rounding or "
+                    "their order decides which is seen\n"),
+            percent);
+    }
+}
+
 void command_print_notes(const Scene *scene) {
     for (size_t i = 0; i < scene->note_count; i++) {
         sanitize_print_line(scene->notes[i], stderr);
         fputc('\n', stderr);
+    }
+    ZFighting found = z_fighting_of(scene);
+    if (found.coincident >= Z_FIGHTING_COINCIDENT_SAID) {
+        print_coincident(&found);
     }
 }
 

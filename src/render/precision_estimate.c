@@ -10,6 +10,7 @@
 
 #include "render/shadow_terminator.h"
 #include "render/trapped_light.h"
+#include "render/z_fighting.h"
 
 #include <math.h>
 
@@ -356,6 +357,9 @@ PrecisionEstimate precision_estimate_of(const Scene *scene) {
     keep_largest_error(&estimate, PRECISION_SHADOW_TERMINATOR,
                        PRECISION_VISIBLE_ERROR * TERMINATOR_MARGIN * images *
                            measures.terminator_fraction / PIXEL_FRACTION_ALLOWED);
+    keep_largest_error(&estimate, PRECISION_Z_FIGHTING,
+                       PRECISION_VISIBLE_ERROR * z_fighting_of(scene).fraction /
+                           PIXEL_FRACTION_ALLOWED);
     int depth = scene->image.depth >= 0 ? scene->image.depth : estimate.depth;
     accumulate_ray_divergence(&measures, depth);
     GlassView view = {.position = scene->camera.position,

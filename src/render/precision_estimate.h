@@ -27,6 +27,7 @@ typedef enum {
     PRECISION_THIN_GLASS,        /**< Walls of glass that are thin against their coordinates. */
     PRECISION_SHADOW_TERMINATOR, /**< Faces of smooth meshes at grazing angles to a light. */
     PRECISION_TRAPPED_LIGHT,     /**< Total reflections in overlapping glass. */
+    PRECISION_Z_FIGHTING,        /**< Surfaces nearer together than float can tell. */
     PRECISION_CAUSE_COUNT        /**< Number of causes. */
 } PrecisionCause;
 

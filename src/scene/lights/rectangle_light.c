@@ -82,10 +82,22 @@ static SceneLightSize rectangle_light_size(const SceneLight *light) {
     return (SceneLightSize){diagonal / 2, vec3d_length(vec3d_cross(own->u, own->v))};
 }
 
+/** @return The rectangle. See #SceneLightClass.face. */
+static ShapeFace rectangle_light_face(const SceneLight *light) {
+    const RectangleLightFields *own = scene_light_own(light);
+    Vec3d corner = light->position, next = vec3d_add(corner, own->u);
+    return (ShapeFace){
+        .corners = {corner, next, vec3d_add(next, own->v), vec3d_add(corner, own->v)},
+        .corner_count = 4,
+        .normal = vec3d_normalize(vec3d_cross(own->u, own->v)),
+        .is_solid = !own->two_sided};
+}
+
 /** The class of `rectangle_light`. */
 extern const SceneLightClass scene_rectangle_light_class;
 
 const SceneLightClass scene_rectangle_light_class = {.keyword = &rectangle_light_keyword,
                                                      .center = rectangle_light_center,
                                                      .size = rectangle_light_size,
-                                                     .outline = rectangle_light_outline};
+                                                     .outline = rectangle_light_outline,
+                                                     .face = rectangle_light_face};

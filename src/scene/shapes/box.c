@@ -38,6 +38,27 @@ static double box_distance(const void *parameters, const Scene *scene, Vec3d poi
     return fmin(side.x, fmin(side.y, side.z));
 }
 
+/** Gives the six sides. See #SceneShapeClass.faces. @return 6. */
+static size_t box_faces(const void *parameters, ShapeFace *faces) {
+    const BoxParameters *p = parameters;
+    const double low[] = {p->low.x, p->low.y, p->low.z}, high[] = {p->high.x, p->high.y, p->high.z};
+    for (int side = 0; side < 6; side++) {
+        int axis = side / 2, next = (axis + 1) % 3, last = (axis + 2) % 3;
+        double normal[3] = {0}, at[3];
+        normal[axis] = side % 2 ? 1 : -1;
+        at[axis] = side % 2 ? high[axis] : low[axis];
+        faces[side].normal = (Vec3d){normal[0], normal[1], normal[2]};
+        faces[side].corner_count = 4;
+        faces[side].is_solid = true;
+        for (int i = 0; i < 4; i++) {
+            at[next] = i == 1 || i == 2 ? high[next] : low[next];
+            at[last] = i >= 2 ? high[last] : low[last];
+            faces[side].corners[i] = (Vec3d){at[0], at[1], at[2]};
+        }
+    }
+    return 6;
+}
+
 /** Description of `box`. */
 const SceneShapeClass scene_box_class = {
     .keyword = {.name = "box",
@@ -48,4 +69,5 @@ const SceneShapeClass scene_box_class = {
                 .finish = box_finish},
     .facts = box_facts,
     .distance = box_distance,
+    .faces = box_faces,
 };

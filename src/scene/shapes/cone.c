@@ -55,6 +55,30 @@ static ShapeFacts cone_facts(const void *parameters, const Scene *scene) {
     return (ShapeFacts){.bounds = cone_bounds_of(p, axis)};
 }
 
+/** Gives the ends that are no tips. See #SceneShapeClass.faces. @return Their number; of a funnel,
+ *  0. */
+static size_t cone_faces(const void *parameters, ShapeFace *faces) {
+    const ConeParameters *p = parameters;
+    Vec3d up = vec3d_subtract(p->top, p->base);
+    size_t count = 0;
+    if (p->capped && p->radius > 0) {
+        faces[count++] = face_of_disk(vec3d_scale(up, -1), p->base, p->radius);
+    }
+    if (p->capped && p->top_radius > 0) {
+        faces[count++] = face_of_disk(up, p->top, p->top_radius);
+    }
+    for (size_t i = 0; i < count; i++) {
+        faces[i].is_solid = true;
+    }
+    return count;
+}
+
+/** @return The side. See #SceneShapeClass.shell. */
+static ShapeShell cone_shell(const void *parameters) {
+    const ConeParameters *p = parameters;
+    return (ShapeShell){p->base, p->top, p->radius, p->top_radius};
+}
+
 /** Description of `cone`. */
 const SceneShapeClass scene_cone_class = {
     .keyword = {.name = "cone",
@@ -64,4 +88,6 @@ const SceneShapeClass scene_cone_class = {
                 .defaults = &cone_defaults,
                 .finish = cone_finish},
     .facts = cone_facts,
+    .faces = cone_faces,
+    .shell = cone_shell,
 };

@@ -54,6 +54,22 @@ static double cylinder_distance(const void *parameters, const Scene *scene, Vec3
     return beyond > 0 ? beyond : fmin(p->radius - beside, -beyond);
 }
 
+/** Gives the two ends. See #SceneShapeClass.faces. @return 2; of a pipe, 0. */
+static size_t cylinder_faces(const void *parameters, ShapeFace *faces) {
+    const CylinderParameters *p = parameters;
+    Vec3d up = vec3d_subtract(p->top, p->base);
+    faces[0] = face_of_disk(vec3d_scale(up, -1), p->base, p->radius);
+    faces[1] = face_of_disk(up, p->top, p->radius);
+    faces[0].is_solid = faces[1].is_solid = true;
+    return p->capped ? 2 : 0;
+}
+
+/** @return The side. See #SceneShapeClass.shell. */
+static ShapeShell cylinder_shell(const void *parameters) {
+    const CylinderParameters *p = parameters;
+    return (ShapeShell){p->base, p->top, p->radius, p->radius};
+}
+
 /** Description of `cylinder`. */
 const SceneShapeClass scene_cylinder_class = {
     .keyword = {.name = "cylinder",
@@ -64,4 +80,6 @@ const SceneShapeClass scene_cylinder_class = {
                 .finish = cylinder_finish},
     .facts = cylinder_facts,
     .distance = cylinder_distance,
+    .faces = cylinder_faces,
+    .shell = cylinder_shell,
 };

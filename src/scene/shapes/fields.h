@@ -55,4 +55,22 @@ static inline double distance_from_plane(Vec3d normal, Vec3d at, Vec3d point) {
     return fabs(vec3d_dot(vec3d_normalize(normal), vec3d_subtract(point, at)));
 }
 
+/** @return A plane as a face. @param normal Its normal, of any length. @param at A point of it. */
+static inline ShapeFace face_of_plane(Vec3d normal, Vec3d at) {
+    return (ShapeFace){.corners = {at}, .corner_count = 1, .normal = vec3d_normalize(normal)};
+}
+
+/** @return A polygon as a face. @param normal Its normal, of any length. */
+static inline ShapeFace face_of_corners(Vec3d normal, const Vec3d *corners, int count) {
+    ShapeFace face = {.corner_count = count, .normal = vec3d_normalize(normal)};
+    for (int i = 0; i < count; i++) {
+        face.corners[i] = corners[i];
+    }
+    return face;
+}
+
+/** @return A disk as a face: an octagon of the same area. @param normal Its normal, of any length.
+ */
+ShapeFace face_of_disk(Vec3d normal, Vec3d center, double radius);
+
 #endif

@@ -27,6 +27,13 @@ static double plane_distance(const void *parameters, const Scene *scene, Vec3d p
     return distance_from_plane(p->normal, p->point, point);
 }
 
+/** Gives the plane. See #SceneShapeClass.faces. @return 1. */
+static size_t plane_faces(const void *parameters, ShapeFace *faces) {
+    const PlaneParameters *p = parameters;
+    faces[0] = face_of_plane(p->normal, p->point);
+    return 1;
+}
+
 /** Description of `plane`. */
 const SceneShapeClass scene_plane_class = {
     .keyword = {.name = "plane",
@@ -36,4 +43,5 @@ const SceneShapeClass scene_plane_class = {
                 .defaults = &plane_defaults},
     .facts = plane_facts,
     .distance = plane_distance,
+    .faces = plane_faces,
 };

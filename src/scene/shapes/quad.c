@@ -39,6 +39,15 @@ static double quad_distance(const void *parameters, const Scene *scene, Vec3d po
     return distance_from_plane(vec3d_cross(p->u, p->v), p->corner, point);
 }
 
+/** Gives the quad. See #SceneShapeClass.faces. @return 1. */
+static size_t quad_faces(const void *parameters, ShapeFace *faces) {
+    const QuadParameters *p = parameters;
+    Vec3d next = vec3d_add(p->corner, p->u), last = vec3d_add(p->corner, p->v);
+    const Vec3d corners[] = {p->corner, next, vec3d_add(next, p->v), last};
+    faces[0] = face_of_corners(vec3d_cross(p->u, p->v), corners, 4);
+    return 1;
+}
+
 /** Description of `quad`. */
 const SceneShapeClass scene_quad_class = {
     .keyword = {.name = "quad",
@@ -49,4 +58,5 @@ const SceneShapeClass scene_quad_class = {
                 .finish = quad_finish},
     .facts = quad_facts,
     .distance = quad_distance,
+    .faces = quad_faces,
 };

@@ -55,6 +55,40 @@ ShapeFacts scene_shape_facts(const Scene *scene, const SceneShape *shape) {
     return facts;
 }
 
+/** @return A transformed vector, which is no point: without the translation. */
+static Vec3d transform_vector(const Transform *transform, Vec3d v) {
+    const double(*m)[3] = transform->matrix;
+    return (Vec3d){m[0][0] * v.x + m[0][1] * v.y + m[0][2] * v.z,
+                   m[1][0] * v.x + m[1][1] * v.y + m[1][2] * v.z,
+                   m[2][0] * v.x + m[2][1] * v.y + m[2][2] * v.z};
+}
+
+/** @return Whether a transform is a reflection. */
+static bool transform_is_reflection(const Transform *transform) {
+    return transform->scale.x * transform->scale.y * transform->scale.z < 0;
+}
+
+/** @return The normal of a transformed plane: perpendicular to two of its transformed vectors. */
+static Vec3d transform_normal(const Transform *transform, Vec3d normal) {
+    Vec3d aside = fabs(normal.x) < 0.5 ? (Vec3d){1, 0, 0} : (Vec3d){0, 1, 0};
+    Vec3d right = vec3d_cross(normal, aside), up = vec3d_cross(normal, right);
+    Vec3d transformed =
+        vec3d_cross(transform_vector(transform, right), transform_vector(transform, up));
+    return vec3d_scale(vec3d_normalize(transformed), transform_is_reflection(transform) ? -1 : 1);
+}
+
+size_t scene_shape_faces(const SceneShape *shape, ShapeFace *faces) {
+    const SceneShapeClass *class = scene_shape_classes[shape->class_index];
+    size_t count = class->faces ? class->faces(shape->parameters, faces) : 0;
+    for (size_t i = 0; shape->transform && i < count; i++) {
+        faces[i].normal = transform_normal(shape->transform, faces[i].normal);
+        for (int k = 0; k < faces[i].corner_count; k++) {
+            faces[i].corners[k] = transform_point(shape->transform, faces[i].corners[k]);
+        }
+    }
+    return count;
+}
+
 Aabbd scene_bounds(const Scene *scene) {
     Aabbd bounds = aabbd_empty();
     for (size_t i = 0; i < scene->shape_count; i++) {

@@ -29,6 +29,12 @@ static double sphere_distance(const void *parameters, const Scene *scene, Vec3d 
     return fabs(vec3d_length(vec3d_subtract(point, p->center)) - p->radius);
 }
 
+/** @return The sphere. See #SceneShapeClass.shell. */
+static ShapeShell sphere_shell(const void *parameters) {
+    const SphereParameters *p = parameters;
+    return (ShapeShell){p->center, p->center, p->radius, p->radius};
+}
+
 /** Description of `sphere`. */
 const SceneShapeClass scene_sphere_class = {
     .keyword = {.name = "sphere",
@@ -38,4 +44,5 @@ const SceneShapeClass scene_sphere_class = {
                 .defaults = &sphere_defaults},
     .facts = sphere_facts,
     .distance = sphere_distance,
+    .shell = sphere_shell,
 };

@@ -83,6 +83,15 @@ static double triangle_distance(const void *parameters, const Scene *scene, Vec3
     return distance_from_plane(normal, p->corners[0], point);
 }
 
+/** Gives the triangle. See #SceneShapeClass.faces. @return 1. */
+static size_t triangle_faces(const void *parameters, ShapeFace *faces) {
+    const TriangleParameters *p = parameters;
+    Vec3d normal = vec3d_cross(vec3d_subtract(p->corners[1], p->corners[0]),
+                               vec3d_subtract(p->corners[2], p->corners[0]));
+    faces[0] = face_of_corners(normal, p->corners, 3);
+    return 1;
+}
+
 /** Description of `triangle`. */
 const SceneShapeClass scene_triangle_class = {
     .keyword = {.name = "triangle",
@@ -93,4 +102,5 @@ const SceneShapeClass scene_triangle_class = {
                 .finish = triangle_finish},
     .facts = triangle_facts,
     .distance = triangle_distance,
+    .faces = triangle_faces,
 };

@@ -10,12 +10,12 @@
 #include "trace/tracer/camera.c"
 #include "trace/tracer/loss_budget.c"
 #include "trace/tracer/packet.c"
-#include "trace/tracer/packet_merge.c"
 #include "trace/tracer/report_methods.c"
 #include "trace/tracer/retrace.c"
 #include "trace/tracer/secondary_rays.c"
 #include "trace/tracer/tile.c"
 #include "trace/tracer/tracer.c"
+#include "trace/tracer/wavefront.c"
 // Light and materials.
 #include "trace/glass/contact.c"
 #include "trace/glass/dielectric.c"

@@ -45,7 +45,7 @@ typedef struct SampleContext {
     const Recorders *recorders; /**< What is recorded; NULL: nothing. */
     uint32_t sample;            /**< Index of the sample in its pixel. */
     uint32_t bounce;            /**< Number of reflections and refractions so far. */
-    RayType type;               /**< The type of the rays; of merged packets that of some. */
+    RayType type;               /**< The type of the rays; in a wavefront that of some. */
 } SampleContext;
 
 /** @return The ray tree that the rays of the first lane are recorded in; NULL: none. */

@@ -168,21 +168,31 @@ static __attribute__((noinline)) void retrace(const Tracer *tracer, scalar cutof
     results_replace(lanes, new_colors, &new_losses, colors, losses);
 }
 
-/** Traces camera rays again until all are within the budget, or cannot be.
- *  @param first_counts The rays before the first pass. */
-static __attribute__((noinline)) void retrace_open_rays(const Tracer *tracer,
+/** Counts the rays of a packet that still lack too much light, and gives them an estimate of it. */
+static __attribute__((noinline)) void settle_losses(const Tracer *tracer, const RayState *rays,
+                                                    const Losses *losses, Rgb *colors,
+                                                    RayCounts *counts) {
+    mask open[PACKET_VECTORS];
+    if (find_open_rays(tracer, rays, colors, losses, open)) {
+        count_unresolved(tracer, open, colors, losses, counts);
+        add_missing_light(open, losses, colors);
+    }
+}
+
+/**
+ * Traces camera rays again until all are within the budget, or cannot be.
+ * @param cutoff  At which throughput rays ended so far.
+ * @param first_counts  The rays before the first pass.
+ */
+static __attribute__((noinline)) void retrace_open_rays(const Tracer *tracer, scalar cutoff,
                                                         const RayCounts *first_counts,
                                                         RayState *rays, Rgb *colors, Losses *losses,
                                                         RayCounts *counts) {
-    mask active[PACKET_VECTORS], open[PACKET_VECTORS], curable[PACKET_VECTORS];
-    scalar cutoff = tracer->loss_budget.throughput;
+    mask active[PACKET_VECTORS], curable[PACKET_VECTORS];
     memcpy(active, rays->packet.active, sizeof active);
-    while (find_open_rays(tracer, rays, colors, losses, open)) {
-        memcpy(curable, open, sizeof curable);
-        if (tracer->loss_budget.cutoff <= 0 ||
-            !find_curable_rays(tracer, cutoff / PASS_FACTOR, colors, losses, curable)) {
-            break;
-        }
+    while (tracer->loss_budget.cutoff > 0 &&
+           find_open_rays(tracer, rays, colors, losses, curable) &&
+           find_curable_rays(tracer, cutoff / PASS_FACTOR, colors, losses, curable)) {
         if (sample_context_ray_tree(&rays->packet.context)) {
             *counts = *first_counts;
         }
@@ -190,8 +200,6 @@ static __attribute__((noinline)) void retrace_open_rays(const Tracer *tracer,
         retrace(tracer, cutoff, curable, rays, colors, losses, counts);
         memcpy(rays->packet.active, active, sizeof active);
     }
-    count_unresolved(tracer, open, colors, losses, counts);
-    add_missing_light(open, losses, colors);
 }
 
 void trace_camera_rays(const Tracer *tracer, RayState *rays, Rgb *colors, RayCounts *counts) {
@@ -200,6 +208,136 @@ void trace_camera_rays(const Tracer *tracer, RayState *rays, Rgb *colors, RayCou
     trace_pass(tracer, tracer->loss_budget.throughput, rays, colors, &losses, counts);
     // The reports have rules of their own for where rays end.
     if (!tracer->methods && losses_are_any(rays, &losses)) {
-        retrace_open_rays(tracer, &first_counts, rays, colors, &losses, counts);
+        retrace_open_rays(tracer, tracer->loss_budget.throughput, &first_counts, rays, colors,
+                          &losses, counts);
+        settle_losses(tracer, rays, &losses, colors, counts);
+    }
+}
+
+/* --- passes of wavefronts --------------------------------------------------------------------- */
+
+/** Some packets of camera rays that are traced as one wavefront. */
+typedef struct CameraGroup {
+    const Tracer *tracer;  /**< The tracer. */
+    Wavefront *wavefront;  /**< Memory for the rays. */
+    CameraPacket *packets; /**< The packets. */
+    int count;             /**< Number of packets. */
+    RayCounts *counts;     /**< The rays traced are added to this. */
+} CameraGroup;
+
+static void camera_group_trace(const CameraGroup *group, scalar cutoff);
+
+/** @return The number of rays of a packet that are traced. */
+static unsigned camera_packet_count(const CameraPacket *packet) {
+    unsigned count = 0;
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        count += mask_count(packet->lanes[v]);
+    }
+    return count;
+}
+
+/** Removes rays of a packet. @param first Index of the first to keep, among the
+ * #CameraPacket.lanes.
+ *  @param count Number of those to keep. */
+static void camera_packet_keep(CameraPacket *packet, unsigned first, unsigned count) {
+    unsigned index = 0;
+    for (int i = 0; i < PACKET_RAYS; i++) {
+        if (mask_lane(packet->lanes[i / LANES], i % LANES)) {
+            mask_set_lane(&packet->lanes[i / LANES], i % LANES,
+                          index >= first && index - first < count);
+            index++;
+        }
+    }
+}
+
+/** Traces the camera rays of a packet recursively. @param cutoff Of the first pass. */
+static void camera_packet_trace_recursively(const CameraGroup *group, scalar cutoff,
+                                            CameraPacket *packet) {
+    const RayCounts first_counts = *group->counts;
+    Rgb colors[PACKET_VECTORS];
+    Losses losses;
+    RayState *rays = packet->rays;
+    mask active[PACKET_VECTORS];
+    memcpy(active, rays->packet.active, sizeof active);
+    memcpy(rays->packet.active, packet->lanes, sizeof active);
+    trace_pass(group->tracer, cutoff, rays, colors, &losses, group->counts);
+    retrace_open_rays(group->tracer, cutoff, &first_counts, rays, colors, &losses, group->counts);
+    results_replace(packet->lanes, colors, &losses, packet->colors, &packet->losses);
+    memcpy(rays->packet.active, active, sizeof active);
+}
+
+/** Traces camera rays in two smaller groups, as the memory did not suffice for all. */
+static __attribute__((noinline)) void camera_group_split(const CameraGroup *group, scalar cutoff) {
+    CameraGroup half = *group;
+    unsigned rays = camera_packet_count(&group->packets[0]);
+    if (group->count > 1) {
+        half.count = group->count / 2;
+        camera_group_trace(&half, cutoff);
+        half.packets += half.count;
+        half.count = group->count - half.count;
+        camera_group_trace(&half, cutoff);
+    } else if (rays > 1) {
+        CameraPacket *packet = group->packets, other = *packet;
+        camera_packet_keep(packet, 0, rays / 2);
+        camera_group_trace(group, cutoff);
+        memcpy(packet->lanes, other.lanes, sizeof packet->lanes);
+        camera_packet_keep(packet, rays / 2, rays - rays / 2);
+        camera_group_trace(group, cutoff);
+    } else if (rays == 1) {
+        camera_packet_trace_recursively(group, cutoff, group->packets);
+    }
+}
+
+/** Finds the camera rays that lack too much light, if a further pass can help: they are left in
+ *  #CameraPacket.lanes. @return Whether there is any. */
+static bool camera_group_find_curable(const CameraGroup *group, scalar next_cutoff) {
+    bool is_any_left = false;
+    for (int p = 0; p < group->count; p++) {
+        CameraPacket *packet = &group->packets[p];
+        mask open[PACKET_VECTORS];
+        find_open_rays(group->tracer, packet->rays, packet->colors, &packet->losses, open);
+        for (int v = 0; v < PACKET_VECTORS; v++) {
+            packet->lanes[v] &= open[v];
+        }
+        is_any_left |= find_curable_rays(group->tracer, next_cutoff, packet->colors,
+                                         &packet->losses, packet->lanes);
+    }
+    return is_any_left;
+}
+
+/** Traces the camera rays of a group in as many passes as it takes. @param cutoff Of the first. */
+static void camera_group_trace(const CameraGroup *group, scalar cutoff) {
+    TraceContext context = {.tracer = group->tracer, .counts = group->counts};
+    bool has_passes = group->tracer->loss_budget.cutoff > 0;
+    bool is_any_left = true;
+    while (is_any_left) {
+        scalar next = has_passes ? cutoff / PASS_FACTOR : cutoff;
+        context.cutoff = cutoff;
+        if (!wavefront_trace(group->wavefront, &context, next, group->packets, group->count)) {
+            camera_group_split(group, cutoff);
+            return;
+        }
+        if (!has_passes || !camera_group_find_curable(group, next)) {
+            return;
+        }
+        context.cutoff = next;
+        if (!wavefront_resume(group->wavefront, &context, group->packets, group->count)) {
+            camera_group_split(group, next);
+            return;
+        }
+        cutoff = next / PASS_FACTOR;
+        is_any_left = camera_group_find_curable(group, cutoff);
+    }
+}
+
+void trace_camera_packets(const Tracer *tracer, Wavefront *wavefront, CameraPacket *packets,
+                          int count, RayCounts *counts) {
+    const CameraGroup group = {tracer, wavefront, packets, count, counts};
+    for (int p = 0; p < count; p++) {
+        memcpy(packets[p].lanes, packets[p].rays->packet.active, sizeof packets[p].lanes);
+    }
+    camera_group_trace(&group, tracer->loss_budget.throughput);
+    for (int p = 0; p < count; p++) {
+        settle_losses(tracer, packets[p].rays, &packets[p].losses, packets[p].colors, counts);
     }
 }

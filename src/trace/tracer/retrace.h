@@ -10,7 +10,7 @@
 #ifndef DIOPTRE_TRACE_TRACER_RETRACE_H
 #define DIOPTRE_TRACE_TRACER_RETRACE_H
 
-#include "trace/tracer/tracer.h"
+#include "trace/tracer/wavefront.h"
 
 /**
  * Traces camera rays until what is missing below each is worth less than the cutoff of the tracer,
@@ -23,5 +23,17 @@
  * last.
  */
 void trace_camera_rays(const Tracer *tracer, RayState *rays, Rgb *colors, RayCounts *counts);
+
+/**
+ * Does what trace_camera_rays() does, for some packets together, and faster.
+ * @param tracer  A tracer with transparent shapes that follows no report.
+ * @param wavefront  Memory for the rays.
+ * @param packets  The packets, with #CameraPacket.rays and #CameraPacket.colors; nothing is
+ * recorded of their rays.
+ * @param count  Number of packets, at most #WAVEFRONT_PACKETS.
+ * @param[in,out] counts  The rays of all passes are added to this.
+ */
+void trace_camera_packets(const Tracer *tracer, Wavefront *wavefront, CameraPacket *packets,
+                          int count, RayCounts *counts);
 
 #endif

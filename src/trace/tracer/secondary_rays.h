@@ -16,6 +16,23 @@ typedef struct SecondaryRays {
                                       hit the surfaces. */
 } SecondaryRays;
 
+/** The rays that start at the surfaces that a packet hits. */
+typedef struct ScatteredRays {
+    SecondaryRays reflected; /**< The reflected rays. */
+    SecondaryRays refracted; /**< The refracted rays; set only if the scene has transparent shapes.
+                              */
+    InteriorList interior_behind[PACKET_VECTORS]; /**< The shapes that those are inside of. */
+} ScatteredRays;
+
+/**
+ * Finds what a packet of rays hits, shades it, and generates reflected and refracted rays.
+ * @param[out] colors  The colours without reflection and refraction.
+ * @param[in,out] losses  What ends here is added to this.
+ * @return Whether rays may have been generated.
+ */
+bool shade_and_scatter(const TraceContext *context, const RayState *rays, ScatteredRays *scattered,
+                       Rgb *colors, Losses *losses);
+
 /**
  * Generates the reflected rays: r = d - 2 (d . n) n.
  * @param context  For the offset of their origins and the cutoff of their throughput.

@@ -90,7 +90,34 @@ void camera_rays_init(const Tracer *tracer, const PixelGrid *grid, PixelJitter j
 
 /* --- tiles ------------------------------------------------------------------------------------ */
 
-void trace_tile(const Tracer *tracer, const PixelGrid *grid, double *rgb, RayCounts *counts) {
+/** Traces a grid of pixels as wavefronts. */
+static __attribute__((noinline)) void trace_tile_wavefronts(const Tracer *tracer,
+                                                            const PixelGrid *grid,
+                                                            Wavefront *wavefront, double *rgb,
+                                                            RayCounts *counts) {
+    const PixelJitter jitter = pixel_jitter_of(grid->sample);
+    int packet_count = grid_packet_count(grid);
+    for (int first = 0, count; first < packet_count; first += count) {
+        CameraRays rays[WAVEFRONT_PACKETS];
+        Rgb colors[WAVEFRONT_PACKETS][PACKET_VECTORS];
+        CameraPacket packets[WAVEFRONT_PACKETS];
+        int left = packet_count - first, most = wavefront_packet_count(wavefront);
+        count = left < most ? left : most;
+        for (int i = 0; i < count; i++) {
+            camera_rays_init(tracer, grid, jitter, first + i, NULL, &rays[i]);
+            packets[i].rays = &rays[i].state;
+            packets[i].colors = colors[i];
+        }
+        trace_camera_packets(tracer, wavefront, packets, count, counts);
+        for (int i = 0; i < count; i++) {
+            colors_write(colors[i], grid, first + i, rgb);
+        }
+    }
+}
+
+/** Traces a grid of pixels packet by packet. */
+static void trace_tile_packets(const Tracer *tracer, const PixelGrid *grid, double *rgb,
+                               RayCounts *counts) {
     const PixelJitter jitter = pixel_jitter_of(grid->sample);
     uint64_t path_hashes[PACKET_RAYS];
     const Recorders recorders = {.path_hashes = grid->path_hashes ? path_hashes : NULL,
@@ -110,6 +137,20 @@ void trace_tile(const Tracer *tracer, const PixelGrid *grid, double *rgb, RayCou
         }
         colors_write(colors, grid, index, rgb);
     }
+}
+
+void trace_tile(const Tracer *tracer, const PixelGrid *grid, double *rgb, RayCounts *counts) {
+    // Recorders identify rays by their lanes; the reports trace by rules of their own.
+    bool is_glass = tracer->dielectrics.iors && tracer->depth > 0 && !tracer->methods &&
+                    !grid->path_hashes && !grid->ray_tree;
+    Wavefront *wavefront = is_glass ? wavefront_create() : NULL;
+    // Without memory for wavefronts, the recursion gives the same picture more slowly.
+    if (wavefront) {
+        trace_tile_wavefronts(tracer, grid, wavefront, rgb, counts);
+    } else {
+        trace_tile_packets(tracer, grid, rgb, counts);
+    }
+    wavefront_destroy(wavefront);
     counts->camera += grid_ray_count(grid);
 }
 

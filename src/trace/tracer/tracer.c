@@ -13,7 +13,6 @@
 #include "trace/glass/contact.h"
 #include "trace/lights/direct_lighting.h"
 #include "trace/tracer/aov.h"
-#include "trace/tracer/packet_merge.h"
 #include "trace/tracer/path_hash.h"
 #include "trace/tracer/ray_tree_recorder.h"
 #include "trace/tracer/report_methods.h"
@@ -136,14 +135,6 @@ INLINE void shade_surfaces(const TraceContext *context, const SurfaceHit *surfac
 
 /* --- the recursion ---------------------------------------------------------------------------- */
 
-/** The rays that start at the surfaces that a packet hits. */
-typedef struct ScatteredRays {
-    SecondaryRays reflected; /**< The reflected rays. */
-    SecondaryRays refracted; /**< The refracted rays; set only if the scene has transparent shapes.
-                              */
-    InteriorList interior_behind[PACKET_VECTORS]; /**< The shapes that those are inside of. */
-} ScatteredRays;
-
 /** Finds the rays that may be reflected or refracted: the depth that the user asks for is not used
  *  up. @return Whether any ray may go on; at an overridden surface all may. */
 INLINE bool find_turns(const Tracer *tracer, const RayState *rays, SurfaceHit *surface) {
@@ -158,19 +149,11 @@ INLINE bool find_turns(const Tracer *tracer, const RayState *rays, SurfaceHit *s
     return any(goes_on);
 }
 
-/**
- * Finds what a packet of rays hits, shades it, and generates reflected and refracted rays.
- *
- * Not inlined: its locals, several kilobytes, must be off the stack before trace_packet() calls
- * itself, since that happens up to #DEPTH_MAXIMUM times.
- * @param[out] colors  The colours without reflection and refraction.
- * @param[in,out] losses  What ends here is added to this.
- * @return Whether rays may have been generated.
- */
-static __attribute__((noinline)) bool shade_and_scatter(const TraceContext *context,
-                                                        const RayState *rays,
-                                                        ScatteredRays *scattered, Rgb *colors,
-                                                        Losses *losses) {
+// Not inlined: its locals, several kilobytes, must be off the stack before trace_packet() calls
+// itself, since that happens up to DEPTH_MAXIMUM times.
+__attribute__((noinline)) bool shade_and_scatter(const TraceContext *context, const RayState *rays,
+                                                 ScatteredRays *scattered, Rgb *colors,
+                                                 Losses *losses) {
     const Tracer *tracer = context->tracer;
     SurfaceHit surface;
     DielectricHit dielectric;
@@ -207,10 +190,6 @@ static __attribute__((noinline)) bool shade_and_scatter(const TraceContext *cont
         report_scatter(context, rays, &surface, &scattered->reflected,
                        rays->interior ? &scattered->refracted : NULL);
     }
-    context->counts->reflection += packet_active_count(&scattered->reflected.rays.packet);
-    if (rays->interior) {
-        context->counts->refraction += packet_active_count(&scattered->refracted.rays.packet);
-    }
     return true;
 }
 
@@ -221,9 +200,12 @@ INLINE void trace_secondary(const TraceContext *context, const SecondaryRays *se
     RayTree *ray_tree = sample_context_ray_tree(&rays->packet.context);
     Rgb incoming[PACKET_VECTORS];
     Losses incoming_losses;
-    if (packet_active_count(&rays->packet) == 0) {
+    unsigned count = packet_active_count(&rays->packet);
+    if (count == 0) {
         return;
     }
+    *(secondary->type == RAY_REFRACTION ? &context->counts->refraction
+                                        : &context->counts->reflection) += count;
     if (ray_tree) {
         ray_tree_push(ray_tree, secondary->type, rays, secondary->weights[0]);
     }
@@ -235,38 +217,10 @@ INLINE void trace_secondary(const TraceContext *context, const SecondaryRays *se
     losses_add(&rays->packet, &incoming_losses, losses);
 }
 
-/** Traces reflected and refracted rays side by side in one packet, and adds their colours and
- *  losses. Not inlined: the merged packet takes stack memory only where there is one; see
- *  #PACKET_MERGE_MAX_BOUNCES. */
-static __attribute__((noinline)) void trace_merged(const TraceContext *context,
-                                                   const ScatteredRays *scattered, Rgb *colors,
-                                                   Losses *losses) {
-    const SecondaryRays *reflected = &scattered->reflected, *refracted = &scattered->refracted;
-    PacketMerge merge;
-    Rgb merged_colors[PACKET_VECTORS], incoming[PACKET_VECTORS];
-    Losses merged_losses, incoming_losses;
-    packet_merge_init(&merge, &reflected->rays, &refracted->rays);
-    trace_packet(context, &merge.rays, merged_colors, &merged_losses);
-    unsigned next = packet_merge_scatter(merged_colors, &merged_losses, 0, &reflected->rays.packet,
-                                         incoming, &incoming_losses);
-    secondary_rays_add(reflected, incoming, colors);
-    losses_add(&reflected->rays.packet, &incoming_losses, losses);
-    packet_merge_scatter(merged_colors, &merged_losses, next, &refracted->rays.packet, incoming,
-                         &incoming_losses);
-    secondary_rays_add(refracted, incoming, colors);
-    losses_add(&refracted->rays.packet, &incoming_losses, losses);
-}
-
 void trace_packet(const TraceContext *context, const RayState *rays, Rgb *colors, Losses *losses) {
     ScatteredRays scattered;
     losses_clear(losses);
     if (!shade_and_scatter(context, rays, &scattered, colors, losses)) {
-        return;
-    }
-    if (rays->interior && !context->tracer->methods &&
-        packet_merge_is_worthwhile(&scattered.reflected.rays.packet,
-                                   &scattered.refracted.rays.packet)) {
-        trace_merged(context, &scattered, colors, losses);
         return;
     }
     // Report D lists the refracted ray first.

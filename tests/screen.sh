@@ -37,6 +37,20 @@ open() {
     done
     xdotool windowfocus --sync "$window" 2>/dev/null
     shown 'pass'
+    [ -n "${with_bar:-}" ] || fold
+}
+# height: of the window, pixels.
+height() { xdotool getwindowgeometry --shell "$window" | sed -n 's/^HEIGHT=//p'; }
+# fold: hides the bar of buttons, so that the window has the size of the picture. A window that is
+# too small for the bar has none.
+fold() {
+    local tall=0
+    for _ in {1..40}; do
+        [ "$(height)" -gt "$tall" ] && tall=$(height) && sleep 0.1 || break
+    done
+    [ "$tall" -lt 300 ] && return
+    xdotool key F2
+    for _ in {1..100}; do [ "$(height)" -lt "$tall" ] && return || sleep 0.03; done
 }
 
 # closed NAME STATUS: the program must end by itself, with that status.
@@ -50,7 +64,13 @@ closed() {
     pid=0
     [ "$status" = "$2" ] && ok "$1" || fail "$1: status $status, not $2: $(cat "$work/errors")"
 }
-leave() { xdotool key Escape && closed "${1:-Esc leaves}" 0; }
+# leave [NAME]: closes one thing after the other, at last the program.
+leave() {
+    for _ in {1..6}; do
+        kill -0 "$pid" 2>/dev/null && xdotool key Escape && sleep 0.3
+    done
+    closed "${1:-Esc leaves}" 0
+}
 
 title() { xdotool getwindowname "$window" 2>/dev/null; }
 # shown WORDS: waits until the title holds WORDS (a pattern).
@@ -76,6 +96,8 @@ settled() {
         cmp -s "$work/a.ppm" "$work/b.ppm" && return
     done
 }
+# quiet: waits until messages on the picture are gone; each is shown for 4 seconds.
+quiet() { sleep 4.5; }
 # differs OLD NEW: waits until the window shows something other than OLD, and keeps it as NEW.
 differs() {
     for _ in {1..200}; do

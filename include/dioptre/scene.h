@@ -556,11 +556,11 @@ enum { IMAGE_DEPTH_AUTO = -1 };
 
 /** Size and quality of the image. Filled through #scene_image_keyword. */
 typedef struct SceneImage {
-    int width;    /**< Pixels, 1 to #IMAGE_SIZE_MAXIMUM. */
-    int height;   /**< Pixels, 1 to #IMAGE_SIZE_MAXIMUM. */
-    int encoding; /**< An #Encoding. */
-    int samples;  /**< Samples per pixel, 1 to #SAMPLES_MAXIMUM. */
-    int depth;    /**< Recursion depth, 0 to #DEPTH_MAXIMUM, or #IMAGE_DEPTH_AUTO. */
+    int width;     /**< Pixels, 1 to #IMAGE_SIZE_MAXIMUM. */
+    int height;    /**< Pixels, 1 to #IMAGE_SIZE_MAXIMUM. */
+    int encoding;  /**< An #Encoding. */
+    int samples;   /**< Samples per pixel, 1 to #SAMPLES_MAXIMUM. */
+    int depth;     /**< Recursion depth, 0 to #DEPTH_MAXIMUM, or #IMAGE_DEPTH_AUTO. */
     double cutoff; /**< See #TraceSettings.cutoff; 0 to #CUTOFF_MAXIMUM. */
 } SceneImage;
 
@@ -597,9 +597,9 @@ typedef struct SceneFile {
 
 /** A mesh file that a scene names. */
 typedef struct SceneMesh {
-    SceneFile file; /**< The file. */
-    Mesh *mesh;     /**< Its content, retained. NULL until it is read, after the run of the scene
-                         file. */
+    SceneFile file;    /**< The file. */
+    Mesh *mesh;        /**< Its content, retained. NULL until it is read, after the run of the scene
+                            file. */
     const Mesh *built; /**< In the block of the scene: the content, if the scene file itself has the
                           triangles. NULL: #file has them. */
 } SceneMesh;

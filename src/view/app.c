@@ -23,6 +23,16 @@ void app_set_status(App *app, const char *format, ...) {
     vsnprintf(app->title.status_text, sizeof app->title.status_text, gettext(format), arguments);
     va_end(arguments);
     app->title.next_update_time = 0;
+    window_set_toast(&app->window, app->title.status_text);
+}
+
+void app_sync_window(App *app) {
+    window_set_state(&app->window, &(WindowState){.scene = app->scene,
+                                                  .selected_light = app->selected_light,
+                                                  .is_animated = app_is_animated(app),
+                                                  .is_running = app->timeline.is_running,
+                                                  .is_recording = app_is_recording(app),
+                                                  .is_playing = app_is_playing(app)});
 }
 
 void app_clear_status(App *app) {
@@ -103,6 +113,15 @@ void app_move(App *app, Movement light, Movement camera) {
         if (movement_is_nonzero(light)) {
             app_set_status(app, "there is no light to move");
         }
+    }
+}
+
+void app_drag_light(App *app, size_t light, Vec3d offset) {
+    if (light < app->scene->light_count) {
+        app->selected_light = light;
+        app->home_view.is_light_moved[light] = true;
+        scene_light_move(&app->scene->lights[light], offset, app->scene->camera.target_distance);
+        app_on_view_changed(app);
     }
 }
 

@@ -20,6 +20,8 @@
 
 /** How far a key moves the bar between two pictures, as a fraction of the window's width. */
 static const double BAR_STEP = 0.02;
+/** Seconds in which the program must be left again to end a lesson. */
+static const double CONFIRMATION_SECONDS = 4;
 
 /* --- time and view ---------------------------------------------------------------------------- */
 
@@ -231,7 +233,7 @@ static void switch_language(App *app, int argument) {
     app_set_status(app, "messages are in English");
     current_scene_repeat_error(app);
     window_invalidate_text(&app->window);
-    window_present(&app->window);
+    window_relayout_toolbar(&app->window);
 }
 
 /** Opens the list of scenes. */
@@ -265,16 +267,59 @@ static void toggle_help(App *app, int argument) {
     window_present(&app->window);
 }
 
+/** Shows or hides the bar of buttons. */
+static void toggle_toolbar(App *app, int argument) {
+    (void)argument;
+    window_toggle_toolbar(&app->window);
+}
+
 /** Changes between the full screen and a window. */
 static void toggle_full_screen(App *app, int argument) {
     (void)argument;
     sdl_window_toggle_full_screen(&app->window.sdl);
 }
 
-/** Closes the window. */
-static void quit(App *app, int argument) {
+/** Ends the program; while a lesson is recorded or plays, only when it is asked a second time. */
+static void leave_program(App *app) {
+    double now = clock_now_seconds();
+    bool needs_confirmation = app_is_playing(app) || app_is_recording(app);
+    if (!needs_confirmation || now < app->exit.confirmation_end) {
+        app->exit.is_requested = true;
+        return;
+    }
+    app->exit.confirmation_end = now + CONFIRMATION_SECONDS;
+    app_set_status(app, app_is_playing(app) ? N_("a lesson plays: leave again to end it")
+                                            : N_("a lesson is recorded: leave again to end it"));
+}
+
+/** Issues a command by its name. */
+static void issue(App *app, const char *name) {
+    command_issue(app, command_find(app->commands, name), clock_now_seconds());
+}
+
+/** Closes what lies topmost: help, rays, two pictures, a layer, the full screen; at last the
+ *  program. What a lesson shows stays. */
+static void leave(App *app, int argument) {
     (void)argument;
-    app->exit.is_requested = true;
+    Window *window = &app->window;
+    bool is_full = SDL_GetWindowFlags(window->sdl.window) & SDL_WINDOW_FULLSCREEN_DESKTOP;
+    bool is_own = !app_is_playing(app);
+    if (gui_close_list(window->gui)) {
+        return;
+    }
+    if (window->help.is_open) {
+        toggle_help(app, 0);
+    } else if (is_own && window->inspector.is_open) {
+        issue(app, "rays");
+    } else if (is_own && window->split.mode != SPLIT_NONE) {
+        issue(app, window->split.mode == SPLIT_BAR ? "split back" : "split");
+    } else if (is_own && window_active_viewport(window)->layer != LAYER_SHADED) {
+        issue(app, "layer light");
+    } else if (is_full) {
+        toggle_full_screen(app, 0);
+    } else {
+        leave_program(app);
+    }
 }
 
 /* --- the table -------------------------------------------------------------------------------- */
@@ -406,9 +451,11 @@ const Command command_table[] = {
     {"record", {KEY(r)}, N_("record"), PROGRAM, .help = N_("record a lesson, or end it"), .flags = COMMAND_UNRECORDED, RUNS(toggle_recording, 0)},
     {"caption", {NAMED(RETURN, N_("Enter"))}, N_("words"), PROGRAM, .help = N_("words for that lesson"), .flags = COMMAND_UNRECORDED, RUNS(begin_caption, 0)},
     {"help", {KEY(F1), KEY(h)}, N_("help"), PROGRAM, .help = N_("this help"), .flags = COMMAND_WHILE_PLAYING, RUNS(toggle_help, 0)},
-    {"full screen", {KEY(F11)}, N_("screen"), PROGRAM, .help = N_("full screen"), .flags = COMMAND_WHILE_PLAYING, RUNS(toggle_full_screen, 0)},
+    {"toolbar", {KEY(F2)}, N_("bar"), PROGRAM, .help = N_("bar of buttons, full screen"),
+     .flags = COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(toggle_toolbar, 0)},
+    {"full screen", {KEY(F11)}, N_("screen"), PROGRAM, .help = N_("bar of buttons, full screen"), .flags = COMMAND_WHILE_PLAYING, RUNS(toggle_full_screen, 0)},
     {"leave", {NAMED(ESCAPE, N_("Esc"))}, N_("leave"), PROGRAM, .help = N_("leave"),
-     .flags = COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(quit, 0)},
+     .flags = COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(leave, 0)},
     {0},
 };
 // clang-format on

@@ -48,6 +48,22 @@ awk "BEGIN { exit !(${now[2]} < ${was[2]} - 0.1 && ${now[0]} - ${was[0]} < 0.01)
     ok 'with Shift along the direction of view' || fail "the light went from ${was[*]} to ${now[*]}"
 xdotool key Home
 
+# --- the screen as a picture -------------------------------------------------------------------------
+xdotool key 3
+shown 'distance.*finished'
+before=$(wc -l <"$work/log")
+xdotool key shift+p
+for _ in {1..600}; do [ "$(wc -l <"$work/log")" -gt "$before" ] && break || sleep 0.05; done
+seen=$work/shots/$(tail -1 "$work/log")
+[ "$(identify -format '%wx%h %m' "$seen")" = '800x600 PNG' ] && ok 'Shift P saves the screen as PNG' ||
+    fail "it is $(identify "$seen" 2>&1)"
+identify -format '%[dioptre:view] %[*]' "$seen" 2>/dev/null | cat - <(strings "$seen") >"$work/words"
+grep -q 'camera { position' "$work/words" && ok 'with the view in its metadata' || fail "$(head -c 300 "$work/words")"
+view_of
+"$dioptre" compare "$seen" "$shot" >/dev/null && fail 'the legend is in the picture' || ok 'the legend is in the picture'
+xdotool key 1
+shown 'pass 1 px.*finished'
+
 # --- a recorded drag ---------------------------------------------------------------------------------
 xdotool key r
 expect_shown 'recording' 'r records'

@@ -208,7 +208,8 @@ static void test_keymap_help(void **state) {
     assert_string_equal(rows[1].label, "W  S");
     assert_string_equal(help_text_keys(rows, count, "away from you, nearer"), "E  Z");
     assert_string_equal(help_text_keys(rows, count, "forward, back"), "Page Up  Page Down");
-    assert_string_equal(help_text_keys(rows, count, "snapshot"), "P  F12");
+    assert_string_equal(help_text_keys(rows, count, "snapshot (Shift: as on the screen)"),
+                        "P  F12");
     assert_string_equal(help_text_keys(rows, count, "leave"), "Esc");
     help.by_letter = true;
     count = help_write_rows(&help, rows);
@@ -691,11 +692,10 @@ static void test_scene_text(void **state) {
     scene_text_print(scene, file);
     fclose(file);
     scene_destroy(scene);
-    assert_string_equal(
-        text, "camera { position = {0.10000000000000001, -2, 1.0000000000000001e-30}, "
-              "direction = {1, 0, 0}, up = {0, 1, 0}, fov = 60 }  "
-              "light { position = {0, 1.8999999999999999, 0}, color = {1, 1, 1}, intensity = 1, "
-              "falloff = \"none\", falloff_constant = 2, radius = 0 }");
+    assert_string_equal(text, "camera { position = {0.1, -2, 1e-30}, "
+                              "direction = {1, 0, 0}, up = {0, 1, 0}, fov = 60 }  "
+                              "light { position = {0, 1.9, 0}, color = {1, 1, 1}, intensity = 1, "
+                              "falloff = \"none\", falloff_constant = 2, radius = 0 }");
 }
 
 /** The title shows pass and speed. */

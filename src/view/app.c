@@ -9,6 +9,7 @@
 
 #include <libintl.h>
 #include <stdarg.h>
+#include <stdlib.h>
 
 /** Factor of the field of view per notch of the wheel. */
 static const double ZOOM_PER_NOTCH = 0.9;
@@ -158,6 +159,37 @@ void app_reset_view(App *app) {
     view_state_reset(&app->home_view, app->scene);
     app->selected_light = 0;
     app_on_view_changed(app);
+}
+
+/** Writes the settings of the active picture. */
+static void write_settings_text(App *app, char *text, size_t size) {
+    const RenderSettings *settings = &window_active_viewport(&app->window)->settings;
+    snprintf(text, size, "engine %s, offset %s, epsilon %.3g, depth %d, samples %d",
+             settings->engine->name, offset_strategy_names[settings->trace.offset],
+             settings->trace.epsilon, settings->trace.depth, settings->samples);
+}
+
+bool app_save_screen(App *app, Error *error) {
+    Picture picture = {0};
+    char path[NUMBERED_FILE_PATH_SIZE], settings[STATUS_TEXT_SIZE];
+    char *view = scene_text_create(app->scene);
+    write_settings_text(app, settings, sizeof settings);
+    const MetadataEntry metadata[] = {{"Software", "dioptre " DIOPTRE_VERSION},
+                                      {"ImageDescription", settings},
+                                      {"dioptre:view", view ? view : ""},
+                                      {0}};
+    bool is_saved = window_copy_screen(&app->window, &picture, error);
+    picture.metadata = metadata;
+    is_saved = is_saved && snapshot_write_as(app->settings->snapshot_dir, app->source.name, "png",
+                                             &picture, path, error);
+    picture_deinit(&picture);
+    free(view);
+    if (is_saved) {
+        printf("%s\n", path);
+        fflush(stdout);
+        app_set_status(app, "saved %s", path);
+    }
+    return is_saved;
 }
 
 bool app_save_picture(App *app, const char *folder, const char *name, Error *error) {

@@ -209,4 +209,8 @@ void app_reset_view(App *app);
  */
 bool app_save_picture(App *app, const char *folder, const char *name, Error *error);
 
+/** Saves what is on the screen, with its legend and rays, as a numbered PNG; the view and the
+ * settings are its metadata. @return Whether it is saved. */
+bool app_save_screen(App *app, Error *error);
+
 #endif

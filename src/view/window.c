@@ -248,7 +248,8 @@ static void draw_huds(Window *window, const OverlayTarget *target) {
     }
 }
 
-void window_present(Window *window) {
+/** Draws everything but buttons, marks and messages. */
+static void draw(Window *window) {
     double scale = window->text_scale > 0 ? window->text_scale : 1;
     OverlayTarget target = {window->sdl.renderer, scale, 1, window_toolbar_height(window)};
     SDL_Rect area = window_area(window);
@@ -266,6 +267,10 @@ void window_present(Window *window) {
     notice_show(&window->notice, &target);
     browser_show(&window->browser, &target);
     help_show(&window->help, &target);
+}
+
+void window_present(Window *window) {
+    draw(window);
     window_show_widgets(window);
     sdl_window_present(&window->sdl);
 }
@@ -400,6 +405,25 @@ static bool copy_pixels(Window *window, uint8_t *bgrx, int pitch) {
                ? split_view_compose(&window->split, &window->viewports[0], &window->viewports[1],
                                     bgrx, pitch)
                : renderer_copy_latest(window->viewports[0].renderer, &report, bgrx, pitch);
+}
+
+bool window_copy_screen(Window *window, Picture *picture, Error *error) {
+    SDL_Rect area = window_area(window);
+    size_t row = (size_t)area.w * 4;
+    uint8_t *bgrx = malloc(row * (size_t)area.h);
+    draw(window);
+    bool is_read = bgrx && SDL_RenderReadPixels(window->sdl.renderer, &area,
+                                                SDL_PIXELFORMAT_XRGB8888, bgrx, (int)row) == 0;
+    if (!is_read) {
+        free(bgrx);
+        return error_set(error, STATUS_FAILED, "no memory for a snapshot");
+    }
+    bool is_copied = picture_init(picture, area.w, area.h, error);
+    if (is_copied) {
+        snapshot_from_bgrx(bgrx, picture);
+    }
+    free(bgrx);
+    return is_copied;
 }
 
 bool window_copy_picture(Window *window, Picture *picture, Error *error) {

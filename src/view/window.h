@@ -228,4 +228,8 @@ bool window_is_finished(const Window *window);
  * false without memory. */
 bool window_copy_picture(Window *window, Picture *picture, Error *error);
 
+/** Copies what is on the screen but bar and messages. @param[out] picture To be freed with
+ *  #picture_deinit. @return false without memory, or if SDL cannot read the screen. */
+bool window_copy_screen(Window *window, Picture *picture, Error *error);
+
 #endif

@@ -92,9 +92,22 @@ static void show_settings_status(App *app) {
                    gettext(light_mode_name(settings.lighting)));
 }
 
+/** @return Whether rays march through any shape of a scene. */
+static bool has_marched_shape(const Scene *scene) {
+    for (size_t i = 0; i < scene->shape_count; i++) {
+        if (scene_shape_keywords[scene->shapes[i].class_index]->parameters->type == PARAMETER_SDF) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /** Shows a layer. */
 static void set_layer(App *app, int layer) {
     window_set_layer(&app->window, (Layer)layer);
+    if (layer == LAYER_STEPS && !has_marched_shape(app->scene)) {
+        app_set_status(app, "this scene has no distance field: no ray marches");
+    }
 }
 
 /** Changes one setting of the active picture. */
@@ -203,6 +216,15 @@ static void request_snapshot(App *app, int argument) {
     app->wants_snapshot = true;
     timeline_pause(&app->timeline, app_clock(app));
     app_set_status(app, "the snapshot waits for the last pass");
+}
+
+/** Saves what is on the screen. */
+static void save_screen(App *app, int argument) {
+    (void)argument;
+    Error error = {0};
+    if (!app_save_screen(app, &error)) {
+        app_report_error(app, &error);
+    }
 }
 
 /** Prints camera and lights as text of the scene language, and puts it on the clipboard. */
@@ -404,9 +426,9 @@ const Command command_table[] = {
     {"layer rounding", {KEY(y)}, N_("round"), PICTURE, LAST_LAYERS, RUNS(set_layer, LAYER_ROUNDING)},
     {"offset", {KEY(o)}, N_("offset"), PICTURE, .help = N_("offset: none, fixed, bound"), RUNS(change_offset, 1)},
     {"offset back", {KEY(o)}, .flags = COMMAND_SHIFT, RUNS(change_offset, -1)},
-    {"epsilon half", {ONLY_PLACE(LEFTBRACKET, NULL)}, "ε / 2", PICTURE, EPSILON, RUNS(change_epsilon, -2)},
+    {"epsilon half", {ONLY_PLACE(LEFTBRACKET, NULL)}, "ε / 2", PICTURE, EPSILON, .flags = COMMAND_REPEATS, RUNS(change_epsilon, -2)},
     {"epsilon tenth", {ONLY_PLACE(LEFTBRACKET, NULL)}, .flags = COMMAND_SHIFT, RUNS(change_epsilon, -10)},
-    {"epsilon twice", {ONLY_PLACE(RIGHTBRACKET, NULL)}, "ε × 2", PICTURE, EPSILON, RUNS(change_epsilon, 2)},
+    {"epsilon twice", {ONLY_PLACE(RIGHTBRACKET, NULL)}, "ε × 2", PICTURE, EPSILON, .flags = COMMAND_REPEATS, RUNS(change_epsilon, 2)},
     {"epsilon ten times", {ONLY_PLACE(RIGHTBRACKET, NULL)}, .flags = COMMAND_SHIFT, RUNS(change_epsilon, 10)},
     {"engine", {KEY(g)}, N_("engine"), PICTURE, .help = N_("float, double, quad; which light"), RUNS(change_engine, 1)},
     {"engine back", {KEY(g)}, .flags = COMMAND_SHIFT, RUNS(change_engine, -1)},
@@ -430,21 +452,22 @@ const Command command_table[] = {
     {"rays", {KEY(v)}, N_("rays"), RAYS, .help = N_("show them, or the picture again"), RUNS(toggle_rays, 0)},
     {NULL, {NO_KEY(N_("Click"))}, NULL, RAYS, .help = N_("of that pixel")},
     {NULL, {NO_KEY("Ctrl ←↑↓→")}, NULL, RAYS, .help = N_("of the pixel beside")},
-    {"ray back", {KEY(j)}, N_("ray −"), RAYS, .help = N_("numbers of the ray before, after"), RUNS(select_ray, -1)},
-    {"ray on", {KEY(k)}, N_("ray +"), RAYS, .help = N_("numbers of the ray before, after"), RUNS(select_ray, 1)},
+    {"ray back", {KEY(j)}, N_("ray −"), RAYS, .help = N_("numbers of the ray before, after"), .flags = COMMAND_REPEATS, RUNS(select_ray, -1)},
+    {"ray on", {KEY(k)}, N_("ray +"), RAYS, .help = N_("numbers of the ray before, after"), .flags = COMMAND_REPEATS, RUNS(select_ray, 1)},
     {NULL, {NO_KEY("←↑↓→")}, NULL, RAYS, .help = N_("around them; or the mouse")},
 
     {NULL, {ONLY_PLACE(LSHIFT, N_("Shift")), ONLY_PLACE(RSHIFT, "")}, N_("fast"), PROGRAM, .help = N_("with a move: fast, fine")},
     {NULL, {ONLY_PLACE(LCTRL, N_("Ctrl")), ONLY_PLACE(RCTRL, "")}, N_("fine"), PROGRAM, .help = N_("with a move: fast, fine")},
     {"home", {NAMED(HOME, N_("Home"))}, N_("reset"), PROGRAM, .help = N_("the scene's own view"),
      .flags = COMMAND_WHILE_PAUSED, RUNS(reset_view, 0)},
-    {"snapshot", {KEY(p), KEY(F12)}, N_("photo"), PROGRAM, .help = N_("snapshot"), .flags = COMMAND_WHILE_PLAYING, RUNS(request_snapshot, 0)},
+    {"snapshot", {KEY(p), KEY(F12)}, N_("photo"), PROGRAM, .help = N_("snapshot (Shift: as on the screen)"), .flags = COMMAND_WHILE_PLAYING, RUNS(request_snapshot, 0)},
+    {"snapshot of the screen", {KEY(p), KEY(F12)}, .flags = COMMAND_SHIFT | COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(save_screen, 0)},
     {"copy", {KEY(c)}, N_("copy"), PROGRAM, .help = N_("camera and light as text, to paste"),
      .flags = COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(copy_view, 0)},
     {"text larger", {NAMED(PLUS, "+"), NAMED(EQUALS, ""), NAMED(KP_PLUS, "")}, "A +", PROGRAM, .help = N_("larger, smaller letters"),
-     .flags = COMMAND_WHILE_PLAYING, RUNS(scale_text, 1)},
+     .flags = COMMAND_WHILE_PLAYING | COMMAND_REPEATS, RUNS(scale_text, 1)},
     {"text smaller", {NAMED(MINUS, "-"), NAMED(KP_MINUS, "")}, "A −", PROGRAM, .help = N_("larger, smaller letters"),
-     .flags = COMMAND_WHILE_PLAYING, RUNS(scale_text, -1)},
+     .flags = COMMAND_WHILE_PLAYING | COMMAND_REPEATS, RUNS(scale_text, -1)},
     {"language", {KEY(l)}, "en / fr", PROGRAM, .help = N_("English, français"),
      .flags = COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(switch_language, 0)},
     {"scenes", {KEY(f)}, N_("scenes"), PROGRAM, .help = N_("other scenes: a list with pictures"), .flags = COMMAND_UNRECORDED, RUNS(browse_scenes, 0)},

@@ -69,7 +69,8 @@ CLI_SOURCES   := $(wildcard src/cli/*.c)
 OBJ           := $(BUILD)/obj
 ENGINE_OBJECTS := $(ENGINES:%=$(OBJ)/engine-%.o)
 TYPE_OBJECTS  := $(TYPES:%=$(OBJ)/type-%.o)
-ROOM_OBJECTS  := $(ROOM_SOURCES:%.c=$(OBJ)/%.o) $(ENGINE_OBJECTS) $(TYPE_OBJECTS)
+GUI_OBJECT    := $(OBJ)/src/view/gui/gui.o
+ROOM_OBJECTS  := $(ROOM_SOURCES:%.c=$(OBJ)/%.o) $(GUI_OBJECT) $(ENGINE_OBJECTS) $(TYPE_OBJECTS)
 CLI_OBJECTS   := $(CLI_SOURCES:%.c=$(OBJ)/%.o)
 TEST_SOURCES  := $(wildcard tests/test_*.c)
 TESTS         := $(TEST_SOURCES:tests/%.c=$(BUILD)/tests/%)
@@ -79,7 +80,8 @@ MESHES_MODULE := $(BUILD)/dioptre-meshes.so
 MODULES       := $(IMAGES_MODULE) $(MESHES_MODULE)
 LANGUAGES     := $(patsubst src/po/%.po,%,$(wildcard src/po/*.po))
 CATALOGUES    := $(LANGUAGES:%=$(BUILD)/locale/%/LC_MESSAGES/dioptre.mo)
-LIBRARIES     = $(call PKG_LIBS,sdl2 SDL2_ttf lua5.4 cairo) -ldl -lm -pthread
+# The interface is C++ (src/view/gui/gui.cpp), for Dear ImGui.
+LIBRARIES     = $(call PKG_LIBS,sdl2 SDL2_ttf lua5.4 cairo imgui) -ldl -lm -lstdc++ -pthread
 # The program that reads scenes, pictures and models: src/worker/main.c.
 WORKER         := $(BUILD)/dioptre-worker
 WORKER_SOURCES := $(wildcard src/worker/*.c) $(filter src/base/% src/scene/% src/script/% src/assets/%,$(ROOM_SOURCES))
@@ -120,6 +122,7 @@ libraries:
 	$(call NEED,SDL2_ttf,libsdl2-ttf-dev)
 	$(call NEED,lua5.4,liblua5.4-dev)
 	$(call NEED,cairo,libcairo2-dev)
+	$(call NEED,imgui,libimgui-dev)
 
 # Other flags than last time make everything anew.
 FLAGS     := $(BUILD)/flags
@@ -133,6 +136,9 @@ $(FLAGS): always
 $(OBJ)/%.o: %.c $(FLAGS) | libraries
 	@mkdir -p $(@D)
 	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) $(ROOM_CFLAGS) -MMD -MP -c -o $@ $<
+$(GUI_OBJECT): src/view/gui/gui.cpp $(FLAGS) | libraries
+	@mkdir -p $(@D)
+	$(call SAY,c++,$@)$(CXX) $(CPPFLAGS) $(CXXFLAGS) $(patsubst -I%,-isystem %,$(call PKG_CFLAGS,sdl2 imgui)) -MMD -MP -c -o $@ $<
 $(OBJ)/src/render/engines.o: CPPFLAGS += '-DENGINE_LIST(X)=$(foreach engine,$(ENGINES),X($(engine)))'
 
 
@@ -161,7 +167,7 @@ $(OBJ)/src/lab/charts/csv.o: CPPFLAGS += -DDIOPTRE_FLAGS='"$(OPTIMIZE) $(ARITHME
 -include $(shell find $(OBJ) -name '*.d' 2>/dev/null)
 
 # --- packages: what a bare Debian 12 with gcc and make lacks --------------------------------------
-RUN_PACKAGES  := g++ pkg-config gettext libsdl2-dev libsdl2-ttf-dev liblua5.4-dev libcairo2-dev libopenimageio-dev libassimp-dev fonts-dejavu-core
+RUN_PACKAGES  := g++ pkg-config gettext libsdl2-dev libsdl2-ttf-dev liblua5.4-dev libcairo2-dev libimgui-dev libopenimageio-dev libassimp-dev fonts-dejavu-core
 TEST_PACKAGES := libcmocka-dev clang libclang-rt-14-dev xvfb xauth xdotool x11-xkb-utils xkb-data \
                  imagemagick openbox qemu-user doxygen graphviz ffmpeg parallel slurm-wlm munge gnuplot-nox \
                  desktop-file-utils appstream shared-mime-info libglib2.0-bin gappa libflint-arb-dev \

@@ -39,7 +39,21 @@ open() {
     within has_window
     xdotool windowfocus --sync "$window" 2>/dev/null
     shown 'pass'
+    [ -n "${with_bar:-}" ] || fold
 }
+# height: of the window, pixels.
+height() { xdotool getwindowgeometry --shell "$window" | sed -n 's/^HEIGHT=//p'; }
+# fold: hides the bar of buttons, so that the window has the size of the picture. A window that is
+# too small for the bar has none.
+fold() {
+    local tall
+    settled
+    tall=$(height)
+    [ "${tall:-0}" -lt 300 ] && return
+    xdotool key F2
+    within is_lower "$tall"
+}
+is_lower() { [ "$(height)" -lt "$1" ]; }
 
 # closed NAME STATUS: the program must end by itself, with that status.
 closed() {
@@ -51,7 +65,13 @@ closed() {
     pid=0
     [ "$status" = "$2" ] && ok "$1" || fail "$1: status $status, not $2: $(cat "$work/errors")"
 }
-leave() { xdotool key Escape && closed "${1:-Esc leaves}" 0; }
+# leave [NAME]: closes one thing after the other, at last the program.
+leave() {
+    for _ in {1..6}; do
+        kill -0 "$pid" 2>/dev/null && xdotool key Escape && sleep 0.3
+    done
+    closed "${1:-Esc leaves}" 0
+}
 
 title() { xdotool getwindowname "$window" 2>/dev/null; }
 # shown WORDS: waits until the title holds WORDS (a pattern).
@@ -69,6 +89,8 @@ screen() { import -window "$window" "$work/$1.ppm"; }
 # settled: waits until the window shows the same twice.
 settled() { within is_quiet; }
 is_quiet() { screen a && sleep 0.3 && screen b && cmp -s "$work/a.ppm" "$work/b.ppm"; }
+# quiet: waits until messages on the picture are gone; each is shown for 4 seconds.
+quiet() { sleep 4.5; }
 # differs OLD NEW: waits until the window shows something other than OLD, and keeps it as NEW.
 differs() { within is_another "$@" && settled && cp "$work/a.ppm" "$work/$2.ppm"; }
 is_another() { screen "$2" && ! cmp -s "$work/$1.ppm" "$work/$2.ppm"; }

@@ -3,13 +3,17 @@
  * @brief Tests of the window's parts without a screen: commands, movement, snapshots, panels.
  *        tests/window.sh tests the window itself.
  */
+#include "load_scene.h"
 #include "testing.h"
 
 #include "assets/images/image_file.h"
 #include "dioptre/view.h"
+#include "render/orbit_camera.h"
 #include "view/commands/commands.h"
 #include "view/panels/help.h"
 #include "view/panels/hud.h"
+#include "view/panels/light_marks.h"
+#include "view/panels/toolbar.h"
 #include "view/state/scene_text.h"
 #include "view/state/snapshot.h"
 #include "view/window/font.h"
@@ -21,6 +25,9 @@
 
 /** Rounding error of a sum of times, seconds. */
 static const double TIME_ROUNDING = 1e-12;
+
+/** Rounding error of a place in a picture, pixels. */
+static const double PIXEL_ROUNDING = 1e-9;
 
 /** Fails unless two numbers are equal up to rounding. */
 static void assert_near(double a, double b) {
@@ -201,7 +208,8 @@ static void test_keymap_help(void **state) {
     assert_string_equal(rows[1].label, "W  S");
     assert_string_equal(help_text_keys(rows, count, "away from you, nearer"), "E  Z");
     assert_string_equal(help_text_keys(rows, count, "forward, back"), "Page Up  Page Down");
-    assert_string_equal(help_text_keys(rows, count, "snapshot"), "P  F12");
+    assert_string_equal(help_text_keys(rows, count, "snapshot (Shift: as on the screen)"),
+                        "P  F12");
     assert_string_equal(help_text_keys(rows, count, "leave"), "Esc");
     help.by_letter = true;
     count = help_write_rows(&help, rows);
@@ -293,8 +301,9 @@ static void test_command_table(void **state) {
 }
 
 /** The parts of src/view, from the bottom, as the comment of view/app.h lists them. */
-static const char *const view_parts[] = {"state/", "window/",   "loading/", "panels/", "window.",
-                                         "app.",   "commands/", "lesson/",  "input/",  "view."};
+static const char *const view_parts[] = {"state/",  "window/", "gui/", "loading/",
+                                         "panels/", "window",  "app.", "commands/",
+                                         "lesson/", "input/",  "view."};
 
 /** @return The index of a file's part. @param path The path after `view/`. */
 static int view_part(const char *path) {
@@ -327,6 +336,47 @@ static void test_parts(void **state) {
         fclose(file);
     }
     globfree(&files);
+}
+
+/** Each layer of the bar's list has its command. */
+static void test_toolbar_commands(void **state) {
+    (void)state;
+    for (int layer = 0; layer < LAYER_COUNT; layer++) {
+        const Command *command = command_find(command_table, toolbar_layer_command((Layer)layer));
+        assert_non_null(command);
+        assert_int_equal(command->argument, layer);
+    }
+}
+
+/** A mark that is dragged stays under the mouse, or goes along the direction of view; what lies
+ *  behind the camera cannot be dragged. */
+static void test_light_drag(void **state) {
+    (void)state;
+    Scene *scene = load_scene("scenes/box.lua");
+    const SDL_Rect picture = {10, 20, 800, 600};
+    Vec3d before, after, offset;
+    assert_true(scene_light_center(&scene->lights[0], &before));
+    ProjectedView view = {scene->camera, picture.w, picture.h};
+    double x[2], y[2];
+    assert_true(projected_view_point(&view, before, &x[0], &y[0]));
+    assert_true(light_marks_drag_offset(scene, 0, &picture, (GuiPoint){100, 100},
+                                        (GuiPoint){140, 170}, false, &offset));
+    after = vec3d_add(before, offset);
+    assert_true(projected_view_point(&view, after, &x[1], &y[1]));
+    assert_at_most(fabs(x[1] - x[0] - 40), PIXEL_ROUNDING, "%g pixels right", x[1] - x[0]);
+    assert_at_most(fabs(y[1] - y[0] - 70), PIXEL_ROUNDING, "%g pixels down", y[1] - y[0]);
+    assert_near(vec3d_dot(offset, scene->camera.direction), 0);
+    assert_true(light_marks_drag_offset(scene, 0, &picture, (GuiPoint){100, 100},
+                                        (GuiPoint){140, 70}, true, &offset));
+    assert_true(vec3d_dot(offset, scene->camera.direction) > 0);
+    assert_near(vec3d_dot(offset, scene->camera.up), 0);
+    assert_near(vec3d_dot(offset, scene_camera_right(&scene->camera)), 0);
+    scene->camera.direction = vec3d_scale(scene->camera.direction, -1);
+    assert_false(light_marks_drag_offset(scene, 0, &picture, (GuiPoint){100, 100},
+                                         (GuiPoint){140, 170}, false, &offset));
+    assert_false(light_marks_drag_offset(scene, scene->light_count, &picture, (GuiPoint){0, 0},
+                                         (GuiPoint){1, 1}, false, &offset));
+    scene_destroy(scene);
 }
 
 /** Only overridden settings are applied. Strategies and lighting modes are cyclic, numbers have
@@ -642,11 +692,10 @@ static void test_scene_text(void **state) {
     scene_text_print(scene, file);
     fclose(file);
     scene_destroy(scene);
-    assert_string_equal(
-        text, "camera { position = {0.10000000000000001, -2, 1.0000000000000001e-30}, "
-              "direction = {1, 0, 0}, up = {0, 1, 0}, fov = 60 }  "
-              "light { position = {0, 1.8999999999999999, 0}, color = {1, 1, 1}, intensity = 1, "
-              "falloff = \"none\", falloff_constant = 2, radius = 0 }");
+    assert_string_equal(text, "camera { position = {0.1, -2, 1e-30}, "
+                              "direction = {1, 0, 0}, up = {0, 1, 0}, fov = 60 }  "
+                              "light { position = {0, 1.9, 0}, color = {1, 1, 1}, intensity = 1, "
+                              "falloff = \"none\", falloff_constant = 2, radius = 0 }");
 }
 
 /** The title shows pass and speed. */
@@ -785,6 +834,8 @@ int main(void) {
         cmocka_unit_test(test_help_panel),
         cmocka_unit_test(test_keyboard_labels),
         cmocka_unit_test(test_command_table),
+        cmocka_unit_test(test_toolbar_commands),
+        cmocka_unit_test(test_light_drag),
         cmocka_unit_test(test_parts),
         cmocka_unit_test(test_settings_override),
         cmocka_unit_test(test_latency),

@@ -124,10 +124,11 @@ same "$shot" "$first" 'Home goes back to the very first picture'
 
 # --- window --------------------------------------------------------------------------------------
 xdotool windowsize --sync "$window" 500 360
-expect_shown '500×360.*finished' 'another size is drawn anew'
-"$dioptre" render "$box" -s 500x360 -o "$work/render.bmp"
+expect_shown '480×360.*finished' 'another size is drawn anew, with the same ratio'
+"$dioptre" render "$box" -s 480x360 -o "$work/render.bmp"
 shoot
 same "$shot" "$work/render.bmp" 'a snapshot of another size equals render'
+quiet
 screen plain
 xdotool key F1
 changed plain help-us 'F1 shows the help'
@@ -160,6 +161,7 @@ leave
 open "$box" --samples 1
 shoot
 before=$view
+quiet
 screen plain
 xdotool key v
 changed plain rays 'v shows the rays of a pixel'

@@ -100,6 +100,17 @@ LayerScale layer_scale(Layer layer, double low, double high);
 void layer_color(Layer layer, const LayerScale *scale, const float values[LAYER_VALUES],
                  uint8_t rgb[3]);
 
+/** Bytes of #layer_value_text with the final zero. */
+enum { LAYER_TEXT_SIZE = 96 };
+
+/**
+ * Writes the numbers of a pixel in words, in the user's language.
+ * @param layer   The layer; not #LAYER_SHADED.
+ * @param values  Its numbers.
+ * @param[out] text  Such as `3.42 scene units`.
+ */
+void layer_value_text(Layer layer, const float values[LAYER_VALUES], char text[LAYER_TEXT_SIZE]);
+
 /**
  * Writes a layer's legend.
  * @param layer       The layer.

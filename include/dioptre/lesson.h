@@ -38,6 +38,7 @@ typedef enum {
     LESSON_PIXEL,   /**< The rays of a pixel are shown: a click. */
     LESSON_WALK,    /**< The rays of a pixel nearby are shown: Ctrl and an arrow. */
     LESSON_BAR,     /**< The bar between two pictures is dragged. */
+    LESSON_DRAG,    /**< A light is dragged in the picture. */
     LESSON_CAPTION, /**< A caption is shown. */
     LESSON_SNAPSHOT /**< The finished picture is saved, if the lesson plays unattended. */
 } LessonStepKind;
@@ -47,11 +48,12 @@ typedef struct LessonStep {
     LessonStepKind kind; /**< Its kind. */
     int64_t time;        /**< Its time, milliseconds from the beginning. */
     int action; /**< The command of #LESSON_PRESS and #LESSON_RELEASE: an index into the names that
-                   the lesson was read with. */
+                   the lesson was read with. Index of the light of #LESSON_DRAG. */
     double x; /**< Speed factor; degrees to the right; notches of the wheel; width in screen units;
-                 fraction of the picture's width; pixels to the right. */
+                 fraction of the picture's width; pixels to the right; scene units along x. */
     double y; /**< Degrees up; height in screen units; fraction of the picture's height, from the
-                 top; pixels down. */
+                 top; pixels down; scene units along y. */
+    double z; /**< Scene units along z, of #LESSON_DRAG. */
     LessonText text;       /**< Text of a caption. */
     bool waits_for_viewer; /**< Whether a caption pauses the lesson. */
 } LessonStep;

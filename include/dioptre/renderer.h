@@ -189,6 +189,23 @@ void renderer_stop(Renderer *renderer);
  */
 bool renderer_copy_latest(Renderer *renderer, RenderStats *stats, uint8_t *bgrx, int pitch);
 
+/** What one pixel of a picture shows. */
+typedef struct PixelReading {
+    uint8_t rgb[3];             /**< Its colour. */
+    bool has_values;            /**< Whether #values are known. */
+    float values[LAYER_VALUES]; /**< The numbers of a layer, see #layer_values. */
+} PixelReading;
+
+/**
+ * Reads a pixel of the newest pass. The numbers of a layer are known once the picture is finished.
+ * @param renderer      The renderer.
+ * @param x             The pixel's column, from the left.
+ * @param y             Its row, from the top.
+ * @param[out] reading  What it shows.
+ * @return false if no pass has finished, or the pixel is outside.
+ */
+bool renderer_read_pixel(Renderer *renderer, int x, int y, PixelReading *reading);
+
 /**
  * Records the ray tree of a pixel's first sample, through its centre. A picture of one sample shows
  * the colour of the first ray, bit for bit.

@@ -184,6 +184,27 @@ bool renderer_copy_latest(Renderer *renderer, RenderStats *stats, uint8_t *bgrx,
     return is_available;
 }
 
+bool renderer_read_pixel(Renderer *renderer, int x, int y, PixelReading *reading) {
+    BackgroundRenderer *background = &renderer->background;
+    const LayerRenderer *layer = &renderer->layer_renderer;
+    pthread_mutex_lock(&background->mutex);
+    const Picture *picture = &background->front;
+    bool is_available =
+        background->has_front && x >= 0 && y >= 0 && x < picture->width && y < picture->height;
+    if (is_available) {
+        size_t pixel = (size_t)y * (size_t)picture->width + (size_t)x;
+        memcpy(reading->rgb, picture->pixels + 3 * pixel, sizeof reading->rgb);
+        // A finished picture has all pixels, and no thread writes to it any more.
+        reading->has_values =
+            background->stats.is_finished && layer->layer != LAYER_SHADED && layer->values;
+        if (reading->has_values) {
+            memcpy(reading->values, layer->values + LAYER_VALUES * pixel, sizeof reading->values);
+        }
+    }
+    pthread_mutex_unlock(&background->mutex);
+    return is_available;
+}
+
 void background_renderer_deinit(BackgroundRenderer *background) {
     if (background->is_running) {
         pthread_mutex_lock(&background->mutex);

@@ -6,6 +6,7 @@
 #include "render/layer_renderer.h"
 #include "render/palette.h"
 
+#include <libintl.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -308,6 +309,26 @@ static double linear_step(const LayerScale *scale) {
  */
 static LayerScale log_scale(double low, double high) {
     return (LayerScale){low, high, true, 1 / log(high / low)};
+}
+
+void layer_value_text(Layer layer, const float values[LAYER_VALUES], char text[LAYER_TEXT_SIZE]) {
+    double x = (double)values[0], y = (double)values[1], z = (double)values[2];
+    const char *unit = layer_unit(layer);
+    if (layer == LAYER_ACNE) {
+        const FixedLegendEntry *entry = layer_class(layer)->legend;
+        while (entry->number && entry->values[1] != values[1]) {
+            entry++;
+        }
+        snprintf(text, LAYER_TEXT_SIZE, "%s", entry->number ? gettext(entry->label) : "");
+    } else if (isnan(x)) {
+        snprintf(text, LAYER_TEXT_SIZE, "%s", gettext("nothing"));
+    } else if (layer == LAYER_NORMALS) {
+        snprintf(text, LAYER_TEXT_SIZE, "(%.4f, %.4f, %.4f)", x, y, z);
+    } else if (layer == LAYER_UV) {
+        snprintf(text, LAYER_TEXT_SIZE, "(%.5g, %.5g)", x, y);
+    } else {
+        snprintf(text, LAYER_TEXT_SIZE, "%.6g %s", x, unit[0] != '\0' ? gettext(unit) : "");
+    }
 }
 
 LayerScale layer_scale(Layer layer, double low, double high) {

@@ -10,6 +10,7 @@
 
 #include <libintl.h>
 #include <stdarg.h>
+#include <stdlib.h>
 
 /** Factor of the field of view per notch of the wheel. */
 static const double ZOOM_PER_NOTCH = 0.9;
@@ -24,6 +25,16 @@ void app_set_status(App *app, const char *format, ...) {
     vsnprintf(app->title.status_text, sizeof app->title.status_text, gettext(format), arguments);
     va_end(arguments);
     app->title.next_update_time = 0;
+    window_set_toast(&app->window, app->title.status_text);
+}
+
+void app_sync_window(App *app) {
+    window_set_state(&app->window, &(WindowState){.scene = app->scene,
+                                                  .selected_light = app->selected_light,
+                                                  .is_animated = app_is_animated(app),
+                                                  .is_running = app->timeline.is_running,
+                                                  .is_recording = app_is_recording(app),
+                                                  .is_playing = app_is_playing(app)});
 }
 
 void app_clear_status(App *app) {
@@ -127,6 +138,15 @@ void app_move(App *app, Movement light, Movement camera) {
     }
 }
 
+void app_drag_light(App *app, size_t light, Vec3d offset) {
+    if (light < app->scene->light_count) {
+        app->selected_light = light;
+        app->home_view.is_light_moved[light] = true;
+        scene_light_move(&app->scene->lights[light], offset, app->scene->camera.target_distance);
+        app_on_view_changed(app);
+    }
+}
+
 void app_turn(App *app, double right, double up) {
     if (app->window.inspector.is_open) {
         inspector_turn(&app->window.inspector, right, up);
@@ -160,6 +180,37 @@ void app_reset_view(App *app) {
     view_state_reset(&app->home_view, app->scene);
     app->selected_light = 0;
     app_on_view_changed(app);
+}
+
+/** Writes the settings of the active picture. */
+static void write_settings_text(App *app, char *text, size_t size) {
+    const RenderSettings *settings = &window_active_viewport(&app->window)->settings;
+    snprintf(text, size, "engine %s, offset %s, epsilon %.3g, depth %d, samples %d",
+             settings->engine->name, offset_strategy_names[settings->trace.offset],
+             settings->trace.epsilon, settings->trace.depth, settings->samples);
+}
+
+bool app_save_screen(App *app, Error *error) {
+    Picture picture = {0};
+    char path[NUMBERED_FILE_PATH_SIZE], settings[STATUS_TEXT_SIZE];
+    char *view = scene_text_create(app->scene);
+    write_settings_text(app, settings, sizeof settings);
+    const MetadataEntry metadata[] = {{"Software", "dioptre " DIOPTRE_VERSION},
+                                      {"ImageDescription", settings},
+                                      {"dioptre:view", view ? view : ""},
+                                      {0}};
+    bool is_saved = window_copy_screen(&app->window, &picture, error);
+    picture.metadata = metadata;
+    is_saved = is_saved && snapshot_write_as(app->settings->snapshot_dir, app->source.name, "png",
+                                             &picture, path, error);
+    picture_deinit(&picture);
+    free(view);
+    if (is_saved) {
+        printf("%s\n", path);
+        fflush(stdout);
+        app_set_status(app, "saved %s", path);
+    }
+    return is_saved;
 }
 
 bool app_save_picture(App *app, const char *folder, const char *name, Error *error) {

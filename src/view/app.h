@@ -5,11 +5,13 @@
  * The parts of src/view, from the bottom; each includes only parts above it in this list:
  *
  *     state/      screen-independent state: commands' type, held keys, clocks, overrides, snapshots
- *     window/     SDL: the window, textures, viewports (Window > Viewport > StreamingTexture >
- * SdlWindow) loading/    threads: the scene loader, the list of scenes, the file watcher panels/
- * what lies over the picture: help, hud, inspector, captions, list of scenes window.h    the
- * viewports and panels of one window app.h       all of that with scene, time, lesson and input:
- * this file commands/   the table of commands, what they do, the scene on screen, the recorder
+ *     window/     SDL: the window, textures, viewports (Window > Viewport > StreamingTexture)
+ *     gui/        buttons, lists and marks: a C header over Dear ImGui
+ *     loading/    threads: the scene loader, the list of scenes, the file watcher
+ *     panels/     what lies over the picture: bar, help, hud, inspector, captions, list of scenes
+ *     window.h    the viewports and panels of one window
+ *     app.h       all of that with scene, time, lesson and input: this file
+ *     commands/   the table of commands, what they do, the scene on screen, the recorder
  *     lesson/     the player: it issues commands
  *     input/      keyboard, mouse, window events: they issue commands
  *     view.c      the event loop
@@ -66,6 +68,9 @@ typedef struct InputState {
     bool is_click_candidate; /**< Whether the mouse button is down and the mouse has not moved. */
     int click_x;             /**< Where it went down, screen units. */
     int click_y;             /**< The same. */
+    unsigned modifiers;      /**< SDL's modifiers at the last key event: in the order of events. */
+    bool is_light_dragged;   /**< Whether the mouse drags a light. */
+    size_t dragged_light;    /**< Index of that light. */
 } InputState;
 
 /** A lesson that plays. Starts as `{0}`: none. */
@@ -101,8 +106,9 @@ typedef struct TitleState {
 
 /** The end of the program. */
 typedef struct ExitState {
-    bool is_requested; /**< Whether the window is to be closed. */
-    Status status;     /**< Exit status of the program. */
+    bool is_requested;       /**< Whether the window is to be closed. */
+    Status status;           /**< Exit status of the program. */
+    double confirmation_end; /**< Until when leaving again ends a lesson, seconds; 0: not asked. */
 } ExitState;
 
 /** The state of an open window. */
@@ -127,9 +133,12 @@ typedef struct App {
 
 /* --- messages --------------------------------------------------------------------------------- */
 
-/** Shows a status in the title, until the view changes. @param format In English, as for printf;
- *  translated here. */
+/** Shows a status in the title, until the view changes, and for a while on the picture. @param
+ * format In English, as for printf; translated here. */
 void app_set_status(App *app, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/** Tells the window what it shows beside its pictures. */
+void app_sync_window(App *app);
 
 /** Removes the status from the title. */
 void app_clear_status(App *app);
@@ -174,6 +183,10 @@ void app_on_view_changed(App *app);
  *  moves the second camera. */
 void app_move(App *app, Movement light, Movement camera);
 
+/** Moves a light. @param light Its index; it becomes the selected light. @param offset How far,
+ * scene units. */
+void app_drag_light(App *app, size_t light, Vec3d offset);
+
 /** Turns the camera, or the second camera around the rays. @param right Degrees to the right.
  *  @param up Degrees up. */
 void app_turn(App *app, double right, double up);
@@ -199,5 +212,9 @@ void app_reset_view(App *app);
  * @return Whether it is saved.
  */
 bool app_save_picture(App *app, const char *folder, const char *name, Error *error);
+
+/** Saves what is on the screen, with its legend and rays, as a numbered PNG; the view and the
+ * settings are its metadata. @return Whether it is saved. */
+bool app_save_screen(App *app, Error *error);
 
 #endif

@@ -48,6 +48,19 @@ static void take_pending_snapshot(App *app) {
     }
 }
 
+/** Runs the command that a button, a list or a slider requests, as its key would. */
+static void run_requested_command(App *app) {
+    Toolbar *toolbar = &app->window.toolbar;
+    const Command *command =
+        toolbar->command ? command_find(app->commands, toolbar->command) : NULL;
+    toolbar->command = NULL;
+    for (int i = 0; command && i < toolbar->repetitions; i++) {
+        if (!player_handle_command(app, command)) {
+            command_issue(app, command, clock_now_seconds());
+        }
+    }
+}
+
 /** Updates the title. */
 static void update_title(App *app, double now) {
     const Window *window = &app->window;
@@ -97,6 +110,7 @@ static void run_frame(App *app) {
         error.status != STATUS_INTERRUPTED) {
         app_report_error(app, &error);
     }
+    app_sync_window(app);
     if (!scene_loader_is_busy(&app->source.loader) &&
         !window_update_renderers(&app->window, app->scene, &error)) {
         app_report_error(app, &error);
@@ -104,6 +118,7 @@ static void run_frame(App *app) {
     if (!window_update(&app->window, app->scene, clock_now_seconds(), &error)) {
         app_report_error(app, &error);
     }
+    run_requested_command(app);
     take_pending_snapshot(app);
     if (!player_capture(app, &error)) {
         app_report_error(app, &error);

@@ -14,7 +14,7 @@ static const double TEXT_SCALE_STEP = 1.2;
 /** Largest factor of the size of letters; the smallest is its inverse. */
 static const double TEXT_SCALE_MAXIMUM = 3;
 
-/** Distance from the bar at which the mouse drags it, fraction of the window's width. */
+/** Distance from the bar at which the mouse drags it, fraction of the picture's width. */
 static const double BAR_REACH = 0.015;
 
 bool window_open(Window *window, const Scene *scene, const RenderSettings *settings,
@@ -35,6 +35,8 @@ void window_close(Window *window) {
         viewport_close(&window->viewports[i]);
     }
     split_view_deinit(&window->split);
+    gui_destroy(window->gui);
+    window->gui = NULL;
     browser_deinit(&window->browser);
     window_invalidate_text(window);
     sdl_window_close(&window->sdl);
@@ -185,9 +187,9 @@ void window_on_visibility(Window *window) {
 }
 
 bool window_on_resize(Window *window) {
-    int width, height;
-    sdl_window_size(&window->sdl, &width, &height);
-    bool is_other = width != window->viewports[0].width || height != window->viewports[0].height;
+    SDL_Rect picture = window_picture_rect(window);
+    bool is_other =
+        picture.w != window->viewports[0].width || picture.h != window->viewports[0].height;
     if (is_other) {
         window_invalidate_text(window);
         window_invalidate(window);
@@ -198,6 +200,7 @@ bool window_on_resize(Window *window) {
 
 void window_on_device_reset(Window *window) {
     window_invalidate_text(window);
+    gui_on_device_reset(window->gui);
     streaming_texture_release(&window->split.difference_texture);
     for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
         streaming_texture_release(&window->viewports[i].texture);
@@ -211,9 +214,7 @@ void window_on_device_reset(Window *window) {
 /** Draws the viewports. */
 static void draw_viewports(Window *window) {
     SDL_Renderer *renderer = window->sdl.renderer;
-    SDL_Rect rect = {0}, clip;
-    sdl_window_size(&window->sdl, &rect.w, &rect.h);
-    clip = rect;
+    SDL_Rect rect = window_picture_rect(window), clip = rect;
     if (window_viewport_count(window) == 1) {
         streaming_texture_draw(&window->viewports[0].texture, renderer, &rect, &clip);
     } else if (window->split.mode == SPLIT_DIFFERENCE) {
@@ -221,10 +222,10 @@ static void draw_viewports(Window *window) {
     } else {
         clip.w = split_view_column(&window->split, rect.w);
         streaming_texture_draw(&window->viewports[0].texture, renderer, &rect, &clip);
-        clip.x = clip.w;
-        clip.w = rect.w - clip.x;
+        clip.x += clip.w;
+        clip.w = rect.w - clip.w;
         streaming_texture_draw(&window->viewports[1].texture, renderer, &rect, &clip);
-        split_view_draw_bar(&window->split, renderer);
+        split_view_draw_bar(&window->split, renderer, &rect);
     }
 }
 
@@ -247,12 +248,15 @@ static void draw_huds(Window *window, const OverlayTarget *target) {
     }
 }
 
-void window_present(Window *window) {
+/** Draws everything but buttons, marks and messages. */
+static void draw(Window *window) {
     double scale = window->text_scale > 0 ? window->text_scale : 1;
-    OverlayTarget target = {window->sdl.renderer, scale, 1};
+    OverlayTarget target = {window->sdl.renderer, scale, 1, window_toolbar_height(window)};
+    SDL_Rect area = window_area(window);
     sdl_window_clear(&window->sdl);
     if (window->inspector.is_open && !window->help.is_open) {
-        inspector_show(&window->inspector, &window_active_viewport(window)->texture, &target);
+        inspector_show(&window->inspector, &window_active_viewport(window)->texture, &target,
+                       &area);
     } else {
         draw_viewports(window);
     }
@@ -263,6 +267,11 @@ void window_present(Window *window) {
     notice_show(&window->notice, &target);
     browser_show(&window->browser, &target);
     help_show(&window->help, &target);
+}
+
+void window_present(Window *window) {
+    draw(window);
+    window_show_widgets(window);
     sdl_window_present(&window->sdl);
 }
 
@@ -283,7 +292,7 @@ void window_scale_text(Window *window, int steps) {
     window->text_scale =
         steps == 0 ? 0 : SDL_clamp(scale, 1 / TEXT_SCALE_MAXIMUM, TEXT_SCALE_MAXIMUM);
     window_invalidate_text(window);
-    window_present(window);
+    window_relayout_toolbar(window);
 }
 
 void window_set_notice(Window *window, const char *text) {
@@ -294,15 +303,14 @@ void window_set_notice(Window *window, const char *text) {
 
 /** Starts to render what has changed. @return false without memory. */
 static bool start_invalidated(Window *window, const Scene *scene, double now, Error *error) {
-    int width, height;
-    sdl_window_size(&window->sdl, &width, &height);
+    SDL_Rect picture = window_picture_rect(window);
     bool ok = true;
     for (size_t i = 0; i < window_viewport_count(window); i++) {
         Viewport *viewport = &window->viewports[i];
         if (viewport->needs_restart && !viewport->awaits_first_frame) {
             latency_on_draw_started(&window->latency);
             inspector_invalidate(&window->inspector);
-            ok = viewport_start(viewport, scene, width, height, now, error) && ok;
+            ok = viewport_start(viewport, scene, picture.w, picture.h, now, error) && ok;
         }
     }
     return ok;
@@ -328,19 +336,33 @@ static void upload_due(Window *window, double now) {
     window_present(window);
     double shown = clock_now_seconds();
     latency_on_presented(&window->latency, shown);
-    window->first_present_time =
-        window->first_present_time > 0 ? window->first_present_time : shown;
+    if (window->first_present_time <= 0) {
+        window->first_present_time = shown;
+        window->opens_widgets = true;
+    }
 }
 
 bool window_update(Window *window, const Scene *scene, double now, Error *error) {
     if (window->is_hidden) {
         return true;
     }
+    SDL_Rect picture = window_picture_rect(window);
+    if (picture.w != window->viewports[0].width || picture.h != window->viewports[0].height) {
+        window_invalidate(window); // The bar has another height in a window of another width.
+    }
     if (!start_invalidated(window, scene, now, error)) {
         return false;
     }
     upload_due(window, now);
-    InspectorInput input = {window_active_viewport(window), scene, window->pass_event, now};
+    if (window->opens_widgets) {
+        window->opens_widgets = false;
+        window_open_widgets(window);
+    }
+    if (window_widgets_are_due(window, now)) {
+        window_present(window);
+    }
+    InspectorInput input = {window_active_viewport(window), scene, window->pass_event, now,
+                            window_area(window)};
     bool ok = inspector_update(&window->inspector, &input, window->sdl.renderer, error);
     if (window->inspector.needs_present) {
         window_present(window);
@@ -349,7 +371,7 @@ bool window_update(Window *window, const Scene *scene, double now, Error *error)
 }
 
 double window_timeout(const Window *window, double now) {
-    double delay = WINDOW_NO_TIMEOUT;
+    double delay = window->is_hidden ? WINDOW_NO_TIMEOUT : window_widgets_timeout(window, now);
     for (size_t i = 0; !window->is_hidden && i < window_viewport_count(window); i++) {
         delay = fmin(delay, viewport_timeout(&window->viewports[i], now));
     }
@@ -383,6 +405,25 @@ static bool copy_pixels(Window *window, uint8_t *bgrx, int pitch) {
                ? split_view_compose(&window->split, &window->viewports[0], &window->viewports[1],
                                     bgrx, pitch)
                : renderer_copy_latest(window->viewports[0].renderer, &report, bgrx, pitch);
+}
+
+bool window_copy_screen(Window *window, Picture *picture, Error *error) {
+    SDL_Rect area = window_area(window);
+    size_t row = (size_t)area.w * 4;
+    uint8_t *bgrx = malloc(row * (size_t)area.h);
+    draw(window);
+    bool is_read = bgrx && SDL_RenderReadPixels(window->sdl.renderer, &area,
+                                                SDL_PIXELFORMAT_XRGB8888, bgrx, (int)row) == 0;
+    if (!is_read) {
+        free(bgrx);
+        return error_set(error, STATUS_FAILED, "no memory for a snapshot");
+    }
+    bool is_copied = picture_init(picture, area.w, area.h, error);
+    if (is_copied) {
+        snapshot_from_bgrx(bgrx, picture);
+    }
+    free(bgrx);
+    return is_copied;
 }
 
 bool window_copy_picture(Window *window, Picture *picture, Error *error) {

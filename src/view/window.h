@@ -10,15 +10,35 @@
 #include "view/panels/help.h"
 #include "view/panels/hud.h"
 #include "view/panels/inspector.h"
+#include "view/panels/light_marks.h"
+#include "view/panels/toolbar.h"
 #include "view/state/latency.h"
 #include "view/window/sdl_window.h"
 #include "view/window/split_view.h"
 
+/** Bytes of a message on the picture with the final zero; a longer one is cut. */
+enum { TOAST_SIZE = 256 };
 /** Most viewports of a window. */
 enum { WINDOW_VIEWPORTS = 2 };
 
 /** Timeout until an event comes, seconds. */
 #define WINDOW_NO_TIMEOUT VIEWPORT_NO_TIMEOUT
+
+/** What the window shows beside its pictures. Each frame of the event loop sets it anew. */
+typedef struct WindowState {
+    const Scene *scene;    /**< The scene on screen; NULL: none yet. */
+    size_t selected_light; /**< Index of the light that keys move. */
+    bool is_animated;      /**< Whether the scene depends on time. */
+    bool is_running;       /**< Whether its time runs. */
+    bool is_recording;     /**< Whether a lesson is recorded. */
+    bool is_playing;       /**< Whether a lesson plays. */
+} WindowState;
+
+/** A message on the picture, shown for a while. Starts as `{0}`: none. */
+typedef struct Toast {
+    char text[TOAST_SIZE]; /**< Its text, translated; empty: none. */
+    double end_time;       /**< When it goes, seconds. */
+} Toast;
 
 /** A window. Starts as `{0}`. */
 typedef struct Window {
@@ -34,6 +54,15 @@ typedef struct Window {
     Browser browser;                      /**< The list of scenes. */
     Caption caption;                      /**< The caption of a lesson. */
     Inspector inspector;                  /**< The rays of one pixel. */
+    Gui *gui;                             /**< Buttons, lists and marks; owned; NULL: no font. */
+    bool opens_widgets;                   /**< Whether #gui is to be created. */
+    Toolbar toolbar;                      /**< The bar at the upper edge. */
+    int fitted_bar;                       /**< Height of the bar that the window has room for,
+                                               pixels. */
+    LightMarks light_marks;               /**< The marks of the lights. */
+    Toast toast;                          /**< The newest message. */
+    Toast hint;                           /**< What to press, at the start. */
+    WindowState state;                    /**< What they show. */
     double text_scale;                    /**< Factor of the size of letters; 0: 1. */
     Latency latency;                      /**< The latency from keys to pictures. */
     double first_present_time; /**< When the first picture was on screen, seconds; 0: not yet. */
@@ -80,12 +109,71 @@ void window_cycle_split(Window *window, int step);
 /** Makes the other viewport the active one. */
 void window_swap_active(Window *window);
 
-/** Moves the bar between two pictures. @param fraction Fraction of the window's width. */
+/** Moves the bar between two pictures. @param fraction Fraction of the picture's width. */
 void window_move_bar(Window *window, double fraction);
 
 /** @return Whether the bar is under the mouse. @param fraction Position of the mouse, fraction of
- * the window's width. */
+ * the picture's width. */
 bool window_is_at_bar(const Window *window, double fraction);
+
+/** @return The picture's rectangle, pixels: as large as fits in the window, with the ratio of width
+ *  to height that the scene asks for. */
+SDL_Rect window_picture_rect(const Window *window);
+
+/**
+ * Finds a position of the mouse in the picture; while rays are shown, in their inset.
+ * @param x  Screen units.
+ * @param[out] right  Fraction of the picture's width.
+ * @param[out] down   Fraction of its height.
+ * @return Whether it is inside.
+ */
+bool window_picture_position(const Window *window, int x, int y, double *right, double *down);
+
+/** @return The light whose mark is under the mouse; NULL: none. @param x Screen units. */
+const LightMark *window_light_at(const Window *window, int x, int y);
+
+/** Finds how far a light moves while its mark is dragged. See #light_marks_drag_offset. */
+bool window_drag_offset(const Window *window, size_t light, GuiPoint from, GuiPoint to,
+                        bool is_along, Vec3d *offset);
+
+/** @return The height of the bar of buttons, pixels. */
+int window_toolbar_height(const Window *window);
+
+/** @return The part of the window below the bar of buttons, pixels. */
+SDL_Rect window_area(const Window *window);
+
+/** Returns the size of that part. @param[out] width Screen units. */
+void window_size_below_toolbar(const Window *window, int *width, int *height);
+
+/** Sets the size of that part. @param width Screen units. */
+void window_set_size_below_toolbar(Window *window, int width, int height);
+
+/** Creates buttons, lists and marks, once the first picture is on screen. */
+void window_open_widgets(Window *window);
+
+/** Shows buttons, lists, marks and messages over the picture. */
+void window_show_widgets(Window *window);
+
+/** @return Whether they have changed since they were shown. */
+bool window_widgets_are_due(Window *window, double now);
+
+/** @return Seconds until they change by themselves; see #window_timeout. */
+double window_widgets_timeout(const Window *window, double now);
+
+/** Lays the bar out again after a change of its words or letters: the picture keeps its size. */
+void window_relayout_toolbar(Window *window);
+
+/** Shows or hides the bar of buttons. */
+void window_toggle_toolbar(Window *window);
+
+/** Sets what the window shows beside its pictures. */
+void window_set_state(Window *window, const WindowState *state);
+
+/** Takes the hint away: the user has begun. */
+void window_end_hint(Window *window);
+
+/** Shows a message on the picture for a while. */
+void window_set_toast(Window *window, const char *text);
 
 /** Shows or hides settings and costs. */
 void window_toggle_settings(Window *window);
@@ -139,5 +227,9 @@ bool window_is_finished(const Window *window);
 /** Copies the picture on screen. @param[out] picture To be freed with #picture_deinit. @return
  * false without memory. */
 bool window_copy_picture(Window *window, Picture *picture, Error *error);
+
+/** Copies what is on the screen but bar and messages. @param[out] picture To be freed with
+ *  #picture_deinit. @return false without memory, or if SDL cannot read the screen. */
+bool window_copy_screen(Window *window, Picture *picture, Error *error);
 
 #endif

@@ -117,9 +117,10 @@ bool image_file_write_unsynced(const char *path, const Picture *picture, Error *
 
 bool image_file_write_new(const char *path, const Picture *picture, bool *exists, Error *error) {
     AtomicFile file;
-    bool is_written = atomic_file_open(&file, path, ATOMIC_NEW, error) &&
-                      write_and_commit(&file, image_format_bmp(), picture, error);
-    *exists = !is_written && file.exists;
+    const ImageFormat *format = format_to_write(path, error);
+    bool is_written = format && atomic_file_open(&file, path, ATOMIC_NEW, error) &&
+                      write_and_commit(&file, format, picture, error);
+    *exists = format && !is_written && file.exists;
     return is_written || set_write_error(error, path);
 }
 

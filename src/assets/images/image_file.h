@@ -38,7 +38,7 @@ bool image_file_write(const char *path, const Picture *picture, Error *error);
 bool image_file_write_unsynced(const char *path, const Picture *picture, Error *error);
 
 /**
- * Writes a new BMP file; never replaces another.
+ * Writes a new file in the format of its extension; never replaces another.
  * @param path         The file.
  * @param picture      The picture.
  * @param[out] exists  Whether it failed because the file exists.

@@ -20,6 +20,8 @@
 
 /** How far a key moves the bar between two pictures, as a fraction of the window's width. */
 static const double BAR_STEP = 0.02;
+/** Seconds in which the program must be left again to end a lesson. */
+static const double CONFIRMATION_SECONDS = 4;
 
 /* --- time and view ---------------------------------------------------------------------------- */
 
@@ -90,9 +92,22 @@ static void show_settings_status(App *app) {
                    gettext(light_mode_name(settings.lighting)));
 }
 
+/** @return Whether rays march through any shape of a scene. */
+static bool has_marched_shape(const Scene *scene) {
+    for (size_t i = 0; i < scene->shape_count; i++) {
+        if (scene_shape_keywords[scene->shapes[i].class_index]->parameters->type == PARAMETER_SDF) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /** Shows a layer. */
 static void set_layer(App *app, int layer) {
     window_set_layer(&app->window, (Layer)layer);
+    if (layer == LAYER_STEPS && !has_marched_shape(app->scene)) {
+        app_set_status(app, "this scene has no distance field: no ray marches");
+    }
 }
 
 /** Changes one setting of the active picture. */
@@ -203,6 +218,15 @@ static void request_snapshot(App *app, int argument) {
     app_set_status(app, "the snapshot waits for the last pass");
 }
 
+/** Saves what is on the screen. */
+static void save_screen(App *app, int argument) {
+    (void)argument;
+    Error error = {0};
+    if (!app_save_screen(app, &error)) {
+        app_report_error(app, &error);
+    }
+}
+
 /** Prints camera and lights as text of the scene language, and puts it on the clipboard. */
 static void copy_view(App *app, int argument) {
     (void)argument;
@@ -231,7 +255,7 @@ static void switch_language(App *app, int argument) {
     app_set_status(app, "messages are in English");
     current_scene_repeat_error(app);
     window_invalidate_text(&app->window);
-    window_present(&app->window);
+    window_relayout_toolbar(&app->window);
 }
 
 /** Opens the list of scenes. */
@@ -265,16 +289,59 @@ static void toggle_help(App *app, int argument) {
     window_present(&app->window);
 }
 
+/** Shows or hides the bar of buttons. */
+static void toggle_toolbar(App *app, int argument) {
+    (void)argument;
+    window_toggle_toolbar(&app->window);
+}
+
 /** Changes between the full screen and a window. */
 static void toggle_full_screen(App *app, int argument) {
     (void)argument;
     sdl_window_toggle_full_screen(&app->window.sdl);
 }
 
-/** Closes the window. */
-static void quit(App *app, int argument) {
+/** Ends the program; while a lesson is recorded or plays, only when it is asked a second time. */
+static void leave_program(App *app) {
+    double now = clock_now_seconds();
+    bool needs_confirmation = app_is_playing(app) || app_is_recording(app);
+    if (!needs_confirmation || now < app->exit.confirmation_end) {
+        app->exit.is_requested = true;
+        return;
+    }
+    app->exit.confirmation_end = now + CONFIRMATION_SECONDS;
+    app_set_status(app, app_is_playing(app) ? N_("a lesson plays: leave again to end it")
+                                            : N_("a lesson is recorded: leave again to end it"));
+}
+
+/** Issues a command by its name. */
+static void issue(App *app, const char *name) {
+    command_issue(app, command_find(app->commands, name), clock_now_seconds());
+}
+
+/** Closes what lies topmost: help, rays, two pictures, a layer, the full screen; at last the
+ *  program. What a lesson shows stays. */
+static void leave(App *app, int argument) {
     (void)argument;
-    app->exit.is_requested = true;
+    Window *window = &app->window;
+    bool is_full = SDL_GetWindowFlags(window->sdl.window) & SDL_WINDOW_FULLSCREEN_DESKTOP;
+    bool is_own = !app_is_playing(app);
+    if (gui_close_list(window->gui)) {
+        return;
+    }
+    if (window->help.is_open) {
+        toggle_help(app, 0);
+    } else if (is_own && window->inspector.is_open) {
+        issue(app, "rays");
+    } else if (is_own && window->split.mode != SPLIT_NONE) {
+        issue(app, window->split.mode == SPLIT_BAR ? "split back" : "split");
+    } else if (is_own && window_active_viewport(window)->layer != LAYER_SHADED) {
+        issue(app, "layer light");
+    } else if (is_full) {
+        toggle_full_screen(app, 0);
+    } else {
+        leave_program(app);
+    }
 }
 
 /* --- the table -------------------------------------------------------------------------------- */
@@ -359,9 +426,9 @@ const Command command_table[] = {
     {"layer rounding", {KEY(y)}, N_("round"), PICTURE, LAST_LAYERS, RUNS(set_layer, LAYER_ROUNDING)},
     {"offset", {KEY(o)}, N_("offset"), PICTURE, .help = N_("offset: none, fixed, bound"), RUNS(change_offset, 1)},
     {"offset back", {KEY(o)}, .flags = COMMAND_SHIFT, RUNS(change_offset, -1)},
-    {"epsilon half", {ONLY_PLACE(LEFTBRACKET, NULL)}, "ε / 2", PICTURE, EPSILON, RUNS(change_epsilon, -2)},
+    {"epsilon half", {ONLY_PLACE(LEFTBRACKET, NULL)}, "ε / 2", PICTURE, EPSILON, .flags = COMMAND_REPEATS, RUNS(change_epsilon, -2)},
     {"epsilon tenth", {ONLY_PLACE(LEFTBRACKET, NULL)}, .flags = COMMAND_SHIFT, RUNS(change_epsilon, -10)},
-    {"epsilon twice", {ONLY_PLACE(RIGHTBRACKET, NULL)}, "ε × 2", PICTURE, EPSILON, RUNS(change_epsilon, 2)},
+    {"epsilon twice", {ONLY_PLACE(RIGHTBRACKET, NULL)}, "ε × 2", PICTURE, EPSILON, .flags = COMMAND_REPEATS, RUNS(change_epsilon, 2)},
     {"epsilon ten times", {ONLY_PLACE(RIGHTBRACKET, NULL)}, .flags = COMMAND_SHIFT, RUNS(change_epsilon, 10)},
     {"engine", {KEY(g)}, N_("engine"), PICTURE, .help = N_("float, double, quad; which light"), RUNS(change_engine, 1)},
     {"engine back", {KEY(g)}, .flags = COMMAND_SHIFT, RUNS(change_engine, -1)},
@@ -385,30 +452,33 @@ const Command command_table[] = {
     {"rays", {KEY(v)}, N_("rays"), RAYS, .help = N_("show them, or the picture again"), RUNS(toggle_rays, 0)},
     {NULL, {NO_KEY(N_("Click"))}, NULL, RAYS, .help = N_("of that pixel")},
     {NULL, {NO_KEY("Ctrl ←↑↓→")}, NULL, RAYS, .help = N_("of the pixel beside")},
-    {"ray back", {KEY(j)}, N_("ray −"), RAYS, .help = N_("numbers of the ray before, after"), RUNS(select_ray, -1)},
-    {"ray on", {KEY(k)}, N_("ray +"), RAYS, .help = N_("numbers of the ray before, after"), RUNS(select_ray, 1)},
+    {"ray back", {KEY(j)}, N_("ray −"), RAYS, .help = N_("numbers of the ray before, after"), .flags = COMMAND_REPEATS, RUNS(select_ray, -1)},
+    {"ray on", {KEY(k)}, N_("ray +"), RAYS, .help = N_("numbers of the ray before, after"), .flags = COMMAND_REPEATS, RUNS(select_ray, 1)},
     {NULL, {NO_KEY("←↑↓→")}, NULL, RAYS, .help = N_("around them; or the mouse")},
 
     {NULL, {ONLY_PLACE(LSHIFT, N_("Shift")), ONLY_PLACE(RSHIFT, "")}, N_("fast"), PROGRAM, .help = N_("with a move: fast, fine")},
     {NULL, {ONLY_PLACE(LCTRL, N_("Ctrl")), ONLY_PLACE(RCTRL, "")}, N_("fine"), PROGRAM, .help = N_("with a move: fast, fine")},
     {"home", {NAMED(HOME, N_("Home"))}, N_("reset"), PROGRAM, .help = N_("the scene's own view"),
      .flags = COMMAND_WHILE_PAUSED, RUNS(reset_view, 0)},
-    {"snapshot", {KEY(p), KEY(F12)}, N_("photo"), PROGRAM, .help = N_("snapshot"), .flags = COMMAND_WHILE_PLAYING, RUNS(request_snapshot, 0)},
+    {"snapshot", {KEY(p), KEY(F12)}, N_("photo"), PROGRAM, .help = N_("snapshot (Shift: as on the screen)"), .flags = COMMAND_WHILE_PLAYING, RUNS(request_snapshot, 0)},
+    {"snapshot of the screen", {KEY(p), KEY(F12)}, .flags = COMMAND_SHIFT | COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(save_screen, 0)},
     {"copy", {KEY(c)}, N_("copy"), PROGRAM, .help = N_("camera and light as text, to paste"),
      .flags = COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(copy_view, 0)},
     {"text larger", {NAMED(PLUS, "+"), NAMED(EQUALS, ""), NAMED(KP_PLUS, "")}, "A +", PROGRAM, .help = N_("larger, smaller letters"),
-     .flags = COMMAND_WHILE_PLAYING, RUNS(scale_text, 1)},
+     .flags = COMMAND_WHILE_PLAYING | COMMAND_REPEATS, RUNS(scale_text, 1)},
     {"text smaller", {NAMED(MINUS, "-"), NAMED(KP_MINUS, "")}, "A −", PROGRAM, .help = N_("larger, smaller letters"),
-     .flags = COMMAND_WHILE_PLAYING, RUNS(scale_text, -1)},
+     .flags = COMMAND_WHILE_PLAYING | COMMAND_REPEATS, RUNS(scale_text, -1)},
     {"language", {KEY(l)}, "en / fr", PROGRAM, .help = N_("English, français"),
      .flags = COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(switch_language, 0)},
     {"scenes", {KEY(f)}, N_("scenes"), PROGRAM, .help = N_("other scenes: a list with pictures"), .flags = COMMAND_UNRECORDED, RUNS(browse_scenes, 0)},
     {"record", {KEY(r)}, N_("record"), PROGRAM, .help = N_("record a lesson, or end it"), .flags = COMMAND_UNRECORDED, RUNS(toggle_recording, 0)},
     {"caption", {NAMED(RETURN, N_("Enter"))}, N_("words"), PROGRAM, .help = N_("words for that lesson"), .flags = COMMAND_UNRECORDED, RUNS(begin_caption, 0)},
     {"help", {KEY(F1), KEY(h)}, N_("help"), PROGRAM, .help = N_("this help"), .flags = COMMAND_WHILE_PLAYING, RUNS(toggle_help, 0)},
-    {"full screen", {KEY(F11)}, N_("screen"), PROGRAM, .help = N_("full screen"), .flags = COMMAND_WHILE_PLAYING, RUNS(toggle_full_screen, 0)},
+    {"toolbar", {KEY(F2)}, N_("bar"), PROGRAM, .help = N_("bar of buttons, full screen"),
+     .flags = COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(toggle_toolbar, 0)},
+    {"full screen", {KEY(F11)}, N_("screen"), PROGRAM, .help = N_("bar of buttons, full screen"), .flags = COMMAND_WHILE_PLAYING, RUNS(toggle_full_screen, 0)},
     {"leave", {NAMED(ESCAPE, N_("Esc"))}, N_("leave"), PROGRAM, .help = N_("leave"),
-     .flags = COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(quit, 0)},
+     .flags = COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(leave, 0)},
     {0},
 };
 // clang-format on

@@ -113,6 +113,7 @@ static bool replace_scene(App *app, SceneLoad *load, Error *error) {
     app->scene = app->source.owned = load->scene;
     app->selected_light = app->selected_light < app->scene->light_count ? app->selected_light : 0;
     app->scene_time = load->time;
+    app_sync_window(app);
     if (load->path[0] != '\0') {
         set_path(app, load->path);
         app->timeline = (Timeline){.time = load->time};

@@ -43,7 +43,7 @@ static void write_head(const App *app, FILE *file) {
     const RenderSettings *render = &app->settings->render;
     quote_lua_string(scene, sizeof scene, app->source.path);
     quote_lua_string(name, sizeof name, app->source.name);
-    SDL_GetWindowSize(app->window.sdl.window, &width, &height);
+    window_size_below_toolbar(&app->window, &width, &height);
     fprintf(
         file,
         "-- A lesson, recorded in the window. `dioptre view --lesson` and this file play it.\n");

@@ -59,27 +59,18 @@ static bool step_pixel_by_key(App *app, const Command *command, int modifiers) {
     return true;
 }
 
-/** @return The command of a key; NULL: none. The key that leaves the program first leaves the rays
- *  on screen, unless a lesson shows them. */
-static const Command *command_of_key(const App *app, SDL_Keysym key) {
-    const Command *command = command_find_key(app->commands, key, app->settings->keys_by_letter);
-    if (!command || !command->name) {
-        return NULL;
-    }
-    bool leaves_rays = app->window.inspector.is_open && !app_is_playing(app);
-    return command_is(command, "leave") && leaves_rays ? command_find(app->commands, "rays")
-                                                       : command;
-}
-
 /** Handles a key that goes down or up. */
 static void on_key(App *app, const SDL_KeyboardEvent *key) {
     double time = event_time(key->timestamp);
     bool is_down = key->type == SDL_KEYDOWN;
-    const Command *command = command_of_key(app, key->keysym);
+    const Command *command =
+        command_find_key(app->commands, key->keysym, app->settings->keys_by_letter);
+    command = command && command->name ? command : NULL;
     if (is_down && step_pixel_by_key(app, command, key->keysym.mod)) {
         return;
     }
     double factor = speed_factor(key->keysym.mod);
+    app->input.modifiers = key->keysym.mod;
     recorder_on_speed(app, factor, time);
     held_keys_set_speed(&app->input.held_keys, factor, time);
     if (!is_down && command && command_is_move(command)) {
@@ -107,19 +98,37 @@ static int mouse_window_width(const App *app) {
 /** Shows the rays of the pixel at a position: in the picture, or in the inset while rays are shown.
  *  @param x Screen units. */
 static void pick_at(App *app, int x, int y) {
-    SDL_Rect rect = {0};
-    SDL_GetWindowSize(app->window.sdl.window, &rect.w, &rect.h);
-    if (app->window.inspector.is_open) {
-        rect = inspector_inset(rect.w, rect.h);
-    }
-    if (SDL_PointInRect(&(SDL_Point){x, y}, &rect)) {
-        double right = (x - rect.x + 0.5) / rect.w, down = (y - rect.y + 0.5) / rect.h;
+    double right, down;
+    if (window_picture_position(&app->window, x, y, &right, &down)) {
         recorder_on_step(app, "pixel(%.17g, %.17g)", right, down);
         app_pick_pixel(app, right, down);
     }
 }
 
-/** Handles a mouse button: it drags the bar between two pictures, or clicks on a pixel. */
+/** @return Position of the mouse, fraction of the picture's width. @param x Screen units. */
+static double picture_fraction(const App *app, int x) {
+    double right, down;
+    window_picture_position(&app->window, x, 0, &right, &down);
+    return right;
+}
+
+/** Takes hold of what is under the mouse: a light, or the bar between two pictures. @return Whether
+ *  there is any. */
+static bool grab_at(App *app, int x, int y) {
+    InputState *input = &app->input;
+    const LightMark *mark = window_light_at(&app->window, x, y);
+    input->is_light_dragged = mark != NULL;
+    if (mark) {
+        input->dragged_light = mark->light;
+        app->selected_light = mark->light;
+        return true;
+    }
+    app->window.split.is_dragged =
+        !app->window.inspector.is_open && window_is_at_bar(&app->window, picture_fraction(app, x));
+    return app->window.split.is_dragged;
+}
+
+/** Handles a mouse button: it takes hold of something, or clicks on a pixel. */
 static void on_button(App *app, const SDL_MouseButtonEvent *button) {
     InputState *input = &app->input;
     bool is_down = button->state == SDL_PRESSED;
@@ -129,12 +138,10 @@ static void on_button(App *app, const SDL_MouseButtonEvent *button) {
     if (!is_down && input->is_click_candidate) {
         pick_at(app, input->click_x, input->click_y);
     }
-    double fraction = (double)button->x / mouse_window_width(app);
     // A lesson restores camera and lights when it resumes, but neither bar nor rays.
     bool is_accepted = is_down && !app_is_playing(app);
-    app->window.split.is_dragged =
-        is_accepted && !app->window.inspector.is_open && window_is_at_bar(&app->window, fraction);
-    input->is_click_candidate = is_accepted && !app->window.split.is_dragged;
+    app->window.split.is_dragged = input->is_light_dragged = false;
+    input->is_click_candidate = is_accepted && !grab_at(app, button->x, button->y);
     input->click_x = button->x;
     input->click_y = button->y;
 }
@@ -154,12 +161,29 @@ static void drag_bar(App *app, double fraction) {
     window_move_bar(&app->window, fraction);
 }
 
-/** Handles a mouse motion: drags the bar, or turns the camera by the angle that the mouse crosses.
+/** Drags a light in the plane that faces the camera; with Shift, along the direction of view. */
+static void drag_light(App *app, const SDL_MouseMotionEvent *mouse) {
+    size_t light = app->input.dragged_light;
+    GuiPoint to = {(float)mouse->x, (float)mouse->y};
+    GuiPoint from = {(float)(mouse->x - mouse->xrel), (float)(mouse->y - mouse->yrel)};
+    Vec3d offset;
+    if (window_drag_offset(&app->window, light, from, to, app->input.modifiers & KMOD_SHIFT,
+                           &offset)) {
+        recorder_on_step(app, "drag(%zu, %.17g, %.17g, %.17g)", light + 1, offset.x, offset.y,
+                         offset.z);
+        app_drag_light(app, light, offset);
+    }
+}
+
+/** Handles a mouse motion: drags a light or the bar, or turns the camera by the angle that the
+ * mouse crosses.
  */
 static void on_motion(App *app, const SDL_MouseMotionEvent *mouse) {
     int width = mouse_window_width(app);
-    if (app->window.split.is_dragged) {
-        drag_bar(app, (double)mouse->x / width);
+    if (app->input.is_light_dragged) {
+        drag_light(app, mouse);
+    } else if (app->window.split.is_dragged) {
+        drag_bar(app, picture_fraction(app, mouse->x));
     } else if (!(mouse->state & SDL_BUTTON_LMASK) || is_click_candidate(&app->input, mouse)) {
         return;
     } else if (player_allows_input(app)) {
@@ -184,7 +208,8 @@ static void on_wheel(App *app, const SDL_MouseWheelEvent *wheel) {
 /** @return The size of the list of scenes. */
 static PanelBounds browser_bounds(const App *app) {
     const OverlayTarget target = {app->window.sdl.renderer,
-                                  app->window.text_scale > 0 ? app->window.text_scale : 1, 1};
+                                  app->window.text_scale > 0 ? app->window.text_scale : 1, 1,
+                                  window_toolbar_height(&app->window)};
     return overlay_bounds(&target);
 }
 
@@ -207,7 +232,8 @@ static void on_browser_click(App *app, const SDL_MouseButtonEvent *click,
     int width = 1, height = 1;
     SDL_GetWindowSize(app->window.sdl.window, &width, &height);
     int x = click->x * bounds->width / SDL_max(1, width);
-    int y = click->y * bounds->height / SDL_max(1, height);
+    int top = window_toolbar_height(&app->window);
+    int y = click->y * (bounds->height + top) / SDL_max(1, height) - top;
     apply_browser_result(app, browser_click(&app->window.browser, x, y, bounds));
 }
 
@@ -254,7 +280,7 @@ static void on_scene_list_changed(App *app) {
 static void on_resize(App *app) {
     if (window_on_resize(&app->window)) {
         int width, height;
-        SDL_GetWindowSize(app->window.sdl.window, &width, &height);
+        window_size_below_toolbar(&app->window, &width, &height);
         recorder_on_step(app, "size(%d, %d)", width, height);
         app_on_view_changed(app);
     }
@@ -265,6 +291,7 @@ static void on_window(App *app, const SDL_WindowEvent *event) {
     window_on_visibility(&app->window);
     switch (event->event) {
     case SDL_WINDOWEVENT_SIZE_CHANGED:
+        app->window.fitted_bar = window_area(&app->window).y;
         on_resize(app);
         break;
     case SDL_WINDOWEVENT_EXPOSED:
@@ -300,8 +327,20 @@ static void on_app_event(App *app, const SDL_Event *event) {
     }
 }
 
+/** Handles an event over a widget. @return Whether it was for the widget. */
+static bool handle_widget_event(App *app, const SDL_Event *event) {
+    if (event->type == SDL_MOUSEBUTTONDOWN || event->type == SDL_KEYDOWN) {
+        window_end_hint(&app->window);
+    }
+    if (event->type == SDL_MOUSEBUTTONDOWN) {
+        window_present(&app->window); // The widgets learn where the mouse is.
+    }
+    return gui_handle_event(app->window.gui, event);
+}
+
 void input_handle_event(App *app, const SDL_Event *event) {
-    if (recorder_handle_caption_event(app, event) || handle_browser_event(app, event)) {
+    if (handle_widget_event(app, event) || recorder_handle_caption_event(app, event) ||
+        handle_browser_event(app, event)) {
         return;
     }
     switch (event->type) {

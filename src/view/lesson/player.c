@@ -163,7 +163,7 @@ static void do_step(App *app, const LessonStep *step) {
         app_zoom(app, step->x);
         break;
     case LESSON_SIZE:
-        SDL_SetWindowSize(app->window.sdl.window, (int)step->x, (int)step->y);
+        window_set_size_below_toolbar(&app->window, (int)step->x, (int)step->y);
         break;
     case LESSON_PIXEL:
         app_pick_pixel(app, step->x, step->y);
@@ -173,6 +173,9 @@ static void do_step(App *app, const LessonStep *step) {
         break;
     case LESSON_BAR:
         window_move_bar(&app->window, step->x);
+        break;
+    case LESSON_DRAG:
+        app_drag_light(app, (size_t)step->action, (Vec3d){step->x, step->y, step->z});
         break;
     case LESSON_CAPTION:
         show_caption(app, step);

@@ -46,7 +46,7 @@ static void caption_draw(Caption *caption, const OverlayTarget *target) {
     char text[CAPTION_TEXT_SIZE], heading[CAPTION_TEXT_SIZE];
     PanelRow rows[CAPTION_ROWS_MAXIMUM + 1];
     const OverlayTarget large = {target->renderer, target->scale * FONT_SCALE,
-                                 target->width_fraction};
+                                 target->width_fraction, target->top};
     caption_write_heading(caption, heading, sizeof heading);
     rows[0] = (PanelRow){.is_heading = true, .text = heading};
     snprintf(text, sizeof text, "%s", lesson_text_localized(&caption->text, language_is_french()));

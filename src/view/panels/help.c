@@ -42,13 +42,13 @@ static const char *key_name(const CommandKey *key, bool by_letter) {
     return printed[0] != '\0' ? printed : SDL_GetScancodeName(key->scancode);
 }
 
-/** Adds the names of a command's keys to the label of a row. */
-static void add_key_names(PanelRow *row, const Command *command, bool by_letter) {
+void help_key_names(const Command *command, bool by_letter, char *text, size_t size) {
+    size_t used = strlen(text);
     for (int i = 0; i < COMMAND_KEYS; i++) {
         const char *name = key_name(&command->keys[i], by_letter);
-        size_t used = strlen(row->label);
         const char *gap = used > 0 && name[0] != '\0' ? "  " : "";
-        SDL_snprintf(row->label + used, sizeof row->label - used, "%s%s", gap, name);
+        SDL_snprintf(text + used, size - used, "%s%s", gap, name);
+        used = strlen(text);
     }
 }
 
@@ -69,7 +69,7 @@ size_t help_write_rows(const Help *help, PanelRow rows[HELP_ROWS_MAXIMUM]) {
         if (is_new_row && count < HELP_ROWS_MAXIMUM) {
             rows[count++] = (PanelRow){.text = gettext(command->help), .tint = tint};
         }
-        add_key_names(&rows[count - 1], command, help->by_letter);
+        help_key_names(command, help->by_letter, rows[count - 1].label, PANEL_LABEL_SIZE);
         previous = command;
     }
     return count;

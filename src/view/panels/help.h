@@ -23,6 +23,10 @@ typedef struct Help {
  *  printed on standard output instead. */
 bool help_toggle(Help *help);
 
+/** Appends the names of a command's keys, as on the keyboard in use. @param by_letter See
+ *  #command_find_key. */
+void help_key_names(const Command *command, bool by_letter, char *text, size_t size);
+
 /** Shows the help over the picture, if it is open. */
 void help_show(Help *help, const OverlayTarget *target);
 

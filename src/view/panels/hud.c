@@ -200,7 +200,7 @@ void hud_show(Hud *hud, const OverlayTarget *target) {
     if (hud->count > 0) {
         if (overlay_is_stale(&hud->overlay)) {
             OverlayTarget smaller = {target->renderer, target->scale * FONT_SCALE,
-                                     hud->width_fraction};
+                                     hud->width_fraction, target->top};
             overlay_draw(&hud->overlay, &smaller, hud->rows, hud->count);
         }
         overlay_show(&hud->overlay, target);

@@ -105,16 +105,23 @@ void inspector_stop(Inspector *inspector) {
 /* --- rooms of the window ------------------------------------------------------------------------
  */
 
-SDL_Rect inspector_inset(int width, int height) {
-    SDL_Rect rect = {.w = (int)(COLUMN_FRACTION * width), .h = (int)(COLUMN_FRACTION * height)};
-    rect.x = width - rect.w;
-    rect.y = height - rect.h;
+SDL_Rect inspector_inset(const Inspector *inspector, const SDL_Rect *area) {
+    SDL_Rect rect = {.w = (int)(COLUMN_FRACTION * area->w), .h = (int)(COLUMN_FRACTION * area->h)};
+    if (inspector->width > 0) { // As large as fits, with the shape of the picture.
+        double scale =
+            SDL_min((double)rect.w / inspector->width, (double)rect.h / inspector->height);
+        rect.w = (int)(scale * inspector->width);
+        rect.h = (int)(scale * inspector->height);
+    }
+    rect.x = area->x + area->w - rect.w;
+    rect.y = area->y + area->h - rect.h;
     return rect;
 }
 
-/** @return Rectangle of the second camera's view, pixels. @param width Pixels of the window. */
-static SDL_Rect side_view_rect(int width, int height) {
-    return (SDL_Rect){.w = SDL_max(1, width - (int)(COLUMN_FRACTION * width)), .h = height};
+/** @return Rectangle of the second camera's view, pixels. */
+static SDL_Rect side_view_rect(const SDL_Rect *area) {
+    return (SDL_Rect){area->x, area->y, SDL_max(1, area->w - (int)(COLUMN_FRACTION * area->w)),
+                      area->h};
 }
 
 /* --- keeping up --------------------------------------------------------------------------------
@@ -142,7 +149,7 @@ static bool trace_rays(Inspector *inspector, const InspectorInput *input, Error 
         return false;
     }
     if (!inspector->has_orbit) {
-        SDL_Rect rect = side_view_rect(input->viewport->width, input->viewport->height);
+        SDL_Rect rect = side_view_rect(&input->area);
         inspector->orbit = orbit_camera_fit(input->viewport->renderer, &input->scene->camera,
                                             ray_tree, rect.w, rect.h);
         inspector->has_orbit = true;
@@ -194,7 +201,7 @@ static bool update_side_renderer(Inspector *inspector, const InspectorInput *inp
 /** Starts to render the second camera's view. @return false without memory. */
 static bool draw_side_view(Inspector *inspector, const InspectorInput *input, Error *error) {
     Scene scene = *input->scene;
-    SDL_Rect rect = side_view_rect(input->viewport->width, input->viewport->height);
+    SDL_Rect rect = side_view_rect(&input->area);
     scene.camera = orbit_camera_project(&inspector->orbit, rect.w, rect.h).camera;
     inspector->needs_draw = false;
     return update_side_renderer(inspector, input, &scene, error) &&
@@ -258,12 +265,10 @@ static void draw_panel_column(Inspector *inspector, const OverlayTarget *target,
 }
 
 void inspector_show(Inspector *inspector, const StreamingTexture *texture,
-                    const OverlayTarget *target) {
-    int width = 0, height = 0;
+                    const OverlayTarget *target, const SDL_Rect *area) {
     inspector->needs_present = false;
-    SDL_GetRendererOutputSize(target->renderer, &width, &height);
-    SDL_Rect rect = side_view_rect(width, height), inset = inspector_inset(width, height);
-    SDL_Rect column = {inset.x, 0, inset.w, inset.y};
+    SDL_Rect rect = side_view_rect(area), inset = inspector_inset(inspector, area);
+    SDL_Rect column = {rect.x + rect.w, area->y, area->w - rect.w, inset.y - area->y};
     streaming_texture_draw(&inspector->viewport.texture, target->renderer, &rect, &rect);
     if (inspector->ray_tree.count > 0) {
         RayOverlay overlay = {.light_positions = inspector->light_positions,

@@ -50,6 +50,7 @@ typedef struct InspectorInput {
     const Scene *scene;       /**< Its scene. */
     uint32_t pass_event;      /**< SDL event of a finished pass. */
     double now;               /**< Now, seconds. */
+    SDL_Rect area;            /**< The part of the window that it fills, pixels. */
 } InspectorInput;
 
 /** Opens it at the last pixel, or first at the middle; or closes it. */
@@ -99,12 +100,14 @@ void inspector_stop(Inspector *inspector);
 bool inspector_update(Inspector *inspector, const InspectorInput *input, SDL_Renderer *renderer,
                       Error *error);
 
-/** Draws it over the whole window. @param texture The picture whose rays are shown. */
+/** Draws it. @param texture The picture whose rays are shown. @param area See
+ *  #InspectorInput.area. */
 void inspector_show(Inspector *inspector, const StreamingTexture *texture,
-                    const OverlayTarget *target);
+                    const OverlayTarget *target, const SDL_Rect *area);
 
-/** @return Rectangle of the inset with the picture, pixels. @param width Pixels of the window. */
-SDL_Rect inspector_inset(int width, int height);
+/** @return Rectangle of the inset with the picture, pixels. @param area See #InspectorInput.area.
+ */
+SDL_Rect inspector_inset(const Inspector *inspector, const SDL_Rect *area);
 
 /** Has the panel drawn again. */
 void inspector_invalidate_panel(Inspector *inspector);

@@ -220,6 +220,7 @@ PanelBounds overlay_bounds(const OverlayTarget *target) {
     PanelBounds bounds = {.scale = target->scale};
     SDL_GetRendererOutputSize(target->renderer, &bounds.width, &bounds.height);
     bounds.width = (int)(bounds.width * target->width_fraction);
+    bounds.height = SDL_max(1, bounds.height - target->top);
     return bounds;
 }
 
@@ -240,9 +241,10 @@ void overlay_show(const Overlay *overlay, const OverlayTarget *target) {
     SDL_GetRendererOutputSize(target->renderer, &width, &height);
     SDL_QueryTexture(overlay->texture, NULL, NULL, &destination.w, &destination.h);
     bool is_corner = overlay->anchor == OVERLAY_TOP_LEFT || overlay->anchor == OVERLAY_TOP_RIGHT;
-    int right = width - destination.w, below = height - destination.h;
+    int right = width - destination.w, below = height - target->top - destination.h;
     destination.x = !is_corner ? right / 2 : overlay->anchor == OVERLAY_TOP_LEFT ? 0 : right;
     destination.y = is_corner ? 0 : overlay->anchor == OVERLAY_CENTER ? below / 2 : below;
+    destination.y += target->top;
     SDL_RenderCopy(target->renderer, overlay->texture, NULL, &destination);
 }
 

@@ -79,6 +79,7 @@ typedef struct OverlayTarget {
     SDL_Renderer *renderer; /**< Renderer of the window. */
     double scale;           /**< See #PanelBounds.scale. */
     double width_fraction;  /**< Fraction of the window's width for a panel. */
+    int top;                /**< Height of the bar at the upper edge, pixels: panels are below. */
 } OverlayTarget;
 
 /** @return Whether the panel must be drawn before it can be shown. */

@@ -4,12 +4,25 @@
  */
 #include "view/state/scene_text.h"
 
+#include <float.h>
+#include <stdlib.h>
 #include <string.h>
+
+/** Prints a number with the fewest digits that give it back exactly. */
+static void print_number(double value, FILE *file) {
+    char text[32];
+    int digits = DBL_DIG;
+    do {
+        snprintf(text, sizeof text, "%.*g", digits, value);
+    } while (strtod(text, NULL) != value && ++digits <= DBL_DECIMAL_DIG);
+    fputs(text, file);
+}
 
 /** Prints a list of numbers. @param count At least 1. */
 static void print_list(const double *values, int count, FILE *file) {
     for (int i = 0; i < count; i++) {
-        fprintf(file, "%s%.17g", i ? ", " : "{", values[i]);
+        fputs(i ? ", " : "{", file);
+        print_number(values[i], file);
     }
     fputc('}', file);
 }
@@ -18,7 +31,7 @@ static void print_list(const double *values, int count, FILE *file) {
 static void print_value(const Parameter *row, const void *value, FILE *file) {
     switch (row->type) {
     case PARAMETER_NUMBER:
-        fprintf(file, "%.17g", *(const double *)value);
+        print_number(*(const double *)value, file);
         break;
     case PARAMETER_INTEGER:
         fprintf(file, "%d", *(const int *)value);

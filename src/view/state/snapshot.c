@@ -51,10 +51,15 @@ static bool write_picture(const void *context, const char *path, bool *exists, E
     return image_file_write_new(path, context, exists, error);
 }
 
+bool snapshot_write_as(const char *folder, const char *name, const char *extension,
+                       const Picture *picture, char path[NUMBERED_FILE_PATH_SIZE], Error *error) {
+    const NumberedFile file = {folder, name, extension, write_picture, picture};
+    return numbered_file_write(&file, path, error);
+}
+
 bool snapshot_write(const char *folder, const char *name, const Picture *picture,
                     char path[NUMBERED_FILE_PATH_SIZE], Error *error) {
-    const NumberedFile file = {folder, name, "bmp", write_picture, picture};
-    return numbered_file_write(&file, path, error);
+    return snapshot_write_as(folder, name, "bmp", picture, path, error);
 }
 
 void snapshot_from_bgrx(const uint8_t *bgrx, Picture *picture) {

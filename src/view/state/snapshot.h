@@ -36,11 +36,16 @@ bool numbered_file_write(const NumberedFile *file, char path[NUMBERED_FILE_PATH_
                          Error *error);
 
 /**
- * Writes a picture as NAME-0001.bmp, with the first free number.
- * @param name  First part of its name.
+ * Writes a picture as NAME-0001.EXTENSION, with the first free number.
+ * @param name       First part of its name.
+ * @param extension  Of a format that pictures are written in.
  * @param[out] path  Its path.
  * @return Whether it is written completely.
  */
+bool snapshot_write_as(const char *folder, const char *name, const char *extension,
+                       const Picture *picture, char path[NUMBERED_FILE_PATH_SIZE], Error *error);
+
+/** Writes a picture as NAME-0001.bmp. See #snapshot_write_as. */
 bool snapshot_write(const char *folder, const char *name, const Picture *picture,
                     char path[NUMBERED_FILE_PATH_SIZE], Error *error);
 

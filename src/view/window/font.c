@@ -22,8 +22,7 @@ static const char *const font_paths[] = {
     "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
 };
 
-/** @return Path of an installed font; NULL: none. */
-static const char *find_font(void) {
+const char *font_path(void) {
     for (size_t i = 0; i < sizeof font_paths / sizeof font_paths[0]; i++) {
         if (access(font_paths[i], R_OK) == 0) {
             return font_paths[i];
@@ -39,7 +38,7 @@ int font_text_width(TTF_Font *font, const char *text) {
 }
 
 TTF_Font *font_open(void) {
-    const char *path = find_font();
+    const char *path = font_path();
     if (!path || TTF_Init() != 0) {
         return NULL;
     }
@@ -66,5 +65,5 @@ void font_draw_text(SDL_Surface *panel, TTF_Font *font, const char *text, SDL_Co
 }
 
 bool font_is_available(void) {
-    return find_font() != NULL;
+    return font_path() != NULL;
 }

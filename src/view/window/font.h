@@ -11,6 +11,9 @@
 /** @return Whether a font is installed. */
 bool font_is_available(void);
 
+/** @return Path of an installed font with all letters; NULL: there is none. */
+const char *font_path(void);
+
 /** Opens the font. @return To be closed with #font_close; NULL: there is none. */
 TTF_Font *font_open(void);
 

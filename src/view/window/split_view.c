@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** Margin of the bar at both ends of the window, fraction of its width. */
+/** Margin of the bar at both ends of the picture, fraction of its width. */
 static const double BAR_MARGIN = 0.02;
 
 void split_view_deinit(SplitView *split) {
@@ -74,13 +74,11 @@ void split_view_update_difference(SplitView *split, const Viewport *left, const 
     }
 }
 
-void split_view_draw_bar(const SplitView *split, SDL_Renderer *renderer) {
-    int width = 0, height = 0;
-    SDL_GetRendererOutputSize(renderer, &width, &height);
-    int thick = SDL_max(1, height / 400), x = split_view_column(split, width);
+void split_view_draw_bar(const SplitView *split, SDL_Renderer *renderer, const SDL_Rect *picture) {
+    int thick = SDL_max(1, picture->h / 400), x = picture->x + split_view_column(split, picture->w);
     // Dark beside light: visible on any picture.
-    SDL_Rect dark = {x - 2 * thick, 0, 4 * thick, height},
-             light = {x - thick, 0, 2 * thick, height};
+    SDL_Rect dark = {x - 2 * thick, picture->y, 4 * thick, picture->h},
+             light = {x - thick, picture->y, 2 * thick, picture->h};
     SDL_SetRenderDrawColor(renderer, 0, 0, 0, SDL_ALPHA_OPAQUE);
     SDL_RenderFillRect(renderer, &dark);
     SDL_SetRenderDrawColor(renderer, UINT8_MAX, UINT8_MAX, UINT8_MAX, SDL_ALPHA_OPAQUE);

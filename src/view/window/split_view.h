@@ -20,7 +20,7 @@ typedef enum {
 typedef struct SplitView {
     SplitMode mode;      /**< The mode. */
     size_t active;       /**< The active picture, which keys change: 0 left, 1 right. */
-    double bar_position; /**< Position of the bar, fraction of the window's width. */
+    double bar_position; /**< Position of the bar, fraction of the picture's width. */
     bool is_dragged;     /**< Whether the mouse drags the bar. */
     StreamingTexture difference_texture; /**< Texture of the difference. */
     uint8_t *pixels;                     /**< Pixels of both pictures; owned; NULL: none yet. */
@@ -31,10 +31,10 @@ typedef struct SplitView {
 /** Frees its memory. */
 void split_view_deinit(SplitView *split);
 
-/** @return Column of the bar. @param width Pixels of the window. */
+/** @return Column of the bar. @param width Pixels of the picture. */
 int split_view_column(const SplitView *split, int width);
 
-/** Moves the bar, within margins. @param fraction Fraction of the window's width. */
+/** Moves the bar, within margins. @param fraction Fraction of the picture's width. */
 void split_view_move_bar(SplitView *split, double fraction);
 
 /**
@@ -50,7 +50,7 @@ bool split_view_compose(SplitView *split, const Viewport *left, const Viewport *
 void split_view_update_difference(SplitView *split, const Viewport *left, const Viewport *right,
                                   SDL_Renderer *renderer);
 
-/** Draws the bar. */
-void split_view_draw_bar(const SplitView *split, SDL_Renderer *renderer);
+/** Draws the bar. @param picture The picture's rectangle, pixels of the window. */
+void split_view_draw_bar(const SplitView *split, SDL_Renderer *renderer, const SDL_Rect *picture);
 
 #endif

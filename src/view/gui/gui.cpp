@@ -1,0 +1,441 @@
+/**
+ * @file
+ * @brief The interface by Dear ImGui, drawn with SDL's renderer.
+ *
+ * Dear ImGui keeps one current context per process. Each function of a whole interface makes its
+ * own the current one; the widgets between #gui_begin_frame and #gui_end_frame belong to it.
+ */
+#include "view/gui/gui.h"
+
+#include <backends/imgui_impl_sdl.h>
+#include <cfloat>
+#include <cmath>
+#include <cstddef>
+#include <imgui.h>
+#include <imgui_internal.h>
+#include <new>
+
+namespace {
+
+/** Frames that are drawn after an event: Dear ImGui reacts to a click one frame later. */
+constexpr int FRAMES_PER_EVENT = 3;
+/** Seconds that the mouse rests on a widget before its tooltip is shown. */
+constexpr float TOOLTIP_DELAY = 0.4F;
+/** Padding of widgets, in heights of letters. */
+constexpr float PADDING = 0.35F;
+/** Radius of rounded corners, in heights of letters. */
+constexpr float ROUNDING = 0.3F;
+/** Widest line of a tooltip, in heights of letters. */
+constexpr float TOOLTIP_WIDTH = 24;
+/** Width of a slider, in heights of letters. */
+constexpr float SLIDER_WIDTH = 7;
+/** Radius of the mark of a light, in heights of letters. */
+constexpr float LIGHT_RADIUS = 0.4F;
+/** Rays of the mark of a light. */
+constexpr int LIGHT_RAYS = 8;
+/** Length of an arrow to a light outside the picture, in heights of letters. */
+constexpr float ARROW_LENGTH = 1.2F;
+
+/** The letters of English and French, and the signs of formulas, arrows and buttons. */
+constexpr ImWchar LETTERS[] = {0x20,   0xff,   0x152,  0x153,  0x3b1,  0x3c9,  0x2010,
+                               0x2027, 0x202f, 0x202f, 0x2039, 0x203a, 0x2190, 0x2199,
+                               0x2212, 0x2212, 0x2248, 0x2248, 0x2260, 0x2265, 0x25a0,
+                               0x25ff, 0x2630, 0x2630, 0};
+
+/** Colour of what is on, and of lights. */
+constexpr ImU32 ACCENT = IM_COL32(255, 205, 90, 255);
+/** Colour of outlines on the picture: seen on light and dark ground. */
+constexpr ImU32 OUTLINE = IM_COL32(0, 0, 0, 200);
+/** Colour of text on the picture. */
+constexpr ImU32 TEXT = IM_COL32(240, 240, 240, 255);
+
+/** Sets colours and shapes of widgets. */
+void set_style() {
+    ImGui::StyleColorsDark();
+    ImGuiStyle &style = ImGui::GetStyle();
+    style.WindowBorderSize = 0;
+    style.PopupBorderSize = 0;
+    style.Colors[ImGuiCol_WindowBg] = ImVec4(0.06F, 0.07F, 0.11F, 0.84F);
+    style.Colors[ImGuiCol_PopupBg] = ImVec4(0.06F, 0.07F, 0.11F, 0.96F);
+    style.Colors[ImGuiCol_Button] = ImVec4(1, 1, 1, 0.10F);
+    style.Colors[ImGuiCol_ButtonHovered] = ImVec4(1, 1, 1, 0.24F);
+    style.Colors[ImGuiCol_ButtonActive] = ImVec4(1, 1, 1, 0.36F);
+    style.Colors[ImGuiCol_FrameBg] = style.Colors[ImGuiCol_Button];
+    style.Colors[ImGuiCol_FrameBgHovered] = style.Colors[ImGuiCol_ButtonHovered];
+    style.Colors[ImGuiCol_FrameBgActive] = style.Colors[ImGuiCol_ButtonActive];
+    style.Colors[ImGuiCol_SliderGrab] = ImGui::ColorConvertU32ToFloat4(ACCENT);
+    style.Colors[ImGuiCol_SliderGrabActive] = style.Colors[ImGuiCol_SliderGrab];
+    style.Colors[ImGuiCol_Header] = style.Colors[ImGuiCol_ButtonHovered];
+    style.Colors[ImGuiCol_HeaderHovered] = style.Colors[ImGuiCol_ButtonActive];
+}
+
+/** Shows a tooltip when the mouse rests on the last widget. */
+void show_tooltip(const char *text) {
+    if (text && text[0] != '\0' && ImGui::IsItemHovered() &&
+        ImGui::GetCurrentContext() != nullptr) {
+        ImGui::BeginTooltip();
+        ImGui::PushTextWrapPos(TOOLTIP_WIDTH * ImGui::GetFontSize());
+        ImGui::TextUnformatted(text);
+        ImGui::PopTextWrapPos();
+        ImGui::EndTooltip();
+    }
+}
+
+/** Places the next widget of the bar: in the line, or in the next one where it is too wide. */
+void place_in_bar(float width) {
+    float next = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width;
+    if (next < ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x) {
+        ImGui::SameLine();
+    }
+}
+
+/** @return Width of a button with a label. */
+float button_width(const char *label) {
+    return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
+} // namespace
+
+struct Gui {
+    ImGuiContext *context;  /**< Dear ImGui's state; owned. */
+    SDL_Renderer *renderer; /**< The window's renderer. */
+    const char *font;       /**< Path of the font. */
+    SDL_Texture *letters;   /**< The letters; owned; null: none. */
+    float letter_size;      /**< Their height, pixels of the screen; 0: none. */
+    int due_frames;         /**< Frames to be drawn, see FRAMES_PER_EVENT. */
+    bool closes_list;       /**< Whether the open list is closed in the next frame. */
+};
+
+namespace {
+
+/** Frees the texture of the letters. */
+void release_letters(Gui *gui) {
+    if (gui->letters) {
+        SDL_DestroyTexture(gui->letters);
+    }
+    gui->letters = nullptr;
+    gui->letter_size = 0;
+}
+
+/** Draws the letters in another size. @param size Pixels of the screen. */
+void create_letters(Gui *gui, float size) {
+    ImFontAtlas *atlas = ImGui::GetIO().Fonts;
+    unsigned char *pixels = nullptr;
+    int width = 0, height = 0;
+    release_letters(gui);
+    atlas->Clear();
+    if (!atlas->AddFontFromFileTTF(gui->font, size, nullptr, LETTERS)) {
+        atlas->AddFontDefault();
+    }
+    atlas->GetTexDataAsRGBA32(&pixels, &width, &height);
+    gui->letters = SDL_CreateTexture(gui->renderer, SDL_PIXELFORMAT_ABGR8888,
+                                     SDL_TEXTUREACCESS_STATIC, width, height);
+    if (gui->letters) {
+        SDL_UpdateTexture(gui->letters, nullptr, pixels, 4 * width);
+        SDL_SetTextureBlendMode(gui->letters, SDL_BLENDMODE_BLEND);
+    }
+    atlas->SetTexID(gui->letters);
+    gui->letter_size = size;
+}
+
+/** Draws one list of commands. @param scale Pixels of the screen per unit of the window. */
+void draw_list(SDL_Renderer *renderer, const ImDrawList *list, ImVec2 scale) {
+    const char *vertices = reinterpret_cast<const char *>(list->VtxBuffer.Data);
+    for (const ImDrawCmd &command : list->CmdBuffer) {
+        const ImVec4 &clip = command.ClipRect;
+        SDL_Rect rect = {static_cast<int>(clip.x * scale.x), static_cast<int>(clip.y * scale.y),
+                         static_cast<int>((clip.z - clip.x) * scale.x),
+                         static_cast<int>((clip.w - clip.y) * scale.y)};
+        const char *first = vertices + command.VtxOffset * sizeof(ImDrawVert);
+        SDL_RenderSetClipRect(renderer, &rect);
+        SDL_RenderGeometryRaw(
+            renderer, static_cast<SDL_Texture *>(command.GetTexID()),
+            reinterpret_cast<const float *>(first + offsetof(ImDrawVert, pos)), sizeof(ImDrawVert),
+            reinterpret_cast<const SDL_Color *>(first + offsetof(ImDrawVert, col)),
+            sizeof(ImDrawVert), reinterpret_cast<const float *>(first + offsetof(ImDrawVert, uv)),
+            sizeof(ImDrawVert), static_cast<int>(list->VtxBuffer.Size - command.VtxOffset),
+            list->IdxBuffer.Data + command.IdxOffset, static_cast<int>(command.ElemCount),
+            sizeof(ImDrawIdx));
+    }
+}
+
+/** Draws a line with an outline. */
+void draw_outlined_line(ImDrawList *list, ImVec2 from, ImVec2 to, ImU32 color, float width) {
+    list->AddLine(from, to, OUTLINE, width + 2);
+    list->AddLine(from, to, color, width);
+}
+
+/** Writes a name with an outline. @param center Middle of its upper edge. */
+void draw_name(ImDrawList *list, ImVec2 center, const char *name) {
+    ImVec2 size = ImGui::CalcTextSize(name);
+    ImVec2 display = ImGui::GetIO().DisplaySize;
+    float left = fminf(fmaxf(center.x - size.x / 2, 0), fmaxf(display.x - size.x, 0));
+    float top = fminf(fmaxf(center.y, 0), fmaxf(display.y - size.y, 0));
+    list->AddText(ImVec2(left + 1, top + 1), OUTLINE, name);
+    list->AddText(ImVec2(left, top), TEXT, name);
+}
+
+} // namespace
+
+extern "C" {
+
+Gui *gui_create(SDL_Window *window, SDL_Renderer *renderer, const char *font) {
+    Gui *gui = font ? new (std::nothrow) Gui() : nullptr;
+    if (!gui) {
+        return nullptr;
+    }
+    *gui = Gui{ImGui::CreateContext(), renderer, font, nullptr, 0, FRAMES_PER_EVENT, false};
+    ImGui::SetCurrentContext(gui->context);
+    ImGuiIO &io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+    set_style();
+    ImGui_ImplSDL2_InitForSDLRenderer(window);
+    return gui;
+}
+
+void gui_destroy(Gui *gui) {
+    if (gui) {
+        ImGui::SetCurrentContext(gui->context);
+        release_letters(gui);
+        ImGui_ImplSDL2_Shutdown();
+        ImGui::DestroyContext(gui->context);
+        delete gui;
+    }
+}
+
+void gui_on_device_reset(Gui *gui) {
+    if (gui) {
+        ImGui::SetCurrentContext(gui->context);
+        release_letters(gui);
+    }
+}
+
+bool gui_handle_event(Gui *gui, const SDL_Event *event) {
+    if (!gui) {
+        return false;
+    }
+    bool is_mouse = event->type == SDL_MOUSEMOTION || event->type == SDL_MOUSEBUTTONDOWN ||
+                    event->type == SDL_MOUSEBUTTONUP || event->type == SDL_MOUSEWHEEL;
+    ImGui::SetCurrentContext(gui->context);
+    bool was_wanted = ImGui::GetIO().WantCaptureMouse;
+    if (is_mouse || event->type == SDL_WINDOWEVENT) {
+        ImGui_ImplSDL2_ProcessEvent(event);
+    }
+    if (is_mouse) {
+        gui->due_frames = FRAMES_PER_EVENT;
+    }
+    return is_mouse && was_wanted;
+}
+
+bool gui_close_list(Gui *gui) {
+    if (!gui) {
+        return false;
+    }
+    ImGui::SetCurrentContext(gui->context);
+    bool is_open = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
+    gui->closes_list = is_open;
+    gui->due_frames = FRAMES_PER_EVENT;
+    return is_open;
+}
+
+bool gui_needs_frame(const Gui *gui) {
+    return gui && gui->due_frames > 0;
+}
+
+void gui_begin_frame(Gui *gui, float text_size) {
+    ImGui::SetCurrentContext(gui->context);
+    ImGui_ImplSDL2_NewFrame();
+    ImGuiIO &io = ImGui::GetIO();
+    float pixels = roundf(text_size * io.DisplayFramebufferScale.y);
+    if (pixels != gui->letter_size) {
+        create_letters(gui, pixels);
+    }
+    io.FontGlobalScale = 1 / io.DisplayFramebufferScale.y;
+    ImGuiStyle &style = ImGui::GetStyle();
+    style.FramePadding = ImVec2(PADDING * text_size, PADDING * text_size / 2);
+    style.ItemSpacing = ImVec2(PADDING * text_size, PADDING * text_size / 2);
+    style.WindowPadding = style.ItemSpacing;
+    style.FrameRounding = style.PopupRounding = style.GrabRounding = ROUNDING * text_size;
+    ImGui::NewFrame();
+    if (gui->closes_list) {
+        ImGui::ClosePopupsOverWindow(nullptr, false);
+        gui->closes_list = false;
+    }
+}
+
+void gui_end_frame(Gui *gui) {
+    ImGui::Render();
+    const ImDrawData *data = ImGui::GetDrawData();
+    ImVec2 scale = data->FramebufferScale;
+    SDL_RenderSetScale(gui->renderer, scale.x, scale.y);
+    for (int i = 0; gui->letters && i < data->CmdListsCount; i++) {
+        draw_list(gui->renderer, data->CmdLists[i], ImVec2(1, 1));
+    }
+    SDL_RenderSetClipRect(gui->renderer, nullptr);
+    SDL_RenderSetScale(gui->renderer, 1, 1);
+    gui->due_frames -= gui->due_frames > 0;
+}
+
+float gui_text_size() {
+    return ImGui::GetFontSize();
+}
+
+float gui_text_width(const char *text) {
+    return ImGui::CalcTextSize(text).x;
+}
+
+/* --- the bar ---------------------------------------------------------------------------------- */
+
+void gui_bar_begin() {
+    ImGui::SetNextWindowPos(ImVec2(0, 0));
+    ImGui::SetNextWindowSize(ImVec2(ImGui::GetIO().DisplaySize.x, 0));
+    ImGui::Begin("bar", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
+                     ImGuiWindowFlags_NoSavedSettings);
+    ImGui::Dummy(ImVec2(0, 0));
+}
+
+float gui_bar_end() {
+    float height = ImGui::GetWindowHeight();
+    ImGui::End();
+    return height;
+}
+
+bool gui_button(const char *label, const char *tooltip, bool is_on) {
+    place_in_bar(button_width(label));
+    if (is_on) {
+        ImGui::PushStyleColor(ImGuiCol_Text, ACCENT);
+    }
+    bool is_clicked = ImGui::Button(label);
+    if (is_on) {
+        ImGui::PopStyleColor();
+    }
+    show_tooltip(tooltip);
+    return is_clicked;
+}
+
+int gui_choice(const char *id, const char *const *names, int count, int selected,
+               const char *tooltip) {
+    const char *shown = selected >= 0 && selected < count ? names[selected] : "";
+    int chosen = -1;
+    float width = 0;
+    for (int i = 0; i < count; i++) {
+        width = fmaxf(width, button_width(names[i]));
+    }
+    place_in_bar(width);
+    ImGui::PushID(id);
+    ImGui::SetNextItemWidth(width);
+    if (ImGui::BeginCombo("##list", shown,
+                          ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLargest)) {
+        for (int i = 0; i < count; i++) {
+            if (ImGui::Selectable(names[i], i == selected) && i != selected) {
+                chosen = i;
+            }
+        }
+        ImGui::EndCombo();
+    } else {
+        show_tooltip(tooltip);
+    }
+    ImGui::PopID();
+    return chosen;
+}
+
+int gui_stepper(const char *id, const char *text, const char *widest, const char *tooltip) {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    int step = 0;
+    float width = ImGui::CalcTextSize(widest).x;
+    place_in_bar(button_width("−") + button_width("+") + width + 2 * gap);
+    ImGui::PushID(id);
+    ImGui::BeginGroup();
+    step -= ImGui::Button("−") ? 1 : 0;
+    ImGui::SameLine(0, gap);
+    ImGui::AlignTextToFramePadding();
+    float left = ImGui::GetCursorPosX();
+    ImGui::TextUnformatted(text);
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(left + width + gap);
+    step += ImGui::Button("+") ? 1 : 0;
+    ImGui::EndGroup();
+    show_tooltip(tooltip);
+    ImGui::PopID();
+    return step;
+}
+
+bool gui_log_slider(const char *id, double *value, double low, double high, const char *format,
+                    const char *tooltip) {
+    float width = SLIDER_WIDTH * ImGui::GetFontSize();
+    place_in_bar(width);
+    ImGui::PushID(id);
+    ImGui::SetNextItemWidth(width);
+    bool is_changed =
+        ImGui::SliderScalar("##slider", ImGuiDataType_Double, value, &low, &high, format,
+                            ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoInput);
+    show_tooltip(tooltip);
+    ImGui::PopID();
+    return is_changed;
+}
+
+/* --- text and marks on the picture ------------------------------------------------------------ */
+
+void gui_message(const char *id, const char *text, GuiPoint point, GuiSide side) {
+    float width = ImGui::GetIO().DisplaySize.x - 2 * ImGui::GetFontSize();
+    ImVec2 size = ImGui::CalcTextSize(text, nullptr, false, width);
+    ImGui::SetNextWindowPos(ImVec2(point.x, point.y), ImGuiCond_Always,
+                            ImVec2(0.5F, side == GUI_ABOVE ? 1.0F : 0.0F));
+    ImGui::Begin(id, nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
+                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + size.x + 1);
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+    ImGui::End();
+}
+
+void gui_readout(const char *text, const unsigned char rgb[3], GuiPoint corner) {
+    ImDrawList *list = ImGui::GetBackgroundDrawList();
+    float size = ImGui::GetFontSize(), gap = PADDING * size;
+    ImVec2 low(corner.x, corner.y - size - 2 * gap);
+    ImVec2 high(corner.x + ImGui::CalcTextSize(text).x + 2 * size + 3 * gap, corner.y);
+    list->AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_WindowBg));
+    list->AddRectFilled(ImVec2(low.x + gap, low.y + gap),
+                        ImVec2(low.x + gap + 2 * size, high.y - gap),
+                        IM_COL32(rgb[0], rgb[1], rgb[2], 255));
+    list->AddText(ImVec2(low.x + 2 * size + 2 * gap, low.y + gap), TEXT, text);
+}
+
+void gui_mark_light(GuiPoint center, const char *name, bool is_selected) {
+    ImDrawList *list = ImGui::GetBackgroundDrawList();
+    float radius = LIGHT_RADIUS * ImGui::GetFontSize(), width = is_selected ? 2.5F : 1.5F;
+    ImU32 color = is_selected ? ACCENT : TEXT;
+    ImVec2 middle(center.x, center.y);
+    for (int i = 0; i < LIGHT_RAYS; i++) {
+        float angle = static_cast<float>(i) * 2 * static_cast<float>(M_PI) / LIGHT_RAYS;
+        ImVec2 direction(cosf(angle), sinf(angle));
+        draw_outlined_line(
+            list,
+            ImVec2(middle.x + 1.4F * radius * direction.x, middle.y + 1.4F * radius * direction.y),
+            ImVec2(middle.x + 2 * radius * direction.x, middle.y + 2 * radius * direction.y), color,
+            width);
+    }
+    list->AddCircleFilled(middle, radius + 1, OUTLINE);
+    list->AddCircleFilled(middle, radius, color);
+    draw_name(list, ImVec2(middle.x, middle.y + 2.2F * radius), name);
+}
+
+void gui_mark_outside(GuiPoint tip, GuiPoint direction, const char *name, bool is_selected) {
+    ImDrawList *list = ImGui::GetBackgroundDrawList();
+    float length = ARROW_LENGTH * ImGui::GetFontSize(), half = length / 3;
+    ImVec2 end(tip.x, tip.y);
+    ImVec2 start(tip.x - length * direction.x, tip.y - length * direction.y);
+    ImVec2 left(start.x - half * direction.y, start.y + half * direction.x);
+    ImVec2 right(start.x + half * direction.y, start.y - half * direction.x);
+    list->AddTriangleFilled(end, left, right, is_selected ? ACCENT : TEXT);
+    list->AddTriangle(end, left, right, OUTLINE, 1.5F);
+    draw_name(list,
+              ImVec2(start.x - length * direction.x, start.y - length * direction.y - length / 2),
+              name);
+}
+
+} // extern "C"

@@ -1,0 +1,125 @@
+/**
+ * @file
+ * @brief The graphical user interface over the picture: buttons, lists, sliders, text and marks.
+ *
+ * A C header over Dear ImGui, which gui.cpp alone includes. It is an immediate-mode interface: each
+ * frame calls one function per widget, which draws it and returns what the user did with it. All
+ * functions are called by the thread of the window. Labels and tooltips are already translated.
+ */
+#ifndef DIOPTRE_VIEW_GUI_GUI_H
+#define DIOPTRE_VIEW_GUI_GUI_H
+
+#include <SDL.h>
+#include <stdbool.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The interface of one window. */
+typedef struct Gui Gui;
+
+/** A position in the window, pixels from its upper left corner. */
+typedef struct GuiPoint {
+    float x; /**< To the right. */
+    float y; /**< Down. */
+} GuiPoint;
+
+/**
+ * Creates the interface of a window.
+ * @param font  Path of the font file, TrueType.
+ * @return The interface, to be freed with #gui_destroy; NULL without font or memory.
+ */
+Gui *gui_create(SDL_Window *window, SDL_Renderer *renderer, const char *font);
+
+/** Frees an interface. @param gui The interface, or NULL. */
+void gui_destroy(Gui *gui);
+
+/** Forgets the texture of the letters: the graphics device was reset. */
+void gui_on_device_reset(Gui *gui);
+
+/**
+ * Tells the interface of an event.
+ * @return Whether the event is for the interface alone: the mouse is over a widget or holds one.
+ */
+bool gui_handle_event(Gui *gui, const SDL_Event *event);
+
+/** Closes the list that is open. @return Whether there was one. */
+bool gui_close_list(Gui *gui);
+
+/** @return Whether the interface must be drawn again, as an event may have changed it. */
+bool gui_needs_frame(const Gui *gui);
+
+/** Begins a frame. @param text_size Height of the letters, pixels of the window. */
+void gui_begin_frame(Gui *gui, float text_size);
+
+/** Ends the frame and draws it. */
+void gui_end_frame(Gui *gui);
+
+/** @return The height of the letters, pixels of the window. */
+float gui_text_size(void);
+
+/** @return The width of a text, pixels of the window. */
+float gui_text_width(const char *text);
+
+/* --- the bar ---------------------------------------------------------------------------------- */
+
+/** Begins the bar at the upper edge of the window. Its widgets follow, then #gui_bar_end. */
+void gui_bar_begin(void);
+
+/** Ends the bar. @return Its height, pixels of the window. */
+float gui_bar_end(void);
+
+/** A button. @param is_on Whether it shows what is on. @return Whether it was clicked. */
+bool gui_button(const char *label, const char *tooltip, bool is_on);
+
+/**
+ * A list of which one entry is chosen.
+ * @param id        Unique to this list in its bar; not shown.
+ * @param names     The entries.
+ * @param selected  Index of the chosen one.
+ * @return The index that the user has chosen now; -1: none.
+ */
+int gui_choice(const char *id, const char *const *names, int count, int selected,
+               const char *tooltip);
+
+/** A number with a button on each side. @param widest The widest text that it may have, so that the
+ *  bar does not move. @return -1 or 1: the user wants less or more; else 0. */
+int gui_stepper(const char *id, const char *text, const char *widest, const char *tooltip);
+
+/**
+ * A slider with a logarithmic scale.
+ * @param[in,out] value  The value, which the user may change.
+ * @param format         The text on the slider, as for printf, with one `%g`.
+ * @return Whether the user has changed it.
+ */
+bool gui_log_slider(const char *id, double *value, double low, double high, const char *format,
+                    const char *tooltip);
+
+/* --- text and marks on the picture ------------------------------------------------------------ */
+
+/** Where a box lies at a point. */
+typedef enum {
+    GUI_BELOW, /**< Its upper edge touches the point. */
+    GUI_ABOVE  /**< Its lower edge does. */
+} GuiSide;
+
+/** Writes a message in a box, which is centred at a point. */
+void gui_message(const char *id, const char *text, GuiPoint point, GuiSide side);
+
+/** Shows a colour and a text beside it. @param rgb The colour, sRGB. @param corner The lower left
+ *  corner. */
+void gui_readout(const char *text, const unsigned char rgb[3], GuiPoint corner);
+
+/** Marks a light: a sun with a name below. @param is_selected Whether keys move it. */
+void gui_mark_light(GuiPoint center, const char *name, bool is_selected);
+
+/** Marks where a light outside the picture is. @param tip Tip of the arrow. @param direction Where
+ *  it points, of length 1. */
+void gui_mark_outside(GuiPoint tip, GuiPoint direction, const char *name, bool is_selected);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,157 @@
+/**
+ * @file
+ * @brief The widgets of the bar, and the commands that they request.
+ */
+#include "view/panels/toolbar.h"
+
+#include "base/language.h"
+#include "dioptre/scene.h"
+
+#include <libintl.h>
+#include <math.h>
+#include <stdio.h>
+
+/** Smallest epsilon of the slider, scene units: below the spacing of doubles near 1. */
+static const double EPSILON_LOW = 1e-16;
+/** Largest epsilon of the slider, scene units: as large as most shapes. */
+static const double EPSILON_HIGH = 1;
+/** Bytes of a label with the final zero. */
+enum { LABEL_SIZE = 64 };
+/** The widest number of samples that keys set. */
+enum { SAMPLES_WIDEST = 4096 };
+/** Most bits of the mantissa of float, and of double. */
+enum { FLOAT_BITS = 24, DOUBLE_BITS = 53 };
+
+/** Requests a command. @param repetitions How many times; 0: not at all. */
+static void request(Toolbar *toolbar, const char *command, int repetitions) {
+    if (repetitions > 0) {
+        toolbar->command = command;
+        toolbar->repetitions = repetitions;
+    }
+}
+
+/** Writes what a command does, and its keys. @return The text. */
+static const char *tooltip(const ToolbarContent *content, const char *name,
+                           char text[TOOLTIP_SIZE]) {
+    const Command *command = command_find(content->help->commands, name);
+    char keys[PANEL_LABEL_SIZE] = "";
+    text[0] = '\0';
+    if (command && command->help) {
+        help_key_names(command, content->help->by_letter, keys, sizeof keys);
+        snprintf(text, TOOLTIP_SIZE, "%s — %s", gettext(command->help), keys);
+    }
+    return text;
+}
+
+/** A button that issues a command. @param is_on Whether what it shows or hides is on. */
+static void command_button(Toolbar *toolbar, const ToolbarContent *content, const char *label,
+                           const char *command, bool is_on) {
+    char text[TOOLTIP_SIZE];
+    request(toolbar, command, gui_button(label, tooltip(content, command, text), is_on));
+}
+
+/** A list whose next entry a command chooses, cyclically. */
+static void cyclic_choice(Toolbar *toolbar, const ToolbarContent *content, const char *command,
+                          const char *const *names, int count, int selected) {
+    char text[TOOLTIP_SIZE];
+    int chosen = gui_choice(command, names, count, selected, tooltip(content, command, text));
+    request(toolbar, command, chosen < 0 ? 0 : (chosen - selected + count) % count);
+}
+
+/** A number that two commands change. @param values It, and the widest one. */
+static void number(Toolbar *toolbar, const ToolbarContent *content, const char *const values[2],
+                   const char *less, const char *more) {
+    char text[TOOLTIP_SIZE];
+    int step = gui_stepper(more, values[0], values[1], tooltip(content, more, text));
+    request(toolbar, step < 0 ? less : more, step != 0);
+}
+
+const char *toolbar_layer_command(Layer layer) {
+    static const char *const commands[LAYER_COUNT] = {
+        "layer light",  "layer normals", "layer distance", "layer shapes",
+        "layer places", "layer rays",    "layer steps",    "layer time",
+        "layer error",  "layer acne",    "layer rounding"};
+    return commands[layer];
+}
+
+/** The list of layers. */
+static void layer_choice(Toolbar *toolbar, const ToolbarContent *content) {
+    const char *names[LAYER_COUNT];
+    char text[TOOLTIP_SIZE];
+    int current = (int)content->viewport->layer;
+    for (int i = 0; i < LAYER_COUNT; i++) {
+        names[i] = gettext(layer_name((Layer)i));
+    }
+    const char *command = toolbar_layer_command(content->viewport->layer);
+    int chosen = gui_choice("layer", names, LAYER_COUNT, current, tooltip(content, command, text));
+    if (chosen >= 0) {
+        request(toolbar, toolbar_layer_command((Layer)chosen), 1);
+    }
+}
+
+/** The offset strategy, and its epsilon as a slider that goes by factors of two. */
+static void offset_widgets(Toolbar *toolbar, const ToolbarContent *content) {
+    const TraceSettings *trace = &content->viewport->settings.trace;
+    cyclic_choice(toolbar, content, "offset", offset_strategy_names, OFFSET_BOUND + 1,
+                  (int)trace->offset);
+    char text[TOOLTIP_SIZE];
+    double epsilon = trace->epsilon;
+    if (gui_log_slider("epsilon", &epsilon, EPSILON_LOW, EPSILON_HIGH, "ε %.1e",
+                       tooltip(content, "epsilon twice", text)) &&
+        epsilon > 0) {
+        int steps = (int)round(log2(epsilon / trace->epsilon));
+        request(toolbar, steps < 0 ? "epsilon half" : "epsilon twice", abs(steps));
+    }
+}
+
+/** Writes a number of samples. */
+static void write_samples(char text[LABEL_SIZE], int samples) {
+    snprintf(text, LABEL_SIZE, ngettext("%d sample", "%d samples", (unsigned long)samples),
+             samples);
+}
+
+/** Number type, depth, samples and light. */
+static void setting_widgets(Toolbar *toolbar, const ToolbarContent *content) {
+    static const char *const types[] = {"float", "double", "quad"};
+    const RenderSettings *settings = &content->viewport->settings;
+    const char *lights[LIGHTING_MODE_COUNT];
+    char depth[LABEL_SIZE], deepest[LABEL_SIZE], samples[LABEL_SIZE], most[LABEL_SIZE];
+    int bits = settings->engine->mantissa_bits;
+    cyclic_choice(toolbar, content, "engine", types, 3, (bits > FLOAT_BITS) + (bits > DOUBLE_BITS));
+    snprintf(depth, sizeof depth, "%s %d", gettext("depth"), settings->trace.depth);
+    snprintf(deepest, sizeof deepest, "%s %d", gettext("depth"), DEPTH_MAXIMUM);
+    number(toolbar, content, (const char *[]){depth, deepest}, "less deep", "deeper");
+    write_samples(samples, settings->samples);
+    write_samples(most, SAMPLES_WIDEST);
+    number(toolbar, content, (const char *[]){samples, most}, "samples half", "samples twice");
+    for (int i = 0; i < LIGHTING_MODE_COUNT; i++) {
+        lights[i] = gettext(light_mode_name((LightingMode)i));
+    }
+    cyclic_choice(toolbar, content, "light mode", lights, LIGHTING_MODE_COUNT,
+                  (int)settings->lighting);
+}
+
+void toolbar_show(Toolbar *toolbar, const ToolbarContent *content) {
+    const char *const splits[SPLIT_COUNT] = {gettext("one picture"), gettext("side by side"),
+                                             gettext("difference")};
+    gui_bar_begin();
+    command_button(toolbar, content, "☰", "toolbar", !toolbar->is_folded);
+    if (!toolbar->is_folded) {
+        command_button(toolbar, content, gettext("scenes"), "scenes", false);
+        layer_choice(toolbar, content);
+        offset_widgets(toolbar, content);
+        setting_widgets(toolbar, content);
+        cyclic_choice(toolbar, content, "split", splits, SPLIT_COUNT, (int)content->split);
+        if (content->is_animated) {
+            command_button(toolbar, content, content->is_running ? "❚❚" : "▶", "time",
+                           content->is_running);
+        }
+        command_button(toolbar, content, gettext("rays"), "rays", content->shows_rays);
+        command_button(toolbar, content, gettext("costs"), "settings", content->shows_settings);
+        command_button(toolbar, content, gettext("as at first"), "as at first", false);
+        command_button(toolbar, content, gettext("photo"), "snapshot", false);
+        command_button(toolbar, content, gettext("record"), "record", content->is_recording);
+        command_button(toolbar, content, gettext("help"), "help", content->help->is_open);
+    }
+    toolbar->height = gui_bar_end();
+}

@@ -1,0 +1,44 @@
+/**
+ * @file
+ * @brief The bar at the upper edge: buttons, lists and sliders that issue commands.
+ *
+ * A widget never changes anything itself: it requests the command that its key would issue, so
+ * lessons record and replay it like the key.
+ */
+#ifndef DIOPTRE_VIEW_PANELS_TOOLBAR_H
+#define DIOPTRE_VIEW_PANELS_TOOLBAR_H
+
+#include "view/gui/gui.h"
+#include "view/panels/help.h"
+#include "view/window/split_view.h"
+
+/** Bytes of a tooltip with the final zero. */
+enum { TOOLTIP_SIZE = 256 };
+
+/** The bar. Starts as `{0}`: open. */
+typedef struct Toolbar {
+    bool is_folded;      /**< Whether only the button that unfolds it is shown. */
+    float height;        /**< Its height in the last frame, pixels of the window. */
+    const char *command; /**< Name of the command that the user requests; NULL: none. */
+    int repetitions;     /**< How many times it is to be issued. */
+} Toolbar;
+
+/** What the bar shows. */
+typedef struct ToolbarContent {
+    const Help *help;         /**< Names the keys in tooltips. */
+    const Viewport *viewport; /**< The active picture. */
+    SplitMode split;          /**< How many pictures are shown. */
+    bool shows_settings;      /**< Whether settings and costs are shown. */
+    bool shows_rays;          /**< Whether the rays of a pixel are shown. */
+    bool is_animated;         /**< Whether the scene depends on time. */
+    bool is_running;          /**< Whether its time runs. */
+    bool is_recording;        /**< Whether a lesson is recorded. */
+} ToolbarContent;
+
+/** Shows the bar, and sets #Toolbar.command if the user requests one. */
+void toolbar_show(Toolbar *toolbar, const ToolbarContent *content);
+
+/** @return The name of the command that shows a layer. */
+const char *toolbar_layer_command(Layer layer);
+
+#endif

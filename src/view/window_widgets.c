@@ -1,0 +1,287 @@
+/**
+ * @file
+ * @brief Buttons, lists, marks and messages over the picture, and where the picture is.
+ */
+#include "view/window.h"
+
+#include "view/panels/pixel_readout.h"
+#include "view/window/font.h"
+
+#include <libintl.h>
+#include <stdio.h>
+
+/** Rows of text that fill the height of the window: read from the last row of a class. */
+static const float ROWS_PER_WINDOW = 30;
+/** Smallest height of letters, screen units. */
+static const float TEXT_SIZE_MINIMUM = 14;
+/** Largest part of the window's height for the bar. */
+static const double TOOLBAR_FRACTION_MAXIMUM = 0.25;
+/** Most times that the bar is laid out until its height and its letters agree. */
+enum { LAYOUTS_MAXIMUM = 4 };
+/** Seconds that a message is shown. */
+static const double TOAST_SECONDS = 4;
+/** Seconds that the hint at the start is shown. */
+static const double HINT_SECONDS = 6;
+/** How near to a light's mark the mouse takes hold of it, in heights of letters. */
+static const float MARK_REACH = 0.9F;
+
+/* --- where the picture is --------------------------------------------------------------------- */
+
+SDL_Rect window_picture_rect(const Window *window) {
+    SDL_Rect whole = window_area(window);
+    const RenderSettings *settings = &window->base_settings;
+    double ratio = (double)settings->width / settings->height;
+    SDL_Rect rect = whole;
+    rect.h = SDL_max(1, (int)(whole.w / ratio + 0.5));
+    if (rect.h > whole.h) {
+        rect.h = whole.h;
+        rect.w = SDL_clamp((int)(whole.h * ratio + 0.5), 1, whole.w);
+    }
+    rect.x += (whole.w - rect.w) / 2;
+    rect.y += (whole.h - rect.h) / 2;
+    return rect;
+}
+
+/** @return Pixels per screen unit: more than 1 on a HiDPI screen. */
+static double pixels_per_unit(const Window *window) {
+    int width = 0, pixels = 0, height = 0;
+    SDL_GetWindowSize(window->sdl.window, &width, NULL);
+    sdl_window_size(&window->sdl, &pixels, &height);
+    return (double)pixels / SDL_max(1, width);
+}
+
+bool window_picture_position(const Window *window, int x, int y, double *right, double *down) {
+    double scale = pixels_per_unit(window);
+    SDL_Rect area = window_area(window);
+    SDL_Rect rect = window->inspector.is_open ? inspector_inset(&window->inspector, &area)
+                                              : window_picture_rect(window);
+    *right = ((x + 0.5) * scale - rect.x) / rect.w;
+    *down = ((y + 0.5) * scale - rect.y) / rect.h;
+    return *right >= 0 && *right < 1 && *down >= 0 && *down < 1;
+}
+
+int window_toolbar_height(const Window *window) {
+    return window->gui ? (int)((double)window->toolbar.height * pixels_per_unit(window) + 0.5) : 0;
+}
+
+SDL_Rect window_area(const Window *window) {
+    SDL_Rect area = {.y = window->toolbar.is_folded ? 0 : window_toolbar_height(window)};
+    sdl_window_size(&window->sdl, &area.w, &area.h);
+    area.h = SDL_max(1, area.h - area.y);
+    return area;
+}
+
+void window_size_below_toolbar(const Window *window, int *width, int *height) {
+    SDL_GetWindowSize(window->sdl.window, width, height);
+    *height -= (int)(window_area(window).y / pixels_per_unit(window));
+}
+
+void window_set_size_below_toolbar(Window *window, int width, int height) {
+    height += (int)(window_area(window).y / pixels_per_unit(window));
+    SDL_SetWindowSize(window->sdl.window, width, height);
+}
+
+/* --- messages --------------------------------------------------------------------------------- */
+
+void window_set_state(Window *window, const WindowState *state) {
+    window->state = *state;
+}
+
+void window_set_toast(Window *window, const char *text) {
+    SDL_strlcpy(window->toast.text, text, sizeof window->toast.text);
+    window->toast.end_time = clock_now_seconds() + TOAST_SECONDS;
+    if (window->gui) {
+        window_present(window);
+    }
+}
+
+/** Writes what a newcomer may press. */
+static void set_hint(Window *window) {
+    static const char *const names[] = {"light up", "light left", "light down", "light right"};
+    char light[PANEL_LABEL_SIZE] = "", help[PANEL_LABEL_SIZE] = "";
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        help_key_names(command_find(window->help.commands, names[i]), window->help.by_letter, light,
+                       sizeof light);
+    }
+    help_key_names(command_find(window->help.commands, "help"), window->help.by_letter, help,
+                   sizeof help);
+    snprintf(window->hint.text, sizeof window->hint.text,
+             gettext("Drag a light, or press %s. ↑ ← ↓ → move the camera. Click a pixel: its rays. "
+                     "Help: %s"),
+             light, help);
+    window->hint.end_time = clock_now_seconds() + HINT_SECONDS;
+}
+
+void window_end_hint(Window *window) {
+    window->hint.end_time = 0;
+}
+
+/** Removes a message whose time is over. @return Whether it was shown until now. */
+static bool toast_expire(Toast *toast, double now) {
+    bool is_over = toast->text[0] != '\0' && now >= toast->end_time;
+    if (is_over) {
+        toast->text[0] = '\0';
+    }
+    return is_over;
+}
+
+/* --- frames ----------------------------------------------------------------------------------- */
+
+/** Grows or shrinks the window by as much as the bar, so that the picture keeps its size.
+ *  @return Whether the window has another size now. */
+static bool fit_window(Window *window) {
+    Uint32 flags = SDL_GetWindowFlags(window->sdl.window);
+    int width = 0, height = 0, bar = window_area(window).y, added = bar - window->fitted_bar;
+    window->fitted_bar = bar;
+    if (flags & (SDL_WINDOW_FULLSCREEN_DESKTOP | SDL_WINDOW_MAXIMIZED) || added == 0) {
+        return false;
+    }
+    SDL_GetWindowSize(window->sdl.window, &width, &height);
+    height += (int)(added / pixels_per_unit(window));
+    SDL_SetWindowSize(window->sdl.window, width, SDL_max(1, height));
+    return true;
+}
+
+/** Has the bar laid out: it learns its height in one frame, and has it in the next. */
+static void layout_toolbar(Window *window) {
+    window_present(window);
+    window_present(window);
+}
+
+void window_relayout_toolbar(Window *window) {
+    layout_toolbar(window);
+    for (int i = 0; i < LAYOUTS_MAXIMUM && fit_window(window); i++) {
+        layout_toolbar(window); // Its letters follow the height below it.
+    }
+    window_on_resize(window);
+}
+
+void window_open_widgets(Window *window) {
+    window->gui = gui_create(window->sdl.window, window->sdl.renderer, font_path());
+    window->toolbar.is_folded = true;
+    if (window->gui && !window->state.is_playing) {
+        set_hint(window);
+        window_toggle_toolbar(window);
+    }
+}
+
+void window_toggle_toolbar(Window *window) {
+    int width = 0, height = 0;
+    window->toolbar.is_folded = !window->toolbar.is_folded;
+    layout_toolbar(window);
+    sdl_window_size(&window->sdl, &width, &height);
+    if (window_area(window).y > TOOLBAR_FRACTION_MAXIMUM * height) {
+        window->toolbar.is_folded = true;
+        window_set_toast(window, gettext("the window is too small for the bar"));
+    }
+    window_relayout_toolbar(window);
+}
+
+bool window_widgets_are_due(Window *window, double now) {
+    bool is_over = toast_expire(&window->toast, now);
+    is_over = toast_expire(&window->hint, now) || is_over;
+    return is_over || gui_needs_frame(window->gui);
+}
+
+double window_widgets_timeout(const Window *window, double now) {
+    const Toast *const toasts[] = {&window->toast, &window->hint};
+    double delay = gui_needs_frame(window->gui) ? 0 : WINDOW_NO_TIMEOUT;
+    for (size_t i = 0; i < sizeof toasts / sizeof *toasts; i++) {
+        if (toasts[i]->text[0] != '\0') {
+            delay = fmin(delay, fmax(0, toasts[i]->end_time - now));
+        }
+    }
+    return delay;
+}
+
+/** @return A rectangle of pixels in screen units. */
+static SDL_Rect to_units(SDL_Rect rect, double scale) {
+    return (SDL_Rect){(int)(rect.x / scale), (int)(rect.y / scale), (int)(rect.w / scale),
+                      (int)(rect.h / scale)};
+}
+
+/** Shows the bar. */
+static void show_toolbar(Window *window) {
+    const WindowState *state = &window->state;
+    ToolbarContent content = {.help = &window->help,
+                              .viewport = window_active_viewport(window),
+                              .split = window->split.mode,
+                              .shows_settings = window->shows_settings,
+                              .shows_rays = window->inspector.is_open,
+                              .is_animated = state->is_animated,
+                              .is_running = state->is_running,
+                              .is_recording = state->is_recording};
+    toolbar_show(&window->toolbar, &content);
+}
+
+/** Shows the messages: the newest one below the bar, the hint at the lower edge. */
+static void show_messages(const Window *window, int width, int height) {
+    float gap = gui_text_size();
+    if (window->toast.text[0] != '\0') {
+        gui_message("toast", window->toast.text,
+                    (GuiPoint){(float)width / 2, window->toolbar.height + gap / 2}, GUI_BELOW);
+    }
+    if (window->hint.text[0] != '\0') {
+        gui_message("hint", window->hint.text,
+                    (GuiPoint){(float)width / 2, (float)height - gap / 2}, GUI_ABOVE);
+    }
+}
+
+/** Shows what the pixel under the mouse shows. @param height Of the window, screen units. */
+static void show_readout(const Window *window, int height) {
+    int x = 0, y = 0;
+    double right, down;
+    bool is_inside = SDL_GetMouseFocus() == window->sdl.window;
+    SDL_GetMouseState(&x, &y);
+    is_inside = is_inside && window_picture_position(window, x, y, &right, &down);
+    bool is_difference = window->split.mode == SPLIT_DIFFERENCE;
+    if (is_inside && !is_difference && !window->inspector.is_open && window->hint.text[0] == '\0') {
+        bool is_right = window_viewport_count(window) > 1 && right >= window->split.bar_position;
+        pixel_readout_show(&window->viewports[is_right ? 1 : 0], right, down,
+                           (GuiPoint){0, (float)height});
+    }
+}
+
+/** @return The height of letters, screen units. The bar does not count, as it grows with them. */
+static float text_size(const Window *window) {
+    int width = 0, height = 0;
+    double scale = window->text_scale > 0 ? window->text_scale : 1;
+    window_size_below_toolbar(window, &width, &height);
+    // Whole units: the bar keeps its height while the window gains a pixel.
+    return roundf((float)scale * SDL_max(TEXT_SIZE_MINIMUM, (float)height / ROWS_PER_WINDOW));
+}
+
+void window_show_widgets(Window *window) {
+    int width = 0, height = 0;
+    if (!window->gui) {
+        return;
+    }
+    SDL_GetWindowSize(window->sdl.window, &width, &height);
+    gui_begin_frame(window->gui, text_size(window));
+    show_toolbar(window);
+    bool is_picture = !window->help.is_open && !window->browser.is_open;
+    window->light_marks.count = 0;
+    if (is_picture && !window->inspector.is_open && !window->toolbar.is_folded &&
+        window->state.scene) {
+        SDL_Rect picture = to_units(window_picture_rect(window), pixels_per_unit(window));
+        light_marks_show(&window->light_marks, window->state.scene, &picture,
+                         window->state.selected_light);
+    }
+    if (is_picture && !window->toolbar.is_folded) {
+        show_readout(window, height);
+    }
+    show_messages(window, width, height);
+    gui_end_frame(window->gui);
+}
+
+const LightMark *window_light_at(const Window *window, int x, int y) {
+    return light_marks_at(&window->light_marks, (GuiPoint){(float)x, (float)y},
+                          MARK_REACH * text_size(window));
+}
+
+bool window_drag_offset(const Window *window, size_t light, GuiPoint from, GuiPoint to,
+                        bool is_along, Vec3d *offset) {
+    SDL_Rect picture = to_units(window_picture_rect(window), pixels_per_unit(window));
+    return window->state.scene && light_marks_drag_offset(window->state.scene, light, &picture,
+                                                          from, to, is_along, offset);
+}

@@ -1,0 +1,110 @@
+#!/bin/bash
+# The bar of buttons, the marks of the lights and the messages on the picture, by mouse alone.
+. "$(dirname "$0")/check.sh"
+. tests/screen.sh
+box=$root/scenes/box.lua
+with_bar=yes
+
+# view_of: takes a snapshot and sets `shot` to its path and `view` to its scene text.
+view_of() {
+    local before
+    before=$(wc -l <"$work/log")
+    xdotool key p
+    for _ in {1..600}; do
+        [ "$(wc -l <"$work/log")" -gt "$before" ] && break || sleep 0.02
+    done
+    view=$(tail -1 "$work/log")
+    shot=$work/shots/${view##*-- }
+}
+light() { sed 's/.*light { position = {\([^}]*\)}.*/\1/' <<<"$view" | tr -d ','; }
+
+start_server
+open "$box" --samples 1
+settled
+tall=$(height)
+[ "$tall" -gt 600 ] && ok 'the bar does not take the picture its place' || fail "the window is $tall high"
+"$dioptre" render "$box" --samples 1 -o "$work/render.bmp"
+view_of
+same "$shot" "$work/render.bmp" 'a snapshot under the bar equals render'
+
+# --- marks of lights ---------------------------------------------------------------------------------
+# The light of the box is at the top of the picture, in its middle.
+was=($(light))
+top=$((tall - 600))
+xdotool mousemove --window "$window" 400 $((top + 16)) mousedown 1
+xdotool mousemove --window "$window" 340 $((top + 60)) mousemove --window "$window" 300 $((top + 150)) mouseup 1
+view_of
+now=($(light))
+awk "BEGIN { exit !(${now[0]} < ${was[0]} - 0.1 && ${now[1]} < ${was[1]} - 0.1) }" &&
+    ok 'a light is dragged by its mark' || fail "the light went from ${was[*]} to ${now[*]}"
+awk "BEGIN { d = ${now[2]} - ${was[2]}; exit !(d < 1e-9 && d > -1e-9) }" &&
+    ok 'in the plane that faces the camera' || fail "the light went from ${was[*]} to ${now[*]}"
+xdotool keydown shift mousemove --window "$window" 300 $((top + 150)) mousedown 1 \
+    mousemove --window "$window" 300 $((top + 140)) mousemove --window "$window" 300 $((top + 120)) mouseup 1 keyup shift
+was=("${now[@]}")
+view_of
+now=($(light))
+awk "BEGIN { exit !(${now[2]} < ${was[2]} - 0.1 && ${now[0]} - ${was[0]} < 0.01) }" &&
+    ok 'with Shift along the direction of view' || fail "the light went from ${was[*]} to ${now[*]}"
+xdotool key Home
+
+# --- the screen as a picture -------------------------------------------------------------------------
+xdotool key 3
+shown 'distance.*finished'
+before=$(wc -l <"$work/log")
+xdotool key shift+p
+for _ in {1..600}; do [ "$(wc -l <"$work/log")" -gt "$before" ] && break || sleep 0.05; done
+seen=$work/shots/$(tail -1 "$work/log")
+[ "$(identify -format '%wx%h %m' "$seen")" = '800x600 PNG' ] && ok 'Shift P saves the screen as PNG' ||
+    fail "it is $(identify "$seen" 2>&1)"
+identify -format '%[dioptre:view] %[*]' "$seen" 2>/dev/null | cat - <(strings "$seen") >"$work/words"
+grep -q 'camera { position' "$work/words" && ok 'with the view in its metadata' || fail "$(head -c 300 "$work/words")"
+view_of
+"$dioptre" compare "$seen" "$shot" >/dev/null && fail 'the legend is in the picture' || ok 'the legend is in the picture'
+xdotool key 1
+shown 'pass 1 px.*finished'
+
+# --- a recorded drag ---------------------------------------------------------------------------------
+xdotool key r
+expect_shown 'recording' 'r records'
+xdotool mousemove --window "$window" 400 $((top + 16)) mousedown 1 \
+    mousemove --window "$window" 430 $((top + 90)) mousemove --window "$window" 470 $((top + 130)) mouseup 1
+xdotool key n
+view_of
+kept=$shot
+xdotool key r
+lesson=
+for _ in {1..200}; do
+    lesson=$(sed -n 's/.*\(box-lesson-[0-9]*\.lua\)$/\1/p' "$work/log" | tail -1)
+    [ -n "$lesson" ] && break || sleep 0.02
+done
+grep -q '^drag(1, ' "$work/shots/$lesson" && ok 'a lesson records the drag' || fail "no drag in $lesson"
+leave
+mkdir -p "$work/replay"
+expect 0 '' 'and is played without a viewer' \
+    "$dioptre" view --lesson "$work/shots/$lesson" --lesson-snapshots "$work/replay"
+same "$kept" "$(ls "$work"/replay/*.bmp | head -1)" 'to the bit'
+
+# --- widgets -----------------------------------------------------------------------------------------
+open "$box" --samples 1
+settled
+# The list of layers is wide, third in the first row; its second entry lies two rows below it.
+xdotool mousemove --window "$window" 220 18 click 1
+settled
+xdotool mousemove --window "$window" 220 66 click 1
+expect_shown 'normals.*finished' 'a list of the bar chooses a layer'
+xdotool mousemove --window "$window" 220 18 click 1
+settled
+xdotool key Escape
+settled
+shown 'normals' && ok 'Esc closes the list, not the layer' || fail "the title says $(title)"
+xdotool key Escape
+expect_shown 'pass 1 px.*finished' 'Esc again: the light'
+xdotool key F2
+settled
+[ "$(height)" -lt "$tall" ] && ok 'F2 folds the bar' || fail "the window is $(height) high"
+xdotool mousemove --window "$window" 24 20 click 1
+for _ in {1..100}; do [ "$(height)" -ge "$tall" ] && break || sleep 0.03; done
+[ "$(height)" -ge "$tall" ] && ok 'its button unfolds it' || fail "the window is $(height) high"
+leave
+exit $((failures > 0))

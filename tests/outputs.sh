@@ -9,6 +9,7 @@ cd "$work" || exit 1
 # in_background COMMAND...: starts it in a process group of its own, with the signals of a person's
 # terminal; sets pid.
 in_background() {
+    : >err # The old words must be gone before anybody looks for new ones.
     setsid env --default-signal=INT,TERM,HUP "$@" >out 2>err </dev/null &
     pid=$!
 }
@@ -103,9 +104,10 @@ quiet_end() {
 }
 # is_busy: the program handles signals, and is likely to be in the middle of its work.
 is_busy() {
-    local caught
-    caught=$(awk '/^SigCgt/ { print $2 }' "/proc/$pid/status" 2>/dev/null) || return 0 # It has ended.
-    ((0x$caught >> 14 & 1)) && sleep 0.5
+    local caught name
+    name=$(cat "/proc/$pid/comm" 2>/dev/null) || return 0 # It has ended.
+    caught=$(awk '/^SigCgt/ { print $2 }' "/proc/$pid/status" 2>/dev/null) || return 0
+    [ "$name" = dioptre ] && ((0x$caught >> 14 & 1)) && sleep 0.5
 }
 # has PATTERN: whether there is such a file here.
 has() { [ -n "$(find here -name "$1" | head -1)" ]; }

@@ -187,19 +187,33 @@ static void sync_folder(const char *path) {
     }
 }
 
-bool atomic_file_commit(AtomicFile *file, Error *error) {
+/**
+ * Closes the stream of a file with all its bytes.
+ * @return 0, or -1 with errno set.
+ */
+static int close_stream(AtomicFile *file) {
     bool is_whole = !ferror(file->stream);
     int failed = sync_bytes(file), reason = errno;
     if (fclose(file->stream) != 0 && !failed) {
         failed = -1;
         reason = errno;
     }
-    errno = reason;
     file->stream = NULL;
-    if (!is_whole && !failed) {
-        errno = EIO; // An earlier write failed, and its errno is lost.
+    // After an earlier write that failed, its errno is lost.
+    errno = !is_whole && !failed ? EIO : reason;
+    return is_whole ? failed : -1;
+}
+
+bool atomic_file_commit(AtomicFile *file, Error *error) {
+    // A second descriptor keeps the lock until the file has its name.
+    int lock = fcntl(fileno(file->stream), F_DUPFD_CLOEXEC, 0);
+    bool is_renamed = close_stream(file) == 0 && rename_to_target(file) == 0;
+    int reason = errno;
+    if (lock >= 0) {
+        close(lock);
     }
-    if (!is_whole || failed || rename_to_target(file) != 0) {
+    if (!is_renamed) {
+        errno = reason;
         set_system_error(error);
         atomic_file_discard(file);
         return false;

@@ -14,10 +14,16 @@
 /** Size of a note, with its final zero: a location, a path and a sentence. */
 enum { NOTE_SIZE = 2 * ERROR_MESSAGE_SIZE };
 
+/** @return Whether a mesh is made of the scene file itself: its name is `FILE:LINE` then. */
+static bool is_scene_file(const SceneFile *file) {
+    size_t location = strlen(file->location), name = strlen(file->name);
+    return name <= location && strcmp(file->location + location - name, file->name) == 0;
+}
+
 /**
  * Adds a note about a file.
  * @param scene       The scene.
- * @param file        The file.
+ * @param file        The file; its name is left out if it is the scene file itself.
  * @param line        Line of the file; 0: the whole file.
  * @param[out] error  What is wrong.
  * @param format      The text, translated, as for printf.
@@ -28,12 +34,15 @@ static bool add_note(Scene *scene, const SceneFile *file, size_t line, Error *er
 
 static bool add_note(Scene *scene, const SceneFile *file, size_t line, Error *error,
                      const char *format, ...) {
-    char note[NOTE_SIZE], name[SANITIZED_PATH_SIZE], place[sizeof ":18446744073709551615"] = "";
+    char note[NOTE_SIZE], name[SANITIZED_PATH_SIZE];
     sanitize_path(name, file->name);
-    if (line > 0) {
-        snprintf(place, sizeof place, ":%zu", line);
+    if (is_scene_file(file)) {
+        snprintf(note, sizeof note, "%s: ", file->location);
+    } else if (line > 0) {
+        snprintf(note, sizeof note, "%s: %s:%zu: ", file->location, name, line);
+    } else {
+        snprintf(note, sizeof note, "%s: %s: ", file->location, name);
     }
-    snprintf(note, sizeof note, "%s: %s%s: ", file->location, name, place);
     size_t length = strlen(note);
     va_list arguments;
     va_start(arguments, format);

@@ -9,6 +9,7 @@
 #ifndef DIOPTRE_BASE_VEC3D_H
 #define DIOPTRE_BASE_VEC3D_H
 
+#include <float.h>
 #include <math.h>
 #include <stdbool.h>
 
@@ -100,6 +101,14 @@ static inline double vec3d_length(Vec3d v) {
 static inline Vec3d vec3d_normalize(Vec3d v) {
     double length = vec3d_length(v);
     return (Vec3d){v.x / length, v.y / length, v.z / length};
+}
+
+/**
+ * @return Whether a vector has a direction, and so can be normalised. Below the smallest normal
+ *         number its length loses digits.
+ */
+static inline bool vec3d_has_direction(Vec3d v) {
+    return vec3d_length(v) >= DBL_MIN;
 }
 
 /** A bounding box along the axes, in double. */

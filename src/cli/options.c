@@ -335,7 +335,7 @@ Options options_default(void) {
 bool options_parse(const Command *command, int argc, char **argv, Options *options, Error *error) {
     GetoptTables tables = getopt_tables();
     *options = options_default();
-    optind = 1;
+    optind = 0; // Starts anew, whatever an earlier command line has left in getopt_long().
     int code = 0;
     while ((code = getopt_long(argc, argv, tables.short_options, tables.long_options, NULL)) !=
            -1) {

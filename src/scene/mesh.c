@@ -150,7 +150,7 @@ static bool triangle_geometry_init(const Mesh *mesh, const MeshTriangle *triangl
         geometry->edges[i] = vec3d_subtract(to, from);
     }
     Vec3d normal = vec3d_cross(geometry->edges[0], geometry->edges[1]);
-    if (!(vec3d_length(normal) > 0)) {
+    if (!vec3d_has_direction(normal)) {
         return false;
     }
     geometry->normal = vec3d_normalize(normal);

@@ -284,7 +284,8 @@ static bool check_files(BlockCheck *check) {
 /** @return Whether the parts of the scene that are no arrays are valid. */
 static bool check_head(BlockCheck *check) {
     const Scene *scene = check->scene;
-    return check_flag(&scene->has_camera) && check_flag(&scene->is_time_dependent) &&
+    return check_flag(&scene->has_camera) && scene->has_camera &&
+           check_flag(&scene->is_time_dependent) &&
            check_values(check, &scene_camera_keyword, &scene->camera) &&
            isfinite(scene->camera.target_distance) &&
            check_values(check, &scene_image_keyword, &scene->image) &&

@@ -163,6 +163,9 @@ static void parse_header(BmpHeader *header, const uint8_t bytes[HEADER_SIZE + MA
 static bool read_header(FILE *stream, BmpHeader *header, Error *error) {
     uint8_t bytes[HEADER_SIZE + MASKS_SIZE] = {0};
     size_t size = fread(bytes, 1, sizeof bytes, stream);
+    if (ferror(stream)) {
+        return error_set(error, STATUS_SCENE, "%s", error_errno_text(errno));
+    }
     if (size < 2 || memcmp(bytes, "BM", 2) != 0) {
         return error_set(error, STATUS_SCENE, "it is no BMP file");
     }

@@ -88,7 +88,7 @@ static bool has_area(Vec3d a, Vec3d b, Vec3d c) {
     Vec3d first = absolute(vec3d_subtract(b, a)), second = absolute(vec3d_subtract(c, a));
     Vec3d area = absolute(area_vector(a, b, c));
     Vec3d noise = vec3d_scale(cross_sizes(size, vec3d_add(first, second)), AREA_NOISE);
-    return area.x > noise.x || area.y > noise.y || area.z > noise.z;
+    return vec3d_has_direction(area) && (area.x > noise.x || area.y > noise.y || area.z > noise.z);
 }
 
 /**
@@ -130,7 +130,7 @@ static bool grow(MeshBuilder *builder) {
 static bool add_normal(MeshBuilder *builder, const MeshCorner *corner, uint32_t *index) {
     builder->has_normals |= corner->has_normal;
     Vec3d normal = vector_from_array(corner->normal);
-    if (!corner->has_normal || !are_in_range(corner->normal, 3) || !(vec3d_length(normal) > 0)) {
+    if (!corner->has_normal || !are_in_range(corner->normal, 3) || !vec3d_has_direction(normal)) {
         return true;
     }
     normal = vec3d_normalize(normal);

@@ -185,7 +185,7 @@ static bool read_vertex(ObjReader *reader, VertexKind kind) {
              (obj_text_number(&reader->text, &numbers[i]) && fabs(numbers[i]) <= LENGTH_MAXIMUM));
     }
     if (!is_valid) {
-        numbers[0] = NAN;
+        numbers[0] = (double)NAN; // A float, of which clang warns.
         count_skipped(reader);
     }
     return true;

@@ -52,7 +52,7 @@ static void receive(void *bytes, size_t size) {
 
 /** Sends the report of a job, and its block with a result. */
 static void send_answer(const WorkerJob *job, WorkerFrameKind kind) {
-    const WorkerFrame frame = {.kind = kind,
+    const WorkerFrame frame = {.kind = (int)kind,
                                .report_size = job->report ? job->report_size : 0,
                                .block_size = kind == WORKER_FRAME_RESULT ? job->block_size : 0};
     send_bytes(&frame, sizeof frame);

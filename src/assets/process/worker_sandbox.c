@@ -88,7 +88,7 @@ static MemoryUse memory_use(void) {
 }
 
 /** Sets a soft limit, below a hard one that is lowered to a maximum. */
-static void set_limit(int resource, rlim_t wanted, rlim_t maximum) {
+static void set_limit(__rlimit_resource_t resource, rlim_t wanted, rlim_t maximum) {
     struct rlimit limit;
     if (getrlimit(resource, &limit) == 0) {
         limit.rlim_max = maximum < limit.rlim_max ? maximum : limit.rlim_max;

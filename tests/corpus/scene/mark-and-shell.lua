@@ -1,0 +1,2 @@
+﻿#!/usr/bin/dioptre
+camera {} include "box.lua"

@@ -8,6 +8,7 @@ CXX       ?= c++
 OBJCOPY   ?= objcopy
 OPTIMIZE  ?= -O3 -g
 SANITIZE  ?=
+COMMA     := ,
 # $(call SAY,WORD,FILE): says in a line what the recipe does; V=1 prints the whole command instead.
 SAY       = $(if $(V),,@echo '  $(1)  $(2)' && )
 
@@ -17,8 +18,11 @@ WARNINGS  := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion -
 ARITHMETIC := -ffp-contract=off -fno-math-errno -fno-trapping-math
 # SDL's header would bring in Intel's, half a second per file, for CPU queries that nothing here asks.
 CPPFLAGS  := -Iinclude -Isrc -DDIOPTRE_VERSION='"$(VERSION)"' -D_GNU_SOURCE -DSDL_DISABLE_IMMINTRIN_H
-CFLAGS    = -std=gnu11 $(OPTIMIZE) $(WARNINGS) $(ARITHMETIC) -fPIC -pthread $(SANITIZERS)
-CXXFLAGS  = -std=c++17 $(OPTIMIZE) -Wall -Wextra -Wpedantic -Wshadow -Werror -fPIC -fvisibility=hidden $(SANITIZERS)
+CFLAGS    = -std=gnu11 $(OPTIMIZE) $(WARNINGS) $(ARITHMETIC) -fPIC -pthread $(SANITIZERS) $(COUNTERS)
+CXXFLAGS  = -std=c++17 $(OPTIMIZE) -Wall -Wextra -Wpedantic -Wshadow -Werror -fPIC -fvisibility=hidden $(SANITIZERS) $(COUNTERS)
+# COVERAGE=1: a build that counts which lines run.
+COUNTERS   = $(if $(COVERAGE),--coverage -fprofile-update=atomic)
+UNCOUNTED  = $(if $(COVERAGE),-fno-profile-arcs -fno-test-coverage -O3)
 SANITIZERS := $(if $(SANITIZE),-fsanitize=$(SANITIZE) -fno-omit-frame-pointer -fno-sanitize-recover=all)
 PKG_CFLAGS = $(shell pkg-config --cflags $(1) 2>/dev/null)
 PKG_LIBS   = $(shell pkg-config --libs $(1) 2>/dev/null)
@@ -79,7 +83,9 @@ LIBRARIES     = $(call PKG_LIBS,sdl2 SDL2_ttf lua5.4 cairo) -ldl -lm -pthread
 # The program that reads scenes, pictures and models: src/worker/main.c.
 WORKER         := $(BUILD)/dioptre-worker
 WORKER_SOURCES := $(wildcard src/worker/*.c) $(filter src/base/% src/scene/% src/script/% src/assets/%,$(ROOM_SOURCES))
-WORKER_OBJECTS := $(WORKER_SOURCES:%.c=$(OBJ)/%.o)
+WORKER_OBJECTS := $(WORKER_SOURCES:%.c=$(OBJ)/%.o) $(if $(COVERAGE),$(OBJ)/tests/coverage/worker_counters.o)
+# A worker never returns from main: it writes its counters before it replies (tests/coverage).
+COVERAGE_WRAPS := $(addprefix -Wl$(COMMA)--wrap=,send worker_sandbox_filter worker_sandbox_limit)
 
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
@@ -90,7 +96,7 @@ $(PROGRAM): $(CLI_OBJECTS) $(ROOM_OBJECTS)
 	$(call SAY,cc,$@)$(CC) $(CFLAGS) -o $@ $^ $(LIBRARIES)
 
 $(WORKER): $(WORKER_OBJECTS)
-	$(call SAY,cc,$@)$(CC) $(CFLAGS) -o $@ $^ $(call PKG_LIBS,lua5.4) -ldl -lm -pthread
+	$(call SAY,cc,$@)$(CC) $(CFLAGS) $(if $(COVERAGE),$(COVERAGE_WRAPS)) -o $@ $^ $(call PKG_LIBS,lua5.4) -ldl -lm -pthread
 
 $(IMAGES_MODULE): src/assets/images/image_plugin.cpp src/assets/images/image_plugin.h $(FLAGS)
 	$(call NEED,OpenImageIO,libopenimageio-dev)
@@ -138,7 +144,7 @@ KEEP = $(call SAY,ld,$@)$(LD) -r -o $@.all $(filter %.o,$^) && $(OBJCOPY) --keep
 define ONE_SYMBOL
 $(OBJ)/$(1)/%.o: $(2)/%.c $(FLAGS)
 	@mkdir -p $$(@D)
-	$$(call SAY,cc,$$@)$$(CC) $$(CPPFLAGS) $$(CFLAGS) $(4) -MMD -MP -c -o $$@ $$<
+	$$(call SAY,cc,$$@)$$(CC) $$(CPPFLAGS) $$(CFLAGS) $$(UNCOUNTED) $(4) -MMD -MP -c -o $$@ $$<
 $(OBJ)/$(1).o: $(if $(SPLIT),$(3:$(2)/%.c=$(OBJ)/$(1)/%.o),$(OBJ)/$(1)/all.o)
 	$$(call KEEP,$(5))
 endef
@@ -158,7 +164,9 @@ $(OBJ)/src/lab/charts/csv.o: CPPFLAGS += -DDIOPTRE_FLAGS='"$(OPTIMIZE) $(ARITHME
 RUN_PACKAGES  := g++ pkg-config gettext libsdl2-dev libsdl2-ttf-dev liblua5.4-dev libcairo2-dev libopenimageio-dev libassimp-dev fonts-dejavu-core
 TEST_PACKAGES := libcmocka-dev clang libclang-rt-14-dev xvfb xauth xdotool x11-xkb-utils xkb-data \
                  imagemagick openbox qemu-user doxygen graphviz ffmpeg parallel slurm-wlm munge gnuplot-nox \
-                 desktop-file-utils appstream shared-mime-info libglib2.0-bin gappa libflint-arb-dev
+                 desktop-file-utils appstream shared-mime-info libglib2.0-bin gappa libflint-arb-dev \
+                 valgrind binutils
+COVERAGE_PACKAGES := gcovr
 BENCH_PACKAGES := gnuplot-nox
 PEER_PACKAGES := povray tachyon libembree-dev libgl-dev libgl1-mesa-dri xvfb xauth
 LINT_PACKAGES := clang-format clang-tidy cppcheck
@@ -185,11 +193,20 @@ run: packages
 # With the engines that tests ask them for: of each number type and width one.
 ASAN_BUILD  := BUILD=build/asan OPTIMIZE='-O1 -g' SANITIZE=address,undefined ENGINES='f32x8 f32x4 f32x1 f64x1 f128x1'
 CLANG_BUILD := BUILD=build/clang CC=clang CXX=clang++ ENGINES='f32x16 f32x4 f64x1'
+TSAN_BUILD  := BUILD=build/tsan OPTIMIZE='-O1 -g' SANITIZE=thread ENGINES='f32x8 f64x1 f128x1'
+# What reads strangers' bytes, with clang's fuzzer; nothing of it is traced, so it has no engine.
+FUZZ_BUILD  := BUILD=build/fuzz CC=clang CXX=clang++ OPTIMIZE='-O1 -g' SANITIZE=fuzzer-no-link,address,undefined,float-cast-overflow ENGINES=
+# Counts which lines and branches run; those of the engines are not counted, which are as fast as ever.
+COVERAGE_BUILD := BUILD=build/coverage OPTIMIZE='-O1 -g' COVERAGE=1 ENGINES='f32x8 f64x1 f128x1'
 .PHONY: asan tsan clang
 asan:
 	@$(MAKE) --no-print-directory $(ASAN_BUILD) all
+# The worker is that of the release: it has one thread, and its filter of system calls refuses what the
+# thread sanitizer asks for.
 tsan:
-	@$(MAKE) --no-print-directory BUILD=build/tsan OPTIMIZE='-O1 -g' SANITIZE=thread all
+	@$(MAKE) --no-print-directory all
+	@$(MAKE) --no-print-directory -j2 $(TSAN_BUILD) build/tsan/dioptre
+	@ln -sf ../dioptre-worker build/tsan/dioptre-worker
 clang:
 	@$(MAKE) --no-print-directory $(CLANG_BUILD) all
 
@@ -207,14 +224,68 @@ $(BUILD)/tests/%: tests/%.c $(wildcard tests/*.h) $(ROOMS) $(WORKER)
 # Ball arithmetic, which judges the laboratory's reference.
 $(BUILD)/tests/test_arb: private LIBRARIES += -lflint-arb -lflint
 
+# The floors are below what was measured by a little; tests/coverage.sh names the tests that count.
+.PHONY: coverage
+coverage: test-packages
+	@.ci/packages $(COVERAGE_PACKAGES)
+	@$(MAKE) --no-print-directory -j2 $(COVERAGE_BUILD) all tests
+	@tests/coverage.sh
+
 .PHONY: test tests
 test: test-packages
 	@$(MAKE) --no-print-directory -j2 all tests
 	@$(MAKE) --no-print-directory -j2 $(ASAN_BUILD) all tests
 	@$(MAKE) --no-print-directory -j2 clang
+	@$(MAKE) --no-print-directory -j2 $(FUZZ_BUILD) fuzzers
+	@$(MAKE) --no-print-directory tsan
 	@tests/run.sh
 
-tests: $(TESTS)
+tests: $(TESTS) $(BUILD)/tests/faults.so
+
+# Makes calls to the system fail; never linked, but preloaded.
+$(BUILD)/tests/faults.so: tests/faults/faults.c $(FLAGS)
+	@mkdir -p $(@D)
+	$(call SAY,cc,$@)$(CC) -std=gnu11 -O1 -g -Wall -Wextra -Werror -fPIC -shared -o $@ $<
+
+# Each call to the system fails once: all of them, which takes a quarter of an hour.
+.PHONY: faults
+faults: test-packages
+	@$(MAKE) --no-print-directory all $(BUILD)/tests/faults.so
+	@FAULTS=0 tests/faults.sh
+
+# --- fuzzing -------------------------------------------------------------------------------------
+# Each file of tests/fuzz is a target.
+FUZZ_TARGETS := $(patsubst tests/fuzz/%.c,%,$(wildcard tests/fuzz/*.c))
+FUZZERS      := $(FUZZ_TARGETS:%=$(BUILD)/fuzzers/%)
+FUZZ_OBJECTS := $(filter-out $(OBJ)/src/worker/%,$(WORKER_OBJECTS)) \
+                $(addprefix $(OBJ)/src/,cli/options.o cli/frames.o render/report_methods.o)
+FUZZ_LIBRARY := $(BUILD)/librooms.a
+$(FUZZ_LIBRARY): $(FUZZ_OBJECTS)
+	$(call SAY,ar,$@)rm -f $@ && ar rcs $@ $^
+$(OBJ)/tests/%.o: CPPFLAGS += -Itests/fuzz
+# What a target replaces in the rooms, and what it shares with others.
+FUZZ_WRAPS    = $(addprefix -Wl$(COMMA)--wrap=,$(WRAPS))
+SCRIPT_WRAPS  := lua_newstate lua_sethook worker_enter_sandbox worker_job_ask
+WORKER_WRAPS  := worker_process_call worker_process_call_once
+$(addprefix $(BUILD)/fuzzers/,scene lesson nff): WRAPS := $(SCRIPT_WRAPS)
+$(addprefix $(BUILD)/fuzzers/,scene lesson nff): $(OBJ)/tests/fuzz/shared/script_target.o
+$(addprefix $(BUILD)/fuzzers/,texture mesh): WRAPS := $(WORKER_WRAPS)
+$(addprefix $(BUILD)/fuzzers/,texture mesh): $(OBJ)/tests/fuzz/shared/handover.o
+$(BUILD)/fuzzers/block: WRAPS := $(SCRIPT_WRAPS) $(WORKER_WRAPS) scene_create
+$(BUILD)/fuzzers/block: $(OBJ)/tests/fuzz/shared/script_target.o $(OBJ)/tests/fuzz/shared/handover.o
+$(BUILD)/fuzzers/reply: WRAPS := posix_spawn posix_spawn_file_actions_adddup2 kill waitpid
+$(BUILD)/fuzzers/%: $(OBJ)/tests/fuzz/%.o $(FUZZ_LIBRARY)
+	@mkdir -p $(@D)
+	$(call SAY,cc,$@)$(CC) $(CFLAGS) -fsanitize=fuzzer $(FUZZ_WRAPS) -o $@ $(filter %.o,$^) $(FUZZ_LIBRARY) $(call PKG_LIBS,lua5.4) -ldl -lm -pthread
+.SECONDARY: $(FUZZ_TARGETS:%=$(OBJ)/tests/fuzz/%.o)
+.PHONY: fuzzers fuzz
+fuzzers: $(FUZZERS)
+
+# A minute, or FUZZ_SECONDS, of random input for all that reads strangers' bytes.
+fuzz: test-packages
+	@$(MAKE) --no-print-directory all
+	@$(MAKE) --no-print-directory $(FUZZ_BUILD) fuzzers
+	@FUZZ_SECONDS=$(FUZZ_SECONDS) tests/fuzz.sh
 
 # Half an hour of random keys in the window, with the sanitizers on.
 .PHONY: soak

@@ -11,7 +11,7 @@ agree() {
 
 # --- make doc, in a copy -------------------------------------------------------------------------
 mkdir -p "$work/tree/tests"
-cp -r .ci include src doc README.md README.fr.md Makefile Doxyfile "$work/tree"
+cp -r .ci include src doc README.md README.fr.md SECURITY.md Makefile Doxyfile "$work/tree"
 html=$work/tree/build/doc/html
 if make -C "$work/tree" doc >"$work/log" 2>&1; then
     ok 'make doc finds nothing undocumented'

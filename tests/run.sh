@@ -28,14 +28,16 @@ fi
 rm -rf "$logs" && mkdir -p "$logs"
 # The longest first, so that none is left over at the end.
 {
+    echo tests/fuzz.sh
     for build in build/asan build; do
         ls -S tests/test_*.c | sed "s|^tests/\(.*\)\.c$|$build/tests/\1|"
         if [ $build = build/asan ]; then
             for script in film readme farm lesson models pictures documentation bad-input nff spd language lab gappa chart \
-                engines probe command-line desktop trouble style; do
+                engines probe command-line desktop terminal trouble faults threads memcheck style; do
                 echo "tests/$script.sh"
             done
             echo BUILD=build/asan tests/soak.sh
+            echo BUILD=build/tsan SOAK_SECONDS=10 tests/soak.sh
         fi
     done
 } | xargs -d '\n' -P "${JOBS:-2}" -n 1 "$0" --one

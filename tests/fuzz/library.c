@@ -42,13 +42,18 @@ static const char *write_file(const uint8_t *data, size_t size) {
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     Mesh *mesh = NULL;
     Error error = {0};
+    AssetBudget budget;
     const char *path = write_file(data, size);
-    if (mesh_file_read(path, NULL, &mesh, &error)) {
+    AssetFile file = {.path = path, .descriptor = open(path, O_RDONLY | O_CLOEXEC)};
+    FUZZ_REQUIRE(fstat(file.descriptor, &file.info) == 0);
+    asset_budget_init(&budget);
+    if (mesh_file_read(&file, &budget, NULL, &mesh, &error)) {
         FUZZ_REQUIRE(mesh_validate(mesh, &error));
     } else {
         FUZZ_REQUIRE(!mesh && error.status == STATUS_SCENE && error.message[0]);
     }
     mesh_release(mesh);
+    close(file.descriptor);
     unlink(path);
     return 0;
 }

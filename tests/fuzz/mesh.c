@@ -6,6 +6,8 @@
 
 #include "assets/meshes/mesh_file.h"
 
+#include <fcntl.h>
+
 /** Any mesh file; it is opened, but nobody reads it. */
 static const char FILE_OF_PROJECT[] = "tests/meshes/hand-negative.obj";
 /** Most items of an array that is made up for a head that fits its block. */
@@ -79,10 +81,17 @@ static void check_mesh(const Mesh *mesh) {
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    static AssetFile file;
+    AssetBudget budget;
     Mesh *mesh = NULL;
     Error error = {0};
     input = (FuzzInput){data, size};
-    if (mesh_file_read(FILE_OF_PROJECT, NULL, &mesh, &error)) {
+    if (!file.path) {
+        file = (AssetFile){FILE_OF_PROJECT, open(FILE_OF_PROJECT, O_RDONLY | O_CLOEXEC), {0}};
+        FUZZ_REQUIRE(fstat(file.descriptor, &file.info) == 0);
+    }
+    asset_budget_init(&budget);
+    if (mesh_file_read(&file, &budget, NULL, &mesh, &error)) {
         check_mesh(mesh);
     } else {
         FUZZ_REQUIRE(!mesh && error.status != STATUS_OK);

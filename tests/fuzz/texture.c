@@ -59,10 +59,13 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     static const ImageWorker worker = {.program = "fuzz", .task = "fuzz"};
     static const ImageReadLimits limits = {
         .time_limit = 1, .memory_limit = 1 << 20, .texture_capacity = 1 << 20};
+    static const ImageSource source = {.format = "png"};
     Texture *texture = NULL;
     Error error = {0};
+    AssetBudget budget;
+    asset_budget_init(&budget);
     input = (FuzzInput){data, size};
-    if (image_worker_call(&worker, "png", 0, &limits, &texture, &error)) {
+    if (image_worker_call(&worker, &source, &limits, &budget, &texture, &error)) {
         check_texture(texture);
     } else {
         FUZZ_REQUIRE(!texture && error.status != STATUS_OK);

@@ -9,7 +9,7 @@
 #include "dioptre/renderer.h"
 #include "dioptre/script.h"
 #include "render/precision_estimate.h"
-#include "render/z_fighting.h"
+#include "render/z_fighting/z_fighting.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -9,7 +9,7 @@
 #include "dioptre/renderer.h"
 #include "dioptre/script.h"
 #include "render/precision_estimate.h"
-#include "render/z_fighting.h"
+#include "render/z_fighting/z_fighting.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -315,6 +315,23 @@ static void add_disk_on_cone(Scene *scene, double gap) {
     add_shape(scene, "disk", &(DiskParameters){{0, -1 + gap, 0}, {0, 1, 0}, 1.2});
 }
 
+/** Adds a glowing panel before a wall. */
+static void add_panel_on_wall(Scene *scene, double gap) {
+    Error error = {0};
+    size_t kind = 0;
+    while (strcmp(scene_light_classes[kind]->keyword->name, "rectangle_light") != 0) {
+        kind++;
+    }
+    SceneLight light = *(const SceneLight *)scene_light_classes[kind]->keyword->defaults;
+    const double edges[] = {1, 0, 0, 0, 1, 0};
+    memcpy(light.own, edges, sizeof edges);
+    light.class_index = kind;
+    light.position = (Vec3d){-0.5, -0.5, -2 + gap};
+    assert_true(scene_add_light(scene, &light, &error));
+    add_red(scene);
+    add_shape(scene, "quad", &(QuadParameters){{-3, -3, -2}, {6, 0, 0}, {0, 6, 0}});
+}
+
 /** Adds a disk before a wall behind the eye, which a mirror shows. */
 static void add_mirrored_disk(Scene *scene, double gap) {
     add_color(scene, (Rgbd){0, 0, 0}, 0.9);
@@ -360,6 +377,7 @@ static const NearPair near_pairs[] = {{"disk on plane", 6, 3.2, true, add_disk_o
                                       {"ellipsoids", 6, 5, false, add_ellipsoids},
                                       {"cones", 6, 5, false, add_cones},
                                       {"disk on cone", 6, 2, true, add_disk_on_cone},
+                                      {"panel on wall", 6, 8, false, add_panel_on_wall},
                                       {"disk in a mirror", 6, 10, true, add_mirrored_disk},
                                       {"glass on floor", 6, 2, false, add_glass_on_floor}};
 

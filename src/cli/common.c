@@ -6,7 +6,7 @@
 #include "base/sanitize.h"
 #include "cli/commands.h"
 #include "dioptre/script.h"
-#include "render/z_fighting.h"
+#include "render/z_fighting/z_fighting.h"
 
 #include <ctype.h>
 #include <libintl.h>

@@ -10,7 +10,7 @@
 
 #include "render/shadow_terminator.h"
 #include "render/trapped_light.h"
-#include "render/z_fighting.h"
+#include "render/z_fighting/z_fighting.h"
 
 #include <math.h>
 

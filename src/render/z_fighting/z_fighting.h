@@ -12,8 +12,8 @@
  * ellipsoids, and the sides of cylinders and cones. What is not: the triangles of two meshes, and
  * distance fields.
  */
-#ifndef DIOPTRE_RENDER_Z_FIGHTING_H
-#define DIOPTRE_RENDER_Z_FIGHTING_H
+#ifndef DIOPTRE_RENDER_Z_FIGHTING_Z_FIGHTING_H
+#define DIOPTRE_RENDER_Z_FIGHTING_Z_FIGHTING_H
 
 #include "dioptre/scene.h"
 

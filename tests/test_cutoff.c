@@ -189,12 +189,138 @@ static void test_hidden_surfaces(void **state) {
     for_every_engine(check_hidden_surfaces);
 }
 
+/** How the rays of a picture are traced. */
+typedef enum TraceWay {
+    TRACE_WAVEFRONTS,  /**< As usual: many camera rays together. */
+    TRACE_ONE_BY_ONE,  /**< Each camera ray for itself: packets with one live ray. */
+    TRACE_RECURSIVELY, /**< Packet by packet, recursively, as where paths are recorded. */
+    TRACE_WAY_COUNT
+} TraceWay;
+
+/** Traces a picture of #COLUMNS by #ROWS rays. @return The number of rays. */
+static RayCounts trace_in_a_way(const Engine *engine, const Scene *scene, TraceLimits limits,
+                                TraceWay way, double *rgb) {
+    Error error = {0};
+    uint64_t path_hashes[COLUMNS * ROWS];
+    const TraceSettings settings = {
+        .depth = limits.depth, .cutoff = limits.cutoff, .offset = OFFSET_BOUND};
+    Tracer *tracer = engine->create_tracer(scene, &settings, &error);
+    RayCounts counts = {0};
+    assert_non_null(tracer);
+    engine->set_view(tracer, scene, COLUMNS, ROWS);
+    PixelGrid grid = {.columns = COLUMNS, .rows = ROWS, .stride = 1};
+    grid.path_hashes = way == TRACE_RECURSIVELY ? path_hashes : NULL;
+    if (way != TRACE_ONE_BY_ONE) {
+        engine->trace(tracer, &grid, rgb, &counts);
+    }
+    for (uint16_t pixel = 0; way == TRACE_ONE_BY_ONE && pixel < COLUMNS * ROWS; pixel++) {
+        double one[3];
+        grid.selected = &pixel;
+        grid.selected_count = 1;
+        engine->trace(tracer, &grid, one, &counts);
+        for (int channel = 0; channel < 3; channel++) {
+            rgb[channel * COLUMNS * ROWS + pixel] = one[channel];
+        }
+    }
+    engine->destroy(tracer);
+    return counts;
+}
+
+/** Checks that a scene gives the same bits in all ways, and no more rays in wavefronts.
+ *  @return The number of secondary rays of wavefronts. */
+static uint64_t check_ways(const Engine *engine, const Scene *scene, TraceLimits limits) {
+    double pictures[TRACE_WAY_COUNT][VALUES];
+    uint64_t rays[TRACE_WAY_COUNT], unresolved[TRACE_WAY_COUNT];
+    for (TraceWay way = 0; way < TRACE_WAY_COUNT; way++) {
+        RayCounts counts = trace_in_a_way(engine, scene, limits, way, pictures[way]);
+        rays[way] = counts.reflection + counts.refraction;
+        unresolved[way] = counts.unresolved;
+        assert_memory_equal(pictures[way], pictures[0], sizeof pictures[0]);
+        assert_true(unresolved[way] == unresolved[0]);
+    }
+    assert_true(rays[TRACE_ONE_BY_ONE] <= rays[TRACE_RECURSIVELY]);
+    return rays[TRACE_WAVEFRONTS];
+}
+
+/** @return Balls that mirror a half and let the other half through, close together. */
+static Scene *half_mirror_scene(void) {
+    Scene *scene = create_empty_scene();
+    SceneMaterial material = glass_material(1.5);
+    material.transparency = material.reflectivity = (Rgbd){0.5, 0.5, 0.5};
+    scene->sky.horizon = scene->sky.zenith = (Rgbd){0.8, 0.85, 0.9};
+    use_material(scene, material);
+    for (int i = 1; i <= 12; i++) {
+        Vec3d at = {0.6 * sin(i * 2.1), 0.4 * cos(i * 1.3), 0.5 * sin(i * 0.9)};
+        add_placed_sphere(scene, here, at, 0.4);
+    }
+    set_camera(scene, here, (Vec3d){0.1, 0.2, 4}, (Vec3d){0, 0, -1});
+    return scene;
+}
+
+/** @return A ball that lets red light through and mirrors all other light, in a mirroring ball: the
+ *          throughput of no ray ever falls. */
+static Scene *undying_rays_scene(void) {
+    Scene *scene = create_empty_scene();
+    SceneMaterial material = glass_material(1.5);
+    material.transparency = (Rgbd){1, 0, 0};
+    material.reflectivity = (Rgbd){0, 1, 1};
+    use_material(scene, material);
+    add_placed_sphere(scene, here, (Vec3d){0, 0, 0}, 2);
+    use_material(scene, mirror_material(1));
+    add_placed_sphere(scene, here, (Vec3d){0, 0, 0}, 4);
+    set_camera(scene, here, (Vec3d){0.1, 0.2, 3}, (Vec3d){0, 0, -1});
+    return scene;
+}
+
+/** Packets with one live ray give the bits of full ones, and wavefronts those of the recursion;
+ * also where rays are too many for the memory of a wavefront, and a group of camera rays is
+ * divided. */
+static void check_wavefronts(const Engine *engine) {
+    /** Rays that a wavefront has room for: see src/trace/tracer/wavefront.c. */
+    const uint64_t room = 131072;
+    if (engine->mantissa_bits > 64) {
+        return;
+    }
+    for (uint64_t seed = 1; seed <= 6; seed++) {
+        Scene *scene = random_scene(seed);
+        check_ways(engine, scene, (TraceLimits){DEPTH_MAXIMUM, CUTOFF_DEFAULT});
+        scene_destroy(scene);
+    }
+    Scene *scene = half_mirror_scene();
+    uint64_t rays = check_ways(engine, scene, (TraceLimits){DEPTH_MAXIMUM, CUTOFF_DEFAULT / 20});
+    assert_true(rays > room);
+    scene_destroy(scene);
+}
+
+/** @param state Not used. */
+static void test_wavefronts(void **state) {
+    (void)state;
+    for_every_engine(check_wavefronts);
+}
+
+/** One camera ray with more rays than a wavefront has room for is traced recursively. */
+static void test_undying_rays(void **state) {
+    (void)state;
+    const Engine *engine = engine_find("f32x8", NULL);
+    Scene *scene = undying_rays_scene();
+    double wide[3], narrow[3];
+    RayCounts counts = trace_picture(engine, scene, (TraceLimits){22, 0}, 1, 1, wide);
+    assert_true(counts.reflection + counts.refraction > 2 * 131072);
+    engine = engine_find("f32x1", NULL);
+    if (engine) {
+        trace_picture(engine, scene, (TraceLimits){22, 0}, 1, 1, narrow);
+        assert_memory_equal(wide, narrow, sizeof wide);
+    }
+    scene_destroy(scene);
+}
+
 /** @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_random_scenes),   cmocka_unit_test(test_lanes),
         cmocka_unit_test(test_bright_lights),   cmocka_unit_test(test_guard),
-        cmocka_unit_test(test_hidden_surfaces),
+        cmocka_unit_test(test_hidden_surfaces), cmocka_unit_test(test_wavefronts),
+        cmocka_unit_test(test_undying_rays),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -138,12 +138,13 @@ INLINE void bvh_prefetch(const Bvh *bvh, const BvhIntersector *intersector, uint
 /**
  * Intersects a packet with the items of a tree, roughly from near to far: coherent rays as a
  * packet, others one by one.
+ * @param intervals        The intervals of the packet; not used with one lane.
  * @param[in,out] limits   Largest distances per vector; hits lower them.
  * @param intersector      Intersects the leaves.
  * @param[in,out] results  Last argument of #BvhIntersector.intersect_leaf.
  */
-void bvh_traverse(const Bvh *bvh, const Packet *packet, real *limits,
-                  const BvhIntersector *intersector, void *results);
+void bvh_traverse(const Bvh *bvh, const Packet *packet, const PacketIntervals *intervals,
+                  real *limits, const BvhIntersector *intersector, void *results);
 
 /** A set of rays of a packet: bit i of element v represents lane i of vector v. */
 typedef struct PacketLanes {

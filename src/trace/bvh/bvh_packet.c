@@ -148,8 +148,8 @@ static void packet_traversal_step(PacketTraversal *traversal, const Bvh *bvh,
     }
 }
 
-void bvh_traverse(const Bvh *bvh, const Packet *packet, real *limits,
-                  const BvhIntersector *intersector, void *results) {
+void bvh_traverse(const Bvh *bvh, const Packet *packet, const PacketIntervals *intervals,
+                  real *limits, const BvhIntersector *intersector, void *results) {
     PacketTraversal traversal;
     traversal.packet = packet;
     traversal.limits = limits;
@@ -157,9 +157,7 @@ void bvh_traverse(const Bvh *bvh, const Packet *packet, real *limits,
     for (int v = 0; v < PACKET_VECTORS; v++) {
         traversal.stack[0].lanes.bits[v] = (uint16_t)mask_bits(packet->active[v]);
     }
-    if (LANES > 1) {
-        traversal.intervals = packet_intervals(packet);
-    }
+    traversal.intervals = *intervals;
     if (LANES == 1 ||
         (!intersector->prefers_vectors && !packet_intervals_are_coherent(&traversal.intervals))) {
         bvh_traverse_single(bvh, 0, &traversal.stack[0].lanes, packet, limits, intersector,

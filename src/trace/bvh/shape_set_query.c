@@ -107,7 +107,8 @@ static void leaf_occluded(const void *items, BvhLeaf leaf, const BvhLeafRays *ra
 }
 
 /** Finds the closest hits in the BVH, if there is one. @param[in,out] hits Nearest hits so far. */
-static void set_bvh_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits) {
+static void set_bvh_closest_hits(const ShapeSet *set, const Packet *packet,
+                                 const PacketIntervals *intervals, Hit *hits) {
     const BvhIntersector callback = {
         .items = set, .prefers_vectors = true, .intersect_leaf = leaf_closest_hits};
     real limits[PACKET_VECTORS];
@@ -115,14 +116,15 @@ static void set_bvh_closest_hits(const ShapeSet *set, const Packet *packet, Hit 
         for (int v = 0; v < PACKET_VECTORS; v++) {
             limits[v] = hits[v].distance;
         }
-        bvh_traverse(&set->bvh, packet, limits, &callback, hits);
+        bvh_traverse(&set->bvh, packet, intervals, limits, &callback, hits);
     }
 }
 
 /** Finds the rays that the BVH occludes, if there is one. @param[in,out] occluded The occluded
  * rays.
  */
-static void set_bvh_occluded(const ShapeSet *set, const Packet *packet, mask *occluded) {
+static void set_bvh_occluded(const ShapeSet *set, const Packet *packet,
+                             const PacketIntervals *intervals, mask *occluded) {
     const BvhIntersector callback = {
         .items = set, .prefers_vectors = true, .intersect_leaf = leaf_occluded};
     real limits[PACKET_VECTORS];
@@ -130,7 +132,7 @@ static void set_bvh_occluded(const ShapeSet *set, const Packet *packet, mask *oc
         for (int v = 0; v < PACKET_VECTORS; v++) {
             limits[v] = real_select(occluded[v], real_of(-1), packet->limit[v]);
         }
-        bvh_traverse(&set->bvh, packet, limits, &callback, occluded);
+        bvh_traverse(&set->bvh, packet, intervals, limits, &callback, occluded);
     }
 }
 
@@ -152,7 +154,8 @@ static void leaf_visit(const void *items, BvhLeaf leaf, const BvhLeafRays *rays,
 }
 
 /** Visits the shapes of the BVH, if there is one. */
-static void set_bvh_visit(const ShapeSet *set, const Packet *packet, VisitRequest *visit) {
+static void set_bvh_visit(const ShapeSet *set, const Packet *packet,
+                          const PacketIntervals *intervals, VisitRequest *visit) {
     const BvhIntersector callback = {
         .items = set, .prefers_vectors = true, .intersect_leaf = leaf_visit};
     real limits[PACKET_VECTORS];
@@ -160,17 +163,20 @@ static void set_bvh_visit(const ShapeSet *set, const Packet *packet, VisitReques
         for (int v = 0; v < PACKET_VECTORS; v++) {
             limits[v] = packet->limit[v];
         }
-        bvh_traverse(&set->bvh, packet, limits, &callback, visit);
+        bvh_traverse(&set->bvh, packet, intervals, limits, &callback, visit);
     }
 }
 
 /* --- all shapes ------------------------------------------------------------------------------ */
 
+/** @return The intervals of a packet, where they are used: not with one lane, nor without shapes.
+ */
+static PacketIntervals set_intervals(const ShapeSet *set, const Packet *packet) {
+    return LANES > 1 && set->count > 0 ? packet_intervals(packet) : (PacketIntervals){0};
+}
+
 void shape_set_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits) {
-    PacketIntervals intervals = {0};
-    if (LANES > 1 && set->linear_count > 0) {
-        intervals = packet_intervals(packet);
-    }
+    const PacketIntervals intervals = set_intervals(set, packet);
     for (int v = 0; v < PACKET_VECTORS; v++) {
         hits[v] = hit_none(packet->limit[v]);
     }
@@ -182,14 +188,11 @@ void shape_set_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits
             shape_closest_hits(shape, real_lane(candidates.near, lane), packet, hits);
         }
     }
-    set_bvh_closest_hits(set, packet, hits);
+    set_bvh_closest_hits(set, packet, &intervals, hits);
 }
 
 void shape_set_occluded(const ShapeSet *set, const Packet *packet, mask *occluded) {
-    PacketIntervals intervals = {0};
-    if (LANES > 1 && set->linear_count > 0) {
-        intervals = packet_intervals(packet);
-    }
+    const PacketIntervals intervals = set_intervals(set, packet);
     for (int v = 0; v < PACKET_VECTORS; v++) {
         occluded[v] = mask_of(false);
     }
@@ -200,14 +203,11 @@ void shape_set_occluded(const ShapeSet *set, const Packet *packet, mask *occlude
             shape_occluded(set->linear[index], packet, occluded);
         }
     }
-    set_bvh_occluded(set, packet, occluded);
+    set_bvh_occluded(set, packet, &intervals, occluded);
 }
 
 void shape_set_visit(const ShapeSet *set, const Packet *packet, ShapeVisitor visitor, void *found) {
-    PacketIntervals intervals = {0};
-    if (LANES > 1 && set->linear_count > 0) {
-        intervals = packet_intervals(packet);
-    }
+    const PacketIntervals intervals = set_intervals(set, packet);
     for (size_t block = 0; block < aabb_pack_count(set->linear_count); block++) {
         unsigned remaining = linear_candidates(set, &intervals, block).remaining;
         for (; remaining; remaining &= remaining - 1) {
@@ -220,5 +220,5 @@ void shape_set_visit(const ShapeSet *set, const Packet *packet, ShapeVisitor vis
         }
     }
     VisitRequest visit = {visitor, found};
-    set_bvh_visit(set, packet, &visit);
+    set_bvh_visit(set, packet, &intervals, &visit);
 }

@@ -128,6 +128,11 @@ INLINE void light_sample_center(Vec3 center, const RayOffset *offset, const Surf
                                 LightSample *sample) {
     for (int v = 0; v < PACKET_VECTORS; v++) {
         const Hit *hit = &surface->hits[v];
+        if (!any(surface->needs_light[v])) {
+            sample->shadow_rays.active[v] = mask_of(false);
+            sample->shadow_rays.limit[v] = sample->distance_squared[v] = real_of(1);
+            continue;
+        }
         Vec3 to_light = vec3_subtract(center, hit->point);
         Vec3 origin = ray_offset_origin(offset, hit, to_light);
         light_sample_set(surface, v, to_light, sample);

@@ -47,6 +47,11 @@ static void find_overridden(const RayOffset *offset, const Dielectrics *dielectr
         const Hit *hit = &hits[v];
         Vec3 direction = rays->rays[v].direction, normal = hit->normal;
         mask hit_lanes = rays->active[v] & (hit->shape >= integer_of(0));
+        if (!any(hit_lanes)) {
+            is_transmitted[v] = segments.active[v] = mask_of(false);
+            segments.limit[v] = real_of(0);
+            continue;
+        }
         integer shape = integer_select(hit_lanes, hit->shape, integer_of(-1));
         is_transmitted[v] = hit_lanes & (dielectrics_ior(dielectrics, shape) > 0);
         shape_before[v] = interior_list_cross(&interior[v], &rays->rays[v], hit, is_transmitted[v]);
@@ -59,6 +64,10 @@ static void find_overridden(const RayOffset *offset, const Dielectrics *dielectr
         dielectrics_cross_segments(dielectrics, &segments, interior);
     }
     for (int v = 0; v < PACKET_VECTORS; v++) {
+        if (!any(is_transmitted[v])) {
+            overridden[v] = mask_of(false);
+            continue;
+        }
         overridden[v] = is_transmitted[v] & (shape_before[v] == interior_list_top(&interior[v]));
     }
 }
@@ -103,7 +112,7 @@ void shadow_transmittance_find(const ShapeSet *shapes, const RayOffset *offset,
     for (int v = 0; v < PACKET_VECTORS; v++) {
         rays.active[v] &= mask_not(occluded[v]);
         transmittance[v] = (Rgb){real_of(1), real_of(1), real_of(1)};
-        if (surface->dielectrics->may_override) {
+        if (surface->dielectrics->may_override && any(rays.active[v])) {
             interior[v] = surface->interior[v];
         }
     }

@@ -112,7 +112,8 @@ INLINE void losses_clear(Losses *losses) {
 /** @return The number of active rays. */
 unsigned packet_active_count(const Packet *packet);
 
-/** @return The intervals of a packet with at least one active ray. */
+/** @return The intervals of a packet with at least one active ray. Engines of one lane test each
+ * box for its ray, without intervals. */
 PacketIntervals packet_intervals(const Packet *packet);
 
 /**

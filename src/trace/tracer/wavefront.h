@@ -19,8 +19,8 @@
 #include "trace/tracer/tracer.h"
 
 /** Packets of camera rays that are traced side by side: with fewer, the packets of deep levels are
- *  less full; with more, the nodes leave the cache (measured with 1, 2, 4, 8). */
-enum { WAVEFRONT_PACKETS = 4 };
+ *  less full; with more, the nodes leave the cache (measured with 1, 2, 4). */
+enum { WAVEFRONT_PACKETS = 2 };
 
 /** A packet of camera rays and its results. */
 typedef struct CameraPacket {

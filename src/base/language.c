@@ -96,6 +96,11 @@ void language_init_as(bool is_french) {
     setlocale(LC_MESSAGES, is_french ? TRANSLATED_LOCALE : ENGLISH_LOCALE);
 }
 
+void language_preload(void) {
+    const char *any_text = TEXT_DOMAIN;
+    gettext(any_text);
+}
+
 void language_toggle(void) {
     setlocale(LC_MESSAGES, language_is_french() ? ENGLISH_LOCALE : TRANSLATED_LOCALE);
 }

@@ -28,6 +28,9 @@ void language_init(void);
  */
 void language_init_as(bool is_french);
 
+/** Opens the translations now, for a process that will not be allowed to open files. */
+void language_preload(void);
+
 /** Switches to the other language, in all threads. */
 void language_toggle(void);
 

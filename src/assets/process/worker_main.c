@@ -9,7 +9,6 @@
 #include "base/language.h"
 
 #include <errno.h>
-#include <libintl.h>
 #include <math.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -135,7 +134,7 @@ _Noreturn void worker_main(char **argv, const WorkerTask *tasks) {
     set_signals((pid_t)atoi(argv[3]));
     worker_sandbox_prepare();
     language_init_as(strcmp(argv[4], "fr") == 0);
-    gettext(""); // Opens the translations, which the filter of system calls would refuse.
+    language_preload(); // The filter of system calls would refuse to open the translations.
     while (task->name && strcmp(task->name, argv[2]) != 0) {
         task++;
     }

@@ -31,7 +31,7 @@ rm -rf "$logs" && mkdir -p "$logs"
     for build in build/asan build; do
         ls -S tests/test_*.c | sed "s|^tests/\(.*\)\.c$|$build/tests/\1|"
         if [ $build = build/asan ]; then
-            for script in film readme farm lesson models pictures documentation bad-input nff spd language lab gappa chart \
+            for script in film readme farm lesson models pictures documentation bad-input hostile-modules limits nff spd language lab gappa chart \
                 engines probe command-line desktop trouble style; do
                 echo "tests/$script.sh"
             done

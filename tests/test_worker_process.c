@@ -6,13 +6,25 @@
 
 #include "assets/process/worker_main.h"
 #include "assets/process/worker_process.h"
+#include "assets/process/worker_protocol.h"
 
 #include "base/clock.h"
 
+#include <errno.h>
+#include <fcntl.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <pthread.h>
 #include <sched.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/ptrace.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/syscall.h>
+#include <sys/un.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -66,10 +78,188 @@ static void retry_task(WorkerJob *job) {
     worker_exit_to_retry();
 }
 
+/** What a worker that was taken over tries. */
+typedef enum {
+    TRY_SOCKET,      /**< The network. */
+    TRY_EXEC,        /**< Another program. */
+    TRY_FORK,        /**< Another process. */
+    TRY_KILL,        /**< A signal to its parent. */
+    TRY_TRACE,       /**< Its parent's memory. */
+    TRY_SEND_FILE,   /**< To pass a descriptor on. */
+    TRY_KILL_COUNT,  /**< The first that is refused with an error number. */
+    TRY_OPEN,        /**< A file by its name. */
+    TRY_CREATE,      /**< A new file. */
+    TRY_REMOVE,      /**< To remove a file. */
+    TRY_CODE,        /**< Memory that is run. */
+    TRY_UNPROTECT,   /**< Memory that becomes code. */
+    TRY_MEMORY,      /**< A GiB of memory. */
+    TRY_SHARED,      /**< 16 GiB of shared memory, which the limit of data does not count. */
+    TRY_PRIVILEGES,  /**< Its own core files again. */
+    TRY_ERROR_COUNT, /**< The first that is allowed. */
+    TRY_READ,        /**< The file that was sent along. */
+    TRY_THREAD,      /**< A thread. */
+    TRY_CLOCK        /**< The time, and to sleep. */
+} Attempt;
+
+/** Bytes of memory that the sandbox of the attempts allows. */
+enum { ATTEMPT_MEMORY = 64 << 20 };
+
+/** Runs in a thread. See pthread_create. @return Its argument. */
+static void *run_nothing(void *argument) {
+    return argument;
+}
+
+/** Sends a descriptor to the program. @return As sendmsg. */
+static ssize_t send_file(int file) {
+    char byte = 0, control[CMSG_SPACE(sizeof file)] = {0};
+    struct iovec part = {&byte, 1};
+    struct msghdr message = {.msg_iov = &part,
+                             .msg_iovlen = 1,
+                             .msg_control = control,
+                             .msg_controllen = sizeof control};
+    struct cmsghdr *rights = CMSG_FIRSTHDR(&message);
+    rights->cmsg_level = SOL_SOCKET;
+    rights->cmsg_type = SCM_RIGHTS;
+    rights->cmsg_len = CMSG_LEN(sizeof file);
+    memcpy(CMSG_DATA(rights), &file, sizeof file);
+    return sendmsg(WORKER_SOCKET, &message, 0);
+}
+
+/** Tries what must kill a worker. @return Whether it worked. */
+static bool try_deadly(Attempt attempt) {
+    char name[] = "/bin/true", *words[] = {name, NULL};
+    switch (attempt) {
+    case TRY_SOCKET:
+        return socket(AF_INET, SOCK_STREAM, 0) >= 0;
+    case TRY_EXEC:
+        return execve(name, words, NULL) == 0;
+    case TRY_FORK:
+        return fork() >= 0;
+    case TRY_KILL:
+        return kill(getppid(), 0) == 0;
+    case TRY_TRACE:
+        return ptrace(PTRACE_SEIZE, getppid(), NULL, NULL) == 0;
+    default:
+        return send_file(WORKER_SOCKET) >= 0;
+    }
+}
+
+/** Tries what is refused or allowed. @return Whether it worked; if not, errno. */
+static bool try_harmless(const WorkerJob *job, Attempt attempt) {
+    pthread_t thread;
+    char byte;
+    switch (attempt) {
+    case TRY_OPEN:
+        return open("/etc/passwd", O_RDONLY) >= 0;
+    case TRY_CREATE:
+        return open("/tmp/dioptre-owned", O_CREAT | O_WRONLY, 0600) >= 0;
+    case TRY_REMOVE:
+        return unlink("/tmp/dioptre-owned") == 0;
+    case TRY_CODE:
+        return mmap(NULL, 4096, PROT_READ | PROT_EXEC, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0) !=
+               MAP_FAILED;
+    case TRY_UNPROTECT:
+        return mprotect(mmap(NULL, 4096, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0), 4096,
+                        PROT_READ | PROT_EXEC) == 0;
+    case TRY_MEMORY:
+        return mmap(NULL, (size_t)1 << 30, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1,
+                    0) != MAP_FAILED;
+    case TRY_SHARED:
+        return mmap(NULL, (size_t)16 << 30, PROT_READ | PROT_WRITE,
+                    MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0) != MAP_FAILED;
+    case TRY_PRIVILEGES:
+        return prctl(PR_SET_DUMPABLE, 1) == 0;
+    case TRY_READ:
+        return pread(job->file, &byte, 1, 0) == 1 && byte == '#';
+    case TRY_THREAD:
+        return pthread_create(&thread, NULL, run_nothing, NULL) == 0 &&
+               pthread_join(thread, NULL) == 0;
+    default:
+        return usleep(1000) == 0 && clock() >= 0;
+    }
+}
+
+/** Enters the sandbox and tries something. Reports 0: it worked, else errno. */
+static void attempt_task(WorkerJob *job) {
+    static int report;
+    Attempt attempt = *(const Attempt *)job->request;
+    job->report = &report;
+    job->report_size = sizeof report;
+    worker_job_ready();
+    worker_enter_sandbox(ATTEMPT_MEMORY);
+    errno = 0;
+    bool is_done = attempt < TRY_KILL_COUNT ? try_deadly(attempt) : try_harmless(job, attempt);
+    report = is_done ? 0 : errno ? errno : -1;
+}
+
+/** Reports the resources that the sandbox leaves. */
+static void limits_task(WorkerJob *job) {
+    static rlim_t report[3];
+    static const int resources[3] = {RLIMIT_FSIZE, RLIMIT_NOFILE, RLIMIT_CPU};
+    worker_job_ready();
+    worker_enter_sandbox(ATTEMPT_MEMORY);
+    for (int i = 0; i < 3; i++) {
+        struct rlimit limit;
+        getrlimit(resources[i], &limit);
+        report[i] = limit.rlim_cur;
+    }
+    job->report = report;
+    job->report_size = sizeof report;
+}
+
+/** Uses up its processor time in a thread that no signal of the program reaches. */
+static void sandboxed_spin_task(WorkerJob *job) {
+    (void)job;
+    worker_job_ready();
+    worker_enter_sandbox(ATTEMPT_MEMORY);
+    for (volatile unsigned long i = 0;; i++) {
+    }
+}
+
+/** Sends frames of a kind without end. */
+static void flood_task(WorkerJob *job) {
+    const WorkerFrame frame = {.kind = *(const int *)job->request};
+    worker_job_ready();
+    for (;;) {
+        send(WORKER_SOCKET, &frame, sizeof frame, 0);
+    }
+}
+
+/** Asks a question of some size, and reports the first byte of the answer. */
+static void ask_task(WorkerJob *job) {
+    static int report;
+    static const char question[2 * WORKER_QUESTION_MAXIMUM] = "q";
+    worker_job_ready();
+    worker_enter_sandbox(ATTEMPT_MEMORY);
+    WorkerAnswer answer = worker_job_ask(question, *(const size_t *)job->request);
+    char byte = 0;
+    report = answer.size == 1 && answer.file >= 0 && read(answer.file, &byte, 1) == 1
+                 ? *(char *)answer.bytes * 256 + byte
+                 : -1;
+    free(answer.bytes);
+    job->report = &report;
+    job->report_size = sizeof report;
+}
+
+/** Ends before it is ready, as a library that finds no memory. */
+static void early_task(WorkerJob *job) {
+    (void)job;
+    abort();
+}
+
 /** Worker tasks of this program. */
-static const WorkerTask tasks[] = {{"abort", abort_task}, {"spin", spin_task},
-                                   {"hang", hang_task},   {"echo", echo_task},
-                                   {"retry", retry_task}, {0}};
+static const WorkerTask tasks[] = {{"abort", abort_task},
+                                   {"hang", hang_task},
+                                   {"echo", echo_task},
+                                   {"retry", retry_task},
+                                   {"try", attempt_task},
+                                   {"spin", spin_task},
+                                   {"sandboxed spin", sandboxed_spin_task},
+                                   {"flood", flood_task},
+                                   {"ask", ask_task},
+                                   {"early", early_task},
+                                   {"limits", limits_task},
+                                   {0}};
 
 // --- tests ---------------------------------------------------------------------------------------
 
@@ -227,16 +417,182 @@ static void test_worker_dies_with_its_parent(void **state) {
     close(ends[0]);
 }
 
-/** @return 0 if all tests pass. */
+/** Skips a test where the system filters no system calls. */
+static void require_filter(void) {
+    if (worker_process_was_unfiltered()) {
+        skip();
+    }
+}
+
+/** Tries something in a worker. @return The reply. @param[out] report 0: it worked; else errno. */
+static WorkerReply attempt(Attempt what, int *report) {
+    *report = -2;
+    WorkerCall call = call_of("try", &what, sizeof what, 10, report);
+    call.file = open("tests/test_worker_process.c", O_RDONLY | O_CLOEXEC);
+    if (call.file < 0) {
+        call.file = open("/proc/self/maps", O_RDONLY | O_CLOEXEC);
+    }
+    WorkerReply reply = worker_process_call_once(&call);
+    close(call.file);
+    return reply;
+}
+
+/** A worker that reads a stranger's bytes reaches nothing but its memory, its file, its socket. */
+static void test_sandbox(void **state) {
+    (void)state;
+    int report;
+    assert_int_equal(attempt(TRY_THREAD, &report).end, WORKER_FINISHED);
+    assert_int_equal(report, 0);
+    assert_int_equal(attempt(TRY_CLOCK, &report).end, WORKER_FINISHED);
+    assert_int_equal(report, 0);
+    require_filter();
+    for (Attempt what = 0; what < TRY_KILL_COUNT; what++) {
+        WorkerReply reply = attempt(what, &report);
+        assert_int_equal(reply.end, WORKER_CRASHED);
+        assert_int_equal(reply.detail, SIGSYS);
+        assert_true(reply.is_ready);
+    }
+    for (Attempt what = TRY_KILL_COUNT + 1; what < TRY_ERROR_COUNT; what++) {
+        assert_int_equal(attempt(what, &report).end, WORKER_FINISHED);
+        assert_true(report == EACCES || report == ENOSYS || report == EPERM || report == ENOMEM);
+    }
+    assert_int_not_equal(access("/tmp/dioptre-owned", F_OK), 0);
+}
+
+/** Files, descriptors and processor time are limited. */
+static void test_limits(void **state) {
+    (void)state;
+    rlim_t limits[3] = {0};
+    WorkerCall call = call_of("limits", NULL, 0, 7, NULL);
+    call.report = limits;
+    call.report_capacity = sizeof limits;
+    assert_int_equal(worker_process_call_once(&call).end, WORKER_FINISHED);
+    assert_int_equal(limits[0], 0);
+    assert_in_range(limits[1], 4, 64);
+    assert_in_range(limits[2], 7, 9);
+    int report;
+    call = call_of("sandboxed spin", NULL, 0, 0.1, &report);
+    assert_int_equal(worker_process_call_once(&call).end, WORKER_TIMED_OUT);
+}
+
+/** A worker that never stops talking, or says what is no message, is ended. */
+static void test_floods(void **state) {
+    (void)state;
+    static const struct {
+        int kind;      /**< Kind of the frames. */
+        WorkerEnd end; /**< How the call ends. */
+    } floods[] = {{WORKER_FRAME_READY, WORKER_CRASHED},
+                  {WORKER_FRAME_PROGRESS, WORKER_TIMED_OUT},
+                  {WORKER_FRAME_UNFILTERED, WORKER_TIMED_OUT},
+                  {WORKER_FRAME_REPORT, WORKER_TIMED_OUT},
+                  {WORKER_FRAME_QUESTION, WORKER_CRASHED},
+                  {-1, WORKER_CRASHED},
+                  {99, WORKER_CRASHED}};
+    for (size_t i = 0; i < sizeof floods / sizeof *floods; i++) {
+        int report;
+        WorkerCall call = call_of("flood", &floods[i].kind, sizeof floods[i].kind, 0.3, &report);
+        assert_int_equal(worker_process_call_once(&call).end, floods[i].end);
+    }
+}
+
+/** Answers `A` with a file of which the first byte is read. See #WorkerCall.answer. */
+static bool answer_with_file(void *context, const void *question, size_t size,
+                             WorkerResponse *response) {
+    int *count = context;
+    ++*count;
+    response->bytes = "A";
+    response->size = 1;
+    response->file = open("/proc/self/status", O_RDONLY | O_CLOEXEC);
+    return size == 1 && *(const char *)question == 'q';
+}
+
+/** @return The lowest free descriptor, which shows whether any was left open. */
+static int next_descriptor(void) {
+    int file = dup(STDERR_FILENO);
+    close(file);
+    return file;
+}
+
+/** A question is answered with bytes and a file; one that is not valid ends the worker. */
+static void test_questions(void **state) {
+    (void)state;
+    size_t sizes[] = {1, 2, WORKER_QUESTION_MAXIMUM + 1};
+    int count = 0, report = 0, first = next_descriptor();
+    for (size_t i = 0; i < 3; i++) {
+        WorkerCall call = call_of("ask", &sizes[i], sizeof *sizes, 10, &report);
+        call.answer = answer_with_file;
+        call.answer_context = &count;
+        WorkerReply reply = worker_process_call_once(&call);
+        assert_int_equal(reply.end, i == 0 ? WORKER_FINISHED : WORKER_CRASHED);
+        assert_int_equal(report, 'A' * 256 + 'N'); // Name: ...
+    }
+    assert_int_equal(count, 2);
+    assert_int_equal(next_descriptor(), first);
+}
+
+/** A worker that dies before it is ready is told from one that a file brings down. */
+static void test_early_end(void **state) {
+    (void)state;
+    char reason[WORKER_REASON_SIZE];
+    int report, signal_number = SIGSEGV;
+    WorkerCall call = call_of("early", NULL, 0, 10, &report);
+    WorkerReply reply = worker_process_call_once(&call);
+    assert_true(worker_reply_start_failure(&reply, reason));
+    assert_non_null(strstr(reason, "Aborted"));
+    call.program = "/none";
+    reply = worker_process_call_once(&call);
+    assert_true(worker_reply_start_failure(&reply, reason));
+    assert_non_null(strstr(reason, "No such file"));
+    call = call_of("abort", &signal_number, sizeof signal_number, 10, &report);
+    reply = worker_process_call_once(&call);
+    assert_false(worker_reply_start_failure(&reply, reason));
+}
+
+/** The error of a report ends, and has a status that workers have. */
+static void test_reported_error(void **state) {
+    (void)state;
+    Error reported, error;
+    memset(&reported, 'x', sizeof reported);
+    assert_false(worker_error_set(&error, &reported));
+    assert_int_equal(error.status, STATUS_SCENE);
+    assert_int_equal(strlen(error.message), ERROR_MESSAGE_SIZE - 1);
+    reported.status = STATUS_FAILED;
+    worker_error_set(&error, &reported);
+    assert_int_equal(error.status, STATUS_FAILED);
+}
+
+/**
+ * Runs a program under a filter that refuses filters, as an old kernel or a container does.
+ * @return Only if it fails: the exit status.
+ */
+static int run_without_filter(char **words) {
+    struct sock_filter code[] = {
+        BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(struct seccomp_data, nr)),
+        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_seccomp, 0, 1),
+        BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | ENOSYS),
+        BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW)};
+    const struct sock_fprog program = {sizeof code / sizeof *code, code};
+    prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+    if (syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, 0, &program) == 0) {
+        execvp(words[0], words);
+    }
+    return EXIT_FAILURE;
+}
+
+/** @return 0 if all tests pass. `--without-filter PROGRAM...` runs a program, for scripts. */
 int main(int argc, char **argv) {
     const struct CMUnitTest tests_of_workers[] = {
-        cmocka_unit_test(test_ends),
-        cmocka_unit_test(test_processor_time),
-        cmocka_unit_test(test_kept_worker),
-        cmocka_unit_test(test_worker_dies_with_its_parent),
+        cmocka_unit_test(test_ends),        cmocka_unit_test(test_processor_time),
+        cmocka_unit_test(test_kept_worker), cmocka_unit_test(test_worker_dies_with_its_parent),
+        cmocka_unit_test(test_sandbox),     cmocka_unit_test(test_limits),
+        cmocka_unit_test(test_floods),      cmocka_unit_test(test_questions),
+        cmocka_unit_test(test_early_end),   cmocka_unit_test(test_reported_error),
     };
     if (worker_is_requested(argc, argv)) {
         worker_main(argv, tasks);
+    }
+    if (argc > 2 && strcmp(argv[1], "--without-filter") == 0) {
+        return run_without_filter(argv + 2);
     }
     return cmocka_run_group_tests_name("worker", tests_of_workers, NULL, NULL);
 }

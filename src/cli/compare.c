@@ -65,8 +65,8 @@ void cli_compare(const Options *options, Error *error) {
     if (image_file_read(options->arguments[0], &a, error) &&
         image_file_read(options->arguments[1], &b, error)) {
         compare_pictures(&a, &b, options, error);
-    } else {
-        error->status = STATUS_UNREADABLE;
+    } else if (error->status != STATUS_INTERRUPTED) {
+        error->status = STATUS_SCENE; // 1 would say that they differ.
     }
     picture_deinit(&a);
     picture_deinit(&b);

@@ -2,10 +2,12 @@
  * @file
  * @brief The program: the table of commands, their help, and the choice among them.
  */
+#include "assets/process/worker_process.h"
 #include "base/language.h"
 #include "base/scene_name.h"
 #include "base/suggest.h"
 #include "cli/commands.h"
+#include "render/ray_stack.h"
 
 #include <libintl.h>
 #include <signal.h>
@@ -81,7 +83,7 @@ static const Command *find_command(const char *name) {
 /** Prints an error. Errors of a scene or of a picture begin with its file. */
 static void print_error(const Error *error) {
     if (error->message[0]) {
-        bool begins_with_file = error->status == STATUS_SCENE || error->status == STATUS_UNREADABLE;
+        bool begins_with_file = error->status == STATUS_SCENE;
         const char *prefix = begins_with_file ? "" : "dioptre: ";
         fprintf(stderr, "%s%s\n", prefix, error->message);
     }
@@ -153,6 +155,28 @@ static void parse_and_run(int argc, char **argv, Error *error) {
     }
 }
 
+/** A command line, and its result. */
+typedef struct Invocation {
+    int argc;     /**< Number of words. */
+    char **argv;  /**< The words. */
+    Error *error; /**< What is wrong. */
+} Invocation;
+
+/** Parses a command line and runs its command. See #ray_stack_run. */
+static void invoke(void *context) {
+    const Invocation *invocation = context;
+    parse_and_run(invocation->argc, invocation->argv, invocation->error);
+}
+
+/** Says once that the system did not confine the processes that read files. */
+static void print_unfiltered_note(void) {
+    if (worker_process_was_unfiltered()) {
+        fputs(gettext("dioptre: this system does not filter system calls (seccomp): files were "
+                      "read in processes that only have limits of time and memory\n"),
+              stderr);
+    }
+}
+
 /**
  * The program.
  * @param argc  Number of words on the command line.
@@ -164,7 +188,8 @@ int main(int argc, char **argv) {
     // Otherwise a write to a closed pipe, or past the file size limit, kills the program silently.
     signal(SIGPIPE, SIG_IGN);
     signal(SIGXFSZ, SIG_IGN);
-    parse_and_run(argc, argv, &error);
+    ray_stack_run(invoke, &(Invocation){argc, argv, &error}, &error);
+    print_unfiltered_note();
     print_error(&error);
     return (int)error.status;
 }

@@ -2,6 +2,7 @@
  * @file
  * @brief Rendering in the background: passes coarse to fine, double-buffered, restarted at will.
  */
+#include "render/ray_stack.h"
 #include "render/renderer_internal.h"
 
 #include <stdlib.h>
@@ -120,7 +121,7 @@ static bool background_buffers_resize(Renderer *renderer, int width, int height,
 static bool background_renderer_start_thread(Renderer *renderer, Error *error) {
     BackgroundRenderer *background = &renderer->background;
     if (!background->is_running) {
-        int code = pthread_create(&background->thread, NULL, background_renderer_main, renderer);
+        int code = ray_thread_create(&background->thread, background_renderer_main, renderer);
         if (code != 0) {
             return error_set(error, STATUS_FAILED, "cannot start a thread: %s",
                              error_errno_text(code));

@@ -4,6 +4,8 @@
  */
 #include "render/thread_pool.h"
 
+#include "render/ray_stack.h"
+
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -71,7 +73,7 @@ ThreadPool *thread_pool_create(int concurrency, Error *error) {
     pthread_cond_init(&pool->work_available, NULL);
     pthread_cond_init(&pool->all_idle, NULL);
     for (int i = 0; i < concurrency - 1; i++) {
-        int code = pthread_create(&threads[i], NULL, thread_pool_thread_main, pool);
+        int code = ray_thread_create(&threads[i], thread_pool_thread_main, pool);
         if (code != 0) {
             error_set(error, STATUS_FAILED, "cannot start thread %d: %s", i + 2,
                       error_errno_text(code));

@@ -122,7 +122,7 @@ static ImageReadLimits limits_within(const ImageReadLimits *limits, const AssetB
         result.is_time_shared = true;
     }
     if (budget && budget->memory < limits->texture_capacity) {
-        result.texture_capacity = budget->memory;
+        result.texture_capacity = budget->memory > 0 ? budget->memory : 1;
         result.is_memory_shared = true;
     }
     return result;
@@ -249,14 +249,33 @@ bool image_worker_write(const char *format, bool is_linear, const Picture *pictu
 
 // --- in the worker -------------------------------------------------------------------------------
 
+/** Least memory for a picture, bytes; with less, none is read. */
+static const size_t TEXTURE_CAPACITY_MINIMUM = (size_t)1 << 20;
+
+/**
+ * Reserves memory for a picture whose size is not known yet.
+ * @param[in,out] capacity  Its bytes; fewer where addresses are limited.
+ * @return The memory; NULL: there is none.
+ */
+static Texture *map_texture(size_t *capacity) {
+    size_t minimum = *capacity < TEXTURE_CAPACITY_MINIMUM ? *capacity : TEXTURE_CAPACITY_MINIMUM;
+    for (; *capacity >= minimum; *capacity /= 2) {
+        // A shared mapping, which the limit of data does not count.
+        void *memory = mmap(NULL, *capacity, PROT_READ | PROT_WRITE,
+                            MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+        if (memory != MAP_FAILED) {
+            return memory;
+        }
+    }
+    return NULL;
+}
+
 /** Reads the picture of a request. @return Whether it was read. */
 static bool read_texture(WorkerJob *job, const ImagePlugin *plugin, Error *error) {
     const ImageWorkerRequest *request = job->request;
     size_t capacity = request->limits.texture_capacity;
-    // A shared mapping, which the limit of data does not count.
-    Texture *texture = mmap(NULL, capacity, PROT_READ | PROT_WRITE,
-                            MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-    if (texture == MAP_FAILED) {
+    Texture *texture = map_texture(&capacity);
+    if (!texture) {
         return error_set(error, STATUS_FAILED, "no memory for a picture");
     }
     const ImageReadRequest read = {plugin, request->format, job->file, capacity,

@@ -7,6 +7,7 @@
 #include "base/data_dir.h"
 #include "base/language.h"
 #include "base/scene_name.h"
+#include "render/ray_stack.h"
 
 #include <SDL.h>
 #include <dirent.h>
@@ -173,7 +174,7 @@ bool scene_list_start(SceneList *list, const ViewSettings *settings, uint32_t ev
     }
     pthread_mutex_init(&list->mutex, NULL);
     atomic_store(&list->is_running, true);
-    list->is_started = pthread_create(&list->thread, NULL, scene_list_main, list) == 0;
+    list->is_started = ray_thread_create(&list->thread, scene_list_main, list) == 0;
     if (!list->is_started) {
         pthread_mutex_destroy(&list->mutex);
         free(list->scenes);

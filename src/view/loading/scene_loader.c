@@ -4,6 +4,8 @@
  */
 #include "view/loading/scene_loader.h"
 
+#include "render/ray_stack.h"
+
 #include <SDL.h>
 #include <string.h>
 
@@ -76,7 +78,7 @@ static bool scene_loader_start(SceneLoader *loader, Error *error) {
     if (!loader->is_started) {
         pthread_mutex_init(&loader->mutex, NULL);
         pthread_cond_init(&loader->condition, NULL);
-        int code = pthread_create(&loader->thread, NULL, scene_loader_main, loader);
+        int code = ray_thread_create(&loader->thread, scene_loader_main, loader);
         if (code != 0) {
             return error_set(error, STATUS_FAILED, "cannot start a thread: %s",
                              error_errno_text(code));

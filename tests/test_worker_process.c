@@ -208,7 +208,7 @@ static void limits_task(WorkerJob *job) {
 }
 
 /** Uses up its processor time in a thread that no signal of the program reaches. */
-static void confined_spin_task(WorkerJob *job) {
+static void sandboxed_spin_task(WorkerJob *job) {
     (void)job;
     worker_job_ready();
     worker_enter_sandbox(ATTEMPT_MEMORY);
@@ -254,7 +254,7 @@ static const WorkerTask tasks[] = {{"abort", abort_task},
                                    {"retry", retry_task},
                                    {"try", attempt_task},
                                    {"spin", spin_task},
-                                   {"confined spin", confined_spin_task},
+                                   {"sandboxed spin", sandboxed_spin_task},
                                    {"flood", flood_task},
                                    {"ask", ask_task},
                                    {"early", early_task},
@@ -471,7 +471,7 @@ static void test_limits(void **state) {
     assert_in_range(limits[1], 4, 64);
     assert_in_range(limits[2], 7, 9);
     int report;
-    call = call_of("confined spin", NULL, 0, 0.1, &report);
+    call = call_of("sandboxed spin", NULL, 0, 0.1, &report);
     assert_int_equal(worker_process_call_once(&call).end, WORKER_TIMED_OUT);
 }
 
@@ -582,16 +582,11 @@ static int run_without_filter(char **words) {
 /** @return 0 if all tests pass. `--without-filter PROGRAM...` runs a program, for scripts. */
 int main(int argc, char **argv) {
     const struct CMUnitTest tests_of_workers[] = {
-        cmocka_unit_test(test_ends),
-        cmocka_unit_test(test_processor_time),
-        cmocka_unit_test(test_kept_worker),
-        cmocka_unit_test(test_worker_dies_with_its_parent),
-        cmocka_unit_test(test_sandbox),
-        cmocka_unit_test(test_limits),
-        cmocka_unit_test(test_floods),
-        cmocka_unit_test(test_questions),
-        cmocka_unit_test(test_early_end),
-        cmocka_unit_test(test_reported_error),
+        cmocka_unit_test(test_ends),        cmocka_unit_test(test_processor_time),
+        cmocka_unit_test(test_kept_worker), cmocka_unit_test(test_worker_dies_with_its_parent),
+        cmocka_unit_test(test_sandbox),     cmocka_unit_test(test_limits),
+        cmocka_unit_test(test_floods),      cmocka_unit_test(test_questions),
+        cmocka_unit_test(test_early_end),   cmocka_unit_test(test_reported_error),
     };
     if (worker_is_requested(argc, argv)) {
         worker_main(argv, tasks);

@@ -34,6 +34,10 @@ scene 'camera {}\nsdf { 1 }'; bad 2 'field must be a distance field, not a numbe
 scene 'camera {}\nlocal f = distance.sphere {}\nsdf { f, f }'; bad 3 'one has none' 'surface of two fields'
 scene 'camera {}\nlocal f = distance.sphere {}\nsdf { f, field = f }'; bad 3 'takes one field' 'the same, one of them named'
 scene 'camera {}\nsdf { distance.sphere {}, tolerance = 0 }'; bad 2 'tolerance must be' 'tolerance 0'
+scene 'camera {}\nsdf { distance.sphere {}, tolerance = 1e15 }'; bad 2 'at most 1/16 of the longest edge of the field, 0.125, not 1e\+15' 'tolerance larger than the field'
+scene 'camera {}\nsdf { distance.sphere {}, tolerance = 0.126 }'; bad 2 'at most 1/16' 'tolerance that makes a surface of all'
+scene 'camera {}\nsdf { distance.sphere {}:repeat_every{4, 4, 4}, tolerance = 0.26 }'; bad 2 'at most 1/16 of .*, 0.25,' 'tolerance larger than a cell'
+scene 'camera {}\nsdf { function(x, y, z) return math.sin(x) * math.sin(y) * math.sin(z) end, tolerance = 1.01 }'; bad 2 'at most 1/16 of .*, 1, not 1.01' 'tolerance of a field without end'
 scene 'camera {}\nsdf { distance.sphere {}, max_steps = 0 }'; bad 2 'max_steps must be' 'no steps'
 scene 'camera {}\ndistance.box { size = {1, 0, 1} }'; bad 2 'size must be' 'field without size'
 scene 'camera {}\ndistance.box_frame { edge = -0.1 }'; bad 2 'edge must be' 'frame with a negative edge'
@@ -115,6 +119,9 @@ for time in 1e300 -1e300 1e-320; do
 done
 expect 3 'endless-frames.lua:9: position must be' 'time 1e300 that takes the camera along' "$dioptre" render scenes/endless-frames.lua -t 1e300 -o "$work/far.bmp"
 expect 0 '' 'a field that turns all night' limited "$dioptre" render scenes/mandelbulb.lua -t 36000 -o "$work/o.bmp" -s 8x8
+rm -f "$work/o.bmp"
+scene 'camera { position = {0, 0, 9} }\nsdf { distance.sphere {}, tolerance = 0.125 }\nsdf { distance.sphere { radius = 1e-6 } }'
+expect 0 '' 'the largest tolerance, and a field smaller than the usual one' limited "$dioptre" render "$work/s.lua" -o "$work/o.bmp" -s 8x8
 rm -f "$work/o.bmp"
 scene 'camera {}'
 expect 0 '' 'an empty world' "$dioptre" render "$work/s.lua" -o "$work/empty.bmp" -s 9x9

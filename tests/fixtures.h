@@ -7,7 +7,9 @@
 
 #include "testing.h"
 
+#include "assets/asset_budget.h"
 #include "base/picture.h"
+#include "base/regular_file.h"
 
 #include <errno.h>
 #include <ftw.h>
@@ -48,6 +50,13 @@ static inline int fixture_tear_down(void **state) {
     int failed = nftw(fixture->folder, remove_entry, 8, FTW_DEPTH | FTW_PHYS);
     free(fixture);
     return failed;
+}
+
+/** Opens a file as those of a scene are. @return Whether it is open; close its descriptor. */
+static inline bool open_asset(const char *path, AssetFile *file, Error *error) {
+    file->path = path;
+    file->descriptor = regular_file_open(path, &file->info, error);
+    return file->descriptor >= 0;
 }
 
 /**

@@ -137,4 +137,9 @@ for file in "$work"/broken*.nff; do
         { crashes=$((crashes + 1)); echo "$status $(cat "$work/err")"; }
 done
 [ $crashes = 0 ] && ok 'forty broken files are read or refused' || fail "$crashes broken files"
+# --- what cannot be cut ----------------------------------------------------------------------------
+printf 'v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 45\nhither 1\nresolution 16 16\n' >"$work/crossed.nff"
+printf 'p 5\n0 1 0\n3 0 0\n0 0 0\n1 2 0\n1 3 0\np 3\n0 0 0\n1 0 0\n0 1 0\n' >>"$work/crossed.nff"
+expect 0 "^$work/crossed.nff:8: 2 triangles are missing, as edges of polygons cross" 'a polygon whose edges cross is told of' \
+    "$dioptre" render "$work/crossed.nff" -o "$work/o.bmp"
 finish

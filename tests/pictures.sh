@@ -37,6 +37,26 @@ for file in "$work"/good-*; do
     sky "$picture"; draws "$picture in the sky" "$color"
 done
 
+# --- files that are cut off: drawn with what is there and a word about it, or refused -----------------
+for ending in jpg tif png bmp; do
+    "$release" render scenes/box.lua -q -s 48x32 --samples 1 -o "$work/whole.$ending"
+    head -c $(($(stat -c %s "$work/whole.$ending") / 2)) "$work/whole.$ending" >"$work/half.$ending"
+    surface "half.$ending"
+    case $ending in
+    jpg | tif)
+        expect 0 "^$work/s.lua:2: half.$ending: it is cut off or damaged, and some of it is missing" \
+            "half a .$ending is drawn, with a word" limited "$dioptre" render "$work/s.lua" -o "$work/o.bmp" -s 9x9
+        limited "$dioptre" info --json "$work/s.lua" >"$work/out" 2>"$work/err"
+        holds "$work/out" '"damaged": true' 'and info says so'
+        rm "$work/o.bmp"
+        ;;
+    *) refused "half.$ending" '' ;;
+    esac
+    surface "whole.$ending"
+    expect 0 '' "all of a .$ending is drawn, without a word" limited "$dioptre" render "$work/s.lua" -o "$work/o.bmp" -s 9x9
+    rm "$work/o.bmp"
+done
+
 # --- broken files ----------------------------------------------------------------------------------
 for file in "$work"/bmp-* "$work"/hdr-* "$work"/jpg-* "$work"/png-* "$work"/pnm-* "$work"/tga-*; do
     picture=${file##*/}
@@ -59,6 +79,14 @@ surface jpg-bomb-65500.jpg; refused jpg-bomb-65500.jpg '65500 x 65500'
 # 16384 x 16384 floats are within the limits of size and far beyond that of memory.
 printf '#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 16384 +X 16384\n' >"$work/large.hdr"
 surface large.hdr; refused large.hdr 'more than 1024 MiB'
+
+# Sixty names of one file take the memory of one: read sixty times, it would take 2.8 GiB.
+echo 'camera {}' >"$work/links.lua"
+"$release" render "$work/links.lua" -o "$work/wide.png" -s 4096x4096 2>"$work/err" || fail 'a wide picture'
+mkdir "$work/links"
+for i in $(seq 60); do ln "$work/wide.png" "$work/links/$i.png"; done
+echo 'camera {} for i = 1, 60 do sphere { material = material { texture = i .. ".png" } } end' >"$work/links/s.lua"
+expect 0 '' 'sixty links to one picture' sh -c "ulimit -v 2000000; exec '$release' info '$work/links/s.lua'"
 
 # --- what is no file of the scene's ----------------------------------------------------------------
 mkdir "$work/folder.png" "$work/scene"

@@ -393,12 +393,14 @@ static const WorkerTask tasks[] = {{"numbers", numbers_task}, {"flag", flag_task
 /** A picture is refused unless its head agrees with its bytes; its numbers are made valid. */
 static void test_pictures(void **state) {
     (void)state;
-    const ImageReadLimits limits = {10, 1 << 20, 1 << 20};
+    const ImageReadLimits limits = {
+        .time_limit = 10, .memory_limit = 1 << 20, .texture_capacity = 1 << 20};
+    const ImageSource source = {"png", 0};
     for (const WorkerTask *task = tasks; task->name; task++) {
         const ImageWorker worker = {"/proc/self/exe", task->name};
         Texture *texture;
         Error error = {0};
-        bool is_read = image_worker_call(&worker, "png", 0, &limits, &texture, &error);
+        bool is_read = image_worker_call(&worker, &source, &limits, NULL, &texture, &error);
         assert_int_equal(is_read, task == tasks);
         assert_int_equal(error.status, is_read ? STATUS_OK : STATUS_SCENE);
         assert_true(strlen(error.message) < ERROR_MESSAGE_SIZE);

@@ -62,6 +62,20 @@ static int round_trip(const char *path, int width, int height) {
 
 // --- BMP -----------------------------------------------------------------------------------------
 
+/** Reads a texture file, with a whole budget. @return Whether it was read. */
+static bool read_texture_file(const char *path, Texture **texture, Error *error) {
+    AssetFile file;
+    AssetBudget budget;
+    *texture = NULL;
+    asset_budget_init(&budget);
+    if (!open_asset(path, &file, error)) {
+        return false;
+    }
+    bool is_read = texture_file_read(&file, &budget, texture, error);
+    close(file.descriptor);
+    return is_read;
+}
+
 /** A BMP round trip is lossless for every row padding. */
 static void test_bmp_round_trip(void **state) {
     for (int width = 1; width <= 9; width++) {
@@ -390,7 +404,7 @@ static ImageReader *hanging_plugin_open(int file, const char *format, ImageHeade
                                         ImagePluginMessage *message) {
     (void)header;
     for (;;) {
-        sleep(1);
+        __asm__ volatile("");
     }
     return crashing_plugin_open(file, format, header, message);
 }
@@ -437,6 +451,12 @@ static void plugin_close_stub(ImageReader *reader) {
     (void)reader;
 }
 
+/** Has read whole files only. */
+static bool plugin_is_damaged_stub(ImageReader *reader) {
+    (void)reader;
+    return false;
+}
+
 /** A fake plugin as a worker task. */
 #define MODULE_TASK(name, ...)                                                                     \
     static void name##_task(WorkerJob *job) {                                                      \
@@ -448,7 +468,7 @@ MODULE_TASK(interrupting, .open = interrupting_plugin_open)
 MODULE_TASK(hanging, .open = hanging_plugin_open)
 MODULE_TASK(greedy, .open = greedy_plugin_open)
 MODULE_TASK(lying, .open = lying_plugin_open, .read_encoded = plugin_read_stub,
-            .close = plugin_close_stub)
+            .is_damaged = plugin_is_damaged_stub, .close = plugin_close_stub)
 
 /** The worker tasks of this program. */
 static const WorkerTask module_tasks[] = {
@@ -461,13 +481,15 @@ static Error fail_with_module(const char *task, const ImageReadLimits *limits) {
     const ImageWorker worker = {"/proc/self/exe", task};
     Texture *texture;
     Error error = {0};
-    assert_false(image_worker_call(&worker, "png", 0, limits, &texture, &error));
+    assert_false(
+        image_worker_call(&worker, &(ImageSource){"png", 0}, limits, NULL, &texture, &error));
     assert_null(texture);
     return error;
 }
 
 /** Resource limits of a fake plugin. */
-static const ImageReadLimits small_limits = {10, 1 << 20, 1 << 20};
+static const ImageReadLimits small_limits = {
+    .time_limit = 10, .memory_limit = 1 << 20, .texture_capacity = 1 << 20};
 
 /** A crash of a plugin does not crash the program. */
 static void test_module_crashes(void **state) {
@@ -491,10 +513,10 @@ static void test_module_limits(void **state) {
         ImageReadLimits limits; /**< Its limits. */
         const char *words;      /**< Expected part of the message. */
     } cases[] = {
-        {"hanging", {0.3, 1 << 20, 1 << 20}, "more than 0 s"},
-        {"greedy", {10, 1 << 20, 1 << 20}, "got nothing"},
-        {"lying", {10, 1 << 20, 1 << 10}, "more than 0 MiB"},
-        {"lying", {10, 1 << 20, 1 << 20}, "go astray"},
+        {"hanging", {0.3, 1 << 20, 1 << 20, false, false}, "more than 0 s"},
+        {"greedy", {10, 1 << 20, 1 << 20, false, false}, "got nothing"},
+        {"lying", {10, 1 << 20, 1 << 10, false, false}, "more than 0 MiB"},
+        {"lying", {10, 1 << 20, 1 << 20, false, false}, "go astray"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         Error error = fail_with_module(cases[i].task, &cases[i].limits);
@@ -570,7 +592,7 @@ static void test_module_keeps_light(void **state) {
     assert_true(picture_allocate_linear(&picture, &error));
     memcpy(picture.linear, light, sizeof light);
     assert_true(image_file_write(path, &picture, &error));
-    assert_true(texture_file_read(path, &texture, &error));
+    assert_true(read_texture_file(path, &texture, &error));
     assert_true(texture->is_hdr && texture->width == 2 && texture->height == 1);
     assert_memory_equal(texture_hdr_texels(texture), light, 3 * sizeof *light);
     assert_true(texture_hdr_texels(texture)[3] == 0 && texture_hdr_texels(texture)[4] == 0);
@@ -587,13 +609,13 @@ static void test_bmp_texture(void **state) {
     Error error = {0};
     assert_true(image_file_write(path, &picture, &error));
     assert_true(texture_file_check(path, &error));
-    assert_true(texture_file_read(path, &texture, &error));
+    assert_true(read_texture_file(path, &texture, &error));
     assert_true(!texture->is_hdr && texture->width == 5 && texture->height == 3);
     assert_memory_equal(texture_ldr_texels(texture), picture.pixels, 5 * 3 * 3);
     texture_release(texture);
     picture_deinit(&picture);
     assert_false(texture_file_check("none.txt", &error));
-    assert_false(texture_file_read(fixture_path(state, "none.bmp"), &texture, &error));
+    assert_false(read_texture_file(fixture_path(state, "none.bmp"), &texture, &error));
     assert_null(texture);
 }
 

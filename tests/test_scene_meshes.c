@@ -190,13 +190,14 @@ static void test_refused_names(void **state) {
 static void test_refused_models(void **state) {
     write_beside_scene(state, "good.obj", TRIANGLE);
     write_beside_scene(state, "empty.obj", "v 0 0 0\nv 1 0 0\np 1\n");
-    write_beside_scene(state, "escape.obj", "v 0 0 0\nv 1 0 0\nv 0 -\033[31m 0\nf 1 2 3\n");
+    write_beside_scene(state, "escape.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 \033[31m3\n");
     assert_scene_refused(state,
                          "camera {}\nstatue { file = 'good.obj' }\nstatue { file = 'empty.obj' }\n"
                          "statue { file = 'empty.obj' }",
                          3, "empty.obj: there is no triangle in it");
     // Messages of a library cannot contain terminal control sequences.
-    assert_scene_refused(state, "camera {}\nstatue { file = 'escape.obj' }", 2, "escape.obj: ");
+    assert_scene_refused(state, "camera {}\nstatue { file = 'escape.obj' }", 2,
+                         "escape.obj:4: `\\27[31m3` is no corner");
     Error error = {0};
     assert_null(load_scene(state, "camera {}\nstatue { file = 'escape.obj' }", NULL, &error));
     assert_null(strchr(error.message, '\033'));

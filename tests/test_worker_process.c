@@ -7,12 +7,14 @@
 #include "assets/process/worker_main.h"
 #include "assets/process/worker_process.h"
 #include "assets/process/worker_protocol.h"
+#include "base/clock.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
 #include <pthread.h>
+#include <sched.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <sys/mman.h>
@@ -36,9 +38,20 @@ static void abort_task(WorkerJob *job) {
     raise(*(const int *)job->request);
 }
 
-/** Never ends. */
-static void hang_task(WorkerJob *job) {
+/** Never ends, and keeps the processor busy. */
+static void spin_task(WorkerJob *job) {
     static int report = 8;
+    job->report = &report;
+    job->report_size = sizeof report;
+    worker_job_ready();
+    for (;;) {
+        __asm__ volatile("");
+    }
+}
+
+/** Never ends, and uses no processor time. */
+static void hang_task(WorkerJob *job) {
+    static int report = 9;
     job->report = &report;
     job->report_size = sizeof report;
     worker_job_ready();
@@ -193,15 +206,6 @@ static void limits_task(WorkerJob *job) {
     job->report_size = sizeof report;
 }
 
-/** Uses up its processor time in a thread that no signal of the program reaches. */
-static void spin_task(WorkerJob *job) {
-    (void)job;
-    worker_job_ready();
-    worker_enter_sandbox(ATTEMPT_MEMORY);
-    for (volatile unsigned long i = 0;; i++) {
-    }
-}
-
 /** Sends frames of a kind without end. */
 static void flood_task(WorkerJob *job) {
     const WorkerFrame frame = {.kind = *(const int *)job->request};
@@ -278,7 +282,7 @@ static void test_ends(void **state) {
     assert_int_equal(worker_process_call_once(&call).end, WORKER_FINISHED);
     assert_int_equal(report, 7);
     for (int i = 0; i < 2; i++) {
-        call = call_of("hang", NULL, 0, i ? -1 : 0.05, &report);
+        call = call_of("spin", NULL, 0, i ? -1 : 0.05, &report);
         assert_int_equal(worker_process_call_once(&call).end, WORKER_TIMED_OUT);
         assert_int_equal(report, 8);
     }
@@ -288,6 +292,61 @@ static void test_ends(void **state) {
     assert_int_equal(worker_process_call_once(&call).end, WORKER_EXITED);
     call.program = "/none";
     assert_int_equal(worker_process_call_once(&call).end, WORKER_NOT_STARTED);
+}
+
+/** Burns processor time until it is killed. @return Its process. */
+static pid_t start_burner(void) {
+    pid_t burner = fork();
+    while (burner == 0) {
+        __asm__ volatile("");
+    }
+    return burner;
+}
+
+/**
+ * The limit is one of processor time: a worker that gets little of it is not late, and one that
+ * only waits is, by a limit on the wall clock.
+ */
+static void test_processor_time(void **state) {
+    (void)state;
+    enum { BURNERS = 16 };
+    const double limit = 0.1;
+    pid_t burners[BURNERS];
+    int report = 0;
+    cpu_set_t all, one;
+    // All processes on one processor, so that the worker gets a small share of it.
+    assert_int_equal(sched_getaffinity(0, sizeof all, &all), 0);
+    CPU_ZERO(&one);
+    for (size_t i = 0; i < CPU_SETSIZE && CPU_COUNT(&one) == 0; i++) {
+        if (CPU_ISSET(i, &all)) {
+            CPU_SET(i, &one);
+        }
+    }
+    assert_int_equal(sched_setaffinity(0, sizeof one, &one), 0);
+    for (int i = 0; i < BURNERS; i++) {
+        burners[i] = start_burner();
+    }
+    WorkerCall call = call_of("spin", NULL, 0, limit, &report);
+    double start = clock_now_seconds();
+    WorkerReply reply = worker_process_call_once(&call);
+    double taken = clock_now_seconds() - start;
+    for (int i = 0; i < BURNERS; i++) {
+        kill(burners[i], SIGKILL);
+        waitpid(burners[i], NULL, 0);
+    }
+    sched_setaffinity(0, sizeof all, &all);
+    assert_int_equal(reply.end, WORKER_TIMED_OUT);
+    assert_false(reply.is_stalled);
+    assert_int_equal(report, 8);
+    assert_true(reply.seconds >= limit);
+    // By the wall clock it would have been killed long before.
+    assert_true(taken > 2 * limit);
+    call = call_of("hang", NULL, 0, 60, &report);
+    call.wall_limit = 0.2;
+    reply = worker_process_call_once(&call);
+    assert_int_equal(reply.end, WORKER_TIMED_OUT);
+    assert_true(reply.is_stalled && reply.seconds < 0.2);
+    assert_int_equal(report, 9);
 }
 
 /**
@@ -400,9 +459,6 @@ static void test_limits(void **state) {
     assert_int_equal(limits[0], 0);
     assert_in_range(limits[1], 4, 64);
     assert_in_range(limits[2], 7, 9);
-    int report;
-    call = call_of("spin", NULL, 0, 0.1, &report);
-    assert_int_equal(worker_process_call_once(&call).end, WORKER_TIMED_OUT);
 }
 
 /** A worker that never stops talking, or says what is no message, is ended. */
@@ -512,15 +568,11 @@ static int run_without_filter(char **words) {
 /** @return 0 if all tests pass. `--without-filter PROGRAM...` runs a program, for scripts. */
 int main(int argc, char **argv) {
     const struct CMUnitTest tests_of_workers[] = {
-        cmocka_unit_test(test_ends),
-        cmocka_unit_test(test_kept_worker),
-        cmocka_unit_test(test_worker_dies_with_its_parent),
-        cmocka_unit_test(test_sandbox),
-        cmocka_unit_test(test_limits),
-        cmocka_unit_test(test_floods),
-        cmocka_unit_test(test_questions),
-        cmocka_unit_test(test_early_end),
-        cmocka_unit_test(test_reported_error),
+        cmocka_unit_test(test_ends),        cmocka_unit_test(test_processor_time),
+        cmocka_unit_test(test_kept_worker), cmocka_unit_test(test_worker_dies_with_its_parent),
+        cmocka_unit_test(test_sandbox),     cmocka_unit_test(test_limits),
+        cmocka_unit_test(test_floods),      cmocka_unit_test(test_questions),
+        cmocka_unit_test(test_early_end),   cmocka_unit_test(test_reported_error),
     };
     if (worker_is_requested(argc, argv)) {
         worker_main(argv, tasks);

@@ -419,6 +419,21 @@ expect 0 '' 'plays' timeout 60 "$dioptre" view --lesson "$lesson" --lesson-snaps
 played=$(tail -1 "$work/out")
 [ "${played%%  -- *}" = "$recorded" ] && ok 'and walks the same way, to the bit' || fail "$played is not $recorded"
 
+# --- what was left out of files ------------------------------------------------------------------
+printf 'foo\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >"$work/odd.obj"
+echo 'camera { position = {0, 0, 3} } light {} mesh { file = "odd.obj" }' >"$work/odd.lua"
+open "$work/odd.lua"
+words='odd.lua:1: odd.obj:1: 1 statement is not understood and left out'
+expect_shown "finished — .*$words" 'the title says what was left out of a model'
+holds "$work/errors" "$words" 'and standard error'
+screen noted
+xdotool key Right
+differs noted moved
+[[ $(title) =~ $words ]] && fail 'the note stays' || ok 'until the view changes'
+sed -i 's/{} mesh/{}  mesh/' "$work/odd.lua"
+expect_shown "finished — .*$words" 'a changed scene says it again'
+leave
+
 # --- time ----------------------------------------------------------------------------------------
 cat >"$work/time.lua" <<'END'
 camera { position = {0, 0, 8} }

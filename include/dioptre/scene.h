@@ -18,6 +18,7 @@
 #include <stdatomic.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <sys/types.h>
 
 /* --- Textures --------------------------------------------------------------------------------- */
 
@@ -32,6 +33,7 @@ typedef struct Texture {
     int width;   /**< Width in texels, 1 to `IMAGE_SIZE_MAXIMUM`. */
     int height;  /**< Height in texels, 1 to `IMAGE_SIZE_MAXIMUM`. */
     bool is_hdr; /**< Whether texels are floats in linear light; else bytes in sRGB. */
+    bool is_damaged; /**< Whether the file ends early or is damaged: some texels are guesses. */
     atomic_uint reference_count; /**< Number of references. */
 } Texture;
 
@@ -594,6 +596,8 @@ typedef struct SceneFile {
     const char *path;     /**< Absolute path without links. */
     const char *name;     /**< Name in the scene. */
     const char *location; /**< `FILE:LINE` of its first use, the prefix of errors about it. */
+    dev_t device;         /**< With #inode: which file it is, by whatever name; 0 until opened. */
+    ino_t inode;          /**< See #device. */
 } SceneFile;
 
 /** A mesh file that a scene names. */

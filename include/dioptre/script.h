@@ -10,7 +10,7 @@
 
 #include <stdatomic.h>
 
-/** Time limit of a scene file, seconds; library calls count, too. */
+/** Limit of the processor time of a scene file, seconds; library calls count, too. */
 #define SCRIPT_TIME_LIMIT 10.0
 
 /** Memory limit of a scene file, bytes of its Lua data. */
@@ -38,7 +38,7 @@ typedef struct ScriptRequest {
     const char *path;     /**< The scene file; `-` reads standard input. */
     const char *base_dir; /**< Folder of the files that it names; NULL: that of the scene file. */
     double time;          /**< The scene's `t`, seconds. */
-    double time_limit;    /**< Time limit, seconds; #SCRIPT_TIME_LIMIT. */
+    double time_limit;    /**< Limit of processor time, seconds; #SCRIPT_TIME_LIMIT. */
     size_t memory_limit;  /**< Limit of its Lua data, bytes; #SCRIPT_MEMORY_LIMIT. */
     const Keyword *const *shape_keywords; /**< Shapes it can create; NULL ends the list. NULL:
                                                those of the program, #scene_shape_keywords. */

@@ -17,8 +17,16 @@ bool error_set(Error *error, Status status, const char *format, ...) {
         va_list arguments;
         va_start(arguments, format);
         error->status = status;
+        error->line = 0;
         vsnprintf(error->message, sizeof error->message, gettext(format), arguments);
         va_end(arguments);
+    }
+    return false;
+}
+
+bool error_set_line(Error *error, size_t line) {
+    if (error) {
+        error->line = line;
     }
     return false;
 }

@@ -6,6 +6,7 @@
 #define DIOPTRE_BASE_ERROR_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 /** Size of a message, with its final zero: sufficient for two paths and a sentence. */
 enum { ERROR_MESSAGE_SIZE = 1024 };
@@ -23,6 +24,7 @@ typedef enum {
 /** An error: a status and a message. Initialised to `{0}`: no error. */
 typedef struct Error {
     Status status;                    /**< Status; #STATUS_OK: no error. */
+    size_t line;                      /**< Line of the file that is wrong; 0: the whole file. */
     char message[ERROR_MESSAGE_SIZE]; /**< Message, without a final newline. */
 } Error;
 
@@ -36,6 +38,14 @@ typedef struct Error {
  */
 bool error_set(Error *error, Status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
+
+/**
+ * Sets the line of an error, for those who know the file.
+ * @param[in,out] error  An error that is set; may be NULL.
+ * @param line           The line, from 1; 0: the whole file.
+ * @return false, always.
+ */
+bool error_set_line(Error *error, size_t line);
 
 /**
  * Inserts text before the message of an error, such as file and line.

@@ -353,6 +353,8 @@ static const RepairFact repair_facts[] = {
     {"missing_normals", offsetof(MeshRepairs, missing_normals),
      N_("corners given their triangle's normal")},
     {"missing_uvs", offsetof(MeshRepairs, missing_uvs), N_("corners given (0, 0) as (u, v)")},
+    {"skipped_statements", offsetof(MeshRepairs, skipped_statements),
+     N_("statements not understood, left out")},
 };
 
 /** Number of repairs. */
@@ -405,9 +407,10 @@ static void write_meshes(const SceneInfo *info, JsonWriter *json) {
 static void print_texture(const SceneTexture *file) {
     const Texture *texture = file->texture;
     print_sanitized(file->file.name, stdout);
-    printf(gettext(": %d x %d, %s, %.1f MB\n"), texture->width, texture->height,
+    printf(gettext(": %d x %d, %s, %.1f MB%s\n"), texture->width, texture->height,
            texture->is_hdr ? gettext("linear light, floats") : gettext("sRGB, 8 bits"),
-           1e-6 * (double)texture_block_size(texture));
+           1e-6 * (double)texture_block_size(texture),
+           texture->is_damaged ? gettext("; cut off or damaged") : "");
 }
 
 /** Writes all textures as JSON. */
@@ -421,6 +424,7 @@ static void write_textures(const SceneInfo *info, JsonWriter *json) {
         json_integer(json, "height", texture->height);
         json_string(json, "texels", texture->is_hdr ? "linear" : "srgb");
         json_count(json, "bytes", texture_block_size(texture));
+        json_bool(json, "damaged", texture->is_damaged);
         json_object_end(json);
     }
     json_array_end(json);

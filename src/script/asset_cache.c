@@ -10,6 +10,8 @@
 /** A file that was read: a mesh or a texture. */
 typedef struct CacheEntry {
     char *path;       /**< Absolute path without links; owned. */
+    dev_t device;     /**< See #SceneFile.device. */
+    ino_t inode;      /**< See #SceneFile.device. */
     Mesh *mesh;       /**< The mesh, retained; NULL: it is a texture. */
     Texture *texture; /**< The texture, retained; NULL: it is a mesh. */
 } CacheEntry;
@@ -65,13 +67,22 @@ static CacheEntry find_entry(const AssetCache *cache, const char *path) {
     return (CacheEntry){0};
 }
 
+/** Finds a file of a scene in a cache, and sets which file it is. @return See #find_entry. */
+static CacheEntry find_file(const AssetCache *cache, SceneFile *file) {
+    CacheEntry entry = find_entry(cache, file->path);
+    file->device = entry.device;
+    file->inode = entry.inode;
+    return entry;
+}
+
 void asset_cache_fill_scene(const AssetCache *cache, Scene *scene) {
     for (size_t i = 0; i < scene->mesh_count; i++) {
-        scene->meshes[i].mesh = mesh_retain(find_entry(cache, scene->meshes[i].file.path).mesh);
+        SceneMesh *it = &scene->meshes[i];
+        it->mesh = mesh_retain(find_file(cache, &it->file).mesh);
     }
     for (size_t i = 0; i < scene->texture_count; i++) {
-        scene->textures[i].texture =
-            texture_retain(find_entry(cache, scene->textures[i].file.path).texture);
+        SceneTexture *it = &scene->textures[i];
+        it->texture = texture_retain(find_file(cache, &it->file).texture);
     }
 }
 
@@ -84,12 +95,18 @@ void asset_cache_fill_scene(const AssetCache *cache, Scene *scene) {
 static bool entries_fill(const Scene *scene, CacheEntry *entries) {
     bool is_complete = true;
     for (size_t i = 0; i < scene->mesh_count; i++, entries++) {
-        *entries = (CacheEntry){.path = strdup(scene->meshes[i].file.path),
+        const SceneFile *file = &scene->meshes[i].file;
+        *entries = (CacheEntry){.path = strdup(file->path),
+                                .device = file->device,
+                                .inode = file->inode,
                                 .mesh = mesh_retain(scene->meshes[i].mesh)};
         is_complete = is_complete && entries->path;
     }
     for (size_t i = 0; i < scene->texture_count; i++, entries++) {
-        *entries = (CacheEntry){.path = strdup(scene->textures[i].file.path),
+        const SceneFile *file = &scene->textures[i].file;
+        *entries = (CacheEntry){.path = strdup(file->path),
+                                .device = file->device,
+                                .inode = file->inode,
                                 .texture = texture_retain(scene->textures[i].texture)};
         is_complete = is_complete && entries->path;
     }

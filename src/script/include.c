@@ -44,7 +44,7 @@ static void load_file(lua_State *L, const char *name) {
     ScriptAnswer answer;
     ScriptText text;
     if (read_file(name, &text, &answer)) {
-        script_sandbox_load(L, &text, answer.display_path);
+        script_sandbox_load(L, &text, answer.display_path, name);
     } else {
         lua_error_tr(L, "cannot include `%s`: %s", name, answer.error.message);
     }

@@ -6,11 +6,13 @@
 
 #include "base/suggest.h"
 #include "script/lua_error.h"
+#include "script/object_names.h"
 #include "script/ordered_pairs.h"
 #include "script/sanitize.h"
 #include "script/script_question.h"
 #include "script/script_run.h"
 #include "script/script_sandbox.h"
+#include "script/stable_sort.h"
 
 #include <lauxlib.h>
 #include <libintl.h>
@@ -20,11 +22,11 @@
 
 /**
  * Base functions without access to files or memory limits. `pairs` and `next` come from
- * script/ordered_pairs.h.
+ * script/ordered_pairs.h, `tostring` from script/object_names.h.
  */
 static const char *const base_functions[] = {
-    "assert", "error",  "getmetatable", "ipairs",   "pcall",    "rawequal", "rawget", "rawlen",
-    "rawset", "select", "setmetatable", "tonumber", "tostring", "type",     "xpcall"};
+    "assert", "error",  "getmetatable", "ipairs",       "pcall",    "rawequal", "rawget",
+    "rawlen", "rawset", "select",       "setmetatable", "tonumber", "type",     "xpcall"};
 
 /** Libraries without side effects. */
 static const luaL_Reg libraries[] = {{LUA_MATHLIBNAME, luaopen_math},
@@ -56,7 +58,7 @@ static int library_print(lua_State *L) {
     int count = lua_gettop(L);
     for (int i = 1; i <= count; i++) {
         size_t length;
-        const char *text = luaL_tolstring(L, i, &length);
+        const char *text = object_names_push_text(L, i, &length);
         print_sanitized_text(sandbox, text, length);
         print_sanitized_text(sandbox, i < count ? "\t" : "", i < count);
         lua_pop(L, 1);
@@ -80,8 +82,8 @@ static int library_randomseed(lua_State *L) {
 }
 
 /**
- * `setmetatable`, without `__gc`: the time of garbage collection is not reproducible. See
- * lua_CFunction.
+ * `setmetatable`, without `__gc` and `__mode`: the time of garbage collection is not reproducible.
+ * See lua_CFunction.
  * @param L  The state; the function of Lua's library is the first upvalue.
  * @return 1: the table.
  */
@@ -91,6 +93,11 @@ static int library_setmetatable(lua_State *L) {
         lua_pushliteral(L, "__gc");
         if (lua_rawget(L, 2) != LUA_TNIL) {
             return lua_error_tr(L, "a scene may not use __gc: nobody knows when it would run");
+        }
+        lua_pushliteral(L, "__mode");
+        if (lua_rawget(L, 2) != LUA_TNIL) {
+            return lua_error_tr(L, "a scene may not use __mode: nobody knows when such a table "
+                                   "would lose its items");
         }
         lua_settop(L, 2);
     }
@@ -188,6 +195,8 @@ static void open_base(lua_State *L) {
     override_function(L, "setmetatable", library_setmetatable);
     lua_pushcfunction(L, library_print);
     lua_setfield(L, -2, "print");
+    lua_pushcfunction(L, object_names_tostring);
+    lua_setfield(L, -2, "tostring");
     ordered_pairs_open(L);
 }
 
@@ -217,11 +226,20 @@ static void seed_random(lua_State *L) {
     lua_pop(L, 1);
 }
 
+/** Replaces `table.sort`. @param L The state, with the globals on top. */
+static void replace_sort(lua_State *L) {
+    lua_getfield(L, -1, LUA_TABLIBNAME);
+    lua_pushcfunction(L, stable_sort);
+    lua_setfield(L, -2, "sort");
+    lua_pop(L, 1);
+}
+
 /** Removes the unsafe functions of `string`. @param L The state, with the globals on top. */
 static void restrict_string(lua_State *L) {
     lua_getfield(L, -1, LUA_STRLIBNAME);
     lua_pushnil(L);
     lua_setfield(L, -2, "dump");
+    override_function(L, "format", object_names_format);
     lua_pop(L, 1);
     // The metatable of strings, protected from changes.
     lua_pushliteral(L, "");
@@ -238,6 +256,7 @@ void library_open(lua_State *L) {
         open_library(L, &libraries[i]);
     }
     seed_random(L);
+    replace_sort(L);
     restrict_string(L);
     make_strict(L, "", "", index_global);
     lua_rawseti(L, LUA_REGISTRYINDEX, LUA_RIDX_GLOBALS);

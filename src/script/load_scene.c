@@ -4,14 +4,18 @@
  */
 #include "dioptre/script.h"
 
+#include "assets/asset_budget.h"
 #include "assets/images/texture_file.h"
 #include "assets/meshes/mesh_file.h"
 #include "base/scene_name.h"
 #include "script/asset_cache.h"
+#include "script/asset_notes.h"
+#include "script/asset_path.h"
 #include "script/sanitize.h"
 #include "script/script_worker.h"
 
 #include <string.h>
+#include <unistd.h>
 
 /**
  * Adds the file to an error message. The message is sanitized, because it may quote the file.
@@ -24,7 +28,12 @@ static bool set_file_error(const SceneFile *file, Error *error) {
     if (error) {
         sanitize_path(name, file->name);
         sanitize_text(message, sizeof message, error->message, strlen(error->message));
-        error_set(error, error->status, "%s: %s: %s", file->location, name, message);
+        if (error->line > 0) {
+            error_set(error, error->status, "%s: %s:%zu: %s", file->location, name, error->line,
+                      message);
+        } else {
+            error_set(error, error->status, "%s: %s: %s", file->location, name, message);
+        }
     }
     return false;
 }
@@ -45,38 +54,137 @@ static bool copy_built_mesh(const Mesh *built, Mesh **mesh, Error *error) {
     return *mesh != NULL;
 }
 
+/** Files of a scene being read. */
+typedef struct AssetLoad {
+    const ScriptRequest *request; /**< The request. */
+    Scene *scene;                 /**< The scene. */
+    AssetBudget budget;           /**< What is left for further files. */
+} AssetLoad;
+
 /**
- * Reads the meshes of a scene that are not yet read.
- * @param scene       The scene.
- * @param progress    Receives the progress, or NULL.
- * @param[out] error  What is wrong, with the line that names the file.
- * @return Whether all were read.
+ * Opens a file of a scene, beneath its folder.
+ * @param load           The load; one file is taken from its budget.
+ * @param[in,out] file   The file; its identity is set.
+ * @param[out] opened    The open file.
+ * @param[out] path      Its path.
+ * @param[out] error     What is wrong.
+ * @return Whether it is open.
  */
-static bool read_meshes(Scene *scene, const MeshProgress *progress, Error *error) {
-    for (size_t i = 0; i < scene->mesh_count; i++) {
-        SceneMesh *it = &scene->meshes[i];
-        bool is_read =
-            it->mesh || (it->built ? copy_built_mesh(it->built, &it->mesh, error)
-                                   : mesh_file_read(it->file.path, progress, &it->mesh, error));
-        if (!is_read) {
-            return set_file_error(&it->file, error);
+static bool open_file(AssetLoad *load, SceneFile *file, AssetFile *opened, char path[PATH_MAX],
+                      Error *error) {
+    char display_path[PATH_MAX];
+    opened->path = path;
+    opened->descriptor =
+        asset_path_open(load->request, file->name, display_path, path, &opened->info, error);
+    file->device = opened->descriptor >= 0 ? opened->info.st_dev : 0;
+    file->inode = opened->descriptor >= 0 ? opened->info.st_ino : 0;
+    return opened->descriptor >= 0;
+}
+
+/** @return Whether two names of a scene are of one file. */
+static bool is_same_file(const SceneFile *a, const SceneFile *b) {
+    return a->inode == b->inode && a->device == b->device;
+}
+
+/** @return The mesh of the same file, among those before it in the scene; NULL: none. */
+static Mesh *find_same_mesh(const Scene *scene, size_t index) {
+    const SceneMesh *meshes = scene->meshes;
+    for (size_t i = 0; i < index; i++) {
+        if (!meshes[i].built && is_same_file(&meshes[i].file, &meshes[index].file)) {
+            return meshes[i].mesh;
+        }
+    }
+    return NULL;
+}
+
+/** @return The texture of the same file, among those before it in the scene; NULL: none. */
+static Texture *find_same_texture(const Scene *scene, size_t index) {
+    const SceneTexture *textures = scene->textures;
+    for (size_t i = 0; i < index; i++) {
+        if (is_same_file(&textures[i].file, &textures[index].file)) {
+            return textures[i].texture;
+        }
+    }
+    return NULL;
+}
+
+/** Reads a mesh from its file. @return Whether it was read. */
+static bool read_mesh_file(AssetLoad *load, size_t index, Error *error) {
+    SceneMesh *it = &load->scene->meshes[index];
+    AssetFile file;
+    char path[PATH_MAX];
+    if (!open_file(load, &it->file, &file, path, error)) {
+        return false;
+    }
+    it->mesh = mesh_retain(find_same_mesh(load->scene, index));
+    bool is_read =
+        it->mesh ||
+        (asset_budget_take_file_bytes(&load->budget, (size_t)file.info.st_size, error) &&
+         mesh_file_read(&file, &load->budget, load->request->progress, &it->mesh, error));
+    close(file.descriptor);
+    return is_read;
+}
+
+/** Reads a mesh, unless the cache has it. @return Whether it was read. */
+static bool read_mesh(AssetLoad *load, size_t index, Error *error) {
+    SceneMesh *it = &load->scene->meshes[index];
+    if (it->built) {
+        return it->mesh || copy_built_mesh(it->built, &it->mesh, error);
+    }
+    if (!asset_budget_take_file(&load->budget, error)) {
+        return false;
+    }
+    if (!it->mesh) {
+        return read_mesh_file(load, index, error);
+    }
+    return find_same_mesh(load->scene, index) ||
+           asset_budget_take_memory(&load->budget, mesh_block_size(it->mesh), error);
+}
+
+/** Reads a texture from its file. @return Whether it was read. */
+static bool read_texture_file(AssetLoad *load, size_t index, Error *error) {
+    SceneTexture *it = &load->scene->textures[index];
+    AssetFile file;
+    char path[PATH_MAX];
+    if (!open_file(load, &it->file, &file, path, error)) {
+        return false;
+    }
+    it->texture = texture_retain(find_same_texture(load->scene, index));
+    bool is_read = it->texture ||
+                   (asset_budget_take_file_bytes(&load->budget, (size_t)file.info.st_size, error) &&
+                    texture_file_read(&file, &load->budget, &it->texture, error));
+    close(file.descriptor);
+    return is_read;
+}
+
+/** Reads a texture, unless the cache has it. @return Whether it was read. */
+static bool read_texture(AssetLoad *load, size_t index, Error *error) {
+    const SceneTexture *it = &load->scene->textures[index];
+    if (!asset_budget_take_file(&load->budget, error)) {
+        return false;
+    }
+    if (!it->texture) {
+        return read_texture_file(load, index, error);
+    }
+    return find_same_texture(load->scene, index) ||
+           asset_budget_take_memory(&load->budget, texture_block_size(it->texture), error);
+}
+
+/** Reads the meshes of a scene. @return Whether all were read. */
+static bool read_meshes(AssetLoad *load, Error *error) {
+    for (size_t i = 0; i < load->scene->mesh_count; i++) {
+        if (!read_mesh(load, i, error)) {
+            return set_file_error(&load->scene->meshes[i].file, error);
         }
     }
     return true;
 }
 
-/**
- * Reads the picture files of a scene that are not yet read.
- * @param scene       The scene.
- * @param[out] error  What is wrong, with the line that names the file.
- * @return Whether all were read.
- */
-static bool read_textures(Scene *scene, Error *error) {
-    for (size_t i = 0; i < scene->texture_count; i++) {
-        SceneTexture *scene_texture = &scene->textures[i];
-        if (!scene_texture->texture &&
-            !texture_file_read(scene_texture->file.path, &scene_texture->texture, error)) {
-            return set_file_error(&scene_texture->file, error);
+/** Reads the picture files of a scene. @return Whether all were read. */
+static bool read_textures(AssetLoad *load, Error *error) {
+    for (size_t i = 0; i < load->scene->texture_count; i++) {
+        if (!read_texture(load, i, error)) {
+            return set_file_error(&load->scene->textures[i].file, error);
         }
     }
     return true;
@@ -132,10 +240,13 @@ static bool check_textured_meshes(const Scene *scene, const Keyword *const *keyw
  * @return Whether all were read.
  */
 static bool read_files(const ScriptRequest *request, Scene *scene, Error *error) {
+    AssetLoad load = {.request = request, .scene = scene};
+    asset_budget_init(&load.budget);
     asset_cache_fill_scene(request->cache, scene);
-    return read_meshes(scene, request->progress, error) &&
+    return read_meshes(&load, error) &&
            check_textured_meshes(scene, request->shape_keywords, error) &&
-           read_textures(scene, error) && asset_cache_store(request->cache, scene, error);
+           read_textures(&load, error) && asset_cache_store(request->cache, scene, error) &&
+           asset_notes_add(scene, error);
 }
 
 /** Runs a text in a worker, and checks what it made. @return Whether the scene is valid. */

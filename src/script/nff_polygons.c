@@ -113,6 +113,9 @@ static bool add_polygon(const NffPolygons *polygons, const NffPolygon *polygon,
     const double *numbers = polygons->vertices + NFF_VERTEX_NUMBERS * polygon->first;
     for (size_t i = 0; i < polygon->count; i++) {
         const double *p = numbers + NFF_VERTEX_NUMBERS * i;
+        if (!mesh_builder_check(builder, p)) {
+            return false;
+        }
         memory->positions[i] = (Vec3d){p[0], p[1], p[2]};
     }
     size_t missing, count = triangulate_polygon(memory->positions, polygon->count,

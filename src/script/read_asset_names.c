@@ -44,6 +44,35 @@ static bool add_asset(lua_State *L, const AssetKind *kind, const char *name, con
     return kind->add(run->scene, &file, index, error);
 }
 
+/** Pushes the names of a kind that the scene has used, with the indices of their files. */
+static void push_known_names(lua_State *L, const AssetKind *kind) {
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, kind) != LUA_TTABLE) {
+        lua_pop(L, 1);
+        lua_newtable(L);
+        lua_pushvalue(L, -1);
+        lua_rawsetp(L, LUA_REGISTRYINDEX, kind);
+    }
+}
+
+/** @return Whether the scene has used the name on top of the stack. @param[out] place Its file. */
+static bool find_known_name(lua_State *L, const AssetKind *kind, size_t *place) {
+    push_known_names(L, kind);
+    lua_pushvalue(L, -2);
+    bool is_known = lua_rawget(L, -2) == LUA_TNUMBER;
+    *place = (size_t)lua_tointeger(L, -1);
+    lua_pop(L, 2);
+    return is_known;
+}
+
+/** Remembers the name on top of the stack: a thousand shapes ask the program once. */
+static void remember_name(lua_State *L, const AssetKind *kind, size_t place) {
+    push_known_names(L, kind);
+    lua_pushvalue(L, -2);
+    lua_pushinteger(L, (lua_Integer)place);
+    lua_rawset(L, -3);
+    lua_pop(L, 1);
+}
+
 /**
  * Reads the name of a file and adds the file to the scene.
  * @param L      The state.
@@ -63,12 +92,17 @@ static size_t read_asset_name(lua_State *L, int index, const Parameter *row,
     if (length != strlen(name)) {
         lua_error_tr(L, "%s must not have a zero byte in its name", row->name);
     }
+    lua_pushvalue(L, index);
+    if (find_known_name(L, kind, &asset_index)) {
+        return asset_index;
+    }
     bool is_added = script_question_ask(SCRIPT_ASK_ASSET, name, &answer, NULL) &&
                     kind->check(answer.real_path, &answer.error) &&
                     add_asset(L, kind, name, answer.real_path, &asset_index, &answer.error);
     if (!is_added) {
         lua_error_tr(L, "%s: %s", name, answer.error.message);
     }
+    remember_name(L, kind, asset_index);
     return asset_index;
 }
 

@@ -351,22 +351,28 @@ void read_check_arguments(lua_State *L, const Keyword *const *keywords, const ch
 
 void read_check_table(lua_State *L, int index, const Keyword *const *keywords, const char *extra) {
     const char *name = keywords[0]->name;
+    // Lua's order of keys is another in each run; of several errors, the first by name is told.
+    bool has_nameless = false;
+    Suggestion unknown = {0};
     lua_pushnil(L);
     while (lua_next(L, index)) {
         lua_pop(L, 1);
-        if (is_positional_key(L, keywords[0])) {
-            continue;
+        bool is_named = lua_type(L, -1) == LUA_TSTRING;
+        Suggestion suggestion = {.word = is_named ? lua_tostring(L, -1) : NULL};
+        if (!is_named) {
+            has_nameless = has_nameless || !is_positional_key(L, keywords[0]);
+        } else if (!has_field(keywords, extra, &suggestion) &&
+                   (!unknown.word || strcmp(suggestion.word, unknown.word) < 0)) {
+            unknown = suggestion;
         }
-        if (lua_type(L, -1) != LUA_TSTRING) {
-            lua_error_tr(L, "%s takes fields with names, such as `%s = ...`; one has none", name,
-                         keywords[0]->parameters->name);
-        }
+    }
+    if (has_nameless) {
+        lua_error_tr(L, "%s takes fields with names, such as `%s = ...`; one has none", name,
+                     keywords[0]->parameters->name);
+    }
+    if (unknown.word) {
         char hint[SUGGEST_HINT_SIZE];
-        Suggestion suggestion = {.word = lua_tostring(L, -1)};
-        if (!has_field(keywords, extra, &suggestion)) {
-            lua_error_tr(L, "%s has no field `%s`%s", name, suggestion.word,
-                         suggest_hint(&suggestion, hint));
-        }
+        lua_error_tr(L, "%s has no field `%s`%s", name, unknown.word, suggest_hint(&unknown, hint));
     }
 }
 

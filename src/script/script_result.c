@@ -15,7 +15,7 @@ ScriptResult *script_result_create(const char *path) {
     ScriptResult *result = calloc(1, sizeof *result);
     if (result) {
         result->location = SOURCE_LOCATION_START;
-        script_result_add_file(result, path);
+        script_result_add_file(result, path, script_result_base_name(path));
     }
     return result;
 }
@@ -40,7 +40,7 @@ void script_result_repair(ScriptResult *result, const char *path) {
     if (!is_valid) {
         result->location = SOURCE_LOCATION_START;
         result->file_count = 0;
-        script_result_add_file(result, path);
+        script_result_add_file(result, path, script_result_base_name(path));
     }
     if (result->error.status != STATUS_OK) {
         size_t length = strnlen(result->error.message, sizeof message - 1);
@@ -52,23 +52,30 @@ void script_result_repair(ScriptResult *result, const char *path) {
 
 /**
  * Makes the chunk name of a file. Lua cuts long names, which could make two files equal; a long
- * path is therefore replaced by its number and its end.
+ * name, or one that another file has, is therefore replaced by its number and its end.
+ * @param result           The report.
  * @param[out] chunk_name  The name.
- * @param path             Path of the file.
- * @param number           Its index in #ScriptResult.files.
+ * @param name             Name of the file in the folder of the scene.
  */
-static void make_chunk_name(char chunk_name[CHUNK_NAME_SIZE], const char *path, int number) {
-    /** Bytes kept of the end of a long path, for scenes that print the name. */
+static void make_chunk_name(const ScriptResult *result, char chunk_name[CHUNK_NAME_SIZE],
+                            const char *name) {
+    /** Bytes kept of the end of a long name, for scenes that print it. */
     const size_t tail_length = 40;
-    size_t length = strlen(path);
-    if (length + 2 <= CHUNK_NAME_SIZE) {
-        snprintf(chunk_name, CHUNK_NAME_SIZE, "=%s", path);
+    size_t length = strlen(name);
+    if (length + 2 <= CHUNK_NAME_SIZE && script_result_find_file(result, name) < 0) {
+        snprintf(chunk_name, CHUNK_NAME_SIZE, "=%s", name);
     } else {
-        snprintf(chunk_name, CHUNK_NAME_SIZE, "=#%d...%s", number, path + length - tail_length);
+        const char *tail = length > tail_length ? name + length - tail_length : name;
+        snprintf(chunk_name, CHUNK_NAME_SIZE, "=#%d...%s", result->file_count, tail);
     }
 }
 
-const ScriptFile *script_result_add_file(ScriptResult *result, const char *path) {
+const char *script_result_base_name(const char *path) {
+    const char *slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+
+const ScriptFile *script_result_add_file(ScriptResult *result, const char *path, const char *name) {
     for (int i = 0; i < result->file_count; i++) {
         if (strcmp(result->files[i].path, path) == 0) {
             return &result->files[i];
@@ -79,7 +86,7 @@ const ScriptFile *script_result_add_file(ScriptResult *result, const char *path)
     }
     ScriptFile *file = &result->files[result->file_count];
     snprintf(file->path, sizeof file->path, "%s", path);
-    make_chunk_name(file->chunk_name, path, result->file_count);
+    make_chunk_name(result, file->chunk_name, name);
     result->file_count++;
     return file;
 }

@@ -22,7 +22,8 @@ enum { CHUNK_NAME_SIZE = 60 };
 typedef struct ScriptFile {
     char path[PATH_MAX];              /**< Path for messages. */
     char chunk_name[CHUNK_NAME_SIZE]; /**< `=` and a short unique name, by which Lua's messages name
-                                         the file. */
+                                         the file. A scene can read it, so it does not tell in
+                                         which folder the scene lies. */
 } ScriptFile;
 
 /** A line of a scene. Initialised to #SOURCE_LOCATION_START. */
@@ -67,9 +68,13 @@ void script_result_destroy(ScriptResult *result);
  * Adds a file of the scene, unless it is there.
  * @param result  The report.
  * @param path    Path of the file, for messages; cut at PATH_MAX - 1 bytes.
+ * @param name    Its name in the folder of the scene.
  * @return The file; NULL if there are #SCRIPT_FILES_MAXIMUM already.
  */
-const ScriptFile *script_result_add_file(ScriptResult *result, const char *path);
+const ScriptFile *script_result_add_file(ScriptResult *result, const char *path, const char *name);
+
+/** @return The name of a file without its folder. */
+const char *script_result_base_name(const char *path);
 
 /**
  * Finds a file by its chunk name.

@@ -41,7 +41,7 @@ static int run_protected(lua_State *L) {
     run->dialect->open(L);
     script_sandbox_track_location(L);
     ScriptText text = *run->text;
-    script_sandbox_load(L, &text, run->request->path);
+    script_sandbox_load(L, &text, run->request->path, script_result_base_name(run->request->path));
     lua_call(L, 0, 0);
     run->dialect->check(L);
     return 0;

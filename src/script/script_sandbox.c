@@ -82,9 +82,9 @@ void script_sandbox_track_location(lua_State *L) {
     lua_sethook(L, location_hook, LUA_MASKCOUNT | LUA_MASKCALL, interval);
 }
 
-void script_sandbox_load(lua_State *L, ScriptText *script, const char *path) {
+void script_sandbox_load(lua_State *L, ScriptText *script, const char *path, const char *name) {
     ScriptSandbox *sandbox = script_sandbox_of(L);
-    const ScriptFile *file = script_result_add_file(sandbox->result, path);
+    const ScriptFile *file = script_result_add_file(sandbox->result, path, name);
     sandbox->job->report_size = script_result_size(sandbox->result);
     if (!file) {
         script_text_deinit(script);

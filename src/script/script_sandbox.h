@@ -21,6 +21,7 @@ typedef struct ScriptSandbox {
     size_t memory_limit;             /**< Largest memory, bytes. */
     size_t memory_used;              /**< Memory in use, bytes. */
     size_t bytes_printed;            /**< Number of bytes printed. */
+    lua_Integer objects_numbered;    /**< Number of objects whose texts were asked for. */
     SourceLocation out_of_memory_at; /**< Line at which the memory limit was reached. */
 } ScriptSandbox;
 
@@ -51,8 +52,9 @@ SourceLocation script_sandbox_location(lua_State *L);
  * @param L       The state.
  * @param script  The text; always released.
  * @param path    Path of the file, for messages.
+ * @param name    Its name in the folder of the scene.
  */
-void script_sandbox_load(lua_State *L, ScriptText *script, const char *path);
+void script_sandbox_load(lua_State *L, ScriptText *script, const char *path, const char *name);
 
 /**
  * Formats the error that the memory limit is reached.

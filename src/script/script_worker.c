@@ -4,6 +4,7 @@
  */
 #include "script/script_worker.h"
 
+#include "assets/process/worker_clock.h"
 #include "assets/process/worker_process.h"
 #include "script/lesson_functions.h"
 #include "script/nff.h"
@@ -93,8 +94,13 @@ static void set_failure(const ScriptRequest *request, const WorkerReply *reply,
         error_set(&result->error, STATUS_FAILED, "no process to run a scene in: %s", reason);
     } else if (reply->end == WORKER_TIMED_OUT && is_stopped) {
         error_set(&result->error, STATUS_INTERRUPTED, "interrupted");
+    } else if (reply->end == WORKER_TIMED_OUT && reply->is_stalled) {
+        snprintf(message, sizeof message, gettext("the scene has not ended after %g s"),
+                 worker_clock_wall_limit(request->time_limit));
+        fail_at_location(result, message);
     } else if (reply->end == WORKER_TIMED_OUT) {
-        snprintf(message, sizeof message, gettext("the scene ran for more than %g s"),
+        snprintf(message, sizeof message,
+                 gettext("the scene ran for more than %g s of processor time"),
                  request->time_limit);
         fail_at_location(result, message);
     } else if (reply->end == WORKER_CRASHED && reply->detail == SIGINT) {

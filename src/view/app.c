@@ -36,6 +36,24 @@ void app_report_error(App *app, const Error *error) {
     window_set_notice(&app->window, error->message);
 }
 
+void app_show_notes(App *app) {
+    const Scene *scene = app->scene;
+    if (scene->note_count == 0) {
+        return;
+    }
+    char text[NOTICE_SIZE];
+    size_t more = scene->note_count - 1;
+    int length = snprintf(text, sizeof text, "%s", scene->notes[0]);
+    if (more > 0 && length >= 0 && (size_t)length < sizeof text) {
+        snprintf(
+            text + length, sizeof text - (size_t)length,
+            ngettext(" (%zu more note on the terminal)", " (%zu more notes on the terminal)", more),
+            more);
+    }
+    app_set_status(app, "%.*s", STATUS_TEXT_SIZE - 1, text);
+    window_set_notice(&app->window, text);
+}
+
 /* --- time ------------------------------------------------------------------------------------- */
 
 bool app_is_playing(const App *app) {

@@ -137,6 +137,10 @@ void app_clear_status(App *app);
 /** Reports an error on standard error, in the title and over the picture. */
 void app_report_error(App *app, const Error *error);
 
+/** Shows the notes of the scene in the title and over the picture, until the view changes. The
+ *  loader has printed them. */
+void app_show_notes(App *app);
+
 /* --- time ------------------------------------------------------------------------------------- */
 
 /** @return Whether a lesson plays. */

@@ -145,6 +145,7 @@ static Status run_event_loop(App *app, const atomic_bool *stop, SignalThread *si
                      app->first_event + EVENT_PASS_FINISHED, error)) {
         return error->status;
     }
+    app_show_notes(app);
     player_begin(app);
     while (!app->exit.is_requested) {
         run_frame(app);

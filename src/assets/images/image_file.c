@@ -115,9 +115,10 @@ bool image_file_write_new(const char *path, const Picture *picture, bool *exists
 
 /** Limits of reading a picture to compare; sufficient for the largest that can be written. */
 static const ImageReadLimits compare_limits = {
-    60, (size_t)8 << 30,
-    sizeof(Texture) +
-        TEXEL_CHANNELS * sizeof(float) * (size_t)IMAGE_SIZE_MAXIMUM *IMAGE_SIZE_MAXIMUM};
+    .time_limit = 60,
+    .memory_limit = (size_t)8 << 30,
+    .texture_capacity = sizeof(Texture) + TEXEL_CHANNELS * sizeof(float) *
+                                              (size_t)IMAGE_SIZE_MAXIMUM * IMAGE_SIZE_MAXIMUM};
 
 /** Converts an 8-bit texture to a picture. @return false without memory. */
 static bool picture_from_texture(const Texture *texture, Picture *picture, Error *error) {
@@ -143,9 +144,9 @@ static bool read_open_file(const ImageFormat *format, int file, Picture *picture
         return bmp_read(file, picture, error);
     }
     Texture *texture;
-    bool is_read =
-        image_worker_call(NULL, format->plugin_name, file, &compare_limits, &texture, error) &&
-        picture_from_texture(texture, picture, error);
+    bool is_read = image_worker_call(NULL, &(ImageSource){format->plugin_name, file},
+                                     &compare_limits, NULL, &texture, error) &&
+                   picture_from_texture(texture, picture, error);
     texture_release(texture);
     return is_read;
 }

@@ -390,6 +390,16 @@ bool read_linear(ImageReader *reader, int first, int count, float *rgb,
     });
 }
 
+/**
+ * Is ImagePlugin::is_damaged. The readers of JPEG and TIFF fill what is missing, return that it was
+ * read, and leave a message.
+ * @param reader  The open file.
+ * @return Whether there is a message.
+ */
+bool is_damaged(ImageReader *reader) {
+    return reader->input->has_error();
+}
+
 /** Is ImagePlugin::close. @param reader The file to be closed, or NULL. */
 void close(ImageReader *reader) {
     delete reader;
@@ -399,5 +409,5 @@ void close(ImageReader *reader) {
 
 /** The one thing of the module that is seen from outside: #IMAGE_PLUGIN_SYMBOL. */
 extern "C" __attribute__((visibility("default"))) const ImagePlugin dioptre_image_plugin = {
-    IMAGE_PLUGIN_VERSION, encode, free_encoded, open, read_encoded, read_linear, close,
+    IMAGE_PLUGIN_VERSION, encode, free_encoded, open, read_encoded, read_linear, is_damaged, close,
 };

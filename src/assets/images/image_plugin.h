@@ -116,6 +116,13 @@ typedef struct ImagePlugin {
     bool (*read_linear)(ImageReader *reader, int first, int count, float *rgb,
                         ImagePluginMessage *message);
 
+    /**
+     * @return Whether the library complained about the strips that it has read: the file ends
+     *         early or is damaged, and some pixels are guesses.
+     * @param reader  The open file.
+     */
+    bool (*is_damaged)(ImageReader *reader);
+
     /** Closes a picture file. @param reader The open file, or NULL. */
     void (*close)(ImageReader *reader);
 } ImagePlugin;

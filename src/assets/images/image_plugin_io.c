@@ -4,6 +4,7 @@
  */
 #include "assets/images/image_plugin_io.h"
 
+#include "assets/asset_budget.h"
 #include "assets/plugin.h"
 #include "base/language.h"
 
@@ -121,19 +122,21 @@ static bool read_strips(const ImageDecoder *decoder, Error *error) {
 /**
  * Prepares reading after the header.
  * @param[in,out] decoder  The picture being read.
- * @param capacity         Bytes available for the texture.
+ * @param request          The request.
  * @param[out] error       What is wrong.
  * @return false if it does not fit, or without memory.
  */
-static bool prepare_decoder(ImageDecoder *decoder, size_t capacity, Error *error) {
+static bool prepare_decoder(ImageDecoder *decoder, const ImageReadRequest *request, Error *error) {
     const ImageHeader *header = &decoder->header;
     Texture head = {.width = header->width,
                     .height = header->height,
                     .is_hdr = header->format != PIXEL_FORMAT_SRGB8,
                     .reference_count = 1};
-    if (texture_block_size(&head) > capacity) {
-        return error_set(error, STATUS_SCENE, "its %d x %d pixels take more than %zu MiB",
-                         head.width, head.height, capacity >> 20);
+    if (texture_block_size(&head) > request->texture_capacity) {
+        return request->is_capacity_shared
+                   ? asset_budget_set_memory_error(error)
+                   : error_set(error, STATUS_SCENE, "its %d x %d pixels take more than %zu MiB",
+                               head.width, head.height, request->texture_capacity >> 20);
     }
     *decoder->texture = head;
     if (header->format == PIXEL_FORMAT_SRGB16) {
@@ -155,8 +158,8 @@ bool image_plugin_read(const ImageReadRequest *request, Texture *texture, Error 
     if (!decoder.reader) {
         return error_set(error, STATUS_SCENE, "%s", message.text);
     }
-    bool is_read =
-        prepare_decoder(&decoder, request->texture_capacity, error) && read_strips(&decoder, error);
+    bool is_read = prepare_decoder(&decoder, request, error) && read_strips(&decoder, error);
+    texture->is_damaged = is_read && plugin->is_damaged(decoder.reader);
     free(decoder.decode_table);
     plugin->close(decoder.reader);
     return is_read;

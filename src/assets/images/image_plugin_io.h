@@ -39,6 +39,7 @@ typedef struct ImageReadRequest {
     const char *format;        /**< Name of the format in OpenImageIO. */
     int file;                  /**< Descriptor of the file. */
     size_t texture_capacity;   /**< Bytes available for the texture. */
+    bool is_capacity_shared;   /**< Whether other files of the scene have taken the rest. */
 } ImageReadRequest;
 
 /**

@@ -74,6 +74,9 @@ static bool set_failure(const WorkerReply *reply, const ImageWorkerReport *repor
     if (worker_reply_start_failure(reply, reason)) {
         return error_set(error, STATUS_FAILED, "no process for pictures: %s", reason);
     }
+    if (reply->end == WORKER_TIMED_OUT && limits->is_time_shared && !reply->is_stalled) {
+        return asset_budget_set_time_error(error);
+    }
     if (reply->end == WORKER_TIMED_OUT) {
         return error_set(error, STATUS_SCENE, "it takes more than %.0f s to read",
                          limits->time_limit);
@@ -96,13 +99,14 @@ static bool set_failure(const WorkerReply *reply, const ImageWorkerReport *repor
  * @return Whether it is valid.
  */
 static bool validate_texture(Texture *texture, size_t size, Error *error) {
-    unsigned char is_hdr = 0;
+    unsigned char is_hdr = 0, is_damaged = 0;
     if (size >= sizeof *texture) {
         memcpy(&is_hdr, &texture->is_hdr, sizeof is_hdr);
+        memcpy(&is_damaged, &texture->is_damaged, sizeof is_damaged);
     }
-    bool has_size = size >= sizeof *texture && is_hdr <= 1 && texture->width >= 1 &&
-                    texture->width <= IMAGE_SIZE_MAXIMUM && texture->height >= 1 &&
-                    texture->height <= IMAGE_SIZE_MAXIMUM;
+    bool has_size = size >= sizeof *texture && is_hdr <= 1 && is_damaged <= 1 &&
+                    texture->width >= 1 && texture->width <= IMAGE_SIZE_MAXIMUM &&
+                    texture->height >= 1 && texture->height <= IMAGE_SIZE_MAXIMUM;
     if (!has_size || texture_block_size(texture) != size) {
         return error_set(error, STATUS_SCENE, "it makes the libraries that read it go astray");
     }
@@ -111,24 +115,44 @@ static bool validate_texture(Texture *texture, size_t size, Error *error) {
     return true;
 }
 
-bool image_worker_call(const ImageWorker *worker, const char *format, int file,
-                       const ImageReadLimits *limits, Texture **texture, Error *error) {
-    ImageWorkerRequest request = {.operation = IMAGE_READ, .limits = *limits};
+/** @return Limits of reading a picture, with what a scene has left. */
+static ImageReadLimits limits_within(const ImageReadLimits *limits, const AssetBudget *budget) {
+    ImageReadLimits result = *limits;
+    if (budget && budget->seconds < limits->time_limit) {
+        result.time_limit = fmax(budget->seconds, 0);
+        result.is_time_shared = true;
+    }
+    if (budget && budget->memory < limits->texture_capacity) {
+        result.texture_capacity = budget->memory;
+        result.is_memory_shared = true;
+    }
+    return result;
+}
+
+bool image_worker_call(const ImageWorker *worker, const ImageSource *source,
+                       const ImageReadLimits *limits, AssetBudget *budget, Texture **texture,
+                       Error *error) {
+    const ImageReadLimits left = limits_within(limits, budget);
+    ImageWorkerRequest request = {.operation = IMAGE_READ, .limits = left};
     ImageWorkerReport report = {0};
-    strncpy(request.format, format, sizeof request.format - 1);
+    strncpy(request.format, source->format, sizeof request.format - 1);
     const WorkerCall call = {.program = worker ? worker->program : NULL,
                              .task = worker ? worker->task : IMAGE_WORKER_TASK,
                              .request = &request,
                              .request_size = sizeof request,
-                             .file = file,
-                             .time_limit = limits->time_limit,
+                             .file = source->file,
+                             .time_limit = left.time_limit,
                              .report = &report,
                              .report_capacity = sizeof report,
-                             .block_capacity = limits->texture_capacity};
+                             .block_capacity = left.texture_capacity};
     WorkerReply reply = worker ? worker_process_call_once(&call) : call_kept_worker(&call);
+    if (budget) {
+        asset_budget_take_seconds(budget, reply.seconds);
+    }
     bool is_read = reply.end == WORKER_FINISHED && report.is_done
                        ? validate_texture(reply.block, reply.block_size, error)
-                       : set_failure(&reply, &report, limits, error);
+                       : set_failure(&reply, &report, &left, error);
+    is_read = is_read && (!budget || asset_budget_take_memory(budget, reply.block_size, error));
     if (!is_read && reply.block) {
         munmap(reply.block, reply.block_size);
     }
@@ -255,7 +279,8 @@ static bool read_texture(WorkerJob *job, const ImagePlugin *plugin, Error *error
     if (!texture) {
         return error_set(error, STATUS_FAILED, "no memory for a picture");
     }
-    const ImageReadRequest read = {plugin, request->format, job->file, capacity};
+    const ImageReadRequest read = {plugin, request->format, job->file, capacity,
+                                   request->limits.is_memory_shared};
     job->block = texture;
     job->block_capacity = capacity;
     if (!image_plugin_read(&read, texture, error)) {

@@ -9,6 +9,7 @@
 #ifndef DIOPTRE_ASSETS_IMAGES_IMAGE_WORKER_H
 #define DIOPTRE_ASSETS_IMAGES_IMAGE_WORKER_H
 
+#include "assets/asset_budget.h"
 #include "assets/images/image_plugin_io.h"
 #include "assets/process/worker_main.h"
 #include "dioptre/scene.h"
@@ -18,10 +19,18 @@
 
 /** Limits of reading a picture. */
 typedef struct ImageReadLimits {
-    double time_limit;       /**< Time limit, seconds. */
+    double time_limit;       /**< Limit of processor time, seconds. */
     size_t memory_limit;     /**< Limit of the data of the libraries, bytes. */
     size_t texture_capacity; /**< Largest size of the texture, bytes. */
+    bool is_time_shared;     /**< Whether #time_limit is what the budget of a scene has left. */
+    bool is_memory_shared;   /**< Whether #texture_capacity is. */
 } ImageReadLimits;
+
+/** A picture file to read. */
+typedef struct ImageSource {
+    const char *format; /**< Name of the format in OpenImageIO. */
+    int file;           /**< Descriptor of the file; 0: none, for tests. */
+} ImageSource;
 
 /** A worker program that reads pictures. */
 typedef struct ImageWorker {
@@ -33,16 +42,17 @@ typedef struct ImageWorker {
  * Reads a picture like #image_plugin_read, in a worker.
  * @param worker        The program, started for this picture; NULL: `dioptre-worker`, which is kept
  *                      for the next picture, because its libraries take half a second to load.
- * @param format        Name of the format in OpenImageIO.
- * @param file          Descriptor of the file; 0: none, for tests.
+ * @param source        The file.
  * @param limits        Limits of time and memory.
+ * @param[in,out] budget  What the scene has left; NULL: no budget.
  * @param[out] texture  The picture, sanitized, to be freed with #texture_release; NULL on errors.
  * @param[out] error    What is wrong (#STATUS_SCENE; #STATUS_FAILED without module, memory or
  *                      process).
  * @return Whether it was read.
  */
-bool image_worker_call(const ImageWorker *worker, const char *format, int file,
-                       const ImageReadLimits *limits, Texture **texture, Error *error);
+bool image_worker_call(const ImageWorker *worker, const ImageSource *source,
+                       const ImageReadLimits *limits, AssetBudget *budget, Texture **texture,
+                       Error *error);
 
 /**
  * @return Whether the picture module is installed, as the kept worker finds.

@@ -9,11 +9,11 @@
 
 #include <libintl.h>
 #include <string.h>
-#include <unistd.h>
 
 /** Limits of reading a picture of a scene. */
-static const ImageReadLimits scene_limits = {TEXTURE_FILE_TIME_LIMIT, TEXTURE_FILE_MEMORY_LIMIT,
-                                             TEXTURE_FILE_CAPACITY};
+static const ImageReadLimits scene_limits = {.time_limit = TEXTURE_FILE_TIME_LIMIT,
+                                             .memory_limit = TEXTURE_FILE_MEMORY_LIMIT,
+                                             .texture_capacity = TEXTURE_FILE_CAPACITY};
 
 /**
  * Finds the format of a file.
@@ -34,44 +34,36 @@ bool texture_file_check(const char *path, Error *error) {
     return find_format(path, error) != NULL;
 }
 
-/** Reads an open BMP file. @return The texture; NULL on errors. */
-static Texture *read_bmp(int file, Error *error) {
+/** Reads a BMP file. @return The texture; NULL on errors. */
+static Texture *read_bmp(const AssetFile *file, AssetBudget *budget, Error *error) {
     Picture picture;
     Texture *texture = NULL;
-    if (bmp_read(file, &picture, error)) {
+    // Its pixels are not compressed, and the header is checked against the size of the file.
+    if (asset_budget_take_memory(budget, (size_t)file->info.st_size, error) &&
+        bmp_read(file->descriptor, &picture, error)) {
         texture = texture_create(picture.width, picture.height, false, error);
+        if (texture) {
+            memcpy(texture_ldr_texels(texture), picture.pixels,
+                   texture_block_size(texture) - sizeof *texture);
+        }
+        picture_deinit(&picture);
     }
-    if (texture) {
-        memcpy(texture_ldr_texels(texture), picture.pixels,
-               texture_block_size(texture) - sizeof *texture);
-    }
-    picture_deinit(&picture);
     return texture;
 }
 
-/** Reads an open file. @return Whether it was read. */
-static bool read_open_file(const ImageFormat *format, int file, Texture **texture, Error *error) {
-    if (format->plugin_name) {
-        return image_worker_call(NULL, format->plugin_name, file, &scene_limits, texture, error);
-    }
-    *texture = read_bmp(file, error);
-    return *texture != NULL;
-}
-
-bool texture_file_read(const char *path, Texture **texture, Error *error) {
+bool texture_file_read(const AssetFile *file, AssetBudget *budget, Texture **texture,
+                       Error *error) {
     *texture = NULL;
-    struct stat before;
-    const ImageFormat *format = find_format(path, error);
-    int file = format ? regular_file_open(path, &before, error) : -1;
-    if (file < 0) {
-        return false;
+    const ImageFormat *format = find_format(file->path, error);
+    if (format && format->plugin_name) {
+        const ImageSource source = {format->plugin_name, file->descriptor};
+        image_worker_call(NULL, &source, &scene_limits, budget, texture, error);
+    } else if (format) {
+        *texture = read_bmp(file, budget, error);
     }
-    bool is_read = read_open_file(format, file, texture, error);
-    if (is_read && !regular_file_is_unchanged(file, &before, error)) {
+    if (*texture && !regular_file_is_unchanged(file->descriptor, &file->info, error)) {
         texture_release(*texture);
         *texture = NULL;
-        is_read = false;
     }
-    close(file);
-    return is_read;
+    return *texture != NULL;
 }

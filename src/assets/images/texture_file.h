@@ -5,11 +5,12 @@
 #ifndef DIOPTRE_ASSETS_IMAGES_TEXTURE_FILE_H
 #define DIOPTRE_ASSETS_IMAGES_TEXTURE_FILE_H
 
+#include "assets/asset_budget.h"
 #include "assets/images/image_format.h"
 #include "assets/images/image_worker.h"
 #include "dioptre/scene.h"
 
-/** Time limit of reading a picture of a scene, seconds. */
+/** Limit of the processor time of reading a picture of a scene, seconds. */
 #define TEXTURE_FILE_TIME_LIMIT 10.0
 /** Limit of the data of the libraries for a picture of a scene, bytes. */
 #define TEXTURE_FILE_MEMORY_LIMIT ((size_t)2 << 30)
@@ -26,12 +27,13 @@ bool texture_file_check(const char *path, Error *error);
 
 /**
  * Reads a picture file: BMP directly, other formats by the picture module in a worker.
- * @param path          The file.
+ * @param file          The file.
+ * @param[in,out] budget  What the scene has left.
  * @param[out] texture  The picture, to be freed with #texture_release; NULL on errors.
  * @param[out] error    What is wrong, without the path (#STATUS_SCENE; #STATUS_FAILED without
  *                      module, memory or process).
  * @return Whether it was read.
  */
-bool texture_file_read(const char *path, Texture **texture, Error *error);
+bool texture_file_read(const AssetFile *file, AssetBudget *budget, Texture **texture, Error *error);
 
 #endif

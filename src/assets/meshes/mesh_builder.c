@@ -7,11 +7,14 @@
 #include "base/language.h"
 #include "dioptre/parameter.h"
 
+#include <float.h>
 #include <stdlib.h>
 #include <string.h>
 
 /** First capacity of the arrays of triangles. */
 enum { FIRST_CAPACITY = 1024 };
+/** Bound of the rounding error of an area, see #has_area. */
+#define AREA_NOISE (3 * DBL_EPSILON)
 /** A triangle without indices. */
 #define NO_INDICES ((MeshTriangle){{VERTEX_WELDER_NONE, VERTEX_WELDER_NONE, VERTEX_WELDER_NONE}})
 
@@ -52,13 +55,40 @@ static Vec3d vector_from_array(const double numbers[3]) {
     return (Vec3d){numbers[0], numbers[1], numbers[2]};
 }
 
-/**
- * @return A vector perpendicular to a triangle, of twice its area as length. It is exactly zero for
- *         collinear corners that are floats of similar size, because their differences and products
- *         are exact in double.
- */
+/** @return A vector perpendicular to a triangle, of twice its area as length. */
 static Vec3d area_vector(Vec3d a, Vec3d b, Vec3d c) {
     return vec3d_cross(vec3d_subtract(b, a), vec3d_subtract(c, a));
+}
+
+/** @return The absolute values of a vector. */
+static Vec3d absolute(Vec3d v) {
+    return (Vec3d){fabs(v.x), fabs(v.y), fabs(v.z)};
+}
+
+/** @return The larger coordinates of two vectors. */
+static Vec3d larger(Vec3d a, Vec3d b) {
+    return (Vec3d){fmax(a.x, b.x), fmax(a.y, b.y), fmax(a.z, b.z)};
+}
+
+/** @return The sizes of the products in a cross product, added instead of subtracted. */
+static Vec3d cross_sizes(Vec3d a, Vec3d b) {
+    return (Vec3d){a.y * b.z + a.z * b.y, a.z * b.x + a.x * b.z, a.x * b.y + a.y * b.x};
+}
+
+/**
+ * @return Whether a triangle has an area above its rounding error, so that its normal is not noise.
+ *
+ * Corners on a straight line in decimal are seldom so in double. With u = epsilon / 2, a coordinate
+ * is off by at most u times its size, and an edge by 2 u of that and u of its own length. The
+ * products of edges are at most as large as those of sizes and edges; so a component of the area
+ * vector is off by at most 6 u times the latter.
+ */
+static bool has_area(Vec3d a, Vec3d b, Vec3d c) {
+    Vec3d size = larger(absolute(a), larger(absolute(b), absolute(c)));
+    Vec3d first = absolute(vec3d_subtract(b, a)), second = absolute(vec3d_subtract(c, a));
+    Vec3d area = absolute(area_vector(a, b, c));
+    Vec3d noise = vec3d_scale(cross_sizes(size, vec3d_add(first, second)), AREA_NOISE);
+    return area.x > noise.x || area.y > noise.y || area.z > noise.z;
 }
 
 /**
@@ -141,21 +171,22 @@ static bool append_triangle(MeshBuilder *builder, const MeshCorner corners[3]) {
     return true;
 }
 
+bool mesh_builder_check(const MeshBuilder *builder, const double position[3]) {
+    return are_in_range(position, 3) ||
+           error_set(builder->error, STATUS_SCENE,
+                     "a vertex lies at (%g, %g, %g): coordinates must be finite and at most %g",
+                     position[0], position[1], position[2], LENGTH_MAXIMUM);
+}
+
 bool mesh_builder_add(void *context, const MeshCorner corners[3]) {
     MeshBuilder *builder = context;
     for (int k = 0; k < 3; k++) {
-        const double *position = corners[k].position;
-        if (!are_in_range(position, 3)) {
-            return error_set(builder->error, STATUS_SCENE,
-                             "a vertex lies at (%g, %g, %g): coordinates must be finite and at "
-                             "most %g",
-                             position[0], position[1], position[2], LENGTH_MAXIMUM);
+        if (!mesh_builder_check(builder, corners[k].position)) {
+            return false;
         }
     }
-    Vec3d area =
-        area_vector(vector_from_array(corners[0].position), vector_from_array(corners[1].position),
-                    vector_from_array(corners[2].position));
-    if (!(vec3d_length(area) > 0)) {
+    if (!has_area(vector_from_array(corners[0].position), vector_from_array(corners[1].position),
+                  vector_from_array(corners[2].position))) {
         builder->repairs.degenerate_triangles++;
         return true;
     }

@@ -33,6 +33,14 @@ typedef struct MeshBuilder {
 void mesh_builder_init(MeshBuilder *builder, Error *error);
 
 /**
+ * Checks a position, which must be done before a polygon is cut.
+ * @param builder   The builder, which receives the error.
+ * @param position  The position.
+ * @return Whether its coordinates are finite and in range.
+ */
+bool mesh_builder_check(const MeshBuilder *builder, const double position[3]);
+
+/**
  * Adds a triangle, unless its area is zero. Corners at the same position share one vertex.
  * @param context  The #MeshBuilder.
  * @param corners  The corners.

@@ -16,7 +16,6 @@
 #include <string.h>
 #include <strings.h>
 #include <sys/mman.h>
-#include <unistd.h>
 
 /** All extensions, for messages. */
 #define MESH_EXTENSIONS N_("obj, ply, stl, glb or gltf")
@@ -28,8 +27,8 @@ static const char *const extensions[] = {"obj", "ply", "stl", "glb", "gltf", NUL
 typedef struct MeshLoad {
     const char *name;             /**< Its name, without the folder. */
     const char *extension;        /**< Its format. */
-    int file;                     /**< Its descriptor. */
-    struct stat info_before;      /**< Size and times at the opening of the file. */
+    const AssetFile *file;        /**< The file. */
+    AssetBudget *budget;          /**< What the scene has left. */
     const MeshProgress *progress; /**< Callback; or NULL. */
 } MeshLoad;
 
@@ -71,14 +70,18 @@ static void report_progress(void *context, double seconds, double fraction) {
  * @param reply       The reply of the worker.
  * @param report      Its report.
  * @param seconds     The time limit.
+ * @param is_shared   Whether it is what the budget of the scene had left.
  * @param[out] error  The error.
  * @return false, always.
  */
 static bool set_failure(const WorkerReply *reply, const MeshWorkerReport *report, double seconds,
-                        Error *error) {
+                        bool is_shared, Error *error) {
     char reason[WORKER_REASON_SIZE];
     if (worker_reply_start_failure(reply, reason)) {
         return error_set(error, STATUS_FAILED, "no process to read a model in: %s", reason);
+    }
+    if (reply->end == WORKER_TIMED_OUT && is_shared && !reply->is_stalled) {
+        return asset_budget_set_time_error(error);
     }
     if (reply->end == WORKER_TIMED_OUT) {
         return error_set(error, STATUS_SCENE, "it takes more than %.0f s to read", seconds);
@@ -119,10 +122,15 @@ static bool validate_mesh(Mesh *mesh, size_t size, Error *error) {
 /** Reads an open file in a worker. @return The mesh; NULL on errors. */
 static Mesh *read_open_file(MeshLoad *load, Error *error) {
     const WorkerMonitor monitor = {.on_tick = report_progress, .context = load};
-    MeshWorkerRequest request = {.size = (size_t)load->info_before.st_size};
+    AssetBudget *budget = load->budget;
+    MeshWorkerRequest request = {.size = (size_t)load->file->info.st_size,
+                                 .capacity = MESH_CAPACITY < budget->memory ? MESH_CAPACITY
+                                                                            : budget->memory,
+                                 .is_capacity_shared = MESH_CAPACITY > budget->memory};
     MeshWorkerReport report = {0};
-    double seconds =
+    double own_seconds =
         MESH_FILE_TIME_LIMIT + (double)request.size / (double)MESH_FILE_BYTES_PER_SECOND;
+    double seconds = fmax(fmin(own_seconds, budget->seconds), 0);
     snprintf(request.extension, sizeof request.extension, "%s", load->extension);
     if (load->progress) {
         report_progress(load, 0, 0);
@@ -131,16 +139,19 @@ static Mesh *read_open_file(MeshLoad *load, Error *error) {
         worker_process_call_once(&(WorkerCall){.task = MESH_WORKER_TASK,
                                                .request = &request,
                                                .request_size = sizeof request,
-                                               .file = load->file,
+                                               .file = load->file->descriptor,
                                                .time_limit = seconds,
                                                .monitor = load->progress ? &monitor : NULL,
                                                .report = &report,
                                                .report_capacity = sizeof report,
-                                               .block_capacity = MESH_CAPACITY});
-    bool is_good = reply.end == WORKER_FINISHED && report.is_done && reply.block
-                       ? regular_file_is_unchanged(load->file, &load->info_before, error) &&
-                             validate_mesh(reply.block, reply.block_size, error)
-                       : set_failure(&reply, &report, seconds, error);
+                                               .block_capacity = request.capacity});
+    asset_budget_take_seconds(budget, reply.seconds);
+    bool is_good =
+        reply.end == WORKER_FINISHED && report.is_done && reply.block
+            ? regular_file_is_unchanged(load->file->descriptor, &load->file->info, error) &&
+                  validate_mesh(reply.block, reply.block_size, error) &&
+                  asset_budget_take_memory(budget, reply.block_size, error)
+            : set_failure(&reply, &report, seconds, seconds < own_seconds, error);
     if (!is_good && reply.block) {
         munmap(reply.block, reply.block_size);
         reply.block = NULL;
@@ -148,16 +159,18 @@ static Mesh *read_open_file(MeshLoad *load, Error *error) {
     return reply.block;
 }
 
-bool mesh_file_read(const char *path, const MeshProgress *progress, Mesh **mesh, Error *error) {
+bool mesh_file_read(const AssetFile *file, AssetBudget *budget, const MeshProgress *progress,
+                    Mesh **mesh, Error *error) {
     *mesh = NULL;
-    MeshLoad load = {.name = base_name_of(path), .progress = progress};
-    load.extension = find_extension(path, error);
-    load.file = load.extension ? regular_file_open(path, &load.info_before, error) : -1;
-    if (load.file < 0) {
+    MeshLoad load = {.name = base_name_of(file->path),
+                     .extension = find_extension(file->path, error),
+                     .file = file,
+                     .budget = budget,
+                     .progress = progress};
+    if (!load.extension) {
         return false;
     }
     *mesh = read_open_file(&load, error);
-    close(load.file);
     if (progress) {
         progress->end(progress->context);
     }

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The mesh module: reading of mesh files by assimp.
+ * @brief The mesh module: reading of mesh files by assimp, all formats but OBJ.
  *
  * Part of `dioptre-meshes.so` and not of the program. It runs in a worker process; the program
  * checks its results again.
@@ -11,13 +11,11 @@
 #include <assimp/cimport.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
-#include <ctype.h>
 #include <libintl.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
-/** Size of the file name for assimp, such as `model.obj`. */
+/** Size of the file name for assimp, such as `model.ply`. */
 enum { NAME_SIZE = 32 };
 /** Fraction of the work that reading the file takes. */
 #define READ_FRACTION 0.5
@@ -129,41 +127,6 @@ static bool set_import_failure(MeshImportResult *result) {
     }
     return set_failure(
         result, words[0] ? words : gettext("the library that reads models does not say why not"));
-}
-
-/** @return Whether a number at an index begins with its decimal point. */
-static bool is_bare_decimal_point(const MeshSource *source, size_t i) {
-    const char *bytes = source->bytes;
-    if (bytes[i] != '.' || i == 0 || i + 1 >= source->size) {
-        return false;
-    }
-    char before = bytes[i - 1];
-    bool is_start = before == ' ' || before == '\t' || before == '-' || before == '+';
-    return is_start && isdigit((unsigned char)bytes[i + 1]);
-}
-
-/**
- * Inserts a zero before each number that begins with its decimal point. assimp 5.2 does not
- * recognise such numbers in OBJ files, and drops the whole vertex.
- * @param source     The text.
- * @param[out] size  Bytes of the new text.
- * @return The new text, to be freed with `free`; NULL without memory.
- */
-static char *add_leading_zeros(const MeshSource *source, size_t *size) {
-    size_t count = 0;
-    for (size_t i = 0; i < source->size; i++) {
-        count += is_bare_decimal_point(source, i);
-    }
-    char *text = malloc(source->size + count + 1);
-    char *next = text;
-    for (size_t i = 0; text && i < source->size; i++) {
-        if (is_bare_decimal_point(source, i)) {
-            *next++ = '0';
-        }
-        *next++ = source->bytes[i];
-    }
-    *size = source->size + count;
-    return text;
 }
 
 /**
@@ -295,19 +258,11 @@ static bool triangulate_and_emit(const struct aiScene *scene, const MeshSink *si
  */
 static bool read_model(const MeshSource *source, const MeshSink *sink, MeshImportResult *result) {
     *result = (MeshImportResult){0};
-    bool is_text = strcmp(source->extension, "obj") == 0;
     bool is_glTF = strncmp(source->extension, "gl", 2) == 0;
     MemoryFile memory = {.bytes = source->bytes, .size = source->size, .sink = sink};
     snprintf(memory.name, sizeof memory.name, "model.%s", source->extension);
-    char *text = is_text ? add_leading_zeros(source, &memory.size) : NULL;
-    if (is_text && !text) {
-        return set_failure(result, gettext("it needs more memory than a model may take"));
-    }
-    memory.bytes = text ? text : memory.bytes;
     const struct aiScene *scene = import(&memory, is_glTF);
-    bool is_done = scene ? triangulate_and_emit(scene, sink, result) : set_import_failure(result);
-    free(text);
-    return is_done;
+    return scene ? triangulate_and_emit(scene, sink, result) : set_import_failure(result);
 }
 
 /** The exported symbol of the module: #MESH_PLUGIN_SYMBOL. */

@@ -2,7 +2,7 @@
  * @file
  * @brief Interface of the mesh module `dioptre-meshes.so`: triangles of mesh files.
  *
- * Its library is assimp; `doc/tour.md` compares it with tinyobjloader.
+ * Its library is assimp. OBJ files do not get here: #obj_read reads them.
  *
  * The module is loaded in a worker process only. It receives bytes instead of paths, so that it
  * cannot open the material files that a mesh names.
@@ -20,7 +20,7 @@ enum { MESH_PLUGIN_MESSAGE_SIZE = 512 };
 
 /** A mesh file in memory. */
 typedef struct MeshSource {
-    const char *extension; /**< Format, as the extension of the file: `obj`, ... */
+    const char *extension; /**< Format, as the extension of the file: `ply`, ... */
     const char *bytes;     /**< Its bytes. */
     size_t size;           /**< Number of bytes. */
 } MeshSource;

@@ -4,13 +4,16 @@
  */
 #include "assets/meshes/mesh_worker.h"
 
+#include "assets/asset_budget.h"
 #include "assets/meshes/mesh_builder.h"
+#include "assets/meshes/obj_reader.h"
 #include "assets/plugin.h"
 #include "base/language.h"
 
 #include <errno.h>
 #include <libintl.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 /** The mesh module. */
@@ -66,23 +69,33 @@ static bool add_triangle(void *context, const MeshCorner corners[3]) {
     return mesh_builder_add(&import->builder, corners);
 }
 
-/** Reads the file with the module. @return Whether all triangles were added. */
-static bool read_triangles(const WorkerJob *job, Import *import, Error *error) {
-    const MeshWorkerRequest *request = job->request;
-    MeshSink sink = {
-        .context = import, .add_triangle = add_triangle, .report_progress = report_progress};
-    MeshSource source = {.extension = request->extension, .size = request->size};
+/** Reads a file in memory with the module. @return Whether all triangles were added. */
+static bool read_with_module(const MeshPlugin *plugin, const MeshSource *source,
+                             const MeshSink *sink, MeshRepairs *repairs, Error *error) {
     MeshImportResult result;
-    const MeshPlugin *plugin = plugin_open(&mesh_plugin, error);
-    worker_job_ready();
-    worker_enter_sandbox(MESH_FILE_MEMORY_LIMIT);
-    char *bytes = plugin ? read_bytes(job->file, request->size, error) : NULL;
-    source.bytes = bytes;
-    bool is_read = bytes && plugin->read(&source, &sink, &result);
-    if (bytes && !is_read && result.message[0]) {
+    bool is_read = plugin->read(source, sink, &result);
+    if (!is_read && result.message[0]) {
         error_set(error, STATUS_SCENE, "%s", result.message);
     }
-    import->builder.repairs.untriangulated_polygons = is_read ? result.untriangulated_polygons : 0;
+    repairs->untriangulated_polygons = is_read ? result.untriangulated_polygons : 0;
+    return is_read;
+}
+
+/** Reads the file: OBJ here, other formats with the module. @return Whether all triangles were
+ *  added. */
+static bool read_triangles(const WorkerJob *job, Import *import, Error *error) {
+    const MeshWorkerRequest *request = job->request;
+    const MeshSink sink = {
+        .context = import, .add_triangle = add_triangle, .report_progress = report_progress};
+    MeshRepairs *repairs = &import->builder.repairs;
+    bool is_obj = strcmp(request->extension, "obj") == 0;
+    const MeshPlugin *plugin = is_obj ? NULL : plugin_open(&mesh_plugin, error);
+    worker_job_ready();
+    worker_enter_sandbox(MESH_FILE_MEMORY_LIMIT);
+    char *bytes = is_obj || plugin ? read_bytes(job->file, request->size, error) : NULL;
+    const MeshSource source = {request->extension, bytes, request->size};
+    bool is_read = bytes && (is_obj ? obj_read(bytes, request->size, &sink, repairs, error)
+                                    : read_with_module(plugin, &source, &sink, repairs, error));
     free(bytes);
     return is_read;
 }
@@ -93,9 +106,13 @@ static bool make_block(WorkerJob *job, MeshBuilder *builder, Error *error) {
     if (!mesh_builder_finish(builder, &counts)) {
         return false;
     }
-    if (mesh_block_size(&counts) > MESH_CAPACITY) {
+    const MeshWorkerRequest *request = job->request;
+    if (mesh_block_size(&counts) > request->capacity) {
+        if (request->is_capacity_shared) {
+            return asset_budget_set_memory_error(error);
+        }
         return error_set(error, STATUS_SCENE, "its %zu triangles take more than %zu MiB",
-                         counts.triangle_count, MESH_CAPACITY >> 20);
+                         counts.triangle_count, request->capacity >> 20);
     }
     Mesh *mesh = mesh_create(&counts, error);
     if (mesh) {

@@ -19,8 +19,10 @@
 
 /** Request for a mesh; the descriptor of the file is sent along. */
 typedef struct MeshWorkerRequest {
-    char extension[8]; /**< Format, see #MeshSource.extension. */
-    size_t size;       /**< Bytes of the file. */
+    char extension[8];      /**< Format, see #MeshSource.extension. */
+    size_t size;            /**< Bytes of the file. */
+    size_t capacity;        /**< Largest size of the mesh, bytes. */
+    int is_capacity_shared; /**< Not 0: other files of the scene have taken the rest. */
 } MeshWorkerRequest;
 
 /** Report on a mesh. */

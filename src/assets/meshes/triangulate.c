@@ -5,6 +5,10 @@
  * An ear is a triangle of three successive vertices that lies inside the polygon. Every simple
  * polygon has one (Meisters, *Polygons Have Ears*, 1975). Cutting them takes a time that grows with
  * the square of the number of vertices; convex polygons are cut into a fan at once.
+ *
+ * A polygon that is not flat is cut as it is seen along an axis. Where its edges cross in that
+ * view, it is cut as seen along its normal. A quadrilateral whose edges cross even there is folded
+ * along a diagonal, so that a mesh stays closed; a larger polygon misses triangles.
  */
 #include "assets/meshes/triangulate.h"
 
@@ -15,8 +19,9 @@
 /** A polygon in a plane. */
 typedef struct PlanarPolygon {
     const Vec3d *vertices; /**< Its vertices. */
-    int axis;              /**< The coordinate that is dropped: the largest of the normal. */
-    double sign;           /**< Sign of the normal along it. */
+    Vec3d right;           /**< Direction of x in the plane. */
+    Vec3d up;              /**< Direction of y in the plane. */
+    double sign;           /**< Below 0: the polygon is seen from behind. */
     uint32_t *chain;       /**< Indices of the vertices that are left, in order. */
     size_t count;          /**< Number of those. */
 } PlanarPolygon;
@@ -31,12 +36,12 @@ static Vec3d area_vector(const Vec3d *vertices, size_t count) {
     return sum;
 }
 
-/** @return A vertex without the dropped coordinate: its other two in x and y. */
+/** @return A vertex in the plane, in x and y. Exactly its coordinates where the directions are
+ * axes.
+ */
 static Vec3d project(const PlanarPolygon *polygon, size_t index) {
     Vec3d v = polygon->vertices[index];
-    return polygon->axis == 0   ? (Vec3d){v.y, v.z, 0}
-           : polygon->axis == 1 ? (Vec3d){v.z, v.x, 0}
-                                : (Vec3d){v.x, v.y, 0};
+    return (Vec3d){vec3d_dot(v, polygon->right), vec3d_dot(v, polygon->up), 0};
 }
 
 /** @return Twice the area of a triangle: above 0 if it is oriented as the polygon. */
@@ -173,24 +178,78 @@ static size_t cut_ears(PlanarPolygon *polygon, uint32_t *triangles) {
     return made;
 }
 
+/** Cuts a polygon in a plane. @return Number of triangles. */
+static size_t cut_in_plane(PlanarPolygon *polygon, uint32_t *triangles, size_t *missing) {
+    for (size_t i = 0; i < polygon->count; i++) {
+        polygon->chain[i] = (uint32_t)i;
+    }
+    *missing = 0;
+    if (is_convex(polygon)) {
+        return cut_fan(polygon, triangles);
+    }
+    size_t made = cut_ears(polygon, triangles);
+    *missing = polygon->count >= 3 ? polygon->count - 2 : 0;
+    return made;
+}
+
+/** @return The axis along which a polygon is seen largest: 0, 1 or 2. */
+static int largest_axis(Vec3d normal) {
+    double x = fabs(normal.x), y = fabs(normal.y), z = fabs(normal.z);
+    return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+}
+
+/** @return A coordinate of a vector. */
+static double coordinate(Vec3d v, int axis) {
+    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+/** The axes. */
+static const Vec3d axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+/** @return The cosine of the angle by which two triangles on an edge are folded; 0 if one has no
+ *  area. @param a Start of the edge. @param b A vertex. @param c End of the edge. @param d The
+ *  other vertex. */
+static double fold_cosine(Vec3d a, Vec3d b, Vec3d c, Vec3d d) {
+    Vec3d first = vec3d_cross(vec3d_subtract(b, a), vec3d_subtract(c, a));
+    Vec3d second = vec3d_cross(vec3d_subtract(c, a), vec3d_subtract(d, a));
+    double lengths = vec3d_length(first) * vec3d_length(second);
+    return lengths > 0 ? vec3d_dot(first, second) / lengths : 0;
+}
+
+/** Folds a quadrilateral along the diagonal where it is flatter. @return Number of triangles. */
+static size_t fold_quad(const Vec3d *v, uint32_t *triangles) {
+    static const uint32_t folds[2][6] = {{0, 1, 2, 0, 2, 3}, {1, 2, 3, 1, 3, 0}};
+    bool is_second = fold_cosine(v[1], v[2], v[3], v[0]) > fold_cosine(v[0], v[1], v[2], v[3]);
+    memcpy(triangles, folds[is_second], sizeof folds[is_second]);
+    return 2;
+}
+
 size_t triangulate_polygon(const Vec3d *vertices, size_t count, uint32_t *triangles, uint32_t *work,
                            size_t *missing) {
     Vec3d normal = area_vector(vertices, count);
-    double x = fabs(normal.x), y = fabs(normal.y), z = fabs(normal.z);
-    int axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
-    double along = axis == 0 ? normal.x : axis == 1 ? normal.y : normal.z;
+    int axis = largest_axis(normal);
+    double along = coordinate(normal, axis);
     *missing = 0;
     if (!(fabs(along) > 0)) {
         return 0;
     }
-    PlanarPolygon polygon = {vertices, axis, along > 0 ? 1 : -1, work, count};
-    for (size_t i = 0; i < count; i++) {
-        work[i] = (uint32_t)i;
+    PlanarPolygon polygon = {.vertices = vertices,
+                             .right = axes[(axis + 1) % 3],
+                             .up = axes[(axis + 2) % 3],
+                             .sign = along > 0 ? 1 : -1,
+                             .chain = work,
+                             .count = count};
+    size_t made = cut_in_plane(&polygon, triangles, missing);
+    if (*missing > 0) {
+        polygon.right = vec3d_normalize(vec3d_cross(axes[(axis + 1) % 3], normal));
+        polygon.up = vec3d_normalize(vec3d_cross(normal, polygon.right));
+        polygon.sign = 1;
+        polygon.count = count;
+        made = cut_in_plane(&polygon, triangles, missing);
     }
-    if (is_convex(&polygon)) {
-        return cut_fan(&polygon, triangles);
+    if (*missing > 0 && count == 4) {
+        *missing = 0;
+        made = fold_quad(vertices, triangles);
     }
-    size_t made = cut_ears(&polygon, triangles);
-    *missing = polygon.count >= 3 ? polygon.count - 2 : 0;
     return made;
 }

@@ -12,7 +12,7 @@
 
 /**
  * Cuts a polygon into triangles of its own vertices.
- * @param vertices        The vertices in order; nearly in a plane.
+ * @param vertices        The vertices in order, finite; nearly in a plane.
  * @param count           Number of vertices, at least 3.
  * @param[out] triangles  At most `count` - 2 times three indices of vertices, oriented as the
  *                        polygon.

@@ -18,6 +18,7 @@
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
+#include <time.h>
 #include <unistd.h>
 
 /** The current job, for the signal handler; NULL: none, or its result is being sent. */
@@ -161,7 +162,12 @@ _Noreturn void worker_main(char **argv, const WorkerTask *tasks) {
 }
 
 void worker_job_ready(void) {
-    send_bytes(&(WorkerFrame){.kind = WORKER_FRAME_READY}, sizeof(WorkerFrame));
+    struct timespec used = {0};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
+    const WorkerFrame frame = {.kind = WORKER_FRAME_READY,
+                               .processor_seconds =
+                                   (double)used.tv_sec + 1e-9 * (double)used.tv_nsec};
+    send_bytes(&frame, sizeof frame);
 }
 
 void worker_job_progress(double fraction) {

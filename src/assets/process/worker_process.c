@@ -4,8 +4,8 @@
  */
 #include "assets/process/worker_process.h"
 
+#include "assets/process/worker_clock.h"
 #include "assets/process/worker_protocol.h"
-#include "base/clock.h"
 #include "base/executable_dir.h"
 #include "base/language.h"
 
@@ -27,8 +27,8 @@
 
 /** Time limit for the start of a worker with its modules, seconds. */
 static const double START_LIMIT = 60;
-/** Time limit for the report after a timeout, seconds. */
-static const double REPORT_LIMIT = 0.25;
+/** Time limit for the report after a timeout, seconds: a busy machine may need some. */
+static const double REPORT_LIMIT = 5;
 /** Seconds between two calls of #WorkerMonitor.on_tick. */
 static const double TICK_INTERVAL = 0.2;
 /** Largest number of starts until the address of the result is free in a worker. */
@@ -132,8 +132,7 @@ bool worker_process_was_unfiltered(void) {
 typedef struct Exchange {
     const WorkerProcess *process; /**< The worker. */
     const WorkerCall *call;       /**< The request. */
-    double started;               /**< Start of the time limit, on #clock_now_seconds. */
-    double deadline;              /**< End of the time limit. */
+    WorkerClock clock;            /**< The time limits. */
     double fraction;              /**< Progress, 0 to 1. */
     bool is_ready;                /**< Whether the worker is ready. */
     bool is_late;                 /**< Whether the deadline has passed, or the call is stopped. */
@@ -145,9 +144,9 @@ static bool is_stopped(const Exchange *exchange) {
     return monitor && monitor->stop && atomic_load(monitor->stop);
 }
 
-/** @return Milliseconds until the next tick or the deadline, rounded up. */
-static int sleep_time(const Exchange *exchange, double now) {
-    double left = exchange->deadline - now;
+/** @return Milliseconds until the next tick or the next look at the clock, rounded up. */
+static int sleep_time(const Exchange *exchange) {
+    double left = worker_clock_left(&exchange->clock);
     double seconds = exchange->call->monitor ? fmin(left, TICK_INTERVAL) : left;
     return (int)fmin(fmax(ceil(1000 * seconds), 0), INT_MAX);
 }
@@ -162,17 +161,16 @@ static bool wait_until_ready(Exchange *exchange, short events) {
     struct pollfd watched = {.fd = exchange->process->socket, .events = events};
     const WorkerMonitor *monitor = exchange->call->monitor;
     while (!is_stopped(exchange)) {
-        double now = clock_now_seconds();
-        int ready = poll(&watched, 1, sleep_time(exchange, now));
+        int ready = poll(&watched, 1, sleep_time(exchange));
         if (ready > 0) {
             return true;
         }
-        now = clock_now_seconds();
-        if (ready == 0 && now >= exchange->deadline) {
+        if (ready == 0 && worker_clock_left(&exchange->clock) <= 0) {
             break;
         }
         if (ready == 0 && monitor && monitor->on_tick) {
-            monitor->on_tick(monitor->context, now - exchange->started, exchange->fraction);
+            monitor->on_tick(monitor->context, worker_clock_elapsed(&exchange->clock),
+                             exchange->fraction);
         }
     }
     exchange->is_late = true;
@@ -291,11 +289,12 @@ static bool receive_block(Exchange *exchange, const WorkerFrame *frame, WorkerRe
 }
 
 /** Starts the time limit, once. @return false if the worker says again that it is ready. */
-static bool start_time_limit(Exchange *exchange) {
+static bool start_time_limit(Exchange *exchange, const WorkerFrame *frame) {
     bool is_first = !exchange->is_ready;
     exchange->is_ready = true;
-    exchange->started = clock_now_seconds();
-    exchange->deadline = exchange->started + exchange->call->time_limit;
+    worker_clock_start(&exchange->clock, exchange->process->pid, exchange->call->time_limit,
+                       exchange->call->wall_limit);
+    worker_clock_exclude(&exchange->clock, frame->processor_seconds);
     return is_first;
 }
 
@@ -306,7 +305,7 @@ static bool start_time_limit(Exchange *exchange) {
 static bool handle_frame(Exchange *exchange, const WorkerFrame *frame) {
     bool is_handled = true;
     if (frame->kind == WORKER_FRAME_READY) {
-        return start_time_limit(exchange);
+        return start_time_limit(exchange, frame);
     }
     if (frame->kind == WORKER_FRAME_UNFILTERED) {
         atomic_store(&was_unfiltered, true);
@@ -321,7 +320,7 @@ static bool handle_frame(Exchange *exchange, const WorkerFrame *frame) {
         is_handled = false;
     }
     // A worker that keeps talking is late, too.
-    exchange->is_late = exchange->is_late || clock_now_seconds() >= exchange->deadline;
+    exchange->is_late = exchange->is_late || worker_clock_left(&exchange->clock) < 0;
     return is_handled && !exchange->is_late;
 }
 
@@ -344,13 +343,25 @@ static void end_late_worker(Exchange *exchange, WorkerProcess *process) {
     if (!is_stopped(exchange)) {
         WorkerReply none = {0};
         Exchange last = {.process = process, .call = exchange->call, .is_ready = true};
-        last.deadline = clock_now_seconds() + REPORT_LIMIT;
+        worker_clock_start_wall(&last.clock, REPORT_LIMIT);
         kill(process->pid, SIGXCPU);
         if (receive_reply(&last, &none) && none.block && !exchange->call->block) {
             munmap(none.block, none.block_size);
         }
     }
     worker_process_stop(process);
+}
+
+/**
+ * Drops a result that came too late, unnoticed because this process had to wait.
+ * @return Whether it came in time.
+ */
+static bool is_in_time(Exchange *exchange, WorkerReply *reply) {
+    exchange->is_late = worker_clock_left(&exchange->clock) < 0;
+    if (exchange->is_late && reply->block && !exchange->call->block) {
+        munmap(reply->block, reply->block_size);
+    }
+    return !exchange->is_late;
 }
 
 /**
@@ -361,24 +372,31 @@ static void end_late_worker(Exchange *exchange, WorkerProcess *process) {
  * @return The reply.
  */
 static WorkerReply converse(WorkerProcess *process, const WorkerCall *call, int *exit_status) {
-    double now = clock_now_seconds();
     WorkerReply reply = {.end = WORKER_FINISHED};
-    Exchange exchange = {
-        .process = process, .call = call, .started = now, .deadline = now + START_LIMIT};
+    Exchange exchange = {.process = process, .call = call};
     const Message request = {call->request, call->request_size, call->file};
-    if (send_message(&exchange, &request) && receive_reply(&exchange, &reply)) {
+    worker_clock_start_wall(&exchange.clock, START_LIMIT);
+    bool is_finished = send_message(&exchange, &request) && receive_reply(&exchange, &reply) &&
+                       is_in_time(&exchange, &reply);
+    double seconds = worker_clock_used(&exchange.clock);
+    if (is_finished) {
+        reply.seconds = seconds;
         reply.is_ready = exchange.is_ready;
         return reply;
     }
     if (exchange.is_late) {
+        bool is_stalled = worker_clock_is_stalled(&exchange.clock);
         end_late_worker(&exchange, process);
-        return (WorkerReply){.end = WORKER_TIMED_OUT, .is_ready = exchange.is_ready};
+        return (WorkerReply){.end = WORKER_TIMED_OUT,
+                             .is_ready = exchange.is_ready,
+                             .is_stalled = is_stalled,
+                             .seconds = seconds};
     }
     // A worker that closed its socket has its exit status already, which the signal does not
     // change. One with an invalid reply still runs.
     kill(process->pid, SIGKILL);
     int status = reap(process);
-    reply = (WorkerReply){.end = WORKER_EXITED, .is_ready = exchange.is_ready};
+    reply = (WorkerReply){.end = WORKER_EXITED, .is_ready = exchange.is_ready, .seconds = seconds};
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) {
         reply.end = WORKER_TIMED_OUT; // At its limit of processor time.
     } else if (WIFSIGNALED(status)) {
@@ -439,6 +457,7 @@ bool worker_reply_start_failure(const WorkerReply *reply, char reason[WORKER_REA
 
 bool worker_error_set(Error *error, const Error *reported) {
     bool is_failure = reported->status == STATUS_FAILED;
-    return error_set(error, is_failure ? STATUS_FAILED : STATUS_SCENE, "%.*s",
-                     ERROR_MESSAGE_SIZE - 1, reported->message);
+    error_set(error, is_failure ? STATUS_FAILED : STATUS_SCENE, "%.*s", ERROR_MESSAGE_SIZE - 1,
+              reported->message);
+    return error_set_line(error, reported->line);
 }

@@ -53,13 +53,13 @@ typedef struct WorkerResponse {
 
 /** A request to a worker, and memory for its reply. */
 typedef struct WorkerCall {
-    const char *program;          /**< Path of the worker program; NULL: `dioptre-worker`. */
-    const char *task;             /**< Name of the task, see #WorkerTask. */
-    const void *request;          /**< Bytes of the request. */
-    size_t request_size;          /**< Number of its bytes. */
-    int file;                     /**< Descriptor to send along; 0: none. */
-    double time_limit;            /**< Time limit, seconds, from #worker_job_ready; of processor
-                                     time, too. */
+    const char *program; /**< Path of the worker program; NULL: `dioptre-worker`. */
+    const char *task;    /**< Name of the task, see #WorkerTask. */
+    const void *request; /**< Bytes of the request. */
+    size_t request_size; /**< Number of its bytes. */
+    int file;            /**< Descriptor to send along; 0: none. */
+    double time_limit;   /**< Limit of its processor time, seconds, from #worker_job_ready. */
+    double wall_limit;   /**< Limit on the wall clock, seconds; 0: #worker_clock_wall_limit. */
     const WorkerMonitor *monitor; /**< Callback and stop flag; NULL: none. */
     /**
      * Answers a question of the worker, see #worker_job_ask. A stranger's file may have written the
@@ -86,6 +86,9 @@ typedef struct WorkerReply {
     void *block;   /**< The block; NULL: none. To be unmapped with munmap if #WorkerCall.block is
                       NULL. */
     size_t block_size; /**< Bytes of the block. */
+    double seconds;    /**< Processor time of the call, seconds, from #worker_job_ready. */
+    bool is_stalled;   /**< After #WORKER_TIMED_OUT: whether it only waited, until the limit on the
+                          wall clock. */
 } WorkerReply;
 
 /**

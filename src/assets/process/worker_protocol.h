@@ -47,10 +47,12 @@ typedef enum {
 
 /** Start of a message from a worker. */
 typedef struct WorkerFrame {
-    int kind;           /**< A #WorkerFrameKind. */
-    int per_mille;      /**< Progress, 0 to 1000. */
-    size_t report_size; /**< Bytes of the report, which follows this header. */
-    size_t block_size;  /**< Bytes of the block, which follows the report; 0: none. */
+    int kind;                 /**< A #WorkerFrameKind. */
+    int per_mille;            /**< Progress, 0 to 1000. */
+    double processor_seconds; /**< Processor time of the worker before #WORKER_FRAME_READY, seconds:
+                                 the program may be late in reading this frame. */
+    size_t report_size;       /**< Bytes of the report, which follows this header. */
+    size_t block_size;        /**< Bytes of the block, which follows the report; 0: none. */
 } WorkerFrame;
 
 #endif

@@ -24,12 +24,55 @@ static const Parameter sdf_parameters[] = {
 /** A tolerance too small to be visible at usual sizes. */
 static const SdfShapeParameters sdf_defaults = {.tolerance = 1e-4, .max_steps = 512};
 
-/** Rejects shapes without a field. See #Keyword.finish. @return Whether there is one. */
+/** Bit of the field `tolerance`. */
+enum { HAS_TOLERANCE = 1 << 1 };
+
+/**
+ * Smallest number of tolerances along the longest edge of a field. A ray that came within 8 of them
+ * may count as a hit, so a larger one would make a surface of all that is in the box.
+ */
+static const double TOLERANCES_PER_EDGE = 16;
+
+/** Length that stands for a field that has no end and no cells, scene units. */
+static const double ENDLESS_FIELD_EDGE = 16;
+
+/** @return The longer of two edges, one of them by its ends; edges without end do not count. */
+static double longer_edge(double edge, double low, double high) {
+    double other = high - low;
+    return isfinite(other) ? fmax(edge, other) : edge;
+}
+
+/** @return Longest edge of the box of a field, or of its cells if it is repeated; scene units. */
+static double longest_edge(const Sdf *field) {
+    double edge = 0;
+    edge = longer_edge(edge, field->low.x, field->high.x);
+    edge = longer_edge(edge, field->low.y, field->high.y);
+    edge = longer_edge(edge, field->low.z, field->high.z);
+    for (int i = 0; i < field->node_count; i++) {
+        const SdfNode *node = &field->nodes[i];
+        for (int axis = 0; node->op == SDF_REPEAT && axis < 3; axis++) {
+            edge = fmax(edge, node->operands[axis]);
+        }
+    }
+    return edge > 0 ? edge : ENDLESS_FIELD_EDGE;
+}
+
+/**
+ * Rejects shapes without a field, and tolerances that are no longer small beside it. See
+ * #Keyword.finish.
+ * @return Whether it is valid.
+ */
 static bool sdf_finish(void *values, uint64_t given, Error *error) {
-    (void)given;
-    return ((SdfShapeParameters *)values)->field ||
+    const SdfShapeParameters *p = values;
+    if (!p->field) {
+        return error_set(error, STATUS_SCENE,
+                         "sdf needs a field, such as sdf { distance.sphere { radius = 1 } }");
+    }
+    double maximum = longest_edge(p->field) / TOLERANCES_PER_EDGE;
+    return !(given & HAS_TOLERANCE) || p->tolerance <= maximum ||
            error_set(error, STATUS_SCENE,
-                     "sdf needs a field, such as sdf { distance.sphere { radius = 1 } }");
+                     "tolerance must be at most 1/16 of the longest edge of the field, %g, not %g",
+                     maximum, p->tolerance);
 }
 
 /** @return Facts of the surface of a field. See #SceneShapeClass.facts. */

@@ -119,6 +119,9 @@ static bool replace_scene(App *app, SceneLoad *load, Error *error) {
     }
     app->source.has_load_error = false;
     app_on_view_changed(app);
+    if (load->path[0] != '\0' || load->force_reload) {
+        app_show_notes(app);
+    }
     return true;
 }
 

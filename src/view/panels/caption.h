@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Text at the lower edge of the picture: captions of lessons, and notices of errors.
+ * @brief Text at the lower edge of the picture: captions of lessons, notices of errors and notes.
  */
 #ifndef DIOPTRE_VIEW_PANELS_CAPTION_H
 #define DIOPTRE_VIEW_PANELS_CAPTION_H

@@ -13,7 +13,7 @@ export JOBS="${JOBS:-2}"
 if [ -z "${COVERAGE_ONLY:-}" ]; then
     find build/coverage -name '*.gcda' -delete
     {
-        ls build/coverage/tests/test_*
+        ls tests/test_*.c | sed 's|^tests/\(.*\)\.c$|build/coverage/tests/\1|'
         for script in $scripts; do [ -e tests/$script.sh ] && echo "tests/$script.sh"; done
         echo tests/soak.sh
     } | BUILD=build/coverage DIOPTRE=build/coverage/dioptre xargs -P "$JOBS" -I{} sh -c 'timeout 900 {} >/dev/null 2>&1 </dev/null || echo "# {} fails here"'
@@ -21,9 +21,6 @@ fi
 gcovr --root . --object-directory build/coverage --filter 'src/' --exclude 'src/trace/' --exclude 'src/lab/methods/' \
     --exclude '.*_plugin\.c' --gcov-ignore-parse-errors --json-summary "$work/summary.json" --txt "$work/table" \
     --json-summary-pretty 2>"$work/err" || fail "gcovr: $(head -5 "$work/err")"
-# share FIELD: a share of the whole, percent.
-share() { sed -nE "s/^    \"$1_percent\": ([0-9.]+),?$|^\"$1_percent\": .*$/\1/p" "$work/summary.json" | tail -1; }
-sed -n '1,5p' "$work/table" >/dev/null
 echo '# The least covered files, lines:'
 awk '$1 ~ /^src/ && $2 > 20 { print $4, $1, $2 - $3 " of " $2 " lines" }' "$work/table" | sort -n | head -12 | sed 's/^/#   /'
 for kind in line branch; do

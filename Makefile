@@ -18,8 +18,16 @@ WARNINGS  := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion -
 ARITHMETIC := -ffp-contract=off -fno-math-errno -fno-trapping-math
 # SDL's header would bring in Intel's, half a second per file, for CPU queries that nothing here asks.
 CPPFLAGS  := -Iinclude -Isrc -DDIOPTRE_VERSION='"$(VERSION)"' -D_GNU_SOURCE -DSDL_DISABLE_IMMINTRIN_H
-CFLAGS    = -std=gnu11 $(OPTIMIZE) $(WARNINGS) $(ARITHMETIC) -fPIC -pthread $(SANITIZERS) $(COUNTERS)
-CXXFLAGS  = -std=c++17 $(OPTIMIZE) -Wall -Wextra -Wpedantic -Wshadow -Werror -fPIC -fvisibility=hidden $(SANITIZERS) $(COUNTERS)
+CFLAGS    = -std=gnu11 $(OPTIMIZE) $(WARNINGS) $(ARITHMETIC) -fPIC -pthread $(HARDENED) $(SANITIZERS) $(COUNTERS)
+CXXFLAGS  = -std=c++17 $(OPTIMIZE) -Wall -Wextra -Wpedantic -Wshadow -Werror -fPIC -fvisibility=hidden $(HARDENED) $(SANITIZERS) $(COUNTERS)
+# What an error would be used for is made hard: stacks that are overwritten are noticed, as are functions
+# of the C library that write too far, and the linker's tables are complete and constant before main. Not
+# in builds for debugging: the checked functions need the optimiser, and sanitizers have checks of their own.
+HARDENED   = $(if $(SANITIZE)$(COVERAGE)$(filter -O0 -O1,$(OPTIMIZE)),,-fstack-protector-strong -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2)
+# Engines and methods, which get no bytes of a file, go without stack protectors: these cost 1.1 % of the
+# instructions of scenes/glass-sphere.lua (f32x8, 96 x 72, 4 samples).
+UNPROTECTED := -fno-stack-protector
+LINK_HARDENED = -Wl,-z,relro,-z,now
 # COVERAGE=1: a build that counts which lines run.
 COUNTERS   = $(if $(COVERAGE),--coverage -fprofile-update=atomic)
 UNCOUNTED  = $(if $(COVERAGE),-fno-profile-arcs -fno-test-coverage -O3)
@@ -75,6 +83,7 @@ CLI_OBJECTS   := $(CLI_SOURCES:%.c=$(OBJ)/%.o)
 TEST_SOURCES  := $(wildcard tests/test_*.c)
 TESTS         := $(TEST_SOURCES:tests/%.c=$(BUILD)/tests/%)
 PROGRAM       := $(BUILD)/dioptre
+FLAGS         := $(BUILD)/flags
 IMAGES_MODULE := $(BUILD)/dioptre-images.so
 MESHES_MODULE := $(BUILD)/dioptre-meshes.so
 MODULES       := $(IMAGES_MODULE) $(MESHES_MODULE)
@@ -95,20 +104,20 @@ COVERAGE_WRAPS := $(addprefix -Wl$(COMMA)--wrap=,send worker_sandbox_filter work
 all: $(PROGRAM) $(WORKER) $(MODULES) $(CATALOGUES)
 
 $(PROGRAM): $(CLI_OBJECTS) $(ROOM_OBJECTS)
-	$(call SAY,cc,$@)$(CC) $(CFLAGS) -o $@ $^ $(LIBRARIES)
+	$(call SAY,cc,$@)$(CC) $(CFLAGS) $(LINK_HARDENED) -pie -o $@ $^ $(LIBRARIES)
 
 $(WORKER): $(WORKER_OBJECTS)
-	$(call SAY,cc,$@)$(CC) $(CFLAGS) $(if $(COVERAGE),$(COVERAGE_WRAPS)) -o $@ $^ $(call PKG_LIBS,lua5.4) -ldl -lm -pthread
+	$(call SAY,cc,$@)$(CC) $(CFLAGS) $(LINK_HARDENED) -pie $(if $(COVERAGE),$(COVERAGE_WRAPS)) -o $@ $^ $(call PKG_LIBS,lua5.4) -ldl -lm -pthread
 
 $(IMAGES_MODULE): src/assets/images/image_plugin.cpp src/assets/images/image_plugin.h $(FLAGS)
 	$(call NEED,OpenImageIO,libopenimageio-dev)
 	@mkdir -p $(@D)
-	$(call SAY,c++,$@)$(CXX) $(CPPFLAGS) $(CXXFLAGS) $(call PKG_CFLAGS,OpenImageIO) -shared -o $@ $< $(call PKG_LIBS,OpenImageIO)
+	$(call SAY,c++,$@)$(CXX) $(CPPFLAGS) $(CXXFLAGS) $(call PKG_CFLAGS,OpenImageIO) $(LINK_HARDENED) -shared -o $@ $< $(call PKG_LIBS,OpenImageIO)
 
 $(MESHES_MODULE): src/assets/meshes/mesh_plugin.c src/assets/meshes/mesh_plugin.h $(FLAGS)
 	$(call NEED,assimp,libassimp-dev)
 	@mkdir -p $(@D)
-	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) -fvisibility=hidden $(call PKG_CFLAGS,assimp) -shared -o $@ $< $(call PKG_LIBS,assimp)
+	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) -fvisibility=hidden $(call PKG_CFLAGS,assimp) $(LINK_HARDENED) -shared -o $@ $< $(call PKG_LIBS,assimp)
 
 $(BUILD)/locale/%/LC_MESSAGES/dioptre.mo: src/po/%.po
 	@command -v msgfmt >/dev/null || { \
@@ -125,7 +134,6 @@ libraries:
 	$(call NEED,imgui,libimgui-dev)
 
 # Other flags than last time make everything anew.
-FLAGS     := $(BUILD)/flags
 FLAGS_NOW := $(CC) $(CXX) $(CPPFLAGS) $(CFLAGS) $(CXXFLAGS) $(ROOM_CFLAGS) $(foreach engine,$(ENGINES),$(FLAGS_$(engine)))
 .PHONY: always
 always:
@@ -150,7 +158,7 @@ KEEP = $(call SAY,ld,$@)$(LD) -r -o $@.all $(filter %.o,$^) && $(OBJCOPY) --keep
 define ONE_SYMBOL
 $(OBJ)/$(1)/%.o: $(2)/%.c $(FLAGS)
 	@mkdir -p $$(@D)
-	$$(call SAY,cc,$$@)$$(CC) $$(CPPFLAGS) $$(CFLAGS) $$(UNCOUNTED) $(4) -MMD -MP -c -o $$@ $$<
+	$$(call SAY,cc,$$@)$$(CC) $$(CPPFLAGS) $$(CFLAGS) $$(UNCOUNTED) $$(UNPROTECTED) $(4) -MMD -MP -c -o $$@ $$<
 $(OBJ)/$(1).o: $(if $(SPLIT),$(3:$(2)/%.c=$(OBJ)/$(1)/%.o),$(OBJ)/$(1)/all.o)
 	$$(call KEEP,$(5))
 endef

@@ -31,19 +31,20 @@ typedef struct BoundedShape {
 
 /** The state of the search. */
 typedef struct Search {
-    const Scene *scene; /**< The scene. */
-    Vec3d origin;       /**< #scene_local_origin */
-    Vec3d right;        /**< To the right in the picture. */
-    double half_width;  /**< Half the width of the picture at distance 1. */
-    double half_height; /**< Half its height. */
-    bool has_secondary; /**< Whether rays are reflected or refracted. */
-    bool has_glass;     /**< Whether rays are refracted. */
-    Aabbd secondary;    /**< Box from which they start. */
-    Aabbd centers;      /**< Box around the centres of the shapes from which they start. */
-    long box_pairs;     /**< Pairs of boxes compared. */
-    long shape_pairs;   /**< Pairs of shapes compared. */
-    size_t vertices;    /**< Vertices compared. */
-    ZFighting result;   /**< What is found. */
+    const Scene *scene;        /**< The scene. */
+    Vec3d origin;              /**< #scene_local_origin */
+    Vec3d right;               /**< To the right in the picture. */
+    double half_width;         /**< Half the width of the picture at distance 1. */
+    double half_height;        /**< Half its height. */
+    bool has_secondary;        /**< Whether rays are reflected or refracted. */
+    bool has_glass;            /**< Whether rays are refracted. */
+    Aabbd secondary;           /**< Box from which they start. */
+    Aabbd centers;             /**< Box around the centres of the shapes from which they start. */
+    long box_pairs;            /**< Pairs of boxes compared. */
+    long shape_pairs;          /**< Pairs of shapes compared. */
+    size_t vertices;           /**< Vertices compared. */
+    double largest_coincident; /**< Largest share of a pair in #ZFighting.coincident. */
+    ZFighting result;          /**< What is found. */
 } Search;
 
 /** What the rounding of a gap depends on. */

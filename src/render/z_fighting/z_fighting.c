@@ -131,5 +131,6 @@ ZFighting z_fighting_of(const Scene *scene) {
     free(memory.spheres);
     free(memory.shapes);
     search.result.fraction = fmin(1, search.result.fraction);
+    search.result.coincident = fmin(1, search.result.coincident);
     return search.result;
 }

@@ -24,10 +24,11 @@
 typedef struct ZFighting {
     double fraction;   /**< Fraction of the pixels that float may give to the wrong one of two
                             surfaces, such as a disk just above a floor. */
-    double coincident; /**< Fraction of the pixels that show the two opaque faces that coincide
-                            exactly and look different, where they are largest. No engine can tell
-                            them apart, and #fraction does not count them. */
-    int lines[2];      /**< Their lines in the scene file; 0: unknown, or in an included file. */
+    double coincident; /**< Fraction of the pixels that show opaque faces that coincide exactly and
+                            look different. No engine can tell them apart, and #fraction does not
+                            count them. */
+    int lines[2]; /**< Lines in the scene file of the two that cover the most; 0: unknown, or in
+                       an included file. */
 } ZFighting;
 
 /** @return What is found in a scene. The time is proportional to the number of shapes, and to that

@@ -236,6 +236,15 @@ static unsigned camera_packet_count(const CameraPacket *packet) {
     return count;
 }
 
+/** @return The number of rays of a group that are traced. */
+static unsigned camera_group_count(const CameraGroup *group) {
+    unsigned count = 0;
+    for (int p = 0; p < group->count; p++) {
+        count += camera_packet_count(&group->packets[p]);
+    }
+    return count;
+}
+
 /** Removes rays of a packet. @param first Index of the first to keep, among the
  * #CameraPacket.lanes.
  *  @param count Number of those to keep. */
@@ -266,7 +275,7 @@ static void camera_packet_trace_recursively(const CameraGroup *group, scalar cut
     memcpy(rays->packet.active, active, sizeof active);
 }
 
-/** Traces camera rays in two smaller groups, as the memory did not suffice for all. */
+/** Traces camera rays in two smaller groups, as the memory does not suffice for all. */
 static __attribute__((noinline)) void camera_group_split(const CameraGroup *group, scalar cutoff) {
     CameraGroup half = *group;
     unsigned rays = camera_packet_count(&group->packets[0]);
@@ -310,6 +319,11 @@ static void camera_group_trace(const CameraGroup *group, scalar cutoff) {
     TraceContext context = {.tracer = group->tracer, .counts = group->counts};
     bool has_passes = group->tracer->loss_budget.cutoff > 0;
     bool is_any_left = true;
+    unsigned rays = camera_group_count(group);
+    if (rays > 1 && rays > wavefront_sample_limit(group->wavefront)) {
+        camera_group_split(group, cutoff);
+        return;
+    }
     while (is_any_left) {
         scalar next = has_passes ? cutoff / PASS_FACTOR : cutoff;
         context.cutoff = cutoff;

@@ -97,12 +97,12 @@ static __attribute__((noinline)) void trace_tile_wavefronts(const Tracer *tracer
                                                             RayCounts *counts) {
     const PixelJitter jitter = pixel_jitter_of(grid->sample);
     int packet_count = grid_packet_count(grid);
-    for (int first = 0, count; first < packet_count; first += count) {
+    for (int first = 0; first < packet_count; first += WAVEFRONT_PACKETS) {
         CameraRays rays[WAVEFRONT_PACKETS];
         Rgb colors[WAVEFRONT_PACKETS][PACKET_VECTORS];
         CameraPacket packets[WAVEFRONT_PACKETS];
-        int left = packet_count - first, most = wavefront_packet_count(wavefront);
-        count = left < most ? left : most;
+        int left = packet_count - first,
+            count = left < WAVEFRONT_PACKETS ? left : WAVEFRONT_PACKETS;
         for (int i = 0; i < count; i++) {
             camera_rays_init(tracer, grid, jitter, first + i, NULL, &rays[i]);
             packets[i].rays = &rays[i].state;

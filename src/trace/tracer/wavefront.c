@@ -60,12 +60,12 @@ typedef struct RayQueue {
 } RayQueue;
 
 struct Wavefront {
-    PathNode *nodes;     /**< The nodes: first those of the camera rays; owned. */
-    unsigned root_count; /**< Number of camera rays, whether traced or not. */
-    unsigned node_count; /**< Number of nodes. */
-    int packet_count;    /**< See wavefront_packet_count(). */
-    RayQueue level;      /**< The rays that are traced now. */
-    RayQueue next;       /**< The rays of the next level. */
+    PathNode *nodes;       /**< The nodes: first those of the camera rays; owned. */
+    unsigned root_count;   /**< Number of camera rays, whether traced or not. */
+    unsigned node_count;   /**< Number of nodes. */
+    unsigned sample_limit; /**< See wavefront_sample_limit(). */
+    RayQueue level;        /**< The rays that are traced now. */
+    RayQueue next;         /**< The rays of the next level. */
     QueuedRay *kept;     /**< Rays for wavefront_resume(), in the order of their bounces; owned. */
     unsigned kept_count; /**< Number of those. */
     uint32_t pixel_ids[WAVEFRONT_SAMPLES]; /**< See #SampleContext, per camera ray. */
@@ -78,7 +78,7 @@ Wavefront *wavefront_create(void) {
     if (!wavefront) {
         return NULL;
     }
-    wavefront->packet_count = WAVEFRONT_PACKETS;
+    wavefront->sample_limit = WAVEFRONT_SAMPLES;
     wavefront->nodes = malloc(NODES_MAXIMUM * sizeof *wavefront->nodes);
     wavefront->level.rays = malloc(QUEUE_MAXIMUM * sizeof *wavefront->level.rays);
     wavefront->next.rays = malloc(QUEUE_MAXIMUM * sizeof *wavefront->next.rays);
@@ -100,8 +100,18 @@ void wavefront_destroy(Wavefront *wavefront) {
     }
 }
 
-int wavefront_packet_count(const Wavefront *wavefront) {
-    return wavefront->packet_count;
+unsigned wavefront_sample_limit(const Wavefront *wavefront) {
+    return wavefront->sample_limit;
+}
+
+/** Adapts #Wavefront.sample_limit. @param has_room Whether memory sufficed for its last rays. */
+static void wavefront_adapt(Wavefront *wavefront, bool has_room) {
+    unsigned limit = wavefront->sample_limit;
+    if (!has_room) {
+        wavefront->sample_limit = limit > 1 ? limit / 2 : 1;
+    } else if (wavefront->node_count < NODES_MAXIMUM / 4 && limit < WAVEFRONT_SAMPLES) {
+        wavefront->sample_limit = 2 * limit;
+    }
 }
 
 /** @return The number of rays of a level. */
@@ -308,7 +318,7 @@ static bool wavefront_trace_level(Wavefront *wavefront, scalar cutoff, const Tra
         GatheredPacket gathered;
         Packet *packet = &gathered.rays.packet;
         if (!wavefront_has_room(wavefront)) {
-            wavefront->packet_count = wavefront->packet_count > 1 ? wavefront->packet_count / 2 : 1;
+            wavefront_adapt(wavefront, false);
             return false;
         }
         packet_gather(wavefront, first, total - first < PACKET_RAYS ? total - first : PACKET_RAYS,
@@ -431,6 +441,7 @@ bool wavefront_trace(Wavefront *wavefront, const TraceContext *context, scalar l
         }
     }
     wavefront_set_results(wavefront, packets, count);
+    wavefront_adapt(wavefront, true);
     return true;
 }
 

@@ -39,9 +39,9 @@ Wavefront *wavefront_create(void);
 /** Releases a wavefront. @param wavefront May be NULL. */
 void wavefront_destroy(Wavefront *wavefront);
 
-/** @return The number of packets that will find room together: 1 to #WAVEFRONT_PACKETS, fewer where
- *          many rays follow each camera ray. */
-int wavefront_packet_count(const Wavefront *wavefront);
+/** @return The number of camera rays that may find room together: fewer where more did not, just
+ *          before. */
+unsigned wavefront_sample_limit(const Wavefront *wavefront);
 
 /**
  * Traces camera rays.

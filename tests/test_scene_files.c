@@ -55,9 +55,11 @@ static void test_include_stays_inside(void **state) {
     snprintf(text, sizeof text, "\ninclude '%s'", outside);
     assert_text_refused(fixture, text, 2, "from the scene file", NULL);
     static const InvalidScene cases[] = {
-        {"\ninclude 'link.lua'", 2, "cannot include `link.lua`: No such file in the scene's folder"},
+        {"\ninclude 'link.lua'", 2,
+         "cannot include `link.lua`: No such file in the scene's folder"},
         {"\ninclude '/etc/passwd'", 2, "from the scene file"},
-        {"\ninclude 'none.lua'", 2, "cannot include `none.lua`: No such file in the scene's folder"},
+        {"\ninclude 'none.lua'", 2,
+         "cannot include `none.lua`: No such file in the scene's folder"},
         {"\ninclude '.'", 2, "this is a folder"},
         {"\ninclude ''", 2, "No such file in the scene's folder"},
         {"\ninclude 'fifo.lua'", 2, "not a regular file"},

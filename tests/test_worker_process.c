@@ -7,6 +7,7 @@
 #include "assets/process/worker_main.h"
 #include "assets/process/worker_process.h"
 #include "assets/process/worker_protocol.h"
+
 #include "base/clock.h"
 
 #include <errno.h>
@@ -206,6 +207,15 @@ static void limits_task(WorkerJob *job) {
     job->report_size = sizeof report;
 }
 
+/** Uses up its processor time in a thread that no signal of the program reaches. */
+static void sandboxed_spin_task(WorkerJob *job) {
+    (void)job;
+    worker_job_ready();
+    worker_enter_sandbox(ATTEMPT_MEMORY);
+    for (volatile unsigned long i = 0;; i++) {
+    }
+}
+
 /** Sends frames of a kind without end. */
 static void flood_task(WorkerJob *job) {
     const WorkerFrame frame = {.kind = *(const int *)job->request};
@@ -244,6 +254,7 @@ static const WorkerTask tasks[] = {{"abort", abort_task},
                                    {"retry", retry_task},
                                    {"try", attempt_task},
                                    {"spin", spin_task},
+                                   {"sandboxed spin", sandboxed_spin_task},
                                    {"flood", flood_task},
                                    {"ask", ask_task},
                                    {"early", early_task},
@@ -459,6 +470,9 @@ static void test_limits(void **state) {
     assert_int_equal(limits[0], 0);
     assert_in_range(limits[1], 4, 64);
     assert_in_range(limits[2], 7, 9);
+    int report;
+    call = call_of("sandboxed spin", NULL, 0, 0.1, &report);
+    assert_int_equal(worker_process_call_once(&call).end, WORKER_TIMED_OUT);
 }
 
 /** A worker that never stops talking, or says what is no message, is ended. */

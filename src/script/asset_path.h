@@ -18,7 +18,7 @@
  * @param name               Name of the file, relative to the folder of the scene.
  * @param[out] display_path  Its path for messages.
  * @param[out] real_path     Its absolute path without links; where the system has no `/proc`, as
- *                           #display_path.
+ *                           display_path.
  * @param[out] info          Its properties.
  * @param[out] error         What is wrong.
  * @return A descriptor of a regular file, open for reading; -1 on errors.

@@ -123,7 +123,7 @@ static ImageReadLimits limits_within(const ImageReadLimits *limits, const AssetB
         result.is_time_shared = true;
     }
     if (budget && budget->memory < limits->texture_capacity) {
-        result.texture_capacity = budget->memory;
+        result.texture_capacity = budget->memory > 0 ? budget->memory : 1;
         result.is_memory_shared = true;
     }
     return result;

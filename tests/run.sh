@@ -33,7 +33,7 @@ rm -rf "$logs" && mkdir -p "$logs"
         ls -S tests/test_*.c | sed "s|^tests/\(.*\)\.c$|$build/tests/\1|"
         if [ $build = build/asan ]; then
             for script in film readme farm lesson models pictures documentation bad-input nff spd language lab gappa chart \
-                engines probe command-line desktop terminal trouble faults threads memcheck style; do
+                engines probe command-line desktop terminal trouble faults threads memcheck hardening style; do
                 echo "tests/$script.sh"
             done
             echo BUILD=build/asan tests/soak.sh

@@ -531,7 +531,7 @@ static void test_inspector(void **state) {
     Renderer *renderer = create_renderer(scene, &settings);
     Viewport viewport = {
         .renderer = renderer, .settings = settings, .width = WIDTH, .height = HEIGHT};
-    const InspectorInput input = {&viewport, scene, 0, 0};
+    const InspectorInput input = {&viewport, scene, 0, 0, {0, 0, WIDTH, HEIGHT}};
     assert_true(inspector_update(&inspector, &input, NULL, &error));
     assert_false(inspector.needs_present);
     inspector_pick(&inspector, 63.5 / WIDTH, 112.5 / HEIGHT);

@@ -27,7 +27,7 @@ static size_t add_texture(Scene *scene, Texture *texture) {
     size_t index;
     Error error = {0};
     snprintf(name, sizeof name, "%zu.png", scene->texture_count);
-    const SceneFile file = {name, name, "test:1"};
+    const SceneFile file = {.path = name, .name = name, .location = "test:1"};
     assert_true(scene_add_texture(scene, &file, &index, &error));
     scene->textures[index].texture = texture;
     return index + 1;

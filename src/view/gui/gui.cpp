@@ -19,8 +19,6 @@ namespace {
 
 /** Frames that are drawn after an event: Dear ImGui reacts to a click one frame later. */
 constexpr int FRAMES_PER_EVENT = 3;
-/** Seconds that the mouse rests on a widget before its tooltip is shown. */
-constexpr float TOOLTIP_DELAY = 0.4F;
 /** Padding of widgets, in heights of letters. */
 constexpr float PADDING = 0.35F;
 /** Radius of rounded corners, in heights of letters. */
@@ -69,10 +67,9 @@ void set_style() {
     style.Colors[ImGuiCol_HeaderHovered] = style.Colors[ImGuiCol_ButtonActive];
 }
 
-/** Shows a tooltip when the mouse rests on the last widget. */
+/** Shows a tooltip while the mouse is on the last widget. */
 void show_tooltip(const char *text) {
-    if (text && text[0] != '\0' && ImGui::IsItemHovered() &&
-        ImGui::GetCurrentContext() != nullptr) {
+    if (text && text[0] != '\0' && ImGui::IsItemHovered()) {
         ImGui::BeginTooltip();
         ImGui::PushTextWrapPos(TOOLTIP_WIDTH * ImGui::GetFontSize());
         ImGui::TextUnformatted(text);

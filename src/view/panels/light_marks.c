@@ -53,7 +53,7 @@ static void show_outside(const SDL_Rect *picture, double right, double down, con
         down = length = 1; // Straight behind the camera: any edge is as near.
     }
     GuiPoint direction = {(float)(right / length), (float)(down / length)};
-    double gap = EDGE_GAP * gui_text_size();
+    double gap = (double)(EDGE_GAP * gui_text_size());
     double reach = fmin((picture->w / 2.0 - gap) / fmax(fabs((double)direction.x), 1e-9),
                         (picture->h / 2.0 - gap) / fmax(fabs((double)direction.y), 1e-9));
     GuiPoint tip = {middle.x + (float)reach * direction.x, middle.y + (float)reach * direction.y};

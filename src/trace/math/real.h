@@ -143,12 +143,18 @@ INLINE int integer_lane(integer x, int i) {
 #endif
 }
 
+#if LANES > 1
 /** A lane of an #integer in memory. */
 typedef lane_integer stored_integer __attribute__((may_alias));
+#endif
 
 /** @return Lane i of integers in memory; only this lane is loaded. */
 INLINE int integer_at(const integer *x, int i) {
+#if LANES > 1
     return (int)((const stored_integer *)x)[i];
+#else
+    return x[i];
+#endif
 }
 
 /** @return Whether lane i is set. */

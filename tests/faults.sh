@@ -71,7 +71,6 @@ left_over() {
 judge() {
     case $status in
     0 | 1 | 2 | 3 | 130) ;;
-    4) [ "$1" = compare ] || echo 'status 4, which only compare has' ;;
     *) echo "status $status" ;;
     esac
     if [ "$2" != - ]; then

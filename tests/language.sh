@@ -20,7 +20,7 @@ for po in src/po/*.po; do
     empty "$work/out" "$po has nothing that is gone"
 done
 # A no-break space is shown as ~: it belongs before : ; ? ! and within « ».
-msgcat --no-wrap src/po/fr.po | sed '1,/^$/d; s/\xC2\xA0/~/g; s/dioptre: //; s/%[sd]: *//g' | grep '^msgstr' >"$work/french"
+msgcat --no-wrap src/po/fr.po | sed '1,/^$/d; s/\xC2\xA0/~/g; s/dioptre: //; s/%z*[sdu]: *//g' | grep '^msgstr' >"$work/french"
 grep -E "( |^\")[;:?!]( |\"|\\\\n)|[^~ .][;?!]( |\"|\\\\n)|[a-z]:( |\")|'%[0-9]*s'|« | »" "$work/french" >"$work/out"
 empty "$work/out" 'French signs have their no-break space'
 

@@ -144,8 +144,10 @@ expect_shown 'the lesson is in box-lesson-0002.lua' 'r again writes the next fre
 grep -q 'not yours' "$work/shots/box-lesson-0001.lua" && ok 'never over another' || fail 'over another'
 xdotool key c && sleep 0.3
 recorded=$(tail -1 "$work/log")
-xdotool key r && sleep 0.2 && xdotool keydown Up && sleep 0.1 && xdotool key Escape
-closed 'closed while it records' 0
+xdotool key r && sleep 0.2 && xdotool keydown Up && sleep 0.1 && xdotool key Escape && sleep 0.3
+ended "$pid" && fail 'Esc asks while a lesson is recorded' || ok 'Esc asks while a lesson is recorded'
+xdotool key Escape
+closed 'closed while it records, when asked twice' 0
 lesson=$work/shots/box-lesson-0002.lua
 holds "$lesson" '^caption \{ en = "The \\"end\\"", wait = true \}$' 'a caption that was typed'
 holds "$lesson" '^snapshot\(\)$' 'a snapshot'

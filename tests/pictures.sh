@@ -126,7 +126,7 @@ expect 0 '' 'info of pictures' limited "$dioptre" info "$work/s.lua"
 holds "$work/out" '^texture +good-one.png: 1 x 1, sRGB, 8 bits, 0.0 MB$' 'info tells what is in a picture'
 holds "$work/out" '^texture +good-16.tif: 8 x 8, linear light, floats' '16 bits are kept finer'
 expect 0 '' 'info of pictures, in JSON' limited "$dioptre" info --json "$work/s.lua"
-holds "$work/out" '"textures": \[\{"file": "good-one.png", "width": 1, "height": 1, "texels": "srgb", "bytes": [0-9]+\}, \{' 'JSON has the same'
+holds "$work/out" '"textures": \[\{"file": "good-one.png", "width": 1, "height": 1, "texels": "srgb", "bytes": [0-9]+, "damaged": false\}, \{' 'JSON has the same'
 
 # --- without the module ----------------------------------------------------------------------------
 mkdir "$work/bin"
@@ -137,7 +137,11 @@ expect 1 's.lua:2: good-one.png: .*dioptre-images.so.*install libopenimageio-dev
 sky box.bmp
 expect 0 '' 'without the module: BMP works' "$work/bin/dioptre" render "$work/s.lua" -o "$work/o.bmp" -s 8x8
 # Which libraries are loaded, the loader tells.
-libraries() { LD_DEBUG=files "$release" render "$1" -o "$work/o.bmp" -s 8x8 2>&1 | grep -c 'calling init: .*libOpenImageIO'; }
+libraries() {
+    rm -f "$work"/loaded.*
+    LD_DEBUG=files LD_DEBUG_OUTPUT="$work/loaded" "$release" render "$1" -o "$work/o.bmp" -s 8x8
+    cat "$work"/loaded.* | grep -c 'calling init: .*libOpenImageIO'
+}
 [ "$(libraries scenes/box.lua)" = 0 ] && ok 'no picture: no library of pictures' || fail 'the box loads OpenImageIO'
 [ "$(libraries "$work/s.lua")" = 0 ] && ok 'BMP: no library of pictures' || fail 'BMP loads OpenImageIO'
 sky good-one.png

@@ -120,7 +120,7 @@ for place in 'x 0' '0 y' '1.5 0' '1e2 0' '0x10 0' '3, 4'; do
     # shellcheck disable=SC2086
     expect 2 'must be a whole number' "no number: $place" "$dioptre" probe $box $place
 done
-expect 2 'must be a whole number' 'an empty X' "$dioptre" probe $box '' 0
+expect 2 'argument 2 of probe is empty' 'an empty X' "$dioptre" probe $box '' 0
 expect 2 'must be from 0 to' 'a negative Y' "$dioptre" probe $box -- 0 -1
 expect 2 'usage: dioptre probe SCENE X Y' 'no Y' "$dioptre" probe $box 1
 expect 2 'too many' 'one number too many' "$dioptre" probe $box 1 2 3

@@ -30,7 +30,7 @@ on_terminal "$dioptre" render scenes/box.lua $slow -s 320x240 --samples 64 --sam
 # A model that takes longer than half a second to read; its name is no command for the terminal.
 name=$(printf 'red\033[31m.ply')
 awk 'BEGIN {
-    n = 700
+    n = 1400
     printf "ply\nformat ascii 1.0\nelement vertex %d\nproperty float x\nproperty float y\nproperty float z\n", n * n
     printf "element face %d\nproperty list uchar int vertex_indices\nend_header\n", (n - 1) * (n - 1)
     for (i = 0; i < n; i++) for (k = 0; k < n; k++) print i, k, (i * 7 + k * 13) % 5

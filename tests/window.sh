@@ -641,7 +641,7 @@ measure() {
     xdotool key "$1"
     shown 'pass 1 px'
     for _ in {1..100}; do xdotool key --delay 1 a && sleep 0.03; done
-    xdotool key Escape
+    xdotool key Escape key Escape # A layer goes first.
     wait "$pid"
     pid=0
     timing=$(tail -1 "$work/log")

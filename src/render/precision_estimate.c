@@ -372,6 +372,11 @@ PrecisionEstimate precision_estimate_of(const Scene *scene) {
         bool is_more = estimate.errors[cause] > estimate.errors[estimate.cause];
         estimate.cause = is_more ? (PrecisionCause)cause : estimate.cause;
     }
+    // Both sides of a thin wall are near to each other: the wall says more.
+    if (estimate.cause == PRECISION_Z_FIGHTING &&
+        estimate.errors[PRECISION_THIN_GLASS] > PRECISION_VISIBLE_ERROR) {
+        estimate.cause = PRECISION_THIN_GLASS;
+    }
     return estimate;
 }
 

@@ -9,7 +9,7 @@ box=$root/scenes/box.lua
 start_server
 open "$box" --samples 1
 xdotool windowsize --sync "$window" 8000 4000 2>/dev/null
-expect_shown ' 8000×4000, pass' 'a window of 8000 by 4000 pixels shows a picture'
+expect_shown ' 5333×4000, pass' 'a window of 8000 by 4000 pixels shows a picture'
 leave 'which Esc ends'
 
 # --- two windows, one folder ---------------------------------------------------------------------

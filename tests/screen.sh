@@ -43,13 +43,15 @@ open() {
 }
 # height: of the window, pixels.
 height() { xdotool getwindowgeometry --shell "$window" | sed -n 's/^HEIGHT=//p'; }
-# fold: hides the bar of buttons, so that the window has the size of the picture. A window that is
-# too small for the bar has none.
+# fold: hides the bar of buttons, so that the window has the size of the picture. The bar is there when
+# the title names a pass; a window that is too small for it has none.
 fold() {
-    local tall
-    settled
-    tall=$(height)
-    [ "${tall:-0}" -lt 300 ] && return
+    local tall=0
+    while [ "$(height)" -gt "$tall" ] 2>/dev/null; do
+        tall=$(height)
+        sleep 0.2
+    done
+    [ "$tall" -lt 300 ] && return
     xdotool key F2
     within is_lower "$tall"
 }

@@ -1,5 +1,5 @@
 #!/bin/bash
-# The bar of buttons, the marks of the lights and the messages on the picture, by mouse alone.
+# The toolbar, the marks of the lights and the messages on the picture, by mouse alone.
 . "$(dirname "$0")/check.sh"
 . tests/screen.sh
 box=$root/scenes/box.lua

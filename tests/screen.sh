@@ -43,7 +43,7 @@ open() {
 }
 # height: of the window, pixels.
 height() { xdotool getwindowgeometry --shell "$window" | sed -n 's/^HEIGHT=//p'; }
-# fold: hides the bar of buttons, so that the window has the size of the picture. The bar is there when
+# fold: hides the toolbar, so that the window has the size of the picture. The bar is there when
 # the title names a pass; a window that is too small for it has none.
 fold() {
     local tall=0

@@ -206,7 +206,8 @@ bool app_save_screen(App *app, Error *error) {
     picture_deinit(&picture);
     free(view);
     if (is_saved) {
-        printf("%s\n", path);
+        sanitize_print_line(path, stdout);
+        putchar('\n');
         fflush(stdout);
         app_set_status(app, "saved %s", path);
     }

@@ -53,12 +53,14 @@ static void run_requested_command(App *app) {
     Toolbar *toolbar = &app->window.toolbar;
     const Command *command =
         toolbar->command ? command_find(app->commands, toolbar->command) : NULL;
-    toolbar->command = NULL;
-    for (int i = 0; command && i < toolbar->repetitions; i++) {
+    int repetitions = command ? toolbar->repetitions : 0;
+    for (int i = 0; i < repetitions; i++) {
         if (!player_handle_command(app, command)) {
             command_issue(app, command, clock_now_seconds());
         }
     }
+    // What frames in between have requested counted from a part of the change.
+    toolbar->command = NULL;
 }
 
 /** Updates the title. */

@@ -49,8 +49,19 @@ size_t window_viewport_count(const Window *window) {
     return window->split.mode != SPLIT_NONE && window->viewports[1].renderer ? 2 : 1;
 }
 
+/** @return Index of the active viewport. */
+static size_t active_index(const Window *window) {
+    return window_viewport_count(window) > 1 ? window->split.active : 0;
+}
+
 Viewport *window_active_viewport(Window *window) {
-    return &window->viewports[window_viewport_count(window) > 1 ? window->split.active : 0];
+    return &window->viewports[active_index(window)];
+}
+
+RenderSettings window_requested_settings(const Window *window) {
+    RenderSettings settings = window->base_settings;
+    settings_override_apply(&window->viewports[active_index(window)].overrides, &settings);
+    return settings;
 }
 
 void window_invalidate(Window *window) {
@@ -187,6 +198,7 @@ void window_on_visibility(Window *window) {
 }
 
 bool window_on_resize(Window *window) {
+    window->fitted_bar = window_area(window).y;
     SDL_Rect picture = window_picture_rect(window);
     bool is_other =
         picture.w != window->viewports[0].width || picture.h != window->viewports[0].height;
@@ -248,8 +260,8 @@ static void draw_huds(Window *window, const OverlayTarget *target) {
     }
 }
 
-/** Draws everything but buttons, marks and messages. */
-static void draw(Window *window) {
+/** Draws pictures and panels: everything but buttons, marks and messages. */
+static void draw_pictures(Window *window) {
     double scale = window->text_scale > 0 ? window->text_scale : 1;
     OverlayTarget target = {window->sdl.renderer, scale, 1, window_toolbar_height(window)};
     SDL_Rect area = window_area(window);
@@ -270,7 +282,7 @@ static void draw(Window *window) {
 }
 
 void window_present(Window *window) {
-    draw(window);
+    draw_pictures(window);
     window_show_widgets(window);
     sdl_window_present(&window->sdl);
 }
@@ -407,37 +419,42 @@ static bool copy_pixels(Window *window, uint8_t *bgrx, int pitch) {
                : renderer_copy_latest(window->viewports[0].renderer, &report, bgrx, pitch);
 }
 
+/** Makes a picture of pixels of the screen. @param bgrx The pixels, freed here; NULL: there are
+ * none.
+ *  @return Whether it is made. */
+static bool picture_from_screen(uint8_t *bgrx, int width, int height, Picture *picture,
+                                Error *error) {
+    if (!bgrx) {
+        return error_set(error, STATUS_FAILED, "no memory for a snapshot");
+    }
+    bool is_made = picture_init(picture, width, height, error);
+    if (is_made) {
+        snapshot_from_bgrx(bgrx, picture);
+    }
+    free(bgrx);
+    return is_made;
+}
+
 bool window_copy_screen(Window *window, Picture *picture, Error *error) {
     SDL_Rect area = window_area(window);
     size_t row = (size_t)area.w * 4;
     uint8_t *bgrx = malloc(row * (size_t)area.h);
-    draw(window);
-    bool is_read = bgrx && SDL_RenderReadPixels(window->sdl.renderer, &area,
-                                                SDL_PIXELFORMAT_XRGB8888, bgrx, (int)row) == 0;
-    if (!is_read) {
+    draw_pictures(window);
+    if (bgrx && SDL_RenderReadPixels(window->sdl.renderer, &area, SDL_PIXELFORMAT_XRGB8888, bgrx,
+                                     (int)row) != 0) {
         free(bgrx);
-        return error_set(error, STATUS_FAILED, "no memory for a snapshot");
+        return error_set(error, STATUS_FAILED, "the screen cannot be read: %s", SDL_GetError());
     }
-    bool is_copied = picture_init(picture, area.w, area.h, error);
-    if (is_copied) {
-        snapshot_from_bgrx(bgrx, picture);
-    }
-    free(bgrx);
-    return is_copied;
+    return picture_from_screen(bgrx, area.w, area.h, picture, error);
 }
 
 bool window_copy_picture(Window *window, Picture *picture, Error *error) {
     int width = window->viewports[0].width, height = window->viewports[0].height;
     size_t row = (size_t)width * 4;
     uint8_t *bgrx = malloc(row * (size_t)height);
-    if (!bgrx || !copy_pixels(window, bgrx, (int)row)) {
+    if (bgrx && !copy_pixels(window, bgrx, (int)row)) {
         free(bgrx);
-        return error_set(error, STATUS_FAILED, "no memory for a snapshot");
+        bgrx = NULL;
     }
-    bool is_copied = picture_init(picture, width, height, error);
-    if (is_copied) {
-        snapshot_from_bgrx(bgrx, picture);
-    }
-    free(bgrx);
-    return is_copied;
+    return picture_from_screen(bgrx, width, height, picture, error);
 }

@@ -94,6 +94,10 @@ void window_invalidate(Window *window);
 /** Changes the layer of the active viewport. */
 void window_set_layer(Window *window, Layer layer);
 
+/** @return The settings that the user has asked for in the active viewport; its renderer may still
+ *  have those of before. */
+RenderSettings window_requested_settings(const Window *window);
+
 /** Changes one setting of the active viewport. */
 void window_override_setting(Window *window, SettingsChangeFn *change, int step);
 
@@ -136,10 +140,10 @@ const LightMark *window_light_at(const Window *window, int x, int y);
 bool window_drag_offset(const Window *window, size_t light, GuiPoint from, GuiPoint to,
                         bool is_along, Vec3d *offset);
 
-/** @return The height of the bar of buttons, pixels. */
+/** @return The height of the toolbar, pixels. */
 int window_toolbar_height(const Window *window);
 
-/** @return The part of the window below the bar of buttons, pixels. */
+/** @return The part of the window below the toolbar, pixels. */
 SDL_Rect window_area(const Window *window);
 
 /** Returns the size of that part. @param[out] width Screen units. */
@@ -163,7 +167,7 @@ double window_widgets_timeout(const Window *window, double now);
 /** Lays the bar out again after a change of its words or letters: the picture keeps its size. */
 void window_relayout_toolbar(Window *window);
 
-/** Shows or hides the bar of buttons. */
+/** Shows or hides the toolbar. */
 void window_toggle_toolbar(Window *window);
 
 /** Sets what the window shows beside its pictures. */

@@ -156,25 +156,31 @@ void window_relayout_toolbar(Window *window) {
     window_on_resize(window);
 }
 
+/** Shows or hides the toolbar. @return false if the window is too small: it stays hidden. */
+static bool set_toolbar_folded(Window *window, bool is_folded) {
+    int width = 0, height = 0;
+    window->toolbar.is_folded = is_folded;
+    layout_toolbar(window);
+    sdl_window_size(&window->sdl, &width, &height);
+    bool is_too_small = window_area(window).y > TOOLBAR_FRACTION_MAXIMUM * height;
+    window->toolbar.is_folded = is_folded || is_too_small;
+    window_relayout_toolbar(window);
+    return !is_too_small;
+}
+
 void window_open_widgets(Window *window) {
     window->gui = gui_create(window->sdl.window, window->sdl.renderer, font_path());
     window->toolbar.is_folded = true;
     if (window->gui && !window->state.is_playing) {
         set_hint(window);
-        window_toggle_toolbar(window);
+        set_toolbar_folded(window, false);
     }
 }
 
 void window_toggle_toolbar(Window *window) {
-    int width = 0, height = 0;
-    window->toolbar.is_folded = !window->toolbar.is_folded;
-    layout_toolbar(window);
-    sdl_window_size(&window->sdl, &width, &height);
-    if (window_area(window).y > TOOLBAR_FRACTION_MAXIMUM * height) {
-        window->toolbar.is_folded = true;
-        window_set_toast(window, gettext("the window is too small for the bar"));
+    if (!set_toolbar_folded(window, !window->toolbar.is_folded)) {
+        window_set_toast(window, gettext("the window is too small for the toolbar"));
     }
-    window_relayout_toolbar(window);
 }
 
 bool window_widgets_are_due(Window *window, double now) {
@@ -203,8 +209,10 @@ static SDL_Rect to_units(SDL_Rect rect, double scale) {
 /** Shows the bar. */
 static void show_toolbar(Window *window) {
     const WindowState *state = &window->state;
+    RenderSettings settings = window_requested_settings(window);
     ToolbarContent content = {.help = &window->help,
-                              .viewport = window_active_viewport(window),
+                              .settings = &settings,
+                              .layer = window_active_viewport(window)->layer,
                               .split = window->split.mode,
                               .shows_settings = window->shows_settings,
                               .shows_rays = window->inspector.is_open,

@@ -83,9 +83,7 @@ static void reset_view(App *app, int argument) {
 
 /** Shows the settings of the active picture in the title. */
 static void show_settings_status(App *app) {
-    Viewport *viewport = window_active_viewport(&app->window);
-    RenderSettings settings = app->window.base_settings;
-    settings_override_apply(&viewport->overrides, &settings);
+    RenderSettings settings = window_requested_settings(&app->window);
     app_set_status(app, "%s, offset %s, epsilon %.3g, depth %d, samples %d, light: %s",
                    settings.engine->name, offset_strategy_names[settings.trace.offset],
                    settings.trace.epsilon, settings.trace.depth, settings.samples,
@@ -149,18 +147,14 @@ static void change_lighting(App *app, int step) {
 /** Sends rays through the centres or the corners of pixels. See #settings_override_pixel. */
 static void change_pixel(App *app, int step) {
     window_override_setting(&app->window, settings_override_pixel, step);
-    Viewport *viewport = window_active_viewport(&app->window);
-    RenderSettings settings = app->window.base_settings;
-    settings_override_apply(&viewport->overrides, &settings);
+    RenderSettings settings = window_requested_settings(&app->window);
     app_set_status(app, "rays go %s", gettext(pixel_point_name(settings.trace.pixel_point)));
 }
 
 /** Changes whose methods the picture is traced with. See #settings_override_methods. */
 static void change_methods(App *app, int step) {
     window_override_setting(&app->window, settings_override_methods, step);
-    Viewport *viewport = window_active_viewport(&app->window);
-    RenderSettings settings = app->window.base_settings;
-    settings_override_apply(&viewport->overrides, &settings);
+    RenderSettings settings = window_requested_settings(&app->window);
     app_set_status(app, "%s (%s)", gettext(method_set_name(settings.method_set)),
                    gettext(method_set_effect(settings.method_set)));
 }
@@ -289,7 +283,7 @@ static void toggle_help(App *app, int argument) {
     window_present(&app->window);
 }
 
-/** Shows or hides the bar of buttons. */
+/** Shows or hides the toolbar. */
 static void toggle_toolbar(App *app, int argument) {
     (void)argument;
     window_toggle_toolbar(&app->window);
@@ -474,9 +468,9 @@ const Command command_table[] = {
     {"record", {KEY(r)}, N_("record"), PROGRAM, .help = N_("record a lesson, or end it"), .flags = COMMAND_UNRECORDED, RUNS(toggle_recording, 0)},
     {"caption", {NAMED(RETURN, N_("Enter"))}, N_("words"), PROGRAM, .help = N_("words for that lesson"), .flags = COMMAND_UNRECORDED, RUNS(begin_caption, 0)},
     {"help", {KEY(F1), KEY(h)}, N_("help"), PROGRAM, .help = N_("this help"), .flags = COMMAND_WHILE_PLAYING, RUNS(toggle_help, 0)},
-    {"toolbar", {KEY(F2)}, N_("bar"), PROGRAM, .help = N_("bar of buttons, full screen"),
+    {"toolbar", {KEY(F2)}, N_("tools"), PROGRAM, .help = N_("toolbar, full screen"),
      .flags = COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(toggle_toolbar, 0)},
-    {"full screen", {KEY(F11)}, N_("screen"), PROGRAM, .help = N_("bar of buttons, full screen"), .flags = COMMAND_WHILE_PLAYING, RUNS(toggle_full_screen, 0)},
+    {"full screen", {KEY(F11)}, N_("screen"), PROGRAM, .help = N_("toolbar, full screen"), .flags = COMMAND_WHILE_PLAYING, RUNS(toggle_full_screen, 0)},
     {"leave", {NAMED(ESCAPE, N_("Esc"))}, N_("leave"), PROGRAM, .help = N_("leave"),
      .flags = COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(leave, 0)},
     {0},

@@ -8,7 +8,6 @@
 #include "view/gui/gui.h"
 
 #include <backends/imgui_impl_sdl.h>
-#include <cfloat>
 #include <cmath>
 #include <cstddef>
 #include <imgui.h>
@@ -38,7 +37,7 @@ constexpr float ARROW_LENGTH = 1.2F;
 constexpr ImWchar LETTERS[] = {0x20,   0xff,   0x152,  0x153,  0x3b1,  0x3c9,  0x2010,
                                0x2027, 0x202f, 0x202f, 0x2039, 0x203a, 0x2190, 0x2199,
                                0x2212, 0x2212, 0x2248, 0x2248, 0x2260, 0x2265, 0x25a0,
-                               0x25ff, 0x2630, 0x2630, 0};
+                               0x25ff, 0x2630, 0x2630, 0x275a, 0x275a, 0};
 
 /** Colour of what is on, and of lights. */
 constexpr ImU32 ACCENT = IM_COL32(255, 205, 90, 255);
@@ -135,14 +134,13 @@ void create_letters(Gui *gui, float size) {
     gui->letter_size = size;
 }
 
-/** Draws one list of commands. @param scale Pixels of the screen per unit of the window. */
-void draw_list(SDL_Renderer *renderer, const ImDrawList *list, ImVec2 scale) {
+/** Draws one list of commands, in units of the window. */
+void draw_list(SDL_Renderer *renderer, const ImDrawList *list) {
     const char *vertices = reinterpret_cast<const char *>(list->VtxBuffer.Data);
     for (const ImDrawCmd &command : list->CmdBuffer) {
         const ImVec4 &clip = command.ClipRect;
-        SDL_Rect rect = {static_cast<int>(clip.x * scale.x), static_cast<int>(clip.y * scale.y),
-                         static_cast<int>((clip.z - clip.x) * scale.x),
-                         static_cast<int>((clip.w - clip.y) * scale.y)};
+        SDL_Rect rect = {static_cast<int>(clip.x), static_cast<int>(clip.y),
+                         static_cast<int>(clip.z - clip.x), static_cast<int>(clip.w - clip.y)};
         const char *first = vertices + command.VtxOffset * sizeof(ImDrawVert);
         SDL_RenderSetClipRect(renderer, &rect);
         SDL_RenderGeometryRaw(
@@ -267,7 +265,7 @@ void gui_end_frame(Gui *gui) {
     ImVec2 scale = data->FramebufferScale;
     SDL_RenderSetScale(gui->renderer, scale.x, scale.y);
     for (int i = 0; gui->letters && i < data->CmdListsCount; i++) {
-        draw_list(gui->renderer, data->CmdLists[i], ImVec2(1, 1));
+        draw_list(gui->renderer, data->CmdLists[i]);
     }
     SDL_RenderSetClipRect(gui->renderer, nullptr);
     SDL_RenderSetScale(gui->renderer, 1, 1);
@@ -276,10 +274,6 @@ void gui_end_frame(Gui *gui) {
 
 float gui_text_size() {
     return ImGui::GetFontSize();
-}
-
-float gui_text_width(const char *text) {
-    return ImGui::CalcTextSize(text).x;
 }
 
 /* --- the bar ---------------------------------------------------------------------------------- */

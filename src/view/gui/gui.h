@@ -59,9 +59,6 @@ void gui_end_frame(Gui *gui);
 /** @return The height of the letters, pixels of the window. */
 float gui_text_size(void);
 
-/** @return The width of a text, pixels of the window. */
-float gui_text_width(const char *text);
-
 /* --- the bar ---------------------------------------------------------------------------------- */
 
 /** Begins the bar at the upper edge of the window. Its widgets follow, then #gui_bar_end. */

@@ -291,7 +291,6 @@ static void on_window(App *app, const SDL_WindowEvent *event) {
     window_on_visibility(&app->window);
     switch (event->event) {
     case SDL_WINDOWEVENT_SIZE_CHANGED:
-        app->window.fitted_bar = window_area(&app->window).y;
         on_resize(app);
         break;
     case SDL_WINDOWEVENT_EXPOSED:

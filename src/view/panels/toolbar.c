@@ -17,10 +17,6 @@ static const double EPSILON_LOW = 1e-16;
 static const double EPSILON_HIGH = 1;
 /** Bytes of a label with the final zero. */
 enum { LABEL_SIZE = 64 };
-/** The widest number of samples that keys set. */
-enum { SAMPLES_WIDEST = 4096 };
-/** Most bits of the mantissa of float, and of double. */
-enum { FLOAT_BITS = 24, DOUBLE_BITS = 53 };
 
 /** Requests a command. @param repetitions How many times; 0: not at all. */
 static void request(Toolbar *toolbar, const char *command, int repetitions) {
@@ -78,12 +74,12 @@ const char *toolbar_layer_command(Layer layer) {
 static void layer_choice(Toolbar *toolbar, const ToolbarContent *content) {
     const char *names[LAYER_COUNT];
     char text[TOOLTIP_SIZE];
-    int current = (int)content->viewport->layer;
     for (int i = 0; i < LAYER_COUNT; i++) {
         names[i] = gettext(layer_name((Layer)i));
     }
-    const char *command = toolbar_layer_command(content->viewport->layer);
-    int chosen = gui_choice("layer", names, LAYER_COUNT, current, tooltip(content, command, text));
+    const char *command = toolbar_layer_command(content->layer);
+    int chosen = gui_choice("layer", names, LAYER_COUNT, (int)content->layer,
+                            tooltip(content, command, text));
     if (chosen >= 0) {
         request(toolbar, toolbar_layer_command((Layer)chosen), 1);
     }
@@ -91,7 +87,7 @@ static void layer_choice(Toolbar *toolbar, const ToolbarContent *content) {
 
 /** The offset strategy, and its epsilon as a slider that goes by factors of two. */
 static void offset_widgets(Toolbar *toolbar, const ToolbarContent *content) {
-    const TraceSettings *trace = &content->viewport->settings.trace;
+    const TraceSettings *trace = &content->settings->trace;
     cyclic_choice(toolbar, content, "offset", offset_strategy_names, OFFSET_BOUND + 1,
                   (int)trace->offset);
     char text[TOOLTIP_SIZE];
@@ -112,17 +108,17 @@ static void write_samples(char text[LABEL_SIZE], int samples) {
 
 /** Number type, depth, samples and light. */
 static void setting_widgets(Toolbar *toolbar, const ToolbarContent *content) {
-    static const char *const types[] = {"float", "double", "quad"};
-    const RenderSettings *settings = &content->viewport->settings;
+    static const char *const types[NUMBER_TYPE_COUNT] = {"float", "double", "quad"};
+    const RenderSettings *settings = content->settings;
     const char *lights[LIGHTING_MODE_COUNT];
     char depth[LABEL_SIZE], deepest[LABEL_SIZE], samples[LABEL_SIZE], most[LABEL_SIZE];
-    int bits = settings->engine->mantissa_bits;
-    cyclic_choice(toolbar, content, "engine", types, 3, (bits > FLOAT_BITS) + (bits > DOUBLE_BITS));
+    cyclic_choice(toolbar, content, "engine", types, NUMBER_TYPE_COUNT,
+                  (int)number_type_of(settings->engine));
     snprintf(depth, sizeof depth, "%s %d", gettext("depth"), settings->trace.depth);
     snprintf(deepest, sizeof deepest, "%s %d", gettext("depth"), DEPTH_MAXIMUM);
     number(toolbar, content, (const char *[]){depth, deepest}, "less deep", "deeper");
     write_samples(samples, settings->samples);
-    write_samples(most, SAMPLES_WIDEST);
+    write_samples(most, KEY_SAMPLES_MAXIMUM);
     number(toolbar, content, (const char *[]){samples, most}, "samples half", "samples twice");
     for (int i = 0; i < LIGHTING_MODE_COUNT; i++) {
         lights[i] = gettext(light_mode_name((LightingMode)i));

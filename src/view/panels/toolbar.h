@@ -10,6 +10,7 @@
 
 #include "view/gui/gui.h"
 #include "view/panels/help.h"
+#include "view/state/settings_override.h"
 #include "view/window/split_view.h"
 
 /** Bytes of a tooltip with the final zero. */
@@ -25,14 +26,15 @@ typedef struct Toolbar {
 
 /** What the bar shows. */
 typedef struct ToolbarContent {
-    const Help *help;         /**< Names the keys in tooltips. */
-    const Viewport *viewport; /**< The active picture. */
-    SplitMode split;          /**< How many pictures are shown. */
-    bool shows_settings;      /**< Whether settings and costs are shown. */
-    bool shows_rays;          /**< Whether the rays of a pixel are shown. */
-    bool is_animated;         /**< Whether the scene depends on time. */
-    bool is_running;          /**< Whether its time runs. */
-    bool is_recording;        /**< Whether a lesson is recorded. */
+    const Help *help;               /**< Names the keys in tooltips. */
+    const RenderSettings *settings; /**< The settings asked for in the active picture. */
+    Layer layer;                    /**< Its layer. */
+    SplitMode split;                /**< How many pictures are shown. */
+    bool shows_settings;            /**< Whether settings and costs are shown. */
+    bool shows_rays;                /**< Whether the rays of a pixel are shown. */
+    bool is_animated;               /**< Whether the scene depends on time. */
+    bool is_running;                /**< Whether its time runs. */
+    bool is_recording;              /**< Whether a lesson is recorded. */
 } ToolbarContent;
 
 /** Shows the bar, and sets #Toolbar.command if the user requests one. */

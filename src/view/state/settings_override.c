@@ -12,10 +12,8 @@
 static const double EPSILON_MINIMUM = 1e-15;
 /** Largest epsilon, scene units. */
 static const double EPSILON_MAXIMUM = 1e6;
-/** Largest depth that keys set; beyond it, none is set: #DEPTH_MAXIMUM. */
-enum { KEY_DEPTH_MAXIMUM = 64 };
-/** Most samples that keys set. */
-enum { KEY_SAMPLES_MAXIMUM = 4096 };
+/** Bits of the mantissa of each #NumberType. */
+static const int mantissa_bits[NUMBER_TYPE_COUNT] = {24, 53, 113};
 /** Number of offset strategies. */
 enum { OFFSET_COUNT = OFFSET_BOUND + 1 };
 
@@ -51,18 +49,21 @@ static const Engine *engine_with_mantissa(int bits) {
     return NULL;
 }
 
+NumberType number_type_of(const Engine *engine) {
+    NumberType type = NUMBER_FLOAT;
+    while (type + 1 < NUMBER_TYPE_COUNT && engine->mantissa_bits >= mantissa_bits[type + 1]) {
+        type++;
+    }
+    return type;
+}
+
 /**
  * @return The engine of the next number type: float, double, quad.
  * @param step  1: wider; -1: narrower.
  */
 static const Engine *next_number_type(const Engine *engine, int step) {
-    static const int types[] = {24, 53, 113};
-    enum { TYPE_COUNT = sizeof types / sizeof types[0] };
-    int current = 0;
-    for (int i = 0; i < TYPE_COUNT; i++) {
-        current = engine->mantissa_bits >= types[i] ? i : current;
-    }
-    const Engine *next = engine_with_mantissa(types[wrap(current, step, TYPE_COUNT)]);
+    int next_type = wrap((int)number_type_of(engine), step, NUMBER_TYPE_COUNT);
+    const Engine *next = engine_with_mantissa(mantissa_bits[next_type]);
     return next ? next : engine;
 }
 

@@ -7,6 +7,14 @@
 
 #include "dioptre/renderer.h"
 
+/** Largest depth that keys set; beyond it, none is set: #DEPTH_MAXIMUM. */
+enum { KEY_DEPTH_MAXIMUM = 64 };
+/** Most samples that keys set. */
+enum { KEY_SAMPLES_MAXIMUM = 4096 };
+
+/** The number types that keys choose from. */
+typedef enum { NUMBER_FLOAT, NUMBER_DOUBLE, NUMBER_QUAD, NUMBER_TYPE_COUNT } NumberType;
+
 /** The settings that can be changed, as bits. */
 typedef enum {
     SETTING_ENGINE = 1,   /**< The engine. */
@@ -35,6 +43,9 @@ void settings_override_apply(const SettingsOverride *overrides, RenderSettings *
  * @param step     How far; see each function.
  */
 typedef void SettingsChangeFn(SettingsOverride *overrides, const RenderSettings *current, int step);
+
+/** @return The widest number type that an engine's mantissa holds. */
+NumberType number_type_of(const Engine *engine);
 
 /** Changes the number type. @param step 1: float, double, quad, float; -1: backwards. */
 void settings_override_engine(SettingsOverride *overrides, const RenderSettings *current, int step);

@@ -100,6 +100,17 @@ settled
 shown 'normals' && ok 'Esc closes the list, not the layer' || fail "the title says $(title)"
 xdotool key Escape
 expect_shown 'pass 1 px.*finished' 'Esc again: the light'
+# The slider of epsilon lies right of the middle of that row; while it is held, epsilon stays.
+xdotool mousemove --window "$window" 420 18 mousedown 1 mousemove --window "$window" 470 18
+epsilon() { title | sed -n 's/.*epsilon \([0-9.e-]*\).*/\1/p'; }
+shown 'offset fixed, epsilon'
+settled
+held=$(epsilon)
+sleep 1
+[ "$(epsilon)" = "$held" ] && ok 'the slider of epsilon holds still' || fail "epsilon went from $held to $(epsilon)"
+awk "BEGIN { exit !($held > 1e-10 && $held < 1e-4) }" && ok 'its scale is logarithmic' || fail "epsilon is $held"
+xdotool mouseup 1 key BackSpace
+settled
 xdotool key F2
 settled
 [ "$(height)" -lt "$tall" ] && ok 'F2 folds the bar' || fail "the window is $(height) high"

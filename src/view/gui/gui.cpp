@@ -353,15 +353,19 @@ int gui_stepper(const char *id, const char *text, const char *widest, const char
     return step;
 }
 
-bool gui_log_slider(const char *id, double *value, double low, double high, const char *format,
+bool gui_log_slider(const char *id, double *value, double low, double high, const char *text,
                     const char *tooltip) {
     float width = SLIDER_WIDTH * ImGui::GetFontSize();
+    // Dear ImGui's own logarithmic scale ends at the precision of the text: 0.1 for one digit.
+    double exponent = log10(*value), least = log10(low), most = log10(high);
     place_in_bar(width);
     ImGui::PushID(id);
     ImGui::SetNextItemWidth(width);
-    bool is_changed =
-        ImGui::SliderScalar("##slider", ImGuiDataType_Double, value, &low, &high, format,
-                            ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoInput);
+    bool is_changed = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &exponent, &least,
+                                          &most, text, ImGuiSliderFlags_NoInput);
+    if (is_changed) {
+        *value = pow(10, exponent);
+    }
     show_tooltip(tooltip);
     ImGui::PopID();
     return is_changed;

@@ -86,11 +86,13 @@ int gui_stepper(const char *id, const char *text, const char *widest, const char
 
 /**
  * A slider with a logarithmic scale.
- * @param[in,out] value  The value, which the user may change.
- * @param format         The text on the slider, as for printf, with one `%g`.
+ * @param[in,out] value  The value, which the user may change; above 0.
+ * @param low            Smallest value, above 0.
+ * @param high           Largest value.
+ * @param text           The text on the slider, without `%`.
  * @return Whether the user has changed it.
  */
-bool gui_log_slider(const char *id, double *value, double low, double high, const char *format,
+bool gui_log_slider(const char *id, double *value, double low, double high, const char *text,
                     const char *tooltip);
 
 /* --- text and marks on the picture ------------------------------------------------------------ */

@@ -90,12 +90,13 @@ static void offset_widgets(Toolbar *toolbar, const ToolbarContent *content) {
     const TraceSettings *trace = &content->settings->trace;
     cyclic_choice(toolbar, content, "offset", offset_strategy_names, OFFSET_BOUND + 1,
                   (int)trace->offset);
-    char text[TOOLTIP_SIZE];
-    double epsilon = trace->epsilon;
-    if (gui_log_slider("epsilon", &epsilon, EPSILON_LOW, EPSILON_HIGH, "ε %.1e",
-                       tooltip(content, "epsilon twice", text)) &&
-        epsilon > 0) {
-        int steps = (int)round(log2(epsilon / trace->epsilon));
+    char text[TOOLTIP_SIZE], label[LABEL_SIZE];
+    const double shown = fmax(trace->epsilon, EPSILON_LOW);
+    double epsilon = shown;
+    snprintf(label, sizeof label, "ε %.1e", trace->epsilon);
+    if (gui_log_slider("epsilon", &epsilon, EPSILON_LOW, EPSILON_HIGH, label,
+                       tooltip(content, "epsilon twice", text))) {
+        int steps = (int)round(log2(epsilon / shown));
         request(toolbar, steps < 0 ? "epsilon half" : "epsilon twice", abs(steps));
     }
 }

@@ -62,6 +62,7 @@ typedef struct Window {
     LightMarks light_marks;               /**< The marks of the lights. */
     Toast toast;                          /**< The newest message. */
     Toast hint;                           /**< What to press, at the start. */
+    double next_progress_time;            /**< When a legend says next how far the work is. */
     WindowState state;                    /**< What they show. */
     double text_scale;                    /**< Factor of the size of letters; 0: 1. */
     Latency latency;                      /**< The latency from keys to pictures. */
@@ -157,6 +158,18 @@ void window_open_widgets(Window *window);
 
 /** Shows buttons, lists, marks and messages over the picture. */
 void window_show_widgets(Window *window);
+
+/** @return A rectangle of pixels in screen units. */
+SDL_Rect window_to_units(const Window *window, SDL_Rect rect);
+
+/** Shows legends and rings: what belongs to a picture of the screen, too. */
+void window_show_values(const Window *window);
+
+/** Shows legends and rings alone, without buttons and messages. */
+void window_show_screen_values(Window *window);
+
+/** Shows what the pixel under the mouse shows. */
+void window_show_readout(const Window *window);
 
 /** @return Whether they have changed since they were shown. */
 bool window_widgets_are_due(Window *window, double now);

@@ -10,6 +10,7 @@
 #include <backends/imgui_impl_sdl.h>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <imgui.h>
 #include <imgui_internal.h>
 #include <new>
@@ -43,14 +44,27 @@ constexpr float FLIGHT_WIDTH = 0.22F;
 /** Step by which rows of a list are moved to the right, in heights of letters. */
 constexpr float ROW_INDENT = 0.7F;
 
+/** Width of cards and of lists of steps, in heights of letters. */
+constexpr float CARD_WIDTH = 32;
+/** Width of a panel from which answers stand side by side, in heights of letters. */
+constexpr float WIDE_PANEL = 24;
+/** Bytes of an answer with its number. */
+constexpr int ANSWER_SIZE = 1024;
+/** Behaviour of panels and cards. */
+constexpr ImGuiWindowFlags PANEL_FLAGS = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                                         ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings;
+
 /** The letters of English and French, and the signs of formulas, arrows and buttons. */
-constexpr ImWchar LETTERS[] = {0x20,   0xff,   0x152,  0x153,  0x3b1,  0x3c9,  0x2010,
-                               0x2027, 0x202f, 0x202f, 0x2039, 0x203a, 0x2190, 0x2199,
-                               0x2212, 0x2212, 0x2248, 0x2248, 0x2260, 0x2265, 0x25a0,
-                               0x25ff, 0x2630, 0x2630, 0x275a, 0x275a, 0};
+constexpr ImWchar LETTERS[] = {0x20,   0xff,   0x152,  0x153,  0x3b1,  0x3c9,  0x2010, 0x2027,
+                               0x202f, 0x202f, 0x2039, 0x203a, 0x2190, 0x2199, 0x2212, 0x2212,
+                               0x2248, 0x2248, 0x2260, 0x2265, 0x25a0, 0x25ff, 0x2630, 0x2630,
+                               0x2713, 0x2713, 0x2717, 0x2717, 0x275a, 0x275a, 0};
 
 /** Colour of what is on, and of lights. */
 constexpr ImU32 ACCENT = IM_COL32(255, 205, 90, 255);
+/** Colour of the right answer: told from #ACCENT by every eye. */
+constexpr ImU32 RIGHT = IM_COL32(90, 180, 255, 255);
 /** Colour of outlines on the picture: seen on light and dark ground. */
 constexpr ImU32 OUTLINE = IM_COL32(0, 0, 0, 200);
 /** Colour of headings. */
@@ -267,6 +281,55 @@ void draw_name(ImDrawList *list, ImVec2 center, const char *name) {
     float top = fminf(fmaxf(center.y, 0), fmaxf(display.y - size.y, 0));
     list->AddText(ImVec2(left + 1, top + 1), OUTLINE, name);
     list->AddText(ImVec2(left, top), TEXT, name);
+}
+
+/** Writes an answer with its number, and a sign once it is known to be right or wrong. */
+void write_answer(const GuiAnswers &answers, int index, char text[ANSWER_SIZE]) {
+    const char *sign = "";
+    if (answers.right >= 0) {
+        sign = index == answers.right    ? "\xe2\x9c\x93 "
+               : index == answers.chosen ? "\xe2\x9c\x97 "
+                                         : "";
+    }
+    snprintf(text, ANSWER_SIZE, "%d  %s%s", index + 1, sign, answers.texts[index]);
+}
+
+/** @return Height of an answer in a given width. */
+float answer_height(const GuiAnswers &answers, int index, float width) {
+    const ImVec2 padding = ImGui::GetStyle().FramePadding;
+    char text[ANSWER_SIZE];
+    write_answer(answers, index, text);
+    return ImGui::CalcTextSize(text, nullptr, false, width - 2 * padding.x).y + 2 * padding.y;
+}
+
+/** Draws an answer as a button. @return Whether it was clicked. */
+bool draw_answer(const GuiAnswers &answers, int index, ImVec2 size) {
+    const ImGuiStyle &style = ImGui::GetStyle();
+    char text[ANSWER_SIZE];
+    bool is_marked = index == answers.chosen || index == answers.right;
+    bool is_dim = !answers.is_open && !is_marked;
+    write_answer(answers, index, text);
+    ImGui::PushID(index);
+    ImGui::BeginDisabled(!answers.is_open);
+    ImVec2 corner = ImGui::GetCursorScreenPos();
+    bool is_clicked = ImGui::InvisibleButton("answer", size);
+    ImGuiCol color = ImGui::IsItemActive()    ? ImGuiCol_ButtonActive
+                     : ImGui::IsItemHovered() ? ImGuiCol_ButtonHovered
+                                              : ImGuiCol_Button;
+    ImGui::EndDisabled();
+    ImVec2 end(corner.x + size.x, corner.y + size.y);
+    ImDrawList *list = ImGui::GetWindowDrawList();
+    list->AddRectFilled(corner, end, ImGui::GetColorU32(color), style.FrameRounding);
+    if (is_marked) {
+        list->AddRect(corner, end, index == answers.right ? RIGHT : ACCENT, style.FrameRounding, 0,
+                      2);
+    }
+    list->AddText(nullptr, 0,
+                  ImVec2(corner.x + style.FramePadding.x, corner.y + style.FramePadding.y),
+                  is_dim ? ImGui::GetColorU32(ImGuiCol_TextDisabled) : TEXT, text, nullptr,
+                  size.x - 2 * style.FramePadding.x);
+    ImGui::PopID();
+    return is_clicked && answers.is_open;
 }
 
 } // namespace
@@ -679,6 +742,129 @@ void gui_ring(GuiPoint center, float radius) {
     ImVec2 middle(center.x, center.y);
     list->AddCircle(middle, radius, OUTLINE, 0, 5);
     list->AddCircle(middle, radius, IM_COL32(255, 255, 255, 255), 0, 2);
+}
+
+/* --- lessons ---------------------------------------------------------------------------------- */
+
+void gui_panel_begin(const char *id, GuiPoint corner, GuiPoint size) {
+    ImGui::SetNextWindowPos(ImVec2(corner.x, corner.y));
+    ImGui::SetNextWindowSize(ImVec2(size.x, size.y));
+    ImGui::Begin(id, nullptr, PANEL_FLAGS);
+}
+
+void gui_panel_end() {
+    ImGui::End();
+}
+
+void gui_card_begin(const char *id) {
+    ImVec2 display = ImGui::GetIO().DisplaySize;
+    float letter = ImGui::GetFontSize();
+    float width = fminf(CARD_WIDTH * letter, display.x - letter);
+    ImGui::SetNextWindowPos(ImVec2(display.x / 2, display.y / 2), ImGuiCond_Always,
+                            ImVec2(0.5F, 0.5F));
+    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0),
+                                        ImVec2(width, fmaxf(letter, display.y - letter)));
+    ImGui::SetNextWindowFocus();
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
+    ImGui::Begin(id, nullptr, PANEL_FLAGS | ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::PopStyleColor();
+}
+
+void gui_heading(const char *text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ACCENT);
+    gui_paragraph(text);
+    ImGui::PopStyleColor();
+}
+
+void gui_paragraph(const char *text) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+}
+
+void gui_item(const char *text) {
+    ImGui::Bullet();
+    ImGui::SameLine();
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+}
+
+void gui_same_line() {
+    ImGui::SameLine();
+}
+
+bool gui_step_button(const char *label, const char *tooltip, bool is_enabled, bool is_marked) {
+    ImGui::BeginDisabled(!is_enabled);
+    if (is_marked) {
+        ImGui::PushStyleColor(ImGuiCol_Text, ACCENT);
+    }
+    bool is_clicked = ImGui::Button(label);
+    if (is_marked) {
+        ImGui::PopStyleColor();
+    }
+    ImGui::EndDisabled();
+    show_tooltip(tooltip);
+    return is_clicked;
+}
+
+bool gui_step_list_begin(const char *label, const char *tooltip) {
+    if (ImGui::Button(label)) {
+        ImGui::OpenPopup("steps");
+    }
+    show_tooltip(tooltip);
+    ImVec2 display = ImGui::GetIO().DisplaySize;
+    float width = fminf(CARD_WIDTH * ImGui::GetFontSize(), display.x);
+    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0), ImVec2(width, display.y / 2));
+    return ImGui::BeginPopup("steps");
+}
+
+bool gui_step_list_entry(size_t index, const char *text, bool is_present) {
+    ImGui::PushID(static_cast<int>(index));
+    bool is_clicked = ImGui::Selectable("##entry", is_present);
+    if (is_present && ImGui::IsWindowAppearing()) {
+        ImGui::SetScrollHereY();
+    }
+    ImGui::SameLine(0, 0);
+    if (is_present) {
+        ImGui::PushStyleColor(ImGuiCol_Text, ACCENT);
+    }
+    ImGui::TextUnformatted(text);
+    if (is_present) {
+        ImGui::PopStyleColor();
+    }
+    ImGui::PopID();
+    return is_clicked;
+}
+
+void gui_step_list_end() {
+    ImGui::EndPopup();
+}
+
+int gui_answers(const GuiAnswers *answers) {
+    const ImGuiStyle &style = ImGui::GetStyle();
+    float whole = ImGui::GetContentRegionAvail().x;
+    int columns = 1, clicked = -1;
+    if (whole > WIDE_PANEL * ImGui::GetFontSize()) {
+        columns = answers->count <= 2 || answers->count == 4 ? 2 : 3;
+    }
+    float gaps = static_cast<float>(columns - 1) * style.ItemSpacing.x;
+    float width = (whole - gaps) / static_cast<float>(columns);
+    for (int row = 0; row < answers->count; row += columns) {
+        int end = row + columns < answers->count ? row + columns : answers->count;
+        float height = 0;
+        for (int i = row; i < end; i++) {
+            height = fmaxf(height, answer_height(*answers, i, width));
+        }
+        for (int i = row; i < end; i++) {
+            if (i > row) {
+                ImGui::SameLine();
+            }
+            clicked = draw_answer(*answers, i, ImVec2(width, height)) ? i : clicked;
+        }
+    }
+    return clicked;
 }
 
 } // extern "C"

@@ -190,6 +190,58 @@ void gui_legend(const GuiLegend *legend, GuiPoint corner, float highest, bool is
 /** Draws a ring around a pixel, seen on light and dark ground. */
 void gui_ring(GuiPoint center, float radius);
 
+/* --- lessons ---------------------------------------------------------------------------------- */
+
+/** Begins a panel that fills a rectangle of the window; what does not fit is scrolled.
+ *  #gui_panel_end follows. @param corner Its upper left corner. @param size Its size. */
+void gui_panel_begin(const char *id, GuiPoint corner, GuiPoint size);
+
+/** Ends the panel. */
+void gui_panel_end(void);
+
+/** Begins a card in the middle of the window, as high as its text. #gui_panel_end follows. */
+void gui_card_begin(const char *id);
+
+/** Writes a heading. */
+void gui_heading(const char *text);
+
+/** Writes a text in as many lines as it needs. */
+void gui_paragraph(const char *text);
+
+/** Writes an item of a list in as many lines as it needs. */
+void gui_item(const char *text);
+
+/** Puts the next widget into the line of the last one. */
+void gui_same_line(void);
+
+/** A button that may be dimmed. @param is_enabled Whether it can be clicked. @param is_marked
+ *  Whether it is the one to click now. @return Whether it was clicked. */
+bool gui_step_button(const char *label, const char *tooltip, bool is_enabled, bool is_marked);
+
+/** A button with a list. @param label Its words. @return Whether the list is open: its entries
+ *  follow, then #gui_step_list_end. */
+bool gui_step_list_begin(const char *label, const char *tooltip);
+
+/** An entry of the list. @param index Its place, from 0. @param is_present Whether it is marked.
+ *  @return Whether it was clicked. */
+bool gui_step_list_entry(size_t index, const char *text, bool is_present);
+
+/** Ends the list that is open. */
+void gui_step_list_end(void);
+
+/** The answers to a question. */
+typedef struct GuiAnswers {
+    const char *const *texts; /**< The answers. */
+    int count;                /**< Number of answers. */
+    int chosen;               /**< Index of the chosen one; -1: none. */
+    int right;                /**< Index of the right one, to be shown; -1: not yet. */
+    bool is_open;             /**< Whether one may be chosen. */
+} GuiAnswers;
+
+/** Shows answers with their numbers, side by side where there is room. @return Index of the one
+ *  that was clicked; -1: none. */
+int gui_answers(const GuiAnswers *answers);
+
 #ifdef __cplusplus
 }
 #endif

@@ -18,6 +18,8 @@
 enum { LESSON_STEPS_MAXIMUM = 65536 };
 /** Largest size of all texts of a lesson, bytes. */
 enum { LESSON_TEXT_MAXIMUM = 1 << 20 };
+/** Largest number of lights that #LESSON_DRAG can name. */
+enum { LESSON_LIGHTS_MAXIMUM = 1000000 };
 /** Largest wait, seconds. */
 #define LESSON_WAIT_MAXIMUM 3600.0
 

@@ -4,6 +4,7 @@
  */
 #include "dioptre/lesson.h"
 
+#include "base/untrusted.h"
 #include "dioptre/scene.h"
 
 #include <string.h>
@@ -76,15 +77,7 @@ const char *lesson_text_localized(const LessonText *text, bool is_french) {
 
 /** @return Whether a text is NULL, or lies in the texts of a lesson, the last of which ends. */
 static bool check_text(const Lesson *lesson, const char *text) {
-    uintptr_t start = (uintptr_t)lesson->text;
-    return !text || ((uintptr_t)text >= start && (uintptr_t)text - start < lesson->text_used);
-}
-
-/** @return Whether a flag has one of the bytes of a bool. */
-static bool check_flag(const bool *flag) {
-    unsigned char byte;
-    memcpy(&byte, flag, sizeof byte);
-    return byte <= 1;
+    return !text || untrusted_lies_in(lesson->text, lesson->text_used, text, 1);
 }
 
 /** @return Whether a number of the settings is unset or in range. */
@@ -104,15 +97,26 @@ static bool check_settings(const Lesson *lesson) {
            fabs(settings->time) <= TIME_VALUE_MAXIMUM && check_text(lesson, settings->engine);
 }
 
+/** @return Whether the action of a step is one of those that its kind may name. */
+static bool check_action(const LessonStep *step, int action_count) {
+    bool is_key = step->kind == LESSON_PRESS || step->kind == LESSON_RELEASE;
+    int count = is_key ? action_count : LESSON_LIGHTS_MAXIMUM;
+    return (!is_key && step->kind != LESSON_DRAG) || (step->action >= 0 && step->action < count);
+}
+
+/** @return Whether the numbers of a step are in range: lengths of the scene, or others. */
+static bool check_numbers(const LessonStep *step) {
+    double maximum = step->kind == LESSON_DRAG ? LENGTH_MAXIMUM : STEP_VALUE_MAXIMUM;
+    return fabs(step->x) <= maximum && fabs(step->y) <= maximum && fabs(step->z) <= maximum;
+}
+
 /** @return Whether a step is valid. @param time Time of the step before. */
 static bool check_step(const Lesson *lesson, const LessonStep *step, int64_t time,
                        int action_count) {
-    bool has_action = step->kind == LESSON_PRESS || step->kind == LESSON_RELEASE;
     return step->kind <= LESSON_SNAPSHOT && step->time >= time &&
-           (!has_action || (step->action >= 0 && step->action < action_count)) &&
-           fabs(step->x) <= STEP_VALUE_MAXIMUM && fabs(step->y) <= STEP_VALUE_MAXIMUM &&
+           check_action(step, action_count) && check_numbers(step) &&
            check_text(lesson, step->text.english) && check_text(lesson, step->text.french) &&
-           check_flag(&step->waits_for_viewer);
+           untrusted_is_bool(&step->waits_for_viewer);
 }
 
 bool lesson_validate(const Lesson *lesson, size_t size, int action_count, Error *error) {

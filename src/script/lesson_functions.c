@@ -22,8 +22,6 @@ static const double SPEED_MAXIMUM = 1000;
 static const double SPEED_MINIMUM = 0.001;
 /** Largest rotation of the camera in one step, degrees. */
 static const double TURN_MAXIMUM = 360;
-/** Largest number of a light. */
-static const double LIGHT_NUMBER_MAXIMUM = 1e6;
 /** Largest number of notches of the mouse wheel in one step. */
 static const double NOTCHES_MAXIMUM = 1000;
 
@@ -233,7 +231,7 @@ static int call_bar(lua_State *L) {
 static int call_drag(lua_State *L) {
     check_argument_count(L, 4, 4, "drag(LIGHT, X, Y, Z)");
     LessonStep step = {.kind = LESSON_DRAG};
-    step.action = (int)read_number(L, 1, "drag", 1, LIGHT_NUMBER_MAXIMUM) - 1;
+    step.action = (int)read_number(L, 1, "drag", 1, LESSON_LIGHTS_MAXIMUM) - 1;
     step.x = read_number(L, 2, "drag", -LENGTH_MAXIMUM, LENGTH_MAXIMUM);
     step.y = read_number(L, 3, "drag", -LENGTH_MAXIMUM, LENGTH_MAXIMUM);
     step.z = read_number(L, 4, "drag", -LENGTH_MAXIMUM, LENGTH_MAXIMUM);

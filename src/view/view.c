@@ -48,7 +48,17 @@ static void take_pending_snapshot(App *app) {
     }
 }
 
-/** Runs the command that a button, a list or a slider requests, as its key would. */
+/** Issues a command, as its key would; the key of a move goes up at once. */
+static void issue_requested(App *app, const Command *command) {
+    double now = clock_now_seconds();
+    command_issue(app, command, now);
+    if (command_is_move(command)) {
+        recorder_on_release(app, command, now);
+        held_keys_release(&app->input.held_keys, command->move, now);
+    }
+}
+
+/** Runs the command that a button, a list, a slider or the help requests. */
 static void run_requested_command(App *app) {
     Toolbar *toolbar = &app->window.toolbar;
     const Command *command =
@@ -56,7 +66,7 @@ static void run_requested_command(App *app) {
     int repetitions = command ? toolbar->repetitions : 0;
     for (int i = 0; i < repetitions; i++) {
         if (!player_handle_command(app, command)) {
-            command_issue(app, command, clock_now_seconds());
+            issue_requested(app, command);
         }
     }
     // What frames in between have requested counted from a part of the change.

@@ -155,8 +155,16 @@ void window_set_size_below_toolbar(Window *window, int width, int height);
 /** Creates buttons, lists and marks, once the first picture is on screen. */
 void window_open_widgets(Window *window);
 
-/** Shows buttons, lists, marks and messages over the picture. */
+/** Shows panels, buttons, lists, marks and messages over the picture. */
 void window_show_widgets(Window *window);
+
+/** Shows panels alone, without buttons, marks and messages: for a picture of the screen. */
+void window_show_panels_alone(Window *window);
+
+/** Shows the panels on the pictures: settings, costs, legends, captions and notices. @param area
+ * The part of the window for them, screen units. @return Where what lies at its lower edge begins.
+ */
+float window_show_panels(Window *window, const GuiRect *area);
 
 /** @return Whether they have changed since they were shown. */
 bool window_widgets_are_due(Window *window, double now);

@@ -77,7 +77,6 @@ static void resume_clock(Player *player) {
 static void update_hint(App *app) {
     Caption *caption = &app->window.caption;
     caption->hint = app->player.is_paused ? N_("Space: go on") : NULL;
-    overlay_invalidate(&caption->overlay);
     window_present(&app->window);
 }
 

@@ -16,22 +16,20 @@
 static const double UPDATE_INTERVAL = 0.2;
 /** Smallest percentage that is shown. */
 static const double MINIMUM_PERCENT = 0.001;
-/** Factor of the size of letters: the panel must not hide the picture. */
-static const double FONT_SCALE = 0.7;
 
 /** Adds a row. @param format Its text, as for printf. @return The row; the last one if all rows are
  *  used. */
-static PanelRow *hud_add_row(Hud *hud, const char *label, const char *format, ...)
+static GuiRow *hud_add_row(Hud *hud, const char *label, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-static PanelRow *hud_add_row(Hud *hud, const char *label, const char *format, ...) {
+static GuiRow *hud_add_row(Hud *hud, const char *label, const char *format, ...) {
     size_t index = hud->count < HUD_ROWS ? hud->count++ : HUD_ROWS - 1;
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(hud->row_texts[index], HUD_TEXT_SIZE, format, arguments);
     va_end(arguments);
-    hud->rows[index] = (PanelRow){.text = hud->row_texts[index]};
-    SDL_strlcpy(hud->rows[index].label, label, PANEL_LABEL_SIZE);
+    hud->rows[index] = (GuiRow){.text = hud->row_texts[index]};
+    SDL_strlcpy(hud->rows[index].label, label, GUI_LABEL_SIZE);
     return &hud->rows[index];
 }
 
@@ -94,7 +92,7 @@ static void add_heading(Hud *hud, const char *name, const char *more) {
 }
 
 /** Adds a colour to a row. */
-static void add_swatch(PanelRow *row, const LegendEntry *tick) {
+static void add_swatch(GuiRow *row, const LegendEntry *tick) {
     row->has_swatch = true;
     memcpy(row->swatch, tick->rgb, sizeof row->swatch);
 }
@@ -108,7 +106,7 @@ static void add_ticks(Hud *hud, const LegendEntry *ticks, size_t count) {
 }
 
 /** Adds a number of pixels. @return The row. */
-static PanelRow *add_fraction(Hud *hud, const char *kind, uint64_t count, uint64_t all) {
+static GuiRow *add_fraction(Hud *hud, const char *kind, uint64_t count, uint64_t all) {
     double percent = all > 0 ? 100 * (double)count / (double)all : 0;
     unsigned long long number = count;
     if (percent < MINIMUM_PERCENT) {
@@ -187,28 +185,22 @@ void hud_update(Hud *hud, const HudContent *content, double now) {
     if (now < hud->next_update_time && !content->viewport->report.is_finished) {
         return;
     }
-    hud->width_fraction = content->title ? 0.5 : 1;
     write_rows(&next, content);
     if (!hud_is_equal(hud, &next)) {
-        overlay_invalidate(&hud->overlay);
         write_rows(hud, content);
         hud->next_update_time = now + UPDATE_INTERVAL;
     }
 }
 
-void hud_show(Hud *hud, const OverlayTarget *target) {
+GuiRect hud_show(const Hud *hud, const char *id, const GuiPlace *place) {
+    GuiRect extent = {place->room.x, place->room.y, 0, 0};
     if (hud->count > 0) {
-        if (overlay_is_stale(&hud->overlay)) {
-            OverlayTarget smaller = {target->renderer, target->scale * FONT_SCALE,
-                                     hud->width_fraction, target->top};
-            overlay_draw(&hud->overlay, &smaller, hud->rows, hud->count);
-        }
-        overlay_show(&hud->overlay, target);
+        gui_rows_panel(id, place, hud->rows, hud->count, (GuiCell){-1, 0}, &extent);
     }
+    return extent;
 }
 
 void hud_invalidate(Hud *hud) {
-    overlay_invalidate(&hud->overlay);
     hud->next_update_time = 0;
 }
 

@@ -59,6 +59,12 @@ constexpr float LIGHT_RADIUS = 0.4F;
 constexpr int LIGHT_RAYS = 8;
 /** Length of an arrow to a light outside the picture, in heights of letters. */
 constexpr float ARROW_LENGTH = 1.2F;
+/** Space beside the text of a label, in heights of letters. */
+constexpr float LABEL_PADDING = 0.12F;
+/** Width of a ray in flight, in heights of letters. */
+constexpr float FLIGHT_WIDTH = 0.22F;
+/** Step by which rows of a list are moved to the right, in heights of letters. */
+constexpr float ROW_INDENT = 0.7F;
 
 /** The letters of English and French, and the signs of formulas, arrows and buttons. */
 constexpr ImWchar LETTERS[] = {
@@ -236,19 +242,48 @@ void record_label(const char *label) {
                 ImVec4(low.x, low.y, high.x, high.y), ImGui::GetFontSize());
 }
 
-/** @return The size of a text. @param width Where its lines are broken. */
-ImVec2 text_extent(const char *text, float width) {
-    return ImGui::CalcTextSize(text, nullptr, false, width);
+/** @return The end of the first line of a text: at a line's end or at a space, as Dear ImGui itself
+ *  breaks numbers at their points. @param width Width of lines; 0: they are not broken. */
+const char *line_end(const char *text, float width) {
+    const char *end = text;
+    while (*end != '\0' && *end != '\n') {
+        const char *next = end + 1;
+        while (*next != '\0' && *next != ' ' && *next != '\n') {
+            next++;
+        }
+        if (width > 0 && end != text && ImGui::CalcTextSize(text, next).x > width) {
+            break;
+        }
+        end = next;
+    }
+    return end;
 }
 
-/** Writes a text into the window. @param width Where its lines are broken. */
+/** @return The size of a text. @param width See #line_end. */
+ImVec2 text_extent(const char *text, float width) {
+    ImVec2 size(0, 0);
+    do {
+        const char *end = line_end(text, width);
+        size.x = fmaxf(size.x, ImGui::CalcTextSize(text, end).x);
+        size.y += ImGui::GetFontSize();
+        text = *end != '\0' ? end + 1 : end;
+    } while (*text != '\0');
+    return size;
+}
+
+/** Writes a text into the window. @param width See #line_end. */
 void put_text(ImVec2 corner, float width, ImU32 color, const char *text) {
     ImDrawList *list = ImGui::GetWindowDrawList();
-    float size = ImGui::GetFontSize();
+    const float size = ImGui::GetFontSize();
     ImVec2 at(roundf(corner.x), roundf(corner.y)), extent = text_extent(text, width);
-    list->AddText(ImGui::GetFont(), size, at, color, text, nullptr, width);
-    const ImVec4 &clip = list->_ClipRectStack.back();
-    record_text(text, at, ImVec2(at.x + extent.x, at.y + extent.y), clip, size);
+    record_text(text, at, ImVec2(at.x + extent.x, at.y + extent.y), list->_ClipRectStack.back(),
+                size);
+    while (*text != '\0') {
+        const char *end = line_end(text, width);
+        list->AddText(at, color, text, end);
+        at.y += size;
+        text = *end != '\0' ? end + 1 : end;
+    }
 }
 
 /** Begins a window without a frame of its own. */
@@ -539,6 +574,14 @@ void draw_thumbnail(const GuiThumbnail *thumbnail, ImVec2 low, float width, floa
 void draw_outlined_line(ImDrawList *list, ImVec2 from, ImVec2 to, ImU32 color, float width) {
     list->AddLine(from, to, OUTLINE, width + 2);
     list->AddLine(from, to, color, width);
+}
+
+/** Writes a text as an item of the window, broken at spaces alone. */
+void text_at_spaces(const char *text) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImVec2 corner = ImGui::GetCursorScreenPos();
+    put_text(corner, width, ImGui::GetColorU32(ImGuiCol_Text), text);
+    ImGui::Dummy(text_extent(text, width));
 }
 
 /** Writes a name with an outline. @param center Middle of its upper edge. */
@@ -986,6 +1029,101 @@ void gui_mark_outside(GuiPoint tip, GuiPoint direction, const char *name, bool i
     draw_name(list,
               ImVec2(start.x - length * direction.x, start.y - length * direction.y - length / 2),
               name);
+}
+
+/* --- lists of rays: rows, check boxes and text beside the picture ------------------------------
+ */
+
+void gui_list_begin(const char *id, GuiPoint corner, GuiPoint size) {
+    ImGui::SetNextWindowPos(ImVec2(corner.x, corner.y));
+    ImGui::SetNextWindowSize(ImVec2(size.x, size.y));
+    ImGui::Begin(id, nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoNav |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+}
+
+void gui_list_end() {
+    ImGui::End();
+}
+
+void gui_list_heading(const char *text) {
+    ImGui::AlignTextToFramePadding();
+    gui_heading(text);
+}
+
+void gui_list_text(const char *label, const char *text) {
+    if (label[0] != '\0') {
+        ImVec2 size = ImGui::CalcTextSize(label);
+        put_text(ImGui::GetCursorScreenPos(), 0, ACCENT, label);
+        ImGui::Dummy(size);
+        float left = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x;
+        float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+        if (left + ImGui::CalcTextSize(text).x <= right) {
+            ImGui::SameLine();
+        }
+    }
+    text_at_spaces(text);
+}
+
+bool gui_list_row(int number, const char *text, int indent, const unsigned char rgb[3],
+                  bool is_selected, bool is_revealed) {
+    const float size = ImGui::GetFontSize(), left = ROW_INDENT * size * static_cast<float>(indent);
+    ImGui::PushID(number);
+    ImVec2 corner = ImGui::GetCursorScreenPos();
+    bool is_clicked = ImGui::Selectable("##row", is_selected, 0, ImVec2(0, size));
+    ImDrawList *list = ImGui::GetWindowDrawList();
+    ImVec2 low(corner.x + left, corner.y + 0.2F * size);
+    list->AddRectFilled(low, ImVec2(low.x + 0.6F * size, low.y + 0.6F * size),
+                        IM_COL32(rgb[0], rgb[1], rgb[2], 255));
+    list->AddRect(low, ImVec2(low.x + 0.6F * size, low.y + 0.6F * size), TEXT);
+    put_text(ImVec2(low.x + size, corner.y), 0, is_selected ? ACCENT : TEXT, text);
+    if (is_revealed) {
+        ImGui::SetScrollHereY();
+    }
+    if (left + size + ImGui::CalcTextSize(text).x > ImGui::GetContentRegionAvail().x) {
+        show_tooltip(text);
+    }
+    ImGui::PopID();
+    return is_clicked;
+}
+
+bool gui_list_check(const char *label, const unsigned char rgb[3], const char *tooltip,
+                    bool is_on) {
+    place_in_bar(button_width(label) + ImGui::GetFrameHeight());
+    ImGui::PushStyleColor(ImGuiCol_CheckMark, IM_COL32(rgb[0], rgb[1], rgb[2], 255));
+    bool is_clicked = ImGui::Checkbox(label, &is_on);
+    ImGui::PopStyleColor();
+    show_tooltip(tooltip);
+    return is_clicked;
+}
+
+float gui_text_width(const char *text) {
+    return ImGui::CalcTextSize(text).x;
+}
+
+void gui_label(const char *text, GuiPoint anchor, GuiPoint corner, bool is_bright) {
+    ImDrawList *list = ImGui::GetBackgroundDrawList();
+    ImVec2 size = ImGui::CalcTextSize(text), low(corner.x, corner.y);
+    float gap = LABEL_PADDING * size.y;
+    ImVec2 high(low.x + size.x + gap, low.y + size.y);
+    draw_outlined_line(list, ImVec2(anchor.x, anchor.y),
+                       ImVec2(low.x + size.x / 2, low.y + size.y / 2), is_bright ? ACCENT : TEXT,
+                       1);
+    list->AddRectFilled(ImVec2(low.x - gap, low.y), high, is_bright ? ACCENT : OUTLINE,
+                        ROUNDING * size.y);
+    list->AddText(low, is_bright ? IM_COL32_BLACK : TEXT, text);
+}
+
+void gui_flight(GuiPoint from, GuiPoint to, const unsigned char rgb[3]) {
+    ImDrawList *list = ImGui::GetBackgroundDrawList();
+    const float width = FLIGHT_WIDTH * ImGui::GetFontSize();
+    ImVec2 start(from.x, from.y), end(to.x, to.y);
+    list->AddLine(start, end, TEXT, 2 * width);
+    list->AddLine(start, end, IM_COL32(rgb[0], rgb[1], rgb[2], 255), width);
+    list->AddCircleFilled(end, 2 * width, OUTLINE);
+    list->AddCircleFilled(end, 1.6F * width, ACCENT);
 }
 
 } // extern "C"

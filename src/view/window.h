@@ -169,7 +169,7 @@ void window_set_size_below_toolbar(Window *window, int width, int height);
 /** Creates buttons, lists and marks, once the first picture is on screen. */
 void window_open_widgets(Window *window);
 
-/** Shows buttons, lists, marks and messages over the picture. */
+/** Shows panels, buttons, lists, marks and messages over the picture. */
 void window_show_widgets(Window *window);
 
 /** @return A rectangle of pixels in screen units. */
@@ -178,8 +178,13 @@ SDL_Rect window_to_units(const Window *window, SDL_Rect rect);
 /** Shows legends and rings: what belongs to a picture of the screen, too. */
 void window_show_values(const Window *window);
 
-/** Shows what belongs to a picture of the screen: legends, rings and rays, no buttons, no messages. */
-void window_show_screen_only(Window *window);
+/** Shows panels alone, without buttons, marks and messages: for a picture of the screen. */
+void window_show_panels_alone(Window *window);
+
+/** Shows the panels on the pictures: settings, costs, legends, captions and notices. @param area
+ * The part of the window for them, screen units. @return Where what lies at its lower edge begins.
+ */
+float window_show_panels(Window *window, const GuiRect *area);
 
 /** Shows what the pixel under the mouse shows. */
 void window_show_readout(const Window *window);

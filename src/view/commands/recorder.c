@@ -232,9 +232,7 @@ bool recorder_end(App *app, Error *error) {
 static void show_typed_caption(App *app) {
     Caption *caption = &app->window.caption;
     const char *text = app->recorder.caption;
-    *caption = (Caption){
-        .text = {text, text}, .hint = N_("Caption: type, then Enter"), .overlay = caption->overlay};
-    overlay_invalidate(&caption->overlay);
+    *caption = (Caption){.text = {text, text}, .hint = N_("Caption: type, then Enter")};
     window_present(&app->window);
 }
 

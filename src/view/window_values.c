@@ -21,7 +21,7 @@ static SDL_Rect picture_units(const Window *window) {
 
 /** @return Whether the picture is on screen, and nothing lies over it. */
 static bool is_picture_shown(const Window *window) {
-    return !window->help.is_open && !window->browser.is_open && !window->inspector.is_open;
+    return !window->help.is_open && !window->browser.is_open && !window->ray_view.is_open;
 }
 
 /** @return Whether the difference of two pictures is on screen. */
@@ -47,12 +47,13 @@ static bool pixel_under_mouse(const Window *window, int *column, int *row) {
 /* --- legends ---------------------------------------------------------------------------------- */
 
 /** Draws a legend. @param area The window without its bar, screen units. */
-static void draw_legend(const Window *window, const Legend *legend, const SDL_Rect *area, bool is_right) {
+static void draw_legend(const Window *window, const Legend *legend, const SDL_Rect *area,
+                        bool is_right) {
     GuiSwatch swatches[LEGEND_ENTRIES_MAXIMUM];
     const char *notes[LEGEND_NOTES];
     for (size_t i = 0; i < legend->entry_count; i++) {
-        swatches[i] = (GuiSwatch){.position = (float)legend->entries[i].position,
-                                  .text = legend->texts[i]};
+        swatches[i] =
+            (GuiSwatch){.position = (float)legend->entries[i].position, .text = legend->texts[i]};
         memcpy(swatches[i].rgb, legend->entries[i].rgb, sizeof swatches[i].rgb);
     }
     for (size_t i = 0; i < legend->note_count; i++) {

@@ -188,7 +188,7 @@ bool recorder_begin(App *app, Error *error) {
     window_reset_overrides(&app->window);
     window_set_layer(&app->window, LAYER_SHADED);
     app_reset_view(app);
-    inspector_reset(&app->window.inspector);
+    ray_view_reset(&app->window.ray_view);
     write_head(app, recorder->stream);
     app->title.next_update_time = 0;
     return true;

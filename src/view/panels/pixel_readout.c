@@ -95,8 +95,9 @@ static void append_difference(const PixelReading *a, const PixelReading *b,
     } else if (is_binary) {
         append(text, "%s", difference != 0 ? gettext("not the same") : gettext("the same"));
     } else {
-        append(text, difference != 0 ? gettext("left minus right: %+.6g %s")
-                                     : gettext("left minus right: %.6g %s"),
+        append(text,
+               difference != 0 ? gettext("left minus right: %+.6g %s")
+                               : gettext("left minus right: %.6g %s"),
                difference, unit[0] != '\0' ? gettext(unit) : "");
     }
 }

@@ -234,6 +234,7 @@ static void show_toolbar(Window *window) {
                               .split = window->split.mode,
                               .shows_settings = window->shows_settings,
                               .shows_rays = window->ray_view.is_open,
+                              .shows_magnifier = window->magnifier.is_on,
                               .is_animated = state->is_animated,
                               .is_running = state->is_running,
                               .is_recording = state->is_recording};
@@ -297,10 +298,9 @@ void window_show_widgets(Window *window) {
         light_marks_show(&window->light_marks, window->state.scene, &picture,
                          window->state.selected_light);
     }
+    window_follow_mouse(window);
     window_show_values(window);
-    if (!window->toolbar.is_folded) {
-        window_show_readout(window);
-    }
+    window_show_readout(window);
     show_rays(window);
     show_messages(window, width, height);
     gui_end_frame(window->gui);

@@ -145,6 +145,8 @@ void toolbar_show(Toolbar *toolbar, const ToolbarContent *content) {
         }
         command_button(toolbar, content, gettext("rays"), "rays", content->shows_rays);
         command_button(toolbar, content, gettext("costs"), "settings", content->shows_settings);
+        command_button(toolbar, content, gettext("magnifier"), "magnifier",
+                       content->shows_magnifier);
         command_button(toolbar, content, gettext("as at first"), "as at first", false);
         command_button(toolbar, content, gettext("photo"), "snapshot", false);
         command_button(toolbar, content, gettext("record"), "record", content->is_recording);

@@ -14,6 +14,7 @@
 #include "view/commands/recorder.h"
 #include "view/input/input.h"
 #include "view/input/signal_thread.h"
+#include "view/lesson/answer_file.h"
 #include "view/lesson/player.h"
 
 #include <libintl.h>
@@ -132,6 +133,7 @@ static void run_frame(App *app) {
         app_report_error(app, &error);
     }
     run_requested_command(app);
+    player_handle_request(app);
     take_pending_snapshot(app);
     if (!player_capture(app, &error)) {
         app_report_error(app, &error);
@@ -174,6 +176,9 @@ static Status run_event_loop(App *app, const atomic_bool *stop, SignalThread *si
         return error->status;
     }
     app_show_notes(app);
+    if (settings->answer_path && !answer_file_prepare(settings->answer_path, error)) {
+        return error->status;
+    }
     player_begin(app);
     while (!app->exit.is_requested) {
         run_frame(app);

@@ -86,7 +86,7 @@ void window_set_layer(Window *window, Layer layer) {
 void window_override_setting(Window *window, SettingsChangeFn *change, int step) {
     update_text_now(window);
     window->shows_settings = true;
-    viewport_override_setting(window_active_viewport(window), change, step);
+    viewport_override_setting(window_active_viewport(window), &window->base_settings, change, step);
 }
 
 void window_request_new_renderers(Window *window) {
@@ -118,6 +118,10 @@ void window_cycle_split(Window *window, int step) {
     for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
         window->viewports[i].has_new_pass = window->viewports[i].renderer != NULL;
     }
+}
+
+bool window_awaits_second_picture(const Window *window) {
+    return window->split.mode != SPLIT_NONE && !window->viewports[1].renderer;
 }
 
 void window_swap_active(Window *window) {
@@ -203,7 +207,7 @@ void window_on_visibility(Window *window) {
 }
 
 bool window_on_resize(Window *window) {
-    window->fitted_bar = window_area(window).y;
+    window->fitted_height = window_used_height(window);
     SDL_Rect picture = window_picture_rect(window);
     bool is_other =
         picture.w != window->viewports[0].width || picture.h != window->viewports[0].height;
@@ -460,7 +464,7 @@ bool window_copy_screen(Window *window, Picture *picture, Error *error) {
     size_t row = (size_t)area.w * 4;
     uint8_t *bgrx = malloc(row * (size_t)area.h);
     draw_pictures(window);
-    window_show_screen_values(window);
+    window_show_screen_only(window);
     if (bgrx && SDL_RenderReadPixels(window->sdl.renderer, &area, SDL_PIXELFORMAT_XRGB8888, bgrx,
                                      (int)row) != 0) {
         free(bgrx);

@@ -10,6 +10,7 @@
 #include <backends/imgui_impl_sdl.h>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <imgui.h>
 #include <imgui_internal.h>
 #include <new>
@@ -43,14 +44,27 @@ constexpr float FLIGHT_WIDTH = 0.22F;
 /** Step by which rows of a list are moved to the right, in heights of letters. */
 constexpr float ROW_INDENT = 0.7F;
 
+/** Width of cards and of lists of steps, in heights of letters. */
+constexpr float CARD_WIDTH = 32;
+/** Width of a panel from which answers stand side by side, in heights of letters. */
+constexpr float WIDE_PANEL = 24;
+/** Bytes of an answer with its number. */
+constexpr int ANSWER_SIZE = 1024;
+/** Behaviour of panels and cards. */
+constexpr ImGuiWindowFlags PANEL_FLAGS = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                                         ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings;
+
 /** The letters of English and French, and the signs of formulas, arrows and buttons. */
-constexpr ImWchar LETTERS[] = {0x20,   0xff,   0x152,  0x153,  0x3b1,  0x3c9,  0x2010,
-                               0x2027, 0x202f, 0x202f, 0x2039, 0x203a, 0x2190, 0x2199,
-                               0x2212, 0x2212, 0x2248, 0x2248, 0x2260, 0x2265, 0x25a0,
-                               0x25ff, 0x2630, 0x2630, 0x275a, 0x275a, 0};
+constexpr ImWchar LETTERS[] = {0x20,   0xff,   0x152,  0x153,  0x3b1,  0x3c9,  0x2010, 0x2027,
+                               0x202f, 0x202f, 0x2039, 0x203a, 0x2190, 0x2199, 0x2212, 0x2212,
+                               0x2248, 0x2248, 0x2260, 0x2265, 0x25a0, 0x25ff, 0x2630, 0x2630,
+                               0x2713, 0x2713, 0x2717, 0x2717, 0x275a, 0x275a, 0};
 
 /** Colour of what is on, and of lights. */
 constexpr ImU32 ACCENT = IM_COL32(255, 205, 90, 255);
+/** Colour of the right answer: told from #ACCENT by every eye. */
+constexpr ImU32 RIGHT = IM_COL32(90, 180, 255, 255);
 /** Colour of outlines on the picture: seen on light and dark ground. */
 constexpr ImU32 OUTLINE = IM_COL32(0, 0, 0, 200);
 /** Colour of headings. */
@@ -172,6 +186,26 @@ void draw_outlined_line(ImDrawList *list, ImVec2 from, ImVec2 to, ImU32 color, f
     list->AddLine(from, to, color, width);
 }
 
+/** Writes a text, broken at spaces alone: Dear ImGui itself breaks numbers at their points. */
+void text_at_spaces(const char *text) {
+    const float available = ImGui::GetContentRegionAvail().x;
+    while (*text != '\0') {
+        const char *end = text;
+        while (*end != '\0') {
+            const char *next = end + 1;
+            while (*next != '\0' && *next != ' ') {
+                next++;
+            }
+            if (end != text && ImGui::CalcTextSize(text, next).x > available) {
+                break;
+            }
+            end = next;
+        }
+        ImGui::TextUnformatted(text, end);
+        text = *end == ' ' ? end + 1 : end;
+    }
+}
+
 /** What the parts of a legend measure, pixels of the window. */
 struct LegendLayout {
     float line;  /**< Height of a line. */
@@ -193,8 +227,7 @@ LegendLayout legend_layout(const GuiLegend *legend, float highest) {
             fmaxf(layout.width, swatch + ImGui::CalcTextSize(legend->swatches[i].text).x);
     }
     for (int i = 0; i < legend->note_count; i++) {
-        float note =
-            fminf(ImGui::CalcTextSize(legend->notes[i]).x, LEGEND_NOTE_WIDTH * layout.line);
+        float note = fminf(ImGui::CalcTextSize(legend->notes[i]).x, LEGEND_NOTE_WIDTH * layout.line);
         layout.width = fmaxf(layout.width, note);
     }
     for (int i = 0; i < legend->note_count; i++) {
@@ -240,26 +273,6 @@ void draw_legend_bar(ImDrawList *list, const GuiLegend *legend, const LegendLayo
     }
 }
 
-/** Writes a text, broken at spaces alone: Dear ImGui itself breaks numbers at their points. */
-void text_at_spaces(const char *text) {
-    const float available = ImGui::GetContentRegionAvail().x;
-    while (*text != '\0') {
-        const char *end = text;
-        while (*end != '\0') {
-            const char *next = end + 1;
-            while (*next != '\0' && *next != ' ') {
-                next++;
-            }
-            if (end != text && ImGui::CalcTextSize(text, next).x > available) {
-                break;
-            }
-            end = next;
-        }
-        ImGui::TextUnformatted(text, end);
-        text = *end == ' ' ? end + 1 : end;
-    }
-}
-
 /** Writes a name with an outline. @param center Middle of its upper edge. */
 void draw_name(ImDrawList *list, ImVec2 center, const char *name) {
     ImVec2 size = ImGui::CalcTextSize(name);
@@ -268,6 +281,55 @@ void draw_name(ImDrawList *list, ImVec2 center, const char *name) {
     float top = fminf(fmaxf(center.y, 0), fmaxf(display.y - size.y, 0));
     list->AddText(ImVec2(left + 1, top + 1), OUTLINE, name);
     list->AddText(ImVec2(left, top), TEXT, name);
+}
+
+/** Writes an answer with its number, and a sign once it is known to be right or wrong. */
+void write_answer(const GuiAnswers &answers, int index, char text[ANSWER_SIZE]) {
+    const char *sign = "";
+    if (answers.right >= 0) {
+        sign = index == answers.right    ? "\xe2\x9c\x93 "
+               : index == answers.chosen ? "\xe2\x9c\x97 "
+                                         : "";
+    }
+    snprintf(text, ANSWER_SIZE, "%d  %s%s", index + 1, sign, answers.texts[index]);
+}
+
+/** @return Height of an answer in a given width. */
+float answer_height(const GuiAnswers &answers, int index, float width) {
+    const ImVec2 padding = ImGui::GetStyle().FramePadding;
+    char text[ANSWER_SIZE];
+    write_answer(answers, index, text);
+    return ImGui::CalcTextSize(text, nullptr, false, width - 2 * padding.x).y + 2 * padding.y;
+}
+
+/** Draws an answer as a button. @return Whether it was clicked. */
+bool draw_answer(const GuiAnswers &answers, int index, ImVec2 size) {
+    const ImGuiStyle &style = ImGui::GetStyle();
+    char text[ANSWER_SIZE];
+    bool is_marked = index == answers.chosen || index == answers.right;
+    bool is_dim = !answers.is_open && !is_marked;
+    write_answer(answers, index, text);
+    ImGui::PushID(index);
+    ImGui::BeginDisabled(!answers.is_open);
+    ImVec2 corner = ImGui::GetCursorScreenPos();
+    bool is_clicked = ImGui::InvisibleButton("answer", size);
+    ImGuiCol color = ImGui::IsItemActive()    ? ImGuiCol_ButtonActive
+                     : ImGui::IsItemHovered() ? ImGuiCol_ButtonHovered
+                                              : ImGuiCol_Button;
+    ImGui::EndDisabled();
+    ImVec2 end(corner.x + size.x, corner.y + size.y);
+    ImDrawList *list = ImGui::GetWindowDrawList();
+    list->AddRectFilled(corner, end, ImGui::GetColorU32(color), style.FrameRounding);
+    if (is_marked) {
+        list->AddRect(corner, end, index == answers.right ? RIGHT : ACCENT, style.FrameRounding, 0,
+                      2);
+    }
+    list->AddText(nullptr, 0,
+                  ImVec2(corner.x + style.FramePadding.x, corner.y + style.FramePadding.y),
+                  is_dim ? ImGui::GetColorU32(ImGuiCol_TextDisabled) : TEXT, text, nullptr,
+                  size.x - 2 * style.FramePadding.x);
+    ImGui::PopID();
+    return is_clicked && answers.is_open;
 }
 
 } // namespace
@@ -536,85 +598,6 @@ void gui_mark_outside(GuiPoint tip, GuiPoint direction, const char *name, bool i
               name);
 }
 
-/* --- values on the picture -------------------------------------------------------------------- */
-
-void gui_legend(const GuiLegend *legend, GuiPoint corner, float highest, bool is_right) {
-    ImDrawList *list = ImGui::GetBackgroundDrawList();
-    LegendLayout layout = legend_layout(legend, highest);
-    float lines = static_cast<float>(layout.apart) + (legend->unit[0] != '\0' ? 2 : 1);
-    float height = lines * layout.line + layout.bar + layout.notes + 4 * layout.gap;
-    float width = layout.width + 2 * layout.gap;
-    ImVec2 low(is_right ? corner.x - width : corner.x, corner.y - height);
-    list->AddRectFilled(low, ImVec2(low.x + width, corner.y), ImGui::GetColorU32(ImGuiCol_WindowBg),
-                        ROUNDING * layout.line);
-    ImVec2 at(low.x + layout.gap, low.y + layout.gap);
-    list->AddText(at, ACCENT, legend->title);
-    at.y += layout.line;
-    if (legend->unit[0] != '\0') {
-        list->AddText(at, TEXT, legend->unit);
-        at.y += layout.line;
-    }
-    at.y += layout.gap;
-    if (legend->bar_count > 0) {
-        draw_legend_bar(list, legend, layout, at);
-        at.y += layout.bar + layout.gap;
-    }
-    for (int i = 0; i < legend->swatch_count; i++) {
-        const GuiSwatch &swatch = legend->swatches[i];
-        if (swatch.position < 0) {
-            const float edge = layout.line / 8;
-            list->AddRectFilled(ImVec2(at.x, at.y + edge),
-                                ImVec2(at.x + 2 * layout.line, at.y + layout.line - edge),
-                                IM_COL32(swatch.rgb[0], swatch.rgb[1], swatch.rgb[2], 255));
-            list->AddText(ImVec2(at.x + 2 * layout.line + layout.gap, at.y), TEXT, swatch.text);
-            at.y += layout.line;
-        }
-    }
-    for (int i = 0; i < legend->note_count; i++) {
-        const char *note = legend->notes[i];
-        list->AddText(nullptr, 0, at, TEXT, note, nullptr, layout.width);
-        at.y += ImGui::CalcTextSize(note, nullptr, false, layout.width).y + layout.gap / 2;
-    }
-}
-
-void gui_ring(GuiPoint center, float radius) {
-    ImDrawList *list = ImGui::GetBackgroundDrawList();
-    ImVec2 middle(center.x, center.y);
-    list->AddCircle(middle, radius, OUTLINE, 0, 5);
-    list->AddCircle(middle, radius, IM_COL32(255, 255, 255, 255), 0, 2);
-}
-
-void gui_pixels(const GuiPixels *pixels, GuiPoint point, float top) {
-    ImDrawList *list = ImGui::GetBackgroundDrawList();
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
-    const float line = ImGui::GetFontSize(), gap = PADDING * line;
-    const float columns = static_cast<float>(pixels->columns);
-    const float rows = static_cast<float>(pixels->rows);
-    float cell = fmaxf(floorf(fminf(line, 0.45F * display.y / rows)), 3);
-    float width = fmaxf(cell * columns, ImGui::CalcTextSize(pixels->caption).x) + 2 * gap;
-    float height = cell * rows + line + 3 * gap;
-    float left =
-        point.x + 2 * line + width < display.x ? point.x + 2 * line : point.x - 2 * line - width;
-    float upper = point.y + height / 2 < display.y ? point.y - height / 2 : display.y - height;
-    ImVec2 low(fmaxf(left, 0), fmaxf(upper, top));
-    list->AddRectFilled(low, ImVec2(low.x + width, low.y + height),
-                        ImGui::GetColorU32(ImGuiCol_PopupBg), ROUNDING * line);
-    ImVec2 at(low.x + (width - cell * columns) / 2, low.y + gap);
-    for (int i = 0; i < pixels->columns * pixels->rows; i++) {
-        const unsigned char *rgb = pixels->rgb + 3 * i;
-        ImVec2 corner(at.x + cell * static_cast<float>(i % pixels->columns),
-                      at.y + cell * static_cast<float>(i / pixels->columns));
-        list->AddRectFilled(corner, ImVec2(corner.x + cell - 1, corner.y + cell - 1),
-                            IM_COL32(rgb[0], rgb[1], rgb[2], 255));
-    }
-    ImVec2 middle(at.x + cell * floorf(columns / 2), at.y + cell * floorf(rows / 2));
-    list->AddRect(ImVec2(middle.x - 2, middle.y - 2),
-                  ImVec2(middle.x + cell + 1, middle.y + cell + 1), OUTLINE, 0, 0, 4);
-    list->AddRect(ImVec2(middle.x - 1, middle.y - 1), ImVec2(middle.x + cell, middle.y + cell),
-                  ACCENT, 0, 0, 2);
-    list->AddText(ImVec2(low.x + gap, at.y + cell * rows + gap), TEXT, pixels->caption);
-}
-
 /* --- lists of rays: rows, check boxes and text beside the picture ------------------------------
  */
 
@@ -710,6 +693,209 @@ void gui_flight(GuiPoint from, GuiPoint to, const unsigned char rgb[3]) {
     list->AddLine(start, end, IM_COL32(rgb[0], rgb[1], rgb[2], 255), width);
     list->AddCircleFilled(end, 2 * width, OUTLINE);
     list->AddCircleFilled(end, 1.6F * width, ACCENT);
+}
+
+/* --- values on the picture -------------------------------------------------------------------- */
+
+void gui_legend(const GuiLegend *legend, GuiPoint corner, float highest, bool is_right) {
+    ImDrawList *list = ImGui::GetBackgroundDrawList();
+    LegendLayout layout = legend_layout(legend, highest);
+    float lines = static_cast<float>(layout.apart) + (legend->unit[0] != '\0' ? 2 : 1);
+    float height = lines * layout.line + layout.bar + layout.notes + 4 * layout.gap;
+    float width = layout.width + 2 * layout.gap;
+    ImVec2 low(is_right ? corner.x - width : corner.x, corner.y - height);
+    list->AddRectFilled(low, ImVec2(low.x + width, corner.y),
+                        ImGui::GetColorU32(ImGuiCol_WindowBg), ROUNDING * layout.line);
+    ImVec2 at(low.x + layout.gap, low.y + layout.gap);
+    list->AddText(at, ACCENT, legend->title);
+    at.y += layout.line;
+    if (legend->unit[0] != '\0') {
+        list->AddText(at, TEXT, legend->unit);
+        at.y += layout.line;
+    }
+    at.y += layout.gap;
+    if (legend->bar_count > 0) {
+        draw_legend_bar(list, legend, layout, at);
+        at.y += layout.bar + layout.gap;
+    }
+    for (int i = 0; i < legend->swatch_count; i++) {
+        const GuiSwatch &swatch = legend->swatches[i];
+        if (swatch.position < 0) {
+            const float edge = layout.line / 8;
+            list->AddRectFilled(ImVec2(at.x, at.y + edge),
+                                ImVec2(at.x + 2 * layout.line, at.y + layout.line - edge),
+                                IM_COL32(swatch.rgb[0], swatch.rgb[1], swatch.rgb[2], 255));
+            list->AddText(ImVec2(at.x + 2 * layout.line + layout.gap, at.y), TEXT, swatch.text);
+            at.y += layout.line;
+        }
+    }
+    for (int i = 0; i < legend->note_count; i++) {
+        const char *note = legend->notes[i];
+        list->AddText(nullptr, 0, at, TEXT, note, nullptr, layout.width);
+        at.y +=
+            ImGui::CalcTextSize(note, nullptr, false, layout.width).y + layout.gap / 2;
+    }
+}
+
+void gui_ring(GuiPoint center, float radius) {
+    ImDrawList *list = ImGui::GetBackgroundDrawList();
+    ImVec2 middle(center.x, center.y);
+    list->AddCircle(middle, radius, OUTLINE, 0, 5);
+    list->AddCircle(middle, radius, IM_COL32(255, 255, 255, 255), 0, 2);
+}
+
+void gui_pixels(const GuiPixels *pixels, GuiPoint point, float top) {
+    ImDrawList *list = ImGui::GetBackgroundDrawList();
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float line = ImGui::GetFontSize(), gap = PADDING * line;
+    const float columns = static_cast<float>(pixels->columns);
+    const float rows = static_cast<float>(pixels->rows);
+    float cell = fmaxf(floorf(fminf(line, 0.45F * display.y / rows)), 3);
+    float width = fmaxf(cell * columns, ImGui::CalcTextSize(pixels->caption).x) + 2 * gap;
+    float height = cell * rows + line + 3 * gap;
+    float left =
+        point.x + 2 * line + width < display.x ? point.x + 2 * line : point.x - 2 * line - width;
+    float upper = point.y + height / 2 < display.y ? point.y - height / 2 : display.y - height;
+    ImVec2 low(fmaxf(left, 0), fmaxf(upper, top));
+    list->AddRectFilled(low, ImVec2(low.x + width, low.y + height),
+                        ImGui::GetColorU32(ImGuiCol_PopupBg), ROUNDING * line);
+    ImVec2 at(low.x + (width - cell * columns) / 2, low.y + gap);
+    for (int i = 0; i < pixels->columns * pixels->rows; i++) {
+        const unsigned char *rgb = pixels->rgb + 3 * i;
+        ImVec2 corner(at.x + cell * static_cast<float>(i % pixels->columns),
+                      at.y + cell * static_cast<float>(i / pixels->columns));
+        list->AddRectFilled(corner, ImVec2(corner.x + cell - 1, corner.y + cell - 1),
+                            IM_COL32(rgb[0], rgb[1], rgb[2], 255));
+    }
+    ImVec2 middle(at.x + cell * floorf(columns / 2), at.y + cell * floorf(rows / 2));
+    list->AddRect(ImVec2(middle.x - 2, middle.y - 2),
+                  ImVec2(middle.x + cell + 1, middle.y + cell + 1), OUTLINE, 0, 0, 4);
+    list->AddRect(ImVec2(middle.x - 1, middle.y - 1), ImVec2(middle.x + cell, middle.y + cell),
+                  ACCENT, 0, 0, 2);
+    list->AddText(ImVec2(low.x + gap, at.y + cell * rows + gap), TEXT, pixels->caption);
+}
+
+/* --- lessons ---------------------------------------------------------------------------------- */
+
+void gui_panel_begin(const char *id, GuiPoint corner, GuiPoint size) {
+    ImGui::SetNextWindowPos(ImVec2(corner.x, corner.y));
+    ImGui::SetNextWindowSize(ImVec2(size.x, size.y));
+    ImGui::Begin(id, nullptr, PANEL_FLAGS);
+}
+
+void gui_panel_end() {
+    ImGui::End();
+}
+
+void gui_card_begin(const char *id) {
+    ImVec2 display = ImGui::GetIO().DisplaySize;
+    float letter = ImGui::GetFontSize();
+    float width = fminf(CARD_WIDTH * letter, display.x - letter);
+    ImGui::SetNextWindowPos(ImVec2(display.x / 2, display.y / 2), ImGuiCond_Always,
+                            ImVec2(0.5F, 0.5F));
+    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0),
+                                        ImVec2(width, fmaxf(letter, display.y - letter)));
+    ImGui::SetNextWindowFocus();
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
+    ImGui::Begin(id, nullptr, PANEL_FLAGS | ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::PopStyleColor();
+}
+
+void gui_heading(const char *text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ACCENT);
+    gui_paragraph(text);
+    ImGui::PopStyleColor();
+}
+
+void gui_paragraph(const char *text) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+}
+
+void gui_item(const char *text) {
+    ImGui::Bullet();
+    ImGui::SameLine();
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+}
+
+void gui_same_line() {
+    ImGui::SameLine();
+}
+
+bool gui_step_button(const char *label, const char *tooltip, bool is_enabled, bool is_marked) {
+    ImGui::BeginDisabled(!is_enabled);
+    if (is_marked) {
+        ImGui::PushStyleColor(ImGuiCol_Text, ACCENT);
+    }
+    bool is_clicked = ImGui::Button(label);
+    if (is_marked) {
+        ImGui::PopStyleColor();
+    }
+    ImGui::EndDisabled();
+    show_tooltip(tooltip);
+    return is_clicked;
+}
+
+bool gui_step_list_begin(const char *label, const char *tooltip) {
+    if (ImGui::Button(label)) {
+        ImGui::OpenPopup("steps");
+    }
+    show_tooltip(tooltip);
+    ImVec2 display = ImGui::GetIO().DisplaySize;
+    float width = fminf(CARD_WIDTH * ImGui::GetFontSize(), display.x);
+    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0), ImVec2(width, display.y / 2));
+    return ImGui::BeginPopup("steps");
+}
+
+bool gui_step_list_entry(size_t index, const char *text, bool is_present) {
+    ImGui::PushID(static_cast<int>(index));
+    bool is_clicked = ImGui::Selectable("##entry", is_present);
+    if (is_present && ImGui::IsWindowAppearing()) {
+        ImGui::SetScrollHereY();
+    }
+    ImGui::SameLine(0, 0);
+    if (is_present) {
+        ImGui::PushStyleColor(ImGuiCol_Text, ACCENT);
+    }
+    ImGui::TextUnformatted(text);
+    if (is_present) {
+        ImGui::PopStyleColor();
+    }
+    ImGui::PopID();
+    return is_clicked;
+}
+
+void gui_step_list_end() {
+    ImGui::EndPopup();
+}
+
+int gui_answers(const GuiAnswers *answers) {
+    const ImGuiStyle &style = ImGui::GetStyle();
+    float whole = ImGui::GetContentRegionAvail().x;
+    int columns = 1, clicked = -1;
+    if (whole > WIDE_PANEL * ImGui::GetFontSize()) {
+        columns = answers->count <= 2 || answers->count == 4 ? 2 : 3;
+    }
+    float gaps = static_cast<float>(columns - 1) * style.ItemSpacing.x;
+    float width = (whole - gaps) / static_cast<float>(columns);
+    for (int row = 0; row < answers->count; row += columns) {
+        int end = row + columns < answers->count ? row + columns : answers->count;
+        float height = 0;
+        for (int i = row; i < end; i++) {
+            height = fmaxf(height, answer_height(*answers, i, width));
+        }
+        for (int i = row; i < end; i++) {
+            if (i > row) {
+                ImGui::SameLine();
+            }
+            clicked = draw_answer(*answers, i, ImVec2(width, height)) ? i : clicked;
+        }
+    }
+    return clicked;
 }
 
 } // extern "C"

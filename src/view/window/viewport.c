@@ -38,8 +38,9 @@ static void start_cost_comparison(Viewport *viewport) {
     viewport->render_seconds = 0;
 }
 
-void viewport_override_setting(Viewport *viewport, SettingsChangeFn *change, int step) {
-    RenderSettings current = viewport->settings;
+void viewport_override_setting(Viewport *viewport, const RenderSettings *base,
+                               SettingsChangeFn *change, int step) {
+    RenderSettings current = *base; // The renderer may still have settings of before.
     settings_override_apply(&viewport->overrides, &current);
     change(&viewport->overrides, &current, step);
     viewport->needs_new_renderer = viewport->needs_restart = true;

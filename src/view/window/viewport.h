@@ -56,7 +56,8 @@ bool viewport_open(Viewport *viewport, const Viewport *reuse_from, const Scene *
 void viewport_close(Viewport *viewport);
 
 /** Changes a setting; #viewport_update_renderer must follow. */
-void viewport_override_setting(Viewport *viewport, SettingsChangeFn *change, int step);
+void viewport_override_setting(Viewport *viewport, const RenderSettings *base,
+                               SettingsChangeFn *change, int step);
 
 /** Changes the layer. */
 void viewport_set_layer(Viewport *viewport, Layer layer);

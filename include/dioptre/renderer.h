@@ -209,6 +209,17 @@ typedef struct PixelReading {
 bool renderer_read_pixel(Renderer *renderer, int x, int y, PixelReading *reading);
 
 /**
+ * Copies the colours of a part of the newest pass.
+ * @param renderer  The renderer.
+ * @param x         Column of its first pixel; may be outside.
+ * @param y         Row of its first pixel; may be outside.
+ * @param columns   Pixels to the right.
+ * @param rows      Pixels down.
+ * @param[in,out] rgb  The colours, row by row; what is outside of the picture stays as it is.
+ */
+void renderer_copy_part(Renderer *renderer, int x, int y, int columns, int rows, uint8_t *rgb);
+
+/**
  * Copies the numbers of the newest pass of a layer.
  * @param renderer     The renderer.
  * @param[out] stats   The state of the picture.

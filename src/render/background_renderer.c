@@ -223,6 +223,20 @@ bool renderer_read_pixel(Renderer *renderer, int x, int y, PixelReading *reading
     return is_available;
 }
 
+void renderer_copy_part(Renderer *renderer, int x, int y, int columns, int rows, uint8_t *rgb) {
+    BackgroundRenderer *background = &renderer->background;
+    pthread_mutex_lock(&background->mutex);
+    const Picture *picture = &background->front;
+    for (int i = 0; background->has_front && i < columns * rows; i++) {
+        int column = x + i % columns, row = y + i / columns;
+        if (column >= 0 && column < picture->width && row >= 0 && row < picture->height) {
+            size_t pixel = (size_t)row * (size_t)picture->width + (size_t)column;
+            memcpy(rgb + 3 * i, picture->pixels + 3 * pixel, 3);
+        }
+    }
+    pthread_mutex_unlock(&background->mutex);
+}
+
 bool renderer_copy_values(Renderer *renderer, RenderStats *stats, float *values) {
     BackgroundRenderer *background = &renderer->background;
     pthread_mutex_lock(&background->mutex);

@@ -220,7 +220,8 @@ void app_zoom(App *app, double notches);
  *  height, from the top. */
 void app_pick_pixel(App *app, double x, double y);
 
-/** Shows the rays of a pixel nearby. @param right Pixels to the right. @param down Pixels down. */
+/** Shows the rays of a pixel nearby; or magnifies it, while the magnifier is on. @param right
+ * Pixels to the right. @param down Pixels down. */
 void app_step_pixel(App *app, int right, int down);
 
 /** Chooses one of the rays that are shown. @param ray Its index. */

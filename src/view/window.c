@@ -137,6 +137,11 @@ bool window_is_at_bar(const Window *window, double fraction) {
            fabs(fraction - window->split.bar_position) < BAR_REACH;
 }
 
+void window_toggle_magnifier(Window *window) {
+    magnifier_toggle(&window->magnifier);
+    window_present(window);
+}
+
 void window_toggle_settings(Window *window) {
     update_text_now(window);
     window->shows_settings = !window->shows_settings;
@@ -438,6 +443,25 @@ static bool picture_from_screen(uint8_t *bgrx, int width, int height, Picture *p
     }
     free(bgrx);
     return is_made;
+}
+
+void window_copy_part(const Window *window, int x, int y, int columns, int rows, uint8_t *rgb) {
+    const SplitView *split = &window->split;
+    const Viewport *first = &window->viewports[0];
+    if (window_viewport_count(window) == 1) {
+        renderer_copy_part(first->renderer, x, y, columns, rows, rgb);
+    } else if (split->mode == SPLIT_DIFFERENCE) {
+        split_view_copy_part(split, x, y, columns, rows, rgb);
+    } else {
+        int right = split_view_column(split, first->width);
+        for (int column = x; column < x + columns; column++) {
+            Renderer *renderer = window->viewports[column >= right ? 1 : 0].renderer;
+            for (int row = y; row < y + rows; row++) {
+                uint8_t *pixel = rgb + 3 * ((row - y) * columns + column - x);
+                renderer_copy_part(renderer, column, row, 1, 1, pixel);
+            }
+        }
+    }
 }
 
 bool window_copy_screen(Window *window, Picture *picture, Error *error) {

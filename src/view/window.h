@@ -11,6 +11,7 @@
 #include "view/panels/hud.h"
 #include "view/panels/lesson_panel.h"
 #include "view/panels/light_marks.h"
+#include "view/panels/magnifier.h"
 #include "view/panels/ray_view.h"
 #include "view/panels/toolbar.h"
 #include "view/state/latency.h"
@@ -62,6 +63,7 @@ typedef struct Window {
     int fitted_height;                    /**< Height of bar and lesson panel that the window has
                                                room for, pixels. */
     LightMarks light_marks;               /**< The marks of the lights. */
+    Magnifier magnifier;                  /**< Some pixels as squares. */
     Toast toast;                          /**< The newest message. */
     Toast hint;                           /**< What to press, at the start. */
     double next_progress_time;            /**< When a legend says next how far the work is. */
@@ -186,8 +188,18 @@ void window_show_panels_alone(Window *window);
  */
 float window_show_panels(Window *window, const GuiRect *area);
 
-/** Shows what the pixel under the mouse shows. */
+/** Places the magnifier. */
+void window_follow_mouse(Window *window);
+
+/** Shows what the pixel under the mouse shows, or the pixel that is magnified. */
 void window_show_readout(const Window *window);
+
+/** Shows or hides the magnifier. */
+void window_toggle_magnifier(Window *window);
+
+/** Copies the colours of a part of the picture as it is seen: of one picture, of two, or of their
+ *  difference. See #renderer_copy_part. */
+void window_copy_part(const Window *window, int x, int y, int columns, int rows, uint8_t *rgb);
 
 /** @return Whether they have changed since they were shown. */
 bool window_widgets_are_due(Window *window, double now);

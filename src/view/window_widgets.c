@@ -302,6 +302,7 @@ static void show_toolbar(Window *window) {
                               .split = window->split.mode,
                               .shows_settings = window->shows_settings,
                               .shows_rays = window->ray_view.is_open,
+                              .shows_magnifier = window->magnifier.is_on,
                               .is_animated = state->is_animated,
                               .is_running = state->is_running,
                               .is_recording = state->is_recording};
@@ -380,10 +381,9 @@ void window_show_widgets(Window *window) {
         show_help(window, &area);
     } else if (!window->browser.is_open) {
         show_light_marks(window);
+        window_follow_mouse(window);
         window_show_values(window);
-        if (!window->toolbar.is_folded) {
-            window_show_readout(window);
-        }
+        window_show_readout(window);
         show_rays(window);
         show_lesson_panel(window);
         area.height = SDL_max(1, area.height - gui_readout_height());

@@ -1311,6 +1311,37 @@ void gui_ring(GuiPoint center, float radius) {
     list->AddCircle(middle, radius, IM_COL32(255, 255, 255, 255), 0, 2);
 }
 
+void gui_pixels(const GuiPixels *pixels, GuiPoint point, float top) {
+    ImDrawList *list = ImGui::GetBackgroundDrawList();
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float line = ImGui::GetFontSize(), gap = PADDING * line;
+    const float columns = static_cast<float>(pixels->columns);
+    const float rows = static_cast<float>(pixels->rows);
+    float cell = fmaxf(floorf(fminf(line, 0.45F * display.y / rows)), 3);
+    float width = fmaxf(cell * columns, ImGui::CalcTextSize(pixels->caption).x) + 2 * gap;
+    float height = cell * rows + line + 3 * gap;
+    float left =
+        point.x + 2 * line + width < display.x ? point.x + 2 * line : point.x - 2 * line - width;
+    float upper = point.y + height / 2 < display.y ? point.y - height / 2 : display.y - height;
+    ImVec2 low(fmaxf(left, 0), fmaxf(upper, top));
+    list->AddRectFilled(low, ImVec2(low.x + width, low.y + height),
+                        ImGui::GetColorU32(ImGuiCol_PopupBg), ROUNDING * line);
+    ImVec2 at(low.x + (width - cell * columns) / 2, low.y + gap);
+    for (int i = 0; i < pixels->columns * pixels->rows; i++) {
+        const unsigned char *rgb = pixels->rgb + 3 * i;
+        ImVec2 corner(at.x + cell * static_cast<float>(i % pixels->columns),
+                      at.y + cell * static_cast<float>(i / pixels->columns));
+        list->AddRectFilled(corner, ImVec2(corner.x + cell - 1, corner.y + cell - 1),
+                            IM_COL32(rgb[0], rgb[1], rgb[2], 255));
+    }
+    ImVec2 middle(at.x + cell * floorf(columns / 2), at.y + cell * floorf(rows / 2));
+    list->AddRect(ImVec2(middle.x - 2, middle.y - 2),
+                  ImVec2(middle.x + cell + 1, middle.y + cell + 1), OUTLINE, 0, 0, 4);
+    list->AddRect(ImVec2(middle.x - 1, middle.y - 1), ImVec2(middle.x + cell, middle.y + cell),
+                  ACCENT, 0, 0, 2);
+    list->AddText(ImVec2(low.x + gap, at.y + cell * rows + gap), TEXT, pixels->caption);
+}
+
 /* --- lessons ---------------------------------------------------------------------------------- */
 
 void gui_card_begin(const char *id) {

@@ -334,6 +334,21 @@ void gui_legend(const GuiLegend *legend, GuiPoint corner, float highest, bool is
 /** Draws a ring around a pixel, seen on light and dark ground. */
 void gui_ring(GuiPoint center, float radius);
 
+/** Pixels as squares. */
+typedef struct GuiPixels {
+    const unsigned char *rgb; /**< Their colours, sRGB, row by row. */
+    int columns;              /**< Squares to the right, odd. */
+    int rows;                 /**< Squares down, odd. */
+    const char *caption;      /**< What the one in the middle shows. */
+} GuiPixels;
+
+/**
+ * Draws pixels as squares with lines between them; the one in the middle has a frame.
+ * @param point  What they are of; they lie beside it, inside the window.
+ * @param top    Upper edge of the free part of the window.
+ */
+void gui_pixels(const GuiPixels *pixels, GuiPoint point, float top);
+
 /* --- lessons ---------------------------------------------------------------------------------- */
 
 /** Begins a card in the middle of the window, as high as its text. #gui_panel_end follows. */

@@ -41,12 +41,13 @@ static void end_all_moves(App *app, double time) {
     held_keys_release_all(&app->input.held_keys, time);
 }
 
-/** Steps to a pixel nearby: an arrow with Ctrl, while rays are shown. @return Whether the key is
+/** Steps to a pixel nearby: an arrow with Ctrl, while rays or the magnifier are shown. @return Whether the key is
  *  one for that. */
 static bool step_pixel_by_key(App *app, const Command *command, int modifiers) {
     bool is_arrow =
         command && command->move.subject == MOVE_CAMERA && command->move.axis != MOVE_FORWARD;
-    if (!is_arrow || !app->window.ray_view.is_open || !(modifiers & KMOD_CTRL)) {
+    bool has_pixel = app->window.ray_view.is_open || app->window.magnifier.is_on;
+    if (!is_arrow || !has_pixel || !(modifiers & KMOD_CTRL)) {
         return false;
     }
     if (!app_is_playing(app)) {

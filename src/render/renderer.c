@@ -18,26 +18,30 @@ int render_cpu_count(void) {
     return count < 1 ? 1 : count > THREADS_MAXIMUM ? THREADS_MAXIMUM : count;
 }
 
-RenderSettings render_settings_default(const Scene *scene) {
+RenderSettings precision_estimate_settings(const PrecisionEstimate *estimate, const Scene *scene) {
     /** The constant offset of the textbook tracer, scene units. */
     const double report_epsilon = 1e-4;
-    PrecisionEstimate estimate = precision_estimate_of(scene);
     int depth = scene->image.depth;
     return (RenderSettings){
-        .engine = precision_estimate_engine(&estimate),
+        .engine = precision_estimate_engine(estimate),
         .threads = render_cpu_count(),
         .width = scene->image.width,
         .height = scene->image.height,
         .samples = scene->image.samples,
         .encoding = scene->image.encoding,
         .trace = {.depth = depth != IMAGE_DEPTH_AUTO ? depth
-                           : estimate.depth > 0      ? DEPTH_MAXIMUM
+                           : estimate->depth > 0     ? DEPTH_MAXIMUM
                                                      : 0,
                   .offset = OFFSET_BOUND,
                   .epsilon = report_epsilon,
-                   .cutoff = scene->image.cutoff,
-                   .footprint = RENDER_FOOTPRINT},
+                  .cutoff = scene->image.cutoff,
+                  .footprint = RENDER_FOOTPRINT},
     };
+}
+
+RenderSettings render_settings_default(const Scene *scene) {
+    PrecisionEstimate estimate = precision_estimate_of(scene);
+    return precision_estimate_settings(&estimate, scene);
 }
 
 /** Runs the tasks of a tracer on the thread pool. See #ParallelFor.run. */

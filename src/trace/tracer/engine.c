@@ -81,7 +81,7 @@ static Tracer *tracer_create(const Scene *scene, Vec3d origin, const TraceSettin
         return NULL;
     }
     const MeshBvhCache *reuse_from = settings->reuse_from ? &settings->reuse_from->meshes : NULL;
-    bool is_recursive = scene_has_reflection(scene) || scene_has_transparency(scene);
+    bool is_recursive = scene_has_secondary_rays(scene);
     *tracer = (Tracer){.sky = sky_of(&scene->sky),
                        .light_count = settings->is_unlit ? 0 : scene->light_count,
                        .seen_light_count = scene->light_count,

@@ -327,7 +327,9 @@ void layer_value_text(Layer layer, const float values[LAYER_VALUES], char text[L
     } else if (layer == LAYER_UV) {
         snprintf(text, LAYER_TEXT_SIZE, "(%.5g, %.5g)", x, y);
     } else {
-        snprintf(text, LAYER_TEXT_SIZE, "%.6g %s", x, unit[0] != '\0' ? gettext(unit) : "");
+        bool has_unit = unit[0] != '\0';
+        snprintf(text, LAYER_TEXT_SIZE, "%.6g%s%s", x, has_unit ? " " : "",
+                 has_unit ? gettext(unit) : "");
     }
 }
 

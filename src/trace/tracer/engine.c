@@ -32,6 +32,7 @@ static void engine_destroy_tracer(Tracer *tracer) {
         free(tracer->lights);
         emitters_deinit(&tracer->emitters);
         loss_budget_deinit(&tracer->loss_budget);
+        wavefront_pool_destroy(tracer->wavefronts);
         free(tracer);
     }
 }
@@ -106,6 +107,9 @@ static Tracer *tracer_create(const Scene *scene, Vec3d origin, const TraceSettin
         engine_destroy_tracer(tracer);
         return NULL;
     }
+    // The reports trace by rules of their own. Without memory the recursion gives the same picture.
+    bool has_wavefronts = tracer->dielectrics.iors && tracer->depth > 0 && !tracer->methods;
+    tracer->wavefronts = has_wavefronts ? wavefront_pool_create() : NULL;
     return tracer;
 }
 

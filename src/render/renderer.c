@@ -180,6 +180,12 @@ RenderStats renderer_render(Renderer *renderer, const atomic_bool *stop, Picture
     return stats;
 }
 
+PassProgress renderer_pass_progress(const Renderer *renderer) {
+    size_t total = atomic_load(&renderer->tiles_total), done = atomic_load(&renderer->tiles_done);
+    double seconds = clock_now_seconds() - atomic_load(&renderer->pass_start);
+    return total ? (PassProgress){(double)done / (double)total, seconds} : (PassProgress){0, 0};
+}
+
 double renderer_progress(const Renderer *renderer) {
     size_t total = atomic_load(&renderer->rays_total);
     return total ? (double)atomic_load(&renderer->rays_done) / (double)total : 0;

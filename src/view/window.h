@@ -62,6 +62,7 @@ typedef struct Window {
     LightMarks light_marks;               /**< The marks of the lights. */
     Toast toast;                          /**< The newest message. */
     Toast hint;                           /**< What to press, at the start. */
+    double next_progress_time;            /**< When the bar of progress moves next, seconds. */
     WindowState state;                    /**< What they show. */
     double text_scale;                    /**< Factor of the size of letters; 0: 1. */
     Latency latency;                      /**< The latency from keys to pictures. */

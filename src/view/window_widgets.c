@@ -22,6 +22,10 @@ enum { LAYOUTS_MAXIMUM = 4 };
 static const double TOAST_SECONDS = 4;
 /** Seconds that the hint at the start is shown. */
 static const double HINT_SECONDS = 6;
+/** Seconds of a pass after which a bar says how far it is. */
+static const double PROGRESS_DELAY = 0.25;
+/** Seconds between two lengths of that bar. */
+static const double PROGRESS_INTERVAL = 0.1;
 /** How near to a light's mark the mouse takes hold of it, in heights of letters. */
 static const float MARK_REACH = 0.9F;
 
@@ -183,27 +187,62 @@ void window_toggle_toolbar(Window *window) {
     }
 }
 
+/** @return A rectangle of pixels in screen units. */
+static SDL_Rect to_units(SDL_Rect rect, double scale) {
+    return (SDL_Rect){(int)(rect.x / scale), (int)(rect.y / scale), (int)(rect.w / scale),
+                      (int)(rect.h / scale)};
+}
+
+/** Finds how far the pass of the pictures is that has run longest. @param[out] progress That.
+ *  @return Whether any picture is being drawn. */
+static bool find_progress(const Window *window, PassProgress *progress) {
+    bool is_any = false;
+    for (size_t i = 0; i < window_viewport_count(window); i++) {
+        const Viewport *viewport = &window->viewports[i];
+        PassProgress pass = renderer_pass_progress(viewport->renderer);
+        bool is_drawn = !viewport_is_finished(viewport) && pass.fraction < 1;
+        if (is_drawn && (!is_any || pass.seconds > progress->seconds)) {
+            *progress = pass;
+            is_any = true;
+        }
+    }
+    return is_any;
+}
+
+/** @return Seconds until the bar of progress moves; #WINDOW_NO_TIMEOUT: there is none. */
+static double progress_timeout(const Window *window, double now) {
+    PassProgress progress;
+    if (!window->gui || window->inspector.is_open || !find_progress(window, &progress)) {
+        return WINDOW_NO_TIMEOUT;
+    }
+    return fmax(0, fmax(PROGRESS_DELAY - progress.seconds, window->next_progress_time - now));
+}
+
+/** Shows how far a pass is that takes long, at the lower edge of the picture. */
+static void show_progress(const Window *window) {
+    PassProgress progress;
+    if (find_progress(window, &progress) && progress.seconds >= PROGRESS_DELAY) {
+        SDL_Rect picture = to_units(window_picture_rect(window), pixels_per_unit(window));
+        gui_progress_bar((GuiPoint){(float)picture.x, (float)(picture.y + picture.h)},
+                         (float)picture.w, (float)progress.fraction);
+    }
+}
+
 bool window_widgets_are_due(Window *window, double now) {
     bool is_over = toast_expire(&window->toast, now);
     is_over = toast_expire(&window->hint, now) || is_over;
-    return is_over || gui_needs_frame(window->gui);
+    return is_over || progress_timeout(window, now) <= 0 || gui_needs_frame(window->gui);
 }
 
 double window_widgets_timeout(const Window *window, double now) {
     const Toast *const toasts[] = {&window->toast, &window->hint};
-    double delay = gui_needs_frame(window->gui) ? 0 : WINDOW_NO_TIMEOUT;
+    double delay = gui_needs_frame(window->gui) ? 0 : progress_timeout(window, now);
     for (size_t i = 0; i < sizeof toasts / sizeof *toasts; i++) {
         if (toasts[i]->text[0] != '\0') {
             delay = fmin(delay, fmax(0, toasts[i]->end_time - now));
         }
     }
     return delay;
-}
-
-/** @return A rectangle of pixels in screen units. */
-static SDL_Rect to_units(SDL_Rect rect, double scale) {
-    return (SDL_Rect){(int)(rect.x / scale), (int)(rect.y / scale), (int)(rect.w / scale),
-                      (int)(rect.h / scale)};
 }
 
 /** Shows the bar. */
@@ -278,6 +317,10 @@ void window_show_widgets(Window *window) {
     if (is_picture && !window->toolbar.is_folded) {
         show_readout(window, height);
     }
+    if (is_picture && !window->inspector.is_open) {
+        show_progress(window);
+    }
+    window->next_progress_time = clock_now_seconds() + PROGRESS_INTERVAL;
     show_messages(window, width, height);
     gui_end_frame(window->gui);
 }

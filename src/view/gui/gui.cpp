@@ -31,6 +31,8 @@ constexpr float LIGHT_RADIUS = 0.4F;
 /** Rays of the mark of a light. */
 constexpr int LIGHT_RAYS = 8;
 /** Length of an arrow to a light outside the picture, in heights of letters. */
+/** Height of a bar of progress, in heights of letters. */
+constexpr float PROGRESS_HEIGHT = 0.3F;
 constexpr float ARROW_LENGTH = 1.2F;
 
 /** The letters of English and French, and the signs of formulas, arrows and buttons. */
@@ -431,6 +433,16 @@ void gui_mark_outside(GuiPoint tip, GuiPoint direction, const char *name, bool i
     draw_name(list,
               ImVec2(start.x - length * direction.x, start.y - length * direction.y - length / 2),
               name);
+}
+
+/* --- progress --------------------------------------------------------------------------------- */
+
+void gui_progress_bar(GuiPoint corner, float width, float fraction) {
+    ImDrawList *list = ImGui::GetBackgroundDrawList();
+    float height = PROGRESS_HEIGHT * ImGui::GetFontSize();
+    ImVec2 low(corner.x, corner.y - height), high(corner.x + width, corner.y);
+    list->AddRectFilled(low, high, OUTLINE);
+    list->AddRectFilled(low, ImVec2(corner.x + width * fraction, corner.y), ACCENT);
 }
 
 } // extern "C"

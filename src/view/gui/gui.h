@@ -117,6 +117,12 @@ void gui_mark_light(GuiPoint center, const char *name, bool is_selected);
  *  it points, of length 1. */
 void gui_mark_outside(GuiPoint tip, GuiPoint direction, const char *name, bool is_selected);
 
+/* --- progress --------------------------------------------------------------------------------- */
+
+/** A thin bar that fills from the left. @param corner Its lower left corner. @param fraction How
+ *  much of it is full, 0 to 1. */
+void gui_progress_bar(GuiPoint corner, float width, float fraction);
+
 #ifdef __cplusplus
 }
 #endif

@@ -66,7 +66,7 @@ typedef struct Window {
     Magnifier magnifier;                  /**< Some pixels as squares. */
     Toast toast;                          /**< The newest message. */
     Toast hint;                           /**< What to press, at the start. */
-    double next_progress_time;            /**< When a legend says next how far the work is. */
+    double next_progress_time;            /**< When bar or legend say next how far it is, seconds. */
     WindowState state;                    /**< What they show. */
     double text_scale;                    /**< Factor of the size of letters; 0: 1. */
     Latency latency;                      /**< The latency from keys to pictures. */
@@ -190,6 +190,13 @@ float window_show_panels(Window *window, const GuiRect *area);
 
 /** Places the magnifier. */
 void window_follow_mouse(Window *window);
+
+/** Shows how far a pass is that takes long, at the lower edge of the picture. */
+void window_show_progress(Window *window);
+
+/** @return Seconds until that bar, or the number of a legend, moves; #WINDOW_NO_TIMEOUT: there is
+ *  none. */
+double window_progress_timeout(const Window *window, double now);
 
 /** Shows what the pixel under the mouse shows, or the pixel that is magnified. */
 void window_show_readout(const Window *window);

@@ -21,8 +21,6 @@ enum { LAYOUTS_MAXIMUM = 4 };
 static const double TOAST_SECONDS = 4;
 /** Seconds that the hint at the start is shown. */
 static const double HINT_SECONDS = 6;
-/** Seconds between two numbers of how much of a reference there is. */
-static const double PROGRESS_SECONDS = 0.5;
 /** Width of the window beside the picture from which the lesson panel stands there, and not below,
  *  in heights of letters. */
 static const double PANEL_WIDTH_MINIMUM = 12;
@@ -246,32 +244,15 @@ void window_toggle_toolbar(Window *window) {
     }
 }
 
-/** @return Whether a legend says how much of the work is done, and it is not all done. */
-static bool has_progress(const Window *window) {
-    bool is_under_way = false;
-    for (size_t i = 0; i < window_viewport_count(window); i++) {
-        const RenderStats *report = &window->viewports[i].report;
-        is_under_way = is_under_way || (report->layer.reference && !report->is_finished);
-    }
-    return is_under_way && window->gui && !window->ray_view.is_open;
-}
-
 bool window_widgets_are_due(Window *window, double now) {
     bool is_over = toast_expire(&window->toast, now);
     is_over = toast_expire(&window->hint, now) || is_over;
-    if (has_progress(window) && now >= window->next_progress_time) {
-        window->next_progress_time = now + PROGRESS_SECONDS;
-        is_over = true;
-    }
-    return is_over || gui_needs_frame(window->gui);
+    return is_over || window_progress_timeout(window, now) <= 0 || gui_needs_frame(window->gui);
 }
 
 double window_widgets_timeout(const Window *window, double now) {
     const Toast *const toasts[] = {&window->toast, &window->hint};
-    double delay = gui_needs_frame(window->gui) ? 0 : WINDOW_NO_TIMEOUT;
-    if (has_progress(window)) {
-        delay = fmin(delay, fmax(0, window->next_progress_time - now));
-    }
+    double delay = gui_needs_frame(window->gui) ? 0 : window_progress_timeout(window, now);
     for (size_t i = 0; i < sizeof toasts / sizeof *toasts; i++) {
         if (toasts[i]->text[0] != '\0') {
             delay = fmin(delay, fmax(0, toasts[i]->end_time - now));
@@ -385,6 +366,7 @@ void window_show_widgets(Window *window) {
         window_show_values(window);
         window_show_readout(window);
         show_rays(window);
+        window_show_progress(window);
         show_lesson_panel(window);
         area.height = SDL_max(1, area.height - gui_readout_height());
         bottom = window_show_panels(window, &area);

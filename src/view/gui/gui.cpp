@@ -64,6 +64,8 @@ constexpr float LEGEND_NOTE_WIDTH = 11;
 constexpr float LEGEND_BAR_LINES = 11;
 /** Length of an arrow to a light outside the picture, in heights of letters. */
 constexpr float ARROW_LENGTH = 1.2F;
+/** Height of a bar of progress, in heights of letters. */
+constexpr float PROGRESS_HEIGHT = 0.3F;
 /** Space beside the text of a label, in heights of letters. */
 constexpr float LABEL_PADDING = 0.12F;
 /** Width of a ray in flight, in heights of letters. */
@@ -1440,6 +1442,16 @@ int gui_answers(const GuiAnswers *answers) {
         }
     }
     return clicked;
+}
+
+/* --- progress --------------------------------------------------------------------------------- */
+
+void gui_progress_bar(GuiPoint corner, float width, float fraction) {
+    ImDrawList *list = ImGui::GetBackgroundDrawList();
+    float height = PROGRESS_HEIGHT * ImGui::GetFontSize();
+    ImVec2 low(corner.x, corner.y - height), high(corner.x + width, corner.y);
+    list->AddRectFilled(low, high, OUTLINE);
+    list->AddRectFilled(low, ImVec2(corner.x + width * fraction, corner.y), ACCENT);
 }
 
 } // extern "C"

@@ -388,6 +388,12 @@ typedef struct GuiAnswers {
  *  that was clicked; -1: none. */
 int gui_answers(const GuiAnswers *answers);
 
+/* --- progress --------------------------------------------------------------------------------- */
+
+/** A thin bar that fills from the left. @param corner Its lower left corner. @param fraction How
+ *  much of it is full, 0 to 1. */
+void gui_progress_bar(GuiPoint corner, float width, float fraction);
+
 #ifdef __cplusplus
 }
 #endif

@@ -79,6 +79,9 @@ void interrupt_init(void);
  */
 const atomic_bool *interrupt_flag(void);
 
+/** From now on the signals of #interrupt_init no longer end the program: it ends what it writes. */
+void interrupt_defer(void);
+
 /** Progress of reading mesh files. */
 typedef struct MeshReadProgress {
     MeshProgress callbacks; /**< The callbacks of the reader. */

@@ -122,7 +122,11 @@ void interrupt_init(void) {
     }
 }
 
-const atomic_bool *interrupt_flag(void) {
+void interrupt_defer(void) {
     atomic_store(&is_awaited, true);
+}
+
+const atomic_bool *interrupt_flag(void) {
+    interrupt_defer();
     return &is_interrupted;
 }

@@ -58,7 +58,7 @@ static bool probe_write_svg(const ProbeReport *report, const Renderer *renderer,
     snprintf(title, sizeof title, gettext("%.400s: pixel %d %d, colour #%02x%02x%02x"),
              report->path, report->x, report->y, (unsigned)pixel.channels[0],
              (unsigned)pixel.channels[1], (unsigned)pixel.channels[2]);
-    interrupt_flag(); // The drawing is still written after a signal: no temporary file is left.
+    interrupt_defer(); // The drawing is still written after a signal: no temporary file is left.
     RayChart chart = {report->scene, &report->settings, renderer, report->tree, title};
     return ray_chart_write(&chart, path, error);
 }

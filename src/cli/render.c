@@ -63,7 +63,7 @@ void command_print_unresolved(const Options *options, const RayCounts *rays) {
  * than a part of the new one, or the file itself where there is none.
  * @param path       The file of the whole picture.
  * @param[out] part  The file of the part. A name is cut to NAME_MAX bytes.
- * @return Whether it is another file.
+ * @return Whether it is another file. Where its path would be too long, it is empty.
  */
 static bool part_path(const char *path, char part[PATH_MAX]) {
     OutputPath target;
@@ -80,7 +80,10 @@ static bool part_path(const char *path, char part[PATH_MAX]) {
     int written = snprintf(part, PATH_MAX, "%.*s%s%s",
                            (int)(name - path) + (length < longest ? length : longest), path,
                            PART_SUFFIX, extension);
-    return written < PATH_MAX;
+    if (written >= PATH_MAX) {
+        part[0] = '\0'; // A cut path would name another file.
+    }
+    return true;
 }
 
 /**
@@ -93,6 +96,10 @@ static void write_part(const RenderJob *job, Picture *picture, const RenderStats
     RenderJob part = *job;
     bool is_beside = part_path(job->output, path);
     part.output = path;
+    if (path[0] == '\0') {
+        error_set(error, STATUS_INTERRUPTED, "interrupted");
+        return;
+    }
     if (!command_write_image(&part, picture, error)) {
         return;
     }

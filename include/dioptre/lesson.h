@@ -43,6 +43,7 @@ typedef enum {
     LESSON_SIZE,    /**< The window changes its size. */
     LESSON_PIXEL,   /**< The rays of a pixel are shown: a click. */
     LESSON_WALK,    /**< The rays of a pixel nearby are shown: Ctrl and an arrow. */
+    LESSON_RAY,     /**< One of these rays is chosen: a click on it. */
     LESSON_BAR,     /**< The bar between two pictures is dragged. */
     LESSON_DRAG,    /**< A light is dragged in the picture. */
     LESSON_CAPTION, /**< A caption is shown. */
@@ -65,8 +66,8 @@ typedef struct LessonStep {
     LessonStepKind kind; /**< Its kind. */
     int64_t time;        /**< Its time, milliseconds from the beginning. */
     int action; /**< The command of #LESSON_PRESS and #LESSON_RELEASE: an index into the names that
-                   the lesson was read with. Index of the light of #LESSON_DRAG; index of the
-                   question of #LESSON_ASK and #LESSON_EXPLAIN. */
+                   the lesson was read with. Index of the light of #LESSON_DRAG, of the ray of
+                   #LESSON_RAY, of the question of #LESSON_ASK and #LESSON_EXPLAIN. */
     double x; /**< Speed factor; degrees to the right; notches of the wheel; width in screen units;
                  fraction of the picture's width; pixels to the right; scene units along x. */
     double y; /**< Degrees up; height in screen units; fraction of the picture's height, from the

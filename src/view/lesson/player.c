@@ -294,6 +294,9 @@ static void do_step(App *app, const LessonStep *step) {
     case LESSON_WALK:
         app_step_pixel(app, (int)step->x, (int)step->y);
         break;
+    case LESSON_RAY:
+        app_choose_ray(app, (size_t)step->action);
+        break;
     case LESSON_BAR:
         window_move_bar(&app->window, step->x);
         break;

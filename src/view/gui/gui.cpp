@@ -643,7 +643,12 @@ void gui_card_begin(const char *id) {
                                         ImVec2(width, fmaxf(letter, display.y - letter)));
     ImGui::SetNextWindowFocus();
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
-    ImGui::Begin(id, nullptr, PANEL_FLAGS | ImGuiWindowFlags_AlwaysAutoResize);
+    // The height is whole pixels, that of the text is not: no scroll bar for less than one.
+    const ImGuiWindow *card = ImGui::FindWindowByName(id);
+    bool is_whole = card && card->ContentSize.y + 2 * letter < display.y;
+    ImGui::Begin(id, nullptr,
+                 PANEL_FLAGS | ImGuiWindowFlags_AlwaysAutoResize |
+                     (is_whole ? ImGuiWindowFlags_NoScrollbar : 0));
     ImGui::PopStyleColor();
 }
 

@@ -80,10 +80,12 @@ static void update_title(App *app, double now) {
     if (now < app->title.next_update_time && !window_is_finished(window)) {
         return;
     }
+    // Times and rays of other settings would be read as those of the new ones.
+    bool has_report = window->first_present_time > 0 && !viewport->is_report_old;
     TitleContent content = {.name = app->source.name,
                             .width = viewport->width,
                             .height = viewport->height,
-                            .report = window->first_present_time > 0 ? &viewport->report : NULL,
+                            .report = has_report ? &viewport->report : NULL,
                             .time = app->scene->is_time_dependent ? &app->scene_time : NULL,
                             .is_running = app->timeline.is_running,
                             .is_recording = app_is_recording(app),

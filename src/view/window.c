@@ -250,15 +250,11 @@ static void draw_huds(Window *window, const OverlayTarget *target) {
     static const char *const titles[2][WINDOW_VIEWPORTS] = {{N_("left"), N_("right")},
                                                             {N_("left ←"), N_("right ←")}};
     size_t count = window_viewport_count(window);
-    bool is_difference = count > 1 && window->split.mode == SPLIT_DIFFERENCE;
     for (size_t i = 0; i < count; i++) {
         bool is_active = window->split.active == i;
         HudContent content = {.viewport = &window->viewports[i],
                               .title = count > 1 ? titles[is_active][i] : NULL,
-                              .shows_settings = window->shows_settings,
-                              .hides_layer = is_difference,
-                              .difference =
-                                  is_difference && i == 0 ? &window->split.difference : NULL};
+                              .shows_settings = window->shows_settings};
         hud_update(&window->huds[i], &content, clock_now_seconds());
         hud_show(&window->huds[i], target);
     }
@@ -444,7 +440,7 @@ bool window_copy_screen(Window *window, Picture *picture, Error *error) {
     size_t row = (size_t)area.w * 4;
     uint8_t *bgrx = malloc(row * (size_t)area.h);
     draw_pictures(window);
-    window_show_rays(window);
+    window_show_screen_only(window);
     if (bgrx && SDL_RenderReadPixels(window->sdl.renderer, &area, SDL_PIXELFORMAT_XRGB8888, bgrx,
                                      (int)row) != 0) {
         free(bgrx);

@@ -55,7 +55,7 @@ typedef struct Window {
     Browser browser;                      /**< The list of scenes. */
     Caption caption;                      /**< The caption that is typed. */
     LessonPanel lesson_panel;             /**< The panel of a lesson. */
-    RayView ray_view;                     /**< The rays of one pixel. */
+    RayView ray_view;                      /**< The rays of one pixel. */
     Gui *gui;                             /**< Buttons, lists and marks; owned; NULL: no font. */
     bool opens_widgets;                   /**< Whether #gui is to be created. */
     Toolbar toolbar;                      /**< The bar at the upper edge. */
@@ -64,6 +64,7 @@ typedef struct Window {
     LightMarks light_marks;               /**< The marks of the lights. */
     Toast toast;                          /**< The newest message. */
     Toast hint;                           /**< What to press, at the start. */
+    double next_progress_time;            /**< When a legend says next how far the work is. */
     WindowState state;                    /**< What they show. */
     double text_scale;                    /**< Factor of the size of letters; 0: 1. */
     Latency latency;                      /**< The latency from keys to pictures. */
@@ -171,8 +172,17 @@ void window_open_widgets(Window *window);
 /** Shows buttons, lists, marks and messages over the picture. */
 void window_show_widgets(Window *window);
 
-/** Shows the words and numbers of the rays alone, for a picture of the screen. */
-void window_show_rays(Window *window);
+/** @return A rectangle of pixels in screen units. */
+SDL_Rect window_to_units(const Window *window, SDL_Rect rect);
+
+/** Shows legends and rings: what belongs to a picture of the screen, too. */
+void window_show_values(const Window *window);
+
+/** Shows what belongs to a picture of the screen: legends, rings and rays, no buttons, no messages. */
+void window_show_screen_only(Window *window);
+
+/** Shows what the pixel under the mouse shows. */
+void window_show_readout(const Window *window);
 
 /** @return Whether they have changed since they were shown. */
 bool window_widgets_are_due(Window *window, double now);

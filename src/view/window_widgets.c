@@ -4,7 +4,6 @@
  */
 #include "view/window.h"
 
-#include "view/panels/pixel_readout.h"
 #include "view/window/font.h"
 
 #include <libintl.h>
@@ -24,6 +23,8 @@ static const double TOAST_SECONDS = 4;
 static const double HINT_SECONDS = 6;
 /** Room for the swatch beside the sign of a recording, in heights of letters. */
 static const float RECORDING_MARGIN = 3.5F;
+/** Seconds between two numbers of how much of a reference there is. */
+static const double PROGRESS_SECONDS = 0.5;
 /** Width of the window beside the picture from which the lesson panel stands there, and not below,
  *  in heights of letters. */
 static const double PANEL_WIDTH_MINIMUM = 12;
@@ -264,15 +265,32 @@ void window_toggle_toolbar(Window *window) {
     }
 }
 
+/** @return Whether a legend says how much of the work is done, and it is not all done. */
+static bool has_progress(const Window *window) {
+    bool is_under_way = false;
+    for (size_t i = 0; i < window_viewport_count(window); i++) {
+        const RenderStats *report = &window->viewports[i].report;
+        is_under_way = is_under_way || (report->layer.reference && !report->is_finished);
+    }
+    return is_under_way && window->gui && !window->ray_view.is_open;
+}
+
 bool window_widgets_are_due(Window *window, double now) {
     bool is_over = toast_expire(&window->toast, now);
     is_over = toast_expire(&window->hint, now) || is_over;
+    if (has_progress(window) && now >= window->next_progress_time) {
+        window->next_progress_time = now + PROGRESS_SECONDS;
+        is_over = true;
+    }
     return is_over || gui_needs_frame(window->gui);
 }
 
 double window_widgets_timeout(const Window *window, double now) {
     const Toast *const toasts[] = {&window->toast, &window->hint};
     double delay = gui_needs_frame(window->gui) ? 0 : WINDOW_NO_TIMEOUT;
+    if (has_progress(window)) {
+        delay = fmin(delay, fmax(0, window->next_progress_time - now));
+    }
     for (size_t i = 0; i < sizeof toasts / sizeof *toasts; i++) {
         if (toasts[i]->text[0] != '\0') {
             delay = fmin(delay, fmax(0, toasts[i]->end_time - now));
@@ -281,8 +299,8 @@ double window_widgets_timeout(const Window *window, double now) {
     return delay;
 }
 
-/** @return A rectangle of pixels in screen units. */
-static SDL_Rect to_units(SDL_Rect rect, double scale) {
+SDL_Rect window_to_units(const Window *window, SDL_Rect rect) {
+    double scale = pixels_per_unit(window);
     return (SDL_Rect){(int)(rect.x / scale), (int)(rect.y / scale), (int)(rect.w / scale),
                       (int)(rect.h / scale)};
 }
@@ -328,21 +346,6 @@ static void show_messages(const Window *window, int width, int height) {
     }
 }
 
-/** Shows what the pixel under the mouse shows. @param height Of the window, screen units. */
-static void show_readout(const Window *window, int height) {
-    int x = 0, y = 0;
-    double right, down;
-    bool is_inside = SDL_GetMouseFocus() == window->sdl.window;
-    SDL_GetMouseState(&x, &y);
-    is_inside = is_inside && window_picture_position(window, x, y, &right, &down);
-    bool is_difference = window->split.mode == SPLIT_DIFFERENCE;
-    if (is_inside && !is_difference && !window->ray_view.is_open && window->hint.text[0] == '\0') {
-        bool is_right = window_viewport_count(window) > 1 && right >= window->split.bar_position;
-        pixel_readout_show(&window->viewports[is_right ? 1 : 0], right, down,
-                           (GuiPoint){0, (float)height});
-    }
-}
-
 /** @return The height of letters, screen units. The bar does not count, as it grows with them. */
 static float text_size(const Window *window) {
     int width = 0, height = 0;
@@ -357,16 +360,8 @@ static void show_rays(Window *window) {
     bool is_covered = window->help.is_open || window->browser.is_open;
     if (window->ray_view.is_open && !is_covered && window->state.scene) {
         double scale = pixels_per_unit(window);
-        SDL_Rect area = to_units(window_area(window), scale);
+        SDL_Rect area = window_to_units(window, window_area(window));
         ray_view_show_widgets(&window->ray_view, window->state.scene, &window->help, &area, scale);
-    }
-}
-
-void window_show_rays(Window *window) {
-    if (window->gui) {
-        gui_begin_frame(window->gui, text_size(window));
-        show_rays(window);
-        gui_end_frame(window->gui);
     }
 }
 
@@ -386,17 +381,18 @@ void window_show_widgets(Window *window) {
     window->light_marks.count = 0;
     if (is_picture && !window->ray_view.is_open && !window->toolbar.is_folded &&
         window->state.scene) {
-        SDL_Rect picture = to_units(window_picture_rect(window), pixels_per_unit(window));
+        SDL_Rect picture = window_to_units(window, window_picture_rect(window));
         light_marks_show(&window->light_marks, window->state.scene, &picture,
                          window->state.selected_light);
     }
-    if (is_picture && !window->toolbar.is_folded) {
-        show_readout(window, height);
+    window_show_values(window);
+    if (!window->toolbar.is_folded) {
+        window_show_readout(window);
     }
     show_rays(window);
     SDL_Rect area = area_below_toolbar(window), panel = split_off_panel(window, &area);
     if (is_picture && window->lesson_panel.lesson) {
-        panel = to_units(panel, pixels_per_unit(window));
+        panel = window_to_units(window, panel);
         lesson_panel_show(&window->lesson_panel, &panel);
     }
     show_recording_sign(window, width);
@@ -410,6 +406,15 @@ bool window_ray_at(const Window *window, int x, int y, size_t *ray) {
     return ray_view_ray_at(&window->ray_view, (x + 0.5) * scale, (y + 0.5) * scale, &area, ray);
 }
 
+void window_show_screen_only(Window *window) {
+    if (window->gui) {
+        gui_begin_frame(window->gui, text_size(window));
+        window_show_values(window);
+        show_rays(window);
+        gui_end_frame(window->gui);
+    }
+}
+
 const LightMark *window_light_at(const Window *window, int x, int y) {
     return light_marks_at(&window->light_marks, (GuiPoint){(float)x, (float)y},
                           MARK_REACH * text_size(window));
@@ -417,7 +422,7 @@ const LightMark *window_light_at(const Window *window, int x, int y) {
 
 bool window_drag_offset(const Window *window, size_t light, GuiPoint from, GuiPoint to,
                         bool is_along, Vec3d *offset) {
-    SDL_Rect picture = to_units(window_picture_rect(window), pixels_per_unit(window));
+    SDL_Rect picture = window_to_units(window, window_picture_rect(window));
     return window->state.scene && light_marks_drag_offset(window->state.scene, light, &picture,
                                                           from, to, is_along, offset);
 }

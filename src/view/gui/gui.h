@@ -106,8 +106,8 @@ typedef enum {
 /** Writes a message in a box, which is centred at a point. */
 void gui_message(const char *id, const char *text, GuiPoint point, GuiSide side);
 
-/** Shows a colour and a text beside it. @param rgb The colour, sRGB. @param corner The lower left
- *  corner. */
+/** Shows a colour and a text beside it, in lines as wide as the window. @param rgb The colour,
+ *  sRGB. @param corner The lower left corner. */
 void gui_readout(const char *text, const unsigned char rgb[3], GuiPoint corner);
 
 /** Marks a light: a sun with a name below. @param is_selected Whether keys move it. */
@@ -157,6 +157,38 @@ void gui_label(const char *text, GuiPoint anchor, GuiPoint corner, bool is_brigh
 
 /** Draws a ray in flight: a bright line with a spot at its end. @param rgb Its colour, sRGB. */
 void gui_flight(GuiPoint from, GuiPoint to, const unsigned char rgb[3]);
+
+/* --- values on the picture -------------------------------------------------------------------- */
+
+/** A colour of a legend, with its text. */
+typedef struct GuiSwatch {
+    unsigned char rgb[3]; /**< The colour, sRGB. */
+    float position;       /**< Position on the bar, 0 to 1; below 0: it is below the bar. */
+    const char *text;     /**< Its number or its meaning. */
+} GuiSwatch;
+
+/** A legend: a title, a bar of colours with ticks, colours by themselves, notes. */
+typedef struct GuiLegend {
+    const char *title;               /**< What is shown. */
+    const char *unit;                /**< Its unit and scale; empty: none. */
+    const unsigned char (*bar)[3];   /**< Colours of the bar, from its lower end; sRGB. */
+    int bar_count;                   /**< Number of them; 0: there is no bar. */
+    const GuiSwatch *swatches;       /**< Ticks of the bar from its upper end, then colours. */
+    int swatch_count;                /**< Number of them. */
+    const char *const *notes;        /**< What else is to be said. */
+    int note_count;                  /**< Number of them. */
+} GuiLegend;
+
+/**
+ * Draws a legend.
+ * @param corner    Its lower corner, on the side that \p is_right says.
+ * @param highest   Largest height, pixels of the window: the bar shrinks.
+ * @param is_right  Whether the corner is the right one.
+ */
+void gui_legend(const GuiLegend *legend, GuiPoint corner, float highest, bool is_right);
+
+/** Draws a ring around a pixel, seen on light and dark ground. */
+void gui_ring(GuiPoint center, float radius);
 
 /* --- lessons ---------------------------------------------------------------------------------- */
 

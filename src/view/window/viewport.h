@@ -25,6 +25,8 @@ typedef struct Viewport {
     Layer layer;                /**< The layer on screen. */
     StreamingTexture texture;   /**< The newest pass on screen. */
     RenderStats report;         /**< Statistics of that pass. */
+    bool is_report_old;         /**< Whether settings or layer have changed since that pass. */
+    LayerMarks marks;           /**< Where its artefacts are. */
     double render_seconds;      /**< Time of a pass with all pixels, seconds; 0: not known yet. */
     double previous_render_seconds; /**< The same before the last change of settings or layer; 0:
                                        none. */

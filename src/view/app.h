@@ -36,6 +36,9 @@ enum { SCENE_NAME_SIZE = 256 };
 /** Bytes of a caption that is typed, with the final zero. */
 enum { CAPTION_INPUT_SIZE = 512 };
 
+/** The caret of a caption that is typed. */
+#define CARET "\xe2\x96\x8f"
+
 /** SDL event types of the window's own, from #App.first_event on. */
 typedef enum {
     EVENT_PASS_FINISHED,      /**< A render pass has finished. */
@@ -119,6 +122,7 @@ typedef struct Recorder {
     double start_time;                /**< When its clock was 0, seconds on #clock_now_seconds. */
     bool is_entering_caption;         /**< Whether a caption is typed: the clock is paused. */
     char caption[CAPTION_INPUT_SIZE]; /**< What is typed so far, UTF-8. */
+    char shown[CAPTION_INPUT_SIZE + sizeof CARET]; /**< The same with a caret. */
 } Recorder;
 
 /** The title of the window. */

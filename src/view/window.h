@@ -230,6 +230,9 @@ void window_set_state(Window *window, const WindowState *state);
 /** Takes the hint away: the user has begun. */
 void window_end_hint(Window *window);
 
+/** Takes the message on the picture away. */
+void window_end_toast(Window *window);
+
 /** Shows a message on the picture for a while. */
 void window_set_toast(Window *window, const char *text);
 

@@ -21,6 +21,8 @@ enum { LAYOUTS_MAXIMUM = 4 };
 static const double TOAST_SECONDS = 4;
 /** Seconds that the hint at the start is shown. */
 static const double HINT_SECONDS = 6;
+/** Room for the swatch beside the sign of a recording, in heights of letters. */
+static const float RECORDING_MARGIN = 3.5F;
 /** Width of the window beside the picture from which the lesson panel stands there, and not below,
  *  in heights of letters. */
 static const double PANEL_WIDTH_MINIMUM = 12;
@@ -143,6 +145,10 @@ void window_set_toast(Window *window, const char *text) {
     }
 }
 
+void window_end_toast(Window *window) {
+    window->toast.end_time = 0;
+}
+
 /** Writes what a newcomer may press. */
 static void set_hint(Window *window) {
     static const char *const names[] = {"light up", "light left", "light down", "light right"};
@@ -175,11 +181,24 @@ static bool toast_expire(Toast *toast, double now) {
 
 /* --- frames ----------------------------------------------------------------------------------- */
 
+/** @return Height of bar and lesson panel, pixels, when the picture keeps a height. @param picture
+ *  That height, pixels. */
+static int height_to_use(const Window *window, int picture) {
+    SDL_Rect area = area_below_toolbar(window);
+    bool is_below = split_off_panel(window, &area).y > area.y;
+    double text_scale = window->text_scale > 0 ? window->text_scale : 1;
+    double least = (double)TEXT_SIZE_MINIMUM * pixels_per_unit(window);
+    double letter = text_scale * fmax(least, picture / (double)ROWS_PER_WINDOW);
+    return area.y + (is_below ? (int)(PANEL_HEIGHT * letter + 0.5) : 0);
+}
+
 /** Grows or shrinks the window by as much as bar and lesson panel, so that the picture keeps its
  *  size. @return Whether the window has another size now. */
 static bool fit_window(Window *window) {
     Uint32 flags = SDL_GetWindowFlags(window->sdl.window);
-    int width = 0, height = 0, used = window_used_height(window);
+    int width = 0, height = 0;
+    sdl_window_size(&window->sdl, &width, &height);
+    int used = height_to_use(window, height - window->fitted_height);
     int added = used - window->fitted_height;
     window->fitted_height = used;
     if (flags & (SDL_WINDOW_FULLSCREEN_DESKTOP | SDL_WINDOW_MAXIMIZED) || added == 0) {
@@ -290,6 +309,18 @@ static void show_toolbar(Window *window) {
     toolbar_show(&window->toolbar, &content);
 }
 
+/** Shows that a lesson is recorded, in the upper right corner of the picture. */
+static void show_recording_sign(const Window *window, int width) {
+    static const unsigned char red[3] = {230, 60, 50};
+    const char *text = gettext("recording");
+    float size = gui_text_size();
+    if (window->state.is_recording) {
+        gui_readout(text, red,
+                    (GuiPoint){(float)width - gui_text_width(text) - RECORDING_MARGIN * size,
+                               window->toolbar.height + 2 * size});
+    }
+}
+
 /** Shows the messages at the lower edge: the newest one, else the hint. @param bottom Lower end of
  *  the room for them. */
 static void show_messages(const Window *window, int width, float bottom) {
@@ -354,7 +385,11 @@ void window_show_widgets(Window *window) {
     }
     SDL_GetWindowSize(window->sdl.window, &width, &height);
     gui_begin_frame(window->gui, text_size(window));
-    show_toolbar(window);
+    if (window->toolbar.is_folded && window->lesson_panel.lesson) {
+        window->toolbar.height = 0; // Its button would cover what the lesson shows.
+    } else {
+        show_toolbar(window);
+    }
     GuiRect area = window_area_units(window);
     float bottom = area.y + area.height;
     window->light_marks.count = 0;
@@ -371,6 +406,7 @@ void window_show_widgets(Window *window) {
         area.height = SDL_max(1, area.height - gui_readout_height());
         bottom = window_show_panels(window, &area);
     }
+    show_recording_sign(window, width);
     show_messages(window, width, bottom);
     gui_end_frame(window->gui);
 }

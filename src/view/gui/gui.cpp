@@ -625,7 +625,8 @@ LegendLayout legend_layout(const GuiLegend *legend, float highest) {
             fmaxf(layout.width, swatch + ImGui::CalcTextSize(legend->swatches[i].text).x);
     }
     for (int i = 0; i < legend->note_count; i++) {
-        float note = fminf(ImGui::CalcTextSize(legend->notes[i]).x, LEGEND_NOTE_WIDTH * layout.line);
+        float note =
+            fminf(ImGui::CalcTextSize(legend->notes[i]).x, LEGEND_NOTE_WIDTH * layout.line);
         layout.width = fmaxf(layout.width, note);
     }
     for (int i = 0; i < legend->note_count; i++) {
@@ -1273,8 +1274,8 @@ void gui_legend(const GuiLegend *legend, GuiPoint corner, float highest, bool is
     float height = lines * layout.line + layout.bar + layout.notes + 4 * layout.gap;
     float width = layout.width + 2 * layout.gap;
     ImVec2 low(is_right ? corner.x - width : corner.x, corner.y - height);
-    list->AddRectFilled(low, ImVec2(low.x + width, corner.y),
-                        ImGui::GetColorU32(ImGuiCol_WindowBg), ROUNDING * layout.line);
+    list->AddRectFilled(low, ImVec2(low.x + width, corner.y), ImGui::GetColorU32(ImGuiCol_WindowBg),
+                        ROUNDING * layout.line);
     ImVec2 at(low.x + layout.gap, low.y + layout.gap);
     list->AddText(at, ACCENT, legend->title);
     at.y += layout.line;
@@ -1301,8 +1302,7 @@ void gui_legend(const GuiLegend *legend, GuiPoint corner, float highest, bool is
     for (int i = 0; i < legend->note_count; i++) {
         const char *note = legend->notes[i];
         list->AddText(nullptr, 0, at, TEXT, note, nullptr, layout.width);
-        at.y +=
-            ImGui::CalcTextSize(note, nullptr, false, layout.width).y + layout.gap / 2;
+        at.y += ImGui::CalcTextSize(note, nullptr, false, layout.width).y + layout.gap / 2;
     }
 }
 
@@ -1356,7 +1356,12 @@ void gui_card_begin(const char *id) {
                                         ImVec2(width, fmaxf(letter, display.y - letter)));
     ImGui::SetNextWindowFocus();
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
-    ImGui::Begin(id, nullptr, PANEL_FLAGS | ImGuiWindowFlags_AlwaysAutoResize);
+    // The height is whole pixels, that of the text is not: no scroll bar for less than one.
+    const ImGuiWindow *card = ImGui::FindWindowByName(id);
+    bool is_whole = card && card->ContentSize.y + 2 * letter < display.y;
+    ImGui::Begin(id, nullptr,
+                 PANEL_FLAGS | ImGuiWindowFlags_AlwaysAutoResize |
+                     (is_whole ? ImGuiWindowFlags_NoScrollbar : 0));
     ImGui::PopStyleColor();
 }
 

@@ -172,7 +172,7 @@ static void show_score(const LessonPanel *panel) {
     }
     for (size_t i = 0; i < panel->lesson->question_count; i++) {
         size_t first = lesson_first_asked(panel->lesson, i);
-        if (first < i) {
+        if (first < i && (panel->answers[first] > 0 || panel->answers[i] > 0)) {
             show_pair(panel, first, i);
         }
     }

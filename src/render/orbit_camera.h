@@ -6,6 +6,7 @@
 #define DIOPTRE_RENDER_ORBIT_CAMERA_H
 
 #include "dioptre/renderer.h"
+#include "render/cut_away.h"
 
 /** A camera on a sphere around a target. */
 typedef struct OrbitCamera {
@@ -34,11 +35,12 @@ typedef struct ProjectedRay {
 /**
  * Chooses an orbit: to the side of the pixel's camera, where the fewest points of the rays are
  * occluded.
- * @param width   Of the second camera's picture, pixels; the rays fill it.
+ * @param cut     Which shapes may be left out: they occlude nothing.
+ * @param width   Of the second camera's picture, pixels; the rays and their lights fill it.
  * @param height  See width.
  * @return The orbit.
  */
-OrbitCamera orbit_camera_fit(const Renderer *renderer, const SceneCamera *camera,
+OrbitCamera orbit_camera_fit(const Renderer *renderer, const Scene *scene, const CutAway *cut,
                              const RayTree *tree, int width, int height);
 
 /**
@@ -65,6 +67,9 @@ ProjectedView orbit_camera_project(const OrbitCamera *orbit, int width, int heig
  * @return Whether it is in front of the camera.
  */
 bool projected_view_point(const ProjectedView *view, Vec3d point, double *x, double *y);
+
+/** @return Pixels of a scene unit at a point in front of the camera, across the view. */
+double projected_view_scale(const ProjectedView *view, Vec3d point);
 
 /**
  * Projects a ray.

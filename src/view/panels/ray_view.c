@@ -216,9 +216,10 @@ static bool trace_rays(RayView *ray_view, const RayViewInput *input, Error *erro
         ray_view_toggle(ray_view);
         return false;
     }
+    cut_away_begin(&ray_view->cut, input->scene, ray_tree);
     if (!ray_view->has_orbit) {
         SDL_Rect rect = ray_view_layout(ray_view, &input->area).view;
-        ray_view->orbit = orbit_camera_fit(input->viewport->renderer, &input->scene->camera,
+        ray_view->orbit = orbit_camera_fit(input->viewport->renderer, input->scene, &ray_view->cut,
                                            ray_tree, rect.w, rect.h);
         ray_view->has_orbit = true;
     }
@@ -264,11 +265,17 @@ static bool update_side_renderer(RayView *ray_view, const RayViewInput *input, c
     return true;
 }
 
-/** Starts to render the second camera's view. @return false without memory. */
+/** Starts to render the second camera's view, without what hides the rays. @return false without
+ *  memory. */
 static bool draw_side_view(RayView *ray_view, const RayViewInput *input, Error *error) {
-    Scene scene = *input->scene;
     SDL_Rect rect = ray_view_layout(ray_view, &input->area).view;
-    scene.camera = orbit_camera_project(&ray_view->orbit, rect.w, rect.h).camera;
+    SceneCamera camera = orbit_camera_project(&ray_view->orbit, rect.w, rect.h).camera;
+    if (cut_away_update(&ray_view->cut, input->viewport->renderer, input->scene,
+                        &ray_view->ray_tree, camera.position)) {
+        ray_view->is_renderer_outdated = true;
+    }
+    Scene scene = cut_away_scene(&ray_view->cut, input->scene);
+    scene.camera = camera;
     ray_view->needs_draw = false;
     ray_overlay_release(&ray_view->overlay);
     return update_side_renderer(ray_view, input, &scene, error) &&
@@ -352,4 +359,5 @@ void ray_view_deinit(RayView *ray_view) {
     viewport_close(&ray_view->viewport);
     ray_view_release_textures(ray_view);
     ray_tree_deinit(&ray_view->ray_tree);
+    cut_away_deinit(&ray_view->cut);
 }

@@ -50,6 +50,7 @@ typedef struct RayView {
     Viewport viewport;         /**< Viewport of the second camera. */
     Vec3d light_positions[RAY_VIEW_LIGHTS]; /**< Positions of the lights. */
     size_t light_count;                     /**< Number of #light_positions. */
+    CutAway cut;                            /**< Shapes that hide the rays. */
     OverlayImage overlay;                   /**< The drawn rays. */
     char heading[RAY_VIEW_HEADING_SIZE];    /**< The pixel and its colour. */
     RayFormulas formulas;                   /**< Formulas of the chosen ray. */

@@ -229,6 +229,31 @@ OrbitCamera orbit_camera_fit(const Renderer *renderer, const Scene *scene, const
     return orbit;
 }
 
+ProjectedView parallel_view_fit(const OrbitCamera *orbit, const RayTree *tree, Vec3d forward,
+                                Vec3d up, int width, int height, double *nearest) {
+    /** Distance of the camera, in sizes of the picture. */
+    const double distance = 1e4;
+    RayPoints points = ray_points_of(tree, orbit->ray_length_maximum);
+    SceneCamera camera = {.direction = forward, .up = up};
+    Vec3d low = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    for (size_t i = 0; i < points.count; i++) {
+        Vec3d p = to_camera_space(&camera, points.points[i]);
+        low = vec3d_min(low, p);
+        high = vec3d_max(high, p);
+    }
+    Vec3d middle = vec3d_scale(vec3d_add(low, high), 0.5);
+    double size = fmax(high.x - low.x, (high.y - low.y) * width / height);
+    size = FIT_MARGIN * fmax(size, NEAR_PLANE * fmax(1e-3, vec3d_max_abs(middle)));
+    camera.target_distance = distance * size;
+    camera.fov = 2 * atan(0.5 / distance) * (180 / M_PI);
+    camera.look_at =
+        vec3d_add(vec3d_scale(scene_camera_right(&camera), middle.x),
+                  vec3d_add(vec3d_scale(up, middle.y), vec3d_scale(forward, middle.z)));
+    camera.position = vec3d_subtract(camera.look_at, vec3d_scale(forward, camera.target_distance));
+    *nearest = camera.target_distance + low.z - middle.z;
+    return (ProjectedView){camera, width, height};
+}
+
 /** Projects a point. @param p The point, see #to_camera_space; it is ahead. */
 static void project_point(const ProjectedView *view, Vec3d p, double *x, double *y) {
     double pixel = 2 * tan(view->camera.fov / 2 * (M_PI / 180)) / view->width;

@@ -79,6 +79,17 @@ double projected_view_scale(const ProjectedView *view, Vec3d point);
 bool orbit_camera_project_ray(const OrbitCamera *orbit, const ProjectedView *view,
                               const RayTreeNode *ray, ProjectedRay *projected);
 
+/**
+ * @return A view by parallel light that holds all rays: from so far away that nothing converges.
+ * @param orbit    Says how long rays are drawn.
+ * @param forward  Direction of the light, of length 1.
+ * @param up       Up in the picture, of length 1, across #forward.
+ * @param width    Of the picture, pixels.
+ * @param[out] nearest  Smallest distance of a point of the rays from the camera, along the light.
+ */
+ProjectedView parallel_view_fit(const OrbitCamera *orbit, const RayTree *tree, Vec3d forward,
+                                Vec3d up, int width, int height, double *nearest);
+
 /** Longest name of what a ray hit, bytes with its final zero. */
 enum { RAY_HIT_NAME_SIZE = 64 };
 

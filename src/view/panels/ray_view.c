@@ -10,6 +10,12 @@ static const double TURN_PER_SECOND = 45;
 static const double ZOOM_PER_SECOND = 2;
 /** Size of the column of numbers and of the inset, fraction of the window. */
 static const double COLUMN_FRACTION = 0.36;
+/** Width of the drawing beside the view, fraction of both. */
+static const double PANE_FRACTION = 0.5;
+/** Rows of text that fill the height of the window, as everywhere in it. */
+static const double ROWS_PER_WINDOW = 30;
+/** Smallest height of letters, pixels. */
+static const double TEXT_SIZE_MINIMUM = 14;
 /** Height of the formulas, fraction of the window. */
 static const double FORMULAS_FRACTION = 0.3;
 /** Seconds in which a ray flies along its path. */
@@ -65,6 +71,7 @@ void ray_view_step_pixel(RayView *ray_view, int x, int y) {
 /** The chosen ray has changed, or how rays are drawn. */
 static void redraw_rays(RayView *ray_view) {
     ray_overlay_release(&ray_view->overlay);
+    ray_overlay_release(&ray_view->pane_image);
     ray_view->needs_text = ray_view->needs_present = ray_view->is_row_revealed = true;
 }
 
@@ -104,6 +111,17 @@ double ray_view_flight(const RayView *ray_view, double now) {
 
 void ray_view_toggle_kind(RayView *ray_view, RayType kind) {
     ray_view->hidden_kinds ^= 1U << kind;
+    redraw_rays(ray_view);
+}
+
+void ray_view_toggle_pane(RayView *ray_view, RayPane pane) {
+    ray_view->pane = ray_view->pane == pane ? RAY_PANE_NONE : pane;
+    ray_view->needs_draw = true;
+    redraw_rays(ray_view);
+}
+
+void ray_view_turn_arrows(RayView *ray_view) {
+    ray_view->is_along_light = !ray_view->is_along_light;
     redraw_rays(ray_view);
 }
 
@@ -167,6 +185,12 @@ RayViewLayout ray_view_layout(const RayView *ray_view, const SDL_Rect *area) {
         .formulas = {area->x, area->y, width, formulas},
         .view = {area->x, area->y + formulas, width, SDL_max(1, area->h - formulas)},
         .inset = inset_rect(ray_view, area)};
+    if (ray_view->pane != RAY_PANE_NONE) {
+        layout.pane = layout.view;
+        layout.view.w = SDL_max(1, (int)(width * (1 - PANE_FRACTION)));
+        layout.pane.x += layout.view.w;
+        layout.pane.w = width - layout.view.w;
+    }
     layout.list = (SDL_Rect){area->x + width, area->y, area->w - width, layout.inset.y - area->y};
     return layout;
 }
@@ -177,6 +201,7 @@ RayDrawing ray_view_drawing(const RayView *ray_view, const SDL_Rect *view) {
                         .view = orbit_camera_project(&ray_view->orbit, view->w, view->h),
                         .selected = ray_view->selected,
                         .hidden_kinds = ray_view->hidden_kinds,
+                        .is_along_light = ray_view->is_along_light,
                         .hides_selected = ray_view->flight_start > 0};
 }
 
@@ -225,6 +250,7 @@ static bool trace_rays(RayView *ray_view, const RayViewInput *input, Error *erro
     }
     ray_view->selected = SDL_min(ray_view->selected, ray_tree->count - 1);
     ray_view->needs_draw = ray_view->needs_text = true;
+    ray_overlay_release(&ray_view->pane_image);
     collect_light_positions(ray_view, input->scene);
     return true;
 }
@@ -282,6 +308,20 @@ static bool draw_side_view(RayView *ray_view, const RayViewInput *input, Error *
            viewport_start(&ray_view->viewport, &scene, rect.w, rect.h, input->now, error);
 }
 
+/** Draws the drawing beside the view. */
+static void draw_pane(RayView *ray_view, const RayViewInput *input, SDL_Renderer *renderer) {
+    RayViewLayout layout = ray_view_layout(ray_view, &input->area);
+    RayPaneInput pane = {.renderer = input->viewport->renderer,
+                         .scene = input->scene,
+                         .engine = input->viewport->settings.engine,
+                         .drawing = ray_view_drawing(ray_view, &layout.view),
+                         .text_size = SDL_max(TEXT_SIZE_MINIMUM, input->area.h / ROWS_PER_WINDOW)};
+    pane.drawing.hides_selected = false;
+    ray_overlay_draw_pane(&ray_view->pane_image, ray_view->pane, &pane, renderer,
+                          SDL_max(1, layout.pane.w), layout.pane.h);
+    ray_view->needs_present = true;
+}
+
 /** Moves the flying ray on. */
 static void update_flight(RayView *ray_view, double now) {
     if (ray_view_flight(ray_view, now) >= 1) {
@@ -308,6 +348,9 @@ bool ray_view_update(RayView *ray_view, const RayViewInput *input, SDL_Renderer 
         ray_view_write_text(ray_view, input, (int)(ray_view->x * ray_view->width),
                             (int)(ray_view->y * ray_view->height));
         ray_view->needs_present = true;
+    }
+    if (ray_view->is_open && renderer && ray_view->pane && !ray_view->pane_image.texture) {
+        draw_pane(ray_view, input, renderer);
     }
     if (ray_view->is_open && ray_view->flight_start > 0) {
         update_flight(ray_view, input->now);
@@ -346,12 +389,16 @@ void ray_view_show(RayView *ray_view, const StreamingTexture *texture, SDL_Rende
                               .drawing = ray_view_drawing(ray_view, &layout.view)};
         ray_overlay_show(&ray_view->overlay, &overlay, renderer, &layout.view);
     }
+    if (ray_view->pane != RAY_PANE_NONE && ray_view->pane_image.texture) {
+        SDL_RenderCopy(renderer, ray_view->pane_image.texture, NULL, &layout.pane);
+    }
     draw_inset(ray_view, texture, renderer, &layout.inset);
 }
 
 void ray_view_release_textures(RayView *ray_view) {
     streaming_texture_release(&ray_view->viewport.texture);
     ray_overlay_release(&ray_view->overlay);
+    ray_overlay_release(&ray_view->pane_image);
     ray_view->needs_trace = true;
 }
 

@@ -65,6 +65,11 @@ static double line_thickness(const RayDrawing *drawing) {
     return fmax(THICKNESS_MINIMUM, LINE_THICKNESS * drawing->view.height);
 }
 
+/** @return The height of letters. */
+static double text_size(const RayDrawing *drawing) {
+    return drawing->text_size > 0 ? drawing->text_size : FONT_FACTOR * line_thickness(drawing);
+}
+
 /** Sets the colour of what is drawn next. @param color 0xRRGGBB. */
 static void set_color(cairo_t *cairo, unsigned color, double alpha) {
     cairo_set_source_rgba(cairo, (color >> 16) / 255.0, (color >> 8 & 0xff) / 255.0,
@@ -150,7 +155,7 @@ void ray_drawing_text(const RayDrawing *drawing, double x, double y, const char 
     cairo_t *cairo = drawing->cairo;
     double thickness = line_thickness(drawing);
     cairo_select_font_face(cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_set_font_size(cairo, FONT_FACTOR * thickness);
+    cairo_set_font_size(cairo, text_size(drawing));
     cairo_move_to(cairo, x, y);
     cairo_text_path(cairo, text);
     cairo_set_dash(cairo, NULL, 0, 0);
@@ -235,7 +240,7 @@ void ray_drawing_numbers(const RayDrawing *drawing) {
     RayLabel labels[RAY_LABELS_MAXIMUM];
     LabelBox boxes[RAY_LABELS_MAXIMUM];
     size_t count = ray_drawing_labels(drawing, labels, boxes);
-    double size = FONT_FACTOR * line_thickness(drawing);
+    double size = text_size(drawing);
     for (size_t i = 0; i < count; i++) {
         cairo_text_extents_t extents;
         cairo_set_font_size(drawing->cairo, size);

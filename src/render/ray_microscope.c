@@ -46,7 +46,7 @@ static bool measure_height(const Reference *reference, Vec3d point, Vec3d origin
     }
     reference->engine->intersect(reference->tracer, 1, &ray, &result);
     // The normal is a unit vector but for its rounding, so lengths of it are scene units.
-    *height = (double)((Quadruple)reference->start - result.distance);
+    *height = (double)(result.distance - (Quadruple)reference->start);
     return result.shape >= 0;
 }
 

@@ -115,6 +115,7 @@ static void draw_shapes(const RayPaneInput *input, const ProjectedView *view, do
 
 void ray_pane_parallel(const RayPaneInput *input, const ParallelView *view, int width, int height) {
     RayDrawing drawing = input->drawing;
+    drawing.text_size = input->text_size;
     double nearest;
     drawing.view = parallel_view_fit(drawing.orbit, drawing.tree, view->forward, view->up, width,
                                      height, &nearest);
@@ -220,7 +221,7 @@ static void draw_march(const RayPaneInput *input, int width, int height) {
     }
     const RayMarchStep *steps = input->drawing.tree->steps + ray->first_step;
     const double flat[] = {left, width - left, 0.35 * height};
-    const double bars[] = {left, 0.68 * height, width - left, height - 2.2 * size};
+    const double bars[] = {left, 0.68 * height, width - left, height - 3.5 * size};
     cairo_save(input->drawing.cairo);
     cairo_rectangle(input->drawing.cairo, 0, 0, width, 0.6 * height);
     cairo_clip(input->drawing.cairo);
@@ -230,44 +231,69 @@ static void draw_march(const RayPaneInput *input, int width, int height) {
     snprintf(text, sizeof text, ngettext("%zu step", "%zu steps", ray->step_count),
              ray->step_count);
     write_text(input, left, 1.3 * size, text);
-    snprintf(text, sizeof text, gettext("free distance per step, log scale, %.3g to %.3g"),
-             steps[0].radius, steps[ray->step_count - 1].radius);
+    write_text(input, left, height - 2 * size, gettext("free distance per step, log scale"));
+    snprintf(text, sizeof text, "%.3g … %.3g", steps[0].radius, steps[ray->step_count - 1].radius);
     write_text(input, left, height - 0.7 * size, text);
 }
 
 /* --- the microscope --------------------------------------------------------------------------- */
 
-/** The scale of the microscope. */
-typedef struct MicroscopeScale {
-    double middle; /**< Where the surface is, pixels from the upper edge. */
-    double unit;   /**< Pixels of an ulp. */
-    double left;   /**< Left end of lines, pixels. */
-    double right;  /**< Right end, pixels. */
-} MicroscopeScale;
+/** A height under the microscope, with its words. */
+typedef struct HeightMark {
+    double height;        /**< Ulps over the surface. */
+    unsigned color;       /**< 0xRRGGBB. */
+    double text_y;        /**< Where its words are, pixels. */
+    char text[LINE_SIZE]; /**< Its words. */
+} HeightMark;
 
-/** Draws a height as a line with words. @param color 0xRRGGBB. */
-static void draw_height(const RayPaneInput *input, const MicroscopeScale *scale, double height,
-                        unsigned color, const char *text) {
-    cairo_t *cairo = input->drawing.cairo;
-    double y = scale->middle - height * scale->unit;
-    cairo_set_source_rgb(cairo, (color >> 16) / 255.0, (color >> 8 & 0xff) / 255.0,
-                         (color & 0xff) / 255.0);
-    cairo_set_line_width(cairo, 2);
-    cairo_move_to(cairo, scale->left, y);
-    cairo_line_to(cairo, scale->right, y);
-    cairo_stroke(cairo);
-    cairo_arc(cairo, scale->right, y, 4, 0, 2 * M_PI);
-    cairo_fill(cairo);
-    write_text(input, scale->right + 0.5 * input->text_size, y + 0.35 * input->text_size, text);
+/** Most heights: the surface, the rounded hit, the rays that leave it. */
+enum { MARKS_MAXIMUM = MICROSCOPE_RAYS + 2 };
+
+/** Orders marks from above. See qsort(). */
+static int compare_marks(const void *first, const void *second) {
+    double a = ((const HeightMark *)first)->height, b = ((const HeightMark *)second)->height;
+    return (a < b) - (a > b);
 }
 
-/** @return The largest height that is shown, ulps. */
-static double largest_height(const RayMicroscope *microscope) {
-    double largest = fmax(1, fabs(microscope->height));
-    for (size_t i = 0; i < microscope->next_count; i++) {
-        largest = fmax(largest, fabs(microscope->next[i].height));
+/** @return How many marks a hit has. @param[out] marks The marks, from above. */
+static size_t collect_marks(const RayMicroscope *hit, const RayTree *tree,
+                            HeightMark marks[MARKS_MAXIMUM]) {
+    size_t count = 0;
+    marks[count] = (HeightMark){.color = 0x666666};
+    snprintf(marks[count++].text, LINE_SIZE, "%s", gettext("0: surface (quad)"));
+    marks[count] = (HeightMark){.height = hit->height, .color = 0xD55E00};
+    snprintf(marks[count++].text, LINE_SIZE, gettext("%+.3g: rounded hit"), hit->height);
+    for (size_t i = 0; i < hit->next_count; i++) {
+        const MicroscopeRay *next = &hit->next[i];
+        marks[count] = (HeightMark){.height = next->height,
+                                    .color = ray_style(&tree->nodes[next->ray])->color};
+        snprintf(marks[count++].text, LINE_SIZE, gettext("%+.3g: ray %zu starts"), next->height,
+                 next->ray);
     }
-    return largest;
+    qsort(marks, count, sizeof *marks, compare_marks);
+    return count;
+}
+
+/** Draws marks as lines with words beside them. @param top Where the largest may lie, pixels. */
+static void draw_marks(const RayPaneInput *input, HeightMark *marks, size_t count, double top,
+                       int width, int height) {
+    cairo_t *cairo = input->drawing.cairo;
+    const double size = input->text_size, line = 1.2 * size, right = 0.3 * width;
+    double high = fmax(1, marks[0].height), low = fmin(-1, marks[count - 1].height);
+    double unit = (height - top - 2 * size) / (high - low), above = top;
+    for (size_t i = 0; i < count; i++) {
+        double y = top + size + (high - marks[i].height) * unit;
+        marks[i].text_y = fmin(fmax(y, above), height - size - (double)(count - 1 - i) * line);
+        above = marks[i].text_y + line;
+        cairo_set_source_rgb(cairo, (marks[i].color >> 16) / 255.0,
+                             (marks[i].color >> 8 & 0xff) / 255.0, (marks[i].color & 0xff) / 255.0);
+        cairo_set_line_width(cairo, 2);
+        cairo_move_to(cairo, MARGIN * size, y);
+        cairo_line_to(cairo, right, y);
+        cairo_line_to(cairo, right + size, marks[i].text_y);
+        cairo_stroke(cairo);
+        write_text(input, right + 1.3 * size, marks[i].text_y + 0.35 * size, marks[i].text);
+    }
 }
 
 /** Draws the hit of the selected ray under the microscope. */
@@ -276,29 +302,18 @@ static void draw_microscope(const RayPaneInput *input, int width, int height) {
     const double size = input->text_size, left = MARGIN * size;
     size_t index = drawing->selected < drawing->tree->count ? drawing->selected : 0;
     RayMicroscope hit = ray_microscope_measure(input->engine, input->scene, drawing->tree, index);
+    HeightMark marks[MARKS_MAXIMUM];
     char text[LINE_SIZE];
     if (!hit.is_valid) {
-        write_text(input, left, 1.5 * size, gettext("no hit that a wider number type can measure"));
+        write_text(input, left, 1.5 * size, gettext("no hit that quad can measure"));
         return;
     }
-    MicroscopeScale scale = {.middle = 0.5 * height + size, .left = left, .right = 0.25 * width};
-    scale.unit = (0.5 * height - 3.5 * size) / largest_height(&hit);
-    snprintf(text, sizeof text, gettext("1 ulp of the hit = %.3g, offset %.4g ulps"), hit.ulp,
-             hit.epsilon);
+    snprintf(text, sizeof text, gettext("1 ulp of the hit = %.3g"), hit.ulp);
     write_text(input, left, 1.3 * size, text);
-    draw_height(input, &scale, 0, 0x888888, gettext("the surface (quad)"));
-    snprintf(text, sizeof text, gettext("rounded hit %+.4g ulps"), hit.height);
-    cairo_translate(drawing->cairo, 0, 0);
-    draw_height(input, &scale, hit.height, 0xD55E00, "");
-    write_text(input, left, 2.6 * size, text);
-    for (size_t i = 0; i < hit.next_count; i++) {
-        const MicroscopeRay *next = &hit.next[i];
-        snprintf(text, sizeof text, gettext("ray %zu starts at %+.4g ulps"), next->ray,
-                 next->height);
-        scale.right += 0.05 * width / (double)hit.next_count;
-        draw_height(input, &scale, next->height, ray_style(&drawing->tree->nodes[next->ray])->color,
-                    text);
-    }
+    snprintf(text, sizeof text, gettext("offset: %.3g ulps"), hit.epsilon);
+    write_text(input, left, 2.5 * size, text);
+    size_t count = collect_marks(&hit, drawing->tree, marks);
+    draw_marks(input, marks, count, 3 * size, width, height);
 }
 
 void ray_pane_draw(RayPane pane, const RayPaneInput *input, int width, int height) {

@@ -116,7 +116,7 @@ void ray_view_toggle_kind(RayView *ray_view, RayType kind) {
 
 void ray_view_toggle_pane(RayView *ray_view, RayPane pane) {
     ray_view->pane = ray_view->pane == pane ? RAY_PANE_NONE : pane;
-    ray_view->needs_draw = true;
+    ray_view_reset_camera(ray_view); // The view has another shape.
     redraw_rays(ray_view);
 }
 

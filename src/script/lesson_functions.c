@@ -52,6 +52,16 @@ static void add_step(lua_State *L, LessonStep step) {
     }
 }
 
+/** Ends what the last question has asked to watch: its answer is shown here. */
+static void explain_question(lua_State *L) {
+    LessonBuilder *builder = current_builder(L);
+    if (builder->is_asking) {
+        builder->is_asking = false;
+        add_step(L, (LessonStep){.kind = LESSON_EXPLAIN,
+                                 .action = (int)builder->lesson->question_count - 1});
+    }
+}
+
 /**
  * Reads an argument that is a number; raises an error if it is none or out of range.
  * @param L        The state.
@@ -133,7 +143,27 @@ static int call_caption(lua_State *L) {
     check_argument_count(L, 1, 1, "caption { en = \"...\", fr = \"...\", wait = true }");
     LessonStep step = {.kind = LESSON_CAPTION};
     lesson_fields_read_caption(L, current_builder(L)->lesson, &step);
+    explain_question(L);
     add_step(L, step);
+    return 0;
+}
+
+/**
+ * `ask { en = ..., fr = ..., choices = {...}, right = 1, because = ... }`. See lua_CFunction.
+ * @return 0
+ */
+static int call_ask(lua_State *L) {
+    LessonQuestion question = {0};
+    Error error = {0};
+    check_argument_count(L, 1, 1,
+                         "ask { en = \"...\", choices = {...}, right = 1, because = \"...\" }");
+    LessonBuilder *builder = current_builder(L);
+    lesson_fields_read_question(L, builder->lesson, &question);
+    explain_question(L);
+    if (!lesson_add_question(builder->lesson, &question, builder->time, &error)) {
+        lua_error_tr(L, "%s", error.message);
+    }
+    builder->is_asking = true;
     return 0;
 }
 
@@ -267,15 +297,16 @@ static void register_functions(lua_State *L) {
         {"speed", call_speed},      {"turn", call_turn},       {"zoom", call_zoom},
         {"size", call_size},        {"pixel", call_pixel},     {"walk", call_walk},
         {"ray", call_ray},          {"bar", call_bar},         {"drag", call_drag},
-        {"snapshot", call_snapshot}};
+        {"ask", call_ask},          {"snapshot", call_snapshot}};
     for (size_t i = 0; i < sizeof functions / sizeof *functions; i++) {
         lua_register(L, functions[i].name, functions[i].func);
     }
 }
 
-/** Raises an error if the file contains no lesson. See #ScriptDialect.check. */
+/** Raises an error if the file contains no lesson; explains its last question. See
+ *  #ScriptDialect.check. */
 static void check_lesson(lua_State *L) {
-    current_builder(L);
+    explain_question(L);
 }
 
 const ScriptDialect lesson_dialect = {.open = register_functions, .check = check_lesson};

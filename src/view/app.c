@@ -71,11 +71,11 @@ void app_show_notes(App *app) {
 /* --- time ------------------------------------------------------------------------------------- */
 
 bool app_is_playing(const App *app) {
-    return app->player.lesson != NULL;
+    return app->player.lesson && app->player.state != PLAYER_IS_FINISHED;
 }
 
 bool app_is_lesson_stopped(const App *app) {
-    return app->player.is_paused || app->player.is_capturing;
+    return app->player.state != PLAYER_RUNS;
 }
 
 bool app_is_recording(const App *app) {
@@ -184,6 +184,16 @@ void app_reset_view(App *app) {
     view_state_reset(&app->home_view, app->scene);
     app->selected_light = 0;
     app_on_view_changed(app);
+}
+
+void app_restart_view(App *app, double time) {
+    held_keys_clear(&app->input.held_keys);
+    app->input.camera_motion = MOTION_FLY;
+    app->timeline = (Timeline){.time = time};
+    window_reset_overrides(&app->window);
+    window_set_layer(&app->window, LAYER_SHADED);
+    app_reset_view(app);
+    ray_view_reset(&app->window.ray_view);
 }
 
 /** Writes the settings of the active picture. */

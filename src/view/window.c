@@ -86,7 +86,7 @@ void window_set_layer(Window *window, Layer layer) {
 void window_override_setting(Window *window, SettingsChangeFn *change, int step) {
     update_text_now(window);
     window->shows_settings = true;
-    viewport_override_setting(window_active_viewport(window), change, step);
+    viewport_override_setting(window_active_viewport(window), &window->base_settings, change, step);
 }
 
 void window_request_new_renderers(Window *window) {
@@ -118,6 +118,10 @@ void window_cycle_split(Window *window, int step) {
     for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
         window->viewports[i].has_new_pass = window->viewports[i].renderer != NULL;
     }
+}
+
+bool window_awaits_second_picture(const Window *window) {
+    return window->split.mode != SPLIT_NONE && !window->viewports[1].renderer;
 }
 
 void window_swap_active(Window *window) {
@@ -198,7 +202,7 @@ void window_on_visibility(Window *window) {
 }
 
 bool window_on_resize(Window *window) {
-    window->fitted_bar = window_area(window).y;
+    window->fitted_height = window_used_height(window);
     SDL_Rect picture = window_picture_rect(window);
     bool is_other =
         picture.w != window->viewports[0].width || picture.h != window->viewports[0].height;
@@ -246,15 +250,11 @@ static void draw_huds(Window *window, const OverlayTarget *target) {
     static const char *const titles[2][WINDOW_VIEWPORTS] = {{N_("left"), N_("right")},
                                                             {N_("left ←"), N_("right ←")}};
     size_t count = window_viewport_count(window);
-    bool is_difference = count > 1 && window->split.mode == SPLIT_DIFFERENCE;
     for (size_t i = 0; i < count; i++) {
         bool is_active = window->split.active == i;
         HudContent content = {.viewport = &window->viewports[i],
                               .title = count > 1 ? titles[is_active][i] : NULL,
-                              .shows_settings = window->shows_settings,
-                              .hides_layer = is_difference,
-                              .difference =
-                                  is_difference && i == 0 ? &window->split.difference : NULL};
+                              .shows_settings = window->shows_settings};
         hud_update(&window->huds[i], &content, clock_now_seconds());
         hud_show(&window->huds[i], target);
     }
@@ -440,7 +440,7 @@ bool window_copy_screen(Window *window, Picture *picture, Error *error) {
     size_t row = (size_t)area.w * 4;
     uint8_t *bgrx = malloc(row * (size_t)area.h);
     draw_pictures(window);
-    window_show_rays(window);
+    window_show_screen_only(window);
     if (bgrx && SDL_RenderReadPixels(window->sdl.renderer, &area, SDL_PIXELFORMAT_XRGB8888, bgrx,
                                      (int)row) != 0) {
         free(bgrx);

@@ -317,12 +317,15 @@ static void toggle_full_screen(App *app, int argument) {
     sdl_window_toggle_full_screen(&app->window.sdl);
 }
 
-/** Ends the program; while a lesson is recorded or plays, only when it is asked a second time. */
+/** Ends the lesson that plays, or else the program; while a lesson is recorded or plays, only when
+ *  it is asked a second time. */
 static void leave_program(App *app) {
     double now = clock_now_seconds();
     bool needs_confirmation = app_is_playing(app) || app_is_recording(app);
     if (!needs_confirmation || now < app->exit.confirmation_end) {
-        app->exit.is_requested = true;
+        app->player.is_leaving = app_is_playing(app);
+        app->exit.is_requested = !app->player.is_leaving;
+        app->exit.confirmation_end = 0;
         return;
     }
     app->exit.confirmation_end = now + CONFIRMATION_SECONDS;
@@ -335,7 +338,7 @@ static void issue(App *app, const char *name) {
     command_issue(app, command_find(app->commands, name), clock_now_seconds());
 }
 
-/** Closes what lies topmost: help, rays, two pictures, a layer, the full screen; at last the
+/** Closes what lies topmost: help, a lesson's end card, rays, two pictures, a layer, the full screen; at last the
  *  program. What a lesson shows stays. */
 static void leave(App *app, int argument) {
     (void)argument;
@@ -347,6 +350,8 @@ static void leave(App *app, int argument) {
     }
     if (window->help.is_open) {
         toggle_help(app, 0);
+    } else if (app->player.lesson && is_own) {
+        app->player.is_leaving = true;
     } else if (is_own && window->ray_view.is_open) {
         issue(app, "rays");
     } else if (is_own && window->split.mode != SPLIT_NONE) {

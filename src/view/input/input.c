@@ -76,6 +76,9 @@ static void on_key(App *app, const SDL_KeyboardEvent *key) {
     if (is_down && step_pixel_by_key(app, command, key->keysym.mod)) {
         return;
     }
+    if (is_down && player_handle_digit(app, key->keysym.scancode)) {
+        return;
+    }
     double factor = speed_factor(key->keysym.mod);
     app->input.modifiers = key->keysym.mod;
     recorder_on_speed(app, factor, time);
@@ -229,7 +232,7 @@ static void apply_browser_result(App *app, BrowserResult result) {
     Browser *browser = &app->window.browser;
     char path[PATH_MAX];
     if (result == BROWSER_OPEN_SCENE && browser_selected_path(browser, path)) {
-        current_scene_open(app, path);
+        player_open_file(app, path);
     }
     if (result != BROWSER_KEEP_OPEN) {
         browser_close(browser);
@@ -372,7 +375,7 @@ void input_handle_event(App *app, const SDL_Event *event) {
         on_window(app, &event->window);
         break;
     case SDL_DROPFILE:
-        current_scene_open(app, event->drop.file);
+        player_open_file(app, event->drop.file);
         SDL_free(event->drop.file);
         break;
     case SDL_KEYMAPCHANGED:

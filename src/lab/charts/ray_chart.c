@@ -64,14 +64,15 @@ static bool background_trace(const Engine *engine, Tracer *tracer, const Scene *
 
 /**
  * Makes a background.
+ * @param scene  What is left of the scene.
  * @param[out] background  It; to be released also where anything is wrong.
  * @return false if anything is wrong.
  */
-static bool background_init(const RayChart *chart, const SceneCamera *camera,
+static bool background_init(const RayChart *chart, const Scene *scene, const SceneCamera *camera,
                             Background *background, Error *error) {
     // The fastest engine is accurate enough for it; the rays are the chosen engine's.
     const Engine *engine = engine_find("auto", error);
-    Scene side = *chart->scene;
+    Scene side = *scene;
     side.camera = *camera;
     TraceSettings trace = chart->settings->trace;
     trace.samples = 1;
@@ -187,12 +188,13 @@ static cairo_status_t write_bytes(void *stream, const unsigned char *bytes, unsi
                                                       : CAIRO_STATUS_WRITE_ERROR;
 }
 
-/** Draws everything as SVG. @param title Printable. @return Whether cairo could do it. */
-static bool draw_svg(const RayChart *chart, const OrbitCamera *orbit, const char *title,
-                     FILE *stream, Error *error) {
+/** Draws everything as SVG. @param scene What is left of the scene. @param title Printable. @return
+ * Whether cairo could do it. */
+static bool draw_svg(const RayChart *chart, const Scene *scene, const OrbitCamera *orbit,
+                     const char *title, FILE *stream, Error *error) {
     ProjectedView view = orbit_camera_project(orbit, WIDTH, HEIGHT);
     Background background;
-    bool is_drawn = background_init(chart, &view.camera, &background, error);
+    bool is_drawn = background_init(chart, scene, &view.camera, &background, error);
     if (is_drawn) {
         cairo_surface_t *surface =
             cairo_svg_surface_create_for_stream(write_bytes, stream, WIDTH, HEIGHT);
@@ -268,14 +270,20 @@ static void copy_printable(const char *text, char *copy, size_t size) {
 }
 
 bool ray_chart_write(const RayChart *chart, const char *path, Error *error) {
+    CutAway cut = {0};
+    cut_away_begin(&cut, chart->scene, chart->probe);
     OrbitCamera orbit =
-        orbit_camera_fit(chart->renderer, &chart->scene->camera, chart->probe, WIDTH, HEIGHT);
+        orbit_camera_fit(chart->renderer, chart->scene, &cut, chart->probe, WIDTH, HEIGHT);
+    ProjectedView view = orbit_camera_project(&orbit, WIDTH, HEIGHT);
+    cut_away_update(&cut, chart->renderer, chart->scene, chart->probe, view.camera.position);
+    const Scene left = cut_away_scene(&cut, chart->scene);
     char *svg = NULL, title[512];
     size_t size = 0;
     AtomicFile file;
     copy_printable(chart->title, title, sizeof title);
     FILE *stream = open_memstream(&svg, &size);
-    bool is_drawn = stream && draw_svg(chart, &orbit, title, stream, error);
+    bool is_drawn = stream && draw_svg(chart, &left, &orbit, title, stream, error);
+    cut_away_deinit(&cut);
     if (!stream || (fclose(stream) != 0 && is_drawn)) {
         is_drawn = error_set(error, STATUS_FAILED, "no memory for the drawing");
     }

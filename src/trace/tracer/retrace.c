@@ -35,7 +35,7 @@ static void recorders_begin(const RayState *rays) {
         }
     }
     if (recorders->ray_tree) {
-        recorders->ray_tree->count = 0;
+        recorders->ray_tree->count = recorders->ray_tree->step_count = 0;
         recorders->ray_tree->is_truncated = false;
         ray_tree_push(recorders->ray_tree, RAY_CAMERA, rays, one);
     }

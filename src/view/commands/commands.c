@@ -214,6 +214,17 @@ static void fly_ray(App *app, int argument) {
     ray_view_fly(&app->window.ray_view, clock_now_seconds());
 }
 
+/** Shows a drawing beside the rays, or takes it away. */
+static void toggle_ray_pane(App *app, int pane) {
+    ray_view_toggle_pane(&app->window.ray_view, (RayPane)pane);
+}
+
+/** Turns the arrows of rays round. */
+static void turn_arrows(App *app, int argument) {
+    (void)argument;
+    ray_view_turn_arrows(&app->window.ray_view);
+}
+
 /** Hides the rays of a kind, or shows them again. */
 static void toggle_ray_kind(App *app, int kind) {
     ray_view_toggle_kind(&app->window.ray_view, (RayType)kind);
@@ -404,7 +415,7 @@ static void leave(App *app, int argument) {
 /** The help of the other layers. */
 #define LAST_LAYERS .help = N_("rays, marching, time, error, acne; rounding")
 /** The help of the keys that choose rays. */
-#define RAY_STEPS .help = N_("ray before, after, in flight (Shift 1 to 4: hide)")
+#define RAY_STEPS .help = N_("ray before, after, in flight (Shift 1 to 8: more)")
 /** The help of the keys that show values of the picture, and of the one that resets all. */
 #define SHOWN_VALUES .help = N_("costs, magnifier, chart; all as at first")
 /** The help of the keys of epsilon. */
@@ -482,6 +493,10 @@ const Command command_table[] = {
     {"shadow rays", {ONLY_PLACE(2, N_("Shift 2"))}, NULL, .flags = COMMAND_SHIFT, RUNS(toggle_ray_kind, RAY_SHADOW)},
     {"mirrored rays", {ONLY_PLACE(3, N_("Shift 3"))}, NULL, .flags = COMMAND_SHIFT, RUNS(toggle_ray_kind, RAY_REFLECTION)},
     {"refracted rays", {ONLY_PLACE(4, N_("Shift 4"))}, NULL, .flags = COMMAND_SHIFT, RUNS(toggle_ray_kind, RAY_REFRACTION)},
+    {"arrows", {ONLY_PLACE(5, N_("Shift 5"))}, NULL, .flags = COMMAND_SHIFT, RUNS(turn_arrows, 0)},
+    {"ray plan", {ONLY_PLACE(6, N_("Shift 6"))}, NULL, .flags = COMMAND_SHIFT, RUNS(toggle_ray_pane, RAY_PANE_PLAN)},
+    {"ray march", {ONLY_PLACE(7, N_("Shift 7"))}, NULL, .flags = COMMAND_SHIFT, RUNS(toggle_ray_pane, RAY_PANE_MARCH)},
+    {"hit microscope", {ONLY_PLACE(8, N_("Shift 8"))}, NULL, .flags = COMMAND_SHIFT, RUNS(toggle_ray_pane, RAY_PANE_MICROSCOPE)},
     {NULL, {NO_KEY("←↑↓→")}, NULL, RAYS, .help = N_("around them; or the mouse")},
 
     {NULL, {ONLY_PLACE(LSHIFT, N_("Shift")), ONLY_PLACE(RSHIFT, "")}, N_("fast"), PROGRAM, .help = N_("with a move: fast, fine")},

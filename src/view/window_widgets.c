@@ -188,7 +188,7 @@ static int height_to_use(const Window *window, int picture) {
     bool is_below = split_off_panel(window, &area).y > area.y;
     double text_scale = window->text_scale > 0 ? window->text_scale : 1;
     double least = (double)TEXT_SIZE_MINIMUM * pixels_per_unit(window);
-    double letter = text_scale * fmax(least, picture / (double)ROWS_PER_WINDOW);
+    double letter = text_scale * fmax(least, picture / (double)ROWS_BELOW_TOOLBAR);
     return area.y + (is_below ? (int)(PANEL_HEIGHT * letter + 0.5) : 0);
 }
 

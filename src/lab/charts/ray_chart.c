@@ -283,6 +283,8 @@ static bool draw_svg(const RayChart *chart, const Scene *scene, const OrbitCamer
                               .orbit = orbit,
                               .view = view,
                               .selected = chart->selected};
+        cairo_set_source_rgb(drawing.cairo, 1, 1, 1);
+        cairo_paint(drawing.cairo);
         draw_background(drawing.cairo, &background);
         draw_rays(chart, &drawing, title);
         draw_panes(chart, &drawing);

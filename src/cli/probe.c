@@ -59,8 +59,17 @@ static bool probe_write_svg(const ProbeReport *report, const Renderer *renderer,
              report->path, report->x, report->y, (unsigned)pixel.channels[0],
              (unsigned)pixel.channels[1], (unsigned)pixel.channels[2]);
     interrupt_defer(); // The drawing is still written after a signal: no temporary file is left.
-    RayChart chart = {report->scene, &report->settings, renderer, report->tree, title};
+    RayChart chart = {report->scene, &report->settings,
+                      renderer,      report->tree,
+                      title,         report->ray < 0 ? RAY_CHART_NO_RAY : (size_t)report->ray};
     return ray_chart_write(&chart, path, error);
+}
+
+/** @return Whether the chosen ray exists, or none is chosen. */
+static bool check_ray(const ProbeReport *report, Error *error) {
+    return report->ray < (int)report->tree->count ||
+           error_set(error, STATUS_USAGE, "--ray must be from 0 to %zu at this pixel, not %d",
+                     report->tree->count - 1, report->ray);
 }
 
 /** Records the ray tree of a pixel and prints it. @param report The pixel; gets the tree. */
@@ -68,12 +77,13 @@ static void probe_trace_and_print(const Options *options, ProbeReport *report, E
     Renderer *renderer = renderer_create(report->scene, &report->settings, error);
     RayTree tree = {0};
     report->tree = &tree;
-    if (renderer && renderer_record_ray_tree(renderer, report->x, report->y, &tree, error)) {
+    if (renderer && renderer_record_ray_tree(renderer, report->x, report->y, &tree, error) &&
+        check_ray(report, error)) {
         bool is_drawn = !options->svg || probe_write_svg(report, renderer, options->svg, error);
         if (is_drawn && options->json) {
             probe_print_json(report);
         } else if (is_drawn && !options->quiet) {
-            probe_print(report);
+            report->ray < 0 ? probe_print(report) : probe_print_ray(report);
         }
     }
     ray_tree_deinit(&tree);
@@ -81,7 +91,7 @@ static void probe_trace_and_print(const Options *options, ProbeReport *report, E
 }
 
 void cli_probe(const Options *options, Error *error) {
-    ProbeReport report = {.path = options->arguments[0]};
+    ProbeReport report = {.path = options->arguments[0], .ray = options->ray};
     Scene *scene = command_load_scene(options, &report.settings, error);
     if (!scene) {
         return;

@@ -210,6 +210,19 @@ static void draw_free_distances(const RayPaneInput *input, const RayTreeNode *ra
     }
 }
 
+/** Writes the smallest and the largest free distance of a ray. @param y The base line. */
+static void write_range(const RayPaneInput *input, const RayTreeNode *ray, double x, double y) {
+    const RayMarchStep *steps = input->drawing.tree->steps + ray->first_step;
+    double least = HUGE_VAL, most = 0;
+    char text[LINE_SIZE];
+    for (size_t i = 0; i < ray->step_count; i++) {
+        least = fmin(least, steps[i].radius);
+        most = fmax(most, steps[i].radius);
+    }
+    snprintf(text, sizeof text, "%.3g … %.3g", least, most);
+    write_text(input, x, y, text);
+}
+
 /** Draws the march of the selected ray. */
 static void draw_march(const RayPaneInput *input, int width, int height) {
     const RayTreeNode *ray = marched_ray(&input->drawing);
@@ -219,7 +232,6 @@ static void draw_march(const RayPaneInput *input, int width, int height) {
         write_text(input, left, 1.5 * size, gettext("this ray does not march"));
         return;
     }
-    const RayMarchStep *steps = input->drawing.tree->steps + ray->first_step;
     const double flat[] = {left, width - left, 0.35 * height};
     const double bars[] = {left, 0.68 * height, width - left, height - 3.5 * size};
     cairo_save(input->drawing.cairo);
@@ -232,8 +244,7 @@ static void draw_march(const RayPaneInput *input, int width, int height) {
              ray->step_count);
     write_text(input, left, 1.3 * size, text);
     write_text(input, left, height - 2 * size, gettext("free distance per step, log scale"));
-    snprintf(text, sizeof text, "%.3g … %.3g", steps[0].radius, steps[ray->step_count - 1].radius);
-    write_text(input, left, height - 0.7 * size, text);
+    write_range(input, ray, left, height - 0.7 * size);
 }
 
 /* --- the microscope --------------------------------------------------------------------------- */
@@ -267,7 +278,7 @@ static size_t collect_marks(const RayMicroscope *hit, const RayTree *tree,
         const MicroscopeRay *next = &hit->next[i];
         marks[count] = (HeightMark){.height = next->height,
                                     .color = ray_style(&tree->nodes[next->ray])->color};
-        snprintf(marks[count++].text, LINE_SIZE, gettext("%+.3g: ray %zu starts"), next->height,
+        snprintf(marks[count++].text, LINE_SIZE, gettext("%+.3g: ray %zu"), next->height,
                  next->ray);
     }
     qsort(marks, count, sizeof *marks, compare_marks);
@@ -278,7 +289,7 @@ static size_t collect_marks(const RayMicroscope *hit, const RayTree *tree,
 static void draw_marks(const RayPaneInput *input, HeightMark *marks, size_t count, double top,
                        int width, int height) {
     cairo_t *cairo = input->drawing.cairo;
-    const double size = input->text_size, line = 1.2 * size, right = 0.3 * width;
+    const double size = input->text_size, line = 1.2 * size, right = 0.16 * width;
     double high = fmax(1, marks[0].height), low = fmin(-1, marks[count - 1].height);
     double unit = (height - top - 2 * size) / (high - low), above = top;
     for (size_t i = 0; i < count; i++) {

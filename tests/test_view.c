@@ -21,7 +21,6 @@
 #include "view/state/scene_text.h"
 #include "view/state/settings_chart.h"
 #include "view/state/snapshot.h"
-#include "view/window/font.h"
 
 #include <glob.h>
 #include <pthread.h>
@@ -192,10 +191,10 @@ static void test_keymap_others(void **state) {
 }
 
 /** @return The keys of a row of the help. */
-static const char *help_text_keys(const PanelRow *rows, size_t count, const char *text) {
-    for (size_t i = 0; i < count; i++) {
-        if (strcmp(rows[i].text, text) == 0) {
-            return rows[i].label;
+static const char *help_text_keys(const HelpList *list, const char *text) {
+    for (size_t i = 0; i < list->count; i++) {
+        if (strcmp(list->rows[i].text, text) == 0) {
+            return list->rows[i].label;
         }
     }
     fail_msg("the help does not tell of: %s", text);
@@ -205,63 +204,40 @@ static const char *help_text_keys(const PanelRow *rows, size_t count, const char
 /** The help names keys as on a US keyboard, SDL's default. */
 static void test_keymap_help(void **state) {
     (void)state;
-    PanelRow rows[HELP_ROWS_MAXIMUM];
+    HelpList list;
     Help help = {.commands = command_table};
-    size_t count = help_write_rows(&help, rows);
-    assert_string_equal(rows[0].text, "Light");
-    assert_true(rows[0].is_heading);
-    assert_string_equal(rows[1].label, "W  S");
-    assert_string_equal(help_text_keys(rows, count, "away from you, nearer"), "E  Z");
-    assert_string_equal(help_text_keys(rows, count, "forward, back"), "Page Up  Page Down");
-    assert_string_equal(help_text_keys(rows, count, "snapshot (Shift: as on the screen)"),
-                        "P  F12");
-    assert_string_equal(help_text_keys(rows, count, "leave"), "Esc");
+    help_write_list(&help, &list);
+    assert_in_range(list.count, 20, HELP_ROWS_MAXIMUM - 1);
+    assert_string_equal(list.rows[0].text, "Light");
+    assert_true(list.rows[0].is_heading);
+    assert_string_equal(list.rows[1].label, "W  S");
+    assert_string_equal(help_text_keys(&list, "away from you, nearer"), "E  Z");
+    assert_string_equal(help_text_keys(&list, "forward, back"), "Page Up  Page Down");
+    assert_string_equal(help_text_keys(&list, "snapshot (Shift: as on the screen)"), "P  F12");
+    assert_string_equal(help_text_keys(&list, "leave"), "Esc");
     help.by_letter = true;
-    count = help_write_rows(&help, rows);
-    assert_string_equal(rows[1].label, "Z  S");
-    assert_string_equal(help_text_keys(rows, count, "away from you, nearer"), "E  W");
+    help_write_list(&help, &list);
+    assert_string_equal(list.rows[1].label, "Z  S");
+    assert_string_equal(help_text_keys(&list, "away from you, nearer"), "E  W");
 }
 
-/** A panel fits windows down to 320x240, and can be drawn in any. */
-static void test_panel(void **state) {
+/** Arrows select a key of the help, and Enter requests its command. */
+static void test_help_keys(void **state) {
     (void)state;
-    PanelRow rows[HELP_ROWS_MAXIMUM];
-    size_t count = help_write_rows(&(Help){.commands = command_table}, rows);
-    static const int sizes[][2] = {{800, 600}, {320, 240}, {3840, 2160}, {200, 2000}, {1, 1}};
-    if (!font_is_available()) {
-        skip();
-    }
-    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
-        SDL_Surface *panel =
-            panel_draw(rows, count, &(PanelBounds){sizes[i][0], sizes[i][1], i % 2 ? 3 : 1});
-        assert_non_null(panel);
-        if (sizes[i][0] > 1) {
-            assert_in_range(panel->w, 100, sizes[i][0]);
-            assert_in_range(panel->h, 100, sizes[i][1]);
-        }
-        SDL_FreeSurface(panel);
-    }
-}
-
-/** The help fits windows, with the keyboard where it is readable. */
-static void test_help_panel(void **state) {
-    (void)state;
-    static const int sizes[][2] = {{800, 600}, {3840, 2160}, {1280, 500}, {400, 300}, {300, 900}};
-    const Help help = {.commands = command_table};
-    if (!font_is_available()) {
-        skip();
-    }
-    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
-        int width = sizes[i][0], height = sizes[i][1];
-        SDL_Surface *panel = help_draw(&help, &(PanelBounds){width, height, i % 2 ? 2 : 1});
-        assert_non_null(panel);
-        assert_in_range(panel->w, 100, width);
-        assert_in_range(panel->h, 100, height);
-        SDL_FreeSurface(panel);
-    }
-    assert_int_equal(keyboard_diagram_size(790, 270).x, 788);
-    assert_int_equal(keyboard_diagram_size(400, 300).y, 0);
-    SDL_FreeSurface(help_draw(&help, &(PanelBounds){1, 1, 1}));
+    Help help = {.commands = command_table, .selected = {-1, 0}};
+    assert_true(help_handle_key(&help, SDLK_RETURN));
+    assert_null(help.requested);
+    assert_true(help_handle_key(&help, SDLK_DOWN));
+    assert_true(help_handle_key(&help, SDLK_RETURN));
+    assert_string_equal(help.requested->name, "light up");
+    assert_true(help_handle_key(&help, SDLK_RIGHT) && help_handle_key(&help, SDLK_RIGHT));
+    assert_true(help_handle_key(&help, SDLK_RETURN));
+    assert_string_equal(help.requested->name, "light down");
+    assert_true(help_handle_key(&help, SDLK_END) && help_handle_key(&help, SDLK_RETURN));
+    assert_string_equal(help.requested->name, "leave");
+    assert_true(help_handle_key(&help, SDLK_HOME) && help_handle_key(&help, SDLK_UP));
+    assert_int_equal(help.selected.row, 1);
+    assert_false(help_handle_key(&help, SDLK_v));
 }
 
 /** @return The row of a position. */
@@ -274,13 +250,13 @@ static void test_keyboard_labels(void **state) {
     (void)state;
     const Help help = {.commands = command_table};
     assert_string_equal(row_at(SDL_SCANCODE_W)->name, "light up");
-    assert_int_equal(help_tint(&help, row_at(SDL_SCANCODE_W)), 1);
+    assert_int_equal(help_group(&help, row_at(SDL_SCANCODE_W)), 1);
     assert_string_equal(key_action_label(row_at(SDL_SCANCODE_W)), "up");
     assert_null(row_at(SDL_SCANCODE_F5));
     assert_string_equal(key_action_label(NULL), "");
     assert_string_equal(key_action_label(row_at(SDL_SCANCODE_LSHIFT)), "fast");
     assert_string_equal(key_action_label(row_at(SDL_SCANCODE_RCTRL)), "fine");
-    assert_int_equal(help_tint(&help, row_at(SDL_SCANCODE_LSHIFT)), 6);
+    assert_int_equal(help_group(&help, row_at(SDL_SCANCODE_LSHIFT)), 6);
     assert_string_equal(key_cap_label(SDL_SCANCODE_LEFT), "←");
 }
 
@@ -990,8 +966,7 @@ int main(void) {
         cmocka_unit_test(test_keymap_light),
         cmocka_unit_test(test_keymap_others),
         cmocka_unit_test(test_keymap_help),
-        cmocka_unit_test(test_panel),
-        cmocka_unit_test(test_help_panel),
+        cmocka_unit_test(test_help_keys),
         cmocka_unit_test(test_keyboard_labels),
         cmocka_unit_test(test_command_table),
         cmocka_unit_test(test_toolbar_commands),

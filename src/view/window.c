@@ -22,9 +22,6 @@ bool window_open(Window *window, const Scene *scene, const RenderSettings *setti
     window->pass_event = pass_event;
     window->settings_chart.meter.event = pass_event; // Its data1 is no viewport.
     window->base_settings = *settings;
-    window->notice.overlay.anchor = window->caption.overlay.anchor = OVERLAY_BOTTOM;
-    window->huds[0].overlay.anchor = OVERLAY_TOP_LEFT;
-    window->huds[1].overlay.anchor = OVERLAY_TOP_RIGHT;
     split_view_move_bar(&window->split, 0.5);
     return viewport_open(&window->viewports[0], NULL, scene, settings, pass_event, error) &&
            sdl_window_open(&window->sdl, title, settings->width, settings->height, error);
@@ -258,8 +255,10 @@ static void draw_viewports(Window *window) {
     }
 }
 
-/** Draws the panels on the viewports. */
-static void draw_huds(Window *window, const OverlayTarget *target) {
+/** Shows the panels on the viewports, in the upper corners of an area. @param[out] extents Where
+ *  they lie. */
+static void show_huds(Window *window, const GuiRect *area, GuiRect extents[WINDOW_VIEWPORTS]) {
+    static const char *const ids[WINDOW_VIEWPORTS] = {"panel 1", "panel 2"};
     static const char *const titles[2][WINDOW_VIEWPORTS] = {{N_("left"), N_("right")},
                                                             {N_("left ←"), N_("right ←")}};
     size_t count = window_viewport_count(window);
@@ -269,11 +268,26 @@ static void draw_huds(Window *window, const OverlayTarget *target) {
                               .title = count > 1 ? titles[is_active][i] : NULL,
                               .shows_settings = window->shows_settings};
         hud_update(&window->huds[i], &content, clock_now_seconds());
-        hud_show(&window->huds[i], target);
+        GuiPlace place = {*area, (float)i, 0};
+        place.room.width = area->width / (float)count;
+        place.room.x += (float)i * place.room.width;
+        extents[i] = hud_show(&window->huds[i], ids[i], &place);
     }
 }
 
-/** Draws pictures and panels: everything but buttons, marks and messages. */
+float window_show_panels(Window *window, const GuiRect *area) {
+    GuiRect extents[WINDOW_VIEWPORTS] = {{0}};
+    GuiRect room = *area;
+    if (!window->ray_view.is_open) {
+        show_huds(window, area, extents);
+    }
+    room.height = SDL_max(1, room.height - notice_show(&window->notice, &room));
+    GuiRect caption = caption_show(&window->caption, &room);
+    bool is_below = caption.height > 0 && !window->caption.is_above;
+    return is_below ? caption.y : room.y + room.height;
+}
+
+/** Draws the pictures, and the list of scenes. */
 static void draw_pictures(Window *window) {
     double scale = window->text_scale > 0 ? window->text_scale : 1;
     OverlayTarget target = {window->sdl.renderer, scale, 1, window_toolbar_height(window)};
@@ -285,13 +299,7 @@ static void draw_pictures(Window *window) {
     } else {
         draw_viewports(window);
     }
-    if (!window->help.is_open && !window->ray_view.is_open) {
-        draw_huds(window, &target);
-    }
-    caption_show(&window->caption, &target);
-    notice_show(&window->notice, &target);
     browser_show(&window->browser, &target);
-    help_show(&window->help, &target);
 }
 
 void window_present(Window *window) {
@@ -301,10 +309,7 @@ void window_present(Window *window) {
 }
 
 void window_invalidate_text(Window *window) {
-    overlay_invalidate(&window->help.overlay);
     overlay_invalidate(&window->browser.overlay);
-    overlay_invalidate(&window->notice.overlay);
-    overlay_invalidate(&window->caption.overlay);
     for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
         hud_invalidate(&window->huds[i]);
     }
@@ -474,7 +479,7 @@ bool window_copy_screen(Window *window, Picture *picture, Error *error) {
     size_t row = (size_t)area.w * 4;
     uint8_t *bgrx = malloc(row * (size_t)area.h);
     draw_pictures(window);
-    window_show_screen_only(window);
+    window_show_panels_alone(window);
     if (bgrx && SDL_RenderReadPixels(window->sdl.renderer, &area, SDL_PIXELFORMAT_XRGB8888, bgrx,
                                      (int)row) != 0) {
         free(bgrx);

@@ -93,7 +93,7 @@ static void show_settings_status(App *app) {
 /** @return Whether rays march through any shape of a scene. */
 static bool has_marched_shape(const Scene *scene) {
     for (size_t i = 0; i < scene->shape_count; i++) {
-        if (scene_shape_keywords[scene->shapes[i].class_index]->parameters->type == PARAMETER_SDF) {
+        if (keyword_has_field(scene_shape_keywords[scene->shapes[i].class_index])) {
             return true;
         }
     }

@@ -352,9 +352,21 @@ static bool handle_widget_event(App *app, const SDL_Event *event) {
     return gui_handle_event(app->window.gui, event);
 }
 
+/** Handles an event while the help is open. @return Whether it was for the help. */
+static bool handle_help_event(App *app, const SDL_Event *event) {
+    Help *help = &app->window.help;
+    bool is_key = help->is_open && event->type == SDL_KEYDOWN &&
+                  !(event->key.keysym.mod & WINDOW_MANAGER_MODIFIERS) &&
+                  help_handle_key(help, event->key.keysym.sym);
+    if (is_key) {
+        gui_request_frames(app->window.gui);
+    }
+    return is_key;
+}
+
 void input_handle_event(App *app, const SDL_Event *event) {
     if (handle_widget_event(app, event) || recorder_handle_caption_event(app, event) ||
-        handle_browser_event(app, event)) {
+        handle_browser_event(app, event) || handle_help_event(app, event)) {
         return;
     }
     switch (event->type) {

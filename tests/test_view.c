@@ -10,6 +10,7 @@
 #include "dioptre/view.h"
 #include "render/orbit_camera.h"
 #include "view/commands/commands.h"
+#include "view/loading/error_meter.h"
 #include "view/panels/help.h"
 #include "view/panels/hud.h"
 #include "view/panels/legend.h"
@@ -18,6 +19,7 @@
 #include "view/panels/pixel_readout.h"
 #include "view/panels/toolbar.h"
 #include "view/state/scene_text.h"
+#include "view/state/settings_chart.h"
 #include "view/state/snapshot.h"
 
 #include <glob.h>
@@ -716,6 +718,60 @@ static void test_title(void **state) {
     assert_int_equal(strlen(title), TITLE_SIZE - 1);
 }
 
+/** Settings that were tried have one point each; the front is what none beats in time and error. */
+static void test_settings_chart(void **state) {
+    (void)state;
+    SettingsChart chart = {.count = 0};
+    settings_chart_add(&chart, "float", 1, 2);
+    settings_chart_add(&chart, "double", 2, 1);
+    settings_chart_add(&chart, "slow", 3, 1.5);
+    settings_chart_add(&chart, "as fast as double", 2.05, 1.001);
+    assert_true(chart.points[0].is_pareto && chart.points[1].is_pareto);
+    assert_false(chart.points[2].is_pareto || chart.points[3].is_pareto);
+    settings_chart_add(&chart, "slow", 3, 0.5);
+    assert_int_equal((int)chart.count, 4);
+    assert_true(chart.points[2].is_pareto && settings_chart_has(&chart, "slow"));
+    for (int i = 0; i < SETTINGS_CHART_POINTS; i++) {
+        char name[SETTINGS_NAME_SIZE];
+        snprintf(name, sizeof name, "%d", i);
+        settings_chart_add(&chart, name, i + 1, 1);
+    }
+    assert_int_equal((int)chart.count, SETTINGS_CHART_POINTS);
+    assert_false(settings_chart_has(&chart, "slow"));
+    Error error = {0};
+    char name[SETTINGS_NAME_SIZE];
+    RenderSettings settings = {.engine = engine_find("f32x4", &error),
+                               .samples = 16,
+                               .trace = {.depth = 8, .offset = OFFSET_FIXED, .epsilon = 1e-4}};
+    settings_name_write(&settings, name);
+    assert_string_equal(name, "float, fixed 0.0001, 8 × 16");
+}
+
+/** The error of settings is measured in a thread: depth 0 is farther from the reference than the
+ *  scene's own; a reset forgets the reference. */
+static void test_error_meter(void **state) {
+    (void)state;
+    Scene *scene = load_scene("scenes/box.lua");
+    RenderSettings settings = render_settings_default(scene);
+    Error error = {0};
+    ErrorMeter meter = {.event = SDL_USEREVENT};
+    double errors[2] = {0, 0};
+    settings.samples = 4;
+    for (int i = 0; i < 2; i++) {
+        settings.trace.depth = i == 0 ? 8 : 0;
+        assert_true(error_meter_start(&meter, scene, &settings, &error));
+        while (!error_meter_take(&meter, &errors[i])) {
+            SDL_Delay(1);
+        }
+        assert_true(meter.has_truth && !meter.is_busy);
+    }
+    assert_true(errors[0] > 0 && errors[1] > 2 * errors[0]);
+    assert_true(error_meter_start(&meter, scene, &settings, &error));
+    error_meter_reset(&meter);
+    assert_false(meter.has_truth || meter.is_busy || error_meter_take(&meter, &errors[0]));
+    scene_destroy(scene);
+}
+
 /** The magnifier follows the mouse, until keys move it; it stays in the picture. */
 static void test_magnifier(void **state) {
     (void)state;
@@ -930,6 +986,8 @@ int main(void) {
         cmocka_unit_test(test_scene_text),
         cmocka_unit_test(test_title),
         cmocka_unit_test(test_magnifier),
+        cmocka_unit_test(test_settings_chart),
+        cmocka_unit_test(test_error_meter),
         cmocka_unit_test(test_readout),
         cmocka_unit_test(test_legend),
         cmocka_unit_test(test_window),

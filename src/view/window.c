@@ -20,6 +20,7 @@ static const double BAR_REACH = 0.015;
 bool window_open(Window *window, const Scene *scene, const RenderSettings *settings,
                  const char *title, uint32_t pass_event, Error *error) {
     window->pass_event = pass_event;
+    window->settings_chart.meter.event = pass_event; // Its data1 is no viewport.
     window->base_settings = *settings;
     split_view_move_bar(&window->split, 0.5);
     return viewport_open(&window->viewports[0], NULL, scene, settings, pass_event, error) &&
@@ -27,6 +28,7 @@ bool window_open(Window *window, const Scene *scene, const RenderSettings *setti
 }
 
 void window_close(Window *window) {
+    settings_chart_panel_deinit(&window->settings_chart);
     ray_view_deinit(&window->ray_view);
     for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
         viewport_close(&window->viewports[i]);
@@ -62,6 +64,7 @@ RenderSettings window_requested_settings(const Window *window) {
 }
 
 void window_invalidate(Window *window) {
+    settings_chart_panel_clear(&window->settings_chart);
     for (size_t i = 0; i < window_viewport_count(window); i++) {
         window->viewports[i].needs_restart = true;
         window->viewports[i].previous_render_seconds = 0;
@@ -135,6 +138,11 @@ void window_move_bar(Window *window, double fraction) {
 bool window_is_at_bar(const Window *window, double fraction) {
     return window->split.mode == SPLIT_BAR &&
            fabs(fraction - window->split.bar_position) < BAR_REACH;
+}
+
+void window_toggle_chart(Window *window) {
+    settings_chart_panel_toggle(&window->settings_chart);
+    window_present(window);
 }
 
 void window_toggle_magnifier(Window *window) {
@@ -380,7 +388,9 @@ bool window_update(Window *window, const Scene *scene, double now, Error *error)
         window->opens_widgets = false;
         window_open_widgets(window);
     }
-    if (window_widgets_are_due(window, now)) {
+    bool has_point = settings_chart_panel_update(&window->settings_chart,
+                                                 window_active_viewport(window), scene);
+    if (window_widgets_are_due(window, now) || has_point) {
         window_present(window);
     }
     RayViewInput input = {window_active_viewport(window), scene, window->pass_event, now,

@@ -13,6 +13,7 @@
 #include "view/panels/light_marks.h"
 #include "view/panels/magnifier.h"
 #include "view/panels/ray_view.h"
+#include "view/panels/settings_chart_panel.h"
 #include "view/panels/toolbar.h"
 #include "view/state/latency.h"
 #include "view/window/sdl_window.h"
@@ -64,6 +65,7 @@ typedef struct Window {
                                                room for, pixels. */
     LightMarks light_marks;               /**< The marks of the lights. */
     Magnifier magnifier;                  /**< Some pixels as squares. */
+    SettingsChartPanel settings_chart;    /**< Time against error of the settings tried. */
     Toast toast;                          /**< The newest message. */
     Toast hint;                           /**< What to press, at the start. */
     double next_progress_time;            /**< When bar or legend say next how far it is, seconds. */
@@ -200,6 +202,9 @@ double window_progress_timeout(const Window *window, double now);
 
 /** Shows what the pixel under the mouse shows, or the pixel that is magnified. */
 void window_show_readout(const Window *window);
+
+/** Shows or hides the chart of settings. */
+void window_toggle_chart(Window *window);
 
 /** Shows or hides the magnifier. */
 void window_toggle_magnifier(Window *window);

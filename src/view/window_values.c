@@ -197,10 +197,20 @@ void window_show_readout(const Window *window) {
     gui_readout(text, readout.readings[side].rgb, (GuiPoint){0, (float)height});
 }
 
+/** Shows the chart of settings, if it is open. */
+static void show_chart(const Window *window) {
+    if (window->settings_chart.is_open) {
+        SDL_Rect area = window_to_units(window, window_area(window));
+        size_t active = window_viewport_count(window) > 1 ? window->split.active : 0;
+        settings_chart_panel_show(&window->settings_chart, &window->viewports[active], &area);
+    }
+}
+
 void window_show_values(const Window *window) {
     if (is_picture_shown(window)) {
         show_all_rings(window);
         show_legends(window);
         show_magnifier(window);
+        show_chart(window);
     }
 }

@@ -8,7 +8,7 @@
  */
 #include "lab/charts/chart.h"
 
-#include "lab/charts/pareto_front.h"
+#include "base/pareto_front.h"
 #include "lab/needs/image_difference.h"
 #include "lab/needs/scaled_tolerance.h"
 #include "lab/score_stats.h"

@@ -188,6 +188,12 @@ static void move_bar(App *app, int direction) {
     window_move_bar(&app->window, app->window.split.bar_position + direction * BAR_STEP);
 }
 
+/** Shows or hides the chart of settings. */
+static void toggle_chart(App *app, int argument) {
+    (void)argument;
+    window_toggle_chart(&app->window);
+}
+
 /** Shows or hides the magnifier. */
 static void toggle_magnifier(App *app, int argument) {
     (void)argument;
@@ -360,6 +366,8 @@ static void leave(App *app, int argument) {
         app->player.is_leaving = true;
     } else if (is_own && window->ray_view.is_open) {
         issue(app, "rays");
+    } else if (is_own && window->settings_chart.is_open) {
+        issue(app, "chart");
     } else if (is_own && window->magnifier.is_on) {
         issue(app, "magnifier");
     } else if (is_own && window->split.mode != SPLIT_NONE) {
@@ -475,6 +483,7 @@ const Command command_table[] = {
     {"methods back", {KEY(u)}, .flags = COMMAND_SHIFT, RUNS(change_methods, -1)},
     {"pixel corners", {KEY(F8)}, N_("corners"), PICTURE, .help = N_("as report A, B, C, D; pixel corners"), RUNS(change_pixel, 1)},
     {"settings", {KEY(i)}, N_("costs"), PICTURE, SHOWN_VALUES, RUNS(toggle_settings, 0)},
+    {"chart", {KEY(F9)}, N_("chart"), PICTURE, SHOWN_VALUES, RUNS(toggle_chart, 0)},
     {"magnifier", {KEY(F4)}, N_("magnify"), PICTURE, SHOWN_VALUES, RUNS(toggle_magnifier, 0)},
     {"as at first", {NAMED(BACKSPACE, N_("Backspace"))}, N_("as at first"), PICTURE, SHOWN_VALUES, RUNS(reset_settings, 0)},
     {"split", {KEY(x)}, N_("split"), PICTURE, .help = N_("side by side, difference; which side"), RUNS(cycle_split, 1)},

@@ -313,14 +313,14 @@ typedef struct GuiSwatch {
 
 /** A legend: a title, a bar of colours with ticks, colours by themselves, notes. */
 typedef struct GuiLegend {
-    const char *title;               /**< What is shown. */
-    const char *unit;                /**< Its unit and scale; empty: none. */
-    const unsigned char (*bar)[3];   /**< Colours of the bar, from its lower end; sRGB. */
-    int bar_count;                   /**< Number of them; 0: there is no bar. */
-    const GuiSwatch *swatches;       /**< Ticks of the bar from its upper end, then colours. */
-    int swatch_count;                /**< Number of them. */
-    const char *const *notes;        /**< What else is to be said. */
-    int note_count;                  /**< Number of them. */
+    const char *title;             /**< What is shown. */
+    const char *unit;              /**< Its unit and scale; empty: none. */
+    const unsigned char (*bar)[3]; /**< Colours of the bar, from its lower end; sRGB. */
+    int bar_count;                 /**< Number of them; 0: there is no bar. */
+    const GuiSwatch *swatches;     /**< Ticks of the bar from its upper end, then colours. */
+    int swatch_count;              /**< Number of them. */
+    const char *const *notes;      /**< What else is to be said. */
+    int note_count;                /**< Number of them. */
 } GuiLegend;
 
 /**
@@ -348,6 +348,32 @@ typedef struct GuiPixels {
  * @param top    Upper edge of the free part of the window.
  */
 void gui_pixels(const GuiPixels *pixels, GuiPoint point, float top);
+
+/** A point of a chart. */
+typedef struct GuiChartPoint {
+    char label[4];    /**< Beside it in the chart. */
+    const char *name; /**< What the label stands for: a row of the list. */
+    double x;         /**< To the right, above 0. */
+    double y;         /**< Up, at least 0. */
+    bool is_front;    /**< Whether it is part of the front. */
+    bool is_shown;    /**< Whether it is the one that is on screen. */
+} GuiChartPoint;
+
+/** A chart with two logarithmic axes. */
+typedef struct GuiChart {
+    const char *title;           /**< What it shows. */
+    const char *x_label;         /**< What its lower axis measures, with unit. */
+    const char *y_label;         /**< What its left axis measures, with unit. */
+    const GuiChartPoint *points; /**< The points. */
+    int count;                   /**< Number of them. */
+    const char *const *notes;    /**< What else is to be said. */
+    int note_count;              /**< Number of them. */
+} GuiChart;
+
+/** Draws a chart: points with labels, a line through the front, a list of as many points as fit,
+ * the last ones. @param corner Its upper left corner.
+ *  @param size Its width and height. */
+void gui_chart(const GuiChart *chart, GuiPoint corner, GuiPoint size);
 
 /* --- lessons ---------------------------------------------------------------------------------- */
 

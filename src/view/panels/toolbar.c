@@ -143,6 +143,7 @@ void toolbar_show(Toolbar *toolbar, const ToolbarContent *content) {
         }
         command_button(toolbar, content, gettext("rays"), "rays", content->shows_rays);
         command_button(toolbar, content, gettext("costs"), "settings", content->shows_settings);
+        command_button(toolbar, content, gettext("chart"), "chart", content->shows_chart);
         command_button(toolbar, content, gettext("magnifier"), "magnifier",
                        content->shows_magnifier);
         command_button(toolbar, content, "↺", "as at first", false);

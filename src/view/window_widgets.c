@@ -4,13 +4,13 @@
  */
 #include "view/window.h"
 
-#include "view/window/font.h"
 
 #include <libintl.h>
 #include <stdio.h>
 
-/** Rows of text that fill the height of the window: read from the last row of a class. */
-static const float ROWS_PER_WINDOW = 30;
+/** Rows of text that fill the height below the toolbar: with a toolbar of three rows, letters are
+ *  still 1/30 of the window, which can be read from the last row of a class. */
+static const float ROWS_BELOW_TOOLBAR = 26;
 /** Smallest height of letters, screen units. */
 static const float TEXT_SIZE_MINIMUM = 14;
 /** Largest part of the window's height for the bar. */
@@ -23,8 +23,6 @@ static const double TOAST_SECONDS = 4;
 static const double HINT_SECONDS = 6;
 /** Room for the swatch beside the sign of a recording, in heights of letters. */
 static const float RECORDING_MARGIN = 3.5F;
-/** Seconds between two numbers of how much of a reference there is. */
-static const double PROGRESS_SECONDS = 0.5;
 /** Width of the window beside the picture from which the lesson panel stands there, and not below,
  *  in heights of letters. */
 static const double PANEL_WIDTH_MINIMUM = 12;
@@ -81,7 +79,7 @@ static SDL_Rect split_off_panel(const Window *window, SDL_Rect *area) {
     const RenderSettings *settings = &window->base_settings;
     double text_scale = window->text_scale > 0 ? window->text_scale : 1;
     double least = (double)TEXT_SIZE_MINIMUM * pixels_per_unit(window);
-    double letter = text_scale * fmax(least, area->h / (double)ROWS_PER_WINDOW);
+    double letter = text_scale * fmax(least, area->h / (double)ROWS_BELOW_TOOLBAR);
     double beside = area->w - (double)area->h * settings->width / settings->height;
     SDL_Rect panel = {0};
     if (!window->gui || !window->lesson_panel.lesson) {
@@ -96,7 +94,7 @@ static SDL_Rect split_off_panel(const Window *window, SDL_Rect *area) {
     }
     // Its letters are those of a window without the panel.
     letter =
-        text_scale * fmax(least, area->h / ((double)ROWS_PER_WINDOW + PANEL_HEIGHT * text_scale));
+        text_scale * fmax(least, area->h / ((double)ROWS_BELOW_TOOLBAR + PANEL_HEIGHT * text_scale));
     panel.h = SDL_clamp((int)(PANEL_HEIGHT * letter + 0.5), 1, area->h / 2 + 1);
     area->h = SDL_max(1, area->h - panel.h);
     panel.y += area->h;
@@ -154,7 +152,7 @@ void window_end_toast(Window *window) {
 /** Writes what a newcomer may press. */
 static void set_hint(Window *window) {
     static const char *const names[] = {"light up", "light left", "light down", "light right"};
-    char light[PANEL_LABEL_SIZE] = "", help[PANEL_LABEL_SIZE] = "";
+    char light[GUI_LABEL_SIZE] = "", help[GUI_LABEL_SIZE] = "";
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         help_key_names(command_find(window->help.commands, names[i]), window->help.by_letter, light,
                        sizeof light);
@@ -239,7 +237,7 @@ static bool set_toolbar_folded(Window *window, bool is_folded) {
 }
 
 void window_open_widgets(Window *window) {
-    window->gui = gui_create(window->sdl.window, window->sdl.renderer, font_path());
+    window->gui = gui_create(window->sdl.window, window->sdl.renderer);
     window->toolbar.is_folded = true;
     if (window->gui && !window->state.is_playing) {
         set_hint(window);
@@ -265,32 +263,15 @@ void window_toggle_toolbar(Window *window) {
     }
 }
 
-/** @return Whether a legend says how much of the work is done, and it is not all done. */
-static bool has_progress(const Window *window) {
-    bool is_under_way = false;
-    for (size_t i = 0; i < window_viewport_count(window); i++) {
-        const RenderStats *report = &window->viewports[i].report;
-        is_under_way = is_under_way || (report->layer.reference && !report->is_finished);
-    }
-    return is_under_way && window->gui && !window->ray_view.is_open;
-}
-
 bool window_widgets_are_due(Window *window, double now) {
     bool is_over = toast_expire(&window->toast, now);
     is_over = toast_expire(&window->hint, now) || is_over;
-    if (has_progress(window) && now >= window->next_progress_time) {
-        window->next_progress_time = now + PROGRESS_SECONDS;
-        is_over = true;
-    }
-    return is_over || gui_needs_frame(window->gui);
+    return is_over || window_progress_timeout(window, now) <= 0 || gui_needs_frame(window->gui);
 }
 
 double window_widgets_timeout(const Window *window, double now) {
     const Toast *const toasts[] = {&window->toast, &window->hint};
-    double delay = gui_needs_frame(window->gui) ? 0 : WINDOW_NO_TIMEOUT;
-    if (has_progress(window)) {
-        delay = fmin(delay, fmax(0, window->next_progress_time - now));
-    }
+    double delay = gui_needs_frame(window->gui) ? 0 : window_progress_timeout(window, now);
     for (size_t i = 0; i < sizeof toasts / sizeof *toasts; i++) {
         if (toasts[i]->text[0] != '\0') {
             delay = fmin(delay, fmax(0, toasts[i]->end_time - now));
@@ -305,6 +286,12 @@ SDL_Rect window_to_units(const Window *window, SDL_Rect rect) {
                       (int)(rect.h / scale)};
 }
 
+/** @return The part of the window below the toolbar, screen units. */
+static GuiRect window_area_units(const Window *window) {
+    SDL_Rect area = window_to_units(window, window_area(window));
+    return (GuiRect){(float)area.x, (float)area.y, (float)area.w, (float)area.h};
+}
+
 /** Shows the bar. */
 static void show_toolbar(Window *window) {
     const WindowState *state = &window->state;
@@ -315,6 +302,7 @@ static void show_toolbar(Window *window) {
                               .split = window->split.mode,
                               .shows_settings = window->shows_settings,
                               .shows_rays = window->ray_view.is_open,
+                              .shows_magnifier = window->magnifier.is_on,
                               .is_animated = state->is_animated,
                               .is_running = state->is_running,
                               .is_recording = state->is_recording};
@@ -333,16 +321,13 @@ static void show_recording_sign(const Window *window, int width) {
     }
 }
 
-/** Shows the messages: the newest one below the bar, the hint at the lower edge. */
-static void show_messages(const Window *window, int width, int height) {
-    float gap = gui_text_size();
-    if (window->toast.text[0] != '\0') {
-        gui_message("toast", window->toast.text,
-                    (GuiPoint){(float)width / 2, window->toolbar.height + gap / 2}, GUI_BELOW);
-    }
-    if (window->hint.text[0] != '\0') {
-        gui_message("hint", window->hint.text,
-                    (GuiPoint){(float)width / 2, (float)height - gap / 2}, GUI_ABOVE);
+/** Shows the messages at the lower edge: the newest one, else the hint. @param bottom Lower end of
+ *  the room for them. */
+static void show_messages(const Window *window, int width, float bottom) {
+    const Toast *toast = window->toast.text[0] != '\0' ? &window->toast : &window->hint;
+    if (toast->text[0] != '\0') {
+        gui_message("toast", toast->text,
+                    (GuiPoint){(float)width / 2, bottom - gui_text_size() / 2}, GUI_ABOVE);
     }
 }
 
@@ -352,7 +337,26 @@ static float text_size(const Window *window) {
     double scale = window->text_scale > 0 ? window->text_scale : 1;
     window_size_below_toolbar(window, &width, &height);
     // Whole units: the bar keeps its height while the window gains a pixel.
-    return roundf((float)scale * SDL_max(TEXT_SIZE_MINIMUM, (float)height / ROWS_PER_WINDOW));
+    return ceilf((float)scale * SDL_max(TEXT_SIZE_MINIMUM, (float)height / ROWS_BELOW_TOOLBAR));
+}
+
+/** Shows the marks of the lights. */
+static void show_light_marks(Window *window) {
+    if (!window->ray_view.is_open && !window->toolbar.is_folded && window->state.scene) {
+        SDL_Rect picture = window_to_units(window, window_picture_rect(window));
+        light_marks_show(&window->light_marks, window->state.scene, &picture,
+                         window->state.selected_light);
+    }
+}
+
+/** Shows the help, and requests the command that is clicked there. */
+static void show_help(Window *window, const GuiRect *area) {
+    help_show(&window->help, area);
+    if (window->help.requested) {
+        window->toolbar.command = window->help.requested->name;
+        window->toolbar.repetitions = 1;
+        window->help.requested = NULL;
+    }
 }
 
 /** Shows list, formulas and numbers of the rays, if they are shown. */
@@ -362,6 +366,15 @@ static void show_rays(Window *window) {
         double scale = pixels_per_unit(window);
         SDL_Rect area = window_to_units(window, window_area(window));
         ray_view_show_widgets(&window->ray_view, window->state.scene, &window->help, &area, scale);
+    }
+}
+
+/** Shows the panel of the lesson that plays. */
+static void show_lesson_panel(Window *window) {
+    SDL_Rect area = area_below_toolbar(window), panel = split_off_panel(window, &area);
+    if (window->lesson_panel.lesson) {
+        panel = window_to_units(window, panel);
+        lesson_panel_show(&window->lesson_panel, &panel);
     }
 }
 
@@ -377,26 +390,24 @@ void window_show_widgets(Window *window) {
     } else {
         show_toolbar(window);
     }
-    bool is_picture = !window->help.is_open && !window->browser.is_open;
+    GuiRect area = window_area_units(window);
+    float bottom = area.y + area.height;
     window->light_marks.count = 0;
-    if (is_picture && !window->ray_view.is_open && !window->toolbar.is_folded &&
-        window->state.scene) {
-        SDL_Rect picture = window_to_units(window, window_picture_rect(window));
-        light_marks_show(&window->light_marks, window->state.scene, &picture,
-                         window->state.selected_light);
-    }
-    window_show_values(window);
-    if (!window->toolbar.is_folded) {
+    if (window->help.is_open) {
+        show_help(window, &area);
+    } else if (!window->browser.is_open) {
+        show_light_marks(window);
+        window_follow_mouse(window);
+        window_show_values(window);
         window_show_readout(window);
-    }
-    show_rays(window);
-    SDL_Rect area = area_below_toolbar(window), panel = split_off_panel(window, &area);
-    if (is_picture && window->lesson_panel.lesson) {
-        panel = window_to_units(window, panel);
-        lesson_panel_show(&window->lesson_panel, &panel);
+        show_rays(window);
+        window_show_progress(window);
+        show_lesson_panel(window);
+        area.height = SDL_max(1, area.height - gui_readout_height());
+        bottom = window_show_panels(window, &area);
     }
     show_recording_sign(window, width);
-    show_messages(window, width, height);
+    show_messages(window, width, bottom);
     gui_end_frame(window->gui);
 }
 
@@ -406,13 +417,17 @@ bool window_ray_at(const Window *window, int x, int y, size_t *ray) {
     return ray_view_ray_at(&window->ray_view, (x + 0.5) * scale, (y + 0.5) * scale, &area, ray);
 }
 
-void window_show_screen_only(Window *window) {
-    if (window->gui) {
-        gui_begin_frame(window->gui, text_size(window));
-        window_show_values(window);
-        show_rays(window);
-        gui_end_frame(window->gui);
+void window_show_panels_alone(Window *window) {
+    if (!window->gui) {
+        return;
     }
+    GuiRect area = window_area_units(window);
+    gui_begin_frame(window->gui, text_size(window));
+    window_show_values(window);
+    show_rays(window);
+    window_show_panels(window, &area);
+    gui_end_frame(window->gui);
+    gui_request_frames(window->gui);
 }
 
 const LightMark *window_light_at(const Window *window, int x, int y) {

@@ -4,7 +4,6 @@
  */
 #include "view/window.h"
 
-
 #include <libintl.h>
 #include <stdio.h>
 
@@ -93,8 +92,8 @@ static SDL_Rect split_off_panel(const Window *window, SDL_Rect *area) {
         return panel;
     }
     // Its letters are those of a window without the panel.
-    letter =
-        text_scale * fmax(least, area->h / ((double)ROWS_BELOW_TOOLBAR + PANEL_HEIGHT * text_scale));
+    letter = text_scale *
+             fmax(least, area->h / ((double)ROWS_BELOW_TOOLBAR + PANEL_HEIGHT * text_scale));
     panel.h = SDL_clamp((int)(PANEL_HEIGHT * letter + 0.5), 1, area->h / 2 + 1);
     area->h = SDL_max(1, area->h - panel.h);
     panel.y += area->h;
@@ -188,7 +187,7 @@ static int height_to_use(const Window *window, int picture) {
     bool is_below = split_off_panel(window, &area).y > area.y;
     double text_scale = window->text_scale > 0 ? window->text_scale : 1;
     double least = (double)TEXT_SIZE_MINIMUM * pixels_per_unit(window);
-    double letter = text_scale * fmax(least, picture / (double)ROWS_PER_WINDOW);
+    double letter = text_scale * fmax(least, picture / (double)ROWS_BELOW_TOOLBAR);
     return area.y + (is_below ? (int)(PANEL_HEIGHT * letter + 0.5) : 0);
 }
 

@@ -536,6 +536,30 @@ static void test_view_state(void **state) {
     scene_destroy(scene);
 }
 
+/** What was moved is put back; what was not is as the scene has it now, which may be another time.
+ */
+static void test_restored_view(void **state) {
+    (void)state;
+    Scene *scene = make_scene();
+    ViewState home_view, saved;
+    assert_true(view_state_init(&home_view, scene, NULL));
+    const SceneCamera camera = scene->camera;
+    view_state_move(&home_view, scene, 0, (Movement){.right = 1}, (Movement){0}, MOTION_FLY);
+    const Vec3d moved = scene->lights[0].position;
+    assert_true(view_state_save_current(&saved, &home_view, scene, NULL));
+    scene->lights[0].intensity = home_view.lights[0].intensity = 0.125;
+    home_view.camera.fov = 31;
+    view_state_move(&home_view, scene, 0, (Movement){.up = 1}, (Movement){.up = 1}, MOTION_FLY);
+    view_state_restore_current(&saved, &home_view, scene);
+    assert_memory_equal(&scene->lights[0].position, &moved, sizeof moved);
+    assert_true(scene->lights[0].intensity == 0.125 && home_view.is_light_moved[0]);
+    assert_true(scene->camera.fov == 31 && !home_view.is_camera_moved);
+    assert_memory_equal(&scene->camera.position, &camera.position, sizeof camera.position);
+    view_state_deinit(&saved);
+    view_state_deinit(&home_view);
+    scene_destroy(scene);
+}
+
 /**
  * Whoever walks stays at one height, to the bit, however the camera is tilted or rolled, also
  * where it looks straight down or up. Up is straight up. Whoever flies sinks.
@@ -979,6 +1003,7 @@ int main(void) {
         cmocka_unit_test(test_snapshot_long_path),
         cmocka_unit_test(test_snapshot_convert),
         cmocka_unit_test(test_view_state),
+        cmocka_unit_test(test_restored_view),
         cmocka_unit_test(test_walking),
         cmocka_unit_test(test_view_state_renew),
         cmocka_unit_test(test_time_control),

@@ -4,7 +4,6 @@
  */
 #include "view/window.h"
 
-
 #include <libintl.h>
 #include <stdio.h>
 
@@ -93,8 +92,8 @@ static SDL_Rect split_off_panel(const Window *window, SDL_Rect *area) {
         return panel;
     }
     // Its letters are those of a window without the panel.
-    letter =
-        text_scale * fmax(least, area->h / ((double)ROWS_BELOW_TOOLBAR + PANEL_HEIGHT * text_scale));
+    letter = text_scale *
+             fmax(least, area->h / ((double)ROWS_BELOW_TOOLBAR + PANEL_HEIGHT * text_scale));
     panel.h = SDL_clamp((int)(PANEL_HEIGHT * letter + 0.5), 1, area->h / 2 + 1);
     area->h = SDL_max(1, area->h - panel.h);
     panel.y += area->h;

@@ -1540,8 +1540,8 @@ void gui_item(const char *text) {
     ImGui::PopTextWrapPos();
 }
 
-void gui_same_line() {
-    ImGui::SameLine();
+void gui_same_line(const char *label) {
+    place_in_bar(button_width(label));
 }
 
 bool gui_step_button(const char *label, const char *tooltip, bool is_enabled, bool is_marked) {

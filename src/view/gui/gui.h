@@ -383,8 +383,8 @@ void gui_card_begin(const char *id);
 /** Writes an item of a list in as many lines as it needs. */
 void gui_item(const char *text);
 
-/** Puts the next widget into the line of the last one. */
-void gui_same_line(void);
+/** Puts the next widget into the line of the last one, where it has room. @param label Its words. */
+void gui_same_line(const char *label);
 
 /** A button that may be dimmed. @param is_enabled Whether it can be clicked. @param is_marked
  *  Whether it is the one to click now. @return Whether it was clicked. */

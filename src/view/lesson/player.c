@@ -150,6 +150,7 @@ static void finish_lesson(App *app) {
         app->exit.is_requested = true;
         return;
     }
+    window_end_toast(&app->window); // The card says it.
     timeline_pause(&app->timeline, app_clock(app));
     player->state = PLAYER_IS_FINISHED;
     if (!app->settings->load || !lesson_file_next(player->path, player->next_path)) {

@@ -60,6 +60,7 @@ static void show_list(LessonPanel *panel) {
     size_t present = lesson_panel_number(lesson, panel->stop + 1), number = 0;
     snprintf(line, sizeof line, "%zu/%zu \xe2\x96\xbe", panel->stop < lesson->count ? present : 0,
              lesson_panel_number(lesson, lesson->count));
+    gui_same_line(line);
     if (!gui_step_list_begin(line, gettext("all steps"))) {
         return;
     }
@@ -78,28 +79,34 @@ static void show_list(LessonPanel *panel) {
     gui_step_list_end();
 }
 
-/** Shows buttons and title. */
-static void show_controls(LessonPanel *panel) {
-    if (gui_step_button("\xe2\x97\x80", gettext("the step before"), true, false)) {
-        request(panel, LESSON_REQUEST_BACK, 0);
-    }
-    gui_same_line();
-    if (gui_step_button("\xe2\x96\xb6\xe2\x96\xb6", gettext("the next step, at once"), true,
-                        false)) {
-        request(panel, LESSON_REQUEST_ON, 0);
-    }
-    gui_same_line();
-    show_list(panel);
-    gui_same_line();
+/** Shows what the lesson waits for. */
+static void show_state(LessonPanel *panel) {
+    const char *label = gettext(panel->is_asking    ? N_("What do you predict?")
+                                : panel->is_waiting ? N_("go on (Space)")
+                                                    : N_("hold (Space)"));
+    gui_same_line(label);
     if (panel->is_asking) {
-        gui_heading(gettext("What do you predict?"));
-    } else if (gui_step_button(
-                   gettext(panel->is_waiting ? N_("go on (Space)") : N_("hold (Space)")), NULL,
-                   true, panel->is_waiting)) {
+        gui_heading(label);
+    } else if (gui_step_button(label, NULL, true, panel->is_waiting)) {
         request(panel, LESSON_REQUEST_RESUME, 0);
     }
-    gui_same_line();
-    gui_heading(localized(&panel->lesson->title));
+}
+
+/** Shows buttons and title. */
+static void show_controls(LessonPanel *panel) {
+    static const char back[] = "\xe2\x97\x80", on[] = "\xe2\x96\xb6\xe2\x96\xb6";
+    const char *title = localized(&panel->lesson->title);
+    if (gui_step_button(back, gettext("the step before"), true, false)) {
+        request(panel, LESSON_REQUEST_BACK, 0);
+    }
+    gui_same_line(on);
+    if (gui_step_button(on, gettext("the next step, at once"), true, false)) {
+        request(panel, LESSON_REQUEST_ON, 0);
+    }
+    show_list(panel);
+    show_state(panel);
+    gui_same_line(title);
+    gui_heading(title);
 }
 
 /** Shows the answers to a question. @param is_explained Whether the right one is shown. */
@@ -178,6 +185,24 @@ static void show_score(const LessonPanel *panel) {
     }
 }
 
+/** Shows the buttons of the end card. */
+static void show_card_buttons(LessonPanel *panel) {
+    const char *again = gettext("2  again"), *close = gettext("3  close (Esc)");
+    if (panel->has_next) {
+        if (gui_step_button(gettext("1  next lesson"), NULL, true, true)) {
+            request(panel, LESSON_REQUEST_NEXT, 0);
+        }
+        gui_same_line(again);
+    }
+    if (gui_step_button(again, NULL, true, !panel->has_next)) {
+        request(panel, LESSON_REQUEST_AGAIN, 0);
+    }
+    gui_same_line(close);
+    if (gui_step_button(close, NULL, true, false)) {
+        request(panel, LESSON_REQUEST_CLOSE, 0);
+    }
+}
+
 /** Shows the end card. */
 static void show_card(LessonPanel *panel) {
     gui_card_begin("end of lesson");
@@ -186,19 +211,7 @@ static void show_card(LessonPanel *panel) {
         gui_item(localized(&panel->lesson->learnt[i]));
     }
     show_score(panel);
-    if (panel->has_next) {
-        if (gui_step_button(gettext("1  next lesson"), NULL, true, true)) {
-            request(panel, LESSON_REQUEST_NEXT, 0);
-        }
-        gui_same_line();
-    }
-    if (gui_step_button(gettext("2  again"), NULL, true, false)) {
-        request(panel, LESSON_REQUEST_AGAIN, 0);
-    }
-    gui_same_line();
-    if (gui_step_button(gettext("3  close (Esc)"), NULL, true, false)) {
-        request(panel, LESSON_REQUEST_CLOSE, 0);
-    }
+    show_card_buttons(panel);
     gui_panel_end();
 }
 

@@ -49,6 +49,9 @@ typedef struct Window {
     SdlWindow sdl;                        /**< The window on the screen. */
     Hud huds[WINDOW_VIEWPORTS];           /**< The panel on each viewport. */
     bool shows_settings;                  /**< Whether the panels show the settings. */
+    double settings_end_time; /**< When they go by themselves, seconds; 0: they are pinned. */
+    bool is_presenting;       /**< Whether the window is made for a class: no bar, large letters. */
+    Toast layer_name;         /**< Name of the layer, in a presentation. */
     Help help;                            /**< The help. */
     Notice notice;                        /**< The notice of an error. */
     Browser browser;                      /**< The list of scenes. */
@@ -181,6 +184,9 @@ void window_relayout_toolbar(Window *window);
 
 /** Shows or hides the toolbar. */
 void window_toggle_toolbar(Window *window);
+
+/** Begins or ends a presentation: no bar, larger letters, the pointer as a ring. */
+void window_toggle_presentation(Window *window);
 
 /** Sets what the window shows beside its pictures. */
 void window_set_state(Window *window, const WindowState *state);

@@ -40,6 +40,16 @@ void current_scene_open(App *app, const char *path) {
     }
 }
 
+void current_scene_open_selected(App *app) {
+    Browser *browser = &app->window.browser;
+    char path[PATH_MAX];
+    browser->is_requested = false;
+    if (browser_selected_path(browser, path)) {
+        current_scene_open(app, path);
+        browser_close(browser);
+    }
+}
+
 /** Reports that a lesson needs the scene on screen. @return Whether one does. */
 static bool is_locked_by_lesson(App *app) {
     bool is_locked = app_is_playing(app) || app_is_recording(app);

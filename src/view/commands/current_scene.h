@@ -16,6 +16,9 @@ void current_scene_reload(App *app);
 /** Loads another scene. */
 void current_scene_open(App *app, const char *path);
 
+/** Opens the scene that is selected in the list of scenes, and closes the list. */
+void current_scene_open_selected(App *app);
+
 /** Opens the list of scenes, unless a lesson needs the scene on screen. */
 void current_scene_browse(App *app);
 

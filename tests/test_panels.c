@@ -141,9 +141,10 @@ static void check_legends(Fixture *fixture) {
 /** Checks captions, at both edges. */
 static void check_captions(Fixture *fixture) {
     Caption *caption = &fixture->window.caption;
-    const char *text = "From the eye a ray goes through each pixel. Where it meets something, we ask: does "
-                       "light come here? A second ray goes to the lamp; if anything is in its way, the "
-                       "point lies in the shadow.";
+    const char *text =
+        "From the eye a ray goes through each pixel. Where it meets something, we ask: does "
+        "light come here? A second ray goes to the lamp; if anything is in its way, the "
+        "point lies in the shadow.";
     *caption = (Caption){.text = {text, text},
                          .title = {"Shadows and acne", "Ombres et acné"},
                          .number = 3,
@@ -182,9 +183,9 @@ static void check_list(Fixture *fixture) {
         assert_true(picture_init(&scene->picture, 4, 3, NULL));
         scene_title_read(scene->path, scene->is_lesson, language_is_french(), scene->title);
     }
-    check_frame(fixture, "list", 20);
+    check_frame(fixture, "list", 6);
     browser_type(browser, "GLA");
-    check_frame(fixture, "list with words", 4);
+    check_frame(fixture, "list with words", 3);
     browser_close(browser);
 }
 

@@ -12,7 +12,10 @@
 #include "view/commands/commands.h"
 #include "view/panels/help.h"
 #include "view/panels/hud.h"
+#include "view/panels/legend.h"
 #include "view/panels/light_marks.h"
+#include "view/panels/magnifier.h"
+#include "view/panels/pixel_readout.h"
 #include "view/panels/toolbar.h"
 #include "view/state/scene_text.h"
 #include "view/state/snapshot.h"
@@ -714,6 +717,107 @@ static void test_title(void **state) {
     assert_int_equal(strlen(title), TITLE_SIZE - 1);
 }
 
+/** The magnifier follows the mouse, until keys move it; it stays in the picture. */
+static void test_magnifier(void **state) {
+    (void)state;
+    Magnifier magnifier = {0};
+    const PixelPosition mouse = {5, 6}, other = {7, 6};
+    magnifier_toggle(&magnifier);
+    magnifier_follow(&magnifier, NULL, 80, 60);
+    assert_true(magnifier.is_on && magnifier.pixel.x == 40 && magnifier.pixel.y == 30);
+    magnifier_follow(&magnifier, &mouse, 80, 60);
+    assert_true(magnifier.pixel.x == 5 && magnifier.pixel.y == 6);
+    magnifier_step(&magnifier, -10, 1);
+    magnifier_follow(&magnifier, &mouse, 80, 60);
+    assert_true(magnifier.pixel.x == 0 && magnifier.pixel.y == 7);
+    magnifier_step(&magnifier, 100, 100);
+    magnifier_follow(&magnifier, NULL, 80, 60);
+    assert_true(magnifier.pixel.x == 79 && magnifier.pixel.y == 59);
+    magnifier_follow(&magnifier, &other, 80, 60);
+    assert_true(magnifier.pixel.x == 7 && magnifier.pixel.y == 6);
+    magnifier_toggle(&magnifier);
+    assert_false(magnifier.is_on);
+}
+
+/** A readout has place, shape with its line, and value with unit; of two pictures the difference.
+ */
+static void test_readout(void **state) {
+    (void)state;
+    Scene *scene = load_scene("scenes/box.lua");
+    char text[READOUT_SIZE];
+    PixelReadout readout = {.scene = scene,
+                            .x = 3,
+                            .y = 4,
+                            .readings = {{.rgb = {1, 2, 3}, .shape = 5, .distance = 2}},
+                            .count = 1};
+    pixel_readout_write(&readout, text);
+    assert_string_equal(text, "3, 4   sphere, line 35   colour 1 2 3 of 255");
+    readout.readings[0].layer = readout.readings[1].layer = LAYER_DISTANCE;
+    readout.readings[0].values[0] = 2;
+    readout.readings[1].values[0] = 2.5;
+    readout.count = 2;
+    pixel_readout_write(&readout, text);
+    assert_string_equal(text, "3, 4   sphere, line 35\n"
+                              "left: distance: 2 scene units\nright: distance: 2.5 scene units\n"
+                              "left minus right: -0.5 scene units");
+    readout.readings[1].layer = LAYER_RAYS;
+    pixel_readout_difference(readout.readings, text);
+    assert_string_equal(text, "two layers: no difference");
+    readout.readings[0].shape = 3;
+    pixel_readout_write(&readout, text);
+    assert_non_null(strstr(text, "quad, line 24, number 4"));
+    scene_destroy(scene);
+}
+
+/** @return The legend of a layer, of which a quarter is measured. */
+static Legend legend_of(const Scene *scene, Layer layer, double low, double high,
+                        bool is_finished) {
+    Error error = {0};
+    LayerMarks marks = {.count = 2};
+    RenderSettings settings = render_settings_default(scene);
+    settings.engine = engine_find("f32x4", &error);
+    RenderStats report = {.stride = 2,
+                          .is_finished = is_finished,
+                          .layer = {.layer = layer,
+                                    .scale = layer_scale(layer, low, high),
+                                    .pixel_count = 1000,
+                                    .artifact_pixels = 3,
+                                    .measured_fraction = 0.25,
+                                    .reference = layer == LAYER_ERROR ? "f128x1" : NULL}};
+    LegendContent content = {
+        .scene = scene, .report = &report, .settings = &settings, .marks = &marks, .progress = 0.4};
+    Legend legend;
+    legend_write(&content, &legend);
+    return legend;
+}
+
+/** Legends say unit, scale, counts, and what is not known yet. */
+static void test_legend(void **state) {
+    (void)state;
+    Scene *scene = load_scene("scenes/box.lua");
+    Legend light = legend_of(scene, LAYER_SHADED, 0, 0, true);
+    assert_string_equal(light.title, "");
+    Legend rays = legend_of(scene, LAYER_RAYS, 2, 17, true);
+    assert_string_equal(rays.unit, "rays per pixel, log scale");
+    assert_true(rays.has_bar && rays.entry_count == 5);
+    Legend error = legend_of(scene, LAYER_ERROR, 0, 1, false);
+    assert_string_equal(error.notes[0], "so far, off by over a step: 3 (0.3 %)");
+    assert_string_equal(error.notes[1], "reference f128x1: 25 % of the pixels, 40 % of the work");
+    assert_string_equal(error.notes[2], "2 places have rings");
+    error = legend_of(scene, LAYER_ERROR, 0, 1, true);
+    assert_string_equal(error.notes[0], "off by over a step: 3 (0.3 %)");
+    assert_string_equal(error.notes[1], "reference: f128x1");
+    Legend steps = legend_of(scene, LAYER_STEPS, 1, 0, true);
+    assert_false(steps.has_bar);
+    assert_string_equal(steps.notes[0], "no ray marches: no distance field is in view");
+    Legend time = legend_of(scene, LAYER_TIME, 1, 9, true);
+    assert_string_equal(time.notes[0], "one number per block of 8 × 8 pixels");
+    Legend shapes = legend_of(scene, LAYER_SHAPES, 0, 7, true);
+    assert_string_equal(shapes.texts[5], "sphere, line 35");
+    assert_int_equal((int)shapes.entry_count, (int)scene->shape_count);
+    scene_destroy(scene);
+}
+
 /** A window opens on an invisible screen, and closes when requested. */
 static void test_window(void **state) {
     (void)state;
@@ -740,8 +844,8 @@ typedef struct LoadRequests {
 
 /** Loads a scene. See #ViewLoader. @return A scene; NULL for `wrong.lua`. */
 static Scene *load_requested(void *context, const ViewRequest *request, const atomic_bool *stop,
-                             RenderSettings *render, Error *error) {
-    (void)stop;
+                             RenderSettings *render, Lesson **lesson, Error *error) {
+    (void)stop, (void)lesson;
     LoadRequests *requests = context;
     snprintf(requests->path, sizeof requests->path, "%s", request->path ? request->path : "");
     requests->count++;
@@ -826,6 +930,9 @@ int main(void) {
         cmocka_unit_test(test_view_state_vertical),
         cmocka_unit_test(test_scene_text),
         cmocka_unit_test(test_title),
+        cmocka_unit_test(test_magnifier),
+        cmocka_unit_test(test_readout),
+        cmocka_unit_test(test_legend),
         cmocka_unit_test(test_window),
         cmocka_unit_test(test_drop),
     };

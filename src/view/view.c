@@ -14,6 +14,7 @@
 #include "view/commands/recorder.h"
 #include "view/input/input.h"
 #include "view/input/signal_thread.h"
+#include "view/lesson/answer_file.h"
 #include "view/lesson/player.h"
 
 #include <libintl.h>
@@ -78,7 +79,7 @@ static void run_requested_command(App *app) {
         command_choose_ray(app, rays->ray);
     }
     if (app->window.browser.is_requested) {
-        current_scene_open_selected(app);
+        player_open_selected(app);
         window_present(&app->window);
     }
     // What frames in between have requested counted from a part of the change.
@@ -93,10 +94,12 @@ static void update_title(App *app, double now) {
     if (now < app->title.next_update_time && !window_is_finished(window)) {
         return;
     }
+    // Times and rays of other settings would be read as those of the new ones.
+    bool has_report = window->first_present_time > 0 && !viewport->is_report_old;
     TitleContent content = {.name = app->source.name,
                             .width = viewport->width,
                             .height = viewport->height,
-                            .report = window->first_present_time > 0 ? &viewport->report : NULL,
+                            .report = has_report ? &viewport->report : NULL,
                             .time = app->scene->is_time_dependent ? &app->scene_time : NULL,
                             .is_running = app->timeline.is_running,
                             .is_recording = app_is_recording(app),
@@ -144,6 +147,7 @@ static void run_frame(App *app) {
         app_report_error(app, &error);
     }
     run_requested_command(app);
+    player_handle_request(app);
     take_pending_snapshot(app);
     if (!player_capture(app, &error)) {
         app_report_error(app, &error);
@@ -186,6 +190,9 @@ static Status run_event_loop(App *app, const atomic_bool *stop, SignalThread *si
         return error->status;
     }
     app_show_notes(app);
+    if (settings->answer_path && !answer_file_prepare(settings->answer_path, error)) {
+        return error->status;
+    }
     player_begin(app);
     while (!app->exit.is_requested) {
         run_frame(app);

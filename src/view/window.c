@@ -100,7 +100,7 @@ void window_override_setting(Window *window, SettingsChangeFn *change, int step)
         window->settings_end_time = clock_now_seconds() + SETTINGS_SECONDS;
     }
     window->shows_settings = true;
-    viewport_override_setting(window_active_viewport(window), change, step);
+    viewport_override_setting(window_active_viewport(window), &window->base_settings, change, step);
 }
 
 void window_request_new_renderers(Window *window) {
@@ -134,6 +134,10 @@ void window_cycle_split(Window *window, int step) {
     }
 }
 
+bool window_awaits_second_picture(const Window *window) {
+    return window->split.mode != SPLIT_NONE && !window->viewports[1].renderer;
+}
+
 void window_swap_active(Window *window) {
     update_text_now(window);
     window->split.active = 1 - window->split.active;
@@ -148,6 +152,11 @@ void window_move_bar(Window *window, double fraction) {
 bool window_is_at_bar(const Window *window, double fraction) {
     return window->split.mode == SPLIT_BAR &&
            fabs(fraction - window->split.bar_position) < BAR_REACH;
+}
+
+void window_toggle_magnifier(Window *window) {
+    magnifier_toggle(&window->magnifier);
+    window_present(window);
 }
 
 void window_toggle_settings(Window *window) {
@@ -214,7 +223,7 @@ void window_on_visibility(Window *window) {
 }
 
 bool window_on_resize(Window *window) {
-    window->fitted_bar = window_area(window).y;
+    window->fitted_height = window_used_height(window);
     SDL_Rect picture = window_picture_rect(window);
     bool is_other =
         picture.w != window->viewports[0].width || picture.h != window->viewports[0].height;
@@ -265,15 +274,11 @@ static void show_huds(Window *window, const GuiRect *area, GuiRect extents[WINDO
     static const char *const titles[2][WINDOW_VIEWPORTS] = {{N_("left"), N_("right")},
                                                             {N_("left ←"), N_("right ←")}};
     size_t count = window_viewport_count(window);
-    bool is_difference = count > 1 && window->split.mode == SPLIT_DIFFERENCE;
     for (size_t i = 0; i < count; i++) {
         bool is_active = window->split.active == i;
         HudContent content = {.viewport = &window->viewports[i],
                               .title = count > 1 ? titles[is_active][i] : NULL,
-                              .shows_settings = window->shows_settings,
-                              .hides_layer = is_difference,
-                              .difference =
-                                  is_difference && i == 0 ? &window->split.difference : NULL};
+                              .shows_settings = window->shows_settings};
         hud_update(&window->huds[i], &content, clock_now_seconds());
         GuiPlace place = {*area, (float)i, 0};
         place.room.width = area->width / (float)count;
@@ -299,7 +304,8 @@ float window_show_panels(Window *window, const GuiRect *area) {
     if (!window->ray_view.is_open) {
         show_huds(window, area, extents);
     }
-    room.height = SDL_max(1, room.height - notice_show(&window->notice, &room));
+    float notice = notice_show(&window->notice, &room);
+    room.height = SDL_max(1, room.height - notice);
     if (caption_is_open(&window->caption)) {
         choose_caption_edge(window, &room, extents[0].height <= 0 && !window->ray_view.is_open);
     }
@@ -468,6 +474,25 @@ static bool picture_from_screen(uint8_t *bgrx, int width, int height, Picture *p
     }
     free(bgrx);
     return is_made;
+}
+
+void window_copy_part(const Window *window, int x, int y, int columns, int rows, uint8_t *rgb) {
+    const SplitView *split = &window->split;
+    const Viewport *first = &window->viewports[0];
+    if (window_viewport_count(window) == 1) {
+        renderer_copy_part(first->renderer, x, y, columns, rows, rgb);
+    } else if (split->mode == SPLIT_DIFFERENCE) {
+        split_view_copy_part(split, x, y, columns, rows, rgb);
+    } else {
+        int right = split_view_column(split, first->width);
+        for (int column = x; column < x + columns; column++) {
+            Renderer *renderer = window->viewports[column >= right ? 1 : 0].renderer;
+            for (int row = y; row < y + rows; row++) {
+                uint8_t *pixel = rgb + 3 * ((row - y) * columns + column - x);
+                renderer_copy_part(renderer, column, row, 1, 1, pixel);
+            }
+        }
+    }
 }
 
 bool window_copy_screen(Window *window, Picture *picture, Error *error) {

@@ -4,10 +4,9 @@
  */
 #include "view/window.h"
 
-#include "view/panels/pixel_readout.h"
-
 #include <libintl.h>
 #include <stdio.h>
+#include <string.h>
 
 /** Rows of text that fill the height below the toolbar: with a toolbar of three rows, letters are
  *  still 1/30 of the window, which can be read from the last row of a class. */
@@ -24,6 +23,15 @@ static const double TOAST_SECONDS = 4;
 static const double HINT_SECONDS = 6;
 /** Factor of the size of letters in a presentation. */
 static const float PRESENTATION_SCALE = 1.4F;
+/** Seconds between two numbers of how much of a reference there is. */
+static const double PROGRESS_SECONDS = 0.5;
+/** Width of the window beside the picture from which the lesson panel stands there, and not below,
+ *  in heights of letters. */
+static const double PANEL_WIDTH_MINIMUM = 12;
+/** Largest width of the lesson panel beside the picture, in heights of letters. */
+static const double PANEL_WIDTH_MAXIMUM = 20;
+/** Height of the lesson panel below the picture, in heights of letters. */
+static const double PANEL_HEIGHT = 8.5;
 /** How near to a light's mark the mouse takes hold of it, in heights of letters. */
 static const float MARK_REACH = 0.9F;
 
@@ -66,20 +74,62 @@ int window_toolbar_height(const Window *window) {
     return window->gui ? (int)((double)window->toolbar.height * pixels_per_unit(window) + 0.5) : 0;
 }
 
-SDL_Rect window_area(const Window *window) {
+/** Divides the window between picture and lesson panel: it stands beside the picture where there is
+ *  room, else below. @param[in,out] area The part below the toolbar; becomes that of the picture.
+ *  @return The part of the panel, pixels; empty: it is closed. */
+static SDL_Rect split_off_panel(const Window *window, SDL_Rect *area) {
+    const RenderSettings *settings = &window->base_settings;
+    double text_scale = window->text_scale > 0 ? window->text_scale : 1;
+    double least = (double)TEXT_SIZE_MINIMUM * pixels_per_unit(window);
+    double letter = text_scale * fmax(least, area->h / (double)ROWS_BELOW_TOOLBAR);
+    double beside = area->w - (double)area->h * settings->width / settings->height;
+    SDL_Rect panel = {0};
+    if (!window->gui || !window->lesson_panel.lesson) {
+        return panel;
+    }
+    panel = *area;
+    if (beside >= PANEL_WIDTH_MINIMUM * letter) {
+        panel.w = (int)fmin(beside, PANEL_WIDTH_MAXIMUM * letter);
+        area->w -= panel.w;
+        panel.x += area->w;
+        return panel;
+    }
+    // Its letters are those of a window without the panel.
+    letter = text_scale *
+             fmax(least, area->h / ((double)ROWS_BELOW_TOOLBAR + PANEL_HEIGHT * text_scale));
+    panel.h = SDL_clamp((int)(PANEL_HEIGHT * letter + 0.5), 1, area->h / 2 + 1);
+    area->h = SDL_max(1, area->h - panel.h);
+    panel.y += area->h;
+    return panel;
+}
+
+/** @return The part of the window below the toolbar, pixels. */
+static SDL_Rect area_below_toolbar(const Window *window) {
     SDL_Rect area = {.y = window->toolbar.is_folded ? 0 : window_toolbar_height(window)};
     sdl_window_size(&window->sdl, &area.w, &area.h);
     area.h = SDL_max(1, area.h - area.y);
     return area;
 }
 
+SDL_Rect window_area(const Window *window) {
+    SDL_Rect area = area_below_toolbar(window);
+    split_off_panel(window, &area);
+    return area;
+}
+
+int window_used_height(const Window *window) {
+    int width = 0, height = 0;
+    sdl_window_size(&window->sdl, &width, &height);
+    return SDL_max(0, height - window_area(window).h);
+}
+
 void window_size_below_toolbar(const Window *window, int *width, int *height) {
     SDL_GetWindowSize(window->sdl.window, width, height);
-    *height -= (int)(window_area(window).y / pixels_per_unit(window));
+    *height -= (int)(window_used_height(window) / pixels_per_unit(window));
 }
 
 void window_set_size_below_toolbar(Window *window, int width, int height) {
-    height += (int)(window_area(window).y / pixels_per_unit(window));
+    height += (int)(window_used_height(window) / pixels_per_unit(window));
     SDL_SetWindowSize(window->sdl.window, width, height);
 }
 
@@ -129,12 +179,13 @@ static bool toast_expire(Toast *toast, double now) {
 
 /* --- frames ----------------------------------------------------------------------------------- */
 
-/** Grows or shrinks the window by as much as the bar, so that the picture keeps its size.
- *  @return Whether the window has another size now. */
+/** Grows or shrinks the window by as much as bar and lesson panel, so that the picture keeps its
+ *  size. @return Whether the window has another size now. */
 static bool fit_window(Window *window) {
     Uint32 flags = SDL_GetWindowFlags(window->sdl.window);
-    int width = 0, height = 0, bar = window_area(window).y, added = bar - window->fitted_bar;
-    window->fitted_bar = bar;
+    int width = 0, height = 0, used = window_used_height(window);
+    int added = used - window->fitted_height;
+    window->fitted_height = used;
     if (flags & (SDL_WINDOW_FULLSCREEN_DESKTOP | SDL_WINDOW_MAXIMIZED) || added == 0) {
         return false;
     }
@@ -176,6 +227,18 @@ void window_open_widgets(Window *window) {
     if (window->gui && !window->state.is_playing) {
         set_hint(window);
         set_toolbar_folded(window, false);
+    } else if (window->gui) {
+        window_relayout_toolbar(window);
+    }
+}
+
+void window_set_lesson_panel(Window *window, const LessonPanel *panel) {
+    bool is_other = !window->lesson_panel.lesson != !panel->lesson;
+    window->lesson_panel = *panel;
+    if (is_other && window->gui) {
+        window_relayout_toolbar(window);
+    } else if (window->gui) {
+        window_present(window);
     }
 }
 
@@ -208,17 +271,34 @@ static bool expire_settings(Window *window, double now) {
     return is_over;
 }
 
+/** @return Whether a legend says how much of the work is done, and it is not all done. */
+static bool has_progress(const Window *window) {
+    bool is_under_way = false;
+    for (size_t i = 0; i < window_viewport_count(window); i++) {
+        const RenderStats *report = &window->viewports[i].report;
+        is_under_way = is_under_way || (report->layer.reference && !report->is_finished);
+    }
+    return is_under_way && window->gui && !window->ray_view.is_open;
+}
+
 bool window_widgets_are_due(Window *window, double now) {
     bool is_over = toast_expire(&window->toast, now);
     is_over = toast_expire(&window->hint, now) || is_over;
     is_over = toast_expire(&window->layer_name, now) || is_over;
     is_over = expire_settings(window, now) || is_over;
+    if (has_progress(window) && now >= window->next_progress_time) {
+        window->next_progress_time = now + PROGRESS_SECONDS;
+        is_over = true;
+    }
     return is_over || gui_needs_frame(window->gui);
 }
 
 double window_widgets_timeout(const Window *window, double now) {
     const Toast *const toasts[] = {&window->toast, &window->hint, &window->layer_name};
     double delay = gui_needs_frame(window->gui) ? 0 : WINDOW_NO_TIMEOUT;
+    if (has_progress(window)) {
+        delay = fmin(delay, fmax(0, window->next_progress_time - now));
+    }
     for (size_t i = 0; i < sizeof toasts / sizeof *toasts; i++) {
         if (toasts[i]->text[0] != '\0') {
             delay = fmin(delay, fmax(0, toasts[i]->end_time - now));
@@ -230,15 +310,15 @@ double window_widgets_timeout(const Window *window, double now) {
     return delay;
 }
 
-/** @return A rectangle of pixels in screen units. */
-static SDL_Rect to_units(SDL_Rect rect, double scale) {
+SDL_Rect window_to_units(const Window *window, SDL_Rect rect) {
+    double scale = pixels_per_unit(window);
     return (SDL_Rect){(int)(rect.x / scale), (int)(rect.y / scale), (int)(rect.w / scale),
                       (int)(rect.h / scale)};
 }
 
 /** @return The part of the window below the toolbar, screen units. */
 static GuiRect window_area_units(const Window *window) {
-    SDL_Rect area = to_units(window_area(window), pixels_per_unit(window));
+    SDL_Rect area = window_to_units(window, window_area(window));
     return (GuiRect){(float)area.x, (float)area.y, (float)area.w, (float)area.h};
 }
 
@@ -252,6 +332,7 @@ static void show_toolbar(Window *window) {
                               .split = window->split.mode,
                               .shows_settings = window->shows_settings,
                               .shows_rays = window->ray_view.is_open,
+                              .shows_magnifier = window->magnifier.is_on,
                               .is_animated = state->is_animated,
                               .is_running = state->is_running,
                               .is_recording = state->is_recording};
@@ -262,24 +343,9 @@ static void show_toolbar(Window *window) {
  *  the room for them. */
 static void show_messages(const Window *window, int width, float bottom) {
     const Toast *toast = window->toast.text[0] != '\0' ? &window->toast : &window->hint;
-    if (toast->text[0] != '\0') {
+    if (toast->text[0] != '\0' && strcmp(toast->text, window->notice.text) != 0) {
         gui_message("toast", toast->text,
                     (GuiPoint){(float)width / 2, bottom - gui_text_size() / 2}, GUI_ABOVE);
-    }
-}
-
-/** Shows what the pixel under the mouse shows. @param height Of the window, screen units. */
-static void show_readout(const Window *window, int height) {
-    int x = 0, y = 0;
-    double right, down;
-    bool is_inside = SDL_GetMouseFocus() == window->sdl.window;
-    SDL_GetMouseState(&x, &y);
-    is_inside = is_inside && window_picture_position(window, x, y, &right, &down);
-    bool is_difference = window->split.mode == SPLIT_DIFFERENCE;
-    if (is_inside && !is_difference && !window->ray_view.is_open && window->hint.text[0] == '\0') {
-        bool is_right = window_viewport_count(window) > 1 && right >= window->split.bar_position;
-        pixel_readout_show(&window->viewports[is_right ? 1 : 0], right, down,
-                           (GuiPoint){0, (float)height});
     }
 }
 
@@ -318,7 +384,7 @@ static void show_cursor(const Window *window) {
 /** Shows the marks of the lights. */
 static void show_light_marks(Window *window) {
     if (!window->ray_view.is_open && !window->toolbar.is_folded && window->state.scene) {
-        SDL_Rect picture = to_units(window_picture_rect(window), pixels_per_unit(window));
+        SDL_Rect picture = window_to_units(window, window_picture_rect(window));
         light_marks_show(&window->light_marks, window->state.scene, &picture,
                          window->state.selected_light);
     }
@@ -339,9 +405,28 @@ static void show_rays(Window *window) {
     bool is_covered = window->help.is_open || window->browser.is_open;
     if (window->ray_view.is_open && !is_covered && window->state.scene) {
         double scale = pixels_per_unit(window);
-        SDL_Rect area = to_units(window_area(window), scale);
+        SDL_Rect area = window_to_units(window, window_area(window));
         ray_view_show_widgets(&window->ray_view, window->state.scene, &window->help, &area, scale);
     }
+}
+
+/** Shows the panel of the lesson that plays. */
+static void show_lesson_panel(Window *window) {
+    SDL_Rect area = area_below_toolbar(window), panel = split_off_panel(window, &area);
+    if (window->lesson_panel.lesson) {
+        panel = window_to_units(window, panel);
+        lesson_panel_show(&window->lesson_panel, &panel);
+    }
+}
+
+/** @return The part of the window for panels: below the bar, or below its button if it is folded.
+ */
+static GuiRect area_below_button(const Window *window) {
+    GuiRect area = window_area_units(window);
+    float hidden = SDL_max(0, window->toolbar.height - area.y);
+    area.y += hidden;
+    area.height = SDL_max(1, area.height - hidden);
+    return area;
 }
 
 void window_show_widgets(Window *window) {
@@ -356,7 +441,7 @@ void window_show_widgets(Window *window) {
         show_toolbar(window);
     }
     show_cursor(window);
-    GuiRect area = window_area_units(window);
+    GuiRect area = area_below_button(window);
     float bottom = area.y + area.height;
     window->light_marks.count = 0;
     if (window->help.is_open) {
@@ -365,10 +450,11 @@ void window_show_widgets(Window *window) {
         browser_show(&window->browser, window->sdl.renderer, &area);
     } else {
         show_light_marks(window);
-        if (!window->toolbar.is_folded) {
-            show_readout(window, height);
-        }
+        window_follow_mouse(window);
+        window_show_values(window);
+        window_show_readout(window);
         show_rays(window);
+        show_lesson_panel(window);
         area.height = SDL_max(1, area.height - gui_readout_height());
         bottom = window_show_panels(window, &area);
     }
@@ -391,6 +477,7 @@ void window_show_panels_alone(Window *window) {
     }
     GuiRect area = window_area_units(window);
     gui_begin_frame(window->gui, text_size(window));
+    window_show_values(window);
     show_rays(window);
     window_show_panels(window, &area);
     gui_end_frame(window->gui);
@@ -404,7 +491,7 @@ const LightMark *window_light_at(const Window *window, int x, int y) {
 
 bool window_drag_offset(const Window *window, size_t light, GuiPoint from, GuiPoint to,
                         bool is_along, Vec3d *offset) {
-    SDL_Rect picture = to_units(window_picture_rect(window), pixels_per_unit(window));
+    SDL_Rect picture = window_to_units(window, window_picture_rect(window));
     return window->state.scene && light_marks_drag_offset(window->state.scene, light, &picture,
                                                           from, to, is_along, offset);
 }

@@ -40,18 +40,7 @@ void current_scene_open(App *app, const char *path) {
     }
 }
 
-void current_scene_open_selected(App *app) {
-    Browser *browser = &app->window.browser;
-    char path[PATH_MAX];
-    browser->is_requested = false;
-    if (browser_selected_path(browser, path)) {
-        current_scene_open(app, path);
-        browser_close(browser);
-    }
-}
-
-/** Reports that a lesson needs the scene on screen. @return Whether one does. */
-static bool is_locked_by_lesson(App *app) {
+bool current_scene_is_locked(App *app) {
     bool is_locked = app_is_playing(app) || app_is_recording(app);
     if (is_locked) {
         app_set_status(app, "a lesson keeps to its scene");
@@ -60,7 +49,7 @@ static bool is_locked_by_lesson(App *app) {
 }
 
 void current_scene_browse(App *app) {
-    if (is_locked_by_lesson(app)) {
+    if (current_scene_is_locked(app)) {
         return;
     }
     if (!app->settings->preview || !app->window.gui ||
@@ -124,8 +113,13 @@ static bool replace_scene(App *app, SceneLoad *load, Error *error) {
     app->scene_time = load->time;
     app_sync_window(app);
     if (load->path[0] != '\0') {
-        set_path(app, load->path);
+        set_path(app, load->lesson ? load->lesson->scene : load->path);
         app->timeline = (Timeline){.time = load->time};
+    }
+    if (load->lesson) {
+        lesson_destroy(app->source.lesson);
+        app->source.lesson = load->lesson;
+        SDL_strlcpy(app->source.lesson_path, load->path, sizeof app->source.lesson_path);
     }
     app->source.has_load_error = false;
     app_on_view_changed(app);
@@ -210,4 +204,5 @@ void current_scene_end(App *app) {
     file_watcher_stop(&app->source.watcher);
     scene_loader_stop(&app->source.loader);
     scene_destroy(app->source.owned);
+    lesson_destroy(app->source.lesson);
 }

@@ -12,6 +12,7 @@
 #include <backends/imgui_impl_sdl.h>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <imgui.h>
 #include <imgui_internal.h>
 #include <new>
@@ -39,6 +40,8 @@ constexpr float COLUMN_GAP = 1;
 constexpr float LABEL_FRACTION = 0.55F;
 /** Padding left and right of a key in a list, in heights of letters. */
 constexpr float KEY_PADDING = 0.25F;
+/** Opacity of a panel that fills its room: the picture is hardly seen through it. */
+constexpr float PANEL_ALPHA = 0.95F;
 /** Most columns of a list. */
 constexpr int COLUMNS_MAXIMUM = 4;
 /** Smallest width of a thumbnail, in heights of letters. */
@@ -59,6 +62,10 @@ constexpr float SLIDER_WIDTH = 7;
 constexpr float LIGHT_RADIUS = 0.4F;
 /** Rays of the mark of a light. */
 constexpr int LIGHT_RAYS = 8;
+/** Width at which notes of a legend are broken into lines, in heights of letters. */
+constexpr float LEGEND_NOTE_WIDTH = 11;
+/** Height of the bar of a legend, in heights of letters. */
+constexpr float LEGEND_BAR_LINES = 11;
 /** Length of an arrow to a light outside the picture, in heights of letters. */
 constexpr float ARROW_LENGTH = 1.2F;
 /** Space beside the text of a label, in heights of letters. */
@@ -68,12 +75,23 @@ constexpr float FLIGHT_WIDTH = 0.22F;
 /** Step by which rows of a list are moved to the right, in heights of letters. */
 constexpr float ROW_INDENT = 0.7F;
 
+/** Width of cards and of lists of steps, in heights of letters. */
+constexpr float CARD_WIDTH = 32;
+/** Width of a panel from which answers stand side by side, in heights of letters. */
+constexpr float WIDE_PANEL = 24;
+/** Bytes of an answer with its number. */
+constexpr int ANSWER_SIZE = 1024;
+/** Behaviour of panels and cards. */
+constexpr ImGuiWindowFlags PANEL_FLAGS = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                                         ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings;
+
 /** The letters of English and French, and the signs of formulas, arrows and buttons. */
 constexpr ImWchar LETTERS[] = {
     0x20,   0xff,   0x152,  0x153,  0x3b1,  0x3c9,  0x2010, 0x2027, 0x202f, 0x202f, 0x2039, 0x203a,
     0x2190, 0x2199, 0x21a9, 0x21ba, 0x21de, 0x21df, 0x21e7, 0x21ea, 0x21f1, 0x21f2, 0x2212, 0x2212,
-    0x2248, 0x2248, 0x2260, 0x2265, 0x232b, 0x232b, 0x23ce, 0x23ce, 0x258f, 0x258f, 0x25a0, 0x25ff, 0x2600, 0x263c,
-    0x2699, 0x2699, 0x26a0, 0x26a0, 0x2713, 0x2717, 0x275a, 0x275a, 0};
+    0x2248, 0x2248, 0x2260, 0x2265, 0x232b, 0x232b, 0x23ce, 0x23ce, 0x258f, 0x258f, 0x25a0, 0x25ff,
+    0x2600, 0x263c, 0x2699, 0x2699, 0x26a0, 0x26a0, 0x2713, 0x2717, 0x275a, 0x275a, 0};
 /** The letters of headings. */
 constexpr ImWchar HEADING_LETTERS[] = {0x20,   0xff,   0x152,  0x153,  0x3b1,  0x3c9,  0x2010,
                                        0x2027, 0x202f, 0x202f, 0x2190, 0x2193, 0x2212, 0x2212,
@@ -87,6 +105,8 @@ constexpr ImU32 PALETTE[GUI_COLOR_COUNT] = {
     IM_COL32(205, 205, 215, 255), IM_COL32(225, 165, 215, 255), IM_COL32(215, 225, 120, 255)};
 /** Colour of what is on, and of lights. */
 constexpr ImU32 ACCENT = PALETTE[GUI_COLOR_ACCENT];
+/** Colour of the right answer: told from #ACCENT by every eye. */
+constexpr ImU32 RIGHT = IM_COL32(90, 180, 255, 255);
 /** Colour of outlines on the picture: seen on light and dark ground. */
 constexpr ImU32 OUTLINE = IM_COL32(0, 0, 0, 200);
 /** Colour of text on the picture. */
@@ -267,13 +287,20 @@ void record_text(const char *text, ImVec2 low, ImVec2 high, const ImVec4 &clip, 
     gui->texts.push_back(record);
 }
 
+/** @return What can be seen of a box in the window. */
+ImVec4 clipped(ImVec2 low, ImVec2 high) {
+    const ImVec4 &clip = ImGui::GetWindowDrawList()->_ClipRectStack.back();
+    return ImVec4(fmaxf(low.x, clip.x), fmaxf(low.y, clip.y), fminf(high.x, clip.z),
+                  fminf(high.y, clip.w));
+}
+
 /** Records the label of the last widget, which is cut where the widget ends. */
 void record_label(const char *label) {
     ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     ImVec2 size = ImGui::CalcTextSize(label);
     float left = (low.x + high.x - size.x) / 2, top = (low.y + high.y - size.y) / 2;
-    record_text(label, ImVec2(left, top), ImVec2(left + size.x, top + size.y),
-                ImVec4(low.x, low.y, high.x, high.y), ImGui::GetFontSize());
+    record_text(label, ImVec2(left, top), ImVec2(left + size.x, top + size.y), clipped(low, high),
+                ImGui::GetFontSize());
 }
 
 /** @return The end of the first line of a text: at a line's end or at a space, as Dear ImGui itself
@@ -569,8 +596,7 @@ void put_fitted_text(ImVec2 low, ImVec2 high, ImU32 color, const char *text) {
     ImVec2 extent(natural.x * size / usual, size);
     ImVec2 at(roundf((low.x + high.x - extent.x) / 2), roundf((low.y + high.y - extent.y) / 2));
     ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), size, at, color, text);
-    record_text(text, at, ImVec2(at.x + extent.x, at.y + extent.y),
-                ImVec4(low.x, low.y, high.x, high.y), size);
+    record_text(text, at, ImVec2(at.x + extent.x, at.y + extent.y), clipped(low, high), size);
 }
 
 /** Draws the picture of a thumbnail, or its message, and its name. @param low Upper left corner. */
@@ -618,6 +644,74 @@ void text_at_spaces(const char *text) {
     ImGui::Dummy(text_extent(text, width));
 }
 
+/** What the parts of a legend measure, pixels of the window. */
+struct LegendLayout {
+    float line;  /**< Height of a line. */
+    float gap;   /**< Distance of parts, and from the edge. */
+    float bar;   /**< Height of the bar; 0: none. */
+    float width; /**< Width of the contents. */
+    float notes; /**< Height of the notes. */
+    int apart;   /**< Colours that are not on the bar. */
+};
+
+/** @return The layout of a legend. @param highest See #gui_legend. */
+LegendLayout legend_layout(const GuiLegend *legend, float highest) {
+    LegendLayout layout = {ImGui::GetFontSize(), PADDING * ImGui::GetFontSize(), 0, 0, 0, 0};
+    const float swatch = 2 * layout.line + layout.gap;
+    layout.width = fmaxf(ImGui::CalcTextSize(legend->title).x, ImGui::CalcTextSize(legend->unit).x);
+    for (int i = 0; i < legend->swatch_count; i++) {
+        layout.apart += legend->swatches[i].position < 0;
+        layout.width =
+            fmaxf(layout.width, swatch + ImGui::CalcTextSize(legend->swatches[i].text).x);
+    }
+    for (int i = 0; i < legend->note_count; i++) {
+        float note =
+            fminf(ImGui::CalcTextSize(legend->notes[i]).x, LEGEND_NOTE_WIDTH * layout.line);
+        layout.width = fmaxf(layout.width, note);
+    }
+    for (int i = 0; i < legend->note_count; i++) {
+        layout.notes +=
+            ImGui::CalcTextSize(legend->notes[i], nullptr, false, layout.width).y + layout.gap / 2;
+    }
+    if (legend->bar_count > 0) {
+        float lines = static_cast<float>(layout.apart) + 1 + (legend->unit[0] != '\0' ? 1 : 0);
+        float rest = highest - lines * layout.line - layout.notes - 5 * layout.gap;
+        layout.bar = fmaxf(fminf(LEGEND_BAR_LINES * layout.line, rest), 2 * layout.line);
+    }
+    return layout;
+}
+
+/** Draws the bar of a legend with its ticks. Numbers that would overlap are left out. @param low
+ *  Its upper left corner. */
+void draw_legend_bar(ImDrawList *list, const GuiLegend *legend, const LegendLayout &layout,
+                     ImVec2 low) {
+    const float width = layout.line, top = low.y + layout.line / 2;
+    const float height = layout.bar - layout.line;
+    float last = low.y - layout.line;
+    for (int i = 0; i + 1 < legend->bar_count; i++) {
+        const unsigned char *below = legend->bar[i], *above = legend->bar[i + 1];
+        ImU32 dark = IM_COL32(below[0], below[1], below[2], 255);
+        ImU32 light = IM_COL32(above[0], above[1], above[2], 255);
+        float count = static_cast<float>(legend->bar_count - 1);
+        float from = top + height * (1 - static_cast<float>(i + 1) / count);
+        float to = top + height * (1 - static_cast<float>(i) / count);
+        list->AddRectFilledMultiColor(ImVec2(low.x, from), ImVec2(low.x + width, to), light, light,
+                                      dark, dark);
+    }
+    for (int i = 0; i < legend->swatch_count; i++) {
+        const GuiSwatch &tick = legend->swatches[i];
+        float y = top + height * (1 - tick.position);
+        if (tick.position < 0) {
+            continue;
+        }
+        list->AddLine(ImVec2(low.x + width, y), ImVec2(low.x + 1.5F * width, y), TEXT, 1.5F);
+        if (y - layout.line / 2 >= last + layout.line) {
+            last = y - layout.line / 2;
+            list->AddText(ImVec2(low.x + 2 * layout.line + layout.gap, last), TEXT, tick.text);
+        }
+    }
+}
+
 /** Writes a name with an outline. @param center Middle of its upper edge. */
 void draw_name(ImDrawList *list, ImVec2 center, const char *name) {
     ImVec2 size = ImGui::CalcTextSize(name);
@@ -628,6 +722,55 @@ void draw_name(ImDrawList *list, ImVec2 center, const char *name) {
     list->AddText(ImVec2(left, top), TEXT, name);
     record_text(name, ImVec2(left, top), ImVec2(left + size.x, top + size.y),
                 ImVec4(0, 0, display.x, display.y), ImGui::GetFontSize());
+}
+
+/** Writes an answer with its number, and a sign once it is known to be right or wrong. */
+void write_answer(const GuiAnswers &answers, int index, char text[ANSWER_SIZE]) {
+    const char *sign = "";
+    if (answers.right >= 0) {
+        sign = index == answers.right    ? "\xe2\x9c\x93 "
+               : index == answers.chosen ? "\xe2\x9c\x97 "
+                                         : "";
+    }
+    snprintf(text, ANSWER_SIZE, "%d  %s%s", index + 1, sign, answers.texts[index]);
+}
+
+/** @return Height of an answer in a given width. */
+float answer_height(const GuiAnswers &answers, int index, float width) {
+    const ImVec2 padding = ImGui::GetStyle().FramePadding;
+    char text[ANSWER_SIZE];
+    write_answer(answers, index, text);
+    return ImGui::CalcTextSize(text, nullptr, false, width - 2 * padding.x).y + 2 * padding.y;
+}
+
+/** Draws an answer as a button. @return Whether it was clicked. */
+bool draw_answer(const GuiAnswers &answers, int index, ImVec2 size) {
+    const ImGuiStyle &style = ImGui::GetStyle();
+    char text[ANSWER_SIZE];
+    bool is_marked = index == answers.chosen || index == answers.right;
+    bool is_dim = !answers.is_open && !is_marked;
+    write_answer(answers, index, text);
+    ImGui::PushID(index);
+    ImGui::BeginDisabled(!answers.is_open);
+    ImVec2 corner = ImGui::GetCursorScreenPos();
+    bool is_clicked = ImGui::InvisibleButton("answer", size);
+    ImGuiCol color = ImGui::IsItemActive()    ? ImGuiCol_ButtonActive
+                     : ImGui::IsItemHovered() ? ImGuiCol_ButtonHovered
+                                              : ImGuiCol_Button;
+    ImGui::EndDisabled();
+    ImVec2 end(corner.x + size.x, corner.y + size.y);
+    ImDrawList *list = ImGui::GetWindowDrawList();
+    list->AddRectFilled(corner, end, ImGui::GetColorU32(color), style.FrameRounding);
+    if (is_marked) {
+        list->AddRect(corner, end, index == answers.right ? RIGHT : ACCENT, style.FrameRounding, 0,
+                      2);
+    }
+    list->AddText(nullptr, 0,
+                  ImVec2(corner.x + style.FramePadding.x, corner.y + style.FramePadding.y),
+                  is_dim ? ImGui::GetColorU32(ImGuiCol_TextDisabled) : TEXT, text, nullptr,
+                  size.x - 2 * style.FramePadding.x);
+    ImGui::PopID();
+    return is_clicked && answers.is_open;
 }
 
 } // namespace
@@ -836,6 +979,7 @@ GuiCell gui_rows_panel(const char *id, const GuiPlace *place, const GuiRow *rows
 }
 
 void gui_panel_begin(const char *id, const GuiRect *room) {
+    ImGui::SetNextWindowBgAlpha(PANEL_ALPHA);
     begin_window(id, ImVec2(room->x, room->y), ImVec2(room->width, room->height), 0);
     if (ImGui::IsWindowAppearing()) {
         gui_request_frames(current_gui()); // The scroll bar comes when the height is known.
@@ -1051,15 +1195,17 @@ float gui_readout_height() {
 void gui_readout(const char *text, const unsigned char rgb[3], GuiPoint corner) {
     ImDrawList *list = ImGui::GetBackgroundDrawList();
     float size = ImGui::GetFontSize(), gap = PADDING * size;
-    ImVec2 low(corner.x, corner.y - gui_readout_height());
-    ImVec2 high(corner.x + ImGui::CalcTextSize(text).x + 2 * size + 3 * gap, corner.y);
+    float widest = ImGui::GetIO().DisplaySize.x - corner.x - 2 * size - 3 * gap;
+    ImVec2 area = ImGui::CalcTextSize(text, nullptr, false, widest);
+    ImVec2 low(corner.x, corner.y - area.y - 2 * gap);
+    ImVec2 high(corner.x + area.x + 2 * size + 3 * gap, corner.y);
     list->AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_WindowBg));
     list->AddRectFilled(ImVec2(low.x + gap, low.y + gap),
                         ImVec2(low.x + gap + 2 * size, high.y - gap),
                         IM_COL32(rgb[0], rgb[1], rgb[2], 255));
-    ImVec2 at(low.x + 2 * size + 2 * gap, low.y + gap), extent = ImGui::CalcTextSize(text);
-    list->AddText(at, TEXT, text);
-    record_text(text, at, ImVec2(at.x + extent.x, at.y + extent.y),
+    ImVec2 at(low.x + 2 * size + 2 * gap, low.y + gap);
+    list->AddText(nullptr, 0, at, TEXT, text, nullptr, widest);
+    record_text(text, at, ImVec2(at.x + area.x, at.y + area.y),
                 ImVec4(0, 0, ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y), size);
 }
 
@@ -1190,6 +1336,185 @@ void gui_flight(GuiPoint from, GuiPoint to, const unsigned char rgb[3]) {
     list->AddLine(start, end, IM_COL32(rgb[0], rgb[1], rgb[2], 255), width);
     list->AddCircleFilled(end, 2 * width, OUTLINE);
     list->AddCircleFilled(end, 1.6F * width, ACCENT);
+}
+
+/* --- values on the picture -------------------------------------------------------------------- */
+
+void gui_legend(const GuiLegend *legend, GuiPoint corner, float highest, bool is_right) {
+    ImDrawList *list = ImGui::GetBackgroundDrawList();
+    LegendLayout layout = legend_layout(legend, highest);
+    float lines = static_cast<float>(layout.apart) + (legend->unit[0] != '\0' ? 2 : 1);
+    float height = lines * layout.line + layout.bar + layout.notes + 4 * layout.gap;
+    float width = layout.width + 2 * layout.gap;
+    ImVec2 low(is_right ? corner.x - width : corner.x, corner.y - height);
+    list->AddRectFilled(low, ImVec2(low.x + width, corner.y), ImGui::GetColorU32(ImGuiCol_WindowBg),
+                        ROUNDING * layout.line);
+    ImVec2 at(low.x + layout.gap, low.y + layout.gap);
+    list->AddText(at, ACCENT, legend->title);
+    at.y += layout.line;
+    if (legend->unit[0] != '\0') {
+        list->AddText(at, TEXT, legend->unit);
+        at.y += layout.line;
+    }
+    at.y += layout.gap;
+    if (legend->bar_count > 0) {
+        draw_legend_bar(list, legend, layout, at);
+        at.y += layout.bar + layout.gap;
+    }
+    for (int i = 0; i < legend->swatch_count; i++) {
+        const GuiSwatch &swatch = legend->swatches[i];
+        if (swatch.position < 0) {
+            const float edge = layout.line / 8;
+            list->AddRectFilled(ImVec2(at.x, at.y + edge),
+                                ImVec2(at.x + 2 * layout.line, at.y + layout.line - edge),
+                                IM_COL32(swatch.rgb[0], swatch.rgb[1], swatch.rgb[2], 255));
+            list->AddText(ImVec2(at.x + 2 * layout.line + layout.gap, at.y), TEXT, swatch.text);
+            at.y += layout.line;
+        }
+    }
+    for (int i = 0; i < legend->note_count; i++) {
+        const char *note = legend->notes[i];
+        list->AddText(nullptr, 0, at, TEXT, note, nullptr, layout.width);
+        at.y += ImGui::CalcTextSize(note, nullptr, false, layout.width).y + layout.gap / 2;
+    }
+}
+
+void gui_ring(GuiPoint center, float radius) {
+    ImDrawList *list = ImGui::GetBackgroundDrawList();
+    ImVec2 middle(center.x, center.y);
+    list->AddCircle(middle, radius, OUTLINE, 0, 5);
+    list->AddCircle(middle, radius, IM_COL32(255, 255, 255, 255), 0, 2);
+}
+
+void gui_pixels(const GuiPixels *pixels, GuiPoint point, float top) {
+    ImDrawList *list = ImGui::GetBackgroundDrawList();
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float line = ImGui::GetFontSize(), gap = PADDING * line;
+    const float columns = static_cast<float>(pixels->columns);
+    const float rows = static_cast<float>(pixels->rows);
+    float cell = fmaxf(floorf(fminf(line, 0.45F * display.y / rows)), 3);
+    float width = fmaxf(cell * columns, ImGui::CalcTextSize(pixels->caption).x) + 2 * gap;
+    float height = cell * rows + line + 3 * gap;
+    float left =
+        point.x + 2 * line + width < display.x ? point.x + 2 * line : point.x - 2 * line - width;
+    float upper = point.y + height / 2 < display.y ? point.y - height / 2 : display.y - height;
+    ImVec2 low(fmaxf(left, 0), fmaxf(upper, top));
+    list->AddRectFilled(low, ImVec2(low.x + width, low.y + height),
+                        ImGui::GetColorU32(ImGuiCol_PopupBg), ROUNDING * line);
+    ImVec2 at(low.x + (width - cell * columns) / 2, low.y + gap);
+    for (int i = 0; i < pixels->columns * pixels->rows; i++) {
+        const unsigned char *rgb = pixels->rgb + 3 * i;
+        ImVec2 corner(at.x + cell * static_cast<float>(i % pixels->columns),
+                      at.y + cell * static_cast<float>(i / pixels->columns));
+        list->AddRectFilled(corner, ImVec2(corner.x + cell - 1, corner.y + cell - 1),
+                            IM_COL32(rgb[0], rgb[1], rgb[2], 255));
+    }
+    ImVec2 middle(at.x + cell * floorf(columns / 2), at.y + cell * floorf(rows / 2));
+    list->AddRect(ImVec2(middle.x - 2, middle.y - 2),
+                  ImVec2(middle.x + cell + 1, middle.y + cell + 1), OUTLINE, 0, 0, 4);
+    list->AddRect(ImVec2(middle.x - 1, middle.y - 1), ImVec2(middle.x + cell, middle.y + cell),
+                  ACCENT, 0, 0, 2);
+    list->AddText(ImVec2(low.x + gap, at.y + cell * rows + gap), TEXT, pixels->caption);
+}
+
+/* --- lessons ---------------------------------------------------------------------------------- */
+
+void gui_card_begin(const char *id) {
+    ImVec2 display = ImGui::GetIO().DisplaySize;
+    float letter = ImGui::GetFontSize();
+    float width = fminf(CARD_WIDTH * letter, display.x - letter);
+    ImGui::SetNextWindowPos(ImVec2(display.x / 2, display.y / 2), ImGuiCond_Always,
+                            ImVec2(0.5F, 0.5F));
+    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0),
+                                        ImVec2(width, fmaxf(letter, display.y - letter)));
+    ImGui::SetNextWindowFocus();
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
+    ImGui::Begin(id, nullptr, PANEL_FLAGS | ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::PopStyleColor();
+}
+
+void gui_item(const char *text) {
+    ImGui::Bullet();
+    ImGui::SameLine();
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+}
+
+void gui_same_line() {
+    ImGui::SameLine();
+}
+
+bool gui_step_button(const char *label, const char *tooltip, bool is_enabled, bool is_marked) {
+    ImGui::BeginDisabled(!is_enabled);
+    if (is_marked) {
+        ImGui::PushStyleColor(ImGuiCol_Text, ACCENT);
+    }
+    bool is_clicked = ImGui::Button(label);
+    if (is_marked) {
+        ImGui::PopStyleColor();
+    }
+    ImGui::EndDisabled();
+    show_tooltip(tooltip);
+    return is_clicked;
+}
+
+bool gui_step_list_begin(const char *label, const char *tooltip) {
+    if (ImGui::Button(label)) {
+        ImGui::OpenPopup("steps");
+    }
+    show_tooltip(tooltip);
+    ImVec2 display = ImGui::GetIO().DisplaySize;
+    float width = fminf(CARD_WIDTH * ImGui::GetFontSize(), display.x);
+    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0), ImVec2(width, display.y / 2));
+    return ImGui::BeginPopup("steps");
+}
+
+bool gui_step_list_entry(size_t index, const char *text, bool is_present) {
+    ImGui::PushID(static_cast<int>(index));
+    bool is_clicked = ImGui::Selectable("##entry", is_present);
+    if (is_present && ImGui::IsWindowAppearing()) {
+        ImGui::SetScrollHereY();
+    }
+    ImGui::SameLine(0, 0);
+    if (is_present) {
+        ImGui::PushStyleColor(ImGuiCol_Text, ACCENT);
+    }
+    ImGui::TextUnformatted(text);
+    if (is_present) {
+        ImGui::PopStyleColor();
+    }
+    ImGui::PopID();
+    return is_clicked;
+}
+
+void gui_step_list_end() {
+    ImGui::EndPopup();
+}
+
+int gui_answers(const GuiAnswers *answers) {
+    const ImGuiStyle &style = ImGui::GetStyle();
+    float whole = ImGui::GetContentRegionAvail().x;
+    int columns = 1, clicked = -1;
+    if (whole > WIDE_PANEL * ImGui::GetFontSize()) {
+        columns = answers->count <= 2 || answers->count == 4 ? 2 : 3;
+    }
+    float gaps = static_cast<float>(columns - 1) * style.ItemSpacing.x;
+    float width = (whole - gaps) / static_cast<float>(columns);
+    for (int row = 0; row < answers->count; row += columns) {
+        int end = row + columns < answers->count ? row + columns : answers->count;
+        float height = 0;
+        for (int i = row; i < end; i++) {
+            height = fmaxf(height, answer_height(*answers, i, width));
+        }
+        for (int i = row; i < end; i++) {
+            if (i > row) {
+                ImGui::SameLine();
+            }
+            clicked = draw_answer(*answers, i, ImVec2(width, height)) ? i : clicked;
+        }
+    }
+    return clicked;
 }
 
 } // extern "C"

@@ -244,8 +244,8 @@ void gui_message(const char *id, const char *text, GuiPoint point, GuiSide side)
 /** @return The height of what #gui_readout shows. */
 float gui_readout_height(void);
 
-/** Shows a colour and a text beside it. @param rgb The colour, sRGB. @param corner The lower left
- *  corner. */
+/** Shows a colour and a text beside it, in lines as wide as the window. @param rgb The colour,
+ *  sRGB. @param corner The lower left corner. */
 void gui_readout(const char *text, const unsigned char rgb[3], GuiPoint corner);
 
 /** Marks a light: a sun with a name below. @param is_selected Whether keys move it. */
@@ -317,6 +317,92 @@ void gui_label(const char *text, GuiPoint anchor, GuiPoint corner, bool is_brigh
 
 /** Draws a ray in flight: a bright line with a spot at its end. @param rgb Its colour, sRGB. */
 void gui_flight(GuiPoint from, GuiPoint to, const unsigned char rgb[3]);
+
+/* --- values on the picture -------------------------------------------------------------------- */
+
+/** A colour of a legend, with its text. */
+typedef struct GuiSwatch {
+    unsigned char rgb[3]; /**< The colour, sRGB. */
+    float position;       /**< Position on the bar, 0 to 1; below 0: it is below the bar. */
+    const char *text;     /**< Its number or its meaning. */
+} GuiSwatch;
+
+/** A legend: a title, a bar of colours with ticks, colours by themselves, notes. */
+typedef struct GuiLegend {
+    const char *title;             /**< What is shown. */
+    const char *unit;              /**< Its unit and scale; empty: none. */
+    const unsigned char (*bar)[3]; /**< Colours of the bar, from its lower end; sRGB. */
+    int bar_count;                 /**< Number of them; 0: there is no bar. */
+    const GuiSwatch *swatches;     /**< Ticks of the bar from its upper end, then colours. */
+    int swatch_count;              /**< Number of them. */
+    const char *const *notes;      /**< What else is to be said. */
+    int note_count;                /**< Number of them. */
+} GuiLegend;
+
+/**
+ * Draws a legend.
+ * @param corner    Its lower corner, on the side that \p is_right says.
+ * @param highest   Largest height, pixels of the window: the bar shrinks.
+ * @param is_right  Whether the corner is the right one.
+ */
+void gui_legend(const GuiLegend *legend, GuiPoint corner, float highest, bool is_right);
+
+/** Draws a ring around a pixel, seen on light and dark ground. */
+void gui_ring(GuiPoint center, float radius);
+
+/** Pixels as squares. */
+typedef struct GuiPixels {
+    const unsigned char *rgb; /**< Their colours, sRGB, row by row. */
+    int columns;              /**< Squares to the right, odd. */
+    int rows;                 /**< Squares down, odd. */
+    const char *caption;      /**< What the one in the middle shows. */
+} GuiPixels;
+
+/**
+ * Draws pixels as squares with lines between them; the one in the middle has a frame.
+ * @param point  What they are of; they lie beside it, inside the window.
+ * @param top    Upper edge of the free part of the window.
+ */
+void gui_pixels(const GuiPixels *pixels, GuiPoint point, float top);
+
+/* --- lessons ---------------------------------------------------------------------------------- */
+
+/** Begins a card in the middle of the window, as high as its text. #gui_panel_end follows. */
+void gui_card_begin(const char *id);
+
+/** Writes an item of a list in as many lines as it needs. */
+void gui_item(const char *text);
+
+/** Puts the next widget into the line of the last one. */
+void gui_same_line(void);
+
+/** A button that may be dimmed. @param is_enabled Whether it can be clicked. @param is_marked
+ *  Whether it is the one to click now. @return Whether it was clicked. */
+bool gui_step_button(const char *label, const char *tooltip, bool is_enabled, bool is_marked);
+
+/** A button with a list. @param label Its words. @return Whether the list is open: its entries
+ *  follow, then #gui_step_list_end. */
+bool gui_step_list_begin(const char *label, const char *tooltip);
+
+/** An entry of the list. @param index Its place, from 0. @param is_present Whether it is marked.
+ *  @return Whether it was clicked. */
+bool gui_step_list_entry(size_t index, const char *text, bool is_present);
+
+/** Ends the list that is open. */
+void gui_step_list_end(void);
+
+/** The answers to a question. */
+typedef struct GuiAnswers {
+    const char *const *texts; /**< The answers. */
+    int count;                /**< Number of answers. */
+    int chosen;               /**< Index of the chosen one; -1: none. */
+    int right;                /**< Index of the right one, to be shown; -1: not yet. */
+    bool is_open;             /**< Whether one may be chosen. */
+} GuiAnswers;
+
+/** Shows answers with their numbers, side by side where there is room. @return Index of the one
+ *  that was clicked; -1: none. */
+int gui_answers(const GuiAnswers *answers);
 
 #ifdef __cplusplus
 }

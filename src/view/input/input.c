@@ -41,12 +41,13 @@ static void end_all_moves(App *app, double time) {
     held_keys_release_all(&app->input.held_keys, time);
 }
 
-/** Steps to a pixel nearby: an arrow with Ctrl, while rays are shown. @return Whether the key is
- *  one for that. */
+/** Steps to a pixel nearby: an arrow with Ctrl, while rays or the magnifier are shown. @return
+ * Whether the key is one for that. */
 static bool step_pixel_by_key(App *app, const Command *command, int modifiers) {
     bool is_arrow =
         command && command->move.subject == MOVE_CAMERA && command->move.axis != MOVE_FORWARD;
-    if (!is_arrow || !app->window.ray_view.is_open || !(modifiers & KMOD_CTRL)) {
+    bool has_pixel = app->window.ray_view.is_open || app->window.magnifier.is_on;
+    if (!is_arrow || !has_pixel || !(modifiers & KMOD_CTRL)) {
         return false;
     }
     if (!app_is_playing(app)) {
@@ -104,6 +105,9 @@ static void on_key(App *app, const SDL_KeyboardEvent *key) {
         return;
     }
     if (is_down && step_pixel_by_key(app, command, key->keysym.mod)) {
+        return;
+    }
+    if (is_down && player_handle_digit(app, key->keysym.scancode)) {
         return;
     }
     double factor = speed_factor(key->keysym.mod);
@@ -250,7 +254,7 @@ static void on_wheel(App *app, const SDL_MouseWheelEvent *wheel) {
 static void apply_browser_result(App *app, BrowserResult result) {
     Browser *browser = &app->window.browser;
     if (result == BROWSER_OPEN_SCENE) {
-        current_scene_open_selected(app);
+        player_open_selected(app);
     } else if (result == BROWSER_CLOSE) {
         browser_close(browser);
     }
@@ -393,7 +397,7 @@ void input_handle_event(App *app, const SDL_Event *event) {
         on_window(app, &event->window);
         break;
     case SDL_DROPFILE:
-        current_scene_open(app, event->drop.file);
+        player_open_file(app, event->drop.file);
         SDL_free(event->drop.file);
         break;
     case SDL_KEYMAPCHANGED:

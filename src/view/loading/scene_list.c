@@ -6,6 +6,7 @@
 
 #include "base/data_dir.h"
 #include "base/language.h"
+#include "base/lesson_file.h"
 #include "base/scene_name.h"
 #include "render/ray_stack.h"
 
@@ -53,7 +54,7 @@ static void add_entry(SceneList *list, const char *folder, const char *file, boo
         return;
     }
     snprintf(scene->path, size, "%s%s", folder, file);
-    if (scene_title_is_lesson(scene->path) == wants_lesson) {
+    if (lesson_file_is(scene->path) == wants_lesson) {
         scene_name_from_path(scene->path, scene->name, sizeof scene->name);
         scene_title_read(scene->path, wants_lesson, language_is_french(), scene->title);
         list->count++;
@@ -78,7 +79,8 @@ static void list_folder(SceneList *list, const char *folder, bool wants_lessons)
     free(files);
 }
 
-/** Adds the lessons beside the scenes of a folder, then the scenes. @param folder See #list_folder. */
+/** Adds the lessons beside the scenes of a folder, then the scenes. @param folder See #list_folder.
+ */
 static void list_lessons_and_scenes(SceneList *list, const char *folder) {
     char lessons[PATH_MAX + sizeof LESSON_FOLDER];
     snprintf(lessons, sizeof lessons, "%s" LESSON_FOLDER, folder);

@@ -22,11 +22,11 @@ enum { SCENE_ENTRY_NAME_SIZE = 64 };
 
 /** A scene or a lesson of the list. */
 typedef struct SceneEntry {
-    char *path;                         /**< Its file; owned. */
-    char name[SCENE_ENTRY_NAME_SIZE];   /**< Its name. */
-    char title[SCENE_TITLE_SIZE];       /**< Its title, see #scene_title_read, or its error. */
-    bool is_lesson;                     /**< Whether it is a lesson. */
-    bool is_loaded;                     /**< Whether it was drawn or has an error. */
+    char *path;                       /**< Its file; owned. */
+    char name[SCENE_ENTRY_NAME_SIZE]; /**< Its name. */
+    char title[SCENE_TITLE_SIZE];     /**< Its title, see #scene_title_read, or its error. */
+    bool is_lesson;                   /**< Whether it is a lesson. */
+    bool is_loaded;                   /**< Whether it was drawn or has an error. */
     Picture picture; /**< Its thumbnail; empty: not drawn yet, or an error; owned. */
 } SceneEntry;
 

@@ -93,16 +93,3 @@ void scene_title_read(const char *path, bool is_lesson, bool is_french,
         fclose(file);
     }
 }
-
-bool scene_title_is_lesson(const char *path) {
-    char line[LINE_SIZE];
-    bool is_lesson = false;
-    FILE *file = fopen(path, "re");
-    for (int i = 0; file && !is_lesson && i < LINES_MAXIMUM && read_line(file, line); i++) {
-        is_lesson = begins_with(line, "lesson {") || begins_with(line, "lesson{");
-    }
-    if (file) {
-        fclose(file);
-    }
-    return is_lesson;
-}

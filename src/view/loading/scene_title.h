@@ -22,7 +22,4 @@ enum { SCENE_TITLE_SIZE = 256 };
 void scene_title_read(const char *path, bool is_lesson, bool is_french,
                       char title[SCENE_TITLE_SIZE]);
 
-/** @return Whether a file is a lesson: one of its lines begins with `lesson {`. */
-bool scene_title_is_lesson(const char *path);
-
 #endif

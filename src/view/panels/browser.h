@@ -16,9 +16,9 @@ typedef struct Browser {
     SceneList list;         /**< The scenes. */
     bool is_open;           /**< Whether it is shown. */
     bool is_reopen_pending; /**< Whether it is filled once the previous list's thread has ended. */
-    bool is_current_selected; /**< Whether the scene on screen was searched in it. */
-    char path[PATH_MAX];      /**< File of the scene on screen. */
-    size_t selected;          /**< Index of the selected scene. */
+    bool is_current_selected;         /**< Whether the scene on screen was searched in it. */
+    char path[PATH_MAX];              /**< File of the scene on screen. */
+    size_t selected;                  /**< Index of the selected scene. */
     char filter[BROWSER_FILTER_SIZE]; /**< Only scenes with these words are shown; empty: all. */
     bool scrolls;                     /**< Whether the next frame scrolls to the selected scene. */
     bool is_requested;                /**< Whether the selected scene was clicked. */

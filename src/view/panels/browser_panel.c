@@ -61,6 +61,14 @@ static void show_footer(const Browser *browser, const GuiRect *rect) {
     gui_panel_end();
 }
 
+/** Writes the name of a scene with spaces, where it can be broken into lines. */
+static void write_name(const SceneEntry *scene, char name[SCENE_ENTRY_NAME_SIZE]) {
+    SDL_strlcpy(name, scene->name, SCENE_ENTRY_NAME_SIZE);
+    for (char *c = name; *c; c++) {
+        *c = *c == '-' ? ' ' : *c;
+    }
+}
+
 /** Shows some scenes of the order. @param first First position. @param end Behind the last one. */
 static void show_part(Browser *browser, const BrowserOrder *order, size_t first, size_t end,
                       SDL_Renderer *renderer) {
@@ -70,13 +78,17 @@ static void show_part(Browser *browser, const BrowserOrder *order, size_t first,
         const SceneEntry *scene = &browser->list.scenes[index];
         bool is_selected = index == browser->selected;
         bool is_faulty = scene->is_loaded && !scene->picture.pixels;
-        const GuiThumbnail thumbnail = {
-            .texture = thumbnail_texture(browser, index, renderer),
-            .name = scene->is_lesson && !is_faulty ? scene->title : scene->name,
-            .message = is_faulty ? "⚠" : scene->is_loaded ? NULL : "…",
-            .color = is_faulty ? GUI_COLOR_ERROR : GUI_COLOR_FAINT,
-            .is_selected = is_selected,
-            .scrolls_to_it = is_selected && browser->scrolls};
+        char name[SCENE_ENTRY_NAME_SIZE];
+        write_name(scene, name);
+        const GuiThumbnail thumbnail = {.texture = thumbnail_texture(browser, index, renderer),
+                                        .name =
+                                            scene->is_lesson && !is_faulty ? scene->title : name,
+                                        .message = is_faulty          ? "⚠"
+                                                   : scene->is_loaded ? NULL
+                                                                      : "…",
+                                        .color = is_faulty ? GUI_COLOR_ERROR : GUI_COLOR_FAINT,
+                                        .is_selected = is_selected,
+                                        .scrolls_to_it = is_selected && browser->scrolls};
         int column = (int)((i - first) % (size_t)browser->columns);
         if (gui_thumbnail((int)index, &thumbnail, column, width) == GUI_CLICKED) {
             browser->selected = index;

@@ -143,6 +143,8 @@ void toolbar_show(Toolbar *toolbar, const ToolbarContent *content) {
         }
         command_button(toolbar, content, gettext("rays"), "rays", content->shows_rays);
         command_button(toolbar, content, gettext("costs"), "settings", content->shows_settings);
+        command_button(toolbar, content, gettext("magnifier"), "magnifier",
+                       content->shows_magnifier);
         command_button(toolbar, content, "↺", "as at first", false);
         command_button(toolbar, content, gettext("photo"), "snapshot", false);
         command_button(toolbar, content, "●", "record", content->is_recording);

@@ -78,6 +78,10 @@ static void run_requested_command(App *app) {
     if (rays->has_ray && !app_is_playing(app)) {
         command_choose_ray(app, rays->ray);
     }
+    if (app->window.browser.is_requested) {
+        player_open_selected(app);
+        window_present(&app->window);
+    }
     // What frames in between have requested counted from a part of the change.
     toolbar->command = NULL;
     *rays = (RayViewRequest){0};

@@ -5,14 +5,23 @@
 #include "view/window.h"
 
 #include "base/language.h"
+#include "view/panels/picture_unrest.h"
 #include "view/state/snapshot.h"
 
+#include <libintl.h>
 #include <stdlib.h>
 
 /** Factor of the size of letters per step. */
 static const double TEXT_SCALE_STEP = 1.2;
 /** Largest factor of the size of letters; the smallest is its inverse. */
 static const double TEXT_SCALE_MAXIMUM = 3;
+
+/** How much calmer the other edge must be until a caption goes there. */
+static const double UNREST_RATIO = 1.5;
+/** Seconds after a change of a setting that the panel of settings stays by itself. */
+static const double SETTINGS_SECONDS = 12;
+/** Seconds that the name of a layer is shown in a presentation. */
+static const double LAYER_NAME_SECONDS = 2.5;
 
 /** Distance from the bar at which the mouse drags it, fraction of the picture's width. */
 static const double BAR_REACH = 0.015;
@@ -81,10 +90,18 @@ static void update_text_now(Window *window) {
 void window_set_layer(Window *window, Layer layer) {
     update_text_now(window);
     viewport_set_layer(window_active_viewport(window), layer);
+    if (window->is_presenting) {
+        SDL_strlcpy(window->layer_name.text, gettext(layer_name(layer)),
+                    sizeof window->layer_name.text);
+        window->layer_name.end_time = clock_now_seconds() + LAYER_NAME_SECONDS;
+    }
 }
 
 void window_override_setting(Window *window, SettingsChangeFn *change, int step) {
     update_text_now(window);
+    if (!window->shows_settings || window->settings_end_time > 0) {
+        window->settings_end_time = clock_now_seconds() + SETTINGS_SECONDS;
+    }
     window->shows_settings = true;
     viewport_override_setting(window_active_viewport(window), &window->base_settings, change, step);
 }
@@ -152,7 +169,9 @@ void window_toggle_magnifier(Window *window) {
 
 void window_toggle_settings(Window *window) {
     update_text_now(window);
-    window->shows_settings = !window->shows_settings;
+    // A panel that came by itself is pinned.
+    window->shows_settings = !window->shows_settings || window->settings_end_time > 0;
+    window->settings_end_time = 0;
     window_present(window);
 }
 
@@ -227,6 +246,7 @@ bool window_on_resize(Window *window) {
 void window_on_device_reset(Window *window) {
     window_invalidate_text(window);
     gui_on_device_reset(window->gui);
+    browser_release_textures(&window->browser);
     streaming_texture_release(&window->split.difference_texture);
     for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
         streaming_texture_release(&window->viewports[i].texture);
@@ -275,22 +295,35 @@ static void show_huds(Window *window, const GuiRect *area, GuiRect extents[WINDO
     }
 }
 
+/** Chooses the edge of the picture at which the caption hides least. @param room The room for it,
+ *  @param is_top_free Whether nothing else lies at the upper edge. */
+static void choose_caption_edge(Window *window, const GuiRect *room, bool is_top_free) {
+    Caption *caption = &window->caption;
+    double part = (double)(caption_height(caption, room->width) / SDL_max(1, room->height));
+    double above = picture_unrest(&window->viewports[0], 0, part);
+    double below = picture_unrest(&window->viewports[0], 1 - part, 1);
+    double favour = caption->is_above ? UNREST_RATIO : 1 / UNREST_RATIO;
+    caption->is_above = is_top_free && above < below * favour;
+}
+
 float window_show_panels(Window *window, const GuiRect *area) {
     GuiRect extents[WINDOW_VIEWPORTS] = {{0}};
     GuiRect room = *area;
     if (!window->ray_view.is_open) {
         show_huds(window, area, extents);
     }
-    room.height = SDL_max(1, room.height - notice_show(&window->notice, &room));
+    float notice = notice_show(&window->notice, &room);
+    room.height = SDL_max(1, room.height - notice);
+    if (caption_is_open(&window->caption)) {
+        choose_caption_edge(window, &room, extents[0].height <= 0 && !window->ray_view.is_open);
+    }
     GuiRect caption = caption_show(&window->caption, &room);
     bool is_below = caption.height > 0 && !window->caption.is_above;
     return is_below ? caption.y : room.y + room.height;
 }
 
-/** Draws the pictures, and the list of scenes. */
+/** Draws the pictures. */
 static void draw_pictures(Window *window) {
-    double scale = window->text_scale > 0 ? window->text_scale : 1;
-    OverlayTarget target = {window->sdl.renderer, scale, 1, window_toolbar_height(window)};
     SDL_Rect area = window_area(window);
     sdl_window_clear(&window->sdl);
     if (window->ray_view.is_open && !window->help.is_open) {
@@ -299,7 +332,6 @@ static void draw_pictures(Window *window) {
     } else {
         draw_viewports(window);
     }
-    browser_show(&window->browser, &target);
 }
 
 void window_present(Window *window) {
@@ -309,7 +341,6 @@ void window_present(Window *window) {
 }
 
 void window_invalidate_text(Window *window) {
-    overlay_invalidate(&window->browser.overlay);
     for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
         hud_invalidate(&window->huds[i]);
     }

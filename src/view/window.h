@@ -52,26 +52,30 @@ typedef struct Window {
     SdlWindow sdl;                        /**< The window on the screen. */
     Hud huds[WINDOW_VIEWPORTS];           /**< The panel on each viewport. */
     bool shows_settings;                  /**< Whether the panels show the settings. */
-    Help help;                            /**< The help. */
-    Notice notice;                        /**< The notice of an error. */
-    Browser browser;                      /**< The list of scenes. */
-    Caption caption;                      /**< The caption that is typed. */
-    LessonPanel lesson_panel;             /**< The panel of a lesson. */
-    RayView ray_view;                      /**< The rays of one pixel. */
-    Gui *gui;                             /**< Buttons, lists and marks; owned; NULL: no font. */
-    bool opens_widgets;                   /**< Whether #gui is to be created. */
-    Toolbar toolbar;                      /**< The bar at the upper edge. */
-    int fitted_height;                    /**< Height of bar and lesson panel that the window has
-                                               room for, pixels. */
-    LightMarks light_marks;               /**< The marks of the lights. */
-    Magnifier magnifier;                  /**< Some pixels as squares. */
-    SettingsChartPanel settings_chart;    /**< Time against error of the settings tried. */
-    Toast toast;                          /**< The newest message. */
-    Toast hint;                           /**< What to press, at the start. */
-    double next_progress_time;            /**< When bar or legend say next how far it is, seconds. */
-    WindowState state;                    /**< What they show. */
-    double text_scale;                    /**< Factor of the size of letters; 0: 1. */
-    Latency latency;                      /**< The latency from keys to pictures. */
+    double settings_end_time; /**< When they go by themselves, seconds; 0: they are pinned. */
+    bool is_presenting;       /**< Whether the window is made for a class: no bar, large letters. */
+    Toast layer_name;         /**< Name of the layer, in a presentation. */
+    Help help;                /**< The help. */
+    Notice notice;            /**< The notice of an error. */
+    Browser browser;          /**< The list of scenes. */
+    Caption caption;          /**< The caption that is typed. */
+    LessonPanel lesson_panel; /**< The panel of a lesson. */
+    RayView ray_view;         /**< The rays of one pixel. */
+    Gui *gui;                 /**< Buttons, lists and marks; owned; NULL: no font. */
+    bool opens_widgets;       /**< Whether #gui is to be created. */
+    Toolbar toolbar;          /**< The bar at the upper edge. */
+    int fitted_height;        /**< Height of bar and lesson panel that the window has
+                                   room for, pixels. */
+    LightMarks light_marks;   /**< The marks of the lights. */
+    Magnifier magnifier;      /**< Some pixels as squares. */
+    SettingsChartPanel settings_chart; /**< Time against error of the settings tried. */
+    Toast toast;              /**< The newest message. */
+    Toast hint;               /**< What to press, at the start. */
+    double next_progress_time; /**< When bar or legend say next how far it is,
+                                    seconds. */
+    WindowState state;         /**< What they show. */
+    double text_scale;         /**< Factor of the size of letters; 0: 1. */
+    Latency latency;           /**< The latency from keys to pictures. */
     double first_present_time; /**< When the first picture was on screen, seconds; 0: not yet. */
     bool is_hidden;            /**< Whether the window is hidden or minimized. */
     uint32_t pass_event;       /**< SDL event of a finished pass. */
@@ -228,6 +232,9 @@ void window_set_lesson_panel(Window *window, const LessonPanel *panel);
 
 /** Shows or hides the toolbar. */
 void window_toggle_toolbar(Window *window);
+
+/** Begins or ends a presentation: no bar, larger letters, the pointer as a ring. */
+void window_toggle_presentation(Window *window);
 
 /** Sets what the window shows beside its pictures. */
 void window_set_state(Window *window, const WindowState *state);

@@ -6,6 +6,7 @@
 
 #include <libintl.h>
 #include <stdio.h>
+#include <string.h>
 
 /** Rows of text that fill the height below the toolbar: with a toolbar of three rows, letters are
  *  still 1/30 of the window, which can be read from the last row of a class. */
@@ -22,6 +23,8 @@ static const double TOAST_SECONDS = 4;
 static const double HINT_SECONDS = 6;
 /** Room for the swatch beside the sign of a recording, in heights of letters. */
 static const float RECORDING_MARGIN = 3.5F;
+/** Factor of the size of letters in a presentation. */
+static const float PRESENTATION_SCALE = 1.4F;
 /** Width of the window beside the picture from which the lesson panel stands there, and not below,
  *  in heights of letters. */
 static const double PANEL_WIDTH_MINIMUM = 12;
@@ -262,19 +265,47 @@ void window_toggle_toolbar(Window *window) {
     }
 }
 
+void window_toggle_presentation(Window *window) {
+    window->is_presenting = !window->is_presenting;
+    window->toolbar.is_folded = window->is_presenting;
+    window_relayout_toolbar(window);
+    if (window->gui) {
+        gui_set_ring(window->gui, window->is_presenting);
+    }
+    window_present(window);
+}
+
+/** Takes the settings away that came by themselves. @return Whether they were shown until now. */
+static bool expire_settings(Window *window, double now) {
+    bool is_over = window->settings_end_time > 0 && now >= window->settings_end_time;
+    if (is_over) {
+        window->shows_settings = false;
+        window->settings_end_time = 0;
+        for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
+            hud_invalidate(&window->huds[i]);
+        }
+    }
+    return is_over;
+}
+
 bool window_widgets_are_due(Window *window, double now) {
     bool is_over = toast_expire(&window->toast, now);
     is_over = toast_expire(&window->hint, now) || is_over;
+    is_over = toast_expire(&window->layer_name, now) || is_over;
+    is_over = expire_settings(window, now) || is_over;
     return is_over || window_progress_timeout(window, now) <= 0 || gui_needs_frame(window->gui);
 }
 
 double window_widgets_timeout(const Window *window, double now) {
-    const Toast *const toasts[] = {&window->toast, &window->hint};
+    const Toast *const toasts[] = {&window->toast, &window->hint, &window->layer_name};
     double delay = gui_needs_frame(window->gui) ? 0 : window_progress_timeout(window, now);
     for (size_t i = 0; i < sizeof toasts / sizeof *toasts; i++) {
         if (toasts[i]->text[0] != '\0') {
             delay = fmin(delay, fmax(0, toasts[i]->end_time - now));
         }
+    }
+    if (window->settings_end_time > 0) {
+        delay = fmin(delay, fmax(0, window->settings_end_time - now));
     }
     return delay;
 }
@@ -325,7 +356,7 @@ static void show_recording_sign(const Window *window, int width) {
  *  the room for them. */
 static void show_messages(const Window *window, int width, float bottom) {
     const Toast *toast = window->toast.text[0] != '\0' ? &window->toast : &window->hint;
-    if (toast->text[0] != '\0') {
+    if (toast->text[0] != '\0' && strcmp(toast->text, window->notice.text) != 0) {
         gui_message("toast", toast->text,
                     (GuiPoint){(float)width / 2, bottom - gui_text_size() / 2}, GUI_ABOVE);
     }
@@ -335,9 +366,32 @@ static void show_messages(const Window *window, int width, float bottom) {
 static float text_size(const Window *window) {
     int width = 0, height = 0;
     double scale = window->text_scale > 0 ? window->text_scale : 1;
+    scale *= window->is_presenting ? (double)PRESENTATION_SCALE : 1;
     window_size_below_toolbar(window, &width, &height);
     // Whole units: the bar keeps its height while the window gains a pixel.
     return ceilf((float)scale * SDL_max(TEXT_SIZE_MINIMUM, (float)height / ROWS_BELOW_TOOLBAR));
+}
+
+/** Gives the mouse the shape of what it does: a hand over a light, arrows at the bar between two
+ *  pictures and while something is dragged. */
+static void show_cursor(const Window *window) {
+    int x = 0, y = 0;
+    double right = 0, down = 0;
+    Uint32 buttons = SDL_GetMouseState(&x, &y);
+    bool is_inside = SDL_GetMouseFocus() == window->sdl.window && !window->help.is_open &&
+                     !window->browser.is_open &&
+                     window_picture_position(window, x, y, &right, &down);
+    if (!is_inside) {
+        return;
+    }
+    bool is_at_bar = !window->ray_view.is_open && window_is_at_bar(window, right);
+    if (window->split.is_dragged || is_at_bar) {
+        gui_set_cursor(GUI_CURSOR_SIDEWAYS);
+    } else if (buttons & SDL_BUTTON_LMASK) {
+        gui_set_cursor(GUI_CURSOR_MOVE);
+    } else if (window_light_at(window, x, y)) {
+        gui_set_cursor(GUI_CURSOR_HAND);
+    }
 }
 
 /** Shows the marks of the lights. */
@@ -378,6 +432,16 @@ static void show_lesson_panel(Window *window) {
     }
 }
 
+/** @return The part of the window for panels: below the bar, or below its button if it is folded.
+ */
+static GuiRect area_below_button(const Window *window) {
+    GuiRect area = window_area_units(window);
+    float hidden = SDL_max(0, window->toolbar.height - area.y);
+    area.y += hidden;
+    area.height = SDL_max(1, area.height - hidden);
+    return area;
+}
+
 void window_show_widgets(Window *window) {
     int width = 0, height = 0;
     if (!window->gui) {
@@ -385,17 +449,20 @@ void window_show_widgets(Window *window) {
     }
     SDL_GetWindowSize(window->sdl.window, &width, &height);
     gui_begin_frame(window->gui, text_size(window));
-    if (window->toolbar.is_folded && window->lesson_panel.lesson) {
-        window->toolbar.height = 0; // Its button would cover what the lesson shows.
-    } else {
+    window->toolbar.height = 0;
+    // The button of a folded bar would cover what a lesson shows.
+    if (!window->is_presenting && !(window->toolbar.is_folded && window->lesson_panel.lesson)) {
         show_toolbar(window);
     }
-    GuiRect area = window_area_units(window);
+    show_cursor(window);
+    GuiRect area = area_below_button(window);
     float bottom = area.y + area.height;
     window->light_marks.count = 0;
     if (window->help.is_open) {
         show_help(window, &area);
-    } else if (!window->browser.is_open) {
+    } else if (window->browser.is_open) {
+        browser_show(&window->browser, window->sdl.renderer, &area);
+    } else {
         show_light_marks(window);
         window_follow_mouse(window);
         window_show_values(window);
@@ -408,6 +475,9 @@ void window_show_widgets(Window *window) {
     }
     show_recording_sign(window, width);
     show_messages(window, width, bottom);
+    if (window->layer_name.text[0] != '\0') {
+        gui_title(window->layer_name.text, (GuiPoint){(float)width / 2, area.y + gui_text_size()});
+    }
     gui_end_frame(window->gui);
 }
 

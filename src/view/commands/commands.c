@@ -323,15 +323,19 @@ static void toggle_toolbar(App *app, int argument) {
     window_toggle_toolbar(&app->window);
 }
 
+/** Begins or ends a presentation. */
+static void toggle_presentation(App *app, int argument) {
+    (void)argument;
+    window_toggle_presentation(&app->window);
+}
+
 /** Changes between the full screen and a window. */
 static void toggle_full_screen(App *app, int argument) {
     (void)argument;
     sdl_window_toggle_full_screen(&app->window.sdl);
 }
 
-/** Ends the lesson that plays, or else the program; while a lesson is recorded or plays, only when
- *  it is asked a second time. */
-static void leave_program(App *app) {
+void command_leave_program(App *app) {
     double now = clock_now_seconds();
     bool needs_confirmation = app_is_playing(app) || app_is_recording(app);
     if (!needs_confirmation || now < app->exit.confirmation_end) {
@@ -377,7 +381,7 @@ static void leave(App *app, int argument) {
     } else if (is_full) {
         toggle_full_screen(app, 0);
     } else {
-        leave_program(app);
+        command_leave_program(app);
     }
 }
 
@@ -468,9 +472,9 @@ const Command command_table[] = {
     {"offset", {KEY(o)}, N_("offset"), PICTURE, .help = N_("offset: none, fixed, bound"), RUNS(change_offset, 1)},
     {"offset back", {KEY(o)}, .flags = COMMAND_SHIFT, RUNS(change_offset, -1)},
     {"epsilon half", {ONLY_PLACE(LEFTBRACKET, NULL)}, "ε / 2", PICTURE, EPSILON, .flags = COMMAND_REPEATS, RUNS(change_epsilon, -2)},
-    {"epsilon tenth", {ONLY_PLACE(LEFTBRACKET, NULL)}, .flags = COMMAND_SHIFT, RUNS(change_epsilon, -10)},
+    {"epsilon tenth", {ONLY_PLACE(LEFTBRACKET, NULL)}, .flags = COMMAND_SHIFT | COMMAND_REPEATS, RUNS(change_epsilon, -10)},
     {"epsilon twice", {ONLY_PLACE(RIGHTBRACKET, NULL)}, "ε × 2", PICTURE, EPSILON, .flags = COMMAND_REPEATS, RUNS(change_epsilon, 2)},
-    {"epsilon ten times", {ONLY_PLACE(RIGHTBRACKET, NULL)}, .flags = COMMAND_SHIFT, RUNS(change_epsilon, 10)},
+    {"epsilon ten times", {ONLY_PLACE(RIGHTBRACKET, NULL)}, .flags = COMMAND_SHIFT | COMMAND_REPEATS, RUNS(change_epsilon, 10)},
     {"engine", {KEY(g)}, N_("engine"), PICTURE, .help = N_("float, double, quad; which light"), RUNS(change_engine, 1)},
     {"engine back", {KEY(g)}, .flags = COMMAND_SHIFT, RUNS(change_engine, -1)},
     {"light mode", {KEY(m)}, N_("light"), PICTURE, .help = N_("float, double, quad; which light"), RUNS(change_lighting, 1)},
@@ -528,6 +532,8 @@ const Command command_table[] = {
     {"help", {KEY(F1), KEY(h)}, N_("help"), PROGRAM, .help = N_("this help"), .flags = COMMAND_WHILE_PLAYING, RUNS(toggle_help, 0)},
     {"toolbar", {KEY(F2)}, N_("tools"), PROGRAM, .help = N_("toolbar, full screen"),
      .flags = COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(toggle_toolbar, 0)},
+    {"presentation", {KEY(F5)}, N_("class"), PROGRAM, .help = N_("for a class: large letters, no toolbar"),
+     .flags = COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(toggle_presentation, 0)},
     {"full screen", {KEY(F11)}, N_("screen"), PROGRAM, .help = N_("toolbar, full screen"), .flags = COMMAND_WHILE_PLAYING, RUNS(toggle_full_screen, 0)},
     {"leave", {NAMED(ESCAPE, N_("Esc"))}, N_("leave"), PROGRAM, .help = N_("leave"),
      .flags = COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(leave, 0)},

@@ -28,6 +28,8 @@ constexpr float PADDING = 0.4F;
 constexpr float ROUNDING = 0.3F;
 /** Size of headings, in heights of letters. */
 constexpr float HEADING_SIZE = 1.2F;
+/** Size of very large letters, in heights of letters. */
+constexpr float TITLE_SIZE = 2.2F;
 /** Distance of two lines of a list, in heights of letters. */
 constexpr float LINE_PITCH = 1.3F;
 /** Width of a swatch, in heights of letters. */
@@ -38,6 +40,8 @@ constexpr float COLUMN_GAP = 1;
 constexpr float LABEL_FRACTION = 0.55F;
 /** Padding left and right of a key in a list, in heights of letters. */
 constexpr float KEY_PADDING = 0.25F;
+/** Opacity of a panel that fills its room: the picture is hardly seen through it. */
+constexpr float PANEL_ALPHA = 0.95F;
 /** Most columns of a list. */
 constexpr int COLUMNS_MAXIMUM = 4;
 /** Smallest width of a thumbnail, in heights of letters. */
@@ -96,8 +100,8 @@ constexpr ImGuiWindowFlags PANEL_FLAGS = ImGuiWindowFlags_NoTitleBar | ImGuiWind
 constexpr ImWchar LETTERS[] = {
     0x20,   0xff,   0x152,  0x153,  0x3b1,  0x3c9,  0x2010, 0x2027, 0x202f, 0x202f, 0x2039, 0x203a,
     0x2190, 0x2199, 0x21a9, 0x21ba, 0x21de, 0x21df, 0x21e7, 0x21ea, 0x21f1, 0x21f2, 0x2212, 0x2212,
-    0x2248, 0x2248, 0x2260, 0x2265, 0x232b, 0x232b, 0x23ce, 0x23ce, 0x25a0, 0x25ff, 0x2600, 0x263c,
-    0x2699, 0x2699, 0x26a0, 0x26a0, 0x2713, 0x2717, 0x275a, 0x275a, 0};
+    0x2248, 0x2248, 0x2260, 0x2265, 0x232b, 0x232b, 0x23ce, 0x23ce, 0x258f, 0x258f, 0x25a0, 0x25ff,
+    0x2600, 0x263c, 0x2699, 0x2699, 0x26a0, 0x26a0, 0x2713, 0x2717, 0x275a, 0x275a, 0};
 /** The letters of headings. */
 constexpr ImWchar HEADING_LETTERS[] = {0x20,   0xff,   0x152,  0x153,  0x3b1,  0x3c9,  0x2010,
                                        0x2027, 0x202f, 0x202f, 0x2190, 0x2193, 0x2212, 0x2212,
@@ -179,6 +183,7 @@ struct Gui {
     SDL_Texture *letters;     /**< The letters; owned; null: none. */
     float letter_size;        /**< Their height, pixels of the screen; 0: none. */
     ImFont *heading;          /**< The letters of headings. */
+    SDL_Cursor *ring;         /**< The mouse as a ring; owned; null: as usual. */
     int due_frames;           /**< Frames to be drawn, see FRAMES_PER_EVENT. */
     bool closes_list;         /**< Whether the open list is closed in the next frame. */
     bool records_texts;       /**< Whether #texts are recorded. */
@@ -186,6 +191,37 @@ struct Gui {
 };
 
 namespace {
+
+/** Frees the ring. */
+void release_ring(Gui *gui) {
+    if (gui->ring) {
+        SDL_FreeCursor(gui->ring);
+        gui->ring = nullptr;
+    }
+}
+
+/** @return A ring as a cursor; null: SDL has none. @param size Pixels. */
+SDL_Cursor *create_ring(int size) {
+    const float middle = static_cast<float>(size) / 2, width = middle / 4;
+    SDL_Surface *surface =
+        SDL_CreateRGBSurfaceWithFormat(0, size, size, 32, SDL_PIXELFORMAT_ARGB8888);
+    if (!surface) {
+        return nullptr;
+    }
+    for (int y = 0; y < size; y++) {
+        Uint32 *row = reinterpret_cast<Uint32 *>(static_cast<char *>(surface->pixels) +
+                                                 static_cast<ptrdiff_t>(y) * surface->pitch);
+        for (int x = 0; x < size; x++) {
+            float radius = hypotf(static_cast<float>(x) + 0.5F - middle,
+                                  static_cast<float>(y) + 0.5F - middle);
+            float depth = fabsf(radius - (middle - width));
+            row[x] = depth < width / 2 ? 0xffffcd5a : depth < width ? 0xc0000000 : 0;
+        }
+    }
+    SDL_Cursor *cursor = SDL_CreateColorCursor(surface, size / 2, size / 2);
+    SDL_FreeSurface(surface);
+    return cursor;
+}
 
 /** Frees the texture of the letters. */
 void release_letters(Gui *gui) {
@@ -263,13 +299,20 @@ void record_text(const char *text, ImVec2 low, ImVec2 high, const ImVec4 &clip, 
     gui->texts.push_back(record);
 }
 
+/** @return What can be seen of a box in the window. */
+ImVec4 clipped(ImVec2 low, ImVec2 high) {
+    const ImVec4 &clip = ImGui::GetWindowDrawList()->_ClipRectStack.back();
+    return ImVec4(fmaxf(low.x, clip.x), fmaxf(low.y, clip.y), fminf(high.x, clip.z),
+                  fminf(high.y, clip.w));
+}
+
 /** Records the label of the last widget, which is cut where the widget ends. */
 void record_label(const char *label) {
     ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     ImVec2 size = ImGui::CalcTextSize(label);
     float left = (low.x + high.x - size.x) / 2, top = (low.y + high.y - size.y) / 2;
-    record_text(label, ImVec2(left, top), ImVec2(left + size.x, top + size.y),
-                ImVec4(low.x, low.y, high.x, high.y), ImGui::GetFontSize());
+    record_text(label, ImVec2(left, top), ImVec2(left + size.x, top + size.y), clipped(low, high),
+                ImGui::GetFontSize());
 }
 
 /** @return The end of the first line of a text: at a line's end or at a space, as Dear ImGui itself
@@ -565,8 +608,7 @@ void put_fitted_text(ImVec2 low, ImVec2 high, ImU32 color, const char *text) {
     ImVec2 extent(natural.x * size / usual, size);
     ImVec2 at(roundf((low.x + high.x - extent.x) / 2), roundf((low.y + high.y - extent.y) / 2));
     ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), size, at, color, text);
-    record_text(text, at, ImVec2(at.x + extent.x, at.y + extent.y),
-                ImVec4(low.x, low.y, high.x, high.y), size);
+    record_text(text, at, ImVec2(at.x + extent.x, at.y + extent.y), clipped(low, high), size);
 }
 
 /** Draws the picture of a thumbnail, or its message, and its name. @param low Upper left corner. */
@@ -901,6 +943,7 @@ void gui_destroy(Gui *gui) {
     if (gui) {
         ImGui::SetCurrentContext(gui->context);
         release_letters(gui);
+        release_ring(gui);
         ImGui_ImplSDL2_Shutdown();
         ImGui::DestroyContext(gui->context);
         delete gui;
@@ -993,6 +1036,36 @@ void gui_request_frames(Gui *gui) {
     }
 }
 
+void gui_set_cursor(GuiCursor cursor) {
+    static const ImGuiMouseCursor cursors[] = {ImGuiMouseCursor_Hand, ImGuiMouseCursor_ResizeAll,
+                                               ImGuiMouseCursor_ResizeEW};
+    ImGui::SetMouseCursor(cursors[cursor]);
+}
+
+void gui_set_ring(Gui *gui, bool is_wanted) {
+    ImGui::SetCurrentContext(gui->context);
+    ImGuiIO &io = ImGui::GetIO();
+    release_ring(gui);
+    io.ConfigFlags &= ~ImGuiConfigFlags_NoMouseCursorChange;
+    gui->ring = is_wanted ? create_ring(2 * static_cast<int>(gui->letter_size)) : nullptr;
+    if (gui->ring) {
+        io.ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
+        SDL_SetCursor(gui->ring);
+    }
+}
+
+void gui_title(const char *text, GuiPoint top) {
+    ImDrawList *list = ImGui::GetForegroundDrawList();
+    ImFont *font = current_gui()->heading;
+    const float size = TITLE_SIZE * ImGui::GetFontSize(), pad = PADDING * size;
+    ImVec2 extent = font->CalcTextSizeA(size, FLT_MAX, 0, text);
+    ImVec2 at(roundf(top.x - extent.x / 2), roundf(top.y + pad));
+    list->AddRectFilled(ImVec2(at.x - pad, top.y),
+                        ImVec2(at.x + extent.x + pad, at.y + extent.y + pad),
+                        ImGui::GetColorU32(ImGuiCol_WindowBg), ROUNDING * size);
+    list->AddText(font, size, at, ACCENT, text);
+}
+
 void gui_record_texts(Gui *gui, bool is_wanted) {
     gui->records_texts = is_wanted;
 }
@@ -1048,6 +1121,7 @@ GuiCell gui_rows_panel(const char *id, const GuiPlace *place, const GuiRow *rows
 }
 
 void gui_panel_begin(const char *id, const GuiRect *room) {
+    ImGui::SetNextWindowBgAlpha(PANEL_ALPHA);
     begin_window(id, ImVec2(room->x, room->y), ImVec2(room->width, room->height), 0);
     if (ImGui::IsWindowAppearing()) {
         gui_request_frames(current_gui()); // The scroll bar comes when the height is known.
@@ -1334,8 +1408,9 @@ void gui_list_heading(const char *text) {
 
 void gui_list_text(const char *label, const char *text) {
     if (label[0] != '\0') {
-        ImVec2 size = ImGui::CalcTextSize(label);
-        put_text(ImGui::GetCursorScreenPos(), 0, ACCENT, label);
+        const float width = ImGui::GetContentRegionAvail().x;
+        ImVec2 size = text_extent(label, width);
+        put_text(ImGui::GetCursorScreenPos(), width, ACCENT, label);
         ImGui::Dummy(size);
         float left = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x;
         float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;

@@ -70,6 +70,22 @@ float gui_text_size(void);
 /** Has some more frames drawn: what is shown has changed, and panels find their size. */
 void gui_request_frames(Gui *gui);
 
+/** The shapes of the mouse. */
+typedef enum {
+    GUI_CURSOR_HAND,    /**< Something can be taken or clicked. */
+    GUI_CURSOR_MOVE,    /**< Something is moved. */
+    GUI_CURSOR_SIDEWAYS /**< Something can be moved left and right. */
+} GuiCursor;
+
+/** Sets the shape of the mouse for this frame, unless it is over a widget. */
+void gui_set_cursor(GuiCursor cursor);
+
+/** Shows the mouse as a large ring, which a class sees, or as usual. */
+void gui_set_ring(Gui *gui, bool is_wanted);
+
+/** Writes a text in very large letters. @param top Middle of its upper edge. */
+void gui_title(const char *text, GuiPoint top);
+
 /* --- the palette ------------------------------------------------------------------------------ */
 
 /** The colours of text and marks. */

@@ -140,6 +140,16 @@ void player_open_file(App *app, const char *path) {
     current_scene_open(app, path);
 }
 
+void player_open_selected(App *app) {
+    Browser *browser = &app->window.browser;
+    char path[PATH_MAX];
+    browser->is_requested = false;
+    if (browser_selected_path(browser, path)) {
+        player_open_file(app, path);
+        browser_close(browser);
+    }
+}
+
 /** Ends the lesson after its last step: shows its end card. */
 static void finish_lesson(App *app) {
     Player *player = &app->player;

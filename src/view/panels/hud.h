@@ -21,9 +21,9 @@ typedef struct Hud {
 
 /** The content of the panel. */
 typedef struct HudContent {
-    const Viewport *viewport;        /**< The picture. */
-    const char *title;               /**< Its name, in English; NULL: there is only one picture. */
-    bool shows_settings;             /**< Whether settings and cost are shown. */
+    const Viewport *viewport; /**< The picture. */
+    const char *title;        /**< Its name, in English; NULL: there is only one picture. */
+    bool shows_settings;      /**< Whether settings and cost are shown. */
 } HudContent;
 
 /** Updates the panel, at most a few times per second, so that it can be read. */

@@ -14,16 +14,6 @@ box=$root/scenes/box.lua
 probe=${PROBE:-$root/build/tests/picture_probe}
 [ -x "$probe" ] || make -s build/tests/picture_probe || exit 1
 
-# shoot: takes a snapshot and sets `shot` to its path and `view` to its scene text.
-shoot() {
-    local before
-    before=$(wc -l <"$work/log")
-    xdotool key p
-    within has_lines "$work/log" "$before"
-    view=$(tail -1 "$work/log")
-    shot=$work/shots/${view##*-- }
-}
-
 # --- measuring -----------------------------------------------------------------------------------
 # numbers PART: position of the camera or of the first or second light in `view`.
 numbers() {

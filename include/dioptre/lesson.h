@@ -24,6 +24,10 @@ enum { LESSON_QUESTIONS_MAXIMUM = 64 };
 enum { LESSON_CHOICES_MINIMUM = 2, LESSON_CHOICES_MAXIMUM = 9 };
 /** Largest number of sentences about what a lesson teaches: they fit on the end card. */
 enum { LESSON_LEARNT_MAXIMUM = 6 };
+/** Largest number of lights that #LESSON_DRAG can name. */
+enum { LESSON_LIGHTS_MAXIMUM = 1000000 };
+/** Largest number of rays that #LESSON_RAY can name. */
+enum { LESSON_RAYS_MAXIMUM = 1000000 };
 /** Largest wait, seconds. */
 #define LESSON_WAIT_MAXIMUM 3600.0
 

@@ -44,14 +44,6 @@ static bool read_pixel_position(const Options *options, ProbeReport *report, Err
     return report->y >= 0;
 }
 
-/** @return The settings of a probe: those of `render`, but one sample per pixel by default. */
-static RenderSettings probe_settings(const Options *options, const Scene *scene) {
-    RenderSettings settings = command_render_settings(options, scene);
-    settings.samples = options->samples ? options->samples : 1;
-    settings.threads = 1;
-    return settings;
-}
-
 /**
  * Writes a side view of the rays as SVG.
  * @param path  The file.
@@ -66,7 +58,7 @@ static bool probe_write_svg(const ProbeReport *report, const Renderer *renderer,
     snprintf(title, sizeof title, gettext("%.400s: pixel %d %d, colour #%02x%02x%02x"),
              report->path, report->x, report->y, (unsigned)pixel.channels[0],
              (unsigned)pixel.channels[1], (unsigned)pixel.channels[2]);
-    interrupt_flag(); // The drawing is still written after a signal: no temporary file is left.
+    interrupt_defer(); // The drawing is still written after a signal: no temporary file is left.
     RayChart chart = {report->scene, &report->settings,
                       renderer,      report->tree,
                       title,         report->ray < 0 ? RAY_CHART_NO_RAY : (size_t)report->ray};
@@ -99,14 +91,16 @@ static void probe_trace_and_print(const Options *options, ProbeReport *report, E
 }
 
 void cli_probe(const Options *options, Error *error) {
-    Scene *scene = command_load_scene(options, error);
+    ProbeReport report = {.path = options->arguments[0]};
+    Scene *scene = command_load_scene(options, &report.settings, error);
     if (!scene) {
         return;
     }
-    ProbeReport report = {.scene = scene,
-                          .path = options->arguments[0],
-                          .settings = probe_settings(options, scene),
-                          .ray = options->ray};
+    report.scene = scene;
+    report.ray = options->ray;
+    // The settings are those of `render`, but one sample per pixel by default.
+    report.settings.samples = options->samples ? options->samples : 1;
+    report.settings.threads = 1;
     if (read_pixel_position(options, &report, error)) {
         probe_trace_and_print(options, &report, error);
     }

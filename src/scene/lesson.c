@@ -4,6 +4,7 @@
  */
 #include "dioptre/lesson.h"
 
+#include "base/untrusted.h"
 #include "dioptre/scene.h"
 
 #include <string.h>
@@ -103,20 +104,12 @@ const char *lesson_text_localized(const LessonText *text, bool is_french) {
 
 /** @return Whether a text is NULL, or lies in the texts of a lesson, the last of which ends. */
 static bool check_text(const Lesson *lesson, const char *text) {
-    uintptr_t start = (uintptr_t)lesson->text;
-    return !text || ((uintptr_t)text >= start && (uintptr_t)text - start < lesson->text_used);
+    return !text || untrusted_lies_in(lesson->text, lesson->text_used, text, 1);
 }
 
 /** @return Whether a text in the languages of the program is valid. See #check_text. */
 static bool check_texts(const Lesson *lesson, const LessonText *text) {
     return check_text(lesson, text->english) && check_text(lesson, text->french);
-}
-
-/** @return Whether a flag has one of the bytes of a bool. */
-static bool check_flag(const bool *flag) {
-    unsigned char byte;
-    memcpy(&byte, flag, sizeof byte);
-    return byte <= 1;
 }
 
 /** @return Whether a number of the settings is unset or in range. */
@@ -161,17 +154,45 @@ static bool check_questions(const Lesson *lesson) {
     return is_valid;
 }
 
+/** A step of this kind names nothing by its action. */
+static const size_t NO_ACTION = SIZE_MAX;
+
+/** @return Number of things of which a step of a kind names one by its action; or #NO_ACTION. */
+static size_t action_count_of(const Lesson *lesson, LessonStepKind kind, int command_count) {
+    switch (kind) {
+    case LESSON_PRESS:
+    case LESSON_RELEASE:
+        return (size_t)command_count;
+    case LESSON_DRAG:
+        return LESSON_LIGHTS_MAXIMUM;
+    case LESSON_RAY:
+        return LESSON_RAYS_MAXIMUM;
+    case LESSON_ASK:
+    case LESSON_EXPLAIN:
+        return lesson->question_count;
+    default:
+        return NO_ACTION;
+    }
+}
+
+/** @return Whether the action of a step is one of those that its kind may name. */
+static bool check_action(const Lesson *lesson, const LessonStep *step, int command_count) {
+    size_t count = action_count_of(lesson, step->kind, command_count);
+    return count == NO_ACTION || (step->action >= 0 && (size_t)step->action < count);
+}
+
+/** @return Whether the numbers of a step are in range: lengths of the scene, or others. */
+static bool check_numbers(const LessonStep *step) {
+    double maximum = step->kind == LESSON_DRAG ? LENGTH_MAXIMUM : STEP_VALUE_MAXIMUM;
+    return fabs(step->x) <= maximum && fabs(step->y) <= maximum && fabs(step->z) <= maximum;
+}
+
 /** @return Whether a step is valid. @param time Time of the step before. */
 static bool check_step(const Lesson *lesson, const LessonStep *step, int64_t time,
                        int action_count) {
-    bool has_action = step->kind == LESSON_PRESS || step->kind == LESSON_RELEASE;
-    bool has_question = step->kind == LESSON_ASK || step->kind == LESSON_EXPLAIN;
     return step->kind <= LESSON_SNAPSHOT && step->time >= time &&
-           (!has_action || (step->action >= 0 && step->action < action_count)) &&
-           (!has_question ||
-            (step->action >= 0 && (size_t)step->action < lesson->question_count)) &&
-           fabs(step->x) <= STEP_VALUE_MAXIMUM && fabs(step->y) <= STEP_VALUE_MAXIMUM &&
-           check_texts(lesson, &step->text) && check_flag(&step->waits_for_viewer);
+           check_action(lesson, step, action_count) && check_numbers(step) &&
+           check_texts(lesson, &step->text) && untrusted_is_bool(&step->waits_for_viewer);
 }
 
 bool lesson_validate(const Lesson *lesson, size_t size, int action_count, Error *error) {

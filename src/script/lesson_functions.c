@@ -22,10 +22,6 @@ static const double SPEED_MAXIMUM = 1000;
 static const double SPEED_MINIMUM = 0.001;
 /** Largest rotation of the camera in one step, degrees. */
 static const double TURN_MAXIMUM = 360;
-/** Largest number of a light. */
-static const double LIGHT_NUMBER_MAXIMUM = 1e6;
-/** Largest index of a ray that a step can name. */
-static const double RAY_NUMBER_MAXIMUM = 1e6;
 /** Largest number of notches of the mouse wheel in one step. */
 static const double NOTCHES_MAXIMUM = 1000;
 
@@ -258,7 +254,7 @@ static int call_walk(lua_State *L) {
 static int call_ray(lua_State *L) {
     check_argument_count(L, 1, 1, "ray(NUMBER)");
     LessonStep step = {.kind = LESSON_RAY};
-    step.action = (int)read_number(L, 1, "ray", 0, RAY_NUMBER_MAXIMUM);
+    step.action = (int)read_number(L, 1, "ray", 0, LESSON_RAYS_MAXIMUM - 1);
     add_step(L, step);
     return 0;
 }
@@ -274,7 +270,7 @@ static int call_bar(lua_State *L) {
 static int call_drag(lua_State *L) {
     check_argument_count(L, 4, 4, "drag(LIGHT, X, Y, Z)");
     LessonStep step = {.kind = LESSON_DRAG};
-    step.action = (int)read_number(L, 1, "drag", 1, LIGHT_NUMBER_MAXIMUM) - 1;
+    step.action = (int)read_number(L, 1, "drag", 1, LESSON_LIGHTS_MAXIMUM) - 1;
     step.x = read_number(L, 2, "drag", -LENGTH_MAXIMUM, LENGTH_MAXIMUM);
     step.y = read_number(L, 3, "drag", -LENGTH_MAXIMUM, LENGTH_MAXIMUM);
     step.z = read_number(L, 4, "drag", -LENGTH_MAXIMUM, LENGTH_MAXIMUM);

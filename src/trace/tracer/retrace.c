@@ -227,15 +227,6 @@ typedef struct CameraGroup {
 
 static void camera_group_trace(const CameraGroup *group, scalar cutoff);
 
-/** @return The number of rays of a packet that are traced. */
-static unsigned camera_packet_count(const CameraPacket *packet) {
-    unsigned count = 0;
-    for (int v = 0; v < PACKET_VECTORS; v++) {
-        count += mask_count(packet->lanes[v]);
-    }
-    return count;
-}
-
 /** @return The number of rays of a group that are traced. */
 static unsigned camera_group_count(const CameraGroup *group) {
     unsigned count = 0;

@@ -93,7 +93,7 @@ static void show_settings_status(App *app) {
 /** @return Whether rays march through any shape of a scene. */
 static bool has_marched_shape(const Scene *scene) {
     for (size_t i = 0; i < scene->shape_count; i++) {
-        if (scene_shape_keywords[scene->shapes[i].class_index]->parameters->type == PARAMETER_SDF) {
+        if (keyword_has_field(scene_shape_keywords[scene->shapes[i].class_index])) {
             return true;
         }
     }
@@ -186,6 +186,12 @@ static void swap_side(App *app, int argument) {
 /** Moves the bar between two pictures. */
 static void move_bar(App *app, int direction) {
     window_move_bar(&app->window, app->window.split.bar_position + direction * BAR_STEP);
+}
+
+/** Shows or hides the magnifier. */
+static void toggle_magnifier(App *app, int argument) {
+    (void)argument;
+    window_toggle_magnifier(&app->window);
 }
 
 /* --- the rays of one pixel -------------------------------------------------------------------- */
@@ -354,6 +360,8 @@ static void leave(App *app, int argument) {
         app->player.is_leaving = true;
     } else if (is_own && window->ray_view.is_open) {
         issue(app, "rays");
+    } else if (is_own && window->magnifier.is_on) {
+        issue(app, "magnifier");
     } else if (is_own && window->split.mode != SPLIT_NONE) {
         issue(app, window->split.mode == SPLIT_BAR ? "split back" : "split");
     } else if (is_own && window_active_viewport(window)->layer != LAYER_SHADED) {
@@ -408,6 +416,8 @@ static void leave(App *app, int argument) {
 #define LAST_LAYERS .help = N_("rays, marching, time, error, acne; rounding")
 /** The help of the keys that choose rays. */
 #define RAY_STEPS .help = N_("ray before, after, in flight (Shift 1 to 8: more)")
+/** The help of the keys that show values of the picture, and of the one that resets all. */
+#define SHOWN_VALUES .help = N_("costs, magnifier, chart; all as at first")
 /** The help of the keys of epsilon. */
 #define EPSILON .help = N_("epsilon half, twice (Shift: 1/10, 10 times)")
 
@@ -464,8 +474,9 @@ const Command command_table[] = {
     {"methods", {KEY(u)}, N_("reports"), PICTURE, .help = N_("as report A, B, C, D; pixel corners"), RUNS(change_methods, 1)},
     {"methods back", {KEY(u)}, .flags = COMMAND_SHIFT, RUNS(change_methods, -1)},
     {"pixel corners", {KEY(F8)}, N_("corners"), PICTURE, .help = N_("as report A, B, C, D; pixel corners"), RUNS(change_pixel, 1)},
-    {"settings", {KEY(i)}, N_("costs"), PICTURE, .help = N_("settings and costs; all as at first"), RUNS(toggle_settings, 0)},
-    {"as at first", {NAMED(BACKSPACE, N_("Backspace"))}, N_("as at first"), PICTURE, .help = N_("settings and costs; all as at first"), RUNS(reset_settings, 0)},
+    {"settings", {KEY(i)}, N_("costs"), PICTURE, SHOWN_VALUES, RUNS(toggle_settings, 0)},
+    {"magnifier", {KEY(F4)}, N_("magnify"), PICTURE, SHOWN_VALUES, RUNS(toggle_magnifier, 0)},
+    {"as at first", {NAMED(BACKSPACE, N_("Backspace"))}, N_("as at first"), PICTURE, SHOWN_VALUES, RUNS(reset_settings, 0)},
     {"split", {KEY(x)}, N_("split"), PICTURE, .help = N_("side by side, difference; which side"), RUNS(cycle_split, 1)},
     {"split back", {KEY(x)}, .flags = COMMAND_SHIFT, RUNS(cycle_split, -1)},
     {"other side", {KEY(t)}, N_("side"), PICTURE, .help = N_("side by side, difference; which side"), RUNS(swap_side, 0)},

@@ -41,12 +41,13 @@ static void end_all_moves(App *app, double time) {
     held_keys_release_all(&app->input.held_keys, time);
 }
 
-/** Steps to a pixel nearby: an arrow with Ctrl, while rays are shown. @return Whether the key is
+/** Steps to a pixel nearby: an arrow with Ctrl, while rays or the magnifier are shown. @return Whether the key is
  *  one for that. */
 static bool step_pixel_by_key(App *app, const Command *command, int modifiers) {
     bool is_arrow =
         command && command->move.subject == MOVE_CAMERA && command->move.axis != MOVE_FORWARD;
-    if (!is_arrow || !app->window.ray_view.is_open || !(modifiers & KMOD_CTRL)) {
+    bool has_pixel = app->window.ray_view.is_open || app->window.magnifier.is_on;
+    if (!is_arrow || !has_pixel || !(modifiers & KMOD_CTRL)) {
         return false;
     }
     if (!app_is_playing(app)) {
@@ -351,9 +352,21 @@ static bool handle_widget_event(App *app, const SDL_Event *event) {
     return gui_handle_event(app->window.gui, event);
 }
 
+/** Handles an event while the help is open. @return Whether it was for the help. */
+static bool handle_help_event(App *app, const SDL_Event *event) {
+    Help *help = &app->window.help;
+    bool is_key = help->is_open && event->type == SDL_KEYDOWN &&
+                  !(event->key.keysym.mod & WINDOW_MANAGER_MODIFIERS) &&
+                  help_handle_key(help, event->key.keysym.sym);
+    if (is_key) {
+        gui_request_frames(app->window.gui);
+    }
+    return is_key;
+}
+
 void input_handle_event(App *app, const SDL_Event *event) {
     if (handle_widget_event(app, event) || recorder_handle_caption_event(app, event) ||
-        handle_browser_event(app, event)) {
+        handle_browser_event(app, event) || handle_help_event(app, event)) {
         return;
     }
     switch (event->type) {

@@ -260,7 +260,13 @@ static void press(App *app, const Command *command) {
     if (command_is_move(command)) {
         held_keys_press(&step_clock->held_keys, command->move, step_clock_seconds(step_clock));
     } else if (!is_skipped) {
+        bool shows_settings = app->window.shows_settings;
         command_run(app, command);
+        // What the settings are might answer a question.
+        if (!command_is(command, "settings")) {
+            app->window.shows_settings = shows_settings;
+        }
+        window_end_toast(&app->window);
     }
 }
 
@@ -429,7 +435,7 @@ static void go_to(App *app, size_t stop) {
 static void step_back(App *app) {
     const Player *player = &app->player;
     size_t stop = player->stop < player->lesson->count ? player->stop : 0;
-    bool is_passed = !app_is_lesson_stopped(app);
+    bool is_passed = player->state == PLAYER_RUNS || player->state == PLAYER_IS_FINISHED;
     for (size_t i = stop + is_passed; i-- > 0;) {
         if (is_stop(&player->lesson->steps[i])) {
             stop = i;
@@ -575,6 +581,15 @@ static bool steer(App *app, const Command *command) {
     return true;
 }
 
+/** Handles a command while the end card is shown. @return Whether it steers the lesson. */
+static bool steer_card(App *app, const Command *command) {
+    if (command_is(command, "time back")) {
+        step_back(app);
+    }
+    return command_is(command, "time") || command_is(command, "time back") ||
+           command_is(command, "time on");
+}
+
 /** Says what the viewer can do instead of a command. */
 static void show_refusal(App *app) {
     static const char *const words[] = {[PLAYER_RUNS] = N_("a lesson is played: Space holds it"),
@@ -588,8 +603,11 @@ static void show_refusal(App *app) {
 
 bool player_handle_command(App *app, const Command *command) {
     unsigned flags = command ? command->flags : 0;
-    if (!app_is_playing(app) || (flags & COMMAND_WHILE_PLAYING)) {
+    if (!app->player.lesson || (flags & COMMAND_WHILE_PLAYING)) {
         return false;
+    }
+    if (app->player.state == PLAYER_IS_FINISHED) {
+        return steer_card(app, command);
     }
     if (steer(app, command)) {
         return true;

@@ -125,14 +125,14 @@ static void show_question(LessonPanel *panel, const LessonStep *step) {
     int answer = panel->answers[step->action];
     char line[LINE_SIZE];
     if (step->kind == LESSON_ASK) {
-        gui_paragraph(localized(&question->text));
+        gui_paragraph(localized(&question->text), GUI_COLOR_TEXT, 1);
     } else {
         const char *verdict = answer == 0                     ? ""
                               : answer == question->right + 1 ? gettext("Right.")
                                                               : gettext("Not what you predicted.");
         snprintf(line, sizeof line, "%s%s%s", verdict, *verdict ? " " : "",
                  localized(&question->because));
-        gui_paragraph(line);
+        gui_paragraph(line, GUI_COLOR_TEXT, 1);
     }
     show_answers(panel, question, answer, step->kind == LESSON_EXPLAIN);
 }
@@ -144,7 +144,7 @@ static void show_pair(const LessonPanel *panel, size_t first, size_t last) {
     const LessonQuestion *question = &panel->lesson->questions[last];
     const size_t asked[] = {first, last};
     char line[LINE_SIZE];
-    gui_paragraph(localized(&question->text));
+    gui_paragraph(localized(&question->text), GUI_COLOR_TEXT, 1);
     for (size_t i = 0; i < 2; i++) {
         int answer = panel->answers[asked[i]];
         bool is_right = answer == panel->lesson->questions[asked[i]].right + 1;
@@ -172,7 +172,7 @@ static void show_score(const LessonPanel *panel) {
     }
     for (size_t i = 0; i < panel->lesson->question_count; i++) {
         size_t first = lesson_first_asked(panel->lesson, i);
-        if (first < i) {
+        if (first < i && (panel->answers[first] > 0 || panel->answers[i] > 0)) {
             show_pair(panel, first, i);
         }
     }
@@ -205,12 +205,11 @@ static void show_card(LessonPanel *panel) {
 void lesson_panel_show(LessonPanel *panel, const SDL_Rect *rect) {
     const Lesson *lesson = panel->lesson;
     const LessonStep *step = panel->stop < lesson->count ? &lesson->steps[panel->stop] : NULL;
-    gui_panel_begin("lesson", (GuiPoint){(float)rect->x, (float)rect->y},
-                    (GuiPoint){(float)rect->w, (float)rect->h});
+    gui_panel_begin("lesson", &(GuiRect){(float)rect->x, (float)rect->y, (float)rect->w, (float)rect->h});
     if (!panel->is_finished) {
         show_controls(panel);
         if (step && step->kind == LESSON_CAPTION) {
-            gui_paragraph(localized(&step->text));
+            gui_paragraph(localized(&step->text), GUI_COLOR_TEXT, 1);
         } else if (step) {
             show_question(panel, step);
         }

@@ -97,6 +97,7 @@ void cli_probe(const Options *options, Error *error) {
         return;
     }
     report.scene = scene;
+    report.ray = options->ray;
     // The settings are those of `render`, but one sample per pixel by default.
     report.settings.samples = options->samples ? options->samples : 1;
     report.settings.threads = 1;

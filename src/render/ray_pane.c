@@ -312,11 +312,14 @@ static void draw_microscope(const RayPaneInput *input, int width, int height) {
     const RayDrawing *drawing = &input->drawing;
     const double size = input->text_size, left = MARGIN * size;
     size_t index = drawing->selected < drawing->tree->count ? drawing->selected : 0;
+    if (drawing->tree->nodes[index].kind == RAY_SHADOW) {
+        index = (size_t)drawing->tree->nodes[index].parent; // It starts at that hit.
+    }
     RayMicroscope hit = ray_microscope_measure(input->engine, input->scene, drawing->tree, index);
     HeightMark marks[MARKS_MAXIMUM];
     char text[LINE_SIZE];
     if (!hit.is_valid) {
-        write_text(input, left, 1.5 * size, gettext("no hit that quad can measure"));
+        write_text(input, left, 1.5 * size, gettext("no hit to measure"));
         return;
     }
     snprintf(text, sizeof text, gettext("1 ulp of the hit = %.3g"), hit.ulp);

@@ -104,20 +104,6 @@ static void test_action_names(void **state) {
     assert_true(command_find(command_table, "leave")->flags & COMMAND_UNRECORDED);
 }
 
-/** Texts are broken at spaces, by characters and not by bytes. */
-static void test_rows(void **state) {
-    (void)state;
-    char words[] = "été après été\nneu unteilbaresWort x";
-    PanelRow rows[8];
-    assert_int_equal(word_wrap(words, 9, rows, 8), 5);
-    static const char *const expected[] = {"été après", "été", "neu", "unteilbaresWort", "x"};
-    for (size_t i = 0; i < 5; i++) {
-        assert_string_equal(rows[i].text, expected[i]);
-    }
-    char more[] = "a b c";
-    assert_int_equal(word_wrap(more, 1, rows, 2), 2);
-}
-
 /** Texts are in the chosen language if available, else in the other. */
 static void test_words(void **state) {
     (void)state;
@@ -272,7 +258,6 @@ int main(void) {
         cmocka_unit_test(test_step_clock),
         cmocka_unit_test(test_step_clock_next),
         cmocka_unit_test(test_action_names),
-        cmocka_unit_test(test_rows),
         cmocka_unit_test(test_words),
         cmocka_unit_test(test_full),
         cmocka_unit_test(test_text),

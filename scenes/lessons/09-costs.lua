@@ -16,17 +16,18 @@ lesson {
 }
 
 local most = {
-  en = "Now up to 16 rays go through each pixel. Where does the program really need so many?",
-  fr = "Jusqu'à 16 rayons passent maintenant par pixel. Où le programme en a-t-il vraiment besoin ?",
+  en = "Where in this picture are most rays spent on a sample?",
+  fr = "Où dépense-t-on le plus de rayons par échantillon dans cette image ?",
   choices = {
     { en = "Everywhere alike", fr = "Partout autant" },
-    { en = "At edges, and where things mirror", fr = "Aux bords, et là où ça se reflète" },
+    { en = "Where things mirror each other", fr = "Là où les objets se reflètent l'un l'autre" },
     { en = "In the dark places", fr = "Dans les endroits sombres" },
   },
   right = 2,
   because = {
-    en = "Blue is few rays, yellow is many. On a plain wall all rays of a pixel bring the same, so few must do.",
-    fr = "Bleu : peu de rayons ; jaune : beaucoup. Sur un mur uni, tous rapportent la même chose : peu suffisent." },
+    en = "Blue is few rays, yellow is many. A wall takes two; between ball and cube a ray goes to and fro.",
+    fr = "Bleu : peu de rayons ; jaune : beaucoup. Un mur en prend deux ; entre la boule et le cube, un rayon va et vient.",
+  },
 }
 
 zoom(8)

@@ -275,7 +275,7 @@ static void test_keyboard_labels(void **state) {
     assert_string_equal(key_action_label(NULL), "");
     assert_string_equal(key_action_label(row_at(SDL_SCANCODE_LSHIFT)), "fast");
     assert_string_equal(key_action_label(row_at(SDL_SCANCODE_RCTRL)), "fine");
-    assert_int_equal(help_tint(&help, row_at(SDL_SCANCODE_LSHIFT)), 6);
+    assert_int_equal(help_tint(&help, row_at(SDL_SCANCODE_LSHIFT)), 7);
     assert_string_equal(key_cap_label(SDL_SCANCODE_LEFT), "←");
 }
 
@@ -290,7 +290,8 @@ static void test_command_table(void **state) {
         for (int i = 0; i < COMMAND_KEYS; i++) {
             SDL_Keysym key = {.scancode = row->keys[i].scancode,
                               .sym = row->keys[i].keycode,
-                              .mod = row->flags & COMMAND_SHIFT ? KMOD_LSHIFT : 0};
+                              .mod = (row->flags & COMMAND_SHIFT ? KMOD_LSHIFT : 0) |
+                                     (row->flags & COMMAND_CTRL ? KMOD_LCTRL : 0)};
             if (key.scancode || key.sym) {
                 assert_ptr_equal(command_find_key(command_table, key, false), row);
             }

@@ -101,7 +101,11 @@ static bool render_frame(Animation *animation, const RenderJob *job, Error *erro
         return true;
     }
     Scene *scene =
-        command_load_scene_at(job->options, job->time, animation->cache, interrupt_flag(), error);
+        command_run_scene(job->options,
+                          &(SceneRun){.time = job->time,
+                                      .cache = animation->cache,
+                                      .stop = interrupt_flag()},
+                          error);
     if (scene && !animation->scene) {
         command_print_notes(scene);
     }

@@ -50,7 +50,14 @@ static Scene *load_scene(void *context, const ViewRequest *request, const atomic
     }
     AssetCache *cache = needs_new_cache ? asset_cache_create(error) : source->cache;
     Scene *scene =
-        cache ? command_load_scene_at(&options, request->time, cache, stop, error) : NULL;
+        cache ? command_run_scene(&options,
+                                  &(SceneRun){.time = request->time,
+                                              .cache = cache,
+                                              .stop = stop,
+                                              .overrides = request->overrides,
+                                              .override_count = request->override_count},
+                                  error)
+              : NULL;
     if (scene && needs_new_cache) {
         command_print_notes(scene);
     }
@@ -72,7 +79,7 @@ static Scene *load_preview(void *context, const char *path, const atomic_bool *s
     options.arguments[0] = path;
     options.argument_count = 1;
     options.progress = PROGRESS_NONE;
-    Scene *scene = command_load_scene_at(&options, 0, NULL, stop, error);
+    Scene *scene = command_run_scene(&options, &(SceneRun){.stop = stop}, error);
     if (scene) {
         *render = command_render_settings(&options, scene);
     }

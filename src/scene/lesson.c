@@ -5,6 +5,7 @@
 #include "dioptre/lesson.h"
 
 #include "dioptre/scene.h"
+#include "dioptre/scene_override.h"
 
 #include <string.h>
 #include <sys/mman.h>
@@ -104,13 +105,26 @@ static bool check_settings(const Lesson *lesson) {
            fabs(settings->time) <= TIME_VALUE_MAXIMUM && check_text(lesson, settings->engine);
 }
 
+/** @return Whether the numbers of a step are valid. */
+static bool check_numbers(const LessonStep *step) {
+    const double numbers[PARAMETER_NUMBERS_MAXIMUM] = {step->x, step->y, step->z};
+    const Parameter *row = scene_object_row(step->keyword, step->row);
+    if (step->kind == LESSON_SET) {
+        return row && step->action > 0 && parameter_check_numbers(row, numbers, NULL);
+    }
+    bool is_object = step->kind == LESSON_SELECT || step->kind == LESSON_MOVE;
+    double maximum = step->kind == LESSON_DRAG || is_object ? LENGTH_MAXIMUM : STEP_VALUE_MAXIMUM;
+    return fabs(step->x) <= maximum && fabs(step->y) <= maximum && fabs(step->z) <= maximum &&
+           (!is_object || (step->action >= 0 && scene_object_keyword(step->keyword)));
+}
+
 /** @return Whether a step is valid. @param time Time of the step before. */
 static bool check_step(const Lesson *lesson, const LessonStep *step, int64_t time,
                        int action_count) {
     bool has_action = step->kind == LESSON_PRESS || step->kind == LESSON_RELEASE;
     return step->kind <= LESSON_SNAPSHOT && step->time >= time &&
            (!has_action || (step->action >= 0 && step->action < action_count)) &&
-           fabs(step->x) <= STEP_VALUE_MAXIMUM && fabs(step->y) <= STEP_VALUE_MAXIMUM &&
+           check_numbers(step) && check_flag(&step->continues) &&
            check_text(lesson, step->text.english) && check_text(lesson, step->text.french) &&
            check_flag(&step->waits_for_viewer);
 }

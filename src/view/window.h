@@ -11,6 +11,7 @@
 #include "view/panels/hud.h"
 #include "view/panels/inspector.h"
 #include "view/panels/light_marks.h"
+#include "view/panels/object_inspector.h"
 #include "view/panels/toolbar.h"
 #include "view/state/latency.h"
 #include "view/window/sdl_window.h"
@@ -32,6 +33,8 @@ typedef struct WindowState {
     bool is_running;       /**< Whether its time runs. */
     bool is_recording;     /**< Whether a lesson is recorded. */
     bool is_playing;       /**< Whether a lesson plays. */
+    const EditHistory *edits;   /**< What the user has changed of its objects. */
+    const bool *is_light_moved; /**< Which lights the user has moved. */
 } WindowState;
 
 /** A message on the picture, shown for a while. Starts as `{0}`: none. */
@@ -60,6 +63,7 @@ typedef struct Window {
     int fitted_bar;                       /**< Height of the bar that the window has room for,
                                                pixels. */
     LightMarks light_marks;               /**< The marks of the lights. */
+    ObjectInspector object_inspector;     /**< The selected object. */
     Toast toast;                          /**< The newest message. */
     Toast hint;                           /**< What to press, at the start. */
     WindowState state;                    /**< What they show. */

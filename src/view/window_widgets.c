@@ -259,6 +259,24 @@ static float text_size(const Window *window) {
     return roundf((float)scale * SDL_max(TEXT_SIZE_MINIMUM, (float)height / ROWS_PER_WINDOW));
 }
 
+/** Shows the selected object's outline and inspector. */
+static void show_object_inspector(Window *window) {
+    const WindowState *state = &window->state;
+    ObjectInspector *inspector = &window->object_inspector;
+    SDL_Rect picture = to_units(window_picture_rect(window), pixels_per_unit(window));
+    SceneObject object;
+    bool is_light = inspector->number > 0 && !scene_object_is_shape(inspector->keyword) &&
+                    scene_object_find(state->scene, inspector->keyword, inspector->number, &object);
+    object_inspector_outline(inspector, state->scene, &picture);
+    const ObjectInspectorContent content = {
+        .scene = state->scene,
+        .history = state->edits,
+        .is_light_moved = is_light && state->is_light_moved[object.index],
+        .is_read_only = state->is_playing,
+        .top = window->toolbar.height};
+    object_inspector_show(inspector, &content);
+}
+
 void window_show_widgets(Window *window) {
     int width = 0, height = 0;
     if (!window->gui) {
@@ -274,6 +292,9 @@ void window_show_widgets(Window *window) {
         SDL_Rect picture = to_units(window_picture_rect(window), pixels_per_unit(window));
         light_marks_show(&window->light_marks, window->state.scene, &picture,
                          window->state.selected_light);
+    }
+    if (is_picture && !window->inspector.is_open && window->state.scene) {
+        show_object_inspector(window);
     }
     if (is_picture && !window->toolbar.is_folded) {
         show_readout(window, height);

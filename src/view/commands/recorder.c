@@ -188,6 +188,8 @@ bool recorder_begin(App *app, Error *error) {
     window_reset_overrides(&app->window);
     window_set_layer(&app->window, LAYER_SHADED);
     app_reset_view(app);
+    edit_history_clear(&app->edits);
+    app->window.object_inspector = (ObjectInspector){0};
     inspector_reset(&app->window.inspector);
     write_head(app, recorder->stream);
     app->title.next_update_time = 0;

@@ -6,6 +6,7 @@
 
 #include "view/commands/commands.h"
 #include "view/commands/current_scene.h"
+#include "view/commands/edits.h"
 #include "view/commands/recorder.h"
 #include "view/lesson/player.h"
 
@@ -95,11 +96,16 @@ static int mouse_window_width(const App *app) {
     return SDL_max(1, width);
 }
 
-/** Shows the rays of the pixel at a position: in the picture, or in the inset while rays are shown.
- *  @param x Screen units. */
-static void pick_at(App *app, int x, int y) {
+/** Handles a click: it selects what is there, or shows the rays of another pixel while rays are
+ *  shown. @param x Screen units. */
+static void click_at(App *app, int x, int y) {
     double right, down;
-    if (window_picture_position(&app->window, x, y, &right, &down)) {
+    if (!window_picture_position(&app->window, x, y, &right, &down)) {
+        return;
+    }
+    if (!app->window.inspector.is_open) {
+        edits_click(app, right, down);
+    } else {
         recorder_on_step(app, "pixel(%.17g, %.17g)", right, down);
         app_pick_pixel(app, right, down);
     }
@@ -136,11 +142,14 @@ static void on_button(App *app, const SDL_MouseButtonEvent *button) {
         return;
     }
     if (!is_down && input->is_click_candidate) {
-        pick_at(app, input->click_x, input->click_y);
+        click_at(app, input->click_x, input->click_y);
+    }
+    if (!is_down && input->is_light_dragged && !input->has_dragged) {
+        edits_click_light(app, input->dragged_light);
     }
     // A lesson restores camera and lights when it resumes, but neither bar nor rays.
     bool is_accepted = is_down && !app_is_playing(app);
-    app->window.split.is_dragged = input->is_light_dragged = false;
+    app->window.split.is_dragged = input->is_light_dragged = input->has_dragged = false;
     input->is_click_candidate = is_accepted && !grab_at(app, button->x, button->y);
     input->click_x = button->x;
     input->click_y = button->y;
@@ -172,6 +181,7 @@ static void drag_light(App *app, const SDL_MouseMotionEvent *mouse) {
         recorder_on_step(app, "drag(%zu, %.17g, %.17g, %.17g)", light + 1, offset.x, offset.y,
                          offset.z);
         app_drag_light(app, light, offset);
+        app->input.has_dragged = true;
     }
 }
 
@@ -318,7 +328,7 @@ static void on_app_event(App *app, const SDL_Event *event) {
     if (type == app->first_event + EVENT_PASS_FINISHED) {
         window_on_pass(&app->window, event);
     } else if (type == app->first_event + EVENT_FILE_CHANGED) {
-        current_scene_reload(app);
+        current_scene_on_file_event(app);
     } else if (type == app->first_event + EVENT_SCENE_LIST_CHANGED) {
         on_scene_list_changed(app);
     } else if (type == app->first_event + EVENT_SIGNAL) {

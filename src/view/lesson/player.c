@@ -6,6 +6,7 @@
 
 #include "base/language.h"
 #include "view/commands/commands.h"
+#include "view/commands/edits.h"
 
 /* --- names for lessons ------------------------------------------------------------------------ */
 
@@ -176,6 +177,17 @@ static void do_step(App *app, const LessonStep *step) {
         break;
     case LESSON_DRAG:
         app_drag_light(app, (size_t)step->action, (Vec3d){step->x, step->y, step->z});
+        break;
+    case LESSON_SELECT:
+        edits_select(app, step->keyword, step->action);
+        break;
+    case LESSON_SET:
+        edits_set(app, &(SceneOverride){step->keyword, step->action, step->row,
+                                        {step->x, step->y, step->z}}, step->continues);
+        break;
+    case LESSON_MOVE:
+        edits_move(app, step->keyword, step->action, (Vec3d){step->x, step->y, step->z},
+                   step->continues);
         break;
     case LESSON_CAPTION:
         show_caption(app, step);

@@ -9,7 +9,7 @@
 #include "view/state/command.h"
 
 /** Most rows of the list of keys. */
-enum { HELP_ROWS_MAXIMUM = 48 };
+enum { HELP_ROWS_MAXIMUM = 64 };
 
 /** The help. Starts as `{.commands = ...}`: closed. */
 typedef struct Help {

@@ -37,6 +37,7 @@ typedef enum {
     LESSON_SIZE,    /**< The window changes its size. */
     LESSON_PIXEL,   /**< The rays of a pixel are shown: a click. */
     LESSON_WALK,    /**< The rays of a pixel nearby are shown: Ctrl and an arrow. */
+    LESSON_RAY,     /**< One of these rays is chosen: a click on it. */
     LESSON_BAR,     /**< The bar between two pictures is dragged. */
     LESSON_DRAG,    /**< A light is dragged in the picture. */
     LESSON_SELECT,  /**< An object is selected. */
@@ -51,10 +52,12 @@ typedef struct LessonStep {
     LessonStepKind kind; /**< Its kind. */
     int64_t time;        /**< Its time, milliseconds from the beginning. */
     int action; /**< The command of #LESSON_PRESS and #LESSON_RELEASE: an index into the names that
-                   the lesson was read with. Index of the light of #LESSON_DRAG. Number of the
-                   object of the three steps above, see SceneOverride::number; 0: none. */
+                   the lesson was read with. Index of the light of #LESSON_DRAG, of the ray of
+                   #LESSON_RAY. Number of the object of #LESSON_SELECT, #LESSON_SET and
+                   #LESSON_MOVE, see SceneOverride::number; 0: none. */
     double x; /**< Speed factor; degrees to the right; notches of the wheel; width in screen units;
-                 fraction of the picture's width; pixels to the right; scene units along x. */
+                 fraction of the picture's width; pixels to the right; scene units along x.
+                 -1 for #LESSON_SELECT without a pixel. */
     double y; /**< Degrees up; height in screen units; fraction of the picture's height, from the
                  top; pixels down; scene units along y. */
     double z; /**< Scene units along z, of #LESSON_DRAG and #LESSON_MOVE. With #x and #y the

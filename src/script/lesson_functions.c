@@ -28,6 +28,8 @@ static const double TURN_MAXIMUM = 360;
 static const double LIGHT_NUMBER_MAXIMUM = 1e6;
 /** Largest number of an object. */
 static const double OBJECT_NUMBER_MAXIMUM = 1e9;
+/** Largest index of a ray that a step can name. */
+static const double RAY_NUMBER_MAXIMUM = 1e6;
 /** Largest number of notches of the mouse wheel in one step. */
 static const double NOTCHES_MAXIMUM = 1000;
 
@@ -226,6 +228,15 @@ static int call_walk(lua_State *L) {
     return 0;
 }
 
+/** `ray(NUMBER)`: chooses one of the rays that are shown. See lua_CFunction. @return 0 */
+static int call_ray(lua_State *L) {
+    check_argument_count(L, 1, 1, "ray(NUMBER)");
+    LessonStep step = {.kind = LESSON_RAY};
+    step.action = (int)read_number(L, 1, "ray", 0, RAY_NUMBER_MAXIMUM);
+    add_step(L, step);
+    return 0;
+}
+
 /** `bar(SHARE)`, a fraction of the window's width. See lua_CFunction. @return 0 */
 static int call_bar(lua_State *L) {
     check_argument_count(L, 1, 1, "bar(SHARE)");
@@ -261,12 +272,17 @@ static void read_object(lua_State *L, LessonStep *step) {
     step->action = (int)read_number(L, 2, suggestion.word, 1, OBJECT_NUMBER_MAXIMUM);
 }
 
-/** `select(OBJECT, NUMBER)`, or `select()`: none. See lua_CFunction. @return 0 */
+/** `select(OBJECT, NUMBER, X, Y)`, clicked at fractions of the image; `select()`: none. See
+ *  lua_CFunction. @return 0 */
 static int call_select(lua_State *L) {
-    check_argument_count(L, 0, 2, "select(\"OBJECT\", NUMBER)");
-    LessonStep step = {.kind = LESSON_SELECT};
+    check_argument_count(L, 0, 4, "select(\"OBJECT\", NUMBER, X, Y)");
+    LessonStep step = {.kind = LESSON_SELECT, .x = -1};
     if (lua_gettop(L) > 0) {
         read_object(L, &step);
+    }
+    if (lua_gettop(L) > 2) {
+        step.x = read_number(L, 3, "select", 0, 1);
+        step.y = read_number(L, 4, "select", 0, 1);
     }
     add_step(L, step);
     return 0;
@@ -334,12 +350,13 @@ static int call_snapshot(lua_State *L) {
 /** Adds the functions of lessons to a state. See #ScriptDialect.open. */
 static void register_functions(lua_State *L) {
     static const luaL_Reg functions[] = {
-        {"lesson", call_lesson}, {"caption", call_caption}, {"wait", call_wait},
-        {"press", call_press},   {"release", call_release}, {"hold", call_hold},
-        {"speed", call_speed},   {"turn", call_turn},       {"zoom", call_zoom},
-        {"size", call_size},     {"pixel", call_pixel},     {"walk", call_walk},
-        {"bar", call_bar},       {"drag", call_drag},       {"select", call_select},
-        {"set", call_set},       {"move", call_move},       {"snapshot", call_snapshot}};
+        {"lesson", call_lesson},    {"caption", call_caption}, {"wait", call_wait},
+        {"press", call_press},      {"release", call_release}, {"hold", call_hold},
+        {"speed", call_speed},      {"turn", call_turn},       {"zoom", call_zoom},
+        {"size", call_size},        {"pixel", call_pixel},     {"walk", call_walk},
+        {"ray", call_ray},          {"bar", call_bar},         {"drag", call_drag},
+        {"select", call_select},    {"set", call_set},         {"move", call_move},
+        {"snapshot", call_snapshot}};
     for (size_t i = 0; i < sizeof functions / sizeof *functions; i++) {
         lua_register(L, functions[i].name, functions[i].func);
     }

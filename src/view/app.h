@@ -8,13 +8,11 @@
  *     window/     SDL: the window, textures, viewports (Window > Viewport > StreamingTexture)
  *     gui/        buttons, lists and marks: a C header over Dear ImGui
  *     loading/    threads: the scene loader, the list of scenes, the file watcher
- *     panels/     what lies over the picture: bar, help, hud, inspector, captions, list of scenes
- *     window.h    the viewports and panels of one window
- *     app.h       all of that with scene, time, lesson and input: this file
- *     commands/   the table of commands, what they do, the scene on screen, the recorder
- *     lesson/     the player: it issues commands
- *     input/      keyboard, mouse, window events: they issue commands
- *     view.c      the event loop
+ *     panels/     what lies over the picture: bar, help, hud, view of rays, captions, list of
+ * scenes window.h    the viewports and panels of one window app.h       all of that with scene,
+ * time, lesson and input: this file commands/   the table of commands, what they do, the scene on
+ * screen, the recorder lesson/     the player: it issues commands input/      keyboard, mouse,
+ * window events: they issue commands view.c      the event loop
  *
  * test_view checks this list against the `#include` lines.
  */
@@ -217,6 +215,9 @@ void app_pick_pixel(App *app, double x, double y);
 
 /** Shows the rays of a pixel nearby. @param right Pixels to the right. @param down Pixels down. */
 void app_step_pixel(App *app, int right, int down);
+
+/** Chooses one of the rays that are shown. @param ray Its index. */
+void app_choose_ray(App *app, size_t ray);
 
 /** Puts camera and lights back where the scene file has them. */
 void app_reset_view(App *app);

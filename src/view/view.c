@@ -49,19 +49,28 @@ static void take_pending_snapshot(App *app) {
     }
 }
 
-/** Runs the command that a button, a list or a slider requests, as its key would. */
-static void run_requested_command(App *app) {
-    Toolbar *toolbar = &app->window.toolbar;
-    const Command *command =
-        toolbar->command ? command_find(app->commands, toolbar->command) : NULL;
-    int repetitions = command ? toolbar->repetitions : 0;
-    for (int i = 0; i < repetitions; i++) {
+/** Runs a command by its name, as its key would. @param name NULL: does nothing. */
+static void run_command(App *app, const char *name, int repetitions) {
+    const Command *command = name ? command_find(app->commands, name) : NULL;
+    for (int i = 0; command && i < repetitions; i++) {
         if (!player_handle_command(app, command)) {
             command_issue(app, command, clock_now_seconds());
         }
     }
+}
+
+/** Runs the command that a button, a list or a slider requests. */
+static void run_requested_command(App *app) {
+    Toolbar *toolbar = &app->window.toolbar;
+    RayViewRequest *rays = &app->window.ray_view.request;
+    run_command(app, toolbar->command, toolbar->repetitions);
+    run_command(app, rays->command, 1);
+    if (rays->has_ray && !app_is_playing(app)) {
+        command_choose_ray(app, rays->ray);
+    }
     // What frames in between have requested counted from a part of the change.
     toolbar->command = NULL;
+    *rays = (RayViewRequest){0};
 }
 
 /** Updates the title. */

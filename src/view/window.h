@@ -9,9 +9,9 @@
 #include "view/panels/caption.h"
 #include "view/panels/help.h"
 #include "view/panels/hud.h"
-#include "view/panels/inspector.h"
 #include "view/panels/light_marks.h"
 #include "view/panels/object_inspector.h"
+#include "view/panels/ray_view.h"
 #include "view/panels/toolbar.h"
 #include "view/state/latency.h"
 #include "view/window/sdl_window.h"
@@ -56,7 +56,7 @@ typedef struct Window {
     Notice notice;                        /**< The notice of an error. */
     Browser browser;                      /**< The list of scenes. */
     Caption caption;                      /**< The caption of a lesson. */
-    Inspector inspector;                  /**< The rays of one pixel. */
+    RayView ray_view;                     /**< The rays of one pixel. */
     Gui *gui;                             /**< Buttons, lists and marks; owned; NULL: no font. */
     bool opens_widgets;                   /**< Whether #gui is to be created. */
     Toolbar toolbar;                      /**< The bar at the upper edge. */
@@ -140,6 +140,10 @@ bool window_picture_position(const Window *window, int x, int y, double *right, 
 /** @return The light whose mark is under the mouse; NULL: none. @param x Screen units. */
 const LightMark *window_light_at(const Window *window, int x, int y);
 
+/** Finds the ray under the mouse, while rays are shown. @param x Screen units. @param[out] ray Its
+ *  index. @return Whether there is one. */
+bool window_ray_at(const Window *window, int x, int y, size_t *ray);
+
 /** Finds how far a light moves while its mark is dragged. See #light_marks_drag_offset. */
 bool window_drag_offset(const Window *window, size_t light, GuiPoint from, GuiPoint to,
                         bool is_along, Vec3d *offset);
@@ -161,6 +165,9 @@ void window_open_widgets(Window *window);
 
 /** Shows buttons, lists, marks and messages over the picture. */
 void window_show_widgets(Window *window);
+
+/** Shows the words and numbers of the rays alone, for a picture of the screen. */
+void window_show_rays(Window *window);
 
 /** @return Whether they have changed since they were shown. */
 bool window_widgets_are_due(Window *window, double now);

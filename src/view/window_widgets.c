@@ -53,8 +53,8 @@ static double pixels_per_unit(const Window *window) {
 bool window_picture_position(const Window *window, int x, int y, double *right, double *down) {
     double scale = pixels_per_unit(window);
     SDL_Rect area = window_area(window);
-    SDL_Rect rect = window->inspector.is_open ? inspector_inset(&window->inspector, &area)
-                                              : window_picture_rect(window);
+    SDL_Rect rect = window->ray_view.is_open ? ray_view_layout(&window->ray_view, &area).inset
+                                             : window_picture_rect(window);
     *right = ((x + 0.5) * scale - rect.x) / rect.w;
     *down = ((y + 0.5) * scale - rect.y) / rect.h;
     return *right >= 0 && *right < 1 && *down >= 0 && *down < 1;
@@ -215,7 +215,7 @@ static void show_toolbar(Window *window) {
                               .layer = window_active_viewport(window)->layer,
                               .split = window->split.mode,
                               .shows_settings = window->shows_settings,
-                              .shows_rays = window->inspector.is_open,
+                              .shows_rays = window->ray_view.is_open,
                               .is_animated = state->is_animated,
                               .is_running = state->is_running,
                               .is_recording = state->is_recording};
@@ -243,7 +243,7 @@ static void show_readout(const Window *window, int height) {
     SDL_GetMouseState(&x, &y);
     is_inside = is_inside && window_picture_position(window, x, y, &right, &down);
     bool is_difference = window->split.mode == SPLIT_DIFFERENCE;
-    if (is_inside && !is_difference && !window->inspector.is_open && window->hint.text[0] == '\0') {
+    if (is_inside && !is_difference && !window->ray_view.is_open && window->hint.text[0] == '\0') {
         bool is_right = window_viewport_count(window) > 1 && right >= window->split.bar_position;
         pixel_readout_show(&window->viewports[is_right ? 1 : 0], right, down,
                            (GuiPoint){0, (float)height});
@@ -277,6 +277,24 @@ static void show_object_inspector(Window *window) {
     object_inspector_show(inspector, &content);
 }
 
+/** Shows list, formulas and numbers of the rays, if they are shown. */
+static void show_rays(Window *window) {
+    bool is_covered = window->help.is_open || window->browser.is_open;
+    if (window->ray_view.is_open && !is_covered && window->state.scene) {
+        double scale = pixels_per_unit(window);
+        SDL_Rect area = to_units(window_area(window), scale);
+        ray_view_show_widgets(&window->ray_view, window->state.scene, &window->help, &area, scale);
+    }
+}
+
+void window_show_rays(Window *window) {
+    if (window->gui) {
+        gui_begin_frame(window->gui, text_size(window));
+        show_rays(window);
+        gui_end_frame(window->gui);
+    }
+}
+
 void window_show_widgets(Window *window) {
     int width = 0, height = 0;
     if (!window->gui) {
@@ -287,20 +305,27 @@ void window_show_widgets(Window *window) {
     show_toolbar(window);
     bool is_picture = !window->help.is_open && !window->browser.is_open;
     window->light_marks.count = 0;
-    if (is_picture && !window->inspector.is_open && !window->toolbar.is_folded &&
+    if (is_picture && !window->ray_view.is_open && !window->toolbar.is_folded &&
         window->state.scene) {
         SDL_Rect picture = to_units(window_picture_rect(window), pixels_per_unit(window));
         light_marks_show(&window->light_marks, window->state.scene, &picture,
                          window->state.selected_light);
     }
-    if (is_picture && !window->inspector.is_open && window->state.scene) {
+    if (is_picture && !window->ray_view.is_open && window->state.scene) {
         show_object_inspector(window);
     }
     if (is_picture && !window->toolbar.is_folded) {
         show_readout(window, height);
     }
+    show_rays(window);
     show_messages(window, width, height);
     gui_end_frame(window->gui);
+}
+
+bool window_ray_at(const Window *window, int x, int y, size_t *ray) {
+    double scale = pixels_per_unit(window);
+    SDL_Rect area = window_area(window);
+    return ray_view_ray_at(&window->ray_view, (x + 0.5) * scale, (y + 0.5) * scale, &area, ray);
 }
 
 const LightMark *window_light_at(const Window *window, int x, int y) {

@@ -194,13 +194,24 @@ static void move_bar(App *app, int direction) {
 /** Shows the rays of one pixel, or the picture again. */
 static void toggle_rays(App *app, int argument) {
     (void)argument;
-    inspector_toggle(&app->window.inspector);
+    ray_view_toggle(&app->window.ray_view);
     window_present(&app->window);
 }
 
-/** Shows the numbers of another ray. */
+/** Chooses another ray. */
 static void select_ray(App *app, int step) {
-    inspector_select_ray(&app->window.inspector, step);
+    ray_view_select_ray(&app->window.ray_view, step);
+}
+
+/** Lets the next ray fly along its path. */
+static void fly_ray(App *app, int argument) {
+    (void)argument;
+    ray_view_fly(&app->window.ray_view, clock_now_seconds());
+}
+
+/** Hides the rays of a kind, or shows them again. */
+static void toggle_ray_kind(App *app, int kind) {
+    ray_view_toggle_kind(&app->window.ray_view, (RayType)kind);
 }
 
 /* --- objects ---------------------------------------------------------------------------------- */
@@ -352,7 +363,7 @@ static void leave(App *app, int argument) {
     }
     if (window->help.is_open) {
         toggle_help(app, 0);
-    } else if (is_own && window->inspector.is_open) {
+    } else if (is_own && window->ray_view.is_open) {
         issue(app, "rays");
     } else if (is_own && window->object_inspector.number > 0) {
         edits_close(app);
@@ -410,6 +421,8 @@ static void leave(App *app, int argument) {
 #define FIRST_LAYERS .help = N_("light, normals, distance, shapes, (u, v)")
 /** The help of the other layers. */
 #define LAST_LAYERS .help = N_("rays, marching, time, error, acne; rounding")
+/** The help of the keys that choose rays. */
+#define RAY_STEPS .help = N_("ray before, after, in flight (Shift 1 to 4: hide)")
 /** The help of the keys of epsilon. */
 #define EPSILON .help = N_("epsilon half, twice (Shift: 1/10, 10 times)")
 
@@ -484,8 +497,13 @@ const Command command_table[] = {
     {"rays", {KEY(v)}, N_("rays"), RAYS, .help = N_("show them, or the picture again"), RUNS(toggle_rays, 0)},
     {NULL, {NO_KEY(N_("Click"))}, NULL, RAYS, .help = N_("of that pixel")},
     {NULL, {NO_KEY("Ctrl ←↑↓→")}, NULL, RAYS, .help = N_("of the pixel beside")},
-    {"ray back", {KEY(j)}, N_("ray −"), RAYS, .help = N_("numbers of the ray before, after"), .flags = COMMAND_REPEATS, RUNS(select_ray, -1)},
-    {"ray on", {KEY(k)}, N_("ray +"), RAYS, .help = N_("numbers of the ray before, after"), .flags = COMMAND_REPEATS, RUNS(select_ray, 1)},
+    {"ray back", {KEY(j)}, N_("ray −"), RAYS, RAY_STEPS, .flags = COMMAND_REPEATS, RUNS(select_ray, -1)},
+    {"ray on", {KEY(k)}, N_("ray +"), RAYS, RAY_STEPS, .flags = COMMAND_REPEATS, RUNS(select_ray, 1)},
+    {"fly ray", {NO_KEY(N_("Space"))}, NULL, RAYS, RAY_STEPS, RUNS(fly_ray, 0)},
+    {"camera rays", {ONLY_PLACE(1, N_("Shift 1"))}, NULL, .flags = COMMAND_SHIFT, RUNS(toggle_ray_kind, RAY_CAMERA)},
+    {"shadow rays", {ONLY_PLACE(2, N_("Shift 2"))}, NULL, .flags = COMMAND_SHIFT, RUNS(toggle_ray_kind, RAY_SHADOW)},
+    {"mirrored rays", {ONLY_PLACE(3, N_("Shift 3"))}, NULL, .flags = COMMAND_SHIFT, RUNS(toggle_ray_kind, RAY_REFLECTION)},
+    {"refracted rays", {ONLY_PLACE(4, N_("Shift 4"))}, NULL, .flags = COMMAND_SHIFT, RUNS(toggle_ray_kind, RAY_REFRACTION)},
     {NULL, {NO_KEY("←↑↓→")}, NULL, RAYS, .help = N_("around them; or the mouse")},
 
     {NULL, {ONLY_PLACE(LSHIFT, N_("Shift")), ONLY_PLACE(RSHIFT, "")}, N_("fast"), PROGRAM, .help = N_("with a move: fast, fine")},
@@ -519,6 +537,11 @@ const Command command_table[] = {
 
 void command_run(App *app, const Command *command) {
     command->run(app, command->argument);
+}
+
+void command_choose_ray(App *app, size_t ray) {
+    recorder_on_step(app, "ray(%zu)", ray);
+    app_choose_ray(app, ray);
 }
 
 void command_issue(App *app, const Command *command, double time) {

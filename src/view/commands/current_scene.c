@@ -123,7 +123,7 @@ static void replace_renderers(Window *window, SceneLoad *load) {
         SceneLoadViewport *target = &load->viewports[i];
         if (target->renderer && window->viewports[i].renderer) {
             viewport_set_renderer(&window->viewports[i], target->renderer, &target->settings);
-            inspector_on_renderer_changed(&window->inspector);
+            ray_view_on_renderer_changed(&window->ray_view);
         } else {
             renderer_destroy(target->renderer);
             window->viewports[i].needs_new_renderer = true;

@@ -31,31 +31,44 @@ static bool is_light(const SceneObject *object) {
 
 /* --- selecting -------------------------------------------------------------------------------- */
 
-void edits_select(App *app, int keyword, int number) {
+void edits_select(App *app, int keyword, int number, const Uvd *pixel) {
     ObjectInspector *inspector = &app->window.object_inspector;
     SceneObject object;
     bool is_known = number > 0 && scene_object_find(app->scene, keyword, number, &object);
-    *inspector = (ObjectInspector){.keyword = keyword, .number = is_known ? number : 0};
+    *inspector = (ObjectInspector){
+        .keyword = keyword, .number = is_known ? number : 0, .has_pixel = is_known && pixel};
     if (is_known && is_light(&object)) {
         app->selected_light = object.index;
+    }
+    if (is_known && pixel) {
+        ray_view_aim(&app->window.ray_view, pixel->u, pixel->v);
     }
     window_present(&app->window);
 }
 
-/** Selects an object for the user. */
-static void select_object(App *app, const SceneObject *object) {
-    const Keyword *keyword = object ? scene_object_keyword(object->keyword) : NULL;
+/** Selects an object for the user. @param object The object; NULL: none. @param pixel Where it was
+ *  clicked, fractions of the picture; NULL: not in the picture. */
+static void select_object(App *app, const SceneObject *object, const Uvd *pixel) {
     if (object && object->origin->number == 0) {
         app_set_status(app, "no call of the scene file made this: it cannot be changed here");
         object = NULL;
     }
-    if (object) {
-        recorder_on_step(app, "select(\"%s\", %d)", keyword->name, object->origin->number);
-        edits_select(app, object->keyword, object->origin->number);
-    } else if (app->window.object_inspector.number > 0) {
-        recorder_on_step(app, "select()");
-        edits_select(app, 0, 0);
+    if (!object) {
+        if (app->window.object_inspector.number > 0) {
+            recorder_on_step(app, "select()");
+        }
+        edits_select(app, 0, 0, NULL);
+        return;
     }
+    const char *keyword = scene_object_keyword(object->keyword)->name;
+    int number = object->origin->number;
+    if (pixel) {
+        recorder_on_step(app, "select(\"%s\", %d, %.17g, %.17g)", keyword, number, pixel->u,
+                         pixel->v);
+    } else {
+        recorder_on_step(app, "select(\"%s\", %d)", keyword, number);
+    }
+    edits_select(app, object->keyword, number, pixel);
 }
 
 /** Finds what a pixel shows. @return false if it shows nothing. */
@@ -81,22 +94,19 @@ static bool find_object_at(App *app, double x, double y, SceneObject *object) {
 
 void edits_click(App *app, double x, double y) {
     SceneObject object;
+    const Uvd pixel = {x, y};
     bool is_found = find_object_at(app, x, y, &object);
-    select_object(app, is_found ? &object : NULL);
-    ObjectInspector *inspector = &app->window.object_inspector;
-    inspector->has_pixel = inspector->number > 0;
-    inspector->x = x;
-    inspector->y = y;
+    select_object(app, is_found ? &object : NULL, &pixel);
 }
 
 void edits_click_light(App *app, size_t light) {
     SceneObject object = scene_object_of_light(app->scene, light);
-    select_object(app, &object);
+    select_object(app, &object, NULL);
 }
 
 bool edits_close(App *app) {
     bool is_open = app->window.object_inspector.number > 0;
-    select_object(app, NULL);
+    select_object(app, NULL, NULL);
     return is_open;
 }
 
@@ -422,18 +432,20 @@ void edits_write(App *app) {
 
 /* --- requests --------------------------------------------------------------------------------- */
 
+/** Issues a command by its name. */
+static void issue(App *app, const char *name) {
+    command_issue(app, command_find(app->commands, name), clock_now_seconds());
+}
+
 /** Carries out what the inspector requests besides an edit. */
 static void handle_request(App *app, InspectorRequest request) {
-    ObjectInspector *inspector = &app->window.object_inspector;
     switch (request) {
     case INSPECTOR_CLOSE:
         edits_close(app);
         break;
     case INSPECTOR_UNDO:
     case INSPECTOR_REDO:
-        command_issue(app,
-                      command_find(app->commands, request == INSPECTOR_UNDO ? "undo" : "redo"),
-                      clock_now_seconds());
+        issue(app, request == INSPECTOR_UNDO ? "undo" : "redo");
         break;
     case INSPECTOR_COPY:
         edits_copy(app);
@@ -442,8 +454,7 @@ static void handle_request(App *app, InspectorRequest request) {
         edits_write(app);
         break;
     case INSPECTOR_RAYS:
-        recorder_on_step(app, "pixel(%.17g, %.17g)", inspector->x, inspector->y);
-        app_pick_pixel(app, inspector->x, inspector->y);
+        issue(app, "rays");
         break;
     case INSPECTOR_NO_REQUEST:
         break;

@@ -33,8 +33,9 @@ void edits_write(App *app);
 
 /* --- for commands and lessons ----------------------------------------------------------------- */
 
-/** Selects an object. @param number See #SceneOverride.number; 0: none. */
-void edits_select(App *app, int keyword, int number);
+/** Selects an object. @param number See #SceneOverride.number; 0: none. @param pixel Where it was
+ *  clicked, fractions of the picture's width and height; NULL: not in the picture. */
+void edits_select(App *app, int keyword, int number, const Uvd *pixel);
 
 /** Gives a field a value. @param continues Whether it belongs to the change before it. */
 void edits_set(App *app, const SceneOverride *override, bool continues);

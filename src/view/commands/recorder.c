@@ -190,7 +190,7 @@ bool recorder_begin(App *app, Error *error) {
     app_reset_view(app);
     edit_history_clear(&app->edits);
     app->window.object_inspector = (ObjectInspector){0};
-    inspector_reset(&app->window.inspector);
+    ray_view_reset(&app->window.ray_view);
     write_head(app, recorder->stream);
     app->title.next_update_time = 0;
     return true;

@@ -43,6 +43,12 @@ constexpr double COLOR_GRAINS = 10000;
 constexpr size_t PANEL_TITLE_SIZE = 256;
 /** Length of an arrow to a light outside the picture, in heights of letters. */
 constexpr float ARROW_LENGTH = 1.2F;
+/** Space beside the text of a label, in heights of letters. */
+constexpr float LABEL_PADDING = 0.12F;
+/** Width of a ray in flight, in heights of letters. */
+constexpr float FLIGHT_WIDTH = 0.22F;
+/** Step by which rows of a list are moved to the right, in heights of letters. */
+constexpr float ROW_INDENT = 0.7F;
 
 /** The letters of English and French, and the signs of formulas, arrows and buttons. */
 constexpr ImWchar LETTERS[] = {0x20,   0xff,   0x152,  0x153,  0x3b1,  0x3c9,  0x2010,
@@ -54,6 +60,8 @@ constexpr ImWchar LETTERS[] = {0x20,   0xff,   0x152,  0x153,  0x3b1,  0x3c9,  0
 constexpr ImU32 ACCENT = IM_COL32(255, 205, 90, 255);
 /** Colour of outlines on the picture: seen on light and dark ground. */
 constexpr ImU32 OUTLINE = IM_COL32(0, 0, 0, 200);
+/** Colour of headings. */
+constexpr ImU32 HEADING = IM_COL32(140, 190, 255, 255);
 /** Colour of text on the picture. */
 constexpr ImU32 TEXT = IM_COL32(240, 240, 240, 255);
 
@@ -199,6 +207,26 @@ bool drag_or_slide(const char *id, double *number, double high) {
 void draw_outlined_line(ImDrawList *list, ImVec2 from, ImVec2 to, ImU32 color, float width) {
     list->AddLine(from, to, OUTLINE, width + 2);
     list->AddLine(from, to, color, width);
+}
+
+/** Writes a text, broken at spaces alone: Dear ImGui itself breaks numbers at their points. */
+void text_at_spaces(const char *text) {
+    const float available = ImGui::GetContentRegionAvail().x;
+    while (*text != '\0') {
+        const char *end = text;
+        while (*end != '\0') {
+            const char *next = end + 1;
+            while (*next != '\0' && *next != ' ') {
+                next++;
+            }
+            if (end != text && ImGui::CalcTextSize(text, next).x > available) {
+                break;
+            }
+            end = next;
+        }
+        ImGui::TextUnformatted(text, end);
+        text = *end == ' ' ? end + 1 : end;
+    }
 }
 
 /** Writes a name with an outline. @param center Middle of its upper edge. */
@@ -477,6 +505,103 @@ void gui_mark_outside(GuiPoint tip, GuiPoint direction, const char *name, bool i
     draw_name(list,
               ImVec2(start.x - length * direction.x, start.y - length * direction.y - length / 2),
               name);
+}
+
+/* --- lists of rays: rows, check boxes and text beside the picture ------------------------------
+ */
+
+void gui_list_begin(const char *id, GuiPoint corner, GuiPoint size) {
+    ImGui::SetNextWindowPos(ImVec2(corner.x, corner.y));
+    ImGui::SetNextWindowSize(ImVec2(size.x, size.y));
+    ImGui::Begin(id, nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoNav |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+}
+
+void gui_list_end() {
+    ImGui::End();
+}
+
+void gui_list_heading(const char *text) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, HEADING);
+    ImGui::TextWrapped("%s", text);
+    ImGui::PopStyleColor();
+}
+
+void gui_list_text(const char *label, const char *text) {
+    if (label[0] != '\0') {
+        ImGui::PushStyleColor(ImGuiCol_Text, ACCENT);
+        ImGui::TextUnformatted(label);
+        ImGui::PopStyleColor();
+        float left = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x;
+        float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+        if (left + ImGui::CalcTextSize(text).x <= right) {
+            ImGui::SameLine();
+        }
+    }
+    text_at_spaces(text);
+}
+
+bool gui_list_row(int number, const char *text, int indent, const unsigned char rgb[3],
+                  bool is_selected, bool is_revealed) {
+    const float size = ImGui::GetFontSize(), left = ROW_INDENT * size * static_cast<float>(indent);
+    ImGui::PushID(number);
+    ImVec2 corner = ImGui::GetCursorScreenPos();
+    bool is_clicked = ImGui::Selectable("##row", is_selected, 0, ImVec2(0, size));
+    ImDrawList *list = ImGui::GetWindowDrawList();
+    ImVec2 low(corner.x + left, corner.y + 0.2F * size);
+    list->AddRectFilled(low, ImVec2(low.x + 0.6F * size, low.y + 0.6F * size),
+                        IM_COL32(rgb[0], rgb[1], rgb[2], 255));
+    list->AddRect(low, ImVec2(low.x + 0.6F * size, low.y + 0.6F * size), TEXT);
+    list->AddText(ImVec2(low.x + size, corner.y), is_selected ? ACCENT : TEXT, text);
+    if (is_revealed) {
+        ImGui::SetScrollHereY();
+    }
+    if (left + size + ImGui::CalcTextSize(text).x > ImGui::GetContentRegionAvail().x) {
+        show_tooltip(text);
+    }
+    ImGui::PopID();
+    return is_clicked;
+}
+
+bool gui_list_check(const char *label, const unsigned char rgb[3], const char *tooltip,
+                    bool is_on) {
+    place_in_bar(button_width(label) + ImGui::GetFrameHeight());
+    ImGui::PushStyleColor(ImGuiCol_CheckMark, IM_COL32(rgb[0], rgb[1], rgb[2], 255));
+    bool is_clicked = ImGui::Checkbox(label, &is_on);
+    ImGui::PopStyleColor();
+    show_tooltip(tooltip);
+    return is_clicked;
+}
+
+float gui_text_width(const char *text) {
+    return ImGui::CalcTextSize(text).x;
+}
+
+void gui_label(const char *text, GuiPoint anchor, GuiPoint corner, bool is_bright) {
+    ImDrawList *list = ImGui::GetBackgroundDrawList();
+    ImVec2 size = ImGui::CalcTextSize(text), low(corner.x, corner.y);
+    float gap = LABEL_PADDING * size.y;
+    ImVec2 high(low.x + size.x + gap, low.y + size.y);
+    draw_outlined_line(list, ImVec2(anchor.x, anchor.y),
+                       ImVec2(low.x + size.x / 2, low.y + size.y / 2), is_bright ? ACCENT : TEXT,
+                       1);
+    list->AddRectFilled(ImVec2(low.x - gap, low.y), high, is_bright ? ACCENT : OUTLINE,
+                        ROUNDING * size.y);
+    list->AddText(low, is_bright ? IM_COL32_BLACK : TEXT, text);
+}
+
+void gui_flight(GuiPoint from, GuiPoint to, const unsigned char rgb[3]) {
+    ImDrawList *list = ImGui::GetBackgroundDrawList();
+    const float width = FLIGHT_WIDTH * ImGui::GetFontSize();
+    ImVec2 start(from.x, from.y), end(to.x, to.y);
+    list->AddLine(start, end, TEXT, 2 * width);
+    list->AddLine(start, end, IM_COL32(rgb[0], rgb[1], rgb[2], 255), width);
+    list->AddCircleFilled(end, 2 * width, OUTLINE);
+    list->AddCircleFilled(end, 1.6F * width, ACCENT);
 }
 
 /* --- panels with widgets ---------------------------------------------------------------------- */

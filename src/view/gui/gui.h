@@ -117,6 +117,47 @@ void gui_mark_light(GuiPoint center, const char *name, bool is_selected);
  *  it points, of length 1. */
 void gui_mark_outside(GuiPoint tip, GuiPoint direction, const char *name, bool is_selected);
 
+/* --- lists of rays: rows, check boxes and text beside the picture ------------------------------
+ */
+
+/** Begins a list with a dark ground, which scrolls. Its rows follow, then #gui_list_end. */
+void gui_list_begin(const char *id, GuiPoint corner, GuiPoint size);
+
+/** Ends a list. */
+void gui_list_end(void);
+
+/** A heading. */
+void gui_list_heading(const char *text);
+
+/** A line of a label and a text, which is broken where it is too long. @param label Empty: none. */
+void gui_list_text(const char *label, const char *text);
+
+/**
+ * A row that can be clicked, with a colour before it.
+ * @param number       Unique to this row in its list; not shown.
+ * @param indent       How far it is moved to the right, in steps.
+ * @param rgb          The colour, sRGB.
+ * @param is_selected  Whether it is the chosen one.
+ * @param is_revealed  Whether the list scrolls until it is in sight.
+ * @return Whether it was clicked.
+ */
+bool gui_list_row(int number, const char *text, int indent, const unsigned char rgb[3],
+                  bool is_selected, bool is_revealed);
+
+/** A check box with a colour, beside the one before where there is room. @return Whether it was
+ *  clicked. */
+bool gui_list_check(const char *label, const unsigned char rgb[3], const char *tooltip, bool is_on);
+
+/** @return Width of a text, pixels of the window. */
+float gui_text_width(const char *text);
+
+/** Writes a text on the picture, with a line to what it names. @param corner Of the text, upper
+ *  left. @param is_bright Whether it stands out. */
+void gui_label(const char *text, GuiPoint anchor, GuiPoint corner, bool is_bright);
+
+/** Draws a ray in flight: a bright line with a spot at its end. @param rgb Its colour, sRGB. */
+void gui_flight(GuiPoint from, GuiPoint to, const unsigned char rgb[3]);
+
 /* --- panels with widgets ---------------------------------------------------------------------- */
 
 /**

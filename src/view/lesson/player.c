@@ -172,6 +172,9 @@ static void do_step(App *app, const LessonStep *step) {
     case LESSON_WALK:
         app_step_pixel(app, (int)step->x, (int)step->y);
         break;
+    case LESSON_RAY:
+        app_choose_ray(app, (size_t)step->action);
+        break;
     case LESSON_BAR:
         window_move_bar(&app->window, step->x);
         break;
@@ -179,7 +182,8 @@ static void do_step(App *app, const LessonStep *step) {
         app_drag_light(app, (size_t)step->action, (Vec3d){step->x, step->y, step->z});
         break;
     case LESSON_SELECT:
-        edits_select(app, step->keyword, step->action);
+        edits_select(app, step->keyword, step->action,
+                     step->x >= 0 ? &(Uvd){step->x, step->y} : NULL);
         break;
     case LESSON_SET:
         edits_set(app, &(SceneOverride){step->keyword, step->action, step->row,

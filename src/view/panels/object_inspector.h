@@ -27,9 +27,7 @@ typedef enum {
 typedef struct ObjectInspector {
     int keyword;              /**< Keyword of the selected object, see #SceneOverride.keyword. */
     int number;               /**< Its number; 0: nothing is selected. */
-    bool has_pixel;           /**< Whether it was selected by a click. */
-    double x;                 /**< Where: fraction of the picture's width. */
-    double y;                 /**< Fraction of its height, from the top. */
+    bool has_pixel;           /**< Whether it was selected by a click on a pixel. */
     bool is_continuing;       /**< Whether the next edit belongs to the one before. */
     bool has_edit;            /**< Whether the user requests #edit. */
     bool continues;           /**< Whether it belongs to the edit before. */

@@ -3,7 +3,7 @@
  * @brief A viewport: one picture of the window, with its own renderer, settings and layer.
  *
  * It is rendered in the background, pass by pass, and never waited for. A window has one viewport,
- * or two of the same scene side by side; the inspector has a third with another camera.
+ * or two of the same scene side by side; the view of rays has a third with another camera.
  */
 #ifndef DIOPTRE_VIEW_WINDOW_VIEWPORT_H
 #define DIOPTRE_VIEW_WINDOW_VIEWPORT_H

@@ -154,7 +154,7 @@ holds "$lesson" '^caption \{ en = "The \\"end\\"", wait = true \}$' 'a caption t
 holds "$lesson" '^snapshot\(\)$' 'a snapshot'
 holds "$lesson" '^turn\([0-9.-]+, [0-9.-]+\)$' 'the mouse'
 holds "$lesson" '^bar\(0.62[0-9]*\)$' 'the bar between two pictures'
-holds "$lesson" '^select\("quad", 3, 0.51[0-9]*, 0.53[0-9]*\)$' 'a click on a thing'
+holds "$lesson" '^select\("[a-z]*", [0-9]*, 0.51[0-9]*, 0.53[0-9]*\)$' 'a click on a thing'
 holds "$lesson" '^walk\(1, 0\)$' 'a step to the pixel beside'
 [ "$(grep -c '^press "rays"$' "$lesson")" = 2 ] && ok 'and Esc, which leaves the rays' || fail "$(grep rays "$lesson")"
 holds "$lesson" '^speed\(4\)$' 'Shift'

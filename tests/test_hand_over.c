@@ -116,6 +116,10 @@ static void test_scene_fields(void **state) {
     REFUSED(&sent, scene->shapes[1].transform, (const Transform *)(void *)scene->lights);
     REFUSED(&sent, ((Transform *)(uintptr_t)scene->shapes[1].transform)->matrix[1][1], (double)NAN);
     REFUSED(&sent, ((Transform *)(uintptr_t)scene->shapes[1].transform)->scale.x, 1e9);
+    REFUSED(&sent, scene->shapes[0].origin.number, -1);
+    REFUSED(&sent, scene->shapes[0].origin.line, -1);
+    REFUSED(&sent, scene->lights[0].origin.number, -1);
+    REFUSED(&sent, scene->materials[1].origin.line, -1);
     REFUSED(&sent, scene->shapes, NULL);
     REFUSED(&sent, scene->shapes, scene->shapes + 1);
     REFUSED(&sent, scene->shape_count, SIZE_MAX / 2);
@@ -250,7 +254,10 @@ static void test_lessons(void **state) {
     LessonStep caption = {.kind = LESSON_CAPTION, .time = 5};
     caption.text.french = lesson_store_text(lesson, "Légende", &error);
     const LessonStep press = {.kind = LESSON_PRESS, .action = 2};
-    assert_true(lesson_add(lesson, &press, &error) && lesson_add(lesson, &caption, &error));
+    const LessonStep select = {.kind = LESSON_SELECT, .time = 5, .action = 1};
+    const LessonStep set = {.kind = LESSON_SET, .time = 5, .action = 1, .row = 1, .x = 2};
+    assert_true(lesson_add(lesson, &press, &error) && lesson_add(lesson, &caption, &error) &&
+                lesson_add(lesson, &select, &error) && lesson_add(lesson, &set, &error));
     const size_t size = lesson_block_size(lesson);
     Lesson *copy = malloc(sizeof *copy);
     assert_non_null(copy);
@@ -277,6 +284,16 @@ static void test_lessons(void **state) {
     LESSON_REFUSED(*byte_of(&lesson->steps[1].waits_for_viewer), 2);
     LESSON_REFUSED(lesson->steps[1].kind, (LessonStepKind)77);
     LESSON_REFUSED(lesson->steps[1].time, -1);
+    LESSON_REFUSED(lesson->steps[2].keyword, -1);
+    LESSON_REFUSED(lesson->steps[2].keyword, 1000);
+    LESSON_REFUSED(lesson->steps[2].action, -1);
+    LESSON_REFUSED(lesson->steps[3].keyword, 1000);
+    LESSON_REFUSED(lesson->steps[3].row, -1);
+    LESSON_REFUSED(lesson->steps[3].row, 1000);
+    LESSON_REFUSED(lesson->steps[3].action, 0);
+    LESSON_REFUSED(lesson->steps[3].x, -1);
+    LESSON_REFUSED(lesson->steps[3].x, (double)NAN);
+    LESSON_REFUSED(*byte_of(&lesson->steps[3].continues), 2);
     LESSON_REFUSED(lesson->steps[0].time, 6);
     LESSON_REFUSED(lesson->steps[0].action, ACTIONS);
     LESSON_REFUSED(lesson->steps[0].action, -1);

@@ -618,6 +618,10 @@ bool gui_panel_begin(const char *id, const char *title, float top) {
     ImGui::Begin(label, &is_open,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
+    // The window may have become smaller, or the letters larger.
+    ImVec2 corner = ImGui::GetWindowPos();
+    ImGui::SetWindowPos(ImVec2(fmaxf(0, fminf(corner.x, io.DisplaySize.x - width)),
+                               fmaxf(0, fminf(corner.y, io.DisplaySize.y - 2 * size))));
     ImGui::PushItemWidth(PANEL_WIDGET_WIDTH * size);
     return is_open;
 }

@@ -51,6 +51,13 @@ xdotool key ctrl+z && sleep 1 && xdotool key p && sleep 1.5
 undone=$(ls "$work"/shots/*.bmp | tail -1)
 "$dioptre" render "$work/first.lua" --samples 1 -o "$work/first.bmp"
 same "$undone" "$work/first.bmp" 'undo leads back to the value before, after writing too'
+xdotool mousemove --window "$window" 380 320 mousedown 1
+for _ in 1 2 3; do xdotool mousemove_relative -- -20 20 && sleep 0.2; done
+xdotool mouseup 1 key ctrl+c && sleep 0.5
+tail -1 "$work/log" | grep -qE '^sphere \{ center = \{-0\.[0-9]{1,6}, -0\.[0-9]{1,6}, 0\}' && ok 'a shape is dragged in the plane that faces you' ||
+    fail "$(tail -1 "$work/log")"
+xdotool key ctrl+z && sleep 0.5 && xdotool key ctrl+c && sleep 0.5
+tail -1 "$work/log" | grep -q 'center' && fail "$(tail -1 "$work/log")" || ok 'and undo takes the whole drag back'
 click 145 90 && settled
 drag_widget && sleep 0.5
 xdotool key ctrl+s && sleep 0.5

@@ -918,10 +918,11 @@ static void test_edit_check(void **state) {
     const SceneOverride scale = {box, 1, scene_object_row_find(box, "scale"), {0, 1, 1}};
     assert_false(scene_override_check(&object, &scale, 1, &error));
     assert_true(scene_object_find(scene, material, 1, &object));
-    const SceneOverride wrong[] = {{material, 1, scene_object_row_find(material, "ior"), {NAN}},
-                                   {material, 1, scene_object_row_find(material, "color"), {2, 0, 0}},
-                                   {material, 1, scene_object_row_find(material, "texture"), {1}},
-                                   {material, 1, 1000, {1}}};
+    const SceneOverride wrong[] = {
+        {material, 1, scene_object_row_find(material, "ior"), {NAN}},
+        {material, 1, scene_object_row_find(material, "color"), {2, 0, 0}},
+        {material, 1, scene_object_row_find(material, "texture"), {1}},
+        {material, 1, 1000, {1}}};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         assert_false(scene_override_check(&object, &wrong[i], 1, &error));
     }
@@ -935,9 +936,9 @@ static void test_edit_check(void **state) {
 static void test_source_edit(void **state) {
     (void)state;
     static const struct {
-        const char *text;  // The scene.
-        int line;          // Line of the sphere.
-        const char *field; // Its field, which gets the value 7.
+        const char *text;   // The scene.
+        int line;           // Line of the sphere.
+        const char *field;  // Its field, which gets the value 7.
         const char *wanted; // The new text; NULL: it is refused.
     } cases[] = {
         {"sphere { radius = 1 }", 1, "radius", "sphere { radius = 7 }"},
@@ -958,8 +959,7 @@ static void test_source_edit(void **state) {
         {"sphere { material = material { radius = 2 }, radius = 1 }", 1, "radius",
          "sphere { material = material { radius = 2 }, radius = 7 }"},
         {"sphere { f = function() if a then return { radius = 2 } end end, radius = 1 }", 1,
-         "radius",
-         "sphere { f = function() if a then return { radius = 2 } end end, radius = 7 }"},
+         "radius", "sphere { f = function() if a then return { radius = 2 } end end, radius = 7 }"},
         {"sphere { radius = r }", 1, "radius", NULL},
         {"sphere { radius = 1 + 1 }", 1, "radius", NULL},
         {"sphere { radius = ({1})[1] }", 1, "radius", NULL},
@@ -979,8 +979,7 @@ static void test_source_edit(void **state) {
         const SourceField field = {"sphere", cases[i].line, cases[i].field, "7"};
         char *text = source_edit_set(cases[i].text, strlen(cases[i].text), &field, &size, &error);
         if (!text != !cases[i].wanted || (text && strcmp(text, cases[i].wanted) != 0)) {
-            fail_msg("%s\nbecomes: %s (%s)", cases[i].text, text ? text : "nothing",
-                     error.message);
+            fail_msg("%s\nbecomes: %s (%s)", cases[i].text, text ? text : "nothing", error.message);
         }
         assert_true(text ? size == strlen(text) : error.message[0] != '\0');
         free(text);

@@ -100,12 +100,9 @@ static bool render_frame(Animation *animation, const RenderJob *job, Error *erro
         progress_done(animation->progress);
         return true;
     }
-    Scene *scene =
-        command_run_scene(job->options,
-                          &(SceneRun){.time = job->time,
-                                      .cache = animation->cache,
-                                      .stop = interrupt_flag()},
-                          error);
+    Scene *scene = command_run_scene(
+        job->options,
+        &(SceneRun){.time = job->time, .cache = animation->cache, .stop = interrupt_flag()}, error);
     if (scene && !animation->scene) {
         command_print_notes(scene);
     }

@@ -32,9 +32,9 @@ void command_print_notes(const Scene *scene);
 
 /** How the scene of a command line is run. */
 typedef struct SceneRun {
-    double time;             /**< The scene's `t`, seconds. */
-    AssetCache *cache;       /**< The assets of earlier runs; may be NULL. */
-    const atomic_bool *stop; /**< Loading ends early once this is true; may be NULL. */
+    double time;                    /**< The scene's `t`, seconds. */
+    AssetCache *cache;              /**< The assets of earlier runs; may be NULL. */
+    const atomic_bool *stop;        /**< Loading ends early once this is true; may be NULL. */
     const SceneOverride *overrides; /**< See #ScriptRequest.overrides. */
     size_t override_count;          /**< Their number. */
 } SceneRun;

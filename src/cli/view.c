@@ -49,15 +49,14 @@ static Scene *load_scene(void *context, const ViewRequest *request, const atomic
         options.base_dir = NULL;
     }
     AssetCache *cache = needs_new_cache ? asset_cache_create(error) : source->cache;
-    Scene *scene =
-        cache ? command_run_scene(&options,
-                                  &(SceneRun){.time = request->time,
-                                              .cache = cache,
-                                              .stop = stop,
-                                              .overrides = request->overrides,
-                                              .override_count = request->override_count},
-                                  error)
-              : NULL;
+    Scene *scene = cache ? command_run_scene(&options,
+                                             &(SceneRun){.time = request->time,
+                                                         .cache = cache,
+                                                         .stop = stop,
+                                                         .overrides = request->overrides,
+                                                         .override_count = request->override_count},
+                                             error)
+                         : NULL;
     if (scene && needs_new_cache) {
         command_print_notes(scene);
     }

@@ -24,12 +24,11 @@ bool parameter_check_range(const Parameter *parameter, double value, Error *erro
 }
 
 int parameter_number_count(ParameterType type) {
-    static const int counts[] = {[PARAMETER_NUMBER] = 1, [PARAMETER_INTEGER] = 1,
-                                 [PARAMETER_BOOLEAN] = 1, [PARAMETER_CHOICE] = 1,
-                                 [PARAMETER_POINT] = 3, [PARAMETER_VECTOR] = 3,
-                                 [PARAMETER_DIRECTION] = 3, [PARAMETER_SCALE] = 3,
-                                 [PARAMETER_UV] = 2, [PARAMETER_COLOR] = 3,
-                                 [PARAMETER_TEXTURE] = 0};
+    static const int counts[] = {
+        [PARAMETER_NUMBER] = 1,    [PARAMETER_INTEGER] = 1, [PARAMETER_BOOLEAN] = 1,
+        [PARAMETER_CHOICE] = 1,    [PARAMETER_POINT] = 3,   [PARAMETER_VECTOR] = 3,
+        [PARAMETER_DIRECTION] = 3, [PARAMETER_SCALE] = 3,   [PARAMETER_UV] = 2,
+        [PARAMETER_COLOR] = 3,     [PARAMETER_TEXTURE] = 0};
     return counts[type];
 }
 

@@ -82,7 +82,9 @@ typedef struct InputState {
     unsigned modifiers;      /**< SDL's modifiers at the last key event: in the order of events. */
     bool is_light_dragged;   /**< Whether the mouse drags a light. */
     size_t dragged_light;    /**< Index of that light. */
-    bool has_dragged;        /**< Whether it has moved since the button went down. */
+    bool is_object_dragged;  /**< Whether the mouse drags the selected shape. */
+    Vec3d dragged_point;     /**< Where the mouse holds it, scene units. */
+    bool has_dragged;        /**< Whether light or shape have moved since the button went down. */
 } InputState;
 
 /** A lesson that plays. Starts as `{0}`: none. */

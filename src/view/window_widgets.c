@@ -268,12 +268,12 @@ static void show_object_inspector(Window *window) {
     bool is_light = inspector->number > 0 && !scene_object_is_shape(inspector->keyword) &&
                     scene_object_find(state->scene, inspector->keyword, inspector->number, &object);
     object_inspector_outline(inspector, state->scene, &picture);
-    const ObjectInspectorContent content = {
-        .scene = state->scene,
-        .history = state->edits,
-        .is_light_moved = is_light && state->is_light_moved[object.index],
-        .is_read_only = state->is_playing,
-        .top = window->toolbar.height};
+    const ObjectInspectorContent content = {.scene = state->scene,
+                                            .history = state->edits,
+                                            .is_light_moved =
+                                                is_light && state->is_light_moved[object.index],
+                                            .is_read_only = state->is_playing,
+                                            .top = window->toolbar.height};
     object_inspector_show(inspector, &content);
 }
 
@@ -338,4 +338,11 @@ bool window_drag_offset(const Window *window, size_t light, GuiPoint from, GuiPo
     SDL_Rect picture = to_units(window_picture_rect(window), pixels_per_unit(window));
     return window->state.scene && light_marks_drag_offset(window->state.scene, light, &picture,
                                                           from, to, is_along, offset);
+}
+
+bool window_drag_offset_at(const Window *window, Vec3d point, const PictureDrag *drag,
+                           Vec3d *offset) {
+    SDL_Rect picture = to_units(window_picture_rect(window), pixels_per_unit(window));
+    return window->state.scene &&
+           picture_drag_offset(&window->state.scene->camera, point, &picture, drag, offset);
 }

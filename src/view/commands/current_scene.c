@@ -187,7 +187,8 @@ static bool accept_loaded_scene(App *app, Error *error) {
 static bool is_load_wanted(const App *app) {
     bool is_time_changed = app_is_animated(app) && app_scene_time(app) != app->scene_time;
     bool is_edited = app->settings->load && app->source.requested_revision != app->edits.revision;
-    return is_edited || is_time_changed || app->source.is_file_changed || app->source.next_path[0] != '\0';
+    return is_edited || is_time_changed || app->source.is_file_changed ||
+           app->source.next_path[0] != '\0';
 }
 
 /** Requests the scene that is wanted. @return false if the loader's thread cannot start. */

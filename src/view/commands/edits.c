@@ -71,8 +71,9 @@ static void select_object(App *app, const SceneObject *object, const Uvd *pixel)
     edits_select(app, object->keyword, number, pixel);
 }
 
-/** Finds what a pixel shows. @return false if it shows nothing. */
-static bool find_object_at(App *app, double x, double y, SceneObject *object) {
+/** Finds what a pixel shows. @param[out] point Where it is, scene units. @return false if it shows
+ *  nothing. */
+static bool find_object_at(App *app, double x, double y, SceneObject *object, Vec3d *point) {
     const Viewport *viewport = window_active_viewport(&app->window);
     RayTree tree = {0};
     Error error = {0};
@@ -80,6 +81,7 @@ static bool find_object_at(App *app, double x, double y, SceneObject *object) {
                                              (int)(y * viewport->height), &tree, &error) &&
                     tree.count > 0;
     int shape = is_found ? tree.nodes[0].shape : -1, light = is_found ? tree.nodes[0].light : -1;
+    *point = is_found ? tree.nodes[0].point : (Vec3d){0};
     ray_tree_deinit(&tree);
     if (shape >= 0 && (size_t)shape < app->scene->shape_count) {
         *object = scene_object_of_shape(app->scene, (size_t)shape);
@@ -94,8 +96,9 @@ static bool find_object_at(App *app, double x, double y, SceneObject *object) {
 
 void edits_click(App *app, double x, double y) {
     SceneObject object;
+    Vec3d point;
     const Uvd pixel = {x, y};
-    bool is_found = find_object_at(app, x, y, &object);
+    bool is_found = find_object_at(app, x, y, &object, &point);
     select_object(app, is_found ? &object : NULL, &pixel);
 }
 
@@ -176,6 +179,23 @@ void edits_set(App *app, const SceneOverride *override, bool continues) {
     }
 }
 
+/** Significant digits of the distance to the target in which objects move: far less than a pixel.
+ */
+enum { MOVE_DIGITS = 5 };
+
+/** @return Decimals of the places of objects that are moved: they are short in a file. */
+static int decimals_of_scene(const App *app) {
+    double digits = MOVE_DIGITS - floor(log10(app->scene->camera.target_distance));
+    return (int)SDL_clamp(digits, 0, 30);
+}
+
+/** @return A number with few decimals. */
+static double shorten(double number, int decimals) {
+    char text[512]; // The largest double has 309 digits before the point.
+    snprintf(text, sizeof text, "%.*f", decimals, number);
+    return strtod(text, NULL);
+}
+
 /** Most fields that move with an object. */
 enum { MOVED_FIELDS_MAXIMUM = 8 };
 
@@ -183,6 +203,7 @@ enum { MOVED_FIELDS_MAXIMUM = 8 };
 static size_t list_moved_points(const App *app, const SceneObject *object, Vec3d offset,
                                 SceneOverride edits[MOVED_FIELDS_MAXIMUM]) {
     const Parameter *row;
+    int digits = decimals_of_scene(app);
     size_t count = 0;
     bool has_own_point = false;
     for (int i = 0; (row = scene_object_row(object->keyword, i)); i++) {
@@ -198,9 +219,9 @@ static size_t list_moved_points(const App *app, const SceneObject *object, Vec3d
         scene_object_get(object, i, edit.numbers);
         const SceneOverride *newest = edit_history_find(&app->edits, &edit);
         edit = newest ? *newest : edit;
-        edit.numbers[0] += offset.x;
-        edit.numbers[1] += offset.y;
-        edit.numbers[2] += offset.z;
+        edit.numbers[0] = shorten(edit.numbers[0] + offset.x, digits);
+        edit.numbers[1] = shorten(edit.numbers[1] + offset.y, digits);
+        edit.numbers[2] = shorten(edit.numbers[2] + offset.z, digits);
         edits[count++] = edit;
     }
     return count;
@@ -245,6 +266,22 @@ void edits_redo(App *app) {
     }
 }
 
+bool edits_grab(App *app, double x, double y, Vec3d *point) {
+    const ObjectInspector *inspector = &app->window.object_inspector;
+    SceneObject object;
+    return inspector->number > 0 && scene_object_is_shape(inspector->keyword) &&
+           find_object_at(app, x, y, &object, point) && object.keyword == inspector->keyword &&
+           object.origin->number == inspector->number;
+}
+
+void edits_drag(App *app, Vec3d offset, bool continues) {
+    const ObjectInspector *inspector = &app->window.object_inspector;
+    recorder_on_step(app, "move(\"%s\", %d, %.17g, %.17g, %.17g%s)",
+                     scene_object_keyword(inspector->keyword)->name, inspector->number, offset.x,
+                     offset.y, offset.z, continues ? ", true" : "");
+    edits_move(app, inspector->keyword, inspector->number, offset, continues);
+}
+
 /* --- as text ---------------------------------------------------------------------------------- */
 
 /** @return The selected object; its number is 0 if there is none. */
@@ -277,8 +314,9 @@ static size_t count_of_line(const Scene *scene, const SceneObject *object) {
     size_t count = 0;
     bool is_shape = scene_object_is_shape(object->keyword);
     bool is_material = scene_object_keyword(object->keyword) == &scene_material_keyword;
-    size_t all = is_shape ? scene->shape_count
-                          : is_material ? scene->material_count : scene->light_count;
+    size_t all = is_shape      ? scene->shape_count
+                 : is_material ? scene->material_count
+                               : scene->light_count;
     for (size_t i = 0; i < all; i++) {
         SceneObject other = is_shape      ? scene_object_of_shape(scene, i)
                             : is_material ? scene_object_of_material(scene, i)
@@ -389,8 +427,8 @@ static bool replace_file(const char *path, const char *text, size_t size, Error 
 
 /** Writes the selected object and its material. @param[out] count Number of values. @return Whether
  *  they are written. */
-static bool write_selected(App *app, const SceneObject *objects, size_t object_count,
-                           size_t *count, Error *error) {
+static bool write_selected(App *app, const SceneObject *objects, size_t object_count, size_t *count,
+                           Error *error) {
     size_t size = 0;
     char *text = check_file(app, error) ? read_file(app->source.path, &size, error) : NULL;
     bool is_good = text != NULL;
@@ -421,12 +459,12 @@ void edits_write(App *app) {
         app_set_status(app, "nothing of it has changed");
     } else {
         for (size_t i = 0; i < object_count; i++) {
-            edit_history_wake_originals(&app->edits, objects[i].keyword,
-                                        objects[i].origin->number);
+            edit_history_wake_originals(&app->edits, objects[i].keyword, objects[i].origin->number);
         }
         current_scene_file_written(app);
-        app_set_status(app, ngettext("%zu value written into %s", "%zu values written into %s",
-                                     count), count, app->source.path);
+        app_set_status(app,
+                       ngettext("%zu value written into %s", "%zu values written into %s", count),
+                       count, app->source.path);
     }
 }
 

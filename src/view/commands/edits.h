@@ -19,6 +19,14 @@ void edits_click(App *app, double x, double y);
 /** Selects a light whose mark was clicked. @param light Its index. */
 void edits_click_light(App *app, size_t light);
 
+/** Takes hold of the selected shape. @param x Fraction of the picture's width. @param y Fraction of
+ *  its height. @param[out] point Where it is held, scene units. @return Whether it is there. */
+bool edits_grab(App *app, double x, double y, Vec3d *point);
+
+/** Drags the selected shape. @param offset How far, scene units. @param continues Whether the drag
+ *  goes on. */
+void edits_drag(App *app, Vec3d offset, bool continues);
+
 /** Carries out what the inspector requests. */
 void edits_handle_requests(App *app);
 

@@ -657,7 +657,7 @@ bool gui_edit_numbers(const char *label, double *numbers, int count, double low,
                       double speed, const char *tooltip) {
     bool is_changed =
         ImGui::DragScalarN(label, ImGuiDataType_Double, numbers, count,
-                           static_cast<float>(speed), &low, &high, "%.4g",
+                           static_cast<float>(speed), &low, &high, count > 1 ? "%.3g" : "%.4g",
                            ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat);
     show_tooltip(tooltip);
     return is_changed;

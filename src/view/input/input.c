@@ -137,6 +137,14 @@ static bool grab_at(App *app, int x, int y) {
         app->selected_light = mark->light;
         return true;
     }
+    double right, down;
+    bool is_picture =
+        !app->window.ray_view.is_open && window_picture_position(&app->window, x, y, &right, &down);
+    input->is_object_dragged = is_picture && !window_is_at_bar(&app->window, right) &&
+                               edits_grab(app, right, down, &input->dragged_point);
+    if (input->is_object_dragged) {
+        return true;
+    }
     app->window.split.is_dragged =
         !app->window.ray_view.is_open && window_is_at_bar(&app->window, picture_fraction(app, x));
     return app->window.split.is_dragged;
@@ -157,7 +165,11 @@ static void on_button(App *app, const SDL_MouseButtonEvent *button) {
     }
     // A lesson restores camera and lights when it resumes, but neither bar nor rays.
     bool is_accepted = is_down && !app_is_playing(app);
-    app->window.split.is_dragged = input->is_light_dragged = input->has_dragged = false;
+    if (!is_down && input->is_object_dragged && !input->has_dragged) {
+        click_at(app, button->x, button->y);
+    }
+    app->window.split.is_dragged = input->is_light_dragged = input->is_object_dragged =
+        input->has_dragged = false;
     input->is_click_candidate = is_accepted && !grab_at(app, button->x, button->y);
     input->click_x = button->x;
     input->click_y = button->y;
@@ -176,6 +188,21 @@ static void drag_bar(App *app, double fraction) {
     fraction = SDL_clamp(fraction, 0, 1);
     recorder_on_step(app, "bar(%.17g)", fraction);
     window_move_bar(&app->window, fraction);
+}
+
+/** Drags the selected shape in the plane that faces the camera; with Shift, along the direction of
+ *  view. */
+static void drag_object(App *app, const SDL_MouseMotionEvent *mouse) {
+    InputState *input = &app->input;
+    const PictureDrag drag = {{(float)(mouse->x - mouse->xrel), (float)(mouse->y - mouse->yrel)},
+                              {(float)mouse->x, (float)mouse->y},
+                              input->modifiers & KMOD_SHIFT};
+    Vec3d offset;
+    if (window_drag_offset_at(&app->window, input->dragged_point, &drag, &offset)) {
+        edits_drag(app, offset, input->has_dragged);
+        input->dragged_point = vec3d_add(input->dragged_point, offset);
+        input->has_dragged = true;
+    }
 }
 
 /** Drags a light in the plane that faces the camera; with Shift, along the direction of view. */
@@ -200,6 +227,8 @@ static void on_motion(App *app, const SDL_MouseMotionEvent *mouse) {
     int width = mouse_window_width(app);
     if (app->input.is_light_dragged) {
         drag_light(app, mouse);
+    } else if (app->input.is_object_dragged) {
+        drag_object(app, mouse);
     } else if (app->window.split.is_dragged) {
         drag_bar(app, picture_fraction(app, mouse->x));
     } else if (!(mouse->state & SDL_BUTTON_LMASK) || is_click_candidate(&app->input, mouse)) {

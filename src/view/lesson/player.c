@@ -186,8 +186,10 @@ static void do_step(App *app, const LessonStep *step) {
                      step->x >= 0 ? &(Uvd){step->x, step->y} : NULL);
         break;
     case LESSON_SET:
-        edits_set(app, &(SceneOverride){step->keyword, step->action, step->row,
-                                        {step->x, step->y, step->z}}, step->continues);
+        edits_set(
+            app,
+            &(SceneOverride){step->keyword, step->action, step->row, {step->x, step->y, step->z}},
+            step->continues);
         break;
     case LESSON_MOVE:
         edits_move(app, step->keyword, step->action, (Vec3d){step->x, step->y, step->z},

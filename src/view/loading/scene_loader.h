@@ -48,7 +48,7 @@ typedef struct SceneLoader {
     SceneLoad load;               /**< The request, then its result. */
     SceneOverride overrides[SCENE_OVERRIDES_MAXIMUM]; /**< Overrides of the request. */
     size_t override_count;                            /**< Their number. */
-    atomic_bool should_stop;      /**< Whether the thread should end. */
+    atomic_bool should_stop;                          /**< Whether the thread should end. */
 } SceneLoader;
 
 /**

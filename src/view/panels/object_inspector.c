@@ -79,8 +79,8 @@ static bool show_widget(const WidgetContext *context, const Parameter *row, doub
     case PARAMETER_CHOICE:
         return gui_edit_choice(row->name, numbers, row->choices, tooltip);
     case PARAMETER_INTEGER:
-        is_changed = gui_edit_numbers(row->name, numbers, 1, row->minimum, row->maximum, 1,
-                                      tooltip);
+        is_changed =
+            gui_edit_numbers(row->name, numbers, 1, row->minimum, row->maximum, 1, tooltip);
         numbers[0] = round(numbers[0]);
         return is_changed;
     case PARAMETER_NUMBER:
@@ -128,9 +128,8 @@ static void show_field(const WidgetContext *context, const Parameter *row, int r
  *  all. */
 static void show_fields(const WidgetContext *context, int first, int end) {
     const Parameter *row;
-    for (int i = first; (end < 0 || i < end) &&
-                        (row = scene_object_row(context->object->keyword, i));
-         i++) {
+    for (int i = first;
+         (end < 0 || i < end) && (row = scene_object_row(context->object->keyword, i)); i++) {
         if (parameter_number_count(row->type) > 0) {
             show_field(context, row, i);
         }
@@ -183,8 +182,8 @@ static void show_material(const WidgetContext *context) {
     if (gui_section(title, true)) {
         size_t users = count_users(scene, index);
         if (users > 1) {
-            snprintf(text, sizeof text,
-                     ngettext("%zu shape has it.", "%zu shapes have it.", users), users);
+            snprintf(text, sizeof text, ngettext("%zu shape has it.", "%zu shapes have it.", users),
+                     users);
             gui_text(text);
         }
         show_fields(&own, 0, -1);
@@ -206,7 +205,8 @@ static void show_buttons(ObjectInspector *inspector) {
     };
     for (size_t i = 0; i < sizeof buttons / sizeof *buttons; i++) {
         bool is_possible = buttons[i].request != INSPECTOR_RAYS || inspector->has_pixel;
-        if (is_possible && gui_panel_button(gettext(buttons[i].label), gettext(buttons[i].tooltip))) {
+        if (is_possible &&
+            gui_panel_button(gettext(buttons[i].label), gettext(buttons[i].tooltip))) {
             inspector->request = buttons[i].request;
         }
     }
@@ -260,8 +260,8 @@ static bool project(const SceneCamera *camera, const SDL_Rect *picture, Vec3d po
     double scale = picture->w / (2 * tan(camera->fov * M_PI / 360));
     place->x = (float)(picture->x + picture->w / 2.0 +
                        vec3d_dot(offset, scene_camera_right(camera)) / ahead * scale);
-    place->y = (float)(picture->y + picture->h / 2.0 -
-                       vec3d_dot(offset, camera->up) / ahead * scale);
+    place->y =
+        (float)(picture->y + picture->h / 2.0 - vec3d_dot(offset, camera->up) / ahead * scale);
     return ahead > 1e-6 * camera->target_distance;
 }
 
@@ -283,9 +283,9 @@ void object_inspector_outline(const ObjectInspector *inspector, const Scene *sce
             bool is_ahead = true;
             for (int i = 0; i < 2; i++) {
                 int bits = i == 0 ? corner : corner | axis;
-                ends[i] = (Vec3d){bits & 1 ? box.high.x : box.low.x,
-                                  bits & 2 ? box.high.y : box.low.y,
-                                  bits & 4 ? box.high.z : box.low.z};
+                ends[i] =
+                    (Vec3d){bits & 1 ? box.high.x : box.low.x, bits & 2 ? box.high.y : box.low.y,
+                            bits & 4 ? box.high.z : box.low.z};
                 is_ahead = project(&scene->camera, picture, ends[i], &places[i]) && is_ahead;
             }
             if (!(corner & axis) && is_ahead) {

@@ -89,11 +89,11 @@ same "$kept" "$(ls "$work"/replay/*.bmp | head -1)" 'to the bit'
 open "$box" --samples 1
 settled
 # The list of layers is wide, third in the first row; its second entry lies two rows below it.
-xdotool mousemove --window "$window" 220 18 click 1
+xdotool mousemove --window "$window" 220 24 click 1
 settled
-xdotool mousemove --window "$window" 220 66 click 1
+xdotool mousemove --window "$window" 220 94 click 1
 expect_shown 'normals.*finished' 'a list of the bar chooses a layer'
-xdotool mousemove --window "$window" 220 18 click 1
+xdotool mousemove --window "$window" 220 24 click 1
 settled
 xdotool key Escape
 settled
@@ -101,7 +101,7 @@ shown 'normals' && ok 'Esc closes the list, not the layer' || fail "the title sa
 xdotool key Escape
 expect_shown 'pass 1 px.*finished' 'Esc again: the light'
 # The slider of epsilon lies right of the middle of that row; while it is held, epsilon stays.
-xdotool mousemove --window "$window" 420 18 mousedown 1 mousemove --window "$window" 470 18
+xdotool mousemove --window "$window" 520 24 mousedown 1 mousemove --window "$window" 560 24
 epsilon() { title | sed -n 's/.*epsilon \([0-9.e-]*\).*/\1/p'; }
 shown 'offset fixed, epsilon'
 settled

@@ -16,7 +16,7 @@ END
 cp "$work/ball.lua" "$work/first.lua"
 click() { xdotool mousemove --window "$window" "$@" click 1; }
 # drag_widget: drags the second row of numbers of the inspector, the radius, to the right.
-drag_widget() { xdotool mousemove --window "$window" 560 168 mousedown 1 mousemove_relative 20 0 sleep 0.2 mousemove_relative 20 0 sleep 0.2 mousemove_relative 20 0 sleep 0.2 mouseup 1; }
+drag_widget() { xdotool mousemove --window "$window" 520 306 mousedown 1 mousemove_relative 20 0 sleep 0.2 mousemove_relative 20 0 sleep 0.2 mousemove_relative 20 0 sleep 0.2 mouseup 1; }
 
 
 open "$work/ball.lua" --samples 1

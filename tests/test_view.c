@@ -12,13 +12,15 @@
 #include "view/commands/commands.h"
 #include "view/panels/help.h"
 #include "view/panels/hud.h"
+#include "view/panels/legend.h"
 #include "view/panels/light_marks.h"
+#include "view/panels/magnifier.h"
+#include "view/panels/pixel_readout.h"
 #include "view/panels/toolbar.h"
 #include "view/state/edit_history.h"
 #include "view/state/scene_text.h"
 #include "view/state/snapshot.h"
 #include "view/state/source_edit.h"
-#include "view/window/font.h"
 
 #include <glob.h>
 #include <pthread.h>
@@ -189,10 +191,10 @@ static void test_keymap_others(void **state) {
 }
 
 /** @return The keys of a row of the help. */
-static const char *help_text_keys(const PanelRow *rows, size_t count, const char *text) {
-    for (size_t i = 0; i < count; i++) {
-        if (strcmp(rows[i].text, text) == 0) {
-            return rows[i].label;
+static const char *help_text_keys(const HelpList *list, const char *text) {
+    for (size_t i = 0; i < list->count; i++) {
+        if (strcmp(list->rows[i].text, text) == 0) {
+            return list->rows[i].label;
         }
     }
     fail_msg("the help does not tell of: %s", text);
@@ -202,66 +204,40 @@ static const char *help_text_keys(const PanelRow *rows, size_t count, const char
 /** The help names keys as on a US keyboard, SDL's default. */
 static void test_keymap_help(void **state) {
     (void)state;
-    PanelRow rows[HELP_ROWS_MAXIMUM];
+    HelpList list;
     Help help = {.commands = command_table};
-    size_t count = help_write_rows(&help, rows);
-    assert_string_equal(rows[0].text, "Light");
-    assert_true(rows[0].is_heading);
-    assert_string_equal(rows[1].label, "W  S");
-    assert_string_equal(help_text_keys(rows, count, "away from you, nearer"), "E  Z");
-    assert_string_equal(help_text_keys(rows, count, "forward, back"), "Page Up  Page Down");
-    assert_string_equal(help_text_keys(rows, count, "snapshot (Shift: as on the screen)"),
-                        "P  F12");
-    assert_string_equal(help_text_keys(rows, count, "leave"), "Esc");
+    help_write_list(&help, &list);
+    assert_in_range(list.count, 20, HELP_ROWS_MAXIMUM - 1);
+    assert_string_equal(list.rows[0].text, "Light");
+    assert_true(list.rows[0].is_heading);
+    assert_string_equal(list.rows[1].label, "W  S");
+    assert_string_equal(help_text_keys(&list, "away from you, nearer"), "E  Z");
+    assert_string_equal(help_text_keys(&list, "forward, back"), "Page Up  Page Down");
+    assert_string_equal(help_text_keys(&list, "snapshot (Shift: as on the screen)"), "P  F12");
+    assert_string_equal(help_text_keys(&list, "leave"), "Esc");
     help.by_letter = true;
-    count = help_write_rows(&help, rows);
-    assert_string_equal(rows[1].label, "Z  S");
-    assert_string_equal(help_text_keys(rows, count, "away from you, nearer"), "E  W");
+    help_write_list(&help, &list);
+    assert_string_equal(list.rows[1].label, "Z  S");
+    assert_string_equal(help_text_keys(&list, "away from you, nearer"), "E  W");
 }
 
-/** A panel fits windows down to 320x240, and can be drawn in any. */
-static void test_panel(void **state) {
+/** Arrows select a key of the help, and Enter requests its command. */
+static void test_help_keys(void **state) {
     (void)state;
-    PanelRow rows[HELP_ROWS_MAXIMUM];
-    // As many rows as fit into the lowest panel below; the help itself has columns.
-    const size_t most = 44;
-    size_t count = help_write_rows(&(Help){.commands = command_table}, rows);
-    count = count < most ? count : most;
-    static const int sizes[][2] = {{800, 600}, {320, 240}, {3840, 2160}, {200, 2000}, {1, 1}};
-    if (!font_is_available()) {
-        skip();
-    }
-    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
-        SDL_Surface *panel =
-            panel_draw(rows, count, &(PanelBounds){sizes[i][0], sizes[i][1], i % 2 ? 3 : 1});
-        assert_non_null(panel);
-        if (sizes[i][0] > 1) {
-            assert_in_range(panel->w, 100, sizes[i][0]);
-            assert_in_range(panel->h, 100, sizes[i][1]);
-        }
-        SDL_FreeSurface(panel);
-    }
-}
-
-/** The help fits windows, with the keyboard where it is readable. */
-static void test_help_panel(void **state) {
-    (void)state;
-    static const int sizes[][2] = {{800, 600}, {3840, 2160}, {1280, 500}, {400, 300}, {300, 900}};
-    const Help help = {.commands = command_table};
-    if (!font_is_available()) {
-        skip();
-    }
-    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
-        int width = sizes[i][0], height = sizes[i][1];
-        SDL_Surface *panel = help_draw(&help, &(PanelBounds){width, height, i % 2 ? 2 : 1});
-        assert_non_null(panel);
-        assert_in_range(panel->w, 100, width);
-        assert_in_range(panel->h, 100, height);
-        SDL_FreeSurface(panel);
-    }
-    assert_int_equal(keyboard_diagram_size(790, 270).x, 788);
-    assert_int_equal(keyboard_diagram_size(400, 300).y, 0);
-    SDL_FreeSurface(help_draw(&help, &(PanelBounds){1, 1, 1}));
+    Help help = {.commands = command_table, .selected = {-1, 0}};
+    assert_true(help_handle_key(&help, SDLK_RETURN));
+    assert_null(help.requested);
+    assert_true(help_handle_key(&help, SDLK_DOWN));
+    assert_true(help_handle_key(&help, SDLK_RETURN));
+    assert_string_equal(help.requested->name, "light up");
+    assert_true(help_handle_key(&help, SDLK_RIGHT) && help_handle_key(&help, SDLK_RIGHT));
+    assert_true(help_handle_key(&help, SDLK_RETURN));
+    assert_string_equal(help.requested->name, "light down");
+    assert_true(help_handle_key(&help, SDLK_END) && help_handle_key(&help, SDLK_RETURN));
+    assert_string_equal(help.requested->name, "leave");
+    assert_true(help_handle_key(&help, SDLK_HOME) && help_handle_key(&help, SDLK_UP));
+    assert_int_equal(help.selected.row, 1);
+    assert_false(help_handle_key(&help, SDLK_v));
 }
 
 /** @return The row of a position. */
@@ -274,13 +250,13 @@ static void test_keyboard_labels(void **state) {
     (void)state;
     const Help help = {.commands = command_table};
     assert_string_equal(row_at(SDL_SCANCODE_W)->name, "light up");
-    assert_int_equal(help_tint(&help, row_at(SDL_SCANCODE_W)), 1);
+    assert_int_equal(help_group(&help, row_at(SDL_SCANCODE_W)), 1);
     assert_string_equal(key_action_label(row_at(SDL_SCANCODE_W)), "up");
     assert_null(row_at(SDL_SCANCODE_F5));
     assert_string_equal(key_action_label(NULL), "");
     assert_string_equal(key_action_label(row_at(SDL_SCANCODE_LSHIFT)), "fast");
     assert_string_equal(key_action_label(row_at(SDL_SCANCODE_RCTRL)), "fine");
-    assert_int_equal(help_tint(&help, row_at(SDL_SCANCODE_LSHIFT)), 7);
+    assert_int_equal(help_group(&help, row_at(SDL_SCANCODE_LSHIFT)), 7);
     assert_string_equal(key_cap_label(SDL_SCANCODE_LEFT), "←");
 }
 
@@ -743,6 +719,107 @@ static void test_title(void **state) {
     assert_int_equal(strlen(title), TITLE_SIZE - 1);
 }
 
+/** The magnifier follows the mouse, until keys move it; it stays in the picture. */
+static void test_magnifier(void **state) {
+    (void)state;
+    Magnifier magnifier = {0};
+    const PixelPosition mouse = {5, 6}, other = {7, 6};
+    magnifier_toggle(&magnifier);
+    magnifier_follow(&magnifier, NULL, 80, 60);
+    assert_true(magnifier.is_on && magnifier.pixel.x == 40 && magnifier.pixel.y == 30);
+    magnifier_follow(&magnifier, &mouse, 80, 60);
+    assert_true(magnifier.pixel.x == 5 && magnifier.pixel.y == 6);
+    magnifier_step(&magnifier, -10, 1);
+    magnifier_follow(&magnifier, &mouse, 80, 60);
+    assert_true(magnifier.pixel.x == 0 && magnifier.pixel.y == 7);
+    magnifier_step(&magnifier, 100, 100);
+    magnifier_follow(&magnifier, NULL, 80, 60);
+    assert_true(magnifier.pixel.x == 79 && magnifier.pixel.y == 59);
+    magnifier_follow(&magnifier, &other, 80, 60);
+    assert_true(magnifier.pixel.x == 7 && magnifier.pixel.y == 6);
+    magnifier_toggle(&magnifier);
+    assert_false(magnifier.is_on);
+}
+
+/** A readout has place, shape with its line, and value with unit; of two pictures the difference.
+ */
+static void test_readout(void **state) {
+    (void)state;
+    Scene *scene = load_scene("scenes/box.lua");
+    char text[READOUT_SIZE];
+    PixelReadout readout = {.scene = scene,
+                            .x = 3,
+                            .y = 4,
+                            .readings = {{.rgb = {1, 2, 3}, .shape = 5, .distance = 2}},
+                            .count = 1};
+    pixel_readout_write(&readout, text);
+    assert_string_equal(text, "3, 4   sphere, line 35   colour 1 2 3 of 255");
+    readout.readings[0].layer = readout.readings[1].layer = LAYER_DISTANCE;
+    readout.readings[0].values[0] = 2;
+    readout.readings[1].values[0] = 2.5;
+    readout.count = 2;
+    pixel_readout_write(&readout, text);
+    assert_string_equal(text, "3, 4   sphere, line 35\n"
+                              "left: distance: 2 scene units\nright: distance: 2.5 scene units\n"
+                              "left minus right: -0.5 scene units");
+    readout.readings[1].layer = LAYER_RAYS;
+    pixel_readout_difference(readout.readings, text);
+    assert_string_equal(text, "two layers: no difference");
+    readout.readings[0].shape = 3;
+    pixel_readout_write(&readout, text);
+    assert_non_null(strstr(text, "quad, line 24, number 4"));
+    scene_destroy(scene);
+}
+
+/** @return The legend of a layer, of which a quarter is measured. */
+static Legend legend_of(const Scene *scene, Layer layer, double low, double high,
+                        bool is_finished) {
+    Error error = {0};
+    LayerMarks marks = {.count = 2};
+    RenderSettings settings = render_settings_default(scene);
+    settings.engine = engine_find("f32x4", &error);
+    RenderStats report = {.stride = 2,
+                          .is_finished = is_finished,
+                          .layer = {.layer = layer,
+                                    .scale = layer_scale(layer, low, high),
+                                    .pixel_count = 1000,
+                                    .artifact_pixels = 3,
+                                    .measured_fraction = 0.25,
+                                    .reference = layer == LAYER_ERROR ? "f128x1" : NULL}};
+    LegendContent content = {
+        .scene = scene, .report = &report, .settings = &settings, .marks = &marks, .progress = 0.4};
+    Legend legend;
+    legend_write(&content, &legend);
+    return legend;
+}
+
+/** Legends say unit, scale, counts, and what is not known yet. */
+static void test_legend(void **state) {
+    (void)state;
+    Scene *scene = load_scene("scenes/box.lua");
+    Legend light = legend_of(scene, LAYER_SHADED, 0, 0, true);
+    assert_string_equal(light.title, "");
+    Legend rays = legend_of(scene, LAYER_RAYS, 2, 17, true);
+    assert_string_equal(rays.unit, "rays per pixel, log scale");
+    assert_true(rays.has_bar && rays.entry_count == 5);
+    Legend error = legend_of(scene, LAYER_ERROR, 0, 1, false);
+    assert_string_equal(error.notes[0], "so far, off by over a step: 3 (0.3 %)");
+    assert_string_equal(error.notes[1], "reference f128x1: 25 % of the pixels, 40 % of the work");
+    assert_string_equal(error.notes[2], "2 places have rings");
+    error = legend_of(scene, LAYER_ERROR, 0, 1, true);
+    assert_string_equal(error.notes[0], "off by over a step: 3 (0.3 %)");
+    assert_string_equal(error.notes[1], "reference: f128x1");
+    Legend steps = legend_of(scene, LAYER_STEPS, 1, 0, true);
+    assert_false(steps.has_bar);
+    assert_string_equal(steps.notes[0], "no ray marches: no distance field is in view");
+    Legend time = legend_of(scene, LAYER_TIME, 1, 9, true);
+    assert_string_equal(time.notes[0], "one number per block of 8 × 8 pixels");
+    Legend shapes = legend_of(scene, LAYER_SHAPES, 0, 7, true);
+    assert_string_equal(shapes.texts[5], "sphere, line 35");
+    assert_int_equal((int)shapes.entry_count, (int)scene->shape_count);
+    scene_destroy(scene);
+}
+
 /** A window opens on an invisible screen, and closes when requested. */
 static void test_window(void **state) {
     (void)state;
@@ -769,8 +846,8 @@ typedef struct LoadRequests {
 
 /** Loads a scene. See #ViewLoader. @return A scene; NULL for `wrong.lua`. */
 static Scene *load_requested(void *context, const ViewRequest *request, const atomic_bool *stop,
-                             RenderSettings *render, Error *error) {
-    (void)stop;
+                             RenderSettings *render, Lesson **lesson, Error *error) {
+    (void)stop, (void)lesson;
     LoadRequests *requests = context;
     snprintf(requests->path, sizeof requests->path, "%s", request->path ? request->path : "");
     requests->count++;
@@ -1023,8 +1100,7 @@ int main(void) {
         cmocka_unit_test(test_keymap_light),
         cmocka_unit_test(test_keymap_others),
         cmocka_unit_test(test_keymap_help),
-        cmocka_unit_test(test_panel),
-        cmocka_unit_test(test_help_panel),
+        cmocka_unit_test(test_help_keys),
         cmocka_unit_test(test_keyboard_labels),
         cmocka_unit_test(test_command_table),
         cmocka_unit_test(test_toolbar_commands),
@@ -1043,6 +1119,9 @@ int main(void) {
         cmocka_unit_test(test_view_state_vertical),
         cmocka_unit_test(test_scene_text),
         cmocka_unit_test(test_title),
+        cmocka_unit_test(test_magnifier),
+        cmocka_unit_test(test_readout),
+        cmocka_unit_test(test_legend),
         cmocka_unit_test(test_window),
         cmocka_unit_test(test_drop),
         cmocka_unit_test(test_edit_history),

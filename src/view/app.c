@@ -74,11 +74,11 @@ void app_show_notes(App *app) {
 /* --- time ------------------------------------------------------------------------------------- */
 
 bool app_is_playing(const App *app) {
-    return app->player.lesson != NULL;
+    return app->player.lesson && app->player.state != PLAYER_IS_FINISHED;
 }
 
 bool app_is_lesson_stopped(const App *app) {
-    return app->player.is_paused || app->player.is_capturing;
+    return app->player.state != PLAYER_RUNS;
 }
 
 bool app_is_recording(const App *app) {
@@ -176,7 +176,12 @@ void app_pick_pixel(App *app, double x, double y) {
 }
 
 void app_step_pixel(App *app, int right, int down) {
-    ray_view_step_pixel(&app->window.ray_view, right, down);
+    if (app->window.magnifier.is_on && !app->window.ray_view.is_open) {
+        magnifier_step(&app->window.magnifier, right, down);
+        window_present(&app->window);
+    } else {
+        ray_view_step_pixel(&app->window.ray_view, right, down);
+    }
 }
 
 void app_choose_ray(App *app, size_t ray) {
@@ -188,6 +193,18 @@ void app_reset_view(App *app) {
     view_state_reset(&app->home_view, app->scene);
     app->selected_light = 0;
     app_on_view_changed(app);
+}
+
+void app_restart_view(App *app, double time) {
+    held_keys_clear(&app->input.held_keys);
+    app->input.camera_motion = MOTION_FLY;
+    app->timeline = (Timeline){.time = time};
+    window_reset_overrides(&app->window);
+    window_set_layer(&app->window, LAYER_SHADED);
+    app_reset_view(app);
+    edit_history_clear(&app->edits);
+    app->window.object_inspector = (ObjectInspector){0};
+    ray_view_reset(&app->window.ray_view);
 }
 
 /** Writes the settings of the active picture. */

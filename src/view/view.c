@@ -15,6 +15,7 @@
 #include "view/commands/recorder.h"
 #include "view/input/input.h"
 #include "view/input/signal_thread.h"
+#include "view/lesson/answer_file.h"
 #include "view/lesson/player.h"
 
 #include <libintl.h>
@@ -49,12 +50,22 @@ static void take_pending_snapshot(App *app) {
     }
 }
 
+/** Issues a command, as its key would; the key of a move goes up at once. */
+static void issue_requested(App *app, const Command *command) {
+    double now = clock_now_seconds();
+    command_issue(app, command, now);
+    if (command_is_move(command)) {
+        recorder_on_release(app, command, now);
+        held_keys_release(&app->input.held_keys, command->move, now);
+    }
+}
+
 /** Runs a command by its name, as its key would. @param name NULL: does nothing. */
 static void run_command(App *app, const char *name, int repetitions) {
     const Command *command = name ? command_find(app->commands, name) : NULL;
     for (int i = 0; command && i < repetitions; i++) {
         if (!player_handle_command(app, command)) {
-            command_issue(app, command, clock_now_seconds());
+            issue_requested(app, command);
         }
     }
 }
@@ -80,10 +91,12 @@ static void update_title(App *app, double now) {
     if (now < app->title.next_update_time && !window_is_finished(window)) {
         return;
     }
+    // Times and rays of other settings would be read as those of the new ones.
+    bool has_report = window->first_present_time > 0 && !viewport->is_report_old;
     TitleContent content = {.name = app->source.name,
                             .width = viewport->width,
                             .height = viewport->height,
-                            .report = window->first_present_time > 0 ? &viewport->report : NULL,
+                            .report = has_report ? &viewport->report : NULL,
                             .time = app->scene->is_time_dependent ? &app->scene_time : NULL,
                             .is_running = app->timeline.is_running,
                             .is_recording = app_is_recording(app),
@@ -132,6 +145,7 @@ static void run_frame(App *app) {
     }
     run_requested_command(app);
     edits_handle_requests(app);
+    player_handle_request(app);
     take_pending_snapshot(app);
     if (!player_capture(app, &error)) {
         app_report_error(app, &error);
@@ -174,6 +188,9 @@ static Status run_event_loop(App *app, const atomic_bool *stop, SignalThread *si
         return error->status;
     }
     app_show_notes(app);
+    if (settings->answer_path && !answer_file_prepare(settings->answer_path, error)) {
+        return error->status;
+    }
     player_begin(app);
     while (!app->exit.is_requested) {
         run_frame(app);

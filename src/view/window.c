@@ -21,9 +21,6 @@ bool window_open(Window *window, const Scene *scene, const RenderSettings *setti
                  const char *title, uint32_t pass_event, Error *error) {
     window->pass_event = pass_event;
     window->base_settings = *settings;
-    window->notice.overlay.anchor = window->caption.overlay.anchor = OVERLAY_BOTTOM;
-    window->huds[0].overlay.anchor = OVERLAY_TOP_LEFT;
-    window->huds[1].overlay.anchor = OVERLAY_TOP_RIGHT;
     split_view_move_bar(&window->split, 0.5);
     return viewport_open(&window->viewports[0], NULL, scene, settings, pass_event, error) &&
            sdl_window_open(&window->sdl, title, settings->width, settings->height, error);
@@ -86,7 +83,7 @@ void window_set_layer(Window *window, Layer layer) {
 void window_override_setting(Window *window, SettingsChangeFn *change, int step) {
     update_text_now(window);
     window->shows_settings = true;
-    viewport_override_setting(window_active_viewport(window), change, step);
+    viewport_override_setting(window_active_viewport(window), &window->base_settings, change, step);
 }
 
 void window_request_new_renderers(Window *window) {
@@ -120,6 +117,10 @@ void window_cycle_split(Window *window, int step) {
     }
 }
 
+bool window_awaits_second_picture(const Window *window) {
+    return window->split.mode != SPLIT_NONE && !window->viewports[1].renderer;
+}
+
 void window_swap_active(Window *window) {
     update_text_now(window);
     window->split.active = 1 - window->split.active;
@@ -134,6 +135,11 @@ void window_move_bar(Window *window, double fraction) {
 bool window_is_at_bar(const Window *window, double fraction) {
     return window->split.mode == SPLIT_BAR &&
            fabs(fraction - window->split.bar_position) < BAR_REACH;
+}
+
+void window_toggle_magnifier(Window *window) {
+    magnifier_toggle(&window->magnifier);
+    window_present(window);
 }
 
 void window_toggle_settings(Window *window) {
@@ -198,7 +204,7 @@ void window_on_visibility(Window *window) {
 }
 
 bool window_on_resize(Window *window) {
-    window->fitted_bar = window_area(window).y;
+    window->fitted_height = window_used_height(window);
     SDL_Rect picture = window_picture_rect(window);
     bool is_other =
         picture.w != window->viewports[0].width || picture.h != window->viewports[0].height;
@@ -241,26 +247,39 @@ static void draw_viewports(Window *window) {
     }
 }
 
-/** Draws the panels on the viewports. */
-static void draw_huds(Window *window, const OverlayTarget *target) {
+/** Shows the panels on the viewports, in the upper corners of an area. @param[out] extents Where
+ *  they lie. */
+static void show_huds(Window *window, const GuiRect *area, GuiRect extents[WINDOW_VIEWPORTS]) {
+    static const char *const ids[WINDOW_VIEWPORTS] = {"panel 1", "panel 2"};
     static const char *const titles[2][WINDOW_VIEWPORTS] = {{N_("left"), N_("right")},
                                                             {N_("left ←"), N_("right ←")}};
     size_t count = window_viewport_count(window);
-    bool is_difference = count > 1 && window->split.mode == SPLIT_DIFFERENCE;
     for (size_t i = 0; i < count; i++) {
         bool is_active = window->split.active == i;
         HudContent content = {.viewport = &window->viewports[i],
                               .title = count > 1 ? titles[is_active][i] : NULL,
-                              .shows_settings = window->shows_settings,
-                              .hides_layer = is_difference,
-                              .difference =
-                                  is_difference && i == 0 ? &window->split.difference : NULL};
+                              .shows_settings = window->shows_settings};
         hud_update(&window->huds[i], &content, clock_now_seconds());
-        hud_show(&window->huds[i], target);
+        GuiPlace place = {*area, (float)i, 0};
+        place.room.width = area->width / (float)count;
+        place.room.x += (float)i * place.room.width;
+        extents[i] = hud_show(&window->huds[i], ids[i], &place);
     }
 }
 
-/** Draws pictures and panels: everything but buttons, marks and messages. */
+float window_show_panels(Window *window, const GuiRect *area) {
+    GuiRect extents[WINDOW_VIEWPORTS] = {{0}};
+    GuiRect room = *area;
+    if (!window->ray_view.is_open) {
+        show_huds(window, area, extents);
+    }
+    room.height = SDL_max(1, room.height - notice_show(&window->notice, &room));
+    GuiRect caption = caption_show(&window->caption, &room);
+    bool is_below = caption.height > 0 && !window->caption.is_above;
+    return is_below ? caption.y : room.y + room.height;
+}
+
+/** Draws the pictures, and the list of scenes. */
 static void draw_pictures(Window *window) {
     double scale = window->text_scale > 0 ? window->text_scale : 1;
     OverlayTarget target = {window->sdl.renderer, scale, 1, window_toolbar_height(window)};
@@ -272,13 +291,7 @@ static void draw_pictures(Window *window) {
     } else {
         draw_viewports(window);
     }
-    if (!window->help.is_open && !window->ray_view.is_open) {
-        draw_huds(window, &target);
-    }
-    caption_show(&window->caption, &target);
-    notice_show(&window->notice, &target);
     browser_show(&window->browser, &target);
-    help_show(&window->help, &target);
 }
 
 void window_present(Window *window) {
@@ -288,10 +301,7 @@ void window_present(Window *window) {
 }
 
 void window_invalidate_text(Window *window) {
-    overlay_invalidate(&window->help.overlay);
     overlay_invalidate(&window->browser.overlay);
-    overlay_invalidate(&window->notice.overlay);
-    overlay_invalidate(&window->caption.overlay);
     for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
         hud_invalidate(&window->huds[i]);
     }
@@ -435,12 +445,31 @@ static bool picture_from_screen(uint8_t *bgrx, int width, int height, Picture *p
     return is_made;
 }
 
+void window_copy_part(const Window *window, int x, int y, int columns, int rows, uint8_t *rgb) {
+    const SplitView *split = &window->split;
+    const Viewport *first = &window->viewports[0];
+    if (window_viewport_count(window) == 1) {
+        renderer_copy_part(first->renderer, x, y, columns, rows, rgb);
+    } else if (split->mode == SPLIT_DIFFERENCE) {
+        split_view_copy_part(split, x, y, columns, rows, rgb);
+    } else {
+        int right = split_view_column(split, first->width);
+        for (int column = x; column < x + columns; column++) {
+            Renderer *renderer = window->viewports[column >= right ? 1 : 0].renderer;
+            for (int row = y; row < y + rows; row++) {
+                uint8_t *pixel = rgb + 3 * ((row - y) * columns + column - x);
+                renderer_copy_part(renderer, column, row, 1, 1, pixel);
+            }
+        }
+    }
+}
+
 bool window_copy_screen(Window *window, Picture *picture, Error *error) {
     SDL_Rect area = window_area(window);
     size_t row = (size_t)area.w * 4;
     uint8_t *bgrx = malloc(row * (size_t)area.h);
     draw_pictures(window);
-    window_show_rays(window);
+    window_show_panels_alone(window);
     if (bgrx && SDL_RenderReadPixels(window->sdl.renderer, &area, SDL_PIXELFORMAT_XRGB8888, bgrx,
                                      (int)row) != 0) {
         free(bgrx);

@@ -4,14 +4,13 @@
  */
 #include "view/window.h"
 
-#include "view/panels/pixel_readout.h"
-#include "view/window/font.h"
 
 #include <libintl.h>
 #include <stdio.h>
 
-/** Rows of text that fill the height of the window: read from the last row of a class. */
-static const float ROWS_PER_WINDOW = 30;
+/** Rows of text that fill the height below the toolbar: with a toolbar of three rows, letters are
+ *  still 1/30 of the window, which can be read from the last row of a class. */
+static const float ROWS_BELOW_TOOLBAR = 26;
 /** Smallest height of letters, screen units. */
 static const float TEXT_SIZE_MINIMUM = 14;
 /** Largest part of the window's height for the bar. */
@@ -22,6 +21,15 @@ enum { LAYOUTS_MAXIMUM = 4 };
 static const double TOAST_SECONDS = 4;
 /** Seconds that the hint at the start is shown. */
 static const double HINT_SECONDS = 6;
+/** Seconds between two numbers of how much of a reference there is. */
+static const double PROGRESS_SECONDS = 0.5;
+/** Width of the window beside the picture from which the lesson panel stands there, and not below,
+ *  in heights of letters. */
+static const double PANEL_WIDTH_MINIMUM = 12;
+/** Largest width of the lesson panel beside the picture, in heights of letters. */
+static const double PANEL_WIDTH_MAXIMUM = 20;
+/** Height of the lesson panel below the picture, in heights of letters. */
+static const double PANEL_HEIGHT = 8.5;
 /** How near to a light's mark the mouse takes hold of it, in heights of letters. */
 static const float MARK_REACH = 0.9F;
 
@@ -64,20 +72,62 @@ int window_toolbar_height(const Window *window) {
     return window->gui ? (int)((double)window->toolbar.height * pixels_per_unit(window) + 0.5) : 0;
 }
 
-SDL_Rect window_area(const Window *window) {
+/** Divides the window between picture and lesson panel: it stands beside the picture where there is
+ *  room, else below. @param[in,out] area The part below the toolbar; becomes that of the picture.
+ *  @return The part of the panel, pixels; empty: it is closed. */
+static SDL_Rect split_off_panel(const Window *window, SDL_Rect *area) {
+    const RenderSettings *settings = &window->base_settings;
+    double text_scale = window->text_scale > 0 ? window->text_scale : 1;
+    double least = (double)TEXT_SIZE_MINIMUM * pixels_per_unit(window);
+    double letter = text_scale * fmax(least, area->h / (double)ROWS_BELOW_TOOLBAR);
+    double beside = area->w - (double)area->h * settings->width / settings->height;
+    SDL_Rect panel = {0};
+    if (!window->gui || !window->lesson_panel.lesson) {
+        return panel;
+    }
+    panel = *area;
+    if (beside >= PANEL_WIDTH_MINIMUM * letter) {
+        panel.w = (int)fmin(beside, PANEL_WIDTH_MAXIMUM * letter);
+        area->w -= panel.w;
+        panel.x += area->w;
+        return panel;
+    }
+    // Its letters are those of a window without the panel.
+    letter =
+        text_scale * fmax(least, area->h / ((double)ROWS_BELOW_TOOLBAR + PANEL_HEIGHT * text_scale));
+    panel.h = SDL_clamp((int)(PANEL_HEIGHT * letter + 0.5), 1, area->h / 2 + 1);
+    area->h = SDL_max(1, area->h - panel.h);
+    panel.y += area->h;
+    return panel;
+}
+
+/** @return The part of the window below the toolbar, pixels. */
+static SDL_Rect area_below_toolbar(const Window *window) {
     SDL_Rect area = {.y = window->toolbar.is_folded ? 0 : window_toolbar_height(window)};
     sdl_window_size(&window->sdl, &area.w, &area.h);
     area.h = SDL_max(1, area.h - area.y);
     return area;
 }
 
+SDL_Rect window_area(const Window *window) {
+    SDL_Rect area = area_below_toolbar(window);
+    split_off_panel(window, &area);
+    return area;
+}
+
+int window_used_height(const Window *window) {
+    int width = 0, height = 0;
+    sdl_window_size(&window->sdl, &width, &height);
+    return SDL_max(0, height - window_area(window).h);
+}
+
 void window_size_below_toolbar(const Window *window, int *width, int *height) {
     SDL_GetWindowSize(window->sdl.window, width, height);
-    *height -= (int)(window_area(window).y / pixels_per_unit(window));
+    *height -= (int)(window_used_height(window) / pixels_per_unit(window));
 }
 
 void window_set_size_below_toolbar(Window *window, int width, int height) {
-    height += (int)(window_area(window).y / pixels_per_unit(window));
+    height += (int)(window_used_height(window) / pixels_per_unit(window));
     SDL_SetWindowSize(window->sdl.window, width, height);
 }
 
@@ -98,7 +148,7 @@ void window_set_toast(Window *window, const char *text) {
 /** Writes what a newcomer may press. */
 static void set_hint(Window *window) {
     static const char *const names[] = {"light up", "light left", "light down", "light right"};
-    char light[PANEL_LABEL_SIZE] = "", help[PANEL_LABEL_SIZE] = "";
+    char light[GUI_LABEL_SIZE] = "", help[GUI_LABEL_SIZE] = "";
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         help_key_names(command_find(window->help.commands, names[i]), window->help.by_letter, light,
                        sizeof light);
@@ -127,12 +177,13 @@ static bool toast_expire(Toast *toast, double now) {
 
 /* --- frames ----------------------------------------------------------------------------------- */
 
-/** Grows or shrinks the window by as much as the bar, so that the picture keeps its size.
- *  @return Whether the window has another size now. */
+/** Grows or shrinks the window by as much as bar and lesson panel, so that the picture keeps its
+ *  size. @return Whether the window has another size now. */
 static bool fit_window(Window *window) {
     Uint32 flags = SDL_GetWindowFlags(window->sdl.window);
-    int width = 0, height = 0, bar = window_area(window).y, added = bar - window->fitted_bar;
-    window->fitted_bar = bar;
+    int width = 0, height = 0, used = window_used_height(window);
+    int added = used - window->fitted_height;
+    window->fitted_height = used;
     if (flags & (SDL_WINDOW_FULLSCREEN_DESKTOP | SDL_WINDOW_MAXIMIZED) || added == 0) {
         return false;
     }
@@ -169,11 +220,23 @@ static bool set_toolbar_folded(Window *window, bool is_folded) {
 }
 
 void window_open_widgets(Window *window) {
-    window->gui = gui_create(window->sdl.window, window->sdl.renderer, font_path());
+    window->gui = gui_create(window->sdl.window, window->sdl.renderer);
     window->toolbar.is_folded = true;
     if (window->gui && !window->state.is_playing) {
         set_hint(window);
         set_toolbar_folded(window, false);
+    } else if (window->gui) {
+        window_relayout_toolbar(window);
+    }
+}
+
+void window_set_lesson_panel(Window *window, const LessonPanel *panel) {
+    bool is_other = !window->lesson_panel.lesson != !panel->lesson;
+    window->lesson_panel = *panel;
+    if (is_other && window->gui) {
+        window_relayout_toolbar(window);
+    } else if (window->gui) {
+        window_present(window);
     }
 }
 
@@ -183,15 +246,32 @@ void window_toggle_toolbar(Window *window) {
     }
 }
 
+/** @return Whether a legend says how much of the work is done, and it is not all done. */
+static bool has_progress(const Window *window) {
+    bool is_under_way = false;
+    for (size_t i = 0; i < window_viewport_count(window); i++) {
+        const RenderStats *report = &window->viewports[i].report;
+        is_under_way = is_under_way || (report->layer.reference && !report->is_finished);
+    }
+    return is_under_way && window->gui && !window->ray_view.is_open;
+}
+
 bool window_widgets_are_due(Window *window, double now) {
     bool is_over = toast_expire(&window->toast, now);
     is_over = toast_expire(&window->hint, now) || is_over;
+    if (has_progress(window) && now >= window->next_progress_time) {
+        window->next_progress_time = now + PROGRESS_SECONDS;
+        is_over = true;
+    }
     return is_over || gui_needs_frame(window->gui);
 }
 
 double window_widgets_timeout(const Window *window, double now) {
     const Toast *const toasts[] = {&window->toast, &window->hint};
     double delay = gui_needs_frame(window->gui) ? 0 : WINDOW_NO_TIMEOUT;
+    if (has_progress(window)) {
+        delay = fmin(delay, fmax(0, window->next_progress_time - now));
+    }
     for (size_t i = 0; i < sizeof toasts / sizeof *toasts; i++) {
         if (toasts[i]->text[0] != '\0') {
             delay = fmin(delay, fmax(0, toasts[i]->end_time - now));
@@ -200,10 +280,16 @@ double window_widgets_timeout(const Window *window, double now) {
     return delay;
 }
 
-/** @return A rectangle of pixels in screen units. */
-static SDL_Rect to_units(SDL_Rect rect, double scale) {
+SDL_Rect window_to_units(const Window *window, SDL_Rect rect) {
+    double scale = pixels_per_unit(window);
     return (SDL_Rect){(int)(rect.x / scale), (int)(rect.y / scale), (int)(rect.w / scale),
                       (int)(rect.h / scale)};
+}
+
+/** @return The part of the window below the toolbar, screen units. */
+static GuiRect window_area_units(const Window *window) {
+    SDL_Rect area = window_to_units(window, window_area(window));
+    return (GuiRect){(float)area.x, (float)area.y, (float)area.w, (float)area.h};
 }
 
 /** Shows the bar. */
@@ -216,37 +302,20 @@ static void show_toolbar(Window *window) {
                               .split = window->split.mode,
                               .shows_settings = window->shows_settings,
                               .shows_rays = window->ray_view.is_open,
+                              .shows_magnifier = window->magnifier.is_on,
                               .is_animated = state->is_animated,
                               .is_running = state->is_running,
                               .is_recording = state->is_recording};
     toolbar_show(&window->toolbar, &content);
 }
 
-/** Shows the messages: the newest one below the bar, the hint at the lower edge. */
-static void show_messages(const Window *window, int width, int height) {
-    float gap = gui_text_size();
-    if (window->toast.text[0] != '\0') {
-        gui_message("toast", window->toast.text,
-                    (GuiPoint){(float)width / 2, window->toolbar.height + gap / 2}, GUI_BELOW);
-    }
-    if (window->hint.text[0] != '\0') {
-        gui_message("hint", window->hint.text,
-                    (GuiPoint){(float)width / 2, (float)height - gap / 2}, GUI_ABOVE);
-    }
-}
-
-/** Shows what the pixel under the mouse shows. @param height Of the window, screen units. */
-static void show_readout(const Window *window, int height) {
-    int x = 0, y = 0;
-    double right, down;
-    bool is_inside = SDL_GetMouseFocus() == window->sdl.window;
-    SDL_GetMouseState(&x, &y);
-    is_inside = is_inside && window_picture_position(window, x, y, &right, &down);
-    bool is_difference = window->split.mode == SPLIT_DIFFERENCE;
-    if (is_inside && !is_difference && !window->ray_view.is_open && window->hint.text[0] == '\0') {
-        bool is_right = window_viewport_count(window) > 1 && right >= window->split.bar_position;
-        pixel_readout_show(&window->viewports[is_right ? 1 : 0], right, down,
-                           (GuiPoint){0, (float)height});
+/** Shows the messages at the lower edge: the newest one, else the hint. @param bottom Lower end of
+ *  the room for them. */
+static void show_messages(const Window *window, int width, float bottom) {
+    const Toast *toast = window->toast.text[0] != '\0' ? &window->toast : &window->hint;
+    if (toast->text[0] != '\0') {
+        gui_message("toast", toast->text,
+                    (GuiPoint){(float)width / 2, bottom - gui_text_size() / 2}, GUI_ABOVE);
     }
 }
 
@@ -256,17 +325,39 @@ static float text_size(const Window *window) {
     double scale = window->text_scale > 0 ? window->text_scale : 1;
     window_size_below_toolbar(window, &width, &height);
     // Whole units: the bar keeps its height while the window gains a pixel.
-    return roundf((float)scale * SDL_max(TEXT_SIZE_MINIMUM, (float)height / ROWS_PER_WINDOW));
+    return ceilf((float)scale * SDL_max(TEXT_SIZE_MINIMUM, (float)height / ROWS_BELOW_TOOLBAR));
+}
+
+/** Shows the marks of the lights. */
+static void show_light_marks(Window *window) {
+    if (!window->ray_view.is_open && !window->toolbar.is_folded && window->state.scene) {
+        SDL_Rect picture = window_to_units(window, window_picture_rect(window));
+        light_marks_show(&window->light_marks, window->state.scene, &picture,
+                         window->state.selected_light);
+    }
+}
+
+/** Shows the help, and requests the command that is clicked there. */
+static void show_help(Window *window, const GuiRect *area) {
+    help_show(&window->help, area);
+    if (window->help.requested) {
+        window->toolbar.command = window->help.requested->name;
+        window->toolbar.repetitions = 1;
+        window->help.requested = NULL;
+    }
 }
 
 /** Shows the selected object's outline and inspector. */
 static void show_object_inspector(Window *window) {
     const WindowState *state = &window->state;
     ObjectInspector *inspector = &window->object_inspector;
-    SDL_Rect picture = to_units(window_picture_rect(window), pixels_per_unit(window));
+    SDL_Rect picture = window_to_units(window, window_picture_rect(window));
     SceneObject object;
     bool is_light = inspector->number > 0 && !scene_object_is_shape(inspector->keyword) &&
                     scene_object_find(state->scene, inspector->keyword, inspector->number, &object);
+    if (!state->scene || window->ray_view.is_open) {
+        return;
+    }
     object_inspector_outline(inspector, state->scene, &picture);
     const ObjectInspectorContent content = {.scene = state->scene,
                                             .history = state->edits,
@@ -282,16 +373,17 @@ static void show_rays(Window *window) {
     bool is_covered = window->help.is_open || window->browser.is_open;
     if (window->ray_view.is_open && !is_covered && window->state.scene) {
         double scale = pixels_per_unit(window);
-        SDL_Rect area = to_units(window_area(window), scale);
+        SDL_Rect area = window_to_units(window, window_area(window));
         ray_view_show_widgets(&window->ray_view, window->state.scene, &window->help, &area, scale);
     }
 }
 
-void window_show_rays(Window *window) {
-    if (window->gui) {
-        gui_begin_frame(window->gui, text_size(window));
-        show_rays(window);
-        gui_end_frame(window->gui);
+/** Shows the panel of the lesson that plays. */
+static void show_lesson_panel(Window *window) {
+    SDL_Rect area = area_below_toolbar(window), panel = split_off_panel(window, &area);
+    if (window->lesson_panel.lesson) {
+        panel = window_to_units(window, panel);
+        lesson_panel_show(&window->lesson_panel, &panel);
     }
 }
 
@@ -303,22 +395,23 @@ void window_show_widgets(Window *window) {
     SDL_GetWindowSize(window->sdl.window, &width, &height);
     gui_begin_frame(window->gui, text_size(window));
     show_toolbar(window);
-    bool is_picture = !window->help.is_open && !window->browser.is_open;
+    GuiRect area = window_area_units(window);
+    float bottom = area.y + area.height;
     window->light_marks.count = 0;
-    if (is_picture && !window->ray_view.is_open && !window->toolbar.is_folded &&
-        window->state.scene) {
-        SDL_Rect picture = to_units(window_picture_rect(window), pixels_per_unit(window));
-        light_marks_show(&window->light_marks, window->state.scene, &picture,
-                         window->state.selected_light);
-    }
-    if (is_picture && !window->ray_view.is_open && window->state.scene) {
+    if (window->help.is_open) {
+        show_help(window, &area);
+    } else if (!window->browser.is_open) {
+        show_light_marks(window);
         show_object_inspector(window);
+        window_follow_mouse(window);
+        window_show_values(window);
+        window_show_readout(window);
+        show_rays(window);
+        show_lesson_panel(window);
+        area.height = SDL_max(1, area.height - gui_readout_height());
+        bottom = window_show_panels(window, &area);
     }
-    if (is_picture && !window->toolbar.is_folded) {
-        show_readout(window, height);
-    }
-    show_rays(window);
-    show_messages(window, width, height);
+    show_messages(window, width, bottom);
     gui_end_frame(window->gui);
 }
 
@@ -328,6 +421,19 @@ bool window_ray_at(const Window *window, int x, int y, size_t *ray) {
     return ray_view_ray_at(&window->ray_view, (x + 0.5) * scale, (y + 0.5) * scale, &area, ray);
 }
 
+void window_show_panels_alone(Window *window) {
+    if (!window->gui) {
+        return;
+    }
+    GuiRect area = window_area_units(window);
+    gui_begin_frame(window->gui, text_size(window));
+    window_show_values(window);
+    show_rays(window);
+    window_show_panels(window, &area);
+    gui_end_frame(window->gui);
+    gui_request_frames(window->gui);
+}
+
 const LightMark *window_light_at(const Window *window, int x, int y) {
     return light_marks_at(&window->light_marks, (GuiPoint){(float)x, (float)y},
                           MARK_REACH * text_size(window));
@@ -335,14 +441,14 @@ const LightMark *window_light_at(const Window *window, int x, int y) {
 
 bool window_drag_offset(const Window *window, size_t light, GuiPoint from, GuiPoint to,
                         bool is_along, Vec3d *offset) {
-    SDL_Rect picture = to_units(window_picture_rect(window), pixels_per_unit(window));
+    SDL_Rect picture = window_to_units(window, window_picture_rect(window));
     return window->state.scene && light_marks_drag_offset(window->state.scene, light, &picture,
                                                           from, to, is_along, offset);
 }
 
 bool window_drag_offset_at(const Window *window, Vec3d point, const PictureDrag *drag,
                            Vec3d *offset) {
-    SDL_Rect picture = to_units(window_picture_rect(window), pixels_per_unit(window));
+    SDL_Rect picture = window_to_units(window, window_picture_rect(window));
     return window->state.scene &&
            picture_drag_offset(&window->state.scene->camera, point, &picture, drag, offset);
 }

@@ -189,6 +189,12 @@ static void move_bar(App *app, int direction) {
     window_move_bar(&app->window, app->window.split.bar_position + direction * BAR_STEP);
 }
 
+/** Shows or hides the magnifier. */
+static void toggle_magnifier(App *app, int argument) {
+    (void)argument;
+    window_toggle_magnifier(&app->window);
+}
+
 /* --- the rays of one pixel -------------------------------------------------------------------- */
 
 /** Shows the rays of one pixel, or the picture again. */
@@ -333,12 +339,15 @@ static void toggle_full_screen(App *app, int argument) {
     sdl_window_toggle_full_screen(&app->window.sdl);
 }
 
-/** Ends the program; while a lesson is recorded or plays, only when it is asked a second time. */
+/** Ends the lesson that plays, or else the program; while a lesson is recorded or plays, only when
+ *  it is asked a second time. */
 static void leave_program(App *app) {
     double now = clock_now_seconds();
     bool needs_confirmation = app_is_playing(app) || app_is_recording(app);
     if (!needs_confirmation || now < app->exit.confirmation_end) {
-        app->exit.is_requested = true;
+        app->player.is_leaving = app_is_playing(app);
+        app->exit.is_requested = !app->player.is_leaving;
+        app->exit.confirmation_end = 0;
         return;
     }
     app->exit.confirmation_end = now + CONFIRMATION_SECONDS;
@@ -351,7 +360,7 @@ static void issue(App *app, const char *name) {
     command_issue(app, command_find(app->commands, name), clock_now_seconds());
 }
 
-/** Closes what lies topmost: help, rays, inspector, two pictures, a layer, the full screen; at last the
+/** Closes what lies topmost: help, a lesson's end card, rays, inspector, two pictures, a layer, the full screen; at last the
  *  program. What a lesson shows stays. */
 static void leave(App *app, int argument) {
     (void)argument;
@@ -363,10 +372,14 @@ static void leave(App *app, int argument) {
     }
     if (window->help.is_open) {
         toggle_help(app, 0);
+    } else if (app->player.lesson && is_own) {
+        app->player.is_leaving = true;
     } else if (is_own && window->ray_view.is_open) {
         issue(app, "rays");
     } else if (is_own && window->object_inspector.number > 0) {
         edits_close(app);
+    } else if (is_own && window->magnifier.is_on) {
+        issue(app, "magnifier");
     } else if (is_own && window->split.mode != SPLIT_NONE) {
         issue(app, window->split.mode == SPLIT_BAR ? "split back" : "split");
     } else if (is_own && window_active_viewport(window)->layer != LAYER_SHADED) {
@@ -423,6 +436,8 @@ static void leave(App *app, int argument) {
 #define LAST_LAYERS .help = N_("rays, marching, time, error, acne; rounding")
 /** The help of the keys that choose rays. */
 #define RAY_STEPS .help = N_("ray before, after, in flight (Shift 1 to 4: hide)")
+/** The help of the keys that show values of the picture, and of the one that resets all. */
+#define SHOWN_VALUES .help = N_("costs, magnifier, chart; all as at first")
 /** The help of the keys of epsilon. */
 #define EPSILON .help = N_("epsilon half, twice (Shift: 1/10, 10 times)")
 
@@ -479,8 +494,9 @@ const Command command_table[] = {
     {"methods", {KEY(u)}, N_("reports"), PICTURE, .help = N_("as report A, B, C, D; pixel corners"), RUNS(change_methods, 1)},
     {"methods back", {KEY(u)}, .flags = COMMAND_SHIFT, RUNS(change_methods, -1)},
     {"pixel corners", {KEY(F8)}, N_("corners"), PICTURE, .help = N_("as report A, B, C, D; pixel corners"), RUNS(change_pixel, 1)},
-    {"settings", {KEY(i)}, N_("costs"), PICTURE, .help = N_("settings and costs; all as at first"), RUNS(toggle_settings, 0)},
-    {"as at first", {NAMED(BACKSPACE, N_("Backspace"))}, N_("as at first"), PICTURE, .help = N_("settings and costs; all as at first"), RUNS(reset_settings, 0)},
+    {"settings", {KEY(i)}, N_("costs"), PICTURE, SHOWN_VALUES, RUNS(toggle_settings, 0)},
+    {"magnifier", {KEY(F4)}, N_("magnify"), PICTURE, SHOWN_VALUES, RUNS(toggle_magnifier, 0)},
+    {"as at first", {NAMED(BACKSPACE, N_("Backspace"))}, N_("as at first"), PICTURE, SHOWN_VALUES, RUNS(reset_settings, 0)},
     {"split", {KEY(x)}, N_("split"), PICTURE, .help = N_("side by side, difference; which side"), RUNS(cycle_split, 1)},
     {"split back", {KEY(x)}, .flags = COMMAND_SHIFT, RUNS(cycle_split, -1)},
     {"other side", {KEY(t)}, N_("side"), PICTURE, .help = N_("side by side, difference; which side"), RUNS(swap_side, 0)},

@@ -10,7 +10,6 @@
 #include "view/commands/current_scene.h"
 
 #include "base/scene_name.h"
-#include "view/window/font.h"
 
 #include <string.h>
 
@@ -71,8 +70,7 @@ void current_scene_open(App *app, const char *path) {
     }
 }
 
-/** Reports that a lesson needs the scene on screen. @return Whether one does. */
-static bool is_locked_by_lesson(App *app) {
+bool current_scene_is_locked(App *app) {
     bool is_locked = app_is_playing(app) || app_is_recording(app);
     if (is_locked) {
         app_set_status(app, "a lesson keeps to its scene");
@@ -81,10 +79,10 @@ static bool is_locked_by_lesson(App *app) {
 }
 
 void current_scene_browse(App *app) {
-    if (is_locked_by_lesson(app)) {
+    if (current_scene_is_locked(app)) {
         return;
     }
-    if (!app->settings->preview || !font_is_available() ||
+    if (!app->settings->preview || !app->window.gui ||
         !browser_open(&app->window.browser, app->settings,
                       app->first_event + EVENT_SCENE_LIST_CHANGED, app->source.path)) {
         app_set_status(app, "no list of scenes can be shown");
@@ -145,13 +143,18 @@ static bool replace_scene(App *app, SceneLoad *load, Error *error) {
     app->scene_time = load->time;
     app_sync_window(app);
     if (load->path[0] != '\0') {
-        set_path(app, load->path);
+        set_path(app, load->lesson ? load->lesson->scene : load->path);
         edit_history_clear(&app->edits);
         app->source.requested_revision = app->edits.revision;
         app->window.object_inspector = (ObjectInspector){0};
         app->timeline = (Timeline){.time = load->time};
     }
     app->source.shown_revision = app->source.requested_revision;
+    if (load->lesson) {
+        lesson_destroy(app->source.lesson);
+        app->source.lesson = load->lesson;
+        SDL_strlcpy(app->source.lesson_path, load->path, sizeof app->source.lesson_path);
+    }
     app->source.has_load_error = false;
     app_on_view_changed(app);
     if (load->path[0] != '\0' || load->force_reload) {
@@ -243,4 +246,5 @@ void current_scene_end(App *app) {
     file_watcher_stop(&app->source.watcher);
     scene_loader_stop(&app->source.loader);
     scene_destroy(app->source.owned);
+    lesson_destroy(app->source.lesson);
 }

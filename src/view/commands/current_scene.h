@@ -23,8 +23,11 @@ bool current_scene_file_changed(const App *app);
 /** Notes that this program has written the scene's file, and reloads it. */
 void current_scene_file_written(App *app);
 
-/** Loads another scene. */
+/** Loads another scene, or a lesson with its scene. */
 void current_scene_open(App *app, const char *path);
+
+/** Says so if a lesson needs the scene on screen. @return Whether one does. */
+bool current_scene_is_locked(App *app);
 
 /** Opens the list of scenes, unless a lesson needs the scene on screen. */
 void current_scene_browse(App *app);

@@ -182,15 +182,7 @@ bool recorder_begin(App *app, Error *error) {
     if (!recorder->stream) {
         return error_set(error, STATUS_FAILED, "no memory for a lesson");
     }
-    held_keys_clear(&app->input.held_keys);
-    app->input.camera_motion = MOTION_FLY;
-    timeline_pause(&app->timeline, clock_now_seconds());
-    window_reset_overrides(&app->window);
-    window_set_layer(&app->window, LAYER_SHADED);
-    app_reset_view(app);
-    edit_history_clear(&app->edits);
-    app->window.object_inspector = (ObjectInspector){0};
-    ray_view_reset(&app->window.ray_view);
+    app_restart_view(app, timeline_time_at(&app->timeline, clock_now_seconds()));
     write_head(app, recorder->stream);
     app->title.next_update_time = 0;
     return true;
@@ -240,9 +232,7 @@ bool recorder_end(App *app, Error *error) {
 static void show_typed_caption(App *app) {
     Caption *caption = &app->window.caption;
     const char *text = app->recorder.caption;
-    *caption = (Caption){
-        .text = {text, text}, .hint = N_("Caption: type, then Enter"), .overlay = caption->overlay};
-    overlay_invalidate(&caption->overlay);
+    *caption = (Caption){.text = {text, text}, .hint = N_("Caption: type, then Enter")};
     window_present(&app->window);
 }
 

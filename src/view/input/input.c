@@ -42,12 +42,13 @@ static void end_all_moves(App *app, double time) {
     held_keys_release_all(&app->input.held_keys, time);
 }
 
-/** Steps to a pixel nearby: an arrow with Ctrl, while rays are shown. @return Whether the key is
+/** Steps to a pixel nearby: an arrow with Ctrl, while rays or the magnifier are shown. @return Whether the key is
  *  one for that. */
 static bool step_pixel_by_key(App *app, const Command *command, int modifiers) {
     bool is_arrow =
         command && command->move.subject == MOVE_CAMERA && command->move.axis != MOVE_FORWARD;
-    if (!is_arrow || !app->window.ray_view.is_open || !(modifiers & KMOD_CTRL)) {
+    bool has_pixel = app->window.ray_view.is_open || app->window.magnifier.is_on;
+    if (!is_arrow || !has_pixel || !(modifiers & KMOD_CTRL)) {
         return false;
     }
     if (!app_is_playing(app)) {
@@ -75,6 +76,9 @@ static void on_key(App *app, const SDL_KeyboardEvent *key) {
         command_find_key(app->commands, key->keysym, app->settings->keys_by_letter);
     command = command && command->name ? in_ray_view(app, command) : NULL;
     if (is_down && step_pixel_by_key(app, command, key->keysym.mod)) {
+        return;
+    }
+    if (is_down && player_handle_digit(app, key->keysym.scancode)) {
         return;
     }
     double factor = speed_factor(key->keysym.mod);
@@ -265,7 +269,7 @@ static void apply_browser_result(App *app, BrowserResult result) {
     Browser *browser = &app->window.browser;
     char path[PATH_MAX];
     if (result == BROWSER_OPEN_SCENE && browser_selected_path(browser, path)) {
-        current_scene_open(app, path);
+        player_open_file(app, path);
     }
     if (result != BROWSER_KEEP_OPEN) {
         browser_close(browser);
@@ -384,9 +388,21 @@ static bool handle_widget_event(App *app, const SDL_Event *event) {
     return gui_handle_event(app->window.gui, event);
 }
 
+/** Handles an event while the help is open. @return Whether it was for the help. */
+static bool handle_help_event(App *app, const SDL_Event *event) {
+    Help *help = &app->window.help;
+    bool is_key = help->is_open && event->type == SDL_KEYDOWN &&
+                  !(event->key.keysym.mod & WINDOW_MANAGER_MODIFIERS) &&
+                  help_handle_key(help, event->key.keysym.sym);
+    if (is_key) {
+        gui_request_frames(app->window.gui);
+    }
+    return is_key;
+}
+
 void input_handle_event(App *app, const SDL_Event *event) {
     if (handle_widget_event(app, event) || recorder_handle_caption_event(app, event) ||
-        handle_browser_event(app, event)) {
+        handle_browser_event(app, event) || handle_help_event(app, event)) {
         return;
     }
     switch (event->type) {
@@ -408,7 +424,7 @@ void input_handle_event(App *app, const SDL_Event *event) {
         on_window(app, &event->window);
         break;
     case SDL_DROPFILE:
-        current_scene_open(app, event->drop.file);
+        player_open_file(app, event->drop.file);
         SDL_free(event->drop.file);
         break;
     case SDL_KEYMAPCHANGED:

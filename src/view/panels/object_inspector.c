@@ -173,18 +173,18 @@ static void show_material(const WidgetContext *context) {
     SceneObject material = scene_object_of_material(scene, index);
     char title[LABEL_SIZE], text[LABEL_SIZE];
     if (material.origin->number == 0) {
-        gui_text(gettext("It has no material of its own."));
+        gui_inspector_text(gettext("It has no material of its own."));
         return;
     }
     WidgetContext own = *context;
     own.object = &material;
     write_name(&material, title);
-    if (gui_section(title, true)) {
+    if (gui_inspector_section(title, true)) {
         size_t users = count_users(scene, index);
         if (users > 1) {
             snprintf(text, sizeof text, ngettext("%zu shape has it.", "%zu shapes have it.", users),
                      users);
-            gui_text(text);
+            gui_inspector_text(text);
         }
         show_fields(&own, 0, -1);
     }
@@ -206,7 +206,7 @@ static void show_buttons(ObjectInspector *inspector) {
     for (size_t i = 0; i < sizeof buttons / sizeof *buttons; i++) {
         bool is_possible = buttons[i].request != INSPECTOR_RAYS || inspector->has_pixel;
         if (is_possible &&
-            gui_panel_button(gettext(buttons[i].label), gettext(buttons[i].tooltip))) {
+            gui_inspector_button(gettext(buttons[i].label), gettext(buttons[i].tooltip))) {
             inspector->request = buttons[i].request;
         }
     }
@@ -229,7 +229,7 @@ void object_inspector_show(ObjectInspector *inspector, const ObjectInspectorCont
     }
     WidgetContext context = {inspector, content, &object, size_of_scene(content->scene)};
     write_name(&object, title);
-    if (!gui_panel_begin("object", title, content->top)) {
+    if (!gui_inspector_begin("object", title, content->top)) {
         inspector->request = INSPECTOR_CLOSE;
     }
     if (!content->is_read_only) {
@@ -238,7 +238,7 @@ void object_inspector_show(ObjectInspector *inspector, const ObjectInspectorCont
     int own = own_row_count(object.keyword);
     show_fields(&context, 0, own);
     if (scene_object_is_shape(object.keyword)) {
-        if (gui_section(gettext("transform"), object.transform != NULL)) {
+        if (gui_inspector_section(gettext("transform"), object.transform != NULL)) {
             show_fields(&context, own, -1);
         }
         show_material(&context);
@@ -246,7 +246,7 @@ void object_inspector_show(ObjectInspector *inspector, const ObjectInspectorCont
     if (!gui_is_editing()) {
         inspector->is_continuing = false;
     }
-    gui_panel_end();
+    gui_inspector_end();
 }
 
 /* --- the outline ------------------------------------------------------------------------------ */

@@ -24,7 +24,7 @@ while read -r line; do
     command=$(echo "${line%%#*}" | sed 's/ *$//')
     case $command in
     'build/dioptre view '*)
-        scene=$(echo "$command" | awk '{ print $NF }')
+        scene=$(echo "$command" | awk '{ print $3 }')
         [ -f "$scene" ] && ok "the scene of: $command" || fail "no scene: $command"
         ;;
     'build/dioptre '*)

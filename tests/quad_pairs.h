@@ -124,7 +124,8 @@ static inline bool quotient_is_right(Bits128 a, Bits128 b) {
     return error.high == 0 && error.low <= b / 2;
 }
 
-/** @return How many of some pairs are multiplied or divided wrongly. @param count Number of pairs. */
+/** @return How many of some pairs are multiplied or divided wrongly. @param count Number of pairs.
+ */
 static inline int count_wrong_pairs(int count) {
     uint64_t state = 0x9E3779B97F4A7C15;
     int wrong = 0;

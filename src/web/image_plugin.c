@@ -1,12 +1,14 @@
 /**
  * @file
- * @brief The picture module of the page: PNG, HDR and BMP by stb_image, JPEG by libjpeg-turbo. It
- *        stands in for assets/images/image_plugin.cpp, which is over OpenImageIO.
+ * @brief The picture module of the page: PNG, TGA, PNM and HDR by stb_image, JPEG by libjpeg-turbo.
+ * It stands in for assets/images/image_plugin.cpp, which is over OpenImageIO.
  *
  * PNG and HDR have one right answer, and JPEG is decoded by the library that OpenImageIO uses: the
  * pixels are the desktop's to the bit. A picture is decoded whole when it is opened.
  */
 #include "assets/images/image_plugin.h"
+
+#include "web/libraries/stb.h"
 
 #include <libintl.h>
 #include <setjmp.h>
@@ -17,24 +19,6 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#define STBI_NO_STDIO
-#define STBI_NO_THREAD_LOCALS
-#define STBI_ONLY_PNG
-#define STBI_ONLY_HDR
-#define STBI_ONLY_TGA
-#define STBI_ONLY_PNM
-#define STBI_MAX_DIMENSIONS IMAGE_PLUGIN_SIZE_MAXIMUM
-#pragma clang diagnostic push
-#pragma clang diagnostic ignored "-Weverything"
-#include <stb/stb_image.h>
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#define STB_IMAGE_WRITE_STATIC
-#define STBI_WRITE_NO_STDIO
-#include <stb/stb_image_write.h>
-#pragma clang diagnostic pop
 
 /** Colours of a pixel. */
 enum { CHANNELS = 3 };
@@ -157,12 +141,11 @@ static bool decode_other(const unsigned char *bytes, size_t size, ImageReader *r
                                                &channels, CHANNELS);
     }
     header->strip_rows = header->height;
-    return reader->pixels ||
-           set_message(message, stbi_failure_reason() ? stbi_failure_reason()
-                                                      : gettext("no memory"));
+    return reader->pixels || set_message(message, stbi_failure_reason() ? stbi_failure_reason()
+                                                                        : gettext("no memory"));
 }
 
-/** Closes a file. See #ImagePlugin.close. */
+/** Closes a file. See ImagePlugin::close. */
 static void close_reader(ImageReader *reader) {
     if (reader) {
         free(reader->pixels);
@@ -170,7 +153,7 @@ static void close_reader(ImageReader *reader) {
     }
 }
 
-/** Opens and decodes a file. See #ImagePlugin.open. */
+/** Opens and decodes a file. See ImagePlugin::open. */
 static ImageReader *open_reader(int file, const char *format, ImageHeader *header,
                                 ImagePluginMessage *message) {
     size_t size;
@@ -189,7 +172,7 @@ static ImageReader *open_reader(int file, const char *format, ImageHeader *heade
     return reader;
 }
 
-/** Copies rows. See #ImagePlugin.read_encoded. */
+/** Copies rows. See ImagePlugin::read_encoded. */
 static bool read_encoded(ImageReader *reader, int first, int count, uint8_t *rgb,
                          ImagePluginMessage *message) {
     (void)message;
@@ -198,7 +181,7 @@ static bool read_encoded(ImageReader *reader, int first, int count, uint8_t *rgb
     return true;
 }
 
-/** Copies rows. See #ImagePlugin.read_linear. */
+/** Copies rows. See ImagePlugin::read_linear. */
 static bool read_linear(ImageReader *reader, int first, int count, float *rgb,
                         ImagePluginMessage *message) {
     (void)message;
@@ -208,7 +191,7 @@ static bool read_linear(ImageReader *reader, int first, int count, float *rgb,
     return true;
 }
 
-/** See #ImagePlugin.is_damaged. */
+/** See ImagePlugin::is_damaged. */
 static bool is_damaged(ImageReader *reader) {
     return reader->is_damaged;
 }
@@ -224,7 +207,7 @@ static void append(void *context, void *bytes, int size) {
     }
 }
 
-/** Encodes PNG, without metadata. See #ImagePlugin.encode. */
+/** Encodes PNG, without metadata. See ImagePlugin::encode. */
 static bool encode(const char *format, const ImagePluginSource *source, EncodedImage *file,
                    ImagePluginMessage *message) {
     *file = (EncodedImage){0};
@@ -237,7 +220,7 @@ static bool encode(const char *format, const ImagePluginSource *source, EncodedI
            set_message(message, gettext("no memory"));
 }
 
-/** Frees a file in memory. See #ImagePlugin.free_encoded. */
+/** Frees a file in memory. See ImagePlugin::free_encoded. */
 static void free_encoded(EncodedImage *file) {
     free(file->owner);
     *file = (EncodedImage){0};

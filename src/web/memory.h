@@ -6,8 +6,8 @@
 #ifndef DIOPTRE_WEB_MEMORY_H
 #define DIOPTRE_WEB_MEMORY_H
 
-/** Largest size of a scene, bytes: some sixty thousand spheres. All of it is set to zero for each scene
- *  that is read, in 2 ms. */
+/** Largest size of a scene, bytes: some sixty thousand spheres. All of it is set to zero for each
+ * scene that is read, in 2 ms. */
 #define SCENE_MEMORY_SIZE ((size_t)16 << 20)
 /** Largest size of the Lua data of a scene, bytes. */
 #define SCRIPT_MEMORY_LIMIT ((size_t)128 << 20)

@@ -89,8 +89,7 @@ WorkerAnswer worker_job_ask(const void *question, size_t size) {
     const WorkerCall *call = current_run->call;
     WorkerResponse response = {0};
     worker_job_check();
-    bool is_valid =
-        call->answer && call->answer(call->answer_context, question, size, &response);
+    bool is_valid = call->answer && call->answer(call->answer_context, question, size, &response);
     WorkerAnswer answer = {.bytes = malloc(response.size + 1), .file = -1};
     if (!is_valid || !answer.bytes) {
         free(answer.bytes);
@@ -164,8 +163,8 @@ static bool copy_block(const WorkerJob *job, const WorkerCall *call, WorkerReply
     if (job->block_size == 0 || job->block == call->block) {
         return true;
     }
-    void *copy = mmap(NULL, job->block_size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS,
-                      -1, 0);
+    void *copy =
+        mmap(NULL, job->block_size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (copy == MAP_FAILED || job->block_size > call->block_capacity) {
         reply->block = NULL;
         reply->block_size = 0;
@@ -197,9 +196,9 @@ static WorkerReply do_job(Run *run, const WorkerTask *task) {
     current_run = run;
     if (run->call->block) {
         // The task takes it for new memory, which holds zeros; see __wrap_mmap.
-        memset(run->call->block, 0, run->call->block_capacity < FRESH_BLOCK_SIZE
-                                        ? run->call->block_capacity
-                                        : FRESH_BLOCK_SIZE);
+        memset(run->call->block, 0,
+               run->call->block_capacity < FRESH_BLOCK_SIZE ? run->call->block_capacity
+                                                            : FRESH_BLOCK_SIZE);
     }
     if (setjmp(run->late) == 0) {
         task->run(job);

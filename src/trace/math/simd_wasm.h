@@ -24,7 +24,8 @@ typedef union RealParts {
 
 /** LANES numbers of the next wider type by parts. */
 typedef union WideParts {
-    wide_scalar numbers __attribute__((vector_size(LANES * sizeof(wide_scalar)))); /**< As numbers. */
+    wide_scalar numbers
+        __attribute__((vector_size(LANES * sizeof(wide_scalar))));        /**< As numbers. */
     int64_t truths __attribute__((vector_size(LANES * sizeof(int64_t)))); /**< As truth values. */
     v128_t parts[LANES * sizeof(wide_scalar) / sizeof(v128_t)]; /**< As the processor has them. */
 } WideParts;

@@ -17,7 +17,8 @@ int renameat2(int from_folder, const char *from, int to_folder, const char *to, 
 /** Number of the call of Linux that opens a file beneath a folder. */
 #define SYS_openat2 437
 
-/** Calls the system by number: #SYS_openat2 alone. @return -1 with errno set to ENOSYS for others. */
+/** Calls the system by number: #SYS_openat2 alone. @return -1 with errno set to ENOSYS for others.
+ */
 long syscall(long number, ...);
 #endif
 

@@ -5,8 +5,8 @@
  * They stand in for musl's, which know no LC_MESSAGES but "C". The catalogue is a file of msgfmt:
  * tables of sorted originals and their translations.
  */
-#include <limits.h>
 #include <libintl.h>
+#include <limits.h>
 #include <locale.h>
 #include <pthread.h>
 #include <stdatomic.h>

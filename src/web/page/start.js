@@ -133,7 +133,19 @@ const drop = async (event) => {
   Module._web_file_changed();
 };
 
+/** Selects the line that an error names. */
+const showLine = () => {
+  const line = Number($("errors").dataset.line);
+  if (line > 0) {
+    const lines = $("text").value.split("\n");
+    const start = lines.slice(0, line - 1).join("\n").length + (line > 1 ? 1 : 0);
+    $("text").focus();
+    $("text").setSelectionRange(start, start + (lines[line - 1] || "").length);
+  }
+};
+
 const listen = () => {
+  $("errors").addEventListener("click", showLine);
   $("text").addEventListener("input", () => {
     clearTimeout(editTimer);
     editTimer = setTimeout(applyText, EDIT_DELAY);
@@ -143,7 +155,6 @@ const listen = () => {
   $("hide").addEventListener("click", () => {
     $("editor").hidden = !$("editor").hidden;
     $("hide").setAttribute("aria-expanded", String(!$("editor").hidden));
-    window.dispatchEvent(new Event("resize"));
   });
   $("canvas").addEventListener("click", () => $("canvas").focus());
   // The window's keys; those with Ctrl, Alt or the system's key stay the browser's.
@@ -155,6 +166,8 @@ const listen = () => {
   document.addEventListener("dragover", (event) => event.preventDefault());
   document.addEventListener("drop", drop);
   setInterval(offerFiles, 500);
+  // The window follows its element, not the browser's window alone.
+  new ResizeObserver(() => window.dispatchEvent(new Event("resize"))).observe($("stage"));
 };
 
 /** Fetches pictures and models once the first picture is there. */
@@ -192,7 +205,7 @@ const createModule = (files, opened) => ({
   print: (line) => console.log(line),
   printErr: (line) => {
     $("errors").textContent += line + "\n";
-    const place = new RegExp("^" + shown + ":(\\d+):").exec(line);
+    const place = new RegExp(shown + ":(\\d+):").exec(line);
     $("errors").dataset.line = place ? place[1] : "";
   },
   onScene: (path) => {

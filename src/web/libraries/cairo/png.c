@@ -2,16 +2,10 @@
  * @file
  * @brief PNG of cairo's pictures by stb_image_write, for pictures within SVG charts.
  */
+#include "web/libraries/stb.h"
+
 #include <cairo.h>
 #include <stdlib.h>
-
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#define STB_IMAGE_WRITE_STATIC
-#define STBI_WRITE_NO_STDIO
-#pragma clang diagnostic push
-#pragma clang diagnostic ignored "-Weverything"
-#include <stb/stb_image_write.h>
-#pragma clang diagnostic pop
 
 /** Where the bytes go. */
 typedef struct PngSink {
